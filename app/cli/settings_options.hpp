@@ -1,0 +1,25 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <map>
+#include <string>
+
+#include "core/base/result.hpp"
+#include "core/synthesis/settings.hpp"
+
+namespace abrazo::app {
+
+/// The options of every setting (contract: SETTINGS), the same for each subcommand that solves.
+class SettingsOptions {
+ public:
+  void add_to(CLI::App& command);
+
+  /// The preset with what was given changed.
+  Result<Settings> read() const;
+
+ private:
+  std::string preset_ = "paper";
+  std::map<std::string, std::string> given_;
+};
+
+}  // namespace abrazo::app

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <Eigen/Core>
+
+namespace abrazo {
+
+using Vec3 = Eigen::Vector3d;
+
+/// One row per point [m], right-handed, Y up.
+using Positions = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
+
+inline constexpr int joint_count = 25;  ///< joints of one body (contract.md)
+inline constexpr int pair_vertex_count = 2 * joint_count;
+
+/// Joint positions of one body, one row per joint of `JointSet` [m]. Fixed size: never allocates.
+using Pose = Eigen::Matrix<double, joint_count, 3, Eigen::RowMajor>;
+
+/// Both bodies: rows 0..24 active, 25..49 passive [m].
+using PairPose = Eigen::Matrix<double, pair_vertex_count, 3, Eigen::RowMajor>;
+
+}  // namespace abrazo

@@ -1,0 +1,9 @@
+#include "core/base/version.hpp"
+
+namespace abrazo {
+
+const char* version() {
+  return ABRAZO_VERSION;
+}
+
+}  // namespace abrazo

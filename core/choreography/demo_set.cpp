@@ -1,0 +1,115 @@
+#include "core/choreography/demo_set.hpp"
+
+#include <fmt/core.h>
+
+#include <cerrno>
+#include <cstring>
+#include <deque>
+#include <fstream>
+#include <span>
+#include <string_view>
+
+#include "core/base/atomic_file.hpp"
+#include "core/base/json_text.hpp"
+#include "core/motion/bvh.hpp"
+
+namespace abrazo {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Files that are written beside their names and get these together.
+class FileSet {
+ public:
+  explicit FileSet(fs::path folder) : folder_(std::move(folder)) {}
+
+  Status add(const std::string& name, std::string_view content) {
+    const AtomicFile& file = files_.emplace_back(folder_ / name);
+    std::ofstream out(file.partial(), std::ios::binary);
+    if (!out) return Error{std::string("cannot be created: ") + std::strerror(errno), (folder_ / name).string()};
+    out.write(content.data(), static_cast<std::streamsize>(content.size()));
+    out.close();
+    if (!out) return Error{"could not be written whole; is the disk full?", (folder_ / name).string()};
+    return Done{};
+  }
+
+  Status commit() {
+    for (AtomicFile& file : files_)
+      if (Status done = file.commit(); !done) return done;
+    return Done{};
+  }
+
+ private:
+  fs::path folder_;
+  std::deque<AtomicFile> files_;
+};
+
+std::string motion_name(const PairedTake& take, char performer) { return fmt::format("{}_{}.bvh", take.name, performer); }
+
+std::string labels_csv(const std::vector<PairedTake>& takes) {
+  std::string text = "take,start_frame,end_frame,label,detail,confidence\n";
+  for (const PairedTake& take : takes)
+    for (const LabelInterval& label : take.labels)
+      text += fmt::format("{},{},{},{},{},{}\n", take.name, label.start, label.end, label.label, label.detail,
+                          label.confidence);
+  return text;
+}
+
+Result<std::string> role_text(const PairedTake& take) {
+  if (take.roles.empty()) return std::string("unknown");
+  const RoleInterval& role = take.roles.front();
+  if (take.roles.size() > 1 || role.start > 0 || role.end < static_cast<int>(take.a.poses.size()))
+    return Error{"a demo take has one role throughout; this one changes it", take.name};
+  return std::string(role.active == ActivePerformer::A ? "a" : role.active == ActivePerformer::B ? "b" : "unknown");
+}
+
+Result<std::string> manifest_json(const std::vector<PairedTake>& takes, const std::string& name) {
+  JsonText json;
+  json.begin_object().key("name").value(name).key("takes").begin_array();
+  for (const PairedTake& take : takes) {
+    const Result<std::string> role = role_text(take);
+    if (!role) return role.error();
+    json.begin_object().key("name").value(take.name).key("fps").value(take.fps).key("metres_per_unit").value(1);
+    for (const char performer : {'a', 'b'}) {
+      json.key(std::string_view(&performer, 1)).begin_object().key("motion").value(motion_name(take, performer));
+      json.end_object();
+    }
+    json.key("roles").value(*role).key("labels").value("labels.csv").end_object();
+  }
+  return json.end_array().end_object().take() + "\n";
+}
+
+Status add_motions(const PairedTake& take, FileSet& files) {
+  for (const char performer : {'a', 'b'}) {
+    const Result<std::string> bvh = write_bvh(std::span(performer == 'a' ? &take.a : &take.b, 1));
+    if (!bvh) return bvh.error();
+    if (Status added = files.add(motion_name(take, performer), *bvh); !added) return added;
+  }
+  return Done{};
+}
+
+}  // namespace
+
+Result<fs::path> write_demo_set(const std::vector<PairedTake>& takes, const std::string& name, const fs::path& folder,
+                                const Progress& progress) {
+  std::error_code failure;
+  fs::create_directories(folder, failure);
+  if (failure || !fs::is_directory(folder, failure))
+    return Error{"the folder cannot be made (" + (failure ? failure.message() : "a file has its name") + "); choose another",
+                 folder.string()};
+  FileSet files(folder);
+  for (std::size_t t = 0; t < takes.size(); ++t) {
+    if (!report(progress, static_cast<double>(t) / static_cast<double>(takes.size()), "writing " + takes[t].name))
+      return Error{"cancelled", folder.string()};
+    if (Status added = add_motions(takes[t], files); !added) return added.error();
+  }
+  const Result<std::string> manifest = manifest_json(takes, name);
+  if (!manifest) return manifest.error();
+  if (Status added = files.add("labels.csv", labels_csv(takes)); !added) return added.error();
+  if (Status added = files.add("manifest.json", *manifest); !added) return added.error();
+  if (Status committed = files.commit(); !committed) return committed.error();
+  report(progress, 1, "done");
+  return folder / "manifest.json";
+}
+
+}  // namespace abrazo

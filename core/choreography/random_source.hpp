@@ -1,0 +1,25 @@
+#pragma once
+
+#include <cstdint>
+#include <random>
+
+namespace abrazo {
+
+/// Random numbers that are the same with every standard library (its distributions are not).
+class RandomSource {
+ public:
+  explicit RandomSource(std::uint64_t seed) : engine_(seed) {}
+
+  /// [low, high)
+  double uniform(double low, double high) {
+    return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1.0p-53;
+  }
+  /// 0 .. count - 1
+  int below(int count) { return static_cast<int>(uniform(0, count)); }
+  bool chance(double probability) { return uniform(0, 1) < probability; }
+
+ private:
+  std::mt19937_64 engine_;
+};
+
+}  // namespace abrazo

@@ -1,0 +1,109 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/library/normalization.hpp"
+#include "core/library/paired_take.hpp"
+#include "core/mesh/interaction_mesh.hpp"
+#include "core/motion/body.hpp"
+
+namespace abrazo {
+
+/// Which recorded frame a pair of the library is.
+struct PairSource {
+  std::uint32_t take = 0;                                ///< index into takes()
+  std::uint32_t frame = 0;                               ///< 0-based frame of the take's own file
+  bool swapped = false;                                  ///< performer B is the active one
+  ActivePerformer annotated = ActivePerformer::Unknown;  ///< what the take's roles say of this frame
+};
+
+/// What the library keeps of a take.
+struct LibraryTake {
+  std::string name;
+  double fps = 60;
+  int frames = 0;            ///< in the file
+  int frame_stride = 1;      ///< every n-th frame is in the library
+  std::uint32_t body_a = 0;  ///< index into bodies()
+  std::uint32_t body_b = 0;
+  std::vector<RoleInterval> roles;
+  std::vector<LabelInterval> labels;
+};
+
+/// A performer's lengths and the radii of the capsules around their bones.
+struct LibraryBody {
+  std::string name;  ///< "salsa_01/a", the first take that shows it
+  Body body;
+  std::array<double, bone_count>
+      capsule_radii{};  ///< [m], calibrated: recorded contact counts as contact, not as penetration
+};
+
+/// Everything of a motion library in columns, one row per pair; pairs of a take stand together, in frame
+/// order, those with swapped = false first. Filled by the builder or the file reader, then only read.
+struct LibraryColumns {
+  std::string name;
+  double rate_hz = 60;  ///< of the pairs (that of the fastest take after thinning)
+  std::vector<LibraryTake> takes;
+  std::vector<LibraryBody> bodies;  ///< performers whose bones differ by less than 0.5 % are one body
+  std::vector<PairSource> sources;
+  std::vector<RootFrame> roots;  ///< of the active body, world of the take
+  std::vector<PairPose> poses;   ///< normalised (Eq. 1-2), active then passive
+  std::vector<Features> features;
+  std::vector<std::uint64_t> edge_offsets;  ///< pairs + 1
+  std::vector<MeshEdge> edges;
+  std::vector<std::uint64_t> tetrahedron_offsets;  ///< pairs + 1
+  std::vector<MeshTetrahedron> tetrahedra;
+  std::vector<std::uint8_t> mesh_quality;  ///< InteractionMesh::Quality
+};
+
+/// Recorded pairs, normalised, with their features and interaction meshes (paper 3.2). Immutable; shared
+/// between threads.
+class MotionLibrary {
+ public:
+  /// @throws std::invalid_argument when the columns do not fit together
+  explicit MotionLibrary(LibraryColumns columns);
+
+  const std::string& name() const { return columns_.name; }
+  double rate_hz() const { return columns_.rate_hz; }
+  int pair_count() const { return static_cast<int>(columns_.sources.size()); }
+  const std::vector<LibraryTake>& takes() const { return columns_.takes; }
+  const std::vector<LibraryBody>& bodies() const { return columns_.bodies; }
+  const LibraryColumns& columns() const { return columns_; }
+
+  const PairSource& source(int pair) const { return columns_.sources[static_cast<std::size_t>(pair)]; }
+  const PairPose& pose(int pair) const { return columns_.poses[static_cast<std::size_t>(pair)]; }
+  const RootFrame& root(int pair) const { return columns_.roots[static_cast<std::size_t>(pair)]; }
+  const Features& features(int pair) const { return columns_.features[static_cast<std::size_t>(pair)]; }
+  std::span<const MeshEdge> edges(int pair) const;
+  std::span<const MeshTetrahedron> tetrahedra(int pair) const;
+
+  const LibraryTake& take_of(int pair) const { return columns_.takes[source(pair).take]; }
+  const LibraryBody& active_body(int pair) const;
+  const LibraryBody& passive_body(int pair) const;
+  std::string_view label(int pair) const;
+
+  /// The pair recorded `steps` pairs later in the same take with the same roles, without a gap; -1 when there
+  /// is none.
+  int later_pair(int pair, int steps) const;
+
+  /// The pair of a take's frame; -1 when the library does not have it.
+  int find_pair(std::string_view take, int frame, bool swapped) const;
+
+  /// Index of a take by name; -1 when there is none.
+  int find_take(std::string_view name) const;
+
+  /// The bodies that most pairs have as active and as passive: what a user is retargeted to, and what the
+  /// partner is.
+  const LibraryBody& usual_active_body() const { return columns_.bodies[usual_active_]; }
+  const LibraryBody& usual_passive_body() const { return columns_.bodies[usual_passive_]; }
+
+ private:
+  LibraryColumns columns_;
+  std::uint32_t usual_active_ = 0;
+  std::uint32_t usual_passive_ = 0;
+};
+
+}  // namespace abrazo

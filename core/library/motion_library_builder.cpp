@@ -1,0 +1,272 @@
+#include "core/library/motion_library_builder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <atomic>
+#include <cmath>
+#include <exception>
+#include <mutex>
+#include <set>
+#include <thread>
+
+#include "core/library/capsule_calibration.hpp"
+
+namespace abrazo {
+
+namespace {
+
+constexpr double same_body_difference = 0.005;  ///< of a bone's length
+
+Error cancelled() { return {"cancelled", ""}; }
+
+/// Part of a longer job's progress.
+Progress part(const Progress& progress, double from, double to) {
+  if (!progress) return {};
+  return [&progress, from, to](double fraction, std::string_view doing) { return progress(from + fraction * (to - from), doing); };
+}
+
+// ---- what a take must be ----
+
+std::optional<Error> check_frames(const Clip& clip, const std::string& where) {
+  for (std::size_t frame = 0; frame < clip.poses.size(); ++frame)
+    for (int joint = 0; joint < joint_count; ++joint)
+      if (!clip.poses[frame].row(joint).allFinite())
+        return Error{fmt::format("the position of {} at frame {} is not a finite number; repair or cut the frame", joint_names[static_cast<std::size_t>(joint)], frame), where};
+  return std::nullopt;
+}
+
+template <typename Interval>
+std::optional<Error> check_intervals(const std::vector<Interval>& intervals, const char* what, const std::string& where) {
+  for (std::size_t i = 0; i < intervals.size(); ++i)
+    if (intervals[i].start < 0 || intervals[i].end <= intervals[i].start || (i > 0 && intervals[i].start < intervals[i - 1].end))
+      return Error{fmt::format("{} {} [{}, {}) is empty, overlaps the one before it, or is out of order", what, i, intervals[i].start, intervals[i].end), where};
+  return std::nullopt;
+}
+
+std::optional<Error> check_take(const PairedTake& take) {
+  const std::string where = "take " + take.name;
+  if (take.a.poses.size() != take.b.poses.size())
+    return Error{fmt::format("performer a has {} frames and b {}; both must have been captured together, frame for frame", take.a.poses.size(), take.b.poses.size()), where};
+  if (take.a.poses.size() < 2) return Error{fmt::format("has {} frames; at least 2 are needed", take.a.poses.size()), where};
+  if (!(take.fps > 0) || !std::isfinite(take.fps)) return Error{fmt::format("{} frames per second; give a number above 0", take.fps), where};
+  if (auto refusal = check_frames(take.a, where + "/a")) return refusal;
+  if (auto refusal = check_frames(take.b, where + "/b")) return refusal;
+  if (auto refusal = check_intervals(take.roles, "role", where)) return refusal;
+  return check_intervals(take.labels, "label", where);
+}
+
+std::string joined_names(const auto& takes) {
+  std::vector<std::string_view> names;
+  for (const auto& take : takes) names.push_back(take.name);
+  return fmt::format("{}", fmt::join(names, ", "));
+}
+
+/// Removes the excluded takes; refuses a name that is not there, and an empty rest.
+template <typename Take>
+std::optional<Error> exclude(std::vector<Take>& takes, const std::vector<std::string>& excluded) {
+  for (const std::string& name : excluded)
+    if (std::none_of(takes.begin(), takes.end(), [&](const Take& take) { return take.name == name; }))
+      return Error{fmt::format("there is no take \"{}\" to exclude; there are {}", name, joined_names(takes)), ""};
+  std::erase_if(takes, [&](const Take& take) { return std::find(excluded.begin(), excluded.end(), take.name) != excluded.end(); });
+  if (takes.empty()) return Error{"no take is left to build a library of; exclude fewer", ""};
+  return std::nullopt;
+}
+
+std::optional<Error> check_options(const std::vector<PairedTake>& takes, const LibraryBuildOptions& options) {
+  if (options.rate_hz && !(*options.rate_hz > 0 && std::isfinite(*options.rate_hz)))
+    return Error{fmt::format("a rate of {} Hz is not possible; give a number above 0", *options.rate_hz), ""};
+  std::set<std::string_view> names;
+  for (const PairedTake& take : takes) {
+    if (!names.insert(take.name).second) return Error{"two takes have this name; rename one", "take " + take.name};
+    if (auto refusal = check_take(take)) return refusal;
+  }
+  return std::nullopt;
+}
+
+// ---- takes and bodies ----
+
+int frame_stride(double fps, const std::optional<double>& rate_hz) {
+  return rate_hz ? std::max(1, static_cast<int>(std::lround(fps / *rate_hz))) : 1;
+}
+
+std::uint32_t find_or_add_body(std::vector<LibraryBody>& bodies, const Body& body, const std::string& name) {
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (largest_length_difference(bodies[i].body, body) < same_body_difference) return static_cast<std::uint32_t>(i);
+  bodies.push_back({name, body, {}});
+  return static_cast<std::uint32_t>(bodies.size() - 1);
+}
+
+void add_takes(const std::vector<PairedTake>& takes, const LibraryBuildOptions& options, LibraryColumns& columns) {
+  for (const PairedTake& take : takes) {
+    LibraryTake entry;
+    entry.name = take.name;
+    entry.fps = take.fps;
+    entry.frames = static_cast<int>(take.a.poses.size());
+    entry.frame_stride = frame_stride(take.fps, options.rate_hz);
+    entry.body_a = find_or_add_body(columns.bodies, body_of(std::span(take.a.poses)), take.name + "/a");
+    entry.body_b = find_or_add_body(columns.bodies, body_of(std::span(take.b.poses)), take.name + "/b");
+    entry.roles = take.roles;
+    entry.labels = take.labels;
+    columns.takes.push_back(std::move(entry));
+  }
+  columns.rate_hz = 0;
+  for (const LibraryTake& take : columns.takes) columns.rate_hz = std::max(columns.rate_hz, take.fps / take.frame_stride);
+}
+
+void calibrate(const std::vector<PairedTake>& takes, LibraryColumns& columns) {
+  std::vector<TakeBodies> take_bodies;
+  for (const LibraryTake& take : columns.takes) take_bodies.push_back({take.body_a, take.body_b});
+  std::vector<Body> bodies;
+  for (const LibraryBody& body : columns.bodies) bodies.push_back(body.body);
+  const auto radii = calibrate_capsules(takes, take_bodies, bodies);
+  for (std::size_t b = 0; b < radii.size(); ++b) columns.bodies[b].capsule_radii = radii[b];
+}
+
+// ---- pairs ----
+
+/// Roots of every frame of a performer, also of those that thinning leaves out: a heading that is taken over from the
+/// frame before must not depend on the rate.
+std::vector<RootFrame> root_frames(const Clip& clip) {
+  std::vector<RootFrame> roots;
+  roots.reserve(clip.poses.size());
+  for (const Pose& pose : clip.poses)
+    roots.push_back(root_frame(pose, roots.empty() ? std::nullopt : std::optional(roots.back().heading_rad)));
+  return roots;
+}
+
+void add_sources(const std::vector<PairedTake>& takes, LibraryColumns& columns) {
+  for (std::uint32_t t = 0; t < takes.size(); ++t) {
+    const std::vector<RootFrame> roots_a = root_frames(takes[t].a);
+    const std::vector<RootFrame> roots_b = root_frames(takes[t].b);
+    for (const bool swapped : {false, true}) {
+      const ActivePerformer other = swapped ? ActivePerformer::A : ActivePerformer::B;
+      for (int frame = 0; frame < columns.takes[t].frames; frame += columns.takes[t].frame_stride) {
+        const ActivePerformer annotated = active_at(takes[t], frame);
+        if (annotated == other) continue;
+        columns.sources.push_back({t, static_cast<std::uint32_t>(frame), swapped, annotated});
+        columns.roots.push_back((swapped ? roots_b : roots_a)[static_cast<std::size_t>(frame)]);
+      }
+    }
+  }
+}
+
+/// Fills row `pair` from its source and root.
+void fill_pair(const std::vector<PairedTake>& takes, std::size_t pair, LibraryColumns& columns, InteractionMesh& mesh) {
+  const PairSource& source = columns.sources[pair];
+  const PairedTake& take = takes[source.take];
+  const Pose& active = (source.swapped ? take.b : take.a).poses[source.frame];
+  const Pose& passive = (source.swapped ? take.a : take.b).poses[source.frame];
+  PairPose& pose = columns.poses[pair];
+  pose.topRows<joint_count>() = to_normalized(active, columns.roots[pair]);
+  pose.bottomRows<joint_count>() = to_normalized(passive, columns.roots[pair]);
+  columns.features[pair] = pose_features(pose.topRows<joint_count>());
+  mesh = tetrahedralize(pose);
+}
+
+/// Calls `work(i)` for i in [0, count) from every core. The order of calls is not fixed, so `work` must write to row i only.
+/// @return false when progress asked to stop. Rethrows what `work` throws.
+template <typename Work>
+bool for_each_row(std::size_t count, const Progress& progress, std::string_view doing, const Work& work) {
+  constexpr std::size_t block = 64;
+  std::atomic<std::size_t> next = 0;
+  std::atomic<bool> stop = false;
+  std::exception_ptr failure;
+  std::mutex failure_mutex;
+  const auto run_block = [&] {
+    const std::size_t begin = next.fetch_add(block);
+    if (begin >= count || stop) return false;
+    try {
+      for (std::size_t i = begin; i < std::min(count, begin + block); ++i) work(i);
+    } catch (...) {
+      const std::lock_guard lock(failure_mutex);
+      failure = std::current_exception();
+      stop = true;
+    }
+    return true;
+  };
+  bool wanted = true;
+  {
+    std::vector<std::jthread> workers;
+    for (unsigned core = 1; core < std::thread::hardware_concurrency(); ++core)
+      workers.emplace_back([&] { while (run_block()) {} });
+    while (wanted && run_block()) {
+      const double fraction = static_cast<double>(std::min(next.load(), count)) / static_cast<double>(count);
+      wanted = report(progress, fraction, doing);
+      if (!wanted) stop = true;
+    }
+  }
+  if (failure) std::rethrow_exception(failure);
+  return wanted;
+}
+
+void add_meshes(const std::vector<InteractionMesh>& meshes, LibraryColumns& columns) {
+  std::size_t edges = 0, tetrahedra = 0;
+  for (const InteractionMesh& mesh : meshes) edges += mesh.edges.size(), tetrahedra += mesh.tetrahedra.size();
+  columns.edges.reserve(edges);
+  columns.tetrahedra.reserve(tetrahedra);
+  columns.edge_offsets.assign(1, 0);
+  columns.tetrahedron_offsets.assign(1, 0);
+  for (const InteractionMesh& mesh : meshes) {
+    columns.edges.insert(columns.edges.end(), mesh.edges.begin(), mesh.edges.end());
+    columns.tetrahedra.insert(columns.tetrahedra.end(), mesh.tetrahedra.begin(), mesh.tetrahedra.end());
+    columns.edge_offsets.push_back(columns.edges.size());
+    columns.tetrahedron_offsets.push_back(columns.tetrahedra.size());
+    columns.mesh_quality.push_back(static_cast<std::uint8_t>(mesh.quality));
+  }
+}
+
+void warn_of_unequal_rates(const MotionLibrary& library, std::vector<std::string>& warnings) {
+  for (const LibraryTake& take : library.takes()) {
+    const double rate_hz = take.fps / take.frame_stride;
+    if (std::abs(rate_hz - library.rate_hz()) > 0.01 * library.rate_hz())
+      warnings.push_back(fmt::format("take {}: its pairs come at {:.4g} Hz, those of the fastest take at {:.4g} Hz; build with --rate to bring them together",
+                                     take.name, rate_hz, library.rate_hz()));
+  }
+}
+
+}  // namespace
+
+Result<MotionLibrary> build_library(std::string name, std::vector<PairedTake> takes, const LibraryBuildOptions& options, const Progress& progress) {
+  if (auto refusal = exclude(takes, options.excluded_takes)) return *refusal;
+  if (auto refusal = check_options(takes, options)) return *refusal;
+  if (!report(progress, 0, "measuring bodies")) return cancelled();
+  LibraryColumns columns;
+  columns.name = std::move(name);
+  add_takes(takes, options, columns);
+  calibrate(takes, columns);
+  add_sources(takes, columns);
+  const std::size_t pairs = columns.sources.size();
+  columns.poses.resize(pairs);
+  columns.features.resize(pairs);
+  std::vector<InteractionMesh> meshes(pairs);
+  const bool finished = for_each_row(pairs, part(progress, 0.05, 0.98), "building interaction meshes",
+                                     [&](std::size_t pair) { fill_pair(takes, pair, columns, meshes[pair]); });
+  if (!finished) return cancelled();
+  add_meshes(meshes, columns);
+  if (!report(progress, 1, "library built")) return cancelled();
+  return MotionLibrary(std::move(columns));
+}
+
+Result<MotionLibrary> build_library(const Manifest& manifest, const LibraryBuildOptions& options, const Progress& progress,
+                                    std::vector<std::string>& warnings) {
+  warnings.insert(warnings.end(), manifest.warnings.begin(), manifest.warnings.end());
+  std::vector<Manifest::Take> wanted = manifest.takes;
+  if (auto refusal = exclude(wanted, options.excluded_takes)) return *refusal;
+  constexpr double reading_share = 0.4;
+  std::vector<PairedTake> takes;
+  for (const Manifest::Take& take : wanted) {
+    const double fraction = reading_share * static_cast<double>(takes.size()) / static_cast<double>(wanted.size());
+    if (!report(progress, fraction, "reading " + take.name)) return cancelled();
+    auto loaded = load_take(take, warnings);
+    if (!loaded) return loaded.error();
+    takes.push_back(std::move(*loaded));
+  }
+  LibraryBuildOptions rest = options;
+  rest.excluded_takes.clear();
+  auto library = build_library(manifest.name, std::move(takes), rest, part(progress, reading_share, 1));
+  if (library) warn_of_unequal_rates(*library, warnings);
+  return library;
+}
+
+}  // namespace abrazo

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <array>
+
+#include "core/base/positions.hpp"
+#include "core/motion/joint_set.hpp"
+
+namespace abrazo {
+
+/// Closest points of two segments: p(s) = a + s (b - a), q(t) = c + t (d - c), s and t in [0, 1].
+struct SegmentApproach {
+  double s = 0;
+  double t = 0;
+  double distance = 0;         ///< [m]
+  Vec3 normal = Vec3::Zero();  ///< unit, from q to p; zero when the segments meet
+};
+
+SegmentApproach closest_points(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
+
+/// Capsule radii of a generic adult [m], one per bone; bones inside the trunk that would only double its
+/// volume have 0.
+const std::array<double, bone_count>& generic_capsule_radii();
+
+/// The forearm or hand bones: they may overlap the partner's while they hold one another.
+bool is_hand_or_forearm(int bone);
+
+}  // namespace abrazo

@@ -1,0 +1,333 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <numbers>
+#include <set>
+
+#include "core/base/text.hpp"
+#include "core/motion/body.hpp"
+#include "core/motion/bvh.hpp"
+
+namespace abrazo {
+
+namespace {
+
+using Rotation = Eigen::Matrix3d;
+using namespace joints;
+
+/// Direction of the bone that ends at a joint when all rotations are zero: standing with the arms held
+/// sideways, facing +Z.
+Vec3 rest_direction(int joint) {
+  switch (joint) {
+    case LeftFemur:
+    case LeftTibia:
+    case RightFemur:
+    case RightTibia:
+      return -Vec3::UnitY();
+    case LeftFoot:
+    case RightFoot:
+      return Vec3(0, -0.5, 1).normalized();
+    case LeftToes:
+    case RightToes:
+      return Vec3::UnitZ();
+    case LeftClavicle:
+    case LeftHumerus:
+    case LeftWrist:
+    case LeftHand:
+      return Vec3::UnitX();
+    case RightClavicle:
+    case RightHumerus:
+    case RightWrist:
+    case RightHand:
+      return -Vec3::UnitX();
+    default:
+      return Vec3::UnitY();
+  }
+}
+
+/// Length of the end site beyond a limb's last joint [m]: toes, crown, fingers.
+double end_site_length_m(int joint) {
+  return joint == Head ? 0.12 : joint == LeftHand || joint == RightHand ? 0.09 : 0.03;
+}
+
+/// A joint of the BVH tree. Where bones fan out that do not move as one, a helper without length stands
+/// between, so that every bone has a rotation of its own.
+struct Node {
+  std::string name;
+  int joint;         ///< of the 25 at this place
+  int parent;        ///< node index, -1 for the root
+  int aims_at = -1;  ///< joint this node's rotation turns towards; -1: see `frame_of`
+  Vec3 offset = Vec3::Zero();
+  std::vector<int> children;
+};
+
+class BvhTree {
+ public:
+  explicit BvhTree(const Clip& clip);
+
+  const std::vector<Node>& nodes() const { return nodes_; }
+
+  /// World rotation of every node for a pose.
+  void rotations(const Pose& pose, std::vector<Rotation>& world) const;
+
+ private:
+  int add(std::string name, int joint, int parent, const Vec3& offset);
+  void add_limb(int parent, const std::vector<int>& joints, const std::string& helper);
+  Rotation pelvis(const Pose& pose) const;
+
+  Body body_;
+  bool flat_pelvis_ = false;  ///< root on the line between the hips: it does not fix the pelvis' rotation
+  std::vector<Node> nodes_;
+};
+
+/// Right-handed axes with x along `side` and y as close to `up` as that allows.
+Rotation frame_of(const Vec3& side, const Vec3& up) {
+  Vec3 x = side.norm() > 1e-9 ? Vec3(side.normalized()) : Vec3(Vec3::UnitX());
+  Vec3 z = x.cross(up);
+  if (z.norm() < 1e-9) z = x.unitOrthogonal();
+  z.normalize();
+  Rotation frame;
+  frame << x, z.cross(x), z;
+  return frame;
+}
+
+Vec3 point(const Pose& pose, int joint) {
+  return pose.row(joint).transpose();
+}
+
+Rotation BvhTree::pelvis(const Pose& pose) const {
+  const Vec3 middle = 0.5 * (point(pose, left_hip) + point(pose, right_hip));
+  return frame_of(point(pose, left_hip) - point(pose, right_hip),
+                  point(pose, flat_pelvis_ ? LowerBack : Root) - middle);
+}
+
+double median(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+BvhTree::BvhTree(const Clip& clip) : body_(body_of(clip.poses)) {
+  std::vector<double> heights;
+  for (const Pose& pose : clip.poses)
+    heights.push_back((point(pose, Root) - 0.5 * (point(pose, left_hip) + point(pose, right_hip))).norm());
+  flat_pelvis_ = median(heights) < 0.01;
+  const auto hip_offset = [&](int hip) {
+    Vec3 offset;
+    for (int axis = 0; axis < 3; ++axis) {
+      std::vector<double> values;
+      for (const Pose& pose : clip.poses)
+        values.push_back((pelvis(pose).transpose() * (point(pose, hip) - point(pose, Root)))[axis]);
+      offset[axis] = median(values);
+    }
+    return offset;
+  };
+  const int root = add("root", Root, -1, Vec3::Zero());
+  for (const bool left : {true, false}) {
+    const int hip = add(left ? "lhipjoint" : "rhipjoint", left ? left_hip : right_hip, root,
+                        hip_offset(left ? left_hip : right_hip));
+    add_limb(hip,
+             left ? std::vector<int>{LeftFemur, LeftTibia, LeftFoot, LeftToes}
+                  : std::vector<int>{RightFemur, RightTibia, RightFoot, RightToes},
+             "");
+  }
+  add_limb(root, {LowerBack, UpperBack, Thorax}, "root_spine");
+  const int thorax = static_cast<int>(nodes_.size()) - 1;
+  add_limb(thorax, {LowerNeck, UpperNeck, Head}, "thorax_neck");
+  add_limb(thorax, {LeftClavicle, LeftHumerus, LeftWrist, LeftHand}, "thorax_left");
+  add_limb(thorax, {RightClavicle, RightHumerus, RightWrist, RightHand}, "thorax_right");
+}
+
+int BvhTree::add(std::string name, int joint, int parent, const Vec3& offset) {
+  const int index = static_cast<int>(nodes_.size());
+  nodes_.push_back(Node{std::move(name), joint, parent, -1, offset, {}});
+  if (parent >= 0) nodes_[static_cast<std::size_t>(parent)].children.push_back(index);
+  return index;
+}
+
+/// Hangs a chain of joints below `parent`, each aimed at by the node before it.
+void BvhTree::add_limb(int parent, const std::vector<int>& joints, const std::string& helper) {
+  if (!helper.empty())
+    parent = add(helper, nodes_[static_cast<std::size_t>(parent)].joint, parent, Vec3::Zero());
+  for (const int joint : joints) {
+    nodes_[static_cast<std::size_t>(parent)].aims_at = joint;
+    const Vec3 offset = rest_direction(joint) * body_.bone_lengths[static_cast<std::size_t>(joint - 1)];
+    parent = add(std::string(joint_names[static_cast<std::size_t>(joint)]), joint, parent, offset);
+  }
+}
+
+/// The smallest rotation that turns `from` (unit) towards `to`.
+Rotation swing(const Vec3& from, const Vec3& to) {
+  if (to.norm() < 1e-9) return Rotation::Identity();
+  return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
+}
+
+void BvhTree::rotations(const Pose& pose, std::vector<Rotation>& world) const {
+  world.resize(nodes_.size());
+  std::vector<Vec3> places(nodes_.size());
+  for (std::size_t n = 0; n < nodes_.size(); ++n) {
+    const Node& node = nodes_[n];
+    if (node.parent < 0) {
+      places[n] = point(pose, Root);
+      world[n] = pelvis(pose);
+      continue;
+    }
+    const auto parent = static_cast<std::size_t>(node.parent);
+    places[n] = places[parent] + world[parent] * node.offset;
+    world[n] = world[parent];
+    if (node.aims_at >= 0) {
+      // Aims from where the file puts this joint, so that differences of bone length do not add up along a
+      // limb.
+      const Vec3 local = world[parent].transpose() * (point(pose, node.aims_at) - places[n]);
+      world[n] = world[parent] * swing(rest_direction(node.aims_at), local);
+    } else if (node.joint == Thorax) {
+      world[n] = frame_of(point(pose, LeftClavicle) - point(pose, RightClavicle),
+                          point(pose, Thorax) - point(pose, UpperBack));
+    }
+  }
+}
+
+constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
+
+/// Angles z, x, y [deg] with R = Rz Rx Ry. y is found from what the found z leaves, so at the pole (x = +-90
+/// degrees), where only z + y or z - y is determined, the product is still R.
+Vec3 zxy_degrees(const Rotation& r) {
+  const double z = std::atan2(-r(0, 1), r(1, 1));
+  const double x = std::atan2(r(2, 1), std::hypot(r(0, 1), r(1, 1)));
+  const double y = std::atan2(std::cos(z) * r(0, 2) + std::sin(z) * r(1, 2),
+                              std::cos(z) * r(0, 0) + std::sin(z) * r(1, 0));
+  return Vec3(z, x, y) * degrees_per_radian;
+}
+
+/// The same rotation by the angles nearest to those of the frame before, so that curves do not jump by turns.
+Vec3 continued(const Vec3& angles, const Vec3& before) {
+  const auto nearest = [&](Vec3 candidate) {
+    for (int i = 0; i < 3; ++i) candidate[i] -= 360.0 * std::round((candidate[i] - before[i]) / 360.0);
+    return candidate;
+  };
+  const Vec3 direct = nearest(angles);
+  const Vec3 flipped = nearest(Vec3(angles[0] + 180.0, 180.0 - angles[1], angles[2] + 180.0));
+  return (flipped - before).squaredNorm() < (direct - before).squaredNorm() ? flipped : direct;
+}
+
+/// Six digits after the point: a millionth of a degree or of a unit. No exponents: several readers refuse
+/// them.
+void append_number(std::string& text, double value) {
+  std::array<char, 64> buffer{};
+  if (std::abs(value) < 5e-7) value = 0;
+  const auto [end, failure] =
+      std::to_chars(buffer.data(), buffer.data() + buffer.size(), value, std::chars_format::fixed, 6);
+  text.append(buffer.data(), end);
+}
+
+void append_vector(std::string& text, const Vec3& vector) {
+  for (int i = 0; i < 3; ++i) {
+    text += i > 0 ? " " : "";
+    append_number(text, vector[i]);
+  }
+}
+
+void append_node(std::string& text, const std::vector<Node>& nodes, std::size_t index,
+                 const std::string& prefix, double units_per_metre, int depth) {
+  const Node& node = nodes[index];
+  const std::string indent(static_cast<std::size_t>(depth) * 2, ' ');
+  text += indent + (node.parent < 0 ? "ROOT " : "JOINT ") + prefix + node.name + "\n" + indent + "{\n" +
+          indent + "  OFFSET ";
+  append_vector(text, node.offset * units_per_metre);
+  text += "\n" + indent +
+          (node.parent < 0 ? "  CHANNELS 6 Xposition Yposition Zposition " : "  CHANNELS 3 ") +
+          "Zrotation Xrotation Yrotation\n";
+  for (const int child : node.children)
+    append_node(text, nodes, static_cast<std::size_t>(child), prefix, units_per_metre, depth + 1);
+  if (node.children.empty()) {
+    text += indent + "  End Site\n" + indent + "  {\n" + indent + "    OFFSET ";
+    append_vector(text, rest_direction(node.joint) * end_site_length_m(node.joint) * units_per_metre);
+    text += "\n" + indent + "  }\n";
+  }
+  text += indent + "}\n";
+}
+
+/// One performer of the file: its tree and the angles last written.
+struct Performer {
+  const Clip& clip;
+  BvhTree tree;
+  std::vector<Vec3> angles;
+  std::vector<Rotation> world;
+};
+
+/// The values of all nodes for one frame, in the order the nodes stand in the file.
+void append_frame(std::string& text, Performer& performer, std::size_t frame, double units_per_metre) {
+  const std::vector<Node>& nodes = performer.tree.nodes();
+  const Pose& pose = performer.clip.poses[frame];
+  performer.tree.rotations(pose, performer.world);
+  for (std::size_t n = 0; n < nodes.size(); ++n) {
+    if (nodes[n].parent < 0) {
+      append_vector(text, point(pose, Root) * units_per_metre);
+      text += ' ';
+    }
+    const Rotation local =
+        nodes[n].parent < 0
+            ? performer.world[n]
+            : Rotation(performer.world[static_cast<std::size_t>(nodes[n].parent)].transpose() *
+                       performer.world[n]);
+    performer.angles[n] = continued(zxy_degrees(local), performer.angles[n]);
+    append_vector(text, performer.angles[n]);
+    text += n + 1 < nodes.size() ? " " : "";
+  }
+}
+
+Status check(std::span<const Clip> clips, double units_per_metre) {
+  if (clips.empty()) return Error{"there is no clip to write", ""};
+  if (!(units_per_metre > 0) || !std::isfinite(units_per_metre))
+    return Error{"units per metre must be above 0", ""};
+  std::set<std::string> names;
+  for (const Clip& clip : clips) {
+    if (clip.poses.empty()) return Error{"has no frames", clip.name};
+    if (clip.poses.size() != clips[0].poses.size() || std::abs(clip.fps - clips[0].fps) > 1e-9)
+      return Error{
+          "must have as many frames and the same rate as '" + clips[0].name + "' to stand in one BVH file",
+          clip.name};
+    if (!(clip.fps > 0) || !std::isfinite(clip.fps)) return Error{"has no frame rate", clip.name};
+    if (clips.size() > 1 && (clip.name.empty() || !names.insert(clip.name).second))
+      return Error{"clips in one BVH file need names that differ", clip.name};
+    for (std::size_t f = 0; f < clip.poses.size(); ++f)
+      if (!clip.poses[f].allFinite())
+        return Error{"has a position that is not finite", clip.name + ": frame " + std::to_string(f)};
+  }
+  return Done{};
+}
+
+/// Blanks and braces in names break other readers.
+std::string prefix_of(std::string name) {
+  for (char& c : name)
+    if (c == '{' || c == '}' || c == ' ' || c == '\t' || c == '\n' || c == '\r') c = '_';
+  return name + ":";
+}
+
+}  // namespace
+
+Result<std::string> write_bvh(std::span<const Clip> clips, double units_per_metre) {
+  if (const Status checked = check(clips, units_per_metre); !checked) return checked.error();
+  std::vector<Performer> performers;
+  std::string text = "HIERARCHY\n";
+  for (const Clip& clip : clips) {
+    performers.push_back(Performer{clip, BvhTree(clip), {}, {}});
+    const std::vector<Node>& nodes = performers.back().tree.nodes();
+    performers.back().angles.assign(nodes.size(), Vec3::Zero());
+    append_node(text, nodes, 0, clips.size() > 1 ? prefix_of(clip.name) : "", units_per_metre, 0);
+  }
+  text += "MOTION\nFrames: " + std::to_string(clips[0].poses.size()) +
+          "\nFrame Time: " + exact_text(1.0 / clips[0].fps) + "\n";
+  for (std::size_t f = 0; f < clips[0].poses.size(); ++f) {
+    for (Performer& performer : performers) {
+      if (&performer != &performers.front()) text += ' ';
+      append_frame(text, performer, f, units_per_metre);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+}  // namespace abrazo

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "core/motion/clip.hpp"
+#include "core/motion/joint_map.hpp"
+#include "core/motion/named_motion.hpp"
+
+namespace abrazo {
+
+enum class UpAxis { Y, Z };
+
+/// What a person knows of a file; nothing = find out and say so in the report.
+struct ImportOptions {
+  std::optional<double> metres_per_unit;
+  std::optional<double> fps;
+  std::optional<UpAxis> up_axis;
+  std::optional<JointMap> joint_map;
+};
+
+/// How a file was understood. Every guess is marked as one.
+struct ImportReport {
+  std::string joint_map;  ///< name of the map used
+  double metres_per_unit = 1;
+  bool unit_guessed = false;
+  double fps = 0;
+  bool fps_guessed = false;
+  UpAxis up_axis = UpAxis::Y;
+  bool up_axis_guessed = false;
+  double height_m = 0;       ///< standing height of the performer (Body::height)
+  double floor_y_m = 0;      ///< 5th percentile of the toe-base height before any correction
+  double floor_shift_m = 0;  ///< added to every y when the floor was far from 0; 0 otherwise
+  std::vector<ImportWarning> warnings;
+};
+
+struct ImportedClip {
+  Clip clip;
+  ImportReport report;
+};
+
+/// Turns a file's points into the 25 joints in metres, Y up.
+/// @return an Error when no joint map fits, or positions are not finite throughout
+Result<ImportedClip> import_clip(const NamedMotion& motion, const ImportOptions& options);
+
+/// Reads any known motion file (.amc with its .asf, .bvh) and imports it. Several performers in one BVH give
+/// several clips.
+/// @param skeleton  the .asf of an .amc; when empty, the one .asf beside the file that fits by name
+/// ("60_01.amc" -> "60.asf")
+Result<std::vector<ImportedClip>> load_motion(const std::string& file, const std::string& skeleton,
+                                              const ImportOptions& options);
+
+}  // namespace abrazo

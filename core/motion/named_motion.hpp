@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/positions.hpp"
+
+namespace abrazo {
+
+/// Something odd in a file that did not prevent reading it. Always shown, never dropped.
+struct ImportWarning {
+  std::string
+      kind;  ///< short and stable: "frame-count", "glued-numbers", "duplicate-name", "units", "up-axis", ...
+  int line = 0;  ///< 1-based; 0 when it concerns the whole file
+  std::string detail;
+};
+
+/// A motion as its file has it: world positions of named points in the file's own unit and axes.
+/// What readers produce; `import_clip` turns it into a Clip.
+struct NamedMotion {
+  std::string name;                       ///< of the performer or the file
+  std::vector<std::string> points;        ///< unique
+  std::vector<int> parents;               ///< per point, -1 for a root
+  std::vector<Positions> frames;          ///< per frame: points x 3, file units
+  std::optional<double> fps;              ///< nothing where the format does not say (AMC) or says nonsense
+  std::optional<double> metres_per_unit;  ///< nothing where the format does not say
+  std::vector<ImportWarning> warnings;
+};
+
+}  // namespace abrazo

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "core/base/positions.hpp"
+#include "core/motion/body.hpp"
+
+namespace abrazo {
+
+/// Brings a user's pose to the proportions of a library body: q_in -> q'_in (paper 3.3.1).
+/// A function of the pose alone, so planted feet stay planted without a memory:
+/// - the path of root and feet is scaled by the ratio of the leg lengths about the floor under the origin;
+/// - spine, neck and shoulder girdle keep their directions, with the library's lengths;
+/// - a leg reaches its scaled toe base, an arm the same share of its reach in the same direction from the shoulder,
+///   by two-bone inverse kinematics in the user's own plane of the limb; feet, toes and hands keep their directions.
+/// When a leg cannot reach its foot the root goes down, not the foot.
+class BodyRetargeter {
+ public:
+  BodyRetargeter(const Body& user, const Body& library_body, bool scale_root_path = true);
+
+  /// Equal bodies (every bone within 0.5 %): poses pass unchanged, to the bit.
+  bool is_identity() const { return identity_; }
+  double leg_ratio() const { return scale_; }
+
+  Pose apply(const Pose& user_pose) const;
+
+ private:
+  Vec3 scaled_floor_point(const Vec3& world) const;
+  double needed_drop(const Pose& user_pose, const Pose& rebuilt) const;
+
+  Body user_;
+  Body library_;
+  double scale_ = 1;
+  double path_scale_ = 1;
+  bool identity_ = true;
+};
+
+/// Elbow or knee of a two-bone limb from `root` to `end`, bent towards the side on which `bend_hint` lies.
+/// An end out of reach is approached as far as 99.9 % of the limb. @param[in,out] end  moved within reach
+Vec3 two_bone_joint(const Vec3& root, Vec3& end, double upper_length, double lower_length, const Vec3& bend_hint);
+
+}  // namespace abrazo

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "core/session/command_queue.hpp"
+#include "core/session/frame_history.hpp"
+#include "core/session/frame_snapshot.hpp"
+#include "core/session/latest_slot.hpp"
+#include "core/stream/clip_source.hpp"
+#include "core/synthesis/partner_synthesizer.hpp"
+
+namespace abrazo {
+
+/// One turn of the live loop without a thread: commands, newest pose, step, snapshot. Owned by the solver
+/// thread; driven by tests with a clock of their own. The queue, history and slot outlive it.
+class LiveLoop {
+ public:
+  LiveLoop(std::unique_ptr<PartnerSynthesizer> synthesizer, std::unique_ptr<ClipSource> source,
+           CommandQueue& commands, FrameHistory& history, LatestSlot<FrameSnapshot>& latest);
+
+  /// @param now_s  session clock
+  /// @return session time until which there is nothing to do
+  double turn(double now_s);
+
+  /// A failed snapshot with this text; the partner holds its last pose.
+  void publish_failure(const std::string& why, double now_s);
+
+ private:
+  void apply(const Command& command, double now_s);
+  void publish(const SourcePose& input, const FrameResult& result);
+
+  std::unique_ptr<PartnerSynthesizer> synthesizer_;
+  std::unique_ptr<ClipSource> source_;
+  CommandQueue& commands_;
+  FrameHistory& history_;
+  LatestSlot<FrameSnapshot>& latest_;
+  std::uint64_t next_index_ = 0;
+  double previous_time_s_ = -1;
+  double smoothed_interval_s_ = 0;
+};
+
+}  // namespace abrazo

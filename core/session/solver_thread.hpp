@@ -1,0 +1,21 @@
+#pragma once
+
+#include <memory>
+#include <thread>
+
+#include "core/session/live_loop.hpp"
+
+namespace abrazo {
+
+/// Runs a LiveLoop in real time until it is destroyed, which waits for the running step at most.
+/// An exception becomes a failed snapshot with its text.
+class SolverThread {
+ public:
+  explicit SolverThread(std::unique_ptr<LiveLoop> loop);
+
+ private:
+  std::unique_ptr<LiveLoop> loop_;
+  std::jthread thread_;  // after what it uses: stops first
+};
+
+}  // namespace abrazo

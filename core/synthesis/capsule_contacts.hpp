@@ -1,0 +1,58 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/base/positions.hpp"
+#include "core/motion/joint_set.hpp"
+#include "core/synthesis/constraints.hpp"
+#include "core/synthesis/frame_result.hpp"
+
+namespace abrazo {
+
+using CapsuleRadii = std::array<double, bone_count>;
+
+/// Keeps the capsules of the two bodies apart, as far as the selected pair does itself: recorded contact is
+/// contact, so each pair of capsules may overlap by the depth it has in the selected pair. Hands and forearms
+/// of two arms that hold one another there are left alone.
+class CapsuleContacts {
+ public:
+  /// Capsules closer than this get a row [m].
+  static constexpr double activation_gap_m = 0.05;
+  static constexpr int max_rows = 16;
+
+  CapsuleContacts();
+
+  /// Learns what the selected pair allows. Radii are those of the two bodies.
+  void prepare(const PairPose& selected, const CapsuleRadii& active, const CapsuleRadii& passive);
+
+  /// n . (p - q) >= r_1 + r_2 - allowed for the closest points p, q of near capsules at `iterate`, the most
+  /// pressing `max_rows` of them.
+  void add_rows(const PairPose& iterate, std::vector<ConstraintRow>& rows);
+
+  /// Overlaps at a result: those deeper than 0, deepest first.
+  void measure(const PairPose& result, std::vector<CapsuleContact>& contacts, double& deepest_m,
+               double& deepest_excess_m);
+
+ private:
+  struct NearPair {
+    int active_bone = 0;
+    int passive_bone = 0;
+    double excess = 0;  ///< depth beyond the allowed; negative = room left [m]
+    double s = 0, t = 0;
+    Vec3 normal = Vec3::Zero();
+    double depth = 0;
+  };
+  using BonePairValues = std::array<std::array<double, bone_count>, bone_count>;
+
+  void find_near(const PairPose& pose, double gap_m);
+
+  CapsuleRadii active_{};
+  CapsuleRadii passive_{};
+  PairPose selected_ = PairPose::Zero();
+  BonePairValues allowed_depth_{};
+  std::array<std::array<bool, bone_count>, bone_count> held_{};
+  std::vector<NearPair> near_;
+};
+
+}  // namespace abrazo

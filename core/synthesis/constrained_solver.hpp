@@ -1,0 +1,58 @@
+#pragma once
+
+#include <Eigen/Cholesky>
+#include <span>
+#include <vector>
+
+#include "core/base/positions.hpp"
+#include "core/mesh/laplacian.hpp"
+#include "core/synthesis/constraints.hpp"
+
+namespace abrazo {
+
+/// Minimises 1/2 tr(V^T K V) - tr(R^T V) subject to hard rows H V = h (Eq. 11), for 50 vertices.
+/// The three coordinates share K, so K is factored once as 50 x 50; the multipliers come from the Schur
+/// complement S = H (K^-1 (x) I_3) H^T + eps I. The dual regularisation makes redundant rows harmless (two
+/// feet pinned and their bones, say); one step of refinement takes out what eps leaves of the consistent
+/// rows. Does not allocate after construction.
+class ConstrainedSolver {
+ public:
+  static constexpr int max_rows = 176;
+
+  ConstrainedSolver();
+
+  /// @return false when K is not positive definite; nothing can be solved then
+  bool set_energy(const VertexMatrix& energy);
+
+  /// Equalities hold; of the inequalities those that bind do, found by a few active-set passes.
+  /// @param linear       R, 50 x 3
+  /// @param rows         at most max_rows
+  /// @param[in,out] active  per row: whether it binds; read as the first guess for inequalities, equalities
+  /// are always active
+  /// @param[out] positions  V
+  /// @return false when the result is not finite
+  bool solve(const PairPose& linear, std::span<const ConstraintRow> rows, std::vector<char>& active,
+             PairPose& positions);
+
+  /// Multiplier of a row after solve(); 0 for one that does not bind.
+  double multiplier(std::size_t row) const { return multipliers_[row]; }
+
+ private:
+  bool solve_active(std::span<const ConstraintRow> rows, const std::vector<char>& active,
+                    PairPose& positions);
+  bool factor_dual(int count);
+  void solve_dual(int count);
+
+  VertexMatrix inverse_;
+  Eigen::LLT<VertexMatrix> energy_factor_;
+  PairPose unconstrained_;
+  std::vector<PairPose> spread_;  ///< per row: K^-1 times its transpose
+  std::vector<char> spread_known_;
+  std::vector<int> used_;  ///< rows that bind, in order
+  Eigen::MatrixXd dual_;         ///< S, lower triangle, in the upper left corner
+  Eigen::MatrixXd dual_factor_;  ///< its Cholesky factor
+  Eigen::VectorXd right_;
+  std::vector<double> multipliers_;
+};
+
+}  // namespace abrazo

@@ -1,0 +1,110 @@
+#include "core/synthesis/pair_editor.hpp"
+
+#include <algorithm>
+
+namespace abrazo {
+
+namespace {
+
+/// Bones may be this far off after the projection steps that were asked for; otherwise more are taken.
+constexpr double bone_goal = 2e-4;
+constexpr double bone_limit = 1e-3;  ///< beyond this the constraints contradict one another
+constexpr double drift_limit_m = 1e-3;
+constexpr int extra_projection_steps = 8;
+constexpr double farthest_sensible_m =
+    50.0;  ///< from the selected pair: a result beyond it is a numerical accident
+
+int locked_bodies(const Settings& settings, PairEditor::Relaxation relaxation) {
+  if (!settings.foot_locks || relaxation >= PairEditor::Relaxation::Feet) return 0;
+  return relaxation >= PairEditor::Relaxation::PassiveFeet ? 1 : 2;
+}
+
+}  // namespace
+
+PairEditor::PairEditor() {
+  rows_.reserve(ConstrainedSolver::max_rows);
+  active_rows_.reserve(ConstrainedSolver::max_rows);
+  steps_.reserve(64);
+}
+
+PairEditor::Outcome PairEditor::edit(const EditTask& task, const Settings& settings, FootLocks& locks) {
+  task_ = task;
+  steps_.clear();
+  reference_ = task_.selected;
+  reference_.bottomRows<joint_count>() += task_.reference_offset;
+  recorded_ = rigid_distances(task_.selected);
+  laplacian_.build(task_.edges, task_.selected, settings.edge_weights);
+  contacts_.prepare(task_.selected, *task_.active_radii, *task_.passive_radii);
+
+  // K and the constant part of R: the gradient of E_L + w_Delta E_V + E_C is K V - R.
+  VertexMatrix energy = laplacian_.gram();
+  constant_.noalias() = laplacian_.gram() * reference_;
+  energy.diagonal().head<joint_count>().array() += settings.morph_weight;
+  energy.diagonal().tail<joint_count>().array() += settings.anchor_weight;
+  constant_.bottomRows<joint_count>() += settings.anchor_weight * reference_.bottomRows<joint_count>();
+  if (task_.has_previous && task_.velocity_weight > 0) {
+    energy.diagonal().array() += task_.velocity_weight;
+    constant_ += task_.velocity_weight * task_.velocity_target;
+  }
+  if (!solver_.set_energy(energy)) return {};
+
+  for (const auto relaxation : {Relaxation::None, Relaxation::PassiveFeet, Relaxation::Feet,
+                                Relaxation::Capsules, Relaxation::Everything}) {
+    const bool changes_something = relaxation != Relaxation::PassiveFeet && relaxation != Relaxation::Feet;
+    if (!changes_something && locked_bodies(settings, Relaxation::None) == 0) continue;
+    if (!morph(settings, locks, relaxation)) continue;
+    if (locks.drift(locked_bodies(settings, relaxation), result()) > drift_limit_m) continue;
+    locks.release(locked_bodies(settings, relaxation));
+    return {true, relaxation};
+  }
+  return {};
+}
+
+bool PairEditor::morph(const Settings& settings, const FootLocks& locks, Relaxation relaxation) {
+  steps_.clear();
+  active_rows_.clear();
+  iterate_ = task_.selected;
+  for (int step = 1; step <= settings.morph_steps; ++step)
+    if (!solve_step(settings, locks, relaxation, static_cast<double>(step) / settings.morph_steps))
+      return false;
+  for (int step = 0; step < settings.projection_steps + extra_projection_steps; ++step) {
+    if (step >= settings.projection_steps && bone_length_error(iterate_, task_.wanted) <= bone_goal) break;
+    if (!solve_step(settings, locks, relaxation, 1.0)) return false;
+  }
+  return is_acceptable();
+}
+
+bool PairEditor::solve_step(const Settings& settings, const FootLocks& locks, Relaxation relaxation,
+                            double fraction) {
+  PairPose linear = constant_;
+  // Eq. 8: the intermediate target between the selected pose and the user's.
+  linear.topRows<joint_count>() +=
+      settings.morph_weight * (task_.selected.topRows<joint_count>() +
+                               fraction * (task_.target - task_.selected.topRows<joint_count>()));
+
+  RigidDistances lengths = task_.wanted;
+  for (std::size_t n = 0; n < lengths.size(); ++n)
+    lengths[n].length_m =
+        recorded_[n].length_m + fraction * (task_.wanted[n].length_m - recorded_[n].length_m);
+  rows_.clear();
+  add_bone_rows(iterate_, task_.selected, lengths, rows_);
+  if (relaxation < Relaxation::Everything) add_floor_rows(task_.selected, task_.floor_m, rows_);
+  locks.add_rows(locked_bodies(settings, relaxation), rows_);
+  const std::size_t lasting_rows = rows_.size();
+  if (settings.collisions && relaxation < Relaxation::Capsules) contacts_.add_rows(iterate_, rows_);
+  // Capsule rows are found anew in every step, so the guess of what binds is only kept for the others.
+  active_rows_.resize(lasting_rows, 0);
+  active_rows_.resize(rows_.size(), 0);
+  for (std::size_t r = lasting_rows; r < rows_.size(); ++r)
+    active_rows_[r] = rows_[r].value(iterate_) < rows_[r].target ? 1 : 0;
+  if (!solver_.solve(linear, rows_, active_rows_, iterate_)) return false;
+  if ((iterate_ - task_.selected).cwiseAbs().maxCoeff() > farthest_sensible_m) return false;
+  steps_.push_back(iterate_);
+  return true;
+}
+
+bool PairEditor::is_acceptable() const {
+  return !steps_.empty() && bone_length_error(steps_.back(), task_.wanted) <= bone_limit;
+}
+
+}  // namespace abrazo

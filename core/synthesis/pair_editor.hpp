@@ -1,0 +1,72 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/mesh/laplacian.hpp"
+#include "core/synthesis/capsule_contacts.hpp"
+#include "core/synthesis/constrained_solver.hpp"
+#include "core/synthesis/foot_locks.hpp"
+#include "core/synthesis/settings.hpp"
+
+namespace abrazo {
+
+/// What is edited in one frame, and towards what. World space [m].
+struct EditTask {
+  std::span<const MeshEdge> edges;  ///< interaction mesh of the selected pair
+  PairPose selected;                ///< q''_sel
+  Pose reference_offset =
+      Pose::Zero();  ///< of the passive body in the deformation energy's reference, see Transition
+  Pose target;       ///< q'_in
+  bool has_previous = false;
+  PairPose velocity_target;    ///< V'_{i-1}, or its prediction; only with has_previous
+  double velocity_weight = 0;  ///< w_Delta for this step
+  RigidDistances wanted;       ///< lengths that the result must have
+  double floor_m = 0;          ///< no foot joint goes below, unless the selected pair's does
+  const CapsuleRadii* active_radii = nullptr;
+  const CapsuleRadii* passive_radii = nullptr;
+};
+
+/// Edits a recorded pair until its active body is the user's pose, with the spatial relations of the two
+/// bodies kept: iterative morphing (Eq. 8-9) with the constrained minimisation of Eq. 11 in each step.
+class PairEditor {
+ public:
+  PairEditor();
+
+  /// What is let go, in this order, when the constraints cannot all be met: bones are kept longest.
+  enum class Relaxation { None, PassiveFeet, Feet, Capsules, Everything };
+
+  struct Outcome {
+    bool solved = false;
+    Relaxation relaxation = Relaxation::None;
+  };
+
+  /// @param[in,out] locks  feet that had to be let go are forgotten
+  Outcome edit(const EditTask& task, const Settings& settings, FootLocks& locks);
+
+  const PairPose& result() const { return steps_.back(); }
+  const std::vector<PairPose>& steps() const { return steps_; }
+  const Laplacian& laplacian() const { return laplacian_; }
+  CapsuleContacts& contacts() { return contacts_; }
+  const EditTask& task() const { return task_; }
+
+ private:
+  bool morph(const Settings& settings, const FootLocks& locks, Relaxation relaxation);
+  bool solve_step(const Settings& settings, const FootLocks& locks, Relaxation relaxation, double fraction);
+  bool is_acceptable() const;
+
+  EditTask task_;
+  PairPose reference_;       ///< selected pair with the partner's offset
+  PairPose constant_;        ///< the part of R that does not change between morph steps
+  RigidDistances recorded_;  ///< lengths in the selected pair
+  Laplacian laplacian_;
+  ConstrainedSolver solver_;
+  CapsuleContacts contacts_;
+  std::vector<ConstraintRow> rows_;
+  std::vector<char> active_rows_;
+  std::vector<PairPose> steps_;
+  PairPose iterate_;
+};
+
+}  // namespace abrazo

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "core/library/motion_library.hpp"
+#include "core/motion/body.hpp"
+#include "core/synthesis/frame_result.hpp"
+#include "core/synthesis/settings.hpp"
+
+namespace abrazo {
+
+using Duration = std::chrono::duration<double>;
+
+/// The whole method, one frame at a time: a user's pose in, both characters out (paper 3.3-3.4).
+/// Owns the little state there is: the two previous results, foot locks, the current source, the user's
+/// measures. Deterministic: the same library, settings and input give the same bits. Not thread-safe.
+class PartnerSynthesizer {
+ public:
+  /// @param excluded_takes  never selected (leave-one-take-out)
+  static Result<std::unique_ptr<PartnerSynthesizer>> create(
+      std::shared_ptr<const MotionLibrary> library, const Settings& settings,
+      const std::vector<std::string>& excluded_takes = {});
+  ~PartnerSynthesizer();
+
+  /// Solves one frame. Never throws and never gives a pose that is not finite: what could not be met is in
+  /// `status` and `residual`, and after a failure the last good poses are held.
+  /// @param user     the user's pose, 25 joints, world [m]; need not be of the library's size
+  /// @param elapsed  since the previous step; more than 0.3 s starts anew as after tracking loss
+  /// @return         valid until the next call
+  const FrameResult& step(const Pose& user, Duration elapsed);
+
+  /// Applies from the next step on; state is kept.
+  void set_settings(const Settings& settings);
+  const Settings& settings() const;
+
+  /// What the user measures; without it the first pose is measured.
+  void set_user_body(const Body& body);
+
+  /// Forgets the previous frames: the next step is a first one.
+  void reset();
+
+  /// Forces this pair while it is set, instead of selecting one.
+  void pin_pair(std::optional<int> pair);
+
+  const MotionLibrary& library() const;
+
+ private:
+  struct State;
+  explicit PartnerSynthesizer(std::unique_ptr<State> state);
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace abrazo

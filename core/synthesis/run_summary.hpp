@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/library/motion_library.hpp"
+#include "core/synthesis/frame_result.hpp"
+
+namespace abrazo {
+
+/// What a run over many frames came to: the figures by which constraints and speed are judged.
+class RunSummary {
+ public:
+  explicit RunSummary(const MotionLibrary& library) : library_(library) {}
+
+  void add(const FrameResult& frame);
+
+  struct Figures {
+    std::size_t frames = 0, relaxed = 0, failed = 0;
+    double solve_us_p50 = 0, solve_us_p99 = 0;  ///< whole step
+    double bone_length_max = 0;                 ///< relative
+    double foot_lock_drift_max_m = 0;
+    double excess_penetration_p99_m = 0;
+    std::size_t holds = 0;          ///< hand pairs within 13 cm in the selected pairs
+    double hold_change_mean_m = 0;  ///< |distance in the result - in the selected pair|
+    double source_changes_per_100 = 0;
+    double partner_displacement_mean_m = 0;  ///< of a joint, from step to step
+    double partner_displacement_p99_m = 0;   ///< of the mean over joints
+    double behind_selected_mean_m = 0;       ///< partner joints from those of the selected pair
+    double morph_rms_m = 0;
+  };
+  Figures figures() const;
+
+  std::string text(double step_rate_hz) const;
+  std::string json(double step_rate_hz) const;
+
+ private:
+  void add_holds(const FrameResult& frame);
+
+  const MotionLibrary& library_;
+  std::size_t frames_ = 0, relaxed_ = 0, failed_ = 0, source_changes_ = 0;
+  double bone_length_max_ = 0, foot_lock_drift_max_m_ = 0, morph_rms_sum_m_ = 0, behind_sum_m_ = 0;
+  std::vector<double> total_us_, excess_penetration_m_, hold_changes_m_, displacements_m_;
+  Pose previous_passive_ = Pose::Zero();
+};
+
+}  // namespace abrazo

@@ -1,0 +1,236 @@
+#include "core/synthesis/settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "core/base/json_text.hpp"
+#include "core/base/text.hpp"
+
+namespace abrazo {
+
+namespace {
+
+constexpr double reference_rate_hz = 15;
+
+using Kind = SettingInfo::Kind;
+
+/// A setting's description and its place in Settings, as a number (flags 0/1, choices their index).
+struct Entry {
+  SettingInfo info;
+  std::function<double(const Settings&)> get;
+  std::function<void(Settings&, double)> set;
+};
+
+template <typename T>
+Entry entry(const SettingInfo& info, T Settings::*member) {
+  return {info, [member](const Settings& s) { return static_cast<double>(s.*member); },
+          [member](Settings& s, double value) { s.*member = static_cast<T>(value); }};
+}
+
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> all = {
+      entry({"alpha", "\u03b1", "temporal smoothness", "Selection", "", Kind::Real, 0, 5, false, "",
+             "Weight of temporal coherence when a recorded pair is chosen (Eq. 7):\n"
+             "cost = \u03a3|p_in \u2212 p_A|\u00b2 + \u03b1 (\u03a3|s_A* \u2212 q\u2033_A|\u00b2 + "
+             "\u03a3|s_S* \u2212 q\u2033_S|\u00b2).\n"
+             "Higher: fewer changes of source, but the partner sticks to a move longer. Paper 3.3.3: 0.5."},
+            &Settings::alpha),
+      entry({"neighbours", "k", "neighbours", "Selection", "", Kind::Integer, 1, 200, true, "",
+             "Recorded pairs taken from the kd-tree and compared by Eq. 7 (paper 3.3.2: 10)."},
+            &Settings::neighbours),
+      entry({"continuations", "", "continuations", "Selection", "frames", Kind::Integer, 0, 15, false, "",
+             "So many recorded successors of the current source join the candidates,\n"
+             "so that going on is always a choice. 0 as in the paper."},
+            &Settings::continuations),
+      entry({"user-role", "", "user's role", "Selection", "", Kind::Choice, 0, 1, false, "active|passive",
+             "Whether the person leads (Role_A of the paper) or the partner does."},
+            &Settings::user_role),
+      entry({"velocity-weight", "w_\u0394", "velocity weight", "Energies", "", Kind::Real, 0, 2, false, "",
+             "Weight of the velocity energy in Eq. 11: E_L + w_\u0394 E_V + E_C, at 15 steps per second;\n"
+             "at other rates it is scaled so that the time constant stays.\n"
+             "Higher: smoother, but the partner lags behind. Paper 3.4.2: 0.2."},
+            &Settings::velocity_weight),
+      entry({"velocity-form", "", "velocity energy", "Energies", "", Kind::Choice, 0, 1, false,
+             "velocity|predicted",
+             "E_V = \u00bd|V\u1d62 \u2212 V\u1d62\u208b\u2081|\u00b2 (velocity), or \u00bd|V\u1d62 \u2212 "
+             "(2V\u1d62\u208b\u2081 \u2212 V\u1d62\u208b\u2082)|\u00b2 (predicted)."},
+            &Settings::velocity_form),
+      entry(
+          {"morph-weight", "w_C", "morphing weight", "Energies", "", Kind::Real, 0.1, 1000, true, "",
+           "Weight of the morphing constraint: E_C = w_C/2 \u03a3|v_A \u2212 q_interpolated|\u00b2 (Eq. 9).\n"
+           "Higher: the active body follows the user more exactly."},
+          &Settings::morph_weight),
+      entry({"edge-weights", "", "edge weights", "Energies", "", Kind::Choice, 0, 2, false,
+             "inverse|inverse-mean|uniform",
+             "How mesh neighbours are weighed in the Laplacian coordinates, d at the selected pair:\n"
+             "inverse (1/d)/\u03a3(1/d), inverse-mean (1/n)(1/d), uniform 1/n."},
+            &Settings::edge_weights),
+      entry({"anchor-weight", "", "anchor weight", "Energies", "", Kind::Real, 1e-6, 0.1, true, "",
+             "Holds the partner weakly to the selected pair, for moments when no short mesh edge does."},
+            &Settings::anchor_weight),
+      entry({"morph-steps", "m", "morph steps", "Constraints", "", Kind::Integer, 1, 20, false, "",
+             "Steps from the selected pose to the user's (Eq. 8)."},
+            &Settings::morph_steps),
+      entry({"projection-steps", "", "projection steps", "Constraints", "", Kind::Integer, 0, 10, false, "",
+             "Further steps on the full target, which bring bone lengths back after the last turn.\n"
+             "More are taken when a bone is still off by over 0.02 %."},
+            &Settings::projection_steps),
+      entry({"foot-locks", "", "foot locks", "Constraints", "", Kind::Flag, 0, 1, false, "",
+             "A landed foot stays where it is (Eq. 10)."},
+            &Settings::foot_locks),
+      entry({"foot-lock-speed", "", "planted below", "Constraints", "m/s", Kind::Real, 0, 1, false, "",
+             "A foot faster than this is not planted. 0: height alone decides, as in the paper."},
+            &Settings::foot_lock_speed),
+      entry({"collisions", "", "collisions", "Constraints", "", Kind::Flag, 0, 1, false, "",
+             "The bodies' capsules are kept apart, as far as the recorded pair does itself."},
+            &Settings::collisions),
+      entry({"transition-half-life", "", "transition half-life", "Timing", "s", Kind::Real, 0, 0.5, false, "",
+             "How fast the partner's jump at a change of source fades. 0: not faded, as in the paper."},
+            &Settings::transition_half_life_s),
+      entry({"step-rate", "", "step rate", "Timing", "Hz", Kind::Real, 0, 120, false, "",
+             "Solved frames per second. 0: the input's own rate, at most 120. Paper: 15."},
+            &Settings::step_rate_hz),
+      entry({"scale-root-path", "", "scale the user's path", "Timing", "", Kind::Flag, 0, 1, false, "",
+             "A user of another size covers ground in proportion to the length of the legs."},
+            &Settings::scale_root_path),
+  };
+  return all;
+}
+
+const Entry* find_entry(std::string_view key) {
+  const auto found =
+      std::find_if(entries().begin(), entries().end(), [&](const Entry& e) { return e.info.key == key; });
+  return found == entries().end() ? nullptr : &*found;
+}
+
+Error wrong_value(const SettingInfo& info, std::string_view text, const std::string& expected) {
+  return Error{"'" + std::string(text) + "' cannot be used: " + expected, "--" + std::string(info.key)};
+}
+
+Status set_checked(Settings& settings, const Entry& found, double value, std::string_view text) {
+  const SettingInfo& info = found.info;
+  const bool whole = info.kind == Kind::Real || value == std::floor(value);
+  if (!std::isfinite(value) || !whole || value < info.minimum || value > info.maximum)
+    return wrong_value(info, text,
+                       std::string(info.kind == Kind::Integer ? "a whole number" : "a number") + " from " +
+                           exact_text(info.minimum) + " to " + exact_text(info.maximum) + " is expected");
+  found.set(settings, value);
+  return Done{};
+}
+
+Status set_json(Settings& settings, const Entry& found, const nlohmann::json& value) {
+  if (value.is_boolean()) return set_setting(settings, found.info.key, value.get<bool>() ? "on" : "off");
+  if (value.is_string()) return set_setting(settings, found.info.key, value.get<std::string>());
+  if (value.is_number()) return set_setting(settings, found.info.key, exact_text(value.get<double>()));
+  return wrong_value(found.info, value.dump(), "a number, a text or true/false is expected");
+}
+
+}  // namespace
+
+Result<Settings> preset(std::string_view name) {
+  Settings settings;
+  if (name == "paper") {
+    settings.step_rate_hz = 15;
+    return settings;
+  }
+  if (name == "responsive") {
+    settings.step_rate_hz = 0;
+    settings.velocity_weight = 0.02;
+    settings.continuations = 3;
+    settings.transition_half_life_s = 0.1;
+    settings.foot_lock_speed = 0.3;
+    return settings;
+  }
+  return Error{"'" + std::string(name) + "' is not a preset; use paper or responsive", "--preset"};
+}
+
+double velocity_weight_at(const Settings& settings, double dt_s) {
+  if (dt_s <= 0) return settings.velocity_weight;
+  const double rate_ratio = 1.0 / (reference_rate_hz * dt_s);
+  return settings.velocity_weight *
+         (settings.velocity_form == VelocityForm::Velocity ? rate_ratio : rate_ratio * rate_ratio);
+}
+
+std::span<const SettingInfo> all_settings() {
+  static const std::vector<SettingInfo> infos = [] {
+    std::vector<SettingInfo> list;
+    for (const Entry& e : entries()) list.push_back(e.info);
+    return list;
+  }();
+  return infos;
+}
+
+const SettingInfo* find_setting(std::string_view key) {
+  const Entry* found = find_entry(key);
+  return found ? &found->info : nullptr;
+}
+
+double setting_number(const Settings& settings, std::string_view key) {
+  return find_entry(key)->get(settings);
+}
+
+std::string setting_text(const Settings& settings, std::string_view key) {
+  const Entry& found = *find_entry(key);
+  const double value = found.get(settings);
+  if (found.info.kind == Kind::Flag) return value != 0 ? "on" : "off";
+  if (found.info.kind == Kind::Choice)
+    return std::string(split_fields(found.info.choices, '|').at(static_cast<std::size_t>(value)));
+  return exact_text(value);
+}
+
+Status set_setting(Settings& settings, std::string_view key, std::string_view text) {
+  const Entry* found = find_entry(key);
+  if (!found) return Error{"there is no setting of this name", std::string(key)};
+  if (found->info.kind == Kind::Flag) {
+    if (text != "on" && text != "off") return wrong_value(found->info, text, "on or off is expected");
+    found->set(settings, text == "on" ? 1 : 0);
+    return Done{};
+  }
+  if (found->info.kind == Kind::Choice) {
+    const auto choices = split_fields(found->info.choices, '|');
+    const auto at = std::find(choices.begin(), choices.end(), text);
+    if (at == choices.end())
+      return wrong_value(found->info, text, "one of " + std::string(found->info.choices) + " is expected");
+    found->set(settings, static_cast<double>(at - choices.begin()));
+    return Done{};
+  }
+  const auto value = parse_number(text);
+  return set_checked(settings, *found, value.value_or(NAN), text);
+}
+
+std::string settings_json(const Settings& settings) {
+  JsonText json;
+  json.begin_object();
+  for (const Entry& e : entries()) {
+    json.key(e.info.key);
+    if (e.info.kind == Kind::Flag)
+      json.value(e.get(settings) != 0);
+    else if (e.info.kind == Kind::Choice)
+      json.value(setting_text(settings, e.info.key));
+    else
+      json.value(e.get(settings));
+  }
+  json.end_object();
+  return json.take();
+}
+
+Result<Settings> parse_settings(std::string_view json, const Settings& start, std::string_view where) {
+  const nlohmann::json parsed = nlohmann::json::parse(json, nullptr, false);
+  if (!parsed.is_object())
+    return Error{"an object of settings is expected, as in {\"alpha\": 0.5}", std::string(where)};
+  Settings settings = start;
+  for (const auto& [key, value] : parsed.items()) {
+    const Entry* found = find_entry(key);
+    if (!found)
+      return Error{"'" + key + "' is not a setting; see abrazo synth --help for their names",
+                   std::string(where)};
+    const Status set = set_json(settings, *found, value);
+    if (!set) return Error{set.error().text(), std::string(where)};
+  }
+  return settings;
+}
+
+}  // namespace abrazo

@@ -1,0 +1,84 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/base/result.hpp"
+#include "core/mesh/laplacian.hpp"
+
+namespace abrazo {
+
+enum class VelocityForm { Velocity, Predicted };
+enum class UserRole { Active, Passive };
+
+/// Everything that can be tuned, as one value. Weights of energies are those at 15 steps per second; at other
+/// rates `velocity_weight_at` gives the weight with the same time constant.
+struct Settings {
+  double alpha = 0.5;            ///< weight of the temporal terms in Eq. 7
+  double velocity_weight = 0.2;  ///< w_Delta of Eq. 11, at 15 Hz
+  VelocityForm velocity_form = VelocityForm::Velocity;
+  double morph_weight = 10;  ///< weight of the morphing constraint in E_C (Eq. 9)
+  int morph_steps = 5;       ///< m of Eq. 8
+  int projection_steps =
+      2;                ///< further steps on the full target: bring back bone lengths after the last turn
+  int neighbours = 10;  ///< k
+  EdgeWeights edge_weights = EdgeWeights::Inverse;
+  double step_rate_hz = 0;  ///< 0 = the input's own rate, at most 120
+  bool collisions = true;
+  bool foot_locks = true;
+  UserRole user_role = UserRole::Active;
+
+  int continuations = 0;  ///< next recorded frames of the current source that join the candidates
+  double transition_half_life_s =
+      0;  ///< how fast the partner's jump at a change of source fades; 0 = not faded
+  double foot_lock_speed =
+      0;  ///< a foot faster than this is not planted [m/s]; 0 = height alone decides (paper)
+  double anchor_weight = 1e-3;  ///< holds the partner to the selected pair where no mesh edge does
+  bool scale_root_path = true;  ///< a user of another size covers ground in proportion to the legs
+
+  bool operator==(const Settings&) const = default;
+};
+
+/// "paper": the paper's letter. "responsive": small lag, few jumps.
+Result<Settings> preset(std::string_view name);
+inline constexpr std::array<std::string_view, 2> preset_names = {"paper", "responsive"};
+
+/// w_Delta for steps of `dt_s`. The velocity form is a first-order lag, weight proportional to the rate; the
+/// predicted form is second-order, proportional to its square: so a time constant stays what it is at 15 Hz.
+double velocity_weight_at(const Settings& settings, double dt_s);
+
+/// One setting as the command line, JSON, session files and the settings panel know it.
+struct SettingInfo {
+  enum class Kind { Real, Integer, Flag, Choice };
+  std::string_view key;     ///< "alpha", "velocity-weight", ... as in the contract
+  std::string_view symbol;  ///< "α", "w_Δ"; may be empty
+  std::string_view title;   ///< "temporal smoothness"
+  std::string_view group;   ///< "Selection", "Energies", "Constraints", "Timing"
+  std::string_view unit;    ///< "", "Hz", "s", "m/s"
+  Kind kind;
+  double minimum, maximum;
+  bool logarithmic;          ///< slider scale
+  std::string_view choices;  ///< "velocity|predicted"
+  std::string_view help;     ///< what it does, with the formula and paper section
+};
+
+/// In the order in which they are shown.
+std::span<const SettingInfo> all_settings();
+const SettingInfo* find_setting(std::string_view key);
+
+/// A setting by key as text ("0.5", "on", "inverse-mean"). The key must exist.
+std::string setting_text(const Settings& settings, std::string_view key);
+/// As a number (flags 0/1, choices their index).
+double setting_number(const Settings& settings, std::string_view key);
+/// Sets it; an Error says the range or the choices.
+Status set_setting(Settings& settings, std::string_view key, std::string_view text);
+
+/// {"alpha":0.5,...} with every key.
+std::string settings_json(const Settings& settings);
+
+/// Reads such an object; keys it does not name keep their value in `start`. An unknown key is an Error.
+Result<Settings> parse_settings(std::string_view json, const Settings& start, std::string_view where);
+
+}  // namespace abrazo

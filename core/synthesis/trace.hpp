@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+
+#include "core/base/json_text.hpp"
+#include "core/library/motion_library.hpp"
+#include "core/synthesis/frame_result.hpp"
+#include "core/synthesis/settings.hpp"
+
+namespace abrazo {
+
+/// Says what a trace was made from.
+struct TraceHeader {
+  std::string library;
+  std::string input;
+  double fps = 0;  ///< solved steps per second
+  Settings settings;
+};
+
+/// First line of a trace, without the line end.
+std::string trace_header_line(const TraceHeader& header);
+
+/// One solved frame as the contract has it, without the line end. Numbers read back to the same doubles; two
+/// runs on the same input differ in timing_us alone.
+/// @param input_frame  0-based frame of the input;  @param time_s  of the input
+std::string trace_frame_line(const FrameResult& frame, const MotionLibrary& library, long long input_frame,
+                             double time_s);
+
+}  // namespace abrazo

@@ -1,0 +1,247 @@
+#include "tests/architecture/rules.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <regex>
+
+namespace abrazo::test {
+namespace {
+
+std::string at(const SourceFile& file, int line, const std::string& why) {
+  return file.path + ":" + std::to_string(line) + ": " + why;
+}
+
+/// Runs `why(file, include)` on every include of every C++ file under `folder`; a text that is not empty is a
+/// violation.
+template <typename Why>
+Violations check_includes(std::span<const SourceFile> files, std::string_view folder, Why why) {
+  Violations found;
+  for (const SourceFile& file : files) {
+    if (!file.is_under(folder) || !file.is_cpp()) continue;
+    for (const Include& include : includes_of(file)) {
+      const std::string text = why(file, include.path);
+      if (!text.empty()) found.push_back(at(file, include.line, text));
+    }
+  }
+  return found;
+}
+
+/// "mesh" of "core/mesh/capsules.hpp"; empty when there is no second folder.
+std::string second_folder(std::string_view path) {
+  const std::size_t begin = path.find('/') + 1;
+  if (begin == 0) return {};
+  const std::size_t end = path.find('/', begin);
+  return end == std::string_view::npos ? std::string() : std::string(path.substr(begin, end - begin));
+}
+
+bool is_qt(const std::string& include) {
+  static const std::regex qt(R"re(^(Q[A-Z]|Qt[A-Z][A-Za-z]*/|qcustomplot))re");
+  return std::regex_search(include, qt);
+}
+
+bool is_vtk(const std::string& include) {
+  return include.starts_with("vtk") || include.starts_with("QVTK");
+}
+
+/// A third party and the only place that may know it: a file, or a folder (ends in '/'). Without a place it
+/// is any one source file.
+struct ThirdParty {
+  std::string_view name;
+  const char* includes;  ///< regular expression
+  std::string_view place;
+};
+
+constexpr std::array third_parties = {
+    ThirdParty{"TetGen", "^tetgen\\.h$", "core/mesh/tetrahedralize.cpp"},
+    ThirdParty{"FLANN", "^flann/", "core/library/pose_index.cpp"},
+    ThirdParty{"HDF5", "^(hdf5|H5)", "core/library/motion_library_file.cpp"},
+    ThirdParty{"OpenCV", "^opencv", "core/video/"},
+    ThirdParty{"SQLite", "^sqlite3", ""},
+    ThirdParty{"liblo", "^lo/", ""},
+    ThirdParty{"pugixml", "^pugi", ""},
+    ThirdParty{"tinygltf", "^tiny_gltf", ""},
+    ThirdParty{"CLI11", "^CLI/", "app/"},
+    ThirdParty{"QCustomPlot", "^qcustomplot", "widgets/plots/"},
+    ThirdParty{"VTK", "^(vtk|QVTK)", "widgets/scene/"},
+};
+
+/// @param first  the file that was seen to name a party without a fixed place; set when there was none
+bool is_in_place(const SourceFile& file, std::string_view place, std::string& first) {
+  if (place.ends_with('/')) return file.is_under(place);
+  if (!place.empty()) return file.path == place;
+  if (first.empty() && !file.is_header()) first = file.path;
+  return file.path == first;
+}
+
+/// What a view may see of core: what was computed, what it can ask for, and plain values.
+bool is_open_to_widgets(const std::string& include) {
+  static const std::set<std::string> open = {
+      "core/session/frame_snapshot.hpp", "core/session/frame_history.hpp", "core/session/command.hpp",
+      "core/session/playback.hpp",       "core/synthesis/settings.hpp",    "core/synthesis/frame_result.hpp",
+      "core/library/motion_library.hpp", "core/library/normalization.hpp", "core/selection/candidate.hpp",
+      "core/motion/joint_set.hpp",       "core/motion/body.hpp",           "core/motion/clip.hpp"};
+  if (open.contains(include)) return true;
+  return include.starts_with("core/mesh/") ||
+         (include.starts_with("core/base/") && include != "core/base/atomic_file.hpp");
+}
+
+bool is_path_character(char c) {
+  return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '.' || c == '}' || c == ')' ||
+         c == '-';
+}
+
+}  // namespace
+
+const std::map<std::string, std::set<std::string>>& core_table() {
+  static const std::map<std::string, std::set<std::string>> table = {
+      {"base", {}},
+      {"motion", {"base"}},
+      {"mesh", {"base", "motion"}},
+      {"library", {"base", "motion", "mesh"}},
+      {"selection", {"base", "motion", "mesh", "library"}},
+      {"retarget", {"base", "motion", "mesh", "library"}},
+      {"synthesis", {"base", "motion", "mesh", "library", "selection", "retarget"}},
+      {"metrics", {"base", "motion", "mesh", "library", "selection", "retarget", "synthesis"}},
+      {"choreography", {"base", "motion", "library"}},
+      {"evaluation",
+       {"base", "motion", "mesh", "library", "selection", "retarget", "synthesis", "metrics",
+        "choreography"}},
+      {"stream", {"base", "motion"}},
+      {"video", {"base", "motion"}},
+      {"session",
+       {"base", "motion", "mesh", "library", "selection", "retarget", "synthesis", "stream", "video"}},
+  };
+  return table;
+}
+
+Violations core_names_no_toolkit(std::span<const SourceFile> files) {
+  Violations found = check_includes(files, "core/", [](const SourceFile&, const std::string& include) {
+    return is_qt(include) || is_vtk(include) ? "core knows neither Qt nor VTK, but includes " + include
+                                             : std::string();
+  });
+  static const std::regex linked(R"re(\b(Qt[56]?::|Qt[56]\b|VTK|vtk_module))re");
+  for (const SourceFile& file : files) {
+    if (!file.is_under("core/") || !file.path.ends_with("CMakeLists.txt")) continue;
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      const std::string code = file.lines[i].substr(0, file.lines[i].find('#'));
+      if (std::regex_search(code, linked)) {
+        found.push_back(at(file, static_cast<int>(i) + 1, "core links neither Qt nor VTK"));
+      }
+    }
+  }
+  return found;
+}
+
+Violations core_folders_include_downwards(std::span<const SourceFile> files) {
+  return check_includes(files, "core/",
+                        [](const SourceFile& file, const std::string& include) -> std::string {
+                          if (!include.starts_with("core/")) return {};
+                          const std::string from = second_folder(file.path);
+                          const std::string to = second_folder(include);
+                          const auto row = core_table().find(from);
+                          if (row == core_table().end())
+                            return "core/" + from + " has no row in the table of who may include whom";
+                          if (from == to || row->second.contains(to)) return {};
+                          return "core/" + from + " may not include from core/" + to + " (" + include + ")";
+                        });
+}
+
+Violations layers_point_down(std::span<const SourceFile> files) {
+  Violations found = check_includes(files, "core/", [](const SourceFile&, const std::string& include) {
+    const bool up = include.starts_with("widgets/") || include.starts_with("app/");
+    return up ? "core may not include " + include : std::string();
+  });
+  const Violations in_widgets =
+      check_includes(files, "widgets/", [](const SourceFile&, const std::string& include) {
+        return include.starts_with("app/") ? "widgets may not include " + include : std::string();
+      });
+  found.insert(found.end(), in_widgets.begin(), in_widgets.end());
+  return found;
+}
+
+Violations command_line_knows_no_widgets(std::span<const SourceFile> files) {
+  return check_includes(files, "app/cli/", [](const SourceFile&, const std::string& include) {
+    const bool toolkit = include.starts_with("widgets/") || is_qt(include) || is_vtk(include);
+    return toolkit ? "the command line is built without Qt and VTK, but includes " + include : std::string();
+  });
+}
+
+Violations third_parties_have_one_place(std::span<const SourceFile> files) {
+  Violations found;
+  for (const ThirdParty& party : third_parties) {
+    const std::regex named(party.includes);
+    std::string first;
+    const auto why = [&](const SourceFile& file, const std::string& include) {
+      if (!std::regex_search(include, named) || is_in_place(file, party.place, first)) return std::string();
+      const std::string place = party.place.empty() ? "one source file" : std::string(party.place);
+      return std::string(party.name) + " may be named only in " + place;
+    };
+    for (const std::string_view layer : {"core/", "widgets/", "app/"}) {
+      const Violations here = check_includes(files, layer, why);
+      found.insert(found.end(), here.begin(), here.end());
+    }
+  }
+  return found;
+}
+
+Violations widgets_see_only_snapshots(std::span<const SourceFile> files) {
+  return check_includes(files, "widgets/", [](const SourceFile&, const std::string& include) {
+    if (!include.starts_with("core/") || is_open_to_widgets(include)) return std::string();
+    return "widgets see snapshots, settings, commands and values, not " + include;
+  });
+}
+
+Violations widget_folders_are_strangers(std::span<const SourceFile> files) {
+  return check_includes(files, "widgets/", [](const SourceFile& file, const std::string& include) {
+    if (!include.starts_with("widgets/")) return std::string();
+    const std::string from = second_folder(file.path);
+    const std::string to = second_folder(include);
+    if (from == to || to == "common") return std::string();
+    return "widgets/" + from + " may not include from widgets/" + to + "; app connects them";
+  });
+}
+
+Violations headers_have_pragma_once(std::span<const SourceFile> files) {
+  Violations found;
+  for (const SourceFile& file : files) {
+    if (!file.is_header()) continue;
+    if (file.lines.empty() || file.lines.front() != "#pragma once") {
+      found.push_back(at(file, 1, "the first line of a header is #pragma once"));
+    }
+  }
+  return found;
+}
+
+Violations no_path_of_a_machine(std::span<const SourceFile> files) {
+  // In two parts, so that this file passes its own rule.
+  static const std::array<std::string, 4> beginnings = {
+      std::string("/") + "work/", std::string("/") + "home/", std::string("/") + "root/",
+      std::string("/") + "tmp/bash"};
+  Violations found;
+  for (const SourceFile& file : files) {
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      const std::string& line = file.lines[i];
+      for (const std::string& beginning : beginnings) {
+        const std::size_t where = line.find(beginning);
+        if (where == std::string::npos || (where > 0 && is_path_character(line[where - 1]))) continue;
+        found.push_back(
+            at(file, static_cast<int>(i) + 1, "names a path of one machine (" + beginning + "...)"));
+      }
+    }
+  }
+  return found;
+}
+
+Violations at_most_lines(std::span<const SourceFile> files, std::string_view prefix, int most) {
+  Violations found;
+  for (const SourceFile& file : files) {
+    const int lines = static_cast<int>(file.lines.size());
+    if (file.path.starts_with(prefix) && lines > most) {
+      found.push_back(at(file, most + 1, std::to_string(lines) + " lines; at most " + std::to_string(most)));
+    }
+  }
+  return found;
+}
+
+}  // namespace abrazo::test

@@ -1,0 +1,174 @@
+// The rules themselves: each finds a planted violation, names its place, and leaves what is allowed alone.
+#include "tests/architecture/rules.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+namespace abrazo::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::SizeIs;
+using ::testing::StartsWith;
+
+std::vector<SourceFile> one(const std::string& path, const std::string& text) {
+  return {source_file(path, text)};
+}
+
+TEST(SourceFile, CountsLinesWithAndWithoutALastLineEnd) {
+  EXPECT_THAT(source_file("a", "x\ny").lines, ElementsAre("x", "y"));
+  EXPECT_THAT(source_file("a", "x\r\ny\n").lines, ElementsAre("x", "y"));
+  EXPECT_THAT(source_file("a", "x\n\ny\n").lines, ElementsAre("x", "", "y"));
+}
+
+TEST(SourceFile, FindsIncludesHoweverTheyAreSpaced) {
+  const std::vector<Include> found =
+      includes_of(source_file("a.cpp", "#include <vector>\n  #  include \"core/a.hpp\"\n"));
+  ASSERT_THAT(found, SizeIs(2));
+  EXPECT_EQ(found[1].path, "core/a.hpp");
+  EXPECT_EQ(found[1].line, 2);
+}
+
+TEST(ArchitectureRules, CatchQtAndVtkInCore) {
+  EXPECT_THAT(core_names_no_toolkit(one("core/mesh/a.cpp", "\n#include <QString>\n")),
+              ElementsAre(StartsWith("core/mesh/a.cpp:2: ")));
+  EXPECT_THAT(core_names_no_toolkit(one("core/mesh/a.hpp", "#include <QtCore/QObject>\n")), SizeIs(1));
+  EXPECT_THAT(core_names_no_toolkit(one("core/mesh/a.hpp", "#include <vtkActor.h>\n")), SizeIs(1));
+  EXPECT_THAT(core_names_no_toolkit(one("widgets/scene/a.hpp", "#include <vtkActor.h>\n")), IsEmpty());
+  EXPECT_THAT(core_names_no_toolkit(one("core/mesh/a.hpp", "#include <Eigen/QR>\n#include <queue>\n")),
+              IsEmpty());
+}
+
+TEST(ArchitectureRules, CatchCoreLinkingAToolkit) {
+  EXPECT_THAT(
+      core_names_no_toolkit(one("core/CMakeLists.txt", "target_link_libraries(a PRIVATE Qt5::Core)\n")),
+      SizeIs(1));
+  EXPECT_THAT(
+      core_names_no_toolkit(one("core/CMakeLists.txt", "target_link_libraries(a ${VTK_LIBRARIES})\n")),
+      SizeIs(1));
+  EXPECT_THAT(core_names_no_toolkit(one("core/CMakeLists.txt", "# No Qt5, no VTK\n")), IsEmpty());
+}
+
+TEST(ArchitectureRules, CatchAnUpwardAndASidewaysInclude) {
+  EXPECT_THAT(core_folders_include_downwards(one("core/mesh/a.cpp", "#include \"core/library/b.hpp\"\n")),
+              ElementsAre(HasSubstr("core/mesh may not include from core/library")));
+  EXPECT_THAT(
+      core_folders_include_downwards(one("core/selection/a.cpp", "#include \"core/retarget/b.hpp\"\n")),
+      SizeIs(1));
+  EXPECT_THAT(core_folders_include_downwards(one("core/stream/a.cpp", "#include \"core/mesh/b.hpp\"\n")),
+              SizeIs(1));
+  EXPECT_THAT(core_folders_include_downwards(one("core/library/a.cpp", "#include \"core/mesh/b.hpp\"\n")),
+              IsEmpty());
+  EXPECT_THAT(core_folders_include_downwards(one("core/mesh/a.cpp", "#include \"core/mesh/b.hpp\"\n")),
+              IsEmpty());
+}
+
+TEST(ArchitectureRules, CatchAFolderWithoutARow) {
+  EXPECT_THAT(core_folders_include_downwards(one("core/magic/a.cpp", "#include \"core/base/b.hpp\"\n")),
+              ElementsAre(HasSubstr("has no row")));
+}
+
+TEST(ArchitectureRules, HaveATableWithoutCircles) {
+  // Takes away again and again the folders that see only what is gone; a circle would stay.
+  std::map<std::string, std::set<std::string>> left = core_table();
+  std::set<std::string> gone;
+  while (!left.empty()) {
+    const auto lowest =
+        std::ranges::find_if(left, [&](const auto& row) { return std::ranges::includes(gone, row.second); });
+    ASSERT_NE(lowest, left.end()) << "a circle through " << left.begin()->first;
+    gone.insert(lowest->first);
+    left.erase(lowest);
+  }
+}
+
+TEST(ArchitectureRules, CatchALowerLayerThatKnowsAHigher) {
+  EXPECT_THAT(layers_point_down(one("core/base/a.cpp", "#include \"widgets/common/b.hpp\"\n")), SizeIs(1));
+  EXPECT_THAT(layers_point_down(one("widgets/scene/a.cpp", "#include \"app/workbench/b.hpp\"\n")), SizeIs(1));
+  EXPECT_THAT(layers_point_down(one("app/workbench/a.cpp", "#include \"widgets/common/b.hpp\"\n")),
+              IsEmpty());
+}
+
+TEST(ArchitectureRules, CatchTheCommandLineReachingForWidgets) {
+  EXPECT_THAT(command_line_knows_no_widgets(one("app/cli/a.cpp", "#include <QApplication>\n")), SizeIs(1));
+  EXPECT_THAT(command_line_knows_no_widgets(one("app/workbench/a.cpp", "#include <QApplication>\n")),
+              IsEmpty());
+}
+
+TEST(ArchitectureRules, CatchAThirdPartyOutsideItsPlace) {
+  EXPECT_THAT(third_parties_have_one_place(one("core/library/a.cpp", "#include <tetgen.h>\n")),
+              ElementsAre(HasSubstr("TetGen may be named only in core/mesh/tetrahedralize.cpp")));
+  EXPECT_THAT(third_parties_have_one_place(one("core/mesh/tetrahedralize.cpp", "#include <tetgen.h>\n")),
+              IsEmpty());
+  EXPECT_THAT(third_parties_have_one_place(one("core/library/a.cpp", "#include <flann/flann.hpp>\n")),
+              SizeIs(1));
+  EXPECT_THAT(third_parties_have_one_place(one("core/session/a.cpp", "#include <hdf5.h>\n")), SizeIs(1));
+  EXPECT_THAT(third_parties_have_one_place(one("widgets/plots/a.cpp", "#include <vtkActor.h>\n")), SizeIs(1));
+  EXPECT_THAT(
+      third_parties_have_one_place(one("app/workbench/a.cpp", "#include <QVTKOpenGLNativeWidget.h>\n")),
+      SizeIs(1));
+  EXPECT_THAT(third_parties_have_one_place(one("widgets/scene/a.cpp", "#include <opencv2/core.hpp>\n")),
+              SizeIs(1));
+  EXPECT_THAT(third_parties_have_one_place(one("widgets/plots/a.cpp", "#include <qcustomplot.h>\n")),
+              IsEmpty());
+}
+
+TEST(ArchitectureRules, CatchASecondPlaceOfAThirdParty) {
+  const SourceFile first = source_file("core/session/a.cpp", "#include <sqlite3.h>\n");
+  const SourceFile second = source_file("core/session/b.cpp", "#include <sqlite3.h>\n");
+  EXPECT_THAT(third_parties_have_one_place(std::vector{first}), IsEmpty());
+  EXPECT_THAT(third_parties_have_one_place(std::vector{first, second}),
+              ElementsAre(StartsWith("core/session/b.cpp:1: ")));
+  EXPECT_THAT(third_parties_have_one_place(one("core/session/a.hpp", "#include <sqlite3.h>\n")), SizeIs(1));
+}
+
+TEST(ArchitectureRules, CatchAWidgetThatReachesForTheSolver) {
+  for (const char* header : {"core/session/solver_thread.hpp", "core/stream/clip_source.hpp",
+                             "core/motion/bvh.hpp", "core/synthesis/partner_synthesizer.hpp",
+                             "core/library/motion_library_file.hpp", "core/base/atomic_file.hpp"}) {
+    const std::string text = std::string("#include \"") + header + "\"\n";
+    EXPECT_THAT(widgets_see_only_snapshots(one("widgets/scene/a.cpp", text)), SizeIs(1)) << header;
+  }
+  EXPECT_THAT(
+      widgets_see_only_snapshots(one("widgets/scene/a.cpp", "#include \"core/session/command.hpp\"\n")),
+      IsEmpty());
+  EXPECT_THAT(widgets_see_only_snapshots(one("widgets/scene/a.cpp", "#include \"core/mesh/capsules.hpp\"\n")),
+              IsEmpty());
+}
+
+TEST(ArchitectureRules, CatchWidgetFoldersThatKnowEachOther) {
+  EXPECT_THAT(widget_folders_are_strangers(one("widgets/scene/a.cpp", "#include \"widgets/plots/b.hpp\"\n")),
+              SizeIs(1));
+  EXPECT_THAT(widget_folders_are_strangers(one("widgets/scene/a.cpp", "#include \"widgets/common/b.hpp\"\n")),
+              IsEmpty());
+  EXPECT_THAT(widget_folders_are_strangers(one("widgets/scene/a.cpp", "#include \"widgets/scene/b.hpp\"\n")),
+              IsEmpty());
+}
+
+TEST(ArchitectureRules, CatchFilesThatGrewTooLong) {
+  EXPECT_THAT(at_most_lines(one("docs/a.md", "1\n2\n3\n"), "docs/a.md", 2),
+              ElementsAre(StartsWith("docs/a.md:3: 3 lines")));
+  EXPECT_THAT(at_most_lines(one("docs/a.md", "1\n2\n3\n"), "docs/a.md", 3), IsEmpty());
+  EXPECT_THAT(at_most_lines(one("docs/b.md", "1\n2\n3\n"), "docs/a.md", 2), IsEmpty());
+}
+
+TEST(ArchitectureRules, CatchAHeaderWithoutPragmaOnce) {
+  EXPECT_THAT(headers_have_pragma_once(one("core/a.hpp", "#include <vector>\n")), SizeIs(1));
+  EXPECT_THAT(headers_have_pragma_once(one("core/a.hpp", "")), SizeIs(1));
+  EXPECT_THAT(headers_have_pragma_once(one("core/a.hpp", "#pragma once\n")), IsEmpty());
+  EXPECT_THAT(headers_have_pragma_once(one("core/a.cpp", "#include <vector>\n")), IsEmpty());
+}
+
+TEST(ArchitectureRules, CatchAPathOfOneMachine) {
+  const std::string home = std::string("/") + "home/";
+  EXPECT_THAT(no_path_of_a_machine(one("docs/a.md", "see\n`" + home + "me/x`\n")),
+              ElementsAre(StartsWith("docs/a.md:2: ")));
+  EXPECT_THAT(no_path_of_a_machine(one("docs/a.md", "https://example.org" + home + "\n")), IsEmpty());
+}
+
+}  // namespace
+}  // namespace abrazo::test

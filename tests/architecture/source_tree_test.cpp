@@ -1,0 +1,80 @@
+// The rules of docs/architecture.md, on the tree as it is.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string>
+
+#include "tests/architecture/rules.hpp"
+
+namespace abrazo::test {
+namespace {
+
+const std::vector<SourceFile>& tree() {
+  static const std::vector<SourceFile> files = read_source_tree(ABRAZO_SOURCE_DIR);
+  return files;
+}
+
+testing::AssertionResult holds(const Violations& violations) {
+  if (violations.empty()) return testing::AssertionSuccess();
+  testing::AssertionResult failure = testing::AssertionFailure();
+  for (const std::string& violation : violations) failure << "\n  " << violation;
+  return failure;
+}
+
+TEST(Architecture, TheTreeIsRead) {
+  // Otherwise every rule below would hold for want of files.
+  const auto count = std::ranges::count_if(
+      tree(), [](const SourceFile& file) { return file.is_under("core/") && file.is_cpp(); });
+  EXPECT_GT(count, 40);
+}
+
+TEST(Architecture, CoreKnowsNeitherQtNorVtk) {
+  EXPECT_TRUE(holds(core_names_no_toolkit(tree())));
+}
+
+TEST(Architecture, CoreFoldersIncludeOnlyDownwards) {
+  EXPECT_TRUE(holds(core_folders_include_downwards(tree())));
+}
+
+TEST(Architecture, LayersPointDown) {
+  EXPECT_TRUE(holds(layers_point_down(tree())));
+}
+
+TEST(Architecture, TheCommandLineNeedsNoToolkit) {
+  EXPECT_TRUE(holds(command_line_knows_no_widgets(tree())));
+}
+
+TEST(Architecture, AThirdPartyIsNamedInOnePlace) {
+  EXPECT_TRUE(holds(third_parties_have_one_place(tree())));
+}
+
+TEST(Architecture, WidgetsSeeSnapshotsAndNothingThatRuns) {
+  EXPECT_TRUE(holds(widgets_see_only_snapshots(tree())));
+}
+
+TEST(Architecture, WidgetFoldersDoNotKnowEachOther) {
+  EXPECT_TRUE(holds(widget_folders_are_strangers(tree())));
+}
+
+TEST(Architecture, TheMainWindowStaysSmall) {
+  EXPECT_TRUE(holds(at_most_lines(tree(), "app/workbench/main_window.cpp", 300)));
+}
+
+TEST(Architecture, AnActionStaysSmall) {
+  EXPECT_TRUE(holds(at_most_lines(tree(), "app/workbench/actions/", 150)));
+}
+
+TEST(Architecture, HeadersArePragmaOnce) {
+  EXPECT_TRUE(holds(headers_have_pragma_once(tree())));
+}
+
+TEST(Architecture, NoFileNamesAPathOfOneMachine) {
+  EXPECT_TRUE(holds(no_path_of_a_machine(tree())));
+}
+
+TEST(Architecture, TheOverviewStaysShort) {
+  EXPECT_TRUE(holds(at_most_lines(tree(), "docs/architecture.md", 150)));
+}
+
+}  // namespace
+}  // namespace abrazo::test

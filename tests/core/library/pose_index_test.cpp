@@ -1,0 +1,139 @@
+#include "core/library/pose_index.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+#include <random>
+#include <stdexcept>
+
+namespace abrazo {
+namespace {
+
+std::vector<Features> random_features(int count, unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> metres(0, 0.4);
+  std::vector<Features> all(static_cast<std::size_t>(count));
+  for (Features& features : all)
+    for (double& value : features) value = metres(random);
+  return all;
+}
+
+std::vector<int> numbers_to(int count) {
+  std::vector<int> numbers(static_cast<std::size_t>(count));
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
+std::vector<double> brute_force(const std::vector<Features>& all, const std::vector<int>& pairs, const Features& query, std::size_t count) {
+  std::vector<double> distances;
+  for (const int pair : pairs) distances.push_back((all[static_cast<std::size_t>(pair)] - query).norm());
+  std::sort(distances.begin(), distances.end());
+  distances.resize(std::min(count, distances.size()));
+  return distances;
+}
+
+std::vector<double> distances_of(const std::vector<PoseMatch>& matches) {
+  std::vector<double> distances;
+  for (const PoseMatch& match : matches) distances.push_back(match.distance);
+  return distances;
+}
+
+TEST(PoseIndex, FindsWhatBruteForceFinds) {
+  const auto all = random_features(3000, 1);
+  const auto pairs = numbers_to(3000);
+  const PoseIndex index(all, pairs);
+  std::vector<PoseMatch> matches;
+  for (const Features& query : random_features(1000, 2)) {
+    index.nearest(query, 10, matches);
+    // Distances, not pairs: which of two equally near ones is taken is not promised. Same sum, so the same bits.
+    ASSERT_EQ(distances_of(matches), brute_force(all, pairs, query, 10));
+  }
+}
+
+TEST(PoseIndex, DistancesBelongToTheirPairs) {
+  const auto all = random_features(500, 3);
+  const PoseIndex index(all, numbers_to(500));
+  const Features query = random_features(1, 4).front();
+  std::vector<PoseMatch> matches;
+  index.nearest(query, 50, matches);
+  for (const PoseMatch& match : matches) EXPECT_EQ(match.distance, (all[static_cast<std::size_t>(match.pair)] - query).norm());
+}
+
+TEST(PoseIndex, FindsOnlyThePairsItWasGiven) {
+  const auto all = random_features(100, 5);
+  const std::vector<int> odd = {1, 3, 5, 99};
+  const PoseIndex index(all, odd);
+  std::vector<PoseMatch> matches;
+  index.nearest(all[2], 4, matches);
+  std::vector<int> found;
+  for (const PoseMatch& match : matches) found.push_back(match.pair);
+  EXPECT_THAT(found, testing::UnorderedElementsAreArray(odd));
+}
+
+TEST(PoseIndex, FindsAPoseItself) {
+  const auto all = random_features(200, 6);
+  const PoseIndex index(all, numbers_to(200));
+  std::vector<PoseMatch> matches;
+  index.nearest(all[77], 1, matches);
+  ASSERT_EQ(matches.size(), 1U);
+  EXPECT_EQ(matches[0].pair, 77);
+  EXPECT_EQ(matches[0].distance, 0);
+}
+
+TEST(PoseIndex, GivesAllWhenMoreAreWantedThanThereAre) {
+  const auto all = random_features(7, 7);
+  const PoseIndex index(all, numbers_to(7));
+  std::vector<PoseMatch> matches;
+  index.nearest(all[0], 50, matches);
+  EXPECT_EQ(matches.size(), 7U);
+  index.nearest(all[0], 0, matches);
+  EXPECT_TRUE(matches.empty());
+}
+
+TEST(PoseIndex, AnEmptyIndexFindsNothing) {
+  const auto all = random_features(7, 7);
+  const PoseIndex index(all, {});
+  std::vector<PoseMatch> matches(3);
+  index.nearest(all[0], 5, matches);
+  EXPECT_TRUE(matches.empty());
+  EXPECT_EQ(index.size(), 0);
+}
+
+TEST(PoseIndex, EqualDistancesComeInTheOrderOfPairNumbers) {
+  const std::vector<Features> all(40, random_features(1, 8).front());
+  const PoseIndex index(all, numbers_to(40));
+  std::vector<PoseMatch> matches;
+  index.nearest(Features::Zero(), 40, matches);
+  ASSERT_EQ(matches.size(), 40U);
+  for (int i = 0; i < 40; ++i) EXPECT_EQ(matches[static_cast<std::size_t>(i)].pair, i);
+}
+
+TEST(PoseIndex, KeepsItsOwnCopyOfTheFeatures) {
+  auto all = random_features(200, 9);
+  const std::vector<Features> copy = all;
+  PoseIndex index(all, numbers_to(200));
+  for (Features& features : all) features.setConstant(1e6);
+  const PoseIndex moved = std::move(index);
+  std::vector<PoseMatch> matches;
+  moved.nearest(copy[5], 1, matches);
+  EXPECT_EQ(matches[0].pair, 5);
+}
+
+TEST(PoseIndex, RefusesWhatCannotBeCompared) {
+  auto all = random_features(5, 10);
+  EXPECT_THROW(PoseIndex(all, std::vector<int>{5}), std::invalid_argument);
+  EXPECT_THROW(PoseIndex(all, std::vector<int>{-1}), std::invalid_argument);
+  const PoseIndex index(all, numbers_to(5));
+  Features query = all[0];
+  query(3) = std::numeric_limits<double>::quiet_NaN();
+  std::vector<PoseMatch> matches;
+  EXPECT_THROW(index.nearest(query, 1, matches), std::invalid_argument);
+  all[2](0) = std::numeric_limits<double>::infinity();
+  EXPECT_THROW(PoseIndex(all, numbers_to(5)), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace abrazo

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <QColor>
+#include <QIcon>
+
+namespace abrazo::widgets {
+
+enum class Icon { ToStart, StepBack, Play, Pause, StepForward, ToEnd, Loop, Close, Warning, Information, Lock, Unlock, Reset };
+
+/// A single-weight line icon on a 16 px grid, sharp at 1x and 2x.
+QIcon icon(Icon which, const QColor& colour);
+
+/// The program's mark: two arcs that embrace.
+QIcon program_icon(const QColor& leader, const QColor& follower);
+
+}  // namespace abrazo::widgets

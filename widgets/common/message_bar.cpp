@@ -1,0 +1,82 @@
+#include "widgets/common/message_bar.hpp"
+
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPainter>
+#include <QTimer>
+#include <QToolButton>
+
+#include "widgets/common/icons.hpp"
+
+namespace abrazo::widgets {
+
+MessageBar::MessageBar(QWidget* parent)
+    : QWidget(parent),
+      m_palette(palette_of(Theme::Dark)),
+      m_sign(new QLabel(this)),
+      m_text(new QLabel(this)),
+      m_close(new QToolButton(this)),
+      m_leave(new QTimer(this)) {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(12, 6, 8, 6);
+  row->setSpacing(8);
+  row->addWidget(m_sign);
+  row->addWidget(m_text, 1);
+  row->addWidget(m_close);
+  m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  m_text->setWordWrap(true);
+  m_close->setObjectName("flat");
+  m_close->setToolTip("Close (a running job is cancelled)");
+  m_leave->setSingleShot(true);
+  connect(m_leave, &QTimer::timeout, this, &QWidget::hide);
+  connect(m_close, &QToolButton::clicked, this, [this] {
+    if (m_kind == Kind::Progress) emit cancelRequested();
+    hide();
+  });
+  hide();
+}
+
+void MessageBar::setColours(const Palette& palette) {
+  m_palette = palette;
+  m_close->setIcon(icon(Icon::Close, palette.secondary));
+  update();
+}
+
+QString MessageBar::text() const { return m_text->text(); }
+
+void MessageBar::showError(const QString& text) { present(Kind::Error, text); }
+
+void MessageBar::showInformation(const QString& text) {
+  present(Kind::Information, text);
+  m_leave->start(6000);
+}
+
+void MessageBar::showProgress(const QString& doing, double fraction) {
+  m_fraction = fraction;
+  present(Kind::Progress, doing);
+}
+
+void MessageBar::endProgress() {
+  if (m_kind == Kind::Progress) hide();
+}
+
+void MessageBar::present(Kind kind, const QString& text) {
+  m_leave->stop();
+  m_kind = kind;
+  m_text->setText(text);
+  const auto sign = kind == Kind::Error ? icon(Icon::Warning, m_palette.live.lighter(135))
+                                        : icon(Icon::Information, m_palette.secondary);
+  m_sign->setPixmap(sign.pixmap(16, 16));
+  m_close->setIcon(icon(Icon::Close, m_palette.secondary));
+  show();
+  update();
+}
+
+void MessageBar::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), m_kind == Kind::Error ? mixed(m_palette.live, m_palette.panel, 0.22) : m_palette.raised);
+  if (m_kind == Kind::Progress)
+    painter.fillRect(QRectF(0, height() - 2, width() * m_fraction, 2), m_palette.accent.lighter(130));
+}
+
+}  // namespace abrazo::widgets

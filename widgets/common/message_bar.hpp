@@ -1,0 +1,48 @@
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/common/palette.hpp"
+
+class QLabel;
+class QProgressBar;
+class QTimer;
+class QToolButton;
+
+namespace abrazo::widgets {
+
+/// Tells what happened without getting in the way. Errors stay until closed; other messages leave by themselves.
+class MessageBar : public QWidget {
+  Q_OBJECT
+ public:
+  explicit MessageBar(QWidget* parent = nullptr);
+  void setColours(const Palette& palette);
+  QString text() const;
+
+ public slots:
+  void showError(const QString& text);
+  void showInformation(const QString& text);
+  /// A job that goes on. @param fraction  done [0, 1]
+  void showProgress(const QString& doing, double fraction);
+  void endProgress();
+
+ signals:
+  void cancelRequested();
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  enum class Kind { Information, Error, Progress };
+  void present(Kind kind, const QString& text);
+
+  Palette m_palette;
+  Kind m_kind = Kind::Information;
+  double m_fraction = 0;
+  QLabel* m_sign;
+  QLabel* m_text;
+  QToolButton* m_close;
+  QTimer* m_leave;
+};
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,50 @@
+#include "widgets/common/section_header.hpp"
+
+#include <QPainter>
+
+#include "widgets/common/theme.hpp"
+
+namespace abrazo::widgets {
+
+SectionHeader::SectionHeader(const QString& title, QWidget* parent) : QWidget(parent), m_title(title) {
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  setFixedHeight(32);
+  setColours(palette_of(Theme::Dark));
+}
+
+void SectionHeader::setTitle(const QString& title) {
+  m_title = title;
+  update();
+}
+
+void SectionHeader::setKeys(std::vector<Key> keys) {
+  m_keys = std::move(keys);
+  update();
+}
+
+void SectionHeader::setColours(const Palette& palette) {
+  m_colour = palette.secondary;
+  update();
+}
+
+void SectionHeader::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(m_colour);
+  QFont head = interface_font(11, QFont::DemiBold);
+  head.setLetterSpacing(QFont::AbsoluteSpacing, 0.8);
+  painter.setFont(head);
+  painter.drawText(rect().adjusted(12, 0, -12, 0), Qt::AlignVCenter | Qt::AlignLeft, m_title.toUpper());
+
+  painter.setFont(interface_font(11));
+  int right = width() - 12;
+  for (auto key = m_keys.rbegin(); key != m_keys.rend(); ++key) {
+    const int text = painter.fontMetrics().horizontalAdvance(key->name);
+    painter.setPen(m_colour);
+    painter.drawText(QRect(right - text, 0, text + 2, height()), Qt::AlignVCenter, key->name);
+    painter.fillRect(QRect(right - text - 12, height() / 2 - 4, 8, 8), key->colour);
+    right -= text + 20;
+  }
+}
+
+}  // namespace abrazo::widgets

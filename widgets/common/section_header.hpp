@@ -1,0 +1,35 @@
+#pragma once
+
+#include <QString>
+#include <QWidget>
+#include <vector>
+
+#include "widgets/common/palette.hpp"
+
+namespace abrazo::widgets {
+
+/// Head of a panel: 11 px capitals, with a colour key at the right where the panel needs one.
+class SectionHeader : public QWidget {
+  Q_OBJECT
+ public:
+  struct Key {
+    QString name;
+    QColor colour;
+  };
+
+  explicit SectionHeader(const QString& title, QWidget* parent = nullptr);
+  void setTitle(const QString& title);
+  void setKeys(std::vector<Key> keys);
+  void setColours(const Palette& palette);
+  QSize sizeHint() const override { return {160, 32}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QString m_title;
+  std::vector<Key> m_keys;
+  QColor m_colour;
+};
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,102 @@
+#include "widgets/common/theme.hpp"
+
+#include <QApplication>
+#include <QFontDatabase>
+#include <QPalette>
+#include <QStyleFactory>
+
+namespace abrazo::widgets {
+namespace {
+
+// %1 window %2 panel %3 raised %4 border %5 text %6 secondary %7 accent %8 hover
+constexpr const char* sheet = R"(
+QMainWindow, QDialog { background: %1; color: %5; }
+QWidget { color: %5; }
+QMenuBar { background: %2; border-bottom: 1px solid %4; padding: 1px 4px; }
+QMenuBar::item { padding: 5px 7px; background: transparent; border-radius: 4px; }
+QMenuBar::item:selected { background: %3; }
+QMenu { background: %2; border: 1px solid %4; padding: 4px; }
+QMenu::item { padding: 5px 28px 5px 24px; border-radius: 4px; }
+QMenu::item:selected { background: %7; color: #ffffff; }
+QMenu::item:disabled { color: %6; }
+QMenu::separator { height: 1px; background: %4; margin: 4px 8px; }
+QStatusBar { background: %2; border-top: 1px solid %4; }
+QStatusBar::item { border: none; }
+QDockWidget { border: none; }
+QMainWindow::separator { background: %4; width: 1px; height: 1px; }
+QSplitter::handle { background: %4; }
+QToolTip { background: %1; color: %5; border: 1px solid %4; padding: 5px 7px; }
+QFrame#panel, QWidget#panel { background: %2; }
+QLabel#secondary { color: %6; }
+QToolButton#flat, QPushButton#flat { border: none; background: transparent; padding: 3px; border-radius: 5px; }
+QToolButton#flat:hover, QPushButton#flat:hover { background: %3; }
+QToolButton#chip { background: %3; border: 1px solid %4; border-radius: 5px; padding: 3px 9px; color: %5; }
+QToolButton#chip:hover { border-color: %6; }
+QToolButton#chip:checked { background: %7; border-color: %7; color: #ffffff; }
+QToolButton#segment { background: %1; border: 1px solid %4; border-left: none; padding: 4px 6px; color: %6; }
+QToolButton#segment[first="true"] { border-left: 1px solid %4; border-top-left-radius: 5px; border-bottom-left-radius: 5px; }
+QToolButton#segment[last="true"] { border-top-right-radius: 5px; border-bottom-right-radius: 5px; }
+QToolButton#segment:hover { color: %5; }
+QToolButton#segment:checked { background: %7; color: #ffffff; }
+QPushButton { background: %3; border: 1px solid %4; border-radius: 5px; padding: 4px 12px; }
+QPushButton:hover { border-color: %6; }
+QPushButton:default { background: %7; border-color: %7; color: #ffffff; }
+QLineEdit { background: %1; border: 1px solid %4; border-radius: 5px; padding: 3px 8px; selection-background-color: %7; selection-color: #ffffff; }
+QLineEdit:focus { border-color: %7; }
+QLineEdit#value { background: transparent; border: 1px solid transparent; border-radius: 4px; padding: 0 2px; }
+QLineEdit#value:hover { border-color: %4; }
+QLineEdit#value:focus { background: %1; border-color: %7; }
+QComboBox { background: %1; border: 1px solid %4; border-radius: 5px; padding: 2px 8px; min-height: 18px; }
+QComboBox:hover, QComboBox:focus { border-color: %6; }
+QComboBox::drop-down { border: none; width: 18px; }
+QComboBox::down-arrow { image: url(:/abrazo/icons/chevron_%9.svg); width: 10px; height: 10px; }
+QComboBox QAbstractItemView { background: %2; border: 1px solid %4; selection-background-color: %7; selection-color: #ffffff; outline: 0; }
+QScrollArea { background: transparent; border: none; }
+QScrollBar:vertical { background: transparent; width: 8px; margin: 0; }
+QScrollBar::handle:vertical { background: %8; border-radius: 3px; min-height: 24px; margin: 1px; }
+QScrollBar::handle:vertical:hover { background: %6; }
+QScrollBar:horizontal { background: transparent; height: 8px; margin: 0; }
+QScrollBar::handle:horizontal { background: %8; border-radius: 3px; min-width: 24px; margin: 1px; }
+QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
+QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
+QListView { background: %2; border: 1px solid %4; outline: 0; }
+)";
+
+}  // namespace
+
+QFont interface_font(int pixel_size, int weight) {
+  static const bool has_inter = QFontDatabase().families().contains("Inter");
+  QFont font = has_inter ? QFont("Inter") : QFontDatabase::systemFont(QFontDatabase::GeneralFont);
+  font.setPixelSize(pixel_size);
+  font.setWeight(weight);
+  return font;
+}
+
+QString style_sheet(const Palette& p) {
+  const auto name = [](const QColor& colour) { return colour.name(); };
+  return QString(sheet)
+      .arg(name(p.window), name(p.panel), name(p.raised), name(p.border), name(p.text), name(p.secondary),
+           name(p.accent), name(mixed(p.secondary, p.panel, 0.35)), p.dark ? "dark" : "light");
+}
+
+void apply_theme(QApplication& application, const Palette& p) {
+  application.setStyle(QStyleFactory::create("Fusion"));
+  application.setFont(interface_font());
+  QPalette colours;
+  colours.setColor(QPalette::Window, p.window);
+  colours.setColor(QPalette::Base, p.panel);
+  colours.setColor(QPalette::AlternateBase, p.raised);
+  colours.setColor(QPalette::Button, p.raised);
+  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText})
+    colours.setColor(role, p.text);
+  colours.setColor(QPalette::PlaceholderText, p.secondary);
+  colours.setColor(QPalette::ToolTipBase, p.window);
+  colours.setColor(QPalette::Highlight, p.accent);
+  colours.setColor(QPalette::HighlightedText, Qt::white);
+  colours.setColor(QPalette::Disabled, QPalette::Text, p.secondary);
+  colours.setColor(QPalette::Disabled, QPalette::ButtonText, p.secondary);
+  application.setPalette(colours);
+  application.setStyleSheet(style_sheet(p));
+}
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <QFont>
+#include <QString>
+
+#include "widgets/common/palette.hpp"
+
+class QApplication;
+
+namespace abrazo::widgets {
+
+/// Inter where it is installed, else the system's sans.
+QFont interface_font(int pixel_size = 13, int weight = QFont::Normal);
+
+/// The style sheet of every stock widget in these colours.
+QString style_sheet(const Palette& palette);
+
+/// Font, QPalette and style sheet of a whole application.
+void apply_theme(QApplication& application, const Palette& palette);
+
+}  // namespace abrazo::widgets

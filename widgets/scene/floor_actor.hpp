@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <span>
+
+#include "core/base/positions.hpp"
+
+class QColor;
+class vtkRenderer;
+
+namespace abrazo::widgets {
+
+/// Half-metre lines on y = 0 that fade with distance from where the characters are, and soft shadows under them.
+class FloorActor {
+ public:
+  FloorActor();
+  ~FloorActor();
+  FloorActor(const FloorActor&) = delete;
+  FloorActor& operator=(const FloorActor&) = delete;
+
+  void setColour(const QColor& lines, bool dark_background);
+  /// Lines stay where they are in the world; only which of them are drawn changes.
+  void setCentre(const Vec3& centre);
+  struct Shadow {
+    Vec3 above;       ///< what casts it, world [m]
+    double radius_m;
+    double strength;  ///< 0..1
+  };
+  void setShadows(std::span<const Shadow> shadows);
+  void setVisible(bool visible);
+  void addTo(vtkRenderer* renderer);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> m_parts;
+};
+
+}  // namespace abrazo::widgets

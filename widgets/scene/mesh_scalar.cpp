@@ -1,0 +1,92 @@
+#include "widgets/scene/mesh_scalar.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace abrazo::widgets {
+namespace {
+
+using Colour = std::array<unsigned char, 3>;
+
+// Sampled from matplotlib's viridis (CC0) at eighths.
+constexpr std::array<Colour, 9> viridis = {{{68, 1, 84},
+                                            {71, 44, 122},
+                                            {59, 81, 139},
+                                            {44, 113, 142},
+                                            {33, 144, 141},
+                                            {39, 173, 129},
+                                            {92, 200, 99},
+                                            {170, 220, 50},
+                                            {253, 231, 37}}};
+constexpr std::array<Colour, 5> blue_to_red = {
+    {{58, 110, 200}, {120, 165, 220}, {190, 193, 198}, {232, 148, 110}, {200, 60, 45}}};
+
+Colour sampled(std::span<const Colour> map, double share) {
+  if (!(share > 0)) share = 0;  // also what is not a number
+  const double place = std::min(share, 1.0) * static_cast<double>(map.size() - 1);
+  const auto low = std::min(static_cast<std::size_t>(place), map.size() - 2);
+  const double t = place - static_cast<double>(low);
+  Colour colour;
+  for (std::size_t c = 0; c < 3; ++c)
+    colour[c] = static_cast<unsigned char>(std::lround((1 - t) * map[low][c] + t * map[low + 1][c]));
+  return colour;
+}
+
+double length(const PairPose& pose, const MeshEdge& edge) { return (pose.row(edge[0]) - pose.row(edge[1])).norm(); }
+
+}  // namespace
+
+ScalarInfo scalar_info(MeshScalar scalar) {
+  switch (scalar) {
+    case MeshScalar::Residual: return {"Laplacian residual", "mm", false};
+    case MeshScalar::Weight: return {"Edge weight", "", false};
+    case MeshScalar::LengthChange: return {"Length change", "mm", true};
+  }
+  return {"", "", false};
+}
+
+std::vector<double> edge_scalars(const FrameResult& frame, MeshScalar scalar) {
+  std::vector<double> values(frame.edges.size(), 0.0);
+  const auto take = [&values](const std::vector<double>& from, double factor) {
+    for (std::size_t e = 0; e < std::min(values.size(), from.size()); ++e) values[e] = factor * from[e];
+  };
+  if (scalar == MeshScalar::Residual) take(frame.edge_residuals_m, 1000);
+  if (scalar == MeshScalar::Weight) take(frame.edge_weights, 1);
+  if (scalar == MeshScalar::LengthChange)
+    for (std::size_t e = 0; e < values.size(); ++e)
+      values[e] = 1000 * (length(frame.result, frame.edges[e]) - length(frame.selected_pair, frame.edges[e]));
+  return values;
+}
+
+Colour sequential_colour(double share) { return sampled(viridis, share); }
+Colour diverging_colour(double share) { return sampled(blue_to_red, share); }
+
+double rounded_up(double value) {
+  if (!(value > 0) || !std::isfinite(value)) return 0;
+  const double decade = std::pow(10.0, std::floor(std::log10(value)));
+  for (const double step : {1.0, 1.5, 2.0, 3.0, 5.0, 7.5})
+    if (value <= step * decade * (1 + 1e-9)) return step * decade;
+  return 10 * decade;
+}
+
+void SteadyRange::show(double largest, double time_s) {
+  constexpr double shrink_after_s = 2;
+  if (locked_ && upper_ > 0) return;
+  if (largest > upper_ || upper_ == 0) {
+    upper_ = rounded_up(largest);
+    is_low_ = false;
+    return;
+  }
+  if (largest > 0.4 * upper_) {
+    is_low_ = false;
+  } else if (!is_low_ || time_s < low_since_s_) {
+    is_low_ = true;
+    low_since_s_ = time_s;
+  } else if (time_s - low_since_s_ > shrink_after_s) {
+    upper_ = rounded_up(largest);
+    is_low_ = false;
+  }
+}
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,265 @@
+#include "widgets/scene/scene_actors.hpp"
+
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/mesh/capsules.hpp"
+#include "core/motion/joint_set.hpp"
+
+namespace abrazo::widgets {
+namespace {
+
+using Line = std::array<int, 2>;
+using Rgba = std::array<unsigned char, 4>;
+
+std::vector<Line> bone_lines(int first_vertex) {
+  std::vector<Line> lines;
+  for (int b = 0; b < bone_count; ++b) lines.push_back({first_vertex + bone(b).first, first_vertex + bone(b).second});
+  return lines;
+}
+
+std::span<const double> coordinates(const PairPose& pair) { return {pair.data(), pair_vertex_count * 3}; }
+std::span<const double> coordinates(const Pose& pose) { return {pose.data(), joint_count * 3}; }
+std::span<const double> half(const PairPose& pair, std::size_t body) {
+  return coordinates(pair).subspan(body * joint_count * 3, joint_count * 3);
+}
+
+/// Bones without a radius of their own would leave holes in the drawn body; calibrated ones may be too thin to see.
+std::array<double, bone_count> drawn_radii(const std::array<double, bone_count>& radii) {
+  auto drawn = generic_capsule_radii();
+  for (std::size_t b = 0; b < drawn.size(); ++b) drawn[b] = std::max({0.6 * drawn[b], radii[b], 0.045 * (drawn[b] == 0)});
+  return drawn;
+}
+
+}  // namespace
+
+SceneActors::SceneActors()
+    : m_leader(BodyActor::Outline::Solid),
+      m_follower(BodyActor::Outline::Dashed),
+      m_contacts(LineSet::Kind::Dots),
+      m_joint_rims(LineSet::Kind::Dots),
+      m_joints(LineSet::Kind::Dots) {
+  m_user.setLines(bone_lines(0));
+  for (auto* pair : {&m_selected, &m_candidate, &m_bones})
+    for (LineSet& lines : *pair) lines.setLines(bone_lines(0));
+  m_joints.setDots(pair_vertex_count);
+  m_joint_rims.setDots(pair_vertex_count);
+  setRadii(generic_capsule_radii(), generic_capsule_radii());
+}
+
+void SceneActors::addTo(vtkRenderer* solid, vtkRenderer* in_front) {
+  m_floor.addTo(solid);
+  m_leader.addTo(solid);
+  m_follower.addTo(solid);
+  for (LineSet* lines : {&m_user, &m_selected[0], &m_selected[1], &m_within, &m_between_lines, &m_between_strong,
+                         &m_morph, &m_locks})
+    lines->addTo(solid);
+  for (LineSet* lines : {&m_between_through, &m_bones[0], &m_bones[1], &m_candidate[0], &m_candidate[1], &m_joint_rims,
+                         &m_joints, &m_contacts})
+    lines->addTo(in_front);
+}
+
+void SceneActors::setColours(const Palette& palette, double pixel_ratio) {
+  m_palette = palette;
+  m_floor.setColour(palette.grid, palette.dark);
+  m_leader.setColour(palette.active);
+  m_follower.setColour(palette.passive);
+  const auto style = [pixel_ratio](LineSet& lines, const QColor& colour, double width, double opacity) {
+    lines.setColour(colour, opacity);
+    lines.setWidth(width * pixel_ratio);
+  };
+  style(m_user, palette.user, 1.5, 0.9);
+  const std::array<QColor, 2> ghosts = {palette.ghost_active, palette.ghost_passive};
+  for (std::size_t body = 0; body < 2; ++body) {
+    style(m_selected[body], ghosts[body], 2.2, 0.28);
+    style(m_candidate[body], ghosts[body], 2.6, 0.95);
+    style(m_bones[body], palette.dark ? QColor("#e9edf4") : QColor("#1d2026"), 1.2, 0.75);
+  }
+  const QColor thin = palette.dark ? QColor("#aab4c4") : QColor("#3c4552");
+  style(m_within, thin, 1, palette.dark ? 0.26 : 0.30);
+  style(m_between_lines, palette.text, 1.6, 1);
+  style(m_between_strong, palette.text, 3, 1);
+  style(m_between_through, palette.text, 1.4, 0.34);
+  style(m_morph, palette.text, 1.2, 1);
+  style(m_locks, palette.good, 2.2, 1);
+  style(m_contacts, palette.warning, 9, 1);
+  style(m_joint_rims, QColor("#14171c"), 7, 1);
+  style(m_joints, Qt::white, 4.6, 1);
+}
+
+void SceneActors::setRadii(const std::array<double, bone_count>& active, const std::array<double, bone_count>& passive) {
+  m_leader.setRadii(drawn_radii(active));
+  m_follower.setRadii(drawn_radii(passive));
+}
+
+void SceneActors::setVisibility(const PartVisibility& visibility) {
+  m_visibility = visibility;
+  const auto shown = [&visibility](ScenePart part) { return visibility[static_cast<std::size_t>(part)]; };
+  m_user.setVisible(shown(ScenePart::User));
+  m_leader.setVisible(shown(ScenePart::Leader));
+  m_follower.setVisible(shown(ScenePart::Follower));
+  for (std::size_t body = 0; body < 2; ++body) {
+    m_selected[body].setVisible(shown(ScenePart::SelectedPair));
+    m_bones[body].setVisible(shown(ScenePart::Bones));
+    m_candidate[body].setVisible(m_hasCandidate);
+  }
+  for (LineSet* lines : {&m_between_lines, &m_between_strong, &m_between_through})
+    lines->setVisible(shown(ScenePart::MeshBetween));
+  m_within.setVisible(shown(ScenePart::MeshWithin));
+  m_morph.setVisible(shown(ScenePart::MorphSteps));
+  m_locks.setVisible(shown(ScenePart::FootLocks));
+  m_contacts.setVisible(shown(ScenePart::Contacts));
+  m_joints.setVisible(shown(ScenePart::Joints));
+  m_joint_rims.setVisible(shown(ScenePart::Joints));
+  m_floor.setVisible(shown(ScenePart::Floor));
+}
+
+void SceneActors::show(const FrameSnapshot& frame, const std::vector<double>& scalars, const SteadyRange& range,
+                       bool is_signed) {
+  const FrameResult& result = frame.result;
+  m_leader.setPose(result.active());
+  m_follower.setPose(result.passive());
+  m_user.setPoints(coordinates(frame.user));
+  for (std::size_t body = 0; body < 2; ++body) {
+    m_selected[body].setPoints(half(result.selected_pair, body));
+    m_bones[body].setPoints(half(result.result, body));
+  }
+  m_joints.setPoints(coordinates(result.result));
+  m_joint_rims.setPoints(coordinates(result.result));
+  showMesh(result, scalars, range.upper(), is_signed);
+  if (m_visibility[static_cast<std::size_t>(ScenePart::MorphSteps)]) showMorphSteps(result);
+  showFootLocks(result);
+  showContacts(result);
+  showShadows(result);
+  const auto count = [this](ScenePart part, std::size_t number) {
+    m_counts[static_cast<std::size_t>(part)] = static_cast<int>(number);
+  };
+  count(ScenePart::MeshBetween, m_between.size());
+  count(ScenePart::MeshWithin, m_edges.size() - m_between.size());
+  count(ScenePart::Bones, 2 * (bone_count + pseudo_bones.size()));
+  count(ScenePart::Joints, pair_vertex_count);
+  count(ScenePart::FootLocks, result.foot_locks.size());
+  count(ScenePart::Contacts, result.collisions.size());
+  count(ScenePart::MorphSteps, result.morph_steps.size());
+}
+
+void SceneActors::rebuildEdges(const std::vector<MeshEdge>& edges) {
+  m_edges = edges;
+  m_between.clear();
+  std::vector<Line> between, within;
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    const Line line = {edges[e][0], edges[e][1]};
+    if (is_inter_body(edges[e])) m_between.push_back(e);
+    (is_inter_body(edges[e]) ? between : within).push_back(line);
+  }
+  m_between_lines.setLines(between);
+  m_between_through.setLines(between);
+  m_within.setLines(within);
+}
+
+void SceneActors::showMesh(const FrameResult& result, const std::vector<double>& scalars, double upper, bool is_signed) {
+  if (result.edges != m_edges) rebuildEdges(result.edges);
+  for (LineSet* lines : {&m_between_lines, &m_between_strong, &m_between_through, &m_within})
+    lines->setPoints(coordinates(result.result));
+  std::vector<Rgba> colours, strong_colours;
+  std::vector<Line> strong;
+  for (const std::size_t e : m_between) {
+    const double value = e < scalars.size() && upper > 0 ? scalars[e] / upper : 0;
+    const auto [r, g, b] = is_signed ? diverging_colour(0.5 + value / 2) : sequential_colour(value);
+    colours.push_back({r, g, b, 255});
+    if (std::abs(value) < 0.45) continue;
+    strong.push_back({m_edges[e][0], m_edges[e][1]});
+    strong_colours.push_back(colours.back());
+  }
+  m_between_lines.setCellColours(colours);
+  m_between_through.setCellColours(colours);
+  m_between_strong.setLines(strong);
+  m_between_strong.setCellColours(strong_colours);
+}
+
+void SceneActors::showMorphSteps(const FrameResult& result) {
+  std::vector<double> points;
+  std::vector<Line> lines;
+  std::vector<Rgba> colours;
+  for (std::size_t step = 0; step < result.morph_steps.size(); ++step) {
+    const auto xyz = coordinates(result.morph_steps[step]);
+    points.insert(points.end(), xyz.begin(), xyz.end());
+    const auto alpha = static_cast<unsigned char>(60 + 150 * (step + 1) / result.morph_steps.size());
+    for (const int body : {0, 1}) {
+      const QColor& colour = body == 0 ? m_palette.ghost_active : m_palette.ghost_passive;
+      for (const Line& line : bone_lines(static_cast<int>(step) * pair_vertex_count + body * joint_count)) {
+        lines.push_back(line);
+        colours.push_back({static_cast<unsigned char>(colour.red()), static_cast<unsigned char>(colour.green()),
+                           static_cast<unsigned char>(colour.blue()), alpha});
+      }
+    }
+  }
+  m_morph.setPoints(points);
+  m_morph.setLines(lines);
+  m_morph.setCellColours(colours);
+}
+
+void SceneActors::showFootLocks(const FrameResult& result) {
+  constexpr int segments = 24;
+  constexpr double radius_m = 0.10;
+  std::vector<double> points;
+  std::vector<Line> lines;
+  for (const FootLock& lock : result.foot_locks) {
+    const int vertex = (lock.active_body ? 0 : joint_count) + (lock.left ? joints::left_toe_base : joints::right_toe_base);
+    const int first = static_cast<int>(points.size() / 3);
+    for (int s = 0; s < segments; ++s) {
+      const double angle = 2 * 3.14159265358979 * s / segments;
+      points.insert(points.end(), {result.result(vertex, 0) + radius_m * std::cos(angle), 0.004,
+                                   result.result(vertex, 2) + radius_m * std::sin(angle)});
+      lines.push_back({first + s, first + (s + 1) % segments});
+    }
+  }
+  m_locks.setPoints(points);
+  m_locks.setLines(lines);
+}
+
+void SceneActors::showContacts(const FrameResult& result) {
+  std::vector<double> points;
+  std::vector<Rgba> colours;
+  for (const CapsuleContact& contact : result.collisions) {
+    const auto vertex = [&result](int v) { return Vec3(result.result.row(v)); };
+    const Vec3 a0 = vertex(contact.a[0]), a1 = vertex(contact.a[1]), b0 = vertex(contact.b[0]), b1 = vertex(contact.b[1]);
+    const SegmentApproach nearest = closest_points(a0, a1, b0, b1);
+    const Vec3 middle = 0.5 * (a0 + nearest.s * (a1 - a0) + b0 + nearest.t * (b1 - b0));
+    points.insert(points.end(), {middle.x(), middle.y(), middle.z()});
+    // Deeper than the recorded pair is a fault; as deep as recorded is a touch.
+    const QColor& colour = contact.depth_m > contact.allowed_depth_m + 0.005 ? m_palette.live : m_palette.warning;
+    colours.push_back({static_cast<unsigned char>(colour.red()), static_cast<unsigned char>(colour.green()),
+                       static_cast<unsigned char>(colour.blue()), 235});
+  }
+  m_contacts.setPoints(points);
+  m_contacts.setDots(static_cast<int>(colours.size()));
+  m_contacts.setCellColours(colours);
+}
+
+void SceneActors::showShadows(const FrameResult& result) {
+  std::vector<FloorActor::Shadow> shadows;
+  const double darkness = m_palette.dark ? 0.42 : 0.20;
+  for (const int body : {0, 1}) {
+    const auto at = [&](int joint) { return Vec3(result.result.row(body * joint_count + joint)); };
+    shadows.push_back({at(joints::Root), 0.42, darkness});
+    for (const int foot : {joints::left_toe_base, joints::right_toe_base}) {
+      const double height = std::max(0.0, at(foot).y());
+      shadows.push_back({at(foot), 0.13 + 0.3 * height, 1.2 * darkness / (1 + 8 * height)});
+    }
+  }
+  m_floor.setCentre(0.5 * (Vec3(result.result.row(0)) + Vec3(result.result.row(joint_count))));
+  m_floor.setShadows(shadows);
+}
+
+void SceneActors::showCandidate(const std::optional<PairPose>& pair) {
+  m_hasCandidate = pair.has_value();
+  for (std::size_t body = 0; body < 2; ++body) {
+    if (pair) m_candidate[body].setPoints(half(*pair, body));
+    m_candidate[body].setVisible(m_hasCandidate);
+  }
+}
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+
+namespace abrazo::widgets {
+
+/// What the scene can show or hide.
+enum class ScenePart {
+  User, Leader, Follower, SelectedPair, MeshBetween, MeshWithin, MorphSteps, Bones, Joints, FootLocks, Contacts, Floor,
+  Count
+};
+
+inline constexpr std::size_t scene_part_count = static_cast<std::size_t>(ScenePart::Count);
+using PartVisibility = std::array<bool, scene_part_count>;
+using PartCounts = std::array<int, scene_part_count>;
+
+/// What is quiet until needed starts hidden.
+inline constexpr PartVisibility default_visibility = {true, true, true,  true, true, true,
+                                                      false, false, true, true, true, true};
+
+}  // namespace abrazo::widgets

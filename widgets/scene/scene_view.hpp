@@ -1,0 +1,65 @@
+#pragma once
+
+#include <QWidget>
+#include <memory>
+
+#include "core/library/motion_library.hpp"
+#include "core/session/frame_snapshot.hpp"
+#include "widgets/common/palette.hpp"
+#include "widgets/scene/mesh_scalar.hpp"
+#include "widgets/scene/orbit_camera.hpp"
+#include "widgets/scene/scene_parts.hpp"
+
+class QImage;
+
+namespace abrazo::widgets {
+
+/// Both characters, the user, the selected pair and the mesh between the bodies. Renders once for each frame it is
+/// shown; asks nothing of the solver.
+class SceneView : public QWidget {
+  Q_OBJECT
+ public:
+  explicit SceneView(QWidget* parent = nullptr);
+  ~SceneView() override;
+
+  /// Radii of the bodies and the names of sources come from it.
+  void setLibrary(std::shared_ptr<const MotionLibrary> library);
+  void setColours(const Palette& palette);
+  const PartVisibility& visibility() const;
+  MeshScalar scalar() const;
+  const OrbitCamera& camera() const;
+  /// The scene with its overlays as it is on the screen.
+  QImage picture();
+  /// Frames that reached the screen since the start.
+  std::uint64_t renderedFrames() const;
+
+ public slots:
+  void showFrame(abrazo::FrameSnapshotPtr frame);
+  /// Index into the frame's candidates; -1 shows none.
+  void showCandidate(int candidate);
+  void setVisibility(const abrazo::widgets::PartVisibility& visibility);
+  void setScalar(abrazo::widgets::MeshScalar scalar);
+  void frameAll();
+  void lookFrom(double azimuth_rad, double elevation_rad);
+  /// The camera's target keeps to the pair where it walks away.
+  void setFollowing(bool following);
+
+ signals:
+  void countsChanged(const abrazo::widgets::PartCounts& counts);
+  void visibilityChanged(const abrazo::widgets::PartVisibility& visibility);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+ private:
+  void refresh();
+  void render();
+  void updateFacts();
+  void followPair();
+
+  struct Parts;
+  std::unique_ptr<Parts> m_parts;
+};
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+
+namespace abrazo::widgets {
+
+/// A setting's value on a slider and back. Plain arithmetic, no toolkit.
+/// A logarithmic scale that begins at 0 keeps its first hundredth for exactly 0.
+struct SliderScale {
+  double minimum = 0;
+  double maximum = 1;
+  bool logarithmic = false;
+  bool whole_numbers = false;
+
+  /// @return [0, 1]
+  double place(double value) const {
+    const double held = std::clamp(value, minimum, maximum);
+    if (maximum <= minimum) return 0;
+    if (!logarithmic) return (held - minimum) / (maximum - minimum);
+    if (held <= lowest()) return minimum > 0 ? 0 : held <= 0 ? 0 : zero_share;
+    const double share = std::log(held / lowest()) / std::log(maximum / lowest());
+    return minimum > 0 ? share : zero_share + (1 - zero_share) * share;
+  }
+
+  double value(double place) const {
+    const double held = std::clamp(place, 0.0, 1.0);
+    if (!logarithmic) return rounded(minimum + held * (maximum - minimum));
+    if (minimum > 0) return rounded(minimum * std::pow(maximum / minimum, held));
+    if (held < zero_share) return minimum;
+    return rounded(lowest() * std::pow(maximum / lowest(), (held - zero_share) / (1 - zero_share)));
+  }
+
+ private:
+  static constexpr double zero_share = 0.01;
+  static constexpr double decades = 1e4;  ///< spanned when the scale begins at 0
+
+  double lowest() const { return minimum > 0 ? minimum : maximum / decades; }
+
+  /// To three significant digits of the range, so that a slider gives readable numbers.
+  double rounded(double value) const {
+    if (whole_numbers) return std::clamp(std::round(value), minimum, maximum);
+    const double scale = logarithmic ? std::abs(value) : maximum - minimum;
+    if (!(scale > 0)) return value;
+    const double digit = std::pow(10.0, std::floor(std::log10(scale)) - 2);
+    return std::clamp(std::round(value / digit) * digit, minimum, maximum);
+  }
+};
+
+}  // namespace abrazo::widgets
