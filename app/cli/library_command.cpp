@@ -58,6 +58,10 @@ Result<MotionLibrary> build(const BuildArguments& arguments, const Progress& pro
 }
 
 void run_build(CommandLine& line, const BuildArguments& arguments) {
+  // Said now rather than after the work.
+  const std::filesystem::path folder = std::filesystem::path(arguments.output).parent_path();
+  if (!folder.empty() && !std::filesystem::is_directory(folder))
+    return fail(line, {"the folder does not exist; create it or choose another", folder.string()});
   const auto begin = std::chrono::steady_clock::now();
   const Progress progress = terminal_progress(line);
   std::vector<std::string> warnings;
@@ -292,7 +296,7 @@ Error no_such_pair(const MotionLibrary& library, const PairArguments& arguments)
     return {fmt::format("frame {} does not exist; its frames are 0 to {}", arguments.frame, take.frames - 1),
             where};
   if (arguments.frame % take.frame_stride != 0)
-    return {fmt::format("frame {} was left out when the library was thinned; every {}. frame from 0 is there",
+    return {fmt::format("frame {} was left out when the library was thinned; ask for a multiple of {}",
                         arguments.frame, take.frame_stride),
             where};
   return {fmt::format("frame {} is only there with the other performer as the active one; {} --swapped",

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "core/base/atomic_file.hpp"
 #include "core/base/json_text.hpp"
 #include "core/base/text.hpp"
+#include "core/motion/clip_csv.hpp"
 #include "core/motion/import_clip.hpp"
 
 namespace abrazo::app {
@@ -22,12 +24,20 @@ struct MotionWords {
   bool json = false;
 };
 
+/// CLI11's own check answers with the largest double spelled out.
+const CLI::Validator above_zero(
+    [](const std::string& word) {
+      const auto number = parse_number(word);
+      return number && *number > 0 ? std::string() : "expected a number above 0, found '" + word + "'";
+    },
+    "ABOVE 0");
+
 void add_reading_options(CLI::App& command, MotionWords& words) {
   command.add_option("FILE", words.file, "motion: .bvh, or .amc with its .asf")->required();
   command.add_option("--skeleton", words.skeleton, "the .asf of an .amc");
   command.add_option("--metres-per-unit", words.metres_per_unit, "length of the file's unit")
-      ->check(CLI::PositiveNumber);
-  command.add_option("--fps", words.fps, "frame rate, over what the file says")->check(CLI::PositiveNumber);
+      ->check(above_zero);
+  command.add_option("--fps", words.fps, "frame rate, over what the file says")->check(above_zero);
   command.add_option("--joint-map", words.joint_map, "JSON file that says which point is which joint");
   command.add_option("--up", words.up, "the file's axis that points up")->check(CLI::IsMember({"y", "z"}));
 }
@@ -124,20 +134,6 @@ void run_info(CommandLine& line, const MotionWords& words) {
   fmt::print("{}\n", json.text());
 }
 
-std::string positions_csv(const Clip& clip) {
-  std::string text = "frame,time";
-  for (const std::string_view name : joint_names)
-    for (const char axis : {'x', 'y', 'z'}) text += fmt::format(",{}_{}", name, axis);
-  text += '\n';
-  for (std::size_t f = 0; f < clip.poses.size(); ++f) {
-    text += std::to_string(f) + ',' + exact_text(static_cast<double>(f) / clip.fps);
-    for (int j = 0; j < joint_count; ++j)
-      for (int axis = 0; axis < 3; ++axis) text += ',' + exact_text(clip.poses[f](j, axis));
-    text += '\n';
-  }
-  return text;
-}
-
 void run_positions(CommandLine& line, const MotionWords& words) {
   const Result<std::vector<ImportedClip>> clips = load(words);
   if (!clips) return fail(line, clips.error());
@@ -149,7 +145,9 @@ void run_positions(CommandLine& line, const MotionWords& words) {
   if (chosen >= count)
     return fail(line, {fmt::format("has no performer {}; it holds {}", words.performer, count), words.file});
   const ImportedClip& imported = (*clips)[chosen];
-  const Status written = write_whole_file(words.output, positions_csv(imported.clip));
+  const Result<std::string> csv = write_clip_csv(std::span<const Clip>(&imported.clip, 1));
+  if (!csv) return fail(line, csv.error());
+  const Status written = write_whole_file(words.output, *csv);
   if (!written) return fail(line, written.error());
   for (const ImportWarning& warning : imported.report.warnings)
     if (!line.quiet) fmt::print(stderr, "{}: {}: {}\n", words.file, warning.kind, warning.detail);
@@ -173,7 +171,7 @@ void add_motion_command(CommandLine& line) {
   add_reading_options(*positions, *words);
   positions->add_option("-o,--output", words->output, "the CSV file to write")->required();
   positions->add_option("--performer", words->performer, "which performer of a file with several, from 1")
-      ->check(CLI::PositiveNumber);
+      ->check(above_zero);
   positions->callback([&line, words] { run_positions(line, *words); });
 }
 

@@ -8,8 +8,12 @@
 namespace abrazo {
 namespace {
 
-Vec3 joint(const Pose& pose, int index) { return pose.row(index).transpose(); }
-Vec3 level(const Vec3& v) { return {v.x(), 0, v.z()}; }
+Vec3 joint(const Pose& pose, int index) {
+  return pose.row(index).transpose();
+}
+Vec3 level(const Vec3& v) {
+  return {v.x(), 0, v.z()};
+}
 
 /// The space of the couple: from the leader towards the follower, and the leader's left.
 struct CoupleSpace {
@@ -29,7 +33,8 @@ struct CoupleSpace {
 Vec3 carried_hand(const PlacedDancer& dancer, Side side) {
   const Turn upright{.yaw = dancer.chest.yaw};
   const double h = dancer.body.height;
-  return joint(dancer.pose, joints::Root) + upright.matrix() * Vec3(sign_of(side) * 0.13 * h, 0.055 * h, 0.135 * h);
+  return joint(dancer.pose, joints::Root) +
+         upright.matrix() * Vec3(sign_of(side) * 0.13 * h, 0.055 * h, 0.135 * h);
 }
 
 }  // namespace
@@ -41,7 +46,8 @@ CoupleHolds::CoupleHolds(const std::vector<SalsaPhrase>& phrases) : shares_(0, 0
       values.push_back(controls(phrase, half_beat));
   // Averaged over three, so that a hand takes some three beats from one hold to another.
   std::vector<Controls> eased = values;
-  for (std::size_t i = 1; i + 1 < values.size(); ++i) eased[i] = (values[i - 1] + values[i] + values[i + 1]) / 3;
+  for (std::size_t i = 1; i + 1 < values.size(); ++i)
+    eased[i] = (values[i - 1] + values[i] + values[i + 1]) / 3;
   shares_ = {0, 0.5, std::move(eased)};
 }
 
@@ -62,22 +68,24 @@ CoupleHolds::Controls CoupleHolds::controls(const SalsaPhrase& phrase, int half_
 void CoupleHolds::place_arms(double beat, const PlacedDancer& leader, const PlacedDancer& follower) const {
   const Controls now = shares_.at(beat);
   const CoupleSpace couple(leader.pose, follower.pose);
-  const double h = follower.body.height;
+  const double h = follower.body.height, middle = 0.5 * (h + leader.body.height);
   const double sway = now[Sway] * std::sin(std::numbers::pi / 2 * (beat + 0.4));
   const double lift = 0.3 * now[Sway] * std::sin(std::numbers::pi * beat) + now[Height];
   const double spread = now[Spread] + 0.4 * now[Sway] * std::cos(std::numbers::pi / 2 * beat);
   const Vec3 to_and_fro = sway * couple.towards_follower;
 
   // His left, her right. Between open and overhead the hold swings out to the side, clear of her face.
-  const Vec3 left_hold = now[LeftOpen] * (couple.point(0.52, 0.21 + spread, 0.62 * h + lift) + to_and_fro) +
-                         now[LeftClosed] * (couple.point(0.5, 0.44 + spread, 0.77 * h + lift) + 0.6 * to_and_fro) +
-                         now[LeftOver] * couple.point(0.82, 0.02, 1.045 * h) +
-                         4 * now[LeftOver] * (1 - now[LeftOver]) * (0.07 * couple.left - 0.10 * couple.towards_follower);
+  const Vec3 left_hold =
+      now[LeftOpen] * (couple.point(0.52, 0.21 + spread, 0.595 * middle + lift) + to_and_fro) +
+      now[LeftClosed] * (couple.point(0.5, 0.44 + spread, 0.74 * middle + lift) + 0.6 * to_and_fro) +
+      now[LeftOver] * couple.point(0.82, 0.02, 1.045 * h) +
+      4 * now[LeftOver] * (1 - now[LeftOver]) * (0.07 * couple.left - 0.10 * couple.towards_follower);
   // His right, her left. On the way to her back his hand goes round her side.
-  const Vec3 right_hold = couple.point(0.52, -0.21 - spread, 0.62 * h + lift) - to_and_fro;
+  const Vec3 right_hold = couple.point(0.52, -0.21 - spread, 0.595 * middle + lift) - to_and_fro;
   const Vec3 aside = -4 * now[RightClosed] * (1 - now[RightClosed]) * 0.14 * couple.left;
-  const Vec3 her_back = 0.5 * (joint(follower.pose, joints::UpperBack) + joint(follower.pose, joints::Thorax)) +
-                        follower.chest.matrix() * Vec3(0.060 * h, 0, -0.047 * h);
+  const Vec3 her_back =
+      0.5 * (joint(follower.pose, joints::UpperBack) + joint(follower.pose, joints::Thorax)) +
+      follower.chest.matrix() * Vec3(0.060 * h, 0, -0.047 * h);
   const Vec3 his_shoulder =
       joint(leader.pose, joints::right_shoulder) + leader.chest.matrix() * Vec3(-0.045, -0.02, 0.045);
 

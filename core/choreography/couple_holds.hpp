@@ -16,9 +16,9 @@ struct PlacedDancer {
   Pose& pose;
 };
 
-/// Where the four hands are over a dance. The leader's left and the follower's right always hold one another: between
-/// the two, at the side, or above her head. His right and her left hold one another, or lie on her shoulder blade and on
-/// his shoulder, or are free during a turn.
+/// Where the four hands are over a dance. The leader's left and the follower's right always hold one another:
+/// between the two, at the side, or above her head. His right and her left hold one another, or lie on her
+/// shoulder blade and on his shoulder, or are free during a turn.
 class CoupleHolds {
  public:
   explicit CoupleHolds(const std::vector<SalsaPhrase>& phrases);
@@ -28,7 +28,19 @@ class CoupleHolds {
 
  private:
   /// Shares of where the hands are; the first three add up to 1, so do the next three.
-  enum Channel { LeftOpen, LeftClosed, LeftOver, RightOpen, RightClosed, RightFree, Sway, Height, Spread, Grip, ChannelCount };
+  enum Channel {
+    LeftOpen,
+    LeftClosed,
+    LeftOver,
+    RightOpen,
+    RightClosed,
+    RightFree,
+    Sway,
+    Height,
+    Spread,
+    Grip,
+    ChannelCount
+  };
   using Controls = Eigen::Array<double, ChannelCount, 1>;
 
   static Controls controls(const SalsaPhrase& phrase, int half_beat);

@@ -23,8 +23,12 @@ double eased(const std::vector<SalsaPhrase>& phrases, PhraseTime now, Member mem
 
 }  // namespace
 
-Vec3 forward_of(double heading) { return {std::sin(heading), 0, std::cos(heading)}; }
-Vec3 left_of(double heading) { return {std::cos(heading), 0, -std::sin(heading)}; }
+Vec3 forward_of(double heading) {
+  return {std::sin(heading), 0, std::cos(heading)};
+}
+Vec3 left_of(double heading) {
+  return {std::cos(heading), 0, -std::sin(heading)};
+}
 
 PhraseTime phrase_time(int half_beat, std::size_t phrase_count) {
   const int last = static_cast<int>(phrase_count) * half_beats_per_phrase - 1;

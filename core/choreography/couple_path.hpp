@@ -16,14 +16,16 @@ struct Spot {
 Vec3 forward_of(double heading);
 Vec3 left_of(double heading);
 
-/// Phrase and half-beat in it (0..15) of a control value; before the first phrase and after the last, those two.
+/// Phrase and half-beat in it (0..15) of a control value; before the first phrase and after the last, those
+/// two.
 struct PhraseTime {
   std::size_t phrase = 0;
   int half_beat = 0;
 };
 PhraseTime phrase_time(int half_beat, std::size_t phrase_count);
 
-/// How the couple stands and turns on the floor over a dance; the leader faces along `heading`, the follower against it.
+/// How the couple stands and turns on the floor over a dance; the leader faces along `heading`, the follower
+/// against it.
 class CouplePath {
  public:
   explicit CouplePath(const std::vector<SalsaPhrase>& phrases);

@@ -7,8 +7,8 @@ DancerBody scaled(DancerBody body, double height_m) {
   const double scale = height_m / body.height;
   body.height = height_m;
   for (Vec3* offset : {&body.left_hip, &body.left_shoulder}) *offset *= scale;
-  for (double* length : {&body.thigh, &body.shank, &body.ankle_above_toe_base, &body.ankle_behind_toe_base, &body.toes,
-                         &body.toe_rest_height, &body.upper_arm, &body.forearm, &body.hand})
+  for (double* length : {&body.thigh, &body.shank, &body.ankle_above_toe_base, &body.ankle_behind_toe_base,
+                         &body.toes, &body.toe_rest_height, &body.upper_arm, &body.forearm, &body.hand})
     *length *= scale;
   for (double& length : body.spine) length *= scale;
   for (double& length : body.neck) length *= scale;

@@ -9,7 +9,7 @@ namespace abrazo {
 /// Build of a dancer, symmetric. Offsets in the space of their segment: x to the left, y up, z forward [m].
 struct DancerBody {
   double height = 1.75;
-  Vec3 left_hip;                  ///< from the root, pelvis space
+  Vec3 left_hip;  ///< from the root, pelvis space
   double thigh = 0, shank = 0;
   double ankle_above_toe_base = 0, ankle_behind_toe_base = 0;  ///< standing flat
   double toes = 0;
@@ -22,7 +22,9 @@ struct DancerBody {
   double leg() const { return thigh + shank; }
   double ankle_rest_height() const { return toe_rest_height + ankle_above_toe_base; }
   /// Root above the floor when the legs are stretched to `extension` of their length, feet under the hips.
-  double standing_root_height(double extension) const { return ankle_rest_height() + extension * leg() - left_hip.y(); }
+  double standing_root_height(double extension) const {
+    return ankle_rest_height() + extension * leg() - left_hip.y();
+  }
 };
 
 /// Proportions of a man of 1.80 m and of a woman of 1.66 m, scaled to the height asked for.

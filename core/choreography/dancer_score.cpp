@@ -9,22 +9,25 @@ namespace {
 
 constexpr double degree = std::numbers::pi / 180;
 constexpr double full_turn = 2 * std::numbers::pi;
-constexpr double foot_spacing = 0.085;      ///< foot from the dancer's middle [m]
-constexpr double toe_base_ahead = 0.050;    ///< of the spot, with the weight over the middle of the foot [m]
+constexpr double foot_spacing = 0.085;    ///< foot from the dancer's middle [m]
+constexpr double toe_base_ahead = 0.050;  ///< of the spot, with the weight over the middle of the foot [m]
 constexpr double toe_out = 7 * degree;
 
 using HalfBeats = std::array<double, 16>;  ///< a value for every half-beat of a phrase, from count 1
 
 // The leader's basic; the follower's is its mirror image.
-constexpr HalfBeats root_forward = {.52, .55, .30, .12, .02, 0, 0, -.12, -.50, -.55, -.30, -.12, -.02, 0, 0, .12};
+constexpr HalfBeats root_forward = {.52,  .55,  .30,  .12,  .02,  0, 0, -.12,
+                                    -.50, -.55, -.30, -.12, -.02, 0, 0, .12};
 constexpr HalfBeats root_left = {.8, .6, -.6, -1, .3, 1, 1, .4, -.8, -.6, .6, 1, -.3, -1, -1, -.4};
 constexpr HalfBeats hip_yaw = {-1, -.6, 0, .5, .8, .3, -.1, .6, 1, .6, 0, -.5, -.8, -.3, .1, -.6};
 // Heel of the foot that is left behind without weight.
 constexpr HalfBeats left_heel = {0, 0, 0, 0, 0, 0, 0, .2, .8, .6, .1, 0, 0, 0, 0, 0};
 constexpr HalfBeats right_heel = {.9, .7, .1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, .2};
 
-// The follower's turn to her right, in degrees, wound up a little before; and how far she looks at her partner meanwhile.
-constexpr HalfBeats turn_degrees = {0, 0, 4, 8, 10, 6, -6, -32, -78, -136, -200, -262, -312, -344, -358, -360};
+// The follower's turn to her right, in degrees, wound up a little before; and how far she looks at her
+// partner meanwhile.
+constexpr HalfBeats turn_degrees = {0,   0,    4,    8,    10,   6,    -6,   -32,
+                                    -78, -136, -200, -262, -312, -344, -358, -360};
 constexpr HalfBeats turn_gaze = {1, 1, 1, 1, 1, 1, .8, .3, 0, 0, 0, 0, 0, .3, .8, 1};
 
 struct BasicStep {
@@ -41,8 +44,12 @@ constexpr std::array<BasicStep, 6> basic_steps = {{{0, Side::Left, 1, .060},
                                                    {6, Side::Right, 0, .055}}};
 constexpr double swing_beats = 0.88;
 
-constexpr Side other(Side side) { return side == Side::Left ? Side::Right : Side::Left; }
-std::size_t index_of(int half_beat) { return static_cast<std::size_t>(half_beat); }
+constexpr Side other(Side side) {
+  return side == Side::Left ? Side::Right : Side::Left;
+}
+std::size_t index_of(int half_beat) {
+  return static_cast<std::size_t>(half_beat);
+}
 
 }  // namespace
 
@@ -96,8 +103,8 @@ void DancerScore::write_turn_steps(double first_beat, const SalsaPhrase& phrase,
     double start, end;
     double body_degrees;  ///< how far she has turned where the step is placed
     double foot_degrees;
-    double forward;       ///< in step lengths
-    double lift;          ///< 0: pivots on the ball of the foot
+    double forward;  ///< in step lengths
+    double lift;     ///< 0: pivots on the ball of the foot
   };
   static constexpr std::array<TurnStep, 7> steps = {{{Side::Right, 2.9, 4.0, 0, -45, 0, 0},
                                                      {Side::Left, 3.2, 4.0, -70, -85, .35, .05},
@@ -144,7 +151,8 @@ DancerScore::Controls DancerScore::controls(const SalsaPhrase& phrase, int half_
   // While she goes round, her weight stays over the spot.
   const double forward = mirror * root_forward[h] * phrase.step * (round ? 0.35 : 1);
   const double sideways = mirror * root_left[h] * 0.060 * (round ? 0.5 : 1);
-  const Vec3 root = at.place + forward * forward_of(round ? at.heading : heading) + sideways * left_of(heading);
+  const Vec3 root =
+      at.place + forward * forward_of(round ? at.heading : heading) + sideways * left_of(heading);
   const double hips = phrase.hips;
   Controls values;
   values[RootX] = root.x();
@@ -156,7 +164,8 @@ DancerScore::Controls DancerScore::controls(const SalsaPhrase& phrase, int half_
   values[ChestYaw] = heading - mirror * hip_yaw[h] * (leads ? 6 : 9) * degree * hips * (round ? 0.2 : 1);
   values[ChestPitch] = (leads ? 4 : 1) * degree + 1.5 * degree * (half_beat % 4 == 0 ? 1 : 0);
   values[ChestRoll] = -mirror * root_left[h] * (leads ? 7 : 8) * degree * hips * (round ? 0.5 : 1);
-  if (leads && phrase.move == SalsaMove::Turn && half_beat >= 3 && half_beat <= 13) values[ChestYaw] -= 16 * degree;
+  if (leads && phrase.move == SalsaMove::Turn && half_beat >= 3 && half_beat <= 13)
+    values[ChestYaw] -= 16 * degree;
   values[HeadPitch] = (leads ? 9 : 2) * degree + 3 * degree * std::sin(0.9 * beat);
   values[Gaze] = turns ? turn_gaze[h] : 0.85;
   values[LeftHeel] = round ? 0 : (leads ? left_heel : right_heel)[h] * 26 * degree;

@@ -13,11 +13,12 @@ namespace abrazo {
 enum class DanceRole { Leader, Follower };
 
 /// What one dancer's feet and trunk do over a dance, by beat. Beat 0 is count 1 of the first phrase.
-/// The basic step goes forward with the left on 1, in place with the right on 2, closes on 3, holds 4, and back with the
-/// right on 5, 6, 7; the follower mirrors it. On a turn she goes round to her right on 5, 6, 7.
+/// The basic step goes forward with the left on 1, in place with the right on 2, closes on 3, holds 4, and
+/// back with the right on 5, 6, 7; the follower mirrors it. On a turn she goes round to her right on 5, 6, 7.
 class DancerScore {
  public:
-  DancerScore(DanceRole role, const DancerBody& body, const std::vector<SalsaPhrase>& phrases, const CouplePath& path);
+  DancerScore(DanceRole role, const DancerBody& body, const std::vector<SalsaPhrase>& phrases,
+              const CouplePath& path);
 
   /// Feet in place; the ankle may be lifted further by the heel, never moved otherwise while it stands.
   FootPosture foot(Side side, double beat) const;
@@ -26,8 +27,22 @@ class DancerScore {
   TrunkPosture trunk(double beat, double gaze_yaw) const;
 
  private:
-  enum Channel { RootX, RootY, RootZ, PelvisYaw, PelvisPitch, PelvisRoll, ChestYaw, ChestPitch, ChestRoll,
-                 HeadPitch, Gaze, LeftHeel, RightHeel, ChannelCount };
+  enum Channel {
+    RootX,
+    RootY,
+    RootZ,
+    PelvisYaw,
+    PelvisPitch,
+    PelvisRoll,
+    ChestYaw,
+    ChestPitch,
+    ChestRoll,
+    HeadPitch,
+    Gaze,
+    LeftHeel,
+    RightHeel,
+    ChannelCount
+  };
   using Controls = Eigen::Array<double, ChannelCount, 1>;
 
   void write_steps(const std::vector<SalsaPhrase>& phrases, const CouplePath& path);

@@ -26,7 +26,8 @@ class FileSet {
   Status add(const std::string& name, std::string_view content) {
     const AtomicFile& file = files_.emplace_back(folder_ / name);
     std::ofstream out(file.partial(), std::ios::binary);
-    if (!out) return Error{std::string("cannot be created: ") + std::strerror(errno), (folder_ / name).string()};
+    if (!out)
+      return Error{std::string("cannot be created: ") + std::strerror(errno), (folder_ / name).string()};
     out.write(content.data(), static_cast<std::streamsize>(content.size()));
     out.close();
     if (!out) return Error{"could not be written whole; is the disk full?", (folder_ / name).string()};
@@ -44,7 +45,9 @@ class FileSet {
   std::deque<AtomicFile> files_;
 };
 
-std::string motion_name(const PairedTake& take, char performer) { return fmt::format("{}_{}.bvh", take.name, performer); }
+std::string motion_name(const PairedTake& take, char performer) {
+  return fmt::format("{}_{}.bvh", take.name, performer);
+}
 
 std::string labels_csv(const std::vector<PairedTake>& takes) {
   std::string text = "take,start_frame,end_frame,label,detail,confidence\n";
@@ -60,7 +63,9 @@ Result<std::string> role_text(const PairedTake& take) {
   const RoleInterval& role = take.roles.front();
   if (take.roles.size() > 1 || role.start > 0 || role.end < static_cast<int>(take.a.poses.size()))
     return Error{"a demo take has one role throughout; this one changes it", take.name};
-  return std::string(role.active == ActivePerformer::A ? "a" : role.active == ActivePerformer::B ? "b" : "unknown");
+  return std::string(role.active == ActivePerformer::A   ? "a"
+                     : role.active == ActivePerformer::B ? "b"
+                                                         : "unknown");
 }
 
 Result<std::string> manifest_json(const std::vector<PairedTake>& takes, const std::string& name) {
@@ -69,9 +74,18 @@ Result<std::string> manifest_json(const std::vector<PairedTake>& takes, const st
   for (const PairedTake& take : takes) {
     const Result<std::string> role = role_text(take);
     if (!role) return role.error();
-    json.begin_object().key("name").value(take.name).key("fps").value(take.fps).key("metres_per_unit").value(1);
+    json.begin_object()
+        .key("name")
+        .value(take.name)
+        .key("fps")
+        .value(take.fps)
+        .key("metres_per_unit")
+        .value(1);
     for (const char performer : {'a', 'b'}) {
-      json.key(std::string_view(&performer, 1)).begin_object().key("motion").value(motion_name(take, performer));
+      json.key(std::string_view(&performer, 1))
+          .begin_object()
+          .key("motion")
+          .value(motion_name(take, performer));
       json.end_object();
     }
     json.key("roles").value(*role).key("labels").value("labels.csv").end_object();
@@ -90,16 +104,18 @@ Status add_motions(const PairedTake& take, FileSet& files) {
 
 }  // namespace
 
-Result<fs::path> write_demo_set(const std::vector<PairedTake>& takes, const std::string& name, const fs::path& folder,
-                                const Progress& progress) {
+Result<fs::path> write_demo_set(const std::vector<PairedTake>& takes, const std::string& name,
+                                const fs::path& folder, const Progress& progress) {
   std::error_code failure;
   fs::create_directories(folder, failure);
   if (failure || !fs::is_directory(folder, failure))
-    return Error{"the folder cannot be made (" + (failure ? failure.message() : "a file has its name") + "); choose another",
+    return Error{"the folder cannot be made (" + (failure ? failure.message() : "a file has its name") +
+                     "); choose another",
                  folder.string()};
   FileSet files(folder);
   for (std::size_t t = 0; t < takes.size(); ++t) {
-    if (!report(progress, static_cast<double>(t) / static_cast<double>(takes.size()), "writing " + takes[t].name))
+    if (!report(progress, static_cast<double>(t) / static_cast<double>(takes.size()),
+                "writing " + takes[t].name))
       return Error{"cancelled", folder.string()};
     if (Status added = add_motions(takes[t], files); !added) return added.error();
   }

@@ -26,7 +26,7 @@ FootPosture Footwork::at(double beat) const {
   const double done = minimum_jerk(u);
   // The heel leaves the floor first and comes down last but one: its bump is early, the lift's is centred.
   const double heel_bump = smooth_bump(std::pow(u, 0.8));
-  FootPosture foot{.toe_base = (1 - done) * before.toe_base + done * move.toe_base,
+  FootPosture foot{.toe_base = before.toe_base + done * (move.toe_base - before.toe_base),
                    .yaw = std::lerp(before.yaw, move.yaw, done),
                    .heel_pitch = move.heel * heel_bump,
                    .toe_pitch = move.lift > 0 ? 0.6 * move.heel * smooth_bump(u) : 0};

@@ -9,11 +9,11 @@ namespace abrazo {
 
 /// One foot leaves the floor and comes down elsewhere, or (no lift, same place) turns on its ball.
 struct FootMove {
-  double start = 0, end = 0;        ///< [beats]
-  Vec3 toe_base = Vec3::Zero();     ///< where it arrives
-  double yaw = 0;                   ///< [rad], not wrapped
-  double lift = 0;                  ///< highest point of the toe-base above its rest [m]
-  double heel = 0;                  ///< greatest heel pitch on the way [rad]
+  double start = 0, end = 0;     ///< [beats]
+  Vec3 toe_base = Vec3::Zero();  ///< where it arrives
+  double yaw = 0;                ///< [rad], not wrapped
+  double lift = 0;               ///< highest point of the toe-base above its rest [m]
+  double heel = 0;               ///< greatest heel pitch on the way [rad]
 };
 
 /// What one foot does over a dance. Between moves it does not move at all.

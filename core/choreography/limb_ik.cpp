@@ -29,7 +29,8 @@ Vec3 within_reach(const Vec3& base, const Vec3& target, double limb_length) {
   double reached = distance;
   if (distance > soft) reached = soft + (hard - soft) * (1 - std::exp(-(distance - soft) / (hard - soft)));
   if (distance < fold_soft)
-    reached = fold_soft - (fold_soft - fold_hard) * (1 - std::exp(-(fold_soft - distance) / (fold_soft - fold_hard)));
+    reached = fold_soft -
+              (fold_soft - fold_hard) * (1 - std::exp(-(fold_soft - distance) / (fold_soft - fold_hard)));
   return base + limb * (reached / distance);
 }
 

@@ -10,15 +10,22 @@
 namespace abrazo {
 namespace {
 
-Vec3 mirrored_to(Side side, const Vec3& left) { return {sign_of(side) * left.x(), left.y(), left.z()}; }
-
-Turn between(const Turn& a, const Turn& b, double share) {
-  return {std::lerp(a.yaw, b.yaw, share), std::lerp(a.pitch, b.pitch, share), std::lerp(a.roll, b.roll, share)};
+Vec3 mirrored_to(Side side, const Vec3& left) {
+  return {sign_of(side) * left.x(), left.y(), left.z()};
 }
 
-Vec3 row(const Pose& pose, int joint) { return pose.row(joint).transpose(); }
+Turn between(const Turn& a, const Turn& b, double share) {
+  return {std::lerp(a.yaw, b.yaw, share), std::lerp(a.pitch, b.pitch, share),
+          std::lerp(a.roll, b.roll, share)};
+}
 
-Vec3 facing(double yaw) { return {std::sin(yaw), 0, std::cos(yaw)}; }
+Vec3 row(const Pose& pose, int joint) {
+  return pose.row(joint).transpose();
+}
+
+Vec3 facing(double yaw) {
+  return {std::sin(yaw), 0, std::cos(yaw)};
+}
 
 /// Where the elbow goes, chest space: down and back with a low hand, out and forward with a raised one.
 Vec3 elbow_pole(Side side, double hand_above_shoulder) {
@@ -64,7 +71,8 @@ void place_leg(const DancerBody& body, Side side, const FootPosture& foot, doubl
   const Vec3 hip = row(pose, left ? left_hip : right_hip), ankle = ankle_position(body, foot);
   const Vec3 pole = facing(0.5 * (pelvis_yaw + foot.yaw));
   const Vec3 toe_tip = foot.toe_base + Turn{foot.yaw, foot.toe_pitch, 0}.matrix() * Vec3(0, 0, body.toes);
-  pose.row(left ? left_knee : right_knee) = middle_joint(hip, ankle, body.thigh, body.shank, pole).transpose();
+  pose.row(left ? left_knee : right_knee) =
+      middle_joint(hip, ankle, body.thigh, body.shank, pole).transpose();
   pose.row(left ? left_ankle : right_ankle) = ankle.transpose();
   pose.row(left ? left_toe_base : right_toe_base) = foot.toe_base.transpose();
   pose.row(left ? left_toe_tip : right_toe_tip) = toe_tip.transpose();

@@ -10,7 +10,9 @@ namespace abrazo {
 enum class Side { Left, Right };
 
 /// +1 on the left, where x is positive.
-constexpr double sign_of(Side side) { return side == Side::Left ? 1.0 : -1.0; }
+constexpr double sign_of(Side side) {
+  return side == Side::Left ? 1.0 : -1.0;
+}
 
 /// Orientation of a body segment [rad]. Yaw 0 faces +Z, positive turns left; pitch positive leans forward;
 /// roll positive raises the left side. Yaw is not wrapped.
@@ -33,8 +35,8 @@ struct FootPosture {
 };
 
 struct HandTarget {
-  Vec3 hand = Vec3::Zero();            ///< where the end of the hand should be
-  Vec3 pointing = Vec3::Zero();        ///< bends the wrist towards this direction; zero leaves it straight
+  Vec3 hand = Vec3::Zero();      ///< where the end of the hand should be
+  Vec3 pointing = Vec3::Zero();  ///< bends the wrist towards this direction; zero leaves it straight
 };
 
 /// Root, hips, spine, neck, head, shoulders.

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <stdexcept>
 #include <utility>
 
 #include "core/choreography/couple_holds.hpp"
@@ -18,7 +19,8 @@ namespace {
 constexpr double label_lead = 0.5;  ///< a phrase's motion begins with the swing before its count 1 [beats]
 
 /// How far the root must come down so that no leg is stretched beyond 97.5 % [m].
-double overstretch(const DancerBody& body, const Pose& pose, const FootPosture& left, const FootPosture& right) {
+double overstretch(const DancerBody& body, const Pose& pose, const FootPosture& left,
+                   const FootPosture& right) {
   double most = 0;
   for (const auto& [foot, hip] : {std::pair(&left, joints::left_hip), std::pair(&right, joints::right_hip)}) {
     const Vec3 leg = pose.row(hip).transpose() - ankle_position(body, *foot);
@@ -28,14 +30,18 @@ double overstretch(const DancerBody& body, const Pose& pose, const FootPosture& 
   return most;
 }
 
-/// Never below the given values, and smooth: the largest around each frame, averaged over as many frames (Hann window).
+/// Never below the given values, and smooth: the largest around each frame, averaged over as many frames
+/// (Hann window).
 std::vector<double> smooth_cover(const std::vector<double>& values, int half_width) {
   const int count = static_cast<int>(values.size());
-  const auto around = [&](const std::vector<double>& of, int i) { return of[static_cast<std::size_t>(std::clamp(i, 0, count - 1))]; };
+  const auto around = [&](const std::vector<double>& of, int i) {
+    return of[static_cast<std::size_t>(std::clamp(i, 0, count - 1))];
+  };
   std::vector<double> highest(values.size()), smooth(values.size());
   for (int i = 0; i < count; ++i)
     for (int k = -half_width; k <= half_width; ++k)
-      highest[static_cast<std::size_t>(i)] = std::max(highest[static_cast<std::size_t>(i)], around(values, i + k));
+      highest[static_cast<std::size_t>(i)] =
+          std::max(highest[static_cast<std::size_t>(i)], around(values, i + k));
   for (int i = 0; i < count; ++i) {
     double sum = 0, weights = 0;
     for (int k = -half_width; k <= half_width; ++k) {
@@ -56,7 +62,8 @@ struct Dancer {
   std::vector<FootPosture> left_feet, right_feet;
   std::vector<Pose> poses;
 
-  void dance_legs_and_trunk(const std::vector<double>& beats, const std::vector<double>& gaze_yaws, int half_width);
+  void dance_legs_and_trunk(const std::vector<double>& beats, const std::vector<double>& gaze_yaws,
+                            int half_width);
 };
 
 void Dancer::dance_legs_and_trunk(const std::vector<double>& beats, const std::vector<double>& gaze_yaws,
@@ -87,16 +94,22 @@ double gaze(const Spot& from, const Spot& to) {
 PairedTake dance_take(const std::string& name, int phrase_count, const ChoreographyOptions& options,
                       RandomSource& random) {
   // A phrase before and one after are danced too and cut off, so that a take begins and ends in full motion.
-  const std::vector<SalsaPhrase> phrases = draw_phrases(phrase_count + 2, random);
+  std::vector<SalsaPhrase> phrases = draw_phrases(phrase_count + 2, random);
+  const double size =
+      (options.leader_height_m + options.follower_height_m) / 3.46;  // drawn for 1.80 m and 1.66 m
+  for (SalsaPhrase& phrase : phrases) phrase.step *= size, phrase.distance *= size;
   const CouplePath path(phrases);
-  const DancerBody his = leader_body(options.leader_height_m), hers = follower_body(options.follower_height_m);
+  const DancerBody his = leader_body(options.leader_height_m),
+                   hers = follower_body(options.follower_height_m);
   Dancer leader{his, DancerScore(DanceRole::Leader, his, phrases, path), {}, {}, {}, {}};
   Dancer follower{hers, DancerScore(DanceRole::Follower, hers, phrases, path), {}, {}, {}, {}};
   const CoupleHolds holds(phrases);
 
   const double beats_per_frame = options.tempo_bpm / 60 / options.fps;
   const double lag = random.uniform(0.05, 0.15);  // she answers his lead a little later [beats]
-  const auto frame_of = [&](int phrase) { return static_cast<int>(std::lround(beats_per_phrase * phrase / beats_per_frame)); };
+  const auto frame_of = [&](int phrase) {
+    return static_cast<int>(std::lround(beats_per_phrase * phrase / beats_per_frame));
+  };
   std::vector<double> beats, her_beats, his_gaze, her_gaze;
   for (int f = 0; f < frame_of(phrase_count); ++f) {
     beats.push_back(beats_per_phrase - label_lead + f * beats_per_frame);
@@ -124,12 +137,25 @@ PairedTake dance_take(const std::string& name, int phrase_count, const Choreogra
   return take;
 }
 
+void check(const ChoreographyOptions& options) {
+  const auto require = [](bool fine, const char* what) {
+    if (!fine) throw std::invalid_argument(std::string("generate_salsa: ") + what);
+  };
+  const auto positive = [](double value) { return value > 0 && std::isfinite(value); };
+  require(positive(options.minutes) && positive(options.take_seconds), "durations must be positive");
+  require(positive(options.fps) && positive(options.tempo_bpm), "frame rate and tempo must be positive");
+  for (const double height : {options.leader_height_m, options.follower_height_m})
+    require(height >= 1.4 && height <= 2.2, "heights must be between 1.4 and 2.2 m");
+}
+
 }  // namespace
 
 std::vector<PairedTake> generate_salsa(const ChoreographyOptions& options) {
+  check(options);
   const double phrase_s = beats_per_phrase * 60 / options.tempo_bpm;
   const int phrases = std::max(1, static_cast<int>(std::lround(options.minutes * 60 / phrase_s)));
-  const int takes = std::clamp(static_cast<int>(std::lround(options.minutes * 60 / options.take_seconds)), 1, phrases);
+  const int takes =
+      std::clamp(static_cast<int>(std::lround(options.minutes * 60 / options.take_seconds)), 1, phrases);
   RandomSource random(options.seed);
   std::vector<PairedTake> dances;
   for (int t = 0; t < takes; ++t) {

@@ -12,9 +12,12 @@ constexpr std::array<SalsaMove, 6> bag = {SalsaMove::OpenHold,   SalsaMove::Open
 
 double usual_distance(SalsaMove move) {
   switch (move) {
-    case SalsaMove::OpenHold: return 0.82;
-    case SalsaMove::ClosedHold: return 0.53;
-    case SalsaMove::Turn: return 0.64;
+    case SalsaMove::OpenHold:
+      return 0.82;
+    case SalsaMove::ClosedHold:
+      return 0.53;
+    case SalsaMove::Turn:
+      return 0.62;
   }
   return 0;
 }
@@ -22,7 +25,8 @@ double usual_distance(SalsaMove move) {
 /// A quarter or an eighth to either side, or none.
 double draw_couple_turn(RandomSource& random) {
   static constexpr std::array<double, 6> eighths = {0, 0, 1, -1, 2, -2};
-  return eighths[static_cast<std::size_t>(random.below(6))] * random.uniform(0.85, 1.1) * std::numbers::pi / 4;
+  return eighths[static_cast<std::size_t>(random.below(6))] * random.uniform(0.85, 1.1) * std::numbers::pi /
+         4;
 }
 
 SalsaPhrase draw_phrase(SalsaMove move, const Vec3& centre, RandomSource& random) {
@@ -36,7 +40,7 @@ SalsaPhrase draw_phrase(SalsaMove move, const Vec3& centre, RandomSource& random
   phrase.hand_sway = random.uniform(0.03, 0.10);
   phrase.hand_height = random.uniform(-0.05, 0.08);
   phrase.hand_spread = random.uniform(-0.04, 0.08);
-  phrase.grip = random.uniform(0.035, 0.060);
+  phrase.grip = random.uniform(0.032, 0.056);
   return phrase;
 }
 
@@ -44,9 +48,12 @@ SalsaPhrase draw_phrase(SalsaMove move, const Vec3& centre, RandomSource& random
 
 std::string_view label_of(SalsaMove move) {
   switch (move) {
-    case SalsaMove::OpenHold: return "open_hold";
-    case SalsaMove::ClosedHold: return "closed_hold";
-    case SalsaMove::Turn: return "turn";
+    case SalsaMove::OpenHold:
+      return "open_hold";
+    case SalsaMove::ClosedHold:
+      return "closed_hold";
+    case SalsaMove::Turn:
+      return "turn";
   }
   return "";
 }
@@ -57,7 +64,8 @@ std::vector<SalsaPhrase> draw_phrases(int count, RandomSource& random) {
   std::array<SalsaMove, 6> order = bag;
   for (int i = 0; i < count; ++i) {
     const int drawn = i % 6;
-    std::swap(order[static_cast<std::size_t>(drawn)], order[static_cast<std::size_t>(drawn + random.below(6 - drawn))]);
+    std::swap(order[static_cast<std::size_t>(drawn)],
+              order[static_cast<std::size_t>(drawn + random.below(6 - drawn))]);
     phrases.push_back(draw_phrase(order[static_cast<std::size_t>(drawn)], centre, random));
     centre += phrases.back().travel;
   }

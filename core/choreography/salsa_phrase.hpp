@@ -31,7 +31,8 @@ struct SalsaPhrase {
   double grip = 0.045;         ///< between the hand ends of a hold [m]
 };
 
-/// Phrases in random order. Every move comes twice in six, and the couple stays within some 1.5 m of the origin.
+/// Phrases in random order. Every move comes twice in six, and the couple stays within some 1.5 m of the
+/// origin.
 std::vector<SalsaPhrase> draw_phrases(int count, RandomSource& random);
 
 }  // namespace abrazo

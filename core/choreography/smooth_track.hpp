@@ -8,9 +8,9 @@
 
 namespace abrazo {
 
-/// A value over time from evenly spaced control values: uniform cubic B-spline, so position, velocity and acceleration
-/// are continuous and the value never leaves the range of the four controls around it (it does not go through them).
-/// Before the first and after the last control the end value holds.
+/// A value over time from evenly spaced control values: uniform cubic B-spline, so position, velocity and
+/// acceleration are continuous and the value never leaves the range of the four controls around it (it does
+/// not go through them). Before the first and after the last control the end value holds.
 template <typename Value>
 class SmoothTrack {
  public:

@@ -27,7 +27,8 @@ struct Limit {
 
 SegmentApproach approach(const Pose& a, int i, const Pose& b, int j) {
   const auto at = [](const Pose& pose, int joint) { return Vec3(pose.row(joint).transpose()); };
-  return closest_points(at(a, bone(i).first), at(a, bone(i).second), at(b, bone(j).first), at(b, bone(j).second));
+  return closest_points(at(a, bone(i).first), at(a, bone(i).second), at(b, bone(j).first),
+                        at(b, bone(j).second));
 }
 
 bool is_calibrated(int i, int j) {
@@ -37,19 +38,22 @@ bool is_calibrated(int i, int j) {
 }
 
 /// Every n-th frame of a couple's takes, as (take, frame).
-std::vector<std::pair<const PairedTake*, std::size_t>> sampled_frames(const std::vector<const PairedTake*>& takes) {
+std::vector<std::pair<const PairedTake*, std::size_t>> sampled_frames(
+    const std::vector<const PairedTake*>& takes) {
   std::size_t total = 0;
   for (const PairedTake* take : takes) total += take->a.poses.size();
   const std::size_t stride = std::max<std::size_t>(1, total / frames_per_couple);
   std::vector<std::pair<const PairedTake*, std::size_t>> frames;
   for (const PairedTake* take : takes)
-    for (std::size_t frame = 0; frame < take->a.poses.size(); frame += stride) frames.emplace_back(take, frame);
+    for (std::size_t frame = 0; frame < take->a.poses.size(); frame += stride)
+      frames.emplace_back(take, frame);
   return frames;
 }
 
-/// Depth grows with the radii and nothing else, so its 99th percentile is r_i + r_j less the 1st percentile of the
-/// distance: what is asked of a couple is one limit on the sum of two radii for each two bones.
-void add_limits(const Couple& couple, const std::vector<const PairedTake*>& takes, std::vector<Limit>& limits) {
+/// Depth grows with the radii and nothing else, so its 99th percentile is r_i + r_j less the 1st percentile
+/// of the distance: what is asked of a couple is one limit on the sum of two radii for each two bones.
+void add_limits(const Couple& couple, const std::vector<const PairedTake*>& takes,
+                std::vector<Limit>& limits) {
   const auto frames = sampled_frames(takes);
   std::vector<double> distances(frames.size());
   const auto nth = static_cast<std::ptrdiff_t>(exceeding_fraction * static_cast<double>(frames.size()));
@@ -61,7 +65,8 @@ void add_limits(const Couple& couple, const std::vector<const PairedTake*>& take
       });
       std::nth_element(distances.begin(), distances.begin() + nth, distances.end());
       const double near = distances[static_cast<std::size_t>(nth)];
-      limits.push_back({couple.first, couple.second, static_cast<std::size_t>(i), static_cast<std::size_t>(j), near + allowed_depth_m});
+      limits.push_back({couple.first, couple.second, static_cast<std::size_t>(i), static_cast<std::size_t>(j),
+                        near + allowed_depth_m});
     }
   }
 }
@@ -77,7 +82,8 @@ void shrink(double& r1, double smallest1, double& r2, double smallest2, double l
 
 }  // namespace
 
-std::vector<CapsuleRadii> calibrate_capsules(std::span<const PairedTake> takes, std::span<const TakeBodies> take_bodies,
+std::vector<CapsuleRadii> calibrate_capsules(std::span<const PairedTake> takes,
+                                             std::span<const TakeBodies> take_bodies,
                                              std::span<const Body> bodies) {
   std::vector<CapsuleRadii> radii(bodies.size(), generic_capsule_radii());
   for (std::size_t b = 0; b < bodies.size(); ++b)
@@ -85,7 +91,8 @@ std::vector<CapsuleRadii> calibrate_capsules(std::span<const PairedTake> takes, 
   const std::vector<CapsuleRadii> start = radii;
 
   std::map<Couple, std::vector<const PairedTake*>> couples;
-  for (std::size_t t = 0; t < takes.size(); ++t) couples[{take_bodies[t].a, take_bodies[t].b}].push_back(&takes[t]);
+  for (std::size_t t = 0; t < takes.size(); ++t)
+    couples[{take_bodies[t].a, take_bodies[t].b}].push_back(&takes[t]);
   std::vector<Limit> limits;
   for (const auto& [couple, of_couple] : couples) add_limits(couple, of_couple, limits);
 
@@ -93,11 +100,12 @@ std::vector<CapsuleRadii> calibrate_capsules(std::span<const PairedTake> takes, 
     return radii[limit.body_a][limit.i] + radii[limit.body_b][limit.j] - limit.largest_sum;
   };
   // Radii only shrink: a limit that was met stays met, so going once through by depth is enough.
-  std::stable_sort(limits.begin(), limits.end(), [&](const Limit& x, const Limit& y) { return excess(x) > excess(y); });
+  std::stable_sort(limits.begin(), limits.end(),
+                   [&](const Limit& x, const Limit& y) { return excess(x) > excess(y); });
   for (const Limit& limit : limits) {
     if (excess(limit) <= 0) continue;
-    shrink(radii[limit.body_a][limit.i], smallest_share * start[limit.body_a][limit.i], radii[limit.body_b][limit.j],
-           smallest_share * start[limit.body_b][limit.j], limit.largest_sum);
+    shrink(radii[limit.body_a][limit.i], smallest_share * start[limit.body_a][limit.i],
+           radii[limit.body_b][limit.j], smallest_share * start[limit.body_b][limit.j], limit.largest_sum);
   }
   return radii;
 }

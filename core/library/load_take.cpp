@@ -31,12 +31,15 @@ Result<std::vector<ImportedClip>> load_clips(const Manifest::Take& take, const M
   return clips;
 }
 
-Result<Clip> load_single(const Manifest::Take& take, const Manifest::Performer& performer, std::vector<std::string>& warnings) {
+Result<Clip> load_single(const Manifest::Take& take, const Manifest::Performer& performer,
+                         std::vector<std::string>& warnings) {
   auto clips = load_clips(take, performer, warnings);
   if (!clips) return clips.error();
   if (clips->size() != 1)
-    return Error{fmt::format("shows {} performers; expected one (name the same file for a and b when it shows both)", clips->size()),
-                 performer.motion.string()};
+    return Error{
+        fmt::format("shows {} performers; expected one (name the same file for a and b when it shows both)",
+                    clips->size()),
+        performer.motion.string()};
   return std::move(clips->front().clip);
 }
 
@@ -46,7 +49,8 @@ Status load_performers(const Manifest::Take& take, PairedTake& result, std::vect
     auto clips = load_clips(take, take.a, warnings);
     if (!clips) return clips.error();
     if (clips->size() != 2)
-      return Error{fmt::format("is named for both performers of take {} but shows {}; expected 2", take.name, clips->size()),
+      return Error{fmt::format("is named for both performers of take {} but shows {}; expected 2", take.name,
+                               clips->size()),
                    take.a.motion.string()};
     result.a = std::move((*clips)[0].clip);
     result.b = std::move((*clips)[1].clip);
@@ -65,20 +69,24 @@ Status check_lengths(const PairedTake& take) {
   const auto a = static_cast<long long>(take.a.poses.size());
   const auto b = static_cast<long long>(take.b.poses.size());
   if (a != b)
-    return Error{fmt::format("performer a has {} frames and b {}, {} {}; both must have been captured together, frame for frame", a, b,
-                             std::abs(a - b), a > b ? "fewer" : "more"),
+    return Error{fmt::format("performer a has {} frames and b {}, {} {}; both must have been captured "
+                             "together, frame for frame",
+                             a, b, std::abs(a - b), a > b ? "fewer" : "more"),
                  "take " + take.name};
   if (std::abs(take.a.fps - take.b.fps) > 1e-3 * take.a.fps)
-    return Error{fmt::format("performer a has {} frames per second and b {}; give the take's own in \"fps\"", take.a.fps, take.b.fps),
+    return Error{fmt::format("performer a has {} frames per second and b {}; give the take's own in \"fps\"",
+                             take.a.fps, take.b.fps),
                  "take " + take.name};
   return Done{};
 }
 
 template <typename Interval>
-void warn_of_late_end(const std::vector<Interval>& intervals, const char* what, const PairedTake& take, std::vector<std::string>& warnings) {
+void warn_of_late_end(const std::vector<Interval>& intervals, const char* what, const PairedTake& take,
+                      std::vector<std::string>& warnings) {
   const auto frames = static_cast<int>(take.a.poses.size());
   if (!intervals.empty() && intervals.back().end > frames)
-    warnings.push_back(fmt::format("take {}: its {} go on to frame {}, it has {}", take.name, what, intervals.back().end, frames));
+    warnings.push_back(fmt::format("take {}: its {} go on to frame {}, it has {}", take.name, what,
+                                   intervals.back().end, frames));
 }
 
 Status load_labels(const Manifest::Take& take, PairedTake& result, std::vector<std::string>& warnings) {
@@ -88,7 +96,8 @@ Status load_labels(const Manifest::Take& take, PairedTake& result, std::vector<s
   auto labels = parse_labels(*text, take.name, take.labels.string());
   if (!labels) return labels.error();
   result.labels = std::move(*labels);
-  if (result.labels.empty()) warnings.push_back(fmt::format("{}: no labels of take {}", take.labels.string(), take.name));
+  if (result.labels.empty())
+    warnings.push_back(fmt::format("{}: no labels of take {}", take.labels.string(), take.name));
   warn_of_late_end(result.labels, "labels", result, warnings);
   return Done{};
 }

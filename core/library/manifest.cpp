@@ -22,7 +22,9 @@ struct Refusal {
   Error error;
 };
 
-std::string_view json_type(const json& value) { return value.type_name(); }
+std::string_view json_type(const json& value) {
+  return value.type_name();
+}
 
 /// A JSON value together with the place where it stands, for messages.
 struct Node {
@@ -35,14 +37,17 @@ struct Node {
   Node at(const char* key) const {
     return {value.at(key), fmt::format("{}{}{}", place, place.ends_with(": ") ? "" : ".", key), warnings};
   }
-  Node at(std::size_t index) const { return {value.at(index), fmt::format("{}[{}]", place, index), warnings}; }
+  Node at(std::size_t index) const {
+    return {value.at(index), fmt::format("{}[{}]", place, index), warnings};
+  }
   bool has(const char* key) const { return value.contains(key) && !value.at(key).is_null(); }
 
   void expect_object(std::initializer_list<std::string_view> known) const {
     if (!value.is_object()) refuse(fmt::format("expected an object {{...}}, found {}", json_type(value)));
     for (const auto& [key, unused] : value.items())
       if (std::find(known.begin(), known.end(), key) == known.end())
-        warnings.push_back(fmt::format("{}: \"{}\" is not read; known here are {}", place_text(), key, fmt::join(known, ", ")));
+        warnings.push_back(fmt::format("{}: \"{}\" is not read; known here are {}", place_text(), key,
+                                       fmt::join(known, ", ")));
   }
   Node required(const char* key, const char* what) const {
     if (!has(key)) refuse(fmt::format("\"{}\" is missing; add {}", key, what));
@@ -54,13 +59,15 @@ struct Node {
     return value.get<std::string>();
   }
   double positive() const {
-    if (!value.is_number() || !(value.get<double>() > 0)) refuse(fmt::format("expected a number above 0, found {}", value.dump()));
+    if (!value.is_number() || !(value.get<double>() > 0))
+      refuse(fmt::format("expected a number above 0, found {}", value.dump()));
     return value.get<double>();
   }
   int frame() const {
     if (!value.is_number_integer()) refuse(fmt::format("expected a frame number, found {}", value.dump()));
     const auto number = value.get<long long>();
-    if (number < 0 || number > INT_MAX) refuse(fmt::format("expected a frame number from 0 on, found {}", number));
+    if (number < 0 || number > INT_MAX)
+      refuse(fmt::format("expected a frame number from 0 on, found {}", number));
     return static_cast<int>(number);
   }
   const json::array_t& array() const {
@@ -85,7 +92,8 @@ RoleInterval parse_role(const Node& node) {
   role.end = node.required("end", "the frame after the last one").frame();
   role.active = parse_performer(node.required("active", "\"a\", \"b\" or \"unknown\""));
   if (role.end <= role.start)
-    node.refuse(fmt::format("ends at frame {}, which is not after its start {}; end is exclusive", role.end, role.start));
+    node.refuse(fmt::format("ends at frame {}, which is not after its start {}; end is exclusive", role.end,
+                            role.start));
   return role;
 }
 
@@ -95,14 +103,16 @@ std::vector<RoleInterval> parse_roles(const Node& node) {
     if (active == ActivePerformer::Unknown) return {};
     return {{0, INT_MAX, active}};
   }
-  if (!node.value.is_array()) node.refuse("expected \"a\", \"b\", \"unknown\" or a list of {\"start\", \"end\", \"active\"}");
+  if (!node.value.is_array())
+    node.refuse("expected \"a\", \"b\", \"unknown\" or a list of {\"start\", \"end\", \"active\"}");
   std::vector<RoleInterval> roles;
   for (std::size_t i = 0; i < node.array().size(); ++i) {
     const Node item = node.at(i);
     roles.push_back(parse_role(item));
     if (i > 0 && roles[i].start < roles[i - 1].end)
-      item.refuse(fmt::format("starts at frame {}, before the one above it ends ({}); give them in order and without overlap",
-                              roles[i].start, roles[i - 1].end));
+      item.refuse(fmt::format(
+          "starts at frame {}, before the one above it ends ({}); give them in order and without overlap",
+          roles[i].start, roles[i - 1].end));
   }
   return roles;
 }
@@ -145,7 +155,9 @@ Manifest parse_root(const Node& root, const fs::path& file) {
 }
 
 int line_of(std::string_view text, std::size_t byte) {
-  return 1 + static_cast<int>(std::count(text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size())), '\n'));
+  return 1 +
+         static_cast<int>(std::count(
+             text.begin(), text.begin() + static_cast<std::ptrdiff_t>(std::min(byte, text.size())), '\n'));
 }
 
 }  // namespace

@@ -25,8 +25,9 @@ struct Manifest {
     std::optional<double> fps;
     std::optional<double> metres_per_unit;
     Performer a, b;
-    std::vector<RoleInterval> roles;  ///< one interval over everything when the file gives one letter; empty = unknown
-    std::filesystem::path labels;     ///< empty = none
+    std::vector<RoleInterval>
+        roles;  ///< one interval over everything when the file gives one letter; empty = unknown
+    std::filesystem::path labels;  ///< empty = none
   };
   std::string name;
   std::vector<Take> takes;
@@ -39,9 +40,11 @@ Result<Manifest> read_manifest(const std::filesystem::path& file);
 
 /// Rows of one take from a label file: take,start_frame,end_frame,label[,detail,confidence].
 /// Refuses overlapping, empty or reversed intervals with the line's number.
-Result<std::vector<LabelInterval>> parse_labels(std::string_view csv, std::string_view take, std::string_view where);
+Result<std::vector<LabelInterval>> parse_labels(std::string_view csv, std::string_view take,
+                                                std::string_view where);
 
-/// Reads both performers of a take, its roles and labels. Unequal lengths are an error that says by how many frames.
+/// Reads both performers of a take, its roles and labels. Unequal lengths are an error that says by how many
+/// frames.
 /// @param warnings  what the readers found odd is appended, prefixed by the file
 Result<PairedTake> load_take(const Manifest::Take& take, std::vector<std::string>& warnings);
 

@@ -13,9 +13,12 @@ void require(bool holds, const char* what) {
   if (!holds) throw std::invalid_argument(what);
 }
 
-auto order_of(const PairSource& source) { return std::tuple(source.take, source.swapped, source.frame); }
+auto order_of(const PairSource& source) {
+  return std::tuple(source.take, source.swapped, source.frame);
+}
 
-void check_offsets(const std::vector<std::uint64_t>& offsets, std::size_t pairs, std::size_t total, const char* what) {
+void check_offsets(const std::vector<std::uint64_t>& offsets, std::size_t pairs, std::size_t total,
+                   const char* what) {
   require(offsets.size() == pairs + 1 && offsets.front() == 0 && offsets.back() == total, what);
   require(std::is_sorted(offsets.begin(), offsets.end()), what);
 }
@@ -23,7 +26,8 @@ void check_offsets(const std::vector<std::uint64_t>& offsets, std::size_t pairs,
 template <std::size_t n>
 bool name_vertices(const std::vector<std::array<std::uint8_t, n>>& items) {
   return std::all_of(items.begin(), items.end(), [](const auto& item) {
-    return std::all_of(item.begin(), item.end(), [](std::uint8_t vertex) { return vertex < pair_vertex_count; });
+    return std::all_of(item.begin(), item.end(),
+                       [](std::uint8_t vertex) { return vertex < pair_vertex_count; });
   });
 }
 
@@ -36,9 +40,12 @@ bool in_order(const std::vector<Interval>& intervals) {
 
 void check_takes(const LibraryColumns& columns) {
   for (const LibraryTake& take : columns.takes) {
-    require(take.body_a < columns.bodies.size() && take.body_b < columns.bodies.size(), "a take names a body that does not exist");
-    require(in_order(take.roles) && in_order(take.labels), "roles or labels of a take overlap or are out of order");
-    require(take.fps > 0 && take.frames >= 0 && take.frame_stride >= 1, "a take has no frame rate, frames or stride");
+    require(take.body_a < columns.bodies.size() && take.body_b < columns.bodies.size(),
+            "a take names a body that does not exist");
+    require(in_order(take.roles) && in_order(take.labels),
+            "roles or labels of a take overlap or are out of order");
+    require(take.fps > 0 && take.frames >= 0 && take.frame_stride >= 1,
+            "a take has no frame rate, frames or stride");
   }
 }
 
@@ -48,36 +55,44 @@ void check_sources(const LibraryColumns& columns) {
     require(sources[i].take < columns.takes.size(), "a pair names a take that does not exist");
     require(sources[i].frame < static_cast<std::uint32_t>(columns.takes[sources[i].take].frames),
             "a pair names a frame that its take does not have");
-    require(i == 0 || order_of(sources[i - 1]) < order_of(sources[i]), "pairs are not in the order of their takes, roles and frames");
+    require(i == 0 || order_of(sources[i - 1]) < order_of(sources[i]),
+            "pairs are not in the order of their takes, roles and frames");
   }
 }
 
 void check_poses(const LibraryColumns& columns) {
-  require(std::all_of(columns.poses.begin(), columns.poses.end(), [](const PairPose& pose) { return pose.allFinite(); }) &&
-              std::all_of(columns.features.begin(), columns.features.end(), [](const Features& f) { return f.allFinite(); }),
+  require(std::all_of(columns.poses.begin(), columns.poses.end(),
+                      [](const PairPose& pose) { return pose.allFinite(); }) &&
+              std::all_of(columns.features.begin(), columns.features.end(),
+                          [](const Features& f) { return f.allFinite(); }),
           "a position is not a finite number");
   require(std::all_of(columns.roots.begin(), columns.roots.end(),
-                      [](const RootFrame& root) { return root.position.allFinite() && std::isfinite(root.heading_rad); }),
+                      [](const RootFrame& root) {
+                        return root.position.allFinite() && std::isfinite(root.heading_rad);
+                      }),
           "a root is not finite");
 }
 
 void check_meshes(const LibraryColumns& columns) {
   const std::size_t pairs = columns.sources.size();
-  check_offsets(columns.edge_offsets, pairs, columns.edges.size(), "edge offsets are not ascending from 0 to the number of edges");
+  check_offsets(columns.edge_offsets, pairs, columns.edges.size(),
+                "edge offsets are not ascending from 0 to the number of edges");
   check_offsets(columns.tetrahedron_offsets, pairs, columns.tetrahedra.size(),
                 "tetrahedron offsets are not ascending from 0 to the number of tetrahedra");
   require(name_vertices(columns.edges), "an edge names a vertex that does not exist");
   require(name_vertices(columns.tetrahedra), "a tetrahedron names a vertex that does not exist");
   require(std::all_of(columns.mesh_quality.begin(), columns.mesh_quality.end(),
-                      [](std::uint8_t q) { return q <= static_cast<std::uint8_t>(InteractionMesh::Quality::NearestNeighbours); }),
+                      [](std::uint8_t q) {
+                        return q <= static_cast<std::uint8_t>(InteractionMesh::Quality::NearestNeighbours);
+                      }),
           "a mesh quality is unknown");
 }
 
 void check(const LibraryColumns& columns) {
   const std::size_t pairs = columns.sources.size();
   require(!columns.bodies.empty() && pairs > 0, "there are no pairs");
-  require(columns.roots.size() == pairs && columns.poses.size() == pairs && columns.features.size() == pairs &&
-              columns.mesh_quality.size() == pairs,
+  require(columns.roots.size() == pairs && columns.poses.size() == pairs &&
+              columns.features.size() == pairs && columns.mesh_quality.size() == pairs,
           "columns of pairs have different lengths");
   check_takes(columns);
   check_sources(columns);
@@ -86,7 +101,8 @@ void check(const LibraryColumns& columns) {
 }
 
 template <typename Item>
-std::span<const Item> row(const std::vector<Item>& items, const std::vector<std::uint64_t>& offsets, int pair) {
+std::span<const Item> row(const std::vector<Item>& items, const std::vector<std::uint64_t>& offsets,
+                          int pair) {
   const auto begin = offsets[static_cast<std::size_t>(pair)];
   return std::span(items).subspan(begin, offsets[static_cast<std::size_t>(pair) + 1] - begin);
 }
@@ -143,8 +159,9 @@ int MotionLibrary::find_pair(std::string_view take, int frame, bool swapped) con
   const int index = find_take(take);
   if (index < 0 || frame < 0) return -1;
   const PairSource wanted{static_cast<std::uint32_t>(index), static_cast<std::uint32_t>(frame), swapped};
-  const auto found = std::lower_bound(columns_.sources.begin(), columns_.sources.end(), wanted,
-                                      [](const PairSource& a, const PairSource& b) { return order_of(a) < order_of(b); });
+  const auto found =
+      std::lower_bound(columns_.sources.begin(), columns_.sources.end(), wanted,
+                       [](const PairSource& a, const PairSource& b) { return order_of(a) < order_of(b); });
   if (found == columns_.sources.end() || order_of(*found) != order_of(wanted)) return -1;
   return static_cast<int>(found - columns_.sources.begin());
 }

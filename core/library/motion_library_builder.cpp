@@ -18,12 +18,16 @@ namespace {
 
 constexpr double same_body_difference = 0.005;  ///< of a bone's length
 
-Error cancelled() { return {"cancelled", ""}; }
+Error cancelled() {
+  return {"cancelled", ""};
+}
 
 /// Part of a longer job's progress.
 Progress part(const Progress& progress, double from, double to) {
   if (!progress) return {};
-  return [&progress, from, to](double fraction, std::string_view doing) { return progress(from + fraction * (to - from), doing); };
+  return [&progress, from, to](double fraction, std::string_view doing) {
+    return progress(from + fraction * (to - from), doing);
+  };
 }
 
 // ---- what a take must be ----
@@ -32,24 +36,37 @@ std::optional<Error> check_frames(const Clip& clip, const std::string& where) {
   for (std::size_t frame = 0; frame < clip.poses.size(); ++frame)
     for (int joint = 0; joint < joint_count; ++joint)
       if (!clip.poses[frame].row(joint).allFinite())
-        return Error{fmt::format("the position of {} at frame {} is not a finite number; repair or cut the frame", joint_names[static_cast<std::size_t>(joint)], frame), where};
+        return Error{
+            fmt::format("the position of {} at frame {} is not a finite number; repair or cut the frame",
+                        joint_names[static_cast<std::size_t>(joint)], frame),
+            where};
   return std::nullopt;
 }
 
 template <typename Interval>
-std::optional<Error> check_intervals(const std::vector<Interval>& intervals, const char* what, const std::string& where) {
+std::optional<Error> check_intervals(const std::vector<Interval>& intervals, const char* what,
+                                     const std::string& where) {
   for (std::size_t i = 0; i < intervals.size(); ++i)
-    if (intervals[i].start < 0 || intervals[i].end <= intervals[i].start || (i > 0 && intervals[i].start < intervals[i - 1].end))
-      return Error{fmt::format("{} {} [{}, {}) is empty, overlaps the one before it, or is out of order", what, i, intervals[i].start, intervals[i].end), where};
+    if (intervals[i].start < 0 || intervals[i].end <= intervals[i].start ||
+        (i > 0 && intervals[i].start < intervals[i - 1].end))
+      return Error{fmt::format("{} {} [{}, {}) is empty, overlaps the one before it, or is out of order",
+                               what, i, intervals[i].start, intervals[i].end),
+                   where};
   return std::nullopt;
 }
 
 std::optional<Error> check_take(const PairedTake& take) {
   const std::string where = "take " + take.name;
   if (take.a.poses.size() != take.b.poses.size())
-    return Error{fmt::format("performer a has {} frames and b {}; both must have been captured together, frame for frame", take.a.poses.size(), take.b.poses.size()), where};
-  if (take.a.poses.size() < 2) return Error{fmt::format("has {} frames; at least 2 are needed", take.a.poses.size()), where};
-  if (!(take.fps > 0) || !std::isfinite(take.fps)) return Error{fmt::format("{} frames per second; give a number above 0", take.fps), where};
+    return Error{
+        fmt::format(
+            "performer a has {} frames and b {}; both must have been captured together, frame for frame",
+            take.a.poses.size(), take.b.poses.size()),
+        where};
+  if (take.a.poses.size() < 2)
+    return Error{fmt::format("has {} frames; at least 2 are needed", take.a.poses.size()), where};
+  if (!(take.fps > 0) || !std::isfinite(take.fps))
+    return Error{fmt::format("{} frames per second; give a number above 0", take.fps), where};
   if (auto refusal = check_frames(take.a, where + "/a")) return refusal;
   if (auto refusal = check_frames(take.b, where + "/b")) return refusal;
   if (auto refusal = check_intervals(take.roles, "role", where)) return refusal;
@@ -67,8 +84,11 @@ template <typename Take>
 std::optional<Error> exclude(std::vector<Take>& takes, const std::vector<std::string>& excluded) {
   for (const std::string& name : excluded)
     if (std::none_of(takes.begin(), takes.end(), [&](const Take& take) { return take.name == name; }))
-      return Error{fmt::format("there is no take \"{}\" to exclude; there are {}", name, joined_names(takes)), ""};
-  std::erase_if(takes, [&](const Take& take) { return std::find(excluded.begin(), excluded.end(), take.name) != excluded.end(); });
+      return Error{fmt::format("there is no take \"{}\" to exclude; there are {}", name, joined_names(takes)),
+                   ""};
+  std::erase_if(takes, [&](const Take& take) {
+    return std::find(excluded.begin(), excluded.end(), take.name) != excluded.end();
+  });
   if (takes.empty()) return Error{"no take is left to build a library of; exclude fewer", ""};
   return std::nullopt;
 }
@@ -78,7 +98,8 @@ std::optional<Error> check_options(const std::vector<PairedTake>& takes, const L
     return Error{fmt::format("a rate of {} Hz is not possible; give a number above 0", *options.rate_hz), ""};
   std::set<std::string_view> names;
   for (const PairedTake& take : takes) {
-    if (!names.insert(take.name).second) return Error{"two takes have this name; rename one", "take " + take.name};
+    if (!names.insert(take.name).second)
+      return Error{"two takes have this name; rename one", "take " + take.name};
     if (auto refusal = check_take(take)) return refusal;
   }
   return std::nullopt;
@@ -92,12 +113,14 @@ int frame_stride(double fps, const std::optional<double>& rate_hz) {
 
 std::uint32_t find_or_add_body(std::vector<LibraryBody>& bodies, const Body& body, const std::string& name) {
   for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (largest_length_difference(bodies[i].body, body) < same_body_difference) return static_cast<std::uint32_t>(i);
+    if (largest_length_difference(bodies[i].body, body) < same_body_difference)
+      return static_cast<std::uint32_t>(i);
   bodies.push_back({name, body, {}});
   return static_cast<std::uint32_t>(bodies.size() - 1);
 }
 
-void add_takes(const std::vector<PairedTake>& takes, const LibraryBuildOptions& options, LibraryColumns& columns) {
+void add_takes(const std::vector<PairedTake>& takes, const LibraryBuildOptions& options,
+               LibraryColumns& columns) {
   for (const PairedTake& take : takes) {
     LibraryTake entry;
     entry.name = take.name;
@@ -111,7 +134,8 @@ void add_takes(const std::vector<PairedTake>& takes, const LibraryBuildOptions& 
     columns.takes.push_back(std::move(entry));
   }
   columns.rate_hz = 0;
-  for (const LibraryTake& take : columns.takes) columns.rate_hz = std::max(columns.rate_hz, take.fps / take.frame_stride);
+  for (const LibraryTake& take : columns.takes)
+    columns.rate_hz = std::max(columns.rate_hz, take.fps / take.frame_stride);
 }
 
 void calibrate(const std::vector<PairedTake>& takes, LibraryColumns& columns) {
@@ -125,8 +149,8 @@ void calibrate(const std::vector<PairedTake>& takes, LibraryColumns& columns) {
 
 // ---- pairs ----
 
-/// Roots of every frame of a performer, also of those that thinning leaves out: a heading that is taken over from the
-/// frame before must not depend on the rate.
+/// Roots of every frame of a performer, also of those that thinning leaves out: a heading that is taken over
+/// from the frame before must not depend on the rate.
 std::vector<RootFrame> root_frames(const Clip& clip) {
   std::vector<RootFrame> roots;
   roots.reserve(clip.poses.size());
@@ -152,7 +176,8 @@ void add_sources(const std::vector<PairedTake>& takes, LibraryColumns& columns) 
 }
 
 /// Fills row `pair` from its source and root.
-void fill_pair(const std::vector<PairedTake>& takes, std::size_t pair, LibraryColumns& columns, InteractionMesh& mesh) {
+void fill_pair(const std::vector<PairedTake>& takes, std::size_t pair, LibraryColumns& columns,
+               InteractionMesh& mesh) {
   const PairSource& source = columns.sources[pair];
   const PairedTake& take = takes[source.take];
   const Pose& active = (source.swapped ? take.b : take.a).poses[source.frame];
@@ -164,7 +189,8 @@ void fill_pair(const std::vector<PairedTake>& takes, std::size_t pair, LibraryCo
   mesh = tetrahedralize(pose);
 }
 
-/// Calls `work(i)` for i in [0, count) from every core. The order of calls is not fixed, so `work` must write to row i only.
+/// Calls `work(i)` for i in [0, count) from every core. The order of calls is not fixed, so `work` must write
+/// to row i only.
 /// @return false when progress asked to stop. Rethrows what `work` throws.
 template <typename Work>
 bool for_each_row(std::size_t count, const Progress& progress, std::string_view doing, const Work& work) {
@@ -189,7 +215,10 @@ bool for_each_row(std::size_t count, const Progress& progress, std::string_view 
   {
     std::vector<std::jthread> workers;
     for (unsigned core = 1; core < std::thread::hardware_concurrency(); ++core)
-      workers.emplace_back([&] { while (run_block()) {} });
+      workers.emplace_back([&] {
+        while (run_block()) {
+        }
+      });
     while (wanted && run_block()) {
       const double fraction = static_cast<double>(std::min(next.load(), count)) / static_cast<double>(count);
       wanted = report(progress, fraction, doing);
@@ -220,14 +249,17 @@ void warn_of_unequal_rates(const MotionLibrary& library, std::vector<std::string
   for (const LibraryTake& take : library.takes()) {
     const double rate_hz = take.fps / take.frame_stride;
     if (std::abs(rate_hz - library.rate_hz()) > 0.01 * library.rate_hz())
-      warnings.push_back(fmt::format("take {}: its pairs come at {:.4g} Hz, those of the fastest take at {:.4g} Hz; build with --rate to bring them together",
-                                     take.name, rate_hz, library.rate_hz()));
+      warnings.push_back(
+          fmt::format("take {}: its pairs come at {:.4g} Hz, those of the fastest take at {:.4g} Hz; build "
+                      "with --rate to bring them together",
+                      take.name, rate_hz, library.rate_hz()));
   }
 }
 
 }  // namespace
 
-Result<MotionLibrary> build_library(std::string name, std::vector<PairedTake> takes, const LibraryBuildOptions& options, const Progress& progress) {
+Result<MotionLibrary> build_library(std::string name, std::vector<PairedTake> takes,
+                                    const LibraryBuildOptions& options, const Progress& progress) {
   if (auto refusal = exclude(takes, options.excluded_takes)) return *refusal;
   if (auto refusal = check_options(takes, options)) return *refusal;
   if (!report(progress, 0, "measuring bodies")) return cancelled();
@@ -240,23 +272,25 @@ Result<MotionLibrary> build_library(std::string name, std::vector<PairedTake> ta
   columns.poses.resize(pairs);
   columns.features.resize(pairs);
   std::vector<InteractionMesh> meshes(pairs);
-  const bool finished = for_each_row(pairs, part(progress, 0.05, 0.98), "building interaction meshes",
-                                     [&](std::size_t pair) { fill_pair(takes, pair, columns, meshes[pair]); });
+  const bool finished =
+      for_each_row(pairs, part(progress, 0.05, 0.98), "building interaction meshes",
+                   [&](std::size_t pair) { fill_pair(takes, pair, columns, meshes[pair]); });
   if (!finished) return cancelled();
   add_meshes(meshes, columns);
   if (!report(progress, 1, "library built")) return cancelled();
   return MotionLibrary(std::move(columns));
 }
 
-Result<MotionLibrary> build_library(const Manifest& manifest, const LibraryBuildOptions& options, const Progress& progress,
-                                    std::vector<std::string>& warnings) {
+Result<MotionLibrary> build_library(const Manifest& manifest, const LibraryBuildOptions& options,
+                                    const Progress& progress, std::vector<std::string>& warnings) {
   warnings.insert(warnings.end(), manifest.warnings.begin(), manifest.warnings.end());
   std::vector<Manifest::Take> wanted = manifest.takes;
   if (auto refusal = exclude(wanted, options.excluded_takes)) return *refusal;
   constexpr double reading_share = 0.4;
   std::vector<PairedTake> takes;
   for (const Manifest::Take& take : wanted) {
-    const double fraction = reading_share * static_cast<double>(takes.size()) / static_cast<double>(wanted.size());
+    const double fraction =
+        reading_share * static_cast<double>(takes.size()) / static_cast<double>(wanted.size());
     if (!report(progress, fraction, "reading " + take.name)) return cancelled();
     auto loaded = load_take(take, warnings);
     if (!loaded) return loaded.error();

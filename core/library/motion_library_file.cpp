@@ -111,7 +111,8 @@ hsize_t item_count(const Shape& shape) {
 
 class LibraryWriter {
  public:
-  explicit LibraryWriter(const fs::path& path) : file_(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose) {
+  explicit LibraryWriter(const fs::path& path)
+      : file_(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT), H5Fclose) {
     if (!file_.ok()) problem("cannot be created as HDF5");
   }
 
@@ -134,7 +135,8 @@ class LibraryWriter {
     std::size_t longest = 1;
     for (const std::string& text : texts) longest = std::max(longest, text.size());
     std::string rows(longest * texts.size(), '\0');
-    for (std::size_t i = 0; i < texts.size(); ++i) std::copy(texts[i].begin(), texts[i].end(), rows.begin() + static_cast<std::ptrdiff_t>(i * longest));
+    for (std::size_t i = 0; i < texts.size(); ++i)
+      std::copy(texts[i].begin(), texts[i].end(), rows.begin() + static_cast<std::ptrdiff_t>(i * longest));
     const Handle type = text_type(longest);
     dataset(path, {texts.size()}, type.id(), type.id(), rows.data());
   }
@@ -145,8 +147,10 @@ class LibraryWriter {
  private:
   void attribute(const char* name, hid_t memory, hid_t stored, const void* value) {
     const Handle space(H5Screate(H5S_SCALAR), H5Sclose);
-    const Handle attribute(H5Acreate2(file_.id(), name, stored, space.id(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
-    if (!attribute.ok() || H5Awrite(attribute.id(), memory, value) < 0) problem("could not write {}; is the disk full?", name);
+    const Handle attribute(H5Acreate2(file_.id(), name, stored, space.id(), H5P_DEFAULT, H5P_DEFAULT),
+                           H5Aclose);
+    if (!attribute.ok() || H5Awrite(attribute.id(), memory, value) < 0)
+      problem("could not write {}; is the disk full?", name);
   }
   void dataset(const char* path, const Shape& shape, hid_t memory, hid_t stored, const void* values) {
     const Handle links(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
@@ -154,8 +158,10 @@ class LibraryWriter {
     const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     H5Pset_obj_track_times(creation.id(), false);  // the same library gives the same bytes
     const Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose);
-    const Handle set(H5Dcreate2(file_.id(), path, stored, space.id(), links.id(), creation.id(), H5P_DEFAULT), H5Dclose);
-    const bool written = set.ok() && (item_count(shape) == 0 || H5Dwrite(set.id(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0);
+    const Handle set(H5Dcreate2(file_.id(), path, stored, space.id(), links.id(), creation.id(), H5P_DEFAULT),
+                     H5Dclose);
+    const bool written = set.ok() && (item_count(shape) == 0 ||
+                                      H5Dwrite(set.id(), memory, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) >= 0);
     if (!written) problem("could not write {}; is the disk full?", path);
   }
 
@@ -184,7 +190,8 @@ struct OfTake {
 };
 
 template <typename Interval>
-std::vector<OfTake<Interval>> all_intervals(const std::vector<LibraryTake>& takes, std::vector<Interval> LibraryTake::* intervals) {
+std::vector<OfTake<Interval>> all_intervals(const std::vector<LibraryTake>& takes,
+                                            std::vector<Interval> LibraryTake::*intervals) {
   std::vector<OfTake<Interval>> all;
   for (std::uint32_t t = 0; t < takes.size(); ++t)
     for (const Interval& interval : takes[t].*intervals) all.push_back({t, interval});
@@ -202,7 +209,8 @@ void write_takes(LibraryWriter& writer, const std::vector<LibraryTake>& takes) {
   write_column(writer, "roles/take", column(roles, [](const auto& r) { return r.take; }));
   write_column(writer, "roles/start", column(roles, [](const auto& r) { return r.interval.start; }));
   write_column(writer, "roles/end", column(roles, [](const auto& r) { return r.interval.end; }));
-  write_column(writer, "roles/active", column(roles, [](const auto& r) { return static_cast<std::uint8_t>(r.interval.active); }));
+  write_column(writer, "roles/active",
+               column(roles, [](const auto& r) { return static_cast<std::uint8_t>(r.interval.active); }));
   const auto labels = all_intervals(takes, &LibraryTake::labels);
   write_column(writer, "labels/take", column(labels, [](const auto& l) { return l.take; }));
   write_column(writer, "labels/start", column(labels, [](const auto& l) { return l.interval.start; }));
@@ -215,21 +223,27 @@ void write_takes(LibraryWriter& writer, const std::vector<LibraryTake>& takes) {
 void write_bodies(LibraryWriter& writer, const std::vector<LibraryBody>& bodies) {
   const auto rows = [&](const char* path, const auto& array_of) {
     std::vector<double> values;
-    for (const LibraryBody& body : bodies) values.insert(values.end(), array_of(body).begin(), array_of(body).end());
+    for (const LibraryBody& body : bodies)
+      values.insert(values.end(), array_of(body).begin(), array_of(body).end());
     writer.dataset(path, {bodies.size(), values.size() / bodies.size()}, values.data());
   };
   writer.dataset("bodies/name", column(bodies, [](const auto& b) { return b.name; }));
-  rows("bodies/bone_lengths", [](const auto& b) -> const auto& { return b.body.bone_lengths; });
-  rows("bodies/pseudo_lengths", [](const auto& b) -> const auto& { return b.body.pseudo_lengths; });
-  rows("bodies/capsule_radii", [](const auto& b) -> const auto& { return b.capsule_radii; });
-  write_column(writer, "bodies/toe_rest_height", column(bodies, [](const auto& b) { return b.body.toe_rest_height; }));
+  rows(
+      "bodies/bone_lengths", [](const auto& b) -> const auto& { return b.body.bone_lengths; });
+  rows(
+      "bodies/pseudo_lengths", [](const auto& b) -> const auto& { return b.body.pseudo_lengths; });
+  rows(
+      "bodies/capsule_radii", [](const auto& b) -> const auto& { return b.capsule_radii; });
+  write_column(writer, "bodies/toe_rest_height",
+               column(bodies, [](const auto& b) { return b.body.toe_rest_height; }));
 }
 
 void write_pairs(LibraryWriter& writer, const LibraryColumns& columns) {
   const hsize_t pairs = columns.sources.size();
   std::vector<std::uint32_t> sources;
   for (const PairSource& s : columns.sources)
-    sources.insert(sources.end(), {s.take, s.frame, std::uint32_t{s.swapped}, static_cast<std::uint32_t>(s.annotated)});
+    sources.insert(sources.end(),
+                   {s.take, s.frame, std::uint32_t{s.swapped}, static_cast<std::uint32_t>(s.annotated)});
   writer.dataset("pairs/source", {pairs, 4}, sources.data());
   writer.dataset("pairs/root", {pairs, 4}, columns.roots.front().position.data());
   writer.dataset("pairs/pose", {pairs, pair_vertex_count, 3}, columns.poses.front().data());
@@ -237,7 +251,8 @@ void write_pairs(LibraryWriter& writer, const LibraryColumns& columns) {
   write_column(writer, "meshes/quality", columns.mesh_quality);
   write_column(writer, "meshes/edge_offset", columns.edge_offsets);
   write_column(writer, "meshes/tetrahedron_offset", columns.tetrahedron_offsets);
-  writer.dataset("meshes/edges", {columns.edges.size(), 2}, columns.edges.empty() ? nullptr : columns.edges.front().data());
+  writer.dataset("meshes/edges", {columns.edges.size(), 2},
+                 columns.edges.empty() ? nullptr : columns.edges.front().data());
   writer.dataset("meshes/tetrahedra", {columns.tetrahedra.size(), 4},
                  columns.tetrahedra.empty() ? nullptr : columns.tetrahedra.front().data());
 }
@@ -248,7 +263,8 @@ constexpr hsize_t any = static_cast<hsize_t>(-1);
 
 std::string shape_text(const Shape& shape) {
   std::string text;
-  for (const hsize_t size : shape) text += (text.empty() ? "" : " x ") + (size == any ? std::string("n") : std::to_string(size));
+  for (const hsize_t size : shape)
+    text += (text.empty() ? "" : " x ") + (size == any ? std::string("n") : std::to_string(size));
   return text;
 }
 
@@ -257,12 +273,14 @@ class LibraryReader {
   explicit LibraryReader(const fs::path& path) : file_(open(path)) {}
 
   std::string text_attribute(const char* name) const {
-    if (H5Aexists(file_.id(), name) <= 0) problem("is HDF5 but not an Abrazo motion library: it has no attribute {}", name);
+    if (H5Aexists(file_.id(), name) <= 0)
+      problem("is HDF5 but not an Abrazo motion library: it has no attribute {}", name);
     const Handle attribute(H5Aopen(file_.id(), name, H5P_DEFAULT), H5Aclose);
     const Handle stored(H5Aget_type(attribute.id()), H5Tclose);
     const std::size_t bytes = text_size(stored, name);
     std::string text(bytes, '\0');
-    if (H5Aread(attribute.id(), stored.id(), text.data()) < 0) problem("attribute {} cannot be read; the file is damaged", name);
+    if (H5Aread(attribute.id(), stored.id(), text.data()) < 0)
+      problem("attribute {} cannot be read; the file is damaged", name);
     return text.substr(0, text.find('\0'));
   }
   template <typename Number>
@@ -283,14 +301,17 @@ class LibraryReader {
     const Handle set = open_set(path);
     const Handle stored(H5Dget_type(set.id()), H5Tclose);
     constexpr bool wants_real = std::is_floating_point_v<Number>;
-    if (H5Tget_class(stored.id()) != (wants_real ? H5T_FLOAT : H5T_INTEGER)) problem("{} does not hold {} numbers", path, wants_real ? "real" : "whole");
+    if (H5Tget_class(stored.id()) != (wants_real ? H5T_FLOAT : H5T_INTEGER))
+      problem("{} does not hold {} numbers", path, wants_real ? "real" : "whole");
     const hsize_t count = checked_rows(set, stored, path, shape);
     std::vector<Row> result(count);
     read(set, number_types<Number>().first, result.data(), count, path);
     return result;
   }
   template <typename Number>
-  std::vector<Number> column(const char* path, hsize_t size = any) const { return rows<Number, Number>(path, {size}); }
+  std::vector<Number> column(const char* path, hsize_t size = any) const {
+    return rows<Number, Number>(path, {size});
+  }
 
   std::vector<std::string> texts(const char* path, hsize_t size) const {
     const Handle set = open_set(path);
@@ -300,7 +321,8 @@ class LibraryReader {
     std::string all(bytes * count, '\0');
     read(set, stored.id(), all.data(), count, path);
     std::vector<std::string> result;
-    for (hsize_t i = 0; i < count; ++i) result.emplace_back(all.c_str() + i * bytes, ::strnlen(all.c_str() + i * bytes, bytes));
+    for (hsize_t i = 0; i < count; ++i)
+      result.emplace_back(all.c_str() + i * bytes, ::strnlen(all.c_str() + i * bytes, bytes));
     return result;
   }
 
@@ -308,7 +330,8 @@ class LibraryReader {
   static Handle open(const fs::path& path) {
     const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
     H5Pset_file_locking(access.id(), false, true);  // only read, and also from disks that know no locks
-    if (H5Fis_hdf5(path.c_str()) <= 0) problem("is not an HDF5 file; give a library that `abrazo library build` wrote");
+    if (H5Fis_hdf5(path.c_str()) <= 0)
+      problem("is not an HDF5 file; give a library that `abrazo library build` wrote");
     Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose);
     if (!file.ok()) problem("is cut short or damaged; copy or build it again");
     return file;
@@ -322,19 +345,23 @@ class LibraryReader {
     const std::size_t bytes = stored.ok() ? H5Tget_size(stored.id()) : 0;
     if (bytes == 0 || H5Tget_class(stored.id()) != H5T_STRING || H5Tis_variable_str(stored.id()) > 0)
       problem("{} does not hold text of a fixed length", name);
-    if (bytes > longest_text) problem("{} holds text of {} bytes; at most {} are allowed", name, bytes, longest_text);
+    if (bytes > longest_text)
+      problem("{} holds text of {} bytes; at most {} are allowed", name, bytes, longest_text);
     return bytes;
   }
-  /// Number of rows, after making sure that they have the wanted shape and are in the file: nothing is allocated for
-  /// sizes that a damaged file only claims.
-  static hsize_t checked_rows(const Handle& set, const Handle& stored, const char* path, const Shape& wanted) {
+  /// Number of rows, after making sure that they have the wanted shape and are in the file: nothing is
+  /// allocated for sizes that a damaged file only claims.
+  static hsize_t checked_rows(const Handle& set, const Handle& stored, const char* path,
+                              const Shape& wanted) {
     const Handle space(H5Dget_space(set.id()), H5Sclose);
     const int rank = H5Sget_simple_extent_ndims(space.id());
     Shape found(static_cast<std::size_t>(std::max(rank, 0)));
     if (rank > 0) H5Sget_simple_extent_dims(space.id(), found.data(), nullptr);
     bool fits = found.size() == wanted.size();
     for (std::size_t i = 0; fits && i < wanted.size(); ++i) fits = wanted[i] == any || wanted[i] == found[i];
-    if (!fits) problem("{} is {}, expected {}", path, found.empty() ? "one value" : shape_text(found), shape_text(wanted));
+    if (!fits)
+      problem("{} is {}, expected {}", path, found.empty() ? "one value" : shape_text(found),
+              shape_text(wanted));
     const hsize_t in_file = H5Dget_storage_size(set.id()) / H5Tget_size(stored.id());
     if (in_file / std::max<hsize_t>(1, item_count(found) / std::max<hsize_t>(1, found[0])) < found[0])
       problem("{} says it is {} but the file holds only {} values of it", path, shape_text(found), in_file);
@@ -349,12 +376,14 @@ class LibraryReader {
 };
 
 ActivePerformer performer(std::uint32_t code, const char* path) {
-  if (code > static_cast<std::uint32_t>(ActivePerformer::Unknown)) problem("{} holds {}; expected 0 (a), 1 (b) or 2 (unknown)", path, code);
+  if (code > static_cast<std::uint32_t>(ActivePerformer::Unknown))
+    problem("{} holds {}; expected 0 (a), 1 (b) or 2 (unknown)", path, code);
   return static_cast<ActivePerformer>(code);
 }
 
 LibraryTake& take_at(LibraryColumns& columns, std::uint32_t take, const char* path) {
-  if (take >= columns.takes.size()) problem("{} names take {}, there are {}", path, take, columns.takes.size());
+  if (take >= columns.takes.size())
+    problem("{} names take {}, there are {}", path, take, columns.takes.size());
   return columns.takes[take];
 }
 
@@ -365,13 +394,15 @@ void read_takes(const LibraryReader& reader, LibraryColumns& columns) {
   const auto strides = reader.column<int>("takes/frame_stride", fps.size());
   const auto bodies_a = reader.column<std::uint32_t>("takes/body_a", fps.size());
   const auto bodies_b = reader.column<std::uint32_t>("takes/body_b", fps.size());
-  for (std::size_t t = 0; t < fps.size(); ++t) columns.takes.push_back({names[t], fps[t], frames[t], strides[t], bodies_a[t], bodies_b[t], {}, {}});
+  for (std::size_t t = 0; t < fps.size(); ++t)
+    columns.takes.push_back({names[t], fps[t], frames[t], strides[t], bodies_a[t], bodies_b[t], {}, {}});
   const auto role_takes = reader.column<std::uint32_t>("roles/take");
   const auto role_starts = reader.column<int>("roles/start", role_takes.size());
   const auto role_ends = reader.column<int>("roles/end", role_takes.size());
   const auto role_active = reader.column<std::uint8_t>("roles/active", role_takes.size());
   for (std::size_t i = 0; i < role_takes.size(); ++i)
-    take_at(columns, role_takes[i], "roles/take").roles.push_back({role_starts[i], role_ends[i], performer(role_active[i], "roles/active")});
+    take_at(columns, role_takes[i], "roles/take")
+        .roles.push_back({role_starts[i], role_ends[i], performer(role_active[i], "roles/active")});
   const auto label_takes = reader.column<std::uint32_t>("labels/take");
   const auto label_starts = reader.column<int>("labels/start", label_takes.size());
   const auto label_ends = reader.column<int>("labels/end", label_takes.size());
@@ -379,14 +410,16 @@ void read_takes(const LibraryReader& reader, LibraryColumns& columns) {
   const auto details = reader.texts("labels/detail", label_takes.size());
   const auto confidences = reader.texts("labels/confidence", label_takes.size());
   for (std::size_t i = 0; i < label_takes.size(); ++i)
-    take_at(columns, label_takes[i], "labels/take").labels.push_back({label_starts[i], label_ends[i], labels[i], details[i], confidences[i]});
+    take_at(columns, label_takes[i], "labels/take")
+        .labels.push_back({label_starts[i], label_ends[i], labels[i], details[i], confidences[i]});
 }
 
 void read_bodies(const LibraryReader& reader, LibraryColumns& columns) {
   using Bones = std::array<double, bone_count>;
   using PseudoBones = std::array<double, pseudo_bones.size()>;
   const auto lengths = reader.rows<double, Bones>("bodies/bone_lengths", {any, bone_count});
-  const auto pseudo_lengths = reader.rows<double, PseudoBones>("bodies/pseudo_lengths", {lengths.size(), pseudo_bones.size()});
+  const auto pseudo_lengths =
+      reader.rows<double, PseudoBones>("bodies/pseudo_lengths", {lengths.size(), pseudo_bones.size()});
   const auto radii = reader.rows<double, Bones>("bodies/capsule_radii", {lengths.size(), bone_count});
   const auto toe_heights = reader.column<double>("bodies/toe_rest_height", lengths.size());
   const auto names = reader.texts("bodies/name", lengths.size());
@@ -417,7 +450,8 @@ LibraryColumns read_columns(const fs::path& file) {
   if (reader.text_attribute("format") != format_name) problem("is HDF5 but not an Abrazo motion library");
   const int found = reader.attribute<int>("format_version");
   if (found > format_version)
-    problem("has format version {}, this program reads up to {}; it was written by {}: update this program", found, format_version, reader.text_attribute("written_by"));
+    problem("has format version {}, this program reads up to {}; it was written by {}: update this program",
+            found, format_version, reader.text_attribute("written_by"));
   if (found < 1) problem("has format version {}, which never existed", found);
   LibraryColumns columns;
   columns.name = reader.text_attribute("name");
@@ -429,7 +463,8 @@ LibraryColumns read_columns(const fs::path& file) {
 }
 
 /// The operating system's own reason is clearer than HDF5's.
-std::optional<Error> openable(const fs::path& file, std::ios::openmode mode, const char* what, const fs::path& shown) {
+std::optional<Error> openable(const fs::path& file, std::ios::openmode mode, const char* what,
+                              const fs::path& shown) {
   std::error_code ignored;
   if (fs::is_directory(file, ignored)) return Error{"is a folder; name a file", shown.string()};
   if (std::fstream(file, mode | std::ios::binary)) return std::nullopt;
@@ -476,7 +511,8 @@ Result<MotionLibrary> read_library(const fs::path& file) {
   } catch (const FileProblem& failure) {
     return Error{failure.what(), file.string()};
   } catch (const std::invalid_argument& failure) {
-    return Error{std::string("does not fit together: ") + failure.what() + "; build the library again", file.string()};
+    return Error{std::string("does not fit together: ") + failure.what() + "; build the library again",
+                 file.string()};
   }
 }
 

@@ -19,7 +19,9 @@ Eigen::Vector2d left_axis(const Pose& pose, int left, int right) {
 }
 
 /// Heading of a body whose left is at `axis`; someone facing +Z has the left at +X.
-double heading_of(const Eigen::Vector2d& axis) { return std::atan2(-axis.y(), axis.x()); }
+double heading_of(const Eigen::Vector2d& axis) {
+  return std::atan2(-axis.y(), axis.x());
+}
 
 }  // namespace
 
@@ -55,7 +57,8 @@ Pose to_world(const Pose& normalized, const RootFrame& active_root) {
 Features pose_features(const Pose& normalized_active) {
   Features features;
   for (std::size_t f = 0; f < feature_joints.size(); ++f)
-    features.segment<3>(static_cast<Eigen::Index>(3 * f)) = normalized_active.row(feature_joints[f]).transpose();
+    features.segment<3>(static_cast<Eigen::Index>(3 * f)) =
+        normalized_active.row(feature_joints[f]).transpose();
   return features;
 }
 

@@ -26,20 +26,24 @@ bool nearer(const PoseMatch& a, const PoseMatch& b) {
 
 struct PoseIndex::Tree {
   std::vector<int> pairs;
-  std::vector<Features> features;  ///< of `pairs`, in their order
+  std::vector<Features> features;   ///< of `pairs`, in their order
   std::unique_ptr<FlannTree> tree;  ///< null when there is nothing to find
 };
 
-PoseIndex::PoseIndex(std::span<const Features> features, std::span<const int> pairs) : tree_(std::make_unique<Tree>()) {
+PoseIndex::PoseIndex(std::span<const Features> features, std::span<const int> pairs)
+    : tree_(std::make_unique<Tree>()) {
   tree_->pairs.assign(pairs.begin(), pairs.end());
   tree_->features.reserve(pairs.size());
   for (const int pair : pairs) {
-    if (pair < 0 || static_cast<std::size_t>(pair) >= features.size()) throw std::invalid_argument("no features for pair " + std::to_string(pair));
+    if (pair < 0 || static_cast<std::size_t>(pair) >= features.size())
+      throw std::invalid_argument("no features for pair " + std::to_string(pair));
     tree_->features.push_back(features[static_cast<std::size_t>(pair)]);
-    if (!tree_->features.back().allFinite()) throw std::invalid_argument("features of pair " + std::to_string(pair) + " are not finite");
+    if (!tree_->features.back().allFinite())
+      throw std::invalid_argument("features of pair " + std::to_string(pair) + " are not finite");
   }
   if (pairs.empty()) return;
-  const flann::Matrix<double> rows(tree_->features.front().data(), tree_->features.size(), Features::RowsAtCompileTime);
+  const flann::Matrix<double> rows(tree_->features.front().data(), tree_->features.size(),
+                                   Features::RowsAtCompileTime);
   tree_->tree = std::make_unique<FlannTree>(rows, flann::KDTreeSingleIndexParams(leaf_size));
   tree_->tree->buildIndex();
 }
@@ -48,7 +52,9 @@ PoseIndex::~PoseIndex() = default;
 PoseIndex::PoseIndex(PoseIndex&&) noexcept = default;
 PoseIndex& PoseIndex::operator=(PoseIndex&&) noexcept = default;
 
-int PoseIndex::size() const { return static_cast<int>(tree_->pairs.size()); }
+int PoseIndex::size() const {
+  return static_cast<int>(tree_->pairs.size());
+}
 
 void PoseIndex::nearest(const Features& query, int count, std::vector<PoseMatch>& matches) const {
   if (!query.allFinite()) throw std::invalid_argument("the query's features are not finite");

@@ -1,6 +1,8 @@
 #define TETLIBRARY  // TetGen's header declares its library interface under this name only
 #include <tetgen.h>
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -6,6 +6,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "core/motion/line_reader.hpp"
+
 namespace abrazo {
 
 namespace {
@@ -83,10 +85,11 @@ Result<JointMap> parse_joint_map(std::string_view text, std::string_view where) 
   try {
     json = Json::parse(text);
   } catch (const Json::parse_error& failure) {
-    const auto line =
-        1 + std::count(text.begin(),
-                       text.begin() + static_cast<std::ptrdiff_t>(std::min(failure.byte, text.size())), '\n');
-    return Error{std::string("is not JSON: ") + failure.what(), file + ":" + std::to_string(line)};
+    const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(failure.byte, text.size()));
+    return error_at(where, 1 + static_cast<int>(std::count(text.begin(), end, '\n')),
+                    std::string("is not JSON: ") + failure.what());
+  } catch (const Json::exception& failure) {  // a number too large for a double
+    return Error{std::string("cannot be read: ") + failure.what(), file};
   }
   if (!json.is_object() || !json.contains("joints") || !json["joints"].is_object())
     return Error{R"(expected {"name": "...", "joints": {"root": "Hips", ...}})", file};

@@ -28,10 +28,8 @@ int PairSelector::select(const SelectionQuery& query, std::vector<Candidate>& ca
     candidate.feature_distance = match.distance;
     candidates.push_back(candidate);
   }
-  // Around the expected successor, so that the partner may go a little slower or faster than recorded.
-  const int first_ahead = std::max(0, query.expected_advance - (query.continuations - 1) / 2);
-  for (int n = 0; query.current_pair >= 0 && n < query.continuations; ++n) {
-    const int pair = library_->later_pair(query.current_pair, first_ahead + n);
+  for (int n = 1; query.current_pair >= 0 && n <= query.continuations; ++n) {
+    const int pair = library_->later_pair(query.current_pair, n * query.expected_advance);
     if (pair < 0 || !is_selectable(pair)) break;
     if (std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& c) { return c.pair == pair; }))
       continue;

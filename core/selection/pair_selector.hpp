@@ -20,7 +20,7 @@ struct SelectionQuery {
   int neighbours = 10;
   int current_pair = -1;  ///< the source of the previous frame; -1 at the start
   int expected_advance = 1;  ///< pairs of the library that one step takes in real time
-  int continuations = 0;  ///< so many successors of the current pair, around the expected one, join the candidates
+  int continuations = 0;  ///< so many successors of the current pair, whole steps ahead, join the candidates
 };
 
 /// Finds the recorded pair that fits the user and the motion so far (paper 3.3.2-3.3.3).

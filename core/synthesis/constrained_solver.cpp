@@ -34,12 +34,40 @@ ConstrainedSolver::ConstrainedSolver()
 bool ConstrainedSolver::set_energy(const VertexMatrix& energy) {
   energy_factor_.compute(energy);
   if (energy_factor_.info() != Eigen::Success) return false;
-  inverse_ = energy_factor_.solve(VertexMatrix::Identity());
+  energy_inverse_ = energy_factor_.solve(VertexMatrix::Identity());
+  relax();
   return inverse_.allFinite();
+}
+
+void ConstrainedSolver::relax() {
+  inverse_ = energy_inverse_;
+}
+
+void ConstrainedSolver::stiffen(int a, int b, double c) {
+  // Sherman-Morrison with e = e_a - e_b.
+  const Eigen::Matrix<double, pair_vertex_count, 1> column = inverse_.col(a) - inverse_.col(b);
+  const double compliance = column(a) - column(b);
+  inverse_.noalias() -= (c / (1.0 + c * compliance)) * column * column.transpose();
+}
+
+double ConstrainedSolver::stiffness(int a, int b) const {
+  return 1.0 / (inverse_(a, a) + inverse_(b, b) - 2.0 * inverse_(a, b));
 }
 
 bool ConstrainedSolver::solve(const PairPose& linear, std::span<const ConstraintRow> rows,
                               std::vector<char>& active, PairPose& positions) {
+  unconstrained_.noalias() = inverse_ * linear;
+  return solve_from_unconstrained(rows, active, positions);
+}
+
+bool ConstrainedSolver::project(const PairPose& from, std::span<const ConstraintRow> rows,
+                                std::vector<char>& active, PairPose& positions) {
+  unconstrained_ = from;
+  return solve_from_unconstrained(rows, active, positions);
+}
+
+bool ConstrainedSolver::solve_from_unconstrained(std::span<const ConstraintRow> rows,
+                                                 std::vector<char>& active, PairPose& positions) {
   if (rows.size() > max_rows)
     throw std::invalid_argument("ConstrainedSolver: more than max_rows constraint rows");
   active.resize(rows.size(), 0);
@@ -49,7 +77,6 @@ bool ConstrainedSolver::solve(const PairPose& linear, std::span<const Constraint
     if (!rows[r].inequality) active[r] = 1;
     any_inequality |= rows[r].inequality;
   }
-  unconstrained_.noalias() = inverse_ * linear;
   for (int pass = 0;; ++pass) {
     if (!solve_active(rows, active, positions)) return false;
     if (!any_inequality || pass == active_set_passes) return true;

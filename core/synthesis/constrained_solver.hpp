@@ -24,6 +24,15 @@ class ConstrainedSolver {
   /// @return false when K is not positive definite; nothing can be solved then
   bool set_energy(const VertexMatrix& energy);
 
+  /// Forgets what stiffen() added.
+  void relax();
+
+  /// Adds c/2 |v_a - v_b - (a's minus b's place in the iterate)|^2 to the energy; the caller adds c times
+  /// that difference to R. A rank-one change of K^-1.
+  void stiffen(int a, int b, double c);
+  /// 1 / |e_a - e_b|^2 in the metric of K^-1: how stiff the energy holds a against b.
+  double stiffness(int a, int b) const;
+
   /// Equalities hold; of the inequalities those that bind do, found by a few active-set passes.
   /// @param linear       R, 50 x 3
   /// @param rows         at most max_rows
@@ -34,21 +43,28 @@ class ConstrainedSolver {
   bool solve(const PairPose& linear, std::span<const ConstraintRow> rows, std::vector<char>& active,
              PairPose& positions);
 
+  /// The nearest point to `from`, in the metric of K, at which the rows hold. @see solve
+  bool project(const PairPose& from, std::span<const ConstraintRow> rows, std::vector<char>& active,
+               PairPose& positions);
+
   /// Multiplier of a row after solve(); 0 for one that does not bind.
   double multiplier(std::size_t row) const { return multipliers_[row]; }
 
  private:
+  bool solve_from_unconstrained(std::span<const ConstraintRow> rows, std::vector<char>& active,
+                                PairPose& positions);
   bool solve_active(std::span<const ConstraintRow> rows, const std::vector<char>& active,
                     PairPose& positions);
   bool factor_dual(int count);
   void solve_dual(int count);
 
-  VertexMatrix inverse_;
+  VertexMatrix energy_inverse_;
+  VertexMatrix inverse_;  ///< energy_inverse_ with what stiffen() added
   Eigen::LLT<VertexMatrix> energy_factor_;
   PairPose unconstrained_;
   std::vector<PairPose> spread_;  ///< per row: K^-1 times its transpose
   std::vector<char> spread_known_;
-  std::vector<int> used_;  ///< rows that bind, in order
+  std::vector<int> used_;        ///< rows that bind, in order
   Eigen::MatrixXd dual_;         ///< S, lower triangle, in the upper left corner
   Eigen::MatrixXd dual_factor_;  ///< its Cholesky factor
   Eigen::VectorXd right_;

@@ -39,15 +39,16 @@ void add_bone_rows(const PairPose& iterate, const PairPose& reference, const Rig
     if (length < 1e-6) {
       along = reference.row(rigid.a) - reference.row(rigid.b);
       length = along.norm();
-      if (length < 1e-6) continue;  // a bone of no length constrains nothing
     }
     ConstraintRow row;
     row.kind = RowKind::Bone;
     row.count = 2;
     row.vertices = {rigid.a, rigid.b, 0, 0};
-    row.coefficients[0] = along / length;
-    row.coefficients[1] = -along / length;
-    row.target = rigid.length_m;
+    if (length >= 1e-6) {  // a bone of no length constrains nothing: an empty row keeps the order
+      row.coefficients[0] = along / length;
+      row.coefficients[1] = -along / length;
+      row.target = rigid.length_m;
+    }
     rows.push_back(row);
   }
 }

@@ -38,7 +38,7 @@ using RigidDistances = std::array<RigidDistance, rigid_distance_count>;
 RigidDistances rigid_distances(const PairPose& pose);
 
 /// Bone rows u . (v_a - v_b) = l with u = (v_a - v_b)/|v_a - v_b| at `iterate`; a vanished bone takes its
-/// direction from `reference`. Lengths are those of `lengths`.
+/// direction from `reference`. Lengths are those of `lengths`. One row for each, in their order.
 void add_bone_rows(const PairPose& iterate, const PairPose& reference, const RigidDistances& lengths,
                    std::vector<ConstraintRow>& rows);
 

@@ -63,13 +63,16 @@ PairEditor::Outcome PairEditor::edit(const EditTask& task, const Settings& setti
 bool PairEditor::morph(const Settings& settings, const FootLocks& locks, Relaxation relaxation) {
   steps_.clear();
   active_rows_.clear();
+  rows_.clear();
   iterate_ = task_.selected;
   for (int step = 1; step <= settings.morph_steps; ++step)
     if (!solve_step(settings, locks, relaxation, static_cast<double>(step) / settings.morph_steps))
       return false;
-  for (int step = 0; step < settings.projection_steps + extra_projection_steps; ++step) {
-    if (step >= settings.projection_steps && bone_length_error(iterate_, task_.wanted) <= bone_goal) break;
+  for (int step = 0; step < settings.projection_steps; ++step)
     if (!solve_step(settings, locks, relaxation, 1.0)) return false;
+  for (int step = 0; step < extra_projection_steps; ++step) {
+    if (bone_length_error(iterate_, task_.wanted) <= bone_goal) break;
+    if (!project_step(settings, locks, relaxation)) return false;
   }
   return is_acceptable();
 }
@@ -81,11 +84,44 @@ bool PairEditor::solve_step(const Settings& settings, const FootLocks& locks, Re
   linear.topRows<joint_count>() +=
       settings.morph_weight * (task_.selected.topRows<joint_count>() +
                                fraction * (task_.target - task_.selected.topRows<joint_count>()));
-
   RigidDistances lengths = task_.wanted;
   for (std::size_t n = 0; n < lengths.size(); ++n)
     lengths[n].length_m =
         recorded_[n].length_m + fraction * (task_.wanted[n].length_m - recorded_[n].length_m);
+  damp_turning_bones(lengths, linear);
+  build_rows(settings, locks, relaxation, lengths);
+  return solver_.solve(linear, rows_, active_rows_, iterate_) && keep_iterate();
+}
+
+bool PairEditor::project_step(const Settings& settings, const FootLocks& locks, Relaxation relaxation) {
+  solver_.relax();
+  build_rows(settings, locks, relaxation, task_.wanted);
+  const PairPose from = iterate_;
+  return solver_.project(from, rows_, active_rows_, iterate_) && keep_iterate();
+}
+
+/// A bone row is linear, so a bone pulled hard towards a far point turns too far: by d/l times the angle it
+/// should, for a target at d. The exact second derivative of the length constraint, |multiplier| / l across
+/// the bone, prevents that; it is added in all directions, about the current iterate, where it matters (the
+/// multipliers are those of the last step).
+void PairEditor::damp_turning_bones(const RigidDistances& lengths, PairPose& linear) {
+  solver_.relax();
+  if (rows_.empty()) return;
+  for (std::size_t n = 0; n < lengths.size(); ++n) {
+    const RigidDistance& rigid = lengths[n];
+    const double tension = -solver_.multiplier(n);
+    if (rigid.length_m < 1e-6 || tension < 0.3 * rigid.length_m * solver_.stiffness(rigid.a, rigid.b))
+      continue;
+    const double c = tension / rigid.length_m;
+    solver_.stiffen(rigid.a, rigid.b, c);
+    const Eigen::RowVector3d apart = iterate_.row(rigid.a) - iterate_.row(rigid.b);
+    linear.row(rigid.a) += c * apart;
+    linear.row(rigid.b) -= c * apart;
+  }
+}
+
+void PairEditor::build_rows(const Settings& settings, const FootLocks& locks, Relaxation relaxation,
+                            const RigidDistances& lengths) {
   rows_.clear();
   add_bone_rows(iterate_, task_.selected, lengths, rows_);
   if (relaxation < Relaxation::Everything) add_floor_rows(task_.selected, task_.floor_m, rows_);
@@ -97,7 +133,9 @@ bool PairEditor::solve_step(const Settings& settings, const FootLocks& locks, Re
   active_rows_.resize(rows_.size(), 0);
   for (std::size_t r = lasting_rows; r < rows_.size(); ++r)
     active_rows_[r] = rows_[r].value(iterate_) < rows_[r].target ? 1 : 0;
-  if (!solver_.solve(linear, rows_, active_rows_, iterate_)) return false;
+}
+
+bool PairEditor::keep_iterate() {
   if ((iterate_ - task_.selected).cwiseAbs().maxCoeff() > farthest_sensible_m) return false;
   steps_.push_back(iterate_);
   return true;

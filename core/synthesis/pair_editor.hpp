@@ -54,6 +54,11 @@ class PairEditor {
  private:
   bool morph(const Settings& settings, const FootLocks& locks, Relaxation relaxation);
   bool solve_step(const Settings& settings, const FootLocks& locks, Relaxation relaxation, double fraction);
+  bool project_step(const Settings& settings, const FootLocks& locks, Relaxation relaxation);
+  void build_rows(const Settings& settings, const FootLocks& locks, Relaxation relaxation,
+                  const RigidDistances& lengths);
+  void damp_turning_bones(const RigidDistances& lengths, PairPose& linear);
+  bool keep_iterate();
   bool is_acceptable() const;
 
   EditTask task_;

@@ -1,6 +1,7 @@
 #include "core/synthesis/partner_synthesizer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <exception>
 
@@ -19,6 +20,8 @@ constexpr double tracking_loss_s = 0.3;
 constexpr double landed_height_m = 0.03;  ///< toe base above its rest height
 constexpr double lowest_foot_m = 0.01;    ///< the floor, for ankles and toes
 constexpr double same_length = 1e-9;
+constexpr double hold_distance_m = 0.13;  ///< hand ends closer than this hold one another
+constexpr double hold_hurry = 4.0;
 
 double microseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
@@ -81,6 +84,7 @@ struct PartnerSynthesizer::State {
   void retarget(const Pose& user);
   bool select(double dt_s);
   void follow_source(double dt_s);
+  std::array<double, joint_count> hurry_of_holds() const;
   EditTask edit_task(double dt_s) const;
   FootLocks::Situations feet(double dt_s) const;
   bool is_recorded_foot_slow(int vertex) const;
@@ -161,11 +165,27 @@ Pose PartnerSynthesizer::State::partner_velocity(int pair) const {
          dt;
 }
 
+/// The partner's arms that hold a hand in the selected pair get there sooner than the body.
+std::array<double, joint_count> PartnerSynthesizer::State::hurry_of_holds() const {
+  std::array<double, joint_count> hurry{};
+  hurry.fill(1.0);
+  for (const int hand : {joints::left_hand, joints::right_hand}) {
+    const auto passive_hand = out.selected_pair.row(hand + joint_count);
+    const bool holds = (out.selected_pair.row(joints::left_hand) - passive_hand).norm() < hold_distance_m ||
+                       (out.selected_pair.row(joints::right_hand) - passive_hand).norm() < hold_distance_m;
+    if (!holds) continue;
+    const auto arm = static_cast<std::size_t>(hand);
+    hurry[arm] = hurry[arm - 1] = hold_hurry;
+    hurry[arm - 2] = 0.5 * hold_hurry;
+  }
+  return hurry;
+}
+
 /// Notices when the selected pair does not continue the previous one, and lets the partner glide over.
 void PartnerSynthesizer::State::follow_source(double dt_s) {
   const int pair = out.candidates[static_cast<std::size_t>(out.selected)].pair;
   out.selected_pair = pair_in_world(*library, pair, out.query_root);
-  transition.fade(dt_s, settings.transition_half_life_s);
+  transition.fade(dt_s, settings.transition_half_life_s, hurry_of_holds());
   out.source_changed = false;
   if (current_pair >= 0) {
     const int advance = expected_advance(library->take_of(current_pair), dt_s);

@@ -138,9 +138,10 @@ Result<Settings> preset(std::string_view name) {
   }
   if (name == "responsive") {
     settings.step_rate_hz = 0;
-    settings.velocity_weight = 0.02;
+    settings.alpha = 0.1;
+    settings.velocity_weight = 0.05;
     settings.continuations = 3;
-    settings.transition_half_life_s = 0.1;
+    settings.transition_half_life_s = 0.05;
     settings.foot_lock_speed = 0.3;
     return settings;
   }

@@ -8,15 +8,17 @@ void Transition::reset() {
   *this = Transition();
 }
 
-void Transition::fade(double elapsed_s, double half_life_s) {
+void Transition::fade(double elapsed_s, double half_life_s, const std::array<double, joint_count>& hurry) {
   if (half_life_s <= 0) return reset();
-  // x(t) = (x0 + (v0 + y x0) t) exp(-y t), with y such that a spring at rest has lost half after about the
-  // half-life.
-  const double y = 2.0 * std::log(2.0) / half_life_s;
-  const double shrink = std::exp(-y * elapsed_s);
-  const Pose slope = velocity_ + y * offset_;
-  offset_ = shrink * (offset_ + elapsed_s * slope);
-  velocity_ = shrink * (velocity_ - y * elapsed_s * slope);
+  for (int joint = 0; joint < joint_count; ++joint) {
+    // x(t) = (x0 + (v0 + y x0) t) exp(-y t), with y such that a spring at rest has lost half after about the
+    // half-life.
+    const double y = 2.0 * std::log(2.0) * hurry[static_cast<std::size_t>(joint)] / half_life_s;
+    const double shrink = std::exp(-y * elapsed_s);
+    const Eigen::RowVector3d slope = velocity_.row(joint) + y * offset_.row(joint);
+    offset_.row(joint) = shrink * (offset_.row(joint) + elapsed_s * slope);
+    velocity_.row(joint) = shrink * (velocity_.row(joint) - y * elapsed_s * slope);
+  }
 }
 
 void Transition::jump(const Pose& continued, const Pose& continued_velocity, const Pose& chosen,

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "core/base/positions.hpp"
 
 namespace abrazo {
@@ -10,7 +12,9 @@ namespace abrazo {
 class Transition {
  public:
   void reset();
-  void fade(double elapsed_s, double half_life_s);
+  /// @param hurry  per joint: fades so many times faster; where hands hold one another the hold comes before
+  /// the glide
+  void fade(double elapsed_s, double half_life_s, const std::array<double, joint_count>& hurry);
   /// The reference would have gone on at `continued` with `continued_velocity` [m/s] but is now `chosen`.
   void jump(const Pose& continued, const Pose& continued_velocity, const Pose& chosen,
             const Pose& chosen_velocity);

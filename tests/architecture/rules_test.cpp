@@ -34,6 +34,18 @@ TEST(SourceFile, FindsIncludesHoweverTheyAreSpaced) {
   EXPECT_EQ(found[1].line, 2);
 }
 
+TEST(SourceFile, FindsTheLinksOfADocument) {
+  const std::string text =
+      "[a](b.md#part) and [c](../d.md)\n```\n[](not_a_link)\n```\n![e](images/f.png) "
+      "[g](https://example.org) [h](#part)\n";
+  const std::vector<DocumentLink> found = links_of(source_file("docs/guide/index.md", text));
+  ASSERT_THAT(found, SizeIs(3));
+  EXPECT_EQ(found[0].target, "docs/guide/b.md");
+  EXPECT_EQ(found[1].target, "docs/d.md");
+  EXPECT_EQ(found[2].target, "docs/guide/images/f.png");
+  EXPECT_EQ(found[2].line, 5);
+}
+
 TEST(ArchitectureRules, CatchQtAndVtkInCore) {
   EXPECT_THAT(core_names_no_toolkit(one("core/mesh/a.cpp", "\n#include <QString>\n")),
               ElementsAre(StartsWith("core/mesh/a.cpp:2: ")));

@@ -49,6 +49,25 @@ std::vector<Include> includes_of(const SourceFile& file) {
   return includes;
 }
 
+std::vector<DocumentLink> links_of(const SourceFile& document) {
+  static const std::regex link(R"re(\]\(([^)#\s]+)(#[^)]*)?\))re");
+  const fs::path folder = fs::path(document.path).parent_path();
+  std::vector<DocumentLink> links;
+  bool in_code = false;
+  int number = 0;
+  for (const std::string& line : document.lines) {
+    ++number;
+    if (line.starts_with("```")) in_code = !in_code;
+    if (in_code) continue;
+    for (std::sregex_iterator match(line.begin(), line.end(), link), end; match != end; ++match) {
+      const std::string target = (*match)[1];
+      if (target.find("://") != std::string::npos) continue;
+      links.push_back({(folder / target).lexically_normal().generic_string(), number});
+    }
+  }
+  return links;
+}
+
 std::vector<SourceFile> read_source_tree(const fs::path& root) {
   std::vector<SourceFile> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(root)) {

@@ -23,9 +23,18 @@ struct Include {
   int line = 0;      ///< 1-based
 };
 
+/// One link of a document to another file of the repository.
+struct DocumentLink {
+  std::string target;  ///< from the repository's root, without an anchor
+  int line = 0;        ///< 1-based
+};
+
 SourceFile source_file(std::string path, std::string_view text);
 
 std::vector<Include> includes_of(const SourceFile& file);
+
+/// Relative links and pictures of a Markdown file; code blocks and addresses of the web are left out.
+std::vector<DocumentLink> links_of(const SourceFile& document);
 
 /// Every text file of the fixed folders and of the root, sorted by path. Pictures and other binary files are
 /// left out.

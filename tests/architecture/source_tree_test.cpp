@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
 #include <string>
 
 #include "tests/architecture/rules.hpp"
@@ -74,6 +75,18 @@ TEST(Architecture, NoFileNamesAPathOfOneMachine) {
 
 TEST(Architecture, TheOverviewStaysShort) {
   EXPECT_TRUE(holds(at_most_lines(tree(), "docs/architecture.md", 150)));
+}
+
+TEST(Architecture, LinksOfDocumentsLeadSomewhere) {
+  Violations dead;
+  for (const SourceFile& file : tree()) {
+    if (!file.path.ends_with(".md")) continue;
+    for (const DocumentLink& link : links_of(file)) {
+      if (std::filesystem::exists(std::filesystem::path(ABRAZO_SOURCE_DIR) / link.target)) continue;
+      dead.push_back(file.path + ":" + std::to_string(link.line) + ": there is no " + link.target);
+    }
+  }
+  EXPECT_TRUE(holds(dead));
 }
 
 }  // namespace

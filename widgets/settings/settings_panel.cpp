@@ -5,6 +5,7 @@
 #include <QScrollArea>
 #include <QToolButton>
 #include <QUndoStack>
+#include <QVariant>
 #include <QVBoxLayout>
 
 #include "widgets/common/section_header.hpp"

@@ -15,10 +15,12 @@ Error refusal(std::string_view csv) {
 }
 
 TEST(LabelFile, ReadsTheRowsOfOneTake) {
-  const auto labels = parse_labels("take,start_frame,end_frame,label,detail,confidence\n"
-                                   "t1,0,10,turn,follower right,high\n"
-                                   "t2,0,99,walk,,\n"
-                                   "t1,10,12,walk,,low\n", "t1", "moves.csv");
+  const auto labels = parse_labels(
+      "take,start_frame,end_frame,label,detail,confidence\n"
+      "t1,0,10,turn,follower right,high\n"
+      "t2,0,99,walk,,\n"
+      "t1,10,12,walk,,low\n",
+      "t1", "moves.csv");
   ASSERT_TRUE(labels.ok()) << labels.error().text();
   ASSERT_EQ(labels->size(), 2U);
   EXPECT_EQ((*labels)[0].start, 0);
@@ -62,20 +64,25 @@ TEST(LabelFile, RefusesARowThatIsTooShort) {
 }
 
 TEST(LabelFile, RefusesWhatIsNotAFrameNumber) {
-  EXPECT_THAT(refusal("t1,0,1,x\nt1,three,4,turn\n").text(), HasSubstr("moves.csv:2: expected start_frame as a frame number from 0 on, found \"three\""));
+  EXPECT_THAT(refusal("t1,0,1,x\nt1,three,4,turn\n").text(),
+              HasSubstr("moves.csv:2: expected start_frame as a frame number from 0 on, found \"three\""));
   EXPECT_THAT(refusal("t1,3,4.5,turn\n").text(), HasSubstr("expected end_frame"));
   EXPECT_THAT(refusal("t1,-3,4,turn\n").text(), HasSubstr("found \"-3\""));
 }
 
 TEST(LabelFile, RefusesEmptyAndReversedIntervals) {
-  EXPECT_THAT(refusal("t1,4,4,turn\n").text(), HasSubstr("moves.csv:1: the label ends at frame 4, which is not after its start 4"));
+  EXPECT_THAT(refusal("t1,4,4,turn\n").text(),
+              HasSubstr("moves.csv:1: the label ends at frame 4, which is not after its start 4"));
   EXPECT_THAT(refusal("t1,9,4,turn\n").text(), HasSubstr("ends at frame 4"));
 }
 
-TEST(LabelFile, RefusesAnEmptyLabel) { EXPECT_THAT(refusal("t1,3,4,,detail\n").text(), HasSubstr("the label is empty")); }
+TEST(LabelFile, RefusesAnEmptyLabel) {
+  EXPECT_THAT(refusal("t1,3,4,,detail\n").text(), HasSubstr("the label is empty"));
+}
 
 TEST(LabelFile, RefusesOverlapsAndNamesBothLines) {
-  EXPECT_THAT(refusal("t1,10,20,turn\nt1,0,11,walk\n").text(), HasSubstr("moves.csv:1: frames 10-20 overlap those of line 2 (until 11)"));
+  EXPECT_THAT(refusal("t1,10,20,turn\nt1,0,11,walk\n").text(),
+              HasSubstr("moves.csv:1: frames 10-20 overlap those of line 2 (until 11)"));
 }
 
 }  // namespace

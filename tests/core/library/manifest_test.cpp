@@ -14,7 +14,9 @@ const std::string whole_take = R"({"name": "t1", "fps": 60, "metres_per_unit": 0
   "a": {"motion": "60_01.amc", "skeleton": "60.asf"}, "b": {"motion": "sub/61_01.amc", "skeleton": "/abs/61.asf"},
   "roles": "a", "labels": "moves.csv"})";
 
-std::string manifest_of(const std::string& takes) { return R"({"name": "dance", "takes": [)" + takes + "]}"; }
+std::string manifest_of(const std::string& takes) {
+  return R"({"name": "dance", "takes": [)" + takes + "]}";
+}
 
 /// A take with one key replaced or added.
 std::string take_with(const std::string& entry) {
@@ -68,7 +70,9 @@ TEST(Manifest, UnknownOrAbsentRolesAreNoIntervals) {
 
 TEST(Manifest, ReadsRoleIntervals) {
   const auto manifest = parse_manifest(
-      manifest_of(take_with(R"("roles": [{"start": 0, "end": 120, "active": "a"}, {"start": 120, "end": 200, "active": "unknown"}])")), "m.json");
+      manifest_of(take_with(
+          R"("roles": [{"start": 0, "end": 120, "active": "a"}, {"start": 120, "end": 200, "active": "unknown"}])")),
+      "m.json");
   ASSERT_TRUE(manifest.ok()) << manifest.error().text();
   ASSERT_EQ(manifest->takes[0].roles.size(), 2U);
   EXPECT_EQ(manifest->takes[0].roles[0].end, 120);
@@ -115,22 +119,33 @@ INSTANTIATE_TEST_SUITE_P(
         BrokenManifest{"NoTakes", "{}", "data/manifest.json", "\"takes\" is missing"},
         BrokenManifest{"EmptyTakes", manifest_of(""), "data/manifest.json: takes", "is empty"},
         BrokenManifest{"TakesAsObject", R"({"takes": {}})", "data/manifest.json: takes", "expected a list"},
-        BrokenManifest{"NoTakeName", manifest_of(R"({"a": {}})"), "data/manifest.json: takes[0]", "\"name\" is missing"},
-        BrokenManifest{"NoMotion", manifest_of(whole_take + R"(, {"name": "t2", "a": {"motion": "x"}, "b": {}})"),
+        BrokenManifest{"NoTakeName", manifest_of(R"({"a": {}})"), "data/manifest.json: takes[0]",
+                       "\"name\" is missing"},
+        BrokenManifest{"NoMotion",
+                       manifest_of(whole_take + R"(, {"name": "t2", "a": {"motion": "x"}, "b": {}})"),
                        "data/manifest.json: takes[1].b", "\"motion\" is missing"},
-        BrokenManifest{"MotionAsNumber", manifest_of(R"({"name": "t", "a": {"motion": "x"}, "b": {"motion": 3}})"),
+        BrokenManifest{"MotionAsNumber",
+                       manifest_of(R"({"name": "t", "a": {"motion": "x"}, "b": {"motion": 3}})"),
                        "data/manifest.json: takes[0].b.motion", "expected a text in quotes, found number"},
-        BrokenManifest{"DuplicateName", manifest_of(whole_take + "," + whole_take), "data/manifest.json: takes[1]", "\"t1\" is already taken"},
-        BrokenManifest{"ZeroFps", manifest_of(take_with(R"("fps": 0)")), "data/manifest.json: takes[0].fps", "above 0, found 0"},
-        BrokenManifest{"FpsAsText", manifest_of(take_with(R"("fps": "60")")), "data/manifest.json: takes[0].fps", "expected a number"},
-        BrokenManifest{"UnknownRole", manifest_of(take_with(R"("roles": "leader")")), "data/manifest.json: takes[0].roles", "found \"leader\""},
-        BrokenManifest{"NegativeRoleFrame", manifest_of(take_with(R"("roles": [{"start": -1, "end": 3, "active": "a"}])")),
+        BrokenManifest{"DuplicateName", manifest_of(whole_take + "," + whole_take),
+                       "data/manifest.json: takes[1]", "\"t1\" is already taken"},
+        BrokenManifest{"ZeroFps", manifest_of(take_with(R"("fps": 0)")), "data/manifest.json: takes[0].fps",
+                       "above 0, found 0"},
+        BrokenManifest{"FpsAsText", manifest_of(take_with(R"("fps": "60")")),
+                       "data/manifest.json: takes[0].fps", "expected a number"},
+        BrokenManifest{"UnknownRole", manifest_of(take_with(R"("roles": "leader")")),
+                       "data/manifest.json: takes[0].roles", "found \"leader\""},
+        BrokenManifest{"NegativeRoleFrame",
+                       manifest_of(take_with(R"("roles": [{"start": -1, "end": 3, "active": "a"}])")),
                        "data/manifest.json: takes[0].roles[0].start", "found -1"},
-        BrokenManifest{"EmptyRole", manifest_of(take_with(R"("roles": [{"start": 3, "end": 3, "active": "a"}])")),
+        BrokenManifest{"EmptyRole",
+                       manifest_of(take_with(R"("roles": [{"start": 3, "end": 3, "active": "a"}])")),
                        "data/manifest.json: takes[0].roles[0]", "not after its start"},
-        BrokenManifest{"OverlappingRoles",
-                       manifest_of(take_with(R"("roles": [{"start": 0, "end": 9, "active": "a"}, {"start": 8, "end": 12, "active": "b"}])")),
-                       "data/manifest.json: takes[0].roles[1]", "before the one above it ends (9)"}),
+        BrokenManifest{
+            "OverlappingRoles",
+            manifest_of(take_with(
+                R"("roles": [{"start": 0, "end": 9, "active": "a"}, {"start": 8, "end": 12, "active": "b"}])")),
+            "data/manifest.json: takes[0].roles[1]", "before the one above it ends (9)"}),
     [](const auto& test) { return test.param.what; });
 
 TEST(Manifest, SaysWhichFileCannotBeOpened) {

@@ -50,7 +50,8 @@ TEST(MotionLibraryBuilder, DoublesFramesWhoseActivePerformerIsUnknown) {
 }
 
 TEST(MotionLibraryBuilder, SwapsFramesInWhichPerformerBIsActive) {
-  const PairedTake take = with_roles(circling_take("t", 20), {{0, 5, ActivePerformer::A}, {5, 15, ActivePerformer::B}});
+  const PairedTake take =
+      with_roles(circling_take("t", 20), {{0, 5, ActivePerformer::A}, {5, 15, ActivePerformer::B}});
   const MotionLibrary library = built({take});
   EXPECT_EQ(library.pair_count(), 5 + 10 + 2 * 5);
   EXPECT_LT(library.find_pair("t", 7, false), 0);
@@ -68,7 +69,8 @@ TEST(MotionLibraryBuilder, RowsAreTheNormalizedPairItsFeaturesAndItsMesh) {
   for (int pair = 0; pair < library.pair_count(); ++pair) {
     const RootFrame root = root_frame(take.a.poses[static_cast<std::size_t>(pair)]);
     PairPose pose;
-    pose << to_normalized(take.a.poses[static_cast<std::size_t>(pair)], root), to_normalized(take.b.poses[static_cast<std::size_t>(pair)], root);
+    pose << to_normalized(take.a.poses[static_cast<std::size_t>(pair)], root),
+        to_normalized(take.b.poses[static_cast<std::size_t>(pair)], root);
     EXPECT_EQ(library.pose(pair), pose);
     EXPECT_EQ(library.features(pair), pose_features(pose.topRows<joint_count>()));
     const InteractionMesh mesh = tetrahedralize(pose);
@@ -92,7 +94,8 @@ TEST(MotionLibraryBuilder, TakesTheHeadingOfTheFrameBeforeWhenHipsSayNothing) {
 TEST(MotionLibraryBuilder, ThinsByWholeStrides) {
   LibraryBuildOptions options;
   options.rate_hz = 17;
-  const MotionLibrary library = built({with_roles(circling_take("t", 20), {{0, 20, ActivePerformer::A}})}, options);
+  const MotionLibrary library =
+      built({with_roles(circling_take("t", 20), {{0, 20, ActivePerformer::A}})}, options);
   EXPECT_EQ(library.takes()[0].frame_stride, 4);
   EXPECT_EQ(library.rate_hz(), 15);
   ASSERT_EQ(library.pair_count(), 5);
@@ -115,13 +118,16 @@ TEST(MotionLibraryBuilder, PerformersWithTheSameBonesAreOneBody) {
 }
 
 TEST(MotionLibraryBuilder, GivesTheSameLibraryEveryTime) {
-  const auto takes = [] { return std::vector<PairedTake>{circling_take("t1", 150), circling_take("t2", 150, 0.5, 2)}; };
+  const auto takes = [] {
+    return std::vector<PairedTake>{circling_take("t1", 150), circling_take("t2", 150, 0.5, 2)};
+  };
   const MotionLibrary first = built(takes());
   const MotionLibrary second = built(takes());
   EXPECT_EQ(first.columns().edges, second.columns().edges);
   EXPECT_EQ(first.columns().tetrahedron_offsets, second.columns().tetrahedron_offsets);
   EXPECT_EQ(first.columns().tetrahedra, second.columns().tetrahedra);
-  EXPECT_TRUE(std::equal(first.columns().poses.begin(), first.columns().poses.end(), second.columns().poses.begin()));
+  EXPECT_TRUE(
+      std::equal(first.columns().poses.begin(), first.columns().poses.end(), second.columns().poses.begin()));
   EXPECT_EQ(first.bodies()[0].capsule_radii, second.bodies()[0].capsule_radii);
 }
 
@@ -136,7 +142,8 @@ TEST(MotionLibraryBuilder, LeavesOutExcludedTakes) {
 TEST(MotionLibraryBuilder, RefusesToExcludeATakeThatIsNotThere) {
   LibraryBuildOptions options;
   options.excluded_takes = {"t3"};
-  EXPECT_THAT(refusal({circling_take("t1", 5), circling_take("t2", 5)}, options).message, HasSubstr("no take \"t3\" to exclude; there are t1, t2"));
+  EXPECT_THAT(refusal({circling_take("t1", 5), circling_take("t2", 5)}, options).message,
+              HasSubstr("no take \"t3\" to exclude; there are t1, t2"));
   options.excluded_takes = {"t1"};
   EXPECT_THAT(refusal({circling_take("t1", 5)}, options).message, HasSubstr("no take is left"));
 }
@@ -144,7 +151,8 @@ TEST(MotionLibraryBuilder, RefusesToExcludeATakeThatIsNotThere) {
 TEST(MotionLibraryBuilder, SaysWhichJointOfWhichFrameIsNotANumber) {
   PairedTake take = circling_take("t", 5);
   take.b.poses[3](joints::Head, 1) = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THAT(refusal({take}).text(), HasSubstr("take t/b: the position of head at frame 3 is not a finite number"));
+  EXPECT_THAT(refusal({take}).text(),
+              HasSubstr("take t/b: the position of head at frame 3 is not a finite number"));
 }
 
 TEST(MotionLibraryBuilder, RefusesTakesThatAreTooShortOrUneven) {
@@ -155,22 +163,28 @@ TEST(MotionLibraryBuilder, RefusesTakesThatAreTooShortOrUneven) {
 }
 
 TEST(MotionLibraryBuilder, RefusesTwoTakesOfOneName) {
-  EXPECT_THAT(refusal({circling_take("t", 5), circling_take("t", 5)}).text(), HasSubstr("take t: two takes have this name"));
+  EXPECT_THAT(refusal({circling_take("t", 5), circling_take("t", 5)}).text(),
+              HasSubstr("take t: two takes have this name"));
 }
 
 TEST(MotionLibraryBuilder, RefusesAnImpossibleRateAndDisorderedIntervals) {
   LibraryBuildOptions options;
   options.rate_hz = -1;
-  EXPECT_THAT(refusal({circling_take("t", 5)}, options).message, HasSubstr("a rate of -1 Hz is not possible"));
-  EXPECT_THAT(refusal({with_roles(circling_take("t", 5), {{0, 3, ActivePerformer::A}, {2, 4, ActivePerformer::B}})}).message, HasSubstr("role 1 [2, 4)"));
+  EXPECT_THAT(refusal({circling_take("t", 5)}, options).message,
+              HasSubstr("a rate of -1 Hz is not possible"));
+  EXPECT_THAT(
+      refusal({with_roles(circling_take("t", 5), {{0, 3, ActivePerformer::A}, {2, 4, ActivePerformer::B}})})
+          .message,
+      HasSubstr("role 1 [2, 4)"));
 }
 
 TEST(MotionLibraryBuilder, ReportsItsProgressInOrderAndToTheEnd) {
   std::vector<double> fractions;
-  const auto library = build_library("test", {circling_take("t", 200)}, {}, [&](double fraction, std::string_view) {
-    fractions.push_back(fraction);
-    return true;
-  });
+  const auto library =
+      build_library("test", {circling_take("t", 200)}, {}, [&](double fraction, std::string_view) {
+        fractions.push_back(fraction);
+        return true;
+      });
   ASSERT_TRUE(library.ok());
   EXPECT_TRUE(std::is_sorted(fractions.begin(), fractions.end()));
   EXPECT_EQ(fractions.back(), 1.0);
@@ -178,7 +192,8 @@ TEST(MotionLibraryBuilder, ReportsItsProgressInOrderAndToTheEnd) {
 
 TEST(MotionLibraryBuilder, StopsWhenAsked) {
   for (const double at : {0.0, 0.3, 1.0}) {
-    const auto library = build_library("test", {circling_take("t", 400)}, {}, [&](double fraction, std::string_view) { return fraction < at; });
+    const auto library = build_library("test", {circling_take("t", 400)}, {},
+                                       [&](double fraction, std::string_view) { return fraction < at; });
     ASSERT_FALSE(library.ok());
     EXPECT_EQ(library.error().message, "cancelled");
   }

@@ -12,7 +12,8 @@ namespace {
 
 using test::circling_take;
 
-/// Frames 0-9 active A, 10-19 active B, 20-29 active A again, thinned to every second frame; and a doubled second take.
+/// Frames 0-9 active A, 10-19 active B, 20-29 active A again, thinned to every second frame; and a doubled
+/// second take.
 MotionLibrary switching_library() {
   PairedTake first = circling_take("first", 30);
   first.roles = {{0, 10, ActivePerformer::A}, {10, 20, ActivePerformer::B}, {20, 30, ActivePerformer::A}};
@@ -27,7 +28,8 @@ TEST(MotionLibrary, FindsThePairOfAFrame) {
   const MotionLibrary library = switching_library();
   for (int pair = 0; pair < library.pair_count(); ++pair) {
     const PairSource& source = library.source(pair);
-    EXPECT_EQ(library.find_pair(library.take_of(pair).name, static_cast<int>(source.frame), source.swapped), pair);
+    EXPECT_EQ(library.find_pair(library.take_of(pair).name, static_cast<int>(source.frame), source.swapped),
+              pair);
   }
   EXPECT_EQ(library.find_pair("first", 3, false), -1) << "thinned away";
   EXPECT_EQ(library.find_pair("first", 12, false), -1) << "B is active";

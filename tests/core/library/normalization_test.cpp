@@ -15,7 +15,9 @@ namespace {
 constexpr double pi = std::numbers::pi;
 constexpr double rounding = 1e-12;  // a few operations on metres
 
-double angle_between(double a, double b) { return std::abs(std::remainder(a - b, 2 * pi)); }
+double angle_between(double a, double b) {
+  return std::abs(std::remainder(a - b, 2 * pi));
+}
 
 /// Both joints of an axis at the same place seen from above, one over the other.
 void flatten_axis(Pose& pose, int left, int right) {
@@ -39,18 +41,22 @@ TEST(Normalization, HeadingIsPositiveToTheBodysLeft) {
 
 TEST(Normalization, HeadingFollowsATurnOfTheWholeBody) {
   for (double yaw = -3.1; yaw < 3.2; yaw += 0.1)
-    EXPECT_LT(angle_between(root_frame(test::moved(test::standing_pose(), yaw, Vec3(1, 0, -2))).heading_rad, yaw), rounding);
+    EXPECT_LT(
+        angle_between(root_frame(test::moved(test::standing_pose(), yaw, Vec3(1, 0, -2))).heading_rad, yaw),
+        rounding);
 }
 
 TEST(Normalization, HeadingDoesNotChangeWhenTheBodyIsMoved) {
   std::mt19937 random(3);
   const Pose pose = test::shaken(test::standing_pose(), 0.03, random);
-  EXPECT_NEAR(root_frame(pose).heading_rad, root_frame(test::moved(pose, 0, Vec3(5, 1, -7))).heading_rad, 1e-10);
+  EXPECT_NEAR(root_frame(pose).heading_rad, root_frame(test::moved(pose, 0, Vec3(5, 1, -7))).heading_rad,
+              1e-10);
 }
 
 TEST(Normalization, HipsCountForSixTenthsAndShouldersForFour) {
   Pose pose = test::standing_pose();
-  // Shoulders a quarter turn to the left of the hips: 0.6 (1, 0) + 0.4 (0, -1) in (x, z), whose heading is atan(0.4 / 0.6).
+  // Shoulders a quarter turn to the left of the hips: 0.6 (1, 0) + 0.4 (0, -1) in (x, z), whose heading is
+  // atan(0.4 / 0.6).
   const Vec3 middle = 0.5 * (pose.row(joints::left_shoulder) + pose.row(joints::right_shoulder)).transpose();
   pose.row(joints::left_shoulder) = (middle + Vec3(0, 0, -0.3)).transpose();
   pose.row(joints::right_shoulder) = (middle + Vec3(0, 0, 0.3)).transpose();
@@ -90,7 +96,10 @@ TEST(Normalization, IsTheSameWhereverThePairStandsAndFaces) {
   const Vec3 offset(2, 0, -5);
   const RootFrame here = root_frame(active);
   const RootFrame there = root_frame(test::moved(active, 1.9, offset));
-  EXPECT_LT((to_normalized(passive, here) - to_normalized(test::moved(passive, 1.9, offset), there)).cwiseAbs().maxCoeff(), rounding);
+  EXPECT_LT((to_normalized(passive, here) - to_normalized(test::moved(passive, 1.9, offset), there))
+                .cwiseAbs()
+                .maxCoeff(),
+            rounding);
 }
 
 TEST(Normalization, ComputesTransposedRotationTimesOffsetForEachJoint) {
@@ -117,9 +126,11 @@ TEST(Normalization, ToWorldTakesItBack) {
 TEST(Normalization, FeaturesAreHeadRightHandLeftHandRightFootLeftFoot) {
   const Pose pose = test::standing_pose();
   const Features features = pose_features(pose);
-  const std::array<int, 5> order = {joints::Head, joints::RightHand, joints::LeftHand, joints::RightFoot, joints::LeftFoot};
+  const std::array<int, 5> order = {joints::Head, joints::RightHand, joints::LeftHand, joints::RightFoot,
+                                    joints::LeftFoot};
   for (int f = 0; f < 5; ++f)
-    for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(features(3 * f + axis), pose(order[static_cast<std::size_t>(f)], axis));
+    for (int axis = 0; axis < 3; ++axis)
+      EXPECT_EQ(features(3 * f + axis), pose(order[static_cast<std::size_t>(f)], axis));
 }
 
 }  // namespace

@@ -18,7 +18,8 @@ TEST(PairedTake, FramesThatNoRoleCoversAreUnknown) {
   PairedTake take;
   EXPECT_EQ(active_at(take, 0), ActivePerformer::Unknown);
   take.roles = {{10, 20, ActivePerformer::A}, {25, 30, ActivePerformer::B}};
-  for (const int frame : {0, 9, 20, 24, 30, 1000}) EXPECT_EQ(active_at(take, frame), ActivePerformer::Unknown) << frame;
+  for (const int frame : {0, 9, 20, 24, 30, 1000})
+    EXPECT_EQ(active_at(take, frame), ActivePerformer::Unknown) << frame;
 }
 
 TEST(PairedTake, LabelsHoldFromStartUntilJustBeforeEnd) {

@@ -27,7 +27,8 @@ std::vector<int> numbers_to(int count) {
   return numbers;
 }
 
-std::vector<double> brute_force(const std::vector<Features>& all, const std::vector<int>& pairs, const Features& query, std::size_t count) {
+std::vector<double> brute_force(const std::vector<Features>& all, const std::vector<int>& pairs,
+                                const Features& query, std::size_t count) {
   std::vector<double> distances;
   for (const int pair : pairs) distances.push_back((all[static_cast<std::size_t>(pair)] - query).norm());
   std::sort(distances.begin(), distances.end());
@@ -48,7 +49,8 @@ TEST(PoseIndex, FindsWhatBruteForceFinds) {
   std::vector<PoseMatch> matches;
   for (const Features& query : random_features(1000, 2)) {
     index.nearest(query, 10, matches);
-    // Distances, not pairs: which of two equally near ones is taken is not promised. Same sum, so the same bits.
+    // Distances, not pairs: which of two equally near ones is taken is not promised. Same sum, so the same
+    // bits.
     ASSERT_EQ(distances_of(matches), brute_force(all, pairs, query, 10));
   }
 }
@@ -59,7 +61,8 @@ TEST(PoseIndex, DistancesBelongToTheirPairs) {
   const Features query = random_features(1, 4).front();
   std::vector<PoseMatch> matches;
   index.nearest(query, 50, matches);
-  for (const PoseMatch& match : matches) EXPECT_EQ(match.distance, (all[static_cast<std::size_t>(match.pair)] - query).norm());
+  for (const PoseMatch& match : matches)
+    EXPECT_EQ(match.distance, (all[static_cast<std::size_t>(match.pair)] - query).norm());
 }
 
 TEST(PoseIndex, FindsOnlyThePairsItWasGiven) {

@@ -10,6 +10,12 @@ namespace abrazo::test {
 
 PairedTake circling_take(const std::string& name, int frames, double distance_m, unsigned seed) {
   std::mt19937 random(seed);
+  std::normal_distribution<double> turn_rad(0, 0.05), step_m(0, 0.01);
+  // Turned and moved as a whole: bones keep their lengths.
+  const auto disturbed = [&](const Pose& person, double yaw, const Vec3& offset) {
+    return moved(person, yaw + turn_rad(random),
+                 offset + Vec3(step_m(random), step_m(random), step_m(random)));
+  };
   PairedTake take;
   take.name = name;
   take.a.name = name + "/a";
@@ -20,8 +26,8 @@ PairedTake circling_take(const std::string& name, int frames, double distance_m,
   for (int frame = 0; frame < frames; ++frame) {
     const double angle = 0.03 * frame;
     const Vec3 half = 0.5 * distance_m * Vec3(std::sin(angle), 0, std::cos(angle));
-    take.a.poses.push_back(shaken(moved(person_a, angle, -half), 0.002, random));
-    take.b.poses.push_back(shaken(moved(person_b, angle + std::numbers::pi, half), 0.002, random));
+    take.a.poses.push_back(disturbed(person_a, angle, -half));
+    take.b.poses.push_back(disturbed(person_b, angle + std::numbers::pi, half));
   }
   return take;
 }

@@ -65,7 +65,8 @@ TEST(Capsules, SwappingTheSegmentsTurnsTheNormal) {
 TEST(Capsules, ParallelSegmentsHaveTheDistanceOfTheirLines) {
   EXPECT_NEAR(closest_points({0, 0, 0}, {1, 0, 0}, {0.2, 0.3, 0}, {0.8, 0.3, 0}).distance, 0.3, 1e-12);
   EXPECT_NEAR(closest_points({0, 0, 0}, {1, 0, 0}, {0.8, 0.3, 0}, {0.2, 0.3, 0}).distance, 0.3, 1e-12);
-  EXPECT_NEAR(closest_points({0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}).distance, 1.0, 1e-12) << "one behind the other";
+  EXPECT_NEAR(closest_points({0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {3, 0, 0}).distance, 1.0, 1e-12)
+      << "one behind the other";
 }
 
 TEST(Capsules, ABoneWithoutLengthIsAPoint) {
@@ -83,7 +84,8 @@ TEST(Capsules, MeetingSegmentsHaveNoNormal) {
 TEST(Capsules, RadiiAreTheSameOnBothSides) {
   for (int b = 0; b < bone_count; ++b)
     EXPECT_EQ(generic_capsule_radii()[static_cast<std::size_t>(b)],
-              generic_capsule_radii()[static_cast<std::size_t>(mirrored_joint(b + 1) - 1)]) << joint_names[static_cast<std::size_t>(b + 1)];
+              generic_capsule_radii()[static_cast<std::size_t>(mirrored_joint(b + 1) - 1)])
+        << joint_names[static_cast<std::size_t>(b + 1)];
 }
 
 TEST(Capsules, HandsAndForearmsAreFourBones) {

@@ -1,0 +1,67 @@
+#include <QAbstractItemView>
+#include <QAction>
+#include <QCompleter>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QStringListModel>
+
+#include "app/workbench/actions/actions.hpp"
+#include "app/workbench/main_window.hpp"
+#include "widgets/common/theme.hpp"
+
+namespace abrazo::app {
+namespace {
+
+QAction* find_action(MainWindow& window, const QString& text) {
+  for (QAction* action : window.actions())
+    if (action->text() == text && action->isEnabled()) return action;
+  return nullptr;
+}
+
+}  // namespace
+
+void add_command_search(MainWindow& window) {
+  auto* name = new QLabel("  Abrazo  ", &window);
+  name->setFont(widgets::interface_font(13, QFont::Bold));
+  window.menuBar()->setCornerWidget(name, Qt::TopLeftCorner);
+
+  auto* field = new QLineEdit(&window);
+  field->setPlaceholderText("Search commands  Ctrl+P");
+  field->setFixedWidth(252);
+  field->setFocusPolicy(Qt::ClickFocus);
+  QStringList names;
+  for (const QAction* action : window.actions()) names << action->text();
+  auto* completer = new QCompleter(names, field);
+  completer->setFilterMode(Qt::MatchContains);
+  completer->setCaseSensitivity(Qt::CaseInsensitive);
+  completer->setMaxVisibleItems(12);
+  field->setCompleter(completer);
+  window.menuBar()->setCornerWidget(field, Qt::TopRightCorner);
+
+  const auto run = [&window, field, completer](QString text) {
+    if (!find_action(window, text) && completer->completionCount() > 0) text = completer->currentCompletion();
+    QAction* action = find_action(window, text);
+    if (!action) return;
+    // After the completer has put the text in.
+    QMetaObject::invokeMethod(
+        field,
+        [field, action] {
+          field->clear();
+          field->clearFocus();
+          action->trigger();
+        },
+        Qt::QueuedConnection);
+  };
+  QObject::connect(completer, qOverload<const QString&>(&QCompleter::activated), field, run);
+  QObject::connect(field, &QLineEdit::returnPressed, field, [field, run] {
+    if (!field->text().isEmpty()) run(field->text());
+  });
+  add_action(window, window.menu("Help"), "Search commands", {QKeySequence("Ctrl+P"), QKeySequence("F3")}, [field] {
+    field->setFocus();
+    field->selectAll();
+  });
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,42 @@
+#include <QAction>
+#include <QMenu>
+
+#include "app/workbench/actions/actions.hpp"
+#include "app/workbench/main_window.hpp"
+#include "widgets/scene/scene_view.hpp"
+
+namespace abrazo::app {
+namespace {
+
+constexpr double quarter = 1.5707963267948966;
+
+}  // namespace
+
+void add_view_actions(MainWindow& window) {
+  QMenu* menu = window.menu("View");
+  widgets::SceneView& scene = window.scene();
+  add_action(window, menu, "Show all", {QKeySequence("F"), QKeySequence("0")}, [&scene] { scene.frameAll(); });
+  add_action(window, menu, "From the front", {QKeySequence("1")}, [&scene] { scene.lookFrom(0, 0.05); });
+  add_action(window, menu, "From the right", {QKeySequence("3")}, [&scene] { scene.lookFrom(quarter, 0.05); });
+  add_action(window, menu, "From above", {QKeySequence("7")}, [&scene] { scene.lookFrom(0, quarter); });
+  add_action(window, menu, "From behind", {QKeySequence("Ctrl+1")}, [&scene] { scene.lookFrom(2 * quarter, 0.05); });
+  add_action(window, menu, "From the left", {QKeySequence("Ctrl+3")}, [&scene] { scene.lookFrom(-quarter, 0.05); });
+  menu->addSeparator();
+  QAction* follow = add_action(window, menu, "Camera follows the pair", {}, [] {});
+  follow->setCheckable(true);
+  follow->setChecked(true);
+  QObject::connect(follow, &QAction::toggled, &scene, &widgets::SceneView::setFollowing);
+  menu->addSeparator();
+  QAction* light = add_action(window, menu, "Light colours", {}, [] {});
+  light->setCheckable(true);
+  light->setChecked(!window.colours().dark);
+  QObject::connect(light, &QAction::toggled, &window, [&window](bool on) {
+    window.setTheme(on ? widgets::Theme::Light : widgets::Theme::Dark);
+    window.remembered().setTheme(on ? "light" : "dark");
+  });
+  add_action(window, menu, "Full screen", {QKeySequence("F11")}, [&window] {
+    window.isFullScreen() ? window.showNormal() : window.showFullScreen();
+  });
+}
+
+}  // namespace abrazo::app

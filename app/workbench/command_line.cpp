@@ -1,0 +1,59 @@
+#include "app/workbench/command_line.hpp"
+
+#include <CLI/CLI.hpp>
+#include <iostream>
+
+#include "core/base/text.hpp"
+#include "core/base/version.hpp"
+
+namespace abrazo::app {
+namespace {
+
+std::string read_size(const std::string& text, QSize& size) {
+  const auto parts = split_fields(text, 'x');
+  const auto width = parts.size() == 2 ? parse_integer(parts[0]) : std::nullopt;
+  const auto height = parts.size() == 2 ? parse_integer(parts[1]) : std::nullopt;
+  if (!width || !height || *width < 640 || *height < 400 || *width > 16384 || *height > 16384)
+    return "write a size as 1600x1000, at least 640x400";
+  size = QSize(static_cast<int>(*width), static_cast<int>(*height));
+  return {};
+}
+
+}  // namespace
+
+std::variant<CommandLine, ExitStatus> parse_command_line(int argc, char** argv) {
+  CommandLine asked;
+  std::string listen, session, size;
+  CLI::App parser("Abrazo: a workbench for partner control in close interactions", "abrazo-workbench");
+  parser.set_version_flag("--version", std::string("abrazo-workbench ") + version());
+  parser.add_option("FILE", asked.files, "motion (.bvh, .amc), library (.h5) or manifest (.json) to open");
+  parser.add_flag("--demo", asked.demo, "the generated dance; also what opens when nothing is named");
+  parser.add_option("--library", asked.library, "library (.h5) or manifest (.json)");
+  parser.add_option("--listen", listen, "live stream to follow");
+  parser.add_option("--session", session, "session file to open");
+  parser.add_option("--settings", asked.settings, "settings: a JSON file, or the JSON object itself");
+  parser.add_option("--screenshot", asked.screenshot, "write a picture of the window here, then quit");
+  parser.add_option("--record", asked.record, "write a picture, a video and the motion into this folder, then quit");
+  parser.add_option("--after", asked.after_s, "seconds from the first frame until then")
+      ->check(CLI::Range(0.0, 3600.0));
+  parser.add_option("--smoke", asked.smoke_frames, "show this many solved frames, then quit")
+      ->check(CLI::Range(1, 1000000));
+  parser.add_option("--theme", asked.theme, "dark or light")->check(CLI::IsMember({"dark", "light"}));
+  parser.add_option("--size", size, "size of the window, such as 1600x1000")->check([&asked](const std::string& text) {
+    return read_size(text, asked.size);
+  });
+  try {
+    parser.parse(argc, argv);
+  } catch (const CLI::ParseError& stop) {
+    return ExitStatus{parser.exit(stop) == 0 ? 0 : 2};
+  }
+  const std::string missing = !listen.empty() ? "--listen" : !session.empty() ? "--session" : "";
+  if (!missing.empty()) {
+    std::cerr << "abrazo-workbench: " << missing << " is not part of this version; open a motion file as the user "
+              << "instead: abrazo-workbench FILE\n";
+    return ExitStatus{1};
+  }
+  return asked;
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,27 @@
+#include "app/workbench/job.hpp"
+
+#include <QMetaObject>
+
+namespace abrazo::app {
+
+Job::Job(Work work, QObject* parent) : QObject(parent) {
+  m_thread = std::jthread([this, work = std::move(work)] {
+    const Progress progress = [this](double fraction, std::string_view doing) {
+      const QString text = QString::fromUtf8(doing.data(), static_cast<int>(doing.size()));
+      QMetaObject::invokeMethod(this, [this, fraction, text] { emit progressed(fraction, text); });
+      return !m_cancelled;
+    };
+    Finish finish = work(progress);
+    QMetaObject::invokeMethod(
+        this,
+        [this, finish = std::move(finish)] {
+          if (!m_cancelled && finish) finish();
+          emit finished();
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+Job::~Job() { m_cancelled = true; }
+
+}  // namespace abrazo::app

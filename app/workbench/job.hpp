@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QObject>
+#include <atomic>
+#include <functional>
+#include <thread>
+
+#include "core/base/progress.hpp"
+
+namespace abrazo::app {
+
+/// Something long on a thread of its own. What it returns is called on the thread this object lives in, unless the
+/// job was cancelled or the object is gone by then. Destruction cancels and waits.
+class Job : public QObject {
+  Q_OBJECT
+ public:
+  using Finish = std::function<void()>;
+  using Work = std::function<Finish(const Progress&)>;
+
+  Job(Work work, QObject* parent = nullptr);
+  ~Job() override;
+  void cancel() { m_cancelled = true; }
+
+ signals:
+  void progressed(double fraction, const QString& doing);
+  void finished();
+
+ private:
+  std::atomic<bool> m_cancelled = false;
+  std::jthread m_thread;  // last: joined first
+};
+
+}  // namespace abrazo::app

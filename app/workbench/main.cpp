@@ -1,0 +1,83 @@
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <QApplication>
+#include <QSurfaceFormat>
+#include <clocale>
+#include <cstdio>
+#include <memory>
+
+#include "app/workbench/actions/actions.hpp"
+#include "app/workbench/command_line.hpp"
+#include "app/workbench/main_window.hpp"
+#include "app/workbench/unattended.hpp"
+#include "app/workbench/user_settings.hpp"
+#include "core/base/atomic_file.hpp"
+
+using namespace abrazo;
+
+namespace {
+
+/// Of --settings: a file, or the object itself.
+Result<Settings> asked_settings(const std::string& text) {
+  const Settings start = preset("responsive").value();
+  if (text.empty()) return start;
+  if (text.front() == '{') return parse_settings(text, start, "--settings");
+  const auto content = read_whole_file(text);
+  if (!content) return content.error();
+  return parse_settings(*content, start, text);
+}
+
+QStringList asked_files(const app::CommandLine& asked) {
+  QStringList files;
+  if (!asked.library.empty()) files << QString::fromStdString(asked.library);
+  for (const std::string& file : asked.files) files << QString::fromStdString(file);
+  return files;
+}
+
+void set_up_toolkit() {
+  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+  QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  QApplication::setApplicationName("abrazo");
+}
+
+void add_actions(app::MainWindow& window) {
+  app::add_file_actions(window);
+  app::add_edit_actions(window);
+  app::add_view_actions(window);
+  app::add_playback_actions(window);
+  app::add_solve_actions(window);
+  app::add_help_actions(window);
+  app::add_command_search(window);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  const auto parsed = app::parse_command_line(argc, argv);
+  if (const auto* stop = std::get_if<app::ExitStatus>(&parsed)) return stop->code;
+  const auto& asked = std::get<app::CommandLine>(parsed);
+  const auto settings = asked_settings(asked.settings);
+  if (!settings) return std::fprintf(stderr, "abrazo-workbench: %s\n", settings.error().text().c_str()), 1;
+
+  set_up_toolkit();
+  QApplication application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");  // QApplication took the user's; numbers in files are not the user's
+
+  app::UserSettings remembered;
+  app::MainWindow window(remembered);
+  const QString theme = asked.theme.empty() ? remembered.theme() : QString::fromStdString(asked.theme);
+  window.setTheme(theme == "light" ? widgets::Theme::Light : widgets::Theme::Dark);
+  add_actions(window);
+  window.startWith(*settings);
+  if (asked.size.isValid()) window.resize(asked.size);
+  else if (!asked.unattended()) window.restoreGeometry(remembered.geometry());
+
+  std::unique_ptr<app::Unattended> unattended;
+  if (asked.unattended()) unattended = std::make_unique<app::Unattended>(window, asked);
+  window.show();
+  const QStringList files = asked_files(asked);
+  files.isEmpty() || asked.demo ? window.openDemo() : window.openFiles(files);
+  return QApplication::exec();
+}

@@ -1,0 +1,70 @@
+#include "core/base/atomic_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <fstream>
+
+namespace abrazo {
+namespace {
+
+namespace fs = std::filesystem;
+
+class AtomicFileTest : public testing::Test {
+ protected:
+  AtomicFileTest() : folder_(fs::temp_directory_path() / ("abrazo_atomic_" + std::to_string(::getpid()))) {
+    fs::create_directories(folder_);
+  }
+  ~AtomicFileTest() override { fs::remove_all(folder_); }
+  fs::path folder_;
+  std::size_t files() const {
+    return static_cast<std::size_t>(std::distance(fs::directory_iterator(folder_), {}));
+  }
+};
+
+TEST_F(AtomicFileTest, AppearsUnderItsNameOnlyWhenCommitted) {
+  AtomicFile file(folder_ / "out.csv");
+  std::ofstream(file.partial()) << "content";
+  EXPECT_FALSE(fs::exists(folder_ / "out.csv"));
+  ASSERT_TRUE(file.commit());
+  EXPECT_EQ(read_whole_file(folder_ / "out.csv").value(), "content");
+  EXPECT_EQ(files(), 1u);
+}
+
+TEST_F(AtomicFileTest, LeavesNothingBehindWhenAbandoned) {
+  {
+    AtomicFile file(folder_ / "out.csv");
+    std::ofstream(file.partial()) << "half";
+  }
+  EXPECT_EQ(files(), 0u);
+}
+
+TEST_F(AtomicFileTest, KeepsTheOldFileUntilTheNewOneIsWhole) {
+  ASSERT_TRUE(write_whole_file(folder_ / "out.csv", "old"));
+  {
+    AtomicFile file(folder_ / "out.csv");
+    std::ofstream(file.partial()) << "half";
+  }
+  EXPECT_EQ(read_whole_file(folder_ / "out.csv").value(), "old");
+  ASSERT_TRUE(write_whole_file(folder_ / "out.csv", "new"));
+  EXPECT_EQ(read_whole_file(folder_ / "out.csv").value(), "new");
+}
+
+TEST_F(AtomicFileTest, WritesBytesAsTheyAre) {
+  const std::string bytes("a\r\n\0b", 5);
+  ASSERT_TRUE(write_whole_file(folder_ / "bytes", bytes));
+  EXPECT_EQ(read_whole_file(folder_ / "bytes").value(), bytes);
+}
+
+TEST_F(AtomicFileTest, NamesTheFileThatCannotBeWrittenOrRead) {
+  const Status written = write_whole_file(folder_ / "absent" / "out.csv", "x");
+  ASSERT_FALSE(written);
+  EXPECT_EQ(written.error().where, (folder_ / "absent" / "out.csv").string());
+  EXPECT_THAT(read_whole_file(folder_ / "absent.csv").error().message,
+              testing::HasSubstr("cannot be opened"));
+  EXPECT_THAT(read_whole_file(folder_).error().message, testing::HasSubstr("is a folder"));
+}
+
+}  // namespace
+}  // namespace abrazo

@@ -1,0 +1,40 @@
+#include "core/base/result.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace abrazo {
+namespace {
+
+TEST(Result, HoldsAValue) {
+  Result<int> result = 3;
+  ASSERT_TRUE(result);
+  EXPECT_EQ(*result, 3);
+  *result = 4;
+  EXPECT_EQ(result.value(), 4);
+}
+
+TEST(Result, HoldsTheReasonWhyThereIsNone) {
+  const Result<int> result = Error{"expected 6 numbers", "walk.bvh:17"};
+  EXPECT_FALSE(result);
+  EXPECT_EQ(result.error().text(), "walk.bvh:17: expected 6 numbers");
+}
+
+TEST(Result, ThrowsWhenAskedForAValueThatIsNotThere) {
+  const Result<int> result = Error{"no", ""};
+  EXPECT_THROW(static_cast<void>(result.value()), std::logic_error);
+}
+
+TEST(Result, GivesUpAValueThatCannotBeCopied) {
+  Result<std::unique_ptr<int>> result = std::make_unique<int>(5);
+  const std::unique_ptr<int> taken = std::move(result).value();
+  EXPECT_EQ(*taken, 5);
+}
+
+TEST(Error, IsOnlyItsMessageWhenThereIsNoPlace) {
+  EXPECT_EQ((Error{"no clip", ""}).text(), "no clip");
+}
+
+}  // namespace
+}  // namespace abrazo

@@ -1,0 +1,127 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <climits>
+#include <fstream>
+
+#include "core/library/manifest.hpp"
+#include "core/motion/body.hpp"
+#include "core/motion/bvh.hpp"
+#include "tests/core/library/synthetic_takes.hpp"
+
+namespace abrazo {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Contains;
+using testing::HasSubstr;
+
+/// A folder with a.bvh and b.bvh of 12 frames, both.bvh with both, and short.bvh with 9 frames of B.
+class LoadTake : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder = fs::path(testing::TempDir()) /
+             (std::string("abrazo_take_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    fs::create_directories(folder);
+    const PairedTake recorded = test::circling_take("t", 12);
+    const auto shown = [](Clip clip, const char* name) {
+      clip.name = name;
+      clip.fps = 60;
+      return clip;
+    };
+    const Clip a = shown(recorded.a, "lead"), b = shown(recorded.b, "follow");
+    Clip shorter = b;
+    shorter.poses.resize(9);
+    write("a.bvh", {a});
+    write("b.bvh", {b});
+    write("both.bvh", {a, b});
+    write("short.bvh", {shorter});
+    take.name = "t";
+    take.a.motion = folder / "a.bvh";
+    take.b.motion = folder / "b.bvh";
+    take.metres_per_unit = 1;
+  }
+  void TearDown() override { fs::remove_all(folder); }
+
+  void write(const char* name, const std::vector<Clip>& clips) const {
+    const auto text = write_bvh(clips);
+    ASSERT_TRUE(text.ok()) << text.error().text();
+    std::ofstream(folder / name) << *text;
+  }
+  PairedTake loaded() {
+    auto result = load_take(take, warnings);
+    if (!result) throw std::runtime_error(result.error().text());
+    return std::move(*result);
+  }
+  std::string refusal() {
+    const auto result = load_take(take, warnings);
+    EXPECT_FALSE(result.ok());
+    return result.ok() ? "" : result.error().text();
+  }
+
+  fs::path folder;
+  Manifest::Take take;
+  std::vector<std::string> warnings;
+};
+
+TEST_F(LoadTake, ReadsBothPerformers) {
+  const PairedTake result = loaded();
+  EXPECT_EQ(result.a.poses.size(), 12U);
+  EXPECT_EQ(result.b.poses.size(), 12U);
+  EXPECT_NEAR(result.fps, 60, 1e-3);
+  EXPECT_GT(body_of(result.a.poses[0]).height(), 1.05 * body_of(result.b.poses[0]).height())
+      << "a is the larger one";
+}
+
+TEST_F(LoadTake, ReadsBothPerformersFromOneFile) {
+  const PairedTake apart = loaded();
+  take.a.motion = take.b.motion = folder / "both.bvh";
+  const PairedTake together = loaded();
+  EXPECT_LT((apart.b.poses[5] - together.b.poses[5]).cwiseAbs().maxCoeff(), 1e-4);
+}
+
+TEST_F(LoadTake, SaysByHowManyFramesThePerformersDiffer) {
+  take.b.motion = folder / "short.bvh";
+  EXPECT_THAT(refusal(), HasSubstr("take t: performer a has 12 frames and b 9, 3 fewer"));
+}
+
+TEST_F(LoadTake, RefusesAFileThatShowsTwoWhereOneIsMeant) {
+  take.b.motion = folder / "both.bvh";
+  EXPECT_THAT(refusal(), HasSubstr("both.bvh: shows 2 performers; expected one"));
+  take.b.motion = take.a.motion;
+  EXPECT_THAT(refusal(), HasSubstr("a.bvh: is named for both performers of take t but shows 1"));
+}
+
+TEST_F(LoadTake, OneRoleReachesToTheLastFrame) {
+  take.roles = {{0, INT_MAX, ActivePerformer::B}};
+  const PairedTake result = loaded();
+  ASSERT_EQ(result.roles.size(), 1U);
+  EXPECT_EQ(result.roles[0].end, 12);
+}
+
+TEST_F(LoadTake, WarnsOfRolesAndLabelsBeyondTheEnd) {
+  take.roles = {{0, 20, ActivePerformer::B}};
+  take.labels = folder / "moves.csv";
+  std::ofstream(take.labels) << "t,0,15,turn\n";
+  const PairedTake result = loaded();
+  EXPECT_EQ(result.labels.size(), 1U);
+  EXPECT_THAT(warnings, Contains(HasSubstr("take t: its roles go on to frame 20, it has 12")));
+  EXPECT_THAT(warnings, Contains(HasSubstr("take t: its labels go on to frame 15, it has 12")));
+}
+
+TEST_F(LoadTake, WarnsOfALabelFileThatDoesNotNameTheTake) {
+  take.labels = folder / "moves.csv";
+  std::ofstream(take.labels) << "other,0,15,turn\n";
+  EXPECT_TRUE(loaded().labels.empty());
+  EXPECT_THAT(warnings, Contains(HasSubstr("moves.csv: no labels of take t")));
+}
+
+TEST_F(LoadTake, RefusesLabelAndMotionFilesThatAreNotThere) {
+  take.labels = folder / "none.csv";
+  EXPECT_THAT(refusal(), HasSubstr("none.csv: cannot be opened"));
+  take.b.motion = folder / "none.bvh";
+  EXPECT_THAT(refusal(), HasSubstr("none.bvh"));
+}
+
+}  // namespace
+}  // namespace abrazo

@@ -1,0 +1,132 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "core/motion/bvh.hpp"
+#include "core/motion/import_clip.hpp"
+#include "tests/core/motion/motion_fixtures.hpp"
+#include "tests/support/bodies.hpp"
+#include "tests/support/captured_data.hpp"
+
+namespace abrazo {
+namespace {
+
+namespace fs = std::filesystem;
+using test::has_warning;
+using test::motion_fixture;
+using ::testing::HasSubstr;
+
+Result<std::vector<ImportedClip>> load(const fs::path& file, const fs::path& skeleton = {}) {
+  return load_motion(file.string(), skeleton.string(), {});
+}
+
+ImportedClip the_clip(const fs::path& file, const fs::path& skeleton = {}) {
+  Result<std::vector<ImportedClip>> clips = load(file, skeleton);
+  if (clips && clips->size() == 1) return clips->front();
+  ADD_FAILURE() << (clips ? "not one performer" : clips.error().text());
+  return {};
+}
+
+class TemporaryFolder {
+ public:
+  TemporaryFolder()
+      : path_(fs::temp_directory_path() / ("abrazo_load_motion_" + std::to_string(::getpid()))) {
+    fs::create_directories(path_);
+  }
+  ~TemporaryFolder() { fs::remove_all(path_); }
+  fs::path write(const std::string& name, const std::string& text) const {
+    EXPECT_TRUE(write_whole_file(path_ / name, text));
+    return path_ / name;
+  }
+
+ private:
+  fs::path path_;
+};
+
+TEST(LoadMotion, ReadsLafanInCentimetresAndReportsTheRestPose) {
+  const ImportedClip result = the_clip(motion_fixture("lafan_rest_first.bvh"));
+  EXPECT_EQ(result.clip.name, "lafan_rest_first");
+  EXPECT_EQ(result.report.joint_map, "lafan");
+  EXPECT_DOUBLE_EQ(result.report.metres_per_unit, 0.01);
+  EXPECT_NEAR(result.report.height_m, 1.72, 0.02);
+  EXPECT_TRUE(has_warning(result.report.warnings, "first-frame"));
+  ASSERT_EQ(result.clip.poses.size(), 5u);
+  const Pose& rest = result.clip.poses[0];
+  EXPECT_NEAR(rest(joints::left_hand, 0), 0.78, 1e-9);
+  EXPECT_NEAR(rest(joints::left_wrist, 0), 0.70, 1e-9);
+  EXPECT_NEAR(rest(joints::right_toe_tip, 2), 0.20, 1e-9);
+}
+
+TEST(LoadMotion, ReadsTheSamePersonInMetresAndInInchesWithZUp) {
+  const ImportedClip metres = the_clip(motion_fixture("lafan_metres.bvh"));
+  const ImportedClip inches = the_clip(motion_fixture("mixamo_z_up_inches.bvh"));
+  EXPECT_DOUBLE_EQ(metres.report.metres_per_unit, 1.0);
+  EXPECT_DOUBLE_EQ(inches.report.metres_per_unit, 0.0254);
+  EXPECT_EQ(inches.report.up_axis, UpAxis::Z);
+  EXPECT_EQ(inches.report.joint_map, "mixamo");
+  ASSERT_EQ(metres.clip.poses.size(), inches.clip.poses.size());
+  for (std::size_t f = 0; f < metres.clip.poses.size(); ++f)
+    EXPECT_LT((metres.clip.poses[f] - inches.clip.poses[f]).cwiseAbs().maxCoeff(),
+              1e-5);  // six digits in the files
+}
+
+TEST(LoadMotion, LiftsAPersonOutOfTheFloor) {
+  const ImportedClip result = the_clip(motion_fixture("sunken_floor.bvh"));
+  EXPECT_NEAR(result.report.floor_y_m, -0.98, 1e-9);
+  EXPECT_NEAR(result.clip.poses[0](joints::left_toe_base, 1), 0.04, 1e-9);
+}
+
+TEST(LoadMotion, MovesPerformersOfOneFileTogether) {
+  std::vector<Clip> clips(2);
+  clips[0].name = "a";
+  clips[1].name = "b";
+  clips[0].poses.assign(3, test::moved(test::standing_pose(), 0, Vec3(0, 0.30, 0)));
+  clips[1].poses.assign(3, test::moved(test::standing_pose(), 3, Vec3(0, 0.10, 1)));
+  const TemporaryFolder folder;
+  const auto loaded = load(folder.write("pair.bvh", write_bvh(clips).value()));
+  ASSERT_TRUE(loaded) << loaded.error().text();
+  ASSERT_EQ(loaded->size(), 2u);
+  EXPECT_EQ((*loaded)[0].clip.name, "a");
+  EXPECT_EQ((*loaded)[1].clip.name, "b");
+  EXPECT_NEAR((*loaded)[0].report.floor_shift_m, -0.30, 1e-5);
+  EXPECT_EQ((*loaded)[1].report.floor_shift_m, (*loaded)[0].report.floor_shift_m);
+  EXPECT_TRUE(has_warning((*loaded)[1].report.warnings, "floor"));
+  EXPECT_NEAR((*loaded)[1].clip.poses[0](0, 1) - (*loaded)[0].clip.poses[0](0, 1), -0.20, 1e-5);
+}
+
+TEST(LoadMotion, FindsTheSkeletonBesideAnAmcByName) {
+  const TemporaryFolder folder;
+  folder.write("other.asf", "not read");
+  folder.write("leg.asf", test::fixture_text("leg.asf"));
+  const auto found = load(folder.write("leg_07_b.amc", test::fixture_text("leg.amc")));
+  ASSERT_FALSE(found);  // a leg is not a person, but it was read
+  EXPECT_THAT(found.error().message, HasSubstr("no joint map fits"));
+  const auto lost = load(folder.write("arm_01.amc", test::fixture_text("leg.amc")));
+  ASSERT_FALSE(lost);
+  EXPECT_THAT(lost.error().message, HasSubstr("--skeleton"));
+}
+
+TEST(LoadMotion, SaysWhatItCannotOpen) {
+  EXPECT_THAT(load("absent.bvh").error().text(), HasSubstr("absent.bvh: cannot be opened"));
+  EXPECT_THAT(load(motion_fixture("leg.asf")).error().message, HasSubstr("is a skeleton without motion"));
+  EXPECT_THAT(load(ABRAZO_FIXTURES).error().message, HasSubstr("is a folder"));
+  const TemporaryFolder folder;
+  EXPECT_THAT(load(folder.write("dance.mp3", "x")).error().message, HasSubstr("expected .bvh"));
+  EXPECT_THAT(load(motion_fixture("nan.bvh")).error().where, HasSubstr("nan.bvh:20"));
+}
+
+TEST(LoadMotion, ReadsACapturedTake) {
+  ABRAZO_REQUIRE_CAPTURED_DATA(data);
+  const ImportedClip leader = the_clip(data / "cmu_salsa" / "60_01.amc");
+  EXPECT_EQ(leader.clip.poses.size(), 2242u);
+  EXPECT_EQ(leader.report.joint_map, "cmu");
+  EXPECT_NEAR(leader.report.metres_per_unit, 0.0564444, 1e-7);
+  EXPECT_NEAR(leader.report.floor_y_m, 0.04, 0.01);
+  EXPECT_EQ(leader.report.floor_shift_m, 0.0);
+  EXPECT_TRUE(leader.report.fps_guessed);
+  EXPECT_FALSE(has_warning(leader.report.warnings, "height"));
+  EXPECT_FALSE(has_warning(leader.report.warnings, "first-frame"));
+}
+
+}  // namespace
+}  // namespace abrazo

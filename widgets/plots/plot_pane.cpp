@@ -1,0 +1,139 @@
+#include "widgets/plots/plot_pane.hpp"
+
+#include <qcustomplot.h>
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <QVBoxLayout>
+#include <QWheelEvent>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/common/tabular.hpp"
+#include "widgets/common/theme.hpp"
+
+namespace abrazo::widgets {
+namespace {
+
+constexpr int head_height = 30;
+
+}  // namespace
+
+PlotPane::PlotPane(const QString& title, std::vector<Curve> curves, QWidget* parent)
+    : QWidget(parent),
+      m_title(title),
+      m_curves(std::move(curves)),
+      m_palette(palette_of(Theme::Dark)),
+      m_plot(new QCustomPlot(this)),
+      m_cursor(new QCPItemLine(m_plot)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(10, head_height, 10, 6);
+  column->addWidget(m_plot);
+  m_plot->setMinimumHeight(50);
+  m_plot->axisRect()->setAutoMargins(QCP::msLeft);
+  m_plot->axisRect()->setMinimumMargins({34, 2, 2, 4});
+  m_plot->axisRect()->setMargins({38, 2, 2, 4});
+  m_plot->xAxis->setTickLabels(false);
+  m_plot->yAxis->ticker()->setTickCount(3);
+  m_plot->yAxis->setNumberPrecision(3);
+  m_plot->setNotAntialiasedElements(QCP::aeAll);
+  m_plot->setAntialiasedElements(QCP::aePlottables);
+  m_plot->setNoAntialiasingOnDrag(true);
+  for (std::size_t c = 0; c < m_curves.size(); ++c) m_plot->addGraph();
+  m_cursor->start->setTypeY(QCPItemPosition::ptAxisRectRatio);
+  m_cursor->end->setTypeY(QCPItemPosition::ptAxisRectRatio);
+  m_cursor->setClipToAxisRect(true);
+  connect(m_plot, &QCustomPlot::mousePress, this, [this](QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) emit seekRequested(m_plot->xAxis->pixelToCoord(event->pos().x()));
+  });
+  connect(m_plot, &QCustomPlot::mouseMove, this, [this](QMouseEvent* event) {
+    if (event->buttons() & Qt::LeftButton) emit seekRequested(m_plot->xAxis->pixelToCoord(event->pos().x()));
+  });
+  connect(m_plot, &QCustomPlot::mouseWheel, this,
+          [this](QWheelEvent* event) { emit zoomRequested(std::pow(0.85, event->angleDelta().y() / 120.0)); });
+}
+
+void PlotPane::setColours(const Palette& palette, const std::vector<QColor>& curves) {
+  m_palette = palette;
+  m_colours = curves;
+  m_plot->setBackground(QBrush(palette.panel));
+  const QColor faint = mixed(palette.secondary, palette.panel, 0.22);
+  for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis}) {
+    axis->setBasePen(QPen(faint));
+    axis->setTickPen(Qt::NoPen);
+    axis->setSubTickPen(Qt::NoPen);
+    axis->setTickLabelColor(palette.secondary);
+    axis->setTickLabelFont(interface_font(10));
+    axis->grid()->setPen(QPen(faint, 1));
+    axis->grid()->setZeroLinePen(QPen(faint, 1));
+  }
+  m_plot->xAxis->grid()->setVisible(false);
+  for (int c = 0; c < m_plot->graphCount(); ++c) m_plot->graph(c)->setPen(QPen(curves[static_cast<std::size_t>(c)], 1.3));
+  m_cursor->setPen(QPen(palette.dark ? QColor("#c7ccd6") : palette.text, 1.4));
+  update();
+  m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void PlotPane::append(double time_s, const std::vector<double>& values) {
+  for (int c = 0; c < m_plot->graphCount(); ++c) m_plot->graph(c)->addData(time_s, values[static_cast<std::size_t>(c)]);
+}
+
+void PlotPane::dropBefore(double time_s) {
+  for (int c = 0; c < m_plot->graphCount(); ++c) m_plot->graph(c)->data()->removeBefore(time_s);
+}
+
+void PlotPane::clear() {
+  for (int c = 0; c < m_plot->graphCount(); ++c) m_plot->graph(c)->data()->clear();
+  m_upper = 0;
+}
+
+void PlotPane::showValues(std::vector<double> values) {
+  m_values = std::move(values);
+  update(0, 0, width(), head_height);
+}
+
+/// Up to the largest value in view; comes down slowly so that the curves do not jump.
+void PlotPane::fitHeight(double from_s, double to_s) {
+  double largest = 0;
+  for (int c = 0; c < m_plot->graphCount(); ++c) {
+    const auto values = m_plot->graph(c)->data();
+    for (auto it = values->findBegin(from_s); it != values->findEnd(to_s); ++it)
+      if (std::isfinite(it->value)) largest = std::max(largest, it->value);
+  }
+  m_upper = largest >= m_upper ? largest : std::max(largest, 0.94 * m_upper);
+  m_plot->yAxis->setRange(0, m_upper > 0 ? 1.12 * m_upper : 1);
+}
+
+void PlotPane::draw(double from_s, double to_s, double cursor_s) {
+  fitHeight(from_s, to_s);
+  m_plot->xAxis->setRange(from_s, to_s);
+  m_cursor->start->setCoords(cursor_s, 0);
+  m_cursor->end->setCoords(cursor_s, 1);
+  m_plot->replot(QCustomPlot::rpQueuedReplot);
+}
+
+double PlotPane::xOf(double time_s) const { return m_plot->x() + m_plot->xAxis->coordToPixel(time_s); }
+
+void PlotPane::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), m_palette.panel);
+  painter.setFont(interface_font(12, QFont::DemiBold));
+  painter.setPen(m_palette.text);
+  painter.drawText(QRectF(12, 4, width(), head_height - 4), Qt::AlignVCenter, m_title);
+  double x = 12 + painter.fontMetrics().horizontalAdvance(m_title) + 14;
+  for (std::size_t c = 0; c < m_curves.size() && c < m_colours.size(); ++c) {
+    const Curve& curve = m_curves[c];
+    painter.setFont(interface_font(12));
+    painter.fillRect(QRectF(x, head_height / 2 - 2, 9, 9), m_colours[c]);
+    painter.setPen(m_palette.secondary);
+    painter.drawText(QRectF(x + 14, 4, width(), head_height - 4), Qt::AlignVCenter, curve.name);
+    x += 14 + painter.fontMetrics().horizontalAdvance(curve.name) + 5;
+    const QString value = c < m_values.size() ? QString::number(m_values[c], 'f', curve.decimals) : QString("–");
+    const QString shown = value + (curve.unit.isEmpty() ? "" : " " + curve.unit);
+    painter.setPen(m_palette.text);
+    draw_tabular(painter, QRectF(x, 4, 90, head_height - 4), Qt::AlignLeft, shown);
+    x += tabular_width(painter.font(), QString(curve.decimals + 3, '0') + " " + curve.unit) + 10;
+  }
+}
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "widgets/common/palette.hpp"
+
+class QCPItemLine;
+class QCustomPlot;
+
+namespace abrazo::widgets {
+
+/// One plot over time: title and current values above, curves and cursor below.
+class PlotPane : public QWidget {
+  Q_OBJECT
+ public:
+  struct Curve {
+    QString name;
+    QString unit;
+    int decimals;
+  };
+  PlotPane(const QString& title, std::vector<Curve> curves, QWidget* parent);
+  void setColours(const Palette& palette, const std::vector<QColor>& curves);
+
+  void append(double time_s, const std::vector<double>& values);
+  void dropBefore(double time_s);
+  void clear();
+  /// Current values, in the order of the curves; empty shows none.
+  void showValues(std::vector<double> values);
+  void draw(double from_s, double to_s, double cursor_s);
+  double xOf(double time_s) const;
+
+ signals:
+  void seekRequested(double time_s);
+  void zoomRequested(double factor);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  void fitHeight(double from_s, double to_s);
+
+  QString m_title;
+  std::vector<Curve> m_curves;
+  std::vector<QColor> m_colours;
+  std::vector<double> m_values;
+  Palette m_palette;
+  QCustomPlot* m_plot;
+  QCPItemLine* m_cursor;
+  double m_upper = 0;
+};
+
+}  // namespace abrazo::widgets
