@@ -54,13 +54,15 @@ CoupleHolds::CoupleHolds(const std::vector<SalsaPhrase>& phrases) : shares_(0, 0
 CoupleHolds::Controls CoupleHolds::controls(const SalsaPhrase& phrase, int half_beat) {
   const bool turn = phrase.move == SalsaMove::Turn, closed = phrase.move == SalsaMove::ClosedHold;
   const bool over = turn && half_beat >= 3 && half_beat <= 12;
-  const bool let_go = turn && half_beat >= 1 && half_beat <= 13;
+  const bool let_go = (turn || phrase.move == SalsaMove::CrossBodyLead) && half_beat >= 1 && half_beat <= 13;
   Controls values = Controls::Zero();
   values[over ? LeftOver : closed ? LeftClosed : LeftOpen] = 1;
   values[let_go ? RightFree : closed ? RightClosed : RightOpen] = 1;
   values[Sway] = phrase.hand_sway;
   values[Height] = phrase.hand_height;
-  values[Spread] = phrase.hand_spread;
+  // While she walks past him the hold goes before her.
+  const bool passing = phrase.move == SalsaMove::CrossBodyLead && half_beat >= 4 && half_beat <= 13;
+  values[Spread] = passing ? 0.06 : phrase.hand_spread;
   values[Grip] = phrase.grip;
   return values;
 }

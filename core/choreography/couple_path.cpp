@@ -1,6 +1,7 @@
 #include "core/choreography/couple_path.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -21,6 +22,17 @@ double eased(const std::vector<SalsaPhrase>& phrases, PhraseTime now, Member mem
   return here;
 }
 
+// How far she has turned to her left in a cross body lead, as a share of the couple's turn: she goes straight
+// past him, then comes about.
+constexpr std::array<double, half_beats_per_phrase> passing_turn = {0,   0,   0,   0,   .01, .03, .06, .12,
+                                                                    .21, .34, .50, .67, .82, .93, .99, 1};
+
+/// From facing him to where she faces [rad].
+double turn_from_partner(const SalsaPhrase& phrase, int half_beat, double done) {
+  if (phrase.move != SalsaMove::CrossBodyLead) return 0;
+  return (passing_turn[static_cast<std::size_t>(half_beat)] - done) * phrase.couple_turn;
+}
+
 }  // namespace
 
 Vec3 forward_of(double heading) {
@@ -37,15 +49,23 @@ PhraseTime phrase_time(int half_beat, std::size_t phrase_count) {
 }
 
 CouplePath::CouplePath(const std::vector<SalsaPhrase>& phrases)
-    : centre_(0, 0.5, {}), heading_(0, 0.5, {}), distance_(0, 0.5, {}), offset_(0, 0.5, {}) {
+    : centre_(0, 0.5, {}),
+      heading_(0, 0.5, {}),
+      distance_(0, 0.5, {}),
+      offset_(0, 0.5, {}),
+      follower_turn_(0, 0.5, {}) {
   std::vector<Vec3> centre;
-  std::vector<double> heading, distance, offset;
+  std::vector<double> heading, distance, offset, follower_turn;
   Vec3 centre_before = Vec3::Zero();
   double heading_before = 0;
   for (std::size_t p = 0; p < phrases.size(); ++p) {
     for (int half_beat = 0; half_beat < half_beats_per_phrase; ++half_beat) {
-      const double done = minimum_jerk((0.5 * half_beat + 0.5) / 8);
-      centre.push_back(centre_before + done * phrases[p].travel);
+      const double done = couple_progress(phrases[p].move, 0.5 * half_beat);
+      follower_turn.push_back(turn_from_partner(phrases[p], half_beat, done));
+      // He gives way, so that her path is nearly straight.
+      const double way = phrases[p].move == SalsaMove::CrossBodyLead ? 0.05 * smooth_bump(done) : 0;
+      centre.push_back(centre_before + done * phrases[p].travel -
+                       way * forward_of(heading_before + 0.5 * phrases[p].couple_turn));
       heading.push_back(heading_before + done * phrases[p].couple_turn);
       distance.push_back(eased(phrases, {p, half_beat}, &SalsaPhrase::distance));
       offset.push_back(eased(phrases, {p, half_beat}, &SalsaPhrase::offset));
@@ -57,6 +77,7 @@ CouplePath::CouplePath(const std::vector<SalsaPhrase>& phrases)
   heading_ = {0, 0.5, std::move(heading)};
   distance_ = {0, 0.5, std::move(distance)};
   offset_ = {0, 0.5, std::move(offset)};
+  follower_turn_ = {0, 0.5, std::move(follower_turn)};
 }
 
 Spot CouplePath::leader(double beat) const {
@@ -70,7 +91,7 @@ Spot CouplePath::follower(double beat) const {
   const double heading = heading_.at(beat);
   return {centre_.at(beat) + 0.5 * distance_.at(beat) * forward_of(heading) -
               0.5 * offset_.at(beat) * left_of(heading),
-          heading + std::numbers::pi};
+          heading + std::numbers::pi + follower_turn_.at(beat)};
 }
 
 }  // namespace abrazo

@@ -24,8 +24,8 @@ struct PhraseTime {
 };
 PhraseTime phrase_time(int half_beat, std::size_t phrase_count);
 
-/// How the couple stands and turns on the floor over a dance; the leader faces along `heading`, the follower
-/// against it.
+/// How the couple stands and turns on the floor over a dance. They face one another; in a cross body lead she
+/// walks past him before she turns to him.
 class CouplePath {
  public:
   explicit CouplePath(const std::vector<SalsaPhrase>& phrases);
@@ -36,6 +36,7 @@ class CouplePath {
  private:
   SmoothTrack<Vec3> centre_;
   SmoothTrack<double> heading_, distance_, offset_;
+  SmoothTrack<double> follower_turn_;  ///< of the follower from facing the leader [rad]
 };
 
 }  // namespace abrazo

@@ -83,18 +83,33 @@ void DancerScore::write_steps(const std::vector<SalsaPhrase>& phrases, const Cou
     for (const BasicStep& step : basic_steps) {
       if (turns && step.beat > 3) break;
       const Side side = leads ? step.side : other(step.side);
-      const double forward = (leads ? 1 : -1) * step.forward * phrases[p].step;
+      const bool walks = phrases[p].move == SalsaMove::CrossBodyLead && step.beat > 3;
+      const double forward = walks ? 0 : (leads ? 1 : -1) * step.forward * phrases[p].step;
       const double arrival = first_beat + step.beat;
-      const Spot at = spot(arrival + 0.3, path);
+      // A step is placed where the dancer will be a little later; further ahead when they walk past each
+      // other.
+      const bool passes = phrases[p].move == SalsaMove::CrossBodyLead && step.beat > 0.5;
+      const Spot at = spot(arrival + (passes ? 0.9 : 0.3), path);
       feet(side).add({.start = arrival - swing_beats,
                       .end = arrival,
                       .toe_base = placement(at, side, forward, turned_),
-                      .yaw = at.heading + turned_ + sign_of(side) * toe_out,
-                      .lift = step.lift,
+                      .yaw = spot(arrival + 1, path).heading + turned_ + sign_of(side) * toe_out,
+                      .lift = walks ? 0.055 : step.lift,
                       .heel = step.forward == 0 ? 0.28 : 0.36});
     }
     if (turns) write_turn_steps(first_beat, phrases[p], path);
+    if (phrases[p].move == SalsaMove::CrossBodyLead)
+      write_pivot(first_beat, leads ? Side::Left : Side::Right, path);
   }
+}
+
+void DancerScore::write_pivot(double first_beat, Side side, const CouplePath& path) {
+  feet(side).add({.start = first_beat + 5.2,
+                  .end = first_beat + 6.9,
+                  .toe_base = feet(side).last().toe_base,
+                  .yaw = spot(first_beat + 7.5, path).heading + turned_ + sign_of(side) * toe_out,
+                  .lift = 0,
+                  .heel = 0.12});
 }
 
 void DancerScore::write_turn_steps(double first_beat, const SalsaPhrase& phrase, const CouplePath& path) {
@@ -145,10 +160,11 @@ DancerScore::Controls DancerScore::controls(const SalsaPhrase& phrase, int half_
   const bool leads = role_ == DanceRole::Leader;
   const bool turns = !leads && phrase.move == SalsaMove::Turn;
   const double mirror = leads ? 1 : -1;
-  const bool round = turns && half_beat >= 6;
+  const bool passes = phrase.move == SalsaMove::CrossBodyLead;
+  const bool round = (turns || passes) && half_beat >= 6;
   const Spot at = spot(beat, path);
   const double heading = at.heading + turned_ + (turns ? turn_degrees[h] * degree : 0);
-  // While she goes round, her weight stays over the spot.
+  // While they walk past each other or she goes round, the weight stays over the spot.
   const double forward = mirror * root_forward[h] * phrase.step * (round ? 0.35 : 1);
   const double sideways = mirror * root_left[h] * 0.060 * (round ? 0.5 : 1);
   const Vec3 root =
@@ -167,7 +183,7 @@ DancerScore::Controls DancerScore::controls(const SalsaPhrase& phrase, int half_
   if (leads && phrase.move == SalsaMove::Turn && half_beat >= 3 && half_beat <= 13)
     values[ChestYaw] -= 16 * degree;
   values[HeadPitch] = (leads ? 9 : 2) * degree + 3 * degree * std::sin(0.9 * beat);
-  values[Gaze] = turns ? turn_gaze[h] : 0.85;
+  values[Gaze] = turns ? turn_gaze[h] : passes ? 0.6 : 0.85;
   values[LeftHeel] = round ? 0 : (leads ? left_heel : right_heel)[h] * 26 * degree;
   values[RightHeel] = round ? 0 : (leads ? right_heel : left_heel)[h] * 26 * degree;
   return values;

@@ -47,6 +47,8 @@ class DancerScore {
 
   void write_steps(const std::vector<SalsaPhrase>& phrases, const CouplePath& path);
   void write_turn_steps(double first_beat, const SalsaPhrase& phrase, const CouplePath& path);
+  /// Turns the standing foot to the new direction at the end of a cross body lead.
+  void write_pivot(double first_beat, Side side, const CouplePath& path);
   void write_trunk(const std::vector<SalsaPhrase>& phrases, const CouplePath& path);
   Controls controls(const SalsaPhrase& phrase, int half_beat, double beat, const CouplePath& path) const;
   Vec3 placement(const Spot& spot, Side side, double forward, double turned) const;

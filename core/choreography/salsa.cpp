@@ -91,6 +91,25 @@ double gaze(const Spot& from, const Spot& to) {
   return std::atan2(d.x(), d.z());
 }
 
+/// Names, roles and labels for the poses danced; `phrases` has one phrase before and one after those of the
+/// take.
+/// @param starts  first frame of each phrase, and the frame after the last
+PairedTake described(const std::string& name, double fps, std::vector<Pose> his_poses,
+                     std::vector<Pose> her_poses, const std::vector<SalsaPhrase>& phrases,
+                     const std::vector<int>& starts) {
+  PairedTake take{.name = name, .fps = fps, .a = {}, .b = {}, .roles = {}, .labels = {}};
+  take.a = {name + "_a", fps, std::move(his_poses)};
+  take.b = {name + "_b", fps, std::move(her_poses)};
+  take.roles = {{0, starts.back(), ActivePerformer::A}};
+  for (std::size_t p = 0; p + 1 < starts.size(); ++p)
+    take.labels.push_back({.start = starts[p],
+                           .end = starts[p + 1],
+                           .label = std::string(label_of(phrases[p + 1].move)),
+                           .detail = "",
+                           .confidence = "high"});
+  return take;
+}
+
 PairedTake dance_take(const std::string& name, int phrase_count, const ChoreographyOptions& options,
                       RandomSource& random) {
   // A phrase before and one after are danced too and cut off, so that a take begins and ends in full motion.
@@ -107,11 +126,11 @@ PairedTake dance_take(const std::string& name, int phrase_count, const Choreogra
 
   const double beats_per_frame = options.tempo_bpm / 60 / options.fps;
   const double lag = random.uniform(0.05, 0.15);  // she answers his lead a little later [beats]
-  const auto frame_of = [&](int phrase) {
-    return static_cast<int>(std::lround(beats_per_phrase * phrase / beats_per_frame));
-  };
+  std::vector<int> starts;
+  for (int p = 0; p <= phrase_count; ++p)
+    starts.push_back(static_cast<int>(std::lround(beats_per_phrase * p / beats_per_frame)));
   std::vector<double> beats, her_beats, his_gaze, her_gaze;
-  for (int f = 0; f < frame_of(phrase_count); ++f) {
+  for (int f = 0; f < starts.back(); ++f) {
     beats.push_back(beats_per_phrase - label_lead + f * beats_per_frame);
     her_beats.push_back(beats.back() - lag);
     his_gaze.push_back(gaze(path.leader(beats.back()), path.follower(beats.back())));
@@ -124,17 +143,7 @@ PairedTake dance_take(const std::string& name, int phrase_count, const Choreogra
     holds.place_arms(beats[f], {leader.body, leader.trunks[f].chest, leader.poses[f]},
                      {follower.body, follower.trunks[f].chest, follower.poses[f]});
 
-  PairedTake take{.name = name, .fps = options.fps, .a = {}, .b = {}, .roles = {}, .labels = {}};
-  take.a = {name + "_a", options.fps, std::move(leader.poses)};
-  take.b = {name + "_b", options.fps, std::move(follower.poses)};
-  take.roles = {{0, frame_of(phrase_count), ActivePerformer::A}};
-  for (int p = 0; p < phrase_count; ++p)
-    take.labels.push_back({.start = frame_of(p),
-                           .end = frame_of(p + 1),
-                           .label = std::string(label_of(phrases[static_cast<std::size_t>(p) + 1].move)),
-                           .detail = "",
-                           .confidence = "high"});
-  return take;
+  return described(name, options.fps, std::move(leader.poses), std::move(follower.poses), phrases, starts);
 }
 
 void check(const ChoreographyOptions& options) {

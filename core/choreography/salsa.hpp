@@ -19,8 +19,9 @@ struct ChoreographyOptions {
   double take_seconds = 20;  ///< length of a take; the minutes are divided into takes of about this length
 };
 
-/// Salsa pairs: performer A leads. Basics in open and closed hold and a led turn, in random order, joined
-/// without a seam. Hands that hold one another meet, planted feet stand still, bone lengths are constant.
+/// Salsa pairs: performer A leads. Basics in open and closed hold, a led turn and a cross body lead, in
+/// random order, joined without a seam. Hands that hold one another meet, planted feet stand still, bone
+/// lengths are constant.
 /// @throws std::invalid_argument when an option is not positive, or a height is not between 1.4 and 2.2 m
 std::vector<PairedTake> generate_salsa(const ChoreographyOptions& options);
 

@@ -9,7 +9,7 @@
 namespace abrazo {
 
 /// A figure of one 8-count.
-enum class SalsaMove { OpenHold, ClosedHold, Turn };
+enum class SalsaMove { OpenHold, ClosedHold, Turn, CrossBodyLead };
 
 /// "open_hold", ... as in label files.
 std::string_view label_of(SalsaMove move);
@@ -31,7 +31,10 @@ struct SalsaPhrase {
   double grip = 0.045;         ///< between the hand ends of a hold [m]
 };
 
-/// Phrases in random order. Every move comes twice in six, and the couple stays within some 1.5 m of the
+/// Share of the couple's turn that is made by a beat of the phrase (-0.5 .. 7.5).
+double couple_progress(SalsaMove move, double beat);
+
+/// Phrases in random order. Every move comes twice in eight, and the couple stays within some 1.5 m of the
 /// origin.
 std::vector<SalsaPhrase> draw_phrases(int count, RandomSource& random);
 

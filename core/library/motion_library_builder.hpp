@@ -19,12 +19,13 @@ struct LibraryBuildOptions {
 /// Normalises, computes features and tetrahedralises every pair of the takes (paper 3.2, 3.4.1).
 /// A frame whose active performer is unknown becomes two pairs (the library doubles, 3.2.1).
 /// Uses every core. @return an Error "cancelled" when `progress` says so
-Result<MotionLibrary> build_library(std::string name, std::vector<PairedTake> takes, const LibraryBuildOptions& options,
-                                    const Progress& progress);
+Result<MotionLibrary> build_library(std::string name, std::vector<PairedTake> takes,
+                                    const LibraryBuildOptions& options, const Progress& progress);
 
-/// Reads a manifest and all its takes, and builds. An excluded take that does not exist is an error that lists the names.
+/// Reads a manifest and all its takes, and builds. An excluded take that does not exist is an error that
+/// lists the names.
 /// @param warnings  what the readers found odd
-Result<MotionLibrary> build_library(const Manifest& manifest, const LibraryBuildOptions& options, const Progress& progress,
-                                    std::vector<std::string>& warnings);
+Result<MotionLibrary> build_library(const Manifest& manifest, const LibraryBuildOptions& options,
+                                    const Progress& progress, std::vector<std::string>& warnings);
 
 }  // namespace abrazo

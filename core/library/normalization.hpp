@@ -15,9 +15,10 @@ struct RootFrame {
   Eigen::Matrix3d rotation() const;
 };
 
-/// Root and heading of a pose. Heading = perpendicular to the blend of the horizontal hip axis (0.6) and shoulder
-/// axis (0.4), each as a unit vector. A hip axis shorter than 5 cm seen from above says nothing (lying, bending
-/// sideways): then `previous_heading_rad` is kept, or the shoulders decide when there is none.
+/// Root and heading of a pose. Heading = perpendicular to the blend of the horizontal hip axis (0.6) and
+/// shoulder axis (0.4), each as a unit vector. A hip axis shorter than 5 cm seen from above says nothing
+/// (lying, bending sideways): then `previous_heading_rad` is kept, or the shoulders decide when there is
+/// none.
 RootFrame root_frame(const Pose& pose, std::optional<double> previous_heading_rad = std::nullopt);
 
 /// Eq. 1-2: both bodies of a pair relative to the active root, turned by the inverse of its heading.

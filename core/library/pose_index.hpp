@@ -14,7 +14,8 @@ struct PoseMatch {
   double distance = 0;  ///< Euclidean distance of the features [m]
 };
 
-/// Exact nearest neighbours in the 15-D feature space (kd-tree, paper 3.2.2). Keeps its own copy of the features.
+/// Exact nearest neighbours in the 15-D feature space (kd-tree, paper 3.2.2). Keeps its own copy of the
+/// features.
 class PoseIndex {
  public:
   /// @param features  of every pair of the library
@@ -26,7 +27,8 @@ class PoseIndex {
 
   int size() const;
 
-  /// The `count` nearest pairs (fewer if the index is smaller), nearest first; equal distances by pair number.
+  /// The `count` nearest pairs (fewer if the index is smaller), nearest first; equal distances by pair
+  /// number.
   void nearest(const Features& query, int count, std::vector<PoseMatch>& matches) const;
 
  private:

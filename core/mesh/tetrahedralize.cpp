@@ -1,6 +1,7 @@
 #define TETLIBRARY  // TetGen's header declares its library interface under this name only
 #include <tetgen.h>
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -19,6 +20,7 @@ namespace {
 
 constexpr double coincidence_m = 1e-3;
 constexpr double jitter_m = 1e-5;
+constexpr double flatness_m = 1e-6;
 constexpr int fallback_neighbours = 8;
 
 /// Displacement that depends on the vertex alone, so that equal input gives equal meshes.
@@ -36,6 +38,15 @@ bool has_coincident_points(const PairPose& pair) {
     for (int j = i + 1; j < pair_vertex_count; ++j)
       if ((pair.row(i) - pair.row(j)).squaredNorm() < coincidence_m * coincidence_m) return true;
   return false;
+}
+
+/// All points in a plane, on a line or in one place, as far as TetGen is concerned: it stops the process at
+/// some of these.
+bool is_flat(const PairPose& pair) {
+  const PairPose centred = pair.rowwise() - pair.colwise().mean();
+  const Eigen::Matrix3d spread = centred.transpose() * centred;
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(spread, Eigen::EigenvaluesOnly);
+  return axes.eigenvalues()(0) < flatness_m * flatness_m * pair_vertex_count;
 }
 
 PairPose jittered(const PairPose& pair) {
@@ -116,7 +127,7 @@ void add_nearest_neighbours(const PairPose& pair, EdgeSet& edges) {
 InteractionMesh tetrahedralize(const PairPose& pair) {
   InteractionMesh mesh;
   std::optional<std::vector<MeshTetrahedron>> tetrahedra;
-  if (!has_coincident_points(pair)) tetrahedra = delaunay(pair);
+  if (!has_coincident_points(pair) && !is_flat(pair)) tetrahedra = delaunay(pair);
   if (!tetrahedra) {
     mesh.quality = InteractionMesh::Quality::Jittered;
     tetrahedra = delaunay(jittered(pair));

@@ -191,11 +191,14 @@ void BvhTree::rotations(const Pose& pose, std::vector<Rotation>& world) const {
 
 constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
-/// Angles z, x, y [deg] with R = Rz Rx Ry. y is found from what the found z leaves, so at the pole (x = +-90
-/// degrees), where only z + y or z - y is determined, the product is still R.
-Vec3 zxy_degrees(const Rotation& r) {
-  const double z = std::atan2(-r(0, 1), r(1, 1));
-  const double x = std::atan2(r(2, 1), std::hypot(r(0, 1), r(1, 1)));
+/// Angles z, x, y [deg] with R = Rz Rx Ry. y is found from what z leaves, so at the pole (x = +-90 degrees),
+/// where only z + y or z - y is determined, the product is still R; z then stays as it was in the frame
+/// before.
+Vec3 zxy_degrees(const Rotation& r, double z_before_degrees) {
+  const double cos_x = std::hypot(r(0, 1), r(1, 1));
+  constexpr double at_pole = 1e-6;  // the error in R when z is kept [rad]
+  const double z = cos_x < at_pole ? z_before_degrees / degrees_per_radian : std::atan2(-r(0, 1), r(1, 1));
+  const double x = std::atan2(r(2, 1), cos_x);
   const double y = std::atan2(std::cos(z) * r(0, 2) + std::sin(z) * r(1, 2),
                               std::cos(z) * r(0, 0) + std::sin(z) * r(1, 0));
   return Vec3(z, x, y) * degrees_per_radian;
@@ -272,7 +275,7 @@ void append_frame(std::string& text, Performer& performer, std::size_t frame, do
             ? performer.world[n]
             : Rotation(performer.world[static_cast<std::size_t>(nodes[n].parent)].transpose() *
                        performer.world[n]);
-    performer.angles[n] = continued(zxy_degrees(local), performer.angles[n]);
+    performer.angles[n] = continued(zxy_degrees(local, performer.angles[n][0]), performer.angles[n]);
     append_vector(text, performer.angles[n]);
     text += n + 1 < nodes.size() ? " " : "";
   }

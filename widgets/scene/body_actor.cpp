@@ -106,7 +106,7 @@ void BodyActor::Parts::colourHull() {
   const QColor dark = colour.darker(300);
   hull.actor->GetProperty()->SetColor(dark.redF(), dark.greenF(), dark.blueF());
   if (outline == Outline::Solid || !shape) return;
-  const QColor gap = colour.lighter(112);
+  const QColor gap = colour.darker(135);
   vtkNew<vtkUnsignedCharArray> colours;
   colours->SetNumberOfComponents(3);
   for (const float along : shape->along()) {

@@ -26,9 +26,9 @@ class CapsuleSurface {
   /// Along the bone, 0 at one end to 1 at the other; for dashed outlines.
   const std::vector<float>& along() const { return along_; }
 
-  static constexpr int segments = 14;
+  static constexpr int segments = 12;
   static constexpr int cap_rings = 3;       ///< between pole and equator
-  static constexpr int shaft_rings = 8;     ///< from equator to equator, both counted
+  static constexpr int shaft_rings = 6;     ///< from equator to equator, both counted
   static constexpr int rings = 2 * cap_rings + shaft_rings;
   static constexpr int points_per_capsule = rings * segments + 2;
 

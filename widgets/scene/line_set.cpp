@@ -33,6 +33,9 @@ LineSet::LineSet(Kind kind) : m_parts(std::make_unique<Parts>()) {
   m_parts->mapper->SetScalarVisibility(false);
   m_parts->actor->SetMapper(m_parts->mapper);
   m_parts->actor->PickableOff();
+  // Blends all the same, in the order of the actors. VTK's translucent pass costs a software renderer more than
+  // everything else in the scene.
+  m_parts->actor->ForceOpaqueOn();
   m_parts->actor->GetProperty()->LightingOff();
   if (kind == Kind::Dots) m_parts->actor->GetProperty()->RenderPointsAsSpheresOn();
 }

@@ -59,6 +59,16 @@ std::vector<double> edge_scalars(const FrameResult& frame, MeshScalar scalar) {
   return values;
 }
 
+double typical_upper(const std::vector<MeshEdge>& edges, const std::vector<double>& scalars) {
+  std::vector<double> sizes;
+  for (std::size_t e = 0; e < std::min(edges.size(), scalars.size()); ++e)
+    if (is_inter_body(edges[e])) sizes.push_back(std::abs(scalars[e]));
+  if (sizes.empty()) return 0;
+  const auto place = static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(sizes.size() - 1));
+  std::nth_element(sizes.begin(), sizes.begin() + place, sizes.end());
+  return sizes[static_cast<std::size_t>(place)];
+}
+
 Colour sequential_colour(double share) { return sampled(viridis, share); }
 Colour diverging_colour(double share) { return sampled(blue_to_red, share); }
 

@@ -21,6 +21,9 @@ ScalarInfo scalar_info(MeshScalar scalar);
 /// One value per edge in the unit of `scalar_info`.
 std::vector<double> edge_scalars(const FrameResult& frame, MeshScalar scalar);
 
+/// The size that 95 % of the edges between the bodies stay under: one stretched edge must not darken all others.
+double typical_upper(const std::vector<MeshEdge>& edges, const std::vector<double>& scalars);
+
 /// Red, green, blue [0, 255] at `share` in [0, 1] of the map.
 std::array<unsigned char, 3> sequential_colour(double share);  ///< viridis
 std::array<unsigned char, 3> diverging_colour(double share);   ///< blue - grey - red

@@ -1,5 +1,6 @@
 #include "widgets/scene/orbit_camera.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 

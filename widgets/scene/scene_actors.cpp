@@ -49,16 +49,17 @@ SceneActors::SceneActors()
   setRadii(generic_capsule_radii(), generic_capsule_radii());
 }
 
-void SceneActors::addTo(vtkRenderer* solid, vtkRenderer* in_front) {
+void SceneActors::addTo(vtkRenderer* solid, vtkRenderer* in_front, vtkRenderer* topmost) {
   m_floor.addTo(solid);
   m_leader.addTo(solid);
   m_follower.addTo(solid);
   for (LineSet* lines : {&m_user, &m_selected[0], &m_selected[1], &m_within, &m_between_lines, &m_between_strong,
                          &m_morph, &m_locks})
     lines->addTo(solid);
-  for (LineSet* lines : {&m_between_through, &m_bones[0], &m_bones[1], &m_candidate[0], &m_candidate[1], &m_joint_rims,
-                         &m_joints, &m_contacts})
+  for (LineSet* lines : {&m_between_through, &m_bones[0], &m_bones[1], &m_candidate[0], &m_candidate[1], &m_joint_rims})
     lines->addTo(in_front);
+  m_joints.addTo(topmost);
+  m_contacts.addTo(topmost);
 }
 
 void SceneActors::setColours(const Palette& palette, double pixel_ratio) {

@@ -22,7 +22,8 @@ class SceneActors {
 
   /// @param solid    bodies, lines and floor with depth
   /// @param in_front what must be seen through the bodies
-  void addTo(vtkRenderer* solid, vtkRenderer* in_front);
+  /// @param topmost  the dots of the joints, over their rims
+  void addTo(vtkRenderer* solid, vtkRenderer* in_front, vtkRenderer* topmost);
   /// @param pixel_ratio  device pixels per logical pixel: widths of lines are in logical ones
   void setColours(const Palette& palette, double pixel_ratio);
   void setRadii(const std::array<double, bone_count>& active, const std::array<double, bone_count>& passive);

@@ -2,6 +2,7 @@
 
 #include <QVTKOpenGLNativeWidget.h>
 #include <vtkCamera.h>
+#include <vtkFXAAOptions.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkLight.h>
 #include <vtkNew.h>
@@ -63,7 +64,7 @@ QString seconds(double time_s) { return QString::number(time_s, 'f', 3) + " s"; 
 struct SceneView::Parts {
   GlSurface* surface = nullptr;
   vtkNew<vtkGenericOpenGLRenderWindow> window;
-  vtkNew<vtkRenderer> solid, in_front;
+  vtkNew<vtkRenderer> solid, in_front, topmost;
   SceneActors actors;
   OrbitCamera camera;
   ScalarChips* chips = nullptr;
@@ -88,19 +89,26 @@ struct SceneView::Parts {
 
 void SceneView::Parts::makeRenderers() {
   window->SetMultiSamples(0);
-  window->SetNumberOfLayers(2);
+  if (getenv("NOACT")) return;
+  window->SetNumberOfLayers(3);
   solid->SetLayer(0);
   in_front->SetLayer(1);
-  in_front->SetActiveCamera(solid->GetActiveCamera());
+  topmost->SetLayer(2);
   solid->GradientBackgroundOn();
-  for (vtkRenderer* renderer : {solid.Get(), in_front.Get()}) {
+  for (vtkRenderer* renderer : {solid.Get(), in_front.Get(), topmost.Get()}) {
+    renderer->SetActiveCamera(solid->GetActiveCamera());
     renderer->AutomaticLightCreationOff();
     window->AddRenderer(renderer);
   }
-  in_front->UseFXAAOn();  // works on the whole picture, so once, in the last layer
+  // Cheap settings: on a software renderer the search for the ends of edges is most of the cost.
+  vtkNew<vtkFXAAOptions> smoothing;
+  smoothing->SetUseHighQualityEndpoints(false);
+  smoothing->SetEndpointSearchIterations(4);
+  topmost->SetFXAAOptions(smoothing);
+  if (!getenv("NOFXAA")) topmost->UseFXAAOn();  // works on the whole picture, so once, in the last layer
   solid->AddLight(light(-0.7, 0.9, 1.0, 0.85));
   solid->AddLight(light(0.9, 0.1, 0.8, 0.28));
-  actors.addTo(solid, in_front);
+  actors.addTo(solid, in_front, topmost);
 }
 
 void SceneView::Parts::applyCamera() {
@@ -196,10 +204,7 @@ void SceneView::refresh() {
   if (p.frame) {
     const ScalarInfo info = scalar_info(p.scalar);
     const auto scalars = edge_scalars(p.frame->result, p.scalar);
-    double largest = 0;
-    for (std::size_t e = 0; e < scalars.size(); ++e)
-      if (is_inter_body(p.frame->result.edges[e])) largest = std::max(largest, std::abs(scalars[e]));
-    p.range.show(largest, p.frame->time_s);
+    p.range.show(typical_upper(p.frame->result.edges, scalars), p.frame->time_s);
     p.legend->show(p.scalar, p.range.upper());
     p.actors.show(*p.frame, scalars, p.range, info.is_signed);
     showCandidate(p.candidate);
@@ -233,7 +238,7 @@ void SceneView::updateFacts() {
     const std::string_view label = m_parts->library->label(pair);
     second = QString("source %1 · %2").arg(QString::fromStdString(m_parts->library->take_of(pair).name))
                  .arg(m_parts->library->source(pair).frame);
-    if (!label.empty()) second += " · " + QString::fromUtf8(label.data(), static_cast<int>(label.size()));
+    if (!label.empty()) second += " · " + QString::fromUtf8(label.data(), static_cast<int>(label.size())).replace('_', ' ');
   }
   m_parts->facts->show(first, second,
                        result.status == StepStatus::Ok ? QString() : QString::fromStdString(result.status_text()));

@@ -7,16 +7,17 @@
 namespace abrazo {
 namespace {
 
-TEST(SalsaPhrase, EveryMoveComesTwiceInSix) {
+TEST(SalsaPhrase, EveryMoveComesTwiceInEight) {
   for (std::uint64_t seed = 0; seed < 20; ++seed) {
     RandomSource random(seed);
-    const auto phrases = draw_phrases(12, random);
-    for (std::size_t first : {0U, 6U}) {
+    const auto phrases = draw_phrases(16, random);
+    for (std::size_t first : {0U, 8U}) {
       std::map<SalsaMove, int> count;
-      for (std::size_t i = first; i < first + 6; ++i) ++count[phrases[i].move];
+      for (std::size_t i = first; i < first + 8; ++i) ++count[phrases[i].move];
       EXPECT_EQ(count[SalsaMove::OpenHold], 2);
       EXPECT_EQ(count[SalsaMove::ClosedHold], 2);
       EXPECT_EQ(count[SalsaMove::Turn], 2);
+      EXPECT_EQ(count[SalsaMove::CrossBodyLead], 2);
     }
   }
 }
@@ -33,6 +34,13 @@ TEST(SalsaPhrase, TheCoupleStaysAroundTheOrigin) {
   for (const SalsaPhrase& phrase : draw_phrases(500, random)) {
     centre += phrase.travel;
     EXPECT_LT(centre.norm(), 1.5);
+  }
+}
+
+TEST(SalsaPhrase, TheCoupleTurnsFromNothingToAllOfIt) {
+  for (const SalsaMove move : {SalsaMove::OpenHold, SalsaMove::Turn, SalsaMove::CrossBodyLead}) {
+    EXPECT_EQ(couple_progress(move, -0.5), 0);
+    EXPECT_EQ(couple_progress(move, 7.5), 1);
   }
 }
 

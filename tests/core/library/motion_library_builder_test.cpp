@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <limits>
+#include <stdexcept>
 
 #include "tests/core/library/synthetic_takes.hpp"
 #include "tests/support/bodies.hpp"
@@ -100,6 +102,12 @@ TEST(MotionLibraryBuilder, ThinsByWholeStrides) {
   EXPECT_EQ(library.rate_hz(), 15);
   ASSERT_EQ(library.pair_count(), 5);
   EXPECT_EQ(library.source(4).frame, 16U);
+}
+
+TEST(MotionLibraryBuilder, TakesTheStrideNearestToTheWantedRate) {
+  LibraryBuildOptions options;
+  options.rate_hz = 25;  // 60 / 25 = 2.4
+  EXPECT_EQ(built({circling_take("t", 20)}, options).takes()[0].frame_stride, 2);
 }
 
 TEST(MotionLibraryBuilder, NeverThickens) {

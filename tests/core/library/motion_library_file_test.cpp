@@ -5,6 +5,7 @@
 #include <hdf5.h>
 
 #include <fstream>
+#include <limits>
 
 #include "core/base/atomic_file.hpp"
 #include "core/library/motion_library_builder.hpp"
@@ -164,6 +165,16 @@ TEST_F(MotionLibraryFile, KeepsALibraryWithoutRolesAndLabels) {
 TEST_F(MotionLibraryFile, HasTheSameBytesEveryTime) {
   ASSERT_TRUE(write_library(library, folder / "again.h5").ok());
   EXPECT_EQ(*read_whole_file(file), *read_whole_file(folder / "again.h5"));
+}
+
+TEST_F(MotionLibraryFile, KeepsNoTimes) {
+  // They would make two files of the same library differ.
+  const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  H5O_info_t info{};
+  EXPECT_GE(H5Oget_info_by_name(id, "pairs/pose", &info, H5P_DEFAULT), 0);
+  EXPECT_EQ(info.ctime, 0);
+  EXPECT_EQ(info.mtime, 0);
+  H5Fclose(id);
 }
 
 TEST_F(MotionLibraryFile, LeavesNothingBehindWhenItCannotBeWritten) {

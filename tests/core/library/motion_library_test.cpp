@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <stdexcept>
 
 #include "core/library/motion_library_builder.hpp"
@@ -53,6 +54,17 @@ TEST(MotionLibrary, LaterPairsStopAtARoleSwitch) {
   EXPECT_EQ(library.source(last_before + 1).frame, 20U);
   EXPECT_EQ(library.later_pair(last_before, 1), -1);
   EXPECT_EQ(library.later_pair(library.find_pair("first", 18, true), 1), -1);
+}
+
+TEST(MotionLibrary, LaterPairsStopWhereTheOtherPerformerTakesOver) {
+  // The row after frame 4 of A is frame 5 of B: the next frame, but the other person.
+  PairedTake take = circling_take("t", 10);
+  take.roles = {{0, 5, ActivePerformer::A}, {5, 10, ActivePerformer::B}};
+  const auto library = build_library("test", {take}, {}, {});
+  ASSERT_TRUE(library.ok());
+  ASSERT_EQ(library->source(5).frame, 5U);
+  EXPECT_EQ(library->later_pair(4, 1), -1);
+  EXPECT_EQ(library->later_pair(5, -1), -1);
 }
 
 TEST(MotionLibrary, LaterPairsStayInTheirTakeAndRoles) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <random>
 
@@ -70,6 +71,7 @@ TEST(Capsules, ParallelSegmentsHaveTheDistanceOfTheirLines) {
 }
 
 TEST(Capsules, ABoneWithoutLengthIsAPoint) {
+  EXPECT_NEAR(closest_points({2, 1, 0}, {2, 1, 0}, {-1, 0, 0}, {1, 0, 0}).distance, std::sqrt(2.0), 1e-12);
   EXPECT_NEAR(closest_points({0, 1, 0}, {0, 1, 0}, {-1, 0, 0}, {1, 0, 0}).distance, 1, 1e-12);
   EXPECT_NEAR(closest_points({-1, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, 1, 0}).s, 0.75, 1e-12);
   EXPECT_NEAR(closest_points({0, 0, 0}, {0, 0, 0}, {0, 0, 2}, {0, 0, 2}).distance, 2, 1e-12);

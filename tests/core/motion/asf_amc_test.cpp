@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <numbers>
+#include <random>
 
 #include "tests/core/motion/motion_fixtures.hpp"
 
@@ -204,6 +205,17 @@ TEST(AsfAmc, SurvivesEveryCutOfBothFiles) {
   for (std::size_t length = 0; length < amc.size(); ++length) {
     const auto motion = read_asf_amc(asf, "leg.asf", std::string_view(amc).substr(0, length), "cut.amc");
     EXPECT_TRUE(motion ? motion->frames.size() >= 1 : !motion.error().message.empty()) << length;
+  }
+}
+
+TEST(AsfAmc, SurvivesAnyDamage) {
+  std::mt19937 random(12);
+  const std::string asf = fixture_text("leg.asf"), amc = fixture_text("leg.amc");
+  for (int i = 0; i < 3000; ++i) {
+    const bool in_skeleton = i % 2 == 0;
+    const auto motion = read_asf_amc(in_skeleton ? test::damaged(asf, random) : asf, "damaged.asf",
+                                     in_skeleton ? amc : test::damaged(amc, random), "damaged.amc");
+    EXPECT_TRUE(motion ? !motion->frames.empty() : !motion.error().message.empty());
   }
 }
 

@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 #include <chrono>
 #include <numbers>
+#include <random>
 
 #include "core/motion/bvh.hpp"
 #include "tests/core/motion/motion_fixtures.hpp"
@@ -122,8 +123,9 @@ TEST(BvhReader, ReadsTheRowsThereAreWhateverTheFileAnnounces) {
 }
 
 TEST(BvhReader, DoesNotReserveMemoryForAnAnnouncedCount) {
-  const NamedMotion motion = read("more_frames_announced.bvh");
-  EXPECT_LT(motion.frames.capacity(), 100u);
+  const auto motions = read_bvh(fixture_text("more_frames_announced.bvh"), "more_frames_announced.bvh");
+  ASSERT_TRUE(motions);
+  EXPECT_LT(motions->front().frames.capacity(), 100u);
 }
 
 TEST(BvhReader, GivesNoRateWhenTheFrameTimeIsZero) {
@@ -248,6 +250,18 @@ TEST(BvhReader, RefusesEveryCutOfAFileOrKeepsItsWholeFrames) {
   for (std::size_t length = 0; length < text.size(); ++length) {
     const auto motions = read_bvh(std::string_view(text).substr(0, length), "cut.bvh");
     EXPECT_TRUE(motions ? motions->front().frames.size() >= 1 : !motions.error().message.empty()) << length;
+  }
+}
+
+TEST(BvhReader, SurvivesAnyDamage) {
+  std::mt19937 random(11);
+  const std::string whole = fixture_text("two_roots.bvh");
+  for (int i = 0; i < 3000; ++i) {
+    const auto motions = read_bvh(test::damaged(whole, random), "damaged.bvh");
+    if (!motions) continue;
+    for (const NamedMotion& motion : *motions)
+      for (const Positions& frame : motion.frames)
+        ASSERT_EQ(frame.rows(), static_cast<Eigen::Index>(motion.points.size()));
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <random>
 #include <string>
 #include <vector>
 
@@ -42,6 +43,25 @@ inline Vec3 place(const NamedMotion& motion, std::size_t frame, const std::strin
     return Vec3::Zero();
   }
   return motion.frames.at(frame).row(found - motion.points.begin()).transpose();
+}
+
+/// A text with a few characters changed, cut out or doubled.
+inline std::string damaged(std::string text, std::mt19937& random) {
+  const std::string characters = "0123456789.-+eE,{}:# \t\n\rXYZaxr\xff";
+  for (unsigned i = 1 + random() % 4; i > 0 && text.size() > 8; --i) {
+    const std::size_t at = random() % (text.size() - 8);
+    switch (random() % 3) {
+      case 0:
+        text[at] = characters[random() % characters.size()];
+        break;
+      case 1:
+        text.erase(at, 1 + random() % 8);
+        break;
+      default:
+        text.insert(at, text.substr(random() % (text.size() - 8), 1 + random() % 8));
+    }
+  }
+  return text;
 }
 
 /// 1e-12 of the file's units: the readers and the tests multiply the same few rotations in different order.

@@ -1,0 +1,112 @@
+#include "core/session/live_loop.hpp"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "core/session/solver_thread.hpp"
+#include "tests/support/libraries.hpp"
+
+namespace abrazo {
+namespace {
+
+struct Live {
+  CommandQueue commands;
+  FrameHistory history;
+  LatestSlot<FrameSnapshot> latest;
+
+  std::unique_ptr<LiveLoop> loop(const Settings& settings) {
+    auto synthesizer = std::move(*PartnerSynthesizer::create(test::small_library(), settings));
+    auto source = std::make_unique<ClipSource>(test::swinging_take("user", 120, 4).a);
+    return std::make_unique<LiveLoop>(std::move(synthesizer), std::move(source), commands, history, latest);
+  }
+};
+
+void run_for(LiveLoop& loop, double from_s, double to_s) {
+  for (double now_s = from_s; now_s < to_s;) now_s = std::max(loop.turn(now_s), now_s + 1e-6);
+}
+
+TEST(LiveLoop, SolvesEveryPoseOfTheInputAndKeepsEachFrame) {
+  Live live;
+  const auto loop = live.loop(*preset("responsive"));
+  run_for(*loop, 0, 1.0 - 1e-3);
+  const auto frames = live.history.since(0);
+  ASSERT_EQ(frames.size(), 60U);
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    EXPECT_EQ(frames[i]->index, i);
+    EXPECT_EQ(frames[i]->input_frame, static_cast<std::int64_t>(i));
+    EXPECT_NE(frames[i]->result.status, StepStatus::Failed);
+  }
+  EXPECT_EQ(live.latest.newest(), frames.back());
+  EXPECT_NEAR(frames.back()->input_rate_hz, 60, 0.1);
+}
+
+TEST(LiveLoop, SettingsActOnTheRunningSolverAndAreRecorded) {
+  Live live;
+  const auto loop = live.loop(*preset("paper"));
+  run_for(*loop, 0, 0.5);
+  Settings settings = *preset("paper");
+  settings.neighbours = 4;
+  settings.step_rate_hz = 30;
+  live.commands.push(SetSettings{settings});
+  const std::size_t before = live.history.span().frames;
+  run_for(*loop, 0.5, 1.5);
+  const FrameSnapshotPtr last = live.latest.newest();
+  EXPECT_EQ(last->settings, settings);
+  EXPECT_EQ(last->result.candidates.size(), 4U);
+  EXPECT_NEAR(static_cast<double>(live.history.span().frames - before), 30, 2);
+  EXPECT_EQ(live.history.at(0.3)->settings, *preset("paper"));
+}
+
+TEST(LiveLoop, APausedInputStaysAndTheSolverGoesOn) {
+  Live live;
+  const auto loop = live.loop(*preset("responsive"));
+  run_for(*loop, 0, 0.5);
+  live.commands.push(PauseInput{true});
+  run_for(*loop, 0.5, 1.0);
+  const auto frames = live.history.range(0.6, 1.0);
+  ASSERT_GT(frames.size(), 20U);
+  for (const FrameSnapshotPtr& frame : frames) EXPECT_EQ(frame->input_frame, frames.front()->input_frame);
+}
+
+TEST(LiveLoop, APinnedPairIsTheSourceUntilItIsLetGo) {
+  Live live;
+  const auto loop = live.loop(*preset("paper"));
+  live.commands.push(PinPair{33});
+  run_for(*loop, 0, 0.5);
+  const FrameResult& pinned = live.latest.newest()->result;
+  EXPECT_EQ(pinned.candidates[static_cast<std::size_t>(pinned.selected)].pair, 33);
+  live.commands.push(PinPair{std::nullopt});
+  run_for(*loop, 0.5, 1.0);
+  const FrameResult& free = live.latest.newest()->result;
+  EXPECT_EQ(free.candidates.size(), 10U);
+}
+
+TEST(LiveLoop, AFailureBecomesASnapshotWithItsText) {
+  Live live;
+  const auto loop = live.loop(*preset("paper"));
+  run_for(*loop, 0, 0.2);
+  const PairPose held = live.latest.newest()->result.result;
+  loop->publish_failure("out of memory", 0.3);
+  EXPECT_EQ(live.latest.newest()->result.status_text(), "failed: out of memory");
+  EXPECT_EQ(live.latest.newest()->result.result, held);
+}
+
+TEST(SolverThread, PublishesWhileAnotherThreadReadsAndStopsWhenDestroyed) {
+  Live live;
+  {
+    const SolverThread thread(live.loop(*preset("responsive")));
+    while (live.history.span().frames < 5) {
+      const FrameSnapshotPtr newest = live.latest.newest();
+      EXPECT_TRUE(!newest || newest->result.result.allFinite());
+      std::this_thread::yield();
+    }
+    live.commands.push(SetSettings{*preset("paper")});
+    while (live.latest.newest()->settings != *preset("paper")) std::this_thread::yield();
+  }
+  const std::size_t frames = live.history.span().frames;
+  EXPECT_EQ(live.history.span().frames, frames);
+}
+
+}  // namespace
+}  // namespace abrazo

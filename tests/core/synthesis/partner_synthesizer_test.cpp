@@ -1,0 +1,191 @@
+#include "core/synthesis/partner_synthesizer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+#include "core/library/motion_library_builder.hpp"
+#include "core/selection/pair_selector.hpp"
+#include "core/synthesis/trace.hpp"
+#include "tests/support/bodies.hpp"
+#include "tests/support/libraries.hpp"
+
+namespace abrazo {
+namespace {
+
+constexpr Duration step_time(1.0 / 15);
+
+std::unique_ptr<PartnerSynthesizer> synthesizer_with(const Settings& settings) {
+  return std::move(*PartnerSynthesizer::create(test::small_library(), settings));
+}
+
+Settings without_memory() {
+  Settings settings = *preset("paper");
+  settings.velocity_weight = 0;
+  settings.foot_locks = false;
+  return settings;
+}
+
+TEST(PartnerSynthesizer, TheUsersOwnRecordedPairComesBackUnchanged) {
+  const auto library = test::small_library();
+  for (const auto weights : {EdgeWeights::Inverse, EdgeWeights::InverseMean, EdgeWeights::Uniform}) {
+    Settings settings = without_memory();
+    settings.edge_weights = weights;
+    auto synthesizer = std::move(*PartnerSynthesizer::create(library, settings));
+    const PairedTake take = test::swinging_take("first", 180, 1);
+    synthesizer->set_user_body(library->usual_active_body().body);
+    for (int frame = 0; frame < 180; frame += 4) {
+      synthesizer->pin_pair(library->find_pair("first", frame, false));
+      const auto at = static_cast<std::size_t>(frame);
+      const FrameResult& result = synthesizer->step(take.a.poses[at], step_time);
+      ASSERT_EQ(result.status, StepStatus::Ok) << result.message;
+      EXPECT_LT((result.active() - take.a.poses[at]).cwiseAbs().maxCoeff(), 1e-6) << "frame " << frame;
+      EXPECT_LT((result.passive() - take.b.poses[at]).cwiseAbs().maxCoeff(), 1e-6) << "frame " << frame;
+    }
+  }
+}
+
+TEST(PartnerSynthesizer, EveryFrameKeepsBonesAndLocks) {
+  for (const auto name : preset_names) {
+    auto synthesizer = synthesizer_with(*preset(name));
+    const Clip user = test::swinging_take("user", 300, 17).a;
+    int locked = 0;
+    for (std::size_t frame = 0; frame < user.poses.size(); frame += 2) {
+      const FrameResult& result = synthesizer->step(user.poses[frame], Duration(1.0 / 30));
+      ASSERT_NE(result.status, StepStatus::Failed) << result.message;
+      const Body active = body_of(Pose(result.active()));
+      const Body passive = body_of(Pose(result.passive()));
+      EXPECT_LT(largest_length_difference(active, synthesizer->library().usual_active_body().body), 1e-3);
+      EXPECT_LT(largest_length_difference(passive, synthesizer->library().usual_passive_body().body), 1e-3);
+      EXPECT_LT(result.residual.bone_length_max, 1e-3);
+      EXPECT_LT(result.residual.foot_lock_max_m, 1e-3);
+      locked += static_cast<int>(result.foot_locks.size());
+    }
+    EXPECT_GT(locked, 0) << "the case must lock feet to test anything";
+  }
+}
+
+TEST(PartnerSynthesizer, EqualInputGivesTheSameBits) {
+  const Clip user = test::swinging_take("user", 120, 23).a;
+  const auto trace_of = [&] {
+    auto synthesizer = synthesizer_with(*preset("responsive"));
+    std::string trace;
+    for (const Pose& pose : user.poses) {
+      FrameResult result = synthesizer->step(pose, Duration(1.0 / 60));
+      result.timing = {};
+      trace += trace_frame_line(result, synthesizer->library(), 0, 0);
+    }
+    return trace;
+  };
+  EXPECT_EQ(trace_of(), trace_of());
+}
+
+TEST(PartnerSynthesizer, ChangingTheSettingsWhileRunningTakesEffect) {
+  const Clip user = test::swinging_take("user", 60, 5).a;
+  auto synthesizer = synthesizer_with(*preset("paper"));
+  for (std::size_t frame = 0; frame < 40; frame += 4) synthesizer->step(user.poses[frame], step_time);
+  Settings settings = synthesizer->settings();
+  settings.neighbours = 3;
+  synthesizer->set_settings(settings);
+  EXPECT_EQ(synthesizer->step(user.poses[40], step_time).candidates.size(), 3U);
+}
+
+TEST(PartnerSynthesizer, TheFirstFrameHasNoTemporalTerms) {
+  const Clip user = test::swinging_take("user", 60, 5).a;
+  auto synthesizer = synthesizer_with(*preset("paper"));
+  const FrameResult first = synthesizer->step(user.poses[0], Duration(0));
+  for (const Candidate& candidate : first.candidates) EXPECT_EQ(candidate.cost.total, candidate.cost.pose);
+  EXPECT_EQ(first.energy.velocity, 0);
+  const FrameResult second = synthesizer->step(user.poses[4], step_time);
+  EXPECT_GT(second.candidates.front().cost.temporal_passive, 0);
+}
+
+TEST(PartnerSynthesizer, StartsAnewAfterTrackingLoss) {
+  const Clip user = test::swinging_take("user", 60, 5).a;
+  auto synthesizer = synthesizer_with(*preset("paper"));
+  for (std::size_t frame = 0; frame < 20; frame += 4) synthesizer->step(user.poses[frame], step_time);
+  auto fresh = synthesizer_with(*preset("paper"));
+  const PairPose after_loss = synthesizer->step(user.poses[40], Duration(0.31)).result;
+  EXPECT_EQ(after_loss, fresh->step(user.poses[40], Duration(0)).result);
+}
+
+TEST(PartnerSynthesizer, AUserWithoutAPositionFailsTheFrameAndHoldsThePartner) {
+  const Clip user = test::swinging_take("user", 60, 5).a;
+  auto synthesizer = synthesizer_with(*preset("paper"));
+  const PairPose good = synthesizer->step(user.poses[0], Duration(0)).result;
+  Pose broken = user.poses[4];
+  broken(joints::LeftHand, 1) = std::numeric_limits<double>::quiet_NaN();
+  const FrameResult& failed = synthesizer->step(broken, step_time);
+  EXPECT_EQ(failed.status, StepStatus::Failed);
+  EXPECT_NE(failed.message.find("lhand"), std::string::npos);
+  EXPECT_EQ(failed.result, good);
+  EXPECT_EQ(synthesizer->step(user.poses[8], step_time).status, StepStatus::Ok);
+}
+
+TEST(PartnerSynthesizer, NeverThrowsAndNeverGivesAPoseThatIsNotFinite) {
+  std::mt19937 random(31);
+  std::uniform_real_distribution<double> anywhere(-1, 1);
+  std::uniform_real_distribution<double> exponent(-3, 6);
+  std::uniform_int_distribution<int> kind(0, 9);
+  for (const auto name : preset_names) {
+    auto synthesizer = synthesizer_with(*preset(name));
+    for (int frame = 0; frame < 300; ++frame) {
+      Pose user = test::shaken(test::standing_pose(), 0.05, random);
+      switch (kind(random)) {
+        case 0:
+          user *= std::pow(10.0, exponent(random));
+          break;
+        case 1:
+          user.setZero();
+          break;
+        case 2:
+          user(3, 1) = std::numeric_limits<double>::infinity();
+          break;
+        case 3:
+          user.row(7) += 3 * Eigen::RowVector3d(anywhere(random), anywhere(random), anywhere(random));
+          break;
+        case 4:
+          user.rowwise() += 1e3 * Eigen::RowVector3d(anywhere(random), 0, anywhere(random));
+          break;
+        default:
+          break;
+      }
+      ASSERT_NO_THROW({
+        const FrameResult& result = synthesizer->step(user, Duration(frame % 50 == 49 ? 1.0 : 1.0 / 30));
+        ASSERT_TRUE(result.result.allFinite()) << "frame " << frame;
+      });
+    }
+  }
+}
+
+TEST(PartnerSynthesizer, AnUnknownTakeToLeaveOutIsAnErrorThatListsTheTakes) {
+  const auto refused = PartnerSynthesizer::create(test::small_library(), *preset("paper"), {"third"});
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().text().find("first, second"), std::string::npos);
+}
+
+TEST(PartnerSynthesizer, LeavingOutEveryTakeIsAnError) {
+  EXPECT_FALSE(PartnerSynthesizer::create(test::small_library(), *preset("paper"), {"first", "second"}));
+}
+
+TEST(PartnerSynthesizer, AUserOfAnotherSizeGetsTheSamePartner) {
+  const PairedTake take = test::swinging_take("user", 90, 12);
+  const auto last_hold = [&](double scale) {
+    auto synthesizer = synthesizer_with(*preset("paper"));
+    Clip user = take.a;
+    for (Pose& pose : user.poses) pose *= scale;
+    synthesizer->set_user_body(body_of(user.poses));
+    PairPose last;
+    for (std::size_t frame = 0; frame < user.poses.size(); frame += 4)
+      last = synthesizer->step(user.poses[frame], step_time).result;
+    return last;
+  };
+  const PairPose normal = last_hold(1.0);
+  for (const double scale : {0.85, 1.15})
+    EXPECT_LT((last_hold(scale) - normal).cwiseAbs().maxCoeff(), 0.02) << scale;
+}
+
+}  // namespace
+}  // namespace abrazo

@@ -1,0 +1,102 @@
+#include "core/synthesis/settings.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace abrazo {
+namespace {
+
+TEST(Settings, ThePaperPresetIsThePapersLetter) {
+  const Settings paper = *preset("paper");
+  EXPECT_EQ(paper.alpha, 0.5);
+  EXPECT_EQ(paper.velocity_weight, 0.2);
+  EXPECT_EQ(paper.velocity_form, VelocityForm::Velocity);
+  EXPECT_EQ(paper.neighbours, 10);
+  EXPECT_EQ(paper.step_rate_hz, 15);
+  EXPECT_EQ(paper.morph_steps, 5);
+  EXPECT_EQ(paper.continuations, 0);
+  EXPECT_EQ(paper.transition_half_life_s, 0);
+  EXPECT_EQ(paper.foot_lock_speed, 0);
+}
+
+TEST(Settings, AnUnknownPresetNamesTheKnownOnes) {
+  const auto unknown = preset("fast");
+  ASSERT_FALSE(unknown);
+  EXPECT_NE(unknown.error().text().find("paper or responsive"), std::string::npos);
+}
+
+TEST(Settings, EverySettingRoundTripsThroughItsText) {
+  for (const auto name : preset_names) {
+    const Settings original = *preset(name);
+    Settings copy;
+    for (const SettingInfo& info : all_settings()) {
+      const Status set = set_setting(copy, info.key, setting_text(original, info.key));
+      EXPECT_TRUE(set.ok()) << info.key;
+    }
+    EXPECT_EQ(copy, original);
+  }
+}
+
+TEST(Settings, JsonRoundTrips) {
+  Settings settings = *preset("responsive");
+  settings.alpha = 0.1234567890123;
+  settings.edge_weights = EdgeWeights::InverseMean;
+  settings.collisions = false;
+  const auto back = parse_settings(settings_json(settings), Settings{}, "settings.json");
+  ASSERT_TRUE(back.ok());
+  EXPECT_EQ(*back, settings);
+}
+
+TEST(Settings, TheContractsKeysExist) {
+  for (const auto key :
+       {"alpha", "velocity-weight", "velocity-form", "morph-weight", "morph-steps", "projection-steps",
+        "neighbours", "edge-weights", "step-rate", "collisions", "foot-locks", "user-role"})
+    EXPECT_NE(find_setting(key), nullptr) << key;
+}
+
+TEST(Settings, WrongValuesAreRefusedWithTheRangeAndChangeNothing) {
+  Settings settings;
+  for (const auto& [key, text, hint] : std::vector<std::tuple<const char*, const char*, const char*>>{
+           {"alpha", "-1", "from 0 to 5"},
+           {"alpha", "nan", "from 0 to 5"},
+           {"alpha", "0,5", "from 0 to 5"},
+           {"neighbours", "10.5", "whole number"},
+           {"neighbours", "201", "from 1 to 200"},
+           {"collisions", "yes", "on or off"},
+           {"edge-weights", "cubic", "inverse|inverse-mean|uniform"}}) {
+    const Status set = set_setting(settings, key, text);
+    ASSERT_FALSE(set.ok()) << key << '=' << text;
+    EXPECT_NE(set.error().text().find(hint), std::string::npos) << set.error().text();
+  }
+  EXPECT_EQ(settings, Settings{});
+}
+
+TEST(Settings, AnUnknownKeyInAFileIsAnError) {
+  const auto parsed = parse_settings(R"({"alhpa": 0.3})", Settings{}, "mine.json");
+  ASSERT_FALSE(parsed);
+  EXPECT_NE(parsed.error().text().find("alhpa"), std::string::npos);
+  EXPECT_NE(parsed.error().text().find("mine.json"), std::string::npos);
+}
+
+TEST(VelocityWeight, IsAsGivenAtFifteenStepsPerSecond) {
+  EXPECT_NEAR(velocity_weight_at(*preset("paper"), 1.0 / 15), 0.2, 1e-12);
+}
+
+TEST(VelocityWeight, TheVelocityFormKeepsItsLagAtEveryRate) {
+  // One coordinate that follows x* = t: minimising k/2 (x - x*)^2 + w/2 (x - x_before)^2 step by step.
+  const Settings settings = *preset("paper");
+  constexpr double k = 0.7;
+  const auto lag_at = [&](double rate) {
+    const double w = velocity_weight_at(settings, 1 / rate);
+    double x = 0;
+    const int steps = static_cast<int>(20 * rate);
+    for (int i = 1; i <= steps; ++i) x = (k * (i / rate) + w * x) / (k + w);
+    return steps / rate - x;
+  };
+  EXPECT_NEAR(lag_at(60), lag_at(15), 1e-6);
+  EXPECT_NEAR(lag_at(120), lag_at(15), 1e-6);
+}
+
+}  // namespace
+}  // namespace abrazo

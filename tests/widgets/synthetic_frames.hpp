@@ -1,0 +1,17 @@
+#pragma once
+
+#include <memory>
+
+#include "core/library/motion_library.hpp"
+#include "core/session/frame_snapshot.hpp"
+
+namespace abrazo::test {
+
+/// A library of two takes, "salsa_01" (a turn) and "salsa_02" (open hold), of a few pairs each.
+std::shared_ptr<const MotionLibrary> small_library();
+
+/// A solved frame as the solver would freeze it: two people face to face, five candidates of `small_library`,
+/// the first of them selected. The passive character sways with the index.
+FrameSnapshotPtr synthetic_frame(std::uint64_t index, double time_s);
+
+}  // namespace abrazo::test
