@@ -33,15 +33,15 @@ std::variant<CommandLine, ExitStatus> parse_command_line(int argc, char** argv) 
   parser.add_option("--session", session, "session file to open");
   parser.add_option("--settings", asked.settings, "settings: a JSON file, or the JSON object itself");
   parser.add_option("--screenshot", asked.screenshot, "write a picture of the window here, then quit");
-  parser.add_option("--record", asked.record, "write a picture, a video and the motion into this folder, then quit");
+  parser.add_option("--record", asked.record,
+                    "write a picture, a video and the motion into this folder, then quit");
   parser.add_option("--after", asked.after_s, "seconds from the first frame until then")
       ->check(CLI::Range(0.0, 3600.0));
   parser.add_option("--smoke", asked.smoke_frames, "show this many solved frames, then quit")
       ->check(CLI::Range(1, 1000000));
   parser.add_option("--theme", asked.theme, "dark or light")->check(CLI::IsMember({"dark", "light"}));
-  parser.add_option("--size", size, "size of the window, such as 1600x1000")->check([&asked](const std::string& text) {
-    return read_size(text, asked.size);
-  });
+  parser.add_option("--size", size, "size of the window, such as 1600x1000")
+      ->check([&asked](const std::string& text) { return read_size(text, asked.size); });
   try {
     parser.parse(argc, argv);
   } catch (const CLI::ParseError& stop) {
@@ -49,7 +49,8 @@ std::variant<CommandLine, ExitStatus> parse_command_line(int argc, char** argv) 
   }
   const std::string missing = !listen.empty() ? "--listen" : !session.empty() ? "--session" : "";
   if (!missing.empty()) {
-    std::cerr << "abrazo-workbench: " << missing << " is not part of this version; open a motion file as the user "
+    std::cerr << "abrazo-workbench: " << missing
+              << " is not part of this version; open a motion file as the user "
               << "instead: abrazo-workbench FILE\n";
     return ExitStatus{1};
   }

@@ -10,7 +10,8 @@
 
 namespace abrazo::app {
 
-/// Polls at display rate: which frame is to be shown now, under the rules of Playback. Nothing queues per frame.
+/// Polls at display rate: which frame is to be shown now, under the rules of Playback. Nothing queues per
+/// frame.
 class FrameTicker : public QObject {
   Q_OBJECT
  public:

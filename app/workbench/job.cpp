@@ -22,6 +22,8 @@ Job::Job(Work work, QObject* parent) : QObject(parent) {
   });
 }
 
-Job::~Job() { m_cancelled = true; }
+Job::~Job() {
+  m_cancelled = true;
+}
 
 }  // namespace abrazo::app

@@ -9,8 +9,8 @@
 
 namespace abrazo::app {
 
-/// Something long on a thread of its own. What it returns is called on the thread this object lives in, unless the
-/// job was cancelled or the object is gone by then. Destruction cancels and waits.
+/// Something long on a thread of its own. What it returns is called on the thread this object lives in,
+/// unless the job was cancelled or the object is gone by then. Destruction cancels and waits.
 class Job : public QObject {
   Q_OBJECT
  public:

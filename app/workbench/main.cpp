@@ -71,8 +71,10 @@ int main(int argc, char** argv) {
   window.setTheme(theme == "light" ? widgets::Theme::Light : widgets::Theme::Dark);
   add_actions(window);
   window.startWith(*settings);
-  if (asked.size.isValid()) window.resize(asked.size);
-  else if (!asked.unattended()) window.restoreGeometry(remembered.geometry());
+  if (asked.size.isValid())
+    window.resize(asked.size);
+  else if (!asked.unattended())
+    window.restoreGeometry(remembered.geometry());
 
   std::unique_ptr<app::Unattended> unattended;
   if (asked.unattended()) unattended = std::make_unique<app::Unattended>(window, asked);

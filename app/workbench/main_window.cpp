@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
+#include <QFrame>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
@@ -43,10 +44,9 @@ QVBoxLayout* columnIn(QWidget* box) {
 }
 
 QWidget* ruled(QWidget* parent) {
-  auto* line = new QSplitter(Qt::Vertical, parent);  // styled as the one-pixel border
+  auto* line = new QFrame(parent);
   line->setFixedHeight(1);
   line->setObjectName("rule");
-  line->setAttribute(Qt::WA_StyledBackground);
   return line;
 }
 
@@ -127,7 +127,8 @@ QWidget* MainWindow::makeRight() {
   split->setHandleWidth(1);
   split->setChildrenCollapsible(false);
   split->setSizes({306, 420});
-  split->setStretchFactor(1, 1);
+  split->setStretchFactor(0, 2);
+  split->setStretchFactor(1, 3);
   column->addWidget(split);
   return box;
 }
@@ -198,7 +199,8 @@ void MainWindow::showPanels() {
   const bool has_source = shown && shown->result.selected >= 0;
   const auto selected = has_source ? static_cast<std::size_t>(shown->result.selected) : 0;
   m_takes->setCurrentTake(
-      has_source ? static_cast<int>(m_session->material().library->source(shown->result.candidates[selected].pair).take)
+      has_source ? static_cast<int>(
+                       m_session->material().library->source(shown->result.candidates[selected].pair).take)
                  : -1);
 }
 

@@ -31,7 +31,8 @@ void take_input_from_library(Material& material) {
   if (take > 0) material.excluded_takes = {material.library->takes()[static_cast<std::size_t>(take)].name};
 }
 
-Result<MotionLibrary> build_from(const std::string& file, const Progress& progress, std::vector<std::string>& warnings) {
+Result<MotionLibrary> build_from(const std::string& file, const Progress& progress,
+                                 std::vector<std::string>& warnings) {
   const auto manifest = read_manifest(file);
   if (!manifest) return manifest.error();
   return build_library(*manifest, {}, progress, warnings);
@@ -66,7 +67,8 @@ Result<Material> make_demo(const Progress& progress) {
   return material;
 }
 
-Result<Material> load_material(const std::vector<std::string>& files, const Material& open, const Progress& progress) {
+Result<Material> load_material(const std::vector<std::string>& files, const Material& open,
+                               const Progress& progress) {
   Material material = open;
   material.warnings.clear();
   bool new_library = false, new_input = false;
@@ -75,7 +77,8 @@ Result<Material> load_material(const std::vector<std::string>& files, const Mate
       case Kind::Library:
       case Kind::Manifest: {
         report(progress, 0, "Opening " + std::filesystem::path(file).filename().string());
-        auto library = kind_of(file) == Kind::Library ? read_library(file) : build_from(file, progress, material.warnings);
+        auto library = kind_of(file) == Kind::Library ? read_library(file)
+                                                      : build_from(file, progress, material.warnings);
         if (!library) return library.error();
         material.library = std::make_shared<const MotionLibrary>(std::move(library).value());
         new_library = true;
@@ -88,8 +91,10 @@ Result<Material> load_material(const std::vector<std::string>& files, const Mate
         break;
       }
       case Kind::Unknown:
-        return Error{"not a kind of file Abrazo opens; use a motion (.bvh, .amc), a library (.h5) or a manifest (.json)",
-                     file};
+        return Error{
+            "not a kind of file Abrazo opens; use a motion (.bvh, .amc), a library (.h5) or a manifest "
+            "(.json)",
+            file};
     }
   }
   if (!material.library) {

@@ -22,9 +22,10 @@ struct Material {
 /// A minute of generated dance, and a leader whom the library has not seen.
 Result<Material> make_demo(const Progress& progress);
 
-/// What opening these files gives, in addition to what is open now. A library file or manifest replaces the library,
-/// a motion replaces the input; what is still missing comes from the library or the demo.
-Result<Material> load_material(const std::vector<std::string>& files, const Material& open, const Progress& progress);
+/// What opening these files gives, in addition to what is open now. A library file or manifest replaces the
+/// library, a motion replaces the input; what is still missing comes from the library or the demo.
+Result<Material> load_material(const std::vector<std::string>& files, const Material& open,
+                               const Progress& progress);
 
 /// The active performer of a take as the library has it, world.
 Clip clip_of_take(const MotionLibrary& library, int take);

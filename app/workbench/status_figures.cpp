@@ -21,7 +21,8 @@ double percentile(std::vector<double> values, double share) {
   return values[static_cast<std::size_t>(place)];
 }
 
-StatusFigures::StatusFigures(QWidget* parent) : QWidget(parent), m_palette(widgets::palette_of(widgets::Theme::Dark)) {
+StatusFigures::StatusFigures(QWidget* parent)
+    : QWidget(parent), m_palette(widgets::palette_of(widgets::Theme::Dark)) {
   setFixedHeight(24);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   m_sinceRefresh.start();
@@ -53,7 +54,9 @@ void StatusFigures::refresh(const FrameHistory& history, std::uint64_t rendered_
   if (m_solve_us.size() > solve_times_kept)
     m_solve_us.erase(m_solve_us.begin(), m_solve_us.end() - static_cast<std::ptrdiff_t>(solve_times_kept));
   const auto span = history.span();
-  const auto ms = [this](double share) { return QString::number(percentile(m_solve_us, share) / 1000, 'f', 2); };
+  const auto ms = [this](double share) {
+    return QString::number(percentile(m_solve_us, share) / 1000, 'f', 2);
+  };
   if (newest) {
     m_ok = newest->result.status != StepStatus::Failed;
     m_left = {{"in", QString("%1 Hz").arg(newest->input_rate_hz, 0, 'f', 0)},

@@ -24,7 +24,8 @@ Unattended::Unattended(MainWindow& window, const CommandLine& asked, QObject* pa
   connect(&window.ticker(), &FrameTicker::frameReady, this, &Unattended::onFrame);
   connect(&window, &MainWindow::failed, this, [this](const QString& message) { quit(message); });
   connect(&m_pictures, &QTimer::timeout, this, &Unattended::recordPicture);
-  connect(&m_patience, &QTimer::timeout, this, [this] { quit("no frame was solved within 90 s; try another file"); });
+  connect(&m_patience, &QTimer::timeout, this,
+          [this] { quit("no frame was solved within 90 s; try another file"); });
   m_pictures.setTimerType(Qt::PreciseTimer);
   m_patience.setSingleShot(true);
   m_patience.start(patience_ms);
@@ -40,7 +41,8 @@ void Unattended::onFrame(const FrameSnapshotPtr& frame) {
       QTimer::singleShot(static_cast<int>(std::lround(1000 * m_asked.after_s)), this, &Unattended::onTime);
   }
   if (m_asked.smoke_frames == 0 || m_shown < m_asked.smoke_frames || m_done) return;
-  if (frame->result.status == StepStatus::Failed) return quit(QString::fromStdString(frame->result.status_text()));
+  if (frame->result.status == StepStatus::Failed)
+    return quit(QString::fromStdString(frame->result.status_text()));
   const double seconds = std::max(1e-3, static_cast<double>(m_sinceFirst.nsecsElapsed()) * 1e-9);
   const auto rendered = m_window.scene().renderedFrames() - m_renderedBefore;
   std::printf("%d frames shown in %.2f s, %.1f rendered per second\n", m_shown, seconds,

@@ -14,7 +14,8 @@ namespace abrazo::app {
 
 class MainWindow;
 
-/// Carries out --smoke, --screenshot and --record, then quits: 0 when it is done, 1 with a sentence when it cannot be.
+/// Carries out --smoke, --screenshot and --record, then quits: 0 when it is done, 1 with a sentence when it
+/// cannot be.
 class Unattended : public QObject {
   Q_OBJECT
  public:

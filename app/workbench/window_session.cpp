@@ -13,7 +13,9 @@
 
 namespace abrazo::app {
 
-void MainWindow::openDemo() { openMaterial(make_demo); }
+void MainWindow::openDemo() {
+  openMaterial(make_demo);
+}
 
 void MainWindow::openFiles(const QStringList& files) {
   std::vector<std::string> names;
@@ -24,16 +26,19 @@ void MainWindow::openFiles(const QStringList& files) {
 
 void MainWindow::openMaterial(MakeMaterial make) {
   const Settings wanted = m_settings->settings();
-  m_job = std::make_unique<Job>([this, make = std::move(make), wanted](const Progress& progress) -> Job::Finish {
-    auto material = make(progress);
-    if (!material) return [this, text = material.error().text()] { showFailure(QString::fromStdString(text)); };
-    report(progress, 1, "Indexing the library");
-    auto prepared = prepare_solver(std::move(material).value(), wanted);
-    if (!prepared) return [this, text = prepared.error().text()] { showFailure(QString::fromStdString(text)); };
-    // Shared only because std::function must be copyable.
-    auto ready = std::make_shared<PreparedSolver>(std::move(prepared).value());
-    return [this, ready] { start(ready); };
-  });
+  m_job =
+      std::make_unique<Job>([this, make = std::move(make), wanted](const Progress& progress) -> Job::Finish {
+        auto material = make(progress);
+        if (!material)
+          return [this, text = material.error().text()] { showFailure(QString::fromStdString(text)); };
+        report(progress, 1, "Indexing the library");
+        auto prepared = prepare_solver(std::move(material).value(), wanted);
+        if (!prepared)
+          return [this, text = prepared.error().text()] { showFailure(QString::fromStdString(text)); };
+        // Shared only because std::function must be copyable.
+        auto ready = std::make_shared<PreparedSolver>(std::move(prepared).value());
+        return [this, ready] { start(ready); };
+      });
   m_messages->showProgress("Opening", 0);
   connect(m_job.get(), &Job::progressed, m_messages,
           [this](double fraction, const QString& doing) { m_messages->showProgress(doing, fraction); });
@@ -59,10 +64,10 @@ void MainWindow::start(std::shared_ptr<PreparedSolver> prepared) {
   setWindowTitle(input + " with " + library + " — Abrazo");
   m_ticker.setSources(&m_session->history(), &m_session->latest());
   if (!material.warnings.empty())
-    m_messages->showInformation(QString("%1 %2").arg(QString::fromStdString(material.warnings.front()),
-                                                     material.warnings.size() > 1
-                                                         ? QString("(and %1 more)").arg(material.warnings.size() - 1)
-                                                         : QString()));
+    m_messages->showInformation(QString("%1 %2").arg(
+        QString::fromStdString(material.warnings.front()),
+        material.warnings.size() > 1 ? QString("(and %1 more)").arg(material.warnings.size() - 1)
+                                     : QString()));
   emit sessionStarted();
 }
 

@@ -114,8 +114,9 @@ MotionLibrary::MotionLibrary(LibraryColumns columns) : columns_(std::move(column
   std::vector<int> active(columns_.bodies.size()), passive(columns_.bodies.size());
   for (const PairSource& source : columns_.sources) {
     const LibraryTake& take = columns_.takes[source.take];
-    ++active[source.swapped ? take.body_b : take.body_a];
-    ++passive[source.swapped ? take.body_a : take.body_b];
+    const bool b_first = source.swapped != columns_.roles_exchanged;
+    ++active[b_first ? take.body_b : take.body_a];
+    ++passive[b_first ? take.body_a : take.body_b];
   }
   const auto most = [](const std::vector<int>& counts) {
     return static_cast<std::uint32_t>(std::max_element(counts.begin(), counts.end()) - counts.begin());
@@ -133,15 +134,33 @@ std::span<const MeshTetrahedron> MotionLibrary::tetrahedra(int pair) const {
 }
 
 const LibraryBody& MotionLibrary::active_body(int pair) const {
-  return columns_.bodies[source(pair).swapped ? take_of(pair).body_b : take_of(pair).body_a];
+  const bool is_b = source(pair).swapped != columns_.roles_exchanged;
+  return columns_.bodies[is_b ? take_of(pair).body_b : take_of(pair).body_a];
 }
 
 const LibraryBody& MotionLibrary::passive_body(int pair) const {
-  return columns_.bodies[source(pair).swapped ? take_of(pair).body_a : take_of(pair).body_b];
+  const bool is_a = source(pair).swapped != columns_.roles_exchanged;
+  return columns_.bodies[is_a ? take_of(pair).body_a : take_of(pair).body_b];
 }
 
 std::string_view MotionLibrary::label(int pair) const {
   return label_at(take_of(pair).labels, static_cast<int>(source(pair).frame));
+}
+
+PairPose MotionLibrary::pair_in_world(int pair, const RootFrame& user_root, bool user_is_passive) const {
+  RootFrame placed = user_root;
+  placed.position.y() = root(pair).position.y();
+  const PairPose& recorded = pose(pair);
+  if (!user_is_passive)
+    return recorded * placed.rotation().transpose() +
+           placed.position.transpose().replicate<pair_vertex_count, 1>();
+  const RootFrame passive = root_frame(recorded.bottomRows<joint_count>());
+  placed.position.y() += passive.position.y();
+  PairPose world;
+  world.topRows<joint_count>() = to_world(to_normalized(recorded.topRows<joint_count>(), passive), placed);
+  world.bottomRows<joint_count>() =
+      to_world(to_normalized(recorded.bottomRows<joint_count>(), passive), placed);
+  return world;
 }
 
 int MotionLibrary::later_pair(int pair, int steps) const {

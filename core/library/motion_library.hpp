@@ -45,7 +45,8 @@ struct LibraryBody {
 /// order, those with swapped = false first. Filled by the builder or the file reader, then only read.
 struct LibraryColumns {
   std::string name;
-  double rate_hz = 60;  ///< of the pairs (that of the fastest take after thinning)
+  bool roles_exchanged = false;  ///< "active" holds the passive performer: see with_roles_exchanged
+  double rate_hz = 60;           ///< of the pairs (that of the fastest take after thinning)
   std::vector<LibraryTake> takes;
   std::vector<LibraryBody> bodies;  ///< performers whose bones differ by less than 0.5 % are one body
   std::vector<PairSource> sources;
@@ -85,6 +86,13 @@ class MotionLibrary {
   const LibraryBody& passive_body(int pair) const;
   std::string_view label(int pair) const;
 
+  /// q''_A, q''_S of Eq. 5-6: a recorded pair where the user is. Horizontally moved to the user's root and
+  /// turned to the user's heading; heights stay those of the recording, so that its feet stay on the floor
+  /// (the equations leave the translation out, but Eq. 7 compares with world positions).
+  /// @param user_root  of the body that plays the user: the active one, or the passive one when
+  /// `user_is_passive`
+  PairPose pair_in_world(int pair, const RootFrame& user_root, bool user_is_passive = false) const;
+
   /// The pair recorded `steps` pairs later in the same take with the same roles, without a gap; -1 when there
   /// is none.
   int later_pair(int pair, int steps) const;
@@ -105,5 +113,10 @@ class MotionLibrary {
   std::uint32_t usual_active_ = 0;
   std::uint32_t usual_passive_ = 0;
 };
+
+/// The same pairs with the two bodies in each other's place: normalised by the passive root, with its
+/// features, for a user who takes the passive role. Pair numbers stay; sources still say who was active in
+/// the recording.
+MotionLibrary with_roles_exchanged(const MotionLibrary& library);
 
 }  // namespace abrazo

@@ -14,7 +14,7 @@ struct CostBreakdown {
 struct Candidate {
   int pair = -1;                ///< in the library
   double feature_distance = 0;  ///< Euclidean [m]
-  bool continuation = false;    ///< joined because it continues the current source, not as a nearest neighbour
+  bool continuation = false;  ///< joined because it continues the current source, not as a nearest neighbour
   CostBreakdown cost;
 };
 

@@ -46,18 +46,11 @@ int PairSelector::select(const SelectionQuery& query, std::vector<Candidate>& ca
   int cheapest = -1;
   for (std::size_t c = 0; c < candidates.size(); ++c) {
     candidates[c].cost = pair_cost(query, library_->pose(candidates[c].pair),
-                                   pair_in_world(*library_, candidates[c].pair, query.root));
+                                   library_->pair_in_world(candidates[c].pair, query.root));
     if (cheapest < 0 || candidates[c].cost.total < candidates[static_cast<std::size_t>(cheapest)].cost.total)
       cheapest = static_cast<int>(c);
   }
   return cheapest;
-}
-
-PairPose pair_in_world(const MotionLibrary& library, int pair, const RootFrame& user_root) {
-  PairPose world = library.pose(pair) * user_root.rotation().transpose();
-  const Vec3 origin(user_root.position.x(), library.root(pair).position.y(), user_root.position.z());
-  world.rowwise() += origin.transpose();
-  return world;
 }
 
 CostBreakdown pair_cost(const SelectionQuery& query, const PairPose& normalized_pair,

@@ -11,14 +11,14 @@ namespace abrazo {
 
 /// What is compared with the library for one frame.
 struct SelectionQuery {
-  Pose normalized;        ///< p'_in
-  RootFrame root;         ///< of q'_in
+  Pose normalized;  ///< p'_in
+  RootFrame root;   ///< of q'_in
   Features features;
   bool has_prediction = false;  ///< from the second frame on
-  PairPose predicted;     ///< s_A*, s_S* of Eq. 3-4, world; only with has_prediction
+  PairPose predicted;           ///< s_A*, s_S* of Eq. 3-4, world; only with has_prediction
   double alpha = 0.5;
   int neighbours = 10;
-  int current_pair = -1;  ///< the source of the previous frame; -1 at the start
+  int current_pair = -1;     ///< the source of the previous frame; -1 at the start
   int expected_advance = 1;  ///< pairs of the library that one step takes in real time
   int continuations = 0;  ///< so many successors of the current pair, whole steps ahead, join the candidates
 };
@@ -42,12 +42,8 @@ class PairSelector {
   std::vector<PoseMatch> matches_;  ///< kept between calls so that a query does not allocate
 };
 
-/// q''_A, q''_S of Eq. 5-6: a recorded pair where the user is. Horizontally moved to the user's root and turned to the
-/// user's heading; heights stay those of the recording, so that its feet stay on the floor (the equations leave the
-/// translation out, but Eq. 7 compares with world positions).
-PairPose pair_in_world(const MotionLibrary& library, int pair, const RootFrame& user_root);
-
 /// Eq. 7 term by term for one recorded pair.
-CostBreakdown pair_cost(const SelectionQuery& query, const PairPose& normalized_pair, const PairPose& world_pair);
+CostBreakdown pair_cost(const SelectionQuery& query, const PairPose& normalized_pair,
+                        const PairPose& world_pair);
 
 }  // namespace abrazo

@@ -39,10 +39,12 @@ Result<VideoWriter> VideoWriter::open(const std::filesystem::path& file, int wid
   state->partial = file.parent_path() / (file.stem().string() + ".part" + file.extension().string());
   state->width = width;
   state->height = height;
-  state->video.open(state->partial.string(), cv::VideoWriter::fourcc('m', 'p', '4', 'v'), fps, cv::Size(width, height));
+  state->video.open(state->partial.string(), cv::VideoWriter::fourcc('m', 'p', '4', 'v'), fps,
+                    cv::Size(width, height));
   if (!state->video.isOpened())
-    return Error{"cannot be written as MPEG-4 video; check that the folder exists and that the name ends in .mp4",
-                 file.string()};
+    return Error{
+        "cannot be written as MPEG-4 video; check that the folder exists and that the name ends in .mp4",
+        file.string()};
   return VideoWriter(std::move(state));
 }
 
@@ -50,18 +52,21 @@ Status VideoWriter::add(std::span<const std::uint8_t> rgb, std::size_t stride) {
   const auto row = static_cast<std::size_t>(state_->width) * 3;
   const auto needed = stride * static_cast<std::size_t>(state_->height - 1) + row;
   if (stride < row || rgb.size() < needed)
-    return Error{"a picture of " + std::to_string(rgb.size()) + " bytes does not fill " + std::to_string(state_->width) +
-                     " x " + std::to_string(state_->height) + " pixels",
+    return Error{"a picture of " + std::to_string(rgb.size()) + " bytes does not fill " +
+                     std::to_string(state_->width) + " x " + std::to_string(state_->height) + " pixels",
                  state_->target.string()};
   // OpenCV has no const view; the picture is only read.
-  const cv::Mat picture(state_->height, state_->width, CV_8UC3, const_cast<std::uint8_t*>(rgb.data()), stride);
+  const cv::Mat picture(state_->height, state_->width, CV_8UC3, const_cast<std::uint8_t*>(rgb.data()),
+                        stride);
   cv::cvtColor(picture, state_->bgr, cv::COLOR_RGB2BGR);
   state_->video.write(state_->bgr);
   ++state_->frames;
   return Done{};
 }
 
-int VideoWriter::frames() const { return state_->frames; }
+int VideoWriter::frames() const {
+  return state_->frames;
+}
 
 Status VideoWriter::finish() {
   state_->video.release();
@@ -69,8 +74,8 @@ Status VideoWriter::finish() {
   const int found = back.isOpened() ? static_cast<int>(back.get(cv::CAP_PROP_FRAME_COUNT)) : 0;
   back.release();
   if (found != state_->frames)
-    return Error{"the video came out with " + std::to_string(found) + " of " + std::to_string(state_->frames) +
-                     " pictures; check that the disk is not full",
+    return Error{"the video came out with " + std::to_string(found) + " of " +
+                     std::to_string(state_->frames) + " pictures; check that the disk is not full",
                  state_->target.string()};
   std::error_code failure;
   std::filesystem::rename(state_->partial, state_->target, failure);

@@ -9,7 +9,8 @@
 
 namespace abrazo {
 
-/// Writes pictures as an MPEG-4 video. The file appears under its name when it is finished, whole or not at all.
+/// Writes pictures as an MPEG-4 video. The file appears under its name when it is finished, whole or not at
+/// all.
 class VideoWriter {
  public:
   /// @param width, height  of every picture [pixels], even

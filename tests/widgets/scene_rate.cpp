@@ -34,7 +34,8 @@ int main(int argc, char** argv) {
     QApplication::processEvents();
   }
   const double seconds = static_cast<double>(clock.nsecsElapsed()) * 1e-9;
-  std::printf("%d frames at 1280x720: %.1f per second, %.1f ms of processor time each, %llu swaps\n", frames, frames / seconds,
+  std::printf("%d frames at 1280x720: %.1f per second, %.1f ms of processor time each, %llu swaps\n", frames,
+              frames / seconds,
               1000.0 * static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC / frames,
               static_cast<unsigned long long>(scene.renderedFrames() - before));
   return 0;

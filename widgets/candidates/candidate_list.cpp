@@ -17,7 +17,9 @@ constexpr int total_width = 56;
 constexpr int name_width = 138;
 constexpr int name_left = 46;
 
-QString text(const std::string& utf8) { return QString::fromStdString(utf8); }
+QString text(const std::string& utf8) {
+  return QString::fromStdString(utf8);
+}
 
 }  // namespace
 
@@ -79,8 +81,8 @@ void CandidateList::paintRow(QPainter& painter, int index) const {
   // The frame number must not be pushed out by a long take name.
   const QString number = QString::number(row.frame) + (row.swapped ? " ⇄" : "");
   const double number_width = tabular_width(painter.font(), number);
-  const QString name =
-      painter.fontMetrics().elidedText(text(row.take), Qt::ElideMiddle, static_cast<int>(name_width - number_width - 16));
+  const QString name = painter.fontMetrics().elidedText(text(row.take), Qt::ElideMiddle,
+                                                        static_cast<int>(name_width - number_width - 16));
   painter.setPen(m_palette.text);
   painter.drawText(QRectF(name_left, line.top(), name_width, row_height), Qt::AlignVCenter, name);
   const double after = name_left + painter.fontMetrics().horizontalAdvance(name) + 5;
@@ -90,8 +92,9 @@ void CandidateList::paintRow(QPainter& painter, int index) const {
   const QRectF area = barArea(index);
   const BarEnds ends = bar_ends(row, m_fullBar);
   const auto part = [&](double from, double to, const QColor& colour) {
-    painter.fillRect(QRectF(area.left() + from * area.width(), area.top(), (to - from) * area.width(), area.height()),
-                     colour);
+    painter.fillRect(
+        QRectF(area.left() + from * area.width(), area.top(), (to - from) * area.width(), area.height()),
+        colour);
   };
   part(0, ends.pose, m_palette.user);
   part(ends.pose, ends.active, m_palette.active);
@@ -102,15 +105,17 @@ void CandidateList::paintRow(QPainter& painter, int index) const {
 
 QString CandidateList::tip(const CandidateRow& row) const {
   const auto line = [](const char* name, double value) {
-    return QString("<tr><td>%1&nbsp;&nbsp;</td><td align=right>%2 m²</td></tr>").arg(name).arg(value, 0, 'f', 4);
+    return QString("<tr><td>%1&nbsp;&nbsp;</td><td align=right>%2 m²</td></tr>")
+        .arg(name)
+        .arg(value, 0, 'f', 4);
   };
   QString tip = QString("<b>%1 · %2</b>%3<br>%4<table>")
                     .arg(text(row.take).toHtmlEscaped())
                     .arg(row.frame)
                     .arg(row.swapped ? " (roles swapped)" : "")
                     .arg(row.label.empty() ? "no label" : text(row.label).toHtmlEscaped());
-  tip += line("pose", row.pose) + line("α · temporal leader", row.active) + line("α · temporal follower", row.passive) +
-         line("total (Eq. 7)", row.total);
+  tip += line("pose", row.pose) + line("α · temporal leader", row.active) +
+         line("α · temporal follower", row.passive) + line("total (Eq. 7)", row.total);
   return tip + "</table>";
 }
 
@@ -128,7 +133,9 @@ void CandidateList::mouseMoveEvent(QMouseEvent* event) {
   hover(row < static_cast<int>(m_rows.size()) ? row : -1);
 }
 
-void CandidateList::leaveEvent(QEvent*) { hover(-1); }
+void CandidateList::leaveEvent(QEvent*) {
+  hover(-1);
+}
 
 bool CandidateList::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);

@@ -37,7 +37,8 @@ class CandidateList : public QWidget {
 
   Palette m_palette;
   std::vector<CandidateRow> m_rows;
-  double m_fullBar = 0;  ///< total that fills the bar: keeps to round numbers so that bars can be compared over time
+  double m_fullBar =
+      0;  ///< total that fills the bar: keeps to round numbers so that bars can be compared over time
   int m_hovered = -1;
 };
 

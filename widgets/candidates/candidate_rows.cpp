@@ -8,10 +8,10 @@
 namespace abrazo::widgets {
 namespace {
 
-/// Three decimals, more where that would read 0.000.
+/// Three decimals, four where that would read 0.000.
 std::string figure(double value) {
   char text[32];
-  std::snprintf(text, sizeof text, value != 0 && value < 0.0005 ? "%.1e" : "%.3f", value);
+  std::snprintf(text, sizeof text, value != 0 && value < 0.0005 ? "%.4f" : "%.3f", value);
   return text;
 }
 
@@ -60,8 +60,8 @@ std::string winning_reason(const std::vector<CandidateRow>& rows) {
                                        second.passive - winner->passive};
   const auto largest = std::max_element(gains.begin(), gains.end());
   if (*largest <= 0) return "A tie with the second";
-  static constexpr std::array<const char*, 3> terms = {"nearer to the user's pose", "less temporal cost of the leader",
-                                                       "less temporal cost of the follower"};
+  static constexpr std::array<const char*, 3> terms = {
+      "nearer to the user's pose", "less temporal cost of the leader", "less temporal cost of the follower"};
   return "Winner by " + figure(second.total - winner->total) + " — " +
          terms[static_cast<std::size_t>(std::distance(gains.begin(), largest))];
 }

@@ -32,8 +32,9 @@ struct BarEnds {
 };
 BarEnds bar_ends(const CandidateRow& row, double largest_total);
 
-/// "Winner by 0.024 — less temporal cost of the follower": the margin to the runner-up and the term that decided it.
-/// Says so when the winner is not the cheapest (a pinned pair), or when there is nothing to compare with.
+/// "Winner by 0.024 — less temporal cost of the follower": the margin to the runner-up and the term that
+/// decided it. Says so when the winner is not the cheapest (a pinned pair), or when there is nothing to
+/// compare with.
 std::string winning_reason(const std::vector<CandidateRow>& rows);
 
 }  // namespace abrazo::widgets

@@ -50,8 +50,12 @@ void CandidateTable::setColours(const Palette& palette) {
   m_list->setColours(palette);
 }
 
-const std::vector<CandidateRow>& CandidateTable::rows() const { return m_list->rows(); }
-QString CandidateTable::reason() const { return m_reason->text(); }
+const std::vector<CandidateRow>& CandidateTable::rows() const {
+  return m_list->rows();
+}
+QString CandidateTable::reason() const {
+  return m_reason->text();
+}
 
 void CandidateTable::showFrame(FrameSnapshotPtr frame) {
   if (!frame || !m_library) return;

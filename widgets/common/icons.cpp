@@ -31,7 +31,9 @@ void filled(QPainter& painter, Icon which) {
       painter.drawPath(triangle(9, 2.5));
       bar(painter, 11.8, 1.2);
       break;
-    case Icon::Play: painter.drawPath(triangle(4.2, 13)); break;
+    case Icon::Play:
+      painter.drawPath(triangle(4.2, 13));
+      break;
     case Icon::Pause:
       bar(painter, 4, 2.4);
       bar(painter, 9.6, 2.4);
@@ -44,7 +46,8 @@ void filled(QPainter& painter, Icon which) {
       painter.drawPath(triangle(3, 10));
       bar(painter, 11.8, 1.2);
       break;
-    default: break;
+    default:
+      break;
   }
 }
 
@@ -75,7 +78,8 @@ void lined(QPainter& painter, Icon which) {
       painter.drawRoundedRect(QRectF(3.5, 7.5, 9, 6), 1, 1);
       painter.drawArc(QRectF(which == Icon::Lock ? 5.2 : 8.2, 2.4, 5.6, 8), 0, 180 * 16);
       break;
-    default: break;
+    default:
+      break;
   }
 }
 

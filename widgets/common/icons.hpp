@@ -5,7 +5,21 @@
 
 namespace abrazo::widgets {
 
-enum class Icon { ToStart, StepBack, Play, Pause, StepForward, ToEnd, Loop, Close, Warning, Information, Lock, Unlock, Reset };
+enum class Icon {
+  ToStart,
+  StepBack,
+  Play,
+  Pause,
+  StepForward,
+  ToEnd,
+  Loop,
+  Close,
+  Warning,
+  Information,
+  Lock,
+  Unlock,
+  Reset
+};
 
 /// A single-weight line icon on a 16 px grid, sharp at 1x and 2x.
 QIcon icon(Icon which, const QColor& colour);

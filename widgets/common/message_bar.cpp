@@ -42,9 +42,13 @@ void MessageBar::setColours(const Palette& palette) {
   update();
 }
 
-QString MessageBar::text() const { return m_text->text(); }
+QString MessageBar::text() const {
+  return m_text->text();
+}
 
-void MessageBar::showError(const QString& text) { present(Kind::Error, text); }
+void MessageBar::showError(const QString& text) {
+  present(Kind::Error, text);
+}
 
 void MessageBar::showInformation(const QString& text) {
   present(Kind::Information, text);
@@ -74,7 +78,8 @@ void MessageBar::present(Kind kind, const QString& text) {
 
 void MessageBar::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(), m_kind == Kind::Error ? mixed(m_palette.live, m_palette.panel, 0.22) : m_palette.raised);
+  painter.fillRect(rect(),
+                   m_kind == Kind::Error ? mixed(m_palette.live, m_palette.panel, 0.22) : m_palette.raised);
   if (m_kind == Kind::Progress)
     painter.fillRect(QRectF(0, height() - 2, width() * m_fraction, 2), m_palette.accent.lighter(130));
 }

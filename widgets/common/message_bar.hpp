@@ -11,7 +11,8 @@ class QToolButton;
 
 namespace abrazo::widgets {
 
-/// Tells what happened without getting in the way. Errors stay until closed; other messages leave by themselves.
+/// Tells what happened without getting in the way. Errors stay until closed; other messages leave by
+/// themselves.
 class MessageBar : public QWidget {
   Q_OBJECT
  public:

@@ -62,19 +62,21 @@ QColor label_colour(const Palette& palette, std::string_view label) {
   std::replace(name.begin(), name.end(), '_', ' ');
   std::replace(name.begin(), name.end(), '-', ' ');
   static const std::array<std::pair<const char*, const char*>, 6> moves = {{{"open hold", "#5aa9e6"},
-                                                                           {"closed hold", "#3bb273"},
-                                                                           {"turn", "#e15554"},
-                                                                           {"cross body", "#e1a23b"},
-                                                                           {"walk", "#9a86d8"},
-                                                                           {"in and out", "#4dbfae"}}};
+                                                                            {"closed hold", "#3bb273"},
+                                                                            {"turn", "#e15554"},
+                                                                            {"cross body", "#e1a23b"},
+                                                                            {"walk", "#9a86d8"},
+                                                                            {"in and out", "#4dbfae"}}};
   for (const auto& [move, colour] : moves)
-    if (name.find(move) != std::string::npos) return palette.dark ? QColor(colour) : QColor(colour).darker(112);
+    if (name.find(move) != std::string::npos)
+      return palette.dark ? QColor(colour) : QColor(colour).darker(112);
   return QColor("#59616e");
 }
 
 QColor take_colour(const Palette& palette, int take) {
-  static const std::array<const char*, 12> hues = {"#4d6f9f", "#a3654a", "#5b8f72", "#7b5f97", "#98784a", "#4a8a8f",
-                                                   "#94545f", "#6d8450", "#5a65a3", "#8f5a85", "#8d8a4b", "#59768a"};
+  static const std::array<const char*, 12> hues = {"#4d6f9f", "#a3654a", "#5b8f72", "#7b5f97",
+                                                   "#98784a", "#4a8a8f", "#94545f", "#6d8450",
+                                                   "#5a65a3", "#8f5a85", "#8d8a4b", "#59768a"};
   const QColor hue(hues[static_cast<std::size_t>(std::max(take, 0)) % hues.size()]);
   return palette.dark ? hue : mixed(hue, Qt::white, 0.72);
 }

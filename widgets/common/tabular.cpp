@@ -65,7 +65,9 @@ void TabularLabel::setColour(const QColor& colour) {
   update();
 }
 
-QSize TabularLabel::sizeHint() const { return {m_widest, fontMetrics().height() + 2}; }
+QSize TabularLabel::sizeHint() const {
+  return {m_widest, fontMetrics().height() + 2};
+}
 
 void TabularLabel::paintEvent(QPaintEvent*) {
   QPainter painter(this);

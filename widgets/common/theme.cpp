@@ -11,8 +11,7 @@ namespace {
 // %1 window %2 panel %3 raised %4 border %5 text %6 secondary %7 accent %8 hover
 constexpr const char* sheet = R"(
 QMainWindow, QDialog { background: %1; color: %5; }
-QWidget { color: %5; }
-QMenuBar { background: %2; border-bottom: 1px solid %4; padding: 1px 4px; }
+QMenuBar { background: %2; border-bottom: 1px solid %4; padding: 1px 0; }
 QMenuBar::item { padding: 5px 7px; background: transparent; border-radius: 4px; }
 QMenuBar::item:selected { background: %3; }
 QMenu { background: %2; border: 1px solid %4; padding: 4px; }
@@ -27,6 +26,7 @@ QMainWindow::separator { background: %4; width: 1px; height: 1px; }
 QSplitter::handle { background: %4; }
 QToolTip { background: %1; color: %5; border: 1px solid %4; padding: 5px 7px; }
 QFrame#panel, QWidget#panel { background: %2; }
+QFrame#rule { background: %4; border: none; }
 QLabel#secondary { color: %6; }
 QToolButton#flat, QPushButton#flat { border: none; background: transparent; padding: 3px; border-radius: 5px; }
 QToolButton#flat:hover, QPushButton#flat:hover { background: %3; }
@@ -74,9 +74,9 @@ QFont interface_font(int pixel_size, int weight) {
 
 QString style_sheet(const Palette& p) {
   const auto name = [](const QColor& colour) { return colour.name(); };
-  return QString(sheet)
-      .arg(name(p.window), name(p.panel), name(p.raised), name(p.border), name(p.text), name(p.secondary),
-           name(p.accent), name(mixed(p.secondary, p.panel, 0.35)), p.dark ? "dark" : "light");
+  return QString(sheet).arg(name(p.window), name(p.panel), name(p.raised), name(p.border), name(p.text),
+                            name(p.secondary), name(p.accent), name(mixed(p.secondary, p.panel, 0.35)),
+                            p.dark ? "dark" : "light");
 }
 
 void apply_theme(QApplication& application, const Palette& p) {

@@ -59,18 +59,20 @@ QPixmap TakeList::thumbnail(int take) const {
   painter.setPen(Qt::NoPen);
   painter.setBrush(m_palette.raised);
   painter.drawRoundedRect(QRectF(0, 0, picture, picture), 4, 4);
-  const int pair = m_library->find_pair(m_library->takes()[static_cast<std::size_t>(take)].name,
-                                        m_library->takes()[static_cast<std::size_t>(take)].frames / 2 /
-                                            std::max(1, m_library->takes()[static_cast<std::size_t>(take)].frame_stride) *
-                                            m_library->takes()[static_cast<std::size_t>(take)].frame_stride,
-                                        false);
+  const int pair =
+      m_library->find_pair(m_library->takes()[static_cast<std::size_t>(take)].name,
+                           m_library->takes()[static_cast<std::size_t>(take)].frames / 2 /
+                               std::max(1, m_library->takes()[static_cast<std::size_t>(take)].frame_stride) *
+                               m_library->takes()[static_cast<std::size_t>(take)].frame_stride,
+                           false);
   if (pair < 0) return pixmap;
   const PairPose& pose = m_library->pose(pair);
   const Eigen::RowVector3d low = pose.colwise().minCoeff(), high = pose.colwise().maxCoeff();
   const double scale = (picture - 6) / std::max({high.y() - low.y(), high.z() - low.z(), 0.1});
   const double middle = (low.z() + high.z()) / 2;
   const auto at = [&](int vertex) {
-    return QPointF(picture / 2.0 + scale * (pose(vertex, 2) - middle), picture - 3 - scale * (pose(vertex, 1) - low.y()));
+    return QPointF(picture / 2.0 + scale * (pose(vertex, 2) - middle),
+                   picture - 3 - scale * (pose(vertex, 1) - low.y()));
   };
   for (const int body : {1, 0}) {
     painter.setPen(QPen(body == 0 ? m_palette.active : m_palette.passive, 1.6, Qt::SolidLine, Qt::RoundCap));

@@ -16,6 +16,11 @@ namespace abrazo::widgets {
 namespace {
 
 constexpr int head_height = 30;
+constexpr double key_gap = 10;
+
+QString unitOf(const PlotPane::Curve& curve) {
+  return curve.unit.isEmpty() ? QString() : " " + curve.unit;
+}
 
 }  // namespace
 
@@ -49,8 +54,9 @@ PlotPane::PlotPane(const QString& title, std::vector<Curve> curves, QWidget* par
   connect(m_plot, &QCustomPlot::mouseMove, this, [this](QMouseEvent* event) {
     if (event->buttons() & Qt::LeftButton) emit seekRequested(m_plot->xAxis->pixelToCoord(event->pos().x()));
   });
-  connect(m_plot, &QCustomPlot::mouseWheel, this,
-          [this](QWheelEvent* event) { emit zoomRequested(std::pow(0.85, event->angleDelta().y() / 120.0)); });
+  connect(m_plot, &QCustomPlot::mouseWheel, this, [this](QWheelEvent* event) {
+    emit zoomRequested(std::pow(0.85, event->angleDelta().y() / 120.0));
+  });
 }
 
 void PlotPane::setColours(const Palette& palette, const std::vector<QColor>& curves) {
@@ -68,14 +74,16 @@ void PlotPane::setColours(const Palette& palette, const std::vector<QColor>& cur
     axis->grid()->setZeroLinePen(QPen(faint, 1));
   }
   m_plot->xAxis->grid()->setVisible(false);
-  for (int c = 0; c < m_plot->graphCount(); ++c) m_plot->graph(c)->setPen(QPen(curves[static_cast<std::size_t>(c)], 1.3));
+  for (int c = 0; c < m_plot->graphCount(); ++c)
+    m_plot->graph(c)->setPen(QPen(curves[static_cast<std::size_t>(c)], 1.3));
   m_cursor->setPen(QPen(palette.dark ? QColor("#c7ccd6") : palette.text, 1.4));
   update();
   m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void PlotPane::append(double time_s, const std::vector<double>& values) {
-  for (int c = 0; c < m_plot->graphCount(); ++c) m_plot->graph(c)->addData(time_s, values[static_cast<std::size_t>(c)]);
+  for (int c = 0; c < m_plot->graphCount(); ++c)
+    m_plot->graph(c)->addData(time_s, values[static_cast<std::size_t>(c)]);
 }
 
 void PlotPane::dropBefore(double time_s) {
@@ -112,7 +120,9 @@ void PlotPane::draw(double from_s, double to_s, double cursor_s) {
   m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
-double PlotPane::xOf(double time_s) const { return m_plot->x() + m_plot->xAxis->coordToPixel(time_s); }
+double PlotPane::xOf(double time_s) const {
+  return m_plot->x() + m_plot->xAxis->coordToPixel(time_s);
+}
 
 void PlotPane::paintEvent(QPaintEvent*) {
   QPainter painter(this);
@@ -120,20 +130,36 @@ void PlotPane::paintEvent(QPaintEvent*) {
   painter.setFont(interface_font(12, QFont::DemiBold));
   painter.setPen(m_palette.text);
   painter.drawText(QRectF(12, 4, width(), head_height - 4), Qt::AlignVCenter, m_title);
-  double x = 12 + painter.fontMetrics().horizontalAdvance(m_title) + 14;
+  const double title_end = 12 + painter.fontMetrics().horizontalAdvance(m_title) + 14;
+  // Where the values leave no room for the names of the curves, the names alone stay.
+  const bool with_values = title_end + headWidth(true) < width();
+  double x = title_end;
   for (std::size_t c = 0; c < m_curves.size() && c < m_colours.size(); ++c) {
     const Curve& curve = m_curves[c];
-    painter.setFont(interface_font(12));
-    painter.fillRect(QRectF(x, head_height / 2 - 2, 9, 9), m_colours[c]);
+    painter.setFont(interface_font(11));
+    painter.fillRect(QRectF(x, head_height / 2.0 - 2, 8, 8), m_colours[c]);
     painter.setPen(m_palette.secondary);
-    painter.drawText(QRectF(x + 14, 4, width(), head_height - 4), Qt::AlignVCenter, curve.name);
-    x += 14 + painter.fontMetrics().horizontalAdvance(curve.name) + 5;
-    const QString value = c < m_values.size() ? QString::number(m_values[c], 'f', curve.decimals) : QString("–");
-    const QString shown = value + (curve.unit.isEmpty() ? "" : " " + curve.unit);
-    painter.setPen(m_palette.text);
-    draw_tabular(painter, QRectF(x, 4, 90, head_height - 4), Qt::AlignLeft, shown);
-    x += tabular_width(painter.font(), QString(curve.decimals + 3, '0') + " " + curve.unit) + 10;
+    painter.drawText(QRectF(x + 12, 4, width(), head_height - 4), Qt::AlignVCenter, curve.name);
+    x += 12 + painter.fontMetrics().horizontalAdvance(curve.name) + 5;
+    if (with_values) {
+      const QString value =
+          c < m_values.size() ? QString::number(m_values[c], 'f', curve.decimals) : QString("–");
+      painter.setPen(m_palette.text);
+      draw_tabular(painter, QRectF(x, 4, 90, head_height - 4), Qt::AlignLeft, value + unitOf(curve));
+      x += tabular_width(painter.font(), QString(curve.decimals + 2, '0') + unitOf(curve));
+    }
+    x += key_gap;
   }
+}
+
+double PlotPane::headWidth(bool with_values) const {
+  const QFont font = interface_font(11);
+  double sum = 0;
+  for (const Curve& curve : m_curves) {
+    sum += 12 + tabular_width(font, curve.name) + 5 + key_gap;
+    if (with_values) sum += tabular_width(font, QString(curve.decimals + 2, '0') + unitOf(curve));
+  }
+  return sum;
 }
 
 }  // namespace abrazo::widgets

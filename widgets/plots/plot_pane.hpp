@@ -39,6 +39,7 @@ class PlotPane : public QWidget {
 
  private:
   void fitHeight(double from_s, double to_s);
+  double headWidth(bool with_values) const;
 
   QString m_title;
   std::vector<Curve> m_curves;

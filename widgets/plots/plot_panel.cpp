@@ -27,7 +27,7 @@ struct PlotPanel::Parts {
   PlotPane* residual = nullptr;
   std::uint64_t next_index = 0;
   double span_s = 20;
-  double to_s = 0;        ///< right end of the window
+  double to_s = 0;  ///< right end of the window
   double cursor_s = 0;
 };
 
@@ -37,12 +37,14 @@ PlotPanel::PlotPanel(QWidget* parent) : QWidget(parent), m_parts(std::make_uniqu
   row->setSpacing(0);
   using Curves = std::vector<PlotPane::Curve>;
   m_parts->energy = new PlotPane(
-      "Energy", Curves{{"deformation", "", 4}, {"velocity", "", 4}, {"constraint", "", 4}}, this);
+      "Energy", Curves{{"deformation", "", 3}, {"velocity", "", 3}, {"constraint", "", 3}}, this);
   m_parts->residual = new PlotPane(
-      "Residuals", Curves{{"bone length", "%", 2}, {"foot lock", "mm", 1}, {"penetration", "mm", 1}}, this);
-  m_parts->energy->setToolTip("Energies of Eq. 11 at the result [m²]: E_L deformation, E_V velocity, E_C constraint");
+      "Residuals", Curves{{"bones", "%", 2}, {"foot lock", "mm", 1}, {"penetration", "mm", 1}}, this);
+  m_parts->energy->setToolTip(
+      "Energies of Eq. 11 at the result [m²]: E_L deformation, E_V velocity, E_C constraint");
   m_parts->residual->setToolTip(
-      "How far the nonlinear constraints are from being met: largest bone length error, largest drift of a locked "
+      "How far the nonlinear constraints are from being met: largest bone length error, largest drift of a "
+      "locked "
       "foot, deepest penetration beyond the selected pair's own");
   for (PlotPane* pane : {m_parts->energy, m_parts->residual}) {
     row->addWidget(pane, 1);
@@ -68,9 +70,12 @@ void PlotPanel::clear() {
   m_parts->residual->clear();
 }
 
-double PlotPanel::cursorX() const { return m_parts->energy->x() + m_parts->energy->xOf(m_parts->cursor_s); }
+double PlotPanel::cursorX() const {
+  return m_parts->energy->x() + m_parts->energy->xOf(m_parts->cursor_s);
+}
 
-void PlotPanel::refresh(const FrameHistory& history, const Playback& playback, const FrameSnapshotPtr& shown) {
+void PlotPanel::refresh(const FrameHistory& history, const Playback& playback,
+                        const FrameSnapshotPtr& shown) {
   Parts& p = *m_parts;
   for (const FrameSnapshotPtr& frame : history.since(p.next_index)) {
     p.next_index = frame->index + 1;

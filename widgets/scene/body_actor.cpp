@@ -37,7 +37,8 @@ struct Surface {
     actor->SetMapper(mapper);
   }
   std::span<float> coordinates() {
-    return {static_cast<float*>(points->GetVoidPointer(0)), static_cast<std::size_t>(3 * points->GetNumberOfPoints())};
+    return {static_cast<float*>(points->GetVoidPointer(0)),
+            static_cast<std::size_t>(3 * points->GetNumberOfPoints())};
   }
 };
 
@@ -89,8 +90,8 @@ void BodyActor::setPose(const Pose& pose) {
   if (!m_parts->shape) return;
   m_parts->shape->place(pose, 0, m_parts->skin.coordinates());
   m_parts->shape->place(pose, outline_m, m_parts->hull.coordinates());
-  m_parts->shape->place_normals(
-      pose, {m_parts->normals->GetPointer(0), static_cast<std::size_t>(m_parts->normals->GetNumberOfValues())});
+  m_parts->shape->place_normals(pose, {m_parts->normals->GetPointer(0),
+                                       static_cast<std::size_t>(m_parts->normals->GetNumberOfValues())});
   m_parts->normals->Modified();
   m_parts->skin.points->Modified();
   m_parts->hull.points->Modified();

@@ -10,7 +10,8 @@ class vtkRenderer;
 
 namespace abrazo::widgets {
 
-/// A character: lit capsules with a darker silhouette, solid or dashed, so that hue is not the only difference.
+/// A character: lit capsules with a darker silhouette, solid or dashed, so that hue is not the only
+/// difference.
 class BodyActor {
  public:
   enum class Outline { Solid, Dashed };

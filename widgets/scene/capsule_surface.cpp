@@ -72,7 +72,8 @@ CapsuleSurface::CapsuleSurface(const std::array<double, bone_count>& radii) {
   }
 }
 
-/// Calls emit(end or shaft point of the axis, unit direction outwards, radius) for every surface point in order.
+/// Calls emit(end or shaft point of the axis, unit direction outwards, radius) for every surface point in
+/// order.
 template <typename Emit>
 void CapsuleSurface::visit(const Pose& pose, Emit emit) const {
   for (const BoneCapsule& capsule : bones_) {

@@ -10,8 +10,8 @@
 
 namespace abrazo::widgets {
 
-/// Triangles of a body drawn as one capsule per bone. Topology is made once for a set of radii; a new pose only moves
-/// points. Single precision, ready for the graphics card.
+/// Triangles of a body drawn as one capsule per bone. Topology is made once for a set of radii; a new pose
+/// only moves points. Single precision, ready for the graphics card.
 class CapsuleSurface {
  public:
   /// @param radii  per bone [m]; a bone of radius 0 is not drawn
@@ -27,8 +27,8 @@ class CapsuleSurface {
   const std::vector<float>& along() const { return along_; }
 
   static constexpr int segments = 12;
-  static constexpr int cap_rings = 3;       ///< between pole and equator
-  static constexpr int shaft_rings = 6;     ///< from equator to equator, both counted
+  static constexpr int cap_rings = 3;    ///< between pole and equator
+  static constexpr int shaft_rings = 6;  ///< from equator to equator, both counted
   static constexpr int rings = 2 * cap_rings + shaft_rings;
   static constexpr int points_per_capsule = rings * segments + 2;
 

@@ -19,7 +19,7 @@ namespace abrazo::widgets {
 namespace {
 
 constexpr double spacing_m = 0.5;
-constexpr int lines_each_way = 14;        // to either side of the centre
+constexpr int lines_each_way = 14;  // to either side of the centre
 constexpr double reach_m = spacing_m * lines_each_way;
 constexpr int shadow_segments = 20;
 
@@ -133,8 +133,8 @@ void FloorActor::setVisible(bool visible) {
 }
 
 void FloorActor::addTo(vtkRenderer* renderer) {
-  renderer->AddActor(m_parts->shadows.actor);
   renderer->AddActor(m_parts->grid.actor);
+  renderer->AddActor(m_parts->shadows.actor);  // after the lines that it darkens
 }
 
 }  // namespace abrazo::widgets

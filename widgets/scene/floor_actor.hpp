@@ -11,7 +11,8 @@ class vtkRenderer;
 
 namespace abrazo::widgets {
 
-/// Half-metre lines on y = 0 that fade with distance from where the characters are, and soft shadows under them.
+/// Half-metre lines on y = 0 that fade with distance from where the characters are, and soft shadows under
+/// them.
 class FloorActor {
  public:
   FloorActor();
@@ -23,7 +24,7 @@ class FloorActor {
   /// Lines stay where they are in the world; only which of them are drawn changes.
   void setCentre(const Vec3& centre);
   struct Shadow {
-    Vec3 above;       ///< what casts it, world [m]
+    Vec3 above;  ///< what casts it, world [m]
     double radius_m;
     double strength;  ///< 0..1
   };

@@ -33,8 +33,8 @@ LineSet::LineSet(Kind kind) : m_parts(std::make_unique<Parts>()) {
   m_parts->mapper->SetScalarVisibility(false);
   m_parts->actor->SetMapper(m_parts->mapper);
   m_parts->actor->PickableOff();
-  // Blends all the same, in the order of the actors. VTK's translucent pass costs a software renderer more than
-  // everything else in the scene.
+  // Blends all the same, in the order of the actors. VTK's translucent pass costs a software renderer more
+  // than everything else in the scene.
   m_parts->actor->ForceOpaqueOn();
   m_parts->actor->GetProperty()->LightingOff();
   if (kind == Kind::Dots) m_parts->actor->GetProperty()->RenderPointsAsSpheresOn();
@@ -83,10 +83,16 @@ void LineSet::setWidth(double pixels) {
   m_parts->actor->GetProperty()->SetPointSize(static_cast<float>(pixels));
 }
 
-void LineSet::setVisible(bool visible) { m_parts->actor->SetVisibility(visible); }
+void LineSet::setVisible(bool visible) {
+  m_parts->actor->SetVisibility(visible);
+}
 
-void LineSet::addTo(vtkRenderer* renderer) { renderer->AddActor(m_parts->actor); }
+void LineSet::addTo(vtkRenderer* renderer) {
+  renderer->AddActor(m_parts->actor);
+}
 
-vtkActor* LineSet::actor() const { return m_parts->actor; }
+vtkActor* LineSet::actor() const {
+  return m_parts->actor;
+}
 
 }  // namespace abrazo::widgets

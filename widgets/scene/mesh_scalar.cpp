@@ -33,15 +33,20 @@ Colour sampled(std::span<const Colour> map, double share) {
   return colour;
 }
 
-double length(const PairPose& pose, const MeshEdge& edge) { return (pose.row(edge[0]) - pose.row(edge[1])).norm(); }
+double length(const PairPose& pose, const MeshEdge& edge) {
+  return (pose.row(edge[0]) - pose.row(edge[1])).norm();
+}
 
 }  // namespace
 
 ScalarInfo scalar_info(MeshScalar scalar) {
   switch (scalar) {
-    case MeshScalar::Residual: return {"Laplacian residual", "mm", false};
-    case MeshScalar::Weight: return {"Edge weight", "", false};
-    case MeshScalar::LengthChange: return {"Length change", "mm", true};
+    case MeshScalar::Residual:
+      return {"Laplacian residual", "mm", false};
+    case MeshScalar::Weight:
+      return {"Edge weight", "", false};
+    case MeshScalar::LengthChange:
+      return {"Length change", "mm", true};
   }
   return {"", "", false};
 }
@@ -64,13 +69,17 @@ double typical_upper(const std::vector<MeshEdge>& edges, const std::vector<doubl
   for (std::size_t e = 0; e < std::min(edges.size(), scalars.size()); ++e)
     if (is_inter_body(edges[e])) sizes.push_back(std::abs(scalars[e]));
   if (sizes.empty()) return 0;
-  const auto place = static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(sizes.size() - 1));
+  const auto place = static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(sizes.size() - 1));
   std::nth_element(sizes.begin(), sizes.begin() + place, sizes.end());
   return sizes[static_cast<std::size_t>(place)];
 }
 
-Colour sequential_colour(double share) { return sampled(viridis, share); }
-Colour diverging_colour(double share) { return sampled(blue_to_red, share); }
+Colour sequential_colour(double share) {
+  return sampled(viridis, share);
+}
+Colour diverging_colour(double share) {
+  return sampled(blue_to_red, share);
+}
 
 double rounded_up(double value) {
   if (!(value > 0) || !std::isfinite(value)) return 0;
@@ -81,14 +90,14 @@ double rounded_up(double value) {
 }
 
 void SteadyRange::show(double largest, double time_s) {
-  constexpr double shrink_after_s = 2;
+  constexpr double shrink_after_s = 1.5;
   if (locked_ && upper_ > 0) return;
   if (largest > upper_ || upper_ == 0) {
     upper_ = rounded_up(largest);
     is_low_ = false;
     return;
   }
-  if (largest > 0.4 * upper_) {
+  if (largest > 0.6 * upper_) {
     is_low_ = false;
   } else if (!is_low_ || time_s < low_since_s_) {
     is_low_ = true;

@@ -21,15 +21,16 @@ ScalarInfo scalar_info(MeshScalar scalar);
 /// One value per edge in the unit of `scalar_info`.
 std::vector<double> edge_scalars(const FrameResult& frame, MeshScalar scalar);
 
-/// The size that 95 % of the edges between the bodies stay under: one stretched edge must not darken all others.
+/// The size that 90 % of the edges between the bodies stay under: one stretched edge must not darken all
+/// others.
 double typical_upper(const std::vector<MeshEdge>& edges, const std::vector<double>& scalars);
 
 /// Red, green, blue [0, 255] at `share` in [0, 1] of the map.
 std::array<unsigned char, 3> sequential_colour(double share);  ///< viridis
 std::array<unsigned char, 3> diverging_colour(double share);   ///< blue - grey - red
 
-/// Upper end of a colour range that is readable and does not flicker: round numbers, grows at once, shrinks only after
-/// the values stayed under two fifths of it for a while.
+/// Upper end of a colour range that is readable and does not flicker: round numbers, grows at once, shrinks
+/// only after the values stayed under three fifths of it for a while.
 class SteadyRange {
  public:
   void show(double largest, double time_s);

@@ -14,12 +14,17 @@ constexpr double steepest_rad = 1.55;  // just short of the pole, where "up" wou
 
 Vec3 OrbitCamera::position() const {
   const double level = std::cos(elevation_rad);
-  return target + distance_m * Vec3(level * std::sin(azimuth_rad), std::sin(elevation_rad), level * std::cos(azimuth_rad));
+  return target + distance_m * Vec3(level * std::sin(azimuth_rad), std::sin(elevation_rad),
+                                    level * std::cos(azimuth_rad));
 }
 
-Vec3 OrbitCamera::right() const { return {std::cos(azimuth_rad), 0, -std::sin(azimuth_rad)}; }
+Vec3 OrbitCamera::right() const {
+  return {std::cos(azimuth_rad), 0, -std::sin(azimuth_rad)};
+}
 
-Vec3 OrbitCamera::up() const { return (position() - target).normalized().cross(right()); }
+Vec3 OrbitCamera::up() const {
+  return (position() - target).normalized().cross(right());
+}
 
 void OrbitCamera::orbit(double dx_px, double dy_px) {
   azimuth_rad = std::remainder(azimuth_rad - dx_px * radians_per_pixel, 2 * 3.14159265358979323846);
@@ -27,7 +32,8 @@ void OrbitCamera::orbit(double dx_px, double dy_px) {
 }
 
 void OrbitCamera::pan(double dx_px, double dy_px, double view_height_px) {
-  const double metres_per_pixel = 2 * distance_m * std::tan(view_angle_rad / 2) / std::max(view_height_px, 1.0);
+  const double metres_per_pixel =
+      2 * distance_m * std::tan(view_angle_rad / 2) / std::max(view_height_px, 1.0);
   target += metres_per_pixel * (dy_px * up() - dx_px * right());
 }
 

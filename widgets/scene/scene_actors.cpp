@@ -16,20 +16,27 @@ using Rgba = std::array<unsigned char, 4>;
 
 std::vector<Line> bone_lines(int first_vertex) {
   std::vector<Line> lines;
-  for (int b = 0; b < bone_count; ++b) lines.push_back({first_vertex + bone(b).first, first_vertex + bone(b).second});
+  for (int b = 0; b < bone_count; ++b)
+    lines.push_back({first_vertex + bone(b).first, first_vertex + bone(b).second});
   return lines;
 }
 
-std::span<const double> coordinates(const PairPose& pair) { return {pair.data(), pair_vertex_count * 3}; }
-std::span<const double> coordinates(const Pose& pose) { return {pose.data(), joint_count * 3}; }
+std::span<const double> coordinates(const PairPose& pair) {
+  return {pair.data(), pair_vertex_count * 3};
+}
+std::span<const double> coordinates(const Pose& pose) {
+  return {pose.data(), joint_count * 3};
+}
 std::span<const double> half(const PairPose& pair, std::size_t body) {
   return coordinates(pair).subspan(body * joint_count * 3, joint_count * 3);
 }
 
-/// Bones without a radius of their own would leave holes in the drawn body; calibrated ones may be too thin to see.
+/// Bones without a radius of their own would leave holes in the drawn body; calibrated ones may be too thin
+/// to see.
 std::array<double, bone_count> drawn_radii(const std::array<double, bone_count>& radii) {
   auto drawn = generic_capsule_radii();
-  for (std::size_t b = 0; b < drawn.size(); ++b) drawn[b] = std::max({0.6 * drawn[b], radii[b], 0.045 * (drawn[b] == 0)});
+  for (std::size_t b = 0; b < drawn.size(); ++b)
+    drawn[b] = std::max({0.6 * drawn[b], radii[b], 0.045 * (drawn[b] == 0)});
   return drawn;
 }
 
@@ -53,10 +60,9 @@ void SceneActors::addTo(vtkRenderer* solid, vtkRenderer* in_front, vtkRenderer* 
   m_floor.addTo(solid);
   m_leader.addTo(solid);
   m_follower.addTo(solid);
-  for (LineSet* lines : {&m_user, &m_selected[0], &m_selected[1], &m_within, &m_between_lines, &m_between_strong,
-                         &m_morph, &m_locks})
-    lines->addTo(solid);
-  for (LineSet* lines : {&m_between_through, &m_bones[0], &m_bones[1], &m_candidate[0], &m_candidate[1], &m_joint_rims})
+  for (LineSet* lines : {&m_within, &m_between_lines, &m_between_strong, &m_locks}) lines->addTo(solid);
+  for (LineSet* lines : {&m_between_through, &m_morph, &m_user, &m_selected[0], &m_selected[1], &m_bones[0],
+                         &m_bones[1], &m_candidate[0], &m_candidate[1], &m_joint_rims})
     lines->addTo(in_front);
   m_joints.addTo(topmost);
   m_contacts.addTo(topmost);
@@ -90,7 +96,8 @@ void SceneActors::setColours(const Palette& palette, double pixel_ratio) {
   style(m_joints, Qt::white, 4.6, 1);
 }
 
-void SceneActors::setRadii(const std::array<double, bone_count>& active, const std::array<double, bone_count>& passive) {
+void SceneActors::setRadii(const std::array<double, bone_count>& active,
+                           const std::array<double, bone_count>& passive) {
   m_leader.setRadii(drawn_radii(active));
   m_follower.setRadii(drawn_radii(passive));
 }
@@ -117,8 +124,8 @@ void SceneActors::setVisibility(const PartVisibility& visibility) {
   m_floor.setVisible(shown(ScenePart::Floor));
 }
 
-void SceneActors::show(const FrameSnapshot& frame, const std::vector<double>& scalars, const SteadyRange& range,
-                       bool is_signed) {
+void SceneActors::show(const FrameSnapshot& frame, const std::vector<double>& scalars,
+                       const SteadyRange& range, bool is_signed) {
   const FrameResult& result = frame.result;
   m_leader.setPose(result.active());
   m_follower.setPose(result.passive());
@@ -160,7 +167,8 @@ void SceneActors::rebuildEdges(const std::vector<MeshEdge>& edges) {
   m_within.setLines(within);
 }
 
-void SceneActors::showMesh(const FrameResult& result, const std::vector<double>& scalars, double upper, bool is_signed) {
+void SceneActors::showMesh(const FrameResult& result, const std::vector<double>& scalars, double upper,
+                           bool is_signed) {
   if (result.edges != m_edges) rebuildEdges(result.edges);
   for (LineSet* lines : {&m_between_lines, &m_between_strong, &m_between_through, &m_within})
     lines->setPoints(coordinates(result.result));
@@ -192,7 +200,8 @@ void SceneActors::showMorphSteps(const FrameResult& result) {
       const QColor& colour = body == 0 ? m_palette.ghost_active : m_palette.ghost_passive;
       for (const Line& line : bone_lines(static_cast<int>(step) * pair_vertex_count + body * joint_count)) {
         lines.push_back(line);
-        colours.push_back({static_cast<unsigned char>(colour.red()), static_cast<unsigned char>(colour.green()),
+        colours.push_back({static_cast<unsigned char>(colour.red()),
+                           static_cast<unsigned char>(colour.green()),
                            static_cast<unsigned char>(colour.blue()), alpha});
       }
     }
@@ -208,7 +217,8 @@ void SceneActors::showFootLocks(const FrameResult& result) {
   std::vector<double> points;
   std::vector<Line> lines;
   for (const FootLock& lock : result.foot_locks) {
-    const int vertex = (lock.active_body ? 0 : joint_count) + (lock.left ? joints::left_toe_base : joints::right_toe_base);
+    const int vertex =
+        (lock.active_body ? 0 : joint_count) + (lock.left ? joints::left_toe_base : joints::right_toe_base);
     const int first = static_cast<int>(points.size() / 3);
     for (int s = 0; s < segments; ++s) {
       const double angle = 2 * 3.14159265358979 * s / segments;
@@ -226,12 +236,14 @@ void SceneActors::showContacts(const FrameResult& result) {
   std::vector<Rgba> colours;
   for (const CapsuleContact& contact : result.collisions) {
     const auto vertex = [&result](int v) { return Vec3(result.result.row(v)); };
-    const Vec3 a0 = vertex(contact.a[0]), a1 = vertex(contact.a[1]), b0 = vertex(contact.b[0]), b1 = vertex(contact.b[1]);
+    const Vec3 a0 = vertex(contact.a[0]), a1 = vertex(contact.a[1]), b0 = vertex(contact.b[0]),
+               b1 = vertex(contact.b[1]);
     const SegmentApproach nearest = closest_points(a0, a1, b0, b1);
     const Vec3 middle = 0.5 * (a0 + nearest.s * (a1 - a0) + b0 + nearest.t * (b1 - b0));
     points.insert(points.end(), {middle.x(), middle.y(), middle.z()});
     // Deeper than the recorded pair is a fault; as deep as recorded is a touch.
-    const QColor& colour = contact.depth_m > contact.allowed_depth_m + 0.005 ? m_palette.live : m_palette.warning;
+    const QColor& colour =
+        contact.depth_m > contact.allowed_depth_m + 0.005 ? m_palette.live : m_palette.warning;
     colours.push_back({static_cast<unsigned char>(colour.red()), static_cast<unsigned char>(colour.green()),
                        static_cast<unsigned char>(colour.blue()), 235});
   }

@@ -29,7 +29,8 @@ class SceneActors {
   void setRadii(const std::array<double, bone_count>& active, const std::array<double, bone_count>& passive);
   void setVisibility(const PartVisibility& visibility);
 
-  void show(const FrameSnapshot& frame, const std::vector<double>& scalars, const SteadyRange& range, bool is_signed);
+  void show(const FrameSnapshot& frame, const std::vector<double>& scalars, const SteadyRange& range,
+            bool is_signed);
   /// The pair of a candidate under the pointer, world; nothing hides it.
   void showCandidate(const std::optional<PairPose>& pair);
   const PartCounts& counts() const { return m_counts; }

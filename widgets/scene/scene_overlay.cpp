@@ -54,7 +54,9 @@ void ScalarLegend::dressLock() {
                        m_lock->isChecked() ? m_palette.text : m_palette.secondary));
 }
 
-bool ScalarLegend::isLocked() const { return m_lock->isChecked(); }
+bool ScalarLegend::isLocked() const {
+  return m_lock->isChecked();
+}
 
 void ScalarLegend::show(MeshScalar scalar, double upper) {
   if (scalar == m_scalar && upper == m_upper) return;
@@ -96,14 +98,17 @@ ScalarChips::ScalarChips(QWidget* parent) : QWidget(parent) {
   row->setSpacing(6);
   auto* group = new QButtonGroup(this);
   const std::array<std::array<const char*, 2>, 3> texts = {
-      {{"Residual", "How far each neighbourhood is bent from the selected pair: |δ − L(v′)|, mean of an edge's ends"},
-       {"Weight", "Share of an edge in the Laplacian coordinates of its ends: inverse of the recorded distance"},
+      {{"Residual",
+        "How far each neighbourhood is bent from the selected pair: |δ − L(v′)|, mean of an edge's ends"},
+       {"Weight",
+        "Share of an edge in the Laplacian coordinates of its ends: inverse of the recorded distance"},
        {"Length change", "Length in the result less length in the selected pair"}}};
   for (std::size_t s = 0; s < texts.size(); ++s) {
     m_scalars[s] = chip(texts[s][0], texts[s][1], this);
     group->addButton(m_scalars[s]);
     row->addWidget(m_scalars[s]);
-    connect(m_scalars[s], &QToolButton::clicked, this, [this, s] { emit scalarChosen(static_cast<MeshScalar>(s)); });
+    connect(m_scalars[s], &QToolButton::clicked, this,
+            [this, s] { emit scalarChosen(static_cast<MeshScalar>(s)); });
   }
   m_scalars[0]->setChecked(true);
   m_betweenOnly = chip("Inter-body only", "Show only the edges between the two bodies", this);
@@ -111,8 +116,12 @@ ScalarChips::ScalarChips(QWidget* parent) : QWidget(parent) {
   connect(m_betweenOnly, &QToolButton::clicked, this, &ScalarChips::betweenOnlyChosen);
 }
 
-void ScalarChips::setScalar(MeshScalar scalar) { m_scalars[static_cast<std::size_t>(scalar)]->setChecked(true); }
-void ScalarChips::setBetweenOnly(bool only) { m_betweenOnly->setChecked(only); }
+void ScalarChips::setScalar(MeshScalar scalar) {
+  m_scalars[static_cast<std::size_t>(scalar)]->setChecked(true);
+}
+void ScalarChips::setBetweenOnly(bool only) {
+  m_betweenOnly->setChecked(only);
+}
 
 FrameFacts::FrameFacts(QWidget* parent) : QWidget(parent) {
   setAttribute(Qt::WA_TransparentForMouseEvents);

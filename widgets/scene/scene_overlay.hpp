@@ -9,7 +9,8 @@ class QToolButton;
 
 namespace abrazo::widgets {
 
-/// What the colours of the mesh mean: title with unit, colour bar, its two ends, and a lock that keeps the range.
+/// What the colours of the mesh mean: title with unit, colour bar, its two ends, and a lock that keeps the
+/// range.
 class ScalarLegend : public QWidget {
   Q_OBJECT
  public:

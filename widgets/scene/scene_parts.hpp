@@ -7,7 +7,18 @@ namespace abrazo::widgets {
 
 /// What the scene can show or hide.
 enum class ScenePart {
-  User, Leader, Follower, SelectedPair, MeshBetween, MeshWithin, MorphSteps, Bones, Joints, FootLocks, Contacts, Floor,
+  User,
+  Leader,
+  Follower,
+  SelectedPair,
+  MeshBetween,
+  MeshWithin,
+  MorphSteps,
+  Bones,
+  Joints,
+  FootLocks,
+  Contacts,
+  Floor,
   Count
 };
 
@@ -16,7 +27,7 @@ using PartVisibility = std::array<bool, scene_part_count>;
 using PartCounts = std::array<int, scene_part_count>;
 
 /// What is quiet until needed starts hidden.
-inline constexpr PartVisibility default_visibility = {true, true, true,  true, true, true,
+inline constexpr PartVisibility default_visibility = {true,  true,  true, true, true, true,
                                                       false, false, true, true, true, true};
 
 }  // namespace abrazo::widgets

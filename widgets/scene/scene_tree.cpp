@@ -52,7 +52,9 @@ SceneTree::SceneTree(QWidget* parent) : QWidget(parent), m_palette(palette_of(Th
   setFixedHeight(row_height * static_cast<int>(rows().size()) + 6);
 }
 
-QSize SceneTree::sizeHint() const { return {260, height()}; }
+QSize SceneTree::sizeHint() const {
+  return {260, height()};
+}
 
 void SceneTree::setColours(const Palette& palette) {
   m_palette = palette;
@@ -76,7 +78,8 @@ void SceneTree::setCounts(const PartCounts& counts) {
 
 bool SceneTree::isOn(int row) const {
   const auto& parts = rows()[static_cast<std::size_t>(row)].parts;
-  return std::any_of(parts.begin(), parts.end(), [this](ScenePart p) { return m_visibility[static_cast<std::size_t>(p)]; });
+  return std::any_of(parts.begin(), parts.end(),
+                     [this](ScenePart p) { return m_visibility[static_cast<std::size_t>(p)]; });
 }
 
 QString SceneTree::note(int row) const {
@@ -121,7 +124,8 @@ void SceneTree::mousePressEvent(QMouseEvent* event) {
   if (row < 0 || event->button() != Qt::LeftButton) return;
   const bool on = !isOn(row);
   PartVisibility changed = m_visibility;
-  for (const ScenePart part : rows()[static_cast<std::size_t>(row)].parts) changed[static_cast<std::size_t>(part)] = on;
+  for (const ScenePart part : rows()[static_cast<std::size_t>(row)].parts)
+    changed[static_cast<std::size_t>(part)] = on;
   emit visibilityRequested(changed);
 }
 

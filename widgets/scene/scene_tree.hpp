@@ -7,7 +7,8 @@
 
 namespace abrazo::widgets {
 
-/// What the scene shows, as an indented list with a dot to show or hide each part and how many there are of it.
+/// What the scene shows, as an indented list with a dot to show or hide each part and how many there are of
+/// it.
 class SceneTree : public QWidget {
   Q_OBJECT
  public:

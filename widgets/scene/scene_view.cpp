@@ -9,8 +9,9 @@
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
-#include <QImage>
+#include <QElapsedTimer>
 #include <QMouseEvent>
+#include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -19,11 +20,13 @@
 #include "core/library/normalization.hpp"
 #include "widgets/scene/scene_actors.hpp"
 #include "widgets/scene/scene_overlay.hpp"
+#include "widgets/scene/smoothing_budget.hpp"
 
 namespace abrazo::widgets {
 namespace {
 
-/// The OpenGL surface. Turns the pointer into camera moves itself: VTK's own styles tilt the horizon and grab keys.
+/// The OpenGL surface. Turns the pointer into camera moves itself: VTK's own styles tilt the horizon and grab
+/// keys.
 class GlSurface : public QVTKOpenGLNativeWidget {
  public:
   explicit GlSurface(QWidget* parent) : QVTKOpenGLNativeWidget(parent) {}
@@ -57,7 +60,11 @@ vtkNew<vtkLight> light(double x, double y, double z, double intensity) {
   return made;
 }
 
-QString seconds(double time_s) { return QString::number(time_s, 'f', 3) + " s"; }
+constexpr int standstill_ms = 130;
+
+QString seconds(double time_s) {
+  return QString::number(time_s, 'f', 3) + " s";
+}
 
 }  // namespace
 
@@ -81,15 +88,22 @@ struct SceneView::Parts {
   bool following = true;
   bool framed = false;
   std::uint64_t rendered = 0;
+  SmoothingBudget budget;
+  bool smoothed = true;
+  bool on_the_way = false;  ///< rendered and not yet on the screen
+  QElapsedTimer since_render;
+  QTimer standstill;  ///< runs out when no picture followed one with rough edges
 
   void makeRenderers();
   void applyCamera();
-  double aspect() const { return surface->height() > 0 ? static_cast<double>(surface->width()) / surface->height() : 1; }
+  double aspect() const {
+    return surface->height() > 0 ? static_cast<double>(surface->width()) / surface->height() : 1;
+  }
 };
 
 void SceneView::Parts::makeRenderers() {
   window->SetMultiSamples(0);
-  if (getenv("NOACT")) return;
+  window->LineSmoothingOn();
   window->SetNumberOfLayers(3);
   solid->SetLayer(0);
   in_front->SetLayer(1);
@@ -105,7 +119,7 @@ void SceneView::Parts::makeRenderers() {
   smoothing->SetUseHighQualityEndpoints(false);
   smoothing->SetEndpointSearchIterations(4);
   topmost->SetFXAAOptions(smoothing);
-  if (!getenv("NOFXAA")) topmost->UseFXAAOn();  // works on the whole picture, so once, in the last layer
+  topmost->UseFXAAOn();  // works on the whole picture, so once, in the last layer
   solid->AddLight(light(-0.7, 0.9, 1.0, 0.85));
   solid->AddLight(light(0.9, 0.1, 0.8, 0.28));
   actors.addTo(solid, in_front, topmost);
@@ -142,8 +156,17 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_parts(std::make_uniqu
     changed[static_cast<std::size_t>(ScenePart::MeshWithin)] = !only;
     setVisibility(changed);
   });
-  connect(p.legend, &ScalarLegend::lockToggled, this, [this](bool locked) { m_parts->range.set_locked(locked); });
-  connect(p.surface, &QOpenGLWidget::frameSwapped, this, [this] { ++m_parts->rendered; });
+  connect(p.legend, &ScalarLegend::lockToggled, this,
+          [this](bool locked) { m_parts->range.set_locked(locked); });
+  connect(p.surface, &QOpenGLWidget::frameSwapped, this, [this] {
+    if (!m_parts->on_the_way) return;  // the window was put together anew without a new picture of the scene
+    m_parts->on_the_way = false;
+    ++m_parts->rendered;
+    m_parts->budget.took(m_parts->smoothed, static_cast<double>(m_parts->since_render.nsecsElapsed()) * 1e-6);
+  });
+  p.standstill.setSingleShot(true);
+  p.standstill.setInterval(standstill_ms);
+  connect(&p.standstill, &QTimer::timeout, this, &SceneView::render);
   p.surface->dragged = [this](QPointF delta, bool pan) {
     const double height = m_parts->surface->height();
     pan ? m_parts->camera.pan(delta.x(), delta.y(), height) : m_parts->camera.orbit(delta.x(), delta.y());
@@ -159,10 +182,18 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_parts(std::make_uniqu
 
 SceneView::~SceneView() = default;
 
-const PartVisibility& SceneView::visibility() const { return m_parts->visibility; }
-MeshScalar SceneView::scalar() const { return m_parts->scalar; }
-const OrbitCamera& SceneView::camera() const { return m_parts->camera; }
-std::uint64_t SceneView::renderedFrames() const { return m_parts->rendered; }
+const PartVisibility& SceneView::visibility() const {
+  return m_parts->visibility;
+}
+MeshScalar SceneView::scalar() const {
+  return m_parts->scalar;
+}
+const OrbitCamera& SceneView::camera() const {
+  return m_parts->camera;
+}
+std::uint64_t SceneView::renderedFrames() const {
+  return m_parts->rendered;
+}
 
 void SceneView::setLibrary(std::shared_ptr<const MotionLibrary> library) {
   m_parts->library = std::move(library);
@@ -176,7 +207,8 @@ void SceneView::setLibrary(std::shared_ptr<const MotionLibrary> library) {
 void SceneView::setColours(const Palette& palette) {
   Parts& p = *m_parts;
   p.palette = palette;
-  p.solid->SetBackground(palette.scene_bottom.redF(), palette.scene_bottom.greenF(), palette.scene_bottom.blueF());
+  p.solid->SetBackground(palette.scene_bottom.redF(), palette.scene_bottom.greenF(),
+                         palette.scene_bottom.blueF());
   p.solid->SetBackground2(palette.scene_top.redF(), palette.scene_top.greenF(), palette.scene_top.blueF());
   p.actors.setColours(palette, devicePixelRatioF());
   p.legend->setColours(palette);
@@ -221,7 +253,8 @@ void SceneView::followPair() {
   const Vec3 middle = 0.5 * (result.result.row(0) + result.result.row(joint_count));
   Vec3 ahead = middle - m_parts->camera.target;
   ahead.y() = 0;
-  if (ahead.norm() > slack_m) m_parts->camera.target += share_per_frame * (ahead - slack_m * ahead.normalized());
+  if (ahead.norm() > slack_m)
+    m_parts->camera.target += share_per_frame * (ahead - slack_m * ahead.normalized());
 }
 
 void SceneView::updateFacts() {
@@ -236,12 +269,15 @@ void SceneView::updateFacts() {
   if (m_parts->library && result.selected >= 0) {
     const int pair = result.candidates[static_cast<std::size_t>(result.selected)].pair;
     const std::string_view label = m_parts->library->label(pair);
-    second = QString("source %1 · %2").arg(QString::fromStdString(m_parts->library->take_of(pair).name))
+    second = QString("source %1 · %2")
+                 .arg(QString::fromStdString(m_parts->library->take_of(pair).name))
                  .arg(m_parts->library->source(pair).frame);
-    if (!label.empty()) second += " · " + QString::fromUtf8(label.data(), static_cast<int>(label.size())).replace('_', ' ');
+    if (!label.empty())
+      second += " · " + QString::fromUtf8(label.data(), static_cast<int>(label.size())).replace('_', ' ');
   }
-  m_parts->facts->show(first, second,
-                       result.status == StepStatus::Ok ? QString() : QString::fromStdString(result.status_text()));
+  m_parts->facts->show(
+      first, second,
+      result.status == StepStatus::Ok ? QString() : QString::fromStdString(result.status_text()));
 }
 
 void SceneView::showCandidate(int candidate) {
@@ -249,7 +285,8 @@ void SceneView::showCandidate(int candidate) {
   const bool changed = candidate != p.candidate;
   p.candidate = candidate;
   std::optional<PairPose> pair;
-  if (p.frame && p.library && candidate >= 0 && candidate < static_cast<int>(p.frame->result.candidates.size())) {
+  if (p.frame && p.library && candidate >= 0 &&
+      candidate < static_cast<int>(p.frame->result.candidates.size())) {
     const int index = p.frame->result.candidates[static_cast<std::size_t>(candidate)].pair;
     RootFrame root = p.frame->result.query_root;
     root.position.y() = p.library->root(index).position.y();
@@ -281,7 +318,7 @@ void SceneView::frameAll() {
   if (!m_parts->frame) return;
   const PairPose& pair = m_parts->frame->result.result;
   const Vec3 low = pair.colwise().minCoeff(), high = pair.colwise().maxCoeff();
-  m_parts->camera.frame(0.5 * (low + high), 0.5 * (high - low).norm() + 0.06, m_parts->aspect());
+  m_parts->camera.frame(0.5 * (low + high), 0.57 * (high - low).norm() + 0.08, m_parts->aspect());
   render();
 }
 
@@ -291,15 +328,27 @@ void SceneView::lookFrom(double azimuth_rad, double elevation_rad) {
   render();
 }
 
-void SceneView::setFollowing(bool following) { m_parts->following = following; }
+void SceneView::setFollowing(bool following) {
+  m_parts->following = following;
+}
 
 void SceneView::render() {
   if (!isVisible()) return;
-  m_parts->applyCamera();
-  m_parts->window->Render();
+  Parts& p = *m_parts;
+  const bool moving = p.since_render.isValid() && p.since_render.elapsed() < standstill_ms;
+  p.smoothed = p.budget.wants_smoothing(moving);
+  p.topmost->SetUseFXAA(p.smoothed);
+  if (!p.smoothed) p.standstill.start();
+  p.since_render.start();
+  p.on_the_way = true;
+  p.applyCamera();
+  p.window->Render();
 }
 
-QImage SceneView::picture() { return grab().toImage(); }
+void SceneView::renderSharp() {
+  m_parts->since_render.invalidate();
+  render();
+}
 
 void SceneView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);

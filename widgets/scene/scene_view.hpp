@@ -10,12 +10,10 @@
 #include "widgets/scene/orbit_camera.hpp"
 #include "widgets/scene/scene_parts.hpp"
 
-class QImage;
-
 namespace abrazo::widgets {
 
-/// Both characters, the user, the selected pair and the mesh between the bodies. Renders once for each frame it is
-/// shown; asks nothing of the solver.
+/// Both characters, the user, the selected pair and the mesh between the bodies. Renders once for each frame
+/// it is shown; asks nothing of the solver.
 class SceneView : public QWidget {
   Q_OBJECT
  public:
@@ -28,8 +26,8 @@ class SceneView : public QWidget {
   const PartVisibility& visibility() const;
   MeshScalar scalar() const;
   const OrbitCamera& camera() const;
-  /// The scene with its overlays as it is on the screen.
-  QImage picture();
+  /// Renders once with smooth edges whatever it costs; before a picture of the window is taken.
+  void renderSharp();
   /// Frames that reached the screen since the start.
   std::uint64_t renderedFrames() const;
 

@@ -13,7 +13,9 @@
 namespace abrazo::widgets {
 namespace {
 
-QString text(std::string_view utf8) { return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size())); }
+QString text(std::string_view utf8) {
+  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
+}
 
 /// "w_Δ" with its index set low.
 QString typeset(const QString& symbol) {
@@ -34,15 +36,22 @@ SettingRow::SettingRow(const SettingInfo& info, QWidget* parent) : QWidget(paren
   setToolTip("<p>" + text(info.help).toHtmlEscaped() + range + "</p>");
   switch (info.kind) {
     case SettingInfo::Kind::Real:
-    case SettingInfo::Kind::Integer: buildNumber(); break;
-    case SettingInfo::Kind::Flag: buildToggle(); break;
-    case SettingInfo::Kind::Choice: buildChoice(); break;
+    case SettingInfo::Kind::Integer:
+      buildNumber();
+      break;
+    case SettingInfo::Kind::Flag:
+      buildToggle();
+      break;
+    case SettingInfo::Kind::Choice:
+      buildChoice();
+      break;
   }
 }
 
 QLabel* SettingRow::titleLabel() {
   const QString symbol = typeset(text(m_info.symbol));
-  auto* label = new QLabel((symbol.isEmpty() ? QString() : symbol + " ") + text(m_info.title).toHtmlEscaped(), this);
+  auto* label =
+      new QLabel((symbol.isEmpty() ? QString() : symbol + " ") + text(m_info.title).toHtmlEscaped(), this);
   label->setTextFormat(Qt::RichText);
   return label;
 }
@@ -119,8 +128,10 @@ void SettingRow::show(const Settings& settings, const Settings& defaults) {
   m_slider->setDefaultPlace(m_scale.place(setting_number(defaults, m_info.key)));
   if (m_value->hasFocus() && m_value->isModified()) return;
   QString shown = m_scale.whole_numbers ? QString::number(number, 'f', 0) : QString::number(number, 'g', 4);
-  if (m_info.key == "step-rate" && number == 0) shown = "input's";
-  else if (!m_info.unit.empty()) shown += " " + text(m_info.unit);
+  if (m_info.key == "step-rate" && number == 0)
+    shown = "input's";
+  else if (!m_info.unit.empty())
+    shown += " " + text(m_info.unit);
   m_value->setText(shown);
 }
 

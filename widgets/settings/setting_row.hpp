@@ -15,7 +15,8 @@ namespace abrazo::widgets {
 class Toggle;
 class ValueSlider;
 
-/// One setting: its symbol and title, its value to type into, and a slider, switch or list according to its kind.
+/// One setting: its symbol and title, its value to type into, and a slider, switch or list according to its
+/// kind.
 class SettingRow : public QWidget {
   Q_OBJECT
  public:

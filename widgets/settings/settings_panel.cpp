@@ -5,8 +5,8 @@
 #include <QScrollArea>
 #include <QToolButton>
 #include <QUndoStack>
-#include <QVariant>
 #include <QVBoxLayout>
+#include <QVariant>
 
 #include "widgets/common/section_header.hpp"
 #include "widgets/settings/setting_row.hpp"
@@ -88,7 +88,8 @@ QWidget* SettingsPanel::rowList() {
   for (const SettingInfo& info : all_settings()) {
     if (info.group != group) {
       group = info.group;
-      m_heads.push_back(new SectionHeader(QString::fromUtf8(group.data(), static_cast<int>(group.size())), list));
+      m_heads.push_back(
+          new SectionHeader(QString::fromUtf8(group.data(), static_cast<int>(group.size())), list));
       m_heads.back()->setFixedHeight(28);
       column->addWidget(m_heads.back());
     }

@@ -16,7 +16,8 @@ namespace abrazo::widgets {
 class SectionHeader;
 class SettingRow;
 
-/// Every setting, live: a change goes out at once as the whole value. One drag of a slider is one step of undo.
+/// Every setting, live: a change goes out at once as the whole value. One drag of a slider is one step of
+/// undo.
 class SettingsPanel : public QWidget {
   Q_OBJECT
  public:

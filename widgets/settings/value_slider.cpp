@@ -33,7 +33,9 @@ void ValueSlider::setDefaultPlace(double place) {
   update();
 }
 
-double ValueSlider::xOf(double place) const { return handle_radius + place * (width() - 2 * handle_radius); }
+double ValueSlider::xOf(double place) const {
+  return handle_radius + place * (width() - 2 * handle_radius);
+}
 
 void ValueSlider::paintEvent(QPaintEvent*) {
   QPainter painter(this);
@@ -68,7 +70,9 @@ void ValueSlider::mouseMoveEvent(QMouseEvent* event) {
   if (m_dragging) dragTo(event->localPos().x());
 }
 
-void ValueSlider::mouseReleaseEvent(QMouseEvent*) { m_dragging = false; }
+void ValueSlider::mouseReleaseEvent(QMouseEvent*) {
+  m_dragging = false;
+}
 
 void ValueSlider::mouseDoubleClickEvent(QMouseEvent*) {
   m_dragging = false;
@@ -78,9 +82,12 @@ void ValueSlider::mouseDoubleClickEvent(QMouseEvent*) {
 void ValueSlider::keyPressEvent(QKeyEvent* event) {
   const double step = event->modifiers() & Qt::ShiftModifier ? 0.1 : 0.01;
   double place = m_place;
-  if (event->key() == Qt::Key_Left) place -= step;
-  else if (event->key() == Qt::Key_Right) place += step;
-  else return QWidget::keyPressEvent(event);
+  if (event->key() == Qt::Key_Left)
+    place -= step;
+  else if (event->key() == Qt::Key_Right)
+    place += step;
+  else
+    return QWidget::keyPressEvent(event);
   setPlace(place);
   emit moved(m_place, ++m_gesture);
 }

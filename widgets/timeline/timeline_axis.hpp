@@ -10,8 +10,8 @@ namespace abrazo::widgets {
 struct TimelineAxis {
   double left_px = 0;
   double width_px = 100;
-  double first_s = 0;   ///< at the left end
-  double span_s = 35;   ///< over the whole width
+  double first_s = 0;  ///< at the left end
+  double span_s = 35;  ///< over the whole width
 
   static constexpr double shortest_s = 0.25, longest_s = 3600;
 
@@ -28,7 +28,8 @@ struct TimelineAxis {
     span_s = wanted;
   }
 
-  /// Shows the end of [first, last] at the right, with a little room; the beginning at the left while all fits.
+  /// Shows the end of [first, last] at the right, with a little room; the beginning at the left while all
+  /// fits.
   void follow(double range_first_s, double range_last_s) {
     constexpr double room = 0.02;
     first_s = std::max(range_first_s, range_last_s - span_s * (1 - room));
@@ -37,15 +38,20 @@ struct TimelineAxis {
   /// Moves as little as shows the time; from far away, to the middle.
   void reveal(double time_s) {
     constexpr double margin = 0.04;
-    if (time_s < first_s - span_s || time_s > last_s() + span_s) first_s = time_s - span_s / 2;
-    else if (time_s < first_s + margin * span_s) first_s = time_s - margin * span_s;
-    else if (time_s > last_s() - margin * span_s) first_s = time_s - (1 - margin) * span_s;
+    if (time_s < first_s - span_s || time_s > last_s() + span_s)
+      first_s = time_s - span_s / 2;
+    else if (time_s < first_s + margin * span_s)
+      first_s = time_s - margin * span_s;
+    else if (time_s > last_s() - margin * span_s)
+      first_s = time_s - (1 - margin) * span_s;
   }
 
-  /// Distance of labelled ticks: 1, 2 or 5 times a power of ten (or whole minutes), at least `apart_px` apart.
+  /// Distance of labelled ticks: 1, 2 or 5 times a power of ten (or whole minutes), at least `apart_px`
+  /// apart.
   double tick_s(double apart_px) const {
     const double least = apart_px * seconds_per_pixel();
-    for (const double step : {0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 120.0, 300.0, 600.0})
+    for (const double step :
+         {0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 120.0, 300.0, 600.0})
       if (step >= least) return step;
     return 1800;
   }
@@ -54,7 +60,8 @@ struct TimelineAxis {
   std::vector<double> ticks(double apart_px) const {
     const double step = tick_s(apart_px);
     std::vector<double> times;
-    for (double n = std::ceil(first_s / step - 1e-9); n * step <= last_s() + 1e-9; ++n) times.push_back(n * step);
+    for (double n = std::ceil(first_s / step - 1e-9); n * step <= last_s() + 1e-9; ++n)
+      times.push_back(n * step);
     return times;
   }
 };

@@ -21,7 +21,9 @@ constexpr int names_width = 104;
 constexpr int right_margin = 16;
 enum Lane { SourceLane, MovesLane, CostLane };
 
-QString text(std::string_view utf8) { return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size())); }
+QString text(std::string_view utf8) {
+  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
+}
 
 QString tickText(double time_s, double step_s) {
   if (step_s >= 60) return QString("%1 min").arg(time_s / 60, 0, 'f', 0);
@@ -52,8 +54,10 @@ void TimelineView::refresh(const FrameHistory& history, const Playback& playback
   for (const FrameSnapshotPtr& frame : history.since(m_nextIndex)) take(*frame);
   m_playback = playback;
   m_tracks.drop_before(playback.first_s);
-  if (playback.state == Playback::State::Following) m_axis.follow(playback.first_s, playback.last_s);
-  else if (!m_scrubbing) m_axis.reveal(playback.cursor_s);
+  if (playback.state == Playback::State::Following)
+    m_axis.follow(playback.first_s, playback.last_s);
+  else if (!m_scrubbing)
+    m_axis.reveal(playback.cursor_s);
   update();
 }
 
@@ -62,8 +66,8 @@ void TimelineView::take(const FrameSnapshot& frame) {
   const FrameResult& result = frame.result;
   if (!m_library || result.selected < 0) return m_tracks.append(frame.time_s, -1, {}, 0);
   const Candidate& chosen = result.candidates[static_cast<std::size_t>(result.selected)];
-  m_tracks.append(frame.time_s, static_cast<int>(m_library->source(chosen.pair).take), m_library->label(chosen.pair),
-                  chosen.cost.total);
+  m_tracks.append(frame.time_s, static_cast<int>(m_library->source(chosen.pair).take),
+                  m_library->label(chosen.pair), chosen.cost.total);
 }
 
 QRectF TimelineView::laneRect(int lane) const {
@@ -84,7 +88,8 @@ void TimelineView::paintEvent(QPaintEvent*) {
   painter.setPen(m_palette.secondary);
   const char* names[] = {"Source", "Moves", "Cost"};
   for (int lane = SourceLane; lane <= CostLane; ++lane)
-    painter.drawText(QRectF(14, laneRect(lane).top(), names_width - 14, lane_height), Qt::AlignVCenter, names[lane]);
+    painter.drawText(QRectF(14, laneRect(lane).top(), names_width - 14, lane_height), Qt::AlignVCenter,
+                     names[lane]);
   paintRuler(painter);
   painter.setClipRect(QRectF(m_axis.left_px, 0, m_axis.width_px, height()));
   paintSources(painter);
@@ -108,8 +113,10 @@ void TimelineView::paintRuler(QPainter& painter) const {
       draw_tabular(painter, QRectF(x + 5, 2, 80, ruler_height - 4), Qt::AlignLeft, label);
   }
   if (m_playback.out_s > m_playback.in_s) {
-    const QRectF range(QPointF(m_axis.x(m_playback.in_s), 0), QPointF(m_axis.x(m_playback.out_s), ruler_height));
-    painter.fillRect(range & QRectF(m_axis.left_px, 0, m_axis.width_px, ruler_height), QColor(47, 111, 184, 70));
+    const QRectF range(QPointF(m_axis.x(m_playback.in_s), 0),
+                       QPointF(m_axis.x(m_playback.out_s), ruler_height));
+    painter.fillRect(range & QRectF(m_axis.left_px, 0, m_axis.width_px, ruler_height),
+                     QColor(47, 111, 184, 70));
   }
 }
 
@@ -122,7 +129,8 @@ void TimelineView::paintSources(QPainter& painter) const {
     painter.setBrush(take_colour(m_palette, interval.key));
     painter.drawRoundedRect(area.adjusted(0.5, 0, -0.5, 0), 2, 2);
     if (!m_library) continue;
-    const QString number = text(short_take_name(m_library->takes()[static_cast<std::size_t>(interval.key)].name));
+    const QString number =
+        text(short_take_name(m_library->takes()[static_cast<std::size_t>(interval.key)].name));
     if (area.width() < tabular_width(painter.font(), number) + 7) continue;
     painter.setPen(m_palette.dark ? QColor("#e6e9ee") : m_palette.text);
     draw_tabular(painter, area.adjusted(5, 0, 0, 0), Qt::AlignLeft, number);
@@ -134,12 +142,14 @@ void TimelineView::paintMoves(QPainter& painter) const {
   for (const auto& interval : m_tracks.moves()) {
     if (interval.to_s < m_axis.first_s || interval.from_s > m_axis.last_s()) continue;
     const QRectF area = block(interval, MovesLane);
-    const QColor colour = label_colour(m_palette, interval.key < 0 ? std::string_view() : m_tracks.label(interval.key));
+    const QColor colour =
+        label_colour(m_palette, interval.key < 0 ? std::string_view() : m_tracks.label(interval.key));
     painter.fillRect(area, mixed(colour, m_palette.panel, m_palette.dark ? 0.26 : 0.20));
     painter.fillRect(QRectF(area.left(), area.top(), std::min(2.5, area.width()), area.height()), colour);
     if (interval.key < 0) continue;
     const QString name = text(m_tracks.label(interval.key)).replace('_', ' ');
-    const QString fitting = painter.fontMetrics().elidedText(name, Qt::ElideRight, static_cast<int>(area.width()) - 12);
+    const QString fitting =
+        painter.fontMetrics().elidedText(name, Qt::ElideRight, static_cast<int>(area.width()) - 12);
     if (fitting.size() < 3) continue;
     painter.setPen(m_palette.text);
     painter.drawText(area.adjusted(8, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, fitting);
@@ -210,7 +220,9 @@ void TimelineView::mouseMoveEvent(QMouseEvent* event) {
   if (m_scrubbing) emit seekRequested(m_axis.time(event->localPos().x()));
 }
 
-void TimelineView::mouseReleaseEvent(QMouseEvent*) { m_scrubbing = false; }
+void TimelineView::mouseReleaseEvent(QMouseEvent*) {
+  m_scrubbing = false;
+}
 
 void TimelineView::wheelEvent(QWheelEvent* event) {
   const double factor = std::pow(0.85, event->angleDelta().y() / 120.0);

@@ -12,8 +12,8 @@
 
 namespace abrazo::widgets {
 
-/// The lanes below the transport: ruler, sources, moves, cost; one white cursor through all. Does not move the cursor
-/// itself: it asks, and waits to be shown the playback that answers.
+/// The lanes below the transport: ruler, sources, moves, cost; one white cursor through all. Does not move
+/// the cursor itself: it asks, and waits to be shown the playback that answers.
 class TimelineView : public QWidget {
   Q_OBJECT
  public:

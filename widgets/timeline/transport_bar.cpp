@@ -110,15 +110,20 @@ void TransportBar::dress() {
                             .arg((m_shown.loop ? m_palette.text : m_palette.secondary).name()));
   // Filled when there is something to go back to; quiet when already there.
   const bool behind = m_shown.state != Playback::State::Following;
-  m_live->setStyleSheet(
-      QString("QPushButton { background: %1; color: %2; border: 1px solid %3; border-radius: 6px; padding: 2px 10px; "
-              "font-weight: 600; font-size: 12px; }")
-          .arg(behind ? m_palette.live.name() : "transparent", behind ? "#ffffff" : m_palette.secondary.name(),
-               behind ? m_palette.live.name() : m_palette.border.name()));
+  m_live->setStyleSheet(QString("QPushButton { background: %1; color: %2; border: 1px solid %3; "
+                                "border-radius: 6px; padding: 2px 10px; "
+                                "font-weight: 600; font-size: 12px; }")
+                            .arg(behind ? m_palette.live.name() : "transparent",
+                                 behind ? "#ffffff" : m_palette.secondary.name(),
+                                 behind ? m_palette.live.name() : m_palette.border.name()));
 }
 
-void TransportBar::setInput(const QString& text) { m_input->setText(text); }
-QString TransportBar::stateText() const { return m_state->text(); }
+void TransportBar::setInput(const QString& text) {
+  m_input->setText(text);
+}
+QString TransportBar::stateText() const {
+  return m_state->text();
+}
 
 void TransportBar::showPlayback(const Playback& playback, long long frame) {
   const bool look = playback.state != m_shown.state || playback.loop != m_shown.loop;

@@ -13,8 +13,8 @@ namespace abrazo::app {
 class MainWindow;
 
 /// An action in a menu, with its keys, at work wherever the window has the focus.
-QAction* add_action(MainWindow& window, QMenu* menu, const QString& text, std::initializer_list<QKeySequence> keys,
-                    std::function<void()> act);
+QAction* add_action(MainWindow& window, QMenu* menu, const QString& text,
+                    std::initializer_list<QKeySequence> keys, std::function<void()> act);
 
 void add_file_actions(MainWindow& window);
 void add_edit_actions(MainWindow& window);

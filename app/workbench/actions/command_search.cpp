@@ -1,6 +1,7 @@
 #include <QAbstractItemView>
 #include <QAction>
 #include <QCompleter>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -38,7 +39,11 @@ void add_command_search(MainWindow& window) {
   completer->setCaseSensitivity(Qt::CaseInsensitive);
   completer->setMaxVisibleItems(12);
   field->setCompleter(completer);
-  window.menuBar()->setCornerWidget(field, Qt::TopRightCorner);
+  auto* holder = new QWidget(&window);
+  auto* row = new QHBoxLayout(holder);
+  row->setContentsMargins(0, 0, 12, 0);
+  row->addWidget(field);
+  window.menuBar()->setCornerWidget(holder, Qt::TopRightCorner);
 
   const auto run = [&window, field, completer](QString text) {
     if (!find_action(window, text) && completer->completionCount() > 0) text = completer->currentCompletion();
@@ -58,10 +63,11 @@ void add_command_search(MainWindow& window) {
   QObject::connect(field, &QLineEdit::returnPressed, field, [field, run] {
     if (!field->text().isEmpty()) run(field->text());
   });
-  add_action(window, window.menu("Help"), "Search commands", {QKeySequence("Ctrl+P"), QKeySequence("F3")}, [field] {
-    field->setFocus();
-    field->selectAll();
-  });
+  add_action(window, window.menu("Help"), "Search commands", {QKeySequence("Ctrl+P"), QKeySequence("F3")},
+             [field] {
+               field->setFocus();
+               field->selectAll();
+             });
 }
 
 }  // namespace abrazo::app

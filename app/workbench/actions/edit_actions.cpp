@@ -8,7 +8,8 @@ namespace abrazo::app {
 
 void add_edit_actions(MainWindow& window) {
   QMenu* menu = window.menu("Edit");
-  QAction* undo = add_action(window, menu, "Undo", {QKeySequence("Ctrl+Z")}, [&window] { window.undoStack().undo(); });
+  QAction* undo =
+      add_action(window, menu, "Undo", {QKeySequence("Ctrl+Z")}, [&window] { window.undoStack().undo(); });
   QAction* redo = add_action(window, menu, "Redo", {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")},
                              [&window] { window.undoStack().redo(); });
   undo->setEnabled(false);

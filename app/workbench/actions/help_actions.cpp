@@ -16,7 +16,8 @@ QString key_rows(MainWindow& window, const QString& menu) {
   for (const QAction* action : window.menu(menu)->actions()) {
     if (action->shortcuts().isEmpty()) continue;
     QStringList keys;
-    for (const QKeySequence& key : action->shortcuts()) keys << key.toString(QKeySequence::NativeText).toHtmlEscaped();
+    for (const QKeySequence& key : action->shortcuts())
+      keys << key.toString(QKeySequence::NativeText).toHtmlEscaped();
     rows += QString("<tr><td><b>%1</b>&nbsp;&nbsp;&nbsp;</td><td>%2</td></tr>")
                 .arg(keys.join(", "), action->text().toHtmlEscaped());
   }
@@ -27,17 +28,19 @@ QString key_rows(MainWindow& window, const QString& menu) {
 /// Read off the actions themselves, so that it cannot be out of date.
 QString key_sheet(MainWindow& window) {
   const QString mouse =
-      QString("<p style='color:%1'>SCENE</p><table cellspacing=3>"
-              "<tr><td><b>drag</b>&nbsp;&nbsp;&nbsp;</td><td>Turn (left or middle button)</td></tr>"
-              "<tr><td><b>Shift + middle, right</b>&nbsp;&nbsp;&nbsp;</td><td>Move</td></tr>"
-              "<tr><td><b>wheel</b></td><td>Nearer, farther</td></tr></table>"
-              "<p style='color:%1'>TIMELINE</p><table cellspacing=3>"
-              "<tr><td><b>drag</b>&nbsp;&nbsp;&nbsp;</td><td>Go to a time; what comes in goes on being solved</td></tr>"
-              "<tr><td><b>wheel</b></td><td>Shorter or longer span</td></tr></table>")
+      QString(
+          "<p style='color:%1'>SCENE</p><table cellspacing=3>"
+          "<tr><td><b>drag</b>&nbsp;&nbsp;&nbsp;</td><td>Turn (left or middle button)</td></tr>"
+          "<tr><td><b>Shift + middle, right</b>&nbsp;&nbsp;&nbsp;</td><td>Move</td></tr>"
+          "<tr><td><b>wheel</b></td><td>Nearer, farther</td></tr></table>"
+          "<p style='color:%1'>TIMELINE</p><table cellspacing=3>"
+          "<tr><td><b>drag</b>&nbsp;&nbsp;&nbsp;</td><td>Go to a time; what comes in goes on being "
+          "solved</td></tr>"
+          "<tr><td><b>wheel</b></td><td>Shorter or longer span</td></tr></table>")
           .arg(window.colours().secondary.name());
-  return "<table><tr><td>" + key_rows(window, "Play") + "</td><td width=36></td><td>" + key_rows(window, "View") +
-         key_rows(window, "File") + key_rows(window, "Edit") + key_rows(window, "Solve") +
-         "</td><td width=36></td><td>" + mouse + "</td></tr></table>";
+  return "<table><tr><td>" + key_rows(window, "Play") + "</td><td width=36></td><td>" +
+         key_rows(window, "View") + key_rows(window, "File") + key_rows(window, "Edit") +
+         key_rows(window, "Solve") + "</td><td width=36></td><td>" + mouse + "</td></tr></table>";
 }
 
 void show_sheet(MainWindow& window, const QString& title, const QString& html) {

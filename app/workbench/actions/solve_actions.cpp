@@ -11,7 +11,8 @@ void add_solve_actions(MainWindow& window) {
   QMenu* menu = window.menu("Solve");
   for (const std::string_view name : preset_names) {
     const QString preset = QString::fromUtf8(name.data(), static_cast<int>(name.size()));
-    add_action(window, menu, "Preset " + preset, {}, [&window, preset] { window.settings().choosePreset(preset); });
+    add_action(window, menu, "Preset " + preset, {},
+               [&window, preset] { window.settings().choosePreset(preset); });
   }
   menu->addSeparator();
   QAction* hold = add_action(window, menu, "Hold the input still", {QKeySequence("Ctrl+Space")}, [] {});

@@ -15,12 +15,16 @@ constexpr double quarter = 1.5707963267948966;
 void add_view_actions(MainWindow& window) {
   QMenu* menu = window.menu("View");
   widgets::SceneView& scene = window.scene();
-  add_action(window, menu, "Show all", {QKeySequence("F"), QKeySequence("0")}, [&scene] { scene.frameAll(); });
+  add_action(window, menu, "Show all", {QKeySequence("F"), QKeySequence("0")},
+             [&scene] { scene.frameAll(); });
   add_action(window, menu, "From the front", {QKeySequence("1")}, [&scene] { scene.lookFrom(0, 0.05); });
-  add_action(window, menu, "From the right", {QKeySequence("3")}, [&scene] { scene.lookFrom(quarter, 0.05); });
+  add_action(window, menu, "From the right", {QKeySequence("3")},
+             [&scene] { scene.lookFrom(quarter, 0.05); });
   add_action(window, menu, "From above", {QKeySequence("7")}, [&scene] { scene.lookFrom(0, quarter); });
-  add_action(window, menu, "From behind", {QKeySequence("Ctrl+1")}, [&scene] { scene.lookFrom(2 * quarter, 0.05); });
-  add_action(window, menu, "From the left", {QKeySequence("Ctrl+3")}, [&scene] { scene.lookFrom(-quarter, 0.05); });
+  add_action(window, menu, "From behind", {QKeySequence("Ctrl+1")},
+             [&scene] { scene.lookFrom(2 * quarter, 0.05); });
+  add_action(window, menu, "From the left", {QKeySequence("Ctrl+3")},
+             [&scene] { scene.lookFrom(-quarter, 0.05); });
   menu->addSeparator();
   QAction* follow = add_action(window, menu, "Camera follows the pair", {}, [] {});
   follow->setCheckable(true);
@@ -34,9 +38,8 @@ void add_view_actions(MainWindow& window) {
     window.setTheme(on ? widgets::Theme::Light : widgets::Theme::Dark);
     window.remembered().setTheme(on ? "light" : "dark");
   });
-  add_action(window, menu, "Full screen", {QKeySequence("F11")}, [&window] {
-    window.isFullScreen() ? window.showNormal() : window.showFullScreen();
-  });
+  add_action(window, menu, "Full screen", {QKeySequence("F11")},
+             [&window] { window.isFullScreen() ? window.showNormal() : window.showFullScreen(); });
 }
 
 }  // namespace abrazo::app

@@ -71,7 +71,7 @@ TEST(PairSelector, EveryCostIsEquation7AndTheCheapestIsSelected) {
     SelectionQuery query =
         query_at(test::moved(test::shaken(test::standing_pose(), 0.05, random), 1.1, Vec3(4, 0, -3)));
     query.has_prediction = has_prediction;
-    query.predicted = pair_in_world(*library, 40, query.root);
+    query.predicted = library->pair_in_world(40, query.root);
     const int selected = selector.select(query, candidates);
     for (std::size_t c = 0; c < candidates.size(); ++c) {
       EXPECT_NEAR(candidates[c].cost.total, equation_7(query, *library, candidates[c].pair), 1e-9);
@@ -84,7 +84,7 @@ TEST(PairSelector, TheRecordedPoseItselfIsFoundAtDistanceZero) {
   const auto library = test::small_library();
   PairSelector selector(library, all_pairs(*library));
   const int pair = 77;
-  const Pose user = pair_in_world(*library, pair, {Vec3(5, library->root(pair).position.y(), 1), 2.0})
+  const Pose user = library->pair_in_world(pair, {Vec3(5, library->root(pair).position.y(), 1), 2.0})
                         .topRows<joint_count>();
   std::vector<Candidate> candidates;
   const int selected = selector.select(query_at(user), candidates);
@@ -139,7 +139,7 @@ TEST(PairSelector, AtTheEndOfATakeNothingContinues) {
 
 TEST(PairInWorld, KeepsTheRecordedHeightAndTakesTheUsersPlaceAndHeading) {
   const auto library = test::small_library();
-  const PairPose world = pair_in_world(*library, 5, {Vec3(2, 77, -1), 0.9});
+  const PairPose world = library->pair_in_world(5, {Vec3(2, 77, -1), 0.9});
   const RootFrame root = root_frame(world.topRows<joint_count>());
   EXPECT_NEAR(root.position.x(), 2, 1e-12);
   EXPECT_NEAR(root.position.z(), -1, 1e-12);

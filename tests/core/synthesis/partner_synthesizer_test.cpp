@@ -187,5 +187,40 @@ TEST(PartnerSynthesizer, AUserOfAnotherSizeGetsTheSamePartner) {
     EXPECT_LT((last_hold(scale) - normal).cwiseAbs().maxCoeff(), 0.02) << scale;
 }
 
+TEST(PartnerSynthesizer, APassiveUserGetsTheRecordedLeader) {
+  const auto library = test::small_library();
+  Settings settings = without_memory();
+  settings.user_role = UserRole::Passive;
+  auto synthesizer = std::move(*PartnerSynthesizer::create(library, settings));
+  const PairedTake take = test::swinging_take("first", 180, 1);
+  synthesizer->set_user_body(library->usual_passive_body().body);
+  for (int frame = 0; frame < 180; frame += 30) {
+    synthesizer->pin_pair(library->find_pair("first", frame, false));
+    const auto at = static_cast<std::size_t>(frame);
+    const FrameResult& result = synthesizer->step(take.b.poses[at], step_time);
+    ASSERT_EQ(result.status, StepStatus::Ok) << result.message;
+    EXPECT_LT((result.passive() - take.b.poses[at]).cwiseAbs().maxCoeff(), 1e-6)
+        << "the user is the passive body";
+    EXPECT_LT((result.active() - take.a.poses[at]).cwiseAbs().maxCoeff(), 1e-6) << "the partner leads";
+    EXPECT_EQ(result.candidates[static_cast<std::size_t>(result.selected)].pair,
+              library->find_pair("first", frame, false));
+    const RootFrame user_root = root_frame(take.b.poses[at]);
+    const PairPose ghost = library->pair_in_world(library->find_pair("first", frame, false), user_root, true);
+    EXPECT_LT((ghost - result.selected_pair).cwiseAbs().maxCoeff(), 1e-9);
+  }
+}
+
+TEST(PartnerSynthesizer, TheUserCanChangeRolesWhileRunning) {
+  const PairedTake take = test::swinging_take("user", 60, 5);
+  auto synthesizer = synthesizer_with(*preset("paper"));
+  synthesizer->step(take.a.poses[0], Duration(0));
+  Settings settings = synthesizer->settings();
+  settings.user_role = UserRole::Passive;
+  synthesizer->set_settings(settings);
+  const FrameResult& passive = synthesizer->step(take.b.poses[4], step_time);
+  EXPECT_EQ(passive.status, StepStatus::Ok);
+  EXPECT_LT((passive.passive() - take.b.poses[4]).rowwise().norm().maxCoeff(), 0.15);
+}
+
 }  // namespace
 }  // namespace abrazo

@@ -1,0 +1,86 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/library/motion_library.hpp"
+#include "core/retarget/body_retargeter.hpp"
+#include "core/selection/pair_selector.hpp"
+#include "core/synthesis/foot_locks.hpp"
+#include "core/synthesis/frame_result.hpp"
+#include "core/synthesis/pair_editor.hpp"
+#include "core/synthesis/settings.hpp"
+#include "core/synthesis/transition.hpp"
+
+namespace abrazo {
+
+/// The way of one frame, for a user who plays the first body of the library's pairs: retarget, select, edit,
+/// measure. Keeps what the next frame needs: the two previous results, foot locks, the current source.
+class FramePipeline {
+ public:
+  /// @param pairs  those that may be selected
+  FramePipeline(std::shared_ptr<const MotionLibrary> library, const Settings& settings,
+                std::vector<int> pairs);
+
+  /// @param user  finite;  @param dt_s  since the last solve; 0 at the start
+  void solve(const Pose& user, double dt_s);
+  /// A failed frame: the last good poses are held.
+  void fail(const std::string& why);
+  /// A failed frame for which nothing was selected.
+  void refuse(const std::string& why);
+  /// The next frame is a first one.
+  void forget();
+
+  void set_settings(const Settings& settings) { settings_ = settings; }
+  void set_user_body(const Body& body);
+  void pin_pair(std::optional<int> pair) { pinned_ = pair; }
+
+  const FrameResult& result() const { return out_; }
+
+ private:
+  void retarget(const Pose& user);
+  bool select(double dt_s);
+  void select_pinned(const SelectionQuery& query);
+  void follow_source(double dt_s);
+  void hold_feet(double dt_s);
+  std::array<double, joint_count> hurry_of_holds() const;
+  PairPose predicted(double dt_s) const;
+  Pose partner_velocity(int pair) const;
+  FootLocks::Situations feet(double dt_s) const;
+  bool is_recorded_foot_slow(int vertex) const;
+  RigidDistances wanted_lengths() const;
+  EditTask edit_task(double dt_s) const;
+  void report(const PairEditor::Outcome& outcome);
+  void remember(double dt_s);
+
+  std::shared_ptr<const MotionLibrary> library_;
+  Settings settings_;
+  PairSelector selector_;
+  PairEditor editor_;
+  FootLocks locks_;
+  Transition transition_;
+  std::optional<Body> user_body_;
+  std::optional<BodyRetargeter> retargeter_;
+  bool retargeter_scales_path_ = true;
+  std::optional<int> pinned_;
+
+  int frames_since_reset_ = 0;
+  PairPose previous_ = PairPose::Zero();         ///< V'_{i-1}
+  PairPose before_previous_ = PairPose::Zero();  ///< V'_{i-2}
+  double previous_dt_s_ = 0;
+  Pose previous_query_ = Pose::Zero();
+  std::optional<double> previous_heading_;
+  int current_pair_ = -1;
+  bool has_good_result_ = false;
+
+  FrameResult out_;
+};
+
+/// The same frame with the two bodies in each other's place: what the pipeline solved for a passive user, in
+/// the order active, passive.
+void exchange_roles(const FrameResult& solved, FrameResult& exchanged);
+
+}  // namespace abrazo

@@ -1,0 +1,84 @@
+#include <cmath>
+
+#include "core/synthesis/frame_pipeline.hpp"
+
+namespace abrazo {
+
+void FramePipeline::report(const PairEditor::Outcome& outcome) {
+  using Relaxation = PairEditor::Relaxation;
+  out_.result = editor_.result();
+  out_.morph_steps.assign(editor_.steps().begin(), editor_.steps().end());
+  out_.status = outcome.relaxation == Relaxation::None ? StepStatus::Ok : StepStatus::Relaxed;
+  switch (outcome.relaxation) {
+    case Relaxation::None:
+      out_.message.clear();
+      break;
+    case Relaxation::PassiveFeet:
+      out_.message = "the partner's foot locks_ were let go";
+      break;
+    case Relaxation::Feet:
+      out_.message = "all foot locks_ were let go";
+      break;
+    case Relaxation::Capsules:
+      out_.message = "foot locks_ and collisions were let go";
+      break;
+    case Relaxation::Everything:
+      out_.message = "only bone lengths were kept";
+      break;
+  }
+  const EditTask& task = editor_.task();
+  const Laplacian& laplacian = editor_.laplacian();
+  out_.energy.deformation = laplacian.deformation_energy(out_.result, out_.selected_pair);
+  out_.energy.velocity = task.has_previous ? 0.5 * (out_.result - task.velocity_target).squaredNorm() : 0.0;
+  const double morph_sq = (out_.result.topRows<joint_count>() - out_.query_world).squaredNorm();
+  out_.energy.constraint = 0.5 * settings_.morph_weight * morph_sq;
+  out_.residual.morph_rms_m = std::sqrt(morph_sq / joint_count);
+  out_.residual.bone_length_max = bone_length_error(out_.result, task.wanted);
+  const int locked_bodies = !settings_.foot_locks || outcome.relaxation >= Relaxation::Feet ? 0
+                            : outcome.relaxation == Relaxation::PassiveFeet                 ? 1
+                                                                                            : 2;
+  locks_.list(locked_bodies, out_.foot_locks);
+  out_.residual.foot_lock_max_m = locks_.drift(locked_bodies, out_.result);
+  editor_.contacts().measure(out_.result, out_.collisions, out_.residual.penetration_max_m,
+                             out_.residual.excess_penetration_max_m);
+
+  const PairPose residuals = laplacian.apply(out_.result - out_.selected_pair);
+  out_.edge_weights.clear();
+  out_.edge_residuals_m.clear();
+  for (const MeshEdge& edge : out_.edges) {
+    out_.edge_weights.push_back(0.5 *
+                                (laplacian.weight(edge[0], edge[1]) + laplacian.weight(edge[1], edge[0])));
+    out_.edge_residuals_m.push_back(0.5 * (residuals.row(edge[0]).norm() + residuals.row(edge[1]).norm()));
+  }
+}
+
+void exchange_roles(const FrameResult& solved, FrameResult& exchanged) {
+  exchanged = solved;
+  const auto exchange_bodies = [](PairPose& pair) {
+    const Pose first = pair.topRows<joint_count>();
+    pair.topRows<joint_count>() = pair.bottomRows<joint_count>().eval();
+    pair.bottomRows<joint_count>() = first;
+  };
+  const auto other_body = [](auto vertex) {
+    return static_cast<decltype(vertex)>((vertex + joint_count) % pair_vertex_count);
+  };
+  exchange_bodies(exchanged.selected_pair);
+  exchange_bodies(exchanged.result);
+  for (PairPose& step : exchanged.morph_steps) exchange_bodies(step);
+  for (MeshEdge& edge : exchanged.edges) {
+    edge = {other_body(edge[0]), other_body(edge[1])};
+    if (edge[0] > edge[1]) std::swap(edge[0], edge[1]);
+  }
+  for (MeshTetrahedron& tetrahedron : exchanged.tetrahedra)
+    for (std::uint8_t& vertex : tetrahedron) vertex = other_body(vertex);
+  for (FootLock& lock : exchanged.foot_locks) lock.active_body = !lock.active_body;
+  for (CapsuleContact& contact : exchanged.collisions) {
+    std::swap(contact.a, contact.b);
+    for (int* vertex : {&contact.a[0], &contact.a[1], &contact.b[0], &contact.b[1]})
+      *vertex = other_body(*vertex);
+  }
+  for (Candidate& candidate : exchanged.candidates)
+    std::swap(candidate.cost.temporal_active, candidate.cost.temporal_passive);
+}
+
+}  // namespace abrazo

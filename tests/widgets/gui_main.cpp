@@ -1,0 +1,17 @@
+#include <QVTKOpenGLNativeWidget.h>
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QSurfaceFormat>
+#include <clocale>
+
+#include "widgets/common/theme.hpp"
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  QApplication application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");
+  abrazo::widgets::apply_theme(application, abrazo::widgets::palette_of(abrazo::widgets::Theme::Dark));
+  return RUN_ALL_TESTS();
+}

@@ -1,0 +1,156 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "core/mesh/capsules.hpp"
+#include "tests/support/bodies.hpp"
+#include "tests/widgets/synthetic_frames.hpp"
+#include "widgets/common/palette.hpp"
+#include "widgets/scene/capsule_surface.hpp"
+#include "widgets/scene/mesh_scalar.hpp"
+#include "widgets/scene/orbit_camera.hpp"
+#include "widgets/scene/smoothing_budget.hpp"
+#include "widgets/settings/slider_scale.hpp"
+
+namespace abrazo::widgets {
+namespace {
+
+TEST(OrbitCamera, TurnsAboutItsTargetAtTheSameDistance) {
+  OrbitCamera camera;
+  camera.orbit(120, -300);
+  EXPECT_NEAR((camera.position() - camera.target).norm(), camera.distance_m, 1e-12);
+  EXPECT_NEAR(camera.right().dot(camera.up()), 0, 1e-12);
+  EXPECT_GT(camera.up().y(), 0);
+}
+
+TEST(OrbitCamera, PanKeepsThePointUnderThePointer) {
+  OrbitCamera camera;
+  const double height = 600, metres = 2 * camera.distance_m * std::tan(camera.view_angle_rad / 2);
+  const Vec3 right = camera.right(), before = camera.target;
+  camera.pan(height, 0, height);  // as far as the view is high
+  EXPECT_NEAR((camera.target - before).dot(right), -metres, 1e-9);
+}
+
+TEST(OrbitCamera, FramesABallAlsoInANarrowView) {
+  OrbitCamera camera;
+  camera.frame(Vec3(1, 2, 3), 1, 0.5);
+  const double half_width = std::atan(std::tan(camera.view_angle_rad / 2) * 0.5);
+  EXPECT_NEAR(camera.distance_m * std::sin(half_width), 1, 1e-9);
+}
+
+TEST(CapsuleSurface, LiesOneRadiusFromItsBone) {
+  std::array<double, bone_count> radii{};
+  radii[1] = 0.08;
+  const CapsuleSurface surface(radii);
+  const Pose pose = test::standing_pose();
+  std::vector<float> points(static_cast<std::size_t>(3 * surface.point_count()));
+  surface.place(pose, 0.01, points);
+  const Vec3 a = pose.row(bone(1).first), b = pose.row(bone(1).second);
+  for (std::size_t p = 0; p < points.size(); p += 3) {
+    const Vec3 point(points[p], points[p + 1], points[p + 2]);
+    EXPECT_NEAR(closest_points(a, b, point, point).distance, 0.09, 1e-6);
+  }
+}
+
+TEST(CapsuleSurface, FacesOutwards) {
+  const CapsuleSurface surface(generic_capsule_radii());
+  const Pose pose = test::standing_pose();
+  std::vector<float> points(static_cast<std::size_t>(3 * surface.point_count())), normals(points.size());
+  surface.place(pose, 0, points);
+  surface.place_normals(pose, normals);
+  const auto at = [](const std::vector<float>& list, std::int64_t i) {
+    const auto base = static_cast<std::size_t>(3 * i);
+    return Vec3(list[base], list[base + 1], list[base + 2]);
+  };
+  for (const auto& [i, j, k] : surface.triangles()) {
+    const Vec3 u = at(points, j) - at(points, i), v = at(points, k) - at(points, i);
+    const Vec3 facing(u.y() * v.z() - u.z() * v.y(), u.z() * v.x() - u.x() * v.z(),
+                      u.x() * v.y() - u.y() * v.x());
+    ASSERT_GE(facing.dot(at(normals, i)), -1e-12);
+  }
+}
+
+TEST(MeshScalar, LengthChangeIsTheResultLessTheSelectedPair) {
+  const auto frame = test::synthetic_frame(0, 0);
+  const auto values = edge_scalars(frame->result, MeshScalar::LengthChange);
+  const MeshEdge& edge = frame->result.edges.back();
+  const auto length = [&edge](const PairPose& pose) {
+    return (pose.row(edge[0]) - pose.row(edge[1])).norm();
+  };
+  EXPECT_NEAR(values.back(), 1000 * (length(frame->result.result) - length(frame->result.selected_pair)),
+              1e-9);
+}
+
+TEST(MeshScalar, MapsBeginAndEndWithTheirColours) {
+  EXPECT_EQ(sequential_colour(0), (std::array<unsigned char, 3>{68, 1, 84}));
+  EXPECT_EQ(sequential_colour(1), (std::array<unsigned char, 3>{253, 231, 37}));
+  EXPECT_EQ(sequential_colour(7), sequential_colour(1));
+  EXPECT_EQ(sequential_colour(std::nan("")), sequential_colour(0));
+}
+
+TEST(SteadyRange, GrowsAtOnceAndShrinksAfterAWhile) {
+  SteadyRange range;
+  range.show(18, 0);
+  EXPECT_DOUBLE_EQ(range.upper(), 20);
+  range.show(70, 0.1);
+  EXPECT_DOUBLE_EQ(range.upper(), 75);
+  for (double time = 0.2; time < 1.5; time += 0.1) range.show(10, time);
+  EXPECT_DOUBLE_EQ(range.upper(), 75);
+  for (double time = 1.5; time < 4; time += 0.1) range.show(10, time);
+  EXPECT_DOUBLE_EQ(range.upper(), 10);
+}
+
+TEST(SteadyRange, StaysWhenLocked) {
+  SteadyRange range;
+  range.show(18, 0);
+  range.set_locked(true);
+  range.show(500, 1);
+  EXPECT_DOUBLE_EQ(range.upper(), 20);
+}
+
+TEST(SmoothingBudget, GivesUpSmoothEdgesOnlyWhileMovingOnASlowRenderer) {
+  SmoothingBudget budget;
+  EXPECT_TRUE(budget.wants_smoothing(true));
+  budget.took(true, 60);
+  EXPECT_FALSE(budget.wants_smoothing(true));
+  EXPECT_TRUE(budget.wants_smoothing(false));
+  for (int i = 0; i < 1000; ++i) budget.took(false, 5);
+  EXPECT_TRUE(budget.wants_smoothing(true)) << "a machine that was busy once is tried again";
+}
+
+TEST(SliderScale, TakesValuesToPlacesAndBack) {
+  const SliderScale plain{0, 2, false, false}, logarithmic{0.001, 10, true, false}, whole{1, 200, true, true};
+  for (const double value : {0.0, 0.5, 2.0}) EXPECT_NEAR(plain.value(plain.place(value)), value, 1e-9);
+  for (const double value : {0.001, 0.2, 10.0})
+    EXPECT_NEAR(logarithmic.value(logarithmic.place(value)), value, 1e-9);
+  for (const double value : {1.0, 10.0, 137.0}) EXPECT_DOUBLE_EQ(whole.value(whole.place(value)), value);
+}
+
+TEST(SliderScale, ALogarithmicScaleThatBeginsAtZeroReachesZero) {
+  const SliderScale scale{0, 5, true, false};
+  EXPECT_DOUBLE_EQ(scale.value(0), 0);
+  EXPECT_DOUBLE_EQ(scale.value(1), 5);
+  EXPECT_NEAR(scale.value(scale.place(0.2)), 0.2, 1e-9);
+  EXPECT_DOUBLE_EQ(scale.place(0), 0);
+}
+
+TEST(Palette, TextCanBeReadOnEverySurface) {
+  for (const Theme theme : {Theme::Dark, Theme::Light}) {
+    const Palette& p = palette_of(theme);
+    for (const QColor& surface : {p.window, p.panel, p.raised}) {
+      EXPECT_GE(contrast(p.text, surface), 4.5);
+      EXPECT_GE(contrast(p.secondary, surface), 4.5) << surface.name().toStdString();
+    }
+    EXPECT_GE(contrast(p.warning, p.panel), 4.5);
+  }
+}
+
+TEST(Palette, KnowsAMoveHoweverItIsWritten) {
+  const Palette& p = palette_of(Theme::Dark);
+  EXPECT_EQ(label_colour(p, "open_hold"), QColor("#5aa9e6"));
+  EXPECT_EQ(label_colour(p, "Cross body lead"), QColor("#e1a23b"));
+  EXPECT_EQ(label_colour(p, "unheard of"), QColor("#59616e"));
+}
+
+}  // namespace
+}  // namespace abrazo::widgets

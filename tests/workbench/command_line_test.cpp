@@ -1,0 +1,48 @@
+#include "app/workbench/command_line.hpp"
+
+#include <gtest/gtest.h>
+
+namespace abrazo::app {
+namespace {
+
+std::variant<CommandLine, ExitStatus> parsed(std::vector<std::string> words) {
+  words.insert(words.begin(), "abrazo-workbench");
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  return parse_command_line(static_cast<int>(argv.size()), argv.data());
+}
+
+int exit_code(const std::vector<std::string>& words) {
+  const auto result = parsed(words);
+  const auto* stop = std::get_if<ExitStatus>(&result);
+  return stop ? stop->code : -1;
+}
+
+TEST(CommandLine, TakesFilesAndOptions) {
+  const auto result = parsed({"walk.bvh", "--library", "salsa.h5", "--size", "1280x720", "--smoke", "30"});
+  const auto& asked = std::get<CommandLine>(result);
+  EXPECT_EQ(asked.files, (std::vector<std::string>{"walk.bvh"}));
+  EXPECT_EQ(asked.library, "salsa.h5");
+  EXPECT_EQ(asked.size, QSize(1280, 720));
+  EXPECT_EQ(asked.smoke_frames, 30);
+  EXPECT_TRUE(asked.unattended());
+}
+
+TEST(CommandLine, WrongUsageIsStatusTwo) {
+  EXPECT_EQ(exit_code({"--smoke", "none"}), 2);
+  EXPECT_EQ(exit_code({"--no-such-option"}), 2);
+  EXPECT_EQ(exit_code({"--size", "tiny"}), 2);
+}
+
+TEST(CommandLine, HelpAndVersionAreStatusZero) {
+  EXPECT_EQ(exit_code({"--help"}), 0);
+  EXPECT_EQ(exit_code({"--version"}), 0);
+}
+
+TEST(CommandLine, WhatThisVersionLacksIsStatusOne) {
+  EXPECT_EQ(exit_code({"--listen", "vmc://0.0.0.0:39539"}), 1);
+  EXPECT_EQ(exit_code({"--session", "a.abrazo"}), 1);
+}
+
+}  // namespace
+}  // namespace abrazo::app

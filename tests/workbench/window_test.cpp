@@ -1,0 +1,165 @@
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QLineEdit>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/workbench/actions/actions.hpp"
+#include "app/workbench/main_window.hpp"
+#include "widgets/common/message_bar.hpp"
+#include "widgets/scene/scene_view.hpp"
+#include "widgets/settings/settings_panel.hpp"
+
+namespace abrazo::app {
+namespace {
+
+using State = Playback::State;
+
+/// One window on the generated dance for all tests: opening it takes seconds.
+class Window : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    s_home = new QTemporaryDir;
+    qputenv("ABRAZO_HOME", s_home->path().toUtf8());
+    s_remembered = new UserSettings;
+    s_window = new MainWindow(*s_remembered);
+    s_window->setTheme(widgets::Theme::Dark);
+    s_window->resize(1280, 720);
+    add_file_actions(*s_window);
+    add_edit_actions(*s_window);
+    add_view_actions(*s_window);
+    add_playback_actions(*s_window);
+    add_solve_actions(*s_window);
+    add_help_actions(*s_window);
+    add_command_search(*s_window);
+    s_window->show();
+    s_window->openDemo();
+    until([] { return s_window->ticker().shown() && s_window->ticker().shown()->index > 30; }, 60'000);
+  }
+  static void TearDownTestSuite() {
+    delete s_window;
+    delete s_remembered;
+    delete s_home;
+  }
+  void SetUp() override {
+    ASSERT_TRUE(s_window->ticker().shown()) << "the demo did not start";
+    s_window->activateWindow();
+    QTest::qWaitForWindowActive(s_window);
+    s_window->setFocus();
+    s_window->ticker().follow();
+    turn();
+  }
+
+  template <typename Condition>
+  static bool until(Condition reached, int patience_ms) {
+    QElapsedTimer clock;
+    clock.start();
+    while (!reached() && clock.elapsed() < patience_ms) QTest::qWait(10);
+    return reached();
+  }
+  static void turn() { QTest::qWait(40); }
+  static void press(int key, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::keyClick(s_window, static_cast<Qt::Key>(key), modifiers);
+    turn();
+  }
+  static FrameTicker& ticker() { return s_window->ticker(); }
+  static std::uint64_t shown() { return ticker().shown()->index; }
+
+  static inline MainWindow* s_window = nullptr;
+  static inline UserSettings* s_remembered = nullptr;
+  static inline QTemporaryDir* s_home = nullptr;
+};
+
+TEST_F(Window, SpaceParksAndPlaysOn) {
+  press(Qt::Key_Space);
+  EXPECT_EQ(ticker().playback().state, State::Parked);
+  const auto parked = shown();
+  QTest::qWait(200);
+  EXPECT_EQ(shown(), parked) << "what comes in must not move a parked cursor";
+  press(Qt::Key_Space);
+  EXPECT_EQ(ticker().playback().state, State::Playing);
+}
+
+TEST_F(Window, ArrowsStepFrames) {
+  press(Qt::Key_Space);
+  const auto start = shown();
+  press(Qt::Key_Left);
+  EXPECT_EQ(shown(), start - 1);
+  press(Qt::Key_Left, Qt::ShiftModifier);
+  EXPECT_EQ(shown(), start - 11);
+  press(Qt::Key_Right, Qt::ShiftModifier);
+  press(Qt::Key_Right);
+  EXPECT_EQ(shown(), start);
+}
+
+TEST_F(Window, HomeGoesToTheBeginningAndEndFollows) {
+  press(Qt::Key_Home);
+  EXPECT_DOUBLE_EQ(ticker().playback().cursor_s, ticker().playback().first_s);
+  EXPECT_EQ(ticker().playback().state, State::Parked);
+  press(Qt::Key_End);
+  EXPECT_EQ(ticker().playback().state, State::Following);
+}
+
+TEST_F(Window, ShuttleAndSpeedKeys) {
+  press(Qt::Key_J);
+  EXPECT_EQ(ticker().playback().state, State::Playing);
+  EXPECT_LT(ticker().playback().speed, 0);
+  press(Qt::Key_K);
+  EXPECT_EQ(ticker().playback().state, State::Parked);
+  press(Qt::Key_Backspace);
+  EXPECT_DOUBLE_EQ(ticker().playback().speed, 1);
+  press(Qt::Key_BracketLeft);
+  EXPECT_DOUBLE_EQ(ticker().playback().speed, 0.5);
+  press(Qt::Key_BracketRight);
+  EXPECT_DOUBLE_EQ(ticker().playback().speed, 1);
+}
+
+TEST_F(Window, KeysGoToAFieldThatIsBeingEdited) {
+  auto* field = s_window->findChild<QLineEdit*>();
+  ASSERT_TRUE(field);
+  field->setFocus();
+  QTest::keyClick(field, Qt::Key_Space);
+  turn();
+  EXPECT_EQ(ticker().playback().state, State::Following);
+  field->clear();
+  field->clearFocus();
+}
+
+TEST_F(Window, ASettingReachesTheRunningSolverAndUndoTakesItBack) {
+  const double before = s_window->settings().settings().alpha;
+  s_window->settings().change("alpha", "0.77");
+  EXPECT_TRUE(until([] { return ticker().shown()->settings.alpha == 0.77; }, 3000));
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(until([before] { return ticker().shown()->settings.alpha == before; }, 3000));
+}
+
+TEST_F(Window, AFileThatCannotBeOpenedSaysWhatToDoAndLeavesTheSessionRunning) {
+  s_window->openFiles({"/no/such/place/walk.txt"});
+  EXPECT_TRUE(until([] { return s_window->messages().text().contains("walk.txt"); }, 5000));
+  EXPECT_TRUE(s_window->messages().text().contains("use a motion"));
+  const auto index = shown();
+  EXPECT_TRUE(until([index] { return shown() > index; }, 3000));
+}
+
+TEST_F(Window, APictureOfTheWindowHoldsTheScene) {
+  QTemporaryDir folder;
+  const QString file = folder.filePath("window.png");
+  ASSERT_EQ(save_screenshot(*s_window, file), QString());
+  const QImage picture(file);
+  const QRect scene(s_window->scene().mapTo(s_window, QPoint(0, 0)), s_window->scene().size());
+  const QImage view = picture.copy(scene);
+  int blue = 0, coral = 0;
+  for (int y = 60; y < view.height(); ++y)
+    for (int x = 0; x < view.width(); ++x) {
+      const QColor c = view.pixelColor(x, y);
+      blue += c.hsvSaturation() > 90 && std::abs(c.hue() - s_window->colours().active.hue()) < 12;
+      coral += c.hsvSaturation() > 90 && std::abs(c.hue() - s_window->colours().passive.hue()) < 12;
+    }
+  EXPECT_GT(blue, 1500);
+  EXPECT_GT(coral, 1500);
+}
+
+}  // namespace
+}  // namespace abrazo::app
