@@ -3,26 +3,81 @@
 #include <fmt/core.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
-#include <memory>
+
+#include "app/cli/interruption.hpp"
+#include "core/base/text.hpp"
 
 namespace abrazo::app {
 
 void fail(CommandLine& line, const Error& error) {
+  clear_progress(line);
   fmt::print(stderr, "abrazo: {}\n", error.text());
   line.status = 1;
 }
 
-Progress terminal_progress(const CommandLine& line) {
-  if (line.quiet || ::isatty(STDERR_FILENO) == 0) return {};
-  return [last = -1](double fraction, std::string_view doing) mutable {
+void warn(CommandLine& line, std::string_view text) {
+  if (line.quiet) return;
+  clear_progress(line);
+  fmt::print(stderr, "abrazo: warning: {}\n", text);
+}
+
+void answer(CommandLine& line, std::string_view text) {
+  clear_progress(line);
+  fmt::print("{}", text);
+}
+
+void clear_progress(CommandLine& line) {
+  if (!line.progress_visible) return;
+  fmt::print(stderr, "\r\033[K");
+  std::fflush(stderr);
+  line.progress_visible = false;
+}
+
+Progress terminal_progress(CommandLine& line) {
+  if (line.quiet || ::isatty(STDERR_FILENO) == 0)
+    return [](double, std::string_view) { return !interrupted(); };
+  return [&line, last = -1](double fraction, std::string_view doing) mutable {
     const int percent = static_cast<int>(fraction * 100);
-    if (percent != last) fmt::print(stderr, "\r\033[K{:3d} %  {}", percent, doing);
-    if (percent >= 100 && last != percent) fmt::print(stderr, "\r\033[K");
-    std::fflush(stderr);
+    if (percent != last) {
+      fmt::print(stderr, "\r\033[K{:3d} %  {}", percent, doing);
+      std::fflush(stderr);
+      line.progress_visible = true;
+    }
+    if (percent >= 100) clear_progress(line);
     last = percent;
-    return true;
+    return !interrupted();
   };
+}
+
+const CLI::Validator above_zero(
+    [](const std::string& word) {
+      const auto number = parse_number(word);
+      const bool usable = number && std::isfinite(*number) && *number > 0;
+      return usable ? std::string() : "expected a number above 0, found '" + word + "'";
+    },
+    "");
+
+std::string usage_message(const CLI::App* app, const CLI::Error& refusal) {
+  std::string command = app->get_name();
+  const CLI::App* innermost = app;
+  while (!innermost->get_subcommands().empty()) {
+    innermost = innermost->get_subcommands().front();
+    command += ' ' + innermost->get_name();
+  }
+  std::string what = refusal.what();
+  // CLI11 says only that a command is missing, also when one is there that it does not know.
+  const auto commands =
+      innermost->get_subcommands([](const CLI::App* one) { return !one->get_name().empty(); });
+  if (!commands.empty()) {
+    std::string names;
+    for (const CLI::App* one : commands) names += (names.empty() ? "" : ", ") + one->get_name();
+    const auto unknown = app->remaining(true);
+    what = unknown.empty() ? "a command is missing; there are " + names
+                           : "'" + unknown.front() + "' is not known here; the commands are " + names;
+  }
+  return fmt::format("abrazo: {}; see {} --help\n", what, command);
 }
 
 }  // namespace abrazo::app

@@ -1,8 +1,8 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
-#include <functional>
 #include <string>
+#include <string_view>
 
 #include "core/base/error.hpp"
 #include "core/base/progress.hpp"
@@ -15,13 +15,31 @@ struct CommandLine {
       "Abrazo: a virtual partner for close interactions, from recorded pairs and their interaction meshes."};
   bool quiet = false;
   int status = 0;  ///< exit status the subcommand that ran has set: 0 done, 1 could not be done
+  bool progress_visible = false;  ///< a progress line stands on the terminal
 };
 
 /// Prints one sentence on stderr and sets the exit status to 1.
 void fail(CommandLine& line, const Error& error);
 
-/// A progress line on stderr when that is a terminal and --quiet was not given; otherwise says nothing.
-Progress terminal_progress(const CommandLine& line);
+/// A remark on stderr about something odd that did not stop the work; nothing with --quiet.
+void warn(CommandLine& line, std::string_view text);
+
+/// The command's answer, on stdout.
+void answer(CommandLine& line, std::string_view text);
+
+/// Takes the progress line off the terminal, so that other text can follow.
+void clear_progress(CommandLine& line);
+
+/// Stops the job when the program was interrupted. Shows a progress line on stderr when that is a terminal
+/// and
+/// --quiet was not given. `line` must outlive it.
+Progress terminal_progress(CommandLine& line);
+
+/// A number above 0, such as a rate. CLI11's own check answers with the largest double spelled out.
+extern const CLI::Validator above_zero;
+
+/// What is wrong with the words given, as one line that names the help to read.
+std::string usage_message(const CLI::App* app, const CLI::Error& refusal);
 
 // One function per subcommand file: declares the subcommand's options and what it runs.
 void add_motion_command(CommandLine& line);

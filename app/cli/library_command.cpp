@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/output_file.hpp"
 #include "core/base/json_text.hpp"
 #include "core/library/manifest.hpp"
 #include "core/library/motion_library_builder.hpp"
@@ -58,21 +59,21 @@ Result<MotionLibrary> build(const BuildArguments& arguments, const Progress& pro
 }
 
 void run_build(CommandLine& line, const BuildArguments& arguments) {
-  // Said now rather than after the work.
-  const std::filesystem::path folder = std::filesystem::path(arguments.output).parent_path();
-  if (!folder.empty() && !std::filesystem::is_directory(folder))
-    return fail(line, {"the folder does not exist; create it or choose another", folder.string()});
+  if (const Status usable = check_output(arguments.output, {arguments.manifest}); !usable)
+    return fail(line, usable.error());
   const auto begin = std::chrono::steady_clock::now();
   const Progress progress = terminal_progress(line);
   std::vector<std::string> warnings;
   const auto library = build(arguments, progress, warnings);
-  for (const std::string& warning : warnings) fmt::print(stderr, "abrazo: warning: {}\n", warning);
+  for (const std::string& warning : warnings) warn(line, warning);
   if (!library) return fail(line, library.error());
   if (const Status written = write_library(*library, arguments.output, progress); !written)
     return fail(line, written.error());
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;
-  fmt::print("{}: {} takes, {} pairs, {:.1f} s, {} bytes\n", arguments.output, library->takes().size(),
-             library->pair_count(), seconds.count(), bytes_of(arguments.output));
+  if (line.quiet) return;
+  answer(line, fmt::format("{}: {} takes, {} pairs, {:.1f} s, {} bytes\n", arguments.output,
+                           library->takes().size(), library->pair_count(), seconds.count(),
+                           bytes_of(arguments.output)));
 }
 
 // ---- info ----
@@ -321,19 +322,27 @@ void add_build(CLI::App& library, CommandLine& line) {
   auto arguments = std::make_shared<BuildArguments>();
   CLI::App* command =
       library.add_subcommand("build", "read the takes of a manifest and write a motion library");
-  command->add_option("MANIFEST", arguments->manifest, "JSON list of paired takes")->required();
-  command->add_option("-o,--output", arguments->output, "library to write (HDF5)")->required();
+  command->add_option("MANIFEST", arguments->manifest, "JSON list of paired takes")
+      ->required()
+      ->type_name("");
+  command->add_option("-o,--output", arguments->output, "library to write (HDF5)")
+      ->required()
+      ->type_name("LIB");
   command->add_option("--exclude", arguments->options.excluded_takes, "leave out this take; may be repeated")
       ->expected(1)
-      ->take_all();
-  command->add_option("--rate", arguments->options.rate_hz, "thin to about this rate, by whole strides [Hz]");
+      ->allow_extra_args(false)  // otherwise it also takes the words that follow
+      ->take_all()
+      ->type_name("TAKE");
+  command->add_option("--rate", arguments->options.rate_hz, "thin to about this rate, by whole strides")
+      ->check(above_zero)
+      ->type_name("HZ");
   command->callback([&line, arguments] { run_build(line, *arguments); });
 }
 
 void add_info(CLI::App& library, CommandLine& line) {
   auto arguments = std::make_shared<InfoArguments>();
   CLI::App* command = library.add_subcommand("info", "say what a motion library holds");
-  command->add_option("LIB", arguments->library, "library file")->required();
+  command->add_option("LIB", arguments->library, "library file")->required()->type_name("");
   command->add_flag("--json", arguments->json, "one JSON object on stdout");
   command->callback([&line, arguments] { run_info(line, *arguments); });
 }
@@ -342,9 +351,9 @@ void add_pair(CLI::App& library, CommandLine& line) {
   auto arguments = std::make_shared<PairArguments>();
   CLI::App* command =
       library.add_subcommand("pair", "show one normalised pair with its features and interaction mesh");
-  command->add_option("LIB", arguments->library, "library file")->required();
-  command->add_option("TAKE", arguments->take, "name of the take")->required();
-  command->add_option("FRAME", arguments->frame, "frame of the take, from 0")->required();
+  command->add_option("LIB", arguments->library, "library file")->required()->type_name("");
+  command->add_option("TAKE", arguments->take, "name of the take")->required()->type_name("");
+  command->add_option("FRAME", arguments->frame, "frame of the take, from 0")->required()->type_name("");
   command->add_flag("--swapped", arguments->swapped, "with performer b as the active one");
   command->add_flag("--json", arguments->json, "one JSON object on stdout");
   command->callback([&line, arguments] { run_pair(line, *arguments); });

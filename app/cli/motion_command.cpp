@@ -6,6 +6,9 @@
 #include <vector>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/interruption.hpp"
+#include "app/cli/motion_reading.hpp"
+#include "app/cli/output_file.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/json_text.hpp"
 #include "core/base/text.hpp"
@@ -18,43 +21,16 @@ namespace {
 
 /// What `motion info` and `motion positions` are told.
 struct MotionWords {
-  std::string file, skeleton, joint_map, up, output;
-  double metres_per_unit = 0, fps = 0;
-  int performer = 0;  ///< 1-based; 0 = the only one
+  MotionReading reading;
+  std::string output;
   bool json = false;
 };
 
-/// CLI11's own check answers with the largest double spelled out.
-const CLI::Validator above_zero(
-    [](const std::string& word) {
-      const auto number = parse_number(word);
-      return number && *number > 0 ? std::string() : "expected a number above 0, found '" + word + "'";
-    },
-    "ABOVE 0");
-
-void add_reading_options(CLI::App& command, MotionWords& words) {
-  command.add_option("FILE", words.file, "motion: .bvh, or .amc with its .asf")->required();
-  command.add_option("--skeleton", words.skeleton, "the .asf of an .amc");
-  command.add_option("--metres-per-unit", words.metres_per_unit, "length of the file's unit")
-      ->check(above_zero);
-  command.add_option("--fps", words.fps, "frame rate, over what the file says")->check(above_zero);
-  command.add_option("--joint-map", words.joint_map, "JSON file that says which point is which joint");
-  command.add_option("--up", words.up, "the file's axis that points up")->check(CLI::IsMember({"y", "z"}));
-}
-
-Result<std::vector<ImportedClip>> load(const MotionWords& words) {
-  ImportOptions options;
-  if (words.metres_per_unit > 0) options.metres_per_unit = words.metres_per_unit;
-  if (words.fps > 0) options.fps = words.fps;
-  if (!words.up.empty()) options.up_axis = words.up == "z" ? UpAxis::Z : UpAxis::Y;
-  if (!words.joint_map.empty()) {
-    const Result<std::string> text = read_whole_file(words.joint_map);
-    if (!text) return text.error();
-    Result<JointMap> map = parse_joint_map(*text, words.joint_map);
-    if (!map) return map.error();
-    options.joint_map = std::move(*map);
-  }
-  return load_motion(words.file, words.skeleton, options);
+void add_file(CLI::App& command, MotionWords& words) {
+  command.add_option("FILE", words.reading.file, "motion: .bvh, or .amc with its .asf")
+      ->required()
+      ->type_name("");
+  add_reading_options(command, words.reading);
 }
 
 const char* guess_mark(bool guessed) {
@@ -109,7 +85,7 @@ void put_performer(JsonText& json, const ImportedClip& imported) {
 }
 
 void run_info(CommandLine& line, const MotionWords& words) {
-  const Result<std::vector<ImportedClip>> clips = load(words);
+  const Result<std::vector<ImportedClip>> clips = read_performers(words.reading);
   if (!clips) return fail(line, clips.error());
   if (!words.json) {
     for (const ImportedClip& imported : *clips) print_performer(imported);
@@ -118,7 +94,7 @@ void run_info(CommandLine& line, const MotionWords& words) {
   // The fields of the first performer stand at the top; all performers stand in the list.
   JsonText json;
   json.begin_object();
-  json.key("file").value(words.file);
+  json.key("file").value(words.reading.file);
   put_performer(json, clips->front());
   json.key("joint_names").begin_array();
   for (const std::string_view name : joint_names) json.value(name);
@@ -135,43 +111,35 @@ void run_info(CommandLine& line, const MotionWords& words) {
 }
 
 void run_positions(CommandLine& line, const MotionWords& words) {
-  const Result<std::vector<ImportedClip>> clips = load(words);
-  if (!clips) return fail(line, clips.error());
-  const std::size_t count = clips->size();
-  if (words.performer == 0 && count > 1)
-    return fail(line, {fmt::format("holds {} performers; choose one with --performer 1 to {}", count, count),
-                       words.file});
-  const std::size_t chosen = words.performer == 0 ? 0 : static_cast<std::size_t>(words.performer - 1);
-  if (chosen >= count)
-    return fail(line, {fmt::format("has no performer {}; it holds {}", words.performer, count), words.file});
-  const ImportedClip& imported = (*clips)[chosen];
-  const Result<std::string> csv = write_clip_csv(std::span<const Clip>(&imported.clip, 1));
+  if (const Status usable = check_output(words.output, {words.reading.file, words.reading.skeleton}); !usable)
+    return fail(line, usable.error());
+  const Result<ImportedClip> imported = read_performer(line, words.reading);
+  if (!imported) return fail(line, imported.error());
+  const Result<std::string> csv = write_clip_csv(std::span<const Clip>(&imported->clip, 1));
   if (!csv) return fail(line, csv.error());
-  const Status written = write_whole_file(words.output, *csv);
-  if (!written) return fail(line, written.error());
-  for (const ImportWarning& warning : imported.report.warnings)
-    if (!line.quiet) fmt::print(stderr, "{}: {}: {}\n", words.file, warning.kind, warning.detail);
+  if (interrupted()) return fail(line, {"cancelled", words.output});
+  if (const Status written = write_whole_file(words.output, *csv); !written) fail(line, written.error());
 }
 
 }  // namespace
 
 void add_motion_command(CommandLine& line) {
-  CLI::App* motion = line.app.add_subcommand("motion", "looks into motion files");
+  CLI::App* motion = line.app.add_subcommand("motion", "look into motion files");
   motion->require_subcommand(1);
-  const auto words = std::make_shared<MotionWords>();
 
+  const auto info_words = std::make_shared<MotionWords>();
   CLI::App* info =
       motion->add_subcommand("info", "frames, rate, joints, height, floor and everything odd about a file");
-  add_reading_options(*info, *words);
-  info->add_flag("--json", words->json, "one JSON object");
-  info->callback([&line, words] { run_info(line, *words); });
+  add_file(*info, *info_words);
+  info->add_flag("--json", info_words->json, "one JSON object on stdout");
+  info->callback([&line, info_words] { run_info(line, *info_words); });
 
+  const auto words = std::make_shared<MotionWords>();
   CLI::App* positions =
-      motion->add_subcommand("positions", "world positions of the 25 joints in metres, Y up");
-  add_reading_options(*positions, *words);
-  positions->add_option("-o,--output", words->output, "the CSV file to write")->required();
-  positions->add_option("--performer", words->performer, "which performer of a file with several, from 1")
-      ->check(above_zero);
+      motion->add_subcommand("positions", "write the world positions of the 25 joints, in metres, Y up");
+  add_file(*positions, *words);
+  add_performer_option(*positions, words->reading);
+  positions->add_option("-o,--output", words->output, "the CSV file to write")->required()->type_name("CSV");
   positions->callback([&line, words] { run_positions(line, *words); });
 }
 

@@ -1,35 +1,56 @@
 #include "app/cli/settings_options.hpp"
 
+#include <fmt/core.h>
+
 #include "core/base/text.hpp"
 
 namespace abrazo::app {
 
+namespace {
+
+std::string values_of(const SettingInfo& info) {
+  if (info.kind == SettingInfo::Kind::Flag) return "on|off";
+  if (info.kind == SettingInfo::Kind::Choice) return std::string(info.choices);
+  return fmt::format("{} to {}{}{}", exact_text(info.minimum), exact_text(info.maximum),
+                     info.unit.empty() ? "" : " ", info.unit);
+}
+
+/// "paper 0.5, responsive 0.1", or the one value that all presets have.
+std::string preset_values(const SettingInfo& info) {
+  std::string text;
+  bool differ = false;
+  const std::string first = setting_text(*preset(preset_names.front()), info.key);
+  for (const std::string_view name : preset_names) {
+    const std::string value = setting_text(*preset(name), info.key);
+    differ = differ || value != first;
+    text += fmt::format("{}{} {}", text.empty() ? "" : ", ", name, value);
+  }
+  return differ ? text : "default " + first;
+}
+
+}  // namespace
+
 void SettingsOptions::add_to(CLI::App& command) {
   command.add_option("--preset", preset_, "paper (the paper's letter) or responsive (small lag, few jumps)")
       ->group("Settings")
-      ->check(CLI::IsMember({"paper", "responsive"}))
+      ->check(CLI::IsMember(std::vector<std::string>(preset_names.begin(), preset_names.end())))
+      ->type_name("NAME")
       ->capture_default_str();
   for (const SettingInfo& info : all_settings()) {
     const std::string key(info.key);
-    std::string names = "--" + key;
-    if (key == "neighbours") names = "-k," + names;
-    std::string help(info.help);
-    const auto add = [&](const std::string& text) { help += " [" + text + "]"; };
-    if (info.kind == SettingInfo::Kind::Flag)
-      add("on|off");
-    else if (info.kind == SettingInfo::Kind::Choice)
-      add(std::string(info.choices));
-    else
-      add(exact_text(info.minimum) + " to " + exact_text(info.maximum) +
-          (info.unit.empty() ? "" : " " + std::string(info.unit)));
+    const std::string names = (key == "neighbours" ? "-k,--" : "--") + key;
+    const bool number = info.kind == SettingInfo::Kind::Real || info.kind == SettingInfo::Kind::Integer;
     command
         .add_option_function<std::string>(
-            names, [this, key](const std::string& text) { given_[key] = text; }, help)
+            names, [this, key](const std::string& text) { given_[key] = text; },
+            fmt::format("{} [{}; {}]", info.help, values_of(info), preset_values(info)))
         ->group("Settings")
+        ->type_name(number ? "NUMBER" : "WORD")
         ->check([key](const std::string& text) {
           Settings scratch;
           const Status usable = set_setting(scratch, key, text);
-          return usable.ok() ? std::string() : usable.error().text();
+          // CLI11 puts the option's name, which is the error's place, in front.
+          return usable.ok() ? std::string() : usable.error().message;
         });
   }
 }

@@ -16,10 +16,20 @@ Job::Job(Work work, QObject* parent) : QObject(parent) {
         this,
         [this, finish = std::move(finish)] {
           if (!m_cancelled && finish) finish();
+          m_finished = true;
           emit finished();
         },
         Qt::QueuedConnection);
   });
+}
+
+void Job::retire(std::unique_ptr<Job> job, QObject* owner) {
+  if (!job || job->m_finished) return;
+  job->cancel();
+  job->disconnect();
+  job->setParent(owner);
+  connect(job.get(), &Job::finished, job.get(), &QObject::deleteLater);
+  job.release();
 }
 
 Job::~Job() {

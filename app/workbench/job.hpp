@@ -3,6 +3,7 @@
 #include <QObject>
 #include <atomic>
 #include <functional>
+#include <memory>
 #include <thread>
 
 #include "core/base/progress.hpp"
@@ -20,6 +21,8 @@ class Job : public QObject {
   Job(Work work, QObject* parent = nullptr);
   ~Job() override;
   void cancel() { m_cancelled = true; }
+  /// Gives up a job without waiting: it goes when its work has noticed, at the latest with `owner`.
+  static void retire(std::unique_ptr<Job> job, QObject* owner);
 
  signals:
   void progressed(double fraction, const QString& doing);
@@ -27,6 +30,7 @@ class Job : public QObject {
 
  private:
   std::atomic<bool> m_cancelled = false;
+  bool m_finished = false;
   std::jthread m_thread;  // last: joined first
 };
 

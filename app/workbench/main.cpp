@@ -1,7 +1,4 @@
-#include <QVTKOpenGLNativeWidget.h>
-
 #include <QApplication>
-#include <QSurfaceFormat>
 #include <clocale>
 #include <cstdio>
 #include <memory>
@@ -12,6 +9,7 @@
 #include "app/workbench/unattended.hpp"
 #include "app/workbench/user_settings.hpp"
 #include "core/base/atomic_file.hpp"
+#include "widgets/scene/scene_view.hpp"
 
 using namespace abrazo;
 
@@ -35,7 +33,7 @@ QStringList asked_files(const app::CommandLine& asked) {
 }
 
 void set_up_toolkit() {
-  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  widgets::SceneView::prepareApplication();
   QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);

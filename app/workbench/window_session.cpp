@@ -26,6 +26,7 @@ void MainWindow::openFiles(const QStringList& files) {
 
 void MainWindow::openMaterial(MakeMaterial make) {
   const Settings wanted = m_settings->settings();
+  Job::retire(std::move(m_job), this);
   m_job =
       std::make_unique<Job>([this, make = std::move(make), wanted](const Progress& progress) -> Job::Finish {
         auto material = make(progress);

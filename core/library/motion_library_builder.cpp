@@ -75,6 +75,7 @@ std::optional<Error> check_take(const PairedTake& take) {
 
 std::string joined_names(const auto& takes) {
   std::vector<std::string_view> names;
+  names.reserve(takes.size());
   for (const auto& take : takes) names.push_back(take.name);
   return fmt::format("{}", fmt::join(names, ", "));
 }

@@ -226,11 +226,13 @@ Result<AcclaimSkeleton> AsfParser::assemble() {
     if (!placed[b])
       return error_at(where_, bones_[b].line,
                       "the bone " + quoted(bones_[b].bone.name) + " is not joined to the root by :hierarchy");
-  for (const auto& [child, parent] : parents_)
+  for (const auto& entry : parents_) {
+    const auto& child = entry.first;
     if (std::none_of(bones_.begin(), bones_.end(),
                      [&](const RawBone& raw) { return raw.bone.name == child; }))
       return Error{":hierarchy names the bone " + quoted(child) + ", which :bonedata does not describe",
                    where_};
+  }
   return std::move(skeleton_);
 }
 

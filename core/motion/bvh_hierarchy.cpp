@@ -136,7 +136,7 @@ Status HierarchyParser::read_statement(std::string_view statement) {
     return error("expected HIERARCHY, ROOT, JOINT, End Site, OFFSET, CHANNELS, a brace or MOTION, found " +
                  quoted(word));
   if (open_.empty() || brace_expected_) return error(quoted(word) + " outside the braces of a joint");
-  if (key == "channels" && hierarchy_.nodes[static_cast<std::size_t>(open_.back())].channels.size() > 0)
+  if (key == "channels" && !hierarchy_.nodes[static_cast<std::size_t>(open_.back())].channels.empty())
     return error("the joint has CHANNELS twice");
   if (const Status read = key == "offset" ? read_offset(rest) : read_channels(rest); !read) return read;
   return trimmed(rest).empty() ? Status(Done{}) : read_statement(rest);

@@ -268,7 +268,7 @@ Status MotionParser::read_row(std::string_view line) {
 void MotionParser::append_frame() {
   place_nodes(hierarchy_.nodes, row_, world_, places_);
   for (std::size_t m = 0; m < motions_.size(); ++m)
-    motions_[m].frames.push_back(
+    motions_[m].frames.emplace_back(
         places_.middleRows(first_nodes_[m], static_cast<Eigen::Index>(motions_[m].points.size())));
   ++frames_;
 }

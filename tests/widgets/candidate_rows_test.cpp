@@ -11,7 +11,7 @@ namespace {
 using testing::HasSubstr;
 
 std::vector<CandidateRow> rows() {
-  return candidate_rows(*test::synthetic_frame(0, 0), *test::small_library());
+  return candidate_rows(*test::synthetic_frame(0, 0), *test::two_take_library());
 }
 
 TEST(CandidateRows, ComeCheapestFirst) {

@@ -1,15 +1,14 @@
-#include <QVTKOpenGLNativeWidget.h>
 #include <gtest/gtest.h>
 
 #include <QApplication>
-#include <QSurfaceFormat>
 #include <clocale>
 
 #include "widgets/common/theme.hpp"
+#include "widgets/scene/scene_view.hpp"
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);
-  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  abrazo::widgets::SceneView::prepareApplication();
   QApplication application(argc, argv);
   std::setlocale(LC_NUMERIC, "C");
   abrazo::widgets::apply_theme(application, abrazo::widgets::palette_of(abrazo::widgets::Theme::Dark));

@@ -1,9 +1,7 @@
 // How many frames a second the scene alone and in its window can show. Prints; not a test.
-#include <QVTKOpenGLNativeWidget.h>
 
 #include <QApplication>
 #include <QElapsedTimer>
-#include <QSurfaceFormat>
 #include <cstdio>
 #include <cstdlib>
 #include <ctime>
@@ -13,11 +11,11 @@
 #include "widgets/scene/scene_view.hpp"
 
 int main(int argc, char** argv) {
-  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+  abrazo::widgets::SceneView::prepareApplication();
   QApplication application(argc, argv);
   abrazo::widgets::apply_theme(application, abrazo::widgets::palette_of(abrazo::widgets::Theme::Dark));
   abrazo::widgets::SceneView scene;
-  scene.setLibrary(abrazo::test::small_library());
+  scene.setLibrary(abrazo::test::two_take_library());
   scene.resize(1280, 720);
   scene.show();
   const int frames = argc > 1 ? std::atoi(argv[1]) : 100;

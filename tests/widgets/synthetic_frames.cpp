@@ -39,7 +39,7 @@ void add_take(LibraryColumns& columns, const std::string& name, const std::strin
 
 }  // namespace
 
-std::shared_ptr<const MotionLibrary> small_library() {
+std::shared_ptr<const MotionLibrary> two_take_library() {
   LibraryColumns columns;
   columns.name = "small";
   LibraryBody body;

@@ -8,10 +8,10 @@
 namespace abrazo::test {
 
 /// A library of two takes, "salsa_01" (a turn) and "salsa_02" (open hold), of a few pairs each.
-std::shared_ptr<const MotionLibrary> small_library();
+std::shared_ptr<const MotionLibrary> two_take_library();
 
-/// A solved frame as the solver would freeze it: two people face to face, five candidates of `small_library`,
-/// the first of them selected. The passive character sways with the index.
+/// A solved frame as the solver would freeze it: two people face to face, five candidates of
+/// `two_take_library`, the first of them selected. The passive character sways with the index.
 FrameSnapshotPtr synthetic_frame(std::uint64_t index, double time_s);
 
 }  // namespace abrazo::test

@@ -46,7 +46,7 @@ class Window : public testing::Test {
   void SetUp() override {
     ASSERT_TRUE(s_window->ticker().shown()) << "the demo did not start";
     s_window->activateWindow();
-    QTest::qWaitForWindowActive(s_window);
+    (void)QTest::qWaitForWindowActive(s_window, 300);  // a bare display has no window manager to say so
     s_window->setFocus();
     s_window->ticker().follow();
     turn();

@@ -39,7 +39,7 @@ void CandidateList::setRows(std::vector<CandidateRow> rows) {
   double largest = 0;
   for (const CandidateRow& row : m_rows) largest = std::max(largest, row.total);
   // Grows at once and shrinks slowly: bars that rescale with every frame cannot be read.
-  m_fullBar = largest > m_fullBar ? largest : std::max(largest, 0.985 * m_fullBar);
+  m_fullBar = largest > m_fullBar ? largest : std::max(largest, 0.95 * m_fullBar);
   if (m_hovered >= static_cast<int>(m_rows.size())) hover(-1);
   if (m_hovered >= 0) emit candidateHovered(m_rows[static_cast<std::size_t>(m_hovered)].candidate);
   update();

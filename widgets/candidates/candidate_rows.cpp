@@ -59,7 +59,7 @@ std::string winning_reason(const std::vector<CandidateRow>& rows) {
   const std::array<double, 3> gains = {second.pose - winner->pose, second.active - winner->active,
                                        second.passive - winner->passive};
   const auto largest = std::max_element(gains.begin(), gains.end());
-  if (*largest <= 0) return "A tie with the second";
+  if (*largest <= 0 || second.total - winner->total < 5e-5) return "A tie with the second";
   static constexpr std::array<const char*, 3> terms = {
       "nearer to the user's pose", "less temporal cost of the leader", "less temporal cost of the follower"};
   return "Winner by " + figure(second.total - winner->total) + " — " +

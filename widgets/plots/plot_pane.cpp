@@ -76,7 +76,7 @@ void PlotPane::setColours(const Palette& palette, const std::vector<QColor>& cur
   m_plot->xAxis->grid()->setVisible(false);
   for (int c = 0; c < m_plot->graphCount(); ++c)
     m_plot->graph(c)->setPen(QPen(curves[static_cast<std::size_t>(c)], 1.3));
-  m_cursor->setPen(QPen(palette.dark ? QColor("#c7ccd6") : palette.text, 1.4));
+  m_cursor->setPen(QPen(palette.dark ? QColor("#c7ccd6") : palette.text, 1));
   update();
   m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
@@ -109,7 +109,7 @@ void PlotPane::fitHeight(double from_s, double to_s) {
       if (std::isfinite(it->value)) largest = std::max(largest, it->value);
   }
   m_upper = largest >= m_upper ? largest : std::max(largest, 0.94 * m_upper);
-  m_plot->yAxis->setRange(0, m_upper > 0 ? 1.12 * m_upper : 1);
+  m_plot->yAxis->setRange(0, std::max(1.12 * m_upper, m_least));
 }
 
 void PlotPane::draw(double from_s, double to_s, double cursor_s) {

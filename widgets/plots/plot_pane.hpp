@@ -21,6 +21,8 @@ class PlotPane : public QWidget {
   };
   PlotPane(const QString& title, std::vector<Curve> curves, QWidget* parent);
   void setColours(const Palette& palette, const std::vector<QColor>& curves);
+  /// The axis reaches at least this high: what is far below it must not look large.
+  void setLeastHeight(double value) { m_least = value; }
 
   void append(double time_s, const std::vector<double>& values);
   void dropBefore(double time_s);
@@ -49,6 +51,7 @@ class PlotPane : public QWidget {
   QCustomPlot* m_plot;
   QCPItemLine* m_cursor;
   double m_upper = 0;
+  double m_least = 1e-6;
 };
 
 }  // namespace abrazo::widgets

@@ -46,6 +46,7 @@ PlotPanel::PlotPanel(QWidget* parent) : QWidget(parent), m_parts(std::make_uniqu
       "How far the nonlinear constraints are from being met: largest bone length error, largest drift of a "
       "locked "
       "foot, deepest penetration beyond the selected pair's own");
+  m_parts->residual->setLeastHeight(0.5);
   for (PlotPane* pane : {m_parts->energy, m_parts->residual}) {
     row->addWidget(pane, 1);
     connect(pane, &PlotPane::seekRequested, this, &PlotPanel::seekRequested);

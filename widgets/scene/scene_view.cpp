@@ -11,6 +11,7 @@
 
 #include <QElapsedTimer>
 #include <QMouseEvent>
+#include <QSurfaceFormat>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -60,7 +61,8 @@ vtkNew<vtkLight> light(double x, double y, double z, double intensity) {
   return made;
 }
 
-constexpr int standstill_ms = 130;
+constexpr int standstill_ms = 130;  // without a new picture: time for smooth edges
+constexpr int moving_ms = 1000;     // pictures closer than this are one movement, however slow the renderer
 
 QString seconds(double time_s) {
   return QString::number(time_s, 'f', 3) + " s";
@@ -135,6 +137,10 @@ void SceneView::Parts::applyCamera() {
   shown->SetClippingRange(0.08, 60);
 }
 
+void SceneView::prepareApplication() {
+  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+}
+
 SceneView::SceneView(QWidget* parent) : QWidget(parent), m_parts(std::make_unique<Parts>()) {
   Parts& p = *m_parts;
   setMinimumSize(320, 220);
@@ -166,7 +172,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_parts(std::make_uniqu
   });
   p.standstill.setSingleShot(true);
   p.standstill.setInterval(standstill_ms);
-  connect(&p.standstill, &QTimer::timeout, this, &SceneView::render);
+  connect(&p.standstill, &QTimer::timeout, this, &SceneView::renderSharp);
   p.surface->dragged = [this](QPointF delta, bool pan) {
     const double height = m_parts->surface->height();
     pan ? m_parts->camera.pan(delta.x(), delta.y(), height) : m_parts->camera.orbit(delta.x(), delta.y());
@@ -335,7 +341,7 @@ void SceneView::setFollowing(bool following) {
 void SceneView::render() {
   if (!isVisible()) return;
   Parts& p = *m_parts;
-  const bool moving = p.since_render.isValid() && p.since_render.elapsed() < standstill_ms;
+  const bool moving = p.since_render.isValid() && p.since_render.elapsed() < moving_ms;
   p.smoothed = p.budget.wants_smoothing(moving);
   p.topmost->SetUseFXAA(p.smoothed);
   if (!p.smoothed) p.standstill.start();

@@ -17,6 +17,9 @@ namespace abrazo::widgets {
 class SceneView : public QWidget {
   Q_OBJECT
  public:
+  /// What the graphics need to know before the QApplication is made.
+  static void prepareApplication();
+
   explicit SceneView(QWidget* parent = nullptr);
   ~SceneView() override;
 

@@ -6,8 +6,8 @@ namespace abrazo::widgets {
 /// so that it keeps its rate; one that stands still always has them.
 class SmoothingBudget {
  public:
-  static constexpr double affordable_ms =
-      24;  ///< from the start of a picture to the screen: leaves 30 per second
+  /// From the start of a picture to the screen; the panels need their share of the 33 ms.
+  static constexpr double affordable_ms = 14;
 
   bool wants_smoothing(bool moving) const { return !moving || smoothed_ms_ < affordable_ms; }
 

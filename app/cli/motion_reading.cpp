@@ -1,0 +1,69 @@
+#include "app/cli/motion_reading.hpp"
+
+#include <fmt/core.h>
+
+#include "core/base/atomic_file.hpp"
+#include "core/base/text.hpp"
+
+namespace abrazo::app {
+
+void add_reading_options(CLI::App& command, MotionReading& reading) {
+  command.add_option("--skeleton", reading.skeleton, "the .asf of an .amc")->type_name("ASF");
+  command
+      .add_option("--metres-per-unit", reading.metres_per_unit,
+                  "length of the file's unit; found or guessed when not given")
+      ->check(above_zero)
+      ->type_name("METRES");
+  command.add_option("--fps", reading.fps, "frame rate, over what the file says")
+      ->check(above_zero)
+      ->type_name("HZ");
+  command
+      .add_option("--joint-map", reading.joint_map, "which point is which joint, where no built-in map fits")
+      ->type_name("JSON");
+  command.add_option("--up", reading.up, "the file's axis that points up")
+      ->check(CLI::IsMember({"y", "z"}))
+      ->type_name("AXIS");
+}
+
+void add_performer_option(CLI::App& command, MotionReading& reading) {
+  command.add_option("--performer", reading.performer, "which performer of a file with several, from 1")
+      ->check(above_zero)
+      ->type_name("N");
+}
+
+Result<std::vector<ImportedClip>> read_performers(const MotionReading& reading) {
+  ImportOptions options;
+  if (reading.metres_per_unit > 0) options.metres_per_unit = reading.metres_per_unit;
+  if (reading.fps > 0) options.fps = reading.fps;
+  if (!reading.up.empty()) options.up_axis = reading.up == "z" ? UpAxis::Z : UpAxis::Y;
+  if (!reading.joint_map.empty()) {
+    const Result<std::string> text = read_whole_file(reading.joint_map);
+    if (!text) return text.error();
+    Result<JointMap> map = parse_joint_map(*text, reading.joint_map);
+    if (!map) return map.error();
+    options.joint_map = std::move(*map);
+  }
+  if (!reading.skeleton.empty() && lower_case(reading.file).ends_with(".bvh"))
+    return Error{"a .bvh has its own skeleton; leave out --skeleton", reading.file};
+  return load_motion(reading.file, reading.skeleton, options);
+}
+
+Result<ImportedClip> read_performer(CommandLine& line, const MotionReading& reading) {
+  Result<std::vector<ImportedClip>> clips = read_performers(reading);
+  if (!clips) return clips.error();
+  const std::size_t count = clips->size();
+  if (reading.performer == 0 && count > 1)
+    return Error{fmt::format("holds {} performers; choose one with --performer 1 to {}", count, count),
+                 reading.file};
+  const std::size_t chosen = reading.performer == 0 ? 0 : static_cast<std::size_t>(reading.performer - 1);
+  if (chosen >= count)
+    return Error{fmt::format("has no performer {}; it holds {}", reading.performer, count), reading.file};
+  ImportedClip& imported = (*clips)[chosen];
+  for (const ImportWarning& warning : imported.report.warnings)
+    warn(line,
+         fmt::format("{}{}: {}: {}", reading.file, warning.line > 0 ? fmt::format(":{}", warning.line) : "",
+                     warning.kind, warning.detail));
+  return std::move(imported);
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,78 @@
+#include <signal.h>
+
+#include <chrono>
+#include <thread>
+
+#include "tests/cli/command_line_fixture.hpp"
+
+namespace abrazo::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+class Interruption : public CommandLineTest {
+ protected:
+  /// Starts a run of about a second that writes a trace, and waits until it has begun to.
+  void start_a_long_run() {
+    make_library();
+    std::vector<std::string> words = {ABRAZO_PROGRAM,
+                                      "synth",
+                                      "--quiet",
+                                      "--library",
+                                      "demo.h5",
+                                      "--input",
+                                      "demo/salsa_01_a.bvh",
+                                      "--trace",
+                                      "t.jsonl",
+                                      "-o",
+                                      "pair.bvh",
+                                      "--step-rate",
+                                      "60",
+                                      "--morph-steps",
+                                      "20",
+                                      "--projection-steps",
+                                      "10"};
+    command_ = std::make_unique<RunningCommand>(words, folder());
+    while (names().size() < 3 && !command_->finished())
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+
+  std::unique_ptr<RunningCommand> command_;
+};
+
+TEST_F(Interruption, LeavesNoFileBehindAndSaysSo) {
+  for (const int number : {SIGINT, SIGTERM, SIGHUP}) {
+    start_a_long_run();
+    ASSERT_FALSE(command_->finished()) << "too quick to be interrupted";
+    command_->signal(number);
+    const Outcome outcome = command_->wait();
+    EXPECT_EQ(outcome.status, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("cancelled"));
+    EXPECT_THAT(names(), ::testing::ElementsAre("demo", "demo.h5"));
+  }
+}
+
+TEST_F(Interruption, TheSecondEndsTheProgramAtOnce) {
+  start_a_long_run();
+  command_->signal(SIGTERM);
+  while (!command_->finished()) command_->signal(SIGTERM);
+  const int status = command_->wait().status;
+  // 1 when it had already stopped by itself.
+  EXPECT_TRUE(status == 128 + SIGTERM || status == 1) << status;
+}
+
+TEST_F(Interruption, WhatStoodThereStaysWhenARunIsInterrupted) {
+  write("t.jsonl", "mine");
+  make_library();
+  std::vector<std::string> words = {ABRAZO_PROGRAM,        "synth",   "--library", "demo.h5",  "--input",
+                                    "demo/salsa_01_a.bvh", "--trace", "t.jsonl",   "--preset", "responsive"};
+  RunningCommand command(words, folder());
+  while (names().size() < 4 && !command.finished()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  command.signal(SIGINT);
+  EXPECT_EQ(command.wait().status, 1);
+  EXPECT_EQ(read("t.jsonl"), "mine");
+  EXPECT_THAT(names(), ::testing::ElementsAre("demo", "demo.h5", "t.jsonl"));
+}
+
+}  // namespace
+}  // namespace abrazo::test

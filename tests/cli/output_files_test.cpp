@@ -1,0 +1,79 @@
+#include "tests/cli/command_line_fixture.hpp"
+
+namespace abrazo::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class OutputFiles : public CommandLineTest {
+ protected:
+  /// Commands that write a file, but for its name.
+  static std::vector<std::string> writers() {
+    const std::string synth = "synth --library demo.h5 --input demo/salsa_01_a.bvh ";
+    return {"motion positions demo/salsa_01_a.bvh -o ", "library build demo/manifest.json --rate 5 -o ",
+            synth + "-o ", synth + "--trace "};
+  }
+};
+
+TEST_F(OutputFiles, WhatStoodThereIsReplacedWhole) {
+  make_library();
+  for (const std::string& writer : writers()) {
+    write("out.csv", std::string(30'000'000, '#'));
+    ASSERT_EQ(run(writer + "out.csv").status, 0) << writer;
+    EXPECT_LT(std::filesystem::file_size(path("out.csv")), 30'000'000u) << writer;
+    EXPECT_EQ(read("out.csv").find("####"), std::string::npos) << writer;
+    EXPECT_THAT(names(), ElementsAre("demo", "demo.h5", "out.csv")) << writer;
+  }
+}
+
+TEST_F(OutputFiles, AFolderThatIsNotThereIsSaidBeforeTheWork) {
+  make_library();
+  for (const std::string& writer : writers()) {
+    expect_failure(run(writer + "gone/out.csv"), "gone: the folder does not exist");
+    expect_failure(run(writer + "demo.h5/out.csv"), "demo.h5: is not a folder");
+  }
+  EXPECT_THAT(names(), ElementsAre("demo", "demo.h5"));
+}
+
+TEST_F(OutputFiles, AFolderThatTakesNoFilesIsSaid) {
+  make_library();
+  for (const std::string& writer : writers())
+    expect_failure(run(writer + "/proc/out.csv"), "/proc/out.csv: cannot");
+}
+
+TEST_F(OutputFiles, ADeviceIsNotReplaced) {
+  make_library();
+  // A pipe stands for it: a program that replaced a device would harm the machine that tests it.
+  ASSERT_EQ(RunningCommand({"/usr/bin/mkfifo", "pipe.csv"}, folder()).wait().status, 0);
+  for (const std::string& writer : writers()) {
+    expect_failure(run(writer + "pipe.csv"), "pipe.csv: is a device or pipe");
+    EXPECT_TRUE(std::filesystem::is_fifo(path("pipe.csv"))) << writer;
+  }
+}
+
+TEST_F(OutputFiles, AFolderInTheFilesPlaceIsLeftAlone) {
+  make_library();
+  std::filesystem::create_directory(path("out.csv"));
+  for (const std::string& writer : writers()) expect_failure(run(writer + "out.csv"), "out.csv: is a folder");
+  EXPECT_TRUE(std::filesystem::is_empty(path("out.csv")));
+}
+
+TEST_F(OutputFiles, AnInputIsNotWrittenOver) {
+  make_library();
+  const std::string motion = read("demo/salsa_01_a.bvh");
+  const std::string manifest = read("demo/manifest.json");
+  expect_failure(run("motion positions demo/salsa_01_a.bvh -o demo/salsa_01_a.bvh"), "is also read");
+  expect_failure(run("library build demo/manifest.json -o ./demo/../demo/manifest.json"), "is also read");
+  const std::string synth = "synth --library demo.h5 --input demo/salsa_01_a.bvh ";
+  expect_failure(run(synth + "-o demo/salsa_01_a.bvh"), "is also read");
+  expect_failure(run(synth + "--trace demo.h5"), "is also read");
+  expect_failure(run(synth + "-o same.csv --trace same.csv"), "cannot share a file");
+  EXPECT_EQ(read("demo/salsa_01_a.bvh"), motion);
+  EXPECT_EQ(read("demo/manifest.json"), manifest);
+  EXPECT_EQ(run("library info demo.h5").status, 0);
+}
+
+}  // namespace
+}  // namespace abrazo::test

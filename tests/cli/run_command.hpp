@@ -1,0 +1,42 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace abrazo::test {
+
+/// What a finished command left.
+struct Outcome {
+  int status = -1;  ///< exit status; 128 + signal when a signal ended it
+  std::string out, err;
+};
+
+/// A program that runs in `folder`, without input. Waited for at the latest when it goes out of scope.
+class RunningCommand {
+ public:
+  enum class ErrorsTo { File, Terminal };
+
+  RunningCommand(const std::vector<std::string>& words, const std::filesystem::path& folder,
+                 ErrorsTo errors = ErrorsTo::File);
+  ~RunningCommand();
+  RunningCommand(const RunningCommand&) = delete;
+  RunningCommand& operator=(const RunningCommand&) = delete;
+
+  void signal(int number) const;
+  bool finished();
+  Outcome wait();
+
+ private:
+  std::filesystem::path out_, err_;
+  int terminal_ = -1;  ///< our end of the terminal that the program's errors go to
+  pid_t process_ = -1;
+  int wait_status_ = 0;
+};
+
+/// Runs `abrazo` with these words to its end.
+Outcome run_abrazo(const std::filesystem::path& folder, std::vector<std::string> words);
+
+}  // namespace abrazo::test

@@ -1,0 +1,141 @@
+#include <cmath>
+
+#include "tests/cli/command_line_fixture.hpp"
+#include "tests/support/captured_data.hpp"
+
+namespace abrazo::test {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+using ::testing::SizeIs;
+
+class SynthCommand : public CommandLineTest {
+ protected:
+  Outcome synth(const std::string& more) const {
+    return run("synth --library demo.h5 --input demo/salsa_01_a.bvh " + more);
+  }
+};
+
+/// Largest difference of the positions in `one` from those in `both`, whose columns have a prefix.
+double largest_difference(const Table& one, const Table& both, const std::string& prefix) {
+  double largest = one.rows.size() == both.rows.size() ? 0 : INFINITY;
+  for (std::size_t row = 0; row < one.rows.size(); ++row)
+    for (std::size_t column = 2; column < one.columns.size(); ++column)
+      largest =
+          std::max(largest, std::abs(one.rows[row][column] - both.at(row, prefix + one.columns[column])));
+  return largest;
+}
+
+TEST_F(SynthCommand, SaysInJsonHowManyStepsItSolved) {
+  make_library();
+  const Outcome outcome = synth("--json");
+  EXPECT_EQ(outcome.status, 0);
+  const auto summary = nlohmann::json::parse(outcome.out);
+  const auto input = nlohmann::json::parse(run("motion info demo/salsa_01_a.bvh --json").out);
+  EXPECT_EQ(summary["steps"], (input["frames"].get<int>() + 3) / 4);  // 15 of 60 frames a second
+  EXPECT_EQ(summary["step_rate_hz"], 15);
+  EXPECT_EQ(summary["failed"], 0);
+  EXPECT_LT(summary["bone_length_max"].get<double>(), 1e-3);
+  EXPECT_THAT(names(), ElementsAre("demo", "demo.h5"));
+}
+
+TEST_F(SynthCommand, BvhAndCsvHoldTheSameMotion) {
+  make_library();
+  ASSERT_EQ(synth("-o pair.csv").status, 0);
+  ASSERT_EQ(synth("-o pair.bvh").status, 0);
+  const Table pair = parse_table(read("pair.csv"));
+  EXPECT_THAT(pair.columns, SizeIs(2 + 2 * 25 * 3));
+  EXPECT_NEAR(pair.at(15, "time"), 1, 1e-12);
+  ASSERT_EQ(run("motion positions pair.bvh --performer 1 -o active.csv").status, 0);
+  ASSERT_EQ(run("motion positions pair.bvh --performer 2 -o passive.csv").status, 0);
+  EXPECT_LT(largest_difference(parse_table(read("active.csv")), pair, "active."), 1e-3);
+  EXPECT_LT(largest_difference(parse_table(read("passive.csv")), pair, "passive."), 1e-3);
+}
+
+TEST_F(SynthCommand, SplitWritesOneFileForEachBody) {
+  make_library();
+  ASSERT_EQ(synth("-o pair.csv").status, 0);
+  ASSERT_EQ(synth("-o two.csv --split").status, 0);
+  ASSERT_EQ(synth("-o two.bvh --split").status, 0);
+  EXPECT_THAT(names(), ElementsAre("demo", "demo.h5", "pair.csv", "two_active.bvh", "two_active.csv",
+                                   "two_passive.bvh", "two_passive.csv"));
+  const Table pair = parse_table(read("pair.csv"));
+  EXPECT_EQ(largest_difference(parse_table(read("two_active.csv")), pair, "active."), 0);
+  EXPECT_EQ(largest_difference(parse_table(read("two_passive.csv")), pair, "passive."), 0);
+  ASSERT_EQ(run("motion positions two_passive.bvh -o back.csv").status, 0);
+  EXPECT_LT(largest_difference(parse_table(read("back.csv")), pair, "passive."), 1e-3);
+}
+
+TEST_F(SynthCommand, AnotherInputRateGivesTheSameStepRate) {
+  make_library();
+  for (const std::string fps : {"30", "120"}) {
+    const auto summary = nlohmann::json::parse(synth("--json --fps " + fps).out);
+    EXPECT_EQ(summary["step_rate_hz"], 15);
+    EXPECT_EQ(summary["failed"], 0);
+  }
+  EXPECT_EQ(nlohmann::json::parse(synth("--json --fps 30 --preset responsive").out)["step_rate_hz"], 30);
+  EXPECT_EQ(nlohmann::json::parse(synth("--json --fps 240 --preset responsive").out)["step_rate_hz"], 120);
+}
+
+TEST_F(SynthCommand, AUserOfAnotherSizeGetsTheLibrarysBodies) {
+  make_library();
+  ASSERT_EQ(synth("-o usual.csv").status, 0);
+  const Outcome outcome = synth("-o tall.csv --metres-per-unit 1.2");
+  ASSERT_EQ(outcome.status, 0);
+  const Table usual = parse_table(read("usual.csv"));
+  const Table tall = parse_table(read("tall.csv"));
+  const auto shin = [](const Table& table) {
+    return std::hypot(table.at(20, "active.lfemur_x") - table.at(20, "active.ltibia_x"),
+                      table.at(20, "active.lfemur_y") - table.at(20, "active.ltibia_y"),
+                      table.at(20, "active.lfemur_z") - table.at(20, "active.ltibia_z"));
+  };
+  EXPECT_NEAR(shin(tall), shin(usual), 1e-3 * shin(usual));
+}
+
+TEST_F(SynthCommand, AThinnedLibraryServesToo) {
+  make_library();
+  ASSERT_EQ(run("library build demo/manifest.json -o thin.h5 --rate 15").status, 0);
+  const Outcome outcome = run("synth --library thin.h5 --input demo/salsa_01_a.bvh --json");
+  EXPECT_EQ(nlohmann::json::parse(outcome.out)["failed"], 0);
+}
+
+TEST_F(SynthCommand, AnExcludedTakeIsNeverSelectedAndAnUnknownOneRefused) {
+  make_demo("0.5");
+  ASSERT_EQ(run("library build demo/manifest.json -o demo.h5 --rate 30").status, 0);
+  ASSERT_EQ(synth("--exclude salsa_01 --trace t.jsonl").status, 0);
+  const auto trace = parse_lines(read("t.jsonl"));
+  for (std::size_t step = 1; step < trace.size(); ++step)
+    for (const auto& candidate : trace[step]["candidates"]) ASSERT_EQ(candidate["take"], "salsa_02");
+  expect_failure(synth("--exclude salsa_09"), "salsa_09: the library has no take of this name");
+  expect_failure(synth("--exclude salsa_01 --exclude salsa_02"), "no pair is left");
+}
+
+TEST_F(SynthCommand, WrongFilesAreRefusedWithTheirName) {
+  make_library();
+  const std::string user = " --input demo/salsa_01_a.bvh";
+  expect_failure(run("synth --library gone.h5" + user), "gone.h5: cannot be opened");
+  expect_failure(run("synth --library demo/labels.csv" + user), "demo/labels.csv: is not an HDF5 file");
+  expect_failure(run("synth --library demo.h5 --input gone.bvh"), "gone.bvh: cannot be opened");
+  expect_failure(run("synth --library demo.h5 --input demo.h5"), "demo.h5: is not a motion file");
+  expect_failure(synth("-o pair.fbx"), "pair.fbx: this file type cannot be written");
+}
+
+TEST_F(SynthCommand, ACapturedFollowerOfAnotherBuildIsAnswered) {
+  ABRAZO_REQUIRE_CAPTURED_DATA(data);
+  make_library();
+  const std::string salsa = std::filesystem::absolute(data / "cmu_salsa").string();
+  const Outcome outcome = run({"synth", "--library", "demo.h5", "--input", salsa + "/61_03.amc", "--skeleton",
+                               salsa + "/61.asf", "--fps", "60", "--json"});
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.err, IsEmpty());
+  const auto summary = nlohmann::json::parse(outcome.out);
+  EXPECT_EQ(summary["failed"], 0);
+  EXPECT_LT(summary["bone_length_max"].get<double>(), 1e-3);
+}
+
+}  // namespace
+}  // namespace abrazo::test
