@@ -1,8 +1,7 @@
 #include "tests/cli/command_line_fixture.hpp"
 
-#include <stdlib.h>
-
 #include <algorithm>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <sstream>

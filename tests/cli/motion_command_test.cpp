@@ -4,7 +4,6 @@
 namespace abrazo::test {
 namespace {
 
-using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 

@@ -4,8 +4,6 @@ namespace abrazo::test {
 namespace {
 
 using ::testing::ElementsAre;
-using ::testing::HasSubstr;
-using ::testing::StartsWith;
 
 class OutputFiles : public CommandLineTest {
  protected:

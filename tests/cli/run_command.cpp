@@ -1,12 +1,12 @@
 #include "tests/cli/run_command.hpp"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <spawn.h>
-#include <stdlib.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -54,6 +54,7 @@ RunningCommand::RunningCommand(const std::vector<std::string>& words, const fs::
   ::posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
   std::vector<std::string> copies = words;
   std::vector<char*> arguments;
+  arguments.reserve(copies.size() + 1);
   for (std::string& word : copies) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   const int failure = ::posix_spawn(&process_, arguments[0], &actions, nullptr, arguments.data(), ::environ);
@@ -70,6 +71,17 @@ RunningCommand::~RunningCommand() {
 
 void RunningCommand::signal(int number) const {
   if (process_ > 0) ::kill(process_, number);
+}
+
+bool RunningCommand::catches(int number) const {
+  std::ifstream status("/proc/" + std::to_string(process_) + "/status");
+  for (std::string word; status >> word;)
+    if (word == "SigCgt:") {
+      unsigned long long mask = 0;
+      status >> std::hex >> mask;
+      return (mask >> (number - 1) & 1U) != 0;
+    }
+  return false;
 }
 
 bool RunningCommand::finished() {

@@ -26,6 +26,8 @@ class RunningCommand {
   RunningCommand& operator=(const RunningCommand&) = delete;
 
   void signal(int number) const;
+  /// The running program has a handler of its own for this signal.
+  bool catches(int number) const;
   bool finished();
   Outcome wait();
 
