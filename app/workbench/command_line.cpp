@@ -26,9 +26,14 @@ std::variant<CommandLine, ExitStatus> parse_command_line(int argc, char** argv) 
   std::string listen, session, size;
   CLI::App parser("Abrazo: a workbench for partner control in close interactions", "abrazo-workbench");
   parser.set_version_flag("--version", std::string("abrazo-workbench ") + version());
-  parser.add_option("FILE", asked.files, "motion (.bvh, .amc), library (.h5) or manifest (.json) to open");
-  parser.add_flag("--demo", asked.demo, "the generated dance; also what opens when nothing is named");
-  parser.add_option("--library", asked.library, "library (.h5) or manifest (.json)");
+  auto* files =
+      parser.add_option("FILE", asked.files,
+                        "motion (.bvh, .amc; also its .asf or joint map), library (.h5) or manifest "
+                        "(.json) to open");
+  auto* library = parser.add_option("--library", asked.library, "library (.h5) or manifest (.json)");
+  parser.add_flag("--demo", asked.demo, "the generated dance; also what opens when nothing is named")
+      ->excludes(files)
+      ->excludes(library);
   parser.add_option("--listen", listen, "live stream to follow");
   parser.add_option("--session", session, "session file to open");
   parser.add_option("--settings", asked.settings, "settings: a JSON file, or the JSON object itself");
@@ -42,6 +47,9 @@ std::variant<CommandLine, ExitStatus> parse_command_line(int argc, char** argv) 
   parser.add_option("--theme", asked.theme, "dark or light")->check(CLI::IsMember({"dark", "light"}));
   parser.add_option("--size", size, "size of the window, such as 1600x1000")
       ->check([&asked](const std::string& text) { return read_size(text, asked.size); });
+  parser.failure_message([](const CLI::App*, const CLI::Error& error) {
+    return "abrazo-workbench: " + std::string(error.what()) + "; see abrazo-workbench --help\n";
+  });
   try {
     parser.parse(argc, argv);
   } catch (const CLI::ParseError& stop) {
@@ -50,8 +58,8 @@ std::variant<CommandLine, ExitStatus> parse_command_line(int argc, char** argv) 
   const std::string missing = !listen.empty() ? "--listen" : !session.empty() ? "--session" : "";
   if (!missing.empty()) {
     std::cerr << "abrazo-workbench: " << missing
-              << " is not part of this version; open a motion file as the user "
-              << "instead: abrazo-workbench FILE\n";
+              << " is not part of this version; open a motion file as the user instead: abrazo-workbench "
+                 "FILE\n";
     return ExitStatus{1};
   }
   return asked;

@@ -57,7 +57,10 @@ int main(int argc, char** argv) {
   if (const auto* stop = std::get_if<app::ExitStatus>(&parsed)) return stop->code;
   const auto& asked = std::get<app::CommandLine>(parsed);
   const auto settings = asked_settings(asked.settings);
-  if (!settings) return std::fprintf(stderr, "abrazo-workbench: %s\n", settings.error().text().c_str()), 1;
+  if (!settings) {
+    std::fprintf(stderr, "abrazo-workbench: %s\n", settings.error().text().c_str());
+    return asked.settings.front() == '{' ? 2 : 1;  // a wrong word, or a file that cannot be used
+  }
 
   set_up_toolkit();
   QApplication application(argc, argv);

@@ -31,8 +31,8 @@
 namespace abrazo::app {
 namespace {
 
-constexpr int left_width = 262, right_width = 406;
 constexpr int status_interval_ms = 500;
+constexpr QSize smallest_window(640, 400);  // panels give way before: see plan_panels
 
 QVBoxLayout* columnIn(QWidget* box) {
   auto* column = new QVBoxLayout(box);
@@ -56,12 +56,13 @@ MainWindow::MainWindow(UserSettings& remembered)
     : m_remembered(remembered), m_palette(&widgets::palette_of(widgets::Theme::Dark)) {
   setWindowTitle("Abrazo");
   setAcceptDrops(true);
+  setMinimumSize(smallest_window);
   resize(1600, 1000);
   setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
   setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
   setCentralWidget(makeCentre());
-  dock(Qt::LeftDockWidgetArea, makeLeft(), "Scene and library");
-  dock(Qt::RightDockWidgetArea, makeRight(), "Candidates and settings");
+  m_left = dock(Qt::LeftDockWidgetArea, makeLeft(), "Scene and library");
+  m_right = dock(Qt::RightDockWidgetArea, makeRight(), "Candidates and settings");
   dock(Qt::BottomDockWidgetArea, makeBottom(), "Timeline");
   m_status = new StatusFigures(this);
   statusBar()->addWidget(m_status, 1);
@@ -97,7 +98,6 @@ QWidget* MainWindow::makeCentre() {
 QWidget* MainWindow::makeLeft() {
   auto* box = new QWidget(this);
   auto* column = columnIn(box);
-  box->setFixedWidth(left_width);
   m_sceneHead = new widgets::SectionHeader("Scene", box);
   m_tree = new widgets::SceneTree(box);
   m_libraryHead = new widgets::SectionHeader("Library", box);
@@ -120,7 +120,6 @@ QWidget* MainWindow::makeLeft() {
 QWidget* MainWindow::makeRight() {
   auto* box = new QWidget(this);
   auto* column = columnIn(box);
-  box->setFixedWidth(right_width);
   auto* split = new QSplitter(Qt::Vertical, box);
   m_candidates = new widgets::CandidateTable(split);
   m_settings = new widgets::SettingsPanel(m_undo, split);
@@ -144,13 +143,39 @@ QWidget* MainWindow::makeBottom() {
   return box;
 }
 
-void MainWindow::dock(Qt::DockWidgetArea area, QWidget* content, const QString& name) {
+QDockWidget* MainWindow::dock(Qt::DockWidgetArea area, QWidget* content, const QString& name) {
   auto* holder = new QDockWidget(name, this);
   holder->setObjectName(name);
   holder->setFeatures(QDockWidget::NoDockWidgetFeatures);
   holder->setTitleBarWidget(new QWidget(holder));
   holder->setWidget(content);
   addDockWidget(area, holder);
+  return holder;
+}
+
+void MainWindow::arrangePanels() {
+  const PanelPlan plan = plan_panels(size(), m_wishes);
+  m_left->widget()->setFixedWidth(plan.left_width);
+  m_right->widget()->setFixedWidth(plan.right_width);
+  m_left->setVisible(plan.left);
+  m_right->setVisible(plan.right);
+  m_plots->setVisible(plan.plots);
+  emit panelsArranged(plan);
+}
+
+void MainWindow::showLeft(bool on) {
+  m_wishes.left = on;
+  arrangePanels();
+}
+
+void MainWindow::showRight(bool on) {
+  m_wishes.right = on;
+  arrangePanels();
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+  arrangePanels();
+  QMainWindow::resizeEvent(event);
 }
 
 void MainWindow::wireViews() {

@@ -6,9 +6,11 @@
 
 #include "app/workbench/frame_ticker.hpp"
 #include "app/workbench/live_session.hpp"
+#include "app/workbench/panel_plan.hpp"
 #include "app/workbench/user_settings.hpp"
 #include "widgets/common/palette.hpp"
 
+class QDockWidget;
 class QMenu;
 
 namespace abrazo::widgets {
@@ -46,6 +48,9 @@ class MainWindow : public QMainWindow {
   void setTheme(widgets::Theme theme);
   const widgets::Palette& colours() const { return *m_palette; }
   QMenu* menu(const QString& title);
+  /// Shows or hides the panel at the left or right, whatever the size of the window.
+  void showLeft(bool on);
+  void showRight(bool on);
 
   FrameTicker& ticker() { return m_ticker; }
   QUndoStack& undoStack() { return m_undo; }
@@ -61,18 +66,21 @@ class MainWindow : public QMainWindow {
  signals:
   void sessionStarted();
   void failed(const QString& message);
+  void panelsArranged(const abrazo::app::PanelPlan& plan);
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
  private:
   QWidget* makeCentre();
   QWidget* makeLeft();
   QWidget* makeRight();
   QWidget* makeBottom();
-  void dock(Qt::DockWidgetArea area, QWidget* content, const QString& name);
+  QDockWidget* dock(Qt::DockWidgetArea area, QWidget* content, const QString& name);
+  void arrangePanels();
   void wireViews();
   void wireTransport();
   void showPanels();
@@ -94,6 +102,8 @@ class MainWindow : public QMainWindow {
   widgets::TransportBar* m_transport = nullptr;
   widgets::TimelineView* m_timeline = nullptr;
   StatusFigures* m_status = nullptr;
+  QDockWidget *m_left = nullptr, *m_right = nullptr;
+  PanelWishes m_wishes;
   QTimer m_statusTimer;
 
   FrameTicker m_ticker;

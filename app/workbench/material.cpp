@@ -1,7 +1,9 @@
 #include "app/workbench/material.hpp"
 
 #include <filesystem>
+#include <string_view>
 
+#include "core/base/atomic_file.hpp"
 #include "core/base/text.hpp"
 #include "core/choreography/salsa.hpp"
 #include "core/library/manifest.hpp"
@@ -9,18 +11,83 @@
 #include "core/library/motion_library_file.hpp"
 #include "core/library/normalization.hpp"
 #include "core/motion/import_clip.hpp"
+#include "core/motion/joint_map.hpp"
 
 namespace abrazo::app {
 namespace {
 
-enum class Kind { Library, Manifest, Motion, Unknown };
+enum class Kind { Library, Manifest, Motion, Skeleton, JointMap, Unknown };
+
+/// What the files are for, at most one of each.
+struct Sorted {
+  std::string library, manifest, motion, skeleton, joint_map;
+};
+
+/// A manifest lists "takes", a joint map "joints"; both are JSON.
+Kind kind_of_json(const std::string& file) {
+  const auto content = read_whole_file(file);
+  const bool names_joints = content && content->find("\"joints\"") != std::string::npos &&
+                            content->find("\"takes\"") == std::string::npos;
+  return names_joints ? Kind::JointMap : Kind::Manifest;
+}
 
 Kind kind_of(const std::string& file) {
   const std::string extension = lower_case(std::filesystem::path(file).extension().string());
   if (extension == ".h5" || extension == ".hdf5") return Kind::Library;
-  if (extension == ".json") return Kind::Manifest;
+  if (extension == ".json") return kind_of_json(file);
   if (extension == ".bvh" || extension == ".amc") return Kind::Motion;
+  if (extension == ".asf") return Kind::Skeleton;
   return Kind::Unknown;
+}
+
+Status check_existence(const std::string& file) {
+  std::error_code trouble;
+  const auto status = std::filesystem::status(file, trouble);
+  if (!std::filesystem::exists(status)) return Error{"there is no such file; check its name", file};
+  if (std::filesystem::is_directory(status)) return Error{"is a folder; open a file in it", file};
+  return Done{};
+}
+
+Result<Sorted> sort_files(const std::vector<std::string>& files) {
+  Sorted sorted;
+  for (const std::string& file : files) {
+    const Kind kind = kind_of(file);
+    if (kind == Kind::Unknown && !std::filesystem::is_directory(file))
+      return Error{
+          "not a kind of file Abrazo opens; use a motion (.bvh, .amc), a library (.h5) or a manifest "
+          "(.json)",
+          file};
+    const Status there = check_existence(file);
+    if (!there) return there.error();
+    std::string& place = kind == Kind::Library    ? sorted.library
+                         : kind == Kind::Manifest ? sorted.manifest
+                         : kind == Kind::Motion   ? sorted.motion
+                         : kind == Kind::Skeleton ? sorted.skeleton
+                                                  : sorted.joint_map;
+    if (!place.empty() && kind == Kind::Motion)
+      return Error{
+          "is a second motion, and one plays the user; open one of the two, or list both as a pair in a "
+          "manifest and open that",
+          file};
+    const bool libraries = kind == Kind::Library || kind == Kind::Manifest;
+    if (!place.empty() || (libraries && !(sorted.library + sorted.manifest).empty()))
+      return Error{"is the second of its kind; open one of the two", file};
+    place = file;
+  }
+  if (sorted.motion.empty() && !(sorted.skeleton + sorted.joint_map).empty())
+    return Error{"says how to read a motion; open it together with one (.amc, .bvh)",
+                 sorted.skeleton.empty() ? sorted.joint_map : sorted.skeleton};
+  return sorted;
+}
+
+/// The core's messages name options of `abrazo`; here the same is done by opening files together.
+Error in_words_of_the_window(Error error) {
+  for (const std::string_view option : {"(--skeleton FILE)", "(--joint-map FILE)"}) {
+    const auto place = error.message.find(option);
+    if (place != std::string::npos)
+      error.message.replace(place, option.size(), "(open it together with the motion)");
+  }
+  return error;
 }
 
 /// Without another input, a take of the library plays the user; it is not selected from then.
@@ -38,12 +105,34 @@ Result<MotionLibrary> build_from(const std::string& file, const Progress& progre
   return build_library(*manifest, {}, progress, warnings);
 }
 
-Status add_motion(const std::string& file, Material& material) {
-  auto clips = load_motion(file, {}, {});
-  if (!clips) return clips.error();
+Status add_library(const Sorted& sorted, Material& material, const Progress& progress) {
+  const std::string& file = sorted.library.empty() ? sorted.manifest : sorted.library;
+  report(progress, 0, "Opening " + std::filesystem::path(file).filename().string());
+  auto library = sorted.library.empty() ? build_from(file, progress, material.warnings) : read_library(file);
+  if (!library) return library.error();
+  if (library->pair_count() == 0) return Error{"has no pairs; open one with at least one take", file};
+  material.library = std::make_shared<const MotionLibrary>(std::move(library).value());
+  return Done{};
+}
+
+Status add_motion(const Sorted& sorted, Material& material) {
+  const std::string name = std::filesystem::path(sorted.motion).filename().string();
+  ImportOptions options;
+  if (!sorted.joint_map.empty()) {
+    const auto content = read_whole_file(sorted.joint_map);
+    if (!content) return content.error();
+    auto map = parse_joint_map(*content, sorted.joint_map);
+    if (!map) return map.error();
+    options.joint_map = std::move(map).value();
+  }
+  auto clips = load_motion(sorted.motion, sorted.skeleton, options);
+  if (!clips) return in_words_of_the_window(clips.error());
   ImportedClip& first = clips->front();
+  if (clips->size() > 1)
+    material.warnings.push_back(name + ": has " + std::to_string(clips->size()) + " performers; the first, " +
+                                first.clip.name + ", plays the user");
   for (const ImportWarning& warning : first.report.warnings)
-    material.warnings.push_back(std::filesystem::path(file).filename().string() + ": " + warning.detail);
+    material.warnings.push_back(name + ": " + warning.detail);
   material.input = std::move(first.clip);
   material.excluded_takes.clear();
   return Done{};
@@ -71,36 +160,24 @@ Result<Material> load_material(const std::vector<std::string>& files, const Mate
                                const Progress& progress) {
   Material material = open;
   material.warnings.clear();
-  bool new_library = false, new_input = false;
-  for (const std::string& file : files) {
-    switch (kind_of(file)) {
-      case Kind::Library:
-      case Kind::Manifest: {
-        report(progress, 0, "Opening " + std::filesystem::path(file).filename().string());
-        auto library = kind_of(file) == Kind::Library ? read_library(file)
-                                                      : build_from(file, progress, material.warnings);
-        if (!library) return library.error();
-        material.library = std::make_shared<const MotionLibrary>(std::move(library).value());
-        new_library = true;
-        break;
-      }
-      case Kind::Motion: {
-        const Status added = add_motion(file, material);
-        if (!added) return added.error();
-        new_input = true;
-        break;
-      }
-      case Kind::Unknown:
-        return Error{
-            "not a kind of file Abrazo opens; use a motion (.bvh, .amc), a library (.h5) or a manifest "
-            "(.json)",
-            file};
-    }
+  const auto sorted = sort_files(files);
+  if (!sorted) return sorted.error();
+  const bool new_library = !(sorted->library + sorted->manifest).empty();
+  const bool new_input = !sorted->motion.empty();
+  if (new_input) {
+    const Status added = add_motion(*sorted, material);
+    if (!added) return added.error();
+  }
+  if (new_library) {
+    const Status added = add_library(*sorted, material, progress);
+    if (!added) return added.error();
   }
   if (!material.library) {
     auto demo = make_demo(progress);
     if (!demo) return demo.error();
     material.library = demo->library;
+    material.warnings.push_back(
+        "no library is open: a generated dance answers; open a library (.h5) or a manifest");
   }
   if (new_library && !new_input) take_input_from_library(material);
   return material;

@@ -64,11 +64,9 @@ void MainWindow::start(std::shared_ptr<PreparedSolver> prepared) {
   m_status->setInput(input, material.library->pair_count());
   setWindowTitle(input + " with " + library + " — Abrazo");
   m_ticker.setSources(&m_session->history(), &m_session->latest());
-  if (!material.warnings.empty())
-    m_messages->showInformation(QString("%1 %2").arg(
-        QString::fromStdString(material.warnings.front()),
-        material.warnings.size() > 1 ? QString("(and %1 more)").arg(material.warnings.size() - 1)
-                                     : QString()));
+  QStringList warnings;
+  for (const std::string& warning : material.warnings) warnings << QString::fromStdString(warning);
+  m_messages->showWarnings(warnings);
   emit sessionStarted();
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <stdexcept>
 #include <tuple>
 
@@ -29,6 +30,24 @@ bool name_vertices(const std::vector<std::array<std::uint8_t, n>>& items) {
     return std::all_of(item.begin(), item.end(),
                        [](std::uint8_t vertex) { return vertex < pair_vertex_count; });
   });
+}
+
+/// Edges of each pair smaller vertex first, ascending, none twice: what the solver's tables of neighbours rely on.
+bool edges_in_order(const LibraryColumns& columns) {
+  for (std::size_t pair = 0; pair + 1 < columns.edge_offsets.size(); ++pair)
+    for (std::uint64_t e = columns.edge_offsets[pair]; e < columns.edge_offsets[pair + 1]; ++e) {
+      if (columns.edges[e][0] >= columns.edges[e][1]) return false;
+      if (e > columns.edge_offsets[pair] && !(columns.edges[e - 1] < columns.edges[e])) return false;
+    }
+  return true;
+}
+
+bool is_plausible(const LibraryBody& body) {
+  const auto length = [](double l) { return std::isfinite(l) && l >= 0; };
+  return std::all_of(body.body.bone_lengths.begin(), body.body.bone_lengths.end(), length) &&
+         std::all_of(body.body.pseudo_lengths.begin(), body.body.pseudo_lengths.end(), length) &&
+         std::all_of(body.capsule_radii.begin(), body.capsule_radii.end(), length) &&
+         std::isfinite(body.body.toe_rest_height);
 }
 
 template <typename Interval>
@@ -80,6 +99,7 @@ void check_meshes(const LibraryColumns& columns) {
   check_offsets(columns.tetrahedron_offsets, pairs, columns.tetrahedra.size(),
                 "tetrahedron offsets are not ascending from 0 to the number of tetrahedra");
   require(name_vertices(columns.edges), "an edge names a vertex that does not exist");
+  require(edges_in_order(columns), "the edges of a mesh are not in order, or one stands twice");
   require(name_vertices(columns.tetrahedra), "a tetrahedron names a vertex that does not exist");
   require(std::all_of(columns.mesh_quality.begin(), columns.mesh_quality.end(),
                       [](std::uint8_t q) {
@@ -91,6 +111,8 @@ void check_meshes(const LibraryColumns& columns) {
 void check(const LibraryColumns& columns) {
   const std::size_t pairs = columns.sources.size();
   require(!columns.bodies.empty() && pairs > 0, "there are no pairs");
+  require(std::all_of(columns.bodies.begin(), columns.bodies.end(), is_plausible), "a body has a length that is no length");
+  require(columns.rate_hz > 0 && std::isfinite(columns.rate_hz), "the library has no rate");
   require(columns.roots.size() == pairs && columns.poses.size() == pairs &&
               columns.features.size() == pairs && columns.mesh_quality.size() == pairs,
           "columns of pairs have different lengths");
@@ -111,18 +133,19 @@ std::span<const Item> row(const std::vector<Item>& items, const std::vector<std:
 
 MotionLibrary::MotionLibrary(LibraryColumns columns) : columns_(std::move(columns)) {
   check(columns_);
-  std::vector<int> active(columns_.bodies.size()), passive(columns_.bodies.size());
+  // Counted as couples: in a doubled library every performer is active and passive equally often.
+  std::map<std::pair<std::uint32_t, std::uint32_t>, int> couples;
   for (const PairSource& source : columns_.sources) {
     const LibraryTake& take = columns_.takes[source.take];
     const bool b_first = source.swapped != columns_.roles_exchanged;
-    ++active[b_first ? take.body_b : take.body_a];
-    ++passive[b_first ? take.body_a : take.body_b];
+    ++couples[b_first ? std::pair(take.body_b, take.body_a) : std::pair(take.body_a, take.body_b)];
   }
-  const auto most = [](const std::vector<int>& counts) {
-    return static_cast<std::uint32_t>(std::max_element(counts.begin(), counts.end()) - counts.begin());
-  };
-  usual_active_ = most(active);
-  usual_passive_ = most(passive);
+  // Of equally frequent ones that of the first pair, with its performer A active.
+  const LibraryTake& first = columns_.takes[columns_.sources.front().take];
+  auto usual = columns_.roles_exchanged ? std::pair(first.body_b, first.body_a) : std::pair(first.body_a, first.body_b);
+  for (const auto& [couple, count] : couples)
+    if (count > couples[usual]) usual = couple;
+  std::tie(usual_active_, usual_passive_) = usual;
 }
 
 std::span<const MeshEdge> MotionLibrary::edges(int pair) const {

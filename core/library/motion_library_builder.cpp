@@ -109,7 +109,7 @@ std::optional<Error> check_options(const std::vector<PairedTake>& takes, const L
 // ---- takes and bodies ----
 
 int frame_stride(double fps, const std::optional<double>& rate_hz) {
-  return rate_hz ? std::max(1, static_cast<int>(std::lround(fps / *rate_hz))) : 1;
+  return rate_hz ? static_cast<int>(std::clamp(std::round(fps / *rate_hz), 1.0, 1e6)) : 1;
 }
 
 std::uint32_t find_or_add_body(std::vector<LibraryBody>& bodies, const Body& body, const std::string& name) {
@@ -301,6 +301,10 @@ Result<MotionLibrary> build_library(const Manifest& manifest, const LibraryBuild
   rest.excluded_takes.clear();
   auto library = build_library(manifest.name, std::move(takes), rest, part(progress, reading_share, 1));
   if (library) warn_of_unequal_rates(*library, warnings);
+  if (library && options.rate_hz && std::abs(library->rate_hz() - *options.rate_hz) > 0.01 * *options.rate_hz)
+    warnings.push_back(
+        fmt::format("the library has {:.4g} Hz, not {:.4g}: only every n-th frame of a take can be taken",
+                    library->rate_hz(), *options.rate_hz));
   return library;
 }
 

@@ -21,6 +21,9 @@ SegmentApproach closest_points(const Vec3& a, const Vec3& b, const Vec3& c, cons
 /// volume have 0.
 const std::array<double, bone_count>& generic_capsule_radii();
 
+/// Hand ends of two people closer than this hold one another [m].
+inline constexpr double hold_distance_m = 0.13;
+
 /// The forearm or hand bones: they may overlap the partner's while they hold one another.
 bool is_hand_or_forearm(int bone);
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <vector>
 
+#include "core/base/statistics.hpp"
+
 namespace abrazo {
 
 namespace {
@@ -14,13 +16,6 @@ double length_of_bone(const Body& body, int joint) {
 
 double distance(const Pose& pose, std::pair<int, int> ends) {
   return (pose.row(ends.first) - pose.row(ends.second)).norm();
-}
-
-double percentile(std::vector<double>& values, double fraction) {
-  const auto nth =
-      values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
 }
 
 }  // namespace

@@ -12,7 +12,8 @@ namespace {
 using namespace joints;
 
 constexpr double same_body_tolerance = 0.005;
-constexpr double full_reach = 0.999;
+constexpr double same_floor_tolerance_m = 0.015;
+constexpr double full_reach = 0.9999;
 
 struct Limb {
   int root, middle, end;
@@ -67,7 +68,9 @@ Vec3 two_bone_joint(const Vec3& root, Vec3& end, double upper_length, double low
 
 BodyRetargeter::BodyRetargeter(const Body& user, const Body& library_body, bool scale_root_path)
     : user_(user), library_(library_body) {
-  identity_ = largest_length_difference(user, library_body) < same_body_tolerance;
+  same_bones_ = largest_length_difference(user, library_body) < same_body_tolerance;
+  floor_shift_ = library_body.toe_rest_height - user.toe_rest_height;
+  if (std::abs(floor_shift_) < same_floor_tolerance_m) floor_shift_ = 0;
   const double user_leg = user.leg_length();
   if (user_leg > 1e-6) scale_ = library_body.leg_length() / user_leg;
   path_scale_ = scale_root_path ? scale_ : 1.0;
@@ -94,8 +97,11 @@ double BodyRetargeter::needed_drop(const Pose& user_pose, const Pose& rebuilt) c
 }
 
 Pose BodyRetargeter::apply(const Pose& user_pose) const {
-  if (identity_) return user_pose;
-  Pose pose;
+  Pose pose = user_pose;
+  if (same_bones_) {
+    if (floor_shift_ != 0) pose.col(1).array() += floor_shift_;
+    return pose;
+  }
   pose.row(Root) = scaled_floor_point(user_pose.row(Root)).transpose();
   for (const int joint : trunk) place_after_parent(pose, user_pose, library_, joint);
   place_after_parent(pose, user_pose, library_, Head);

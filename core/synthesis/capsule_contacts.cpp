@@ -8,9 +8,6 @@ namespace abrazo {
 
 namespace {
 
-/// Hand ends closer than this hold one another [m].
-constexpr double hold_distance_m = 0.13;
-
 struct Segment {
   Vec3 from, to;
 };

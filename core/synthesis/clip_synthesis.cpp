@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/text.hpp"
 #include "core/motion/body.hpp"
 
 namespace abrazo {
 
 namespace {
 constexpr double highest_rate_hz = 120;
+constexpr double lowest_rate_hz = 5;  ///< below, every step would come after a tracking loss
 }
 
 double clip_step_rate(const Clip& clip, const Settings& settings) {
@@ -18,6 +20,10 @@ double clip_step_rate(const Clip& clip, const Settings& settings) {
 
 Status synthesize_clip(PartnerSynthesizer& synthesizer, const Clip& clip,
                        const std::function<Status(const ClipStep&)>& each, const Progress& progress) {
+  if (clip.poses.empty()) return Error{"the input has no frames", clip.name};
+  if (!(clip.fps >= lowest_rate_hz))
+    return Error{"the input has " + exact_text(clip.fps) + " frames per second; at least 5 are needed (set --fps if the file's "
+                 "rate is wrong)", clip.name};
   synthesizer.set_user_body(body_of(clip.poses));
   const double rate = clip_step_rate(clip, synthesizer.settings());
   const auto frames = static_cast<long long>(clip.poses.size());

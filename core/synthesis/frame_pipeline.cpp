@@ -4,6 +4,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "core/mesh/capsules.hpp"
+
 namespace abrazo {
 
 namespace {
@@ -13,7 +15,9 @@ using Clock = std::chrono::steady_clock;
 constexpr double landed_height_m = 0.03;  ///< toe base above its rest height
 constexpr double lowest_foot_m = 0.01;    ///< the floor, for ankles and toes
 constexpr double same_length = 1e-9;
-constexpr double hold_distance_m = 0.13;  ///< hand ends closer than this hold one another
+constexpr double smallest_user_m = 0.3;
+constexpr double largest_user_m = 3.5;
+constexpr double shortest_step_s = 1.0 / 240;  ///< closer poses would make velocities out of noise
 constexpr double hold_hurry = 4.0;
 
 double microseconds_since(Clock::time_point start) {
@@ -44,8 +48,17 @@ void FramePipeline::forget() {
   transition_.reset();
 }
 
+bool FramePipeline::measure(const Pose& user) {
+  if (user_body_) return true;
+  const Body body = body_of(user);
+  const double height = body.height();
+  const bool plausible = height > smallest_user_m && height < largest_user_m &&
+                         *std::min_element(body.bone_lengths.begin(), body.bone_lengths.end()) > 1e-4;
+  if (plausible) user_body_ = body;
+  return plausible;
+}
+
 void FramePipeline::retarget(const Pose& user) {
-  if (!user_body_) user_body_ = body_of(user);
   if (!retargeter_ || retargeter_scales_path_ != settings_.scale_root_path) {
     retargeter_.emplace(*user_body_, library_->usual_active_body().body, settings_.scale_root_path);
     retargeter_scales_path_ = settings_.scale_root_path;
@@ -75,7 +88,8 @@ bool FramePipeline::select(double dt_s) {
   query.continuations = settings_.continuations;
   if (current_pair_ >= 0) query.expected_advance = expected_advance(library_->take_of(current_pair_), dt_s);
   out_.selected = selector_.select(query, out_.candidates);
-  if (pinned_ && *pinned_ >= 0 && *pinned_ < library_->pair_count()) select_pinned(query);
+  if (pinned_ && *pinned_ >= 0 && *pinned_ < library_->pair_count() && selector_.is_selectable(*pinned_))
+    select_pinned(query);
   return out_.selected >= 0;
 }
 
@@ -124,7 +138,7 @@ std::array<double, joint_count> FramePipeline::hurry_of_holds() const {
   return hurry;
 }
 
-/// Notices when the selected pair does not continue the previous_ one, and lets the partner glide over.
+/// Notices when the selected pair does not continue the previous one, and lets the partner glide over.
 void FramePipeline::follow_source(double dt_s) {
   const int pair = out_.candidates[static_cast<std::size_t>(out_.selected)].pair;
   out_.selected_pair = library_->pair_in_world(pair, out_.query_root);
@@ -135,10 +149,9 @@ void FramePipeline::follow_source(double dt_s) {
     const PairSource& now = library_->source(pair);
     const PairSource& before = library_->source(current_pair_);
     const int frames = static_cast<int>(now.frame) - static_cast<int>(before.frame);
-    // Within twice the expected pace either way it is still the same stretch of recorded motion.
-    out_.source_changed = now.take != before.take || now.swapped != before.swapped ||
-                          std::abs(frames - advance * library_->take_of(pair).frame_stride) >
-                              std::max(2, 2 * advance * library_->take_of(pair).frame_stride);
+    // From standing still to three times the expected pace it is still the same stretch of recorded motion.
+    const int most = std::max(3, 3 * advance * library_->take_of(pair).frame_stride);
+    out_.source_changed = now.take != before.take || now.swapped != before.swapped || frames < 0 || frames > most;
     const int continued = library_->later_pair(current_pair_, advance);
     if (settings_.transition_half_life_s > 0 && pair != continued) {
       const Pose chosen = out_.selected_pair.bottomRows<joint_count>();
@@ -176,8 +189,7 @@ FootLocks::Situations FramePipeline::feet(double dt_s) const {
     const Body& body = is_active ? active : passive;
     foot.toe_base = is_active ? Vec3(out_.query_world.row(toe_base)) : Vec3(out_.selected_pair.row(toe_base));
     foot.hip = is_active ? Vec3(out_.query_world.row(hip)) : Vec3(out_.selected_pair.row(hip));
-    foot.leg_length = library_->usual_active_body().body.leg_length();
-    if (!is_active) foot.leg_length = library_->usual_passive_body().body.leg_length();
+    foot.leg_length = (is_active ? library_->usual_active_body() : library_->usual_passive_body()).body.leg_length();
     const bool low = foot.toe_base.y() < body.toe_rest_height + landed_height_m;
     bool slow = true;
     if (settings_.foot_lock_speed > 0) {
@@ -233,18 +245,13 @@ EditTask FramePipeline::edit_task(double dt_s) const {
 }
 
 void FramePipeline::refuse(const std::string& why) {
-  out_.candidates.clear();
-  out_.selected = -1;
+  begin_frame();
   fail(why);
 }
 
 void FramePipeline::fail(const std::string& why) {
   out_.status = StepStatus::Failed;
   out_.message = why;
-  out_.foot_locks.clear();
-  out_.collisions.clear();
-  out_.residual = {};
-  out_.energy = {};
   if (has_good_result_) {
     out_.result = previous_;
   } else {
@@ -255,8 +262,9 @@ void FramePipeline::fail(const std::string& why) {
 }
 
 void FramePipeline::hold_feet(double dt_s) {
+  if (!settings_.foot_locks) return locks_.reset();
   locks_.update(feet(dt_s), frames_since_reset_ > 0 ? &previous_ : nullptr, out_.source_changed);
-  if (settings_.transition_half_life_s > 0 && settings_.foot_locks)
+  if (settings_.transition_half_life_s > 0)
     for (std::size_t f = 0; f < 2; ++f) {
       if (!locks_.passive_released()[f]) continue;
       for (int vertex = FootLocks::ankles[2 + f]; vertex < FootLocks::ankles[2 + f] + 3; ++vertex)
@@ -274,14 +282,37 @@ void FramePipeline::remember(double dt_s) {
   ++frames_since_reset_;
 }
 
-void FramePipeline::solve(const Pose& user, double dt_s) {
-  const auto start = Clock::now();
+/// Nothing of the previous frame is left to be taken for this one's, but the poses that are held when it fails.
+void FramePipeline::begin_frame() {
+  out_.query_world.setZero();
+  out_.query_normalized.setZero();
+  out_.features.setZero();
+  out_.query_root = {};
+  out_.candidates.clear();
+  out_.selected = -1;
+  out_.source_changed = false;
+  out_.selected_pair.setZero();
+  out_.edges.clear();
+  out_.tetrahedra.clear();
+  out_.edge_weights.clear();
+  out_.edge_residuals_m.clear();
+  out_.energy = {};
+  out_.residual = {};
+  out_.foot_locks.clear();
+  out_.collisions.clear();
   out_.timing = {};
+}
+
+void FramePipeline::solve(const Pose& user, double elapsed_s) {
+  const double dt_s = elapsed_s > 0 ? std::max(elapsed_s, shortest_step_s) : 0.0;
+  const auto start = Clock::now();
+  begin_frame();
+  if (!measure(user)) return fail("the user's pose does not have the size of a person; is the unit right?");
   retarget(user);
   out_.timing.retarget_us = microseconds_since(start);
 
   const auto selecting = Clock::now();
-  if (!select(dt_s)) return refuse("no recorded pair could be selected");
+  if (!select(dt_s)) return fail("no recorded pair could be selected");
   follow_source(dt_s);
   out_.timing.select_us = microseconds_since(selecting);
 

@@ -25,11 +25,9 @@ class FramePipeline {
   FramePipeline(std::shared_ptr<const MotionLibrary> library, const Settings& settings,
                 std::vector<int> pairs);
 
-  /// @param user  finite;  @param dt_s  since the last solve; 0 at the start
-  void solve(const Pose& user, double dt_s);
-  /// A failed frame: the last good poses are held.
-  void fail(const std::string& why);
-  /// A failed frame for which nothing was selected.
+  /// @param user  finite;  @param elapsed_s  since the last frame that was solved; 0 at the start
+  void solve(const Pose& user, double elapsed_s);
+  /// A frame that was not even tried: the last good poses are held.
   void refuse(const std::string& why);
   /// The next frame is a first one.
   void forget();
@@ -41,6 +39,9 @@ class FramePipeline {
   const FrameResult& result() const { return out_; }
 
  private:
+  void begin_frame();
+  void fail(const std::string& why);
+  bool measure(const Pose& user);
   void retarget(const Pose& user);
   bool select(double dt_s);
   void select_pinned(const SelectionQuery& query);

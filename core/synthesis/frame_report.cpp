@@ -14,13 +14,13 @@ void FramePipeline::report(const PairEditor::Outcome& outcome) {
       out_.message.clear();
       break;
     case Relaxation::PassiveFeet:
-      out_.message = "the partner's foot locks_ were let go";
+      out_.message = "the partner's foot locks were let go";
       break;
     case Relaxation::Feet:
-      out_.message = "all foot locks_ were let go";
+      out_.message = "all foot locks were let go";
       break;
     case Relaxation::Capsules:
-      out_.message = "foot locks_ and collisions were let go";
+      out_.message = "foot locks and collisions were let go";
       break;
     case Relaxation::Everything:
       out_.message = "only bone lengths were kept";

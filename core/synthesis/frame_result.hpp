@@ -39,7 +39,7 @@ struct FootLock {
 struct CapsuleContact {
   std::array<int, 2> a{};
   std::array<int, 2> b{};
-  double depth_m = 0;          ///< overlap at the result; negative = gap
+  double depth_m = 0;          ///< overlap at the result
   double allowed_depth_m = 0;  ///< the selected pair's own overlap
 };
 
@@ -58,7 +58,7 @@ struct FrameResult {
 
   std::vector<Candidate> candidates;  ///< ascending feature distance
   int selected = -1;                  ///< index into candidates; -1 when nothing could be selected
-  bool source_changed = false;        ///< the selected pair does not continue the previous one
+  bool source_changed = false;  ///< not the same take within 0 to 3 times the expected pace of the previous one
 
   PairPose selected_pair = PairPose::Zero();  ///< q''_sel: what was edited
   std::vector<MeshEdge> edges;
@@ -72,7 +72,7 @@ struct FrameResult {
   FrameEnergy energy;
   FrameResidual residual;
   std::vector<FootLock> foot_locks;
-  std::vector<CapsuleContact> collisions;  ///< those whose row was active or that overlap
+  std::vector<CapsuleContact> collisions;  ///< that overlap, deepest first; hands that hold one another left out
   StepStatus status = StepStatus::Failed;
   std::string message = "not solved yet";  ///< why it was relaxed or failed
   StepTiming timing;

@@ -1,5 +1,6 @@
 #include "core/synthesis/partner_synthesizer.hpp"
 
+#include <algorithm>
 #include <exception>
 
 #include "core/synthesis/frame_pipeline.hpp"
@@ -44,18 +45,21 @@ struct PartnerSynthesizer::State {
   std::optional<Body> user_body;
   std::optional<int> pinned;
   std::unique_ptr<FramePipeline> pipeline;
+  double unsolved_s = 0;  ///< since the last frame that was solved
   FrameResult shown;  ///< of a passive user, in the order active, passive
 
   bool user_is_passive() const { return settings.user_role == UserRole::Passive; }
 
   /// For a passive user the pipeline gets the pairs with the roles exchanged, so that the user is always its
   /// first body.
-  void build_pipeline() {
-    const auto seen =
-        user_is_passive() ? std::make_shared<const MotionLibrary>(with_roles_exchanged(*library)) : library;
-    pipeline = std::make_unique<FramePipeline>(seen, settings, pairs);
-    if (user_body) pipeline->set_user_body(*user_body);
-    pipeline->pin_pair(pinned);
+  std::unique_ptr<FramePipeline> new_pipeline(const Settings& wanted) const {
+    const auto seen = wanted.user_role == UserRole::Passive
+                          ? std::make_shared<const MotionLibrary>(with_roles_exchanged(*library))
+                          : library;
+    auto made = std::make_unique<FramePipeline>(seen, wanted, pairs);
+    if (user_body) made->set_user_body(*user_body);
+    made->pin_pair(pinned);
+    return made;
   }
 };
 
@@ -68,7 +72,7 @@ Result<std::unique_ptr<PartnerSynthesizer>> PartnerSynthesizer::create(
   state->library = std::move(library);
   state->pairs = std::move(*pairs);
   state->settings = settings;
-  state->build_pipeline();
+  state->pipeline = state->new_pipeline(settings);
   return std::unique_ptr<PartnerSynthesizer>(new PartnerSynthesizer(std::move(state)));
 }
 
@@ -77,16 +81,20 @@ PartnerSynthesizer::~PartnerSynthesizer() = default;
 
 const FrameResult& PartnerSynthesizer::step(const Pose& user, Duration elapsed) {
   FramePipeline& pipeline = *state_->pipeline;
-  const double dt_s = elapsed.count();
+  // Frames that gave nothing count as time without tracking: velocities and locks belong to the last one solved.
+  const double since_solved_s = state_->unsolved_s + std::max(0.0, elapsed.count());
+  const bool starts = !(elapsed.count() > 0) || since_solved_s > tracking_loss_s;
+  state_->unsolved_s = since_solved_s;
   try {
     if (!user.allFinite()) {
       pipeline.refuse("the user's pose has no finite position for " + first_joint_without_position(user));
     } else {
-      if (!(dt_s > 0) || dt_s > tracking_loss_s) pipeline.forget();
-      pipeline.solve(user, dt_s > 0 ? dt_s : 0.0);
+      if (starts) pipeline.forget();
+      pipeline.solve(user, starts ? 0.0 : since_solved_s);
+      if (pipeline.result().status != StepStatus::Failed) state_->unsolved_s = 0;
     }
   } catch (const std::exception& failure) {
-    pipeline.fail(failure.what());
+    pipeline.refuse(failure.what());
   }
   if (!state_->user_is_passive()) return pipeline.result();
   exchange_roles(pipeline.result(), state_->shown);
@@ -94,12 +102,13 @@ const FrameResult& PartnerSynthesizer::step(const Pose& user, Duration elapsed) 
 }
 
 void PartnerSynthesizer::set_settings(const Settings& settings) {
-  const bool role_changes = settings.user_role != state_->settings.user_role;
-  state_->settings = settings;
-  if (role_changes)
-    state_->build_pipeline();
-  else
+  if (settings.user_role != state_->settings.user_role) {
+    state_->pipeline = state_->new_pipeline(settings);
+    state_->unsolved_s = 0;
+  } else {
     state_->pipeline->set_settings(settings);
+  }
+  state_->settings = settings;
 }
 
 const Settings& PartnerSynthesizer::settings() const {

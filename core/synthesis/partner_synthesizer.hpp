@@ -30,21 +30,21 @@ class PartnerSynthesizer {
   /// Solves one frame. Never throws and never gives a pose that is not finite: what could not be met is in
   /// `status` and `residual`, and after a failure the last good poses are held.
   /// @param user     the user's pose, 25 joints, world [m]; need not be of the library's size
-  /// @param elapsed  since the previous step; more than 0.3 s starts anew as after tracking loss
+  /// @param elapsed  since the previous step; more than 0.3 s without a solved frame starts anew
   /// @return         valid until the next call
   const FrameResult& step(const Pose& user, Duration elapsed);
 
-  /// Applies from the next step on; state is kept.
+  /// Applies from the next step on; state is kept, but a change of the user's role starts anew.
   void set_settings(const Settings& settings);
   const Settings& settings() const;
 
-  /// What the user measures; without it the first pose is measured.
+  /// What the user measures; without it the first pose that can be a person's is measured.
   void set_user_body(const Body& body);
 
   /// Forgets the previous frames: the next step is a first one.
   void reset();
 
-  /// Forces this pair while it is set, instead of selecting one.
+  /// Selects this pair while it is set. One that is left out or does not exist is not selected.
   void pin_pair(std::optional<int> pair);
 
   const MotionLibrary& library() const;

@@ -7,21 +7,14 @@
 #include <numeric>
 
 #include "core/base/json_text.hpp"
+#include "core/base/statistics.hpp"
+#include "core/mesh/capsules.hpp"
 #include "core/motion/joint_set.hpp"
 
 namespace abrazo {
 
 namespace {
 
-constexpr double hold_distance_m = 0.13;
-
-double percentile(std::vector<double> values, double fraction) {
-  if (values.empty()) return 0;
-  const auto nth =
-      values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), nth, values.end());
-  return *nth;
-}
 
 double mean(const std::vector<double>& values) {
   return values.empty()
@@ -44,21 +37,23 @@ void RunSummary::add_holds(const FrameResult& frame) {
 
 void RunSummary::add(const FrameResult& frame) {
   ++frames_;
+  total_us_.push_back(frame.timing.total_us);
   if (frame.status == StepStatus::Failed) {
     ++failed_;
+    follows_solved_ = false;
     return;
   }
   if (frame.status == StepStatus::Relaxed) ++relaxed_;
   if (frame.source_changed) ++source_changes_;
-  total_us_.push_back(frame.timing.total_us);
   excess_penetration_m_.push_back(frame.residual.excess_penetration_max_m);
   bone_length_max_ = std::max(bone_length_max_, frame.residual.bone_length_max);
   foot_lock_drift_max_m_ = std::max(foot_lock_drift_max_m_, frame.residual.foot_lock_max_m);
   morph_rms_sum_m_ += frame.residual.morph_rms_m;
   behind_sum_m_ += (frame.result - frame.selected_pair).bottomRows<joint_count>().rowwise().norm().mean();
-  if (total_us_.size() > 1)
+  if (follows_solved_)
     displacements_m_.push_back((Pose(frame.passive()) - previous_passive_).rowwise().norm().mean());
   previous_passive_ = frame.passive();
+  follows_solved_ = true;
   add_holds(frame);
 }
 
@@ -74,7 +69,7 @@ RunSummary::Figures RunSummary::figures() const {
   f.excess_penetration_p99_m = percentile(excess_penetration_m_, 0.99);
   f.holds = hold_changes_m_.size();
   f.hold_change_mean_m = mean(hold_changes_m_);
-  const double solved = std::max<double>(1, static_cast<double>(total_us_.size()));
+  const double solved = std::max<double>(1, static_cast<double>(frames_ - failed_));
   f.source_changes_per_100 = 100.0 * static_cast<double>(source_changes_) / solved;
   f.partner_displacement_mean_m = mean(displacements_m_);
   f.partner_displacement_p99_m = percentile(displacements_m_, 0.99);

@@ -17,7 +17,7 @@ class RunSummary {
 
   struct Figures {
     std::size_t frames = 0, relaxed = 0, failed = 0;
-    double solve_us_p50 = 0, solve_us_p99 = 0;  ///< whole step
+    double solve_us_p50 = 0, solve_us_p99 = 0;  ///< whole step, failed ones included
     double bone_length_max = 0;                 ///< relative
     double foot_lock_drift_max_m = 0;
     double excess_penetration_p99_m = 0;
@@ -42,6 +42,7 @@ class RunSummary {
   double bone_length_max_ = 0, foot_lock_drift_max_m_ = 0, morph_rms_sum_m_ = 0, behind_sum_m_ = 0;
   std::vector<double> total_us_, excess_penetration_m_, hold_changes_m_, displacements_m_;
   Pose previous_passive_ = Pose::Zero();
+  bool follows_solved_ = false;
 };
 
 }  // namespace abrazo

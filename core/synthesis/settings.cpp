@@ -14,6 +14,8 @@ namespace abrazo {
 namespace {
 
 constexpr double reference_rate_hz = 15;
+constexpr double lowest_step_rate_hz = 5;
+constexpr double highest_rate_hz = 240;  ///< poses closer than this are weighed as if they were this far apart
 
 using Kind = SettingInfo::Kind;
 
@@ -91,10 +93,11 @@ const std::vector<Entry>& entries() {
              "How fast the partner's jump at a change of source fades. 0: not faded, as in the paper."},
             &Settings::transition_half_life_s),
       entry({"step-rate", "", "step rate", "Timing", "Hz", Kind::Real, 0, 120, false, "",
-             "Solved frames per second. 0: the input's own rate, at most 120. Paper: 15."},
+             "Solved frames per second, at least 5. 0: the input's own rate, at most 120. Paper: 15."},
             &Settings::step_rate_hz),
       entry({"scale-root-path", "", "scale the user's path", "Timing", "", Kind::Flag, 0, 1, false, "",
-             "A user of another size covers ground in proportion to the length of the legs."},
+             "A user of another size covers ground in proportion to the length of the legs.\n"
+             "Off: the path stays 1:1 and planted feet of such a user slide."},
             &Settings::scale_root_path),
   };
   return all;
@@ -117,6 +120,9 @@ Status set_checked(Settings& settings, const Entry& found, double value, std::st
     return wrong_value(info, text,
                        std::string(info.kind == Kind::Integer ? "a whole number" : "a number") + " from " +
                            exact_text(info.minimum) + " to " + exact_text(info.maximum) + " is expected");
+  if (info.key == "step-rate" && value > 0 && value < lowest_step_rate_hz)
+    return wrong_value(info, text, "0 (the input's own rate) or a number from 5 to 120 is expected: after a gap of 0.3 s "
+                                   "every step would be a first one");
   found.set(settings, value);
   return Done{};
 }
@@ -141,7 +147,7 @@ Result<Settings> preset(std::string_view name) {
     settings.alpha = 0.1;
     settings.velocity_weight = 0.05;
     settings.continuations = 3;
-    settings.transition_half_life_s = 0.05;
+    settings.transition_half_life_s = 0.06;
     settings.foot_lock_speed = 0.3;
     return settings;
   }
@@ -150,7 +156,7 @@ Result<Settings> preset(std::string_view name) {
 
 double velocity_weight_at(const Settings& settings, double dt_s) {
   if (dt_s <= 0) return settings.velocity_weight;
-  const double rate_ratio = 1.0 / (reference_rate_hz * dt_s);
+  const double rate_ratio = std::min(1.0 / dt_s, highest_rate_hz) / reference_rate_hz;
   return settings.velocity_weight *
          (settings.velocity_form == VelocityForm::Velocity ? rate_ratio : rate_ratio * rate_ratio);
 }

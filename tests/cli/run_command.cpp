@@ -104,4 +104,14 @@ Outcome run_abrazo(const fs::path& folder, std::vector<std::string> words) {
   return RunningCommand(words, folder).wait();
 }
 
+bool can_open_terminal() {
+  const int terminal = ::posix_openpt(O_RDWR | O_NOCTTY | O_CLOEXEC);
+  if (terminal < 0) return false;
+  const bool usable = ::grantpt(terminal) == 0 && ::unlockpt(terminal) == 0;
+  const char* name = usable ? ::ptsname(terminal) : nullptr;
+  const bool exists = name != nullptr && ::access(name, R_OK | W_OK) == 0;
+  ::close(terminal);
+  return exists;
+}
+
 }  // namespace abrazo::test

@@ -38,6 +38,9 @@ class RunningCommand {
   int wait_status_ = 0;
 };
 
+/// Whether the system gives out pseudo-terminals (a bare chroot does not).
+bool can_open_terminal();
+
 /// Runs `abrazo` with these words to its end.
 Outcome run_abrazo(const std::filesystem::path& folder, std::vector<std::string> words);
 

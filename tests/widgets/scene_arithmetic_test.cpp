@@ -1,14 +1,18 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "core/mesh/capsules.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
 #include "widgets/common/palette.hpp"
+#include "widgets/plots/robust_range.hpp"
 #include "widgets/scene/capsule_surface.hpp"
 #include "widgets/scene/mesh_scalar.hpp"
 #include "widgets/scene/orbit_camera.hpp"
+#include "widgets/scene/pair_camera.hpp"
 #include "widgets/scene/smoothing_budget.hpp"
 #include "widgets/settings/slider_scale.hpp"
 
@@ -31,11 +35,109 @@ TEST(OrbitCamera, PanKeepsThePointUnderThePointer) {
   EXPECT_NEAR((camera.target - before).dot(right), -metres, 1e-9);
 }
 
-TEST(OrbitCamera, FramesABallAlsoInANarrowView) {
+/// Where a joint is in the picture: (0, 0) the middle, 1 the upper and right edge.
+std::pair<double, double> place_in_picture(const OrbitCamera& camera, const Vec3& joint, double aspect) {
+  const Vec3 offset = joint - camera.position();
+  const double depth = offset.dot((camera.target - camera.position()).normalized());
+  const double half = depth * std::tan(camera.view_angle_rad / 2);
+  return {offset.dot(camera.right()) / (half * aspect), offset.dot(camera.up()) / half};
+}
+
+TEST(OrbitCamera, TheDistanceThatFitsKeepsEveryJointInThePictureAlsoInANarrowOne) {
+  for (const double aspect : {0.5, 1.0, 2.5}) {
+    OrbitCamera camera;
+    const PairPose pair = test::facing_pair(0.8);
+    camera.distance_m = camera.distance_for(pair, {aspect, 0.8});
+    for (int joint = 0; joint < pair.rows(); ++joint) {
+      const auto [x, y] = place_in_picture(camera, pair.row(joint).transpose(), aspect);
+      EXPECT_LT(std::abs(x), 0.84);
+      EXPECT_LT(std::abs(y), 0.80);
+    }
+  }
+}
+
+/// As `facing_pair`, walked and turned about the vertical.
+PairPose moved_pair(double x, double angle_rad) {
+  PairPose pair = test::facing_pair(0.8);
+  const double c = std::cos(angle_rad), s = std::sin(angle_rad);
+  for (int joint = 0; joint < pair.rows(); ++joint) {
+    const double px = pair(joint, 0), pz = pair(joint, 2);
+    pair(joint, 0) = c * px + s * pz + x;
+    pair(joint, 2) = c * pz - s * px;
+  }
+  return pair;
+}
+
+/// Between the line through the two roots and the direction of view [rad], 0 to pi/2.
+double angle_beside(const OrbitCamera& camera, const PairPose& pair) {
+  Vec3 line = (pair.row(joint_count) - pair.row(0)).transpose();
+  line.y() = 0;
+  return std::acos(std::min(1.0, std::abs(line.normalized().dot(camera.right().cross(Vec3(0, 1, 0))))));
+}
+
+TEST(PairCamera, BeginsBesideThePairWhicheverWayItStands) {
+  for (const double angle : {0.0, 1.0, 2.5, -2.0}) {
+    OrbitCamera camera;
+    PairCamera().start(camera, moved_pair(3, angle), {});
+    EXPECT_GT(angle_beside(camera, moved_pair(3, angle)), 1.2) << angle;
+    EXPECT_NEAR(camera.target.x(), 3, 0.5);
+  }
+}
+
+TEST(PairCamera, StaysWhereItIsWhileThePairOnlySways) {
   OrbitCamera camera;
-  camera.frame(Vec3(1, 2, 3), 1, 0.5);
-  const double half_width = std::atan(std::tan(camera.view_angle_rad / 2) * 0.5);
-  EXPECT_NEAR(camera.distance_m * std::sin(half_width), 1, 1e-9);
+  PairCamera follower;
+  follower.start(camera, moved_pair(0, 0), {});
+  const Vec3 before = camera.position();
+  for (int i = 0; i < 60; ++i) follower.follow(camera, moved_pair(0.15, 0.2), {}, 1.0 / 60);
+  EXPECT_LT((camera.position() - before).norm(), 1e-9);
+}
+
+TEST(PairCamera, GoesAlongCalmlyWhenThePairWalksAndTurns) {
+  OrbitCamera camera;
+  PairCamera follower;
+  follower.start(camera, moved_pair(0, 0), {});
+  Vec3 before = camera.position();
+  for (int i = 0; i < 600; ++i) {
+    const PairPose pair = moved_pair(i / 300.0, i / 300.0);
+    follower.follow(camera, pair, {}, 1.0 / 60);
+    EXPECT_LT((camera.position() - before).norm() * 60, 4.0) << "metres a second";
+    before = camera.position();
+  }
+  EXPECT_NEAR(camera.target.x(), 2, 0.7);
+  EXPECT_GT(angle_beside(camera, moved_pair(2, 2)), 0.7);
+}
+
+TEST(PairCamera, LeavesTheDirectionAlonePastATurnByHand) {
+  OrbitCamera camera;
+  PairCamera follower;
+  follower.start(camera, moved_pair(0, 0), {});
+  follower.turned_by_hand();
+  camera.azimuth_rad += 1.4;
+  const double chosen = camera.azimuth_rad;
+  for (int i = 0; i < 300; ++i) follower.follow(camera, moved_pair(0, 1), {}, 1.0 / 60);
+  EXPECT_DOUBLE_EQ(camera.azimuth_rad, chosen);
+}
+
+TEST(RobustUpper, ReachesTheLargestOfOrdinaryValues) {
+  std::vector<double> values;
+  for (int i = 0; i <= 100; ++i) values.push_back(0.01 * i);
+  EXPECT_DOUBLE_EQ(robust_upper(values), 1);
+  EXPECT_DOUBLE_EQ(robust_upper({}), 0);
+}
+
+TEST(RobustUpper, DoesNotFollowASpikeOrWhatIsNotANumber) {
+  std::vector<double> values(600, 0.02);
+  values[17] = 30;
+  values[18] = std::numeric_limits<double>::quiet_NaN();
+  values[19] = std::numeric_limits<double>::infinity();
+  EXPECT_LT(robust_upper(values), 0.03);
+}
+
+TEST(RobustUpper, ShowsASpikeWhereEverythingElseIsZero) {
+  std::vector<double> values(600, 0.0);
+  values[17] = 3;
+  EXPECT_DOUBLE_EQ(robust_upper(values), 3);
 }
 
 TEST(CapsuleSurface, LiesOneRadiusFromItsBone) {

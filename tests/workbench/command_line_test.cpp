@@ -32,6 +32,7 @@ TEST(CommandLine, WrongUsageIsStatusTwo) {
   EXPECT_EQ(exit_code({"--smoke", "none"}), 2);
   EXPECT_EQ(exit_code({"--no-such-option"}), 2);
   EXPECT_EQ(exit_code({"--size", "tiny"}), 2);
+  EXPECT_EQ(exit_code({"--demo", "walk.bvh"}), 2) << "one of the two would be ignored";
 }
 
 TEST(CommandLine, HelpAndVersionAreStatusZero) {

@@ -1,10 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QDropEvent>
 #include <QElapsedTimer>
 #include <QLineEdit>
+#include <QMimeData>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QUrl>
 
 #include "app/workbench/actions/actions.hpp"
 #include "app/workbench/main_window.hpp"
@@ -141,6 +144,85 @@ TEST_F(Window, AFileThatCannotBeOpenedSaysWhatToDoAndLeavesTheSessionRunning) {
   EXPECT_TRUE(s_window->messages().text().contains("use a motion"));
   const auto index = shown();
   EXPECT_TRUE(until([index] { return shown() > index; }, 3000));
+}
+
+/// A file with this content in the folder.
+QString written(const QTemporaryDir& folder, const QString& name, const QByteArray& content) {
+  QFile file(folder.filePath(name));
+  EXPECT_TRUE(file.open(QIODevice::WriteOnly));
+  file.write(content);
+  return file.fileName();
+}
+
+TEST_F(Window, FilesThatDoNotGoTogetherAreRefusedWithWhatToDo) {
+  QTemporaryDir folder;
+  const QString one = written(folder, "one.bvh", "HIERARCHY"), two = written(folder, "two.bvh", "HIERARCHY");
+  const QString amc = written(folder, "walk.amc", ":DEGREES"), asf = written(folder, "body.asf", ":version");
+  const std::vector<std::pair<QStringList, QString>> cases = {
+      {{one, two}, "list both as a pair in a manifest"},
+      {{amc}, "walk.amc: an .amc needs its skeleton"},
+      {{asf}, "open it together with"},
+      {{folder.path()}, "open a file in it"},
+      {{folder.filePath("gone.bvh")}, "check its name"}};
+  for (const auto& [files, message] : cases) {
+    s_window->openFiles(files);
+    EXPECT_TRUE(until([&message = message] { return s_window->messages().text().contains(message); }, 5000))
+        << s_window->messages().text().toStdString();
+    EXPECT_FALSE(s_window->messages().text().contains("--skeleton"));
+  }
+}
+
+TEST_F(Window, DroppedFilesAreOpened) {
+  QMimeData dropped;
+  dropped.setUrls({QUrl::fromLocalFile("/no/such/place/dropped.bvh")});
+  QDragEnterEvent enter({100, 100}, Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(s_window, &enter);
+  EXPECT_TRUE(enter.isAccepted());
+  QDropEvent drop(QPointF(100, 100), Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier);
+  QApplication::sendEvent(s_window, &drop);
+  EXPECT_TRUE(until([] { return s_window->messages().text().contains("dropped.bvh"); }, 5000));
+}
+
+TEST_F(Window, OpeningSomethingElseReplacesTheJobThatRuns) {
+  s_window->openDemo();
+  s_window->openFiles({"/no/such/place/later.bvh"});
+  EXPECT_TRUE(until([] { return s_window->messages().text().contains("later.bvh"); }, 5000));
+  QTest::qWait(2500);
+  EXPECT_TRUE(s_window->messages().text().contains("later.bvh")) << "the first job must not speak any more";
+}
+
+TEST_F(Window, ManyWarningsAreCounted) {
+  auto& messages = s_window->messages();
+  messages.showWarnings({"the unit was guessed"});
+  EXPECT_EQ(messages.text(), "the unit was guessed");
+  messages.showWarnings({"the unit was guessed", "no toes", "no hands"});
+  EXPECT_TRUE(messages.text().startsWith("3 warnings: the unit was guessed"));
+}
+
+TEST_F(Window, AClosedWindowDoesNotWaitForItsJob) {
+  QElapsedTimer clock;
+  {
+    MainWindow other(*s_remembered);
+    other.show();
+    other.openDemo();
+    QTest::qWait(50);
+    other.close();
+    clock.start();
+  }
+  EXPECT_LT(clock.elapsed(), 2000);
+}
+
+TEST(PanelPlan, TheSceneComesFirstInASmallWindow) {
+  EXPECT_TRUE(plan_panels({1280, 720}, {}).left);
+  EXPECT_FALSE(plan_panels({900, 600}, {}).left);
+  EXPECT_TRUE(plan_panels({900, 600}, {}).right);
+  EXPECT_FALSE(plan_panels({640, 480}, {}).right);
+  EXPECT_FALSE(plan_panels({640, 480}, {}).plots);
+}
+
+TEST(PanelPlan, WhatWasAskedForStands) {
+  EXPECT_TRUE(plan_panels({640, 480}, {true, {}}).left);
+  EXPECT_FALSE(plan_panels({1600, 1000}, {{}, false}).right);
 }
 
 TEST_F(Window, APictureOfTheWindowHoldsTheScene) {

@@ -10,6 +10,19 @@ namespace {
 
 constexpr double quarter = 1.5707963267948966;
 
+void add_panel_actions(MainWindow& window, QMenu* menu) {
+  QAction* left = add_action(window, menu, "Scene and library", {QKeySequence("F8")}, [] {});
+  QAction* right = add_action(window, menu, "Candidates and settings", {QKeySequence("F9")}, [] {});
+  for (QAction* action : {left, right}) action->setCheckable(true);
+  // triggered, not toggled: a window that gets small hides a panel without it being a wish
+  QObject::connect(left, &QAction::triggered, &window, &MainWindow::showLeft);
+  QObject::connect(right, &QAction::triggered, &window, &MainWindow::showRight);
+  QObject::connect(&window, &MainWindow::panelsArranged, menu, [left, right](const PanelPlan& plan) {
+    left->setChecked(plan.left);
+    right->setChecked(plan.right);
+  });
+}
+
 }  // namespace
 
 void add_view_actions(MainWindow& window) {
@@ -31,6 +44,7 @@ void add_view_actions(MainWindow& window) {
   follow->setChecked(true);
   QObject::connect(follow, &QAction::toggled, &scene, &widgets::SceneView::setFollowing);
   menu->addSeparator();
+  add_panel_actions(window, menu);
   QAction* light = add_action(window, menu, "Light colours", {}, [] {});
   light->setCheckable(true);
   light->setChecked(!window.colours().dark);

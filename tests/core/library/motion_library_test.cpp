@@ -144,5 +144,25 @@ TEST_F(BrokenColumns, NothingAtAllIsRefused) {
   expect_refused("there are no pairs");
 }
 
+TEST(MotionLibrary, TheUsualBodiesOfADoubledLibraryAreTwoPeople) {
+  auto library =
+      build_library("test", {circling_take("t", 10)}, {}, {});  // roles unknown: each leads as often
+  ASSERT_TRUE(library.ok());
+  EXPECT_EQ(library->usual_active_body().name, "t/a");
+  EXPECT_EQ(library->usual_passive_body().name, "t/b");
+}
+
+TEST(MotionLibrary, RefusesAMeshWithAnEdgeTwice) {
+  LibraryColumns columns = switching_library().columns();
+  columns.edges[1] = columns.edges[0];
+  EXPECT_THROW(MotionLibrary{columns}, std::invalid_argument);
+}
+
+TEST(MotionLibrary, RefusesABodyWithoutLengths) {
+  LibraryColumns columns = switching_library().columns();
+  columns.bodies[0].body.bone_lengths[5] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(MotionLibrary{columns}, std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace abrazo

@@ -104,8 +104,9 @@ TEST(SolverThread, PublishesWhileAnotherThreadReadsAndStopsWhenDestroyed) {
     live.commands.push(SetSettings{*preset("paper")});
     while (live.latest.newest()->settings != *preset("paper")) std::this_thread::yield();
   }
-  const std::size_t frames = live.history.span().frames;
-  EXPECT_EQ(live.history.span().frames, frames);
+  // The thread is gone: every frame it announced is in the history, and none comes after.
+  EXPECT_EQ(live.history.at(1e9), live.latest.newest());
+  EXPECT_EQ(live.history.since(0).size(), live.latest.newest()->index + 1);
 }
 
 }  // namespace

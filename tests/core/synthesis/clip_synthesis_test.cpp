@@ -59,5 +59,15 @@ TEST(ClipSynthesis, StopsWhenAskedTo) {
   EXPECT_LT(steps, 200);
 }
 
+TEST(ClipSynthesis, AClipTooSlowToFollowIsRefused) {
+  auto synthesizer = PartnerSynthesizer::create(test::small_library(), *preset("paper"));
+  Clip clip = test::swinging_take("user", 10, 9).a;
+  clip.fps = 2;
+  const Status done =
+      synthesize_clip(**synthesizer, clip, [](const ClipStep&) -> Status { return Done{}; }, {});
+  ASSERT_FALSE(done.ok());
+  EXPECT_NE(done.error().text().find("at least 5"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace abrazo

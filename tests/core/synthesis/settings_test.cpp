@@ -61,6 +61,8 @@ TEST(Settings, WrongValuesAreRefusedWithTheRangeAndChangeNothing) {
            {"alpha", "-1", "from 0 to 5"},
            {"alpha", "nan", "from 0 to 5"},
            {"alpha", "0,5", "from 0 to 5"},
+           {"step-rate", "3", "5 to 120"},
+           {"step-rate", "1e-20", "5 to 120"},
            {"neighbours", "10.5", "whole number"},
            {"neighbours", "201", "from 1 to 200"},
            {"collisions", "yes", "on or off"},

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
 #include "core/synthesis/partner_synthesizer.hpp"
@@ -78,6 +79,51 @@ TEST(Trace, CostsAddUpAndTheSelectedOneIsCheapest) {
     EXPECT_GE(candidate["feature_distance"], distance);
     distance = candidate["feature_distance"].get<double>();
   }
+}
+
+/// Eq. 3-7 from what a trace says, joint by joint, and the library's normalised poses.
+TEST(Trace, EveryCostIsEquation7RecomputedFromTheTrace) {
+  const auto library = test::small_library();
+  const Settings settings = *preset("responsive");
+  auto synthesizer = std::move(*PartnerSynthesizer::create(library, settings));
+  const Clip user = test::swinging_take("user", 40, 3).a;
+  std::vector<json> frames;
+  for (int frame = 0; frame < 40; ++frame)
+    frames.push_back(json::parse(trace_frame_line(
+        synthesizer->step(user.poses[static_cast<std::size_t>(frame)], Duration(frame == 0 ? 0 : 1.0 / 60)),
+        *library, frame, frame / 60.0)));
+  for (std::size_t i = 2; i < frames.size(); ++i) {
+    const auto predicted = [&](const char* body) -> Pose {
+      const Pose before = pose_of(frames[i - 1][body]);
+      return before + (before - pose_of(frames[i - 2][body]));
+    };
+    const Pose world = pose_of(frames[i]["query"]["world"]);
+    const Pose normalized = pose_of(frames[i]["query"]["normalized"]);
+    const double heading = root_frame(world).heading_rad;
+    for (const json& candidate : frames[i]["candidates"]) {
+      const int pair = library->find_pair(candidate["take"].get<std::string>(), candidate["frame"].get<int>(),
+                                          candidate["swapped"].get<bool>());
+      double cost = 0;
+      for (int l = 0; l < joint_count; ++l) {
+        const Eigen::Matrix3d turn = Eigen::AngleAxisd(heading, Vec3::UnitY()).toRotationMatrix();
+        const Vec3 place(world(0, 0), library->root(pair).position.y(), world(0, 2));
+        const Vec3 active = library->pose(pair).row(l);
+        const Vec3 passive = library->pose(pair).row(l + joint_count);
+        cost += (Vec3(normalized.row(l)) - active).squaredNorm();
+        cost += settings.alpha * (Vec3(predicted("active").row(l)) - (turn * active + place)).squaredNorm();
+        cost += settings.alpha * (Vec3(predicted("passive").row(l)) - (turn * passive + place)).squaredNorm();
+      }
+      EXPECT_NEAR(candidate["cost"]["total"].get<double>(), cost, 1e-9);
+    }
+  }
+}
+
+TEST(Trace, AStatusSaysInWordsWhatWasLetGo) {
+  FrameResult result;
+  result.status = StepStatus::Relaxed;
+  result.message = "all foot locks were let go";
+  EXPECT_EQ(result.status_text(), "relaxed: all foot locks were let go");
+  EXPECT_EQ(FrameResult().status_text(), "failed: not solved yet");
 }
 
 }  // namespace

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <QSize>
+#include <optional>
+
+namespace abrazo::app {
+
+/// Which panels a window of some size shows; plain arithmetic. In a small window the scene comes first.
+struct PanelPlan {
+  bool left = true;   ///< scene and library
+  bool right = true;  ///< candidates and settings
+  bool plots = true;
+  int left_width = 262;
+  int right_width = 406;
+};
+
+/// What a person asked for; nothing leaves it to the size.
+struct PanelWishes {
+  std::optional<bool> left, right;
+};
+
+inline PanelPlan plan_panels(QSize window, const PanelWishes& wishes) {
+  PanelPlan plan;
+  plan.left = wishes.left.value_or(window.width() >= 1040 && window.height() >= 600);
+  plan.right = wishes.right.value_or(window.width() >= 760);
+  plan.plots = window.height() >= 560;
+  if (window.width() < 1440) plan.right_width = 340;
+  if (window.width() < 1200) plan.right_width = 300;
+  if (window.width() < 1200) plan.left_width = 230;
+  return plan;
+}
+
+}  // namespace abrazo::app
