@@ -46,7 +46,7 @@ void print_performer(const ImportedClip& imported) {
   fmt::print("  unit     {} m{}\n", exact_text(report.metres_per_unit), guess_mark(report.unit_guessed));
   fmt::print("  up       {}{}\n", report.up_axis == UpAxis::Z ? 'z' : 'y',
              guess_mark(report.up_axis_guessed));
-  fmt::print("  height   {:.3f} m\n", report.height_m);
+  fmt::print("  height   {:.3f} m to the head joint\n", report.height_m);
   fmt::print("  floor    toe bases rest at {:.3f} m{}\n", report.floor_y_m,
              report.floor_shift_m == 0 ? "" : fmt::format("; moved by {:.3f} m", report.floor_shift_m));
   for (const ImportWarning& warning : report.warnings)

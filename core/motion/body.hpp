@@ -18,8 +18,8 @@ struct Body {
   double leg_length() const;
   /// Shoulder to wrist, mean of both arms [m].
   double arm_length() const;
-  /// Ankle rest height is not known: legs + spine + neck + head with a straight back [m]. Only for scaling
-  /// and display.
+  /// Of the head joint while standing with a straight back [m]; the crown is some 10 cm higher. The height of
+  /// the ankle is not among the lengths and is estimated from the leg.
   double height() const;
 };
 

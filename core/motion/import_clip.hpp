@@ -30,7 +30,7 @@ struct ImportReport {
   bool fps_guessed = false;
   UpAxis up_axis = UpAxis::Y;
   bool up_axis_guessed = false;
-  double height_m = 0;       ///< standing height of the performer (Body::height)
+  double height_m = 0;       ///< of the head joint while standing (Body::height)
   double floor_y_m = 0;      ///< 5th percentile of the toe-base height before any correction
   double floor_shift_m = 0;  ///< added to every y when the floor was far from 0; 0 otherwise
   std::vector<ImportWarning> warnings;

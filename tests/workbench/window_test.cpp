@@ -155,9 +155,10 @@ QString written(const QTemporaryDir& folder, const QString& name, const QByteArr
 }
 
 TEST_F(Window, FilesThatDoNotGoTogetherAreRefusedWithWhatToDo) {
-  QTemporaryDir folder;
+  QTemporaryDir folder, elsewhere;
   const QString one = written(folder, "one.bvh", "HIERARCHY"), two = written(folder, "two.bvh", "HIERARCHY");
-  const QString amc = written(folder, "walk.amc", ":DEGREES"), asf = written(folder, "body.asf", ":version");
+  const QString amc = written(folder, "walk.amc", ":DEGREES"),
+                asf = written(elsewhere, "body.asf", ":version");
   const std::vector<std::pair<QStringList, QString>> cases = {
       {{one, two}, "list both as a pair in a manifest"},
       {{amc}, "walk.amc: an .amc needs its skeleton"},
@@ -189,6 +190,16 @@ TEST_F(Window, OpeningSomethingElseReplacesTheJobThatRuns) {
   EXPECT_TRUE(until([] { return s_window->messages().text().contains("later.bvh"); }, 5000));
   QTest::qWait(2500);
   EXPECT_TRUE(s_window->messages().text().contains("later.bvh")) << "the first job must not speak any more";
+}
+
+TEST_F(Window, AnotherMaterialReplacesTheSessionOnceItIsReady) {
+  const LiveSession* before = s_window->session();
+  const auto index = shown();
+  s_window->openDemo();
+  EXPECT_TRUE(until([index] { return shown() > index; }, 3000)) << "the old one runs until then";
+  EXPECT_TRUE(until([before] { return s_window->session() != before; }, 20'000));
+  EXPECT_TRUE(until([] { return ticker().shown() && shown() > 5; }, 5000));
+  EXPECT_LT(ticker().playback().last_s, 10) << "a timeline of its own";
 }
 
 TEST_F(Window, ManyWarningsAreCounted) {

@@ -14,7 +14,6 @@ namespace abrazo::widgets {
 namespace {
 
 constexpr int total_width = 56;
-constexpr int name_width = 138;
 constexpr int name_left = 46;
 
 QString text(const std::string& utf8) {
@@ -39,14 +38,19 @@ void CandidateList::setRows(std::vector<CandidateRow> rows) {
   double largest = 0;
   for (const CandidateRow& row : m_rows) largest = std::max(largest, row.total);
   // Grows at once and shrinks slowly: bars that rescale with every frame cannot be read.
-  m_fullBar = largest > m_fullBar ? largest : std::max(largest, 0.95 * m_fullBar);
+  m_fullBar = largest > m_fullBar ? largest : std::max(largest, 0.88 * m_fullBar);
   if (m_hovered >= static_cast<int>(m_rows.size())) hover(-1);
   if (m_hovered >= 0) emit candidateHovered(m_rows[static_cast<std::size_t>(m_hovered)].candidate);
   update();
 }
 
+/// Of take and frame; in a narrow list the bars need the room more.
+double CandidateList::nameWidth() const {
+  return width() < 370 ? 112 : 138;
+}
+
 QRectF CandidateList::barArea(int row) const {
-  const double left = name_left + name_width;
+  const double left = name_left + nameWidth();
   return {left, row * row_height + 7.0, std::max(20.0, width() - left - total_width - 12), 10};
 }
 
@@ -82,9 +86,9 @@ void CandidateList::paintRow(QPainter& painter, int index) const {
   const QString number = QString::number(row.frame) + (row.swapped ? " ⇄" : "");
   const double number_width = tabular_width(painter.font(), number);
   const QString name = painter.fontMetrics().elidedText(text(row.take), Qt::ElideMiddle,
-                                                        static_cast<int>(name_width - number_width - 16));
+                                                        static_cast<int>(nameWidth() - number_width - 16));
   painter.setPen(m_palette.text);
-  painter.drawText(QRectF(name_left, line.top(), name_width, row_height), Qt::AlignVCenter, name);
+  painter.drawText(QRectF(name_left, line.top(), nameWidth(), row_height), Qt::AlignVCenter, name);
   const double after = name_left + painter.fontMetrics().horizontalAdvance(name) + 5;
   painter.setPen(m_palette.secondary);
   draw_tabular(painter, QRectF(after, line.top(), number_width + 2, row_height), Qt::AlignLeft, number);

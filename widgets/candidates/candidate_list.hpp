@@ -19,6 +19,7 @@ class CandidateList : public QWidget {
   const std::vector<CandidateRow>& rows() const { return m_rows; }
   void setColours(const Palette& palette);
   /// The bars' part of a row.
+  double nameWidth() const;
   QRectF barArea(int row) const;
 
  signals:

@@ -29,7 +29,8 @@ CandidateTable::CandidateTable(QWidget* parent)
   m_reason->setObjectName("secondary");
   m_reason->setFont(interface_font(12));
   m_reason->setContentsMargins(12, 4, 12, 8);
-  m_reason->setFixedHeight(30);
+  m_reason->setWordWrap(true);
+  m_reason->setAlignment(Qt::AlignTop | Qt::AlignLeft);
   column->addWidget(m_header);
   column->addWidget(scroll, 1);
   column->addWidget(m_reason);
@@ -46,8 +47,14 @@ void CandidateTable::setLibrary(std::shared_ptr<const MotionLibrary> library) {
 void CandidateTable::setColours(const Palette& palette) {
   m_header->setColours(palette);
   m_header->setKeys(
-      {{"pose", palette.user}, {"temporal leader", palette.active}, {"follower", palette.passive}});
+      {{"pose", palette.user}, {"temporal leader", palette.active, "leader"}, {"follower", palette.passive}});
   m_list->setColours(palette);
+}
+
+void CandidateTable::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  constexpr int one_line = 30, two_lines = 46, narrow = 370;
+  m_reason->setFixedHeight(width() < narrow ? two_lines : one_line);
 }
 
 const std::vector<CandidateRow>& CandidateTable::rows() const {

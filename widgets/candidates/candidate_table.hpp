@@ -33,6 +33,9 @@ class CandidateTable : public QWidget {
   /// Index into the frame's candidates; -1 when the pointer left.
   void candidateHovered(int candidate);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   SectionHeader* m_header;
   CandidateList* m_list;

@@ -9,6 +9,13 @@
 #include "widgets/common/icons.hpp"
 
 namespace abrazo::widgets {
+namespace {
+
+constexpr int information_ms = 6000, warnings_ms = 15000;
+constexpr int most_in_tip = 20;
+constexpr int longest_text = 320;  // more would push the scene out of the window; the tool tip has the rest
+
+}  // namespace
 
 MessageBar::MessageBar(QWidget* parent)
     : QWidget(parent),
@@ -24,6 +31,7 @@ MessageBar::MessageBar(QWidget* parent)
   row->addWidget(m_text, 1);
   row->addWidget(m_close);
   m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  m_text->setTextFormat(Qt::PlainText);
   m_text->setWordWrap(true);
   m_close->setObjectName("flat");
   m_close->setToolTip("Close (a running job is cancelled)");
@@ -52,7 +60,20 @@ void MessageBar::showError(const QString& text) {
 
 void MessageBar::showInformation(const QString& text) {
   present(Kind::Information, text);
-  m_leave->start(6000);
+  m_leave->start(information_ms);
+}
+
+void MessageBar::showWarnings(const QStringList& warnings) {
+  if (warnings.isEmpty()) return;
+  const bool one = warnings.size() == 1;
+  present(
+      Kind::Information,
+      one ? warnings.front() : QString("%1 warnings: %2 …").arg(warnings.size()).arg(warnings.front()),
+      one ? QString()
+          : warnings.mid(0, most_in_tip).join("\n") +
+                (warnings.size() > most_in_tip ? QString("\nand %1 more").arg(warnings.size() - most_in_tip)
+                                               : QString()));
+  m_leave->start(warnings_ms);
 }
 
 void MessageBar::showProgress(const QString& doing, double fraction) {
@@ -64,10 +85,15 @@ void MessageBar::endProgress() {
   if (m_kind == Kind::Progress) hide();
 }
 
-void MessageBar::present(Kind kind, const QString& text) {
+void MessageBar::present(Kind kind, const QString& text, const QString& tip) {
   m_leave->stop();
   m_kind = kind;
-  m_text->setText(text);
+  const bool whole = text.size() <= longest_text;
+  m_text->setText(whole ? text : text.left(longest_text) + " …");
+  // As rich text a tool tip wraps its lines.
+  const QString more = tip.isEmpty() && !whole ? text : tip;
+  m_text->setToolTip(more.isEmpty() ? QString()
+                                    : "<p>" + more.toHtmlEscaped().replace("\n", "</p><p>") + "</p>");
   const auto sign = kind == Kind::Error ? icon(Icon::Warning, m_palette.live.lighter(135))
                                         : icon(Icon::Information, m_palette.secondary);
   m_sign->setPixmap(sign.pixmap(16, 16));

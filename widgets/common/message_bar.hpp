@@ -1,11 +1,11 @@
 #pragma once
 
+#include <QStringList>
 #include <QWidget>
 
 #include "widgets/common/palette.hpp"
 
 class QLabel;
-class QProgressBar;
 class QTimer;
 class QToolButton;
 
@@ -23,6 +23,8 @@ class MessageBar : public QWidget {
  public slots:
   void showError(const QString& text);
   void showInformation(const QString& text);
+  /// One is shown whole; of more, how many and the first, with all of them as a tool tip.
+  void showWarnings(const QStringList& warnings);
   /// A job that goes on. @param fraction  done [0, 1]
   void showProgress(const QString& doing, double fraction);
   void endProgress();
@@ -35,7 +37,7 @@ class MessageBar : public QWidget {
 
  private:
   enum class Kind { Information, Error, Progress };
-  void present(Kind kind, const QString& text);
+  void present(Kind kind, const QString& text, const QString& tip = {});
 
   Palette m_palette;
   Kind m_kind = Kind::Information;

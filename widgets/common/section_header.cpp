@@ -27,6 +27,10 @@ void SectionHeader::setColours(const Palette& palette) {
   update();
 }
 
+QString SectionHeader::nameOf(const Key& key, bool brief) const {
+  return brief && !key.brief.isEmpty() ? key.brief : key.name;
+}
+
 void SectionHeader::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
@@ -36,12 +40,15 @@ void SectionHeader::paintEvent(QPaintEvent*) {
   painter.setFont(head);
   painter.drawText(rect().adjusted(12, 0, -12, 0), Qt::AlignVCenter | Qt::AlignLeft, m_title.toUpper());
 
+  int wide = 24 + painter.fontMetrics().horizontalAdvance(m_title.toUpper());
   painter.setFont(interface_font(11));
+  for (const Key& key : m_keys) wide += painter.fontMetrics().horizontalAdvance(key.name) + 20;
   int right = width() - 12;
   for (auto key = m_keys.rbegin(); key != m_keys.rend(); ++key) {
-    const int text = painter.fontMetrics().horizontalAdvance(key->name);
+    const QString name = nameOf(*key, wide > width());
+    const int text = painter.fontMetrics().horizontalAdvance(name);
     painter.setPen(m_colour);
-    painter.drawText(QRect(right - text, 0, text + 2, height()), Qt::AlignVCenter, key->name);
+    painter.drawText(QRect(right - text, 0, text + 2, height()), Qt::AlignVCenter, name);
     painter.fillRect(QRect(right - text - 12, height() / 2 - 4, 8, 8), key->colour);
     right -= text + 20;
   }

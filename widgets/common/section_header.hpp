@@ -15,6 +15,7 @@ class SectionHeader : public QWidget {
   struct Key {
     QString name;
     QColor colour;
+    QString brief = {};  ///< where the panel is too narrow for the names; empty: the name
   };
 
   explicit SectionHeader(const QString& title, QWidget* parent = nullptr);
@@ -27,6 +28,8 @@ class SectionHeader : public QWidget {
   void paintEvent(QPaintEvent* event) override;
 
  private:
+  QString nameOf(const Key& key, bool brief) const;
+
   QString m_title;
   std::vector<Key> m_keys;
   QColor m_colour;

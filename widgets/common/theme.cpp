@@ -60,6 +60,8 @@ QScrollBar::handle:horizontal { background: %8; border-radius: 3px; min-width: 2
 QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QListView { background: %2; border: 1px solid %4; outline: 0; }
+QListView::item { padding: 4px 8px; }
+QListView::item:selected { background: %7; color: #ffffff; }
 )";
 
 }  // namespace

@@ -11,6 +11,7 @@
 
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
+#include "widgets/common/value_range.hpp"
 
 namespace abrazo::widgets {
 namespace {
@@ -44,7 +45,7 @@ PlotPane::PlotPane(const QString& title, std::vector<Curve> curves, QWidget* par
   m_plot->setNotAntialiasedElements(QCP::aeAll);
   m_plot->setAntialiasedElements(QCP::aePlottables);
   m_plot->setNoAntialiasingOnDrag(true);
-  for (std::size_t c = 0; c < m_curves.size(); ++c) m_plot->addGraph();
+  for (int c = 0; c < 2 * curveCount(); ++c) m_plot->addGraph();  // the curves, then the marks of their cuts
   m_cursor->start->setTypeY(QCPItemPosition::ptAxisRectRatio);
   m_cursor->end->setTypeY(QCPItemPosition::ptAxisRectRatio);
   m_cursor->setClipToAxisRect(true);
@@ -74,15 +75,20 @@ void PlotPane::setColours(const Palette& palette, const std::vector<QColor>& cur
     axis->grid()->setZeroLinePen(QPen(faint, 1));
   }
   m_plot->xAxis->grid()->setVisible(false);
-  for (int c = 0; c < m_plot->graphCount(); ++c)
-    m_plot->graph(c)->setPen(QPen(curves[static_cast<std::size_t>(c)], 1.3));
+  for (int c = 0; c < curveCount(); ++c) {
+    const QColor colour = curves[static_cast<std::size_t>(c)];
+    m_plot->graph(c)->setPen(QPen(colour, 1.3));
+    QCPGraph* marks = m_plot->graph(curveCount() + c);
+    marks->setLineStyle(QCPGraph::lsNone);
+    marks->setScatterStyle({QCPScatterStyle::ssTriangle, QPen(colour), QBrush(colour), 6});
+  }
   m_cursor->setPen(QPen(palette.dark ? QColor("#c7ccd6") : palette.text, 1));
   update();
   m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
 void PlotPane::append(double time_s, const std::vector<double>& values) {
-  for (int c = 0; c < m_plot->graphCount(); ++c)
+  for (int c = 0; c < curveCount(); ++c)
     m_plot->graph(c)->addData(time_s, values[static_cast<std::size_t>(c)]);
 }
 
@@ -92,7 +98,7 @@ void PlotPane::dropBefore(double time_s) {
 
 void PlotPane::clear() {
   for (int c = 0; c < m_plot->graphCount(); ++c) m_plot->graph(c)->data()->clear();
-  m_upper = 0;
+  m_range.reset();
 }
 
 void PlotPane::showValues(std::vector<double> values) {
@@ -100,20 +106,38 @@ void PlotPane::showValues(std::vector<double> values) {
   update(0, 0, width(), head_height);
 }
 
-/// Up to the largest value in view; comes down slowly so that the curves do not jump.
+/// The same height until the values have been smaller for a while, so that the numbers can be read.
 void PlotPane::fitHeight(double from_s, double to_s) {
-  double largest = 0;
-  for (int c = 0; c < m_plot->graphCount(); ++c) {
+  double upper = 0;
+  for (int c = 0; c < curveCount(); ++c) {
+    std::vector<double> visible;
     const auto values = m_plot->graph(c)->data();
-    for (auto it = values->findBegin(from_s); it != values->findEnd(to_s); ++it)
-      if (std::isfinite(it->value)) largest = std::max(largest, it->value);
+    for (auto it = values->findBegin(from_s, false); it != values->findEnd(to_s, false); ++it)
+      visible.push_back(it->value);
+    upper = std::max(upper, robust_upper(std::move(visible)));
   }
-  m_upper = largest >= m_upper ? largest : std::max(largest, 0.94 * m_upper);
-  m_plot->yAxis->setRange(0, std::max(1.12 * m_upper, m_least));
+  m_range.show(upper, to_s);
+  m_plot->yAxis->setRange(0, std::max(m_range.upper(), m_least));
+}
+
+/// One mark for each run of values above the plot.
+void PlotPane::markCuts(double from_s, double to_s) {
+  const double upper = m_plot->yAxis->range().upper;
+  for (int c = 0; c < curveCount(); ++c) {
+    const auto values = m_plot->graph(c)->data();
+    const auto marks = m_plot->graph(curveCount() + c)->data();
+    marks->clear();
+    bool above = false;
+    for (auto it = values->findBegin(from_s, false); it != values->findEnd(to_s, false); ++it) {
+      if (it->value > upper && !above) marks->add({it->key, 0.95 * upper});
+      above = it->value > upper;
+    }
+  }
 }
 
 void PlotPane::draw(double from_s, double to_s, double cursor_s) {
   fitHeight(from_s, to_s);
+  markCuts(from_s, to_s);
   m_plot->xAxis->setRange(from_s, to_s);
   m_cursor->start->setCoords(cursor_s, 0);
   m_cursor->end->setCoords(cursor_s, 1);
@@ -128,12 +152,14 @@ void PlotPane::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), m_palette.panel);
   painter.setFont(interface_font(12, QFont::DemiBold));
-  painter.setPen(m_palette.text);
-  painter.drawText(QRectF(12, 4, width(), head_height - 4), Qt::AlignVCenter, m_title);
+  // Where there is no room for the values the names stay, and at last the names without the title.
   const double title_end = 12 + painter.fontMetrics().horizontalAdvance(m_title) + 14;
-  // Where the values leave no room for the names of the curves, the names alone stay.
   const bool with_values = title_end + headWidth(true) < width();
-  double x = title_end;
+  const bool with_title = title_end + headWidth(false) < width();
+  painter.setPen(m_palette.text);
+  if (with_title)
+    painter.drawText(QRectF(12, 4, width(), head_height - 4), Qt::AlignVCenter | Qt::AlignLeft, m_title);
+  double x = with_title ? title_end : 12;
   for (std::size_t c = 0; c < m_curves.size() && c < m_colours.size(); ++c) {
     const Curve& curve = m_curves[c];
     painter.setFont(interface_font(11));

@@ -4,13 +4,15 @@
 #include <vector>
 
 #include "widgets/common/palette.hpp"
+#include "widgets/common/value_range.hpp"
 
 class QCPItemLine;
 class QCustomPlot;
 
 namespace abrazo::widgets {
 
-/// One plot over time: title and current values above, curves and cursor below.
+/// One plot over time: title and current values above, curves and cursor below. Single values far above the
+/// rest are cut, with a mark at the upper edge.
 class PlotPane : public QWidget {
   Q_OBJECT
  public:
@@ -41,7 +43,9 @@ class PlotPane : public QWidget {
 
  private:
   void fitHeight(double from_s, double to_s);
+  void markCuts(double from_s, double to_s);
   double headWidth(bool with_values) const;
+  int curveCount() const { return static_cast<int>(m_curves.size()); }
 
   QString m_title;
   std::vector<Curve> m_curves;
@@ -50,7 +54,7 @@ class PlotPane : public QWidget {
   Palette m_palette;
   QCustomPlot* m_plot;
   QCPItemLine* m_cursor;
-  double m_upper = 0;
+  SteadyRange m_range;
   double m_least = 1e-6;
 };
 

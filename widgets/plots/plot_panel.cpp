@@ -86,8 +86,10 @@ void PlotPanel::refresh(const FrameHistory& history, const Playback& playback,
   p.energy->dropBefore(playback.first_s);
   p.residual->dropBefore(playback.first_s);
   p.cursor_s = playback.cursor_s;
-  // Following keeps the newest at the right edge; else the window moves only when the cursor would leave it.
-  if (playback.state == Playback::State::Following) p.to_s = playback.last_s;
+  // Following keeps the newest at the right edge, once there is more than fits; else the window moves only
+  // when the cursor would leave it.
+  if (playback.state == Playback::State::Following)
+    p.to_s = std::max(playback.last_s, playback.first_s + p.span_s);
   p.to_s = std::clamp(p.to_s, playback.cursor_s, playback.cursor_s + p.span_s);
   p.energy->showValues(shown ? energies(*shown) : std::vector<double>{});
   p.residual->showValues(shown ? residuals(*shown) : std::vector<double>{});

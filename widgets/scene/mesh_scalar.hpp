@@ -29,24 +29,4 @@ double typical_upper(const std::vector<MeshEdge>& edges, const std::vector<doubl
 std::array<unsigned char, 3> sequential_colour(double share);  ///< viridis
 std::array<unsigned char, 3> diverging_colour(double share);   ///< blue - grey - red
 
-/// Upper end of a colour range that is readable and does not flicker: round numbers, grows at once, shrinks
-/// only after the values stayed under three fifths of it for a while.
-class SteadyRange {
- public:
-  void show(double largest, double time_s);
-  double upper() const { return upper_; }
-  void set_locked(bool locked) { locked_ = locked; }
-  bool locked() const { return locked_; }
-  void reset() { upper_ = 0; }
-
- private:
-  double upper_ = 0;
-  double low_since_s_ = 0;
-  bool is_low_ = false;
-  bool locked_ = false;
-};
-
-/// The next of 1, 1.5, 2, 3, 5, 7.5 times a power of ten.
-double rounded_up(double value);
-
 }  // namespace abrazo::widgets

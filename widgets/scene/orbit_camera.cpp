@@ -8,6 +8,7 @@ namespace abrazo::widgets {
 namespace {
 
 constexpr double radians_per_pixel = 0.0075;
+constexpr double nearest_m = 0.3, farthest_m = 40;
 constexpr double steepest_rad = 1.55;  // just short of the pole, where "up" would be undefined
 
 }  // namespace
@@ -38,14 +39,22 @@ void OrbitCamera::pan(double dx_px, double dy_px, double view_height_px) {
 }
 
 void OrbitCamera::zoom(double notches) {
-  distance_m = std::clamp(distance_m * std::pow(0.88, notches), 0.3, 40.0);
+  distance_m = std::clamp(distance_m * std::pow(0.88, notches), nearest_m, farthest_m);
 }
 
-void OrbitCamera::frame(const Vec3& centre, double radius_m, double aspect) {
-  target = centre;
-  const double half_vertical = view_angle_rad / 2;
-  const double half_horizontal = std::atan(std::tan(half_vertical) * aspect);
-  distance_m = std::clamp(radius_m / std::sin(std::min(half_vertical, half_horizontal)), 0.3, 40.0);
+double OrbitCamera::distance_for(const Positions& points, const PictureShape& picture) const {
+  constexpr double flesh_m = 0.14, used_width = 0.84;
+  const double slope = std::tan(view_angle_rad / 2);
+  const double half_height = picture.used_height * slope, half_width = used_width * picture.aspect * slope;
+  const Vec3 back = (position() - target).normalized(), across = right(), upwards = up();
+  double distance = 0;
+  for (Eigen::Index p = 0; p < points.rows(); ++p) {
+    const Vec3 offset = points.row(p).transpose() - target;
+    const double high = (std::abs(offset.dot(upwards)) + flesh_m) / half_height;
+    const double wide = (std::abs(offset.dot(across)) + flesh_m) / half_width;
+    distance = std::max(distance, offset.dot(back) + std::max(high, wide));
+  }
+  return std::clamp(distance, nearest_m, farthest_m);
 }
 
 }  // namespace abrazo::widgets

@@ -4,6 +4,12 @@
 
 namespace abrazo::widgets {
 
+/// What a camera fills.
+struct PictureShape {
+  double aspect = 1;          ///< width / height
+  double used_height = 0.84;  ///< share of the height that nothing is written over
+};
+
 /// A camera that circles a target and keeps the world upright. Plain arithmetic, no toolkit.
 struct OrbitCamera {
   Vec3 target = Vec3(0, 0.9, 0);
@@ -22,8 +28,9 @@ struct OrbitCamera {
   void pan(double dx_px, double dy_px, double view_height_px);
   /// One wheel notch is 1: nearer for positive.
   void zoom(double notches);
-  /// Moves back until a ball fits, keeping the direction.
-  void frame(const Vec3& centre, double radius_m, double aspect);
+  /// How far from the target bodies with these joints fit into the picture, in the direction the camera has.
+  /// @param points  N x 3; the flesh around them is allowed for
+  double distance_for(const Positions& points, const PictureShape& picture) const;
 };
 
 }  // namespace abrazo::widgets

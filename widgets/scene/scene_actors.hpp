@@ -7,6 +7,7 @@
 
 #include "core/session/frame_snapshot.hpp"
 #include "widgets/common/palette.hpp"
+#include "widgets/common/value_range.hpp"
 #include "widgets/scene/body_actor.hpp"
 #include "widgets/scene/floor_actor.hpp"
 #include "widgets/scene/line_set.hpp"

@@ -18,7 +18,7 @@
 #include <cmath>
 #include <functional>
 
-#include "core/library/normalization.hpp"
+#include "widgets/scene/pair_camera.hpp"
 #include "widgets/scene/scene_actors.hpp"
 #include "widgets/scene/scene_overlay.hpp"
 #include "widgets/scene/smoothing_budget.hpp"
@@ -76,6 +76,7 @@ struct SceneView::Parts {
   vtkNew<vtkRenderer> solid, in_front, topmost;
   SceneActors actors;
   OrbitCamera camera;
+  PairCamera pair_camera;
   ScalarChips* chips = nullptr;
   ScalarLegend* legend = nullptr;
   FrameFacts* facts = nullptr;
@@ -93,13 +94,15 @@ struct SceneView::Parts {
   SmoothingBudget budget;
   bool smoothed = true;
   bool on_the_way = false;  ///< rendered and not yet on the screen
-  QElapsedTimer since_render;
+  QElapsedTimer since_render, since_follow;
   QTimer standstill;  ///< runs out when no picture followed one with rough edges
 
   void makeRenderers();
   void applyCamera();
-  double aspect() const {
-    return surface->height() > 0 ? static_cast<double>(surface->width()) / surface->height() : 1;
+  PictureShape shape() const {
+    constexpr double overlays_px = 100;  // the chips above and the facts below
+    const double height = std::max(1, surface->height());
+    return {surface->width() / height, std::clamp(1 - overlays_px / height, 0.58, 0.84)};
   }
 };
 
@@ -175,10 +178,12 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_parts(std::make_uniqu
   connect(&p.standstill, &QTimer::timeout, this, &SceneView::renderSharp);
   p.surface->dragged = [this](QPointF delta, bool pan) {
     const double height = m_parts->surface->height();
+    if (!pan) m_parts->pair_camera.turned_by_hand();
     pan ? m_parts->camera.pan(delta.x(), delta.y(), height) : m_parts->camera.orbit(delta.x(), delta.y());
     render();
   };
   p.surface->wheeled = [this](double notches) {
+    m_parts->pair_camera.zoomed_by_hand();
     m_parts->camera.zoom(notches);
     render();
   };
@@ -225,13 +230,6 @@ void SceneView::setColours(const Palette& palette) {
 void SceneView::showFrame(FrameSnapshotPtr frame) {
   if (!frame || frame == m_parts->frame) return;
   m_parts->frame = std::move(frame);
-  if (!m_parts->framed && m_parts->frame->result.selected >= 0) {
-    m_parts->framed = true;
-    const Vec3 apart = m_parts->frame->result.result.row(joint_count) - m_parts->frame->result.result.row(0);
-    // From the side, so that the space between the two is seen.
-    m_parts->camera.azimuth_rad = std::atan2(apart.x(), apart.z()) + 1.25;
-    frameAll();
-  }
   followPair();
   refresh();
 }
@@ -253,14 +251,18 @@ void SceneView::refresh() {
 }
 
 void SceneView::followPair() {
-  if (!m_parts->following) return;
-  constexpr double slack_m = 0.35, share_per_frame = 0.04;
-  const FrameResult& result = m_parts->frame->result;
-  const Vec3 middle = 0.5 * (result.result.row(0) + result.result.row(joint_count));
-  Vec3 ahead = middle - m_parts->camera.target;
-  ahead.y() = 0;
-  if (ahead.norm() > slack_m)
-    m_parts->camera.target += share_per_frame * (ahead - slack_m * ahead.normalized());
+  constexpr double longest_s = 0.1;  // a slow machine must not make the camera leap
+  Parts& p = *m_parts;
+  const FrameResult& result = p.frame->result;
+  if (!p.framed && result.selected >= 0) {
+    p.framed = true;
+    p.pair_camera.start(p.camera, result.result, p.shape());
+  } else if (p.following && p.framed) {
+    const double elapsed_s =
+        p.since_follow.isValid() ? static_cast<double>(p.since_follow.elapsed()) / 1000 : 0;
+    p.pair_camera.follow(p.camera, result.result, p.shape(), std::min(elapsed_s, longest_s));
+  }
+  p.since_follow.start();
 }
 
 void SceneView::updateFacts() {
@@ -294,11 +296,8 @@ void SceneView::showCandidate(int candidate) {
   if (p.frame && p.library && candidate >= 0 &&
       candidate < static_cast<int>(p.frame->result.candidates.size())) {
     const int index = p.frame->result.candidates[static_cast<std::size_t>(candidate)].pair;
-    RootFrame root = p.frame->result.query_root;
-    root.position.y() = p.library->root(index).position.y();
-    pair.emplace();
-    pair->topRows<joint_count>() = to_world(p.library->pose(index).topRows<joint_count>(), root);
-    pair->bottomRows<joint_count>() = to_world(p.library->pose(index).bottomRows<joint_count>(), root);
+    pair = p.library->pair_in_world(index, p.frame->result.query_root,
+                                    p.frame->settings.user_role == UserRole::Passive);
   }
   p.actors.showCandidate(pair);
   if (changed) render();
@@ -322,13 +321,12 @@ void SceneView::setScalar(MeshScalar scalar) {
 
 void SceneView::frameAll() {
   if (!m_parts->frame) return;
-  const PairPose& pair = m_parts->frame->result.result;
-  const Vec3 low = pair.colwise().minCoeff(), high = pair.colwise().maxCoeff();
-  m_parts->camera.frame(0.5 * (low + high), 0.57 * (high - low).norm() + 0.08, m_parts->aspect());
+  m_parts->pair_camera.show_all(m_parts->camera, m_parts->frame->result.result, m_parts->shape());
   render();
 }
 
 void SceneView::lookFrom(double azimuth_rad, double elevation_rad) {
+  m_parts->pair_camera.turned_by_hand();
   m_parts->camera.azimuth_rad = azimuth_rad;
   m_parts->camera.elevation_rad = elevation_rad;
   render();
@@ -336,6 +334,7 @@ void SceneView::lookFrom(double azimuth_rad, double elevation_rad) {
 
 void SceneView::setFollowing(bool following) {
   m_parts->following = following;
+  if (following) m_parts->framed = false;  // begins anew beside the pair
 }
 
 void SceneView::render() {

@@ -3,6 +3,7 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 
@@ -23,6 +24,38 @@ QString typeset(const QString& symbol) {
   if (low < 0) return symbol.toHtmlEscaped();
   return symbol.left(low).toHtmlEscaped() + "<sub>" + symbol.mid(low + 1).toHtmlEscaped() + "</sub>";
 }
+
+/// What is typed after a click replaces the value. Escape leaves it as it was.
+class ValueField : public QLineEdit {
+ public:
+  using QLineEdit::QLineEdit;
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override {
+    const bool had_focus = m_focused;
+    m_focused = true;
+    QLineEdit::mousePressEvent(event);
+    if (!had_focus) selectAll();
+  }
+  void mouseDoubleClickEvent(QMouseEvent*) override { selectAll(); }
+  void focusOutEvent(QFocusEvent* event) override {
+    m_focused = false;
+    QLineEdit::focusOutEvent(event);
+  }
+  void keyPressEvent(QKeyEvent* event) override {
+    if (event->key() != Qt::Key_Escape) return QLineEdit::keyPressEvent(event);
+    setText(m_before);
+    clearFocus();
+  }
+  void focusInEvent(QFocusEvent* event) override {
+    m_before = text();
+    QLineEdit::focusInEvent(event);
+  }
+
+ private:
+  QString m_before;
+  bool m_focused = false;
+};
 
 }  // namespace
 
@@ -62,7 +95,7 @@ void SettingRow::buildNumber() {
   grid->setContentsMargins(12, 2, 12, 0);
   grid->setHorizontalSpacing(8);
   grid->setVerticalSpacing(0);
-  m_value = new QLineEdit(this);
+  m_value = new ValueField(this);
   m_value->setObjectName("value");
   m_value->setAlignment(Qt::AlignRight);
   m_value->setFixedSize(84, 20);
@@ -82,9 +115,10 @@ void SettingRow::buildNumber() {
     QString typed = m_value->text().trimmed();
     const QString unit = text(m_info.unit);
     if (!unit.isEmpty() && typed.endsWith(unit)) typed.chop(unit.size());
-    if (m_value->isModified()) emit changed(key, typed.trimmed(), 0);
+    const bool typed_in = m_value->isModified();
     m_value->setModified(false);
     m_value->clearFocus();
+    if (typed_in) emit changed(key, typed.trimmed(), 0);
   });
 }
 

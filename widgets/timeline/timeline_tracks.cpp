@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "widgets/common/value_range.hpp"
+
 namespace abrazo::widgets {
 namespace {
 
@@ -43,13 +45,13 @@ void TimelineTracks::clear() {
   costs_.clear();
 }
 
-double TimelineTracks::largest_cost(double from_s, double to_s) const {
+double TimelineTracks::usual_cost(double from_s, double to_s) const {
   const auto before = [](const Sample& sample, double time_s) { return sample.time_s < time_s; };
-  double largest = 0;
+  std::vector<double> values;
   for (auto it = std::lower_bound(costs_.begin(), costs_.end(), from_s, before);
        it != costs_.end() && it->time_s <= to_s; ++it)
-    largest = std::max(largest, it->value);
-  return largest;
+    values.push_back(it->value);
+  return robust_upper(std::move(values));
 }
 
 std::string_view short_take_name(std::string_view name) {

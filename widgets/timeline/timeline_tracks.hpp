@@ -31,8 +31,8 @@ class TimelineTracks {
   const std::deque<Sample>& costs() const { return costs_; }
   const std::string& label(int key) const { return labels_[static_cast<std::size_t>(key)]; }
 
-  /// Largest cost in [from, to], for the scale of the curve.
-  double largest_cost(double from_s, double to_s) const;
+  /// How high the curve must reach for the costs in [from, to]: the largest, unless single ones tower.
+  double usual_cost(double from_s, double to_s) const;
 
  private:
   static void extend(std::deque<Interval>& lane, double time_s, int key);

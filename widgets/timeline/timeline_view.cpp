@@ -150,14 +150,15 @@ void TimelineView::paintMoves(QPainter& painter) const {
     const QString name = text(m_tracks.label(interval.key)).replace('_', ' ');
     const QString fitting =
         painter.fontMetrics().elidedText(name, Qt::ElideRight, static_cast<int>(area.width()) - 12);
-    if (fitting.size() < 3) continue;
+    constexpr int readable = 6;  // fewer letters of a name say nothing
+    if (fitting != name && fitting.size() < readable) continue;
     painter.setPen(m_palette.text);
     painter.drawText(area.adjusted(8, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, fitting);
   }
 }
 
 void TimelineView::paintCost(QPainter& painter) const {
-  const double largest = m_tracks.largest_cost(m_axis.first_s, m_axis.last_s());
+  const double largest = m_tracks.usual_cost(m_axis.first_s, m_axis.last_s());
   if (!(largest > 0)) return;
   const QRectF area = laneRect(CostLane).adjusted(0, 3, 0, -2);
   QPainterPath curve;
@@ -165,7 +166,7 @@ void TimelineView::paintCost(QPainter& painter) const {
   double column = -1, peak = 0;
   const auto put = [&] {
     if (column < 0) return;
-    const QPointF point(column, area.bottom() - peak / largest * area.height());
+    const QPointF point(column, area.bottom() - std::min(1.0, peak / largest) * area.height());
     curve.elementCount() == 0 ? curve.moveTo(point) : curve.lineTo(point);
   };
   const auto before = [](const TimelineTracks::Sample& s, double t) { return s.time_s < t; };

@@ -68,6 +68,7 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent), m_palette(palette
   row->addWidget(m_speed);
   row->addWidget(m_loop);
   row->addStretch(1);
+  m_input->setMinimumWidth(1);
   row->addWidget(m_input);
   connect(m_start, &QToolButton::clicked, this, &TransportBar::startRequested);
   connect(m_back, &QToolButton::clicked, this, [this] { emit stepRequested(-1); });
@@ -120,7 +121,20 @@ void TransportBar::dress() {
 
 void TransportBar::setInput(const QString& text) {
   m_input->setText(text);
+  makeRoom();
 }
+
+/// Rather nothing than half a name.
+void TransportBar::makeRoom() {
+  constexpr int others_px = 620;
+  m_input->setVisible(width() >= others_px + m_input->sizeHint().width());
+}
+
+void TransportBar::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  makeRoom();
+}
+
 QString TransportBar::stateText() const {
   return m_state->text();
 }

@@ -37,9 +37,13 @@ class TransportBar : public QWidget {
   void speedRequested(double factor);
   void loopRequested(bool on);
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   QToolButton* button(const QString& tip);
   void dress();
+  void makeRoom();
 
   Palette m_palette;
   Playback m_shown;

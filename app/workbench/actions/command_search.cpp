@@ -2,6 +2,7 @@
 #include <QAction>
 #include <QCompleter>
 #include <QHBoxLayout>
+#include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -21,6 +22,27 @@ QAction* find_action(MainWindow& window, const QString& text) {
   return nullptr;
 }
 
+/// Escape leaves the search at once, with or without its list open.
+class LeaveOnEscape : public QObject {
+ public:
+  LeaveOnEscape(QLineEdit* field, QWidget* list) : QObject(field), m_field(field), m_list(list) {
+    field->installEventFilter(this);
+    list->installEventFilter(this);
+  }
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() != QEvent::KeyPress || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
+      return QObject::eventFilter(watched, event);
+    m_list->hide();
+    m_field->clear();
+    m_field->clearFocus();
+    return true;
+  }
+
+ private:
+  QLineEdit* m_field;
+  QWidget* m_list;
+};
+
 }  // namespace
 
 void add_command_search(MainWindow& window) {
@@ -39,6 +61,7 @@ void add_command_search(MainWindow& window) {
   completer->setCaseSensitivity(Qt::CaseInsensitive);
   completer->setMaxVisibleItems(12);
   field->setCompleter(completer);
+  new LeaveOnEscape(field, completer->popup());
   auto* holder = new QWidget(&window);
   auto* row = new QHBoxLayout(holder);
   row->setContentsMargins(0, 0, 12, 0);

@@ -2,6 +2,7 @@
 #include <QDialog>
 #include <QLabel>
 #include <QMenu>
+#include <QShortcut>
 #include <QVBoxLayout>
 
 #include "app/workbench/actions/actions.hpp"
@@ -44,7 +45,11 @@ QString key_sheet(MainWindow& window) {
 }
 
 void show_sheet(MainWindow& window, const QString& title, const QString& html) {
+  // Whichever window has the keyboard, F1 closes it again.
+  if (auto* open = window.findChild<QDialog*>(title)) return static_cast<void>(open->close());
   auto* dialog = new QDialog(&window);
+  dialog->setObjectName(title);
+  QObject::connect(new QShortcut(QKeySequence("F1"), dialog), &QShortcut::activated, dialog, &QDialog::close);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(title);
   auto* column = new QVBoxLayout(dialog);
@@ -52,7 +57,9 @@ void show_sheet(MainWindow& window, const QString& title, const QString& html) {
   auto* text = new QLabel(html, dialog);
   text->setTextFormat(Qt::RichText);
   column->addWidget(text);
+  QObject::connect(dialog, &QDialog::finished, &window, [&window] { window.activateWindow(); });
   dialog->show();
+  dialog->activateWindow();
 }
 
 }  // namespace

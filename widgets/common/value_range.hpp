@@ -1,0 +1,43 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <vector>
+
+namespace abrazo::widgets {
+
+/// How high a plot must reach for these values: up to the largest, unless a few single ones tower over the
+/// rest; those are left to be cut. Values that are not finite do not count. @return 0 without values
+inline double robust_upper(std::vector<double> values) {
+  constexpr double usual_share = 0.98, towering = 1.8, room = 1.25;
+  std::erase_if(values, [](double v) { return !std::isfinite(v); });
+  if (values.empty()) return 0;
+  const auto place = static_cast<std::ptrdiff_t>(usual_share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + place, values.end());
+  const double usual = values[static_cast<std::size_t>(place)];
+  const double largest = *std::max_element(values.begin() + place, values.end());
+  return usual > 0 && largest > towering * usual ? room * usual : largest;
+}
+
+/// Upper end of a colour range that is readable and does not flicker: round numbers, grows at once, shrinks
+/// only after the values stayed under three fifths of it for a while.
+class SteadyRange {
+ public:
+  void show(double largest, double time_s);
+  double upper() const { return upper_; }
+  void set_locked(bool locked) { locked_ = locked; }
+  bool locked() const { return locked_; }
+  void reset() { upper_ = 0; }
+
+ private:
+  double upper_ = 0;
+  double low_since_s_ = 0;
+  bool is_low_ = false;
+  bool locked_ = false;
+};
+
+/// The next of 1, 1.5, 2, 3, 5, 7.5 times a power of ten.
+double rounded_up(double value);
+
+}  // namespace abrazo::widgets
