@@ -56,6 +56,19 @@ std::vector<std::string_view> split_lines(std::string_view text) {
   return lines;
 }
 
+std::string in_quotes(std::string_view word) {
+  constexpr std::size_t longest = 40;
+  const bool is_text =
+      std::none_of(word.begin(), word.end(), [](unsigned char c) { return c < 0x20 || c == 0x7f; });
+  std::string shown = "'";
+  for (const char c : word.substr(0, longest)) {
+    // Bytes of UTF-8 names pass; in a word with control characters, which is no text, they do not.
+    const auto byte = static_cast<unsigned char>(c);
+    shown += byte >= 0x20 && byte < 0x7f ? c : is_text && byte >= 0x80 ? c : '?';
+  }
+  return shown + (word.size() > longest ? "...'" : "'");
+}
+
 std::optional<double> parse_number(std::string_view word) {
   if (!word.empty() && word.front() == '+') word.remove_prefix(1);
   double value = 0;

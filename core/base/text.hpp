@@ -22,6 +22,9 @@ std::vector<std::string_view> split_fields(std::string_view line, char separator
 /// The lines of a text whose ends are LF, CRLF or CR; the last may lack one.
 std::vector<std::string_view> split_lines(std::string_view text);
 
+/// The word between quotes for a message: what cannot be printed becomes '?', a long one is cut.
+std::string in_quotes(std::string_view word);
+
 /// A whole word as a number, independent of the locale; nothing if any character is left over.
 std::optional<double> parse_number(std::string_view word);
 std::optional<long long> parse_integer(std::string_view word);

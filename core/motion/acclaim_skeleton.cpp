@@ -64,17 +64,13 @@ class AsfParser {
   std::map<std::string, std::string, std::less<>> parents_;
 };
 
-std::string quoted(std::string_view word) {
-  return "'" + std::string(word) + "'";
-}
-
 Status AsfParser::read_vector(std::string_view key, std::string_view& rest, Vec3& vector) const {
   for (int i = 0; i < 3; ++i) {
     const std::string_view word = take_word(rest);
     const auto number = parse_number(word);
     if (!number || !std::isfinite(*number))
-      return error("expected three numbers after " + quoted(key) +
-                   (word.empty() ? ", the line ends early" : ", found " + quoted(word)));
+      return error("expected three numbers after " + in_quotes(key) +
+                   (word.empty() ? ", the line ends early" : ", found " + in_quotes(word)));
     vector[i] = *number;
   }
   return Done{};
@@ -84,7 +80,7 @@ Status AsfParser::read_order(std::string_view word, RotationOrder& order) const 
   const std::string letters = lower_case(word);
   if (letters.size() != 3 ||
       !std::is_permutation(letters.begin(), letters.end(), std::string_view("xyz").begin()))
-    return error("expected an order of the axes such as XYZ, found " + quoted(word));
+    return error("expected an order of the axes such as XYZ, found " + in_quotes(word));
   for (std::size_t i = 0; i < 3; ++i) order[i] = letters[i] - 'x';
   return Done{};
 }
@@ -96,11 +92,11 @@ Status AsfParser::read_dofs(std::string_view rest, bool is_root, std::vector<Acc
     const bool turns = name.size() == 2 && name[0] == 'r' && name[1] >= 'x' && name[1] <= 'z';
     const bool moves = name.size() == 2 && name[0] == 't' && name[1] >= 'x' && name[1] <= 'z';
     if (!turns && !(moves && is_root))
-      return error("cannot read the degree of freedom " + quoted(word) + "; bones may have rx, ry and rz" +
+      return error("cannot read the degree of freedom " + in_quotes(word) + "; bones may have rx, ry and rz" +
                    (is_root ? ", the root also TX, TY and TZ" : " (only the root moves)"));
     const AcclaimBone::Dof dof = name[1] - 'x' + (moves ? 3 : 0);
     if (std::find(dofs.begin(), dofs.end(), dof) != dofs.end())
-      return error("the degree of freedom " + quoted(word) + " is named twice");
+      return error("the degree of freedom " + in_quotes(word) + " is named twice");
     dofs.push_back(dof);
   }
   return Done{};
@@ -111,12 +107,12 @@ Status AsfParser::read_units(std::string_view key, std::string_view rest) {
   if (key == "length") {
     const auto number = parse_number(word);
     if (!number || !(*number > 0) || !std::isfinite(*number))
-      return error("expected a length unit above 0, found " + quoted(word));
+      return error("expected a length unit above 0, found " + in_quotes(word));
     skeleton_.length_unit = *number;
   } else if (key == "angle") {
     const std::string unit = lower_case(word);
     if (unit != "deg" && unit != "rad")
-      return error("expected 'angle deg' or 'angle rad', found " + quoted(word));
+      return error("expected 'angle deg' or 'angle rad', found " + in_quotes(word));
     skeleton_.degrees = unit == "deg";
   }
   return Done{};
@@ -135,8 +131,9 @@ Status AsfParser::finish_bone() {
     return error_at(where_, current_.line, "the bone that begins here has no name");
   for (const RawBone& other : bones_)
     if (other.bone.name == current_.bone.name)
-      return error_at(where_, current_.line,
-                      "there is a second bone " + quoted(current_.bone.name) + "; bone names must be unique");
+      return error_at(
+          where_, current_.line,
+          "there is a second bone " + in_quotes(current_.bone.name) + "; bone names must be unique");
   if (current_.bone.name == "root") return error_at(where_, current_.line, "a bone cannot be called 'root'");
   bones_.push_back(current_);
   inside_bone_ = false;
@@ -151,7 +148,7 @@ Status AsfParser::read_bone(std::string_view key, std::string_view rest) {
     current_.line = lines_.number();
     return Done{};
   }
-  if (!inside_bone_) return error("expected 'begin', found " + quoted(key));
+  if (!inside_bone_) return error("expected 'begin', found " + in_quotes(key));
   if (key == "end") return finish_bone();
   if (key == "name") {
     current_.bone.name = trimmed(rest);
@@ -160,7 +157,8 @@ Status AsfParser::read_bone(std::string_view key, std::string_view rest) {
   } else if (key == "length") {
     const std::string_view word = take_word(rest);
     const auto number = parse_number(word);
-    if (!number || !std::isfinite(*number)) return error("expected the bone's length, found " + quoted(word));
+    if (!number || !std::isfinite(*number))
+      return error("expected the bone's length, found " + in_quotes(word));
     current_.length = *number;
   } else if (key == "axis") {
     if (const Status read = read_vector(key, rest, current_.axis_angles); !read) return read;
@@ -170,7 +168,7 @@ Status AsfParser::read_bone(std::string_view key, std::string_view rest) {
     return read_dofs(rest, false, current_.bone.dofs);
   } else if (key != "id" && key != "limits" && key != "bodymass" && key != "cofmass" && key.front() != '(') {
     skeleton_.warnings.push_back(
-        {"unknown-field", lines_.number(), "the field " + quoted(key) + " was not used"});
+        {"unknown-field", lines_.number(), "the field " + in_quotes(key) + " was not used"});
   }
   return Done{};
 }
@@ -180,7 +178,7 @@ Status AsfParser::read_hierarchy(std::string_view parent, std::string_view child
   for (std::string_view child = take_word(children); !child.empty(); child = take_word(children)) {
     const auto [known, is_new] = parents_.emplace(child, parent);
     if (!is_new)
-      return error("the bone " + quoted(child) + " already has the parent " + quoted(known->second));
+      return error("the bone " + in_quotes(child) + " already has the parent " + in_quotes(known->second));
   }
   return Done{};
 }
@@ -224,13 +222,14 @@ Result<AcclaimSkeleton> AsfParser::assemble() {
   }
   for (std::size_t b = 0; b < bones_.size(); ++b)
     if (!placed[b])
-      return error_at(where_, bones_[b].line,
-                      "the bone " + quoted(bones_[b].bone.name) + " is not joined to the root by :hierarchy");
+      return error_at(
+          where_, bones_[b].line,
+          "the bone " + in_quotes(bones_[b].bone.name) + " is not joined to the root by :hierarchy");
   for (const auto& entry : parents_) {
     const auto& child = entry.first;
     if (std::none_of(bones_.begin(), bones_.end(),
                      [&](const RawBone& raw) { return raw.bone.name == child; }))
-      return Error{":hierarchy names the bone " + quoted(child) + ", which :bonedata does not describe",
+      return Error{":hierarchy names the bone " + in_quotes(child) + ", which :bonedata does not describe",
                    where_};
   }
   return std::move(skeleton_);

@@ -13,10 +13,6 @@ namespace abrazo {
 
 namespace {
 
-std::string quoted(std::string_view word) {
-  return "'" + std::string(word) + "'";
-}
-
 /// End points of all bones for one frame of values.
 class AcclaimPose {
  public:
@@ -124,7 +120,8 @@ AmcParser::AmcParser(std::string_view text, std::string_view where, const Acclai
 Status AmcParser::read_header(std::string_view word) {
   const std::string name = lower_case(word);
   if (name != ":degrees" && name != ":radians") return Done{};
-  if (!motion_.frames.empty() || begun_ > 0) return error(quoted(word) + " must come before the first frame");
+  if (!motion_.frames.empty() || begun_ > 0)
+    return error(in_quotes(word) + " must come before the first frame");
   degrees_ = name == ":degrees";
   if (degrees_ != skeleton_.degrees)
     warn("angle-unit", lines_.number(),
@@ -160,25 +157,26 @@ Status AmcParser::read_bone(std::string_view name, std::string_view rest) {
   const auto found = bone_of_name_.find(name);
   if (found == bone_of_name_.end()) {
     if (cut_off_ = at_last_line() && begun_ > 1; cut_off_) return Done{};
-    return error("the skeleton has no bone " + quoted(name) + "; is it the .asf this motion was made with?");
+    return error("the skeleton has no bone " + in_quotes(name) +
+                 "; is it the .asf this motion was made with?");
   }
   const std::size_t b = found->second;
   const std::size_t expected = values_[b].size();
   if (last_seen_[b] == begun_)
-    return error("frame " + std::to_string(frame_number_) + " has " + quoted(name) + " twice");
+    return error("frame " + std::to_string(frame_number_) + " has " + in_quotes(name) + " twice");
   std::size_t count = 0;
   for (std::string_view word = take_word(rest); !word.empty(); word = take_word(rest), ++count) {
     const auto number = parse_number(word);
     if (!number || !std::isfinite(*number)) {
       if (cut_off_ = !number && at_last_line() && begun_ > 1; cut_off_) return Done{};
-      return error("frame " + std::to_string(frame_number_) + ": expected a number for " + quoted(name) +
-                   ", found " + quoted(word));
+      return error("frame " + std::to_string(frame_number_) + ": expected a number for " + in_quotes(name) +
+                   ", found " + in_quotes(word));
     }
     if (count < expected) values_[b][count] = *number;
   }
   if (count != expected) {
     if (cut_off_ = count < expected && at_last_line() && begun_ > 1; cut_off_) return Done{};
-    return error("expected " + std::to_string(expected) + " values for " + quoted(name) +
+    return error("expected " + std::to_string(expected) + " values for " + in_quotes(name) +
                  " (its dof line in the skeleton), found " + std::to_string(count));
   }
   last_seen_[b] = begun_;
@@ -193,7 +191,7 @@ Status AmcParser::read_line(std::string_view line) {
   if (word.front() == ':') return read_header(word);
   if (trimmed(rest).empty())
     if (const auto number = parse_integer(word)) return begin_frame(*number);
-  if (begun_ == 0) return error("expected a frame number, found " + quoted(word));
+  if (begun_ == 0) return error("expected a frame number, found " + in_quotes(word));
   return read_bone(word, rest);
 }
 
@@ -211,7 +209,7 @@ void AmcParser::report_absences() {
   for (std::size_t b = 0; b < absences_.size(); ++b) {
     const Absence& absence = absences_[b];
     if (absence.frames == 0) continue;
-    const std::string name = quoted(skeleton_.bones[b].name);
+    const std::string name = in_quotes(skeleton_.bones[b].name);
     if (absence.frames == motion_.frames.size())
       warn("missing-bone", absence.first_line, name + " has no values in any frame; it was kept at rest");
     else

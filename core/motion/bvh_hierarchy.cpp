@@ -10,10 +10,6 @@ namespace abrazo {
 
 namespace {
 
-std::string quoted(std::string_view word) {
-  return "'" + std::string(word) + "'";
-}
-
 /// A number whose decimal sign may be a comma.
 std::optional<double> lenient_number(std::string_view word) {
   std::string text(word);
@@ -54,17 +50,17 @@ std::string HierarchyParser::unique_name(const std::string& wanted, bool is_end_
   if (name != wanted && !is_end_site)
     hierarchy_.warnings.push_back(
         {"duplicate-name", lines_.number(),
-         "there is a second joint " + quoted(wanted) + "; it is called " + quoted(name) + " here"});
+         "there is a second joint " + in_quotes(wanted) + "; it is called " + in_quotes(name) + " here"});
   return name;
 }
 
 Status HierarchyParser::open_node(std::string_view kind, std::string_view name) {
-  if (brace_expected_) return error("expected '{', found " + quoted(kind));
+  if (brace_expected_) return error("expected '{', found " + in_quotes(kind));
   BvhNode node;
   const bool is_root = kind == "root";
   if (is_root != open_.empty())
     return error(is_root ? "a ROOT inside another; is a '}' missing?"
-                         : "expected ROOT before " + quoted(kind));
+                         : "expected ROOT before " + in_quotes(kind));
   if (!is_root) node.parent = open_.back();
   if (!is_root && hierarchy_.nodes[static_cast<std::size_t>(open_.back())].is_end_site)
     return error("an End Site cannot have joints");
@@ -85,7 +81,7 @@ Status HierarchyParser::close_node() {
   const BvhNode& node = hierarchy_.nodes[static_cast<std::size_t>(open_.back())];
   if (!node.has_offset)
     hierarchy_.warnings.push_back({"missing-offset", lines_.number(),
-                                   quoted(node.name) + " has no OFFSET; it was put where its parent is"});
+                                   in_quotes(node.name) + " has no OFFSET; it was put where its parent is"});
   open_.pop_back();
   return Done{};
 }
@@ -97,7 +93,7 @@ Status HierarchyParser::read_offset(std::string_view& rest) {
     const auto number = lenient_number(word);
     if (!number)
       return error("expected three numbers after OFFSET" +
-                   (word.empty() ? ", the line ends early" : ", found " + quoted(word)));
+                   (word.empty() ? ", the line ends early" : ", found " + in_quotes(word)));
     node.offset[axis] = *number;
   }
   node.has_offset = true;
@@ -109,7 +105,7 @@ Status HierarchyParser::read_channels(std::string_view& rest) {
   const std::string_view count_word = take_word(rest);
   const auto count = parse_integer(count_word);
   if (!count || *count < 0 || *count > 6)
-    return error("expected a number of channels from 0 to 6, found " + quoted(count_word));
+    return error("expected a number of channels from 0 to 6, found " + in_quotes(count_word));
   node.channels.clear();
   for (long long i = 0; i < *count; ++i) {
     const std::string_view word = take_word(rest);
@@ -117,7 +113,7 @@ Status HierarchyParser::read_channels(std::string_view& rest) {
     const bool is_position = name.ends_with("position"), is_rotation = name.ends_with("rotation");
     if (!(is_position || is_rotation) || name.size() != 9 || name[0] < 'x' || name[0] > 'z')
       return error("expected " + std::to_string(*count) + " channel names such as Xposition or Zrotation, " +
-                   (word.empty() ? "the line ends early" : "found " + quoted(word)));
+                   (word.empty() ? "the line ends early" : "found " + in_quotes(word)));
     node.channels.push_back(name[0] - 'x' + (is_rotation ? 3 : 0));
   }
   hierarchy_.values_per_row += node.channels.size();
@@ -134,8 +130,8 @@ Status HierarchyParser::read_statement(std::string_view statement) {
   if (key == "root" || key == "joint" || key == "end") return open_node(key, rest);
   if (key != "offset" && key != "channels")
     return error("expected HIERARCHY, ROOT, JOINT, End Site, OFFSET, CHANNELS, a brace or MOTION, found " +
-                 quoted(word));
-  if (open_.empty() || brace_expected_) return error(quoted(word) + " outside the braces of a joint");
+                 in_quotes(word));
+  if (open_.empty() || brace_expected_) return error(in_quotes(word) + " outside the braces of a joint");
   if (key == "channels" && !hierarchy_.nodes[static_cast<std::size_t>(open_.back())].channels.empty())
     return error("the joint has CHANNELS twice");
   if (const Status read = key == "offset" ? read_offset(rest) : read_channels(rest); !read) return read;

@@ -17,10 +17,6 @@ namespace {
 
 constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
-std::string quoted(std::string_view word) {
-  return "'" + std::string(word) + "'";
-}
-
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }
@@ -212,13 +208,13 @@ Result<bool> MotionParser::read_header(std::string_view line) {
   const auto number = parse_number(value);
   if (!number)
     return error(std::string("expected a number after '") + (is_time ? "Frame Time:" : "Frames:") +
-                 "', found " + quoted(value));
+                 "', found " + in_quotes(value));
   if (is_time) {
     frame_time_s_ = *number;
     frame_time_line_ = lines_.number();
     return true;
   }
-  if (!(std::abs(*number) < 1e15)) return error("expected a number of frames, found " + quoted(value));
+  if (!(std::abs(*number) < 1e15)) return error("expected a number of frames, found " + in_quotes(value));
   declared_frames_ = static_cast<long long>(*number);
   frames_line_ = lines_.number();
   // Never trust the count for memory: a frame takes at least two characters per value.
@@ -248,7 +244,7 @@ Status MotionParser::read_row(std::string_view line) {
   RowScanner scanner(line, lines_.number(), glued_, commas_);
   while (scanner.more()) {
     const auto number = scanner.next();
-    if (!number) return bad_value(row_.size(), quoted(scanner.word()));
+    if (!number) return bad_value(row_.size(), in_quotes(scanner.word()));
     if (!std::isfinite(*number))
       return bad_value(row_.size(), std::isnan(*number) ? "'nan'" : "an infinite value");
     row_.push_back(*number);

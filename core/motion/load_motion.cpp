@@ -32,8 +32,10 @@ Result<fs::path> skeleton_beside(const fs::path& motion) {
     name.resize(cut == std::string::npos ? 0 : cut);
   }
   if (skeletons.size() == 1) return skeletons.front();
-  return Error{"an .amc needs its skeleton and none of the " + std::to_string(skeletons.size()) +
-                   " .asf files beside it has its name; name the .asf (--skeleton FILE)",
+  const std::string found = skeletons.empty() ? "there is no .asf beside it"
+                                              : "none of the " + std::to_string(skeletons.size()) +
+                                                    " .asf files beside it has its name";
+  return Error{"an .amc needs its skeleton and " + found + "; name the .asf (--skeleton FILE)",
                motion.string()};
 }
 

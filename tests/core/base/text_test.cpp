@@ -77,5 +77,18 @@ TEST(Text, IgnoresTheLocale) {
   std::setlocale(LC_ALL, before.c_str());
 }
 
+TEST(Text, AWordInAMessageIsPrintableAndNotLong) {
+  EXPECT_EQ(in_quotes("Hips"), "'Hips'");
+  EXPECT_EQ(in_quotes("H\xc3\xbc"
+                      "fte"),
+            "'H\xc3\xbc"
+            "fte'");
+  EXPECT_EQ(in_quotes(std::string_view("\x01\xff"
+                                       "a\0b",
+                                       5)),
+            "'??a?b'");
+  EXPECT_EQ(in_quotes(std::string(50, 'x')), "'" + std::string(40, 'x') + "...'");
+}
+
 }  // namespace
 }  // namespace abrazo
