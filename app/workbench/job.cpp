@@ -29,7 +29,7 @@ void Job::retire(std::unique_ptr<Job> job, QObject* owner) {
   job->disconnect();
   job->setParent(owner);
   connect(job.get(), &Job::finished, job.get(), &QObject::deleteLater);
-  job.release();
+  static_cast<void>(job.release());  // its owner is the parent now
 }
 
 Job::~Job() {

@@ -84,7 +84,7 @@ class MainWindow : public QMainWindow {
   void wireViews();
   void wireTransport();
   void showPanels();
-  void start(std::shared_ptr<PreparedSolver> prepared);
+  void start(const std::shared_ptr<PreparedSolver>& prepared);
   void showFailure(const QString& message);
 
   UserSettings& m_remembered;

@@ -176,7 +176,7 @@ Result<Material> load_material(const std::vector<std::string>& files, const Mate
     auto demo = make_demo(progress);
     if (!demo) return demo.error();
     material.library = demo->library;
-    material.warnings.push_back(
+    material.warnings.emplace_back(
         "no library is open: a generated dance answers; open a library (.h5) or a manifest");
   }
   if (new_library && !new_input) take_input_from_library(material);

@@ -89,6 +89,7 @@ void StatusFigures::paintEvent(QPaintEvent*) {
     return widgets::tabular_width(plain, f.name) + 5 + widgets::tabular_width(strong, f.value) + 18;
   };
   double right = width() - 14.0;
+  // NOLINTNEXTLINE(modernize-loop-convert): clang 14 does not compile gcc 12's std::views::reverse
   for (auto figure = m_right.rbegin(); figure != m_right.rend(); ++figure) {
     double x = right - wide(*figure) + 18;
     right = x - 18;

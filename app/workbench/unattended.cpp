@@ -94,8 +94,8 @@ QString Unattended::writeMotion(const QString& file) const {
   if (frames.size() < 2) return file + ": fewer than two frames were solved; wait longer (--after)";
   Clip active{"active", 60, {}}, passive{"passive", 60, {}};
   for (const FrameSnapshotPtr& frame : frames) {
-    active.poses.push_back(frame->result.active());
-    passive.poses.push_back(frame->result.passive());
+    active.poses.emplace_back(frame->result.active());
+    passive.poses.emplace_back(frame->result.passive());
   }
   const double lasted = frames.back()->time_s - frames.front()->time_s;
   active.fps = passive.fps = lasted > 0 ? static_cast<double>(frames.size() - 1) / lasted : 60;

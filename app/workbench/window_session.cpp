@@ -46,7 +46,7 @@ void MainWindow::openMaterial(MakeMaterial make) {
   connect(m_job.get(), &Job::finished, m_messages, &widgets::MessageBar::endProgress);
 }
 
-void MainWindow::start(std::shared_ptr<PreparedSolver> prepared) {
+void MainWindow::start(const std::shared_ptr<PreparedSolver>& prepared) {
   m_ticker.setSources(nullptr, nullptr);
   m_plots->clear();
   m_session.reset();

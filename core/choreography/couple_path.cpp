@@ -64,8 +64,8 @@ CouplePath::CouplePath(const std::vector<SalsaPhrase>& phrases)
       follower_turn.push_back(turn_from_partner(phrases[p], half_beat, done));
       // He gives way, so that her path is nearly straight.
       const double way = phrases[p].move == SalsaMove::CrossBodyLead ? 0.05 * smooth_bump(done) : 0;
-      centre.push_back(centre_before + done * phrases[p].travel -
-                       way * forward_of(heading_before + 0.5 * phrases[p].couple_turn));
+      centre.emplace_back(centre_before + done * phrases[p].travel -
+                          way * forward_of(heading_before + 0.5 * phrases[p].couple_turn));
       heading.push_back(heading_before + done * phrases[p].couple_turn);
       distance.push_back(eased(phrases, {p, half_beat}, &SalsaPhrase::distance));
       offset.push_back(eased(phrases, {p, half_beat}, &SalsaPhrase::offset));

@@ -20,7 +20,6 @@ double usual_distance(SalsaMove move) {
     case SalsaMove::ClosedHold:
       return 0.53;
     case SalsaMove::Turn:
-      return 0.62;
     case SalsaMove::CrossBodyLead:
       return 0.62;
   }

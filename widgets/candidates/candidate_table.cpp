@@ -64,7 +64,7 @@ QString CandidateTable::reason() const {
   return m_reason->text();
 }
 
-void CandidateTable::showFrame(FrameSnapshotPtr frame) {
+void CandidateTable::showFrame(const FrameSnapshotPtr& frame) {
   if (!frame || !m_library) return;
   auto rows = candidate_rows(*frame, *m_library);
   m_reason->setText(QString::fromStdString(winning_reason(rows)));

@@ -27,7 +27,7 @@ class CandidateTable : public QWidget {
   QString reason() const;
 
  public slots:
-  void showFrame(abrazo::FrameSnapshotPtr frame);
+  void showFrame(const abrazo::FrameSnapshotPtr& frame);
 
  signals:
   /// Index into the frame's candidates; -1 when the pointer left.

@@ -44,6 +44,7 @@ void SectionHeader::paintEvent(QPaintEvent*) {
   painter.setFont(interface_font(11));
   for (const Key& key : m_keys) wide += painter.fontMetrics().horizontalAdvance(key.name) + 20;
   int right = width() - 12;
+  // NOLINTNEXTLINE(modernize-loop-convert): clang 14 does not compile gcc 12's std::views::reverse
   for (auto key = m_keys.rbegin(); key != m_keys.rend(); ++key) {
     const QString name = nameOf(*key, wide > width());
     const int text = painter.fontMetrics().horizontalAdvance(name);

@@ -76,7 +76,7 @@ void PlotPane::setColours(const Palette& palette, const std::vector<QColor>& cur
   }
   m_plot->xAxis->grid()->setVisible(false);
   for (int c = 0; c < curveCount(); ++c) {
-    const QColor colour = curves[static_cast<std::size_t>(c)];
+    const QColor& colour = curves[static_cast<std::size_t>(c)];
     m_plot->graph(c)->setPen(QPen(colour, 1.3));
     QCPGraph* marks = m_plot->graph(curveCount() + c);
     marks->setLineStyle(QCPGraph::lsNone);

@@ -16,6 +16,7 @@ using Rgba = std::array<unsigned char, 4>;
 
 std::vector<Line> bone_lines(int first_vertex) {
   std::vector<Line> lines;
+  lines.reserve(bone_count);
   for (int b = 0; b < bone_count; ++b)
     lines.push_back({first_vertex + bone(b).first, first_vertex + bone(b).second});
   return lines;
