@@ -9,7 +9,8 @@ namespace abrazo {
 /// The value below which about `fraction` of the values lie (nearest rank); 0 for none.
 inline double percentile(std::vector<double> values, double fraction) {
   if (values.empty()) return 0;
-  const auto nth = values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
+  const auto nth =
+      values.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(values.size() - 1));
   std::nth_element(values.begin(), nth, values.end());
   return *nth;
 }

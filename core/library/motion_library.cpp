@@ -32,7 +32,8 @@ bool name_vertices(const std::vector<std::array<std::uint8_t, n>>& items) {
   });
 }
 
-/// Edges of each pair smaller vertex first, ascending, none twice: what the solver's tables of neighbours rely on.
+/// Edges of each pair smaller vertex first, ascending, none twice: what the solver's tables of neighbours
+/// rely on.
 bool edges_in_order(const LibraryColumns& columns) {
   for (std::size_t pair = 0; pair + 1 < columns.edge_offsets.size(); ++pair)
     for (std::uint64_t e = columns.edge_offsets[pair]; e < columns.edge_offsets[pair + 1]; ++e) {
@@ -111,7 +112,8 @@ void check_meshes(const LibraryColumns& columns) {
 void check(const LibraryColumns& columns) {
   const std::size_t pairs = columns.sources.size();
   require(!columns.bodies.empty() && pairs > 0, "there are no pairs");
-  require(std::all_of(columns.bodies.begin(), columns.bodies.end(), is_plausible), "a body has a length that is no length");
+  require(std::all_of(columns.bodies.begin(), columns.bodies.end(), is_plausible),
+          "a body has a length that is no length");
   require(columns.rate_hz > 0 && std::isfinite(columns.rate_hz), "the library has no rate");
   require(columns.roots.size() == pairs && columns.poses.size() == pairs &&
               columns.features.size() == pairs && columns.mesh_quality.size() == pairs,
@@ -142,7 +144,8 @@ MotionLibrary::MotionLibrary(LibraryColumns columns) : columns_(std::move(column
   }
   // Of equally frequent ones that of the first pair, with its performer A active.
   const LibraryTake& first = columns_.takes[columns_.sources.front().take];
-  auto usual = columns_.roles_exchanged ? std::pair(first.body_b, first.body_a) : std::pair(first.body_a, first.body_b);
+  auto usual = columns_.roles_exchanged ? std::pair(first.body_b, first.body_a)
+                                        : std::pair(first.body_a, first.body_b);
   for (const auto& [couple, count] : couples)
     if (count > couples[usual]) usual = couple;
   std::tie(usual_active_, usual_passive_) = usual;

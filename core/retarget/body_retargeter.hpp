@@ -9,9 +9,12 @@ namespace abrazo {
 /// A function of the pose alone, so planted feet stay planted without a memory:
 /// - the path of root and feet is scaled by the ratio of the leg lengths about the floor under the origin;
 /// - spine, neck and shoulder girdle keep their directions, with the library's lengths;
-/// - a leg reaches its scaled toe base, an arm the same share of its reach in the same direction from the shoulder,
-///   by two-bone inverse kinematics in the user's own plane of the limb; feet, toes and hands keep their directions.
-/// When a leg cannot reach its foot the root goes down, not the foot (unless the foot is too far to the side for that).
+/// - a leg reaches its scaled toe base, an arm the same share of its reach in the same direction from the
+/// shoulder,
+///   by two-bone inverse kinematics in the user's own plane of the limb; feet, toes and hands keep their
+///   directions.
+/// When a leg cannot reach its foot the root goes down, not the foot (unless the foot is too far to the side
+/// for that).
 class BodyRetargeter {
  public:
   BodyRetargeter(const Body& user, const Body& library_body, bool scale_root_path = true);
@@ -36,6 +39,7 @@ class BodyRetargeter {
 
 /// Elbow or knee of a two-bone limb from `root` to `end`, bent towards the side on which `bend_hint` lies.
 /// An end out of reach is approached as far as 99.99 % of the limb. @param[in,out] end  moved within reach
-Vec3 two_bone_joint(const Vec3& root, Vec3& end, double upper_length, double lower_length, const Vec3& bend_hint);
+Vec3 two_bone_joint(const Vec3& root, Vec3& end, double upper_length, double lower_length,
+                    const Vec3& bend_hint);
 
 }  // namespace abrazo

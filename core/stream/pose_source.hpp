@@ -10,11 +10,11 @@ namespace abrazo {
 
 /// A pose of the user as it arrived.
 struct SourcePose {
-  Pose pose = Pose::Zero();     ///< world [m]
-  double time_s = 0;            ///< on the source's own clock
-  std::int64_t frame = -1;      ///< of the clip; -1 for a device
-  bool discontinuous = false;   ///< does not follow from the previous one (loop, seek, tracking loss)
-  std::uint64_t dropped = 0;    ///< poses replaced by newer ones since the start
+  Pose pose = Pose::Zero();    ///< world [m]
+  double time_s = 0;           ///< on the source's own clock
+  std::int64_t frame = -1;     ///< of the clip; -1 for a device
+  bool discontinuous = false;  ///< does not follow from the previous one (loop, seek, tracking loss)
+  std::uint64_t dropped = 0;   ///< poses replaced by newer ones since the start
 };
 
 /// Where the user's motion comes from. Polled by the solver thread with the session clock.

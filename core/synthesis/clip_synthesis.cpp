@@ -11,7 +11,7 @@ namespace abrazo {
 namespace {
 constexpr double highest_rate_hz = 120;
 constexpr double lowest_rate_hz = 5;  ///< below, every step would come after a tracking loss
-}
+}  // namespace
 
 double clip_step_rate(const Clip& clip, const Settings& settings) {
   const double wanted = settings.step_rate_hz > 0 ? settings.step_rate_hz : highest_rate_hz;
@@ -22,8 +22,10 @@ Status synthesize_clip(PartnerSynthesizer& synthesizer, const Clip& clip,
                        const std::function<Status(const ClipStep&)>& each, const Progress& progress) {
   if (clip.poses.empty()) return Error{"the input has no frames", clip.name};
   if (!(clip.fps >= lowest_rate_hz))
-    return Error{"the input has " + exact_text(clip.fps) + " frames per second; at least 5 are needed (set --fps if the file's "
-                 "rate is wrong)", clip.name};
+    return Error{"the input has " + exact_text(clip.fps) +
+                     " frames per second; at least 5 are needed (set --fps if the file's "
+                     "rate is wrong)",
+                 clip.name};
   synthesizer.set_user_body(body_of(clip.poses));
   const double rate = clip_step_rate(clip, synthesizer.settings());
   const auto frames = static_cast<long long>(clip.poses.size());

@@ -52,8 +52,9 @@ bool FramePipeline::measure(const Pose& user) {
   if (user_body_) return true;
   const Body body = body_of(user);
   const double height = body.height();
-  const bool plausible = height > smallest_user_m && height < largest_user_m &&
-                         *std::min_element(body.bone_lengths.begin(), body.bone_lengths.end()) > 1e-4;
+  const bool plausible =
+      height > smallest_user_m &&
+      height<largest_user_m&& * std::min_element(body.bone_lengths.begin(), body.bone_lengths.end())> 1e-4;
   if (plausible) user_body_ = body;
   return plausible;
 }
@@ -151,7 +152,8 @@ void FramePipeline::follow_source(double dt_s) {
     const int frames = static_cast<int>(now.frame) - static_cast<int>(before.frame);
     // From standing still to three times the expected pace it is still the same stretch of recorded motion.
     const int most = std::max(3, 3 * advance * library_->take_of(pair).frame_stride);
-    out_.source_changed = now.take != before.take || now.swapped != before.swapped || frames < 0 || frames > most;
+    out_.source_changed =
+        now.take != before.take || now.swapped != before.swapped || frames < 0 || frames > most;
     const int continued = library_->later_pair(current_pair_, advance);
     if (settings_.transition_half_life_s > 0 && pair != continued) {
       const Pose chosen = out_.selected_pair.bottomRows<joint_count>();
@@ -189,7 +191,8 @@ FootLocks::Situations FramePipeline::feet(double dt_s) const {
     const Body& body = is_active ? active : passive;
     foot.toe_base = is_active ? Vec3(out_.query_world.row(toe_base)) : Vec3(out_.selected_pair.row(toe_base));
     foot.hip = is_active ? Vec3(out_.query_world.row(hip)) : Vec3(out_.selected_pair.row(hip));
-    foot.leg_length = (is_active ? library_->usual_active_body() : library_->usual_passive_body()).body.leg_length();
+    foot.leg_length =
+        (is_active ? library_->usual_active_body() : library_->usual_passive_body()).body.leg_length();
     const bool low = foot.toe_base.y() < body.toe_rest_height + landed_height_m;
     bool slow = true;
     if (settings_.foot_lock_speed > 0) {
@@ -282,7 +285,8 @@ void FramePipeline::remember(double dt_s) {
   ++frames_since_reset_;
 }
 
-/// Nothing of the previous frame is left to be taken for this one's, but the poses that are held when it fails.
+/// Nothing of the previous frame is left to be taken for this one's, but the poses that are held when it
+/// fails.
 void FramePipeline::begin_frame() {
   out_.query_world.setZero();
   out_.query_normalized.setZero();

@@ -58,7 +58,8 @@ struct FrameResult {
 
   std::vector<Candidate> candidates;  ///< ascending feature distance
   int selected = -1;                  ///< index into candidates; -1 when nothing could be selected
-  bool source_changed = false;  ///< not the same take within 0 to 3 times the expected pace of the previous one
+  bool source_changed =
+      false;  ///< not the same take within 0 to 3 times the expected pace of the previous one
 
   PairPose selected_pair = PairPose::Zero();  ///< q''_sel: what was edited
   std::vector<MeshEdge> edges;
@@ -72,7 +73,8 @@ struct FrameResult {
   FrameEnergy energy;
   FrameResidual residual;
   std::vector<FootLock> foot_locks;
-  std::vector<CapsuleContact> collisions;  ///< that overlap, deepest first; hands that hold one another left out
+  std::vector<CapsuleContact>
+      collisions;  ///< that overlap, deepest first; hands that hold one another left out
   StepStatus status = StepStatus::Failed;
   std::string message = "not solved yet";  ///< why it was relaxed or failed
   StepTiming timing;

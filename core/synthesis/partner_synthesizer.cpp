@@ -46,7 +46,7 @@ struct PartnerSynthesizer::State {
   std::optional<int> pinned;
   std::unique_ptr<FramePipeline> pipeline;
   double unsolved_s = 0;  ///< since the last frame that was solved
-  FrameResult shown;  ///< of a passive user, in the order active, passive
+  FrameResult shown;      ///< of a passive user, in the order active, passive
 
   bool user_is_passive() const { return settings.user_role == UserRole::Passive; }
 
@@ -81,7 +81,8 @@ PartnerSynthesizer::~PartnerSynthesizer() = default;
 
 const FrameResult& PartnerSynthesizer::step(const Pose& user, Duration elapsed) {
   FramePipeline& pipeline = *state_->pipeline;
-  // Frames that gave nothing count as time without tracking: velocities and locks belong to the last one solved.
+  // Frames that gave nothing count as time without tracking: velocities and locks belong to the last one
+  // solved.
   const double since_solved_s = state_->unsolved_s + std::max(0.0, elapsed.count());
   const bool starts = !(elapsed.count() > 0) || since_solved_s > tracking_loss_s;
   state_->unsolved_s = since_solved_s;

@@ -15,7 +15,6 @@ namespace abrazo {
 
 namespace {
 
-
 double mean(const std::vector<double>& values) {
   return values.empty()
              ? 0

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double reference_rate_hz = 15;
 constexpr double lowest_step_rate_hz = 5;
-constexpr double highest_rate_hz = 240;  ///< poses closer than this are weighed as if they were this far apart
+constexpr double highest_rate_hz =
+    240;  ///< poses closer than this are weighed as if they were this far apart
 
 using Kind = SettingInfo::Kind;
 
@@ -121,8 +122,9 @@ Status set_checked(Settings& settings, const Entry& found, double value, std::st
                        std::string(info.kind == Kind::Integer ? "a whole number" : "a number") + " from " +
                            exact_text(info.minimum) + " to " + exact_text(info.maximum) + " is expected");
   if (info.key == "step-rate" && value > 0 && value < lowest_step_rate_hz)
-    return wrong_value(info, text, "0 (the input's own rate) or a number from 5 to 120 is expected: after a gap of 0.3 s "
-                                   "every step would be a first one");
+    return wrong_value(info, text,
+                       "0 (the input's own rate) or a number from 5 to 120 is expected: after a gap of 0.3 s "
+                       "every step would be a first one");
   found.set(settings, value);
   return Done{};
 }
