@@ -46,5 +46,7 @@ void add_motion_command(CommandLine& line);
 void add_library_command(CommandLine& line);
 void add_synth_command(CommandLine& line);
 void add_demo_command(CommandLine& line);
+void add_evaluate_command(CommandLine& line);
+void add_sweep_command(CommandLine& line);
 
 }  // namespace abrazo::app

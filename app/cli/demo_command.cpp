@@ -1,6 +1,6 @@
 #include <fmt/core.h>
 
-#include <cstdint>
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <memory>
@@ -9,16 +9,20 @@
 #include "app/cli/interruption.hpp"
 #include "core/base/text.hpp"
 #include "core/choreography/demo_set.hpp"
+#include "core/choreography/fight.hpp"
 #include "core/choreography/salsa.hpp"
 
 namespace abrazo::app {
 namespace {
 
+/// A number for both performers, or one for each.
+using OneOrTwo = std::vector<double>;
+
 struct DemoArguments {
   std::string folder;
   std::string style = "salsa";
-  std::uint64_t seed = 1;
-  double minutes = 1;
+  ChoreographyOptions options;
+  OneOrTwo height, arms, legs, skill, amplitude, timing_error, wander;
 };
 
 /// CLI11 takes -1 and numbers beyond 64 bits for another seed without a word.
@@ -51,17 +55,50 @@ std::string summary(const std::vector<PairedTake>& takes, const std::filesystem:
                             manifest.string(), (manifest.parent_path() / "library.h5").string());
 }
 
+/// The value for performer 0 or 1; what was not given stays.
+void take_over(const OneOrTwo& given, std::size_t performer, double& value) {
+  if (!given.empty()) value = given[std::min(performer, given.size() - 1)];
+}
+
+ChoreographyOptions choreography(const DemoArguments& arguments) {
+  ChoreographyOptions options = arguments.options;
+  if (arguments.style == "fight") options.b.height_m = 1.72;
+  std::size_t performer = 0;
+  for (PerformerOptions* build : {&options.a, &options.b}) {
+    take_over(arguments.height, performer, build->height_m);
+    take_over(arguments.arms, performer, build->arm_scale);
+    take_over(arguments.legs, performer, build->leg_scale);
+    double skill = 1;
+    take_over(arguments.skill, performer, skill);
+    build->performance = performance_of_skill(skill);
+    take_over(arguments.amplitude, performer, build->performance.amplitude);
+    take_over(arguments.timing_error, performer, build->performance.timing_error_s);
+    take_over(arguments.wander, performer, build->performance.wander_m);
+    ++performer;
+  }
+  return options;
+}
+
 void run_demo(CommandLine& line, const DemoArguments& arguments) {
-  if (arguments.style != "salsa")
-    return fail(line,
-                {"only salsa can be generated so far; use --style salsa", "--style " + arguments.style});
+  const ChoreographyOptions options = choreography(arguments);
   const std::vector<PairedTake> takes =
-      generate_salsa({.seed = arguments.seed, .minutes = arguments.minutes});
+      arguments.style == "fight" ? generate_fight(options) : generate_salsa(options);
   if (interrupted()) return fail(line, {"cancelled", arguments.folder});
-  const auto manifest = write_demo_set(takes, fmt::format("demo-salsa-{}", arguments.seed), arguments.folder,
-                                       terminal_progress(line));
+  const auto manifest = write_demo_set(takes, fmt::format("demo-{}-{}", arguments.style, options.seed),
+                                       arguments.folder, terminal_progress(line));
   if (!manifest) return fail(line, manifest.error());
   if (!line.quiet) answer(line, summary(takes, *manifest));
+}
+
+void add_performer_option(CLI::App& demo, const char* name, OneOrTwo& values, double low, double high,
+                          const std::string& help) {
+  demo.add_option(name, values, help)
+      ->delimiter(',')
+      ->expected(1, 2)
+      ->allow_extra_args(false)
+      ->check(CLI::Range(low, high))
+      ->type_name("A[,B]")
+      ->group("Performers");
 }
 
 }  // namespace
@@ -74,11 +111,11 @@ void add_demo_command(CommandLine& line) {
       ->required()
       ->check([](const std::string& word) { return std::string(word.empty() ? "the name is empty" : ""); })
       ->type_name("DIR");
-  demo->add_option("--seed", arguments->seed, "same seed, same dance")
+  demo->add_option("--seed", arguments->options.seed, "same seed, same dance")
       ->check(whole_number)
       ->type_name("N")
       ->capture_default_str();
-  demo->add_option("--minutes", arguments->minutes, "of motion in all, to the nearest 8-count; 0.01 to 600")
+  demo->add_option("--minutes", arguments->options.minutes, "of motion in all; 0.01 to 600")
       ->check(minutes_range)
       ->type_name("MINUTES")
       ->capture_default_str();
@@ -86,6 +123,30 @@ void add_demo_command(CommandLine& line) {
       ->check(CLI::IsMember({"salsa", "fight"}))
       ->type_name("STYLE")
       ->capture_default_str();
+  demo->add_option("--tempo", arguments->options.tempo_bpm,
+                   "salsa: beats a minute, 120 to 220; drawn from 160 to 190 for every take when not given")
+      ->check(CLI::Range(120.0, 220.0))
+      ->type_name("BPM");
+  demo->add_option("--pace", arguments->options.pace, "fight: speed of blows and footwork against the usual")
+      ->check(CLI::Range(0.5, 1.5))
+      ->type_name("FACTOR")
+      ->capture_default_str();
+  demo->add_option("--take-seconds", arguments->options.take_seconds, "length of a take, about")
+      ->check(CLI::Range(5.0, 600.0))
+      ->type_name("SECONDS")
+      ->capture_default_str();
+  add_performer_option(*demo, "--height", arguments->height, 1.4, 2.2,
+                       "metres; 1.80,1.66 for salsa and 1.80,1.72 for fight when not given");
+  add_performer_option(*demo, "--arms", arguments->arms, 0.8, 1.25, "length of the arms against the usual");
+  add_performer_option(*demo, "--legs", arguments->legs, 0.85, 1.15, "length of the legs against the usual");
+  add_performer_option(*demo, "--skill", arguments->skill, 0, 1,
+                       "from a first lesson (0) to an expert (1, the default): sets the three below");
+  add_performer_option(*demo, "--amplitude", arguments->amplitude, 0.5, 1.3,
+                       "size of steps, hips, arms and blows; 1 for an expert");
+  add_performer_option(*demo, "--timing-error", arguments->timing_error, 0, 0.25,
+                       "how early or late moves are begun, standard deviation in seconds");
+  add_performer_option(*demo, "--wander", arguments->wander, 0, 0.1,
+                       "slow random drift of trunk and hands, rms in metres");
   demo->callback([&line, arguments] { run_demo(line, *arguments); });
 }
 

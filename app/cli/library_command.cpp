@@ -333,6 +333,9 @@ void add_build(CLI::App& library, CommandLine& line) {
       ->allow_extra_args(false)  // otherwise it also takes the words that follow
       ->take_all()
       ->type_name("TAKE");
+  command->add_flag("--both-roles", arguments->options.both_roles,
+                    "either performer may be the active one in every frame, whatever the roles say (doubles "
+                    "the library; for fights, whose users attack and defend in turn)");
   command->add_option("--rate", arguments->options.rate_hz, "thin to about this rate, by whole strides")
       ->check(above_zero)
       ->type_name("HZ");

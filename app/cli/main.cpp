@@ -24,6 +24,8 @@ int main(int argc, char** argv) {
   app::add_library_command(line);
   app::add_synth_command(line);
   app::add_demo_command(line);
+  app::add_evaluate_command(line);
+  app::add_sweep_command(line);
   app::note_interruptions();
   try {
     line.app.parse(argc, argv);

@@ -11,10 +11,10 @@
 #include "app/cli/settings_options.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/library/motion_library_file.hpp"
+#include "core/metrics/run_summary.hpp"
 #include "core/motion/bvh.hpp"
 #include "core/motion/clip_csv.hpp"
 #include "core/synthesis/clip_synthesis.hpp"
-#include "core/synthesis/run_summary.hpp"
 #include "core/synthesis/trace.hpp"
 
 namespace abrazo::app {

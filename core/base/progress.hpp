@@ -15,4 +15,12 @@ inline bool report(const Progress& progress, double fraction, std::string_view d
   return !progress || progress(fraction, doing);
 }
 
+/// Progress of a part of a longer job, which goes from `from` to `to` of the whole.
+inline Progress part(const Progress& progress, double from, double to) {
+  if (!progress) return {};
+  return [progress, from, to](double fraction, std::string_view doing) {
+    return progress(from + fraction * (to - from), doing);
+  };
+}
+
 }  // namespace abrazo

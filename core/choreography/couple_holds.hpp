@@ -14,11 +14,13 @@ struct PlacedDancer {
   const DancerBody& body;
   const Turn& chest;
   Pose& pose;
+  Vec3 left_stray = Vec3::Zero(), right_stray = Vec3::Zero();  ///< of the hands from where they should be [m]
 };
 
-/// Where the four hands are over a dance. The leader's left and the follower's right always hold one another:
-/// between the two, at the side, or above her head. His right and her left hold one another, or lie on her
-/// shoulder blade and on his shoulder, or are free during a turn.
+/// Where the four hands are over a dance. His left and her right hold one another between the two, at the
+/// side, or above the head of the one who turns, or are free. His right and her left hold one another, or lie
+/// on her shoulder blade and on his shoulder, or on her waist while she is led in, or are free. Walking in
+/// tandem both right hands hold one another. Hands that hold meet wherever both arms can reach.
 class CoupleHolds {
  public:
   explicit CoupleHolds(const std::vector<SalsaPhrase>& phrases);
@@ -27,14 +29,19 @@ class CoupleHolds {
   void place_arms(double beat, const PlacedDancer& leader, const PlacedDancer& follower) const;
 
  private:
-  /// Shares of where the hands are; the first three add up to 1, so do the next three.
+  /// Shares of where the hands are: up to LeftTandem they add up to 1, so do those up to RightTandem.
   enum Channel {
     LeftOpen,
     LeftClosed,
-    LeftOver,
+    LeftOverHer,
+    LeftOverHim,
+    LeftFree,
+    LeftTandem,
     RightOpen,
     RightClosed,
     RightFree,
+    RightWaist,
+    RightTandem,
     Sway,
     Height,
     Spread,
@@ -43,7 +50,16 @@ class CoupleHolds {
   };
   using Controls = Eigen::Array<double, ChannelCount, 1>;
 
+  struct Holds {
+    Vec3 ahead;                ///< from the leader to the follower
+    Vec3 left, right, tandem;  ///< middle of the hold: his left, his right with her left, both right hands
+  };
+
+  static Holds holds_at(double beat, const Controls& now, const PlacedDancer& leader,
+                        const PlacedDancer& follower);
   static Controls controls(const SalsaPhrase& phrase, int half_beat);
+  static Channel left_hold(const SalsaPhrase& phrase, int half_beat);
+  static Channel right_hold(const SalsaPhrase& phrase, int half_beat);
 
   SmoothTrack<Controls> shares_;
 };

@@ -16,16 +16,8 @@ struct Spot {
 Vec3 forward_of(double heading);
 Vec3 left_of(double heading);
 
-/// Phrase and half-beat in it (0..15) of a control value; before the first phrase and after the last, those
-/// two.
-struct PhraseTime {
-  std::size_t phrase = 0;
-  int half_beat = 0;
-};
-PhraseTime phrase_time(int half_beat, std::size_t phrase_count);
-
-/// How the couple stands and turns on the floor over a dance. They face one another; in a cross body lead she
-/// walks past him before she turns to him.
+/// How the couple stands, turns and travels on the floor over a dance. Between figures they face one another;
+/// every figure begins and ends so. Beat 0 is count 1 of the first phrase.
 class CouplePath {
  public:
   explicit CouplePath(const std::vector<SalsaPhrase>& phrases);
@@ -34,9 +26,13 @@ class CouplePath {
   Spot follower(double beat) const;
 
  private:
-  SmoothTrack<Vec3> centre_;
-  SmoothTrack<double> heading_, distance_, offset_;
-  SmoothTrack<double> follower_turn_;  ///< of the follower from facing the leader [rad]
+  /// Turns are from facing the partner; the heading is that of the line from leader to follower.
+  enum Channel { CentreX, CentreZ, Heading, Distance, Offset, LeaderTurn, FollowerTurn, ChannelCount };
+  using Station = Eigen::Array<double, ChannelCount, 1>;
+
+  static Station station(const SalsaPhrase& phrase, double beat, double distance);
+
+  SmoothTrack<Station> stations_;
 };
 
 }  // namespace abrazo

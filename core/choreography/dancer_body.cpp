@@ -1,5 +1,7 @@
 #include "core/choreography/dancer_body.hpp"
 
+#include <numeric>
+
 namespace abrazo {
 namespace {
 
@@ -12,6 +14,16 @@ DancerBody scaled(DancerBody body, double height_m) {
     *length *= scale;
   for (double& length : body.spine) length *= scale;
   for (double& length : body.neck) length *= scale;
+  return body;
+}
+
+DancerBody proportioned(DancerBody body, const PerformerOptions& performer) {
+  const auto sum = [](const auto& lengths) { return std::accumulate(lengths.begin(), lengths.end(), 0.0); };
+  const double trunk = sum(body.spine) + sum(body.neck), longer = (performer.leg_scale - 1) * body.leg();
+  for (double* length : {&body.thigh, &body.shank}) *length *= performer.leg_scale;
+  for (double* length : {&body.upper_arm, &body.forearm, &body.hand}) *length *= performer.arm_scale;
+  for (double& length : body.spine) length *= 1 - longer / trunk;
+  for (double& length : body.neck) length *= 1 - longer / trunk;
   return body;
 }
 
@@ -51,6 +63,16 @@ DancerBody follower_body(double height_m) {
                  .forearm = 0.240,
                  .hand = 0.072},
                 height_m);
+}
+
+DancerBody leader_body(const PerformerOptions& performer) {
+  check_performer(performer, "the performer");
+  return proportioned(leader_body(performer.height_m), performer);
+}
+
+DancerBody follower_body(const PerformerOptions& performer) {
+  check_performer(performer, "the performer");
+  return proportioned(follower_body(performer.height_m), performer);
 }
 
 }  // namespace abrazo

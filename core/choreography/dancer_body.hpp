@@ -3,6 +3,7 @@
 #include <array>
 
 #include "core/base/positions.hpp"
+#include "core/choreography/choreography_options.hpp"
 
 namespace abrazo {
 
@@ -30,5 +31,11 @@ struct DancerBody {
 /// Proportions of a man of 1.80 m and of a woman of 1.66 m, scaled to the height asked for.
 DancerBody leader_body(double height_m);
 DancerBody follower_body(double height_m);
+
+/// The same with arms and legs of other lengths; longer legs leave a shorter trunk and neck, so that the
+/// height stays.
+/// @throws std::invalid_argument when height or scales are out of range
+DancerBody leader_body(const PerformerOptions& performer);
+DancerBody follower_body(const PerformerOptions& performer);
 
 }  // namespace abrazo

@@ -1,5 +1,6 @@
 #include "core/choreography/dancer_score.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -8,60 +9,92 @@ namespace abrazo {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double full_turn = 2 * std::numbers::pi;
-constexpr double foot_spacing = 0.085;    ///< foot from the dancer's middle [m]
 constexpr double toe_base_ahead = 0.050;  ///< of the spot, with the weight over the middle of the foot [m]
 constexpr double toe_out = 7 * degree;
-
-using HalfBeats = std::array<double, 16>;  ///< a value for every half-beat of a phrase, from count 1
-
-// The leader's basic; the follower's is its mirror image.
-constexpr HalfBeats root_forward = {.52,  .55,  .30,  .12,  .02,  0, 0, -.12,
-                                    -.50, -.55, -.30, -.12, -.02, 0, 0, .12};
-constexpr HalfBeats root_left = {.8, .6, -.6, -1, .3, 1, 1, .4, -.8, -.6, .6, 1, -.3, -1, -1, -.4};
-constexpr HalfBeats hip_yaw = {-1, -.6, 0, .5, .8, .3, -.1, .6, 1, .6, 0, -.5, -.8, -.3, .1, -.6};
-// Heel of the foot that is left behind without weight.
-constexpr HalfBeats left_heel = {0, 0, 0, 0, 0, 0, 0, .2, .8, .6, .1, 0, 0, 0, 0, 0};
-constexpr HalfBeats right_heel = {.9, .7, .1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, .2};
-
-// The follower's turn to her right, in degrees, wound up a little before; and how far she looks at her
-// partner meanwhile.
-constexpr HalfBeats turn_degrees = {0,   0,    4,    8,    10,   6,    -6,   -32,
-                                    -78, -136, -200, -262, -312, -344, -358, -360};
-constexpr HalfBeats turn_gaze = {1, 1, 1, 1, 1, 1, .8, .3, 0, 0, 0, 0, 0, .3, .8, 1};
+constexpr double swing_beats = 0.90;
+constexpr int controls_per_beat = 4;
 
 struct BasicStep {
   double beat;
-  Side side;
+  Side side;       ///< the leader's
   double forward;  ///< in step lengths
   double lift;     ///< [m]
+  double look;     ///< to the middle of the time the foot stands [beats]
 };
-constexpr std::array<BasicStep, 6> basic_steps = {{{0, Side::Left, 1, .060},
-                                                   {1, Side::Right, 0, .030},
-                                                   {2, Side::Left, 0, .055},
-                                                   {4, Side::Right, -1, .060},
-                                                   {5, Side::Left, 0, .030},
-                                                   {6, Side::Right, 0, .055}}};
-constexpr double swing_beats = 0.88;
+// Closing on 3 and 7 the foot goes a little past the other, so that the body swings on to the next step.
+constexpr std::array<BasicStep, 6> basic_steps = {{{0, Side::Left, 1, .065, .55},
+                                                   {1, Side::Right, .25, .045, .95},
+                                                   {2, Side::Left, -.35, .060, .95},
+                                                   {4, Side::Right, -1, .065, .55},
+                                                   {5, Side::Left, -.25, .045, .95},
+                                                   {6, Side::Right, .35, .060, .95}}};
+
+/// Foot from the dancer's middle [m].
+double foot_spacing(DanceRole role) {
+  return role == DanceRole::Leader ? 0.100 : 0.075;
+}
 
 constexpr Side other(Side side) {
   return side == Side::Left ? Side::Right : Side::Left;
 }
-std::size_t index_of(int half_beat) {
-  return static_cast<std::size_t>(half_beat);
+
+/// How much of the basic step is danced to and fro, and how far the trunk goes with the weight instead of
+/// staying on the spot.
+struct Manner {
+  double step, over_foot;
+};
+Manner manner(const SalsaPhrase& phrase, DanceRole role, double beat) {
+  const bool leads = role == DanceRole::Leader;
+  const bool second_half = beat > 2.5;
+  using enum SalsaFigure;
+  switch (phrase.figure) {
+    case OpenBasic:
+    case ClosedBasic:
+      return {1, leads ? 0.45 : 0.60};
+    case FollowerRightTurn:
+    case FollowerLeftTurn:
+      return second_half && !leads ? Manner{0.2, 0.4} : Manner{0.8, 0.5};
+    case LeaderRightTurn:
+    case LeaderLeftTurn:
+      return second_half && leads ? Manner{0.2, 0.4} : Manner{0.8, 0.5};
+    case CrossBodyLead:
+    case InsideTurn:
+      return second_half ? Manner{0, 0.35} : Manner{1, 0.5};
+    case InAndOut:
+      return leads ? Manner{0.6, 0.5} : Manner{0, 0.35};
+    default:
+      return {0, 0.35};
+  }
+}
+
+/// Share of the weight on the left foot. It is taken over around the moment a foot comes down.
+/// @param spread  how long that takes [beats]
+double weight_on_left(DanceRole role, double beat, double spread) {
+  const double inside = beat - beats_per_phrase * std::floor(beat / beats_per_phrase);
+  bool left = role == DanceRole::Follower;  // the leader's right, set down on 7
+  double weight = left ? 1 : 0;
+  for (int i = 0; i <= 6; ++i) {
+    const bool next = i == 6;
+    const auto& step = basic_steps[static_cast<std::size_t>(i % 6)];
+    const double since = inside - step.beat - (next ? beats_per_phrase : 0);
+    const double taken = minimum_jerk(since / spread + 0.55);
+    left = (step.side == Side::Left) == (role == DanceRole::Leader);
+    weight = std::lerp(weight, left ? 1.0 : 0.0, taken);
+  }
+  return weight;
 }
 
 }  // namespace
 
 DancerScore::DancerScore(DanceRole role, const DancerBody& body, const std::vector<SalsaPhrase>& phrases,
-                         const CouplePath& path)
+                         const CouplePath& path, double amplitude)
     : role_(role),
       body_(body),
-      left_(placement(spot(0, path), Side::Left, 0, 0), spot(0, path).heading + toe_out),
-      right_(placement(spot(0, path), Side::Right, 0, 0), spot(0, path).heading - toe_out),
-      trunk_(0, 0.5, {}) {
+      amplitude_(amplitude),
+      left_(placement(spot(0, path), Side::Left, 0), spot(0, path).heading + toe_out),
+      right_(placement(spot(0, path), Side::Right, 0), spot(0, path).heading - toe_out),
+      trunk_(0, 1, {}) {
   write_steps(phrases, path);
-  turned_ = 0;
   write_trunk(phrases, path);
 }
 
@@ -69,123 +102,112 @@ Spot DancerScore::spot(double beat, const CouplePath& path) const {
   return role_ == DanceRole::Leader ? path.leader(beat) : path.follower(beat);
 }
 
-Vec3 DancerScore::placement(const Spot& at, Side side, double forward, double turned) const {
-  const double heading = at.heading + turned;
-  return at.place + forward_of(heading) * (toe_base_ahead + forward) +
-         left_of(heading) * (sign_of(side) * foot_spacing) + Vec3(0, body_.toe_rest_height, 0);
+Vec3 DancerScore::placement(const Spot& at, Side side, double forward) const {
+  return at.place + forward_of(at.heading) * (toe_base_ahead + forward) +
+         left_of(at.heading) * (sign_of(side) * foot_spacing(role_)) + Vec3(0, body_.toe_rest_height, 0);
 }
 
 void DancerScore::write_steps(const std::vector<SalsaPhrase>& phrases, const CouplePath& path) {
   const bool leads = role_ == DanceRole::Leader;
   for (std::size_t p = 0; p < phrases.size(); ++p) {
     const double first_beat = beats_per_phrase * static_cast<double>(p);
-    const bool turns = !leads && phrases[p].move == SalsaMove::Turn;
     for (const BasicStep& step : basic_steps) {
-      if (turns && step.beat > 3) break;
       const Side side = leads ? step.side : other(step.side);
-      const bool walks = phrases[p].move == SalsaMove::CrossBodyLead && step.beat > 3;
-      const double forward = walks ? 0 : (leads ? 1 : -1) * step.forward * phrases[p].step;
       const double arrival = first_beat + step.beat;
-      // A step is placed where the dancer will be a little later; further ahead when they walk past each
-      // other.
-      const bool passes = phrases[p].move == SalsaMove::CrossBodyLead && step.beat > 0.5;
-      const Spot at = spot(arrival + (passes ? 0.9 : 0.3), path);
-      feet(side).add({.start = arrival - swing_beats,
-                      .end = arrival,
-                      .toe_base = placement(at, side, forward, turned_),
-                      .yaw = spot(arrival + 1, path).heading + turned_ + sign_of(side) * toe_out,
-                      .lift = walks ? 0.055 : step.lift,
-                      .heel = step.forward == 0 ? 0.28 : 0.36});
+      const double forward = (leads ? 1 : -1) * step.forward * phrases[p].step * amplitude_ *
+                             manner(phrases[p], role_, step.beat).step;
+      // A foot is set where the dancer will be when standing on it.
+      const Spot place = spot(arrival + step.look, path);
+      const Spot facing = spot(arrival + 0.15, path);
+      write_pivot(side, arrival - swing_beats, path);
+      Footwork& foot = feet(side);
+      const FootMove& from = foot.last();
+      FootMove move{.start = arrival - swing_beats,
+                    .end = arrival,
+                    .toe_base = placement({place.place, facing.heading}, side, forward),
+                    .yaw = facing.heading + sign_of(side) * toe_out,
+                    .lift = step.lift,
+                    .heel = std::abs(step.forward) < 0.3 ? 0.12 : 0.18,
+                    .detour = Vec3::Zero()};
+      const Vec3 standing = feet(other(side)).last().toe_base;
+      const Vec3 aside = 0.5 * (from.toe_base + move.toe_base) - standing;
+      const double clearance = 0.13;
+      if (aside.norm() < clearance && aside.norm() > 1e-6)
+        move.detour = aside.normalized() * (clearance - aside.norm());
+      foot.add(move);
     }
-    if (turns) write_turn_steps(first_beat, phrases[p], path);
-    if (phrases[p].move == SalsaMove::CrossBodyLead)
-      write_pivot(first_beat, leads ? Side::Left : Side::Right, path);
   }
 }
 
-void DancerScore::write_pivot(double first_beat, Side side, const CouplePath& path) {
-  feet(side).add({.start = first_beat + 5.2,
-                  .end = first_beat + 6.9,
-                  .toe_base = feet(side).last().toe_base,
-                  .yaw = spot(first_beat + 7.5, path).heading + turned_ + sign_of(side) * toe_out,
-                  .lift = 0,
-                  .heel = 0.12});
-}
-
-void DancerScore::write_turn_steps(double first_beat, const SalsaPhrase& phrase, const CouplePath& path) {
-  struct TurnStep {
-    Side side;
-    double start, end;
-    double body_degrees;  ///< how far she has turned where the step is placed
-    double foot_degrees;
-    double forward;  ///< in step lengths
-    double lift;     ///< 0: pivots on the ball of the foot
-  };
-  static constexpr std::array<TurnStep, 7> steps = {{{Side::Right, 2.9, 4.0, 0, -45, 0, 0},
-                                                     {Side::Left, 3.2, 4.0, -70, -85, .35, .05},
-                                                     {Side::Left, 4.05, 5.0, 0, -180, 0, 0},
-                                                     {Side::Right, 4.2, 5.0, -215, -250, .15, .05},
-                                                     {Side::Right, 5.05, 6.0, 0, -315, 0, 0},
-                                                     {Side::Left, 5.2, 6.0, -345, -350, 0, .05},
-                                                     {Side::Right, 6.25, 7.0, -360, -360, 0, .025}}};
-  for (const TurnStep& step : steps) {
-    const Spot at = spot(first_beat + step.end + 0.3, path);
-    Footwork& foot = feet(step.side);
-    const Vec3 place = step.lift > 0 ? placement(at, step.side, step.forward * phrase.step,
-                                                 turned_ + step.body_degrees * degree)
-                                     : foot.last().toe_base;
-    foot.add({.start = first_beat + step.start,
-              .end = first_beat + step.end,
-              .toe_base = place,
-              .yaw = at.heading + turned_ + step.foot_degrees * degree + sign_of(step.side) * toe_out,
-              .lift = step.lift,
-              .heel = step.lift > 0 ? 0.4 : 0.15});
-  }
-  turned_ -= full_turn;
+/// The foot turns on its ball with the dancer until it is lifted.
+void DancerScore::write_pivot(Side side, double until, const CouplePath& path) {
+  Footwork& foot = feet(side);
+  const FootMove last = foot.last();
+  const double start = last.end + 0.02;
+  if (until - start < 0.15) return;
+  const double yaw = spot(until, path).heading + sign_of(side) * toe_out;
+  foot.add({.start = start,
+            .end = until,
+            .toe_base = last.toe_base,
+            .yaw = yaw,
+            .lift = 0,
+            .heel = std::min(0.25, 0.05 + 0.3 * std::abs(yaw - last.yaw)),
+            .detour = Vec3::Zero()});
 }
 
 void DancerScore::write_trunk(const std::vector<SalsaPhrase>& phrases, const CouplePath& path) {
   std::vector<Controls> values;
-  for (std::size_t p = 0; p < phrases.size(); ++p) {
-    for (int half_beat = 0; half_beat < 16; ++half_beat)
-      values.push_back(controls(phrases[p], half_beat, 8.0 * static_cast<double>(p) + 0.5 * half_beat, path));
-    if (role_ == DanceRole::Follower && phrases[p].move == SalsaMove::Turn) turned_ -= full_turn;
-  }
-  trunk_ = {0, 0.5, std::move(values)};
+  for (std::size_t p = 0; p < phrases.size(); ++p)
+    for (int i = 0; i < beats_per_phrase * controls_per_beat; ++i)
+      values.push_back(controls(
+          phrases[p], beats_per_phrase * static_cast<double>(p) + static_cast<double>(i) / controls_per_beat,
+          path));
+  trunk_ = {0, 1.0 / controls_per_beat, std::move(values)};
 }
 
-DancerScore::Controls DancerScore::controls(const SalsaPhrase& phrase, int half_beat, double beat,
+DancerScore::Controls DancerScore::controls(const SalsaPhrase& phrase, double beat,
                                             const CouplePath& path) const {
-  const std::size_t h = index_of(half_beat);
   const bool leads = role_ == DanceRole::Leader;
-  const bool turns = !leads && phrase.move == SalsaMove::Turn;
-  const double mirror = leads ? 1 : -1;
-  const bool passes = phrase.move == SalsaMove::CrossBodyLead;
-  const bool round = (turns || passes) && half_beat >= 6;
   const Spot at = spot(beat, path);
-  const double heading = at.heading + turned_ + (turns ? turn_degrees[h] * degree : 0);
-  // While they walk past each other or she goes round, the weight stays over the spot.
-  const double forward = mirror * root_forward[h] * phrase.step * (round ? 0.35 : 1);
-  const double sideways = mirror * root_left[h] * 0.060 * (round ? 0.5 : 1);
-  const Vec3 root =
-      at.place + forward * forward_of(round ? at.heading : heading) + sideways * left_of(heading);
-  const double hips = phrase.hips;
+  const Vec3 forward = forward_of(at.heading), left = left_of(at.heading);
+  const double inside = beat - beats_per_phrase * std::floor(beat / beats_per_phrase);
+  const double over_foot = manner(phrase, role_, inside).over_foot;
+  const double weight = weight_on_left(role_, beat, 0.9),
+               hip_weight = weight_on_left(role_, beat - 0.2, leads ? 1.0 : 0.7);
+  const double carriage = weight_on_left(role_, beat, leads ? 1.2 : 0.9);
+  const Vec3 left_foot = left_.at(beat).toe_base, right_foot = right_.at(beat).toe_base;
+  const Vec3 carried =
+      carriage * left_foot + (1 - carriage) * right_foot - toe_base_ahead * forward - at.place;
+  const double hips = phrase.hips * amplitude_, lean = leads ? phrase.his_lean : phrase.her_lean;
+  const double carried_forward = carried.dot(forward) / 0.3;
+  const Vec3 root = at.place + over_foot * carried.dot(forward) * forward +
+                    (leads ? 0.5 : 0.9) * hips * carried.dot(left) * left;
+  // The hip goes forward with its foot, and back when it takes the weight.
+  const double stride = std::clamp((left_foot - right_foot).dot(forward) / 0.32, -1.3, 1.3);
+  const double sway = 2 * hip_weight - 1;
+  const double twist = hips * degree * (leads ? 13 : 12) * (0.5 * sway - 0.7 * stride);
+  // The whole body turns a little away from the partner and back with every half of the basic.
+  const double swing =
+      hips * degree * (leads ? 10 : -19) *
+      (std::sin(std::numbers::pi / 4 * (beat - 0.6)) + 0.8 * std::sin(std::numbers::pi / 2 * (beat - 0.9)));
+  const double bounce = std::cos(2 * std::numbers::pi * (beat - 0.15));
   Controls values;
   values[RootX] = root.x();
-  values[RootY] = body_.standing_root_height(0.950) - 0.020 * hips * (half_beat % 2);
+  values[RootY] = body_.standing_root_height(0.935) + (leads ? 0.003 : 0.014) * hips * bounce;
   values[RootZ] = root.z();
-  values[PelvisYaw] = heading + mirror * hip_yaw[h] * (leads ? 11 : 15) * degree * hips * (round ? 0.2 : 1);
-  values[PelvisPitch] = (leads ? 2 : 5) * degree;
-  values[PelvisRoll] = mirror * root_left[h] * (leads ? 8 : 13) * degree * hips * (round ? 0.5 : 1);
-  values[ChestYaw] = heading - mirror * hip_yaw[h] * (leads ? 6 : 9) * degree * hips * (round ? 0.2 : 1);
-  values[ChestPitch] = (leads ? 4 : 1) * degree + 1.5 * degree * (half_beat % 4 == 0 ? 1 : 0);
-  values[ChestRoll] = -mirror * root_left[h] * (leads ? 7 : 8) * degree * hips * (round ? 0.5 : 1);
-  if (leads && phrase.move == SalsaMove::Turn && half_beat >= 3 && half_beat <= 13)
-    values[ChestYaw] -= 16 * degree;
+  values[PelvisYaw] = at.heading + twist + swing;
+  values[PelvisPitch] = (leads ? 2 : 5) * degree + (leads ? 0.5 : 2.0) * degree * bounce + 0.5 * lean;
+  values[PelvisRoll] = sway * hips * degree * (leads ? 5.5 : 12);
+  values[ChestYaw] = at.heading - 0.8 * twist + 0.6 * swing;
+  // His right arm reaches round her.
+  if (leads && phrase.figure == SalsaFigure::ClosedBasic) values[ChestYaw] += 9 * degree;
+  values[ChestPitch] =
+      (leads ? 4 : 2) * degree - (leads ? 0.5 : 2.0) * degree * bounce + lean - 4 * degree * carried_forward;
+  values[ChestRoll] = -6 * degree * sway * hips - 1.5 * degree;
   values[HeadPitch] = (leads ? 9 : 2) * degree + 3 * degree * std::sin(0.9 * beat);
-  values[Gaze] = turns ? turn_gaze[h] : passes ? 0.6 : 0.85;
-  values[LeftHeel] = round ? 0 : (leads ? left_heel : right_heel)[h] * 26 * degree;
-  values[RightHeel] = round ? 0 : (leads ? right_heel : left_heel)[h] * 26 * degree;
+  // Heel of the foot that is left behind without weight.
+  values[LeftHeel] = (1 - weight) * 27 * degree;
+  values[RightHeel] = weight * 27 * degree;
   return values;
 }
 
@@ -201,8 +223,9 @@ TrunkPosture DancerScore::trunk(double beat, double gaze_yaw) const {
   trunk.root = {now[RootX], now[RootY], now[RootZ]};
   trunk.pelvis = {now[PelvisYaw], now[PelvisPitch], now[PelvisRoll]};
   trunk.chest = {now[ChestYaw], now[ChestPitch], now[ChestRoll]};
-  const double aside = std::remainder(gaze_yaw - trunk.chest.yaw, full_turn);
-  trunk.head = {trunk.chest.yaw + now[Gaze] * aside, now[HeadPitch], 0.4 * now[ChestRoll]};
+  // The head turns to the partner as far as a neck does, and comes about with the body when turned away.
+  const double aside = std::sin(gaze_yaw - trunk.chest.yaw);
+  trunk.head = {trunk.chest.yaw + 50 * degree * aside, now[HeadPitch], 0.4 * now[ChestRoll]};
   return trunk;
 }
 

@@ -13,12 +13,15 @@ namespace abrazo {
 enum class DanceRole { Leader, Follower };
 
 /// What one dancer's feet and trunk do over a dance, by beat. Beat 0 is count 1 of the first phrase.
-/// The basic step goes forward with the left on 1, in place with the right on 2, closes on 3, holds 4, and
-/// back with the right on 5, 6, 7; the follower mirrors it. On a turn she goes round to her right on 5, 6, 7.
+/// The leader steps with the left on 1, right on 2, left on 3, holds 4, and right, left, right on 5, 6, 7;
+/// the follower mirrors it. The feet are set under the dancer's spot on the couple's path (in a basic step in
+/// front of it and behind it), a standing foot turns on its ball as the dancer does, and the trunk follows
+/// from where the weight is.
 class DancerScore {
  public:
+  /// @param amplitude  of steps and hips
   DancerScore(DanceRole role, const DancerBody& body, const std::vector<SalsaPhrase>& phrases,
-              const CouplePath& path);
+              const CouplePath& path, double amplitude);
 
   /// Feet in place; the ankle may be lifted further by the heel, never moved otherwise while it stands.
   FootPosture foot(Side side, double beat) const;
@@ -38,7 +41,6 @@ class DancerScore {
     ChestPitch,
     ChestRoll,
     HeadPitch,
-    Gaze,
     LeftHeel,
     RightHeel,
     ChannelCount
@@ -46,18 +48,16 @@ class DancerScore {
   using Controls = Eigen::Array<double, ChannelCount, 1>;
 
   void write_steps(const std::vector<SalsaPhrase>& phrases, const CouplePath& path);
-  void write_turn_steps(double first_beat, const SalsaPhrase& phrase, const CouplePath& path);
-  /// Turns the standing foot to the new direction at the end of a cross body lead.
-  void write_pivot(double first_beat, Side side, const CouplePath& path);
+  void write_pivot(Side side, double until, const CouplePath& path);
   void write_trunk(const std::vector<SalsaPhrase>& phrases, const CouplePath& path);
-  Controls controls(const SalsaPhrase& phrase, int half_beat, double beat, const CouplePath& path) const;
-  Vec3 placement(const Spot& spot, Side side, double forward, double turned) const;
+  Controls controls(const SalsaPhrase& phrase, double beat, const CouplePath& path) const;
+  Vec3 placement(const Spot& spot, Side side, double forward) const;
   Spot spot(double beat, const CouplePath& path) const;
   Footwork& feet(Side side) { return side == Side::Left ? left_ : right_; }
 
   DanceRole role_;
   DancerBody body_;
-  double turned_ = 0;  ///< whole turns made before the phrase being written [rad]
+  double amplitude_;
   Footwork left_, right_;
   SmoothTrack<Controls> trunk_;
 };

@@ -58,22 +58,59 @@ std::string labels_csv(const std::vector<PairedTake>& takes) {
   return text;
 }
 
-Result<std::string> role_text(const PairedTake& take) {
-  if (take.roles.empty()) return std::string("unknown");
-  const RoleInterval& role = take.roles.front();
-  if (take.roles.size() > 1 || role.start > 0 || role.end < static_cast<int>(take.a.poses.size()))
-    return Error{"a demo take has one role throughout; this one changes it", take.name};
-  return std::string(role.active == ActivePerformer::A   ? "a"
-                     : role.active == ActivePerformer::B ? "b"
-                                                         : "unknown");
+std::string_view letter_of(ActivePerformer active) {
+  switch (active) {
+    case ActivePerformer::A:
+      return "a";
+    case ActivePerformer::B:
+      return "b";
+    case ActivePerformer::Unknown:
+      break;
+  }
+  return "unknown";
+}
+
+/// Intervals must be in order, within the take and without overlap, or nobody could read them back.
+Status check_roles(const PairedTake& take) {
+  const int frames = static_cast<int>(take.a.poses.size());
+  int covered = 0;
+  for (const RoleInterval& role : take.roles) {
+    if (role.start < covered || role.end <= role.start || role.end > frames)
+      return Error{
+          fmt::format("the role of frames {} to {} overlaps another, is empty, or goes beyond the {} "
+                      "frames of the take",
+                      role.start, role.end, frames),
+          take.name};
+    covered = role.end;
+  }
+  return Done{};
+}
+
+void write_roles(const PairedTake& take, JsonText& json) {
+  const bool throughout = take.roles.size() == 1 && take.roles.front().start == 0 &&
+                          take.roles.front().end == static_cast<int>(take.a.poses.size());
+  if (take.roles.empty() || throughout) {
+    json.value(take.roles.empty() ? std::string_view("unknown") : letter_of(take.roles.front().active));
+    return;
+  }
+  json.begin_array();
+  for (const RoleInterval& role : take.roles)
+    json.begin_object()
+        .key("start")
+        .value(role.start)
+        .key("end")
+        .value(role.end)
+        .key("active")
+        .value(letter_of(role.active))
+        .end_object();
+  json.end_array();
 }
 
 Result<std::string> manifest_json(const std::vector<PairedTake>& takes, const std::string& name) {
   JsonText json;
   json.begin_object().key("name").value(name).key("takes").begin_array();
   for (const PairedTake& take : takes) {
-    const Result<std::string> role = role_text(take);
-    if (!role) return role.error();
+    if (Status fine = check_roles(take); !fine) return fine.error();
     json.begin_object()
         .key("name")
         .value(take.name)
@@ -88,7 +125,9 @@ Result<std::string> manifest_json(const std::vector<PairedTake>& takes, const st
           .value(motion_name(take, performer));
       json.end_object();
     }
-    json.key("roles").value(*role).key("labels").value("labels.csv").end_object();
+    json.key("roles");
+    write_roles(take, json);
+    json.key("labels").value("labels.csv").end_object();
   }
   return json.end_array().end_object().take() + "\n";
 }

@@ -30,7 +30,7 @@ FootPosture Footwork::at(double beat) const {
                    .yaw = std::lerp(before.yaw, move.yaw, done),
                    .heel_pitch = move.heel * heel_bump,
                    .toe_pitch = move.lift > 0 ? 0.6 * move.heel * smooth_bump(u) : 0};
-  foot.toe_base.y() += move.lift * smooth_bump(u);
+  foot.toe_base += smooth_bump(u) * (move.detour + move.lift * Vec3::UnitY());
   return foot;
 }
 

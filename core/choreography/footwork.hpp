@@ -14,6 +14,7 @@ struct FootMove {
   double yaw = 0;                ///< [rad], not wrapped
   double lift = 0;               ///< highest point of the toe-base above its rest [m]
   double heel = 0;               ///< greatest heel pitch on the way [rad]
+  Vec3 detour = Vec3::Zero();    ///< off the straight line half way, round the standing foot [m]
 };
 
 /// What one foot does over a dance. Between moves it does not move at all.

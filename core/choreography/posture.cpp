@@ -27,11 +27,13 @@ Vec3 facing(double yaw) {
   return {std::sin(yaw), 0, std::cos(yaw)};
 }
 
-/// Where the elbow goes, chest space: down and back with a low hand, out and forward with a raised one.
+/// Where the elbow goes, chest space: back with a hanging hand, down and back with one held out, out and
+/// forward with a raised one. Far from where the arm itself may point, so that the elbow never flips over.
 Vec3 elbow_pole(Side side, double hand_above_shoulder) {
   const double raised = minimum_jerk((hand_above_shoulder + 0.10) / 0.50);
-  const Vec3 low(0.40, -0.80, -0.50), high(0.65, -0.65, 0.40);
-  return mirrored_to(side, (1 - raised) * low + raised * high);
+  const double lowered = minimum_jerk((-0.15 - hand_above_shoulder) / 0.30);
+  const Vec3 low(0.36, -0.25, -0.90), out(0.40, -0.80, -0.50), high(0.65, -0.65, 0.40);
+  return mirrored_to(side, lowered * low + (1 - lowered - raised) * out + raised * high);
 }
 
 }  // namespace

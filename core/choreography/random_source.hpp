@@ -16,6 +16,8 @@ class RandomSource {
   }
   /// 0 .. count - 1
   int below(int count) { return static_cast<int>(uniform(0, count)); }
+  /// Bell-shaped with mean 0 and standard deviation 1, never beyond 3.
+  double bell() { return 2 * (uniform(-0.5, 0.5) + uniform(-0.5, 0.5) + uniform(-0.5, 0.5)); }
   bool chance(double probability) { return uniform(0, 1) < probability; }
 
  private:

@@ -3,13 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
-#include <mutex>
 #include <set>
-#include <thread>
 
+#include "core/base/parallel.hpp"
 #include "core/library/capsule_calibration.hpp"
 
 namespace abrazo {
@@ -20,14 +17,6 @@ constexpr double same_body_difference = 0.005;  ///< of a bone's length
 
 Error cancelled() {
   return {"cancelled", ""};
-}
-
-/// Part of a longer job's progress.
-Progress part(const Progress& progress, double from, double to) {
-  if (!progress) return {};
-  return [&progress, from, to](double fraction, std::string_view doing) {
-    return progress(from + fraction * (to - from), doing);
-  };
 }
 
 // ---- what a take must be ----
@@ -160,7 +149,7 @@ std::vector<RootFrame> root_frames(const Clip& clip) {
   return roots;
 }
 
-void add_sources(const std::vector<PairedTake>& takes, LibraryColumns& columns) {
+void add_sources(const std::vector<PairedTake>& takes, bool both_roles, LibraryColumns& columns) {
   for (std::uint32_t t = 0; t < takes.size(); ++t) {
     const std::vector<RootFrame> roots_a = root_frames(takes[t].a);
     const std::vector<RootFrame> roots_b = root_frames(takes[t].b);
@@ -168,7 +157,7 @@ void add_sources(const std::vector<PairedTake>& takes, LibraryColumns& columns) 
       const ActivePerformer other = swapped ? ActivePerformer::A : ActivePerformer::B;
       for (int frame = 0; frame < columns.takes[t].frames; frame += columns.takes[t].frame_stride) {
         const ActivePerformer annotated = active_at(takes[t], frame);
-        if (annotated == other) continue;
+        if (annotated == other && !both_roles) continue;
         columns.sources.push_back({t, static_cast<std::uint32_t>(frame), swapped, annotated});
         columns.roots.push_back((swapped ? roots_b : roots_a)[static_cast<std::size_t>(frame)]);
       }
@@ -188,46 +177,6 @@ void fill_pair(const std::vector<PairedTake>& takes, std::size_t pair, LibraryCo
   pose.bottomRows<joint_count>() = to_normalized(passive, columns.roots[pair]);
   columns.features[pair] = pose_features(pose.topRows<joint_count>());
   mesh = tetrahedralize(pose);
-}
-
-/// Calls `work(i)` for i in [0, count) from every core. The order of calls is not fixed, so `work` must write
-/// to row i only.
-/// @return false when progress asked to stop. Rethrows what `work` throws.
-template <typename Work>
-bool for_each_row(std::size_t count, const Progress& progress, std::string_view doing, const Work& work) {
-  constexpr std::size_t block = 64;
-  std::atomic<std::size_t> next = 0;
-  std::atomic<bool> stop = false;
-  std::exception_ptr failure;
-  std::mutex failure_mutex;
-  const auto run_block = [&] {
-    const std::size_t begin = next.fetch_add(block);
-    if (begin >= count || stop) return false;
-    try {
-      for (std::size_t i = begin; i < std::min(count, begin + block); ++i) work(i);
-    } catch (...) {
-      const std::lock_guard lock(failure_mutex);
-      failure = std::current_exception();
-      stop = true;
-    }
-    return true;
-  };
-  bool wanted = true;
-  {
-    std::vector<std::jthread> workers;
-    for (unsigned core = 1; core < std::thread::hardware_concurrency(); ++core)
-      workers.emplace_back([&] {
-        while (run_block()) {
-        }
-      });
-    while (wanted && run_block()) {
-      const double fraction = static_cast<double>(std::min(next.load(), count)) / static_cast<double>(count);
-      wanted = report(progress, fraction, doing);
-      if (!wanted) stop = true;
-    }
-  }
-  if (failure) std::rethrow_exception(failure);
-  return wanted;
 }
 
 void add_meshes(const std::vector<InteractionMesh>& meshes, LibraryColumns& columns) {
@@ -268,13 +217,13 @@ Result<MotionLibrary> build_library(std::string name, std::vector<PairedTake> ta
   columns.name = std::move(name);
   add_takes(takes, options, columns);
   calibrate(takes, columns);
-  add_sources(takes, columns);
+  add_sources(takes, options.both_roles, columns);
   const std::size_t pairs = columns.sources.size();
   columns.poses.resize(pairs);
   columns.features.resize(pairs);
   std::vector<InteractionMesh> meshes(pairs);
   const bool finished =
-      for_each_row(pairs, part(progress, 0.05, 0.98), "building interaction meshes",
+      for_each_row(pairs, 64, part(progress, 0.05, 0.98), "building interaction meshes",
                    [&](std::size_t pair) { fill_pair(takes, pair, columns, meshes[pair]); });
   if (!finished) return cancelled();
   add_meshes(meshes, columns);

@@ -14,6 +14,9 @@ namespace abrazo {
 struct LibraryBuildOptions {
   std::vector<std::string> excluded_takes;
   std::optional<double> rate_hz;  ///< thin to about this rate (whole strides); nothing = every frame
+  /// Either performer may be the active one in every frame, whatever the roles say (the library doubles): for
+  /// a user who now attacks, now defends. What was annotated stays in PairSource::annotated.
+  bool both_roles = false;
 };
 
 /// Normalises, computes features and tetrahedralises every pair of the takes (paper 3.2, 3.4.1).

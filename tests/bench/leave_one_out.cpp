@@ -13,8 +13,8 @@
 #include "core/base/text.hpp"
 #include "core/library/manifest.hpp"
 #include "core/library/motion_library_builder.hpp"
+#include "core/metrics/run_summary.hpp"
 #include "core/synthesis/clip_synthesis.hpp"
-#include "core/synthesis/run_summary.hpp"
 
 namespace {
 

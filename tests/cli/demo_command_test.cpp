@@ -35,6 +35,39 @@ TEST_F(DemoCommand, AFileInTheFoldersPlaceIsLeftAlone) {
   EXPECT_EQ(read("taken"), "mine");
 }
 
+TEST_F(DemoCommand, AFightHasRolesThatChangeAndItsOwnLabels) {
+  ASSERT_EQ(run("demo -o d --style fight --minutes 0.5").status, 0);
+  const auto manifest = nlohmann::json::parse(read("d/manifest.json"));
+  EXPECT_EQ(manifest["name"], "demo-fight-1");
+  EXPECT_TRUE(manifest["takes"][0]["roles"].is_array());
+  EXPECT_THAT(read("d/labels.csv"), HasSubstr("punch_"));
+}
+
+TEST_F(DemoCommand, PerformersAreAsTallAsAskedFor) {
+  ASSERT_EQ(run("demo -o tall --minutes 0.1 --height 2.0,1.5").status, 0);
+  ASSERT_EQ(run("demo -o same --minutes 0.1 --height 1.7").status, 0);
+  const auto height = [&](const std::string& file) {
+    return nlohmann::json::parse(run("motion info " + file + " --json").out)["height"].get<double>();
+  };
+  EXPECT_NEAR(height("tall/salsa_01_a.bvh") / height("tall/salsa_01_b.bvh"), 2.0 / 1.5, 0.04);
+  EXPECT_NEAR(height("same/salsa_01_a.bvh") / height("same/salsa_01_b.bvh"), 1, 0.04);
+}
+
+TEST_F(DemoCommand, SkillChangesHowItIsDanced) {
+  ASSERT_EQ(run("demo -o expert --minutes 0.1").status, 0);
+  ASSERT_EQ(run("demo -o novice --minutes 0.1 --skill 0.1").status, 0);
+  ASSERT_EQ(run("demo -o pair --minutes 0.1 --skill 1,0.1").status, 0);
+  EXPECT_NE(read("expert/salsa_01_a.bvh"), read("novice/salsa_01_a.bvh"));
+  EXPECT_NE(read("expert/salsa_01_b.bvh"), read("pair/salsa_01_b.bvh"));
+}
+
+TEST_F(DemoCommand, WhatNobodyMeasuresIsWrongUsage) {
+  expect_wrong_usage(run("demo -o d --height 3"), "--height");
+  expect_wrong_usage(run("demo -o d --skill 1,1,1"), "--skill");
+  expect_wrong_usage(run("demo -o d --tempo 20"), "--tempo");
+  EXPECT_THAT(names(), ElementsAre());
+}
+
 TEST_F(DemoCommand, AnUnknownStyleIsWrongUsage) {
   expect_wrong_usage(run("demo -o d --style tango"), "tango");
   EXPECT_THAT(names(), ElementsAre());

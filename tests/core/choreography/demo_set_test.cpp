@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "core/base/atomic_file.hpp"
+#include "core/choreography/fight.hpp"
 #include "core/choreography/salsa.hpp"
 #include "core/library/manifest.hpp"
 
@@ -77,11 +78,61 @@ TEST_F(DemoSet, LeavesNothingBehindWhenCancelled) {
   EXPECT_EQ(files_in(folder_), 0U);
 }
 
-TEST_F(DemoSet, LeavesNothingBehindWhenATakeCannotBeDescribed) {
-  takes_.back().roles = {{0, 5, ActivePerformer::A}, {5, 9, ActivePerformer::B}};
+TEST_F(DemoSet, ReadsBackWhoAttacksWhen) {
+  takes_ = generate_fight({.seed = 6, .minutes = 0.6});
+  takes_.front().roles.front().active = ActivePerformer::Unknown;
+  const auto path = write_demo_set(takes_, "fight", folder_, {});
+  ASSERT_TRUE(path.ok()) << path.error().text();
+  const auto manifest = read_manifest(*path);
+  ASSERT_TRUE(manifest.ok()) << manifest.error().text();
+  EXPECT_THAT(manifest->warnings, testing::IsEmpty());
+  for (std::size_t t = 0; t < takes_.size(); ++t) {
+    std::vector<std::string> warnings;
+    const auto take = load_take(manifest->takes[t], warnings);
+    ASSERT_TRUE(take.ok()) << take.error().text();
+    ASSERT_GT(takes_[t].roles.size(), 1U);
+    for (int f = 0; f < static_cast<int>(takes_[t].a.poses.size()); ++f)
+      ASSERT_EQ(active_at(*take, f), active_at(takes_[t], f)) << take->name << " frame " << f;
+    ASSERT_EQ(take->labels.size(), takes_[t].labels.size());
+    for (std::size_t i = 0; i < take->labels.size(); ++i) {
+      EXPECT_EQ(take->labels[i].label, takes_[t].labels[i].label);
+      EXPECT_EQ(take->labels[i].detail, takes_[t].labels[i].detail);
+      EXPECT_EQ(take->labels[i].confidence, takes_[t].labels[i].confidence);
+    }
+  }
+}
+
+TEST_F(DemoSet, ARoleThatNeverChangesIsOneLetter) {
+  takes_.back().roles.front().active = ActivePerformer::B;
+  const auto path = write_demo_set(takes_, "dance", folder_, {});
+  ASSERT_TRUE(path.ok());
+  const auto text = read_whole_file(*path);
+  ASSERT_TRUE(text.ok());
+  EXPECT_THAT(*text,
+              testing::AllOf(testing::HasSubstr(R"("roles":"a")"), testing::HasSubstr(R"("roles":"b")"),
+                             testing::Not(testing::HasSubstr("active"))));
+}
+
+TEST_F(DemoSet, FramesOfNobodyStayUnknown) {
+  takes_.back().roles = {{3, 9, ActivePerformer::B}};
+  const auto path = write_demo_set(takes_, "dance", folder_, {});
+  ASSERT_TRUE(path.ok());
+  const auto manifest = read_manifest(*path);
+  ASSERT_TRUE(manifest.ok()) << manifest.error().text();
+  std::vector<std::string> warnings;
+  const auto take = load_take(manifest->takes.back(), warnings);
+  ASSERT_TRUE(take.ok()) << take.error().text();
+  EXPECT_EQ(active_at(*take, 2), ActivePerformer::Unknown);
+  EXPECT_EQ(active_at(*take, 3), ActivePerformer::B);
+  EXPECT_EQ(active_at(*take, 9), ActivePerformer::Unknown);
+}
+
+TEST_F(DemoSet, LeavesNothingBehindWhenRolesOverlap) {
+  takes_.back().roles = {{0, 5, ActivePerformer::A}, {4, 9, ActivePerformer::B}};
   const auto path = write_demo_set(takes_, "dance", folder_, {});
   ASSERT_FALSE(path.ok());
-  EXPECT_THAT(path.error().text(), testing::HasSubstr("one role"));
+  EXPECT_THAT(path.error().text(),
+              testing::AllOf(testing::HasSubstr("4 to 9"), testing::HasSubstr(takes_.back().name)));
   EXPECT_EQ(files_in(folder_), 0U);
 }
 

@@ -44,6 +44,13 @@ TEST(Footwork, APivotTurnsTheFootOnTheSpot) {
   EXPECT_NEAR(foot.at(0.5).yaw, -0.5, 1e-12);
 }
 
+TEST(Footwork, ADetourLeadsRoundTheStandingFoot) {
+  Footwork foot(here, 0);
+  foot.add({.start = 0, .end = 1, .toe_base = there, .lift = 0.06, .detour = {0.05, 0, 0}});
+  EXPECT_NEAR((foot.at(0.5).toe_base - Vec3(0.05 + 0.05, 0.04 + 0.06, 0.15)).norm(), 0, 1e-12);
+  EXPECT_EQ(foot.at(1).toe_base, there);
+}
+
 TEST(Footwork, RefusesMovesThatOverlapOrTakeNoTime) {
   Footwork foot = one_step();
   EXPECT_THROW(foot.add({.start = 1.9, .end = 2.5, .toe_base = here}), std::invalid_argument);

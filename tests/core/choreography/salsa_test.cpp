@@ -10,6 +10,7 @@
 #include <numbers>
 #include <set>
 #include <stdexcept>
+#include <vector>
 
 #include "core/motion/body.hpp"
 #include "core/motion/joint_set.hpp"
@@ -137,7 +138,8 @@ TEST(Salsa, LabelsTileEveryTakeAndTheLeaderIsActiveThroughout) {
     EXPECT_EQ(take.roles[0].end, frames);
     EXPECT_EQ(take.roles[0].active, ActivePerformer::A);
   }
-  EXPECT_EQ(moves, (std::set<std::string>{"open_hold", "closed_hold", "turn", "cross_body_lead"}));
+  EXPECT_EQ(moves, (std::set<std::string>{"open_hold", "closed_hold", "turn", "cross_body_lead", "walk",
+                                          "in_and_out"}));
 }
 
 TEST(Salsa, BoneLengthsAreConstantAndEverythingIsFinite) {
@@ -150,15 +152,21 @@ TEST(Salsa, BoneLengthsAreConstantAndEverythingIsFinite) {
   });
 }
 
-TEST(Salsa, OpenHoldJoinsBothHands) {
+// Ends of the hands that hold one another: 14 cm apart in the capture's median.
+constexpr double held = 0.14;
+
+TEST(Salsa, OpenHoldJoinsHisLeftHandWithHerRightAndOftenTheOthersToo) {
   const Spread lead =
       spread("open_hold", [](auto& a, auto& b) { return apart(a, left_hand, b, right_hand); });
-  const Spread other =
-      spread("open_hold", [](auto& a, auto& b) { return apart(a, right_hand, b, left_hand); });
-  EXPECT_LT(lead.most, 0.08);
-  EXPECT_LT(lead.mean, 0.05);
-  EXPECT_LT(other.most, 0.08);
-  EXPECT_LT(other.mean, 0.05);
+  EXPECT_LT(lead.most, held);
+  EXPECT_LT(lead.mean, 0.09);
+  int frames = 0, both = 0;
+  for_each_mid_frame("open_hold", [&](const Pose& a, const Pose& b) {
+    ++frames;
+    both += apart(a, right_hand, b, left_hand) < held ? 1 : 0;
+  });
+  EXPECT_GT(both, frames / 2);
+  EXPECT_LT(both, frames);
 }
 
 TEST(Salsa, ClosedHoldPutsHisHandOnHerBackAndHersOnHisShoulder) {
@@ -169,55 +177,56 @@ TEST(Salsa, ClosedHoldPutsHisHandOnHerBackAndHersOnHisShoulder) {
   const Spread back = spread("closed_hold", [](auto& a, auto& b) {
     return std::min(apart(a, right_hand, b, Thorax), apart(a, right_hand, b, UpperBack));
   });
-  EXPECT_LT(side.most, 0.08);
-  EXPECT_LT(side.mean, 0.05);
-  EXPECT_LT(shoulder.most, 0.12);
-  EXPECT_LT(back.most, 0.16);
+  EXPECT_LT(side.most, held);
+  EXPECT_LT(side.mean, 0.09);
+  EXPECT_LT(shoulder.most, 0.15);
+  EXPECT_LT(back.most, 0.20);
 }
 
-TEST(Salsa, HeTurnsHerOnceToHerRightUnderTheRaisedHold) {
+TEST(Salsa, TheHoldIsRaisedAboveTheOneWhoTurns) {
   int turns = 0;
   for (const PairedTake& take : takes())
     for (const LabelInterval& move : take.labels) {
       if (move.label != "turn") continue;
-      double turned = 0, highest = 0, widest = 0;
-      for (int f = move.start + 1; f < move.end; ++f) {
-        const Pose &before = take.b.poses[static_cast<std::size_t>(f) - 1],
-                   &now = take.b.poses[static_cast<std::size_t>(f)];
-        const Vec3 was = joint(before, left_shoulder) - joint(before, right_shoulder);
-        const Vec3 is = joint(now, left_shoulder) - joint(now, right_shoulder);
-        turned += std::atan2(was.z() * is.x() - was.x() * is.z(), was.x() * is.x() + was.z() * is.z());
-        highest = std::max(highest, now(right_hand, 1) - now(Head, 1));
-        widest =
-            std::max(widest, apart(take.a.poses[static_cast<std::size_t>(f)], left_hand, now, right_hand));
+      const bool she_turns = move.detail.find("follower") != std::string::npos;
+      double highest = 0, widest = 0;
+      for (int f = move.start; f < move.end; ++f) {
+        const Pose &a = take.a.poses[static_cast<std::size_t>(f)],
+                   &b = take.b.poses[static_cast<std::size_t>(f)];
+        highest = std::max(highest, b(right_hand, 1) - (she_turns ? b : a)(Head, 1));
+        widest = std::max(widest, apart(a, left_hand, b, right_hand));
       }
       ++turns;
-      EXPECT_NEAR(turned, -2 * std::numbers::pi, 1.3)
-          << take.name << " at " << move.start;  // the couple may turn too
-      EXPECT_GT(highest, 0.15);
-      EXPECT_LT(widest, 0.085);
+      EXPECT_GT(highest, 0.05) << take.name << " at " << move.start << " " << move.detail;
+      EXPECT_LT(widest, 0.25);  // for a moment, when her back is turned
     }
   EXPECT_GT(turns, 10);
 }
 
-TEST(Salsa, InACrossBodyLeadTheyExchangePlacesHoldingOneHand) {
+TEST(Salsa, InACrossBodyLeadTheyHoldOneHandThroughout) {
   const Spread lead =
       spread("cross_body_lead", [](auto& a, auto& b) { return apart(a, left_hand, b, right_hand); });
-  EXPECT_LT(lead.most, 0.08);
-  EXPECT_LT(lead.mean, 0.05);
-  int leads = 0;
-  for (const PairedTake& take : takes())
-    for (const LabelInterval& move : take.labels) {
-      if (move.label != "cross_body_lead") continue;
-      const auto direction = [&](int frame) -> Vec3 {
-        const auto f = static_cast<std::size_t>(frame);
-        return (joint(take.b.poses[f], Root) - joint(take.a.poses[f], Root)).normalized();
-      };
-      EXPECT_LT(direction(move.start).dot(direction(move.end - 1)), -0.7)
-          << take.name << " at " << move.start;
-      ++leads;
-    }
-  EXPECT_GT(leads, 5);
+  EXPECT_LT(lead.most, held);
+  EXPECT_LT(lead.mean, 0.09);
+}
+
+TEST(Salsa, WalkingTheyHoldTheHandsBetweenThemOrBothRightHands) {
+  int frames = 0, holding = 0;
+  for_each_mid_frame("walk", [&](const Pose& a, const Pose& b) {
+    const double nearest = std::min({apart(a, left_hand, b, right_hand), apart(a, right_hand, b, left_hand),
+                                     apart(a, right_hand, b, right_hand)});
+    ++frames;
+    holding += nearest < held ? 1 : 0;
+  });
+  // In tandem the hands change while she turns away.
+  EXPECT_GT(holding, 0.85 * frames);
+}
+
+TEST(Salsa, LedInHisRightHandIsAtHerWaist) {
+  const Spread waist = spread("in_and_out", [](auto& a, auto& b) {
+    return std::min(apart(a, right_hand, b, LowerBack), apart(a, right_hand, b, UpperBack));
+  });
+  EXPECT_LT(waist.mean, 0.2);
 }
 
 TEST(Salsa, PlantedFeetStandStill) {
@@ -259,17 +268,22 @@ TEST(Salsa, KneesBendForwardAndNeverTooFar) {
 }
 
 TEST(Salsa, TheDancersKeepClearOfOneAnother) {
+  int forearms = 0, deep = 0;
   for (const PairedTake& take : takes())
     for (std::size_t f = 0; f < take.a.poses.size(); ++f) {
       const Pose &a = take.a.poses[f], &b = take.b.poses[f];
       ASSERT_GT(apart(a, Root, b, Root), 0.35);
       ASSERT_GT(apart(a, Head, b, Head), 0.25);
       for (const auto& [elbow, wrist] :
-           {std::pair(left_elbow, left_wrist), std::pair(right_elbow, right_wrist)}) {
-        ASSERT_GT(from_spine(joint(a, elbow), joint(a, wrist), b), 0.08) << take.name << " frame " << f;
-        ASSERT_GT(from_spine(joint(b, elbow), joint(b, wrist), a), 0.08) << take.name << " frame " << f;
-      }
+           {std::pair(left_elbow, left_wrist), std::pair(right_elbow, right_wrist)})
+        for (const double distance : {from_spine(joint(a, elbow), joint(a, wrist), b),
+                                      from_spine(joint(b, elbow), joint(b, wrist), a)}) {
+          ++forearms;
+          deep += distance < 0.054 ? 1 : 0;
+        }
     }
+  // The captured leader's forearm is nearer than 5.4 cm to the partner's spine in one frame of a thousand.
+  EXPECT_LT(deep, 0.001 * forearms);
 }
 
 TEST(Salsa, AcceleratesNoMoreThanCapturedDancersDo) {
@@ -280,37 +294,148 @@ TEST(Salsa, AcceleratesNoMoreThanCapturedDancersDo) {
                                                       198, 196, 202, 274, 280, 269, 268};
   constexpr std::array<double, joint_count> follower = {29, 40, 49, 54, 67, 111, 38, 80,  55, 67, 103, 26, 29,
                                                         27, 35, 36, 34, 66, 73,  81, 134, 58, 71, 76,  299};
+  // Knees and elbows lie where the ends of their limbs put them, a wrist where the hand that is held points:
+  // they are somewhat quicker than captured ones.
+  const auto margin = [](int j) {
+    const bool middle = j == left_knee || j == right_knee || j == left_elbow || j == right_elbow;
+    return j == left_wrist || j == right_wrist ? 2.2 : middle ? 1.9 : 1.5;
+  };
   for_each_performer([&](const PairedTake& take, const Clip& clip) {
     const auto& limit = &clip == &take.a ? leader : follower;
     for (std::size_t f = 2; f < clip.poses.size(); ++f) {
       const Pose change = (clip.poses[f] - 2 * clip.poses[f - 1] + clip.poses[f - 2]) * clip.fps * clip.fps;
       for (int j = 0; j < joint_count; ++j)
-        ASSERT_LT(change.row(j).norm(), 1.5 * limit[static_cast<std::size_t>(j)])
+        ASSERT_LT(change.row(j).norm(), margin(j) * limit[static_cast<std::size_t>(j)])
             << take.name << " frame " << f << " " << joint_names[static_cast<std::size_t>(j)];
     }
   });
+}
+
+TEST(Salsa, ElbowsNeitherOverstretchNorFold) {
+  for_each_performer([](const PairedTake& take, const Clip& clip) {
+    for (const Pose& pose : clip.poses)
+      for (const auto& [shoulder, elbow, wrist] : {std::array{left_shoulder, left_elbow, left_wrist},
+                                                   std::array{right_shoulder, right_elbow, right_wrist}}) {
+        const double angle = knee_angle(pose, shoulder, elbow, wrist) * 180 / std::numbers::pi;
+        ASSERT_GT(angle, 25) << take.name;
+        ASSERT_LT(angle, 165) << take.name;
+      }
+  });
+}
+
+TEST(Salsa, FeetSlideNoMoreThanCapturedOnes) {
+  // Mean horizontal speed of a toe-base less than 3 cm above its rest [m/s]. Captured: 0.145 (leads) and 0.17
+  // (follows); there, feet that stand move too, here only those that are being lifted or set down.
+  for_each_performer([](const PairedTake& take, const Clip& clip) {
+    const double rest = body_of(clip.poses).toe_rest_height;
+    double sum = 0;
+    int low = 0;
+    for (std::size_t f = 1; f < clip.poses.size(); ++f)
+      for (const int toe_base : {left_toe_base, right_toe_base}) {
+        if (clip.poses[f - 1](toe_base, 1) > rest + 0.03) continue;
+        const Vec3 step = joint(clip.poses[f], toe_base) - joint(clip.poses[f - 1], toe_base);
+        sum += std::hypot(step.x(), step.z()) * clip.fps, ++low;
+      }
+    EXPECT_LT(sum / low, &clip == &take.a ? 0.16 : 0.18) << take.name;
+  });
+}
+
+TEST(Salsa, HipsAndShouldersCounterRotate) {
+  for_each_performer([](const PairedTake& take, const Clip& clip) {
+    double least = 0, most = 0;
+    for (const Pose& pose : clip.poses) {
+      const Vec3 hips = joint(pose, left_hip) - joint(pose, right_hip),
+                 shoulders = joint(pose, left_shoulder) - joint(pose, right_shoulder);
+      const double twist = std::remainder(
+          std::atan2(-shoulders.z(), shoulders.x()) - std::atan2(-hips.z(), hips.x()), 2 * std::numbers::pi);
+      least = std::min(least, twist), most = std::max(most, twist);
+    }
+    // Captured: 5th and 95th percentile some 20 degrees to either side.
+    EXPECT_LT(least, -15 * std::numbers::pi / 180) << take.name;
+    EXPECT_GT(most, 15 * std::numbers::pi / 180) << take.name;
+  });
+}
+
+TEST(Salsa, NoTwoFramesAreAlike) {
+  std::set<std::vector<double>> seen;
+  std::size_t frames = 0;
+  for (const PairedTake& take : takes())
+    for (std::size_t f = 0; f < take.a.poses.size(); ++f, ++frames) {
+      const Pose a = take.a.poses[f].rowwise() - take.a.poses[f].row(0);
+      seen.insert(std::vector<double>(a.data(), a.data() + a.size()));
+    }
+  EXPECT_EQ(seen.size(), frames);
+}
+
+TEST(Salsa, TheTempoIsDrawnWhenItIsNotGiven) {
+  // A move takes 8 beats: 2.53 s at 190 bpm, 3 s at 160.
+  std::set<int> lengths;
+  for (const PairedTake& take : generate_salsa({.minutes = 3}))
+    for (const LabelInterval& move : take.labels) {
+      EXPECT_GE(move.end - move.start, 151);
+      EXPECT_LE(move.end - move.start, 181);
+      lengths.insert((move.end - move.start) / 4);
+    }
+  EXPECT_GT(lengths.size(), 3U);
+  for (const PairedTake& take : generate_salsa({.minutes = 0.5, .tempo_bpm = 180}))
+    EXPECT_NEAR(take.labels.front().end, 160, 1);
+}
+
+/// Mean horizontal distance of the toe-bases from one another.
+double stride(const PairedTake& take) {
+  double sum = 0;
+  for (const Pose& pose : take.a.poses) {
+    const Vec3 d = joint(pose, left_toe_base) - joint(pose, right_toe_base);
+    sum += std::hypot(d.x(), d.z());
+  }
+  return sum / static_cast<double>(take.a.poses.size());
+}
+
+TEST(Salsa, ABeginnerTakesSmallerSteps) {
+  const PerformerOptions beginner{.height_m = 1.80, .performance = performance_of_skill(0)};
+  const auto expert = generate_salsa({.minutes = 0.3}),
+             novice = generate_salsa({.minutes = 0.3, .a = beginner});
+  EXPECT_LT(stride(novice[0]), 0.95 * stride(expert[0]));
+}
+
+TEST(Salsa, ABeginnersFeetStayPlantedAndBonesRigid) {
+  const PerformerOptions beginner{.height_m = 1.80, .performance = performance_of_skill(0)};
+  for (const PairedTake& take : generate_salsa({.minutes = 1, .a = beginner})) {
+    const Body first = body_of(take.a.poses.front());
+    const double rest = body_of(take.a.poses).toe_rest_height;
+    for (std::size_t f = 1; f < take.a.poses.size(); ++f) {
+      const Pose &before = take.a.poses[f - 1], &now = take.a.poses[f];
+      ASSERT_LT(largest_length_difference(body_of(now), first), 1e-9);
+      for (const int toe_base : {left_toe_base, right_toe_base}) {
+        if (std::max(before(toe_base, 1), now(toe_base, 1)) > rest + 1e-4) continue;
+        ASSERT_LT(apart(before, toe_base, now, toe_base), 0.001);
+      }
+    }
+  }
 }
 
 TEST(Salsa, StaysAPairForOtherRatesAndSizes) {
   for (const ChoreographyOptions& options :
        {ChoreographyOptions{.minutes = 0.5, .fps = 120},
         ChoreographyOptions{.minutes = 0.5, .fps = 30, .tempo_bpm = 150},
-        ChoreographyOptions{.minutes = 0.5, .leader_height_m = 1.95, .follower_height_m = 1.52},
-        ChoreographyOptions{.minutes = 0.5, .leader_height_m = 1.75, .follower_height_m = 1.70}})
+        ChoreographyOptions{.minutes = 0.5, .a = {.height_m = 1.95}, .b = {.height_m = 1.52}},
+        ChoreographyOptions{
+            .minutes = 0.5, .a = {.height_m = 1.75, .arm_scale = 1.2}, .b = {.height_m = 1.70}},
+        ChoreographyOptions{
+            .minutes = 0.5, .a = {.height_m = 1.6, .leg_scale = 0.9}, .b = {.leg_scale = 1.1}}})
     for (const PairedTake& take : generate_salsa(options))
       for (std::size_t f = 0; f < take.a.poses.size(); ++f) {
         ASSERT_TRUE(take.a.poses[f].allFinite() && take.b.poses[f].allFinite());
-        ASSERT_LT(apart(take.a.poses[f], left_hand, take.b.poses[f], right_hand),
-                  0.12);  // a raised hold may be out of reach
+        ASSERT_LT(apart(take.a.poses[f], Root, take.b.poses[f], Root), 1.3);
       }
 }
 
 TEST(Salsa, RefusesOptionsThatMakeNoDance) {
   EXPECT_THROW(generate_salsa({.minutes = 0}), std::invalid_argument);
   EXPECT_THROW(generate_salsa({.fps = -60}), std::invalid_argument);
-  EXPECT_THROW(generate_salsa({.tempo_bpm = 0}), std::invalid_argument);
+  EXPECT_THROW(generate_salsa({.tempo_bpm = -1}), std::invalid_argument);
   EXPECT_THROW(generate_salsa({.take_seconds = std::nan("")}), std::invalid_argument);
-  EXPECT_THROW(generate_salsa({.leader_height_m = 0.3}), std::invalid_argument);
+  EXPECT_THROW(generate_salsa({.a = {.height_m = 0.3}}), std::invalid_argument);
 }
 
 }  // namespace

@@ -6,8 +6,8 @@
 
 #include "core/library/manifest.hpp"
 #include "core/library/motion_library_builder.hpp"
+#include "core/metrics/run_summary.hpp"
 #include "core/synthesis/clip_synthesis.hpp"
-#include "core/synthesis/run_summary.hpp"
 #include "tests/support/captured_data.hpp"
 
 namespace abrazo {

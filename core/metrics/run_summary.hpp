@@ -4,6 +4,9 @@
 #include <vector>
 
 #include "core/library/motion_library.hpp"
+#include "core/metrics/continuity.hpp"
+#include "core/metrics/holds.hpp"
+#include "core/metrics/penetration.hpp"
 #include "core/synthesis/frame_result.hpp"
 
 namespace abrazo {
@@ -31,18 +34,22 @@ class RunSummary {
   };
   Figures figures() const;
 
+  /// The parts, for reports that say more.
+  const HoldMetric& holds() const { return holds_; }
+  const ContinuityMetric& continuity() const { return continuity_; }
+  const PenetrationMetric& penetration() const { return penetration_; }
+
   std::string text(double step_rate_hz) const;
   std::string json(double step_rate_hz) const;
 
  private:
-  void add_holds(const FrameResult& frame);
-
   const MotionLibrary& library_;
-  std::size_t frames_ = 0, relaxed_ = 0, failed_ = 0, source_changes_ = 0;
-  double bone_length_max_ = 0, foot_lock_drift_max_m_ = 0, morph_rms_sum_m_ = 0, behind_sum_m_ = 0;
-  std::vector<double> total_us_, excess_penetration_m_, hold_changes_m_, displacements_m_;
-  Pose previous_passive_ = Pose::Zero();
-  bool follows_solved_ = false;
+  std::size_t frames_ = 0, relaxed_ = 0, failed_ = 0;
+  HoldMetric holds_;
+  ContinuityMetric continuity_;
+  PenetrationMetric penetration_;
+  double bone_length_max_ = 0, foot_lock_drift_max_m_ = 0;
+  std::vector<double> total_us_, behind_m_, morph_rms_m_;
 };
 
 }  // namespace abrazo

@@ -1,62 +1,37 @@
-#include "core/synthesis/run_summary.hpp"
+#include "core/metrics/run_summary.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numeric>
 
 #include "core/base/json_text.hpp"
 #include "core/base/statistics.hpp"
-#include "core/mesh/capsules.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/metrics/mean.hpp"
+#include "core/metrics/partner_error.hpp"
 
 namespace abrazo {
-
-namespace {
-
-double mean(const std::vector<double>& values) {
-  return values.empty()
-             ? 0
-             : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
-}
-
-}  // namespace
-
-void RunSummary::add_holds(const FrameResult& frame) {
-  for (const int active : {joints::left_hand, joints::right_hand})
-    for (const int passive : {joints::left_hand, joints::right_hand}) {
-      const auto apart = [&](const PairPose& pair) {
-        return (pair.row(active) - pair.row(passive + joint_count)).norm();
-      };
-      const double recorded = apart(frame.selected_pair);
-      if (recorded < hold_distance_m) hold_changes_m_.push_back(std::abs(apart(frame.result) - recorded));
-    }
-}
 
 void RunSummary::add(const FrameResult& frame) {
   ++frames_;
   total_us_.push_back(frame.timing.total_us);
   if (frame.status == StepStatus::Failed) {
     ++failed_;
-    follows_solved_ = false;
+    continuity_.interrupt();
     return;
   }
   if (frame.status == StepStatus::Relaxed) ++relaxed_;
-  if (frame.source_changed) ++source_changes_;
-  excess_penetration_m_.push_back(frame.residual.excess_penetration_max_m);
   bone_length_max_ = std::max(bone_length_max_, frame.residual.bone_length_max);
   foot_lock_drift_max_m_ = std::max(foot_lock_drift_max_m_, frame.residual.foot_lock_max_m);
-  morph_rms_sum_m_ += frame.residual.morph_rms_m;
-  behind_sum_m_ += (frame.result - frame.selected_pair).bottomRows<joint_count>().rowwise().norm().mean();
-  if (follows_solved_)
-    displacements_m_.push_back((Pose(frame.passive()) - previous_passive_).rowwise().norm().mean());
-  previous_passive_ = frame.passive();
-  follows_solved_ = true;
-  add_holds(frame);
+  morph_rms_m_.push_back(frame.residual.morph_rms_m);
+  behind_m_.push_back(mean_joint_distance(frame.passive(), frame.selected_pair.bottomRows<joint_count>()));
+  continuity_.add(frame.passive(), frame.source_changed);
+  penetration_.add(frame.residual.penetration_max_m, frame.residual.excess_penetration_max_m);
+  holds_.add(frame.result, frame.selected_pair);
 }
 
 RunSummary::Figures RunSummary::figures() const {
+  const HoldMetric::Figures holds = holds_.figures();
+  const ContinuityMetric::Figures continuity = continuity_.figures();
   Figures f;
   f.frames = frames_;
   f.relaxed = relaxed_;
@@ -65,15 +40,14 @@ RunSummary::Figures RunSummary::figures() const {
   f.solve_us_p99 = percentile(total_us_, 0.99);
   f.bone_length_max = bone_length_max_;
   f.foot_lock_drift_max_m = foot_lock_drift_max_m_;
-  f.excess_penetration_p99_m = percentile(excess_penetration_m_, 0.99);
-  f.holds = hold_changes_m_.size();
-  f.hold_change_mean_m = mean(hold_changes_m_);
-  const double solved = std::max<double>(1, static_cast<double>(frames_ - failed_));
-  f.source_changes_per_100 = 100.0 * static_cast<double>(source_changes_) / solved;
-  f.partner_displacement_mean_m = mean(displacements_m_);
-  f.partner_displacement_p99_m = percentile(displacements_m_, 0.99);
-  f.behind_selected_mean_m = behind_sum_m_ / solved;
-  f.morph_rms_m = morph_rms_sum_m_ / solved;
+  f.excess_penetration_p99_m = penetration_.figures().excess_p99_m;
+  f.holds = static_cast<std::size_t>(holds.holds);
+  f.hold_change_mean_m = holds.change_mean_m;
+  f.source_changes_per_100 = continuity.source_changes_per_100;
+  f.partner_displacement_mean_m = continuity.displacement_mean_m;
+  f.partner_displacement_p99_m = continuity.displacement_p99_m;
+  f.behind_selected_mean_m = mean(behind_m_);
+  f.morph_rms_m = mean(morph_rms_m_);
   return f;
 }
 

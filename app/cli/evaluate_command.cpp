@@ -1,0 +1,155 @@
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <memory>
+
+#include "app/cli/command_line.hpp"
+#include "app/cli/evaluation_data.hpp"
+#include "app/cli/settings_options.hpp"
+#include "core/base/atomic_file.hpp"
+#include "core/evaluation/evaluate.hpp"
+#include "core/evaluation/report_html.hpp"
+#include "core/evaluation/report_json.hpp"
+
+namespace abrazo::app {
+
+namespace {
+
+const std::map<std::string, EvaluationPart> part_names = {{"selection", EvaluationPart::Selection},
+                                                          {"timing", EvaluationPart::Timing},
+                                                          {"moves", EvaluationPart::Moves},
+                                                          {"zmp", EvaluationPart::Zmp},
+                                                          {"contact", EvaluationPart::Contact}};
+
+struct EvaluateArguments {
+  std::vector<std::string> parts;
+  EvaluationSource source;
+  std::string report;
+  SettingsOptions settings;
+  EvaluationOptions options;
+  bool no_variants = false, json = false;
+};
+
+std::set<EvaluationPart> chosen_parts(const std::vector<std::string>& words) {
+  std::set<EvaluationPart> parts;
+  for (const auto& [name, part] : part_names)
+    for (const std::string& word : words)
+      if (word == name || word == "all") parts.insert(part);
+  return parts;
+}
+
+/// The figures a person asks for first.
+std::string summary(const Evaluation& evaluation, const std::filesystem::path& folder) {
+  std::string text;
+  const auto line = [&](std::string_view what, const std::string& value) {
+    text += fmt::format("{:<36}{}\n", what, value);
+  };
+  line("takes answered", fmt::format("{}, from {} pairs", evaluation.takes.size(), evaluation.library_pairs));
+  for (const SelectionTable& table : evaluation.selection)
+    for (const SelectionRow& row : table.rows)
+      if (row.k == 10)
+        line(fmt::format("recall at k = 10, {:.3g} Hz library", table.rate_hz),
+             fmt::format("{:.1f} % best, {:.1f} % either of the best two", 100 * row.recall_best,
+                         100 * row.recall_best2));
+  for (const TimingRow& row : evaluation.timing)
+    line(fmt::format("one selection of {} pairs", row.pairs),
+         fmt::format("{:.3f} ms; comparing with all {:.2f} ms", row.knn_us / 1000, row.brute_us / 1000));
+  if (const auto& result = evaluation.result; result) {
+    if (evaluation.has_moves)
+      line("successful moves",
+           fmt::format("{} of {}, {:.1f} % (lenient {:.1f} %)", result->moves.all.successful,
+                       result->moves.all.total, 100 * result->moves.all.rate(),
+                       100 * result->moves.all.lenient_rate()));
+    if (evaluation.has_zmp)
+      line("ZMP error, original / synthesised",
+           fmt::format("{:.2f} / {:.2f} cm", 100 * result->zmp.original_m, 100 * result->zmp.synthesised_m));
+    if (evaluation.has_contact)
+      line("holds, mean distance change",
+           fmt::format("{:.1f} mm over {}", 1000 * result->contact.holds.change_mean_m,
+                       result->contact.holds.holds));
+    line("partner from the captured one",
+         fmt::format("{:.3f} m mean, {:.3f} m median", result->partner.mean_joint_error_m,
+                     result->partner.median_joint_error_m));
+    line("whole step, p50 / p99",
+         fmt::format("{:.3f} / {:.3f} ms", result->solve.p50_us / 1000, result->solve.p99_us / 1000));
+  }
+  line("report", fmt::format("{} ({:.0f} s)", (folder / "report.html").string(), evaluation.seconds));
+  return text;
+}
+
+Status run_evaluate(CommandLine& line, const EvaluateArguments& arguments) {
+  const auto settings = arguments.settings.read();
+  if (!settings) return settings.error();
+  EvaluationOptions options = arguments.options;
+  options.parts = chosen_parts(arguments.parts);
+  options.settings = *settings;
+  options.variants = !arguments.no_variants;
+  if (const Status made = make_folder(arguments.report); !made) return made;
+
+  const Progress progress = terminal_progress(line);
+  const auto data = read_evaluation_data(arguments.source, part(progress, 0, 0.1));
+  if (!data) return data.error();
+  for (const std::string& warning : data->warnings) warn(line, warning);
+  const auto evaluation = evaluate(*data, options, part(progress, 0.1, 1));
+  if (!evaluation) return evaluation.error();
+
+  const std::filesystem::path folder = arguments.report;
+  const std::string json = report_json(*evaluation);
+  if (const Status written = write_whole_file(folder / "report.html", report_html(*evaluation)); !written)
+    return written;
+  if (const Status written = write_whole_file(folder / "report.json", json + "\n"); !written) return written;
+  if (arguments.json)
+    answer(line, json + "\n");
+  else if (!line.quiet)
+    answer(line, summary(*evaluation, folder));
+  return Done{};
+}
+
+}  // namespace
+
+void add_evaluate_command(CommandLine& line) {
+  const auto arguments = std::make_shared<EvaluateArguments>();
+  CLI::App* command = line.app.add_subcommand(
+      "evaluate", "The paper's four tables and further metrics, on your own takes: report.json, report.html");
+  command
+      ->add_option(
+          "parts", arguments->parts,
+          "selection (Table I), timing (Table II), moves (Table III), zmp (Table IV), contact (holds, "
+          "penetration, sliding, partner error, robustness), or all")
+      ->required()
+      ->check(CLI::IsMember({"selection", "timing", "moves", "zmp", "contact", "all"}))
+      ->type_name("PART");
+  add_evaluation_source(*command, arguments->source);
+  command
+      ->add_option("--hold-out", arguments->options.hold_out,
+                   "takes to be answered, each by all the others, with commas between; all when not given")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("TAKE,...");
+  command
+      ->add_option("--report", arguments->report,
+                   "folder for report.json and report.html; made when not there")
+      ->required()
+      ->type_name("DIR");
+  command->add_flag("--no-variants", arguments->no_variants,
+                    "leave out users of other builds (moves) and disturbed input (contact)");
+  command->add_option("--queries", arguments->options.queries, "poses drawn for the recall of the search")
+      ->check(CLI::Range(10, 1'000'000))
+      ->type_name("N")
+      ->capture_default_str();
+  command
+      ->add_option("--largest-library", arguments->options.largest_library,
+                   "pairs up to which searches are timed; a million take some 2 GB of memory")
+      ->check(CLI::Range(7'500, 10'000'000))
+      ->type_name("PAIRS")
+      ->capture_default_str();
+  command->add_flag("--json", arguments->json, "report.json on stdout as well");
+  arguments->settings.add_to(*command);
+  command->callback([&line, arguments] {
+    if (const Status done = run_evaluate(line, *arguments); !done) fail(line, done.error());
+  });
+}
+
+}  // namespace abrazo::app

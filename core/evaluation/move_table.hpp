@@ -1,0 +1,20 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/evaluation/evaluation.hpp"
+#include "core/evaluation/take_synthesis.hpp"
+#include "core/library/motion_library.hpp"
+
+namespace abrazo {
+
+/// Labels of what is no move: standing, walking in, footwork between exchanges.
+bool is_move(std::string_view label);
+
+/// Table III (Eq. 12) over takes answered by `library`. A step's label is that of the pair it was made from.
+/// Where either performer may be the active one (`both_roles`), who attacks belongs to the move:
+/// "kick_block (user)" is not "kick_block (partner)".
+MoveTable count_moves(std::span<const SynthesisedTake> takes, const MotionLibrary& library, bool both_roles);
+
+}  // namespace abrazo

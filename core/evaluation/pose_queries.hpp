@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "core/library/motion_library.hpp"
+#include "core/library/paired_take.hpp"
+#include "core/selection/pair_selector.hpp"
+#include "core/synthesis/settings.hpp"
+
+namespace abrazo {
+
+/// Single poses of users, made ready for the search: retargeted to the library's body, normalised, with their
+/// feature. The recorded pair stands in for the prediction of Eq. 3-4, so that Eq. 7 costs what it costs in a
+/// run.
+class PoseQueries {
+ public:
+  /// @param library  as the user's role sees it: first bodies are the user's
+  PoseQueries(const MotionLibrary& library, UserRole role, bool both_roles)
+      : library_(library), role_(role), both_roles_(both_roles) {}
+
+  /// Poses of `take` at `frames`; an Error when nobody can say who of them is the user.
+  Result<std::vector<SelectionQuery>> of(const PairedTake& take, const std::vector<int>& frames) const;
+
+ private:
+  const MotionLibrary& library_;
+  UserRole role_;
+  bool both_roles_;
+};
+
+/// The library as a user of this role searches it.
+std::shared_ptr<const MotionLibrary> library_for(const std::shared_ptr<const MotionLibrary>& library,
+                                                 UserRole role);
+
+/// Pairs that do not come from `take` (which the library need not have), of every take about `rate_hz` of
+/// them a second; 0 = all.
+std::vector<int> pairs_without(const MotionLibrary& library, const std::string& take, double rate_hz);
+
+}  // namespace abrazo

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/motion/clip.hpp"
+
+namespace abrazo {
+
+/// A user who differs from the one captured, or whose capture is worse.
+struct UserVariant {
+  std::string name = "as captured";
+  double legs = 1, trunk = 1, arms = 1;  ///< bone lengths against the captured ones
+  double noise_m = 0;                    ///< normal error of each coordinate, standard deviation
+  double lost_share = 0;                 ///< frames that do not arrive; the last one that did stands in
+  double loss_burst_s = 0.05;            ///< mean length of a gap
+  double delay_s = 0;                    ///< frames arrive so much later
+};
+
+/// The motion of such a user. Directions of bones are kept; the path is scaled with the legs, so that feet
+/// that stood still do. Same seed, same motion.
+Clip as_performed_by(const UserVariant& variant, const Clip& clip, unsigned seed);
+
+/// Users of other builds, and disturbed input, as the report shows them.
+std::vector<UserVariant> other_builds();
+std::vector<UserVariant> disturbances();
+
+}  // namespace abrazo

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <vector>
+
+#include "core/base/positions.hpp"
+#include "core/library/capsule_calibration.hpp"
+#include "core/synthesis/capsule_contacts.hpp"
+
+namespace abrazo {
+
+/// Deepest overlap of two capsules of different bodies in a pair [m], 0 when none touch. Hands and forearms
+/// of arms that hold one another in `reference` are left out (`reference` may be the pair itself).
+double deepest_penetration(const PairPose& pair, const PairPose& reference, const CapsuleRadii& active,
+                           const CapsuleRadii& passive);
+
+/// Deepest overlap beyond what the same two capsules have in `reference` [m].
+double deepest_excess_penetration(const PairPose& pair, const PairPose& reference, const CapsuleRadii& active,
+                                  const CapsuleRadii& passive);
+
+/// Penetration over a run, by the capsules that the synthesis itself keeps apart.
+class PenetrationMetric {
+ public:
+  void add(const PairPose& result, const PairPose& selected, const CapsuleRadii& active,
+           const CapsuleRadii& passive);
+  /// A frame whose depths are known already: FrameResult::residual.
+  void add(double deepest_m, double deepest_excess_m);
+
+  struct Figures {
+    double deep_share = 0;  ///< frames deeper than 1 cm
+    double mean_m = 0;      ///< of the deepest overlap of a frame
+    double p99_m = 0;
+    double max_m = 0;
+    double excess_p99_m = 0;  ///< beyond the selected pair's own
+    double excess_max_m = 0;
+    int frames = 0;
+  };
+  Figures figures() const;
+
+ private:
+  CapsuleContacts contacts_;
+  std::vector<CapsuleContact> overlaps_;
+  std::vector<double> depths_m_, excesses_m_;
+};
+
+}  // namespace abrazo
