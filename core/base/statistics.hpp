@@ -2,9 +2,16 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <numeric>
 #include <vector>
 
 namespace abrazo {
+
+/// 0 for none.
+inline double mean(const std::vector<double>& values) {
+  if (values.empty()) return 0;
+  return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
 
 /// The value below which about `fraction` of the values lie (nearest rank); 0 for none.
 inline double percentile(std::vector<double> values, double fraction) {

@@ -223,7 +223,9 @@ std::vector<std::string> move_definitions(const Evaluation& evaluation) {
   if (!evaluation.builds.empty())
     texts.emplace_back(
         "Other builds: the captured user with other bone lengths (directions of bones kept, the path scaled "
-        "with the legs) is retargeted to the library's body and answered as before.");
+        "with the legs) is retargeted to the library's body and answered as before. Retargeting undoes such "
+        "lengths wherever the limbs can reach, so equal figures say that it is exact; people of that size "
+        "would also move differently.");
   return texts;
 }
 

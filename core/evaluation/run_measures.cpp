@@ -1,7 +1,6 @@
 #include "core/evaluation/run_measures.hpp"
 
 #include <algorithm>
-#include <numeric>
 #include <vector>
 
 #include "core/base/statistics.hpp"
@@ -182,9 +181,7 @@ PartnerTable measure_partner(std::span<const SynthesisedTake> takes) {
     lag_s.add(lag.shift_s, static_cast<double>(take.size()));
     correlation.add(lag.correlation, static_cast<double>(take.size()));
   }
-  if (!errors_m.empty())
-    table.mean_joint_error_m =
-        std::accumulate(errors_m.begin(), errors_m.end(), 0.0) / static_cast<double>(errors_m.size());
+  table.mean_joint_error_m = mean(errors_m);
   table.median_joint_error_m = percentile(errors_m, 0.5);
   table.p95_joint_error_m = percentile(errors_m, 0.95);
   table.lag_s = lag_s.value();

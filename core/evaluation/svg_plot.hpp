@@ -62,7 +62,8 @@ struct HeatMap {
     Viridis  ///< where each value matters alike
   };
   std::string title;
-  std::string column_title = {}, row_title = {}, value_title = {};  ///< no colour scale is drawn without a value title
+  std::string column_title = {}, row_title = {},
+              value_title = {};  ///< no colour scale is drawn without a value title
   std::vector<std::string> columns = {}, rows = {};
   std::vector<std::vector<HeatCell>> cells = {};  ///< [row][column]
   double low = 0, high = 1;                       ///< values of the first and last colour

@@ -1,7 +1,6 @@
 #include "core/metrics/continuity.hpp"
 
 #include "core/base/statistics.hpp"
-#include "core/metrics/mean.hpp"
 #include "core/metrics/partner_error.hpp"
 
 namespace abrazo {

@@ -4,7 +4,6 @@
 
 #include "core/base/statistics.hpp"
 #include "core/mesh/capsules.hpp"
-#include "core/metrics/mean.hpp"
 #include "core/motion/joint_set.hpp"
 
 namespace abrazo {

@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "core/base/statistics.hpp"
-#include "core/metrics/mean.hpp"
 
 namespace abrazo {
 

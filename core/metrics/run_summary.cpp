@@ -6,7 +6,6 @@
 
 #include "core/base/json_text.hpp"
 #include "core/base/statistics.hpp"
-#include "core/metrics/mean.hpp"
 #include "core/metrics/partner_error.hpp"
 
 namespace abrazo {

@@ -5,7 +5,7 @@
 #include <optional>
 #include <stdexcept>
 
-#include "core/metrics/mean.hpp"
+#include "core/base/statistics.hpp"
 #include "core/metrics/support_polygon.hpp"
 #include "core/motion/joint_set.hpp"
 
