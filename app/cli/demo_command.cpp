@@ -81,11 +81,13 @@ ChoreographyOptions choreography(const DemoArguments& arguments) {
 
 void run_demo(CommandLine& line, const DemoArguments& arguments) {
   const ChoreographyOptions options = choreography(arguments);
-  const std::vector<PairedTake> takes =
-      arguments.style == "fight" ? generate_fight(options) : generate_salsa(options);
+  const Progress progress = terminal_progress(line);
+  const std::vector<PairedTake> takes = arguments.style == "fight"
+                                            ? generate_fight(options, part(progress, 0, 0.8))
+                                            : generate_salsa(options, part(progress, 0, 0.8));
   if (interrupted()) return fail(line, {"cancelled", arguments.folder});
   const auto manifest = write_demo_set(takes, fmt::format("demo-{}-{}", arguments.style, options.seed),
-                                       arguments.folder, terminal_progress(line));
+                                       arguments.folder, part(progress, 0.8, 1));
   if (!manifest) return fail(line, manifest.error());
   if (!line.quiet) answer(line, summary(takes, *manifest));
 }

@@ -7,6 +7,7 @@
 
 #include "app/cli/command_line.hpp"
 #include "app/cli/evaluation_data.hpp"
+#include "app/cli/report_folder.hpp"
 #include "app/cli/settings_options.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/evaluation/evaluate.hpp"
@@ -57,7 +58,9 @@ std::string summary(const Evaluation& evaluation, const std::filesystem::path& f
     line(fmt::format("one selection of {} pairs", row.pairs),
          fmt::format("{:.3f} ms; comparing with all {:.2f} ms", row.knn_us / 1000, row.brute_us / 1000));
   if (const auto& result = evaluation.result; result) {
-    if (evaluation.has_moves)
+    if (evaluation.has_moves && result->moves.all.total == 0)
+      line("successful moves", "none: the takes have no labelled moves");
+    else if (evaluation.has_moves)
       line("successful moves",
            fmt::format("{} of {}, {:.1f} % (lenient {:.1f} %)", result->moves.all.successful,
                        result->moves.all.total, 100 * result->moves.all.rate(),
@@ -86,12 +89,15 @@ Status run_evaluate(CommandLine& line, const EvaluateArguments& arguments) {
   options.parts = chosen_parts(arguments.parts);
   options.settings = *settings;
   options.variants = !arguments.no_variants;
-  if (const Status made = make_folder(arguments.report); !made) return made;
+  options.hold_out = arguments.source.hold_out;
+  const auto manifests = read_manifests(arguments.source);
+  if (!manifests) return manifests.error();
+  ReportFolder report_folder(arguments.report);
+  if (const Status made = report_folder.make(); !made) return made;
 
   const Progress progress = terminal_progress(line);
-  const auto data = read_evaluation_data(arguments.source, part(progress, 0, 0.1));
+  const auto data = read_takes(line, *manifests, arguments.source.both_roles, part(progress, 0, 0.1));
   if (!data) return data.error();
-  for (const std::string& warning : data->warnings) warn(line, warning);
   const auto evaluation = evaluate(*data, options, part(progress, 0.1, 1));
   if (!evaluation) return evaluation.error();
 
@@ -122,12 +128,6 @@ void add_evaluate_command(CommandLine& line) {
       ->check(CLI::IsMember({"selection", "timing", "moves", "zmp", "contact", "all"}))
       ->type_name("PART");
   add_evaluation_source(*command, arguments->source);
-  command
-      ->add_option("--hold-out", arguments->options.hold_out,
-                   "takes to be answered, each by all the others, with commas between; all when not given")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("TAKE,...");
   command
       ->add_option("--report", arguments->report,
                    "folder for report.json and report.html; made when not there")

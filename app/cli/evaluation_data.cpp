@@ -1,7 +1,6 @@
 #include "app/cli/evaluation_data.hpp"
 
-#include <filesystem>
-#include <system_error>
+#include <utility>
 
 namespace abrazo::app {
 
@@ -19,26 +18,36 @@ void add_evaluation_source(CLI::App& command, EvaluationSource& source) {
       "--both-roles", source.both_roles,
       "either performer may be the active one in every frame, whatever the roles say: for fights, "
       "whose users attack and defend in turn");
+  command
+      .add_option("--hold-out", source.hold_out,
+                  "takes to be answered, each by all the others, with commas between; all when not given")
+      ->delimiter(',')
+      ->allow_extra_args(false)
+      ->type_name("TAKE,...");
 }
 
-Result<EvaluationData> read_evaluation_data(const EvaluationSource& source, const Progress& progress) {
-  const auto manifest = read_manifest(source.manifest);
+Result<EvaluationManifests> read_manifests(const EvaluationSource& source) {
+  auto manifest = read_manifest(source.manifest);
   if (!manifest) return manifest.error();
-  if (source.users.empty())
-    return abrazo::read_evaluation_data(*manifest, nullptr, source.both_roles, progress);
-  const auto users = read_manifest(source.users);
-  if (!users) return users.error();
-  return abrazo::read_evaluation_data(*manifest, &*users, source.both_roles, progress);
+  EvaluationManifests manifests{.manifest = std::move(*manifest), .users = {}};
+  if (!source.users.empty()) {
+    auto users = read_manifest(source.users);
+    if (!users) return users.error();
+    manifests.users = std::move(*users);
+  }
+  const Manifest* const users = manifests.users ? &*manifests.users : nullptr;
+  if (const Status usable = check_answered(manifests.manifest, users, source.hold_out); !usable)
+    return usable.error();
+  return manifests;
 }
 
-Status make_folder(const std::string& folder) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure || !std::filesystem::is_directory(folder, failure))
-    return Error{"the folder cannot be made (" + (failure ? failure.message() : "a file has its name") +
-                     "); choose another",
-                 folder};
-  return Done{};
+Result<EvaluationData> read_takes(CommandLine& line, const EvaluationManifests& manifests, bool both_roles,
+                                  const Progress& progress) {
+  auto data = read_evaluation_data(manifests.manifest, manifests.users ? &*manifests.users : nullptr,
+                                   both_roles, progress);
+  if (data)
+    for (const std::string& warning : data->warnings) warn(line, warning);
+  return data;
 }
 
 }  // namespace abrazo::app

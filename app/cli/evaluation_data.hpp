@@ -1,8 +1,11 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <optional>
 #include <string>
+#include <vector>
 
+#include "app/cli/command_line.hpp"
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/evaluation/evaluate.hpp"
@@ -13,13 +16,21 @@ namespace abrazo::app {
 struct EvaluationSource {
   std::string manifest, users;
   bool both_roles = false;
+  std::vector<std::string> hold_out;
 };
 
 void add_evaluation_source(CLI::App& command, EvaluationSource& source);
 
-Result<EvaluationData> read_evaluation_data(const EvaluationSource& source, const Progress& progress);
+/// The manifests of a source: read, and checked for the takes to be answered, in no time.
+struct EvaluationManifests {
+  Manifest manifest;
+  std::optional<Manifest> users;
+};
 
-/// Makes a folder for a report, asked before the work rather than after it.
-Status make_folder(const std::string& folder);
+Result<EvaluationManifests> read_manifests(const EvaluationSource& source);
+
+/// The takes themselves and their library. What was odd about them is said on stderr.
+Result<EvaluationData> read_takes(CommandLine& line, const EvaluationManifests& manifests, bool both_roles,
+                                  const Progress& progress);
 
 }  // namespace abrazo::app

@@ -5,6 +5,7 @@
 
 #include "app/cli/command_line.hpp"
 #include "app/cli/evaluation_data.hpp"
+#include "app/cli/report_folder.hpp"
 #include "app/cli/settings_options.hpp"
 #include "core/base/json_text.hpp"
 #include "core/evaluation/sweep.hpp"
@@ -16,7 +17,6 @@ namespace {
 
 struct SweepArguments {
   EvaluationSource source;
-  std::vector<std::string> hold_out;
   std::string x, y, metric, report, shard = "1/1";
   bool merge = false, json = false;
   SettingsOptions settings;
@@ -42,17 +42,19 @@ Result<SweepOutcome> run(CommandLine& line, const SweepArguments& arguments) {
   if (!shard) return shard.error();
   Sweep sweep{.data = "", .settings = *settings, .x = *x, .y = *y, .metric = arguments.metric};
   if (const Status usable = check_sweep(sweep); !usable) return usable.error();
-  if (const Status made = make_folder(arguments.report); !made) return made.error();
+  const auto manifests = read_manifests(arguments.source);
+  if (!manifests) return manifests.error();
+  ReportFolder report_folder(arguments.report);
+  if (const Status made = report_folder.make(); !made) return made.error();
 
   const Progress progress = terminal_progress(line);
-  const auto data = read_evaluation_data(arguments.source, part(progress, 0, 0.05));
+  const auto data = read_takes(line, *manifests, arguments.source.both_roles, part(progress, 0, 0.05));
   if (!data) return data.error();
-  for (const std::string& warning : data->warnings) warn(line, warning);
-  sweep.data = data_name(*data, arguments.hold_out);
+  const std::vector<std::string>& hold_out = arguments.source.hold_out;
+  sweep.data = data_name(*data, hold_out);
   const auto evaluate_point = [&](const Settings& at, const Progress& within) {
-    return evaluate(
-        *data, {.parts = sweep_parts(), .settings = at, .hold_out = arguments.hold_out, .variants = false},
-        within);
+    return evaluate(*data, {.parts = sweep_parts(), .settings = at, .hold_out = hold_out, .variants = false},
+                    within);
   };
   return run_sweep(sweep, *shard, arguments.report, evaluate_point, part(progress, 0.05, 1));
 }
@@ -115,12 +117,6 @@ void add_sweep_command(CommandLine& line) {
                    "path of a figure in report.json, as in partner.mean_joint_error_m or moves.rate")
       ->type_name("NAME");
   command
-      ->add_option("--hold-out", arguments->hold_out,
-                   "takes to be answered, each by all the others, with commas between; all when not given")
-      ->delimiter(',')
-      ->allow_extra_args(false)
-      ->type_name("TAKE,...");
-  command
       ->add_option("--report", arguments->report, "folder for the shards and the report; made when not there")
       ->required()
       ->type_name("DIR");
@@ -135,7 +131,12 @@ void add_sweep_command(CommandLine& line) {
       ->add_flag(
           "--merge", arguments->merge,
           "evaluate nothing: read the shards in DIR and draw them, for another --metric if one is given")
-      ->excludes(shard);
+      ->excludes(shard)
+      ->excludes("--manifest")
+      ->excludes("--users")
+      ->excludes("--hold-out")
+      ->excludes("--x")
+      ->excludes("--y");
   command->add_flag("--json", arguments->json,
                     "sweep.json on stdout as well; while shards are missing, which");
   arguments->settings.add_to(*command);

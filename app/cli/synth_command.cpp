@@ -135,7 +135,7 @@ Status run_synth(CommandLine& line, const SynthOptions& options) {
   if (!synthesizer) return synthesizer.error();
 
   const double rate = clip_step_rate(input->clip, *settings);
-  Run run{{"active", rate, {}}, {"passive", rate, {}}, RunSummary(*library), nullptr};
+  Run run{{"active", rate, {}}, {"passive", rate, {}}, RunSummary(*library, settings->user_role), nullptr};
   if (!options.trace.empty()) {
     auto opened = TraceFile::open(options.trace, {options.library, options.input.file, rate, *settings});
     if (!opened) return opened.error();

@@ -64,7 +64,7 @@ PairedTake fight_take(const std::string& name, double seconds, bool a_attacks_fi
 
 }  // namespace
 
-std::vector<PairedTake> generate_fight(const ChoreographyOptions& options) {
+std::vector<PairedTake> generate_fight(const ChoreographyOptions& options, const Progress& progress) {
   check_options(options);
   if (!(options.pace >= 0.5 && options.pace <= 1.5))
     throw std::invalid_argument(fmt::format(
@@ -74,9 +74,11 @@ std::vector<PairedTake> generate_fight(const ChoreographyOptions& options) {
   RandomSource random(options.seed);
   std::vector<PairedTake> fights;
   fights.reserve(static_cast<std::size_t>(takes));
-  for (int t = 0; t < takes; ++t)
+  for (int t = 0; t < takes; ++t) {
+    if (!report(progress, static_cast<double>(t) / takes, "generating fights")) break;
     fights.push_back(
         fight_take(fmt::format("fight_{:02}", t + 1), seconds / takes, t % 2 == 0, options, random));
+  }
   return fights;
 }
 

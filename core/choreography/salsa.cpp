@@ -214,13 +214,14 @@ PairedTake dance_take(const std::string& name, int phrase_count, double tempo_bp
 
 }  // namespace
 
-std::vector<PairedTake> generate_salsa(const ChoreographyOptions& options) {
+std::vector<PairedTake> generate_salsa(const ChoreographyOptions& options, const Progress& progress) {
   check_options(options);
   const int takes = std::max(1, static_cast<int>(std::lround(options.minutes * 60 / options.take_seconds)));
   RandomSource random(options.seed);
   std::vector<PairedTake> dances;
   double left_s = options.minutes * 60;
   for (int t = 0; t < takes; ++t) {
+    if (!report(progress, static_cast<double>(t) / takes, "generating dances")) break;
     const double tempo = options.tempo_bpm > 0 ? options.tempo_bpm : random.uniform(160, 190);
     const double phrase_s = beats_per_phrase * 60 / tempo;
     const int phrases = static_cast<int>(std::lround(left_s / (takes - t) / phrase_s));

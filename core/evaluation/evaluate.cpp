@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "core/base/parallel.hpp"
 #include "core/evaluation/move_table.hpp"
@@ -125,12 +126,49 @@ double common_step_rate(const std::vector<const PairedTake*>& takes, const Setti
   return std::max(0.0, rate_hz);
 }
 
+/// Steps are frames, so a rate that is no whole part of the clip's has steps unevenly apart.
+bool is_uneven(double fps, double step_rate_hz) {
+  const double frames_a_step = fps / step_rate_hz;
+  return std::abs(frames_a_step - std::round(frames_a_step)) > 1e-6;
+}
+
 void remark_on(const std::vector<const PairedTake*>& takes, Evaluation& evaluation) {
-  for (const PairedTake* take : takes)
+  for (const PairedTake* take : takes) {
     if (evaluation.has_moves && std::none_of(take->labels.begin(), take->labels.end(),
                                              [](const auto& label) { return is_move(label.label); }))
       evaluation.remarks.push_back("take " + take->name +
                                    " has no labelled moves and does not count in them");
+    const double rate_hz = clip_step_rate(take->a, evaluation.settings);
+    if (evaluation.result && is_uneven(take->a.fps, rate_hz))
+      evaluation.remarks.push_back(fmt::format(
+          "take {0} has {1:g} frames a second, which {2:g} steps a second do not divide: steps are unevenly "
+          "apart, which distorts accelerations, and so the ZMP errors of capture and synthesis; choose a "
+          "--step-rate that divides {1:g}",
+          take->name, take->a.fps, rate_hz));
+  }
+}
+
+template <typename Takes>
+std::vector<std::string> names_of(const Takes& takes) {
+  std::vector<std::string> names;
+  for (const auto& take : takes) names.push_back(take.name);
+  return names;
+}
+
+/// @param data  name of the takes, for messages
+Status check_names(const std::vector<std::string>& known, bool leave_out,
+                   const std::vector<std::string>& hold_out, const std::string& data) {
+  if (leave_out && known.size() < 2)
+    return Error{
+        "leaving a take out needs at least two takes; name more of them, or give other users' takes "
+        "with --users",
+        data};
+  for (const std::string& name : hold_out)
+    if (std::find(known.begin(), known.end(), name) == known.end())
+      return Error{
+          fmt::format("there is no take of this name to be answered; there are {}", fmt::join(known, ", ")),
+          name};
+  return Done{};
 }
 
 }  // namespace
@@ -157,26 +195,25 @@ Result<EvaluationData> read_evaluation_data(const Manifest& manifest, const Mani
   return data;
 }
 
+Status check_answered(const Manifest& manifest, const Manifest* users,
+                      const std::vector<std::string>& hold_out) {
+  return check_names(names_of((users != nullptr ? *users : manifest).takes), users == nullptr, hold_out,
+                     manifest.name);
+}
+
 Result<std::vector<const PairedTake*>> answered_takes(const EvaluationData& data,
                                                       const EvaluationOptions& options) {
   const std::vector<PairedTake>& all = data.users.empty() ? data.takes : data.users;
-  if (data.users.empty() && all.size() < 2)
-    return Error{
-        "leaving a take out needs at least two takes; name more of them, or give other users' takes "
-        "with --users",
-        data.name};
+  if (const Status usable = check_names(names_of(all), data.users.empty(), options.hold_out, data.name);
+      !usable)
+    return usable.error();
   std::vector<const PairedTake*> takes;
   if (options.hold_out.empty())
     for (const PairedTake& take : all) takes.push_back(&take);
   for (const std::string& name : options.hold_out) {
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const PairedTake& take) { return take.name == name; });
-    if (found == all.end()) {
-      std::string names;
-      for (const PairedTake& take : all) names += (names.empty() ? "" : ", ") + take.name;
-      return Error{"there is no take of this name to be answered; there are " + names, name};
-    }
-    if (std::find(takes.begin(), takes.end(), &*found) == takes.end()) takes.push_back(&*found);
+    const PairedTake& take =
+        *std::find_if(all.begin(), all.end(), [&](const PairedTake& t) { return t.name == name; });
+    if (std::find(takes.begin(), takes.end(), &take) == takes.end()) takes.push_back(&take);
   }
   return takes;
 }

@@ -44,8 +44,12 @@ struct EvaluationData {
 Result<EvaluationData> read_evaluation_data(const Manifest& manifest, const Manifest* users, bool both_roles,
                                             const Progress& progress);
 
-/// The users' takes that are to be answered: `options.hold_out`, or all. An Error when one of them does not
-/// exist, or is the only take there is.
+/// Whether `hold_out` can be answered, asked of the manifests before their takes are read: an Error when one
+/// of the names does not exist among the users', or a take is to be left out that is the only one.
+Status check_answered(const Manifest& manifest, const Manifest* users,
+                      const std::vector<std::string>& hold_out);
+
+/// The users' takes that are to be answered: `options.hold_out`, or all; an Error as `check_answered`.
 Result<std::vector<const PairedTake*>> answered_takes(const EvaluationData& data,
                                                       const EvaluationOptions& options);
 

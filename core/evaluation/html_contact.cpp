@@ -71,8 +71,9 @@ std::string partner_table(const PartnerTable& partner) {
 }
 
 std::string solve_table(const SolveTimes& solve) {
-  HtmlTable html("Time of one whole step, retargeting to result.",
-                 {"median", "95th percentile", "99th percentile", "steps", "relaxed", "failed"});
+  HtmlTable html(
+      "Time of one whole step, retargeting to result, while takes are solved on every core at once.",
+      {"median", "95th percentile", "99th percentile", "steps", "relaxed", "failed"});
   html.row({number_text(solve.p50_us / us_per_ms) + " ms", number_text(solve.p95_us / us_per_ms) + " ms",
             number_text(solve.p99_us / us_per_ms) + " ms", number_text(solve.steps, 1),
             number_text(solve.relaxed, 1), number_text(solve.failed, 1)});

@@ -95,10 +95,15 @@ std::string zmp_definition(const Evaluation& evaluation, const ZmpTable& zmp) {
   const char* const segments = s.segments == ZmpSettings::Segments::Male     ? "men"
                                : s.segments == ZmpSettings::Segments::Female ? "women"
                                                                              : "men and women, mean";
+  const std::string window =
+      evaluation.step_rate_hz > 0
+          ? fmt::format(", which is {} to either side",
+                        count_text(smoothing_half_width(s, evaluation.step_rate_hz), "whole step"))
+          : "";
   return fmt::format(
       "x_zmp = \u03a3 m_i [(a_iy + g) x_i \u2212 a_ix y_i] / \u03a3 m_i (a_iy + g), z likewise (Ikemoto, "
       "Arikan, Forsyth 2007): segments as point masses, de Leva's (1996) table ({}), floor at {} m. "
-      "Accelerations: central differences at {}, then a triangular window of half width {} ms. Error: "
+      "Accelerations: central differences at {}, then a triangular window of half width {} ms{}. Error: "
       "distance to the convex hull of ankle, toe base and toe tip of the feet whose lower toe joint is less "
       "than {} above the floor, widened by {}; 0 inside. Of the synthesis {} body frames count; {} are "
       "skipped (no foot on the floor, vertical force below 0.2 of the weight, or first and last frames); of "
@@ -106,7 +111,7 @@ std::string zmp_definition(const Evaluation& evaluation, const ZmpTable& zmp) {
       segments, plain_number(s.floor_m),
       evaluation.step_rate_hz > 0 ? plain_number(evaluation.step_rate_hz) + " Hz (the step rate)"
                                   : "the step rate",
-      number_text(s.smoothing_s * ms_per_s), plain_number(cm_per_m * s.contact_height_m) + " cm",
+      number_text(s.smoothing_s * ms_per_s), window, plain_number(cm_per_m * s.contact_height_m) + " cm",
       plain_number(cm_per_m * s.sole_margin_m) + " cm", number_text(zmp.frames, 1),
       number_text(zmp.skipped_frames, 1), number_text(zmp.original_skipped_frames, 1));
 }

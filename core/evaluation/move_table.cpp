@@ -8,10 +8,6 @@ namespace abrazo {
 
 namespace {
 
-ActivePerformer other(ActivePerformer performer) {
-  return performer == ActivePerformer::A ? ActivePerformer::B : ActivePerformer::A;
-}
-
 /// A label with who is active, where that is part of the move and known.
 std::string named(std::string_view label, bool both_roles, ActivePerformer active, ActivePerformer user) {
   std::string name(label);
@@ -71,7 +67,6 @@ std::vector<CountedMove> moves_of(const SynthesisedTake& take, const std::vector
   for (const LabelInterval& label : take.take->labels) {
     if (!is_move(label.label)) continue;
     const auto [first, last] = steps_of(take, label);
-    if (first == last) continue;
     const ActivePerformer active = active_at(*take.take, (label.start + label.end) / 2);
     CountedMove move{.take = take.take->name,
                      .own = named(label.label, both_roles, active, take.user),
@@ -120,6 +115,7 @@ void fill_matrices(const std::vector<CountedMove>& moves, MoveTable& table) {
   table.confusion.assign(table.labels.size(), std::vector<int>(table.labels.size(), 0));
   table.steps = table.confusion;
   for (const CountedMove& move : moves) {
+    if (move.steps.empty()) continue;
     ++table.confusion[index(move.own)][index(move.majority())];
     for (const auto& [source, count] : move.steps) table.steps[index(move.own)][index(source)] += count;
   }
@@ -143,7 +139,7 @@ MoveTable count_moves(std::span<const SynthesisedTake> takes, const MotionLibrar
   int steps = 0, right_steps = 0, chance = 0;
   for (const CountedMove& move : moves) {
     const std::string majority = move.majority();
-    const bool successful = majority == move.own, lenient = majority == move.lenient;
+    const bool successful = majority == move.own, lenient = !majority.empty() && majority == move.lenient;
     for (MoveCount* count : {&table.all, &table.per_take[move.take], &table.per_label[move.own]})
       add(successful, lenient, *count);
     chance += move.own == frequent;

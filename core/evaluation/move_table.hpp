@@ -14,7 +14,7 @@ bool is_move(std::string_view label);
 
 /// Table III (Eq. 12) over takes answered by `library`. A step's label is that of the pair it was made from.
 /// Where either performer may be the active one (`both_roles`), who attacks belongs to the move:
-/// "kick_block (user)" is not "kick_block (partner)".
+/// "kick_block (user)" is not "kick_block (partner)". A move of which no step could be solved is a miss.
 MoveTable count_moves(std::span<const SynthesisedTake> takes, const MotionLibrary& library, bool both_roles);
 
 }  // namespace abrazo

@@ -279,10 +279,14 @@ std::string report_json(const Evaluation& evaluation) {
   }
   write_users(json, "builds", evaluation, evaluation.builds);
   write_users(json, "disturbed", evaluation, evaluation.disturbed);
+  return finished_with_settings(json, evaluation.settings);
+}
+
+std::string finished_with_settings(JsonText& json, const Settings& settings) {
   json.end_object();
   std::string text = json.take();
   text.pop_back();
-  return text + ",\"settings\":" + settings_json(evaluation.settings) + "}";
+  return text + ",\"settings\":" + settings_json(settings) + "}";
 }
 
 }  // namespace abrazo

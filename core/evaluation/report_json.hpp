@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "core/base/json_text.hpp"
 #include "core/evaluation/evaluation.hpp"
 
 namespace abrazo {
@@ -9,5 +10,8 @@ namespace abrazo {
 /// report.json as the contract has it, with further keys beside. Parts that were not asked for are missing;
 /// what is not defined (a success rate of no moves) is null.
 std::string report_json(const Evaluation& evaluation);
+
+/// Ends the outermost object, with the settings as its last member.
+std::string finished_with_settings(JsonText& json, const Settings& settings);
 
 }  // namespace abrazo

@@ -36,44 +36,48 @@ const auto true_partner = [](const SynthesisedTake& take, std::size_t step) {
 };
 const auto true_user = [](const SynthesisedTake& take, std::size_t step) { return take.true_user(step); };
 
-struct ZmpMean {
-  WeightedMean mean;
-  int frames = 0, skipped = 0;
-  void add(const ZmpError& error) {
-    mean.add(error.mean_m(), static_cast<double>(error.error_m.size()));
-    frames += static_cast<int>(error.error_m.size());
-    skipped += error.skipped();
+/// Steps [first, last) of a take.
+struct Stretch {
+  std::size_t first = 0, last = 0;
+  std::span<const Pose> of(const std::vector<Pose>& poses) const {
+    return std::span(poses).subspan(first, last - first);
   }
 };
 
-/// Calls `stretch(first, last)` for every run of steps [first, last) from one source, without a failed one.
-template <typename Stretch>
-void for_each_stretch(const SynthesisedTake& take, const Stretch& stretch) {
-  std::size_t first = 0;
-  for (std::size_t step = 1; step <= take.size(); ++step)
-    if (step == take.size() || take.source_changed[step] != 0 || take.follows[step] == 0) {
-      stretch(first, step);
-      first = step;
-    }
+/// A take cut where a step failed, and also where the source changes when `by_source`: elsewhere there is no
+/// speed to be had from one step to the next.
+std::vector<Stretch> stretches_of(const SynthesisedTake& take, bool by_source) {
+  std::vector<Stretch> stretches;
+  for (std::size_t step = 0; step < take.size(); ++step) {
+    const bool begins = step == 0 || take.follows[step] == 0 || (by_source && take.source_changed[step] != 0);
+    if (begins) stretches.push_back({step, step});
+    stretches.back().last = step + 1;
+  }
+  return stretches;
 }
 
 struct SlideMean {
   WeightedMean mean;
-  void add(const std::vector<Pose>& poses, double fps) {
-    const FootSlide slide = measure_foot_slide(poses, fps, toe_rest_height(poses));
-    mean.add(slide.speed_m_s, slide.landed_frames);
+  void add(const SynthesisedTake& take, const std::vector<Pose>& poses) {
+    const double floor_m = toe_rest_height(poses);
+    for (const Stretch& stretch : stretches_of(take, false)) {
+      const FootSlide slide = measure_foot_slide(stretch.of(poses), take.rate_hz, floor_m);
+      mean.add(slide.speed_m_s, slide.landed_frames);
+    }
   }
 };
 
-/// Radii of the two performers of a captured take, or of the library's usual bodies when it is not in the
-/// library.
+/// Radii of performers A and B of a captured take; of the library's usual bodies in their roles when it is
+/// not in the library.
 std::pair<const CapsuleRadii*, const CapsuleRadii*> radii_of(const SynthesisedTake& take,
                                                              const MotionLibrary& library) {
   if (take.of_library) {
     const LibraryTake& known = library.takes()[static_cast<std::size_t>(library.find_take(take.take->name))];
     return {&library.bodies()[known.body_a].capsule_radii, &library.bodies()[known.body_b].capsule_radii};
   }
-  return {&library.usual_active_body().capsule_radii, &library.usual_passive_body().capsule_radii};
+  const CapsuleRadii *active = &library.usual_active_body().capsule_radii,
+                     *passive = &library.usual_passive_body().capsule_radii;
+  return take.active() == ActivePerformer::A ? std::pair(active, passive) : std::pair(passive, active);
 }
 
 PairPose captured_pair(const PairedTake& take, int frame) {
@@ -104,40 +108,38 @@ void add_contact(const SynthesisedTake& take, const MotionLibrary& library, Hold
 }  // namespace
 
 ZmpTable measure_zmp(std::span<const SynthesisedTake> takes, const ZmpSettings& settings) {
-  ZmpMean original, synthesised, original_partner, synthesised_partner, between, original_between;
+  ZmpError original, synthesised, original_partner, synthesised_partner, between, original_between;
   for (const SynthesisedTake& take : takes) {
-    const auto measured = [&](const auto& pose_of) {
-      return measure_zmp(poses_of(take, pose_of), take.rate_hz, settings);
+    const auto measured = [&](const auto& pose_of, bool by_source) {
+      const std::vector<Pose> poses = poses_of(take, pose_of);
+      ZmpError error;
+      for (const Stretch& stretch : stretches_of(take, by_source))
+        error.append(measure_zmp(stretch.of(poses), take.rate_hz, settings));
+      return error;
     };
-    const ZmpError captured_partner = measured(true_partner), made_partner = measured(partner);
-    original_partner.add(captured_partner);
-    synthesised_partner.add(made_partner);
-    original.add(captured_partner);
-    original.add(measured(true_user));
-    synthesised.add(made_partner);
-    synthesised.add(measured(user_body));
-    const std::vector<Pose> made = poses_of(take, partner), captured = poses_of(take, true_partner);
-    for_each_stretch(take, [&](std::size_t first, std::size_t last) {
-      const auto part_of = [&](const std::vector<Pose>& poses) {
-        return measure_zmp(std::span(poses).subspan(first, last - first), take.rate_hz, settings);
-      };
-      between.add(part_of(made));
-      original_between.add(part_of(captured));
-    });
+    original_partner.append(measured(true_partner, false));
+    synthesised_partner.append(measured(partner, false));
+    original.append(measured(true_user, false));
+    synthesised.append(measured(user_body, false));
+    original_between.append(measured(true_partner, true));
+    between.append(measured(partner, true));
   }
-  const int partner_frames = synthesised_partner.frames;
-  return {
-      .original_m = original.mean.value(),
-      .synthesised_m = synthesised.mean.value(),
-      .original_partner_m = original_partner.mean.value(),
-      .synthesised_partner_m = synthesised_partner.mean.value(),
-      .frames = synthesised.frames,
-      .skipped_frames = synthesised.skipped,
-      .original_skipped_frames = original.skipped,
-      .partner_between_changes_m = between.mean.value(),
-      .original_between_changes_m = original_between.mean.value(),
-      .between_changes_share = partner_frames > 0 ? static_cast<double>(between.frames) / partner_frames : 0,
-      .settings = settings};
+  original.append(original_partner);
+  synthesised.append(synthesised_partner);
+  const std::size_t partner_frames = synthesised_partner.error_m.size();
+  return {.original_m = original.mean_m(),
+          .synthesised_m = synthesised.mean_m(),
+          .original_partner_m = original_partner.mean_m(),
+          .synthesised_partner_m = synthesised_partner.mean_m(),
+          .frames = static_cast<int>(synthesised.error_m.size()),
+          .skipped_frames = synthesised.skipped(),
+          .original_skipped_frames = original.skipped(),
+          .partner_between_changes_m = between.mean_m(),
+          .original_between_changes_m = original_between.mean_m(),
+          .between_changes_share = partner_frames > 0 ? static_cast<double>(between.error_m.size()) /
+                                                            static_cast<double>(partner_frames)
+                                                      : 0,
+          .settings = settings};
 }
 
 ContactTable measure_contact(std::span<const SynthesisedTake> takes, const MotionLibrary& library) {
@@ -148,9 +150,9 @@ ContactTable measure_contact(std::span<const SynthesisedTake> takes, const Motio
   for (const SynthesisedTake& take : takes) {
     add_contact(take, library, holds, penetration);
     add_captured_penetration(take, library, original_penetration);
-    original_slide.add(poses_of(take, true_partner), take.rate_hz);
-    partner_slide.add(poses_of(take, partner), take.rate_hz);
-    user_slide.add(poses_of(take, user_body), take.rate_hz);
+    original_slide.add(take, poses_of(take, true_partner));
+    partner_slide.add(take, poses_of(take, partner));
+    user_slide.add(take, poses_of(take, user_body));
     table.bone_length_max = std::max(table.bone_length_max, take.bone_length_max);
     table.foot_lock_drift_max_m = std::max(table.foot_lock_drift_max_m, take.foot_lock_drift_max_m);
   }

@@ -9,6 +9,7 @@
 
 #include "core/base/parallel.hpp"
 #include "core/base/statistics.hpp"
+#include "core/evaluation/elapsed.hpp"
 #include "core/evaluation/pose_queries.hpp"
 
 namespace abrazo {
@@ -17,10 +18,6 @@ namespace {
 
 constexpr int smallest_k = 5, largest_k = 50, k_step = 5;  // of the paper's Table I
 constexpr double paper_rate_hz = 15;
-
-double elapsed_us(std::chrono::steady_clock::time_point since) {
-  return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - since).count();
-}
 
 /// Queries of one take and the pairs in which they are searched.
 struct TakeQueries {

@@ -51,7 +51,11 @@ Result<std::vector<Figures>> evaluate_points(const Sweep& sweep, const std::vect
     const std::string name = point_name(sweep, points[i]);
     if (!report(progress, done, name)) return Error{"cancelled", sweep.data};
     const auto evaluation = evaluate(settings_at(sweep, points[i]), part(progress, done, done + share));
-    if (!evaluation) return evaluation.error();
+    if (!evaluation) {
+      Error error = evaluation.error();
+      if (error.message != "cancelled") error.message += " (at " + name + ")";
+      return error;
+    }
     figures.push_back(figures_of(*evaluation));
     if (!figures.back().contains(sweep.metric))
       return Error{

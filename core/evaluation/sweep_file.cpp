@@ -7,6 +7,7 @@
 
 #include "core/base/atomic_file.hpp"
 #include "core/base/version.hpp"
+#include "core/evaluation/report_json.hpp"
 
 namespace abrazo {
 
@@ -82,13 +83,6 @@ void write_sweep_point(JsonText& json, const Sweep& sweep, int point, const Figu
   json.end_object().end_object();
 }
 
-std::string finished_with_settings(JsonText& json, const Settings& settings) {
-  json.end_object();
-  std::string text = json.take();
-  text.pop_back();
-  return text + ",\"settings\":" + settings_json(settings) + "}\n";
-}
-
 std::string shard_json(const Sweep& sweep, const SweepShard& shard, const std::vector<Figures>& points) {
   JsonText json;
   json.begin_object();
@@ -99,7 +93,7 @@ std::string shard_json(const Sweep& sweep, const SweepShard& shard, const std::v
   const std::vector<int> own = points_of(sweep, shard);
   for (std::size_t i = 0; i < own.size(); ++i) write_sweep_point(json, sweep, own[i], points[i]);
   json.end_array();
-  return finished_with_settings(json, sweep.settings);
+  return finished_with_settings(json, sweep.settings) + "\n";
 }
 
 Result<SweepShardFile> read_shard_file(const fs::path& path) {

@@ -18,10 +18,9 @@ struct SweepShardFile {
   std::vector<Figures> points;  ///< in the order of `points_of`
 };
 
-/// What shards and the merged file have in common: which sweep it is, a point, and the settings at the end.
+/// What shards and the merged file have in common: which sweep it is, and a point.
 void write_sweep_head(JsonText& json, const Sweep& sweep);
 void write_sweep_point(JsonText& json, const Sweep& sweep, int point, const Figures& figures);
-std::string finished_with_settings(JsonText& json, const Settings& settings);
 
 std::string shard_json(const Sweep& sweep, const SweepShard& shard, const std::vector<Figures>& points);
 

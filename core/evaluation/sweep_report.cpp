@@ -10,6 +10,7 @@
 #include "core/evaluation/html_page.hpp"
 #include "core/evaluation/html_sections.hpp"
 #include "core/evaluation/html_text.hpp"
+#include "core/evaluation/report_json.hpp"
 #include "core/evaluation/svg_plot.hpp"
 #include "core/evaluation/sweep_file.hpp"
 
@@ -210,7 +211,7 @@ std::string sweep_json(const SweepOutcome& outcome) {
   for (int point = 0; point < point_count(sweep); ++point)
     write_sweep_point(json, sweep, point, outcome.points[static_cast<std::size_t>(point)]);
   json.end_array();
-  return finished_with_settings(json, sweep.settings);
+  return finished_with_settings(json, sweep.settings) + "\n";
 }
 
 std::string sweep_html(const SweepOutcome& outcome) {

@@ -8,10 +8,6 @@ namespace abrazo {
 
 namespace {
 
-ActivePerformer other(ActivePerformer performer) {
-  return performer == ActivePerformer::A ? ActivePerformer::B : ActivePerformer::A;
-}
-
 const Clip& clip_of(const PairedTake& take, ActivePerformer performer) {
   return performer == ActivePerformer::B ? take.b : take.a;
 }
@@ -40,6 +36,10 @@ void keep(const ClipStep& step, bool follows, SynthesisedTake& kept) {
 
 }  // namespace
 
+ActivePerformer other(ActivePerformer performer) {
+  return performer == ActivePerformer::A ? ActivePerformer::B : ActivePerformer::A;
+}
+
 const Pose& SynthesisedTake::true_partner(std::size_t step) const {
   return clip_of(*take, other(user)).poses[static_cast<std::size_t>(frames[step])];
 }
@@ -53,7 +53,8 @@ Result<ActivePerformer> user_of(const PairedTake& take, UserRole role, bool both
   const auto active = active_throughout(take);
   if (!active)
     return Error{
-        "the performers change roles, so a user who always leads cannot be either of them; evaluate with "
+        "the performers change roles, so a user who keeps to one role cannot be either of them; evaluate "
+        "with "
         "--both-roles",
         "take " + take.name};
   if (*active == ActivePerformer::Unknown) return ActivePerformer::A;

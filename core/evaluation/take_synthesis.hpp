@@ -12,6 +12,9 @@
 
 namespace abrazo {
 
+/// The one who dances or fights with this performer, A or B.
+ActivePerformer other(ActivePerformer performer);
+
 /// A take whose one performer was the user and whose other was answered by the library: what the steps left.
 struct SynthesisedTake {
   const PairedTake* take = nullptr;
@@ -38,6 +41,8 @@ struct SynthesisedTake {
   Pose selected_partner(std::size_t step) const {
     return body(selected[step], user_role != UserRole::Active);
   }
+  /// Who was made to play the active role.
+  ActivePerformer active() const { return user_role == UserRole::Active ? user : other(user); }
   /// What the partner did in the take.
   const Pose& true_partner(std::size_t step) const;
   const Pose& true_user(std::size_t step) const;

@@ -8,6 +8,7 @@
 
 #include "core/base/statistics.hpp"
 #include "core/choreography/salsa.hpp"
+#include "core/evaluation/elapsed.hpp"
 #include "core/evaluation/pose_queries.hpp"
 #include "core/evaluation/selection_table.hpp"
 
@@ -15,14 +16,10 @@ namespace abrazo {
 
 namespace {
 
-constexpr std::array<int, 6> sizes = {7'500, 15'000, 30'000, 100'000, 300'000, 1'000'000};
+constexpr std::array<int, 6> usual_sizes = {7'500, 15'000, 30'000, 100'000, 300'000, 1'000'000};
 constexpr int query_count = 200;
 constexpr double compared_pairs = 6e6;  ///< by brute force for each size, in whole queries, at least 5
 constexpr int neighbours = 10;
-
-double elapsed_us(std::chrono::steady_clock::time_point since) {
-  return std::chrono::duration<double, std::micro>(std::chrono::steady_clock::now() - since).count();
-}
 
 /// Pairs without meshes, as many as wanted: those of a library in random order, then generated dances. All
 /// count as frames of one long take: only the poses matter here.
@@ -129,6 +126,15 @@ double brute_us(const MotionLibrary& library, const std::vector<int>& pairs,
   return std::isfinite(cheapest) ? percentile(times_us, 0.5) : 0;
 }
 
+/// The usual sizes below the largest, and the largest.
+std::vector<int> sizes_up_to(int largest) {
+  std::vector<int> sizes;
+  for (const int size : usual_sizes)
+    if (size < largest) sizes.push_back(size);
+  sizes.push_back(largest);
+  return sizes;
+}
+
 std::vector<int> spread_frames(const PairedTake& take, int count) {
   const auto frames = static_cast<int>(take.a.poses.size());
   std::vector<int> spread;
@@ -156,13 +162,14 @@ Result<std::vector<TimingRow>> measure_timing(const EvaluationData& data, const 
   const auto library = std::move(growing).finish();
 
   std::vector<TimingRow> rows;
-  for (std::size_t s = 0; s < sizes.size() && sizes[s] <= options.largest_library; ++s) {
-    const std::vector<int> searched = first_pairs(sizes[s]);
-    const double fraction = 0.6 + 0.4 * static_cast<double>(s) / sizes.size();
-    if (!report(progress, fraction, fmt::format("searching {} pairs", sizes[s])))
+  const std::vector<int> sizes = sizes_up_to(options.largest_library);
+  for (const int size : sizes) {
+    const std::vector<int> searched = first_pairs(size);
+    const double fraction = 0.6 + 0.4 * static_cast<double>(rows.size()) / static_cast<double>(sizes.size());
+    if (!report(progress, fraction, fmt::format("searching {} pairs", size)))
       return Error{"cancelled", data.name};
-    rows.push_back({.pairs = sizes[s],
-                    .generated = std::max(0, sizes[s] - static_cast<int>(pairs.size())),
+    rows.push_back({.pairs = size,
+                    .generated = std::max(0, size - static_cast<int>(pairs.size())),
                     .knn_us = knn_us(library, searched, *queries),
                     .brute_us = brute_us(*library, searched, *queries)});
   }

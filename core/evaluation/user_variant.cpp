@@ -5,26 +5,19 @@
 #include <cmath>
 #include <cstddef>
 #include <numbers>
-#include <random>
 
+#include "core/choreography/random_source.hpp"
 #include "core/motion/joint_set.hpp"
 
 namespace abrazo {
 
 namespace {
 
-/// Random numbers that are the same with every standard library (its distributions are not).
-class Noise {
- public:
-  explicit Noise(unsigned seed) : engine_(seed) {}
-  /// (0, 1)
-  double uniform() { return (static_cast<double>(engine_() >> 11) + 0.5) * 0x1.0p-53; }
-  /// Box and Muller.
-  double normal() { return std::sqrt(-2 * std::log(uniform())) * std::cos(2 * std::numbers::pi * uniform()); }
-
- private:
-  std::mt19937_64 engine_;
-};
+/// Standard normal, by Box and Muller.
+double normal(RandomSource& random) {
+  const double radius = std::sqrt(-2 * std::log(1 - random.uniform(0, 1)));
+  return radius * std::cos(random.uniform(0, 2 * std::numbers::pi));
+}
 
 double scale_of(const UserVariant& variant, int joint) {
   if (joint >= joints::LeftHipJoint && joint <= joints::RightToes) return variant.legs;
@@ -45,19 +38,19 @@ Pose rebuilt(const UserVariant& variant, const Pose& pose) {
   return other;
 }
 
-void add_noise(double sigma_m, Noise& noise, std::vector<Pose>& poses) {
+void add_noise(double sigma_m, RandomSource& random, std::vector<Pose>& poses) {
   for (Pose& pose : poses)
-    for (Eigen::Index i = 0; i < pose.size(); ++i) pose.data()[i] += sigma_m * noise.normal();
+    for (Eigen::Index i = 0; i < pose.size(); ++i) pose.data()[i] += sigma_m * normal(random);
 }
 
 /// Gaps whose lengths are geometrically distributed about the mean burst; in a gap the last frame that came
 /// stands in.
-void lose(const UserVariant& variant, double fps, Noise& noise, std::vector<Pose>& poses) {
+void lose(const UserVariant& variant, double fps, RandomSource& random, std::vector<Pose>& poses) {
   const double burst = std::max(1.0, variant.loss_burst_s * fps);
   const double begin = variant.lost_share / (burst * (1 - variant.lost_share)), end = 1 / burst;
   bool lost = false;
   for (std::size_t frame = 1; frame < poses.size(); ++frame) {
-    lost = lost ? noise.uniform() >= end : noise.uniform() < begin;
+    lost = lost ? !random.chance(end) : random.chance(begin);
     if (lost) poses[frame] = poses[frame - 1];
   }
 }
@@ -76,9 +69,9 @@ Clip as_performed_by(const UserVariant& variant, const Clip& clip, unsigned seed
   if (performed.poses.empty()) return performed;
   if (variant.legs != 1 || variant.trunk != 1 || variant.arms != 1)
     for (Pose& pose : performed.poses) pose = rebuilt(variant, pose);
-  Noise noise(seed);
-  if (variant.noise_m > 0) add_noise(variant.noise_m, noise, performed.poses);
-  if (variant.lost_share > 0) lose(variant, clip.fps, noise, performed.poses);
+  RandomSource random(seed);
+  if (variant.noise_m > 0) add_noise(variant.noise_m, random, performed.poses);
+  if (variant.lost_share > 0) lose(variant, clip.fps, random, performed.poses);
   if (variant.delay_s > 0) delay(variant.delay_s, clip.fps, performed.poses);
   return performed;
 }

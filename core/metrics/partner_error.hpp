@@ -22,7 +22,7 @@ struct Lag {
 /// neighbours. A best shift at either end of the range is left at the whole frame: it may lie beyond. 0 and
 /// 0 when one of the motions does not vary.
 /// @param longest_s  shifts up to this are tried, both ways, and at most to half of the frames
-/// @throws std::invalid_argument when the motions differ in length the rate is not positive or `longest_s`
+/// @throws std::invalid_argument when the motions differ in length, the rate is not positive, or `longest_s`
 /// is negative
 Lag measure_lag(std::span<const Pose> leader, std::span<const Pose> follower, double fps,
                 double longest_s = 0.5);

@@ -22,8 +22,10 @@ void RunSummary::add(const FrameResult& frame) {
   bone_length_max_ = std::max(bone_length_max_, frame.residual.bone_length_max);
   foot_lock_drift_max_m_ = std::max(foot_lock_drift_max_m_, frame.residual.foot_lock_max_m);
   morph_rms_m_.push_back(frame.residual.morph_rms_m);
-  behind_m_.push_back(mean_joint_distance(frame.passive(), frame.selected_pair.bottomRows<joint_count>()));
-  continuity_.add(frame.passive(), frame.source_changed);
+  const Pose partner = frame.result.middleRows<joint_count>(partner_row_);
+  behind_m_.push_back(
+      mean_joint_distance(partner, frame.selected_pair.middleRows<joint_count>(partner_row_)));
+  continuity_.add(partner, frame.source_changed);
   penetration_.add(frame.residual.penetration_max_m, frame.residual.excess_penetration_max_m);
   holds_.add(frame.result, frame.selected_pair);
 }

@@ -8,13 +8,16 @@
 #include "core/metrics/holds.hpp"
 #include "core/metrics/penetration.hpp"
 #include "core/synthesis/frame_result.hpp"
+#include "core/synthesis/settings.hpp"
 
 namespace abrazo {
 
 /// What a run over many frames came to: the figures by which constraints and speed are judged.
 class RunSummary {
  public:
-  explicit RunSummary(const MotionLibrary& library) : library_(library) {}
+  /// @param user_role  the other role is the partner's
+  explicit RunSummary(const MotionLibrary& library, UserRole user_role = UserRole::Active)
+      : library_(library), partner_row_(user_role == UserRole::Active ? joint_count : 0) {}
 
   void add(const FrameResult& frame);
 
@@ -44,6 +47,7 @@ class RunSummary {
 
  private:
   const MotionLibrary& library_;
+  int partner_row_;  ///< first of the partner's rows in a pair
   std::size_t frames_ = 0, relaxed_ = 0, failed_ = 0;
   HoldMetric holds_;
   ContinuityMetric continuity_;

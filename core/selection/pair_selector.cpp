@@ -12,12 +12,32 @@ std::vector<bool> as_flags(const std::vector<int>& pairs, int count) {
   return flags;
 }
 
+bool is_vetoed_by(const Vetoes& vetoes, const MotionLibrary& library, int pair) {
+  return vetoes.pairs.contains(pair) || vetoes.takes.contains(library.take_of(pair).name) ||
+         vetoes.labels.contains(std::string(library.label(pair)));
+}
+
 }  // namespace
 
 PairSelector::PairSelector(std::shared_ptr<const MotionLibrary> library, std::vector<int> pairs)
     : library_(std::move(library)),
-      selectable_(as_flags(pairs, library_->pair_count())),
-      index_(library_->columns().features, pairs) {}
+      pairs_(std::move(pairs)),
+      selectable_(as_flags(pairs_, library_->pair_count())),
+      vetoed_(selectable_.size(), false),
+      index_(library_->columns().features, pairs_) {}
+
+void PairSelector::set_vetoes(const Vetoes& vetoes) {
+  std::vector<bool> vetoed(selectable_.size(), false);
+  std::vector<int> left;
+  for (const int pair : pairs_) {
+    const bool unwanted = is_vetoed_by(vetoes, *library_, pair);
+    vetoed[static_cast<std::size_t>(pair)] = unwanted;
+    if (!unwanted) left.push_back(pair);
+  }
+  if (vetoed == vetoed_) return;
+  index_ = PoseIndex(library_->columns().features, left);
+  vetoed_ = std::move(vetoed);
+}
 
 int PairSelector::select(const SelectionQuery& query, std::vector<Candidate>& candidates) {
   candidates.clear();
@@ -31,6 +51,7 @@ int PairSelector::select(const SelectionQuery& query, std::vector<Candidate>& ca
   for (int n = 1; query.current_pair >= 0 && n <= query.continuations; ++n) {
     const int pair = library_->later_pair(query.current_pair, n * query.expected_advance);
     if (pair < 0 || !is_selectable(pair)) break;
+    if (is_vetoed(pair)) continue;
     if (std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& c) { return c.pair == pair; }))
       continue;
     Candidate candidate;

@@ -6,6 +6,7 @@
 #include "core/library/motion_library.hpp"
 #include "core/library/pose_index.hpp"
 #include "core/selection/candidate.hpp"
+#include "core/selection/vetoes.hpp"
 
 namespace abrazo {
 
@@ -33,12 +34,22 @@ class PairSelector {
   /// @return index of the cheapest; -1 when there are none
   int select(const SelectionQuery& query, std::vector<Candidate>& candidates);
 
+  /// Leaves these out from the next call on; the pairs given to the constructor stay the most there can be.
+  /// Builds the index anew, so that a query costs the same with and without vetoes.
+  void set_vetoes(const Vetoes& vetoes);
+
+  /// Given to the constructor, vetoed or not.
   bool is_selectable(int pair) const { return selectable_[static_cast<std::size_t>(pair)]; }
+  bool is_vetoed(int pair) const { return vetoed_[static_cast<std::size_t>(pair)]; }
+  /// Nothing is left because of the vetoes.
+  bool all_vetoed() const { return !pairs_.empty() && index_.size() == 0; }
 
  private:
   std::shared_ptr<const MotionLibrary> library_;
+  std::vector<int> pairs_;
   std::vector<bool> selectable_;
-  PoseIndex index_;
+  std::vector<bool> vetoed_;
+  PoseIndex index_;                 ///< over those that are selectable and not vetoed
   std::vector<PoseMatch> matches_;  ///< kept between calls so that a query does not allocate
 };
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <variant>
 
+#include "core/selection/vetoes.hpp"
 #include "core/synthesis/settings.hpp"
 
 namespace abrazo {
@@ -14,6 +15,10 @@ struct SetSettings {
 struct PinPair {
   std::optional<int> pair;
 };
+/// All of them, in place of those before.
+struct SetVetoes {
+  Vetoes vetoes;
+};
 struct ResetSolver {};
 struct PauseInput {
   bool paused = true;
@@ -24,6 +29,7 @@ struct SeekInput {
 struct SetInputSpeed {
   double factor = 1;
 };
-using Command = std::variant<SetSettings, PinPair, ResetSolver, PauseInput, SeekInput, SetInputSpeed>;
+using Command =
+    std::variant<SetSettings, PinPair, SetVetoes, ResetSolver, PauseInput, SeekInput, SetInputSpeed>;
 
 }  // namespace abrazo

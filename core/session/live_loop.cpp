@@ -53,6 +53,8 @@ void LiveLoop::apply(const Command& command, double now_s) {
           source_->set_max_rate(wanted_rate(wish.settings));
         } else if constexpr (std::is_same_v<Wish, PinPair>) {
           synthesizer_->pin_pair(wish.pair);
+        } else if constexpr (std::is_same_v<Wish, SetVetoes>) {
+          synthesizer_->set_vetoes(wish.vetoes);
         } else if constexpr (std::is_same_v<Wish, ResetSolver>) {
           synthesizer_->reset();
         } else if constexpr (std::is_same_v<Wish, PauseInput>) {

@@ -109,7 +109,8 @@ void FramePipeline::select_pinned(const SelectionQuery& query) {
   const auto place = std::upper_bound(
       out_.candidates.begin(), out_.candidates.end(), candidate,
       [](const Candidate& a, const Candidate& b) { return a.feature_distance < b.feature_distance; });
-  out_.selected = static_cast<int>(out_.candidates.insert(place, candidate) - out_.candidates.begin());
+  out_.selected = static_cast<int>(place - out_.candidates.begin());  // insert may move them all
+  out_.candidates.insert(place, candidate);
 }
 
 /// Velocity of the recorded partner relative to the user's root [m/s].
@@ -316,7 +317,9 @@ void FramePipeline::solve(const Pose& user, double elapsed_s) {
   out_.timing.retarget_us = microseconds_since(start);
 
   const auto selecting = Clock::now();
-  if (!select(dt_s)) return fail("no recorded pair could be selected");
+  if (!select(dt_s))
+    return fail(selector_.all_vetoed() ? "every recorded pair is vetoed; lift a veto to go on"
+                                       : "no recorded pair could be selected");
   follow_source(dt_s);
   out_.timing.select_us = microseconds_since(selecting);
 

@@ -35,6 +35,7 @@ class FramePipeline {
   void set_settings(const Settings& settings) { settings_ = settings; }
   void set_user_body(const Body& body);
   void pin_pair(std::optional<int> pair) { pinned_ = pair; }
+  void set_vetoes(const Vetoes& vetoes) { selector_.set_vetoes(vetoes); }
 
   const FrameResult& result() const { return out_; }
 

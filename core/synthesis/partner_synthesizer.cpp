@@ -44,6 +44,7 @@ struct PartnerSynthesizer::State {
   Settings settings;
   std::optional<Body> user_body;
   std::optional<int> pinned;
+  Vetoes vetoes;
   std::unique_ptr<FramePipeline> pipeline;
   double unsolved_s = 0;  ///< since the last frame that was solved
   FrameResult shown;      ///< of a passive user, in the order active, passive
@@ -59,6 +60,7 @@ struct PartnerSynthesizer::State {
     auto made = std::make_unique<FramePipeline>(seen, wanted, pairs);
     if (user_body) made->set_user_body(*user_body);
     made->pin_pair(pinned);
+    made->set_vetoes(vetoes);
     return made;
   }
 };
@@ -128,6 +130,11 @@ void PartnerSynthesizer::reset() {
 void PartnerSynthesizer::pin_pair(std::optional<int> pair) {
   state_->pinned = pair;
   state_->pipeline->pin_pair(pair);
+}
+
+void PartnerSynthesizer::set_vetoes(const Vetoes& vetoes) {
+  state_->vetoes = vetoes;
+  state_->pipeline->set_vetoes(vetoes);
 }
 
 const MotionLibrary& PartnerSynthesizer::library() const {

@@ -9,6 +9,7 @@
 #include "core/base/result.hpp"
 #include "core/library/motion_library.hpp"
 #include "core/motion/body.hpp"
+#include "core/selection/vetoes.hpp"
 #include "core/synthesis/frame_result.hpp"
 #include "core/synthesis/settings.hpp"
 
@@ -44,8 +45,13 @@ class PartnerSynthesizer {
   /// Forgets the previous frames: the next step is a first one.
   void reset();
 
-  /// Selects this pair while it is set. One that is left out or does not exist is not selected.
+  /// Selects this pair while it is set, also one that is vetoed. One that is left out or does not exist is
+  /// not selected.
   void pin_pair(std::optional<int> pair);
+
+  /// Does not select these from the next step on; in place of the vetoes before. When none is left, steps
+  /// fail and say so.
+  void set_vetoes(const Vetoes& vetoes);
 
   const MotionLibrary& library() const;
 

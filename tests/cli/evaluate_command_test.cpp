@@ -1,3 +1,5 @@
+#include <unistd.h>
+
 #include "tests/cli/command_line_fixture.hpp"
 
 namespace abrazo::test {
@@ -67,7 +69,7 @@ TEST_F(EvaluateCommand, FightersWhoTakeTurnsNeedBothRoles) {
   const std::string words =
       "evaluate moves --manifest fight/manifest.json --report out --no-variants --quiet";
   expect_failure(run(words), "--both-roles");
-  EXPECT_THAT(names(), ElementsAre("demo", "fight", "out"));
+  EXPECT_THAT(names(), ElementsAre("demo", "fight"));
   const Outcome outcome = run(words + " --both-roles --json");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_EQ(nlohmann::json::parse(outcome.out)["both_roles"], true);
@@ -76,6 +78,29 @@ TEST_F(EvaluateCommand, FightersWhoTakeTurnsNeedBothRoles) {
 TEST_F(EvaluateCommand, ATakeThatDoesNotExistIsNamedWithThoseThatDo) {
   expect_failure(run("evaluate moves --manifest demo/manifest.json --report out --hold-out salsa_9"),
                  "salsa_9: there is no take of this name to be answered; there are salsa_01, salsa_02");
+  EXPECT_THAT(names(), ElementsAre("demo"));
+}
+
+TEST_F(EvaluateCommand, WhatCannotBeEvaluatedLeavesNoFolderBehind) {
+  expect_failure(run("evaluate moves --manifest nowhere.json --report out"), "nowhere.json");
+  expect_failure(run("evaluate moves --manifest demo/manifest.json --users nowhere.json --report out"),
+                 "nowhere.json");
+  EXPECT_THAT(names(), ElementsAre("demo"));
+}
+
+TEST_F(EvaluateCommand, AFolderThatWasThereStaysWhateverHappens) {
+  std::filesystem::create_directory(path("out"));
+  ASSERT_EQ(run("demo -o fight --style fight --minutes 0.5 --quiet").status, 0);
+  expect_failure(run("evaluate moves --manifest fight/manifest.json --report out"), "--both-roles");
+  EXPECT_THAT(names(), ElementsAre("demo", "fight", "out"));
+}
+
+TEST_F(EvaluateCommand, AFolderThatCannotBeWrittenIsRefusedBeforeTheWork) {
+  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
+  std::filesystem::create_directory(path("locked"));
+  std::filesystem::permissions(path("locked"), std::filesystem::perms(0555));
+  expect_failure(run("evaluate all --manifest demo/manifest.json --report locked"),
+                 "locked: nothing can be written into the folder");
 }
 
 TEST_F(EvaluateCommand, AFolderThatCannotBeMadeIsRefusedBeforeTheWork) {

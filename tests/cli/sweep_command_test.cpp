@@ -87,6 +87,7 @@ TEST_F(SweepCommand, NeedsItsAxesUnlessItMerges) {
   expect_wrong_usage(run("sweep --report s --metric moves.rate --x alpha=0,1 --y neighbours=5"),
                      "--manifest");
   expect_wrong_usage(run("sweep --merge --shard 1/2 --report s"), "--merge");
+  expect_wrong_usage(run("sweep --merge --x alpha=0,1 --report s"), "--merge");
   expect_failure(run("sweep --merge --report nowhere"), "nowhere: cannot be read");
 }
 
@@ -95,6 +96,7 @@ TEST_F(SweepCommand, ATakeThatDoesNotExistIsNamed) {
       run("sweep --manifest demo/manifest.json --hold-out tango_09 --x alpha=0,1 --y neighbours=5 --metric "
           "moves.rate --report s"),
       "tango_09");
+  EXPECT_THAT(names(), ElementsAre("demo"));
 }
 
 }  // namespace

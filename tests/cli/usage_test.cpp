@@ -84,7 +84,7 @@ TEST_F(Usage, ProgressIsShownOnATerminalAndTakenAwayAtTheEnd) {
   };
   const Outcome shown = on_terminal({"demo", "-o", "d", "--minutes", "0.1"});
   EXPECT_EQ(shown.status, 0);
-  EXPECT_THAT(shown.err, HasSubstr(" 0 %  writing salsa_01"));
+  EXPECT_THAT(shown.err, HasSubstr(" 0 %  generating dances"));
   EXPECT_THAT(shown.err, ::testing::EndsWith("\r\033[K"));
   const Outcome quiet = on_terminal({"--quiet", "demo", "-o", "d", "--minutes", "0.1"});
   EXPECT_EQ(quiet.status, 0);

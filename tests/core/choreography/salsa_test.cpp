@@ -430,6 +430,13 @@ TEST(Salsa, StaysAPairForOtherRatesAndSizes) {
       }
 }
 
+TEST(Salsa, GenerationStopsBetweenTakesWhenAskedTo) {
+  int asked = 0;
+  const auto takes = generate_salsa({.minutes = 0.5, .take_seconds = 6},
+                                    [&](double, std::string_view) { return ++asked < 3; });
+  EXPECT_EQ(takes.size(), 2u);
+}
+
 TEST(Salsa, RefusesOptionsThatMakeNoDance) {
   EXPECT_THROW(generate_salsa({.minutes = 0}), std::invalid_argument);
   EXPECT_THROW(generate_salsa({.fps = -60}), std::invalid_argument);

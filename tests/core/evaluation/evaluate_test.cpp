@@ -108,6 +108,17 @@ TEST(Evaluate, TakesWithoutMovesAreNamed) {
   EXPECT_THAT(evaluation->remarks, ElementsAre(HasSubstr("take third has no labelled moves")));
 }
 
+TEST(Evaluate, StepsThatAreUnevenlyApartAreNamed) {
+  EvaluationOptions options = of_parts({EvaluationPart::Zmp});
+  options.hold_out = {"third"};
+  const auto remarks_at = [&](double step_rate_hz) {
+    options.settings.step_rate_hz = step_rate_hz;
+    return evaluate(three_takes(), options, {})->remarks;
+  };
+  EXPECT_THAT(remarks_at(20), testing::IsEmpty());
+  EXPECT_THAT(remarks_at(25), ElementsAre(HasSubstr("take third has 60 frames a second, which 25 steps")));
+}
+
 TEST(Evaluate, StopsWhenAskedTo) {
   const auto evaluation = evaluate(three_takes(), of_parts({EvaluationPart::Moves}),
                                    [](double, std::string_view) { return false; });

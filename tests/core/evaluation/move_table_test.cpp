@@ -120,6 +120,18 @@ TEST(MoveTable, WhoAttacksBelongsToTheMoveWhereEitherMay) {
   EXPECT_EQ(count_moves(takes, *data.library, false).all.successful, 2);
 }
 
+TEST(MoveTable, AMoveOfWhichNoStepWasSolvedIsAMiss) {
+  const Labelled data = labelled(turn_then_walk);
+  SynthesisedTake take = with_sources(data, [](int frame) { return frame; });
+  take.frames.resize(40);  // every step of the walk failed
+  const std::vector<SynthesisedTake> takes = {take};
+  const MoveTable table = count_moves(takes, *data.library, false);
+  EXPECT_EQ(table.all.total, 2);
+  EXPECT_EQ(table.all.successful, 1);
+  EXPECT_EQ(table.all.lenient, 1);
+  EXPECT_EQ(table.per_label.at("walk").total, 1);
+}
+
 TEST(MoveTable, OfNothingIsEmpty) {
   const Labelled data = labelled(turn_then_walk);
   EXPECT_EQ(count_moves({}, *data.library, false).all.total, 0);

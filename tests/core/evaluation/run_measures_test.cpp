@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/metrics/foot_slide.hpp"
+#include "core/motion/joint_set.hpp"
 #include "evaluation_takes.hpp"
 
 namespace abrazo {
@@ -77,6 +78,41 @@ TEST(RunMeasures, AnInterruptionIsNoJump) {
   EXPECT_GT(measure_partner(run.takes).continuity.displacement_max_m, 0.9);
   take.follows[70] = 0;
   EXPECT_LE(measure_partner(run.takes).continuity.displacement_max_m, longest);
+}
+
+TEST(RunMeasures, AFailedStepIsNoSlideAndNoAcceleration) {
+  OwnTake run;
+  SynthesisedTake& take = run.takes.front();
+  const ZmpTable zmp_before = measure_zmp(run.takes, {});
+  const ContactTable before = measure_contact(run.takes, *run.data.library);
+  for (std::size_t step = 70; step < take.results.size(); ++step)
+    take.results[step].rowwise() += Vec3(1, 0, 0).transpose();
+  EXPECT_GT(measure_contact(run.takes, *run.data.library).foot_slide_m_s, before.foot_slide_m_s + 0.1);
+  take.follows[70] = 0;
+  const ContactTable contact = measure_contact(run.takes, *run.data.library);
+  EXPECT_NEAR(contact.foot_slide_m_s, before.foot_slide_m_s, 0.01);
+  EXPECT_NEAR(contact.foot_slide_m_s, contact.original_foot_slide_m_s, 1e-9);
+  const ZmpTable zmp = measure_zmp(run.takes, {});
+  EXPECT_NEAR(zmp.synthesised_m, zmp.original_m, 1e-9);
+  EXPECT_EQ(zmp.frames + zmp.skipped_frames, zmp_before.frames + zmp_before.skipped_frames);
+  EXPECT_GT(zmp.skipped_frames, zmp_before.skipped_frames) << "the two ends at the failed step";
+}
+
+TEST(RunMeasures, CapturedPenetrationDoesNotDependOnWhichPerformerOfOtherPeopleIsNamedFirst) {
+  OwnTake run;
+  auto columns = run.data.library->columns();
+  for (LibraryBody& body : columns.bodies) body.capsule_radii.fill(0.05);
+  columns.bodies[columns.takes[0].body_b].capsule_radii[joints::Head - 1] = 0.5;  // the passive one's
+  const MotionLibrary library(std::move(columns));
+  SynthesisedTake& take = run.takes.front();
+  take.of_library = false;
+  const double deepest_m = measure_contact(run.takes, library).original_penetration.max_m;
+  EXPECT_GT(deepest_m, 0);
+  PairedTake renamed = *take.take;
+  std::swap(renamed.a, renamed.b);
+  take.take = &renamed;
+  take.user = ActivePerformer::B;
+  EXPECT_NEAR(measure_contact(run.takes, library).original_penetration.max_m, deepest_m, 1e-12);
 }
 
 TEST(RunMeasures, StepTimesAreThoseOfAllSteps) {

@@ -96,6 +96,16 @@ TEST(SelectionTable, CountsWhatAnIndependentSearchFinds) {
   EXPECT_NEAR((*tables)[0].rows[1].recall_best, share, 4 * std::sqrt(0.25 / 200));
 }
 
+TEST(TimingTable, TheLargestLibraryAskedForIsTimedWhateverItsSize) {
+  EvaluationOptions options = with_queries(10);
+  options.largest_library = 8'000;
+  const auto rows = measure_timing(three_takes(), options, {});
+  ASSERT_TRUE(rows);
+  ASSERT_EQ(rows->size(), 2u);
+  EXPECT_EQ((*rows)[0].pairs, 7'500);
+  EXPECT_EQ((*rows)[1].pairs, 8'000);
+}
+
 TEST(TimingTable, TimesLibrariesUpToTheSizeAskedForAndSaysWhatWasGenerated) {
   EvaluationOptions options = with_queries(10);
   options.largest_library = 15'000;

@@ -250,7 +250,8 @@ TEST_F(SweepFolder, AFailedOrCancelledEvaluationLeavesNoFile) {
   const auto failing = [](const Settings&, const Progress&) -> Result<Evaluation> {
     return Error{"no takes", "m.json"};
   };
-  EXPECT_EQ(run_sweep(sweep_of(), {}, folder_, failing, {}).error().text(), "m.json: no takes");
+  EXPECT_EQ(run_sweep(sweep_of(), {}, folder_, failing, {}).error().text(),
+            "m.json: no takes (at alpha = 0, velocity-weight = 0.1)");
   Bowl bowl;
   const Progress stop = [&](double, std::string_view) { return bowl.evaluated.size() < 3; };
   EXPECT_THAT(run_sweep(sweep_of(), {}, folder_, bowl.evaluator(), stop).error().text(),

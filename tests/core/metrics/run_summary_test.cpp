@@ -55,6 +55,17 @@ TEST_F(ARun, IsCountedAndTimed) {
   EXPECT_EQ(RunSummary(*library).figures().frames, 0U);
 }
 
+TEST(RunSummary, ThePartnerOfAPassiveUserIsTheActiveBody) {
+  const auto library = test::small_library();
+  RunSummary summary(*library, UserRole::Passive);
+  FrameResult frame = solved(0);
+  summary.add(frame);
+  frame.result.topRows<joint_count>().col(0).array() += 0.05;
+  summary.add(frame);
+  EXPECT_NEAR(summary.figures().behind_selected_mean_m, 0.025, 1e-12);
+  EXPECT_NEAR(summary.figures().partner_displacement_mean_m, 0.05, 1e-12);
+}
+
 TEST_F(ARun, TakesItsFiguresFromSolvedFramesOnly) {
   const RunSummary::Figures figures = summary.figures();
   EXPECT_NEAR(figures.behind_selected_mean_m, 0.03, 1e-12);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <functional>
 #include <numeric>
 #include <random>
 
@@ -24,6 +25,19 @@ SelectionQuery query_at(const Pose& user) {
   query.normalized = to_normalized(user, query.root);
   query.features = pose_features(query.normalized);
   return query;
+}
+
+/// Of its first take the frames 20..59 are a turn, the rest has no label.
+std::shared_ptr<const MotionLibrary> labelled_library() {
+  LibraryColumns columns = test::small_library()->columns();
+  columns.takes[0].labels = {{20, 60, "turn", "", ""}};
+  columns.takes[1].labels = {};
+  return std::make_shared<const MotionLibrary>(std::move(columns));
+}
+
+std::size_t pairs_where(const MotionLibrary& library, const std::function<bool(int)>& holds) {
+  const std::vector<int> pairs = all_pairs(library);
+  return static_cast<std::size_t>(std::count_if(pairs.begin(), pairs.end(), holds));
 }
 
 /// Eq. 7 summed joint by joint, as printed.
@@ -135,6 +149,78 @@ TEST(PairSelector, AtTheEndOfATakeNothingContinues) {
   std::vector<Candidate> candidates;
   selector.select(query, candidates);
   EXPECT_EQ(candidates.size(), 10U);
+}
+
+TEST(PairSelector, WithoutVetoedPairsTheNextNearestTakeTheirPlaces) {
+  const auto library = test::small_library();
+  PairSelector selector(library, all_pairs(*library));
+  const SelectionQuery query = query_at(test::standing_pose());
+  std::vector<Candidate> before, after, brute;
+  SelectionQuery wide = query;
+  wide.neighbours = 13;
+  selector.select(wide, brute);
+  selector.select(query, before);
+  selector.set_vetoes({{before[0].pair, before[4].pair, before[9].pair}, {}, {}});
+  selector.select(query, after);
+  std::erase_if(brute, [&](const Candidate& c) { return selector.is_vetoed(c.pair); });
+  ASSERT_EQ(after.size(), 10U);
+  for (std::size_t c = 0; c < after.size(); ++c) EXPECT_EQ(after[c].pair, brute[c].pair);
+}
+
+TEST(PairSelector, AVetoOfATakeOrALabelLeavesOutAllItsPairs) {
+  const auto library = labelled_library();
+  PairSelector selector(library, all_pairs(*library));
+  SelectionQuery query = query_at(test::standing_pose());
+  query.neighbours = library->pair_count();
+  std::vector<Candidate> candidates;
+  selector.set_vetoes({{}, {"first"}, {}});
+  selector.select(query, candidates);
+  EXPECT_EQ(candidates.size(),
+            pairs_where(*library, [&](int p) { return library->take_of(p).name != "first"; }));
+  selector.set_vetoes({{}, {}, {"turn"}});
+  selector.select(query, candidates);
+  EXPECT_EQ(candidates.size(), pairs_where(*library, [&](int p) { return library->label(p) != "turn"; }));
+  selector.set_vetoes({{}, {}, {""}});
+  selector.select(query, candidates);
+  EXPECT_EQ(candidates.size(), pairs_where(*library, [&](int p) { return !library->label(p).empty(); }));
+  selector.set_vetoes({{-1, 1 << 20}, {"third"}, {"jump"}});
+  selector.select(query, candidates);
+  EXPECT_EQ(candidates.size(), static_cast<std::size_t>(library->pair_count()))
+      << "names the library does not have veto nothing";
+}
+
+TEST(PairSelector, AVetoedSuccessorDoesNotHideTheOnesAfterIt) {
+  const auto library = test::small_library();
+  PairSelector selector(library, all_pairs(*library));
+  selector.set_vetoes({{104}, {}, {}});
+  SelectionQuery query = query_at(test::moved(test::standing_pose(), 0, Vec3::Zero()));
+  query.neighbours = 3;
+  query.current_pair = 100;
+  query.expected_advance = 4;
+  query.continuations = 3;
+  std::vector<Candidate> candidates;
+  selector.select(query, candidates);
+  std::vector<int> continued;
+  for (const Candidate& candidate : candidates)
+    if (candidate.continuation) continued.push_back(candidate.pair);
+  std::sort(continued.begin(), continued.end());
+  EXPECT_EQ(continued, (std::vector<int>{108, 112}));
+}
+
+TEST(PairSelector, WithEverythingVetoedThereIsNothingToSelectUntilAVetoIsLifted) {
+  const auto library = test::small_library();
+  PairSelector selector(library, all_pairs(*library));
+  SelectionQuery query = query_at(test::standing_pose());
+  query.current_pair = 10;
+  query.continuations = 3;
+  std::vector<Candidate> candidates;
+  selector.set_vetoes({{}, {"first", "second"}, {}});
+  EXPECT_TRUE(selector.all_vetoed());
+  EXPECT_EQ(selector.select(query, candidates), -1);
+  EXPECT_TRUE(candidates.empty());
+  selector.set_vetoes({});
+  EXPECT_FALSE(selector.all_vetoed());
+  EXPECT_GE(selector.select(query, candidates), 0);
 }
 
 TEST(PairInWorld, KeepsTheRecordedHeightAndTakesTheUsersPlaceAndHeading) {

@@ -82,6 +82,25 @@ TEST(LiveLoop, APinnedPairIsTheSourceUntilItIsLetGo) {
   EXPECT_EQ(free.candidates.size(), 10U);
 }
 
+TEST(LiveLoop, VetoesActBetweenTwoFramesAndOutliveSettings) {
+  Live live;
+  const auto loop = live.loop(*preset("paper"));
+  const auto library = test::small_library();
+  run_for(*loop, 0, 0.5);
+  live.commands.push(SetVetoes{{{}, {"first"}, {}}});
+  live.commands.push(SetSettings{*preset("responsive")});
+  run_for(*loop, 0.5, 1.0);
+  for (const FrameSnapshotPtr& frame : live.history.range(0.55, 1.0))
+    for (const Candidate& candidate : frame->result.candidates)
+      EXPECT_EQ(library->take_of(candidate.pair).name, "second");
+  live.commands.push(SetVetoes{{{}, {"first", "second"}, {}}});
+  run_for(*loop, 1.0, 1.2);
+  EXPECT_EQ(live.latest.newest()->result.status, StepStatus::Failed);
+  live.commands.push(SetVetoes{});
+  run_for(*loop, 1.2, 1.4);
+  EXPECT_EQ(live.latest.newest()->result.status, StepStatus::Ok);
+}
+
 TEST(LiveLoop, AFailureBecomesASnapshotWithItsText) {
   Live live;
   const auto loop = live.loop(*preset("paper"));

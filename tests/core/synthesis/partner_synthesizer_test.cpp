@@ -324,6 +324,42 @@ TEST(PartnerSynthesizer, LocksSwitchedOffAndOnAgainDoNotPullFeetBack) {
       << "a foot is held from its second landed frame on";
 }
 
+TEST(PartnerSynthesizer, WithEveryPairVetoedTheFrameFailsSaysSoAndHoldsThePartner) {
+  const Clip user = test::swinging_take("user", 60, 5).a;
+  auto synthesizer = synthesizer_with(*preset("paper"));
+  const PairPose good = synthesizer->step(user.poses[0], Duration(0)).result;
+  synthesizer->set_vetoes({{}, {"first", "second"}, {}});
+  const FrameResult& failed = synthesizer->step(user.poses[4], step_time);
+  EXPECT_EQ(failed.status_text(), "failed: every recorded pair is vetoed; lift a veto to go on");
+  EXPECT_EQ(failed.result, good);
+  synthesizer->set_vetoes({});
+  EXPECT_EQ(synthesizer->step(user.poses[8], step_time).status, StepStatus::Ok);
+}
+
+TEST(PartnerSynthesizer, VetoesOutliveAChangeOfTheUsersRole) {
+  auto synthesizer = synthesizer_with(*preset("paper"));
+  synthesizer->set_vetoes({{}, {"first"}, {}});
+  Settings settings = synthesizer->settings();
+  settings.user_role = UserRole::Passive;
+  synthesizer->set_settings(settings);
+  const FrameResult& result = synthesizer->step(test::standing_pose(), Duration(0));
+  ASSERT_FALSE(result.candidates.empty());
+  for (const Candidate& candidate : result.candidates)
+    EXPECT_EQ(synthesizer->library().take_of(candidate.pair).name, "second");
+}
+
+TEST(PartnerSynthesizer, APinIsStrongerThanAVeto) {
+  const auto library = test::small_library();
+  auto synthesizer = synthesizer_with(*preset("paper"));
+  const int pair = library->find_pair("first", 10, false);
+  synthesizer->set_vetoes({{pair}, {"first", "second"}, {}});
+  synthesizer->pin_pair(pair);
+  const FrameResult& result = synthesizer->step(test::standing_pose(), Duration(0));
+  ASSERT_EQ(result.candidates.size(), 1U);
+  EXPECT_EQ(result.selected, 0);
+  EXPECT_EQ(result.candidates[0].pair, pair);
+}
+
 TEST(PartnerSynthesizer, APairThatIsLeftOutCannotBePinned) {
   const auto library = test::small_library();
   auto synthesizer = std::move(*PartnerSynthesizer::create(library, *preset("paper"), {"first"}));
