@@ -44,8 +44,11 @@ void add_actions(app::MainWindow& window) {
   app::add_file_actions(window);
   app::add_edit_actions(window);
   app::add_view_actions(window);
+  app::add_scene_actions(window);
   app::add_playback_actions(window);
   app::add_solve_actions(window);
+  app::add_plot_actions(window);
+  app::add_candidate_actions(window);
   app::add_help_actions(window);
   app::add_command_search(window);
 }

@@ -125,7 +125,7 @@ QWidget* MainWindow::makeRight() {
   m_settings = new widgets::SettingsPanel(m_undo, split);
   split->setHandleWidth(1);
   split->setChildrenCollapsible(false);
-  split->setSizes({306, 420});
+  split->setSizes({460, 290});
   split->setStretchFactor(0, 2);
   split->setStretchFactor(1, 3);
   column->addWidget(split);
@@ -220,6 +220,7 @@ void MainWindow::showPanels() {
   if (!m_session) return;
   m_timeline->refresh(m_session->history(), m_ticker.playback());
   m_plots->refresh(m_session->history(), m_ticker.playback(), m_ticker.shown());
+  m_candidates->showPath(m_session->history(), m_ticker.playback().cursor_s);
   const auto& shown = m_ticker.shown();
   const bool has_source = shown && shown->result.selected >= 0;
   const auto selected = has_source ? static_cast<std::size_t>(shown->result.selected) : 0;

@@ -59,6 +59,8 @@ class MainWindow : public QMainWindow {
   widgets::SceneView& scene() { return *m_scene; }
   widgets::SettingsPanel& settings() { return *m_settings; }
   widgets::CandidateTable& candidates() { return *m_candidates; }
+  widgets::TakeList& takes() { return *m_takes; }
+  widgets::PlotPanel& plots() { return *m_plots; }
   widgets::TimelineView& timeline() { return *m_timeline; }
   widgets::TransportBar& transport() { return *m_transport; }
   widgets::MessageBar& messages() { return *m_messages; }

@@ -1,8 +1,10 @@
 // Each view draws a known frame; looked at are colours and places, not single pixels.
 #include <gtest/gtest.h>
 
+#include <QDoubleSpinBox>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolButton>
 
 #include "core/session/frame_history.hpp"
 #include "tests/widgets/pictures.hpp"
@@ -11,6 +13,9 @@
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/library/take_list.hpp"
 #include "widgets/plots/plot_panel.hpp"
+#include "widgets/scene/picture_projection.hpp"
+#include "widgets/scene/scene_options_panel.hpp"
+#include "widgets/scene/scene_overlay.hpp"
 #include "widgets/scene/scene_tree.hpp"
 #include "widgets/scene/scene_view.hpp"
 #include "widgets/timeline/timeline_view.hpp"
@@ -53,7 +58,7 @@ TEST(SceneView, ShowsBothCharactersInTheirColours) {
 
 TEST(SceneView, HidesACharacterThatIsSwitchedOff) {
   Scene scene({ScenePart::Follower});
-  EXPECT_LT(pixels_of_hue(picture_of(scene.view).copy(0, 60, 640, 420), dark().active), 40);
+  EXPECT_LT(pixels_of_hue(picture_of(scene.view).copy(0, 120, 640, 360), dark().active), 40);
 }
 
 TEST(SceneView, DrawsTheMeshInColoursOfTheScalarMap) {
@@ -114,6 +119,150 @@ TEST(SceneView, CountsWhatItShows) {
   EXPECT_EQ(count(ScenePart::Contacts), 1);
   EXPECT_EQ(static_cast<std::size_t>(count(ScenePart::MeshBetween) + count(ScenePart::MeshWithin)),
             synthetic_frame(0, 0)->result.edges.size());
+}
+
+/// Cells around one that went through itself: the follower's right hand is carried through the leader.
+FrameSnapshotPtr frame_with_inverted_cells() {
+  auto frame = std::make_shared<FrameSnapshot>(*synthetic_frame(3, 0.05));
+  frame->result.result.row(joint_count + joints::right_hand).z() -= 1.2;
+  return frame;
+}
+
+TEST(SceneView, DrawsTetrahedraWithoutMarkingThoseThatKeptTheirVolume) {
+  auto unbent = std::make_shared<FrameSnapshot>(*synthetic_frame(3, 0.05));
+  unbent->result.result = unbent->result.selected_pair;
+  Scene without({}), with({ScenePart::Tetrahedra});
+  for (Scene* scene : {&without, &with}) scene->view.showFrame(unbent);
+  const QImage before = picture_of(without.view), after = picture_of(with.view);
+  EXPECT_GT(difference(before.copy(0, 120, 640, 300), after.copy(0, 120, 640, 300)), 0.03);
+  EXPECT_LT(pixels_of_hue(after.copy(0, 120, 640, 300), QColor("#ff3fb4"), 8), 30) << "none is turned over";
+}
+
+TEST(SceneView, MarksTetrahedraThatTurnedOverInMagenta) {
+  Scene scene({ScenePart::Tetrahedra});
+  scene.view.showFrame(frame_with_inverted_cells());
+  EXPECT_GT(pixels_of_hue(picture_of(scene.view).copy(0, 120, 640, 300), QColor("#ff3fb4"), 8), 600);
+}
+
+TEST(SceneView, DrawsTrailsOfTheHandsInTheColoursOfTheBodies) {
+  Scene scene({ScenePart::Trails});
+  for (std::uint64_t i = 4; i < 40; ++i)
+    scene.view.showFrame(synthetic_frame(i, 0.05 + 0.03 * static_cast<double>(i)));
+  EXPECT_GT(pixels_of_hue(picture_of(scene.view).copy(0, 120, 640, 300), dark().passive), 30);
+}
+
+TEST(SceneView, MovesTetrahedraApart) {
+  Scene scene({ScenePart::Tetrahedra});
+  const QImage together = picture_of(scene.view);
+  SceneOptions options;
+  options.apart = 1;
+  scene.view.setOptions(options);
+  EXPECT_GT(difference(together, picture_of(scene.view)), 0.05);
+}
+
+TEST(SceneView, HidesEdgesThatAFilterLeavesOut) {
+  Scene scene({ScenePart::MeshBetween});
+  const QColor middle(39, 173, 129);
+  ASSERT_GT(pixels_of_hue(picture_of(scene.view).copy(0, 90, 640, 300), middle, 25), 300);
+  SceneOptions options;
+  options.shortest_m = 2.9;
+  scene.view.setOptions(options);
+  EXPECT_LT(pixels_of_hue(picture_of(scene.view).copy(0, 90, 640, 300), middle, 25), 20);
+  scene.view.setOptions({});
+  EXPECT_GT(pixels_of_hue(picture_of(scene.view).copy(0, 90, 640, 300), middle, 25), 300);
+}
+
+TEST(SceneView, CutsAwayWhatIsNearerThanThePlane) {
+  Scene scene({ScenePart::Leader, ScenePart::Follower});
+  SceneOptions options;
+  options.cuts = true;
+  options.cut_m = -1.5;  // behind both
+  scene.view.setOptions(options);
+  EXPECT_LT(pixels_of_hue(picture_of(scene.view).copy(0, 120, 640, 300), dark().active), 40);
+}
+
+TEST(SceneView, ShowsParallelProjectionAtTheSameSize) {
+  Scene scene({ScenePart::Leader, ScenePart::Follower});
+  const int central = pixels_of_hue(picture_of(scene.view), dark().active);
+  SceneOptions options;
+  options.is_parallel = true;
+  scene.view.setOptions(options);
+  const int parallel = pixels_of_hue(picture_of(scene.view), dark().active);
+  EXPECT_NEAR(parallel, central, 0.25 * central);
+  EXPECT_NE(parallel, central);
+}
+
+/// Where a vertex is in the picture of the scene.
+QPoint place_of(const SceneView& view, const FrameSnapshotPtr& frame, int vertex) {
+  const auto at = PictureProjection(view.camera(), view.width(), view.height())
+                      .project(frame->result.result.row(vertex).transpose())
+                      .value();
+  return {qRound(at.x), qRound(at.y)};
+}
+
+TEST(SceneView, SelectsTheJointThatIsClickedAndKeepsItInOtherFrames) {
+  Scene scene({ScenePart::Joints});
+  const QImage before = picture_of(scene.view);
+  QSignalSpy changed(&scene.view, &SceneView::pickedChanged);
+  const QPoint place = place_of(scene.view, synthetic_frame(3, 0.05), joints::Head);
+  QTest::mouseClick(scene.view.childAt(320, 240), Qt::LeftButton, {}, place);
+  ASSERT_EQ(changed.size(), 1);
+  EXPECT_EQ(scene.view.picked(), PickedItem::joint(joints::Head));
+  auto* card = scene.view.findChild<QWidget*>("selected");
+  ASSERT_TRUE(card->isVisible());
+  EXPECT_GT(difference(before, picture_of(scene.view)), 0.01) << "the mark and the card";
+  scene.view.showFrame(synthetic_frame(9, 0.15));
+  EXPECT_EQ(scene.view.picked(), PickedItem::joint(joints::Head));
+  scene.view.select({});
+  EXPECT_EQ(changed.size(), 2);
+  EXPECT_FALSE(card->isVisible());
+}
+
+TEST(SceneView, TellsAboutTheJointUnderThePointer) {
+  Scene scene({ScenePart::Joints});
+  picture_of(scene.view);
+  auto* card = scene.view.findChild<QWidget*>("hovered");
+  const auto point_at = [&scene](QPointF place) {
+    QMouseEvent move(QEvent::MouseMove, place, place, Qt::NoButton, Qt::NoButton, {});
+    QApplication::sendEvent(scene.view.childAt(320, 240), &move);
+  };
+  point_at(place_of(scene.view, synthetic_frame(3, 0.05), joints::Head));
+  EXPECT_TRUE(card->isVisible());
+  point_at({5, 300});
+  EXPECT_FALSE(card->isVisible());
+  EXPECT_FALSE(scene.view.picked()) << "pointing selects nothing";
+}
+
+TEST(SceneView, KeepsARangeLockForEachScalar) {
+  Scene scene({ScenePart::MeshBetween});
+  auto* lock = scene.view.findChild<ScalarLegend*>()->findChild<QToolButton*>();
+  lock->click();
+  scene.view.setScalar(MeshScalar::EnergyShare);
+  EXPECT_FALSE(lock->isChecked());
+  scene.view.setScalar(MeshScalar::Residual);
+  EXPECT_TRUE(lock->isChecked());
+}
+
+TEST(SceneView, ColoursEdgesByTheirShareOfTheEnergy) {
+  Scene scene({ScenePart::MeshBetween});
+  const QImage residual = picture_of(scene.view);
+  scene.view.setScalar(MeshScalar::EnergyShare);
+  const QImage share = picture_of(scene.view);
+  EXPECT_GT(difference(residual.copy(0, 90, 640, 300), share.copy(0, 90, 640, 300)), 0.005);
+  EXPECT_GT(pixels_of_hue(share.copy(0, 90, 640, 300), QColor(39, 173, 129), 25), 30);
+}
+
+TEST(SceneOptionsPanel, AsksForWhatIsSetAndLeavesTheRest) {
+  SceneOptionsPanel panel(nullptr);
+  SceneOptions start, asked;
+  start.navigation = NavigationStyle::Maya;
+  panel.setOptions(start);
+  QObject::connect(&panel, &SceneOptionsPanel::optionsRequested,
+                   [&asked](const SceneOptions& options) { asked = options; });
+  panel.findChildren<QDoubleSpinBox*>().front()->setValue(0.4);
+  EXPECT_DOUBLE_EQ(asked.shortest_m, 0.4);
+  EXPECT_EQ(asked.longest_m, MeshFilter::no_limit);
+  EXPECT_EQ(asked.navigation, NavigationStyle::Maya);
 }
 
 TEST(SceneTree, AsksToHideWhatIsClicked) {
@@ -210,8 +359,8 @@ TEST(PlotPanel, DrawsItsCurvesAndTheCursor) {
   panel.refresh(data.history, live, data.history.at(10));
   panel.refresh(data.history, data.playback, data.history.at(5));
   const QImage picture = picture_of(panel);
-  EXPECT_GT(pixels_of_hue(picture.copy(0, 30, 450, 140), dark().energy_constraint), 60);
-  EXPECT_GT(pixels_of_hue(picture.copy(450, 30, 450, 140), dark().residual_penetration), 40);
+  EXPECT_GT(pixels_of_hue(picture.copy(0, 30, 300, 140), dark().energy_constraint), 60);
+  EXPECT_GT(pixels_of_hue(picture.copy(300, 30, 300, 140), dark().residual_penetration), 40);
   const int x = static_cast<int>(panel.cursorX());
   EXPECT_GT(pixels_like(picture.copy(x - 2, 40, 5, 110), QColor("#c7ccd6"), 40), 60);
 }

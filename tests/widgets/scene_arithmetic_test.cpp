@@ -175,7 +175,7 @@ TEST(CapsuleSurface, FacesOutwards) {
 
 TEST(MeshScalar, LengthChangeIsTheResultLessTheSelectedPair) {
   const auto frame = test::synthetic_frame(0, 0);
-  const auto values = edge_scalars(frame->result, MeshScalar::LengthChange);
+  const auto values = edge_scalars(*frame, MeshScalar::LengthChange);
   const MeshEdge& edge = frame->result.edges.back();
   const auto length = [&edge](const PairPose& pose) {
     return (pose.row(edge[0]) - pose.row(edge[1])).norm();

@@ -1,29 +1,36 @@
 #include "widgets/candidates/candidate_list.hpp"
 
+#include <QContextMenuEvent>
 #include <QHelpEvent>
+#include <QKeyEvent>
 #include <QMouseEvent>
-#include <QPaintEvent>
 #include <QPainter>
 #include <QToolTip>
-#include <algorithm>
 
+#include "widgets/candidates/pin_mark.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 
 namespace abrazo::widgets {
 namespace {
 
-constexpr int total_width = 56;
-constexpr int name_left = 46;
+constexpr double vetoed_opacity = 0.4;
 
 QString text(const std::string& utf8) {
   return QString::fromStdString(utf8);
+}
+
+QString figure(const CandidateRow& row, CandidateColumn column) {
+  const QString unit = column == CandidateColumn::Distance ? " m" : "";
+  return QString::number(shown_figure(row, column), 'f', 3) + unit;
 }
 
 }  // namespace
 
 CandidateList::CandidateList(QWidget* parent) : QWidget(parent), m_palette(palette_of(Theme::Dark)) {
   setMouseTracking(true);
+  setFocusPolicy(Qt::StrongFocus);
+  setAccessibleName("Candidates");
 }
 
 void CandidateList::setColours(const Palette& palette) {
@@ -31,27 +38,73 @@ void CandidateList::setColours(const Palette& palette) {
   update();
 }
 
-void CandidateList::setRows(std::vector<CandidateRow> rows) {
+void CandidateList::setRows(std::vector<CandidateRow> rows, CandidateColumn figure) {
   m_rows = std::move(rows);
+  m_figure = figure;
   const int wanted = row_height * std::max<int>(static_cast<int>(m_rows.size()), 1);
   if (wanted != minimumHeight()) setFixedHeight(wanted);
   double largest = 0;
   for (const CandidateRow& row : m_rows) largest = std::max(largest, row.total);
   // Grows at once and shrinks slowly: bars that rescale with every frame cannot be read.
   m_fullBar = largest > m_fullBar ? largest : std::max(largest, 0.88 * m_fullBar);
-  if (m_hovered >= static_cast<int>(m_rows.size())) hover(-1);
-  if (m_hovered >= 0) emit candidateHovered(m_rows[static_cast<std::size_t>(m_hovered)].candidate);
+  if (m_hovered >= static_cast<int>(m_rows.size())) m_hovered = -1;
+  if (m_current >= 0) {
+    const auto same = std::find_if(m_rows.begin(), m_rows.end(),
+                                   [this](const CandidateRow& row) { return row.pair == m_currentPair; });
+    m_current = same != m_rows.end() ? static_cast<int>(same - m_rows.begin())
+                                     : std::min(m_current, static_cast<int>(m_rows.size()) - 1);
+    m_currentPair = m_current >= 0 ? m_rows[static_cast<std::size_t>(m_current)].pair : -1;
+    describe();
+  }
+  point();
   update();
 }
 
-/// Of take and frame; in a narrow list the bars need the room more.
-double CandidateList::nameWidth() const {
-  return width() < 370 ? 112 : 138;
+const CandidateRow* CandidateList::row(int index) const {
+  return index >= 0 && index < static_cast<int>(m_rows.size()) ? &m_rows[static_cast<std::size_t>(index)]
+                                                               : nullptr;
+}
+
+const CandidateRow* CandidateList::current() const {
+  return row(m_current);
+}
+
+void CandidateList::setCurrent(int index) {
+  const CandidateRow* chosen = row(index);
+  m_current = chosen ? index : -1;
+  m_currentPair = chosen ? chosen->pair : -1;
+  describe();
+  point();
+  update();
+  emit currentChanged(m_current);
+}
+
+void CandidateList::setLinked(int candidate) {
+  if (candidate == m_linked) return;
+  m_linked = candidate;
+  update();
+}
+
+/// What a screen reader says of the current row.
+void CandidateList::describe() {
+  const CandidateRow* row = current();
+  if (!row) return setAccessibleDescription("No row is current");
+  QString words = QString("Rank %1 of %2, %3 frame %4, %5, total cost %6")
+                      .arg(row->rank)
+                      .arg(m_rows.size())
+                      .arg(text(row->take))
+                      .arg(row->frame)
+                      .arg(row->label.empty() ? "no label" : text(row->label))
+                      .arg(row->total, 0, 'f', 3);
+  if (row->selected) words += ", selected";
+  if (row->pinned) words += ", pinned";
+  if (row->vetoed) words += ", vetoed";
+  if (words != accessibleDescription()) setAccessibleDescription(words);
 }
 
 QRectF CandidateList::barArea(int row) const {
-  const double left = name_left + nameWidth();
-  return {left, row * row_height + 7.0, std::max(20.0, width() - left - total_width - 12), 10};
+  const CandidateLayout layout{width()};
+  return QRectF(layout.barsLeft(), row * row_height + 7.0, layout.barsWidth(), 10);
 }
 
 void CandidateList::paintEvent(QPaintEvent* event) {
@@ -69,32 +122,71 @@ void CandidateList::paintEvent(QPaintEvent* event) {
 void CandidateList::paintRow(QPainter& painter, int index) const {
   const CandidateRow& row = m_rows[static_cast<std::size_t>(index)];
   const QRectF line(0, index * row_height, width(), row_height);
+  paintBackground(painter, index, line);
+  painter.setFont(interface_font(13));
+  paintMarks(painter, index, line);
+  painter.setOpacity(row.vetoed ? vetoed_opacity : 1);
+  paintName(painter, row, line);
+  paintBar(painter, index);
+  painter.setPen(m_palette.text);
+  draw_tabular(painter, line.adjusted(0, 0, -CandidateLayout::margin, 0), Qt::AlignRight,
+               figure(row, m_figure));
+  painter.setOpacity(1);
+}
+
+void CandidateList::paintBackground(QPainter& painter, int index, const QRectF& line) const {
+  const CandidateRow& row = m_rows[static_cast<std::size_t>(index)];
   if (row.selected) {
     painter.fillRect(line, m_palette.raised);
     painter.fillRect(QRectF(line.topLeft(), QSizeF(2, row_height)), m_palette.warning);
-  } else if (index == m_hovered) {
+  } else if (index == m_hovered || (m_linked >= 0 && row.candidate == m_linked)) {
     painter.fillRect(line, mixed(m_palette.raised, m_palette.panel, 0.55));
   }
-  painter.setFont(interface_font(13));
+  if (index != m_current) return;
+  painter.setPen(QPen(hasFocus() ? m_palette.accent : m_palette.border, 1));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRoundedRect(line.adjusted(3.5, 0.5, -3.5, -0.5), 4, 4);
+}
+
+/// Pin, rank and the dot of the move.
+void CandidateList::paintMarks(QPainter& painter, int index, const QRectF& line) const {
+  const CandidateRow& row = m_rows[static_cast<std::size_t>(index)];
+  const QPointF gutter(3.0 + CandidateLayout::gutter / 2.0, line.center().y());
+  if (row.pinned)
+    draw_pin(painter, gutter, m_palette.warning, true);
+  else if (row.vetoed)
+    draw_veto(painter, gutter, m_palette.secondary);
+  else if (index == m_hovered)
+    draw_pin(painter, gutter, m_palette.secondary, false);
   painter.setPen(m_palette.secondary);
-  draw_tabular(painter, QRectF(0, line.top(), 26, row_height), Qt::AlignRight, QString::number(index + 1));
+  draw_tabular(painter, QRectF(0, line.top(), CandidateLayout::number_right, row_height), Qt::AlignRight,
+               QString::number(row.rank));
   painter.setPen(Qt::NoPen);
   painter.setBrush(label_colour(m_palette, row.label));
-  painter.drawEllipse(QPointF(36, line.center().y()), 3.6, 3.6);
+  painter.drawEllipse(QPointF(CandidateLayout::number_right + 10, line.center().y()), 3.6, 3.6);
+}
 
+void CandidateList::paintName(QPainter& painter, const CandidateRow& row, const QRectF& line) const {
+  QFont font = interface_font(13);
+  font.setStrikeOut(row.vetoed);
+  painter.setFont(font);
   // The frame number must not be pushed out by a long take name.
+  const double room = CandidateLayout{width()}.nameWidth();
   const QString number = QString::number(row.frame) + (row.swapped ? " ⇄" : "");
   const double number_width = tabular_width(painter.font(), number);
   const QString name = painter.fontMetrics().elidedText(text(row.take), Qt::ElideMiddle,
-                                                        static_cast<int>(nameWidth() - number_width - 16));
+                                                        static_cast<int>(room - number_width - 16));
   painter.setPen(m_palette.text);
-  painter.drawText(QRectF(name_left, line.top(), nameWidth(), row_height), Qt::AlignVCenter, name);
-  const double after = name_left + painter.fontMetrics().horizontalAdvance(name) + 5;
+  painter.drawText(QRectF(CandidateLayout::name_left, line.top(), room, row_height), Qt::AlignVCenter, name);
+  const double after = CandidateLayout::name_left + painter.fontMetrics().horizontalAdvance(name) + 5;
   painter.setPen(m_palette.secondary);
   draw_tabular(painter, QRectF(after, line.top(), number_width + 2, row_height), Qt::AlignLeft, number);
+  painter.setFont(interface_font(13));
+}
 
+void CandidateList::paintBar(QPainter& painter, int index) const {
   const QRectF area = barArea(index);
-  const BarEnds ends = bar_ends(row, m_fullBar);
+  const BarEnds ends = bar_ends(m_rows[static_cast<std::size_t>(index)], m_fullBar);
   const auto part = [&](double from, double to, const QColor& colour) {
     painter.fillRect(
         QRectF(area.left() + from * area.width(), area.top(), (to - from) * area.width(), area.height()),
@@ -103,38 +195,121 @@ void CandidateList::paintRow(QPainter& painter, int index) const {
   part(0, ends.pose, m_palette.user);
   part(ends.pose, ends.active, m_palette.active);
   part(ends.active, ends.passive, m_palette.passive);
-  painter.setPen(m_palette.text);
-  draw_tabular(painter, line.adjusted(0, 0, -12, 0), Qt::AlignRight, QString::number(row.total, 'f', 3));
 }
 
 QString CandidateList::tip(const CandidateRow& row) const {
-  const auto line = [](const char* name, double value) {
-    return QString("<tr><td>%1&nbsp;&nbsp;</td><td align=right>%2 m²</td></tr>")
+  const auto line = [](const char* name, double value, const char* unit) {
+    return QString("<tr><td>%1&nbsp;&nbsp;</td><td align=right>%2 %3</td></tr>")
         .arg(name)
-        .arg(value, 0, 'f', 4);
+        .arg(value, 0, 'f', 4)
+        .arg(unit);
   };
-  QString tip = QString("<b>%1 · %2</b>%3<br>%4<table>")
+  QString tip = QString("<b>%1 · %2</b>%3<br>%4%5%6<table>")
                     .arg(text(row.take).toHtmlEscaped())
                     .arg(row.frame)
                     .arg(row.swapped ? " (roles swapped)" : "")
-                    .arg(row.label.empty() ? "no label" : text(row.label).toHtmlEscaped());
-  tip += line("pose", row.pose) + line("α · temporal leader", row.active) +
-         line("α · temporal follower", row.passive) + line("total (Eq. 7)", row.total);
+                    .arg(row.label.empty() ? "no label" : text(row.label).toHtmlEscaped())
+                    .arg(row.pinned ? " · pinned" : "")
+                    .arg(row.vetoed ? " · vetoed" : "");
+  tip += line("pose", row.pose, "m²") + line("α · temporal leader", row.active, "m²") +
+         line("α · temporal follower", row.passive, "m²") + line("total (Eq. 7)", row.total, "m²") +
+         line("feature distance", row.feature_distance, "m");
   return tip + "</table>";
+}
+
+int CandidateList::rowAt(const QPoint& position) const {
+  const int index = position.y() < 0 ? -1 : position.y() / row_height;
+  return row(index) ? index : -1;
 }
 
 void CandidateList::hover(int row) {
   if (row == m_hovered) return;
   m_hovered = row;
-  emit candidateHovered(row < 0 || row >= static_cast<int>(m_rows.size())
-                            ? -1
-                            : m_rows[static_cast<std::size_t>(row)].candidate);
+  point();
   update();
 }
 
+/// Announces the pair under the pointer or, with the keyboard here, the current one.
+void CandidateList::point() {
+  const CandidateRow* at = row(m_hovered >= 0 ? m_hovered : hasFocus() ? m_current : -1);
+  const int candidate = at ? at->candidate : -1;
+  if (candidate == m_told) return;
+  m_told = candidate;
+  emit candidateHovered(candidate);
+}
+
 void CandidateList::mouseMoveEvent(QMouseEvent* event) {
-  const int row = event->y() / row_height;
-  hover(row < static_cast<int>(m_rows.size()) ? row : -1);
+  hover(rowAt(event->pos()));
+}
+
+void CandidateList::mousePressEvent(QMouseEvent* event) {
+  const int index = rowAt(event->pos());
+  if (index < 0) return;
+  if (event->button() == Qt::LeftButton && event->x() < CandidateLayout::gutter + 3) {
+    // Copies: the answer may come as new rows.
+    const CandidateRow chosen = m_rows[static_cast<std::size_t>(index)];
+    emit pinClicked(chosen);
+  } else {
+    setCurrent(index);
+  }
+}
+
+void CandidateList::mouseDoubleClickEvent(QMouseEvent* event) {
+  const CandidateRow* at = row(rowAt(event->pos()));
+  if (!at || event->button() != Qt::LeftButton) return;
+  const CandidateRow chosen = *at;
+  if (event->x() < CandidateLayout::gutter + 3)
+    emit pinClicked(chosen);
+  else
+    emit jumpAsked(chosen);
+}
+
+void CandidateList::contextMenuEvent(QContextMenuEvent* event) {
+  const bool by_key = event->reason() == QContextMenuEvent::Keyboard;
+  const int index = by_key ? m_current : rowAt(event->pos());
+  if (!row(index)) return;
+  const CandidateRow chosen = *row(index);
+  const QPoint below(CandidateLayout::name_left, (index + 1) * row_height);
+  emit menuAsked(chosen, by_key ? mapToGlobal(below) : event->globalPos());
+}
+
+void CandidateList::keyPressEvent(QKeyEvent* event) {
+  const int last = static_cast<int>(m_rows.size()) - 1;
+  switch (event->key()) {
+    case Qt::Key_Up:
+      return setCurrent(std::max(0, m_current - 1));
+    case Qt::Key_Down:
+      return setCurrent(std::min(last, m_current + 1));
+    case Qt::Key_PageUp:
+      return setCurrent(0);
+    case Qt::Key_PageDown:
+      return setCurrent(last);
+    case Qt::Key_Escape:
+      return setCurrent(-1);
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      if (const CandidateRow* at = current()) {
+        const CandidateRow chosen = *at;
+        emit jumpAsked(chosen);
+      }
+      return;
+    default:
+      QWidget::keyPressEvent(event);
+  }
+}
+
+void CandidateList::focusInEvent(QFocusEvent* event) {
+  QWidget::focusInEvent(event);
+  const bool by_key = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
+  if (by_key && m_current < 0 && !m_rows.empty()) return setCurrent(0);
+  point();
+  update();
+}
+
+void CandidateList::focusOutEvent(QFocusEvent* event) {
+  QWidget::focusOutEvent(event);
+  point();
+  update();
 }
 
 void CandidateList::leaveEvent(QEvent*) {
@@ -144,8 +319,8 @@ void CandidateList::leaveEvent(QEvent*) {
 bool CandidateList::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
-  const auto row = static_cast<std::size_t>(std::max(0, help->y() / row_height));
-  row < m_rows.size() ? QToolTip::showText(help->globalPos(), tip(m_rows[row]), this) : QToolTip::hideText();
+  const CandidateRow* at = row(rowAt(help->pos()));
+  at ? QToolTip::showText(help->globalPos(), tip(*at), this) : QToolTip::hideText();
   return true;
 }
 

@@ -1,46 +1,91 @@
 #pragma once
 
 #include <QWidget>
+#include <algorithm>
 #include <vector>
 
+#include "widgets/candidates/candidate_order.hpp"
 #include "widgets/candidates/candidate_rows.hpp"
 #include "widgets/common/palette.hpp"
 
 namespace abrazo::widgets {
 
-/// The painted rows of the candidate table.
+/// Where a row's parts are, for a width of the list [px].
+struct CandidateLayout {
+  static constexpr int row_height = 24;
+  static constexpr int gutter = 13;  ///< of the pin
+  static constexpr int number_right = 30;
+  static constexpr int name_left = 50;
+  static constexpr int margin = 12;
+  static constexpr int figure_width = 60;
+  int width = 0;
+
+  /// Of take and frame; in a narrow list the bars need the room more.
+  int nameWidth() const { return width < 370 ? 108 : 134; }
+  int barsLeft() const { return name_left + nameWidth(); }
+  int barsWidth() const { return std::max(20, width - barsLeft() - figure_width - margin); }
+};
+
+/// The painted rows of the candidate table. One row can be current: keys and actions are about it.
 class CandidateList : public QWidget {
   Q_OBJECT
  public:
-  static constexpr int row_height = 24;
+  static constexpr int row_height = CandidateLayout::row_height;
 
   explicit CandidateList(QWidget* parent = nullptr);
-  void setRows(std::vector<CandidateRow> rows);
+  /// In the order in which they are to be shown.
+  void setRows(std::vector<CandidateRow> rows, CandidateColumn figure = CandidateColumn::Rank);
   const std::vector<CandidateRow>& rows() const { return m_rows; }
   void setColours(const Palette& palette);
-  /// The bars' part of a row.
-  double nameWidth() const;
+  /// Marks the row of a candidate that is pointed at elsewhere; -1 for none.
+  void setLinked(int candidate);
+  /// The row that was chosen with keys or a click; it stays with its pair as long as that is a candidate.
+  const CandidateRow* current() const;
+  void setCurrent(int row);
   QRectF barArea(int row) const;
 
  signals:
+  /// Index into the frame's candidates; -1 when the pointer left.
   void candidateHovered(int candidate);
+  void currentChanged(int row);
+  void jumpAsked(const abrazo::widgets::CandidateRow& row);
+  void pinClicked(const abrazo::widgets::CandidateRow& row);
+  void menuAsked(const abrazo::widgets::CandidateRow& row, const QPoint& globalPosition);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
   void leaveEvent(QEvent* event) override;
   bool event(QEvent* event) override;
 
  private:
   void paintRow(QPainter& painter, int index) const;
+  void paintBackground(QPainter& painter, int index, const QRectF& line) const;
+  void paintMarks(QPainter& painter, int index, const QRectF& line) const;
+  void paintName(QPainter& painter, const CandidateRow& row, const QRectF& line) const;
+  void paintBar(QPainter& painter, int index) const;
   void hover(int row);
+  void point();
+  void describe();
+  int rowAt(const QPoint& position) const;
+  const CandidateRow* row(int index) const;
   QString tip(const CandidateRow& row) const;
 
   Palette m_palette;
   std::vector<CandidateRow> m_rows;
-  double m_fullBar =
-      0;  ///< total that fills the bar: keeps to round numbers so that bars can be compared over time
+  CandidateColumn m_figure = CandidateColumn::Rank;
+  double m_fullBar = 0;  ///< total that fills the bar: grows at once, shrinks slowly
   int m_hovered = -1;
+  int m_linked = -1;   ///< a candidate
+  int m_current = -1;  ///< a row
+  int m_currentPair = -1;
+  int m_told = -1;  ///< candidate that was last announced as hovered
 };
 
 }  // namespace abrazo::widgets

@@ -26,6 +26,7 @@ std::vector<CandidateRow> candidate_rows(const FrameSnapshot& frame, const Motio
     CandidateRow row;
     row.candidate = static_cast<int>(c);
     row.pair = candidate.pair;
+    row.take_index = static_cast<int>(library.source(candidate.pair).take);
     row.take = library.take_of(candidate.pair).name;
     row.frame = static_cast<int>(library.source(candidate.pair).frame);
     row.swapped = library.source(candidate.pair).swapped;
@@ -34,10 +35,13 @@ std::vector<CandidateRow> candidate_rows(const FrameSnapshot& frame, const Motio
     row.active = frame.settings.alpha * candidate.cost.temporal_active;
     row.passive = frame.settings.alpha * candidate.cost.temporal_passive;
     row.total = candidate.cost.total;
+    row.feature_distance = candidate.feature_distance;
     row.selected = row.candidate == result.selected;
     rows.push_back(std::move(row));
   }
   std::stable_sort(rows.begin(), rows.end(), [](const auto& a, const auto& b) { return a.total < b.total; });
+  int rank = 0;
+  for (CandidateRow& row : rows) row.rank = ++rank;
   return rows;
 }
 

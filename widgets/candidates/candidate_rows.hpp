@@ -12,6 +12,8 @@ namespace abrazo::widgets {
 struct CandidateRow {
   int candidate = -1;  ///< index into FrameResult::candidates
   int pair = -1;
+  int rank = 0;        ///< 1 = cheapest
+  int take_index = 0;  ///< in the library
   std::string take;
   int frame = 0;
   bool swapped = false;
@@ -20,7 +22,10 @@ struct CandidateRow {
   double active = 0;   ///< alpha times the temporal cost of the active character
   double passive = 0;  ///< alpha times that of the passive character
   double total = 0;
+  double feature_distance = 0;  ///< [m]
   bool selected = false;
+  bool pinned = false;
+  bool vetoed = false;  ///< by itself, its take or its label
 };
 
 /// Cheapest first; ties keep the order of their feature distance.
@@ -32,9 +37,9 @@ struct BarEnds {
 };
 BarEnds bar_ends(const CandidateRow& row, double largest_total);
 
-/// "Winner by 0.024 — less temporal cost of the follower": the margin to the runner-up and the term that
-/// decided it. Says so when the winner is not the cheapest (a pinned pair), or when there is nothing to
-/// compare with.
+/// Of the cheapest-first order. "Winner by 0.024 — less temporal cost of the follower": the margin to the
+/// runner-up and the term that decided it. Says so when the winner is not the cheapest (a pinned pair), or
+/// when there is nothing to compare with.
 std::string winning_reason(const std::vector<CandidateRow>& rows);
 
 }  // namespace abrazo::widgets

@@ -1,59 +1,152 @@
 #include "widgets/candidates/candidate_table.hpp"
 
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QMenu>
 #include <QScrollArea>
+#include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
+#include "widgets/candidates/candidate_header.hpp"
 #include "widgets/candidates/candidate_list.hpp"
+#include "widgets/candidates/decision_bar.hpp"
+#include "widgets/candidates/feature_map.hpp"
 #include "widgets/common/section_header.hpp"
 #include "widgets/common/theme.hpp"
 
 namespace abrazo::widgets {
+namespace {
+
+QString text(const std::string& utf8) {
+  return QString::fromStdString(utf8);
+}
+
+/// "take salsa_02", "all turn": what a veto of that reach is about.
+QString subject(Reach reach, const CandidateRow& row) {
+  switch (reach) {
+    case Reach::Pair:
+      return text(row.take) + " " + QString::number(row.frame);
+    case Reach::Take:
+      return "take " + text(row.take);
+    case Reach::Label:
+      return row.label.empty() ? QString("all without a label") : "all " + text(row.label);
+  }
+  return {};
+}
+
+/// The key is a hint: the program's own action has it.
+QString with_key(const QString& words, const char* key) {
+  return words + "\t" + key;
+}
+
+}  // namespace
 
 CandidateTable::CandidateTable(QWidget* parent)
     : QWidget(parent),
       m_header(new SectionHeader("Candidates", this)),
+      m_columns(new CandidateHeader(this)),
       m_list(new CandidateList(this)),
-      m_reason(new QLabel(this)) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  auto* scroll = new QScrollArea(this);
-  scroll->setWidget(m_list);
-  scroll->setWidgetResizable(true);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->viewport()->setAutoFillBackground(false);
-  m_list->setAutoFillBackground(false);
-  scroll->setMinimumHeight(4 * CandidateList::row_height);
-  m_reason->setObjectName("secondary");
-  m_reason->setFont(interface_font(12));
-  m_reason->setContentsMargins(12, 4, 12, 8);
-  m_reason->setWordWrap(true);
-  m_reason->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-  column->addWidget(m_header);
-  column->addWidget(scroll, 1);
-  column->addWidget(m_reason);
-  connect(m_list, &CandidateList::candidateHovered, this, &CandidateTable::candidateHovered);
+      m_scroll(new QScrollArea(this)),
+      m_decisions(new DecisionBar(this)),
+      m_reason(new QLabel(this)),
+      m_mapButton(new QToolButton(this)),
+      m_map(new FeatureMap(this)) {
+  arrange();
+  connectParts();
   setColours(palette_of(Theme::Dark));
 }
 
+void CandidateTable::arrange() {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  m_scroll->setWidget(m_list);
+  m_scroll->setWidgetResizable(true);
+  m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  m_scroll->setFrameShape(QFrame::NoFrame);
+  m_scroll->setFocusPolicy(Qt::NoFocus);
+  m_scroll->viewport()->setAutoFillBackground(false);
+  m_list->setAutoFillBackground(false);
+  m_scroll->setMinimumHeight(4 * CandidateList::row_height);
+  column->addWidget(m_header);
+  column->addWidget(m_columns);
+  column->addWidget(m_scroll, 3);
+  column->addWidget(m_decisions);
+  column->addWidget(makeFoot());
+  column->addWidget(m_map, 2);
+  setFocusProxy(m_list);
+}
+
+QWidget* CandidateTable::makeFoot() {
+  auto* foot = new QWidget(this);
+  auto* row = new QHBoxLayout(foot);
+  row->setContentsMargins(12, 4, 12, 6);
+  m_reason->setObjectName("secondary");
+  m_reason->setFont(interface_font(12));
+  m_reason->setWordWrap(true);
+  m_reason->setAlignment(Qt::AlignVCenter | Qt::AlignLeft);
+  m_mapButton->setObjectName("chip");
+  m_mapButton->setText("Map");
+  m_mapButton->setFont(interface_font(11));
+  m_mapButton->setCheckable(true);
+  m_mapButton->setChecked(true);
+  m_mapButton->setFocusPolicy(Qt::TabFocus);
+  m_mapButton->setToolTip("The candidates among all pairs of the library, in feature space");
+  m_mapButton->setAccessibleName("Show the feature-space neighbourhood");
+  row->addWidget(m_reason, 1);
+  row->addWidget(m_mapButton, 0, Qt::AlignTop);
+  return foot;
+}
+
+void CandidateTable::connectParts() {
+  connect(m_list, &CandidateList::candidateHovered, m_map, &FeatureMap::setLinked);
+  connect(m_map, &FeatureMap::candidateHovered, m_list, &CandidateList::setLinked);
+  connect(m_list, &CandidateList::candidateHovered, this, &CandidateTable::candidateHovered);
+  connect(m_map, &FeatureMap::candidateHovered, this, &CandidateTable::candidateHovered);
+  connect(m_list, &CandidateList::jumpAsked, this, &CandidateTable::askJump);
+  connect(m_list, &CandidateList::pinClicked, this, &CandidateTable::askPin);
+  connect(m_list, &CandidateList::menuAsked, this, &CandidateTable::showMenu);
+  connect(m_list, &CandidateList::currentChanged, this, [this](int row) {
+    constexpr int height = CandidateList::row_height;
+    if (row >= 0) m_scroll->ensureVisible(0, row * height + height / 2, 0, height / 2 + 1);
+  });
+  connect(m_map, &FeatureMap::candidateChosen, this, [this](int candidate) {
+    for (const CandidateRow& row : m_ranked)
+      if (row.candidate == candidate) return askJump(row);
+  });
+  connect(m_columns, &CandidateHeader::columnClicked, this, &CandidateTable::sortBy);
+  connect(m_decisions, &DecisionBar::lifted, this, [this](const Decision& decision) {
+    emit steeringRequested(decision.without,
+                           (decision.pin ? "let go of " : "lift veto of ") + text(decision.text));
+  });
+  connect(m_mapButton, &QToolButton::toggled, this, &CandidateTable::showMap);
+}
+
 void CandidateTable::setLibrary(std::shared_ptr<const MotionLibrary> library) {
+  const bool another = library != m_library;
   m_library = std::move(library);
+  m_frame.reset();
+  m_ranked.clear();
   m_list->setRows({});
+  m_map->setLibrary(m_library);
   m_reason->clear();
+  if (another) showSteering({});
 }
 
 void CandidateTable::setColours(const Palette& palette) {
   m_header->setColours(palette);
   m_header->setKeys(
       {{"pose", palette.user}, {"temporal leader", palette.active, "leader"}, {"follower", palette.passive}});
+  m_columns->setColours(palette);
   m_list->setColours(palette);
+  m_decisions->setColours(palette);
+  m_map->setColours(palette);
 }
 
 void CandidateTable::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
-  constexpr int one_line = 30, two_lines = 46, narrow = 370;
+  constexpr int one_line = 24, two_lines = 40, narrow = 400;
   m_reason->setFixedHeight(width() < narrow ? two_lines : one_line);
 }
 
@@ -66,9 +159,127 @@ QString CandidateTable::reason() const {
 
 void CandidateTable::showFrame(const FrameSnapshotPtr& frame) {
   if (!frame || !m_library) return;
-  auto rows = candidate_rows(*frame, *m_library);
-  m_reason->setText(QString::fromStdString(winning_reason(rows)));
-  m_list->setRows(std::move(rows));
+  m_frame = frame;
+  m_ranked = candidate_rows(*frame, *m_library);
+  m_reason->setText(text(winning_reason(m_ranked)));
+  showRows();
+}
+
+void CandidateTable::mark(CandidateRow& row) const {
+  row.pinned = m_steering.pinned == row.pair;
+  row.vetoed = is_vetoed(m_steering, row.pair, *m_library);
+}
+
+void CandidateTable::showRows() {
+  for (CandidateRow& row : m_ranked) mark(row);
+  if (m_frame && m_map->isVisible()) m_map->setFrame(*m_frame, m_ranked);
+  std::vector<CandidateRow> shown = m_ranked;
+  sort_rows(shown, m_order);
+  m_list->setRows(std::move(shown), m_order.column);
+}
+
+void CandidateTable::showSteering(const Steering& steering) {
+  m_steering = steering;
+  m_decisions->setDecisions(m_library ? decisions_in_force(steering, *m_library) : std::vector<Decision>{});
+  showRows();
+}
+
+void CandidateTable::showPath(const FrameHistory& history, double until_s) {
+  if (m_map->isVisible()) m_map->setPath(history, until_s);
+}
+
+void CandidateTable::sortBy(CandidateColumn column) {
+  m_order = order_after_click(m_order, column);
+  m_columns->setOrder(m_order);
+  showRows();
+}
+
+void CandidateTable::showMap(bool on) {
+  m_mapButton->setChecked(on);
+  m_map->setVisible(on);
+  showRows();
+}
+
+const CandidateRow* CandidateTable::chosen() const {
+  if (const CandidateRow* current = m_list->current()) return current;
+  const auto winner =
+      std::find_if(rows().begin(), rows().end(), [](const CandidateRow& row) { return row.selected; });
+  return winner != rows().end() ? &*winner : nullptr;
+}
+
+void CandidateTable::askPin(const CandidateRow& row) {
+  const bool lets_go = m_steering.pinned == row.pair;
+  emit steeringRequested(with_pin_toggled(m_steering, row.pair),
+                         (lets_go ? "let go of " : "use ") + subject(Reach::Pair, row));
+}
+
+void CandidateTable::askVeto(Reach reach, const CandidateRow& row) {
+  const bool lifts = is_vetoed(m_steering, reach, row.pair, *m_library);
+  emit steeringRequested(with_veto_toggled(m_steering, reach, row.pair, *m_library),
+                         (lifts ? "lift veto of " : "veto ") + subject(reach, row));
+}
+
+void CandidateTable::askJump(const CandidateRow& row) {
+  emit jumpRequested(row.take_index, row.frame);
+}
+
+void CandidateTable::togglePin() {
+  if (const CandidateRow* row = chosen()) return askPin(CandidateRow(*row));
+  if (m_steering.pinned) {  // a frame without candidates must not keep the pin in force
+    Steering next = m_steering;
+    next.pinned.reset();
+    emit steeringRequested(next, "let the pinned pair go");
+  }
+}
+
+void CandidateTable::toggleVeto(Reach reach) {
+  if (const CandidateRow* row = chosen()) askVeto(reach, CandidateRow(*row));
+}
+
+void CandidateTable::jump() {
+  if (const CandidateRow* row = chosen()) askJump(CandidateRow(*row));
+}
+
+void CandidateTable::liftAll() {
+  if (!m_steering.empty()) emit steeringRequested({}, "lift pin and vetoes");
+}
+
+void CandidateTable::addSorting(QMenu& menu) {
+  QMenu* sorting = menu.addMenu("Sort by");
+  for (const CandidateColumn column : candidate_columns) {
+    const std::string_view title = column_title(column);
+    QAction* action = sorting->addAction(QString::fromUtf8(title.data(), static_cast<int>(title.size())));
+    action->setCheckable(true);
+    action->setChecked(column == m_order.column);
+    connect(action, &QAction::triggered, this, [this, column] { sortBy(column); });
+  }
+}
+
+void CandidateTable::showMenu(const CandidateRow& row, const QPoint& at) {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  const bool pinned = m_steering.pinned == row.pair;
+  const auto add = [&](const QString& words, const char* key, auto act) {
+    connect(menu->addAction(with_key(words, key)), &QAction::triggered, this, std::move(act));
+  };
+  add(pinned ? "Let this one go" : "Use this one", "P", [this, row] { askPin(row); });
+  menu->addSeparator();
+  const auto veto = [&](Reach reach, const char* key) {
+    const bool vetoed = is_vetoed(m_steering, reach, row.pair, *m_library);
+    add((vetoed ? "Lift veto of " : "Veto ") + subject(reach, row), key,
+        [this, row, reach] { askVeto(reach, row); });
+  };
+  veto(Reach::Pair, "V");
+  veto(Reach::Take, "Shift+V");
+  veto(Reach::Label, "Alt+V");
+  menu->addSeparator();
+  add("Go to its take and frame", "Return", [this, row] { askJump(row); });
+  addSorting(*menu);
+  if (!m_steering.empty()) {
+    menu->addSeparator();
+    add("Lift pin and vetoes", "Shift+P", [this] { liftAll(); });
+  }
+  menu->popup(at);
 }
 
 }  // namespace abrazo::widgets

@@ -4,43 +4,93 @@
 #include <memory>
 #include <vector>
 
+#include "core/session/frame_history.hpp"
 #include "core/session/frame_snapshot.hpp"
+#include "widgets/candidates/candidate_order.hpp"
 #include "widgets/candidates/candidate_rows.hpp"
+#include "widgets/candidates/steering.hpp"
 #include "widgets/common/palette.hpp"
 
 class QLabel;
+class QMenu;
 class QScrollArea;
+class QToolButton;
 
 namespace abrazo::widgets {
 
+class CandidateHeader;
 class CandidateList;
+class DecisionBar;
+class FeatureMap;
 class SectionHeader;
 
-/// The k pairs that were considered for the shown frame, cheapest first, and why the winner won.
+/// The k pairs that were considered for the shown frame, why the winner won, and what a person decided about
+/// them. Decides nothing itself: it asks for the next decision as a whole value.
 class CandidateTable : public QWidget {
   Q_OBJECT
  public:
   explicit CandidateTable(QWidget* parent = nullptr);
+  /// Another library than before drops the decisions: they were about the pairs of the old one.
   void setLibrary(std::shared_ptr<const MotionLibrary> library);
+  const std::shared_ptr<const MotionLibrary>& library() const { return m_library; }
   void setColours(const Palette& palette);
+  /// As they are shown, in the order of the sorted column.
   const std::vector<CandidateRow>& rows() const;
   QString reason() const;
+  const Steering& steering() const { return m_steering; }
+  const CandidateOrder& order() const { return m_order; }
 
  public slots:
   void showFrame(const abrazo::FrameSnapshotPtr& frame);
+  void showSteering(const abrazo::widgets::Steering& steering);
+  /// The way of the user up to a time, in the feature map.
+  void showPath(const abrazo::FrameHistory& history, double until_s);
+  void sortBy(abrazo::widgets::CandidateColumn column);
+  void showMap(bool on);
+
+  // About the current row; without one, about the winner.
+  void togglePin();
+  void toggleVeto(abrazo::widgets::Reach reach);
+  void jump();
+  void liftAll();
 
  signals:
   /// Index into the frame's candidates; -1 when the pointer left.
   void candidateHovered(int candidate);
+  /// @param what  the change in words, for the undo list
+  void steeringRequested(const abrazo::widgets::Steering& next, const QString& what);
+  /// To this frame of this take of the library.
+  void jumpRequested(int take, int frame);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  void arrange();
+  void connectParts();
+  QWidget* makeFoot();
+  void showRows();
+  void mark(CandidateRow& row) const;
+  const CandidateRow* chosen() const;
+  void askPin(const CandidateRow& row);
+  void askVeto(Reach reach, const CandidateRow& row);
+  void askJump(const CandidateRow& row);
+  void showMenu(const CandidateRow& row, const QPoint& at);
+  void addSorting(QMenu& menu);
+
   SectionHeader* m_header;
+  CandidateHeader* m_columns;
   CandidateList* m_list;
+  QScrollArea* m_scroll;
+  DecisionBar* m_decisions;
   QLabel* m_reason;
+  QToolButton* m_mapButton;
+  FeatureMap* m_map;
   std::shared_ptr<const MotionLibrary> m_library;
+  FrameSnapshotPtr m_frame;
+  std::vector<CandidateRow> m_ranked;  ///< of the shown frame, cheapest first
+  Steering m_steering;
+  CandidateOrder m_order;
 };
 
 }  // namespace abrazo::widgets

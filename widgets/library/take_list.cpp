@@ -24,7 +24,7 @@ QSize TakeList::sizeHint() const {
 
 void TakeList::setLibrary(std::shared_ptr<const MotionLibrary> library) {
   m_library = std::move(library);
-  m_current = -1;
+  m_current = m_selected = -1;
   makeThumbnails();
   setMinimumHeight(sizeHint().height());
   updateGeometry();
@@ -38,6 +38,12 @@ void TakeList::setColours(const Palette& palette) {
 void TakeList::setCurrentTake(int take) {
   if (take == m_current) return;
   m_current = take;
+  update();
+}
+
+void TakeList::setSelectedTake(int take) {
+  if (take == m_selected) return;
+  m_selected = take;
   update();
 }
 
@@ -99,6 +105,11 @@ void TakeList::paintEvent(QPaintEvent* event) {
     if (t == m_current) {
       painter.fillRect(row, m_palette.raised);
       painter.fillRect(QRectF(row.topLeft(), QSizeF(2, row_height)), m_palette.warning);
+    }
+    if (t == m_selected) {
+      painter.setPen(QPen(m_palette.accent, 1.5));
+      painter.setBrush(Qt::NoBrush);
+      painter.drawRoundedRect(row.adjusted(5, 1.5, -3, -1.5), 4, 4);
     }
     painter.drawPixmap(QPointF(12, row.top() + 4), m_thumbnails[static_cast<std::size_t>(t)]);
     painter.setFont(interface_font(13, QFont::DemiBold));

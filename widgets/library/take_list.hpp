@@ -22,6 +22,9 @@ class TakeList : public QWidget {
  public slots:
   /// The take the shown frame comes from; -1 for none.
   void setCurrentTake(int take);
+  /// A take that somebody asked for; -1 for none.
+  void setSelectedTake(int take);
+  int selectedTake() const { return m_selected; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -34,6 +37,7 @@ class TakeList : public QWidget {
   std::shared_ptr<const MotionLibrary> m_library;
   std::vector<QPixmap> m_thumbnails;
   int m_current = -1;
+  int m_selected = -1;
 };
 
 }  // namespace abrazo::widgets

@@ -2,67 +2,110 @@
 
 #include <qcustomplot.h>
 
-#include <QMouseEvent>
+#include <QContextMenuEvent>
+#include <QKeyEvent>
 #include <QPainter>
-#include <QVBoxLayout>
-#include <QWheelEvent>
+#include <QToolButton>
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
-#include "widgets/common/value_range.hpp"
+#include "widgets/plots/plot_colours.hpp"
 
 namespace abrazo::widgets {
 namespace {
 
 constexpr int head_height = 30;
-constexpr double key_gap = 10;
+constexpr int head_left = 12;
+constexpr int menu_width = 26;
+constexpr int labelled_height = 84;  // of the curves, from which there is room for times below them
+constexpr double zoom_step = 0.85;
+constexpr double pan_step = 0.2;  // of the span
 
-QString unitOf(const PlotPane::Curve& curve) {
-  return curve.unit.isEmpty() ? QString() : " " + curve.unit;
+QString text(std::string_view utf8) {
+  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
+}
+
+/// A value below what matters must not look large: the axis reaches at least this far.
+double least_reach(const PaneSeries& series) {
+  if (series.empty()) return 1;
+  const std::string_view unit = info_of(series.front()).unit;
+  return unit == "mm" ? 0.5 : unit == "%" ? 0.01 : unit == "ms" ? 0.01 : unit == "per 100" ? 1 : 1e-6;
 }
 
 }  // namespace
 
-PlotPane::PlotPane(const QString& title, std::vector<Curve> curves, QWidget* parent)
+PlotPane::PlotPane(QWidget* parent)
     : QWidget(parent),
-      m_title(title),
-      m_curves(std::move(curves)),
       m_palette(palette_of(Theme::Dark)),
       m_plot(new QCustomPlot(this)),
-      m_cursor(new QCPItemLine(m_plot)) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(10, head_height, 10, 6);
-  column->addWidget(m_plot);
-  m_plot->setMinimumHeight(50);
+      m_cursor(new QCPItemLine(m_plot)),
+      m_pointer(new QCPItemLine(m_plot)),
+      m_menu(new QToolButton(this)) {
+  setFocusPolicy(Qt::StrongFocus);
+  m_menu->setObjectName("flat");
+  m_menu->setText("⋯");
+  m_menu->setFocusPolicy(Qt::TabFocus);
+  connect(m_menu, &QToolButton::clicked, this,
+          [this] { emit menuRequested(m_menu->mapToGlobal(QPoint(0, m_menu->height()))); });
+  setUpPlot();
+  setUpMouse();
+}
+
+void PlotPane::setUpPlot() {
+  m_plot->setObjectName("curves");
+  m_plot->setFocusPolicy(Qt::NoFocus);
   m_plot->axisRect()->setAutoMargins(QCP::msLeft);
   m_plot->axisRect()->setMinimumMargins({34, 2, 2, 4});
   m_plot->axisRect()->setMargins({38, 2, 2, 4});
-  m_plot->xAxis->setTickLabels(false);
+  m_plot->xAxis->setTicker(QSharedPointer<QCPAxisTickerTime>::create());
   m_plot->yAxis->ticker()->setTickCount(3);
   m_plot->yAxis->setNumberPrecision(3);
   m_plot->setNotAntialiasedElements(QCP::aeAll);
   m_plot->setAntialiasedElements(QCP::aePlottables);
-  m_plot->setNoAntialiasingOnDrag(true);
-  for (int c = 0; c < 2 * curveCount(); ++c) m_plot->addGraph();  // the curves, then the marks of their cuts
-  m_cursor->start->setTypeY(QCPItemPosition::ptAxisRectRatio);
-  m_cursor->end->setTypeY(QCPItemPosition::ptAxisRectRatio);
-  m_cursor->setClipToAxisRect(true);
-  connect(m_plot, &QCustomPlot::mousePress, this, [this](QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton) emit seekRequested(m_plot->xAxis->pixelToCoord(event->pos().x()));
-  });
-  connect(m_plot, &QCustomPlot::mouseMove, this, [this](QMouseEvent* event) {
-    if (event->buttons() & Qt::LeftButton) emit seekRequested(m_plot->xAxis->pixelToCoord(event->pos().x()));
-  });
-  connect(m_plot, &QCustomPlot::mouseWheel, this, [this](QWheelEvent* event) {
-    emit zoomRequested(std::pow(0.85, event->angleDelta().y() / 120.0));
-  });
+  for (QCPItemLine* line : {m_cursor, m_pointer}) {
+    line->start->setTypeY(QCPItemPosition::ptAxisRectRatio);
+    line->end->setTypeY(QCPItemPosition::ptAxisRectRatio);
+    line->setClipToAxisRect(true);
+  }
+  m_pointer->setVisible(false);
 }
 
-void PlotPane::setColours(const Palette& palette, const std::vector<QColor>& curves) {
+void PlotPane::setUpMouse() {
+  connect(m_plot, &QCustomPlot::mousePress, this, [this](const QMouseEvent* event) { press(*event); });
+  connect(m_plot, &QCustomPlot::mouseMove, this, [this](const QMouseEvent* event) { move(*event); });
+  connect(m_plot, &QCustomPlot::mouseRelease, this, [this](const QMouseEvent* event) { release(*event); });
+  connect(m_plot, &QCustomPlot::mouseWheel, this, [this](const QWheelEvent* event) { wheel(*event); });
+  connect(m_plot, &QCustomPlot::mouseDoubleClick, this, [this](const QMouseEvent* event) {
+    if (event->button() == Qt::LeftButton) emit followRequested();
+  });
+  m_plot->setContextMenuPolicy(Qt::CustomContextMenu);
+  connect(m_plot, &QWidget::customContextMenuRequested, this,
+          [this](const QPoint& at) { emit menuRequested(m_plot->mapToGlobal(at)); });
+  m_plot->installEventFilter(this);
+}
+
+void PlotPane::setSeries(PaneSeries series) {
+  m_series = std::move(series);
+  m_lines.clear();
+  m_plot->clearGraphs();
+  for (int g = 0; g < 2 * seriesCount(); ++g) m_plot->addGraph();  // curves, then the marks of their cuts
+  forgetRange();
+  const QString title = text(title_of(m_series));
+  QString about;
+  for (const Series one : m_series) {
+    const SeriesInfo& info = info_of(one);
+    about += QString("<tr><td><b>%1</b>&nbsp;</td><td>%2</td></tr>").arg(text(info.name), text(info.meaning));
+  }
+  setToolTip("<table>" + about + "</table>");
+  setAccessibleName("Plot of " + title);
+  m_menu->setAccessibleName("Series of the plot of " + title);
+  m_menu->setToolTip("What this pane shows, and export");
+  setColours(m_palette);
+}
+
+void PlotPane::setColours(const Palette& palette) {
   m_palette = palette;
-  m_colours = curves;
   m_plot->setBackground(QBrush(palette.panel));
   const QColor faint = mixed(palette.secondary, palette.panel, 0.22);
   for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis}) {
@@ -75,117 +118,243 @@ void PlotPane::setColours(const Palette& palette, const std::vector<QColor>& cur
     axis->grid()->setZeroLinePen(QPen(faint, 1));
   }
   m_plot->xAxis->grid()->setVisible(false);
-  for (int c = 0; c < curveCount(); ++c) {
-    const QColor& colour = curves[static_cast<std::size_t>(c)];
-    m_plot->graph(c)->setPen(QPen(colour, 1.3));
-    QCPGraph* marks = m_plot->graph(curveCount() + c);
+  for (int c = 0; c < seriesCount(); ++c) {
+    const Series series = m_series[static_cast<std::size_t>(c)];
+    const QColor colour = colour_of(series, palette);
+    m_plot->graph(c)->setPen(QPen(colour, 1.3, is_dashed(series) ? Qt::DashLine : Qt::SolidLine));
+    QCPGraph* marks = m_plot->graph(seriesCount() + c);
     marks->setLineStyle(QCPGraph::lsNone);
     marks->setScatterStyle({QCPScatterStyle::ssTriangle, QPen(colour), QBrush(colour), 6});
   }
   m_cursor->setPen(QPen(palette.dark ? QColor("#c7ccd6") : palette.text, 1));
+  m_pointer->setPen(QPen(palette.secondary, 1, Qt::DotLine));
   update();
   m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
-void PlotPane::append(double time_s, const std::vector<double>& values) {
-  for (int c = 0; c < curveCount(); ++c)
-    m_plot->graph(c)->addData(time_s, values[static_cast<std::size_t>(c)]);
-}
-
-void PlotPane::dropBefore(double time_s) {
-  for (int c = 0; c < m_plot->graphCount(); ++c) m_plot->graph(c)->data()->removeBefore(time_s);
-}
-
-void PlotPane::clear() {
-  for (int c = 0; c < m_plot->graphCount(); ++c) m_plot->graph(c)->data()->clear();
-  m_range.reset();
-}
-
-void PlotPane::showValues(std::vector<double> values) {
-  m_values = std::move(values);
+void PlotPane::setMark(PlotMark mark) {
+  if (mark == m_mark) return;
+  m_mark = mark;
   update(0, 0, width(), head_height);
 }
 
-/// The same height until the values have been smaller for a while, so that the numbers can be read.
-void PlotPane::fitHeight(double from_s, double to_s) {
-  double upper = 0;
-  for (int c = 0; c < curveCount(); ++c) {
-    std::vector<double> visible;
-    const auto values = m_plot->graph(c)->data();
-    for (auto it = values->findBegin(from_s, false); it != values->findEnd(to_s, false); ++it)
-      visible.push_back(it->value);
-    upper = std::max(upper, robust_upper(std::move(visible)));
-  }
-  m_range.show(upper, to_s);
-  m_plot->yAxis->setRange(0, std::max(m_range.upper(), m_least));
+void PlotPane::setCollapsed(bool collapsed) {
+  m_collapsed = collapsed;
+  m_plot->setVisible(!collapsed);
 }
 
-/// One mark for each run of values above the plot.
-void PlotPane::markCuts(double from_s, double to_s) {
-  const double upper = m_plot->yAxis->range().upper;
-  for (int c = 0; c < curveCount(); ++c) {
-    const auto values = m_plot->graph(c)->data();
-    const auto marks = m_plot->graph(curveCount() + c)->data();
+void PlotPane::showValues(const SeriesValues* values) {
+  m_values = values ? std::optional<SeriesValues>(*values) : std::nullopt;
+  update(0, 0, width(), head_height);
+}
+
+void PlotPane::forgetRange() {
+  m_upper.reset();
+  m_lower.reset();
+}
+
+double PlotPane::upperEnd() const {
+  return m_plot->yAxis->range().upper;
+}
+
+/// The same height until the values have been smaller for a while, so that the numbers can be read.
+void PlotPane::fitHeight(const PlotView& view) {
+  double upper = 0, lower = 0;
+  for (const auto& line : m_lines) {
+    std::vector<double> above, below;
+    for (const SampleTable::Point& point : line) {
+      if (point.time_s < view.from_s || point.time_s > view.to_s) continue;
+      (point.value < 0 ? below : above).push_back(std::abs(point.value));
+    }
+    upper = std::max(upper, robust_upper(std::move(above)));
+    lower = std::max(lower, robust_upper(std::move(below)));
+  }
+  m_upper.show(upper, view.to_s);
+  m_lower.show(lower, view.to_s);
+  m_plot->yAxis->setRange(lower > 0 ? -m_lower.upper() : 0, std::max(m_upper.upper(), least_reach(m_series)));
+}
+
+/// The curves, and one mark for each run of values above the plot.
+void PlotPane::fillGraphs(const PlotView& view, bool within_border) {
+  const QCPRange range = m_plot->yAxis->range();
+  for (int c = 0; c < seriesCount(); ++c) {
+    QVector<QCPGraphData> curve;
+    const auto marks = m_plot->graph(seriesCount() + c)->data();
     marks->clear();
     bool above = false;
-    for (auto it = values->findBegin(from_s, false); it != values->findEnd(to_s, false); ++it) {
-      if (it->value > upper && !above) marks->add({it->key, 0.95 * upper});
-      above = it->value > upper;
+    for (const SampleTable::Point& point : m_lines[static_cast<std::size_t>(c)]) {
+      const bool outside = point.time_s < view.from_s || point.time_s > view.to_s;
+      if (outside && within_border) continue;
+      const double value = within_border && std::isfinite(point.value)
+                               ? std::clamp(point.value, range.lower, range.upper)
+                               : point.value;
+      curve.push_back({point.time_s, value});
+      if (point.value > range.upper && !above && !outside) marks->add({point.time_s, 0.95 * range.upper});
+      above = point.value > range.upper;
     }
+    m_plot->graph(c)->data()->set(curve, true);
   }
 }
 
-void PlotPane::draw(double from_s, double to_s, double cursor_s) {
-  fitHeight(from_s, to_s);
-  markCuts(from_s, to_s);
-  m_plot->xAxis->setRange(from_s, to_s);
-  m_cursor->start->setCoords(cursor_s, 0);
-  m_cursor->end->setCoords(cursor_s, 1);
-  m_plot->replot(QCustomPlot::rpQueuedReplot);
+/// Times below the curves, to the second or finer where the span is short.
+void PlotPane::showTimes(QSize curves) {
+  const double span_s = m_view.to_s - m_view.from_s;
+  const auto ticker = m_plot->xAxis->ticker().staticCast<QCPAxisTickerTime>();
+  ticker->setTimeFormat(span_s < 4 ? "%m:%s.%z" : span_s < 3600 ? "%m:%s" : "%h:%m:%s");
+  ticker->setFieldWidth(QCPAxisTickerTime::tuMinutes, 1);
+  ticker->setTickCount(std::clamp(curves.width() / 70, 2, 8));
+  const bool room = curves.height() >= labelled_height;
+  m_plot->xAxis->setTickLabels(room);
+  m_plot->axisRect()->setMargins({38, 2, 2, room ? 18 : 4});
+}
+
+/// Gives the plot all that it shows, for curves of some size on the screen or on paper.
+void PlotPane::lay(const SampleTable& table, const PlotView& view, QSize curves, bool within_border) {
+  constexpr int margins = 40, fewest_columns = 50;
+  m_view = view;
+  m_lines.clear();
+  const int columns = std::max(fewest_columns, curves.width() - margins);
+  for (const Series series : m_series) m_lines.push_back(table.line(series, view.from_s, view.to_s, columns));
+  fitHeight(view);
+  fillGraphs(view, within_border);
+  m_plot->xAxis->setRange(view.from_s, view.to_s);
+  showTimes(curves);
+  m_cursor->start->setCoords(view.cursor_s, 0);
+  m_cursor->end->setCoords(view.cursor_s, 1);
+  m_cursor->setVisible(view.from_s <= view.cursor_s && view.cursor_s <= view.to_s);
+  m_pointer->setVisible(view.pointer_s.has_value());
+  m_pointer->start->setCoords(view.pointer_s.value_or(0), 0);
+  m_pointer->end->setCoords(view.pointer_s.value_or(0), 1);
+}
+
+void PlotPane::draw(const SampleTable& table, const PlotView& view) {
+  m_view = view;
+  if (m_collapsed) return;
+  lay(table, view, m_plot->size(), false);
+  m_plot->replot(QCustomPlot::rpQueuedRefresh);
+}
+
+void PlotPane::paintInto(QCPPainter& painter, const QRect& place, const SampleTable& table,
+                         const PlotView& view) {
+  const QSize curves(place.width() - 20, place.height() - head_height - 6);
+  lay(table, view, curves, true);
+  painter.save();
+  painter.fillRect(place, m_palette.panel);
+  painter.translate(place.left(), place.top());
+  paint_plot_head(painter, QRectF(0, 0, place.width(), head_height),
+                  {m_series, m_values, m_palette, PlotMark::None});
+  painter.translate(10, head_height);
+  m_plot->toPainter(&painter, curves.width(), curves.height());
+  painter.restore();
 }
 
 double PlotPane::xOf(double time_s) const {
   return m_plot->x() + m_plot->xAxis->coordToPixel(time_s);
 }
 
-void PlotPane::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  painter.fillRect(rect(), m_palette.panel);
-  painter.setFont(interface_font(12, QFont::DemiBold));
-  // Where there is no room for the values the names stay, and at last the names without the title.
-  const double title_end = 12 + painter.fontMetrics().horizontalAdvance(m_title) + 14;
-  const bool with_values = title_end + headWidth(true) < width();
-  const bool with_title = title_end + headWidth(false) < width();
-  painter.setPen(m_palette.text);
-  if (with_title)
-    painter.drawText(QRectF(12, 4, width(), head_height - 4), Qt::AlignVCenter | Qt::AlignLeft, m_title);
-  double x = with_title ? title_end : 12;
-  for (std::size_t c = 0; c < m_curves.size() && c < m_colours.size(); ++c) {
-    const Curve& curve = m_curves[c];
-    painter.setFont(interface_font(11));
-    painter.fillRect(QRectF(x, head_height / 2.0 - 2, 8, 8), m_colours[c]);
-    painter.setPen(m_palette.secondary);
-    painter.drawText(QRectF(x + 12, 4, width(), head_height - 4), Qt::AlignVCenter, curve.name);
-    x += 12 + painter.fontMetrics().horizontalAdvance(curve.name) + 5;
-    if (with_values) {
-      const QString value =
-          c < m_values.size() ? QString::number(m_values[c], 'f', curve.decimals) : QString("–");
-      painter.setPen(m_palette.text);
-      draw_tabular(painter, QRectF(x, 4, 90, head_height - 4), Qt::AlignLeft, value + unitOf(curve));
-      x += tabular_width(painter.font(), QString(curve.decimals + 2, '0') + unitOf(curve));
-    }
-    x += key_gap;
+double PlotPane::timeAt(int x) const {
+  return m_plot->xAxis->pixelToCoord(x);
+}
+
+bool PlotPane::isAtCursor(int x) const {
+  constexpr double reach_px = 5;
+  return std::abs(m_plot->xAxis->coordToPixel(m_view.cursor_s) - x) <= reach_px;
+}
+
+void PlotPane::press(const QMouseEvent& event) {
+  if (event.button() != Qt::LeftButton) return;
+  setFocus(Qt::MouseFocusReason);
+  m_pressX = m_lastX = event.pos().x();
+  m_drag = isAtCursor(m_pressX) ? Drag::Scrub : Drag::Undecided;
+}
+
+void PlotPane::move(const QMouseEvent& event) {
+  constexpr int click_px = 4;
+  const int x = event.pos().x();
+  if (!(event.buttons() & Qt::LeftButton)) {
+    m_drag = Drag::None;
+    m_plot->setCursor(isAtCursor(x) ? Qt::SplitHCursor : Qt::ArrowCursor);
+    return emit pointerMoved(timeAt(x), m_plot->mapToGlobal(event.pos()));
+  }
+  if (m_drag == Drag::Undecided && std::abs(x - m_pressX) > click_px) m_drag = Drag::Pan;
+  if (m_drag == Drag::Scrub) emit seekRequested(timeAt(x));
+  if (m_drag == Drag::Pan) {
+    m_plot->setCursor(Qt::ClosedHandCursor);
+    const double seconds_per_pixel = (m_view.to_s - m_view.from_s) / std::max(1, m_plot->axisRect()->width());
+    emit panRequested((m_lastX - x) * seconds_per_pixel);
+    m_lastX = x;
   }
 }
 
-double PlotPane::headWidth(bool with_values) const {
-  const QFont font = interface_font(11);
-  double sum = 0;
-  for (const Curve& curve : m_curves) {
-    sum += 12 + tabular_width(font, curve.name) + 5 + key_gap;
-    if (with_values) sum += tabular_width(font, QString(curve.decimals + 2, '0') + unitOf(curve));
+void PlotPane::release(const QMouseEvent& event) {
+  if (event.button() != Qt::LeftButton) return;
+  if (m_drag == Drag::Undecided) emit seekRequested(timeAt(event.pos().x()));
+  m_drag = Drag::None;
+  m_plot->setCursor(Qt::ArrowCursor);
+}
+
+void PlotPane::wheel(const QWheelEvent& event) {
+  const QPoint turned = event.angleDelta();
+  const bool along = (event.modifiers() & Qt::ShiftModifier) || std::abs(turned.x()) > std::abs(turned.y());
+  const double steps = (turned.x() + turned.y()) / 120.0;
+  if (along)
+    emit panRequested(-steps * pan_step / 2 * (m_view.to_s - m_view.from_s));
+  else
+    emit zoomRequested(std::pow(zoom_step, steps), timeAt(static_cast<int>(event.position().x())));
+}
+
+void PlotPane::keyPressEvent(QKeyEvent* event) {
+  const double span_s = m_view.to_s - m_view.from_s;
+  switch (event->key()) {
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+      return emit zoomRequested(zoom_step, m_view.cursor_s);
+    case Qt::Key_Minus:
+      return emit zoomRequested(1 / zoom_step, m_view.cursor_s);
+    case Qt::Key_PageUp:
+      return emit panRequested(-pan_step * span_s);
+    case Qt::Key_PageDown:
+      return emit panRequested(pan_step * span_s);
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+      return emit menuRequested(mapToGlobal(QPoint(head_left, head_height)));
+    default:
+      QWidget::keyPressEvent(event);
   }
-  return sum;
+}
+
+void PlotPane::focusInEvent(QFocusEvent*) {
+  update();
+}
+
+void PlotPane::focusOutEvent(QFocusEvent*) {
+  update();
+}
+
+void PlotPane::contextMenuEvent(QContextMenuEvent* event) {
+  emit menuRequested(event->globalPos());
+}
+
+bool PlotPane::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Leave) emit pointerLeft();
+  // The values under the pointer are said there already.
+  if (event->type() == QEvent::ToolTip) return true;
+  return QWidget::eventFilter(watched, event);
+}
+
+void PlotPane::resizeEvent(QResizeEvent*) {
+  m_plot->setGeometry(10, head_height, std::max(1, width() - 20), std::max(1, height() - head_height - 6));
+  m_menu->setGeometry(width() - menu_width - 6, 4, menu_width, head_height - 6);
+}
+
+void PlotPane::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.fillRect(rect(), m_palette.panel);
+  paint_plot_head(painter, QRectF(0, 0, width() - menu_width - 6, head_height),
+                  {m_series, m_values, m_palette, m_mark});
+  if (!hasFocus()) return;
+  painter.setPen(m_palette.accent);
+  painter.drawRect(rect().adjusted(0, 0, -1, -1));
 }
 
 }  // namespace abrazo::widgets

@@ -1,61 +1,102 @@
 #pragma once
 
 #include <QWidget>
-#include <vector>
+#include <optional>
 
 #include "widgets/common/palette.hpp"
 #include "widgets/common/value_range.hpp"
+#include "widgets/plots/pane_arrangement.hpp"
+#include "widgets/plots/plot_head.hpp"
+#include "widgets/plots/sample_table.hpp"
 
 class QCPItemLine;
+class QCPPainter;
 class QCustomPlot;
+class QMouseEvent;
+class QToolButton;
+class QWheelEvent;
 
 namespace abrazo::widgets {
 
-/// One plot over time: title and current values above, curves and cursor below. Single values far above the
-/// rest are cut, with a mark at the upper edge.
+/// What all panes show at once.
+struct PlotView {
+  double from_s = 0, to_s = 1;
+  double cursor_s = 0;
+  std::optional<double> pointer_s;  ///< a thin line where the pointer is in time
+};
+
+/// One plot over time: title, key and values in the head, curves and cursor below. Single values far above
+/// the rest are cut, with a mark at the upper edge. Moves nothing itself: it asks.
 class PlotPane : public QWidget {
   Q_OBJECT
  public:
-  struct Curve {
-    QString name;
-    QString unit;
-    int decimals;
-  };
-  PlotPane(const QString& title, std::vector<Curve> curves, QWidget* parent);
-  void setColours(const Palette& palette, const std::vector<QColor>& curves);
-  /// The axis reaches at least this high: what is far below it must not look large.
-  void setLeastHeight(double value) { m_least = value; }
+  explicit PlotPane(QWidget* parent);
+  void setSeries(PaneSeries series);
+  const PaneSeries& series() const { return m_series; }
+  void setColours(const Palette& palette);
+  /// Whether the window goes along with the live end; said in the head.
+  void setMark(PlotMark mark);
+  /// Only the head, where there is no height for more.
+  void setCollapsed(bool collapsed);
+  bool isCollapsed() const { return m_collapsed; }
 
-  void append(double time_s, const std::vector<double>& values);
-  void dropBefore(double time_s);
-  void clear();
-  /// Current values, in the order of the curves; empty shows none.
-  void showValues(std::vector<double> values);
-  void draw(double from_s, double to_s, double cursor_s);
+  /// Values in the head; null shows none.
+  void showValues(const SeriesValues* values);
+  void draw(const SampleTable& table, const PlotView& view);
+  void forgetRange();
   double xOf(double time_s) const;
+  double upperEnd() const;
+  /// Paints the pane into a rectangle of a picture or a file, also one that has no room on the screen. Curves
+  /// end at the border even where the painter cannot clip. `draw` shows the screen's again.
+  void paintInto(QCPPainter& painter, const QRect& place, const SampleTable& table, const PlotView& view);
 
  signals:
   void seekRequested(double time_s);
-  void zoomRequested(double factor);
+  void panRequested(double by_s);
+  void zoomRequested(double factor, double fixed_s);
+  void followRequested();
+  void menuRequested(const QPoint& global);
+  void pointerMoved(double time_s, const QPoint& global);
+  void pointerLeft();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  void fitHeight(double from_s, double to_s);
-  void markCuts(double from_s, double to_s);
-  double headWidth(bool with_values) const;
-  int curveCount() const { return static_cast<int>(m_curves.size()); }
+  enum class Drag { None, Undecided, Pan, Scrub };
+  void setUpPlot();
+  void setUpMouse();
+  void press(const QMouseEvent& event);
+  void move(const QMouseEvent& event);
+  void release(const QMouseEvent& event);
+  void wheel(const QWheelEvent& event);
+  void fitHeight(const PlotView& view);
+  void fillGraphs(const PlotView& view, bool within_border);
+  void lay(const SampleTable& table, const PlotView& view, QSize curves, bool within_border);
+  void showTimes(QSize curves);
+  double timeAt(int x) const;
+  bool isAtCursor(int x) const;
+  int seriesCount() const { return static_cast<int>(m_series.size()); }
 
-  QString m_title;
-  std::vector<Curve> m_curves;
-  std::vector<QColor> m_colours;
-  std::vector<double> m_values;
+  PaneSeries m_series;
+  std::vector<std::vector<SampleTable::Point>> m_lines;  ///< one for each series
+  std::optional<SeriesValues> m_values;
+  PlotView m_view;
   Palette m_palette;
   QCustomPlot* m_plot;
-  QCPItemLine* m_cursor;
-  SteadyRange m_range;
-  double m_least = 1e-6;
+  QCPItemLine *m_cursor, *m_pointer;
+  QToolButton* m_menu;
+  SteadyRange m_upper, m_lower;
+  PlotMark m_mark = PlotMark::None;
+  bool m_collapsed = false;
+  Drag m_drag = Drag::None;
+  int m_pressX = 0, m_lastX = 0;
 };
 
 }  // namespace abrazo::widgets

@@ -1,78 +1,193 @@
 #include "widgets/plots/plot_panel.hpp"
 
-#include <QHBoxLayout>
+#include <QPainter>
+#include <QToolTip>
 #include <algorithm>
+#include <cmath>
 
+#include "widgets/plots/plot_colours.hpp"
+#include "widgets/plots/plot_menu.hpp"
 #include "widgets/plots/plot_pane.hpp"
+#include "widgets/plots/plot_picture.hpp"
 
 namespace abrazo::widgets {
 namespace {
 
-constexpr double shortest_s = 1, longest_s = 60;
-
-std::vector<double> energies(const FrameSnapshot& frame) {
-  const FrameEnergy& e = frame.result.energy;
-  return {e.deformation, e.velocity, e.constraint};
-}
-
-std::vector<double> residuals(const FrameSnapshot& frame) {
-  const FrameResidual& r = frame.result.residual;
-  return {100 * r.bone_length_max, 1000 * r.foot_lock_max_m, 1000 * r.excess_penetration_max_m};
+QString text(std::string_view utf8) {
+  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
 }
 
 }  // namespace
 
 struct PlotPanel::Parts {
-  PlotPane* energy = nullptr;
-  PlotPane* residual = nullptr;
+  std::vector<PlotPane*> panes;
+  SampleTable table;
+  SeriesReader reader;
+  PlotWindow window;
+  Playback playback;
+  Palette palette = palette_of(Theme::Dark);
   std::uint64_t next_index = 0;
-  double span_s = 20;
-  double to_s = 0;  ///< right end of the window
-  double cursor_s = 0;
+  std::optional<double> pointer_s;
 };
 
 PlotPanel::PlotPanel(QWidget* parent) : QWidget(parent), m_parts(std::make_unique<Parts>()) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(0);
-  using Curves = std::vector<PlotPane::Curve>;
-  m_parts->energy = new PlotPane(
-      "Energy", Curves{{"deformation", "", 3}, {"velocity", "", 3}, {"constraint", "", 3}}, this);
-  m_parts->residual = new PlotPane(
-      "Residuals", Curves{{"bones", "%", 2}, {"foot lock", "mm", 1}, {"penetration", "mm", 1}}, this);
-  m_parts->energy->setToolTip(
-      "Energies of Eq. 11 at the result [m²]: E_L deformation, E_V velocity, E_C constraint");
-  m_parts->residual->setToolTip(
-      "How far the nonlinear constraints are from being met: largest bone length error, largest drift of a "
-      "locked "
-      "foot, deepest penetration beyond the selected pair's own");
-  m_parts->residual->setLeastHeight(0.5);
-  for (PlotPane* pane : {m_parts->energy, m_parts->residual}) {
-    row->addWidget(pane, 1);
-    connect(pane, &PlotPane::seekRequested, this, &PlotPanel::seekRequested);
-    connect(pane, &PlotPane::zoomRequested, this, [this](double factor) {
-      m_parts->span_s = std::clamp(m_parts->span_s * factor, shortest_s, longest_s);
-    });
-  }
-  setMinimumHeight(110);
-  setColours(palette_of(Theme::Dark));
+  setAccessibleName("Plots");
+  setArrangement(default_arrangement());
 }
 
 PlotPanel::~PlotPanel() = default;
 
-void PlotPanel::setColours(const Palette& p) {
-  m_parts->energy->setColours(p, {p.energy_deformation, p.energy_velocity, p.energy_constraint});
-  m_parts->residual->setColours(p, {p.residual_bones, p.residual_locks, p.residual_penetration});
+PlotPane* PlotPanel::makePane() {
+  auto* pane = new PlotPane(this);
+  pane->setColours(m_parts->palette);
+  connect(pane, &PlotPane::seekRequested, this, &PlotPanel::seekRequested);
+  connect(pane, &PlotPane::panRequested, this, [this](double by_s) {
+    m_parts->window.pan(by_s);
+    draw();
+  });
+  connect(pane, &PlotPane::zoomRequested, this, [this](double factor, double fixed_s) {
+    m_parts->window.zoom(factor, fixed_s);
+    draw();
+  });
+  connect(pane, &PlotPane::followRequested, this, [this] {
+    attach();
+    emit followRequested();
+  });
+  connect(pane, &PlotPane::pointerMoved, this,
+          [this, pane](double time_s, const QPoint& global) { showReadout(time_s, global, pane); });
+  connect(pane, &PlotPane::pointerLeft, this, [this] {
+    m_parts->pointer_s.reset();
+    QToolTip::hideText();
+    draw();
+  });
+  connect(pane, &PlotPane::menuRequested, this, [this, pane](const QPoint& global) {
+    const auto& panes = m_parts->panes;
+    const auto which = std::ranges::find(panes, pane) - panes.begin();
+    show_pane_menu(*this, static_cast<int>(which), global);
+  });
+  return pane;
+}
+
+void PlotPanel::setColours(const Palette& palette) {
+  m_parts->palette = palette;
+  for (PlotPane* pane : m_parts->panes) pane->setColours(palette);
+  update();
 }
 
 void PlotPanel::clear() {
   m_parts->next_index = 0;
-  m_parts->energy->clear();
-  m_parts->residual->clear();
+  m_parts->table.clear();
+  m_parts->reader = {};
+  m_parts->playback = {};
+  m_parts->window.attach();
+  for (PlotPane* pane : m_parts->panes) pane->forgetRange();
+}
+
+PaneArrangement PlotPanel::arrangement() const {
+  PaneArrangement panes;
+  for (const PlotPane* pane : m_parts->panes) panes.push_back(pane->series());
+  return panes;
+}
+
+void PlotPanel::setArrangement(const PaneArrangement& wanted) {
+  auto& panes = m_parts->panes;
+  while (panes.size() > wanted.size()) {
+    panes.back()->hide();
+    panes.back()->deleteLater();  // it may be what asked
+    panes.pop_back();
+  }
+  while (panes.size() < wanted.size()) panes.push_back(makePane());
+  for (std::size_t p = 0; p < wanted.size(); ++p)
+    if (panes[p]->series() != wanted[p]) panes[p]->setSeries(wanted[p]);
+  arrangePanes();
+  draw();
+}
+
+void PlotPanel::change(PaneArrangement panes) {
+  setArrangement(panes);
+  emit arrangementChanged();
+}
+
+void PlotPanel::addPane(const PaneSeries& series) {
+  PaneArrangement panes = arrangement();
+  if (series.empty() || panes.size() >= most_panes) return;
+  panes.push_back(series);
+  change(std::move(panes));
+}
+
+void PlotPanel::removePane(int which) {
+  PaneArrangement panes = arrangement();
+  if (which < 0 || which >= paneCount() || panes.size() == 1) return;
+  panes.erase(panes.begin() + which);
+  change(std::move(panes));
+}
+
+void PlotPanel::movePane(int which, int by) {
+  PaneArrangement panes = arrangement();
+  const int to = which + by;
+  if (which < 0 || which >= paneCount() || to < 0 || to >= paneCount()) return;
+  std::swap(panes[static_cast<std::size_t>(which)], panes[static_cast<std::size_t>(to)]);
+  change(std::move(panes));
+}
+
+bool PlotPanel::setShown(int which, Series series, bool on) {
+  if (which < 0 || which >= paneCount()) return false;
+  PaneArrangement panes = arrangement();
+  PaneSeries& pane = panes[static_cast<std::size_t>(which)];
+  const bool is_shown = std::ranges::find(pane, series) != pane.end();
+  if (on == is_shown) return true;
+  if (on ? !can_join(pane, series) : pane.size() == 1) return false;
+  if (on)
+    pane.push_back(series);
+  else
+    std::erase(pane, series);
+  std::ranges::sort(pane);
+  change(std::move(panes));
+  return true;
+}
+
+void PlotPanel::restoreUsual() {
+  change(default_arrangement());
+}
+
+const PlotWindow& PlotPanel::window() const {
+  return m_parts->window;
+}
+
+int PlotPanel::paneCount() const {
+  return static_cast<int>(m_parts->panes.size());
+}
+
+PlotPane& PlotPanel::pane(int which) const {
+  return *m_parts->panes.at(static_cast<std::size_t>(which));
 }
 
 double PlotPanel::cursorX() const {
-  return m_parts->energy->x() + m_parts->energy->xOf(m_parts->cursor_s);
+  const PlotPane* first = m_parts->panes.front();
+  return first->x() + first->xOf(m_parts->playback.cursor_s);
+}
+
+void PlotPanel::arrangePanes() {
+  const auto& panes = m_parts->panes;
+  const PaneGrid grid = plan_panes(paneCount(), width(), height());
+  for (int p = 0; p < paneCount(); ++p) {
+    PlotPane* pane = panes[static_cast<std::size_t>(p)];
+    const int row = p / grid.columns, column = p % grid.columns;
+    pane->setVisible(p < grid.shown);
+    pane->setCollapsed(grid.collapsed);
+    const int left = width() * column / grid.columns, right = width() * (column + 1) / grid.columns;
+    const int top = height() * row / grid.rows, bottom = height() * (row + 1) / grid.rows;
+    pane->setGeometry(left, top, right - left, bottom - top);
+  }
+}
+
+void PlotPanel::resizeEvent(QResizeEvent*) {
+  arrangePanes();
+  draw();
+}
+
+void PlotPanel::paintEvent(QPaintEvent*) {
+  QPainter(this).fillRect(rect(), m_parts->palette.panel);
 }
 
 void PlotPanel::refresh(const FrameHistory& history, const Playback& playback,
@@ -80,21 +195,89 @@ void PlotPanel::refresh(const FrameHistory& history, const Playback& playback,
   Parts& p = *m_parts;
   for (const FrameSnapshotPtr& frame : history.since(p.next_index)) {
     p.next_index = frame->index + 1;
-    p.energy->append(frame->time_s, energies(*frame));
-    p.residual->append(frame->time_s, residuals(*frame));
+    p.table.append({frame->time_s, frame->index, p.reader.read(*frame)});
   }
-  p.energy->dropBefore(playback.first_s);
-  p.residual->dropBefore(playback.first_s);
-  p.cursor_s = playback.cursor_s;
-  // Following keeps the newest at the right edge, once there is more than fits; else the window moves only
-  // when the cursor would leave it.
-  if (playback.state == Playback::State::Following)
-    p.to_s = std::max(playback.last_s, playback.first_s + p.span_s);
-  p.to_s = std::clamp(p.to_s, playback.cursor_s, playback.cursor_s + p.span_s);
-  p.energy->showValues(shown ? energies(*shown) : std::vector<double>{});
-  p.residual->showValues(shown ? residuals(*shown) : std::vector<double>{});
-  p.energy->draw(p.to_s - p.span_s, p.to_s, p.cursor_s);
-  p.residual->draw(p.to_s - p.span_s, p.to_s, p.cursor_s);
+  p.table.drop_before(playback.first_s);
+  p.playback = playback;
+  p.window.show(playback);
+  const SampleTable::Row* row = shown ? p.table.at(shown->time_s) : nullptr;
+  for (PlotPane* pane : p.panes) pane->showValues(row ? &row->values : nullptr);
+  draw();
+}
+
+void PlotPanel::attach() {
+  m_parts->window.attach();
+  draw();
+}
+
+void PlotPanel::zoom(double factor) {
+  m_parts->window.zoom(factor, m_parts->playback.cursor_s);
+  draw();
+}
+
+PlotView PlotPanel::viewWithoutPointer() const {
+  const Parts& p = *m_parts;
+  return {p.window.from_s(), p.window.to_s(), p.playback.cursor_s, {}};
+}
+
+void PlotPanel::draw() {
+  const Parts& p = *m_parts;
+  PlotView view = viewWithoutPointer();
+  view.pointer_s = p.pointer_s;
+  const bool live = p.playback.state == Playback::State::Following;
+  for (PlotPane* pane : p.panes) {
+    const bool last = pane == p.panes.back() || pane->geometry().right() + 2 >= width();
+    pane->setMark(!last || pane->y() > 0 ? PlotMark::None
+                  : p.window.follows()   ? PlotMark::Following
+                  : live                 ? PlotMark::Detached
+                                         : PlotMark::None);
+    if (pane->isVisibleTo(this)) pane->draw(p.table, view);
+  }
+}
+
+void PlotPanel::showReadout(double time_s, const QPoint& global, QWidget* pane) {
+  m_parts->pointer_s = time_s;
+  draw();
+  QToolTip::showText(global + QPoint(14, 10), readout(time_s), pane);
+}
+
+QString PlotPanel::readout(double time_s) const {
+  const SampleTable::Row* row = m_parts->table.at(time_s);
+  if (!row) return {};
+  QString rows;
+  for (const PlotPane* pane : m_parts->panes)
+    for (const Series series : pane->series()) {
+      const SeriesInfo& info = info_of(series);
+      const double value = row->values[static_cast<std::size_t>(series)];
+      rows += QString(
+                  "<tr><td><span style='color:%1'>■</span> %2&nbsp;&nbsp;</td><td align=right>%3</td>"
+                  "<td>%4</td></tr>")
+                  .arg(colour_of(series, m_parts->palette).name(), text(info.name),
+                       std::isfinite(value) ? QString::number(value, 'f', info.decimals) : QString("–"),
+                       text(info.unit));
+    }
+  return QString("<b>%1 s</b> · frame %2<table cellspacing=0>%3</table>")
+      .arg(row->time_s, 0, 'f', 3)
+      .arg(row->index)
+      .arg(rows);
+}
+
+std::string PlotPanel::csv() const {
+  return plot_csv(m_parts->table, m_parts->window.from_s(), m_parts->window.to_s());
+}
+
+QImage PlotPanel::picture(double scale) {
+  const PlotSheet sheet{m_parts->panes, m_parts->table, viewWithoutPointer(), m_parts->palette.panel, size()};
+  const QImage picture = plot_picture(sheet, scale);
+  draw();
+  return picture;
+}
+
+QByteArray PlotPanel::svg() {
+  const PlotSheet sheet{m_parts->panes, m_parts->table, viewWithoutPointer(), m_parts->palette.panel, size()};
+  const QByteArray content = plot_svg(sheet);
+  draw();
+  return content;
 }
 
 }  // namespace abrazo::widgets

@@ -1,15 +1,25 @@
 #pragma once
 
+#include <QImage>
 #include <QWidget>
 #include <memory>
+#include <string>
 
 #include "core/session/frame_history.hpp"
 #include "core/session/playback.hpp"
 #include "widgets/common/palette.hpp"
+#include "widgets/plots/pane_arrangement.hpp"
+#include "widgets/plots/plot_window.hpp"
 
 namespace abrazo::widgets {
 
-/// Energies and constraint residuals over the last while, with the time cursor. A click asks to go there.
+class PlotPane;
+struct PlotView;
+
+enum class PlotExport { Csv, Png, Svg };
+
+/// The figures of the frames over time, in panes that a person arranges; one time cursor through all. A click
+/// asks to go there. Asks for files to be written, and makes their content.
 class PlotPanel : public QWidget {
   Q_OBJECT
  public:
@@ -17,18 +27,57 @@ class PlotPanel : public QWidget {
   ~PlotPanel() override;
   void setColours(const Palette& palette);
   void clear();
+
+  PaneArrangement arrangement() const;
+  void setArrangement(const PaneArrangement& panes);
+  void addPane(const PaneSeries& series);
+  void removePane(int pane);  ///< not the last one
+  void movePane(int pane, int by);
+  /// @return whether the pane takes it: a pane has one axis, and at least one series
+  bool setShown(int pane, Series series, bool on);
+  void restoreUsual();
+
+  /// The samples in the window as text, the panes as a picture of `scale` pixels a point, or as SVG.
+  std::string csv() const;
+  QImage picture(double scale);
+  QByteArray svg();
+
+  const PlotWindow& window() const;
+  int paneCount() const;
+  PlotPane& pane(int which) const;
   /// Where a time is in the first pane, in pixels of this widget; for tests.
   double cursorX() const;
+  /// Time and values of all series that are drawn, as rich text; empty where there is no sample.
+  QString readout(double time_s) const;
+  QSize minimumSizeHint() const override { return {200, 34}; }
+  QSize sizeHint() const override { return {900, 150}; }
 
  public slots:
   /// Takes what is new in the history, moves the window and the cursor, and draws.
   void refresh(const abrazo::FrameHistory& history, const abrazo::Playback& playback,
                const abrazo::FrameSnapshotPtr& shown);
+  /// The window goes along with the live end or the cursor again.
+  void attach();
+  void zoom(double factor);
 
  signals:
   void seekRequested(double time_s);
+  void followRequested();
+  void arrangementChanged();
+  void exportRequested(abrazo::widgets::PlotExport what);
+
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void paintEvent(QPaintEvent* event) override;
 
  private:
+  PlotPane* makePane();
+  void arrangePanes();
+  void draw();
+  PlotView viewWithoutPointer() const;
+  void change(PaneArrangement panes);
+  void showReadout(double time_s, const QPoint& global, QWidget* pane);
+
   struct Parts;
   std::unique_ptr<Parts> m_parts;
 };

@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <span>
+
+#include "core/mesh/laplacian.hpp"
 
 namespace abrazo::widgets {
 namespace {
@@ -47,11 +50,35 @@ ScalarInfo scalar_info(MeshScalar scalar) {
       return {"Edge weight", "", false};
     case MeshScalar::LengthChange:
       return {"Length change", "mm", true};
+    case MeshScalar::EnergyShare:
+      return {"Deformation energy", "%", false};
   }
   return {"", "", false};
 }
 
-std::vector<double> edge_scalars(const FrameResult& frame, MeshScalar scalar) {
+std::vector<double> edge_energies(const FrameSnapshot& frame) {
+  const FrameResult& result = frame.result;
+  Laplacian laplacian;
+  laplacian.build(result.edges, result.selected_pair, frame.settings.edge_weights);
+  const PairPose residuals = laplacian.apply(result.result - result.selected_pair);
+  std::array<double, pair_vertex_count> weight_sums{};
+  for (const MeshEdge& edge : result.edges) {
+    weight_sums[edge[0]] += laplacian.weight(edge[0], edge[1]);
+    weight_sums[edge[1]] += laplacian.weight(edge[1], edge[0]);
+  }
+  std::vector<double> energies;
+  energies.reserve(result.edges.size());
+  const auto part = [&](int vertex, int other) {
+    return 0.5 * residuals.row(vertex).squaredNorm() * laplacian.weight(vertex, other) /
+           weight_sums[static_cast<std::size_t>(vertex)];
+  };
+  for (const MeshEdge& edge : result.edges)
+    energies.push_back(part(edge[0], edge[1]) + part(edge[1], edge[0]));
+  return energies;
+}
+
+std::vector<double> edge_scalars(const FrameSnapshot& snapshot, MeshScalar scalar) {
+  const FrameResult& frame = snapshot.result;
   std::vector<double> values(frame.edges.size(), 0.0);
   const auto take = [&values](const std::vector<double>& from, double factor) {
     for (std::size_t e = 0; e < std::min(values.size(), from.size()); ++e) values[e] = factor * from[e];
@@ -61,6 +88,11 @@ std::vector<double> edge_scalars(const FrameResult& frame, MeshScalar scalar) {
   if (scalar == MeshScalar::LengthChange)
     for (std::size_t e = 0; e < values.size(); ++e)
       values[e] = 1000 * (length(frame.result, frame.edges[e]) - length(frame.selected_pair, frame.edges[e]));
+  if (scalar == MeshScalar::EnergyShare) {
+    const std::vector<double> energies = edge_energies(snapshot);
+    const double sum = std::accumulate(energies.begin(), energies.end(), 0.0);
+    if (sum > 0) take(energies, 100 / sum);
+  }
   return values;
 }
 

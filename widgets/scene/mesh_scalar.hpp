@@ -3,12 +3,13 @@
 #include <array>
 #include <vector>
 
-#include "core/synthesis/frame_result.hpp"
+#include "core/session/frame_snapshot.hpp"
 
 namespace abrazo::widgets {
 
 /// What colours the edges of the interaction mesh.
-enum class MeshScalar { Residual, Weight, LengthChange };
+enum class MeshScalar { Residual, Weight, LengthChange, EnergyShare };
+inline constexpr std::size_t mesh_scalar_count = 4;
 
 struct ScalarInfo {
   const char* title;
@@ -19,7 +20,11 @@ struct ScalarInfo {
 ScalarInfo scalar_info(MeshScalar scalar);
 
 /// One value per edge in the unit of `scalar_info`.
-std::vector<double> edge_scalars(const FrameResult& frame, MeshScalar scalar);
+std::vector<double> edge_scalars(const FrameSnapshot& frame, MeshScalar scalar);
+
+/// Deformation energy of each edge [m^2]: what a vertex has, 1/2 |delta_j - L(v'_j)|^2 (Eq. 11), is split
+/// among its edges by their weights there. Adds up to E_L of the frame.
+std::vector<double> edge_energies(const FrameSnapshot& frame);
 
 /// The size that 90 % of the edges between the bodies stay under: one stretched edge must not darken all
 /// others.

@@ -27,6 +27,11 @@ Vec3 OrbitCamera::up() const {
   return (position() - target).normalized().cross(right());
 }
 
+double OrbitCamera::nearest_shown_m() const {
+  constexpr double at_the_lens_m = 0.08;
+  return cuts ? std::max(at_the_lens_m, distance_m - cut_m) : at_the_lens_m;
+}
+
 void OrbitCamera::orbit(double dx_px, double dy_px) {
   azimuth_rad = std::remainder(azimuth_rad - dx_px * radians_per_pixel, 2 * 3.14159265358979323846);
   elevation_rad = std::clamp(elevation_rad + dy_px * radians_per_pixel, -steepest_rad, steepest_rad);

@@ -17,10 +17,15 @@ struct OrbitCamera {
   double elevation_rad = 0.12;  ///< above the horizon
   double distance_m = 4;
   double view_angle_rad = 0.52;  ///< vertical
+  bool is_parallel = false;  ///< parallel instead of central projection; what is at the target keeps its size
+  bool cuts = false;         ///< leaves out what is nearer than the plane `cut_m` before the target
+  double cut_m = 0;          ///< negative: behind the target
 
   Vec3 position() const;
   Vec3 right() const;
   Vec3 up() const;
+  /// Along the direction of view: what is nearer is not shown.
+  double nearest_shown_m() const;
 
   /// A drag of (dx, dy) pixels to the right and down turns the scene with the pointer.
   void orbit(double dx_px, double dy_px);

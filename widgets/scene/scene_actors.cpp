@@ -61,8 +61,9 @@ void SceneActors::addTo(vtkRenderer* solid, vtkRenderer* in_front, vtkRenderer* 
   m_floor.addTo(solid);
   m_leader.addTo(solid);
   m_follower.addTo(solid);
-  for (LineSet* lines : {&m_within, &m_between_lines, &m_between_strong, &m_locks}) lines->addTo(solid);
-  for (LineSet* lines : {&m_between_through, &m_morph, &m_user, &m_selected[0], &m_selected[1], &m_bones[0],
+  m_locks.addTo(solid);
+  m_mesh.addTo(solid, in_front);
+  for (LineSet* lines : {&m_trail_lines, &m_morph, &m_user, &m_selected[0], &m_selected[1], &m_bones[0],
                          &m_bones[1], &m_candidate[0], &m_candidate[1], &m_joint_rims})
     lines->addTo(in_front);
   m_joints.addTo(topmost);
@@ -85,16 +86,13 @@ void SceneActors::setColours(const Palette& palette, double pixel_ratio) {
     style(m_candidate[body], ghosts[body], 2.6, 0.95);
     style(m_bones[body], palette.dark ? QColor("#e9edf4") : QColor("#1d2026"), 1.2, 0.75);
   }
-  const QColor thin = palette.dark ? QColor("#aab4c4") : QColor("#3c4552");
-  style(m_within, thin, 1, palette.dark ? 0.26 : 0.30);
-  style(m_between_lines, palette.text, 1.6, 1);
-  style(m_between_strong, palette.text, 3, 1);
-  style(m_between_through, palette.text, 1.4, 0.34);
   style(m_morph, palette.text, 1.2, 1);
   style(m_locks, palette.good, 2.2, 1);
+  style(m_trail_lines, palette.text, 2, 1);
   style(m_contacts, palette.warning, 9, 1);
   style(m_joint_rims, QColor("#14171c"), 7, 1);
   style(m_joints, Qt::white, 4.6, 1);
+  m_mesh.setColours(palette, pixel_ratio);
 }
 
 void SceneActors::setRadii(const std::array<double, bone_count>& active,
@@ -114,10 +112,9 @@ void SceneActors::setVisibility(const PartVisibility& visibility) {
     m_bones[body].setVisible(shown(ScenePart::Bones));
     m_candidate[body].setVisible(m_hasCandidate);
   }
-  for (LineSet* lines : {&m_between_lines, &m_between_strong, &m_between_through})
-    lines->setVisible(shown(ScenePart::MeshBetween));
-  m_within.setVisible(shown(ScenePart::MeshWithin));
+  m_mesh.setVisibility(visibility);
   m_morph.setVisible(shown(ScenePart::MorphSteps));
+  m_trail_lines.setVisible(shown(ScenePart::Trails));
   m_locks.setVisible(shown(ScenePart::FootLocks));
   m_contacts.setVisible(shown(ScenePart::Contacts));
   m_joints.setVisible(shown(ScenePart::Joints));
@@ -125,8 +122,7 @@ void SceneActors::setVisibility(const PartVisibility& visibility) {
   m_floor.setVisible(shown(ScenePart::Floor));
 }
 
-void SceneActors::show(const FrameSnapshot& frame, const std::vector<double>& scalars,
-                       const SteadyRange& range, bool is_signed) {
+void SceneActors::show(const FrameSnapshot& frame, const MeshLook& look) {
   const FrameResult& result = frame.result;
   m_leader.setPose(result.active());
   m_follower.setPose(result.passive());
@@ -137,56 +133,25 @@ void SceneActors::show(const FrameSnapshot& frame, const std::vector<double>& sc
   }
   m_joints.setPoints(coordinates(result.result));
   m_joint_rims.setPoints(coordinates(result.result));
-  showMesh(result, scalars, range.upper(), is_signed);
+  m_mesh.show(result, look);
   if (m_visibility[static_cast<std::size_t>(ScenePart::MorphSteps)]) showMorphSteps(result);
+  m_trails.add(frame.time_s, result.result);
+  if (m_visibility[static_cast<std::size_t>(ScenePart::Trails)]) showTrails();
   showFootLocks(result);
   showContacts(result);
   showShadows(result);
   const auto count = [this](ScenePart part, std::size_t number) {
     m_counts[static_cast<std::size_t>(part)] = static_cast<int>(number);
   };
-  count(ScenePart::MeshBetween, m_between.size());
-  count(ScenePart::MeshWithin, m_edges.size() - m_between.size());
+  count(ScenePart::MeshBetween, m_mesh.betweenCount());
+  count(ScenePart::MeshWithin, result.edges.size() - m_mesh.betweenCount());
+  count(ScenePart::Tetrahedra, result.tetrahedra.size());
   count(ScenePart::Bones, 2 * (bone_count + pseudo_bones.size()));
   count(ScenePart::Joints, pair_vertex_count);
   count(ScenePart::FootLocks, result.foot_locks.size());
   count(ScenePart::Contacts, result.collisions.size());
+  count(ScenePart::Trails, m_trail_joints.size());
   count(ScenePart::MorphSteps, result.morph_steps.size());
-}
-
-void SceneActors::rebuildEdges(const std::vector<MeshEdge>& edges) {
-  m_edges = edges;
-  m_between.clear();
-  std::vector<Line> between, within;
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    const Line line = {edges[e][0], edges[e][1]};
-    if (is_inter_body(edges[e])) m_between.push_back(e);
-    (is_inter_body(edges[e]) ? between : within).push_back(line);
-  }
-  m_between_lines.setLines(between);
-  m_between_through.setLines(between);
-  m_within.setLines(within);
-}
-
-void SceneActors::showMesh(const FrameResult& result, const std::vector<double>& scalars, double upper,
-                           bool is_signed) {
-  if (result.edges != m_edges) rebuildEdges(result.edges);
-  for (LineSet* lines : {&m_between_lines, &m_between_strong, &m_between_through, &m_within})
-    lines->setPoints(coordinates(result.result));
-  std::vector<Rgba> colours, strong_colours;
-  std::vector<Line> strong;
-  for (const std::size_t e : m_between) {
-    const double value = e < scalars.size() && upper > 0 ? scalars[e] / upper : 0;
-    const auto [r, g, b] = is_signed ? diverging_colour(0.5 + value / 2) : sequential_colour(value);
-    colours.push_back({r, g, b, 255});
-    if (std::abs(value) < 0.45) continue;
-    strong.push_back({m_edges[e][0], m_edges[e][1]});
-    strong_colours.push_back(colours.back());
-  }
-  m_between_lines.setCellColours(colours);
-  m_between_through.setCellColours(colours);
-  m_between_strong.setLines(strong);
-  m_between_strong.setCellColours(strong_colours);
 }
 
 void SceneActors::showMorphSteps(const FrameResult& result) {
@@ -210,6 +175,20 @@ void SceneActors::showMorphSteps(const FrameResult& result) {
   m_morph.setPoints(points);
   m_morph.setLines(lines);
   m_morph.setCellColours(colours);
+}
+
+void SceneActors::showTrails() {
+  const JointTrails::Lines trail = m_trails.lines_of(m_trail_joints);
+  std::vector<Rgba> colours;
+  for (std::size_t l = 0; l < trail.lines.size(); ++l) {
+    const QColor& colour = trail.vertex[l] < joint_count ? m_palette.active : m_palette.passive;
+    colours.push_back({static_cast<unsigned char>(colour.red()), static_cast<unsigned char>(colour.green()),
+                       static_cast<unsigned char>(colour.blue()),
+                       static_cast<unsigned char>(std::lround(235 * (1 - trail.age[l])))});
+  }
+  m_trail_lines.setPoints(trail.xyz);
+  m_trail_lines.setLines(trail.lines);
+  m_trail_lines.setCellColours(colours);
 }
 
 void SceneActors::showFootLocks(const FrameResult& result) {

@@ -7,11 +7,11 @@
 
 #include "core/session/frame_snapshot.hpp"
 #include "widgets/common/palette.hpp"
-#include "widgets/common/value_range.hpp"
 #include "widgets/scene/body_actor.hpp"
 #include "widgets/scene/floor_actor.hpp"
+#include "widgets/scene/joint_trails.hpp"
 #include "widgets/scene/line_set.hpp"
-#include "widgets/scene/mesh_scalar.hpp"
+#include "widgets/scene/mesh_actors.hpp"
 #include "widgets/scene/scene_parts.hpp"
 
 namespace abrazo::widgets {
@@ -30,33 +30,36 @@ class SceneActors {
   void setRadii(const std::array<double, bone_count>& active, const std::array<double, bone_count>& passive);
   void setVisibility(const PartVisibility& visibility);
 
-  void show(const FrameSnapshot& frame, const std::vector<double>& scalars, const SteadyRange& range,
-            bool is_signed);
+  void show(const FrameSnapshot& frame, const MeshLook& look);
+  /// Before each picture: what is translucent must be drawn from the back to the front.
+  void sortFor(const Vec3& eye, const Vec3& direction) { m_mesh.sortFor(eye, direction); }
+  const MeshActors& mesh() const { return m_mesh; }
+  /// Whose trails are drawn, vertices of the pair.
+  void setTrailJoints(const std::vector<int>& vertices) { m_trail_joints = vertices; }
   /// The pair of a candidate under the pointer, world; nothing hides it.
   void showCandidate(const std::optional<PairPose>& pair);
   const PartCounts& counts() const { return m_counts; }
 
  private:
-  void showMesh(const FrameResult& result, const std::vector<double>& scalars, double upper, bool is_signed);
-  void rebuildEdges(const std::vector<MeshEdge>& edges);
   void showMorphSteps(const FrameResult& result);
   void showFootLocks(const FrameResult& result);
   void showContacts(const FrameResult& result);
   void showShadows(const FrameResult& result);
+  void showTrails();
 
   Palette m_palette;
   PartVisibility m_visibility = default_visibility;
   PartCounts m_counts{};
-  std::vector<MeshEdge> m_edges;
-  std::vector<std::size_t> m_between;  ///< which of them join the two bodies
   bool m_hasCandidate = false;
 
   FloorActor m_floor;
   BodyActor m_leader, m_follower;
   LineSet m_user;
   std::array<LineSet, 2> m_selected, m_candidate, m_bones;
-  LineSet m_between_lines, m_between_strong, m_between_through, m_within;
-  LineSet m_morph, m_locks;
+  MeshActors m_mesh;
+  LineSet m_morph, m_locks, m_trail_lines;
+  JointTrails m_trails;
+  std::vector<int> m_trail_joints;
   LineSet m_contacts, m_joint_rims, m_joints;
 };
 

@@ -4,11 +4,14 @@
 #include <QHBoxLayout>
 #include <QLinearGradient>
 #include <QPainter>
+#include <QSignalBlocker>
 #include <QToolButton>
+#include <cmath>
 
 #include "widgets/common/icons.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
+#include "widgets/scene/scene_options_panel.hpp"
 
 namespace abrazo::widgets {
 namespace {
@@ -28,6 +31,21 @@ QToolButton* chip(const QString& text, const QString& tip, QWidget* parent) {
 }
 
 }  // namespace
+
+LegendScale scalar_legend(MeshScalar scalar, double upper) {
+  const ScalarInfo info = scalar_info(scalar);
+  const QString unit = *info.unit ? QString(" [%1]").arg(info.unit) : QString();
+  const QString number = upper > 0 ? QString::number(upper, 'g', 3) : QString("–");
+  return {info.title + unit, info.is_signed ? "−" + number : QString("0"),
+          info.is_signed ? "+" + number : number, info.is_signed};
+}
+
+LegendScale volume_legend(double doublings) {
+  const auto number = [doublings](double sign) {
+    return doublings > 0 ? "× " + QString::number(std::exp2(sign * doublings), 'g', 2) : QString("–");
+  };
+  return {"Volume ratio (log)", number(-1), number(1), true};
+}
 
 ScalarLegend::ScalarLegend(QWidget* parent) : QWidget(parent), m_lock(new QToolButton(this)) {
   setFixedSize(bar_width + 12, 62);
@@ -54,29 +72,29 @@ void ScalarLegend::dressLock() {
                        m_lock->isChecked() ? m_palette.text : m_palette.secondary));
 }
 
-bool ScalarLegend::isLocked() const {
-  return m_lock->isChecked();
+void ScalarLegend::setLocked(bool locked) {
+  const QSignalBlocker silent(m_lock);
+  m_lock->setChecked(locked);
+  dressLock();
 }
 
-void ScalarLegend::show(MeshScalar scalar, double upper) {
-  if (scalar == m_scalar && upper == m_upper) return;
-  m_scalar = scalar;
-  m_upper = upper;
+void ScalarLegend::show(const LegendScale& scale) {
+  if (scale == m_scale) return;
+  m_scale = scale;
   update();
 }
 
 void ScalarLegend::paintEvent(QPaintEvent*) {
-  const ScalarInfo info = scalar_info(m_scalar);
   QPainter painter(this);
   const QRectF bar(width() - bar_width - 4, 26, bar_width, 8);
   painter.setFont(interface_font(13));
   painter.setPen(m_palette.text);
-  const QString unit = *info.unit ? QString(" [%1]").arg(info.unit) : QString();
-  painter.drawText(QRectF(0, 2, width() - 4, 20), Qt::AlignRight | Qt::AlignVCenter, info.title + unit);
+  painter.drawText(QRectF(0, 2, width() - 4, 20), Qt::AlignRight | Qt::AlignVCenter, m_scale.title);
 
   QLinearGradient gradient(bar.topLeft(), bar.topRight());
   for (int stop = 0; stop <= 8; ++stop) {
-    const auto [r, g, b] = info.is_signed ? diverging_colour(stop / 8.0) : sequential_colour(stop / 8.0);
+    const auto [r, g, b] =
+        m_scale.is_diverging ? diverging_colour(stop / 8.0) : sequential_colour(stop / 8.0);
     gradient.setColorAt(stop / 8.0, QColor(r, g, b));
   }
   painter.setRenderHint(QPainter::Antialiasing);
@@ -86,10 +104,9 @@ void ScalarLegend::paintEvent(QPaintEvent*) {
 
   painter.setFont(interface_font(12));
   painter.setPen(m_palette.secondary);
-  const QString upper = m_upper > 0 ? QString::number(m_upper, 'g', 3) : QString("–");
   const QRectF ends(bar.left(), 39, bar.width() - lock_size, 20);
-  draw_tabular(painter, ends, Qt::AlignRight, info.is_signed ? "+" + upper : upper);
-  draw_tabular(painter, ends, Qt::AlignLeft, info.is_signed ? "−" + upper : QString("0"));
+  draw_tabular(painter, ends, Qt::AlignRight, m_scale.high);
+  draw_tabular(painter, ends, Qt::AlignLeft, m_scale.low);
 }
 
 ScalarChips::ScalarChips(QWidget* parent) : QWidget(parent) {
@@ -97,12 +114,16 @@ ScalarChips::ScalarChips(QWidget* parent) : QWidget(parent) {
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(6);
   auto* group = new QButtonGroup(this);
-  const std::array<std::array<const char*, 2>, 3> texts = {
+  const std::array<std::array<const char*, 2>, mesh_scalar_count> texts = {
       {{"Residual",
         "How far each neighbourhood is bent from the selected pair: |δ − L(v′)|, mean of an edge's ends"},
        {"Weight",
         "Share of an edge in the Laplacian coordinates of its ends: inverse of the recorded distance"},
-       {"Length change", "Length in the result less length in the selected pair"}}};
+       {"Length change", "Length in the result less length in the selected pair"},
+       {"Energy",
+        "Share of the deformation energy E_L (Eq. 11): what each vertex has, split among its edges by "
+        "weight; "
+        "all edges add up to 100 %"}}};
   for (std::size_t s = 0; s < texts.size(); ++s) {
     m_scalars[s] = chip(texts[s][0], texts[s][1], this);
     group->addButton(m_scalars[s]);
@@ -111,9 +132,25 @@ ScalarChips::ScalarChips(QWidget* parent) : QWidget(parent) {
             [this, s] { emit scalarChosen(static_cast<MeshScalar>(s)); });
   }
   m_scalars[0]->setChecked(true);
+  m_cells =
+      chip("Volume ratio",
+           "Tetrahedra of the mesh, coloured by their volume in the result over that in the selected pair; "
+           "magenta with a rim: turned over",
+           this);
+  row->addWidget(m_cells);
+  connect(m_cells, &QToolButton::clicked, this, &ScalarChips::cellsChosen);
   m_betweenOnly = chip("Inter-body only", "Show only the edges between the two bodies", this);
   row->addWidget(m_betweenOnly);
   connect(m_betweenOnly, &QToolButton::clicked, this, &ScalarChips::betweenOnlyChosen);
+  m_filter = chip("Filter…", "Edges by length or at one joint, tetrahedra apart, cutting plane", this);
+  row->addWidget(m_filter);
+  m_options = new SceneOptionsPanel(this);
+  connect(m_options, &SceneOptionsPanel::optionsRequested, this, &ScalarChips::optionsRequested);
+  connect(m_filter, &QToolButton::clicked, this, [this] {
+    setOptions(m_shown);  // a click must not leave the chip checked: it says that something is filtered
+    m_options->move(m_filter->mapToGlobal({0, m_filter->height() + 4}));
+    m_options->show();
+  });
 }
 
 void ScalarChips::setScalar(MeshScalar scalar) {
@@ -121,6 +158,17 @@ void ScalarChips::setScalar(MeshScalar scalar) {
 }
 void ScalarChips::setBetweenOnly(bool only) {
   m_betweenOnly->setChecked(only);
+}
+
+void ScalarChips::setCells(bool shown) {
+  m_cells->setChecked(shown);
+}
+
+void ScalarChips::setOptions(const SceneOptions& options) {
+  m_shown = options;
+  m_options->setOptions(options);
+  m_filter->setChecked(options.shortest_m > 0 || options.longest_m < MeshFilter::no_limit ||
+                       options.picked_joint_only || options.apart > 0 || options.cuts);
 }
 
 FrameFacts::FrameFacts(QWidget* parent) : QWidget(parent) {

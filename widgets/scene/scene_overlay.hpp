@@ -4,20 +4,38 @@
 
 #include "widgets/common/palette.hpp"
 #include "widgets/scene/mesh_scalar.hpp"
+#include "widgets/scene/scene_options.hpp"
 
 class QToolButton;
 
 namespace abrazo::widgets {
 
-/// What the colours of the mesh mean: title with unit, colour bar, its two ends, and a lock that keeps the
-/// range.
+class SceneOptionsPanel;
+
+/// A colour map with words.
+struct LegendScale {
+  QString title, low, high;
+  bool is_diverging = false;
+  bool operator==(const LegendScale& other) const {
+    return title == other.title && low == other.low && high == other.high &&
+           is_diverging == other.is_diverging;
+  }
+};
+
+/// @param upper  of the map in the scalar's unit; 0 when there is nothing to show
+LegendScale scalar_legend(MeshScalar scalar, double upper);
+/// @param doublings  |log2 ratio| at the ends
+LegendScale volume_legend(double doublings);
+
+/// What colours mean: title with unit, colour bar, its two ends, and a lock that keeps the range.
 class ScalarLegend : public QWidget {
   Q_OBJECT
  public:
   explicit ScalarLegend(QWidget* parent);
   void setColours(const Palette& palette);
-  void show(MeshScalar scalar, double upper);
-  bool isLocked() const;
+  void show(const LegendScale& scale);
+  /// Sets the lock without saying so.
+  void setLocked(bool locked);
 
  signals:
   void lockToggled(bool locked);
@@ -28,8 +46,7 @@ class ScalarLegend : public QWidget {
  private:
   void dressLock();
   Palette m_palette;
-  MeshScalar m_scalar = MeshScalar::Residual;
-  double m_upper = -1;
+  LegendScale m_scale;
   QToolButton* m_lock;
 };
 
@@ -40,14 +57,20 @@ class ScalarChips : public QWidget {
   explicit ScalarChips(QWidget* parent);
   void setScalar(MeshScalar scalar);
   void setBetweenOnly(bool only);
+  void setCells(bool shown);
+  void setOptions(const SceneOptions& options);
 
  signals:
   void scalarChosen(abrazo::widgets::MeshScalar scalar);
   void betweenOnlyChosen(bool only);
+  void cellsChosen(bool shown);
+  void optionsRequested(const abrazo::widgets::SceneOptions& options);
 
  private:
-  std::array<QToolButton*, 3> m_scalars{};
-  QToolButton* m_betweenOnly;
+  std::array<QToolButton*, mesh_scalar_count> m_scalars{};
+  QToolButton *m_cells, *m_betweenOnly, *m_filter;
+  SceneOptionsPanel* m_options;
+  SceneOptions m_shown;
 };
 
 /// A few lines about the frame at the bottom left. Never takes the pointer.

@@ -13,11 +13,13 @@ enum class ScenePart {
   SelectedPair,
   MeshBetween,
   MeshWithin,
+  Tetrahedra,
   MorphSteps,
   Bones,
   Joints,
   FootLocks,
   Contacts,
+  Trails,
   Floor,
   Count
 };
@@ -27,7 +29,13 @@ using PartVisibility = std::array<bool, scene_part_count>;
 using PartCounts = std::array<int, scene_part_count>;
 
 /// What is quiet until needed starts hidden.
-inline constexpr PartVisibility default_visibility = {true,  true,  true, true, true, true,
-                                                      false, false, true, true, true, true};
+inline constexpr PartVisibility default_visibility = [] {
+  PartVisibility visible;
+  visible.fill(true);
+  for (const ScenePart quiet :
+       {ScenePart::Tetrahedra, ScenePart::MorphSteps, ScenePart::Bones, ScenePart::Trails})
+    visible[static_cast<std::size_t>(quiet)] = false;
+  return visible;
+}();
 
 }  // namespace abrazo::widgets

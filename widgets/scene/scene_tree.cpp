@@ -30,12 +30,14 @@ const std::vector<Row>& rows() {
                                        {"Interaction mesh", 0, {P::MeshBetween, P::MeshWithin}},
                                        {"between bodies", 1, {P::MeshBetween}},
                                        {"within bodies", 1, {P::MeshWithin}},
+                                       {"tetrahedra", 1, {P::Tetrahedra}},
                                        {"Constraints", 0, {P::Bones, P::FootLocks, P::Contacts}},
                                        {"bones", 1, {P::Bones}},
                                        {"foot locks", 1, {P::FootLocks}},
                                        {"collisions", 1, {P::Contacts}},
                                        {"Joints", 0, {P::Joints}},
                                        {"Morph steps", 0, {P::MorphSteps}},
+                                       {"Trails", 0, {P::Trails}},
                                        {"Floor", 0, {P::Floor}}};
   return all;
 }

@@ -1,68 +1,32 @@
 #include "widgets/scene/scene_view.hpp"
 
-#include <QVTKOpenGLNativeWidget.h>
-#include <vtkCamera.h>
-#include <vtkFXAAOptions.h>
-#include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkLight.h>
-#include <vtkNew.h>
-#include <vtkRenderWindowInteractor.h>
-#include <vtkRenderer.h>
-
 #include <QElapsedTimer>
-#include <QMouseEvent>
+#include <QEvent>
 #include <QSurfaceFormat>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
+#include "core/motion/joint_set.hpp"
+#include "widgets/common/value_range.hpp"
+#include "widgets/scene/gl_surface.hpp"
 #include "widgets/scene/pair_camera.hpp"
-#include "widgets/scene/scene_actors.hpp"
 #include "widgets/scene/scene_overlay.hpp"
+#include "widgets/scene/scene_picker.hpp"
+#include "widgets/scene/scene_stage.hpp"
 #include "widgets/scene/smoothing_budget.hpp"
 
 namespace abrazo::widgets {
 namespace {
 
-/// The OpenGL surface. Turns the pointer into camera moves itself: VTK's own styles tilt the horizon and grab
-/// keys.
-class GlSurface : public QVTKOpenGLNativeWidget {
- public:
-  explicit GlSurface(QWidget* parent) : QVTKOpenGLNativeWidget(parent) {}
-  std::function<void(QPointF delta, bool pan)> dragged;
-  std::function<void(double notches)> wheeled;
+constexpr double pixels_per_notch = 40;  // of a drag that zooms
+constexpr int standstill_ms = 130;       // without a new picture: time for smooth edges
+constexpr int moving_ms = 1000;  // pictures closer than this are one movement, however slow the renderer
 
- protected:
-  void mousePressEvent(QMouseEvent* event) override { m_last = event->localPos(); }
-  void mouseReleaseEvent(QMouseEvent*) override {}
-  void mouseDoubleClickEvent(QMouseEvent*) override {}
-  void mouseMoveEvent(QMouseEvent* event) override {
-    if (event->buttons() == Qt::NoButton) return;
-    const QPointF delta = event->localPos() - m_last;
-    m_last = event->localPos();
-    const bool pan = event->buttons() & Qt::RightButton ||
-                     (event->buttons() & Qt::MiddleButton && event->modifiers() & Qt::ShiftModifier);
-    dragged(delta, pan);
-  }
-  void wheelEvent(QWheelEvent* event) override { wheeled(event->angleDelta().y() / 120.0); }
-
- private:
-  QPointF m_last;
-};
-
-vtkNew<vtkLight> light(double x, double y, double z, double intensity) {
-  vtkNew<vtkLight> made;
-  made->SetLightTypeToCameraLight();
-  made->SetPosition(x, y, z);
-  made->SetFocalPoint(0, 0, 0);
-  made->SetIntensity(intensity);
-  return made;
-}
-
-constexpr int standstill_ms = 130;  // without a new picture: time for smooth edges
-constexpr int moving_ms = 1000;     // pictures closer than this are one movement, however slow the renderer
+/// Of both bodies: their trails are drawn while no joint is selected.
+const std::vector<int> hands = {joints::left_hand, joints::right_hand, joint_count + joints::left_hand,
+                                joint_count + joints::right_hand};
 
 QString seconds(double time_s) {
   return QString::number(time_s, 'f', 3) + " s";
@@ -71,20 +35,25 @@ QString seconds(double time_s) {
 }  // namespace
 
 struct SceneView::Parts {
-  GlSurface* surface = nullptr;
-  vtkNew<vtkGenericOpenGLRenderWindow> window;
-  vtkNew<vtkRenderer> solid, in_front, topmost;
-  SceneActors actors;
-  OrbitCamera camera;
+  explicit Parts(SceneView* view) : surface(new GlSurface(view)), stage(*surface), picker(view, stage) {}
+
+  GlSurface* surface;
+  SceneStage stage;
+  ScenePicker picker;
+  SceneActors& actors = stage.actors;
+  OrbitCamera& camera = stage.camera;
   PairCamera pair_camera;
   ScalarChips* chips = nullptr;
-  ScalarLegend* legend = nullptr;
+  ScalarLegend *legend = nullptr, *cell_legend = nullptr;
   FrameFacts* facts = nullptr;
   Palette palette = palette_of(Theme::Dark);
   PartVisibility visibility = default_visibility;
   PartCounts counts{};
+  SceneOptions options;
+  int filter_joint = -1;  ///< the joint that was selected last
   MeshScalar scalar = MeshScalar::Residual;
-  SteadyRange range;
+  std::array<SteadyRange, mesh_scalar_count> ranges;
+  SteadyRange cell_range;
   FrameSnapshotPtr frame;
   std::shared_ptr<const MotionLibrary> library;
   int candidate = -1;
@@ -97,8 +66,9 @@ struct SceneView::Parts {
   QElapsedTimer since_render, since_follow;
   QTimer standstill;  ///< runs out when no picture followed one with rough edges
 
-  void makeRenderers();
-  void applyCamera();
+  MeshLook look();
+  SteadyRange& range() { return ranges[static_cast<std::size_t>(scalar)]; }
+  bool shows(ScenePart part) const { return visibility[static_cast<std::size_t>(part)]; }
   PictureShape shape() const {
     constexpr double overlays_px = 100;  // the chips above and the facts below
     const double height = std::max(1, surface->height());
@@ -106,67 +76,45 @@ struct SceneView::Parts {
   }
 };
 
-void SceneView::Parts::makeRenderers() {
-  window->SetMultiSamples(0);
-  window->LineSmoothingOn();
-  window->SetNumberOfLayers(3);
-  solid->SetLayer(0);
-  in_front->SetLayer(1);
-  topmost->SetLayer(2);
-  solid->GradientBackgroundOn();
-  for (vtkRenderer* renderer : {solid.Get(), in_front.Get(), topmost.Get()}) {
-    renderer->SetActiveCamera(solid->GetActiveCamera());
-    renderer->AutomaticLightCreationOff();
-    window->AddRenderer(renderer);
+/// Colours of the mesh for the frame, and the legends that explain them.
+MeshLook SceneView::Parts::look() {
+  const FrameResult& result = frame->result;
+  MeshLook look;
+  look.scalars = edge_scalars(*frame, scalar);
+  look.is_signed = scalar_info(scalar).is_signed;
+  range().show(typical_upper(result.edges, look.scalars), frame->time_s);
+  look.upper = range().upper();
+  legend->show(scalar_legend(scalar, look.upper));
+  if (shows(ScenePart::Tetrahedra)) {
+    cell_range.show(typical_doublings(cell_volumes(result)), frame->time_s);
+    look.doublings = cell_range.upper();
+    cell_legend->show(volume_legend(look.doublings));
   }
-  // Cheap settings: on a software renderer the search for the ends of edges is most of the cost.
-  vtkNew<vtkFXAAOptions> smoothing;
-  smoothing->SetUseHighQualityEndpoints(false);
-  smoothing->SetEndpointSearchIterations(4);
-  topmost->SetFXAAOptions(smoothing);
-  topmost->UseFXAAOn();  // works on the whole picture, so once, in the last layer
-  solid->AddLight(light(-0.7, 0.9, 1.0, 0.85));
-  solid->AddLight(light(0.9, 0.1, 0.8, 0.28));
-  actors.addTo(solid, in_front, topmost);
-}
-
-void SceneView::Parts::applyCamera() {
-  const Vec3 position = camera.position(), up = camera.up();
-  vtkCamera* shown = solid->GetActiveCamera();
-  shown->SetPosition(position.data());
-  shown->SetFocalPoint(camera.target.data());
-  shown->SetViewUp(up.data());
-  shown->SetViewAngle(camera.view_angle_rad * 180 / 3.14159265358979);
-  shown->SetClippingRange(0.08, 60);
+  look.filter = {options.shortest_m, options.longest_m, options.picked_joint_only ? filter_joint : -1};
+  look.apart = options.apart;
+  return look;
 }
 
 void SceneView::prepareApplication() {
   QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
 }
 
-SceneView::SceneView(QWidget* parent) : QWidget(parent), m_parts(std::make_unique<Parts>()) {
+SceneView::SceneView(QWidget* parent) : QWidget(parent), m_parts(std::make_unique<Parts>(this)) {
   Parts& p = *m_parts;
   setMinimumSize(320, 220);
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
-  p.surface = new GlSurface(this);
-  p.surface->setRenderWindow(p.window.Get());
   p.surface->setFocusPolicy(Qt::ClickFocus);
-  if (p.window->GetInteractor()) p.window->GetInteractor()->SetInteractorStyle(nullptr);
+  p.surface->lower();
   box->addWidget(p.surface);
-  p.makeRenderers();
 
   p.chips = new ScalarChips(this);
   p.legend = new ScalarLegend(this);
+  p.cell_legend = new ScalarLegend(this);
+  p.cell_legend->setVisible(false);
   p.facts = new FrameFacts(this);
-  connect(p.chips, &ScalarChips::scalarChosen, this, &SceneView::setScalar);
-  connect(p.chips, &ScalarChips::betweenOnlyChosen, this, [this](bool only) {
-    PartVisibility changed = m_parts->visibility;
-    changed[static_cast<std::size_t>(ScenePart::MeshWithin)] = !only;
-    setVisibility(changed);
-  });
-  connect(p.legend, &ScalarLegend::lockToggled, this,
-          [this](bool locked) { m_parts->range.set_locked(locked); });
+  wireOverlay();
+  wirePointer();
   connect(p.surface, &QOpenGLWidget::frameSwapped, this, [this] {
     if (!m_parts->on_the_way) return;  // the window was put together anew without a new picture of the scene
     m_parts->on_the_way = false;
@@ -176,19 +124,50 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_parts(std::make_uniqu
   p.standstill.setSingleShot(true);
   p.standstill.setInterval(standstill_ms);
   connect(&p.standstill, &QTimer::timeout, this, &SceneView::renderSharp);
-  p.surface->dragged = [this](QPointF delta, bool pan) {
-    const double height = m_parts->surface->height();
-    if (!pan) m_parts->pair_camera.turned_by_hand();
-    pan ? m_parts->camera.pan(delta.x(), delta.y(), height) : m_parts->camera.orbit(delta.x(), delta.y());
-    render();
-  };
-  p.surface->wheeled = [this](double notches) {
-    m_parts->pair_camera.zoomed_by_hand();
-    m_parts->camera.zoom(notches);
-    render();
-  };
   setColours(palette_of(Theme::Dark));
   p.actors.setVisibility(p.visibility);
+  p.actors.setTrailJoints(hands);
+}
+
+void SceneView::wireOverlay() {
+  Parts& p = *m_parts;
+  connect(p.chips, &ScalarChips::scalarChosen, this, &SceneView::setScalar);
+  connect(p.chips, &ScalarChips::betweenOnlyChosen, this,
+          [this](bool only) { showPart(ScenePart::MeshWithin, !only); });
+  connect(p.chips, &ScalarChips::cellsChosen, this,
+          [this](bool shown) { showPart(ScenePart::Tetrahedra, shown); });
+  connect(p.chips, &ScalarChips::optionsRequested, this, &SceneView::setOptions);
+  connect(p.legend, &ScalarLegend::lockToggled, this,
+          [this](bool locked) { m_parts->range().set_locked(locked); });
+  connect(p.cell_legend, &ScalarLegend::lockToggled, this,
+          [this](bool locked) { m_parts->cell_range.set_locked(locked); });
+}
+
+void SceneView::wirePointer() {
+  GlSurface& surface = *m_parts->surface;
+  surface.dragged = [this](QPointF delta, PointerMove move) {
+    Parts& p = *m_parts;
+    if (move == PointerMove::Turn) p.pair_camera.turned_by_hand();
+    if (move == PointerMove::Turn) p.camera.orbit(delta.x(), delta.y());
+    if (move == PointerMove::Shift) p.camera.pan(delta.x(), delta.y(), p.surface->height());
+    if (move == PointerMove::Zoom) zoom(-delta.y() / pixels_per_notch);
+    render();
+  };
+  surface.wheeled = [this](double notches) {
+    zoom(notches);
+    render();
+  };
+  surface.hovered = [this](QPointF place) {
+    if (m_parts->frame && m_parts->picker.pointAt(place, *m_parts->frame)) render();
+  };
+  surface.clicked = [this](QPointF place) {
+    if (m_parts->frame) select(m_parts->picker.itemAt(place, *m_parts->frame));
+  };
+}
+
+void SceneView::zoom(double notches) {
+  m_parts->pair_camera.zoomed_by_hand();
+  m_parts->camera.zoom(notches);
 }
 
 SceneView::~SceneView() = default;
@@ -209,7 +188,8 @@ std::uint64_t SceneView::renderedFrames() const {
 void SceneView::setLibrary(std::shared_ptr<const MotionLibrary> library) {
   m_parts->library = std::move(library);
   m_parts->framed = false;
-  m_parts->range.reset();
+  for (SteadyRange& range : m_parts->ranges) range.reset();
+  m_parts->cell_range.reset();
   if (!m_parts->library || m_parts->library->bodies().empty()) return;
   m_parts->actors.setRadii(m_parts->library->usual_active_body().capsule_radii,
                            m_parts->library->usual_passive_body().capsule_radii);
@@ -218,11 +198,10 @@ void SceneView::setLibrary(std::shared_ptr<const MotionLibrary> library) {
 void SceneView::setColours(const Palette& palette) {
   Parts& p = *m_parts;
   p.palette = palette;
-  p.solid->SetBackground(palette.scene_bottom.redF(), palette.scene_bottom.greenF(),
-                         palette.scene_bottom.blueF());
-  p.solid->SetBackground2(palette.scene_top.redF(), palette.scene_top.greenF(), palette.scene_top.blueF());
-  p.actors.setColours(palette, devicePixelRatioF());
+  p.stage.setColours(palette, devicePixelRatioF());
+  p.picker.setColours(palette);
   p.legend->setColours(palette);
+  p.cell_legend->setColours(palette);
   p.facts->setColours(palette);
   refresh();
 }
@@ -238,12 +217,9 @@ void SceneView::showFrame(FrameSnapshotPtr frame) {
 void SceneView::refresh() {
   Parts& p = *m_parts;
   if (p.frame) {
-    const ScalarInfo info = scalar_info(p.scalar);
-    const auto scalars = edge_scalars(p.frame->result, p.scalar);
-    p.range.show(typical_upper(p.frame->result.edges, scalars), p.frame->time_s);
-    p.legend->show(p.scalar, p.range.upper());
-    p.actors.show(*p.frame, scalars, p.range, info.is_signed);
+    p.actors.show(*p.frame, p.look());
     showCandidate(p.candidate);
+    p.picker.show(*p.frame);
     updateFacts();
     if (p.actors.counts() != p.counts) emit countsChanged(p.counts = p.actors.counts());
   }
@@ -268,11 +244,16 @@ void SceneView::followPair() {
 void SceneView::updateFacts() {
   const FrameSnapshot& frame = *m_parts->frame;
   const FrameResult& result = frame.result;
-  const QString first = QString("frame %1 · %2 · morph step %3 / %3 + %4")
-                            .arg(frame.index)
-                            .arg(seconds(frame.time_s))
-                            .arg(frame.settings.morph_steps)
-                            .arg(frame.settings.projection_steps);
+  QString first = QString("frame %1 · %2 · morph step %3 / %3 + %4")
+                      .arg(frame.index)
+                      .arg(seconds(frame.time_s))
+                      .arg(frame.settings.morph_steps)
+                      .arg(frame.settings.projection_steps);
+  if (m_parts->options.shortest_m > 0 || m_parts->options.longest_m < MeshFilter::no_limit ||
+      m_parts->options.picked_joint_only)
+    first += QString(" · filter: %1 of %2 edges")
+                 .arg(m_parts->actors.mesh().shownEdges().size())
+                 .arg(result.edges.size());
   QString second = "no source";
   if (m_parts->library && result.selected >= 0) {
     const int pair = result.candidates[static_cast<std::size_t>(result.selected)].pair;
@@ -283,6 +264,8 @@ void SceneView::updateFacts() {
     if (!label.empty())
       second += " · " + QString::fromUtf8(label.data(), static_cast<int>(label.size())).replace('_', ' ');
   }
+  if (const int inverted = m_parts->actors.mesh().invertedCount(); inverted > 0)
+    first += QString(" · %1 of %2 tetrahedra turned over").arg(inverted).arg(result.tetrahedra.size());
   m_parts->facts->show(
       first, second,
       result.status == StepStatus::Ok ? QString() : QString::fromStdString(result.status_text()));
@@ -307,14 +290,55 @@ void SceneView::setVisibility(const PartVisibility& visibility) {
   if (visibility == m_parts->visibility) return;
   m_parts->visibility = visibility;
   m_parts->actors.setVisibility(visibility);
-  m_parts->chips->setBetweenOnly(!visibility[static_cast<std::size_t>(ScenePart::MeshWithin)]);
+  m_parts->picker.setVisibility(visibility);
+  m_parts->chips->setBetweenOnly(!m_parts->shows(ScenePart::MeshWithin));
+  m_parts->chips->setCells(m_parts->shows(ScenePart::Tetrahedra));
+  m_parts->cell_legend->setVisible(m_parts->shows(ScenePart::Tetrahedra));
   refresh();
   emit visibilityChanged(visibility);
 }
 
+void SceneView::showPart(ScenePart part, bool shown) {
+  PartVisibility changed = m_parts->visibility;
+  changed[static_cast<std::size_t>(part)] = shown;
+  setVisibility(changed);
+}
+
+const SceneOptions& SceneView::options() const {
+  return m_parts->options;
+}
+
+void SceneView::setOptions(const SceneOptions& options) {
+  Parts& p = *m_parts;
+  if (options == p.options) return;
+  p.options = options;
+  p.surface->style = options.navigation;
+  p.camera.is_parallel = options.is_parallel;
+  p.camera.cuts = options.cuts;
+  p.camera.cut_m = options.cut_m;
+  p.chips->setOptions(options);
+  refresh();
+  emit optionsChanged(options);
+}
+
+const PickedItem& SceneView::picked() const {
+  return m_parts->picker.selected();
+}
+
+void SceneView::select(const PickedItem& item) {
+  Parts& p = *m_parts;
+  if (!p.picker.select(item)) return;
+  if (item.kind == PickKind::Joint) p.filter_joint = item.vertices[0];
+  if (!item) p.filter_joint = -1;
+  p.actors.setTrailJoints(p.filter_joint >= 0 ? std::vector<int>{p.filter_joint} : hands);
+  refresh();
+  emit pickedChanged(item);
+}
+
 void SceneView::setScalar(MeshScalar scalar) {
   m_parts->scalar = scalar;
-  m_parts->range.reset();
+  if (!m_parts->range().locked()) m_parts->range().reset();
+  m_parts->legend->setLocked(m_parts->range().locked());
   m_parts->chips->setScalar(scalar);
   refresh();
 }
@@ -342,12 +366,10 @@ void SceneView::render() {
   Parts& p = *m_parts;
   const bool moving = p.since_render.isValid() && p.since_render.elapsed() < moving_ms;
   p.smoothed = p.budget.wants_smoothing(moving);
-  p.topmost->SetUseFXAA(p.smoothed);
   if (!p.smoothed) p.standstill.start();
   p.since_render.start();
   p.on_the_way = true;
-  p.applyCamera();
-  p.window->Render();
+  p.stage.render(p.smoothed);
 }
 
 void SceneView::renderSharp() {
@@ -363,7 +385,9 @@ void SceneView::resizeEvent(QResizeEvent* event) {
   // Where the chips leave no room the legend goes below them.
   const bool narrow = width() < p.chips->width() + p.legend->width() + 36;
   p.legend->move(width() - p.legend->width() - 10, narrow ? 40 : 8);
+  p.cell_legend->move(p.legend->x(), p.legend->y() + p.legend->height() + 2);
   p.facts->setGeometry(14, height() - p.facts->height() - 10, width() - 28, p.facts->height());
+  p.picker.arrange();
   render();
 }
 

@@ -8,7 +8,9 @@
 #include "widgets/common/palette.hpp"
 #include "widgets/scene/mesh_scalar.hpp"
 #include "widgets/scene/orbit_camera.hpp"
+#include "widgets/scene/scene_options.hpp"
 #include "widgets/scene/scene_parts.hpp"
+#include "widgets/scene/scene_pick.hpp"
 
 namespace abrazo::widgets {
 
@@ -29,6 +31,9 @@ class SceneView : public QWidget {
   const PartVisibility& visibility() const;
   MeshScalar scalar() const;
   const OrbitCamera& camera() const;
+  const SceneOptions& options() const;
+  /// What is selected; stays so in other frames, also where the mesh does not have it.
+  const PickedItem& picked() const;
   /// Renders once with smooth edges whatever it costs; before a picture of the window is taken.
   void renderSharp();
   /// Frames that reached the screen since the start.
@@ -40,6 +45,9 @@ class SceneView : public QWidget {
   void showCandidate(int candidate);
   void setVisibility(const abrazo::widgets::PartVisibility& visibility);
   void setScalar(abrazo::widgets::MeshScalar scalar);
+  void setOptions(const abrazo::widgets::SceneOptions& options);
+  /// An empty item selects nothing.
+  void select(const abrazo::widgets::PickedItem& item);
   void frameAll();
   void lookFrom(double azimuth_rad, double elevation_rad);
   /// The camera's target keeps to the pair where it walks away.
@@ -48,12 +56,18 @@ class SceneView : public QWidget {
  signals:
   void countsChanged(const abrazo::widgets::PartCounts& counts);
   void visibilityChanged(const abrazo::widgets::PartVisibility& visibility);
+  void optionsChanged(const abrazo::widgets::SceneOptions& options);
+  void pickedChanged(const abrazo::widgets::PickedItem& item);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
   void changeEvent(QEvent* event) override;
 
  private:
+  void wireOverlay();
+  void wirePointer();
+  void zoom(double notches);
+  void showPart(ScenePart part, bool shown);
   void refresh();
   void render();
   void updateFacts();
@@ -64,3 +78,5 @@ class SceneView : public QWidget {
 };
 
 }  // namespace abrazo::widgets
+
+Q_DECLARE_METATYPE(abrazo::widgets::PickedItem)

@@ -1,0 +1,208 @@
+// The candidate table at work: keys, marks, menus, the map. Draws under a display of its own.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QMenu>
+#include <QTest>
+#include <QToolButton>
+
+#include "tests/widgets/pictures.hpp"
+#include "tests/widgets/synthetic_frames.hpp"
+#include "widgets/candidates/candidate_header.hpp"
+#include "widgets/candidates/candidate_list.hpp"
+#include "widgets/candidates/candidate_table.hpp"
+#include "widgets/candidates/decision_bar.hpp"
+#include "widgets/candidates/feature_map.hpp"
+#include "widgets/common/theme.hpp"
+
+namespace abrazo::widgets {
+namespace {
+
+using test::picture_of;
+using test::pixels_like;
+using test::synthetic_frame;
+using test::two_take_library;
+
+/// A table that does at once what it asks for.
+struct Table {
+  CandidateTable table;
+  std::vector<QString> asked;
+  std::vector<std::pair<int, int>> jumps;
+  std::vector<int> hovered;
+  CandidateList* list = table.findChild<CandidateList*>();
+  FeatureMap* map = table.findChild<FeatureMap*>();
+
+  explicit Table(Theme theme = Theme::Dark) {
+    table.setColours(palette_of(theme));
+    QObject::connect(&table, &CandidateTable::steeringRequested, &table,
+                     [this](const Steering& next, const QString& what) {
+                       asked.push_back(what);
+                       table.showSteering(next);
+                     });
+    QObject::connect(&table, &CandidateTable::jumpRequested, &table,
+                     [this](int take, int frame) { jumps.emplace_back(take, frame); });
+    QObject::connect(&table, &CandidateTable::candidateHovered, &table,
+                     [this](int candidate) { hovered.push_back(candidate); });
+    table.setLibrary(two_take_library());
+    table.resize(406, 460);
+    table.show();
+    table.showFrame(synthetic_frame(0, 0));
+  }
+  bool waitForMap() {
+    QElapsedTimer clock;
+    clock.start();
+    while (!map->isReady() && clock.elapsed() < 20'000)
+      QApplication::processEvents(QEventLoop::AllEvents, 10);
+    return map->isReady();
+  }
+};
+
+TEST(CandidateKeys, ChooseARowAndItIsShownInTheScene) {
+  Table t;
+  QTest::keyClick(t.list, Qt::Key_Down);
+  QTest::keyClick(t.list, Qt::Key_Down);
+  ASSERT_TRUE(t.list->current());
+  EXPECT_EQ(t.list->current()->rank, 2);
+  EXPECT_TRUE(t.list->accessibleDescription().startsWith("Rank 2 of 5, salsa_01 frame 1, turn"));
+  QTest::keyClick(t.list, Qt::Key_PageDown);
+  EXPECT_EQ(t.list->current()->rank, 5);
+  QTest::keyClick(t.list, Qt::Key_Escape);
+  EXPECT_FALSE(t.list->current());
+}
+
+TEST(CandidateKeys, ReturnAndADoubleClickGoToTakeAndFrame) {
+  Table t;
+  QTest::keyClick(t.list, Qt::Key_PageDown);
+  QTest::keyClick(t.list, Qt::Key_Return);
+  QTest::mouseDClick(t.list, Qt::LeftButton, {}, {80, 2 * CandidateList::row_height + 8});
+  EXPECT_EQ(t.jumps, (std::vector<std::pair<int, int>>{{1, 0}, {0, 2}}));
+}
+
+TEST(CandidateTable, KeepsTheChosenPairWhenTheOrderChanges) {
+  Table t;
+  t.list->setCurrent(1);
+  const int pair = t.list->current()->pair;
+  t.table.sortBy(CandidateColumn::Rank);
+  EXPECT_EQ(t.list->rows().front().rank, 5) << "descending";
+  EXPECT_EQ(t.list->current()->pair, pair);
+  EXPECT_TRUE(t.list->rows().back().selected) << "the winner stays marked";
+}
+
+TEST(CandidateTable, SortsByAClickOnAColumn) {
+  Table t;
+  auto* header = t.table.findChild<CandidateHeader*>();
+  QTest::mouseClick(header, Qt::LeftButton, {}, header->area(CandidateColumn::Distance).center().toPoint());
+  EXPECT_EQ(t.table.order(), (CandidateOrder{CandidateColumn::Distance, false}));
+  QTest::mouseClick(header, Qt::LeftButton, {}, header->area(CandidateColumn::Distance).center().toPoint());
+  EXPECT_TRUE(t.table.order().descending);
+  EXPECT_EQ(t.list->rows().front().candidate, 4);
+  EXPECT_EQ(header->accessibleDescription(), QString("Sorted by feature distance, descending"));
+}
+
+TEST(CandidateHeader, HasRoomForItsColumnsInEveryWidthOfThePanel) {
+  CandidateHeader header;
+  for (const int width : {300, 340, 406}) {
+    header.resize(width, header.height());
+    double right = 0;
+    for (const CandidateColumn column : candidate_columns) {
+      if (column == CandidateColumn::Total || column == CandidateColumn::Distance) continue;
+      const QRectF area = header.area(column);
+      EXPECT_GE(area.left(), right - 0.5) << width << " px, " << column_title(column);
+      right = area.right();
+    }
+    EXPECT_LE(right, header.area(CandidateColumn::Total).left() + 0.5) << width << " px";
+  }
+}
+
+TEST(CandidateTable, PinsAndVetoesTheChosenRowAndOneClickLiftsIt) {
+  Table t;
+  t.list->setCurrent(4);
+  t.table.togglePin();
+  EXPECT_EQ(t.table.steering().pinned, 4);
+  EXPECT_TRUE(t.list->rows()[4].pinned);
+  t.table.toggleVeto(Reach::Take);
+  EXPECT_FALSE(t.table.steering().pinned);
+  EXPECT_TRUE(t.list->rows()[4].vetoed);
+  EXPECT_EQ(t.asked, (std::vector<QString>{"use salsa_02 0", "veto take salsa_02"}));
+  const auto& buttons = t.table.findChild<DecisionBar*>()->buttons();
+  ASSERT_EQ(buttons.size(), 1U);
+  EXPECT_EQ(buttons[0]->accessibleName(), QString("Lift the veto: take salsa_02"));
+  QTest::keyClick(buttons[0], Qt::Key_Return);
+  EXPECT_TRUE(t.table.steering().empty());
+}
+
+TEST(CandidateTable, WithoutAChosenRowDecidesAboutTheWinner) {
+  Table t;
+  t.table.toggleVeto(Reach::Pair);
+  EXPECT_EQ(t.table.steering().vetoes.pairs, std::set<int>{0});
+}
+
+TEST(CandidateTable, AClickBesideTheRankPinsAndLetsGo) {
+  Table t;
+  QTest::mouseClick(t.list, Qt::LeftButton, {}, {8, CandidateList::row_height + 12});
+  EXPECT_EQ(t.table.steering().pinned, 1);
+  QTest::mouseClick(t.list, Qt::LeftButton, {}, {8, CandidateList::row_height + 12});
+  EXPECT_TRUE(t.table.steering().empty());
+}
+
+TEST(CandidateTable, ItsMenuHasEveryDecisionAndColumn) {
+  Table t;
+  QContextMenuEvent event(QContextMenuEvent::Mouse, {80, 30}, t.list->mapToGlobal(QPoint(80, 30)));
+  QApplication::sendEvent(t.list, &event);
+  auto* menu = t.table.findChild<QMenu*>();
+  ASSERT_TRUE(menu);
+  QStringList texts;
+  for (const QAction* action : menu->actions()) texts << action->text().section('\t', 0, 0);
+  for (const char* wanted : {"Use this one", "Veto salsa_01 1", "Veto take salsa_01", "Veto all turn",
+                             "Go to its take and frame", "Sort by"})
+    EXPECT_TRUE(texts.contains(wanted)) << wanted;
+  menu->actions().front()->trigger();
+  EXPECT_EQ(t.table.steering().pinned, 1);
+  menu->close();
+}
+
+TEST(CandidateTable, AnotherLibraryDropsTheDecisionsAndTheSameKeepsThem) {
+  Table t;
+  t.table.togglePin();
+  t.table.setLibrary(t.table.library());
+  EXPECT_TRUE(t.table.steering().pinned);
+  t.table.setLibrary(two_take_library());
+  EXPECT_TRUE(t.table.steering().empty());
+}
+
+TEST(CandidateTable, MarksPinAndVetoInDarkAndLight) {
+  for (const Theme theme : {Theme::Dark, Theme::Light}) {
+    Table t(theme);
+    const Palette& colours = palette_of(theme);
+    const QRect gutter(3, 0, 13, 5 * CandidateList::row_height);
+    const int before = pixels_like(picture_of(*t.list).copy(gutter), colours.warning, 60);
+    const int bars = pixels_like(picture_of(*t.list), colours.user, 6);
+    t.list->setCurrent(1);
+    t.table.togglePin();
+    EXPECT_GT(pixels_like(picture_of(*t.list).copy(gutter), colours.warning, 60), before + 15);
+    t.table.toggleVeto(Reach::Label);
+    EXPECT_LT(pixels_like(picture_of(*t.list), colours.user, 6), bars / 2) << "vetoed bars are faint";
+  }
+}
+
+TEST(FeatureMap, DrawsTheWinnersRingAndTheUserAndLinksWithTheTable) {
+  for (const Theme theme : {Theme::Dark, Theme::Light}) {
+    Table t(theme);
+    ASSERT_TRUE(t.waitForMap());
+    t.table.showFrame(synthetic_frame(0, 0));
+    const QImage picture = picture_of(*t.map);
+    EXPECT_GT(pixels_like(picture, palette_of(theme).warning, 50), 15);
+    const auto place = t.map->placeOf(4);
+    ASSERT_TRUE(place);
+    QMouseEvent move(QEvent::MouseMove, *place, Qt::NoButton, Qt::NoButton, {});
+    QApplication::sendEvent(t.map, &move);
+    ASSERT_FALSE(t.hovered.empty());
+    EXPECT_GE(t.hovered.back(), 0);
+    EXPECT_LT((*t.map->placeOf(t.hovered.back()) - *place).manhattanLength(), 1)
+        << "or one at the same place";
+  }
+}
+
+}  // namespace
+}  // namespace abrazo::widgets

@@ -1,0 +1,192 @@
+// Volumes, energies and filters of the interaction mesh as the scene shows it.
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "tests/widgets/synthetic_frames.hpp"
+#include "widgets/scene/joint_trails.hpp"
+#include "widgets/scene/mesh_cells.hpp"
+#include "widgets/scene/mesh_filter.hpp"
+#include "widgets/scene/mesh_scalar.hpp"
+
+namespace abrazo::widgets {
+namespace {
+
+constexpr MeshTetrahedron corner_cell = {0, 1, 2, 30};
+
+/// Vertices 0, 1, 2 and 30 at the origin and on the axes, `height` up: volume height / 6.
+PairPose corner_pair(double height) {
+  PairPose pair = PairPose::Zero();
+  pair.row(1) << 1, 0, 0;
+  pair.row(2) << 0, 0, 1;
+  pair.row(30) << 0, height, 0;
+  return pair;
+}
+
+TEST(CellVolume, IsASixthOfTheBoxAndItsRatioThatOfTheHeights) {
+  const CellVolume cell = cell_volume(corner_pair(0.3), corner_pair(0.6), corner_cell);
+  EXPECT_NEAR(cell.volume_m3, 0.05, 1e-12);
+  EXPECT_NEAR(cell.reference_m3, 0.1, 1e-12);
+  EXPECT_NEAR(cell.ratio, 0.5, 1e-12);
+  EXPECT_FALSE(cell.is_inverted);
+  EXPECT_FALSE(cell.is_flat);
+}
+
+TEST(CellVolume, IsInvertedOnceACornerWentThroughTheOppositeFace) {
+  const CellVolume cell = cell_volume(corner_pair(-0.3), corner_pair(0.6), corner_cell);
+  EXPECT_TRUE(cell.is_inverted);
+  EXPECT_NEAR(cell.ratio, -0.5, 1e-12);
+  EXPECT_NEAR(cell.volume_m3, 0.05, 1e-12);
+}
+
+TEST(CellVolume, DoesNotJudgeACellThatWasThinnerThanAMillimetre) {
+  const CellVolume thin = cell_volume(corner_pair(-0.3), corner_pair(0.0008), corner_cell);
+  EXPECT_TRUE(thin.is_flat);
+  EXPECT_FALSE(thin.is_inverted);
+  EXPECT_FALSE(cell_volume(corner_pair(-0.3), corner_pair(0.0012), corner_cell).is_flat);
+}
+
+TEST(CellVolume, TypicalChangeIsInDoublingsAndLeavesInvertedOut) {
+  std::vector<CellVolume> cells(11);
+  for (std::size_t c = 0; c < cells.size(); ++c)
+    cells[c].ratio = std::pow(2.0, -0.1 * static_cast<double>(c));
+  EXPECT_NEAR(typical_doublings(cells), 0.9, 1e-12);
+  cells.push_back({1, 1, -5, false, true});
+  EXPECT_NEAR(typical_doublings(cells), 0.9, 1e-12);
+  EXPECT_EQ(inverted_count(cells), 1);
+}
+
+TEST(CellVolume, TellsWhetherACellJoinsTheBodies) {
+  EXPECT_TRUE(joins_bodies(corner_cell));
+  EXPECT_FALSE(joins_bodies(MeshTetrahedron{0, 1, 2, 24}));
+  EXPECT_FALSE(joins_bodies(MeshTetrahedron{25, 30, 40, 49}));
+}
+
+Vec3 corner_of(const std::vector<double>& corners, std::size_t i) {
+  return Vec3(corners.data() + 3 * i);
+}
+
+TEST(SpreadCells, MovesACellAwayFromTheMiddleWithoutTurningIt) {
+  const PairPose pair = corner_pair(1);
+  const std::vector<MeshTetrahedron> cells = {corner_cell};
+  const auto plain = spread_cells(pair, cells, 0, 0), apart = spread_cells(pair, cells, 1.5, 0);
+  const Vec3 centre(0.25, 0.25, 0.25), middle(0.02, 0.02, 0.02);  // of 4, of 50 points
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_NEAR((corner_of(plain, i) - pair.row(corner_cell[i]).transpose()).norm(), 0, 1e-12);
+    EXPECT_NEAR((corner_of(apart, i) - corner_of(plain, i) - 1.5 * (centre - middle)).norm(), 0, 1e-12);
+  }
+}
+
+TEST(SpreadCells, ShrinksACellTowardsItsOwnCentre) {
+  const auto small = spread_cells(corner_pair(1), std::vector<MeshTetrahedron>{corner_cell}, 0, 0.2);
+  EXPECT_NEAR((corner_of(small, 0) - corner_of(small, 1)).norm(), 0.8, 1e-12);
+  const Vec3 centre =
+      0.25 * (corner_of(small, 0) + corner_of(small, 1) + corner_of(small, 2) + corner_of(small, 3));
+  EXPECT_NEAR((centre - Vec3(0.25, 0.25, 0.25)).norm(), 0, 1e-12);
+}
+
+TEST(FacesBackToFront, BeginWithTheFaceFarthestFromTheEye) {
+  const auto corners = spread_cells(corner_pair(1), std::vector<MeshTetrahedron>{corner_cell}, 0, 0);
+  const auto order = faces_back_to_front(corners, Vec3(0, 5, 0), Vec3(0, -1, 0));
+  ASSERT_EQ(order.size(), 4U);
+  EXPECT_EQ(order.front(), 0) << "corners 0, 1, 2 lie on the floor, the eye is above";
+  EXPECT_EQ(faces_back_to_front(corners, Vec3(0, -5, 0), Vec3(0, 1, 0)).back(), 0);
+}
+
+TEST(EdgeEnergies, AddUpToTheDeformationEnergyOfTheFrame) {
+  const auto frame = test::synthetic_frame(7, 0.1);
+  // Independently: w_jl = (1/d_jl) / sum, vertex by vertex.
+  const FrameResult& result = frame->result;
+  double energy = 0;
+  for (int j = 0; j < pair_vertex_count; ++j) {
+    Vec3 sum = Vec3::Zero();
+    double weights = 0;
+    for (const MeshEdge& edge : result.edges) {
+      if (edge[0] != j && edge[1] != j) continue;
+      const int other = edge[0] == j ? edge[1] : edge[0];
+      const double w = 1 / (result.selected_pair.row(j) - result.selected_pair.row(other)).norm();
+      const PairPose& after = result.result;
+      const PairPose& before = result.selected_pair;
+      sum += w * ((after.row(j) - before.row(j)) - (after.row(other) - before.row(other))).transpose();
+      weights += w;
+    }
+    energy += 0.5 * (sum / weights).squaredNorm();
+  }
+  ASSERT_GT(energy, 1e-4);
+  const auto energies = edge_energies(*frame);
+  EXPECT_NEAR(std::accumulate(energies.begin(), energies.end(), 0.0), energy, 1e-12);
+}
+
+TEST(EdgeEnergies, SharesAddUpToAHundredPercentWhateverTheWeights) {
+  for (const EdgeWeights weights : {EdgeWeights::Inverse, EdgeWeights::InverseMean, EdgeWeights::Uniform}) {
+    FrameSnapshot frame = *test::synthetic_frame(7, 0.1);
+    frame.settings.edge_weights = weights;
+    const auto shares = edge_scalars(frame, MeshScalar::EnergyShare);
+    EXPECT_NEAR(std::accumulate(shares.begin(), shares.end(), 0.0), 100, 1e-9);
+    EXPECT_GE(*std::min_element(shares.begin(), shares.end()), 0);
+  }
+}
+
+TEST(EdgeEnergies, AreNothingWhereNothingIsBent) {
+  FrameSnapshot frame = *test::synthetic_frame(7, 0.1);
+  frame.result.result = frame.result.selected_pair;
+  for (const double share : edge_scalars(frame, MeshScalar::EnergyShare)) EXPECT_EQ(share, 0);
+}
+
+TEST(MeshFilter, LetsEverythingThroughAtFirst) {
+  EXPECT_TRUE(MeshFilter().is_open());
+  EXPECT_TRUE(MeshFilter().passes(corner_pair(1), MeshEdge{0, 1}));
+}
+
+TEST(MeshFilter, KeepsToARangeOfLengthsWithItsEnds) {
+  const PairPose pair = corner_pair(2);
+  EXPECT_TRUE((MeshFilter{1, 2, -1}.passes(pair, MeshEdge{0, 1})));
+  EXPECT_TRUE((MeshFilter{1, 2, -1}.passes(pair, MeshEdge{0, 30})));
+  EXPECT_FALSE((MeshFilter{1.01, 2, -1}.passes(pair, MeshEdge{0, 1})));
+  EXPECT_FALSE((MeshFilter{0, 1.99, -1}.passes(pair, MeshEdge{0, 30})));
+  EXPECT_FALSE((MeshFilter{0, 1.99, -1}.passes(pair, corner_cell))) << "one edge of the cell is too long";
+}
+
+TEST(MeshFilter, KeepsToWhatMeetsAtAJoint) {
+  const MeshFilter filter{0, MeshFilter::no_limit, 30};
+  EXPECT_TRUE(filter.passes(corner_pair(1), MeshEdge{0, 30}));
+  EXPECT_FALSE(filter.passes(corner_pair(1), MeshEdge{0, 1}));
+  EXPECT_TRUE(filter.passes(corner_pair(1), corner_cell));
+  EXPECT_FALSE(filter.passes(corner_pair(1), MeshTetrahedron{0, 1, 2, 31}));
+}
+
+TEST(JointTrails, KeepTheLastMomentsOnly) {
+  JointTrails trails;
+  for (int i = 0; i < 300; ++i) trails.add(i / 60.0, corner_pair(i / 60.0));
+  const auto trail = trails.lines_of({30});
+  const std::size_t kept = static_cast<std::size_t>(std::lround(JointTrails::length_s * 60)) + 1;
+  EXPECT_NEAR(static_cast<double>(trails.size()), static_cast<double>(kept), 1);
+  EXPECT_EQ(trail.lines.size(), trails.size() - 1);
+  EXPECT_DOUBLE_EQ(trail.xyz[trail.xyz.size() - 2], 299 / 60.0) << "the newest comes last";
+  EXPECT_DOUBLE_EQ(trail.age.back(), 0);
+  EXPECT_NEAR(trail.age.front(), 1, 0.03);
+}
+
+TEST(JointTrails, StayBoundedHoweverFastTheFramesCome) {
+  JointTrails trails;
+  for (int i = 0; i < 5000; ++i) trails.add(i / 2000.0, corner_pair(1));
+  EXPECT_EQ(trails.size(), JointTrails::most_samples);
+}
+
+TEST(JointTrails, BeginAnewWhenTheCursorWasMoved) {
+  JointTrails trails;
+  for (int i = 0; i < 10; ++i) trails.add(5 + i / 60.0, corner_pair(1));
+  trails.add(5, corner_pair(1));
+  EXPECT_EQ(trails.size(), 1U) << "back";
+  trails.add(5.02, corner_pair(1));
+  trails.add(5.02, corner_pair(1));
+  EXPECT_EQ(trails.size(), 2U) << "the same frame shown again";
+  trails.add(9, corner_pair(1));
+  EXPECT_EQ(trails.size(), 1U) << "far on";
+}
+
+}  // namespace
+}  // namespace abrazo::widgets

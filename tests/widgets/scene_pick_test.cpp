@@ -1,0 +1,186 @@
+// Where things lie in the picture, what the pointer is on, and what is told about it.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "tests/widgets/synthetic_frames.hpp"
+#include "widgets/scene/pick_facts.hpp"
+#include "widgets/scene/pointer_moves.hpp"
+#include "widgets/scene/scene_pick.hpp"
+
+namespace abrazo::widgets {
+namespace {
+
+constexpr double width = 800, height = 600;
+
+/// From +Z at the origin, five metres away, half the picture 1 m high at the origin.
+OrbitCamera plain_camera() {
+  OrbitCamera camera;
+  camera.target = Vec3::Zero();
+  camera.azimuth_rad = camera.elevation_rad = 0;
+  camera.distance_m = 5;
+  camera.view_angle_rad = 2 * std::atan(1 / 5.0);
+  return camera;
+}
+
+PicturePoint at(const OrbitCamera& camera, const Vec3& point) {
+  return PictureProjection(camera, width, height).project(point).value();
+}
+
+TEST(PictureProjection, PutsTheTargetIntoTheMiddleAndUpUpwards) {
+  const OrbitCamera camera = plain_camera();
+  EXPECT_NEAR(at(camera, Vec3::Zero()).x, 400, 1e-9);
+  EXPECT_NEAR(at(camera, Vec3(0, 1, 0)).y, 0, 1e-9);
+  EXPECT_NEAR(at(camera, Vec3(1, 0, 0)).x, 700, 1e-9);
+  EXPECT_NEAR(at(camera, Vec3(0, 0, -5)).depth_m, 10, 1e-9);
+  EXPECT_NEAR(at(camera, Vec3(1, 0, -5)).x, 550, 1e-9) << "twice as far, half as large";
+}
+
+TEST(PictureProjection, InParallelKeepsSizesAtEveryDepth) {
+  OrbitCamera camera = plain_camera();
+  camera.is_parallel = true;
+  EXPECT_NEAR(at(camera, Vec3(1, 0, 0)).x, 700, 1e-9);
+  EXPECT_NEAR(at(camera, Vec3(1, 0, -5)).x, 700, 1e-9);
+}
+
+TEST(PictureProjection, LeavesOutWhatTheCuttingPlaneTakesAway) {
+  OrbitCamera camera = plain_camera();
+  camera.cuts = true;
+  camera.cut_m = 0.2;
+  const PictureProjection projection(camera, width, height);
+  EXPECT_FALSE(projection.project(Vec3(0, 0, 0.3)));
+  EXPECT_TRUE(projection.project(Vec3(0, 0, 0.1)));
+  EXPECT_FALSE(projection.project(Vec3(0, 0, 6))) << "behind the eye";
+}
+
+TEST(DistanceToSegment, IsMeasuredToTheLineOrToTheNearerEnd) {
+  const PicturePoint a{10, 10, 1}, b{110, 10, 1};
+  EXPECT_DOUBLE_EQ(distance_to_segment(50, 17, a, b), 7);
+  EXPECT_DOUBLE_EQ(distance_to_segment(113, 14, a, b), 5);
+  EXPECT_DOUBLE_EQ(distance_to_segment(13, 14, a, a), 5);
+}
+
+TEST(DepthInside, IsThatOfThePlaneAndNegativeOutside) {
+  const std::array<PicturePoint, 3> triangle = {{{0, 0, 3}, {90, 0, 6}, {0, 90, 9}}};
+  EXPECT_NEAR(depth_inside(30, 30, triangle), 6, 1e-12);
+  EXPECT_NEAR(depth_inside(45, 0, triangle), 4.5, 1e-12);
+  EXPECT_LT(depth_inside(60, 60, triangle), 0);
+}
+
+/// All joints out of the way but 0, 1, 2 and 30 around the middle of the picture.
+struct Corner {
+  PairPose pair = PairPose::Constant(50);
+  std::vector<MeshEdge> edges = {{0, 1}, {0, 2}, {2, 30}};
+  std::vector<MeshTetrahedron> cells = {{0, 1, 2, 30}};
+  std::vector<double> corners;
+  Corner() {
+    pair.row(0) << 0, 0, 0;
+    pair.row(1) << 0.5, 0, 0;
+    pair.row(2) << 0, 0.5, 0;
+    pair.row(30) << 0, 0, 0.5;
+    for (const int v : {0, 1, 2, 30})
+      for (int axis = 0; axis < 3; ++axis) corners.push_back(pair(v, axis));
+  }
+  PickedItem operator()(double x, double y, std::array<bool, 2> bodies = {true, true}) const {
+    return pick(x, y, PictureProjection(plain_camera(), width, height),
+                {pair, bodies, edges, cells, corners});
+  }
+};
+
+TEST(Pick, TakesTheJointThenTheEdgeThenTheCell) {
+  const Corner corner;  // joints at x 400 and 550, the edge 0-1 between them, the cell above it
+  EXPECT_EQ(corner(552, 303), PickedItem::joint(1));
+  EXPECT_EQ(corner(475, 303), PickedItem::edge({0, 1}));
+  EXPECT_EQ(corner(440, 260), PickedItem::tetrahedron({30, 2, 1, 0}));
+  EXPECT_EQ(corner(100, 100), PickedItem());
+}
+
+TEST(Pick, ReachesAsFarAsItSays) {
+  const Corner corner;
+  EXPECT_EQ(corner(550 + joint_reach_px - 0.5, 300), PickedItem::joint(1));
+  EXPECT_EQ(corner(550 + joint_reach_px + 0.5, 300), PickedItem());
+}
+
+TEST(Pick, OfTwoJointsBehindOneAnotherTakesTheOneInFront) {
+  EXPECT_EQ(Corner()(400, 300), PickedItem::joint(30));
+  EXPECT_EQ(Corner()(400, 300, {true, false}), PickedItem::joint(0)) << "the other body is hidden";
+}
+
+TEST(PickedItem, IsTheSameHoweverItsVerticesAreOrdered) {
+  EXPECT_EQ(PickedItem::tetrahedron({3, 40, 1, 2}), PickedItem::tetrahedron({1, 2, 3, 40}));
+  EXPECT_EQ(PickedItem::edge({40, 3}), PickedItem::edge({3, 40}));
+  EXPECT_NE(PickedItem::edge({3, 40}), PickedItem::edge({3, 41}));
+}
+
+TEST(JointFacts, MeasureTheWayToTheUserOnlyForTheUsersCharacter) {
+  FrameSnapshot frame = *test::synthetic_frame(0, 0);
+  EXPECT_NEAR(joint_facts(frame, 20).to_user_m.value(), 0.25, 1e-12) << "the user stands 25 cm beside";
+  EXPECT_FALSE(joint_facts(frame, 45).to_user_m);
+  frame.settings.user_role = UserRole::Passive;
+  EXPECT_FALSE(joint_facts(frame, 20).to_user_m);
+  EXPECT_TRUE(joint_facts(frame, 45).to_user_m);
+}
+
+TEST(JointFacts, FindTheNearestJointOfTheOtherBody) {
+  const auto frame = test::synthetic_frame(0, 0);
+  const PairPose& pair = frame->result.result;
+  for (const int vertex : {20, 45}) {
+    const JointFacts facts = joint_facts(*frame, vertex);
+    EXPECT_NE(facts.nearest_partner / joint_count, vertex / joint_count);
+    EXPECT_NEAR((pair.row(vertex) - pair.row(facts.nearest_partner)).norm(), facts.to_partner_m, 1e-12);
+    for (int v = vertex < joint_count ? joint_count : 0, n = v + joint_count; v < n; ++v)
+      EXPECT_GE((pair.row(vertex) - pair.row(v)).norm(), facts.to_partner_m - 1e-12);
+  }
+}
+
+TEST(EdgeFacts, AreThoseOfTheEdgeAndNothingForOneThatTheMeshDoesNotHave) {
+  const auto frame = test::synthetic_frame(0, 0);
+  const MeshEdge& edge = frame->result.edges[5];
+  const EdgeFacts facts = edge_facts(*frame, edge).value();
+  EXPECT_NEAR(facts.length_m, (frame->result.result.row(edge[0]) - frame->result.result.row(edge[1])).norm(),
+              1e-12);
+  EXPECT_DOUBLE_EQ(facts.weight, 0.1);
+  EXPECT_DOUBLE_EQ(facts.residual_m, 0.005);
+  EXPECT_FALSE(edge_facts(*frame, {edge[1], edge[0]}));
+}
+
+TEST(Describe, NamesBodiesAndJointsAndSaysWhatTheFrameDoesNotHave) {
+  const auto frame = test::synthetic_frame(0, 0);
+  EXPECT_EQ(vertex_name(20), "leader lhand");
+  EXPECT_EQ(vertex_name(49), "follower rhand");
+  EXPECT_EQ(describe(*frame, PickedItem::joint(16)).title, "leader head");
+  FrameSnapshot without = *frame;
+  without.result.edges.clear();
+  EXPECT_THAT(describe(without, PickedItem::edge({20, 49})).lines,
+              ::testing::ElementsAre("not in the mesh of this frame"));
+  EXPECT_FALSE(has_item(without, PickedItem::edge({20, 49})));
+  EXPECT_TRUE(has_item(without, PickedItem::joint(20)));
+}
+
+TEST(PointerMove, FollowsTheHabitsOfEachProgram) {
+  using N = NavigationStyle;
+  const PointerButtons left{true}, middle{false, true}, right{false, false, true};
+  const auto with = [](PointerButtons buttons, bool shift, bool control, bool alt) {
+    buttons.shift = shift, buttons.control = control, buttons.alt = alt;
+    return buttons;
+  };
+  EXPECT_EQ(pointer_move(N::Abrazo, left), PointerMove::Turn);
+  EXPECT_EQ(pointer_move(N::Abrazo, right), PointerMove::Shift);
+  EXPECT_EQ(pointer_move(N::Abrazo, with(middle, true, false, false)), PointerMove::Shift);
+  EXPECT_EQ(pointer_move(N::Blender, left), PointerMove::None);
+  EXPECT_EQ(pointer_move(N::Blender, middle), PointerMove::Turn);
+  EXPECT_EQ(pointer_move(N::Blender, with(middle, true, false, false)), PointerMove::Shift);
+  EXPECT_EQ(pointer_move(N::Blender, with(middle, false, true, false)), PointerMove::Zoom);
+  EXPECT_EQ(pointer_move(N::Maya, left), PointerMove::None);
+  EXPECT_EQ(pointer_move(N::Maya, with(left, false, false, true)), PointerMove::Turn);
+  EXPECT_EQ(pointer_move(N::Maya, with(middle, false, false, true)), PointerMove::Shift);
+  EXPECT_EQ(pointer_move(N::Maya, with(right, false, false, true)), PointerMove::Zoom);
+  EXPECT_EQ(pointer_move(N::Vtk, left), PointerMove::Turn);
+  EXPECT_EQ(pointer_move(N::Vtk, middle), PointerMove::Shift);
+  EXPECT_EQ(pointer_move(N::Vtk, right), PointerMove::Zoom);
+}
+
+}  // namespace
+}  // namespace abrazo::widgets

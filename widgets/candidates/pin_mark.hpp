@@ -1,0 +1,16 @@
+#pragma once
+
+#include <QColor>
+#include <QPointF>
+
+class QPainter;
+
+namespace abrazo::widgets {
+
+/// A drawing pin, 8 x 10 px about its middle. @param filled  outline only when false
+void draw_pin(QPainter& painter, const QPointF& middle, const QColor& colour, bool filled);
+
+/// A circle with a bar across, 8 px.
+void draw_veto(QPainter& painter, const QPointF& middle, const QColor& colour);
+
+}  // namespace abrazo::widgets

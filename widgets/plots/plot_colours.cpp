@@ -1,0 +1,59 @@
+#include "widgets/plots/plot_colours.hpp"
+
+namespace abrazo::widgets {
+
+QColor colour_of(Series series, const Palette& p) {
+  switch (series) {
+    case Series::DeformationEnergy:
+      return p.energy_deformation;
+    case Series::VelocityEnergy:
+      return p.energy_velocity;
+    case Series::ConstraintEnergy:
+      return p.energy_constraint;
+    case Series::FootLock:
+      return p.residual_locks;
+    case Series::ExcessPenetration:
+      return p.residual_penetration;
+    case Series::Penetration:
+      return p.text;
+    case Series::MorphRms:
+      return p.active;
+    case Series::BoneLength:
+      return p.residual_bones;
+    case Series::PoseCost:
+      return p.user;
+    case Series::LeaderCost:
+      return p.active;
+    case Series::FollowerCost:
+      return p.passive;
+    case Series::TotalCost:
+      return p.text;
+    case Series::CostMargin:
+      return p.residual_penetration;
+    case Series::RetargetTime:
+      return p.user;
+    case Series::SelectTime:
+      return p.residual_bones;
+    case Series::MeshTime:
+      return p.residual_penetration;
+    case Series::SolveTime:
+      return p.energy_velocity;
+    case Series::TotalTime:
+      return p.text;
+    case Series::HoldChange:
+      return p.energy_constraint;
+    case Series::PartnerStep:
+      return p.energy_velocity;
+    case Series::BehindSelected:
+      return p.user;
+    case Series::SourceChanges:
+      return p.residual_bones;
+  }
+  return p.text;
+}
+
+bool is_dashed(Series series) {
+  return series == Series::TotalCost || series == Series::TotalTime;
+}
+
+}  // namespace abrazo::widgets

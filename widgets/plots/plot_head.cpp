@@ -1,0 +1,107 @@
+#include "widgets/plots/plot_head.hpp"
+
+#include <QPainter>
+#include <cmath>
+#include <limits>
+
+#include "widgets/common/tabular.hpp"
+#include "widgets/common/theme.hpp"
+#include "widgets/plots/plot_colours.hpp"
+
+namespace abrazo::widgets {
+namespace {
+
+constexpr double left_margin = 12, title_gap = 14, key_gap = 10, name_gap = 5, square = 8, square_gap = 4;
+constexpr double least_mark_room = 14;
+
+QString text(std::string_view utf8) {
+  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
+}
+
+QFont key_font() {
+  return interface_font(11);
+}
+
+QString value_text(Series series, const std::optional<SeriesValues>& values) {
+  const double value =
+      values ? (*values)[static_cast<std::size_t>(series)] : std::numeric_limits<double>::quiet_NaN();
+  return std::isfinite(value) ? QString::number(value, 'f', info_of(series).decimals) : QString("–");
+}
+
+double value_width(Series series) {
+  constexpr int digits_before = 2;
+  return tabular_width(key_font(), QString(info_of(series).decimals + digits_before, '0'));
+}
+
+double name_width(Series series) {
+  return QFontMetricsF(key_font()).horizontalAdvance(text(info_of(series).brief));
+}
+
+double key_width(const PaneSeries& series, bool with_values) {
+  double sum = 0;
+  for (const Series one : series)
+    sum += square + square_gap + name_width(one) + name_gap + (with_values ? value_width(one) : 0) + key_gap;
+  return sum;
+}
+
+/// What is right of `x`.
+QRectF from(const QRectF& place, double x) {
+  return {x, place.top() + 4, std::max(0.0, place.right() - x), place.height() - 4};
+}
+
+/// @return where the key ends
+double paint_key(QPainter& painter, const QRectF& place, double x, const PlotHead& head, bool with_values) {
+  painter.setFont(key_font());
+  for (const Series series : head.series) {
+    painter.fillRect(QRectF(x, place.center().y() - 2, square, square), colour_of(series, head.palette));
+    x += square + square_gap;
+    painter.setPen(head.palette.secondary);
+    painter.drawText(from(place, x), Qt::AlignVCenter | Qt::AlignLeft, text(info_of(series).brief));
+    x += name_width(series) + name_gap;
+    if (with_values) {
+      painter.setPen(head.palette.text);
+      draw_tabular(painter, from(place, x), Qt::AlignLeft, value_text(series, head.values));
+      x += value_width(series);
+    }
+    x += key_gap;
+  }
+  return x;
+}
+
+void paint_mark(QPainter& painter, const QRectF& place, double key_end, const PlotHead& head) {
+  if (head.mark == PlotMark::None) return;
+  const bool follows = head.mark == PlotMark::Following;
+  const QString word = follows ? "following" : "End follows";
+  const double room = 12 + QFontMetricsF(key_font()).horizontalAdvance(word);
+  const bool with_word = key_end + room < place.right();
+  const double left = place.right() - (with_word ? room : 10);
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(follows ? QPen(Qt::NoPen) : QPen(head.palette.secondary, 1.2));
+  painter.setBrush(follows ? head.palette.live : head.palette.panel);
+  painter.drawEllipse(QPointF(left + 4, place.center().y() + 2), 3.2, 3.2);
+  painter.setPen(head.palette.secondary);
+  if (with_word) painter.drawText(from(place, left + 11), Qt::AlignVCenter | Qt::AlignLeft, word);
+}
+
+}  // namespace
+
+void paint_plot_head(QPainter& painter, const QRectF& place, const PlotHead& head) {
+  const QString title = text(title_of(head.series));
+  painter.save();
+  painter.setClipRect(place, Qt::IntersectClip);
+  painter.setFont(interface_font(12, QFont::DemiBold));
+  const double room = place.right() - (head.mark == PlotMark::None ? 0 : least_mark_room);
+  const double title_end =
+      place.left() + left_margin + painter.fontMetrics().horizontalAdvance(title) + title_gap;
+  const bool with_title = title_end + key_width(head.series, false) < room;
+  const double key_begin = with_title ? title_end : place.left() + left_margin;
+  const bool with_values = key_begin + key_width(head.series, true) < room;
+  painter.setPen(head.palette.text);
+  if (with_title)
+    painter.drawText(from(place, place.left() + left_margin), Qt::AlignVCenter | Qt::AlignLeft, title);
+  const double key_end = paint_key(painter, place, key_begin, head, with_values);
+  paint_mark(painter, place, key_end, head);
+  painter.restore();
+}
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,177 @@
+#include "widgets/plots/plot_series.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/mesh/capsules.hpp"
+#include "core/motion/joint_set.hpp"
+
+namespace abrazo::widgets {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double mm_per_m = 1000;
+
+double& at(SeriesValues& values, Series series) {
+  return values[static_cast<std::size_t>(series)];
+}
+
+void read_timings(const StepTiming& timing, SeriesValues& values) {
+  constexpr double ms_per_us = 1e-3;
+  at(values, Series::RetargetTime) = ms_per_us * timing.retarget_us;
+  at(values, Series::SelectTime) = ms_per_us * timing.select_us;
+  at(values, Series::MeshTime) = ms_per_us * timing.mesh_us;
+  at(values, Series::SolveTime) = ms_per_us * timing.solve_us;
+  at(values, Series::TotalTime) = ms_per_us * timing.total_us;
+}
+
+void read_residuals(const FrameResidual& residual, SeriesValues& values) {
+  at(values, Series::BoneLength) = 100 * residual.bone_length_max;
+  at(values, Series::FootLock) = mm_per_m * residual.foot_lock_max_m;
+  at(values, Series::Penetration) = mm_per_m * residual.penetration_max_m;
+  at(values, Series::ExcessPenetration) = mm_per_m * residual.excess_penetration_max_m;
+  at(values, Series::MorphRms) = mm_per_m * residual.morph_rms_m;
+}
+
+void read_costs(const FrameSnapshot& frame, SeriesValues& values) {
+  const FrameResult& result = frame.result;
+  if (result.selected < 0 || static_cast<std::size_t>(result.selected) >= result.candidates.size()) return;
+  const auto selected = static_cast<std::size_t>(result.selected);
+  const CostBreakdown& cost = result.candidates[selected].cost;
+  at(values, Series::PoseCost) = cost.pose;
+  at(values, Series::LeaderCost) = frame.settings.alpha * cost.temporal_active;
+  at(values, Series::FollowerCost) = frame.settings.alpha * cost.temporal_passive;
+  at(values, Series::TotalCost) = cost.total;
+  if (result.candidates.size() < 2) return;
+  double second = std::numeric_limits<double>::infinity();
+  for (std::size_t c = 0; c < result.candidates.size(); ++c)
+    if (c != selected) second = std::min(second, result.candidates[c].cost.total);
+  at(values, Series::CostMargin) = second - cost.total;
+}
+
+double mean_joint_distance(const Pose& a, const Pose& b) {
+  return (a - b).rowwise().norm().mean();
+}
+
+/// Mean over the hands that hold one another in the selected pair of |distance in the result - in the
+/// selected pair| [m], as the metric of holds has it; NaN when no hands do.
+double hold_change(const PairPose& result, const PairPose& selected) {
+  double sum = 0;
+  int holds = 0;
+  for (const int active : {joints::left_hand, joints::right_hand})
+    for (const int passive : {joints::left_hand, joints::right_hand}) {
+      const auto apart = [&](const PairPose& pair) {
+        return (pair.row(active) - pair.row(passive + joint_count)).norm();
+      };
+      if (apart(selected) >= hold_distance_m) continue;
+      sum += std::abs(apart(result) - apart(selected));
+      ++holds;
+    }
+  return holds > 0 ? sum / holds : none;
+}
+
+}  // namespace
+
+const std::array<SeriesInfo, series_count>& all_series() {
+  using enum Series;
+  static const std::array<SeriesInfo, series_count> infos = {{
+      {DeformationEnergy, "energy.deformation", "Energy", "deformation E_L", "E_L", "m²", 3,
+       "how far the mesh is bent from the selected pair's"},
+      {VelocityEnergy, "energy.velocity", "Energy", "velocity w_Δ E_V", "w_Δ E_V", "m²", 3,
+       "how far the pair moved since the step before, times its weight at this rate"},
+      {ConstraintEnergy, "energy.constraint", "Energy", "constraint E_C", "E_C", "m²", 3,
+       "how far the leader is from the user's pose, times w_C"},
+      {FootLock, "residual.foot_lock", "Residuals", "foot lock", "foot lock", "mm", 2,
+       "largest drift of a locked foot"},
+      {ExcessPenetration, "residual.excess_penetration", "Residuals", "excess penetration", "excess pen.",
+       "mm", 1, "deepest overlap beyond the selected pair's own"},
+      {Penetration, "residual.penetration", "Residuals", "penetration", "penetration", "mm", 1,
+       "deepest overlap of two limbs"},
+      {MorphRms, "residual.morph_rms", "Residuals", "leader from user, rms", "from user", "mm", 1,
+       "joints of the leader from the user's pose"},
+      {BoneLength, "residual.bone_length", "Bone length", "bone length error", "bones", "%", 3,
+       "largest change of a bone's length"},
+      {PoseCost, "cost.pose", "Cost", "pose", "pose", "m²", 3, "of the winner, Eq. 7"},
+      {LeaderCost, "cost.leader", "Cost", "temporal leader", "leader", "m²", 3, "of the winner, times α"},
+      {FollowerCost, "cost.follower", "Cost", "temporal follower", "follower", "m²", 3,
+       "of the winner, times α"},
+      {TotalCost, "cost.total", "Cost", "total cost", "total", "m²", 3, "of the winner, Eq. 7"},
+      {CostMargin, "cost.margin", "Cost", "margin to the runner-up", "margin", "m²", 3,
+       "how much dearer the cheapest of the others is; below 0 when that one would have been cheaper"},
+      {RetargetTime, "time.retarget", "Step time", "retarget", "retarget", "ms", 3, "user onto the body"},
+      {SelectTime, "time.select", "Step time", "select", "select", "ms", 3, "neighbours and their costs"},
+      {MeshTime, "time.mesh", "Step time", "mesh", "mesh", "ms", 3, "reference of the deformation"},
+      {SolveTime, "time.solve", "Step time", "solve", "solve", "ms", 3, "morph and projection steps"},
+      {TotalTime, "time.total", "Step time", "whole step", "total", "ms", 3, "from pose in to partner out"},
+      {HoldChange, "metric.hold_change", "Metrics", "hold change", "holds", "mm", 1,
+       "distance of hands that hold one another, result against selected pair; none without a hold"},
+      {PartnerStep, "metric.partner_step", "Metrics", "partner's step", "step", "mm", 1,
+       "displacement of a joint of the partner since the step before, mean"},
+      {BehindSelected, "metric.behind_selected", "Metrics", "partner behind selected pair", "behind", "mm", 1,
+       "distance of a joint of the partner from the selected pair's, mean"},
+      {SourceChanges, "metric.source_changes", "Source changes", "source changes per 100 steps", "changes",
+       "per 100", 0, "over the last 100 steps"},
+  }};
+  return infos;
+}
+
+const SeriesInfo& info_of(Series series) {
+  return all_series()[static_cast<std::size_t>(series)];
+}
+
+std::optional<Series> find_series(std::string_view key) {
+  const auto found = std::ranges::find(all_series(), key, &SeriesInfo::key);
+  return found == all_series().end() ? std::nullopt : std::optional(found->series);
+}
+
+SeriesValues SeriesReader::read(const FrameSnapshot& frame) {
+  SeriesValues values;
+  values.fill(none);
+  read_timings(frame.result.timing, values);
+  if (previous_ && frame.index != previous_->index + 1) previous_.reset();
+  const bool failed = frame.result.status == StepStatus::Failed;
+  if (!failed) {
+    read_energies(frame, values);
+    read_residuals(frame.result.residual, values);
+    read_costs(frame, values);
+    read_metrics(frame, values);
+  }
+  remember(frame, failed);
+  return values;
+}
+
+void SeriesReader::remember(const FrameSnapshot& frame, bool failed) {
+  if (!previous_) previous_ = Previous{0, none, std::nullopt};
+  previous_->index = frame.index;
+  if (failed) return previous_->partner.reset();
+  previous_->solved_s = frame.time_s;
+  previous_->partner = frame.result.passive();
+}
+
+void SeriesReader::read_energies(const FrameSnapshot& frame, SeriesValues& values) const {
+  const FrameEnergy& energy = frame.result.energy;
+  at(values, Series::DeformationEnergy) = energy.deformation;
+  at(values, Series::ConstraintEnergy) = energy.constraint;
+  // The weight depends on the time since the last step that was solved.
+  if (energy.velocity == 0)
+    at(values, Series::VelocityEnergy) = 0;
+  else if (previous_ && std::isfinite(previous_->solved_s))
+    at(values, Series::VelocityEnergy) =
+        velocity_weight_at(frame.settings, frame.time_s - previous_->solved_s) * energy.velocity;
+}
+
+void SeriesReader::read_metrics(const FrameSnapshot& frame, SeriesValues& values) {
+  const FrameResult& result = frame.result;
+  at(values, Series::HoldChange) = mm_per_m * hold_change(result.result, result.selected_pair);
+  at(values, Series::BehindSelected) =
+      mm_per_m * mean_joint_distance(result.passive(), result.selected_pair.bottomRows<joint_count>());
+  if (previous_ && previous_->partner)
+    at(values, Series::PartnerStep) = mm_per_m * mean_joint_distance(result.passive(), *previous_->partner);
+  changes_.push_back(result.source_changed);
+  if (changes_.size() > source_window_steps) changes_.pop_front();
+  at(values, Series::SourceChanges) =
+      100.0 * static_cast<double>(std::ranges::count(changes_, true)) / static_cast<double>(changes_.size());
+}
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string_view>
+
+#include "core/session/frame_snapshot.hpp"
+
+namespace abrazo::widgets {
+
+/// All that can be drawn over time, in the order of the menus.
+enum class Series : std::uint8_t {
+  DeformationEnergy,
+  VelocityEnergy,
+  ConstraintEnergy,
+  FootLock,
+  ExcessPenetration,
+  Penetration,
+  MorphRms,
+  BoneLength,
+  PoseCost,
+  LeaderCost,
+  FollowerCost,
+  TotalCost,
+  CostMargin,
+  RetargetTime,
+  SelectTime,
+  MeshTime,
+  SolveTime,
+  TotalTime,
+  HoldChange,
+  PartnerStep,
+  BehindSelected,
+  SourceChanges
+};
+inline constexpr std::size_t series_count = 22;
+
+struct SeriesInfo {
+  Series series;
+  std::string_view key;    ///< in files: "energy.deformation"; never changes
+  std::string_view group;  ///< "Energy"; series of a group are offered together
+  std::string_view name;   ///< in menus and readouts
+  std::string_view brief;  ///< in the head of a pane
+  std::string_view unit;   ///< "m²"; empty for a pure number
+  int decimals;
+  std::string_view meaning;
+};
+
+const std::array<SeriesInfo, series_count>& all_series();
+const SeriesInfo& info_of(Series series);
+std::optional<Series> find_series(std::string_view key);
+
+/// One value for each series; NaN where a frame has none.
+using SeriesValues = std::array<double, series_count>;
+
+/// Reads the series off frames that come in order. Keeps the little that a series needs of earlier frames.
+/// A failed step has timings only, as in the metrics of a run.
+class SeriesReader {
+ public:
+  SeriesValues read(const FrameSnapshot& frame);
+
+ private:
+  void read_energies(const FrameSnapshot& frame, SeriesValues& values) const;
+  void read_metrics(const FrameSnapshot& frame, SeriesValues& values);
+  void remember(const FrameSnapshot& frame, bool failed);
+
+  struct Previous {
+    std::uint64_t index = 0;
+    double solved_s = 0;          ///< time of the last step that did not fail; NaN when there was none
+    std::optional<Pose> partner;  ///< none after a failed step
+  };
+  std::optional<Previous> previous_;
+  std::deque<bool> changes_;  ///< of the source, latest last
+};
+
+/// Steps over which changes of the source are counted.
+inline constexpr std::size_t source_window_steps = 100;
+
+}  // namespace abrazo::widgets

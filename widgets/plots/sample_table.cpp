@@ -1,0 +1,179 @@
+#include "widgets/plots/sample_table.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace abrazo::widgets {
+namespace {
+
+/// The extremes of one pixel column, as points in the order they came.
+class Column {
+ public:
+  void begin(double raster) {
+    raster_ = raster;
+    least_.reset();
+    largest_.reset();
+  }
+  bool is(double raster) const { return begun_ && raster_ == raster; }
+  void add(SampleTable::Point point) {
+    begun_ = true;
+    last_s_ = point.time_s;
+    if (!std::isfinite(point.value)) return;
+    if (!least_ || point.value < least_->value) least_ = point;
+    if (!largest_ || point.value > largest_->value) largest_ = point;
+  }
+  void put(std::vector<SampleTable::Point>& line) const {
+    if (!begun_) return;
+    if (!least_) return line.push_back({last_s_, std::numeric_limits<double>::quiet_NaN()});
+    const bool rising = least_->time_s <= largest_->time_s;
+    line.push_back(rising ? *least_ : *largest_);
+    if (least_->time_s != largest_->time_s) line.push_back(rising ? *largest_ : *least_);
+  }
+
+ private:
+  bool begun_ = false;
+  double raster_ = 0, last_s_ = 0;
+  std::optional<SampleTable::Point> least_, largest_;
+};
+
+void put_number(std::string& text, double value) {
+  char digits[32];
+  const auto end = std::to_chars(std::begin(digits), std::end(digits), value).ptr;
+  text.append(std::begin(digits), end);
+}
+
+/// Units in ASCII: a table goes through programs that guess the encoding.
+std::string plain_unit(std::string_view unit) {
+  return unit == "m²" ? "m^2" : std::string(unit);
+}
+
+bool is_earlier(const SampleTable::Row& row, double time_s) {
+  return row.time_s < time_s;
+}
+
+bool is_later(double time_s, const SampleTable::Row& row) {
+  return time_s < row.time_s;
+}
+
+}  // namespace
+
+void SampleTable::append(Row row) {
+  rows_.push_back(row);
+  if ((dropped_ + rows_.size()) % block_rows != 0) return;
+  if (rows_.size() < block_rows) {  // its beginning was dropped meanwhile
+    dropped_blocks_ += blocks_.size() + 1;
+    return blocks_.clear();
+  }
+  blocks_.push_back(extremes_of_last_rows());
+}
+
+SampleTable::Block SampleTable::extremes_of_last_rows() const {
+  Block block;
+  const std::size_t first = rows_.size() - block_rows;
+  for (std::size_t s = 0; s < series_count; ++s) {
+    Extremes& found = block[s];
+    const auto at = [&](std::uint8_t row) { return rows_[first + row].values[s]; };
+    for (std::uint8_t row = 0; row < block_rows; ++row) {
+      if (!std::isfinite(at(row))) continue;
+      if (found.least == no_row || at(row) < at(found.least)) found.least = row;
+      if (found.largest == no_row || at(row) > at(found.largest)) found.largest = row;
+    }
+  }
+  return block;
+}
+
+void SampleTable::drop_before(double time_s) {
+  while (!rows_.empty() && rows_.front().time_s < time_s) {
+    rows_.pop_front();
+    ++dropped_;
+  }
+  while (!blocks_.empty() && dropped_blocks_ * block_rows < dropped_) {
+    blocks_.pop_front();
+    ++dropped_blocks_;
+  }
+}
+
+void SampleTable::clear() {
+  *this = {};
+}
+
+const SampleTable::Row* SampleTable::at(double time_s) const {
+  const auto after = std::upper_bound(rows_.begin(), rows_.end(), time_s, is_later);
+  return after == rows_.begin() ? nullptr : &*std::prev(after);
+}
+
+SampleTable::Reach SampleTable::reach(double from_s, double to_s) const {
+  auto first = std::lower_bound(rows_.begin(), rows_.end(), from_s, is_earlier);
+  auto last = std::upper_bound(first, rows_.end(), to_s, is_later);
+  if (first != rows_.begin()) --first;
+  if (last != rows_.end()) ++last;
+  return {static_cast<std::size_t>(first - rows_.begin()), static_cast<std::size_t>(last - rows_.begin())};
+}
+
+double SampleTable::value(std::size_t row, Series series) const {
+  return rows_[row].values[static_cast<std::size_t>(series)];
+}
+
+std::vector<SampleTable::Point> SampleTable::line(Series series, double from_s, double to_s,
+                                                  int columns) const {
+  std::vector<Point> points;
+  if (columns < 1 || !(to_s > from_s)) return points;
+  const auto [first, last] = reach(from_s, to_s);
+  const auto point = [&](std::size_t row) { return Point{rows_[row].time_s, value(row, series)}; };
+  if (last - first <= 2 * static_cast<std::size_t>(columns)) {
+    for (std::size_t row = first; row < last; ++row) points.push_back(point(row));
+    return points;
+  }
+  const double column_s = (to_s - from_s) / columns;
+  Column column;
+  const auto enter = [&](double time_s) {
+    const double raster = std::floor(time_s / column_s);
+    if (column.is(raster)) return;
+    column.put(points);
+    column.begin(raster);
+  };
+  // Whole blocks where several go into a column; the rows themselves at the ends and where they do not.
+  const bool coarse = last - first > 2 * block_rows * static_cast<std::size_t>(columns);
+  for (std::size_t row = first; row < last;) {
+    enter(rows_[row].time_s);
+    const std::size_t session_row = row + dropped_, block = session_row / block_rows;
+    if (coarse && session_row % block_rows == 0 && row + block_rows <= last && block >= dropped_blocks_ &&
+        block - dropped_blocks_ < blocks_.size()) {
+      const Extremes& found = blocks_[block - dropped_blocks_][static_cast<std::size_t>(series)];
+      if (found.least == no_row)
+        column.add(point(row));
+      else
+        for (const std::uint8_t at :
+             {std::min(found.least, found.largest), std::max(found.least, found.largest)})
+          column.add(point(row + at));
+      row += block_rows;
+    } else {
+      column.add(point(row++));
+    }
+  }
+  column.put(points);
+  return points;
+}
+
+std::string plot_csv(const SampleTable& table, double from_s, double to_s) {
+  std::string text = "time [s],frame";
+  for (const SeriesInfo& info : all_series())
+    text += "," + std::string(info.key) + " [" + plain_unit(info.unit) + "]";
+  text += "\n";
+  for (const SampleTable::Row& row : table.rows()) {
+    if (row.time_s < from_s || row.time_s > to_s) continue;
+    put_number(text, row.time_s);
+    text += "," + std::to_string(row.index);
+    for (const double value : row.values) {
+      text += ",";
+      if (std::isfinite(value)) put_number(text, value);
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,51 @@
+#include "widgets/scene/gl_surface.hpp"
+
+#include <QMouseEvent>
+
+namespace abrazo::widgets {
+namespace {
+
+constexpr double click_px = 4;  // a hand that only clicks still moves a little
+
+PointerButtons pressed_in(const QMouseEvent& event) {
+  const auto button = [&event](Qt::MouseButton which) { return event.buttons().testFlag(which); };
+  const auto key = [&event](Qt::KeyboardModifier which) { return event.modifiers().testFlag(which); };
+  return {button(Qt::LeftButton), button(Qt::MiddleButton), button(Qt::RightButton),
+          key(Qt::ShiftModifier), key(Qt::ControlModifier), key(Qt::AltModifier)};
+}
+
+}  // namespace
+
+GlSurface::GlSurface(QWidget* parent) : QVTKOpenGLNativeWidget(parent) {
+  setMouseTracking(true);
+}
+
+void GlSurface::mousePressEvent(QMouseEvent* event) {
+  m_last = m_pressed = event->localPos();
+  m_isClick = event->button() == Qt::LeftButton;
+}
+
+void GlSurface::mouseReleaseEvent(QMouseEvent* event) {
+  if (m_isClick && event->button() == Qt::LeftButton) clicked(event->localPos());
+  m_isClick = false;
+}
+
+void GlSurface::mouseMoveEvent(QMouseEvent* event) {
+  if (event->buttons() == Qt::NoButton) return hovered(event->localPos());
+  if (m_isClick && (event->localPos() - m_pressed).manhattanLength() < click_px) return;
+  m_isClick = false;
+  const QPointF delta = event->localPos() - m_last;
+  m_last = event->localPos();
+  if (const PointerMove move = pointer_move(style, pressed_in(*event)); move != PointerMove::None)
+    dragged(delta, move);
+}
+
+void GlSurface::wheelEvent(QWheelEvent* event) {
+  wheeled(event->angleDelta().y() / 120.0);
+}
+
+void GlSurface::leaveEvent(QEvent*) {
+  hovered({-1e6, -1e6});
+}
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QVTKOpenGLNativeWidget.h>
+
+#include <functional>
+
+#include "widgets/scene/pointer_moves.hpp"
+
+namespace abrazo::widgets {
+
+/// The OpenGL surface. Turns the pointer into camera moves itself: VTK's own styles tilt the horizon and grab
+/// keys.
+class GlSurface : public QVTKOpenGLNativeWidget {
+ public:
+  explicit GlSurface(QWidget* parent);
+  NavigationStyle style = NavigationStyle::Abrazo;
+  std::function<void(QPointF delta, PointerMove move)> dragged;
+  std::function<void(double notches)> wheeled;
+  /// The pointer rests or moves here without a button; outside of the widget once it has left.
+  std::function<void(QPointF place)> hovered;
+  /// Pressed and let go at the same place.
+  std::function<void(QPointF place)> clicked;
+
+ protected:
+  void mousePressEvent(QMouseEvent* event) override;
+  void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent*) override {}
+  void mouseMoveEvent(QMouseEvent* event) override;
+  void wheelEvent(QWheelEvent* event) override;
+  void leaveEvent(QEvent* event) override;
+
+ private:
+  QPointF m_last, m_pressed;
+  bool m_isClick = false;
+};
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,36 @@
+#include "widgets/scene/joint_trails.hpp"
+
+#include <algorithm>
+
+namespace abrazo::widgets {
+
+void JointTrails::add(double time_s, const PairPose& pair) {
+  if (!samples_.empty()) {
+    const double passed = time_s - samples_.back().time_s;
+    if (passed == 0) {  // the same moment, solved again
+      samples_.back().pair = pair;
+      return;
+    }
+    if (passed < 0 || passed > leap_s) samples_.clear();
+  }
+  samples_.push_back({time_s, pair});
+  while (samples_.size() > most_samples || samples_.front().time_s < time_s - length_s) samples_.pop_front();
+}
+
+JointTrails::Lines JointTrails::lines_of(const std::vector<int>& vertices) const {
+  Lines trail;
+  for (const int vertex : vertices) {
+    const int first = static_cast<int>(trail.xyz.size() / 3);
+    for (std::size_t s = 0; s < samples_.size(); ++s) {
+      for (int axis = 0; axis < 3; ++axis) trail.xyz.push_back(samples_[s].pair(vertex, axis));
+      if (s == 0) continue;
+      const int here = first + static_cast<int>(s);
+      trail.lines.push_back({here - 1, here});
+      trail.age.push_back(std::min(1.0, (samples_.back().time_s - samples_[s].time_s) / length_s));
+      trail.vertex.push_back(vertex);
+    }
+  }
+  return trail;
+}
+
+}  // namespace abrazo::widgets

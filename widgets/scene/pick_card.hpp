@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/common/palette.hpp"
+#include "widgets/scene/pick_facts.hpp"
+
+namespace abrazo::widgets {
+
+/// The facts of what is pointed at or selected. Never takes the pointer.
+class PickCard : public QWidget {
+  Q_OBJECT
+ public:
+  explicit PickCard(QWidget* parent);
+  void setColours(const Palette& palette);
+  /// Sizes itself to the text.
+  void show(const PickText& text);
+  /// Beside a point of the parent, within it.
+  void moveBeside(const QPoint& place);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  Palette m_palette;
+  QString m_title;
+  QStringList m_lines;
+};
+
+}  // namespace abrazo::widgets

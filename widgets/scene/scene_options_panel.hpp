@@ -1,0 +1,34 @@
+#pragma once
+
+#include <QFrame>
+
+#include "widgets/scene/scene_options.hpp"
+
+class QDoubleSpinBox;
+class QSlider;
+class QToolButton;
+
+namespace abrazo::widgets {
+
+/// Opens below its button: which edges are shown, how far the cells stand apart, and the cutting plane.
+class SceneOptionsPanel : public QFrame {
+  Q_OBJECT
+ public:
+  explicit SceneOptionsPanel(QWidget* parent);
+  void setOptions(const SceneOptions& options);
+
+ signals:
+  void optionsRequested(const abrazo::widgets::SceneOptions& options);
+
+ private:
+  SceneOptions asked() const;
+  QToolButton* tick(const QString& text, const QString& tip);
+  QDoubleSpinBox* length(const QString& name, const QString& tip);
+
+  SceneOptions m_options;
+  QDoubleSpinBox *m_shortest, *m_longest;
+  QToolButton *m_pickedOnly, *m_cuts;
+  QSlider *m_apart, *m_cut;
+};
+
+}  // namespace abrazo::widgets
