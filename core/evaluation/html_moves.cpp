@@ -184,10 +184,12 @@ std::vector<std::string> move_notes(const Evaluation& evaluation) {
       std::min_element(moves.per_label.begin(), moves.per_label.end(),
                        [](const auto& a, const auto& b) { return a.second.rate() < b.second.rate(); });
   if (worst != moves.per_label.end() && worst->second.rate() < moves.all.rate())
-    notes.push_back(
-        fmt::format("The label with the lowest rate is {} ({} of {}). A move whose label no other take has "
-                    "cannot be found when its own take is left out.",
-                    label_name(worst->first), worst->second.successful, worst->second.total));
+    notes.push_back(fmt::format("The label with the lowest rate is {} ({} of {}).{}",
+                                label_name(worst->first), worst->second.successful, worst->second.total,
+                                worst->second.total == 1 && evaluation.users.empty()
+                                    ? " It is the only one among the takes answered; where no other take has "
+                                      "one, none is left to be found."
+                                    : ""));
   return notes;
 }
 
