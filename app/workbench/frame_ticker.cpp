@@ -8,13 +8,17 @@ namespace {
 
 constexpr int display_interval_ms = 16;
 constexpr int panel_interval_ms = 80;
+constexpr int longest_wait_ms = 400;  // for a picture that may never come: the scene may be hidden
+constexpr double measured_over_s = 0.7;
 
 }  // namespace
 
 FrameTicker::FrameTicker(QObject* parent) : QObject(parent) {
   m_timer.setTimerType(Qt::PreciseTimer);
   m_timer.setInterval(display_interval_ms);
-  connect(&m_timer, &QTimer::timeout, this, &FrameTicker::tick);
+  m_soon.setSingleShot(true);
+  m_soon.setInterval(0);
+  for (QTimer* timer : {&m_timer, &m_soon}) connect(timer, &QTimer::timeout, this, &FrameTicker::tick);
 }
 
 void FrameTicker::setSources(const FrameHistory* history, const LatestSlot<FrameSnapshot>* latest) {
@@ -23,36 +27,70 @@ void FrameTicker::setSources(const FrameHistory* history, const LatestSlot<Frame
   m_playback = {};
   m_shown = nullptr;
   m_panelsNow = true;
+  m_scrubbing = false;
+  m_soon.stop();
   if (!history) return m_timer.stop();
   m_clock.start();
   m_panels.start();
+  m_sinceShown.start();
   m_timer.start();
 }
 
 void FrameTicker::tick() {
   if (!m_history) return;
   const auto span = m_history->span();
-  const double elapsed_s = static_cast<double>(m_clock.restart()) / 1000;
+  const double elapsed_s = static_cast<double>(m_clock.nsecsElapsed()) * 1e-9;
+  m_clock.restart();
   if (span.frames == 0) return;
   m_playback.extend(span.first_s, span.last_s);
-  m_playback.advance(elapsed_s);
+  advance(elapsed_s);
   const bool following = m_playback.state == Playback::State::Following;
   FrameSnapshotPtr frame = following ? m_latest->newest() : m_history->at(m_playback.cursor_s);
   const bool is_new = frame && frame != m_shown;
   if (is_new) {
     m_shown = frame;
+    m_picturesWhenShown = m_pictures ? m_pictures() : 0;
+    m_sinceShown.restart();
     emit frameReady(frame);
   }
   emit playbackChanged(m_playback);
   if (m_panelsNow || m_panels.elapsed() >= panel_interval_ms) {
     m_panelsNow = false;
-    m_panels.restart();
     emit panelsDue();
+    m_panels.restart();
   }
 }
 
+void FrameTicker::advance(double elapsed_s) {
+  if (m_playback.state != Playback::State::Playing) return;
+  const double speed = std::abs(m_playback.speed);
+  if (!m_playback.every_frame) {
+    m_playback.advance(elapsed_s);
+    return measure(elapsed_s * speed, elapsed_s);
+  }
+  if (waitsForPicture()) return measure(0, elapsed_s);
+  const auto next = m_history->stepped(m_playback.cursor_s, m_playback.speed > 0 ? 1 : -1);
+  measure(m_playback.advance_to_next(elapsed_s, next->time_s) * speed, elapsed_s);
+}
+
+bool FrameTicker::waitsForPicture() {
+  return m_pictures && m_pictures() == m_picturesWhenShown && m_sinceShown.elapsed() < longest_wait_ms;
+}
+
+void FrameTicker::measure(double played_s, double elapsed_s) {
+  m_played_s += played_s;
+  m_elapsed_s += elapsed_s;
+  if (m_elapsed_s < measured_over_s) return;
+  m_achieved = m_played_s / m_elapsed_s;
+  m_played_s = m_elapsed_s = 0;
+}
+
+/// Something was asked for: shown as soon as the events at hand are done, among which may be a newer request.
 void FrameTicker::changed() {
-  m_panelsNow = true;
+  m_achieved = std::abs(m_playback.speed);
+  m_played_s = m_elapsed_s = 0;
+  m_panelsNow = m_panelsNow || !m_scrubbing;
+  if (m_history && !m_soon.isActive()) m_soon.start();
 }
 
 void FrameTicker::toggle() {
@@ -68,6 +106,14 @@ void FrameTicker::pause() {
 void FrameTicker::seek(double time_s) {
   m_playback.seek(time_s);
   changed();
+}
+
+QString FrameTicker::goTo(const TimePlace& place) {
+  if (!m_history) return "Nothing is open yet";
+  const auto time_s = find_time(place, *m_history, m_playback.cursor_s);
+  if (!time_s) return QString::fromStdString(time_s.error().text());
+  seek(*time_s);
+  return {};
 }
 
 void FrameTicker::step(int frames) {
@@ -87,7 +133,17 @@ void FrameTicker::follow() {
 }
 
 void FrameTicker::setSpeed(double factor) {
-  m_playback.speed = std::clamp(factor, -8.0, 8.0);
+  m_playback.set_speed(factor);
+  changed();
+}
+
+void FrameTicker::changeSpeed(int steps) {
+  m_playback.change_speed(steps);
+  changed();
+}
+
+void FrameTicker::setEveryFrame(bool on) {
+  m_playback.every_frame = on;
   changed();
 }
 
@@ -96,29 +152,45 @@ void FrameTicker::setLoop(bool on) {
   changed();
 }
 
+void FrameTicker::setRepeat(Playback::Repeat repeat) {
+  m_playback.repeat = repeat;
+  m_playback.loop = true;
+  changed();
+}
+
 void FrameTicker::setIn() {
-  m_playback.in_s = m_playback.cursor_s;
-  if (m_playback.out_s <= m_playback.in_s) m_playback.out_s = m_playback.last_s;
+  m_playback.set_in();
   changed();
 }
 
 void FrameTicker::setOut() {
-  m_playback.out_s = m_playback.cursor_s;
-  if (m_playback.in_s >= m_playback.out_s) m_playback.in_s = m_playback.first_s;
+  m_playback.set_out();
   changed();
 }
 
-void FrameTicker::clearRange() {
-  m_playback.in_s = m_playback.out_s = 0;
+void FrameTicker::clearIn() {
+  m_playback.clear_in();
+  changed();
+}
+
+void FrameTicker::clearOut() {
+  m_playback.clear_out();
+  changed();
+}
+
+void FrameTicker::setRange(double from_s, double to_s) {
+  m_playback.set_range(from_s, to_s);
   changed();
 }
 
 void FrameTicker::shuttle(int direction) {
-  if (direction == 0) return pause();
-  const bool same = m_playback.state == Playback::State::Playing && m_playback.speed * direction > 0;
-  m_playback.speed = same ? std::clamp(2 * m_playback.speed, -8.0, 8.0) : direction;
-  if (direction < 0 || m_playback.state == Playback::State::Parked) m_playback.play();
+  m_playback.shuttle(direction);
   changed();
+}
+
+void FrameTicker::setScrubbing(bool on) {
+  m_scrubbing = on;
+  if (!on) changed();
 }
 
 }  // namespace abrazo::app

@@ -16,4 +16,19 @@ LiveSession::LiveSession(PreparedSolver prepared)
                                           std::make_unique<ClipSource>(m_material.input), m_commands,
                                           m_history, m_latest)) {}
 
+void LiveSession::push(const Command& command) {
+  const auto* settings = std::get_if<SetSettings>(&command);
+  if (m_isHeld && settings)
+    m_heldBack = *settings;
+  else
+    m_commands.push(command);
+}
+
+void LiveSession::holdSettings(bool on) {
+  m_isHeld = on;
+  if (on || !m_heldBack) return;
+  m_commands.push(*m_heldBack);
+  m_heldBack.reset();
+}
+
 }  // namespace abrazo::app

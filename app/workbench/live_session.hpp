@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,13 +27,17 @@ class LiveSession {
  public:
   explicit LiveSession(PreparedSolver prepared);
 
-  void push(const Command& command) { m_commands.push(command); }
+  void push(const Command& command);
+  /// While held, the solver keeps its settings; the last that were asked for meanwhile come when it is let go.
+  void holdSettings(bool on);
   const FrameHistory& history() const { return m_history; }
   const LatestSlot<FrameSnapshot>& latest() const { return m_latest; }
   const Material& material() const { return m_material; }
 
  private:
   Material m_material;
+  bool m_isHeld = false;
+  std::optional<SetSettings> m_heldBack;
   CommandQueue m_commands;
   FrameHistory m_history;
   LatestSlot<FrameSnapshot> m_latest;

@@ -6,6 +6,7 @@
 #include "app/workbench/actions/actions.hpp"
 #include "app/workbench/command_line.hpp"
 #include "app/workbench/main_window.hpp"
+#include "app/workbench/responsiveness.hpp"
 #include "app/workbench/unattended.hpp"
 #include "app/workbench/user_settings.hpp"
 #include "core/base/atomic_file.hpp"
@@ -41,16 +42,7 @@ void set_up_toolkit() {
 }
 
 void add_actions(app::MainWindow& window) {
-  app::add_file_actions(window);
-  app::add_edit_actions(window);
-  app::add_view_actions(window);
-  app::add_scene_actions(window);
-  app::add_playback_actions(window);
-  app::add_solve_actions(window);
-  app::add_plot_actions(window);
-  app::add_candidate_actions(window);
-  app::add_help_actions(window);
-  app::add_command_search(window);
+  app::add_all_actions(window);
 }
 
 }  // namespace
@@ -74,16 +66,21 @@ int main(int argc, char** argv) {
   const QString theme = asked.theme.empty() ? remembered.theme() : QString::fromStdString(asked.theme);
   window.setTheme(theme == "light" ? widgets::Theme::Light : widgets::Theme::Dark);
   add_actions(window);
+  app::Responsiveness responsiveness;
+  app::watch(window, responsiveness);
   window.startWith(*settings);
   if (asked.size.isValid())
     window.resize(asked.size);
   else if (!asked.unattended())
-    window.restoreGeometry(remembered.geometry());
+    app::restore_last_layout(window);
 
   std::unique_ptr<app::Unattended> unattended;
-  if (asked.unattended()) unattended = std::make_unique<app::Unattended>(window, asked);
+  // Nobody is there to answer a dialog: two motions are refused, as by the command line.
+  if (asked.unattended()) QObject::disconnect(&window, &app::MainWindow::motionsOffered, nullptr, nullptr);
+  if (asked.unattended()) unattended = std::make_unique<app::Unattended>(window, asked, responsiveness);
   window.show();
   const QStringList files = asked_files(asked);
+  if (!asked.unattended() && !asked.demo && files.isEmpty()) app::welcome_at_start(window);
   files.isEmpty() || asked.demo ? window.openDemo() : window.openFiles(files);
   return QApplication::exec();
 }

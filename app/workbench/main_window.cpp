@@ -1,24 +1,27 @@
 #include "app/workbench/main_window.hpp"
 
+#include <QAction>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFrame>
+#include <QHBoxLayout>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
-#include <QScrollArea>
 #include <QSplitter>
 #include <QStatusBar>
 #include <QUrl>
 #include <QVBoxLayout>
 
+#include "app/workbench/drop_hint.hpp"
 #include "app/workbench/job.hpp"
+#include "app/workbench/panel_area.hpp"
 #include "app/workbench/status_figures.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/icons.hpp"
 #include "widgets/common/message_bar.hpp"
-#include "widgets/common/section_header.hpp"
+#include "widgets/common/selection_model.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/library/take_list.hpp"
 #include "widgets/plots/plot_panel.hpp"
@@ -50,6 +53,13 @@ QWidget* ruled(QWidget* parent) {
   return line;
 }
 
+QStringList local_files(const QMimeData& data) {
+  QStringList files;
+  for (const QUrl& url : data.urls())
+    if (url.isLocalFile()) files << url.toLocalFile();
+  return files;
+}
+
 }  // namespace
 
 MainWindow::MainWindow(UserSettings& remembered)
@@ -58,12 +68,21 @@ MainWindow::MainWindow(UserSettings& remembered)
   setAcceptDrops(true);
   setMinimumSize(smallest_window);
   resize(1600, 1000);
-  setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
-  setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
-  setCentralWidget(makeCentre());
-  m_left = dock(Qt::LeftDockWidgetArea, makeLeft(), "Scene and library");
-  m_right = dock(Qt::RightDockWidgetArea, makeRight(), "Candidates and settings");
-  dock(Qt::BottomDockWidgetArea, makeBottom(), "Timeline");
+  m_panelMenu = new QMenu("Panels", this);
+  m_split = new QSplitter(Qt::Vertical, this);
+  m_panels = new PanelArea;
+  m_split->addWidget(m_panels);
+  m_panels->setCentralWidget(makeCentre());
+  makePanels();
+  m_split->addWidget(makeTimeline());
+  m_split->setHandleWidth(1);
+  m_split->setChildrenCollapsible(false);
+  m_split->setStretchFactor(0, 1);
+  m_split->setStretchFactor(1, 0);
+  m_split->setSizes({10'000, m_timeline->parentWidget()->sizeHint().height()});  // all lanes
+  setCentralWidget(m_split);
+  connect(m_panels, &PanelArea::arranged, this, &MainWindow::panelsArranged);
+  m_dropHint = new DropHint(this);
   m_status = new StatusFigures(this);
   statusBar()->addWidget(m_status, 1);
   statusBar()->setSizeGripEnabled(false);
@@ -74,107 +93,98 @@ MainWindow::MainWindow(UserSettings& remembered)
 
 MainWindow::~MainWindow() {
   m_job.reset();
+  emit sessionEnding();
   m_ticker.setSources(nullptr, nullptr);
   m_undo.clear();  // its commands point at the settings panel
 }
 
+/// The scene is made in the place it keeps: a native OpenGL view does not survive being moved to another
+/// parent.
 QWidget* MainWindow::makeCentre() {
-  auto* box = new QWidget(this);
+  auto* box = new QWidget(m_panels);
   auto* column = columnIn(box);
-  auto* split = new QSplitter(Qt::Vertical, box);
   m_messages = new widgets::MessageBar(box);
-  m_scene = new widgets::SceneView(split);
-  m_plots = new widgets::PlotPanel(split);
-  split->setHandleWidth(1);
-  split->setChildrenCollapsible(false);
-  split->setStretchFactor(0, 4);
-  split->setStretchFactor(1, 1);
-  split->setSizes({620, 150});
+  m_selection = new widgets::SelectionModel(this);
+  m_scene = new widgets::SceneView(box);
   column->addWidget(m_messages);
-  column->addWidget(split, 1);
+  m_sceneRow = new QHBoxLayout;
+  m_sceneRow->addWidget(m_scene, 1);
+  column->addLayout(m_sceneRow, 1);
   return box;
 }
 
-QWidget* MainWindow::makeLeft() {
-  auto* box = new QWidget(this);
-  auto* column = columnIn(box);
-  m_sceneHead = new widgets::SectionHeader("Scene", box);
-  m_tree = new widgets::SceneTree(box);
-  m_libraryHead = new widgets::SectionHeader("Library", box);
-  m_takes = new widgets::TakeList(box);
-  auto* scroll = new QScrollArea(box);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(m_takes);
-  scroll->viewport()->setAutoFillBackground(false);
-  m_takes->setAutoFillBackground(false);
-  column->addWidget(m_sceneHead);
-  column->addWidget(m_tree);
-  column->addWidget(ruled(box));
-  column->addWidget(m_libraryHead);
-  column->addWidget(scroll, 1);
-  return box;
+void MainWindow::makePanels() {
+  m_tree = new widgets::SceneTree;
+  m_takes = new widgets::TakeList;
+  m_candidates = new widgets::CandidateTable;
+  m_settings = new widgets::SettingsPanel(m_undo);
+  m_plots = new widgets::PlotPanel;
+  addPanel("scene", "Scene", m_tree, Qt::LeftDockWidgetArea, true);
+  addPanel("library", "Library", m_takes, Qt::LeftDockWidgetArea, true);
+  addPanel("candidates", "Candidates", m_candidates, Qt::RightDockWidgetArea, true);
+  addPanel("settings", "Settings", m_settings, Qt::RightDockWidgetArea, true);
+  addPanel("plots", "Plots", m_plots, Qt::BottomDockWidgetArea, true);
 }
 
-QWidget* MainWindow::makeRight() {
-  auto* box = new QWidget(this);
-  auto* column = columnIn(box);
-  auto* split = new QSplitter(Qt::Vertical, box);
-  m_candidates = new widgets::CandidateTable(split);
-  m_settings = new widgets::SettingsPanel(m_undo, split);
-  split->setHandleWidth(1);
-  split->setChildrenCollapsible(false);
-  split->setSizes({460, 290});
-  split->setStretchFactor(0, 2);
-  split->setStretchFactor(1, 3);
-  column->addWidget(split);
-  return box;
-}
-
-QWidget* MainWindow::makeBottom() {
+QWidget* MainWindow::makeTimeline() {
   auto* box = new QWidget(this);
   auto* column = columnIn(box);
   m_transport = new widgets::TransportBar(box);
+  m_transport->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
   m_timeline = new widgets::TimelineView(box);
   column->addWidget(m_transport);
   column->addWidget(ruled(box));
-  column->addWidget(m_timeline);
+  column->addWidget(m_timeline, 1);
   return box;
 }
 
-QDockWidget* MainWindow::dock(Qt::DockWidgetArea area, QWidget* content, const QString& name) {
-  auto* holder = new QDockWidget(name, this);
-  holder->setObjectName(name);
-  holder->setFeatures(QDockWidget::NoDockWidgetFeatures);
-  holder->setTitleBarWidget(new QWidget(holder));
-  holder->setWidget(content);
-  addDockWidget(area, holder);
-  return holder;
+QDockWidget* MainWindow::addPanel(const QString& id, const QString& title, QWidget* content,
+                                  Qt::DockWidgetArea area, bool shown) {
+  QDockWidget* panel = m_panels->add(id, title, content, area, shown);
+  m_panels->setColours(*m_palette);
+  auto* action = new QAction(title + " panel", this);
+  action->setCheckable(true);
+  action->setChecked(shown);
+  connect(action, &QAction::triggered, m_panels, [this, id](bool on) { m_panels->want(id, on); });
+  connect(m_panels, &PanelArea::wantedChanged, action, [action, id](const QString& changed, bool on) {
+    if (changed == id) action->setChecked(on);
+  });
+  m_panelMenu->addAction(action);
+  addAction(action);
+  return panel;
 }
 
-void MainWindow::arrangePanels() {
-  const PanelPlan plan = plan_panels(size(), m_wishes);
-  m_left->widget()->setFixedWidth(plan.left_width);
-  m_right->widget()->setFixedWidth(plan.right_width);
-  m_left->setVisible(plan.left);
-  m_right->setVisible(plan.right);
-  m_plots->setVisible(plan.plots);
-  emit panelsArranged(plan);
+void MainWindow::addBesideScene(QWidget* page) {
+  m_sceneRow->insertWidget(0, page);
+}
+
+WindowLayout MainWindow::layoutOfPanels() const {
+  WindowLayout layout = m_panels->state();
+  layout.timeline_height = m_split->sizes().back();
+  return layout;
+}
+
+bool MainWindow::setLayoutOfPanels(const WindowLayout& layout) {
+  if (!m_panels->setState(layout)) return false;
+  m_split->setSizes({10'000, layout.timeline_height});
+  return true;
+}
+
+void MainWindow::resetLayout() {
+  m_panels->reset();
+  m_split->setSizes({10'000, m_timeline->parentWidget()->sizeHint().height()});
 }
 
 void MainWindow::showLeft(bool on) {
-  m_wishes.left = on;
-  arrangePanels();
+  m_panels->wantSide(Qt::LeftDockWidgetArea, on);
 }
 
 void MainWindow::showRight(bool on) {
-  m_wishes.right = on;
-  arrangePanels();
+  m_panels->wantSide(Qt::RightDockWidgetArea, on);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
-  arrangePanels();
+  m_panels->arrangeFor(size());
   QMainWindow::resizeEvent(event);
 }
 
@@ -234,7 +244,7 @@ void MainWindow::setTheme(widgets::Theme theme) {
   m_palette = &widgets::palette_of(theme);
   const widgets::Palette& p = *m_palette;
   widgets::apply_theme(*qApp, p);
-  for (auto* head : {m_sceneHead, m_libraryHead}) head->setColours(p);
+  m_panels->setColours(p);
   m_scene->setColours(p);
   m_plots->setColours(p);
   m_messages->setColours(p);
@@ -246,6 +256,7 @@ void MainWindow::setTheme(widgets::Theme theme) {
   m_timeline->setColours(p);
   m_status->setColours(p);
   setWindowIcon(widgets::program_icon(p.active, p.passive));
+  emit coloursChanged(p);
 }
 
 QMenu* MainWindow::menu(const QString& title) {
@@ -255,18 +266,25 @@ QMenu* MainWindow::menu(const QString& title) {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+  const QStringList files = local_files(*event->mimeData());
+  if (files.isEmpty()) return;
+  event->acceptProposedAction();
+  m_dropHint->showFor(files, *m_palette);
+}
+
+void MainWindow::dragLeaveEvent(QDragLeaveEvent*) {
+  m_dropHint->hide();
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-  QStringList files;
-  for (const QUrl& url : event->mimeData()->urls())
-    if (url.isLocalFile()) files << url.toLocalFile();
+  m_dropHint->hide();
+  const QStringList files = local_files(*event->mimeData());
   if (!files.isEmpty()) openFiles(files);
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
   m_remembered.setGeometry(saveGeometry());
+  emit closing();
   QMainWindow::closeEvent(event);
 }
 

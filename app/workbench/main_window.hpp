@@ -1,17 +1,20 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QTimer>
 #include <QUndoStack>
 #include <memory>
 
 #include "app/workbench/frame_ticker.hpp"
 #include "app/workbench/live_session.hpp"
-#include "app/workbench/panel_plan.hpp"
 #include "app/workbench/user_settings.hpp"
+#include "app/workbench/window_layout.hpp"
 #include "widgets/common/palette.hpp"
 
 class QDockWidget;
+class QHBoxLayout;
 class QMenu;
+class QSplitter;
 
 namespace abrazo::widgets {
 class CandidateTable;
@@ -19,7 +22,7 @@ class MessageBar;
 class PlotPanel;
 class SceneTree;
 class SceneView;
-class SectionHeader;
+class SelectionModel;
 class SettingsPanel;
 class TakeList;
 class TimelineView;
@@ -28,7 +31,9 @@ class TransportBar;
 
 namespace abrazo::app {
 
+class DropHint;
 class Job;
+class PanelArea;
 class StatusFigures;
 
 /// Where the parts stand and how they are wired. Every user action lives in a file of its own under actions/.
@@ -40,7 +45,8 @@ class MainWindow : public QMainWindow {
 
   /// Runs on a worker and then replaces the session. @param make  called off this thread
   using MakeMaterial = std::function<Result<Material>(const Progress&)>;
-  void openMaterial(MakeMaterial make);
+  /// @param files  it is read from, for the list of recent files
+  void openMaterial(MakeMaterial make, const QStringList& files = {});
   void openFiles(const QStringList& files);
   void openDemo();
   void startWith(const Settings& settings);
@@ -48,41 +54,64 @@ class MainWindow : public QMainWindow {
   void setTheme(widgets::Theme theme);
   const widgets::Palette& colours() const { return *m_palette; }
   QMenu* menu(const QString& title);
+
+  /// A panel beside or below the scene, with an entry under View > Panels. Adds it hidden unless `shown`;
+  /// give the content its colours now and with every coloursChanged.
+  /// @param id  names it in saved layouts and stays the same between versions
+  /// @param content  whose own SectionHeader of this title, if a direct child, becomes the panel's head
+  QDockWidget* addPanel(const QString& id, const QString& title, QWidget* content, Qt::DockWidgetArea area,
+                        bool shown);
+  PanelArea& panels() const { return *m_panels; }
+  QMenu& panelMenu() { return *m_panelMenu; }
   /// Shows or hides the panel at the left or right, whatever the size of the window.
   void showLeft(bool on);
   void showRight(bool on);
 
+  /// Between the message bar and the timeline, left of the scene.
+  void addBesideScene(QWidget* page);
+  WindowLayout layoutOfPanels() const;
+  bool setLayoutOfPanels(const WindowLayout& layout);
+  void resetLayout();
+
   FrameTicker& ticker() { return m_ticker; }
   QUndoStack& undoStack() { return m_undo; }
-  UserSettings& remembered() { return m_remembered; }
+  UserSettings& remembered() const { return m_remembered; }
   LiveSession* session() { return m_session.get(); }
-  widgets::SceneView& scene() { return *m_scene; }
+  widgets::SceneView& scene() const { return *m_scene; }
+  widgets::SceneTree& sceneTree() { return *m_tree; }
+  /// The one selection of scene, scene tree, candidates and plots.
+  widgets::SelectionModel& selection() { return *m_selection; }
   widgets::SettingsPanel& settings() { return *m_settings; }
   widgets::CandidateTable& candidates() { return *m_candidates; }
   widgets::TakeList& takes() { return *m_takes; }
   widgets::PlotPanel& plots() { return *m_plots; }
-  widgets::TimelineView& timeline() { return *m_timeline; }
-  widgets::TransportBar& transport() { return *m_transport; }
+  widgets::TimelineView& timeline() const { return *m_timeline; }
+  widgets::TransportBar& transport() const { return *m_transport; }
   widgets::MessageBar& messages() { return *m_messages; }
 
  signals:
   void sessionStarted();
+  /// The last moment to let go of what belongs to session().
+  void sessionEnding();
+  void coloursChanged(const abrazo::widgets::Palette& palette);
   void failed(const QString& message);
+  /// More than one motion is to be opened: a person says what they are for.
+  void motionsOffered(const QStringList& files);
+  void filesOpened(const QStringList& files);
+  void closing();
   void panelsArranged(const abrazo::app::PanelPlan& plan);
 
  protected:
   void dragEnterEvent(QDragEnterEvent* event) override;
+  void dragLeaveEvent(QDragLeaveEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
   QWidget* makeCentre();
-  QWidget* makeLeft();
-  QWidget* makeRight();
-  QWidget* makeBottom();
-  QDockWidget* dock(Qt::DockWidgetArea area, QWidget* content, const QString& name);
-  void arrangePanels();
+  void makePanels();
+  QWidget* makeTimeline();
   void wireViews();
   void wireTransport();
   void showPanels();
@@ -93,19 +122,22 @@ class MainWindow : public QMainWindow {
   const widgets::Palette* m_palette;
   QUndoStack m_undo;
 
+  widgets::SelectionModel* m_selection = nullptr;
   widgets::SceneView* m_scene = nullptr;
   widgets::PlotPanel* m_plots = nullptr;
   widgets::MessageBar* m_messages = nullptr;
   widgets::SceneTree* m_tree = nullptr;
-  widgets::SectionHeader *m_sceneHead = nullptr, *m_libraryHead = nullptr;
   widgets::TakeList* m_takes = nullptr;
   widgets::CandidateTable* m_candidates = nullptr;
   widgets::SettingsPanel* m_settings = nullptr;
   widgets::TransportBar* m_transport = nullptr;
   widgets::TimelineView* m_timeline = nullptr;
   StatusFigures* m_status = nullptr;
-  QDockWidget *m_left = nullptr, *m_right = nullptr;
-  PanelWishes m_wishes;
+  QSplitter* m_split = nullptr;  ///< panels above, timeline below
+  PanelArea* m_panels = nullptr;
+  QHBoxLayout* m_sceneRow = nullptr;
+  QMenu* m_panelMenu = nullptr;
+  DropHint* m_dropHint = nullptr;
   QTimer m_statusTimer;
 
   FrameTicker m_ticker;

@@ -31,13 +31,19 @@ Kind kind_of_json(const std::string& file) {
   return names_joints ? Kind::JointMap : Kind::Manifest;
 }
 
-Kind kind_of(const std::string& file) {
+/// As far as the name says; a .json counts as a manifest.
+Kind kind_of_name(const std::string& file) {
   const std::string extension = lower_case(std::filesystem::path(file).extension().string());
   if (extension == ".h5" || extension == ".hdf5") return Kind::Library;
-  if (extension == ".json") return kind_of_json(file);
+  if (extension == ".json") return Kind::Manifest;
   if (extension == ".bvh" || extension == ".amc") return Kind::Motion;
   if (extension == ".asf") return Kind::Skeleton;
   return Kind::Unknown;
+}
+
+Kind kind_of(const std::string& file) {
+  const Kind kind = kind_of_name(file);
+  return kind == Kind::Manifest ? kind_of_json(file) : kind;
 }
 
 Status check_existence(const std::string& file) {
@@ -66,8 +72,8 @@ Result<Sorted> sort_files(const std::vector<std::string>& files) {
                                                   : sorted.joint_map;
     if (!place.empty() && kind == Kind::Motion)
       return Error{
-          "is a second motion, and one plays the user; open one of the two, or list both as a pair in a "
-          "manifest and open that",
+          "is a second motion, and one plays the user; open one of the two, or make a take of both with "
+          "Library > Build library…",
           file};
     const bool libraries = kind == Kind::Library || kind == Kind::Manifest;
     if (!place.empty() || (libraries && !(sorted.library + sorted.manifest).empty()))
@@ -80,22 +86,9 @@ Result<Sorted> sort_files(const std::vector<std::string>& files) {
   return sorted;
 }
 
-/// The core's messages name options of `abrazo`; here the same is done by opening files together.
-Error in_words_of_the_window(Error error) {
-  for (const std::string_view option : {"(--skeleton FILE)", "(--joint-map FILE)"}) {
-    const auto place = error.message.find(option);
-    if (place != std::string::npos)
-      error.message.replace(place, option.size(), "(open it together with the motion)");
-  }
-  return error;
-}
-
 /// Without another input, a take of the library plays the user; it is not selected from then.
 void take_input_from_library(Material& material) {
-  const int take = static_cast<int>(material.library->takes().size()) - 1;
-  material.input = clip_of_take(*material.library, take);
-  material.excluded_takes.clear();
-  if (take > 0) material.excluded_takes = {material.library->takes()[static_cast<std::size_t>(take)].name};
+  material = danced_with(material, static_cast<int>(material.library->takes().size()) - 1);
 }
 
 Result<MotionLibrary> build_from(const std::string& file, const Progress& progress,
@@ -126,13 +119,13 @@ Status add_motion(const Sorted& sorted, Material& material) {
     options.joint_map = std::move(map).value();
   }
   auto clips = load_motion(sorted.motion, sorted.skeleton, options);
-  if (!clips) return in_words_of_the_window(clips.error());
+  if (!clips) return Error{in_words_of_the_window(clips.error().message), clips.error().where};
   ImportedClip& first = clips->front();
   if (clips->size() > 1)
     material.warnings.push_back(name + ": has " + std::to_string(clips->size()) + " performers; the first, " +
                                 first.clip.name + ", plays the user");
   for (const ImportWarning& warning : first.report.warnings)
-    material.warnings.push_back(name + ": " + warning.detail);
+    material.warnings.push_back(name + ": " + in_words_of_the_window(warning.detail));
   material.input = std::move(first.clip);
   material.excluded_takes.clear();
   return Done{};
@@ -181,6 +174,43 @@ Result<Material> load_material(const std::vector<std::string>& files, const Mate
   }
   if (new_library && !new_input) take_input_from_library(material);
   return material;
+}
+
+bool is_motion_file(const std::string& file) {
+  return kind_of_name(file) == Kind::Motion;
+}
+
+Material with_library(std::shared_ptr<const MotionLibrary> library, std::vector<std::string> warnings) {
+  Material material;
+  material.library = std::move(library);
+  take_input_from_library(material);
+  material.warnings.insert(material.warnings.begin(), warnings.begin(), warnings.end());
+  return material;
+}
+
+Material danced_with(const Material& open, int take) {
+  Material material = open;
+  material.input = clip_of_take(*open.library, take);
+  material.excluded_takes.clear();
+  if (open.library->takes().size() > 1)
+    material.excluded_takes = {open.library->takes()[static_cast<std::size_t>(take)].name};
+  else
+    material.warnings.emplace_back(
+        "the library has one take, which plays the user and answers too: the answers are "
+        "its own frames; add a take to see more");
+  return material;
+}
+
+std::string in_words_of_the_window(std::string message) {
+  for (const auto& [option, words] : {std::pair<std::string_view, std::string_view>{
+                                          "(--skeleton FILE)", "(open it together with the motion)"},
+                                      {"(--joint-map FILE)", "(open it together with the motion)"},
+                                      {"set the unit (--metres-per-unit)", "set the unit"},
+                                      {"set it with --fps", "set it if it is another"}}) {
+    const auto place = message.find(option);
+    if (place != std::string::npos) message.replace(place, option.size(), words);
+  }
+  return message;
 }
 
 Clip clip_of_take(const MotionLibrary& library, int take) {

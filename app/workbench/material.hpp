@@ -27,6 +27,18 @@ Result<Material> make_demo(const Progress& progress);
 Result<Material> load_material(const std::vector<std::string>& files, const Material& open,
                                const Progress& progress);
 
+/// Whether the name is that of a motion file; of two or more, only a person knows what they are for.
+bool is_motion_file(const std::string& file);
+
+/// What is open with another library: its last take plays the user.
+Material with_library(std::shared_ptr<const MotionLibrary> library, std::vector<std::string> warnings);
+
+/// What is open with a take of its library as the user, who is then not answered from that take.
+Material danced_with(const Material& open, int take);
+
+/// The core's messages name options of `abrazo`; in the window the same is done otherwise.
+std::string in_words_of_the_window(std::string message);
+
 /// The active performer of a take as the library has it, world.
 Clip clip_of_take(const MotionLibrary& library, int take);
 

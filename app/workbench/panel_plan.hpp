@@ -16,14 +16,16 @@ struct PanelPlan {
 
 /// What a person asked for; nothing leaves it to the size.
 struct PanelWishes {
-  std::optional<bool> left, right;
+  std::optional<bool> left, right, plots;
+
+  bool operator==(const PanelWishes&) const = default;
 };
 
 inline PanelPlan plan_panels(QSize window, const PanelWishes& wishes) {
   PanelPlan plan;
   plan.left = wishes.left.value_or(window.width() >= 1040 && window.height() >= 600);
   plan.right = wishes.right.value_or(window.width() >= 760);
-  plan.plots = window.height() >= 560;
+  plan.plots = wishes.plots.value_or(window.height() >= 760);
   if (window.width() < 1440) plan.right_width = 340;
   if (window.width() < 1200) plan.right_width = 300;
   if (window.width() < 1200) plan.left_width = 230;

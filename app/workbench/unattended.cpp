@@ -7,6 +7,7 @@
 
 #include "app/workbench/actions/actions.hpp"
 #include "app/workbench/main_window.hpp"
+#include "app/workbench/responsiveness.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/motion/bvh.hpp"
 #include "widgets/scene/scene_view.hpp"
@@ -19,8 +20,9 @@ constexpr int patience_ms = 90'000;  // for the first frame
 
 }  // namespace
 
-Unattended::Unattended(MainWindow& window, const CommandLine& asked, QObject* parent)
-    : QObject(parent), m_window(window), m_asked(asked) {
+Unattended::Unattended(MainWindow& window, const CommandLine& asked, const Responsiveness& responsiveness,
+                       QObject* parent)
+    : QObject(parent), m_window(window), m_asked(asked), m_responsiveness(responsiveness) {
   connect(&window.ticker(), &FrameTicker::frameReady, this, &Unattended::onFrame);
   connect(&window, &MainWindow::failed, this, [this](const QString& message) { quit(message); });
   connect(&m_pictures, &QTimer::timeout, this, &Unattended::recordPicture);
@@ -36,6 +38,7 @@ void Unattended::onFrame(const FrameSnapshotPtr& frame) {
     m_patience.stop();
     m_sinceFirst.start();
     m_renderedBefore = m_window.scene().renderedFrames();
+    m_solvedBefore = frame->index;
     if (!m_asked.record.empty()) m_pictures.start(1000 / video_rate_hz);
     if (m_asked.smoke_frames == 0)
       QTimer::singleShot(static_cast<int>(std::lround(1000 * m_asked.after_s)), this, &Unattended::onTime);
@@ -47,6 +50,13 @@ void Unattended::onFrame(const FrameSnapshotPtr& frame) {
   const auto rendered = m_window.scene().renderedFrames() - m_renderedBefore;
   std::printf("%d frames shown in %.2f s, %.1f rendered per second\n", m_shown, seconds,
               static_cast<double>(rendered) / seconds);
+  std::printf("%.1f frames solved per second, asked for %s, from an input of %.0f Hz\n",
+              static_cast<double>(frame->index - m_solvedBefore) / seconds,
+              frame->settings.step_rate_hz > 0
+                  ? QString("%1 Hz").arg(frame->settings.step_rate_hz).toUtf8().constData()
+                  : "the input's own rate",
+              m_window.session()->material().input.fps);
+  std::printf("%s\n", m_responsiveness.text().toUtf8().constData());
   quit({});
 }
 

@@ -13,13 +13,15 @@
 namespace abrazo::app {
 
 class MainWindow;
+class Responsiveness;
 
 /// Carries out --smoke, --screenshot and --record, then quits: 0 when it is done, 1 with a sentence when it
 /// cannot be.
 class Unattended : public QObject {
   Q_OBJECT
  public:
-  Unattended(MainWindow& window, const CommandLine& asked, QObject* parent = nullptr);
+  Unattended(MainWindow& window, const CommandLine& asked, const Responsiveness& responsiveness,
+             QObject* parent = nullptr);
 
  private:
   void onFrame(const FrameSnapshotPtr& frame);
@@ -31,11 +33,13 @@ class Unattended : public QObject {
 
   MainWindow& m_window;
   CommandLine m_asked;
+  const Responsiveness& m_responsiveness;
   QElapsedTimer m_sinceFirst;
   QTimer m_pictures;
   QTimer m_patience;
   int m_shown = 0;
   std::uint64_t m_renderedBefore = 0;
+  std::uint64_t m_solvedBefore = 0;
   std::optional<VideoWriter> m_video;
   bool m_done = false;
 };

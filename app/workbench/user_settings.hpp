@@ -3,6 +3,7 @@
 #include <QByteArray>
 #include <QSettings>
 #include <QString>
+#include <QStringList>
 
 namespace abrazo::app {
 
@@ -18,8 +19,18 @@ class UserSettings {
   void setTheme(const QString& theme) { m_store.setValue("window/theme", theme); }
   QString plots() const { return m_store.value("plots/panes").toString(); }
   void setPlots(const QString& panes) { m_store.setValue("plots/panes", panes); }
+  QString timelineLanes() const { return m_store.value("timeline/lanes").toString(); }
+  void setTimelineLanes(const QString& names) { m_store.setValue("timeline/lanes", names); }
+  /// How the scene is set up, as one JSON object.
+  QString scene() const { return m_store.value("scene/setup").toString(); }
+  void setScene(const QString& setup) { m_store.setValue("scene/setup", setup); }
   QString lastFolder() const { return m_store.value("files/folder").toString(); }
   void setLastFolder(const QString& folder) { m_store.setValue("files/folder", folder); }
+  /// Latest first; see recent_files.hpp.
+  QStringList recent() const { return m_store.value("files/recent").toStringList(); }
+  void setRecent(const QStringList& entries) { m_store.setValue("files/recent", entries); }
+  bool welcome() const { return m_store.value("window/welcome", true).toBool(); }
+  void setWelcome(bool at_start) { m_store.setValue("window/welcome", at_start); }
 
  private:
   QString m_folder;

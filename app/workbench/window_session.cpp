@@ -1,9 +1,12 @@
+#include <QMetaMethod>
+#include <algorithm>
+
 #include "app/workbench/job.hpp"
 #include "app/workbench/main_window.hpp"
+#include "app/workbench/panel_area.hpp"
 #include "app/workbench/status_figures.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
-#include "widgets/common/section_header.hpp"
 #include "widgets/library/take_list.hpp"
 #include "widgets/plots/plot_panel.hpp"
 #include "widgets/scene/scene_view.hpp"
@@ -18,17 +21,23 @@ void MainWindow::openDemo() {
 }
 
 void MainWindow::openFiles(const QStringList& files) {
+  const auto motions = std::count_if(files.begin(), files.end(),
+                                     [](const QString& file) { return is_motion_file(file.toStdString()); });
+  // Without anyone to ask, load_material refuses them.
+  if (motions > 1 && isSignalConnected(QMetaMethod::fromSignal(&MainWindow::motionsOffered)))
+    return emit motionsOffered(files);
   std::vector<std::string> names;
   for (const QString& file : files) names.push_back(file.toStdString());
   const Material open = m_session ? m_session->material() : Material{};
-  openMaterial([names, open](const Progress& progress) { return load_material(names, open, progress); });
+  openMaterial([names, open](const Progress& progress) { return load_material(names, open, progress); },
+               files);
 }
 
-void MainWindow::openMaterial(MakeMaterial make) {
+void MainWindow::openMaterial(MakeMaterial make, const QStringList& files) {
   const Settings wanted = m_settings->settings();
   Job::retire(std::move(m_job), this);
-  m_job =
-      std::make_unique<Job>([this, make = std::move(make), wanted](const Progress& progress) -> Job::Finish {
+  m_job = std::make_unique<Job>(
+      [this, make = std::move(make), wanted, files](const Progress& progress) -> Job::Finish {
         auto material = make(progress);
         if (!material)
           return [this, text = material.error().text()] { showFailure(QString::fromStdString(text)); };
@@ -38,7 +47,10 @@ void MainWindow::openMaterial(MakeMaterial make) {
           return [this, text = prepared.error().text()] { showFailure(QString::fromStdString(text)); };
         // Shared only because std::function must be copyable.
         auto ready = std::make_shared<PreparedSolver>(std::move(prepared).value());
-        return [this, ready] { start(ready); };
+        return [this, ready, files] {
+          start(ready);
+          if (!files.isEmpty()) emit filesOpened(files);
+        };
       });
   m_messages->showProgress("Opening", 0);
   connect(m_job.get(), &Job::progressed, m_messages,
@@ -47,6 +59,7 @@ void MainWindow::openMaterial(MakeMaterial make) {
 }
 
 void MainWindow::start(const std::shared_ptr<PreparedSolver>& prepared) {
+  emit sessionEnding();
   m_ticker.setSources(nullptr, nullptr);
   m_plots->clear();
   m_session.reset();
@@ -59,7 +72,7 @@ void MainWindow::start(const std::shared_ptr<PreparedSolver>& prepared) {
   m_takes->setLibrary(material.library);
   const QString library = QString::fromStdString(material.library->name());
   const QString input = QString::fromStdString(material.input.name);
-  m_libraryHead->setTitle("Library · " + library);
+  m_panels->setHead("library", "Library · " + library);
   m_transport->setInput(QString("clip %1 · %2 Hz").arg(input).arg(material.input.fps, 0, 'f', 0));
   m_status->setInput(input, material.library->pair_count());
   setWindowTitle(input + " with " + library + " — Abrazo");

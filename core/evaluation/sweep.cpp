@@ -42,27 +42,26 @@ Status check_files(const Sweep& sweep, int shard_count, const fs::path& folder,
   return Done{};
 }
 
-Result<std::vector<Figures>> evaluate_points(const Sweep& sweep, const std::vector<int>& points,
-                                             const SweepEvaluator& evaluate, const Progress& progress) {
-  std::vector<Figures> figures;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    const double done = static_cast<double>(i) / static_cast<double>(points.size());
-    const double share = 1.0 / static_cast<double>(points.size());
-    const std::string name = point_name(sweep, points[i]);
-    if (!report(progress, done, name)) return Error{"cancelled", sweep.data};
-    const auto evaluation = evaluate(settings_at(sweep, points[i]), part(progress, done, done + share));
-    if (!evaluation) {
-      Error error = evaluation.error();
-      if (error.message != "cancelled") error.message += " (at " + name + ")";
-      return error;
-    }
-    figures.push_back(figures_of(*evaluation));
-    if (!figures.back().contains(sweep.metric))
-      return Error{
+/// The points of a shard: one that has no figures, or lacks the metric, makes the shard an Error.
+Result<std::vector<Figures>> evaluate_all(const Sweep& sweep, const std::vector<int>& points,
+                                          const SweepEvaluator& evaluate, const Progress& progress) {
+  std::vector<Figures> all;
+  std::optional<Error> failure;
+  const auto listener = [&](int point, const Result<Figures>& figures) {
+    if (!figures)
+      failure = figures.error();
+    else if (!figures->contains(sweep.metric))
+      failure = Error{
           fmt::format("{} has no value here; for a success rate the takes need labelled moves", sweep.metric),
-          name};
-  }
-  return figures;
+          point_name(sweep, point)};
+    else
+      all.push_back(*figures);
+    return !failure;
+  };
+  const Status done = evaluate_points(sweep, points, evaluate, listener, progress);
+  if (failure) return *failure;
+  if (!done) return done.error();
+  return all;
 }
 
 SweepOutcome gathered(const Sweep& sweep, int shard_count, const std::vector<SweepShardFile>& files) {
@@ -134,6 +133,52 @@ Settings settings_at(const Sweep& sweep, int point) {
   return settings;
 }
 
+Status evaluate_points(const Sweep& sweep, std::span<const int> points, const SweepEvaluator& evaluate,
+                       const SweepListener& listener, const Progress& progress) {
+  const double share = 1.0 / static_cast<double>(points.size());
+  double done = 0;
+  for (const int point : points) {
+    const std::string name = point_name(sweep, point);
+    if (!report(progress, done, name)) return Error{"cancelled", sweep.data};
+    const auto evaluation = evaluate(settings_at(sweep, point), part(progress, done, done + share));
+    if (!evaluation && evaluation.error().message == "cancelled") return evaluation.error();
+    const Result<Figures> figures =
+        evaluation ? Result<Figures>(figures_of(*evaluation))
+                   : Error{evaluation.error().message + " (at " + name + ")", evaluation.error().where};
+    if (!listener(point, figures)) return Error{"cancelled", sweep.data};
+    done += share;
+  }
+  return Done{};
+}
+
+std::vector<int> coarse_first(const Sweep& sweep) {
+  const int columns = static_cast<int>(sweep.x.values.size()), rows = static_cast<int>(sweep.y.values.size());
+  std::vector<int> order;
+  std::vector<bool> taken(static_cast<std::size_t>(point_count(sweep)), false);
+  const auto is_on = [](int place, int count, int stride) {
+    return place % stride == 0 || place == count - 1;
+  };
+  int stride = 1;
+  while (stride < std::max(columns, rows)) stride *= 2;
+  for (; stride >= 1; stride /= 2)
+    for (int point = 0; point < point_count(sweep); ++point) {
+      const auto [x, y] = grid_place(sweep, point);
+      if (taken[static_cast<std::size_t>(point)] || !is_on(x, columns, stride) || !is_on(y, rows, stride))
+        continue;
+      taken[static_cast<std::size_t>(point)] = true;
+      order.push_back(point);
+    }
+  return order;
+}
+
+SweepOutcome sweep_outcome(const Sweep& sweep, std::vector<Figures> points) {
+  if (points.size() != static_cast<std::size_t>(point_count(sweep)))
+    throw std::invalid_argument("a grid and its figures must be of one size");
+  SweepOutcome outcome{.sweep = sweep, .missing = {}, .best = best_point(sweep, points), .points = {}};
+  outcome.points = std::move(points);
+  return outcome;
+}
+
 Result<SweepShard> parse_sweep_shard(std::string_view text) {
   const auto fields = split_fields(text, '/');
   if (fields.size() == 2) {
@@ -168,7 +213,7 @@ Result<SweepOutcome> run_sweep(const Sweep& sweep, const SweepShard& shard, cons
     return file.shard.index == shard.index;
   });
   if (!was_there) {
-    const auto figures = evaluate_points(sweep, points_of(sweep, shard), evaluate, progress);
+    const auto figures = evaluate_all(sweep, points_of(sweep, shard), evaluate, progress);
     if (!figures) return figures.error();
     const Status written =
         write_whole_file(folder / shard_file_name(shard), shard_json(sweep, shard, *figures));

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -45,6 +46,19 @@ std::string shard_file_name(const SweepShard& shard);
 /// Evaluates one point.
 using SweepEvaluator = std::function<Result<Evaluation>(const Settings&, const Progress&)>;
 
+/// Hears of a point when it is done: its figures, or why it has none. @return false to leave out the rest
+using SweepListener = std::function<bool(int point, const Result<Figures>& figures)>;
+
+/// Evaluates these points in the order given and writes nothing. A point that cannot be evaluated does not
+/// keep the others from it.
+/// @return an Error "cancelled" when progress asked to stop, or the listener
+Status evaluate_points(const Sweep& sweep, std::span<const int> points, const SweepEvaluator& evaluate,
+                       const SweepListener& listener, const Progress& progress);
+
+/// All points of a grid so that its corners come first and the gaps between them are filled evenly: the shape
+/// of the map shows early.
+std::vector<int> coarse_first(const Sweep& sweep);
+
 /// What a folder of shards has come to.
 struct SweepOutcome {
   Sweep sweep;
@@ -54,6 +68,10 @@ struct SweepOutcome {
   std::optional<int> best;      ///< point with the best value of the metric, when nothing is missing
   std::vector<Figures> points;  ///< figures of every point, when nothing is missing
 };
+
+/// What the reports are made from, of figures that were gathered without files.
+/// @param points  as many as the grid has; empty where there are none
+SweepOutcome sweep_outcome(const Sweep& sweep, std::vector<Figures> points);
 
 /// Evaluates the shard unless its file is there already, writes it, and when it was the last one also
 /// sweep.json and sweep.html. Files appear whole or not at all. A file in `folder` that belongs to another

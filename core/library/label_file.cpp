@@ -65,12 +65,29 @@ Result<std::vector<LabelInterval>> ordered(std::vector<LabelRow> rows, std::stri
   return labels;
 }
 
+std::string_view without_byte_order_mark(std::string_view csv) {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  if (csv.starts_with(byte_order_mark)) csv.remove_prefix(byte_order_mark.size());
+  return csv;
+}
+
 }  // namespace
+
+std::vector<std::string> takes_in_labels(std::string_view csv) {
+  std::vector<std::string> takes;
+  bool first = true;
+  for (const std::string_view text : split_lines(without_byte_order_mark(csv))) {
+    if (trimmed(text).empty()) continue;
+    const auto fields = split_fields(text, ',');
+    if (std::exchange(first, false) && is_header(fields)) continue;
+    if (std::find(takes.begin(), takes.end(), fields[0]) == takes.end()) takes.emplace_back(fields[0]);
+  }
+  return takes;
+}
 
 Result<std::vector<LabelInterval>> parse_labels(std::string_view csv, std::string_view take,
                                                 std::string_view where) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (csv.starts_with(byte_order_mark)) csv.remove_prefix(byte_order_mark.size());
+  csv = without_byte_order_mark(csv);
   std::vector<LabelRow> rows;
   bool first = true;
   std::size_t line = 0;

@@ -117,22 +117,42 @@ std::vector<RoleInterval> parse_roles(const Node& node) {
   return roles;
 }
 
+UpAxis parse_up_axis(const Node& node) {
+  const std::string text = node.string();
+  if (text == "y") return UpAxis::Y;
+  if (text == "z") return UpAxis::Z;
+  node.refuse(fmt::format("expected \"y\" or \"z\", found \"{}\"", text));
+}
+
+bool is_builtin_joint_map(const std::string& name) {
+  const auto& maps = builtin_joint_maps();
+  return std::any_of(maps.begin(), maps.end(), [&](const JointMap& map) { return map.name == name; });
+}
+
 Manifest::Performer parse_manifest_performer(const Node& node, const fs::path& folder) {
-  node.expect_object({"motion", "skeleton"});
+  node.expect_object({"motion", "skeleton", "performer", "start", "metres_per_unit", "up_axis", "joint_map"});
   Manifest::Performer performer;
   performer.motion = folder / node.required("motion", "the performer's motion file").string();
   if (node.has("skeleton")) performer.skeleton = folder / node.at("skeleton").string();
+  if (node.has("performer")) performer.index = node.at("performer").frame();
+  if (node.has("start")) performer.start = node.at("start").frame();
+  if (node.has("metres_per_unit")) performer.metres_per_unit = node.at("metres_per_unit").positive();
+  if (node.has("up_axis")) performer.up_axis = parse_up_axis(node.at("up_axis"));
+  if (node.has("joint_map")) performer.joint_map = node.at("joint_map").string();
+  if (!performer.joint_map.empty() && !is_builtin_joint_map(performer.joint_map))
+    performer.joint_map = (folder / performer.joint_map).string();
   return performer;
 }
 
 Manifest::Take parse_take(const Node& node, const fs::path& folder) {
-  node.expect_object({"name", "fps", "metres_per_unit", "a", "b", "roles", "labels"});
+  node.expect_object({"name", "fps", "metres_per_unit", "a", "b", "frames", "roles", "labels"});
   Manifest::Take take;
   take.name = node.required("name", "a name that no other take has").string();
   if (node.has("fps")) take.fps = node.at("fps").positive();
   if (node.has("metres_per_unit")) take.metres_per_unit = node.at("metres_per_unit").positive();
   take.a = parse_manifest_performer(node.required("a", "the first performer, {\"motion\": ...}"), folder);
   take.b = parse_manifest_performer(node.required("b", "the second performer, {\"motion\": ...}"), folder);
+  if (node.has("frames")) take.frames = node.at("frames").frame();
   if (node.has("roles")) take.roles = parse_roles(node.at("roles"));
   if (node.has("labels")) take.labels = folder / node.at("labels").string();
   return take;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <flann/flann.hpp>
+#include <limits>
 #include <stdexcept>
 
 namespace abrazo {
@@ -21,6 +22,39 @@ flann::SearchParams exact_search() {
 bool nearer(const PoseMatch& a, const PoseMatch& b) {
   return a.distance != b.distance ? a.distance < b.distance : a.pair < b.pair;
 }
+
+/// The nearest rows so far, without those left out: they never narrow the search, so it stays exact.
+class NearestWithout : public flann::ResultSet<double> {
+ public:
+  struct Row {
+    double square;
+    std::size_t row;
+    bool operator<(const Row& other) const { return square < other.square; }
+  };
+
+  NearestWithout(const std::vector<bool>& left_out, const std::vector<int>& pairs, std::size_t count,
+                 std::vector<Row>& rows)
+      : left_out_(left_out), pairs_(pairs), count_(count), rows_(rows) {
+    rows_.clear();
+  }
+
+  bool full() const override { return rows_.size() >= count_; }
+  double worstDist() const override {
+    return full() ? rows_.back().square : std::numeric_limits<double>::max();
+  }
+  void addPoint(double square, std::size_t row) override {
+    if (square >= worstDist() || left_out_[static_cast<std::size_t>(pairs_[row])]) return;
+    if (full()) rows_.pop_back();
+    const Row added{square, row};
+    rows_.insert(std::upper_bound(rows_.begin(), rows_.end(), added), added);
+  }
+
+ private:
+  const std::vector<bool>& left_out_;
+  const std::vector<int>& pairs_;
+  std::size_t count_;
+  std::vector<Row>& rows_;
+};
 
 }  // namespace
 
@@ -71,11 +105,27 @@ void PoseIndex::nearest(const Features& query, int count, std::vector<PoseMatch>
   flann::Matrix<std::size_t> row_matrix(rows.data(), 1, wanted);
   flann::Matrix<double> square_matrix(squares.data(), 1, wanted);
   const int found = tree_->tree->knnSearch(queries, row_matrix, square_matrix, wanted, search);
-  for (std::size_t i = 0; i < static_cast<std::size_t>(found); ++i) {
-    // FLANN sums up squares in another order; distances must not depend on the tree.
-    matches.push_back({tree_->pairs[rows[i]], (tree_->features[rows[i]] - query).norm()});
-  }
+  for (std::size_t i = 0; i < static_cast<std::size_t>(found); ++i) matches.push_back(match(rows[i], query));
   std::sort(matches.begin(), matches.end(), nearer);
+}
+
+void PoseIndex::nearest_without(const std::vector<bool>& left_out, const Features& query, int count,
+                                std::vector<PoseMatch>& matches) const {
+  if (!query.allFinite()) throw std::invalid_argument("the query's features are not finite");
+  matches.clear();
+  const auto wanted = static_cast<std::size_t>(std::clamp(count, 0, size()));
+  if (wanted == 0) return;
+  thread_local std::vector<NearestWithout::Row> rows;
+  NearestWithout nearest(left_out, tree_->pairs, wanted, rows);
+  static const flann::SearchParams search = exact_search();
+  tree_->tree->findNeighbors(nearest, query.data(), search);
+  for (const NearestWithout::Row& row : rows) matches.push_back(match(row.row, query));
+  std::sort(matches.begin(), matches.end(), nearer);
+}
+
+PoseMatch PoseIndex::match(std::size_t row, const Features& query) const {
+  // FLANN sums up squares in another order; distances must not depend on the tree.
+  return {tree_->pairs[row], (tree_->features[row] - query).norm()};
 }
 
 }  // namespace abrazo

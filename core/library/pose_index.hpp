@@ -31,8 +31,15 @@ class PoseIndex {
   /// number.
   void nearest(const Features& query, int count, std::vector<PoseMatch>& matches) const;
 
+  /// The same among those that are not left out, as exact, without another index: they are passed over while
+  /// the tree is searched.
+  /// @param left_out  by pair number
+  void nearest_without(const std::vector<bool>& left_out, const Features& query, int count,
+                       std::vector<PoseMatch>& matches) const;
+
  private:
   struct Tree;
+  PoseMatch match(std::size_t row, const Features& query) const;
   std::unique_ptr<Tree> tree_;
 };
 

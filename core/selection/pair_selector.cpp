@@ -1,6 +1,8 @@
 #include "core/selection/pair_selector.hpp"
 
 #include <algorithm>
+#include <string>
+#include <string_view>
 
 namespace abrazo {
 
@@ -12,10 +14,34 @@ std::vector<bool> as_flags(const std::vector<int>& pairs, int count) {
   return flags;
 }
 
-bool is_vetoed_by(const Vetoes& vetoes, const MotionLibrary& library, int pair) {
-  return vetoes.pairs.contains(pair) || vetoes.takes.contains(library.take_of(pair).name) ||
-         vetoes.labels.contains(std::string(library.label(pair)));
-}
+/// Asked for one pair after the other: those of a take and of a move stand together, and what was found for
+/// the pair before mostly holds for the next.
+class VetoTest {
+ public:
+  VetoTest(const Vetoes& vetoes, const MotionLibrary& library) : vetoes_(vetoes), library_(library) {
+    for (const LibraryTake& take : library.takes()) takes_.push_back(vetoes.takes.contains(take.name));
+  }
+
+  bool operator()(int pair) {
+    return takes_[library_.source(pair).take] || vetoes_.pairs.contains(pair) || has_vetoed_label(pair);
+  }
+
+ private:
+  bool has_vetoed_label(int pair) {
+    if (vetoes_.labels.empty()) return false;
+    const std::string_view label = library_.label(pair);
+    if (label != last_label_ || !asked_) last_answer_ = vetoes_.labels.contains(std::string(label));
+    asked_ = true;
+    last_label_ = label;
+    return last_answer_;
+  }
+
+  const Vetoes& vetoes_;
+  const MotionLibrary& library_;
+  std::vector<bool> takes_;
+  std::string_view last_label_;
+  bool asked_ = false, last_answer_ = false;
+};
 
 }  // namespace
 
@@ -27,21 +53,22 @@ PairSelector::PairSelector(std::shared_ptr<const MotionLibrary> library, std::ve
       index_(library_->columns().features, pairs_) {}
 
 void PairSelector::set_vetoes(const Vetoes& vetoes) {
-  std::vector<bool> vetoed(selectable_.size(), false);
-  std::vector<int> left;
+  VetoTest is_unwanted(vetoes, *library_);
+  veto_count_ = 0;
   for (const int pair : pairs_) {
-    const bool unwanted = is_vetoed_by(vetoes, *library_, pair);
-    vetoed[static_cast<std::size_t>(pair)] = unwanted;
-    if (!unwanted) left.push_back(pair);
+    const bool unwanted = is_unwanted(pair);
+    vetoed_[static_cast<std::size_t>(pair)] = unwanted;
+    if (unwanted) ++veto_count_;
   }
-  if (vetoed == vetoed_) return;
-  index_ = PoseIndex(library_->columns().features, left);
-  vetoed_ = std::move(vetoed);
 }
 
 int PairSelector::select(const SelectionQuery& query, std::vector<Candidate>& candidates) {
   candidates.clear();
-  index_.nearest(query.features, query.neighbours, matches_);
+  if (all_vetoed()) return -1;
+  if (veto_count_ == 0)
+    index_.nearest(query.features, query.neighbours, matches_);
+  else
+    index_.nearest_without(vetoed_, query.features, query.neighbours, matches_);
   for (const PoseMatch& match : matches_) {
     Candidate candidate;
     candidate.pair = match.pair;

@@ -35,21 +35,22 @@ class PairSelector {
   int select(const SelectionQuery& query, std::vector<Candidate>& candidates);
 
   /// Leaves these out from the next call on; the pairs given to the constructor stay the most there can be.
-  /// Builds the index anew, so that a query costs the same with and without vetoes.
+  /// The index stays as it is, so that a change never holds up the steps.
   void set_vetoes(const Vetoes& vetoes);
 
   /// Given to the constructor, vetoed or not.
   bool is_selectable(int pair) const { return selectable_[static_cast<std::size_t>(pair)]; }
   bool is_vetoed(int pair) const { return vetoed_[static_cast<std::size_t>(pair)]; }
   /// Nothing is left because of the vetoes.
-  bool all_vetoed() const { return !pairs_.empty() && index_.size() == 0; }
+  bool all_vetoed() const { return !pairs_.empty() && veto_count_ == pairs_.size(); }
 
  private:
   std::shared_ptr<const MotionLibrary> library_;
   std::vector<int> pairs_;
   std::vector<bool> selectable_;
   std::vector<bool> vetoed_;
-  PoseIndex index_;                 ///< over those that are selectable and not vetoed
+  std::size_t veto_count_ = 0;      ///< of those that are selectable
+  PoseIndex index_;                 ///< over those that are selectable
   std::vector<PoseMatch> matches_;  ///< kept between calls so that a query does not allocate
 };
 

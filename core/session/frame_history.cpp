@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/synthesis/synthesizer_state.hpp"
+
 namespace abrazo {
 
 namespace {
@@ -17,7 +19,8 @@ std::size_t size_of(const FrameSnapshot& frame) {
   const FrameResult& r = frame.result;
   return sizeof(FrameSnapshot) + bytes_of(r.candidates) + bytes_of(r.edges) + bytes_of(r.tetrahedra) +
          bytes_of(r.edge_weights) + bytes_of(r.edge_residuals_m) + bytes_of(r.morph_steps) +
-         bytes_of(r.foot_locks) + bytes_of(r.collisions) + r.message.capacity();
+         bytes_of(r.foot_locks) + bytes_of(r.collisions) + r.message.capacity() +
+         (frame.before ? sizeof(SynthesizerState) : 0);
 }
 
 FrameHistory::FrameHistory(std::size_t max_bytes) : max_bytes_(max_bytes) {}
@@ -77,12 +80,38 @@ FrameSnapshotPtr FrameHistory::stepped(double time_s, int steps) const {
 
 std::vector<FrameSnapshotPtr> FrameHistory::range(double from_s, double to_s) const {
   const std::scoped_lock lock(mutex_);
-  const auto first =
-      std::lower_bound(frames_.begin(), frames_.end(), from_s,
-                       [](const FrameSnapshotPtr& frame, double t) { return frame->time_s < t; });
+  const auto first = frames_.begin() + first_not_before(from_s);
   const auto last = std::upper_bound(
       first, frames_.end(), to_s, [](double t, const FrameSnapshotPtr& frame) { return t < frame->time_s; });
   return {first, last};
+}
+
+std::ptrdiff_t FrameHistory::first_not_before(double time_s) const {
+  return std::lower_bound(frames_.begin(), frames_.end(), time_s,
+                          [](const FrameSnapshotPtr& frame, double t) { return frame->time_s < t; }) -
+         frames_.begin();
+}
+
+FrameHistory::SolvableAgain FrameHistory::solvable_again(double from_s, double to_s) const {
+  const std::scoped_lock lock(mutex_);
+  const auto count = static_cast<std::ptrdiff_t>(frames_.size());
+  const auto has_state = [&](std::ptrdiff_t i) {
+    return frames_[static_cast<std::size_t>(i)]->before != nullptr;
+  };
+  std::ptrdiff_t asked = first_not_before(from_s);
+  std::ptrdiff_t first = std::min(asked, count - 1);
+  while (first > 0 && !has_state(first)) --first;
+  SolvableAgain found;
+  if (first < 0 || !has_state(first)) {
+    for (first = asked; first < count && !has_state(first);) ++first;
+    asked = first;
+    found.is_short = true;
+  }
+  found.run_up = static_cast<std::size_t>(asked - first);
+  for (std::ptrdiff_t i = first; i < count && frames_[static_cast<std::size_t>(i)]->time_s <= to_s; ++i)
+    found.frames.push_back(frames_[static_cast<std::size_t>(i)]);
+  if (found.frames.size() <= found.run_up) found = {{}, 0, found.is_short};
+  return found;
 }
 
 std::vector<FrameSnapshotPtr> FrameHistory::since(std::uint64_t index) const {

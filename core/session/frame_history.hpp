@@ -34,11 +34,19 @@ class FrameHistory {
   FrameSnapshotPtr stepped(double time_s, int steps) const;
   /// All frames in [from_s, to_s].
   std::vector<FrameSnapshotPtr> range(double from_s, double to_s) const;
+  /// The frames in [from_s, to_s], after those back to the last one that has the synthesizer's state.
+  struct SolvableAgain {
+    std::vector<FrameSnapshotPtr> frames;  ///< the first has a state; empty when none in the range can be had
+    std::size_t run_up = 0;                ///< so many of them come before the range
+    bool is_short = false;  ///< the range begins later than asked: what it needs is no longer kept
+  };
+  SolvableAgain solvable_again(double from_s, double to_s) const;
   /// All frames whose index is at least `index`: what is new since a reader looked last.
   std::vector<FrameSnapshotPtr> since(std::uint64_t index) const;
 
  private:
   std::ptrdiff_t position_at(double time_s) const;
+  std::ptrdiff_t first_not_before(double time_s) const;
 
   mutable std::mutex mutex_;
   std::deque<FrameSnapshotPtr> frames_;

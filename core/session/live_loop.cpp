@@ -3,12 +3,16 @@
 #include <utility>
 #include <variant>
 
+#include "core/synthesis/synthesizer_state.hpp"
+
 namespace abrazo {
 
 namespace {
 
 constexpr double highest_rate_hz = 120;
 constexpr double interval_smoothing = 0.1;
+/// Solving up to a frame from the last kept state takes a few milliseconds; a state is a sixth of a frame.
+constexpr std::uint64_t frames_between_states = 32;
 
 double wanted_rate(const Settings& settings) {
   return settings.step_rate_hz > 0 ? settings.step_rate_hz : highest_rate_hz;
@@ -28,18 +32,32 @@ LiveLoop::LiveLoop(std::unique_ptr<PartnerSynthesizer> synthesizer, std::unique_
 }
 
 double LiveLoop::turn(double now_s) {
-  for (const Command& command : commands_.drain()) apply(command, now_s);
+  for (const Command& command : commands_.drain()) {
+    apply(command, now_s);
+    state_due_ = next_index_;
+  }
   if (const auto input = source_->poll(now_s)) {
     if (input->discontinuous) {
       synthesizer_->reset();
       previous_time_s_ = -1;
+      state_due_ = next_index_;
     }
     const double elapsed = previous_time_s_ < 0 ? 0.0 : input->time_s - previous_time_s_;
     if (elapsed > 0)
       smoothed_interval_s_ +=
           (smoothed_interval_s_ > 0 ? interval_smoothing : 1.0) * (elapsed - smoothed_interval_s_);
     previous_time_s_ = input->time_s;
-    publish(*input, synthesizer_->step(input->pose, Duration(elapsed)));
+    auto snapshot = std::make_shared<FrameSnapshot>();
+    snapshot->time_s = input->time_s;
+    snapshot->input_frame = input->frame;
+    snapshot->user = input->pose;
+    snapshot->settings = synthesizer_->settings();
+    snapshot->elapsed_s = elapsed;
+    snapshot->before = state_if_due();
+    snapshot->input_rate_hz = smoothed_interval_s_ > 0 ? 1.0 / smoothed_interval_s_ : source_->rate_hz();
+    snapshot->dropped_inputs = input->dropped;
+    snapshot->result = synthesizer_->step(input->pose, Duration(elapsed));
+    publish(std::move(snapshot));
   }
   return source_->next_due_s();
 }
@@ -68,16 +86,14 @@ void LiveLoop::apply(const Command& command, double now_s) {
       command);
 }
 
-void LiveLoop::publish(const SourcePose& input, const FrameResult& result) {
-  auto snapshot = std::make_shared<FrameSnapshot>();
+std::shared_ptr<const SynthesizerState> LiveLoop::state_if_due() {
+  if (next_index_ < state_due_) return nullptr;
+  state_due_ = next_index_ + frames_between_states;
+  return std::make_shared<const SynthesizerState>(synthesizer_->state());
+}
+
+void LiveLoop::publish(std::shared_ptr<FrameSnapshot> snapshot) {
   snapshot->index = next_index_++;
-  snapshot->time_s = input.time_s;
-  snapshot->input_frame = input.frame;
-  snapshot->user = input.pose;
-  snapshot->result = result;
-  snapshot->settings = synthesizer_->settings();
-  snapshot->input_rate_hz = smoothed_interval_s_ > 0 ? 1.0 / smoothed_interval_s_ : source_->rate_hz();
-  snapshot->dropped_inputs = input.dropped;
   const FrameSnapshotPtr frozen = std::move(snapshot);
   history_.append(frozen);
   latest_.publish(frozen);
@@ -86,13 +102,13 @@ void LiveLoop::publish(const SourcePose& input, const FrameResult& result) {
 void LiveLoop::publish_failure(const std::string& why, double now_s) {
   const FrameSnapshotPtr last = latest_.newest();
   auto snapshot = last ? std::make_shared<FrameSnapshot>(*last) : std::make_shared<FrameSnapshot>();
-  snapshot->index = next_index_++;
   snapshot->time_s = now_s;
+  snapshot->elapsed_s = -1;
+  snapshot->before = nullptr;
   snapshot->result.status = StepStatus::Failed;
   snapshot->result.message = why;
-  const FrameSnapshotPtr frozen = std::move(snapshot);
-  history_.append(frozen);
-  latest_.publish(frozen);
+  publish(std::move(snapshot));
+  state_due_ = next_index_;
 }
 
 }  // namespace abrazo

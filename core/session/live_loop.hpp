@@ -29,7 +29,8 @@ class LiveLoop {
 
  private:
   void apply(const Command& command, double now_s);
-  void publish(const SourcePose& input, const FrameResult& result);
+  std::shared_ptr<const SynthesizerState> state_if_due();
+  void publish(std::shared_ptr<FrameSnapshot> snapshot);
 
   std::unique_ptr<PartnerSynthesizer> synthesizer_;
   std::unique_ptr<ClipSource> source_;
@@ -37,6 +38,7 @@ class LiveLoop {
   FrameHistory& history_;
   LatestSlot<FrameSnapshot>& latest_;
   std::uint64_t next_index_ = 0;
+  std::uint64_t state_due_ = 0;  ///< index of the next frame that keeps the synthesizer's state
   double previous_time_s_ = -1;
   double smoothed_interval_s_ = 0;
 };

@@ -36,44 +36,49 @@ FramePipeline::FramePipeline(std::shared_ptr<const MotionLibrary> library, const
     : library_(std::move(library)), settings_(settings), selector_(library_, std::move(pairs)) {}
 
 void FramePipeline::set_user_body(const Body& body) {
-  user_body_ = body;
+  memory_.user_body = body;
   retargeter_.reset();
 }
 
 void FramePipeline::forget() {
-  frames_since_reset_ = 0;
-  current_pair_ = -1;
-  previous_heading_.reset();
-  locks_.reset();
-  transition_.reset();
+  memory_.frames_since_reset = 0;
+  memory_.current_pair = -1;
+  memory_.previous_heading.reset();
+  memory_.locks.reset();
+  memory_.transition.reset();
+}
+
+void FramePipeline::restore(const FrameMemory& memory) {
+  memory_ = memory;
+  retargeter_.reset();  // it is of the user's measures
 }
 
 bool FramePipeline::measure(const Pose& user) {
-  if (user_body_) return true;
+  if (memory_.user_body) return true;
   const Body body = body_of(user);
   const double height = body.height();
   const bool plausible =
       height > smallest_user_m &&
       height<largest_user_m&& * std::min_element(body.bone_lengths.begin(), body.bone_lengths.end())> 1e-4;
-  if (plausible) user_body_ = body;
+  if (plausible) memory_.user_body = body;
   return plausible;
 }
 
 void FramePipeline::retarget(const Pose& user) {
   if (!retargeter_ || retargeter_scales_path_ != settings_.scale_root_path) {
-    retargeter_.emplace(*user_body_, library_->usual_active_body().body, settings_.scale_root_path);
+    retargeter_.emplace(*memory_.user_body, library_->usual_active_body().body, settings_.scale_root_path);
     retargeter_scales_path_ = settings_.scale_root_path;
   }
   out_.query_world = retargeter_->apply(user);
-  out_.query_root = root_frame(out_.query_world, previous_heading_);
+  out_.query_root = root_frame(out_.query_world, memory_.previous_heading);
   out_.query_normalized = to_normalized(out_.query_world, out_.query_root);
   out_.features = pose_features(out_.query_normalized);
 }
 
 /// Eq. 3-4, with the velocity over the time that passed.
 PairPose FramePipeline::predicted(double dt_s) const {
-  if (frames_since_reset_ < 2 || previous_dt_s_ <= 0) return previous_;
-  return previous_ + (dt_s / previous_dt_s_) * (previous_ - before_previous_);
+  if (memory_.frames_since_reset < 2 || memory_.previous_dt_s <= 0) return memory_.previous;
+  return memory_.previous + (dt_s / memory_.previous_dt_s) * (memory_.previous - memory_.before_previous);
 }
 
 bool FramePipeline::select(double dt_s) {
@@ -81,13 +86,14 @@ bool FramePipeline::select(double dt_s) {
   query.normalized = out_.query_normalized;
   query.root = out_.query_root;
   query.features = out_.features;
-  query.has_prediction = frames_since_reset_ > 0;
+  query.has_prediction = memory_.frames_since_reset > 0;
   query.predicted = predicted(dt_s);
   query.alpha = settings_.alpha;
   query.neighbours = settings_.neighbours;
-  query.current_pair = current_pair_;
+  query.current_pair = memory_.current_pair;
   query.continuations = settings_.continuations;
-  if (current_pair_ >= 0) query.expected_advance = expected_advance(library_->take_of(current_pair_), dt_s);
+  if (memory_.current_pair >= 0)
+    query.expected_advance = expected_advance(library_->take_of(memory_.current_pair), dt_s);
   out_.selected = selector_.select(query, out_.candidates);
   if (pinned_ && *pinned_ >= 0 && *pinned_ < library_->pair_count() && selector_.is_selectable(*pinned_))
     select_pinned(query);
@@ -144,46 +150,46 @@ std::array<double, joint_count> FramePipeline::hurry_of_holds() const {
 void FramePipeline::follow_source(double dt_s) {
   const int pair = out_.candidates[static_cast<std::size_t>(out_.selected)].pair;
   out_.selected_pair = library_->pair_in_world(pair, out_.query_root);
-  transition_.fade(dt_s, settings_.transition_half_life_s, hurry_of_holds());
+  memory_.transition.fade(dt_s, settings_.transition_half_life_s, hurry_of_holds());
   out_.source_changed = false;
-  if (current_pair_ >= 0) {
-    const int advance = expected_advance(library_->take_of(current_pair_), dt_s);
+  if (memory_.current_pair >= 0) {
+    const int advance = expected_advance(library_->take_of(memory_.current_pair), dt_s);
     const PairSource& now = library_->source(pair);
-    const PairSource& before = library_->source(current_pair_);
+    const PairSource& before = library_->source(memory_.current_pair);
     const int frames = static_cast<int>(now.frame) - static_cast<int>(before.frame);
     // From standing still to three times the expected pace it is still the same stretch of recorded motion.
     const int most = std::max(3, 3 * advance * library_->take_of(pair).frame_stride);
     out_.source_changed =
         now.take != before.take || now.swapped != before.swapped || frames < 0 || frames > most;
-    const int continued = library_->later_pair(current_pair_, advance);
+    const int continued = library_->later_pair(memory_.current_pair, advance);
     if (settings_.transition_half_life_s > 0 && pair != continued) {
       const Pose chosen = out_.selected_pair.bottomRows<joint_count>();
-      const int from = continued >= 0 ? continued : current_pair_;
+      const int from = continued >= 0 ? continued : memory_.current_pair;
       const Pose would_be = library_->pair_in_world(from, out_.query_root).bottomRows<joint_count>();
-      transition_.jump(would_be, partner_velocity(from), chosen, partner_velocity(pair));
+      memory_.transition.jump(would_be, partner_velocity(from), chosen, partner_velocity(pair));
     }
   }
-  current_pair_ = pair;
+  memory_.current_pair = pair;
 }
 
 bool FramePipeline::is_recorded_foot_slow(int vertex) const {
   if (settings_.foot_lock_speed <= 0) return true;
-  int other = library_->later_pair(current_pair_, 1);
-  if (other < 0) other = library_->later_pair(current_pair_, -1);
+  int other = library_->later_pair(memory_.current_pair, 1);
+  if (other < 0) other = library_->later_pair(memory_.current_pair, -1);
   if (other < 0) return true;
-  const LibraryTake& take = library_->take_of(current_pair_);
+  const LibraryTake& take = library_->take_of(memory_.current_pair);
   const auto world = [&](int pair) -> Vec3 {
     const RootFrame& root = library_->root(pair);
     return root.rotation() * Vec3(library_->pose(pair).row(vertex)) + root.position;
   };
-  return (world(other) - world(current_pair_)).norm() * take.fps / take.frame_stride <
+  return (world(other) - world(memory_.current_pair)).norm() * take.fps / take.frame_stride <
          settings_.foot_lock_speed;
 }
 
 FootLocks::Situations FramePipeline::feet(double dt_s) const {
   FootLocks::Situations situations;
   const Body& active = library_->usual_active_body().body;
-  const Body& passive = library_->passive_body(current_pair_).body;
+  const Body& passive = library_->passive_body(memory_.current_pair).body;
   for (std::size_t f = 0; f < situations.size(); ++f) {
     const int toe_base = FootLocks::ankles[f] + 1;
     const int hip = FootLocks::ankles[f] - 2;
@@ -197,10 +203,10 @@ FootLocks::Situations FramePipeline::feet(double dt_s) const {
     const bool low = foot.toe_base.y() < body.toe_rest_height + landed_height_m;
     bool slow = true;
     if (settings_.foot_lock_speed > 0) {
-      slow = is_active
-                 ? frames_since_reset_ > 0 && (Vec3(previous_query_.row(toe_base)) - foot.toe_base).norm() <
-                                                  settings_.foot_lock_speed * dt_s
-                 : is_recorded_foot_slow(toe_base);
+      slow = is_active ? memory_.frames_since_reset > 0 &&
+                             (Vec3(memory_.previous_query.row(toe_base)) - foot.toe_base).norm() <
+                                 settings_.foot_lock_speed * dt_s
+                       : is_recorded_foot_slow(toe_base);
     }
     foot.landed = low && slow;
   }
@@ -211,7 +217,7 @@ RigidDistances FramePipeline::wanted_lengths() const {
   RigidDistances wanted = rigid_distances(out_.selected_pair);
   const Body& active = library_->usual_active_body().body;
   const Body& passive = library_->usual_passive_body().body;
-  const Body& recorded_passive = library_->passive_body(current_pair_).body;
+  const Body& recorded_passive = library_->passive_body(memory_.current_pair).body;
   PairPose with_query = out_.selected_pair;
   with_query.topRows<joint_count>() = out_.query_world;
   const RigidDistances of_query = rigid_distances(with_query);
@@ -232,13 +238,14 @@ RigidDistances FramePipeline::wanted_lengths() const {
 
 EditTask FramePipeline::edit_task(double dt_s) const {
   EditTask task;
-  task.edges = library_->edges(current_pair_);
+  task.edges = library_->edges(memory_.current_pair);
   task.selected = out_.selected_pair;
-  task.reference_offset = transition_.offset();
+  task.reference_offset = memory_.transition.offset();
   task.target = out_.query_world;
-  task.has_previous = frames_since_reset_ > 0;
+  task.has_previous = memory_.frames_since_reset > 0;
   if (task.has_previous) {
-    task.velocity_target = settings_.velocity_form == VelocityForm::Predicted ? predicted(dt_s) : previous_;
+    task.velocity_target =
+        settings_.velocity_form == VelocityForm::Predicted ? predicted(dt_s) : memory_.previous;
     task.velocity_weight = velocity_weight_at(settings_, dt_s);
   }
   task.wanted = wanted_lengths();
@@ -256,8 +263,8 @@ void FramePipeline::refuse(const std::string& why) {
 void FramePipeline::fail(const std::string& why) {
   out_.status = StepStatus::Failed;
   out_.message = why;
-  if (has_good_result_) {
-    out_.result = previous_;
+  if (memory_.has_good_result) {
+    out_.result = memory_.previous;
   } else {
     out_.result = library_->pose(0);
     out_.result.rowwise() += Vec3(0, library_->root(0).position.y(), 0).transpose();
@@ -266,24 +273,26 @@ void FramePipeline::fail(const std::string& why) {
 }
 
 void FramePipeline::hold_feet(double dt_s) {
-  if (!settings_.foot_locks) return locks_.reset();
-  locks_.update(feet(dt_s), frames_since_reset_ > 0 ? &previous_ : nullptr, out_.source_changed);
+  if (!settings_.foot_locks) return memory_.locks.reset();
+  memory_.locks.update(feet(dt_s), memory_.frames_since_reset > 0 ? &memory_.previous : nullptr,
+                       out_.source_changed);
   if (settings_.transition_half_life_s > 0)
     for (std::size_t f = 0; f < 2; ++f) {
-      if (!locks_.passive_released()[f]) continue;
+      if (!memory_.locks.passive_released()[f]) continue;
       for (int vertex = FootLocks::ankles[2 + f]; vertex < FootLocks::ankles[2 + f] + 3; ++vertex)
-        transition_.pull(vertex - joint_count, previous_.row(vertex), out_.selected_pair.row(vertex));
+        memory_.transition.pull(vertex - joint_count, memory_.previous.row(vertex),
+                                out_.selected_pair.row(vertex));
     }
 }
 
 void FramePipeline::remember(double dt_s) {
-  before_previous_ = frames_since_reset_ > 0 ? previous_ : out_.result;
-  previous_ = out_.result;
-  previous_dt_s_ = dt_s;
-  previous_query_ = out_.query_world;
-  previous_heading_ = out_.query_root.heading_rad;
-  has_good_result_ = true;
-  ++frames_since_reset_;
+  memory_.before_previous = memory_.frames_since_reset > 0 ? memory_.previous : out_.result;
+  memory_.previous = out_.result;
+  memory_.previous_dt_s = dt_s;
+  memory_.previous_query = out_.query_world;
+  memory_.previous_heading = out_.query_root.heading_rad;
+  memory_.has_good_result = true;
+  ++memory_.frames_since_reset;
 }
 
 /// Nothing of the previous frame is left to be taken for this one's, but the poses that are held when it
@@ -324,15 +333,15 @@ void FramePipeline::solve(const Pose& user, double elapsed_s) {
   out_.timing.select_us = microseconds_since(selecting);
 
   const auto meshing = Clock::now();
-  const auto edges = library_->edges(current_pair_);
-  const auto tetrahedra = library_->tetrahedra(current_pair_);
+  const auto edges = library_->edges(memory_.current_pair);
+  const auto tetrahedra = library_->tetrahedra(memory_.current_pair);
   out_.edges.assign(edges.begin(), edges.end());
   out_.tetrahedra.assign(tetrahedra.begin(), tetrahedra.end());
   out_.timing.mesh_us = microseconds_since(meshing);
 
   const auto solving = Clock::now();
   hold_feet(dt_s);
-  const auto outcome = editor_.edit(edit_task(dt_s), settings_, locks_);
+  const auto outcome = editor_.edit(edit_task(dt_s), settings_, memory_.locks);
   if (!outcome.solved)
     return fail("the constraints of this frame contradict one another; the last poses are held");
   report(outcome);

@@ -9,11 +9,10 @@
 #include "core/library/motion_library.hpp"
 #include "core/retarget/body_retargeter.hpp"
 #include "core/selection/pair_selector.hpp"
-#include "core/synthesis/foot_locks.hpp"
+#include "core/synthesis/frame_memory.hpp"
 #include "core/synthesis/frame_result.hpp"
 #include "core/synthesis/pair_editor.hpp"
 #include "core/synthesis/settings.hpp"
-#include "core/synthesis/transition.hpp"
 
 namespace abrazo {
 
@@ -39,6 +38,10 @@ class FramePipeline {
 
   const FrameResult& result() const { return out_; }
 
+  const FrameMemory& memory() const { return memory_; }
+  /// The next frame follows those that this was kept from.
+  void restore(const FrameMemory& memory);
+
  private:
   void begin_frame();
   void fail(const std::string& why);
@@ -62,21 +65,11 @@ class FramePipeline {
   Settings settings_;
   PairSelector selector_;
   PairEditor editor_;
-  FootLocks locks_;
-  Transition transition_;
-  std::optional<Body> user_body_;
   std::optional<BodyRetargeter> retargeter_;
   bool retargeter_scales_path_ = true;
   std::optional<int> pinned_;
 
-  int frames_since_reset_ = 0;
-  PairPose previous_ = PairPose::Zero();         ///< V'_{i-1}
-  PairPose before_previous_ = PairPose::Zero();  ///< V'_{i-2}
-  double previous_dt_s_ = 0;
-  Pose previous_query_ = Pose::Zero();
-  std::optional<double> previous_heading_;
-  int current_pair_ = -1;
-  bool has_good_result_ = false;
+  FrameMemory memory_;
 
   FrameResult out_;
 };

@@ -37,8 +37,8 @@ void FramePipeline::report(const PairEditor::Outcome& outcome) {
   const int locked_bodies = !settings_.foot_locks || outcome.relaxation >= Relaxation::Feet ? 0
                             : outcome.relaxation == Relaxation::PassiveFeet                 ? 1
                                                                                             : 2;
-  locks_.list(locked_bodies, out_.foot_locks);
-  out_.residual.foot_lock_max_m = locks_.drift(locked_bodies, out_.result);
+  memory_.locks.list(locked_bodies, out_.foot_locks);
+  out_.residual.foot_lock_max_m = memory_.locks.drift(locked_bodies, out_.result);
   editor_.contacts().measure(out_.result, out_.collisions, out_.residual.penetration_max_m,
                              out_.residual.excess_penetration_max_m);
 

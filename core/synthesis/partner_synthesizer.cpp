@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "core/synthesis/frame_pipeline.hpp"
+#include "core/synthesis/synthesizer_state.hpp"
 
 namespace abrazo {
 
@@ -44,7 +45,8 @@ struct PartnerSynthesizer::State {
   Settings settings;
   std::optional<Body> user_body;
   std::optional<int> pinned;
-  Vetoes vetoes;
+  std::shared_ptr<const Vetoes> vetoes = std::make_shared<const Vetoes>();
+  std::shared_ptr<const MotionLibrary> exchanged;  ///< the library as a passive user sees it, once needed
   std::unique_ptr<FramePipeline> pipeline;
   double unsolved_s = 0;  ///< since the last frame that was solved
   FrameResult shown;      ///< of a passive user, in the order active, passive
@@ -53,14 +55,14 @@ struct PartnerSynthesizer::State {
 
   /// For a passive user the pipeline gets the pairs with the roles exchanged, so that the user is always its
   /// first body.
-  std::unique_ptr<FramePipeline> new_pipeline(const Settings& wanted) const {
-    const auto seen = wanted.user_role == UserRole::Passive
-                          ? std::make_shared<const MotionLibrary>(with_roles_exchanged(*library))
-                          : library;
-    auto made = std::make_unique<FramePipeline>(seen, wanted, pairs);
+  std::unique_ptr<FramePipeline> new_pipeline(const Settings& wanted) {
+    const bool is_passive = wanted.user_role == UserRole::Passive;
+    if (is_passive && !exchanged)
+      exchanged = std::make_shared<const MotionLibrary>(with_roles_exchanged(*library));
+    auto made = std::make_unique<FramePipeline>(is_passive ? exchanged : library, wanted, pairs);
     if (user_body) made->set_user_body(*user_body);
     made->pin_pair(pinned);
-    made->set_vetoes(vetoes);
+    made->set_vetoes(*vetoes);
     return made;
   }
 };
@@ -133,8 +135,31 @@ void PartnerSynthesizer::pin_pair(std::optional<int> pair) {
 }
 
 void PartnerSynthesizer::set_vetoes(const Vetoes& vetoes) {
-  state_->vetoes = vetoes;
+  state_->vetoes = std::make_shared<const Vetoes>(vetoes);
   state_->pipeline->set_vetoes(vetoes);
+}
+
+SynthesizerState PartnerSynthesizer::state() const {
+  return {.user_role = state_->settings.user_role,
+          .memory = state_->pipeline->memory(),
+          .user_body = state_->user_body,
+          .pinned = state_->pinned,
+          .vetoes = state_->vetoes,
+          .unsolved_s = state_->unsolved_s};
+}
+
+void PartnerSynthesizer::restore(const SynthesizerState& state) {
+  Settings settings = state_->settings;
+  settings.user_role = state.user_role;
+  set_settings(settings);
+  state_->user_body = state.user_body;
+  pin_pair(state.pinned);
+  if (state_->vetoes != state.vetoes) {
+    state_->vetoes = state.vetoes;
+    state_->pipeline->set_vetoes(*state.vetoes);
+  }
+  state_->pipeline->restore(state.memory);
+  state_->unsolved_s = state.unsolved_s;
 }
 
 const MotionLibrary& PartnerSynthesizer::library() const {

@@ -15,6 +15,8 @@
 
 namespace abrazo {
 
+struct SynthesizerState;
+
 using Duration = std::chrono::duration<double>;
 
 /// The whole method, one frame at a time: a user's pose in, both characters out (paper 3.3-3.4).
@@ -52,6 +54,12 @@ class PartnerSynthesizer {
   /// Does not select these from the next step on; in place of the vetoes before. When none is left, steps
   /// fail and say so.
   void set_vetoes(const Vetoes& vetoes);
+
+  /// All that the next step depends on beside settings and input.
+  SynthesizerState state() const;
+  /// Goes on where `state` was taken, on a synthesizer of the same library and excluded takes. Settings stay,
+  /// but for the user's role, which is the state's.
+  void restore(const SynthesizerState& state);
 
   const MotionLibrary& library() const;
 

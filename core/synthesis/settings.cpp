@@ -36,69 +36,100 @@ Entry entry(const SettingInfo& info, T Settings::*member) {
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all = {
       entry({"alpha", "\u03b1", "temporal smoothness", "Selection", "", Kind::Real, 0, 5, false, "",
-             "Weight of temporal coherence when a recorded pair is chosen (Eq. 7):\n"
-             "cost = \u03a3|p_in \u2212 p_A|\u00b2 + \u03b1 (\u03a3|s_A* \u2212 q\u2033_A|\u00b2 + "
-             "\u03a3|s_S* \u2212 q\u2033_S|\u00b2).\n"
-             "Higher: fewer changes of source, but the partner sticks to a move longer. Paper 3.3.3: 0.5."},
+             "Weight of temporal coherence when a recorded pair is chosen.\n"
+             "  cost = \u03a3|p_in \u2212 p_A|\u00b2 + \u03b1 (\u03a3|s_{A,i*} \u2212 q\u2033_A|\u00b2 + "
+             "\u03a3|s_{S,i*} \u2212 q\u2033_S|\u00b2)\n"
+             "s_{i*} is the result before, moved on at its speed (Eq. 3-4). Higher: fewer changes of source, "
+             "but the partner sticks to a move longer.\n"
+             "Paper 3.3.3, Eq. 7: 0.5."},
             &Settings::alpha),
       entry({"neighbours", "k", "neighbours", "Selection", "", Kind::Integer, 1, 200, true, "",
-             "Recorded pairs taken from the kd-tree and compared by Eq. 7 (paper 3.3.2: 10)."},
+             "Recorded pairs nearest to the user's pose, by the positions of head, hands and feet, that are "
+             "compared by Eq. 7.\n"
+             "Higher: the best pair is missed more rarely, and a step takes longer.\n"
+             "Paper 3.3.2: 10."},
             &Settings::neighbours),
       entry({"continuations", "", "continuations", "Selection", "frames", Kind::Integer, 0, 15, false, "",
-             "So many recorded successors of the current source join the candidates,\n"
-             "so that going on is always a choice. 0 as in the paper."},
+             "So many recorded successors of the current source join the candidates, so that going on is "
+             "always a choice.\n"
+             "Not in the paper: 0."},
             &Settings::continuations),
       entry({"user-role", "", "user's role", "Selection", "", Kind::Choice, 0, 1, false, "active|passive",
-             "Whether the person leads (Role_A of the paper) or the partner does."},
+             "Whether the person leads (Role_A) or the partner does (Role_S). A change starts the solver "
+             "anew.\n"
+             "Paper 3.3.1: active; section 5 speaks of both."},
             &Settings::user_role),
       entry({"velocity-weight", "w_\u0394", "velocity weight", "Energies", "", Kind::Real, 0, 2, false, "",
-             "Weight of the velocity energy in Eq. 11: E_L + w_\u0394 E_V + E_C, at 15 steps per second;\n"
-             "at other rates it is scaled so that the time constant stays.\n"
-             "Higher: smoother, but the partner lags behind. Paper 3.4.2: 0.2."},
+             "Weight of the velocity energy, which compares a pose with the one before.\n"
+             "  minimise E_L + w_\u0394 E_V + E_C\n"
+             "At f steps per second it is w_\u0394 f/15, or w_\u0394 (f/15)\u00b2 when predicted, so that "
+             "the time constant stays. Higher: smoother, but the partner lags behind.\n"
+             "Paper 3.4.2, Eq. 11: 0.2 at 15 steps per second."},
             &Settings::velocity_weight),
       entry({"velocity-form", "", "velocity energy", "Energies", "", Kind::Choice, 0, 1, false,
              "velocity|predicted",
-             "E_V = \u00bd|V\u1d62 \u2212 V\u1d62\u208b\u2081|\u00b2 (velocity), or \u00bd|V\u1d62 \u2212 "
-             "(2V\u1d62\u208b\u2081 \u2212 V\u1d62\u208b\u2082)|\u00b2 (predicted)."},
+             "What the velocity energy compares a pose with: the result before, or where the two before lead "
+             "to.\n"
+             "  velocity: E_V = \u00bd|V_i \u2212 V_{i-1}|\u00b2\n"
+             "  predicted: E_V = \u00bd|V_i \u2212 (2V_{i-1} \u2212 V_{i-2})|\u00b2\n"
+             "Paper 3.4.2 has E_V(V_i, V_{i-1}) and prints no formula."},
             &Settings::velocity_form),
-      entry(
-          {"morph-weight", "w_C", "morphing weight", "Energies", "", Kind::Real, 0.1, 1000, true, "",
-           "Weight of the morphing constraint: E_C = w_C/2 \u03a3|v_A \u2212 q_interpolated|\u00b2 (Eq. 9).\n"
-           "Higher: the active body follows the user more exactly."},
-          &Settings::morph_weight),
+      entry({"morph-weight", "w_C", "morphing weight", "Energies", "", Kind::Real, 0.1, 1000, true, "",
+             "Weight of the morphing constraint, which pulls the user's character to the user.\n"
+             "  E_C = \u00bd w_C \u03a3|q_interpolated \u2212 v_A|\u00b2\n"
+             "Higher: it follows the user more exactly.\n"
+             "Paper 3.4.2, Eq. 9; a soft constraint whose weight is not printed."},
+            &Settings::morph_weight),
       entry({"edge-weights", "", "edge weights", "Energies", "", Kind::Choice, 0, 2, false,
              "inverse|inverse-mean|uniform",
-             "How mesh neighbours are weighed in the Laplacian coordinates, d at the selected pair:\n"
-             "inverse (1/d)/\u03a3(1/d), inverse-mean (1/n)(1/d), uniform 1/n."},
+             "How the mesh neighbours of a joint weigh in its Laplacian coordinate, by their distance d in "
+             "the selected pair.\n"
+             "  L(v_j) = \u03a3_l w_jl (v_j \u2212 v_l)\n"
+             "  inverse: w_jl = (1/d_jl) / \u03a3_k (1/d_jk)\n"
+             "  inverse-mean: w_jl = (1/n)(1/d_jl)\n"
+             "  uniform: w_jl = 1/n\n"
+             "Paper 3.4.2 takes E_L from Ho et al. 2010: inverse."},
             &Settings::edge_weights),
       entry({"anchor-weight", "", "anchor weight", "Energies", "", Kind::Real, 1e-6, 0.1, true, "",
-             "Holds the partner weakly to the selected pair, for moments when no short mesh edge does."},
+             "Holds the partner weakly to the selected pair, for moments when no short mesh edge does.\n"
+             "  \u00bd w_a |V_S \u2212 q\u2033_{S,sel}|\u00b2\n"
+             "Not in the paper."},
             &Settings::anchor_weight),
       entry({"morph-steps", "m", "morph steps", "Constraints", "", Kind::Integer, 1, 20, false, "",
-             "Steps from the selected pose to the user's (Eq. 8)."},
+             "Steps from the selected pose to the user's. Each solves Eq. 11 once.\n"
+             "  q_interpolated = (i/m)(q\u2032_in \u2212 q\u2033_{A,sel}) + q\u2033_{A,sel}\n"
+             "Paper 3.4.2, Eq. 8; it prints no number."},
             &Settings::morph_steps),
       entry({"projection-steps", "", "projection steps", "Constraints", "", Kind::Integer, 0, 10, false, "",
              "Further steps on the full target, which bring bone lengths back after the last turn.\n"
-             "More are taken when a bone is still off by over 0.02 %."},
+             "More are taken when a bone is still off by over 0.02 %.\n"
+             "Not in the paper."},
             &Settings::projection_steps),
       entry({"foot-locks", "", "foot locks", "Constraints", "", Kind::Flag, 0, 1, false, "",
-             "A landed foot stays where it is (Eq. 10)."},
+             "A foot that was landed in the frame before and still is stays where it was.\n"
+             "  V_{feet,i} = V_{feet,i-1}\n"
+             "Paper 3.4.2, Eq. 10: on."},
             &Settings::foot_locks),
       entry({"foot-lock-speed", "", "planted below", "Constraints", "m/s", Kind::Real, 0, 1, false, "",
-             "A foot faster than this is not planted. 0: height alone decides, as in the paper."},
+             "A foot faster than this is not planted. 0: height alone decides.\n"
+             "Paper 3.4.2: 0."},
             &Settings::foot_lock_speed),
       entry({"collisions", "", "collisions", "Constraints", "", Kind::Flag, 0, 1, false, "",
-             "The bodies' capsules are kept apart, as far as the recorded pair does itself."},
+             "The bodies' capsules are kept apart, as far as the recorded pair does itself.\n"
+             "Paper 3.4.2, hard constraint C_C: on."},
             &Settings::collisions),
       entry({"transition-half-life", "", "transition half-life", "Timing", "s", Kind::Real, 0, 0.5, false, "",
-             "How fast the partner's jump at a change of source fades. 0: not faded, as in the paper."},
+             "How fast the partner's jump at a change of source fades. 0: not faded.\n"
+             "Not in the paper: 0."},
             &Settings::transition_half_life_s),
       entry({"step-rate", "", "step rate", "Timing", "Hz", Kind::Real, 0, 120, false, "",
-             "Solved frames per second, at least 5. 0: the input's own rate, at most 120. Paper: 15."},
+             "Solved frames per second, at least 5. 0: the input's own rate, at most 120.\n"
+             "Paper 3.3.3: \u0394t = 1/15 s, so 15."},
             &Settings::step_rate_hz),
       entry({"scale-root-path", "", "scale the user's path", "Timing", "", Kind::Flag, 0, 1, false, "",
              "A user of another size covers ground in proportion to the length of the legs.\n"
-             "Off: the path stays 1:1 and planted feet of such a user slide."},
+             "Off: the path stays 1:1 and planted feet of such a user slide.\n"
+             "Paper 3.3.1 retargets after Gleicher 1998 and does not say."},
             &Settings::scale_root_path),
   };
   return all;

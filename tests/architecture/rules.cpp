@@ -76,11 +76,22 @@ bool is_in_place(const SourceFile& file, std::string_view place, std::string& fi
 
 /// What a view may see of core: what was computed, what it can ask for, and plain values.
 bool is_open_to_widgets(const std::string& include) {
-  static const std::set<std::string> open = {
-      "core/session/frame_snapshot.hpp", "core/session/frame_history.hpp", "core/session/command.hpp",
-      "core/session/playback.hpp",       "core/synthesis/settings.hpp",    "core/synthesis/frame_result.hpp",
-      "core/library/motion_library.hpp", "core/library/normalization.hpp", "core/selection/candidate.hpp",
-      "core/motion/joint_set.hpp",       "core/motion/body.hpp",           "core/motion/clip.hpp"};
+  static const std::set<std::string> open = {"core/session/frame_snapshot.hpp",
+                                             "core/session/frame_history.hpp",
+                                             "core/session/command.hpp",
+                                             "core/session/markers.hpp",
+                                             "core/session/settings_track.hpp",
+                                             "core/session/time_place.hpp",
+                                             "core/session/playback.hpp",
+                                             "core/synthesis/settings.hpp",
+                                             "core/synthesis/frame_result.hpp",
+                                             "core/library/motion_library.hpp",
+                                             "core/library/normalization.hpp",
+                                             "core/selection/candidate.hpp",
+                                             "core/motion/joint_set.hpp",
+                                             "core/motion/body.hpp",
+                                             "core/motion/clip.hpp",
+                                             "core/metrics/run_comparison.hpp"};
   if (open.contains(include)) return true;
   return include.starts_with("core/mesh/") ||
          (include.starts_with("core/base/") && include != "core/base/atomic_file.hpp");

@@ -89,6 +89,48 @@ TEST(CandidateTable, KeepsTheChosenPairWhenTheOrderChanges) {
   EXPECT_TRUE(t.list->rows().back().selected) << "the winner stays marked";
 }
 
+TEST(CandidateTable, AsksForTheSelectionAndShowsThatOfOtherViews) {
+  Table t;
+  std::vector<Selection> asked;
+  QObject::connect(&t.table, &CandidateTable::selectionRequested, &t.table,
+                   [&](const Selection& selection) { asked.push_back(selection); });
+  QTest::mouseClick(t.list, Qt::LeftButton, {}, {80, 2 * CandidateList::row_height + 8});
+  ASSERT_EQ(asked.size(), 1U);
+  EXPECT_EQ(asked[0], Selection::candidate(t.list->rows()[2].pair));
+  t.table.showSelection(Selection::candidate(4));
+  EXPECT_EQ(t.list->current()->pair, 4);
+  t.table.showSelection(Selection::joint(3));
+  EXPECT_FALSE(t.list->current());
+  EXPECT_EQ(asked.size(), 1U) << "what it is shown it does not ask for";
+}
+
+TEST(CandidateTable, KeepsASelectedPairThatIsNoCandidateForAWhile) {
+  Table t;
+  t.table.showSelection(Selection::candidate(4));
+  auto without = std::make_shared<FrameSnapshot>(*synthetic_frame(1, 0.03));
+  without->result.candidates.resize(2);
+  t.table.showFrame(without);
+  EXPECT_FALSE(t.list->current());
+  t.table.togglePin();
+  EXPECT_EQ(t.table.steering().pinned, 4) << "keys are about what is selected, not about the winner";
+  t.table.showFrame(synthetic_frame(2, 0.06));
+  ASSERT_TRUE(t.list->current());
+  EXPECT_EQ(t.list->current()->pair, 4);
+}
+
+TEST(FeatureMap, SelectsACandidateThatIsClicked) {
+  Table t;
+  ASSERT_TRUE(t.waitForMap());
+  t.table.showFrame(synthetic_frame(0, 0));
+  std::vector<Selection> asked;
+  QObject::connect(&t.table, &CandidateTable::selectionRequested, &t.table,
+                   [&](const Selection& selection) { asked.push_back(selection); });
+  const QPointF place = t.map->placeOf(4).value();
+  QTest::mouseClick(t.map, Qt::LeftButton, {}, place.toPoint());
+  ASSERT_EQ(asked.size(), 1U);
+  EXPECT_EQ(asked[0].kind, SelectionKind::Candidate);
+}
+
 TEST(CandidateTable, SortsByAClickOnAColumn) {
   Table t;
   auto* header = t.table.findChild<CandidateHeader*>();

@@ -68,6 +68,29 @@ class Plots : public testing::Test {
   PlotPanel panel;
 };
 
+TEST_F(Plots, HaveAPaneForWhatIsSelectedWhileItIs) {
+  const int before = panel.paneCount();
+  panel.showSelection(Selection::joint(20));
+  EXPECT_EQ(panel.paneCount(), before + 1);
+  EXPECT_EQ(panel.selectionPane(), before);
+  EXPECT_EQ(panel.arrangement().size(), static_cast<std::size_t>(before)) << "it is not remembered";
+  EXPECT_EQ(panel.pane(before).accessibleName(), QString("Plot of leader lhand [mm]"));
+  refresh();
+  EXPECT_TRUE(panel.readout(38).contains("selected joint from the selected pair"));
+  EXPECT_FALSE(panel.readout(38).contains("–</td>")) << "read for frames that came before the selection";
+  panel.showSelection(Selection::candidate(3));
+  EXPECT_EQ(panel.paneCount(), before);
+  EXPECT_EQ(panel.selectionPane(), -1);
+}
+
+TEST_F(Plots, AskToSelectNothingWhenThePaneOfTheSelectionIsRemoved) {
+  QSignalSpy asked(&panel, &PlotPanel::selectionRequested);
+  panel.showSelection(Selection::tetrahedron(forty_seconds()[0]->result.tetrahedra[3]));
+  panel.removePane(panel.selectionPane());
+  ASSERT_EQ(asked.size(), 1);
+  EXPECT_EQ(asked[0][0].value<Selection>(), Selection());
+}
+
 TEST_F(Plots, ShowEnergiesResidualsAndCostAtFirstInBothThemes) {
   for (const Theme theme : {Theme::Dark, Theme::Light}) {
     const Palette& p = palette_of(theme);

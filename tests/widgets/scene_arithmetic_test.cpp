@@ -188,7 +188,37 @@ TEST(MeshScalar, MapsBeginAndEndWithTheirColours) {
   EXPECT_EQ(sequential_colour(0), (std::array<unsigned char, 3>{68, 1, 84}));
   EXPECT_EQ(sequential_colour(1), (std::array<unsigned char, 3>{253, 231, 37}));
   EXPECT_EQ(sequential_colour(7), sequential_colour(1));
-  EXPECT_EQ(sequential_colour(std::nan("")), sequential_colour(0));
+  EXPECT_EQ(sequential_colour(0, ColourMap::Cividis), (Colour{0, 34, 78}));
+  EXPECT_EQ(sequential_colour(1, ColourMap::Cividis), (Colour{254, 232, 56}));
+}
+
+TEST(ColourScale, GivesWhatIsNoNumberAColourOfItsOwn) {
+  for (const bool is_signed : {false, true})
+    for (const ColourMap map : {ColourMap::Viridis, ColourMap::Cividis})
+      EXPECT_EQ((ColourScale{10, is_signed, map, false}.colour(std::nan(""))), no_value_colour);
+}
+
+TEST(ColourScale, IsLinearOrTwoDecadesLongOrSigned) {
+  const ColourScale linear{10}, logarithmic{10, false, ColourMap::Viridis, true}, both_ways{10, true};
+  EXPECT_DOUBLE_EQ(linear.share(5), 0.5);
+  EXPECT_DOUBLE_EQ(linear.share(-3), 0);
+  EXPECT_DOUBLE_EQ(linear.share(70), 1);
+  EXPECT_DOUBLE_EQ(logarithmic.share(10), 1);
+  EXPECT_DOUBLE_EQ(logarithmic.share(1), 0.5);
+  EXPECT_NEAR(logarithmic.share(0.1), 0, 1e-12);
+  EXPECT_DOUBLE_EQ(logarithmic.share(0), 0);
+  EXPECT_DOUBLE_EQ(both_ways.share(0), 0.5);
+  EXPECT_DOUBLE_EQ(both_ways.share(-10), 0);
+  EXPECT_DOUBLE_EQ(ColourScale{}.share(3), 0) << "without a range everything is at the low end";
+}
+
+TEST(EdgeScalars, HaveNoNumberWhereTheFrameHasNone) {
+  FrameSnapshot frame = *test::synthetic_frame(0, 0);
+  frame.result.edge_residuals_m.resize(3);
+  const std::vector<double> values = edge_scalars(frame, MeshScalar::Residual);
+  EXPECT_FALSE(std::isnan(values[2]));
+  EXPECT_TRUE(std::isnan(values[3]));
+  EXPECT_TRUE(std::isfinite(typical_upper(frame.result.edges, values)));
 }
 
 TEST(SteadyRange, GrowsAtOnceAndShrinksAfterAWhile) {

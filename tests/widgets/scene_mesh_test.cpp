@@ -141,28 +141,80 @@ TEST(MeshFilter, LetsEverythingThroughAtFirst) {
   EXPECT_TRUE(MeshFilter().passes(corner_pair(1), MeshEdge{0, 1}));
 }
 
+MeshFilter lengths(double shortest_m, double longest_m) {
+  MeshFilter filter;
+  filter.shortest_m = shortest_m;
+  filter.longest_m = longest_m;
+  return filter;
+}
+
+MeshFilter isolating(const Selection& selection) {
+  MeshFilter filter;
+  filter.isolated = selection;
+  return filter;
+}
+
 TEST(MeshFilter, KeepsToARangeOfLengthsWithItsEnds) {
   const PairPose pair = corner_pair(2);
-  EXPECT_TRUE((MeshFilter{1, 2, -1}.passes(pair, MeshEdge{0, 1})));
-  EXPECT_TRUE((MeshFilter{1, 2, -1}.passes(pair, MeshEdge{0, 30})));
-  EXPECT_FALSE((MeshFilter{1.01, 2, -1}.passes(pair, MeshEdge{0, 1})));
-  EXPECT_FALSE((MeshFilter{0, 1.99, -1}.passes(pair, MeshEdge{0, 30})));
-  EXPECT_FALSE((MeshFilter{0, 1.99, -1}.passes(pair, corner_cell))) << "one edge of the cell is too long";
+  EXPECT_TRUE(lengths(1, 2).passes(pair, MeshEdge{0, 1}));
+  EXPECT_TRUE(lengths(1, 2).passes(pair, MeshEdge{0, 30}));
+  EXPECT_FALSE(lengths(1.01, 2).passes(pair, MeshEdge{0, 1}));
+  EXPECT_FALSE(lengths(0, 1.99).passes(pair, MeshEdge{0, 30}));
+  EXPECT_FALSE(lengths(0, 1.99).passes(pair, corner_cell)) << "one edge of the cell is too long";
 }
 
 TEST(MeshFilter, KeepsToWhatMeetsAtAJoint) {
-  const MeshFilter filter{0, MeshFilter::no_limit, 30};
+  const MeshFilter filter = isolating(Selection::joint(30));
   EXPECT_TRUE(filter.passes(corner_pair(1), MeshEdge{0, 30}));
   EXPECT_FALSE(filter.passes(corner_pair(1), MeshEdge{0, 1}));
   EXPECT_TRUE(filter.passes(corner_pair(1), corner_cell));
   EXPECT_FALSE(filter.passes(corner_pair(1), MeshTetrahedron{0, 1, 2, 31}));
 }
 
+TEST(MeshFilter, KeepsToWhatMeetsAtAnyOfSeveralJoints) {
+  Selection two = Selection::joint(30);
+  two.vertices.push_back(1);
+  EXPECT_TRUE(isolating(two).passes(corner_pair(1), MeshEdge{0, 1}));
+  EXPECT_FALSE(isolating(two).passes(corner_pair(1), MeshEdge{0, 2}));
+}
+
+TEST(MeshFilter, KeepsToAnEdgeOrACellAndWhatItIsPartOfOrConsistsOf) {
+  const PairPose pair = corner_pair(1);
+  const MeshFilter edge = isolating(Selection::edge({0, 30}));
+  EXPECT_TRUE(edge.passes(pair, MeshEdge{0, 30}));
+  EXPECT_FALSE(edge.passes(pair, MeshEdge{0, 1}));
+  EXPECT_TRUE(edge.passes(pair, corner_cell));
+  EXPECT_FALSE(edge.passes(pair, MeshTetrahedron{0, 1, 2, 31}));
+  const MeshFilter cell = isolating(Selection::tetrahedron(corner_cell));
+  EXPECT_TRUE(cell.passes(pair, MeshEdge{0, 30}));
+  EXPECT_FALSE(cell.passes(pair, MeshEdge{0, 31}));
+  EXPECT_TRUE(cell.passes(pair, corner_cell));
+}
+
+TEST(MeshFilter, HidesAnEdgeWithItsCellsACellAloneAndAJointWithAllThatMeetsThere) {
+  const PairPose pair = corner_pair(1);
+  MeshFilter filter;
+  filter.hidden = {Selection::tetrahedron(corner_cell)};
+  EXPECT_FALSE(filter.passes(pair, corner_cell));
+  EXPECT_TRUE(filter.passes(pair, MeshEdge{0, 30})) << "its edges belong to others, too";
+  filter.hidden = {Selection::edge({0, 30})};
+  EXPECT_FALSE(filter.passes(pair, MeshEdge{0, 30}));
+  EXPECT_FALSE(filter.passes(pair, corner_cell));
+  filter.hidden = {Selection::joint(30), Selection::edge({1, 2})};
+  EXPECT_FALSE(filter.passes(pair, MeshEdge{2, 30}));
+  EXPECT_FALSE(filter.passes(pair, MeshEdge{1, 2}));
+  EXPECT_TRUE(filter.passes(pair, MeshEdge{0, 1}));
+}
+
+TEST(MeshFilter, IsolatesNothingForACandidate) {
+  EXPECT_TRUE(isolating(Selection::candidate(3)).passes(corner_pair(1), MeshEdge{0, 1}));
+}
+
 TEST(JointTrails, KeepTheLastMomentsOnly) {
   JointTrails trails;
   for (int i = 0; i < 300; ++i) trails.add(i / 60.0, corner_pair(i / 60.0));
   const auto trail = trails.lines_of({30});
-  const std::size_t kept = static_cast<std::size_t>(std::lround(JointTrails::length_s * 60)) + 1;
+  const std::size_t kept = static_cast<std::size_t>(std::lround(trails.length_s() * 60)) + 1;
   EXPECT_NEAR(static_cast<double>(trails.size()), static_cast<double>(kept), 1);
   EXPECT_EQ(trail.lines.size(), trails.size() - 1);
   EXPECT_DOUBLE_EQ(trail.xyz[trail.xyz.size() - 2], 299 / 60.0) << "the newest comes last";
@@ -172,8 +224,20 @@ TEST(JointTrails, KeepTheLastMomentsOnly) {
 
 TEST(JointTrails, StayBoundedHoweverFastTheFramesCome) {
   JointTrails trails;
-  for (int i = 0; i < 5000; ++i) trails.add(i / 2000.0, corner_pair(1));
-  EXPECT_EQ(trails.size(), JointTrails::most_samples);
+  for (int i = 0; i < 8000; ++i) trails.add(i / 2000.0, corner_pair(1));
+  EXPECT_LE(trails.size(), JointTrails::most_samples);
+  EXPECT_GT(trails.size(), JointTrails::most_samples / 2);
+  EXPECT_NEAR(trails.last_s() - trails.known_since_s(), trails.length_s(), 0.01) << "thinned, not cut short";
+}
+
+TEST(JointTrails, HaveTheLengthTheyAreGiven) {
+  JointTrails trails;
+  trails.set_length(4);
+  for (int i = 0; i < 600; ++i) trails.add(i / 60.0, corner_pair(1));
+  EXPECT_NEAR(trails.last_s() - trails.known_since_s(), 4, 0.05);
+  trails.set_length(1);
+  trails.add(10, corner_pair(1));
+  EXPECT_NEAR(trails.last_s() - trails.known_since_s(), 1, 0.05);
 }
 
 TEST(JointTrails, BeginAnewWhenTheCursorWasMoved) {

@@ -75,6 +75,7 @@ struct Corner {
   std::vector<MeshEdge> edges = {{0, 1}, {0, 2}, {2, 30}};
   std::vector<MeshTetrahedron> cells = {{0, 1, 2, 30}};
   std::vector<double> corners;
+  std::vector<Ghost> ghosts;
   Corner() {
     pair.row(0) << 0, 0, 0;
     pair.row(1) << 0.5, 0, 0;
@@ -83,35 +84,94 @@ struct Corner {
     for (const int v : {0, 1, 2, 30})
       for (int axis = 0; axis < 3; ++axis) corners.push_back(pair(v, axis));
   }
-  PickedItem operator()(double x, double y, std::array<bool, 2> bodies = {true, true}) const {
+  Selection operator()(double x, double y, std::array<bool, 2> bodies = {true, true}) const {
     return pick(x, y, PictureProjection(plain_camera(), width, height),
-                {pair, bodies, edges, cells, corners});
+                {pair, bodies, edges, cells, corners, ghosts});
   }
 };
 
 TEST(Pick, TakesTheJointThenTheEdgeThenTheCell) {
   const Corner corner;  // joints at x 400 and 550, the edge 0-1 between them, the cell above it
-  EXPECT_EQ(corner(552, 303), PickedItem::joint(1));
-  EXPECT_EQ(corner(475, 303), PickedItem::edge({0, 1}));
-  EXPECT_EQ(corner(440, 260), PickedItem::tetrahedron({30, 2, 1, 0}));
-  EXPECT_EQ(corner(100, 100), PickedItem());
+  EXPECT_EQ(corner(552, 303), Selection::joint(1));
+  EXPECT_EQ(corner(475, 303), Selection::edge({0, 1}));
+  EXPECT_EQ(corner(440, 260), Selection::tetrahedron({30, 2, 1, 0}));
+  EXPECT_EQ(corner(100, 100), Selection());
 }
 
 TEST(Pick, ReachesAsFarAsItSays) {
   const Corner corner;
-  EXPECT_EQ(corner(550 + joint_reach_px - 0.5, 300), PickedItem::joint(1));
-  EXPECT_EQ(corner(550 + joint_reach_px + 0.5, 300), PickedItem());
+  EXPECT_EQ(corner(550 + joint_reach_px - 0.5, 300), Selection::joint(1));
+  EXPECT_EQ(corner(550 + joint_reach_px + 0.5, 300), Selection());
 }
 
 TEST(Pick, OfTwoJointsBehindOneAnotherTakesTheOneInFront) {
-  EXPECT_EQ(Corner()(400, 300), PickedItem::joint(30));
-  EXPECT_EQ(Corner()(400, 300, {true, false}), PickedItem::joint(0)) << "the other body is hidden";
+  EXPECT_EQ(Corner()(400, 300), Selection::joint(30));
+  EXPECT_EQ(Corner()(400, 300, {true, false}), Selection::joint(0)) << "the other body is hidden";
 }
 
-TEST(PickedItem, IsTheSameHoweverItsVerticesAreOrdered) {
-  EXPECT_EQ(PickedItem::tetrahedron({3, 40, 1, 2}), PickedItem::tetrahedron({1, 2, 3, 40}));
-  EXPECT_EQ(PickedItem::edge({40, 3}), PickedItem::edge({3, 40}));
-  EXPECT_NE(PickedItem::edge({3, 40}), PickedItem::edge({3, 41}));
+TEST(Pick, TakesAGhostWhereItsBonesAre) {
+  Corner corner;
+  PairPose ghost = PairPose::Constant(50);
+  ghost.row(3) << -0.5, -0.8, 0;  // bone 3-4 lies below everything else
+  ghost.row(4) << 0.5, -0.8, 0;
+  corner.ghosts.push_back({7, ghost});
+  EXPECT_EQ(corner(420, 300 + 0.8 * 300), Selection::candidate(7));
+  EXPECT_EQ(corner(420, 300 + 0.8 * 300 + edge_reach_px + 1), Selection());
+  ghost.row(3) << -0.5, 0, -1;
+  ghost.row(4) << 0.5, 0, -1;
+  corner.ghosts = {{7, ghost}};
+  EXPECT_EQ(corner(475, 300), Selection::candidate(7)) << "drawn over the edge 0-1 that lies as near";
+  EXPECT_EQ(corner(552, 303), Selection::joint(1)) << "joints come first";
+}
+
+TEST(Pick, PassesOverWhatIsCutAway) {
+  Corner corner;
+  OrbitCamera camera = plain_camera();
+  camera.plane = CutPlane{Vec3(0.2, 0, 0), Vec3::UnitX()};
+  const PictureProjection projection(camera, width, height);
+  const Pickable all{corner.pair, {true, true}, corner.edges, corner.cells, corner.corners, {}};
+  EXPECT_EQ(pick(552, 303, projection, all), Selection()) << "the joint at 0.5 m lies beyond the plane";
+  EXPECT_EQ(pick(400, 152, projection, all), Selection::joint(2));
+}
+
+/// Whether a card there hides a point.
+bool hides(const CardPlace& card, int width_px, int height_px, double x, double y) {
+  return x >= card.x && x <= card.x + width_px && y >= card.y && y <= card.y + height_px;
+}
+
+TEST(PlaceCard, StandsBesideThePointerWithinTheRoom) {
+  for (const auto& [x, y] : {std::pair{5, 5}, {795, 5}, {5, 595}, {795, 595}, {400, 300}}) {
+    const CardPlace card = place_card(x, y, 200, 80, 800, 600, {});
+    EXPECT_FALSE(hides(card, 200, 80, x, y)) << x << ", " << y;
+    EXPECT_GE(card.x, 0);
+    EXPECT_LE(card.x + 200, 800);
+    EXPECT_GE(card.y, 0);
+    EXPECT_LE(card.y + 80, 600);
+  }
+}
+
+TEST(PlaceCard, LeavesFreeWhatItIsAbout) {
+  const std::array<std::array<PicturePoint, 2>, 1> falling = {{{{{100, 100, 1}, {700, 500, 1}}}}};
+  const CardPlace card = place_card(400, 300, 200, 80, 800, 600, falling);
+  for (int s = 0; s <= 100; ++s)
+    EXPECT_FALSE(hides(card, 200, 80, 100 + 6 * s, 100 + 4 * s))
+        << "below it to the right would hide the edge";
+}
+
+TEST(SegmentsOf, AreTheLinesOfAnItemThatTheCameraShows) {
+  const Corner corner;
+  const PictureProjection projection(plain_camera(), width, height);
+  EXPECT_EQ(segments_of(Selection::edge({0, 1}), projection, corner.pair).size(), 1U);
+  EXPECT_EQ(segments_of(Selection::tetrahedron({0, 1, 2, 30}), projection, corner.pair).size(), 6U);
+  EXPECT_EQ(segments_of(Selection::joint(1), projection, corner.pair).size(), 1U);
+  EXPECT_EQ(segments_of(Selection::edge({0, 5}), projection, corner.pair).size(), 0U)
+      << "5 is behind the eye";
+}
+
+TEST(Selection, IsTheSameHoweverItsVerticesAreOrdered) {
+  EXPECT_EQ(Selection::tetrahedron({3, 40, 1, 2}), Selection::tetrahedron({1, 2, 3, 40}));
+  EXPECT_EQ(Selection::edge({40, 3}), Selection::edge({3, 40}));
+  EXPECT_NE(Selection::edge({3, 40}), Selection::edge({3, 41}));
 }
 
 TEST(JointFacts, MeasureTheWayToTheUserOnlyForTheUsersCharacter) {
@@ -150,13 +210,30 @@ TEST(Describe, NamesBodiesAndJointsAndSaysWhatTheFrameDoesNotHave) {
   const auto frame = test::synthetic_frame(0, 0);
   EXPECT_EQ(vertex_name(20), "leader lhand");
   EXPECT_EQ(vertex_name(49), "follower rhand");
-  EXPECT_EQ(describe(*frame, PickedItem::joint(16)).title, "leader head");
+  EXPECT_EQ(describe(*frame, Selection::joint(16)).title, "leader head");
   FrameSnapshot without = *frame;
   without.result.edges.clear();
-  EXPECT_THAT(describe(without, PickedItem::edge({20, 49})).lines,
+  EXPECT_THAT(describe(without, Selection::edge({20, 49})).lines,
               ::testing::ElementsAre("not in the mesh of this frame"));
-  EXPECT_FALSE(has_item(without, PickedItem::edge({20, 49})));
-  EXPECT_TRUE(has_item(without, PickedItem::joint(20)));
+  EXPECT_FALSE(has_item(without, Selection::edge({20, 49})));
+  EXPECT_TRUE(has_item(without, Selection::joint(20)));
+}
+
+TEST(Describe, TellsRankAndCostOfACandidateAndWhenItIsNone) {
+  const auto frame = test::synthetic_frame(0, 0);
+  const auto library = test::two_take_library();
+  const PickText winner = describe(*frame, Selection::candidate(0), library.get());
+  EXPECT_EQ(winner.title, "salsa_01 · 0");
+  EXPECT_THAT(winner.lines, ::testing::Contains("rank 1 of 5, selected"));
+  EXPECT_THAT(winner.lines, ::testing::Contains("cost 0.130 m² = pose 0.100 + 0.50 (0.020 + 0.040)"));
+  EXPECT_THAT(describe(*frame, Selection::candidate(7), library.get()).lines,
+              ::testing::Contains("not among the candidates of this frame"));
+}
+
+TEST(Describe, TellsHowDeepALimbOverlaps) {
+  const auto frame = test::synthetic_frame(0, 0);
+  EXPECT_THAT(describe(*frame, Selection::joint(20)).lines,
+              ::testing::Contains("limb overlaps follower lhand's by 4 mm (recorded 10)"));
 }
 
 TEST(PointerMove, FollowsTheHabitsOfEachProgram) {

@@ -7,15 +7,25 @@ namespace {
 
 TimelineTracks ten_frames() {
   TimelineTracks tracks;
-  for (int i = 0; i < 10; ++i) tracks.append(0.1 * i, i < 4 ? 2 : 5, i < 6 ? "turn" : "open hold", 0.01 * i);
+  for (int i = 0; i < 10; ++i)
+    tracks.append({.time_s = 0.1 * i,
+                   .pair = 100 + i,
+                   .take = i < 4 ? 2 : 5,
+                   .label = i < 6 ? "turn" : "open hold",
+                   .source_changed = i == 4 || i == 8,
+                   .leader = i < 7 ? Leader::User : Leader::Partner,
+                   .cost = 0.01 * i,
+                   .energy = 0.1});
   return tracks;
 }
 
-TEST(TimelineTracks, JoinsFramesOfOneTakeIntoOneInterval) {
+TEST(TimelineTracks, JoinsFramesOfOneTakeIntoOneIntervalUntilTheSourceJumps) {
   const TimelineTracks tracks = ten_frames();
-  ASSERT_EQ(tracks.sources().size(), 2u);
+  ASSERT_EQ(tracks.sources().size(), 3u);
   EXPECT_EQ(tracks.sources()[0].key, 2);
   EXPECT_EQ(tracks.sources()[1].key, 5);
+  EXPECT_EQ(tracks.sources()[2].key, 5);
+  EXPECT_NEAR(tracks.sources()[2].from_s, 0.8, 1e-12);
 }
 
 TEST(TimelineTracks, AnIntervalLastsUntilTheNextBegins) {
@@ -24,25 +34,62 @@ TEST(TimelineTracks, AnIntervalLastsUntilTheNextBegins) {
   EXPECT_NEAR(tracks.moves()[0].to_s, 0.6, 1e-12);
 }
 
+TEST(TimelineTracks, KnowsWhoLeads) {
+  const TimelineTracks tracks = ten_frames();
+  ASSERT_EQ(tracks.leaders().size(), 2u);
+  EXPECT_EQ(tracks.leaders()[1].key, static_cast<int>(Leader::Partner));
+  EXPECT_NEAR(tracks.leaders()[1].from_s, 0.7, 1e-12);
+}
+
 TEST(TimelineTracks, AGapWithoutFramesEndsAnInterval) {
   TimelineTracks tracks = ten_frames();
-  tracks.append(5.0, 5, "open hold", 0);
-  ASSERT_EQ(tracks.sources().size(), 3u);
-  EXPECT_NEAR(tracks.sources()[1].to_s, 0.9, 1e-12);
-  EXPECT_DOUBLE_EQ(tracks.sources()[2].from_s, 5.0);
+  tracks.append({.time_s = 5, .pair = 1, .take = 5, .label = "open hold"});
+  ASSERT_EQ(tracks.sources().size(), 4u);
+  EXPECT_NEAR(tracks.sources()[2].to_s, 0.9, 1e-12);
+  EXPECT_DOUBLE_EQ(tracks.sources()[3].from_s, 5.0);
+  EXPECT_EQ(tracks.pair_at(3), -1);
+  EXPECT_EQ(interval_at(tracks.sources(), 3), nullptr);
 }
 
 TEST(TimelineTracks, ForgetsWhatWasEvicted) {
   TimelineTracks tracks = ten_frames();
-  tracks.drop_before(0.5);
-  ASSERT_EQ(tracks.sources().size(), 1u);
-  EXPECT_DOUBLE_EQ(tracks.sources()[0].from_s, 0.5);
+  tracks.drop_before(0.45);
+  ASSERT_EQ(tracks.sources().size(), 2u);
+  EXPECT_DOUBLE_EQ(tracks.sources()[0].from_s, 0.45);
   EXPECT_EQ(tracks.costs().size(), 5u);
+  EXPECT_EQ(tracks.pair_at(0.4), -1);
 }
 
-TEST(TimelineTracks, ScalesTheCostCurveByWhatIsInView) {
-  EXPECT_NEAR(ten_frames().usual_cost(0.15, 0.55), 0.05, 1e-12);
-  EXPECT_EQ(ten_frames().usual_cost(7, 8), 0);
+TEST(TimelineTracks, KnowsThePairOfAnyTime) {
+  const TimelineTracks tracks = ten_frames();
+  EXPECT_EQ(tracks.pair_at(0.35), 103);
+  EXPECT_EQ(tracks.pair_at(0.9), 109);
+  EXPECT_EQ(tracks.pair_at(-1), -1);
+}
+
+TEST(TimelineTracks, FindsTheEdgesOfMoves) {
+  const TimelineTracks tracks = ten_frames();
+  EXPECT_NEAR(*tracks.edge_after(0), 0.6, 1e-12);
+  EXPECT_FALSE(tracks.edge_after(0.6));
+  EXPECT_NEAR(*tracks.edge_before(0.7), 0.6, 1e-12);
+  EXPECT_NEAR(*tracks.edge_before(0.6), 0, 1e-12);
+  EXPECT_FALSE(tracks.edge_before(0));
+}
+
+TEST(TimelineTracks, DrawsOfTooShortIntervalsOneForEachPixel) {
+  TimelineTracks::Lane lane;
+  for (int i = 0; i < 100000; ++i) lane.push_back({0.01 * i, 0.01 * (i + 1), i});
+  const auto shown = drawn(lane, 100, 900, 1);
+  EXPECT_LE(shown.size(), 802u);
+  EXPECT_GE(shown.size(), 400u);
+  EXPECT_EQ(drawn(lane, 100, 100.05, 1e-4).size(), 6u) << "nothing is left out where there is room";
+}
+
+TEST(TimelineTracks, DrawsOnlyWhatIsInView) {
+  const TimelineTracks tracks = ten_frames();
+  EXPECT_EQ(drawn(tracks.moves(), 0.1, 0.3, 0.001).size(), 1u);
+  EXPECT_EQ(drawn(tracks.moves(), 0.1, 0.8, 0.001).size(), 2u);
+  EXPECT_TRUE(drawn(tracks.moves(), 2, 3, 0.001).empty());
 }
 
 TEST(TimelineTracks, ATakeIsCalledByItsNumberWhereItHasOne) {

@@ -48,12 +48,9 @@ void CandidateList::setRows(std::vector<CandidateRow> rows, CandidateColumn figu
   // Grows at once and shrinks slowly: bars that rescale with every frame cannot be read.
   m_fullBar = largest > m_fullBar ? largest : std::max(largest, 0.88 * m_fullBar);
   if (m_hovered >= static_cast<int>(m_rows.size())) m_hovered = -1;
-  if (m_current >= 0) {
-    const auto same = std::find_if(m_rows.begin(), m_rows.end(),
-                                   [this](const CandidateRow& row) { return row.pair == m_currentPair; });
-    m_current = same != m_rows.end() ? static_cast<int>(same - m_rows.begin())
-                                     : std::min(m_current, static_cast<int>(m_rows.size()) - 1);
-    m_currentPair = m_current >= 0 ? m_rows[static_cast<std::size_t>(m_current)].pair : -1;
+  if (m_currentPair >= 0) {
+    m_current = rowOf(m_currentPair);
+    if (m_current >= 0) m_lastRow = m_current;
     describe();
   }
   point();
@@ -73,10 +70,39 @@ void CandidateList::setCurrent(int index) {
   const CandidateRow* chosen = row(index);
   m_current = chosen ? index : -1;
   m_currentPair = chosen ? chosen->pair : -1;
+  m_lastRow = m_current;
   describe();
   point();
   update();
   emit currentChanged(m_current);
+}
+
+int CandidateList::rowOf(int pair) const {
+  const auto same = std::find_if(m_rows.begin(), m_rows.end(),
+                                 [pair](const CandidateRow& row) { return row.pair == pair; });
+  return pair >= 0 && same != m_rows.end() ? static_cast<int>(same - m_rows.begin()) : -1;
+}
+
+void CandidateList::setCurrentPair(int pair) {
+  if (pair == m_currentPair) return;
+  m_currentPair = pair;
+  m_current = m_lastRow = rowOf(pair);
+  describe();
+  point();
+  update();
+  emit currentChanged(m_current);
+}
+
+/// By hand: the row becomes current and says so.
+void CandidateList::choose(int index) {
+  const int before = m_currentPair;
+  setCurrent(index);
+  if (m_currentPair != before) emit pairChosen(m_currentPair);
+}
+
+void CandidateList::moveBy(int rows) {
+  const int from = m_current >= 0 ? m_current : m_lastRow;
+  choose(std::clamp(from + rows, 0, static_cast<int>(m_rows.size()) - 1));
 }
 
 void CandidateList::setLinked(int candidate) {
@@ -250,7 +276,7 @@ void CandidateList::mousePressEvent(QMouseEvent* event) {
     const CandidateRow chosen = m_rows[static_cast<std::size_t>(index)];
     emit pinClicked(chosen);
   } else {
-    setCurrent(index);
+    choose(index);
   }
 }
 
@@ -277,15 +303,15 @@ void CandidateList::keyPressEvent(QKeyEvent* event) {
   const int last = static_cast<int>(m_rows.size()) - 1;
   switch (event->key()) {
     case Qt::Key_Up:
-      return setCurrent(std::max(0, m_current - 1));
+      return moveBy(-1);
     case Qt::Key_Down:
-      return setCurrent(std::min(last, m_current + 1));
+      return moveBy(1);
     case Qt::Key_PageUp:
-      return setCurrent(0);
+      return choose(0);
     case Qt::Key_PageDown:
-      return setCurrent(last);
+      return choose(last);
     case Qt::Key_Escape:
-      return setCurrent(-1);
+      return choose(-1);
     case Qt::Key_Return:
     case Qt::Key_Enter:
       if (const CandidateRow* at = current()) {
@@ -301,7 +327,7 @@ void CandidateList::keyPressEvent(QKeyEvent* event) {
 void CandidateList::focusInEvent(QFocusEvent* event) {
   QWidget::focusInEvent(event);
   const bool by_key = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason;
-  if (by_key && m_current < 0 && !m_rows.empty()) return setCurrent(0);
+  if (by_key && m_currentPair < 0 && !m_rows.empty()) return choose(0);
   point();
   update();
 }

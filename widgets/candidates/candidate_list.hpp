@@ -42,12 +42,16 @@ class CandidateList : public QWidget {
   /// The row that was chosen with keys or a click; it stays with its pair as long as that is a candidate.
   const CandidateRow* current() const;
   void setCurrent(int row);
+  /// The row of this pair, and none while it is not among them; -1 for none. Says nothing.
+  void setCurrentPair(int pair);
   QRectF barArea(int row) const;
 
  signals:
   /// Index into the frame's candidates; -1 when the pointer left.
   void candidateHovered(int candidate);
   void currentChanged(int row);
+  /// A person chose the row of this pair; -1 when none.
+  void pairChosen(int pair);
   void jumpAsked(const abrazo::widgets::CandidateRow& row);
   void pinClicked(const abrazo::widgets::CandidateRow& row);
   void menuAsked(const abrazo::widgets::CandidateRow& row, const QPoint& globalPosition);
@@ -72,8 +76,11 @@ class CandidateList : public QWidget {
   void paintBar(QPainter& painter, int index) const;
   void hover(int row);
   void point();
+  void choose(int row);
+  void moveBy(int rows);
   void describe();
   int rowAt(const QPoint& position) const;
+  int rowOf(int pair) const;
   const CandidateRow* row(int index) const;
   QString tip(const CandidateRow& row) const;
 
@@ -85,7 +92,8 @@ class CandidateList : public QWidget {
   int m_linked = -1;   ///< a candidate
   int m_current = -1;  ///< a row
   int m_currentPair = -1;
-  int m_told = -1;  ///< candidate that was last announced as hovered
+  int m_lastRow = -1;  ///< where the keys go on from once the pair is no candidate any more
+  int m_told = -1;     ///< candidate that was last announced as hovered
 };
 
 }  // namespace abrazo::widgets

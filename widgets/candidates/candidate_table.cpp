@@ -71,10 +71,10 @@ void CandidateTable::arrange() {
   m_scroll->setMinimumHeight(4 * CandidateList::row_height);
   column->addWidget(m_header);
   column->addWidget(m_columns);
-  column->addWidget(m_scroll, 3);
+  column->addWidget(m_scroll, 8);
   column->addWidget(m_decisions);
   column->addWidget(makeFoot());
-  column->addWidget(m_map, 2);
+  column->addWidget(m_map, 1);
   setFocusProxy(m_list);
 }
 
@@ -110,6 +110,13 @@ void CandidateTable::connectParts() {
   connect(m_list, &CandidateList::currentChanged, this, [this](int row) {
     constexpr int height = CandidateList::row_height;
     if (row >= 0) m_scroll->ensureVisible(0, row * height + height / 2, 0, height / 2 + 1);
+  });
+  connect(m_list, &CandidateList::pairChosen, this, [this](int pair) {
+    emit selectionRequested(pair >= 0 ? Selection::candidate(pair) : Selection{});
+  });
+  connect(m_map, &FeatureMap::candidateClicked, this, [this](int candidate) {
+    for (const CandidateRow& row : m_ranked)
+      if (row.candidate == candidate) return emit selectionRequested(Selection::candidate(row.pair));
   });
   connect(m_map, &FeatureMap::candidateChosen, this, [this](int candidate) {
     for (const CandidateRow& row : m_ranked)
@@ -176,6 +183,7 @@ void CandidateTable::showRows() {
   std::vector<CandidateRow> shown = m_ranked;
   sort_rows(shown, m_order);
   m_list->setRows(std::move(shown), m_order.column);
+  keepSelectedRow();
 }
 
 void CandidateTable::showSteering(const Steering& steering) {
@@ -200,8 +208,28 @@ void CandidateTable::showMap(bool on) {
   showRows();
 }
 
+void CandidateTable::showSelection(const Selection& selection) {
+  m_selection = selection;
+  const int pair = selection.kind == SelectionKind::Candidate ? selection.pair : -1;
+  if (!m_selectedRow || m_selectedRow->pair != pair) m_selectedRow.reset();
+  m_list->setCurrentPair(pair);
+  keepSelectedRow();
+  m_map->setCurrentPair(pair);
+}
+
+void CandidateTable::keepSelectedRow() {
+  if (m_selection.kind != SelectionKind::Candidate) return m_selectedRow.reset();
+  if (const CandidateRow* current = m_list->current()) m_selectedRow = *current;
+}
+
+void CandidateTable::pointAt(int candidate) {
+  m_list->setLinked(candidate);
+  m_map->setLinked(candidate);
+}
+
 const CandidateRow* CandidateTable::chosen() const {
   if (const CandidateRow* current = m_list->current()) return current;
+  if (m_selectedRow) return &*m_selectedRow;  // selected, though it is no candidate of this frame
   const auto winner =
       std::find_if(rows().begin(), rows().end(), [](const CandidateRow& row) { return row.selected; });
   return winner != rows().end() ? &*winner : nullptr;

@@ -2,6 +2,7 @@
 
 #include <QWidget>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/session/frame_history.hpp"
@@ -10,6 +11,7 @@
 #include "widgets/candidates/candidate_rows.hpp"
 #include "widgets/candidates/steering.hpp"
 #include "widgets/common/palette.hpp"
+#include "widgets/common/selection_model.hpp"
 
 class QLabel;
 class QMenu;
@@ -47,6 +49,9 @@ class CandidateTable : public QWidget {
   void showPath(const abrazo::FrameHistory& history, double until_s);
   void sortBy(abrazo::widgets::CandidateColumn column);
   void showMap(bool on);
+  void showSelection(const abrazo::widgets::Selection& selection);
+  /// Marks a candidate that is pointed at elsewhere, index into the frame's; -1 for none.
+  void pointAt(int candidate);
 
   // About the current row; without one, about the winner.
   void togglePin();
@@ -59,6 +64,7 @@ class CandidateTable : public QWidget {
   void candidateHovered(int candidate);
   /// @param what  the change in words, for the undo list
   void steeringRequested(const abrazo::widgets::Steering& next, const QString& what);
+  void selectionRequested(const abrazo::widgets::Selection& selection);
   /// To this frame of this take of the library.
   void jumpRequested(int take, int frame);
 
@@ -70,6 +76,7 @@ class CandidateTable : public QWidget {
   void connectParts();
   QWidget* makeFoot();
   void showRows();
+  void keepSelectedRow();
   void mark(CandidateRow& row) const;
   const CandidateRow* chosen() const;
   void askPin(const CandidateRow& row);
@@ -78,6 +85,8 @@ class CandidateTable : public QWidget {
   void showMenu(const CandidateRow& row, const QPoint& at);
   void addSorting(QMenu& menu);
 
+  Selection m_selection;
+  std::optional<CandidateRow> m_selectedRow;  ///< as it was last among the candidates
   SectionHeader* m_header;
   CandidateHeader* m_columns;
   CandidateList* m_list;

@@ -89,8 +89,9 @@ void FeatureMap::place(const std::vector<CandidateRow>& rows) {
   m_spots.clear();
   if (!m_cloud || !m_library) return;
   for (const CandidateRow& row : rows)
-    m_spots.push_back({row.candidate, m_cloud->projection(user_features(*m_library, row.pair, m_role)),
-                       row.label, row.selected, row.pinned, row.vetoed});
+    m_spots.push_back({row.candidate, row.pair,
+                       m_cloud->projection(user_features(*m_library, row.pair, m_role)), row.label,
+                       row.selected, row.pinned, row.vetoed});
 }
 
 void FeatureMap::setPath(const FrameHistory& history, double until_s) {
@@ -192,6 +193,11 @@ void FeatureMap::paintCandidates(QPainter& painter) const {
     painter.setBrush(label_colour(m_palette, spot.label));
     painter.drawEllipse(at, pointed ? 5 : 4, pointed ? 5 : 4);
     painter.setOpacity(1);
+    if (spot.pair == m_currentPair) {
+      painter.setPen(QPen(m_palette.text, 2));
+      painter.setBrush(Qt::NoBrush);
+      painter.drawRect(QRectF(at - QPointF(6.5, 6.5), QSizeF(13, 13)));
+    }
     if (spot.pinned) draw_pin(painter, at + QPointF(0, -11), m_palette.warning, true);
     if (spot.vetoed) draw_veto(painter, at, m_palette.secondary);
     if (!spot.selected) continue;
@@ -243,6 +249,12 @@ int FeatureMap::candidateAt(const QPointF& position) const {
   return nearest;
 }
 
+void FeatureMap::setCurrentPair(int pair) {
+  if (pair == m_currentPair) return;
+  m_currentPair = pair;
+  update();
+}
+
 void FeatureMap::point(int candidate) {
   if (candidate == m_told) return;
   m_told = candidate;
@@ -252,6 +264,11 @@ void FeatureMap::point(int candidate) {
 
 void FeatureMap::mouseMoveEvent(QMouseEvent* event) {
   if (m_cloud) point(candidateAt(event->localPos()));
+}
+
+void FeatureMap::mousePressEvent(QMouseEvent* event) {
+  const int candidate = m_cloud && event->button() == Qt::LeftButton ? candidateAt(event->localPos()) : -1;
+  if (candidate >= 0) emit candidateClicked(candidate);
 }
 
 void FeatureMap::mouseDoubleClickEvent(QMouseEvent* event) {

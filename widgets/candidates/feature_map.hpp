@@ -29,6 +29,8 @@ class FeatureMap : public QWidget {
   void setPath(const FrameHistory& history, double until_s);
   /// Marks a candidate that is pointed at elsewhere; -1 for none.
   void setLinked(int candidate);
+  /// Marks the pair that is selected; -1 for none.
+  void setCurrentPair(int pair);
   /// The cloud is there; it is computed on a thread of its own.
   bool isReady() const { return m_cloud != nullptr; }
   /// Where a candidate is drawn [px]; nothing while there is no cloud or no such candidate.
@@ -37,11 +39,13 @@ class FeatureMap : public QWidget {
 
  signals:
   void candidateHovered(int candidate);
+  void candidateClicked(int candidate);
   void candidateChosen(int candidate);  ///< by a double click
 
  protected:
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
@@ -49,7 +53,7 @@ class FeatureMap : public QWidget {
 
  private:
   struct Spot {
-    int candidate;
+    int candidate, pair;
     Eigen::Vector2d at;
     std::string label;
     bool selected, pinned, vetoed;
@@ -78,6 +82,7 @@ class FeatureMap : public QWidget {
   QPixmap m_picture;  ///< of the whole cloud; null when it has to be drawn anew
   double m_zoom = 1;
   int m_linked = -1;
+  int m_currentPair = -1;
   int m_told = -1;
   std::jthread m_worker;  ///< last: ends before what it reports to
 };

@@ -63,6 +63,9 @@ void lined(QPainter& painter, Icon which) {
       painter.drawLine(QPointF(4, 4), QPointF(12, 12));
       painter.drawLine(QPointF(12, 4), QPointF(4, 12));
       break;
+    case Icon::More:
+      for (const double x : {4.0, 8.0, 12.0}) painter.drawPoint(QPointF(x, 8));
+      break;
     case Icon::Warning:
       painter.drawPolygon(QPolygonF({{8, 2}, {14.5, 13.5}, {1.5, 13.5}}));
       painter.drawLine(QPointF(8, 6), QPointF(8, 9.6));

@@ -18,7 +18,8 @@ enum class Icon {
   Information,
   Lock,
   Unlock,
-  Reset
+  Reset,
+  More
 };
 
 /// A single-weight line icon on a 16 px grid, sharp at 1x and 2x.

@@ -12,7 +12,7 @@ namespace abrazo::widgets {
 namespace {
 
 constexpr int information_ms = 6000, warnings_ms = 15000;
-constexpr int most_in_tip = 20;
+constexpr int most_in_tip = 20, most_errors = 20;
 constexpr int longest_text = 320;  // more would push the scene out of the window; the tool tip has the rest
 
 }  // namespace
@@ -22,6 +22,7 @@ MessageBar::MessageBar(QWidget* parent)
       m_palette(palette_of(Theme::Dark)),
       m_sign(new QLabel(this)),
       m_text(new QLabel(this)),
+      m_count(new QLabel(this)),
       m_close(new QToolButton(this)),
       m_leave(new QTimer(this)) {
   auto* row = new QHBoxLayout(this);
@@ -29,18 +30,18 @@ MessageBar::MessageBar(QWidget* parent)
   row->setSpacing(8);
   row->addWidget(m_sign);
   row->addWidget(m_text, 1);
+  row->addWidget(m_count);
   row->addWidget(m_close);
+  m_count->setObjectName("secondary");
   m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
   m_text->setTextFormat(Qt::PlainText);
   m_text->setWordWrap(true);
   m_close->setObjectName("flat");
   m_close->setToolTip("Close (a running job is cancelled)");
+  m_close->setAccessibleName("Close the message, or cancel the job that runs");
   m_leave->setSingleShot(true);
-  connect(m_leave, &QTimer::timeout, this, &QWidget::hide);
-  connect(m_close, &QToolButton::clicked, this, [this] {
-    if (m_kind == Kind::Progress) emit cancelRequested();
-    hide();
-  });
+  connect(m_leave, &QTimer::timeout, this, &MessageBar::leave);
+  connect(m_close, &QToolButton::clicked, this, &MessageBar::close);
   hide();
 }
 
@@ -55,47 +56,69 @@ QString MessageBar::text() const {
 }
 
 void MessageBar::showError(const QString& text) {
-  present(Kind::Error, text);
+  m_errors.removeAll(text);
+  m_errors.append(text);
+  if (m_errors.size() > most_errors) m_errors.removeFirst();
+  present(MessageKind::Error, text);
+  emit told(MessageKind::Error, text);
 }
 
 void MessageBar::showInformation(const QString& text) {
-  present(Kind::Information, text);
+  present(MessageKind::Information, text);
   m_leave->start(information_ms);
+  emit told(MessageKind::Information, text);
 }
 
 void MessageBar::showWarnings(const QStringList& warnings) {
   if (warnings.isEmpty()) return;
   const bool one = warnings.size() == 1;
   present(
-      Kind::Information,
+      MessageKind::Information,
       one ? warnings.front() : QString("%1 warnings: %2 …").arg(warnings.size()).arg(warnings.front()),
       one ? QString()
           : warnings.mid(0, most_in_tip).join("\n") +
                 (warnings.size() > most_in_tip ? QString("\nand %1 more").arg(warnings.size() - most_in_tip)
                                                : QString()));
   m_leave->start(warnings_ms);
+  for (const QString& warning : warnings) emit told(MessageKind::Warning, warning);
 }
 
 void MessageBar::showProgress(const QString& doing, double fraction) {
   m_fraction = fraction;
-  present(Kind::Progress, doing);
+  present(MessageKind::Progress, doing);
 }
 
 void MessageBar::endProgress() {
-  if (m_kind == Kind::Progress) hide();
+  if (m_kind == MessageKind::Progress) leave();
 }
 
-void MessageBar::present(Kind kind, const QString& text, const QString& tip) {
+/// What leaves by itself makes room for the last error that nobody closed.
+void MessageBar::leave() {
+  m_leave->stop();
+  m_errors.isEmpty() ? hide() : present(MessageKind::Error, m_errors.last());
+}
+
+void MessageBar::close() {
+  if (m_kind == MessageKind::Progress) emit cancelRequested();
+  if (m_kind == MessageKind::Error && !m_errors.isEmpty()) m_errors.removeLast();
+  leave();
+}
+
+void MessageBar::present(MessageKind kind, const QString& text, const QString& tip) {
   m_leave->stop();
   m_kind = kind;
+  m_count->setText(kind == MessageKind::Error && m_errors.size() > 1
+                       ? QString("and %1 before").arg(m_errors.size() - 1)
+                       : QString());
+  m_count->setVisible(!m_count->text().isEmpty());
   const bool whole = text.size() <= longest_text;
   m_text->setText(whole ? text : text.left(longest_text) + " …");
   // As rich text a tool tip wraps its lines.
   const QString more = tip.isEmpty() && !whole ? text : tip;
   m_text->setToolTip(more.isEmpty() ? QString()
                                     : "<p>" + more.toHtmlEscaped().replace("\n", "</p><p>") + "</p>");
-  const auto sign = kind == Kind::Error ? icon(Icon::Warning, m_palette.live.lighter(135))
-                                        : icon(Icon::Information, m_palette.secondary);
+  const auto sign = kind == MessageKind::Error ? icon(Icon::Warning, m_palette.live.lighter(135))
+                                               : icon(Icon::Information, m_palette.secondary);
   m_sign->setPixmap(sign.pixmap(16, 16));
   m_close->setIcon(icon(Icon::Close, m_palette.secondary));
   show();
@@ -104,9 +127,9 @@ void MessageBar::present(Kind kind, const QString& text, const QString& tip) {
 
 void MessageBar::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  painter.fillRect(rect(),
-                   m_kind == Kind::Error ? mixed(m_palette.live, m_palette.panel, 0.22) : m_palette.raised);
-  if (m_kind == Kind::Progress)
+  painter.fillRect(
+      rect(), m_kind == MessageKind::Error ? mixed(m_palette.live, m_palette.panel, 0.22) : m_palette.raised);
+  if (m_kind == MessageKind::Progress)
     painter.fillRect(QRectF(0, height() - 2, width() * m_fraction, 2), m_palette.accent.lighter(130));
 }
 

@@ -11,14 +11,19 @@ class QToolButton;
 
 namespace abrazo::widgets {
 
-/// Tells what happened without getting in the way. Errors stay until closed; other messages leave by
-/// themselves.
+enum class MessageKind { Information, Warning, Error, Progress };
+
+/// Tells what happened without getting in the way. Errors stay until closed, several one behind the other;
+/// other messages leave by themselves.
 class MessageBar : public QWidget {
   Q_OBJECT
  public:
   explicit MessageBar(QWidget* parent = nullptr);
   void setColours(const Palette& palette);
+  /// What is shown now, or was shown last.
   QString text() const;
+  /// Errors that were not closed yet.
+  const QStringList& openErrors() const { return m_errors; }
 
  public slots:
   void showError(const QString& text);
@@ -31,19 +36,24 @@ class MessageBar : public QWidget {
 
  signals:
   void cancelRequested();
+  /// Everything that was told, whole, but progress; for a list of messages.
+  void told(abrazo::widgets::MessageKind kind, const QString& text);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
 
  private:
-  enum class Kind { Information, Error, Progress };
-  void present(Kind kind, const QString& text, const QString& tip = {});
+  void present(MessageKind kind, const QString& text, const QString& tip = {});
+  void leave();
+  void close();
 
   Palette m_palette;
-  Kind m_kind = Kind::Information;
+  MessageKind m_kind = MessageKind::Information;
+  QStringList m_errors;
   double m_fraction = 0;
   QLabel* m_sign;
   QLabel* m_text;
+  QLabel* m_count;
   QToolButton* m_close;
   QTimer* m_leave;
 };

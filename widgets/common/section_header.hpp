@@ -20,6 +20,7 @@ class SectionHeader : public QWidget {
 
   explicit SectionHeader(const QString& title, QWidget* parent = nullptr);
   void setTitle(const QString& title);
+  const QString& title() const { return m_title; }
   void setKeys(std::vector<Key> keys);
   void setColours(const Palette& palette);
   QSize sizeHint() const override { return {160, 32}; }

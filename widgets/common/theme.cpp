@@ -22,7 +22,13 @@ QMenu::separator { height: 1px; background: %4; margin: 4px 8px; }
 QStatusBar { background: %2; border-top: 1px solid %4; }
 QStatusBar::item { border: none; }
 QDockWidget { border: none; }
+QDockWidget > QWidget { background: %2; }
 QMainWindow::separator { background: %4; width: 1px; height: 1px; }
+QMainWindow::separator:hover { background: %7; }
+QTabBar { background: %2; qproperty-drawBase: 0; }
+QTabBar::tab { background: %2; color: %6; padding: 5px 11px; border: none; border-bottom: 2px solid transparent; }
+QTabBar::tab:hover { color: %5; }
+QTabBar::tab:selected { color: %5; border-bottom: 2px solid %7; }
 QSplitter::handle { background: %4; }
 QToolTip { background: %1; color: %5; border: 1px solid %4; padding: 5px 7px; }
 QFrame#panel, QWidget#panel { background: %2; }
@@ -30,6 +36,10 @@ QFrame#rule { background: %4; border: none; }
 QLabel#secondary { color: %6; }
 QToolButton#flat, QPushButton#flat { border: none; background: transparent; padding: 3px; border-radius: 5px; }
 QToolButton#flat:hover, QPushButton#flat:hover { background: %3; }
+QToolButton#quiet { border: 1px solid transparent; background: transparent; border-radius: 4px; }
+QToolButton#quiet:hover { background: %3; }
+QToolButton#quiet:focus { border-color: %7; }
+QToolButton#quiet::menu-indicator { image: none; width: 0; }
 QToolButton#chip { background: %3; border: 1px solid %4; border-radius: 5px; padding: 3px 9px; color: %5; }
 QToolButton#chip:hover { border-color: %6; }
 QToolButton#chip:checked { background: %7; border-color: %7; color: #ffffff; }
@@ -40,6 +50,10 @@ QToolButton#segment:hover { color: %5; }
 QToolButton#segment:checked { background: %7; color: #ffffff; }
 QPushButton { background: %3; border: 1px solid %4; border-radius: 5px; padding: 4px 12px; }
 QPushButton:hover { border-color: %6; }
+QPushButton#link { border: 1px solid transparent; background: transparent; text-align: left; margin: 0 6px; padding: 2px 6px; }
+QPushButton#link:hover { background: %3; }
+QPushButton#link:focus { border-color: %7; }
+QPushButton:focus { border-color: %7; }
 QPushButton:default { background: %7; border-color: %7; color: #ffffff; }
 QLineEdit { background: %1; border: 1px solid %4; border-radius: 5px; padding: 3px 8px; selection-background-color: %7; selection-color: #ffffff; }
 QLineEdit:focus { border-color: %7; }

@@ -1,128 +1,302 @@
 #include "widgets/library/take_list.hpp"
 
-#include <QPaintEvent>
-#include <QPainter>
-#include <algorithm>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QToolButton>
+#include <QVBoxLayout>
 
-#include "core/motion/joint_set.hpp"
-#include "widgets/common/tabular.hpp"
-#include "widgets/common/theme.hpp"
+#include "widgets/common/icons.hpp"
+#include "widgets/library/take_delegate.hpp"
+#include "widgets/library/take_model.hpp"
+#include "widgets/library/take_view.hpp"
 
 namespace abrazo::widgets {
 namespace {
 
-constexpr int row_height = 42;
-constexpr int picture = 34;
+constexpr int play_interval_ms = 15;
+constexpr const char* no_library =
+    "No library. Open one (Ctrl+O), build one of motion files, or drop files here.";
+
+QToolButton* button(QWidget* parent, const QString& text, const QString& name, const QString& tip) {
+  auto* button = new QToolButton(parent);
+  button->setObjectName("chip");
+  button->setText(text);
+  button->setToolTip(tip);
+  button->setAccessibleName(name);
+  button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  return button;
+}
 
 }  // namespace
 
-TakeList::TakeList(QWidget* parent) : QWidget(parent), m_palette(palette_of(Theme::Dark)) {}
+TakeList::TakeList(QWidget* parent)
+    : QWidget(parent),
+      m_model(new TakeModel(this)),
+      m_filter(new TakeFilter(m_model, this)),
+      m_view(new TakeView(*m_model, *m_filter, this)),
+      m_delegate(new TakeDelegate(*m_model, *m_filter, this)),
+      m_palette(palette_of(Theme::Dark)) {
+  setObjectName("panel");
+  setAttribute(Qt::WA_StyledBackground);
+  m_view->setItemDelegate(m_delegate);
+  m_empty = new QLabel(no_library, this);
+  m_empty->setWordWrap(true);
+  m_empty->setContentsMargins(12, 10, 12, 10);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(makeHead());
+  column->addWidget(m_empty);
+  column->addWidget(m_view, 1);
+  column->addWidget(makeFoot());
+  m_playing.setInterval(play_interval_ms);
+  setFocusProxy(m_view);
+  connectParts();
+  showFoot();
+}
 
-QSize TakeList::sizeHint() const {
-  return {260, row_height * (m_library ? static_cast<int>(m_library->takes().size()) : 1)};
+QWidget* TakeList::makeHead() {
+  auto* head = new QWidget(this);
+  auto* row = new QHBoxLayout(head);
+  row->setContentsMargins(12, 4, 12, 6);
+  row->setSpacing(6);
+  m_find = new QLineEdit(head);
+  m_find->setPlaceholderText("Take or move");
+  m_find->setClearButtonEnabled(true);
+  m_find->setAccessibleName("Find takes by name or move");
+  m_order = new QComboBox(head);
+  m_order->addItems({"In order", "Name", "Longest", "Most moves", "Most used"});
+  m_order->setAccessibleName("Order of the takes");
+  m_order->setToolTip(
+      "Order of the takes. Most used: by how often this session selected from them, as counted when "
+      "it is chosen");
+  m_order->setMinimumContentsLength(6);
+  m_order->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  row->addWidget(m_find, 3);
+  row->addWidget(m_order, 2);
+  return head;
+}
+
+QWidget* TakeList::makeFoot() {
+  auto* foot = new QWidget(this);
+  auto* column = new QVBoxLayout(foot);
+  column->setContentsMargins(12, 6, 12, 8);
+  column->setSpacing(6);
+  m_coverage = new QLabel(foot);
+  m_coverage->setAccessibleName("Coverage");
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(6);
+  m_play = button(foot, "Play", "Play the take as recorded",
+                  "Shows the recorded pair in the scene as it danced, from the mark in the strip on");
+  m_dance = button(
+      foot, "Dance", "Dance with this take",
+      "Its active performer plays the user; the take is then not selected from (Return, double click)");
+  m_veto = button(foot, "Exclude", "Exclude the take from selection", "No pair of the take is selected");
+  for (QToolButton* one : {m_play, m_dance, m_veto}) buttons->addWidget(one);
+  column->addWidget(m_coverage);
+  column->addLayout(buttons);
+  return foot;
+}
+
+void TakeList::connectParts() {
+  connect(m_find, &QLineEdit::textChanged, this, [this](const QString& text) {
+    m_filter->setWanted(text);
+    showFoot();
+  });
+  connect(m_find, &QLineEdit::returnPressed, this, [this] {
+    if (m_view->currentTake() < 0) m_view->setCurrentIndex(m_filter->index(0, 0));
+    m_view->setFocus(Qt::TabFocusReason);
+  });
+  connect(m_order, qOverload<int>(&QComboBox::currentIndexChanged), this,
+          [this](int order) { m_filter->setOrder(static_cast<TakeOrder>(order)); });
+  connect(m_view, &TakeView::lookedAt, this, &TakeList::look);
+  connect(m_view, &TakeView::lookedAway, this, &TakeList::lookAway);
+  connect(m_view, &TakeView::activatedTake, this, &TakeList::danceRequested);
+  connect(m_view, &TakeView::currentTakeChanged, this, [this] { showFoot(); });
+  connect(m_view, &TakeView::menuRequested, this, &TakeList::showMenu);
+  connect(m_play, &QToolButton::clicked, this, &TakeList::togglePlay);
+  connect(m_dance, &QToolButton::clicked, this, &TakeList::dance);
+  connect(m_veto, &QToolButton::clicked, this, &TakeList::toggleVeto);
+  connect(&m_playing, &QTimer::timeout, this, &TakeList::playOn);
 }
 
 void TakeList::setLibrary(std::shared_ptr<const MotionLibrary> library) {
-  m_library = std::move(library);
-  m_current = m_selected = -1;
-  makeThumbnails();
-  setMinimumHeight(sizeHint().height());
-  updateGeometry();
+  stop();
+  const int selected = library && library == m_model->library() ? m_view->currentTake() : -1;
+  if (library != m_model->library()) m_typical_m.reset();
+  m_model->setLibrary(std::move(library));
+  if (selected >= 0) m_view->setCurrentTake(selected);
+  showFoot();
 }
 
 void TakeList::setColours(const Palette& palette) {
   m_palette = palette;
-  makeThumbnails();
+  m_delegate->setColours(palette);
+  m_model->setColours(palette);
+  showFoot();
 }
 
-void TakeList::setCurrentTake(int take) {
-  if (take == m_current) return;
-  m_current = take;
-  update();
+int TakeList::selectedTake() const {
+  return m_view->currentTake();
+}
+
+int TakeList::wanted() const {
+  return m_view->currentTake() >= 0 ? m_view->currentTake() : m_model->sourceTake();
+}
+
+void TakeList::setSource(int take, int frame) {
+  m_model->setSource(take, frame);
 }
 
 void TakeList::setSelectedTake(int take) {
-  if (take == m_selected) return;
-  m_selected = take;
-  update();
+  if (take >= 0 && !m_filter->indexOf(take).isValid()) m_find->clear();
+  m_view->setCurrentTake(take);
 }
 
-void TakeList::makeThumbnails() {
-  m_thumbnails.clear();
-  const std::size_t takes = m_library ? m_library->takes().size() : 0;
-  for (std::size_t t = 0; t < takes; ++t) m_thumbnails.push_back(thumbnail(static_cast<int>(t)));
-  update();
+void TakeList::showPlace(int take, int frame) {
+  setSelectedTake(take);
+  m_model->setCursor(take, frame);
 }
 
-/// Both bodies of the take's middle pair, seen from the side of the active one.
-QPixmap TakeList::thumbnail(int take) const {
-  const double ratio = devicePixelRatioF();
-  QPixmap pixmap(QSize(picture, picture) * ratio);
-  pixmap.setDevicePixelRatio(ratio);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(m_palette.raised);
-  painter.drawRoundedRect(QRectF(0, 0, picture, picture), 4, 4);
-  const int pair =
-      m_library->find_pair(m_library->takes()[static_cast<std::size_t>(take)].name,
-                           m_library->takes()[static_cast<std::size_t>(take)].frames / 2 /
-                               std::max(1, m_library->takes()[static_cast<std::size_t>(take)].frame_stride) *
-                               m_library->takes()[static_cast<std::size_t>(take)].frame_stride,
-                           false);
-  if (pair < 0) return pixmap;
-  const PairPose& pose = m_library->pose(pair);
-  const Eigen::RowVector3d low = pose.colwise().minCoeff(), high = pose.colwise().maxCoeff();
-  const double scale = (picture - 6) / std::max({high.y() - low.y(), high.z() - low.z(), 0.1});
-  const double middle = (low.z() + high.z()) / 2;
-  const auto at = [&](int vertex) {
-    return QPointF(picture / 2.0 + scale * (pose(vertex, 2) - middle),
-                   picture - 3 - scale * (pose(vertex, 1) - low.y()));
-  };
-  for (const int body : {1, 0}) {
-    painter.setPen(QPen(body == 0 ? m_palette.active : m_palette.passive, 1.6, Qt::SolidLine, Qt::RoundCap));
-    for (int b = 0; b < bone_count; ++b)
-      painter.drawLine(at(body * joint_count + bone(b).first), at(body * joint_count + bone(b).second));
-  }
-  return pixmap;
+void TakeList::setVetoedTakes(const std::set<std::string>& takes) {
+  m_model->setVetoed(takes);
+  showFoot();
 }
 
-void TakeList::paintEvent(QPaintEvent* event) {
-  QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  if (!m_library) {
-    painter.setPen(m_palette.secondary);
-    painter.drawText(rect().adjusted(12, 10, -12, 0), Qt::AlignTop | Qt::TextWordWrap,
-                     "No library. Open one (Ctrl+O) or drop a file here.");
-    return;
+void TakeList::setUsersTake(const std::string& take) {
+  m_model->setUsersTake(take);
+  showFoot();
+}
+
+void TakeList::refresh(const FrameHistory& history) {
+  if (!m_model->coverage().append_new(history)) return;
+  m_model->coverageChanged();
+  m_coverage->setText(coverageText());
+}
+
+void TakeList::setTypicalDistance(std::optional<double> distance_m) {
+  m_typical_m = distance_m;
+  showFoot();
+}
+
+QString TakeList::coverageText() const {
+  const TakeCoverage& coverage = m_model->coverage();
+  const auto share = m_typical_m ? coverage.share_within(*m_typical_m) : std::nullopt;
+  if (!share) return m_typical_m ? "Coverage: no frames yet" : "Coverage: being measured";
+  return QString("Coverage %1 % of %2 frames").arg(100 * *share, 0, 'f', 0).arg(coverage.user_frames());
+}
+
+void TakeList::look(int take, int frame) {
+  m_playing.stop();
+  m_model->setCursor(take, frame);
+  m_shownPair = m_model->pairs().pair_at(take, frame);
+  emit recordedShown(m_shownPair, false);
+  showFoot();
+}
+
+void TakeList::lookAway() {
+  if (isPlaying() || m_shownPair < 0) return;
+  m_shownPair = -1;
+  m_model->setCursor(-1, 0);
+  emit recordedShown(-1, false);
+}
+
+void TakeList::togglePlay() {
+  if (isPlaying()) return stop();
+  const int take = wanted();
+  if (take < 0) return;
+  const TakeRow& row = m_model->row(take);
+  const bool at_mark = m_model->cursorTake() == take && m_model->cursorFrame() + 1 < row.frames;
+  m_playedTake = take;
+  m_playedFrom = at_mark ? m_model->cursorFrame() : 0;
+  m_shownPair = -1;
+  m_sinceStart.start();
+  m_playing.start();
+  playOn();
+  showFoot();
+}
+
+/// The frame that is due, at the take's own rate.
+void TakeList::playOn() {
+  const TakeRow& row = m_model->row(m_playedTake);
+  const int frame =
+      m_playedFrom + static_cast<int>(static_cast<double>(m_sinceStart.elapsed()) / 1000 * row.fps);
+  if (frame >= row.frames) return stop();
+  m_model->setCursor(m_playedTake, frame);
+  const int pair = m_model->pairs().pair_at(m_playedTake, frame);
+  if (pair == m_shownPair) return;
+  emit recordedShown(pair, m_shownPair >= 0);
+  m_shownPair = pair;
+}
+
+void TakeList::stop() {
+  const bool shows = isPlaying() || m_shownPair >= 0;
+  m_playing.stop();
+  m_shownPair = -1;
+  if (shows) {
+    m_model->setCursor(-1, 0);
+    emit recordedShown(-1, false);
   }
-  const int takes = static_cast<int>(m_library->takes().size());
-  const int last = std::min(takes - 1, event->rect().bottom() / row_height);
-  for (int t = event->rect().top() / row_height; t <= last; ++t) {
-    const LibraryTake& take = m_library->takes()[static_cast<std::size_t>(t)];
-    const QRectF row(0, t * row_height, width(), row_height);
-    if (t == m_current) {
-      painter.fillRect(row, m_palette.raised);
-      painter.fillRect(QRectF(row.topLeft(), QSizeF(2, row_height)), m_palette.warning);
-    }
-    if (t == m_selected) {
-      painter.setPen(QPen(m_palette.accent, 1.5));
-      painter.setBrush(Qt::NoBrush);
-      painter.drawRoundedRect(row.adjusted(5, 1.5, -3, -1.5), 4, 4);
-    }
-    painter.drawPixmap(QPointF(12, row.top() + 4), m_thumbnails[static_cast<std::size_t>(t)]);
-    painter.setFont(interface_font(13, QFont::DemiBold));
-    painter.setPen(m_palette.text);
-    const QRectF words = row.adjusted(56, 3, -10, -3);
-    painter.drawText(words.adjusted(0, 0, 0, -words.height() / 2), Qt::AlignVCenter | Qt::AlignLeft,
-                     painter.fontMetrics().elidedText(QString::fromStdString(take.name), Qt::ElideRight,
-                                                      static_cast<int>(words.width())));
-    painter.setFont(interface_font(12));
-    painter.setPen(m_palette.secondary);
-    draw_tabular(painter, words.adjusted(0, words.height() / 2, 0, 0), Qt::AlignLeft,
-                 QString("%1 frames · %2 moves").arg(take.frames).arg(take.labels.size()));
-  }
+  showFoot();
+}
+
+void TakeList::dance() {
+  if (wanted() >= 0) emit danceRequested(wanted());
+}
+
+void TakeList::toggleVeto() {
+  if (wanted() >= 0) emit vetoRequested(wanted());
+}
+
+void TakeList::goToSource() {
+  if (m_model->sourceTake() >= 0) showPlace(m_model->sourceTake(), m_model->sourceFrame());
+  m_view->setFocus(Qt::TabFocusReason);
+}
+
+void TakeList::find() {
+  m_find->setFocus(Qt::TabFocusReason);
+  m_find->selectAll();
+}
+
+void TakeList::showFoot() {
+  const bool any = m_model->rowCount() > 0;
+  m_empty->setVisible(!any || m_filter->rowCount() == 0);
+  m_empty->setText(any ? "No take has “" + m_find->text() + "” in its name or moves." : no_library);
+  m_find->setEnabled(any);
+  m_order->setEnabled(any);
+  const int take = any ? wanted() : -1;
+  for (QToolButton* one : {m_play, m_dance, m_veto}) one->setEnabled(take >= 0);
+  m_play->setText(isPlaying() ? "Stop" : "Play");
+  m_play->setIcon(icon(isPlaying() ? Icon::Pause : Icon::Play, m_palette.text));
+  const bool vetoed = take >= 0 && m_model->isVetoed(take);
+  m_veto->setText(vetoed ? "Use again" : "Exclude");
+  m_dance->setEnabled(take >= 0 && !m_model->isUsers(take));
+  m_coverage->setText(any ? coverageText() : QString());
+  m_coverage->setVisible(any);
+  m_coverage->setToolTip(
+      QString("The share of the user's frames whose nearest recorded pair is closer in feature space than "
+              "%1: the "
+              "library's own typical neighbour distance, the median distance of its pairs to the nearest "
+              "that is not "
+              "within a second of them in the same take.\nIn a row: the bars below the moves show which "
+              "parts of a "
+              "take this session selected, the figure how often.")
+          .arg(m_typical_m ? QString::number(*m_typical_m, 'f', 3) + " m" : "the typical distance"));
+}
+
+void TakeList::showMenu(int take, const QPoint& at) {
+  QMenu menu(this);
+  menu.addAction(isPlaying() ? "Stop" : "Play as recorded", this, &TakeList::togglePlay);
+  menu.addAction("Dance with this take", this, &TakeList::dance)->setEnabled(!m_model->isUsers(take));
+  menu.addAction(m_model->isVetoed(take) ? "Use again" : "Exclude from selection", this,
+                 &TakeList::toggleVeto);
+  menu.addSeparator();
+  menu.addAction("Go to the shown source", this, &TakeList::goToSource);
+  menu.exec(at);
 }
 
 }  // namespace abrazo::widgets

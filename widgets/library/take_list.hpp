@@ -1,43 +1,101 @@
 #pragma once
 
-#include <QPixmap>
+#include <QElapsedTimer>
+#include <QTimer>
 #include <QWidget>
 #include <memory>
-#include <vector>
+#include <optional>
+#include <set>
+#include <string>
 
 #include "core/library/motion_library.hpp"
+#include "core/session/frame_history.hpp"
 #include "widgets/common/palette.hpp"
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QToolButton;
 
 namespace abrazo::widgets {
 
-/// The takes of the library, each with a small picture of a pair in its middle.
+class TakeDelegate;
+class TakeFilter;
+class TakeModel;
+class TakeView;
+
+/// The library browser: its takes with their moves, roles and use, to be looked along, played, danced with
+/// and left out. Decides nothing itself.
 class TakeList : public QWidget {
   Q_OBJECT
  public:
   explicit TakeList(QWidget* parent = nullptr);
+  /// Also starts counting anew what a session uses.
   void setLibrary(std::shared_ptr<const MotionLibrary> library);
   void setColours(const Palette& palette);
-  QSize sizeHint() const override;
+  QSize sizeHint() const override { return {262, 320}; }
+
+  int selectedTake() const;
+  bool isPlaying() const { return m_playing.isActive(); }
+  TakeModel& model() { return *m_model; }
+  TakeView& view() { return *m_view; }
+  QString coverageText() const;
 
  public slots:
   /// The take the shown frame comes from; -1 for none.
-  void setCurrentTake(int take);
+  void setCurrentTake(int take) { setSource(take, 0); }
+  void setSource(int take, int frame);
   /// A take that somebody asked for; -1 for none.
   void setSelectedTake(int take);
-  int selectedTake() const { return m_selected; }
+  /// Selects a take and puts the mark at a frame.
+  void showPlace(int take, int frame);
+  void setVetoedTakes(const std::set<std::string>& takes);
+  /// The take that plays the user and therefore is not selected from; empty for none.
+  void setUsersTake(const std::string& take);
+  /// What is new in the session.
+  void refresh(const abrazo::FrameHistory& history);
+  /// How near the library's own pairs lie to one another [m]; nothing while that is not known.
+  void setTypicalDistance(std::optional<double> distance_m);
 
- protected:
-  void paintEvent(QPaintEvent* event) override;
+  // About the selected take; without one, about the one the shown frame comes from.
+  void togglePlay();
+  void stop();
+  void dance();
+  void toggleVeto();
+  void goToSource();
+  void find();
+
+ signals:
+  /// A recorded pair to be shown; -1 for none.
+  /// @param in_motion  it goes on from the one before, as it was recorded
+  void recordedShown(int pair, bool in_motion);
+  void danceRequested(int take);
+  void vetoRequested(int take);
 
  private:
-  QPixmap thumbnail(int take) const;
-  void makeThumbnails();
+  QWidget* makeHead();
+  QWidget* makeFoot();
+  void connectParts();
+  void look(int take, int frame);
+  void lookAway();
+  void playOn();
+  void showFoot();
+  void showMenu(int take, const QPoint& at);
+  int wanted() const;
 
+  TakeModel* m_model;
+  TakeFilter* m_filter;
+  TakeView* m_view;
+  TakeDelegate* m_delegate;
+  QLineEdit* m_find = nullptr;
+  QComboBox* m_order = nullptr;
+  QLabel *m_empty = nullptr, *m_coverage = nullptr;
+  QToolButton *m_play = nullptr, *m_dance = nullptr, *m_veto = nullptr;
   Palette m_palette;
-  std::shared_ptr<const MotionLibrary> m_library;
-  std::vector<QPixmap> m_thumbnails;
-  int m_current = -1;
-  int m_selected = -1;
+  std::optional<double> m_typical_m;
+  QTimer m_playing;
+  QElapsedTimer m_sinceStart;
+  int m_playedTake = -1, m_playedFrom = 0, m_shownPair = -1;
 };
 
 }  // namespace abrazo::widgets

@@ -46,7 +46,8 @@ std::string title_of(const PaneSeries& pane) {
   if (pane.empty()) return "Nothing chosen";
   const SeriesInfo& first = info_of(pane.front());
   const bool same = std::ranges::all_of(pane, [&](Series s) { return info_of(s).group == first.group; });
-  return std::string(first.group) + (same ? "" : " …") + " [" + std::string(first.unit) + "]";
+  const std::string unit = first.unit == "1" ? "" : " [" + std::string(first.unit) + "]";
+  return std::string(first.group) + (same ? "" : " …") + unit;
 }
 
 std::vector<std::string_view> series_groups() {
@@ -66,6 +67,7 @@ PaneSeries series_of_group(std::string_view group) {
 PaneSeries usual_series(std::string_view group) {
   using enum Series;
   if (group == "Residuals") return {FootLock, ExcessPenetration};
+  if (group == "Selected edge") return {EdgeLength, EdgeReference};
   if (group == "Cost") return {PoseCost, LeaderCost, FollowerCost};
   return series_of_group(group);
 }

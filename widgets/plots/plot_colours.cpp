@@ -48,12 +48,30 @@ QColor colour_of(Series series, const Palette& p) {
       return p.user;
     case Series::SourceChanges:
       return p.residual_bones;
+    case Series::JointResidual:
+      return p.energy_constraint;
+    case Series::JointFromUser:
+      return p.user;
+    case Series::JointFromSelected:
+      return p.ghost_passive;
+    case Series::JointSpeed:
+      return p.energy_velocity;
+    case Series::EdgeLength:
+      return p.text;
+    case Series::EdgeReference:
+      return p.ghost_active;
+    case Series::EdgeResidual:
+      return p.energy_constraint;
+    case Series::EdgeWeight:
+      return p.energy_velocity;
+    case Series::CellRatio:
+      return p.residual_penetration;
   }
   return p.text;
 }
 
 bool is_dashed(Series series) {
-  return series == Series::TotalCost || series == Series::TotalTime;
+  return series == Series::TotalCost || series == Series::TotalTime || series == Series::EdgeReference;
 }
 
 }  // namespace abrazo::widgets

@@ -86,7 +86,7 @@ void paint_mark(QPainter& painter, const QRectF& place, double key_end, const Pl
 }  // namespace
 
 void paint_plot_head(QPainter& painter, const QRectF& place, const PlotHead& head) {
-  const QString title = text(title_of(head.series));
+  const QString title = text(head.title.empty() ? title_of(head.series) : head.title);
   painter.save();
   painter.setClipRect(place, Qt::IntersectClip);
   painter.setFont(interface_font(12, QFont::DemiBold));

@@ -2,6 +2,7 @@
 
 #include <QRectF>
 #include <optional>
+#include <string>
 
 #include "widgets/common/palette.hpp"
 #include "widgets/plots/pane_arrangement.hpp"
@@ -19,6 +20,7 @@ struct PlotHead {
   const std::optional<SeriesValues>& values;
   const Palette& palette;
   PlotMark mark = PlotMark::None;
+  std::string title = {};  ///< empty: that of the series
 };
 
 /// Where there is no room for the values the names stay, and at last the names without the title.

@@ -3,6 +3,7 @@
 #include <QMenu>
 #include <algorithm>
 
+#include "widgets/plots/plot_pane.hpp"
 #include "widgets/plots/plot_panel.hpp"
 
 namespace abrazo::widgets {
@@ -13,7 +14,7 @@ QString text(std::string_view utf8) {
 }
 
 void add_series(QMenu& menu, PlotPanel& panel, int pane) {
-  const PaneSeries shown = panel.arrangement().at(static_cast<std::size_t>(pane));
+  const PaneSeries shown = panel.pane(pane).series();
   bool some_refused = false;
   std::string_view group;
   for (const SeriesInfo& info : all_series()) {
@@ -63,10 +64,17 @@ void fill_pane_menu(QMenu& menu, PlotPanel& panel, int pane) {
   const auto move = [&](const QString& name, int by, bool possible) {
     menu.addAction(name, &panel, [&panel, pane, by] { panel.movePane(pane, by); })->setEnabled(possible);
   };
-  move("Move to the left", -1, pane > 0);
-  move("Move to the right", 1, pane + 1 < panel.paneCount());
-  menu.addAction("Remove this pane", &panel, [&panel, pane] { panel.removePane(pane); })
-      ->setEnabled(panel.paneCount() > 1);
+  const int arranged = static_cast<int>(panel.arrangement().size());
+  if (pane == panel.selectionPane()) {
+    menu.addAction("Same of the other character", &panel,
+                   [&panel] { emit panel.selectionRequested(other_character(panel.selection())); });
+    menu.addAction("Select nothing", &panel, [&panel, pane] { panel.removePane(pane); });
+  } else {
+    move("Move to the left", -1, pane > 0);
+    move("Move to the right", 1, pane + 1 < arranged);
+    menu.addAction("Remove this pane", &panel, [&panel, pane] { panel.removePane(pane); })
+        ->setEnabled(arranged > 1);
+  }
   menu.addAction("Usual panes", &panel, &PlotPanel::restoreUsual);
   menu.addSeparator();
   add_export(menu, panel);

@@ -91,7 +91,7 @@ void PlotPane::setSeries(PaneSeries series) {
   m_plot->clearGraphs();
   for (int g = 0; g < 2 * seriesCount(); ++g) m_plot->addGraph();  // curves, then the marks of their cuts
   forgetRange();
-  const QString title = text(title_of(m_series));
+  const QString title = m_title.empty() ? text(title_of(m_series)) : text(m_title);
   QString about;
   for (const Series one : m_series) {
     const SeriesInfo& info = info_of(one);
@@ -102,6 +102,13 @@ void PlotPane::setSeries(PaneSeries series) {
   m_menu->setAccessibleName("Series of the plot of " + title);
   m_menu->setToolTip("What this pane shows, and export");
   setColours(m_palette);
+}
+
+void PlotPane::setTitle(const std::string& title) {
+  if (title == m_title) return;
+  m_title = title;
+  setAccessibleName("Plot of " + text(title.empty() ? title_of(m_series) : title));
+  update();
 }
 
 void PlotPane::setColours(const Palette& palette) {
@@ -242,7 +249,7 @@ void PlotPane::paintInto(QCPPainter& painter, const QRect& place, const SampleTa
   painter.fillRect(place, m_palette.panel);
   painter.translate(place.left(), place.top());
   paint_plot_head(painter, QRectF(0, 0, place.width(), head_height),
-                  {m_series, m_values, m_palette, PlotMark::None});
+                  {m_series, m_values, m_palette, PlotMark::None, m_title});
   painter.translate(10, head_height);
   m_plot->toPainter(&painter, curves.width(), curves.height());
   painter.restore();
@@ -351,7 +358,7 @@ void PlotPane::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.fillRect(rect(), m_palette.panel);
   paint_plot_head(painter, QRectF(0, 0, width() - menu_width - 6, head_height),
-                  {m_series, m_values, m_palette, m_mark});
+                  {m_series, m_values, m_palette, m_mark, m_title});
   if (!hasFocus()) return;
   painter.setPen(m_palette.accent);
   painter.drawRect(rect().adjusted(0, 0, -1, -1));

@@ -33,6 +33,8 @@ class PlotPane : public QWidget {
   explicit PlotPane(QWidget* parent);
   void setSeries(PaneSeries series);
   const PaneSeries& series() const { return m_series; }
+  /// In place of the title of the series; empty for that.
+  void setTitle(const std::string& title);
   void setColours(const Palette& palette);
   /// Whether the window goes along with the live end; said in the head.
   void setMark(PlotMark mark);
@@ -85,6 +87,7 @@ class PlotPane : public QWidget {
   int seriesCount() const { return static_cast<int>(m_series.size()); }
 
   PaneSeries m_series;
+  std::string m_title;
   std::vector<std::vector<SampleTable::Point>> m_lines;  ///< one for each series
   std::optional<SeriesValues> m_values;
   PlotView m_view;

@@ -9,6 +9,7 @@
 #include "widgets/plots/plot_menu.hpp"
 #include "widgets/plots/plot_pane.hpp"
 #include "widgets/plots/plot_picture.hpp"
+#include "widgets/plots/selection_series.hpp"
 
 namespace abrazo::widgets {
 namespace {
@@ -17,12 +18,25 @@ QString text(std::string_view utf8) {
   return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
 }
 
+/// "leader lhand [mm]"
+std::string title_of(const Selection& selection, const PaneSeries& series) {
+  Selection named = selection;
+  if (named.kind == SelectionKind::Joints) named = Selection::joint(named.last_joint());
+  const std::string name = named.kind == SelectionKind::Tetrahedron ? "tetrahedron" : name_of(named);
+  const std::string_view unit = info_of(series.front()).unit;
+  return unit == "1" ? name : name + " [" + std::string(unit) + "]";
+}
+
 }  // namespace
 
 struct PlotPanel::Parts {
   std::vector<PlotPane*> panes;
   SampleTable table;
   SeriesReader reader;
+  Selection selection;
+  PaneSeries selected;  ///< series of the pane of the selection; without one when empty
+  SelectionReader selection_reader;
+  std::uint64_t unread_before = 0;  ///< rows of frames before this one have another selection's values
   PlotWindow window;
   Playback playback;
   Palette palette = palette_of(Theme::Dark);
@@ -78,6 +92,8 @@ void PlotPanel::clear() {
   m_parts->next_index = 0;
   m_parts->table.clear();
   m_parts->reader = {};
+  m_parts->selection_reader = SelectionReader(m_parts->selection);
+  m_parts->unread_before = 0;
   m_parts->playback = {};
   m_parts->window.attach();
   for (PlotPane* pane : m_parts->panes) pane->forgetRange();
@@ -86,11 +102,22 @@ void PlotPanel::clear() {
 PaneArrangement PlotPanel::arrangement() const {
   PaneArrangement panes;
   for (const PlotPane* pane : m_parts->panes) panes.push_back(pane->series());
+  if (selectionPane() >= 0) panes.pop_back();
   return panes;
 }
 
-void PlotPanel::setArrangement(const PaneArrangement& wanted) {
+int PlotPanel::selectionPane() const {
+  return m_parts->selected.empty() ? -1 : paneCount() - 1;
+}
+
+const Selection& PlotPanel::selection() const {
+  return m_parts->selection;
+}
+
+void PlotPanel::setArrangement(const PaneArrangement& arranged) {
   auto& panes = m_parts->panes;
+  PaneArrangement wanted = arranged;
+  if (!m_parts->selected.empty()) wanted.push_back(m_parts->selected);
   while (panes.size() > wanted.size()) {
     panes.back()->hide();
     panes.back()->deleteLater();  // it may be what asked
@@ -99,6 +126,8 @@ void PlotPanel::setArrangement(const PaneArrangement& wanted) {
   while (panes.size() < wanted.size()) panes.push_back(makePane());
   for (std::size_t p = 0; p < wanted.size(); ++p)
     if (panes[p]->series() != wanted[p]) panes[p]->setSeries(wanted[p]);
+  for (PlotPane* pane : panes) pane->setTitle({});
+  if (selectionPane() >= 0) panes.back()->setTitle(title_of(m_parts->selection, m_parts->selected));
   arrangePanes();
   draw();
 }
@@ -117,6 +146,7 @@ void PlotPanel::addPane(const PaneSeries& series) {
 
 void PlotPanel::removePane(int which) {
   PaneArrangement panes = arrangement();
+  if (which >= 0 && which == selectionPane()) return emit selectionRequested({});
   if (which < 0 || which >= paneCount() || panes.size() == 1) return;
   panes.erase(panes.begin() + which);
   change(std::move(panes));
@@ -124,8 +154,8 @@ void PlotPanel::removePane(int which) {
 
 void PlotPanel::movePane(int which, int by) {
   PaneArrangement panes = arrangement();
-  const int to = which + by;
-  if (which < 0 || which >= paneCount() || to < 0 || to >= paneCount()) return;
+  const int to = which + by, count = static_cast<int>(panes.size());
+  if (which < 0 || which >= count || to < 0 || to >= count) return;
   std::swap(panes[static_cast<std::size_t>(which)], panes[static_cast<std::size_t>(to)]);
   change(std::move(panes));
 }
@@ -133,7 +163,8 @@ void PlotPanel::movePane(int which, int by) {
 bool PlotPanel::setShown(int which, Series series, bool on) {
   if (which < 0 || which >= paneCount()) return false;
   PaneArrangement panes = arrangement();
-  PaneSeries& pane = panes[static_cast<std::size_t>(which)];
+  const bool of_selection = which == selectionPane();
+  PaneSeries& pane = of_selection ? m_parts->selected : panes[static_cast<std::size_t>(which)];
   const bool is_shown = std::ranges::find(pane, series) != pane.end();
   if (on == is_shown) return true;
   if (on ? !can_join(pane, series) : pane.size() == 1) return false;
@@ -142,7 +173,7 @@ bool PlotPanel::setShown(int which, Series series, bool on) {
   else
     std::erase(pane, series);
   std::ranges::sort(pane);
-  change(std::move(panes));
+  of_selection ? setArrangement(panes) : change(std::move(panes));
   return true;
 }
 
@@ -195,14 +226,55 @@ void PlotPanel::refresh(const FrameHistory& history, const Playback& playback,
   Parts& p = *m_parts;
   for (const FrameSnapshotPtr& frame : history.since(p.next_index)) {
     p.next_index = frame->index + 1;
-    p.table.append({frame->time_s, frame->index, p.reader.read(*frame)});
+    SampleTable::Row row{frame->time_s, frame->index, p.reader.read(*frame)};
+    p.selection_reader.read(*frame, row.values);
+    p.table.append(row);
   }
+  readSelection(history);
   p.table.drop_before(playback.first_s);
   p.playback = playback;
   p.window.show(playback);
   const SampleTable::Row* row = shown ? p.table.at(shown->time_s) : nullptr;
   for (PlotPane* pane : p.panes) pane->showValues(row ? &row->values : nullptr);
   draw();
+}
+
+void PlotPanel::showSelection(const Selection& selection) {
+  Parts& p = *m_parts;
+  if (selection == p.selection) return;
+  const PaneArrangement panes = arrangement();
+  const PaneSeries usual = series_of(selection);
+  if (selection.kind != p.selection.kind) p.selected = usual;
+  p.selection = selection;
+  p.selection_reader = SelectionReader(selection);
+  p.unread_before = p.next_index;
+  setArrangement(panes);
+}
+
+/// The rows that another selection wrote, the newest first and some at a time: an hour of frames must not
+/// hold up the picture.
+void PlotPanel::readSelection(const FrameHistory& history) {
+  constexpr std::uint64_t frames_at_once = 3000;
+  Parts& p = *m_parts;
+  const auto& rows = p.table.rows();
+  if (rows.empty() || p.unread_before <= rows.front().index) return;
+  const std::uint64_t first =
+      std::max(rows.front().index, p.unread_before - std::min(p.unread_before, frames_at_once));
+  const auto time_of = [&rows](std::uint64_t frame) {
+    const auto row = std::ranges::lower_bound(rows, frame, {}, &SampleTable::Row::index);
+    return row == rows.end() ? rows.back().time_s : row->time_s;
+  };
+  SelectionReader reader(p.selection);
+  SeriesValues values{};
+  // From one frame earlier: a speed needs it.
+  for (const FrameSnapshotPtr& frame :
+       history.range(time_of(first > 0 ? first - 1 : 0), time_of(p.unread_before - 1))) {
+    reader.read(*frame, values);
+    if (frame->index >= first && frame->index < p.unread_before)
+      p.table.rewrite(frame->index, selection_series(), values);
+  }
+  p.table.refresh_extremes(first, p.unread_before);
+  p.unread_before = first;
 }
 
 void PlotPanel::attach() {

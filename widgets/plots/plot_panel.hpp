@@ -8,6 +8,7 @@
 #include "core/session/frame_history.hpp"
 #include "core/session/playback.hpp"
 #include "widgets/common/palette.hpp"
+#include "widgets/common/selection_model.hpp"
 #include "widgets/plots/pane_arrangement.hpp"
 #include "widgets/plots/plot_window.hpp"
 
@@ -19,7 +20,8 @@ struct PlotView;
 enum class PlotExport { Csv, Png, Svg };
 
 /// The figures of the frames over time, in panes that a person arranges; one time cursor through all. A click
-/// asks to go there. Asks for files to be written, and makes their content.
+/// asks to go there. What is selected has a pane of its own, the last, while it is. Asks for files to be
+/// written, and makes their content.
 class PlotPanel : public QWidget {
   Q_OBJECT
  public:
@@ -28,6 +30,7 @@ class PlotPanel : public QWidget {
   void setColours(const Palette& palette);
   void clear();
 
+  /// Without the pane of the selection.
   PaneArrangement arrangement() const;
   void setArrangement(const PaneArrangement& panes);
   void addPane(const PaneSeries& series);
@@ -44,6 +47,9 @@ class PlotPanel : public QWidget {
 
   const PlotWindow& window() const;
   int paneCount() const;
+  /// The pane of what is selected; -1 while nothing is that has one.
+  int selectionPane() const;
+  const Selection& selection() const;
   PlotPane& pane(int which) const;
   /// Where a time is in the first pane, in pixels of this widget; for tests.
   double cursorX() const;
@@ -59,8 +65,10 @@ class PlotPanel : public QWidget {
   /// The window goes along with the live end or the cursor again.
   void attach();
   void zoom(double factor);
+  void showSelection(const abrazo::widgets::Selection& selection);
 
  signals:
+  void selectionRequested(const abrazo::widgets::Selection& selection);
   void seekRequested(double time_s);
   void followRequested();
   void arrangementChanged();
@@ -74,6 +82,7 @@ class PlotPanel : public QWidget {
   PlotPane* makePane();
   void arrangePanes();
   void draw();
+  void readSelection(const FrameHistory& history);
   PlotView viewWithoutPointer() const;
   void change(PaneArrangement panes);
   void showReadout(double time_s, const QPoint& global, QWidget* pane);

@@ -34,9 +34,19 @@ enum class Series : std::uint8_t {
   HoldChange,
   PartnerStep,
   BehindSelected,
-  SourceChanges
+  SourceChanges,
+  // Of what is selected in the scene; see selection_series.hpp.
+  JointResidual,
+  JointFromUser,
+  JointFromSelected,
+  JointSpeed,
+  EdgeLength,
+  EdgeReference,
+  EdgeResidual,
+  EdgeWeight,
+  CellRatio
 };
-inline constexpr std::size_t series_count = 22;
+inline constexpr std::size_t series_count = 31;
 
 struct SeriesInfo {
   Series series;
@@ -57,7 +67,7 @@ std::optional<Series> find_series(std::string_view key);
 using SeriesValues = std::array<double, series_count>;
 
 /// Reads the series off frames that come in order. Keeps the little that a series needs of earlier frames.
-/// A failed step has timings only, as in the metrics of a run.
+/// A failed step has timings only, as in the metrics of a run. What depends on a selection is left out.
 class SeriesReader {
  public:
   SeriesValues read(const FrameSnapshot& frame);

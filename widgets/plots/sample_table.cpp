@@ -67,12 +67,34 @@ void SampleTable::append(Row row) {
     dropped_blocks_ += blocks_.size() + 1;
     return blocks_.clear();
   }
-  blocks_.push_back(extremes_of_last_rows());
+  blocks_.push_back(extremes_of(rows_.size() - block_rows));
 }
 
-SampleTable::Block SampleTable::extremes_of_last_rows() const {
+std::optional<std::size_t> SampleTable::row_of(std::uint64_t frame) const {
+  const auto found = std::ranges::lower_bound(rows_, frame, {}, &Row::index);
+  if (found == rows_.end() || found->index != frame) return std::nullopt;
+  return static_cast<std::size_t>(found - rows_.begin());
+}
+
+void SampleTable::rewrite(std::uint64_t frame, const std::vector<Series>& which, const SeriesValues& values) {
+  const auto row = row_of(frame);
+  if (!row) return;
+  for (const Series series : which)
+    rows_[*row].values[static_cast<std::size_t>(series)] = values[static_cast<std::size_t>(series)];
+}
+
+void SampleTable::refresh_extremes(std::uint64_t first_frame, std::uint64_t last_frame) {
+  for (std::size_t b = 0; b < blocks_.size(); ++b) {
+    const std::size_t session_row = (dropped_blocks_ + b) * block_rows;
+    if (session_row < dropped_) continue;
+    const std::size_t first = session_row - dropped_;
+    if (rows_[first].index > last_frame || rows_[first + block_rows - 1].index < first_frame) continue;
+    blocks_[b] = extremes_of(first);
+  }
+}
+
+SampleTable::Block SampleTable::extremes_of(std::size_t first) const {
   Block block;
-  const std::size_t first = rows_.size() - block_rows;
   for (std::size_t s = 0; s < series_count; ++s) {
     Extremes& found = block[s];
     const auto at = [&](std::uint8_t row) { return rows_[first + row].values[s]; };

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,6 +29,10 @@ class SampleTable {
 
   /// Rows come in ascending time.
   void append(Row row);
+  /// Writes some series of a row anew; the row of a frame that is not kept is passed over.
+  void rewrite(std::uint64_t frame, const std::vector<Series>& which, const SeriesValues& values);
+  /// After rows were rewritten: the extremes of all that has changed.
+  void refresh_extremes(std::uint64_t first_frame, std::uint64_t last_frame);
   void drop_before(double time_s);
   void clear();
   const std::deque<Row>& rows() const { return rows_; }
@@ -53,7 +58,8 @@ class SampleTable {
     std::size_t first, last;  ///< rows, last not included
   };
   Reach reach(double from_s, double to_s) const;
-  Block extremes_of_last_rows() const;
+  Block extremes_of(std::size_t first_row) const;
+  std::optional<std::size_t> row_of(std::uint64_t frame) const;
   double value(std::size_t row, Series series) const;
 
   std::deque<Row> rows_;

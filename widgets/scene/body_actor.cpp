@@ -2,7 +2,6 @@
 
 #include <vtkActor.h>
 #include <vtkCellArray.h>
-#include <vtkFloatArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
 #include <vtkPoints.h>
@@ -15,7 +14,9 @@
 #include <QColor>
 #include <cmath>
 #include <optional>
+#include <vector>
 
+#include "widgets/scene/body_light.hpp"
 #include "widgets/scene/capsule_surface.hpp"
 
 namespace abrazo::widgets {
@@ -35,6 +36,7 @@ struct Surface {
     data->SetPoints(points);
     mapper->SetInputData(data);
     actor->SetMapper(mapper);
+    actor->GetProperty()->LightingOff();
   }
   std::span<float> coordinates() {
     return {static_cast<float*>(points->GetVoidPointer(0)),
@@ -48,7 +50,8 @@ struct BodyActor::Parts {
   Outline outline;
   std::optional<CapsuleSurface> shape;
   Surface skin, hull;
-  vtkNew<vtkFloatArray> normals;
+  vtkNew<vtkUnsignedCharArray> shades;  ///< RGB per point of the skin
+  std::vector<float> normals;
   QColor colour = Qt::gray;
 
   void colourHull();
@@ -57,17 +60,11 @@ struct BodyActor::Parts {
 BodyActor::BodyActor(Outline outline) : m_parts(std::make_unique<Parts>()) {
   m_parts->outline = outline;
   auto* skin = m_parts->skin.actor->GetProperty();
-  skin->SetInterpolationToGouraud();
   skin->BackfaceCullingOn();
-  skin->SetAmbient(0.42);
-  skin->SetDiffuse(0.62);
-  skin->SetSpecular(0.12);
-  skin->SetSpecularPower(18);
   // The silhouette is the inside of a slightly larger body: only its far faces are drawn.
   auto* hull = m_parts->hull.actor->GetProperty();
   hull->FrontfaceCullingOn();
-  hull->LightingOff();
-  m_parts->normals->SetNumberOfComponents(3);
+  m_parts->shades->SetNumberOfComponents(3);
 }
 
 BodyActor::~BodyActor() = default;
@@ -81,8 +78,10 @@ void BodyActor::setRadii(const std::array<double, bone_count>& radii) {
     surface->points->SetNumberOfPoints(m_parts->shape->point_count());
     surface->data->SetPolys(triangles);
   }
-  m_parts->normals->SetNumberOfTuples(m_parts->shape->point_count());
-  m_parts->skin.data->GetPointData()->SetNormals(m_parts->normals);
+  m_parts->normals.resize(static_cast<std::size_t>(3 * m_parts->shape->point_count()));
+  m_parts->shades->SetNumberOfTuples(m_parts->shape->point_count());
+  m_parts->shades->FillValue(0);
+  m_parts->skin.data->GetPointData()->SetScalars(m_parts->shades);
   m_parts->colourHull();
 }
 
@@ -90,17 +89,28 @@ void BodyActor::setPose(const Pose& pose) {
   if (!m_parts->shape) return;
   m_parts->shape->place(pose, 0, m_parts->skin.coordinates());
   m_parts->shape->place(pose, outline_m, m_parts->hull.coordinates());
-  m_parts->shape->place_normals(pose, {m_parts->normals->GetPointer(0),
-                                       static_cast<std::size_t>(m_parts->normals->GetNumberOfValues())});
-  m_parts->normals->Modified();
+  m_parts->shape->place_normals(pose, m_parts->normals);
   m_parts->skin.points->Modified();
   m_parts->hull.points->Modified();
 }
 
 void BodyActor::setColour(const QColor& colour) {
   m_parts->colour = colour;
-  m_parts->skin.actor->GetProperty()->SetColor(colour.redF(), colour.greenF(), colour.blueF());
   m_parts->colourHull();
+}
+
+void BodyActor::lightFor(const BodyLight& light) {
+  Parts& p = *m_parts;
+  if (!p.skin.actor->GetVisibility()) return;
+  const Eigen::Vector3f own(static_cast<float>(p.colour.red()), static_cast<float>(p.colour.green()),
+                            static_cast<float>(p.colour.blue()));
+  unsigned char* shade = p.shades->GetPointer(0);
+  for (std::size_t n = 0; n + 2 < p.normals.size(); n += 3) {
+    const float brightness = light.on({p.normals[n], p.normals[n + 1], p.normals[n + 2]});
+    for (const float channel : own)
+      *shade++ = static_cast<unsigned char>(std::min(channel * brightness + 0.5F, 255.0F));
+  }
+  p.shades->Modified();
 }
 
 void BodyActor::Parts::colourHull() {
@@ -124,8 +134,8 @@ void BodyActor::setVisible(bool visible) {
 }
 
 void BodyActor::addTo(vtkRenderer* renderer) {
+  renderer->AddActor(m_parts->skin.actor);  // first: hides most of the silhouette before that is shaded
   renderer->AddActor(m_parts->hull.actor);
-  renderer->AddActor(m_parts->skin.actor);
 }
 
 }  // namespace abrazo::widgets

@@ -10,6 +10,8 @@ class vtkRenderer;
 
 namespace abrazo::widgets {
 
+class BodyLight;
+
 /// A character: lit capsules with a darker silhouette, solid or dashed, so that hue is not the only
 /// difference.
 class BodyActor {
@@ -24,6 +26,8 @@ class BodyActor {
   void setRadii(const std::array<double, bone_count>& radii);
   void setPose(const Pose& pose);
   void setColour(const QColor& colour);
+  /// Shades the body as it stands; asked for with every picture, since the light goes with the camera.
+  void lightFor(const BodyLight& light);
   void setVisible(bool visible);
   void addTo(vtkRenderer* renderer);
 

@@ -1,6 +1,12 @@
 #include "widgets/scene/gl_surface.hpp"
 
+#include <vtkGenericOpenGLRenderWindow.h>
+#include <vtkOpenGLFramebufferObject.h>
+#include <vtkOpenGLState.h>
+
 #include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QOpenGLExtraFunctions>
 
 namespace abrazo::widgets {
 namespace {
@@ -20,12 +26,38 @@ GlSurface::GlSurface(QWidget* parent) : QVTKOpenGLNativeWidget(parent) {
   setMouseTracking(true);
 }
 
+void GlSurface::requestPicture() {
+  m_stale = true;
+  update();
+}
+
+void GlSurface::paintGL() {
+  if (!RenderWindow) return;
+  const QSize pixels = size() * devicePixelRatioF();
+  if (m_stale || pixels != m_drawnSize) RenderWindow->Render();
+  m_stale = false;
+  m_drawnSize = pixels;
+  makeCurrent();  // who listens to the end of a picture may have taken the context
+  auto* gl = context()->extraFunctions();
+  vtkOpenGLState& state = *RenderWindow->GetState();
+  vtkOpenGLFramebufferObject& drawn = *RenderWindow->GetRenderFramebuffer();
+  state.PushFramebufferBindings();
+  drawn.Bind(GL_READ_FRAMEBUFFER);
+  drawn.ActivateReadBuffer(0);
+  gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
+  state.vtkglDisable(GL_SCISSOR_TEST);
+  const int width = pixels.width(), height = pixels.height();
+  gl->glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  state.PopFramebufferBindings();
+}
+
 void GlSurface::mousePressEvent(QMouseEvent* event) {
   m_last = m_pressed = event->localPos();
   m_isClick = event->button() == Qt::LeftButton;
 }
 
 void GlSurface::mouseReleaseEvent(QMouseEvent* event) {
+  keys = event->modifiers();
   if (m_isClick && event->button() == Qt::LeftButton) clicked(event->localPos());
   m_isClick = false;
 }
@@ -36,11 +68,13 @@ void GlSurface::mouseMoveEvent(QMouseEvent* event) {
   m_isClick = false;
   const QPointF delta = event->localPos() - m_last;
   m_last = event->localPos();
+  keys = event->modifiers();
   if (const PointerMove move = pointer_move(style, pressed_in(*event)); move != PointerMove::None)
     dragged(delta, move);
 }
 
 void GlSurface::wheelEvent(QWheelEvent* event) {
+  keys = event->modifiers();
   wheeled(event->angleDelta().y() / 120.0);
 }
 

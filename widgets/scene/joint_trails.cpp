@@ -13,8 +13,12 @@ void JointTrails::add(double time_s, const PairPose& pair) {
     }
     if (passed < 0 || passed > leap_s) samples_.clear();
   }
+  // Thinned rather than cut: the last sample moves along until the one before it is far enough behind.
+  const double apart_s = length_s_ / static_cast<double>(most_samples - 2);
+  const std::size_t kept = samples_.size();
+  if (kept >= 2 && samples_[kept - 1].time_s - samples_[kept - 2].time_s < apart_s) samples_.pop_back();
   samples_.push_back({time_s, pair});
-  while (samples_.size() > most_samples || samples_.front().time_s < time_s - length_s) samples_.pop_front();
+  while (samples_.size() > most_samples || samples_.front().time_s < time_s - length_s_) samples_.pop_front();
 }
 
 JointTrails::Lines JointTrails::lines_of(const std::vector<int>& vertices) const {
@@ -26,7 +30,7 @@ JointTrails::Lines JointTrails::lines_of(const std::vector<int>& vertices) const
       if (s == 0) continue;
       const int here = first + static_cast<int>(s);
       trail.lines.push_back({here - 1, here});
-      trail.age.push_back(std::min(1.0, (samples_.back().time_s - samples_[s].time_s) / length_s));
+      trail.age.push_back(std::min(1.0, (samples_.back().time_s - samples_[s].time_s) / length_s_));
       trail.vertex.push_back(vertex);
     }
   }

@@ -11,15 +11,21 @@ namespace abrazo::widgets {
 /// Where the joints of the pair were during the last moments. Bounded in time and in number.
 class JointTrails {
  public:
-  static constexpr double length_s = 1.5;
-  static constexpr std::size_t most_samples = 200;
+  static constexpr std::size_t most_samples = 400;
   static constexpr double leap_s =
       0.4;  ///< between two frames: the cursor was moved, and the past is another
 
-  /// @param time_s  of the pose; one that is not later than the last, or much later, begins anew
+  void set_length(double length_s) { length_s_ = length_s; }
+  double length_s() const { return length_s_; }
+
+  /// @param time_s  of the pose; one that is not later than the last, or much later, begins anew. One that
+  /// comes sooner than the trail can keep apart takes the place of the last.
   void add(double time_s, const PairPose& pair);
   void clear() { samples_.clear(); }
   std::size_t size() const { return samples_.size(); }
+  /// From when on poses are missing that the trail has room for: before its oldest.
+  double known_since_s() const { return samples_.empty() ? 0 : samples_.front().time_s; }
+  double last_s() const { return samples_.empty() ? 0 : samples_.back().time_s; }
 
   struct Lines {
     std::vector<double> xyz;                ///< three per point, world [m]
@@ -35,6 +41,7 @@ class JointTrails {
     PairPose pair;
   };
   std::deque<Sample> samples_;
+  double length_s_ = 1.5;
 };
 
 }  // namespace abrazo::widgets

@@ -4,8 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-
-#include "widgets/scene/mesh_scalar.hpp"
+#include <limits>
 
 namespace abrazo::widgets {
 namespace {
@@ -79,18 +78,20 @@ void MeshActors::rebuildEdges(const FrameResult& result, const MeshFilter& filte
 }
 
 void MeshActors::colourEdges(const MeshLook& look) {
-  std::vector<Rgba> colours, strong_colours;
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  std::vector<Rgba> strong_colours;
   std::vector<Line> strong;
+  m_between_colours.clear();
   for (const std::size_t e : m_between) {
-    const double value = e < look.scalars.size() && look.upper > 0 ? look.scalars[e] / look.upper : 0;
-    const auto [r, g, b] = look.is_signed ? diverging_colour(0.5 + value / 2) : sequential_colour(value);
-    colours.push_back({r, g, b, 255});
-    if (std::abs(value) < strong_share) continue;
+    const double value = e < look.scalars.size() ? look.scalars[e] : none;
+    const auto [r, g, b] = look.scale.colour(value);
+    m_between_colours.push_back({r, g, b, 255});
+    if (!(std::abs(value) >= strong_share * look.scale.upper) || look.scale.upper <= 0) continue;
     strong.push_back({m_edges[e][0], m_edges[e][1]});
-    strong_colours.push_back(colours.back());
+    strong_colours.push_back(m_between_colours.back());
   }
-  m_between_lines.setCellColours(colours);
-  m_between_through.setCellColours(colours);
+  m_between_lines.setCellColours(m_between_colours);
+  m_between_through.setCellColours(m_between_colours);
   m_between_strong.setLines(strong);
   m_between_strong.setCellColours(strong_colours);
 }

@@ -5,6 +5,7 @@
 #include "widgets/scene/cell_actor.hpp"
 #include "widgets/scene/line_set.hpp"
 #include "widgets/scene/mesh_filter.hpp"
+#include "widgets/scene/mesh_scalar.hpp"
 #include "widgets/scene/scene_parts.hpp"
 
 namespace abrazo::widgets {
@@ -12,8 +13,7 @@ namespace abrazo::widgets {
 /// How the interaction mesh is to look in this frame.
 struct MeshLook {
   std::vector<double> scalars;  ///< one per edge
-  double upper = 0;             ///< of the colour map
-  bool is_signed = false;
+  ColourScale scale;
   double doublings = 0;  ///< |log2 volume ratio| at the ends of the cells' colour map
   MeshFilter filter;
   double apart = 0;  ///< how far the cells are moved from the middle, share of their distance
@@ -31,6 +31,9 @@ class MeshActors {
 
   const std::vector<MeshEdge>& shownEdges() const { return m_shown_edges; }
   const std::vector<MeshTetrahedron>& shownCells() const { return m_shown_cells; }
+  /// Which edges of the frame join the bodies and are shown, and their colours.
+  const std::vector<std::size_t>& betweenEdges() const { return m_between; }
+  const std::vector<std::array<unsigned char, 4>>& betweenColours() const { return m_between_colours; }
   /// 12 numbers per shown cell, world [m].
   std::span<const double> corners() const { return m_cells.corners(); }
   std::size_t betweenCount() const { return m_between_count; }  ///< of the frame, filter or not
@@ -47,6 +50,7 @@ class MeshActors {
   bool m_stale = true;                 ///< the topology on show is not that of the frame and the switches
   std::vector<MeshEdge> m_edges;       ///< of the frame
   std::vector<std::size_t> m_between;  ///< which of them join the two bodies and are shown
+  std::vector<std::array<unsigned char, 4>> m_between_colours;
   std::size_t m_between_count = 0;
   int m_inverted = 0;
   std::vector<MeshEdge> m_shown_edges;

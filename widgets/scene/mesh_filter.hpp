@@ -1,8 +1,10 @@
 #pragma once
 
 #include <limits>
+#include <vector>
 
 #include "core/mesh/interaction_mesh.hpp"
+#include "widgets/common/selection.hpp"
 
 namespace abrazo::widgets {
 
@@ -12,12 +14,13 @@ struct MeshFilter {
   static constexpr double no_limit = std::numeric_limits<double>::infinity();
   double shortest_m = 0;
   double longest_m = no_limit;
-  int joint = -1;  ///< only what meets at this vertex of the pair; -1 for all
+  Selection isolated;             ///< only what meets at its joints, or what it is itself; nothing for all
+  std::vector<Selection> hidden;  ///< what meets at their joints, or what they are themselves
 
   bool operator==(const MeshFilter&) const = default;
   bool is_open() const { return *this == MeshFilter{}; }
   bool passes(const PairPose& pair, const MeshEdge& edge) const;
-  /// A cell passes when every edge has a length that does, and when it has the joint.
+  /// A cell passes when every edge has a length that does, and when it belongs to what is isolated.
   bool passes(const PairPose& pair, const MeshTetrahedron& cell) const;
 };
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <span>
 
@@ -9,8 +10,6 @@
 
 namespace abrazo::widgets {
 namespace {
-
-using Colour = std::array<unsigned char, 3>;
 
 // Sampled from matplotlib's viridis (CC0) at eighths.
 constexpr std::array<Colour, 9> viridis = {{{68, 1, 84},
@@ -22,11 +21,22 @@ constexpr std::array<Colour, 9> viridis = {{{68, 1, 84},
                                             {92, 200, 99},
                                             {170, 220, 50},
                                             {253, 231, 37}}};
+// As viridis, of matplotlib's cividis.
+constexpr std::array<Colour, 9> cividis = {{{0, 34, 78},
+                                            {26, 56, 111},
+                                            {67, 78, 108},
+                                            {97, 101, 111},
+                                            {125, 124, 120},
+                                            {155, 148, 118},
+                                            {188, 174, 108},
+                                            {222, 201, 88},
+                                            {254, 232, 56}}};
 constexpr std::array<Colour, 5> blue_to_red = {
     {{58, 110, 200}, {120, 165, 220}, {190, 193, 198}, {232, 148, 110}, {200, 60, 45}}};
 
 Colour sampled(std::span<const Colour> map, double share) {
-  if (!(share > 0)) share = 0;  // also what is not a number
+  if (std::isnan(share)) return no_value_colour;
+  share = std::max(share, 0.0);
   const double place = std::min(share, 1.0) * static_cast<double>(map.size() - 1);
   const auto low = std::min(static_cast<std::size_t>(place), map.size() - 2);
   const double t = place - static_cast<double>(low);
@@ -79,7 +89,7 @@ std::vector<double> edge_energies(const FrameSnapshot& frame) {
 
 std::vector<double> edge_scalars(const FrameSnapshot& snapshot, MeshScalar scalar) {
   const FrameResult& frame = snapshot.result;
-  std::vector<double> values(frame.edges.size(), 0.0);
+  std::vector<double> values(frame.edges.size(), std::numeric_limits<double>::quiet_NaN());
   const auto take = [&values](const std::vector<double>& from, double factor) {
     for (std::size_t e = 0; e < std::min(values.size(), from.size()); ++e) values[e] = factor * from[e];
   };
@@ -91,7 +101,7 @@ std::vector<double> edge_scalars(const FrameSnapshot& snapshot, MeshScalar scala
   if (scalar == MeshScalar::EnergyShare) {
     const std::vector<double> energies = edge_energies(snapshot);
     const double sum = std::accumulate(energies.begin(), energies.end(), 0.0);
-    if (sum > 0) take(energies, 100 / sum);
+    take(energies, sum > 0 ? 100 / sum : 0);  // a mesh that is not bent has nothing to share
   }
   return values;
 }
@@ -99,15 +109,28 @@ std::vector<double> edge_scalars(const FrameSnapshot& snapshot, MeshScalar scala
 double typical_upper(const std::vector<MeshEdge>& edges, const std::vector<double>& scalars) {
   std::vector<double> sizes;
   for (std::size_t e = 0; e < std::min(edges.size(), scalars.size()); ++e)
-    if (is_inter_body(edges[e])) sizes.push_back(std::abs(scalars[e]));
+    if (is_inter_body(edges[e]) && std::isfinite(scalars[e])) sizes.push_back(std::abs(scalars[e]));
   if (sizes.empty()) return 0;
   const auto place = static_cast<std::ptrdiff_t>(0.9 * static_cast<double>(sizes.size() - 1));
   std::nth_element(sizes.begin(), sizes.begin() + place, sizes.end());
   return sizes[static_cast<std::size_t>(place)];
 }
 
-Colour sequential_colour(double share) {
-  return sampled(viridis, share);
+double ColourScale::share(double value) const {
+  if (!std::isfinite(value)) return std::numeric_limits<double>::quiet_NaN();
+  if (!(upper > 0)) return is_signed ? 0.5 : 0;
+  const double part = value / upper;
+  if (is_signed) return std::clamp(0.5 + part / 2, 0.0, 1.0);
+  if (!is_logarithmic) return std::clamp(part, 0.0, 1.0);
+  return part > 0 ? std::clamp(1 + std::log10(part) / decades, 0.0, 1.0) : 0;
+}
+
+Colour ColourScale::colour(double value) const {
+  return is_signed ? diverging_colour(share(value)) : sequential_colour(share(value), map);
+}
+
+Colour sequential_colour(double share, ColourMap map) {
+  return sampled(map == ColourMap::Cividis ? cividis : viridis, share);
 }
 Colour diverging_colour(double share) {
   return sampled(blue_to_red, share);

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/session/frame_snapshot.hpp"
+#include "widgets/scene/scene_options.hpp"
 
 namespace abrazo::widgets {
 
@@ -19,7 +20,7 @@ struct ScalarInfo {
 
 ScalarInfo scalar_info(MeshScalar scalar);
 
-/// One value per edge in the unit of `scalar_info`.
+/// One value per edge in the unit of `scalar_info`; NaN where the frame has none.
 std::vector<double> edge_scalars(const FrameSnapshot& frame, MeshScalar scalar);
 
 /// Deformation energy of each edge [m^2]: what a vertex has, 1/2 |delta_j - L(v'_j)|^2 (Eq. 11), is split
@@ -30,8 +31,27 @@ std::vector<double> edge_energies(const FrameSnapshot& frame);
 /// others.
 double typical_upper(const std::vector<MeshEdge>& edges, const std::vector<double>& scalars);
 
+using Colour = std::array<unsigned char, 3>;
+
+/// How values become colours.
+struct ColourScale {
+  double upper = 0;        ///< value at the end of the map; nothing is coloured while it is 0
+  bool is_signed = false;  ///< from -upper to upper on the diverging map
+  ColourMap map = ColourMap::Viridis;
+  bool is_logarithmic = false;  ///< `decades` below the upper end; not with signed values
+  bool operator==(const ColourScale&) const = default;
+
+  static constexpr double decades = 2;
+  /// Along the map, 0 to 1; NaN for what is not a number. On a logarithmic scale 0 and less is the lower end.
+  double share(double value) const;
+  Colour colour(double value) const;
+};
+
+/// Of what is not a number: on neither map.
+inline constexpr Colour no_value_colour = {122, 122, 122};
+
 /// Red, green, blue [0, 255] at `share` in [0, 1] of the map.
-std::array<unsigned char, 3> sequential_colour(double share);  ///< viridis
-std::array<unsigned char, 3> diverging_colour(double share);   ///< blue - grey - red
+Colour sequential_colour(double share, ColourMap map = ColourMap::Viridis);
+Colour diverging_colour(double share);  ///< blue - grey - red
 
 }  // namespace abrazo::widgets

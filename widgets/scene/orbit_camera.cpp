@@ -14,9 +14,12 @@ constexpr double steepest_rad = 1.55;  // just short of the pole, where "up" wou
 }  // namespace
 
 Vec3 OrbitCamera::position() const {
-  const double level = std::cos(elevation_rad);
-  return target + distance_m * Vec3(level * std::sin(azimuth_rad), std::sin(elevation_rad),
-                                    level * std::cos(azimuth_rad));
+  return focus() + distance_m * direction_of(azimuth_rad, elevation_rad);
+}
+
+bool OrbitCamera::operator==(const OrbitCamera& o) const {
+  return target == o.target && azimuth_rad == o.azimuth_rad && elevation_rad == o.elevation_rad &&
+         distance_m == o.distance_m && is_parallel == o.is_parallel && shift_m == o.shift_m;
 }
 
 Vec3 OrbitCamera::right() const {
@@ -24,7 +27,7 @@ Vec3 OrbitCamera::right() const {
 }
 
 Vec3 OrbitCamera::up() const {
-  return (position() - target).normalized().cross(right());
+  return direction_of(azimuth_rad, elevation_rad).cross(right());
 }
 
 double OrbitCamera::nearest_shown_m() const {
@@ -51,12 +54,12 @@ double OrbitCamera::distance_for(const Positions& points, const PictureShape& pi
   constexpr double flesh_m = 0.14, used_width = 0.84;
   const double slope = std::tan(view_angle_rad / 2);
   const double half_height = picture.used_height * slope, half_width = used_width * picture.aspect * slope;
-  const Vec3 back = (position() - target).normalized(), across = right(), upwards = up();
+  const Vec3 back = direction_of(azimuth_rad, elevation_rad), across = right(), upwards = up();
   double distance = 0;
   for (Eigen::Index p = 0; p < points.rows(); ++p) {
     const Vec3 offset = points.row(p).transpose() - target;
     const double high = (std::abs(offset.dot(upwards)) + flesh_m) / half_height;
-    const double wide = (std::abs(offset.dot(across)) + flesh_m) / half_width;
+    const double wide = (std::abs(offset.dot(across)) + std::abs(shift_m) + flesh_m) / half_width;
     distance = std::max(distance, offset.dot(back) + std::max(high, wide));
   }
   return std::clamp(distance, nearest_m, farthest_m);

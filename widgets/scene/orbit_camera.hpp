@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
+
 #include "core/base/positions.hpp"
+#include "widgets/scene/cut_plane.hpp"
 
 namespace abrazo::widgets {
 
@@ -20,8 +23,14 @@ struct OrbitCamera {
   bool is_parallel = false;  ///< parallel instead of central projection; what is at the target keeps its size
   bool cuts = false;         ///< leaves out what is nearer than the plane `cut_m` before the target
   double cut_m = 0;          ///< negative: behind the target
+  std::optional<CutPlane> plane;  ///< leaves out what is beyond a plane of the world
+  double shift_m = 0;  ///< the picture's middle, to the right of the target: room for what stands beside it
+  /// The same view; what is cut away does not count.
+  bool operator==(const OrbitCamera& other) const;
 
   Vec3 position() const;
+  /// What the picture has in its middle.
+  Vec3 focus() const { return target + shift_m * right(); }
   Vec3 right() const;
   Vec3 up() const;
   /// Along the direction of view: what is nearer is not shown.

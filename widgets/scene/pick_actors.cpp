@@ -6,13 +6,17 @@
 namespace abrazo::widgets {
 
 PickActors::PickActors() {
-  showSelected({}, PairPose::Zero(), {});
-  showHovered({}, PairPose::Zero(), {});
+  const PairPose nowhere = PairPose::Zero();
+  showSelected({}, {nowhere, {}});
+  showHovered({}, {nowhere, {}});
 }
 
-void PickActors::addTo(vtkRenderer* topmost) {
-  for (Mark* mark : {&m_selected, &m_hovered})
-    for (LineSet* lines : {&mark->rim, &mark->lines, &mark->dots}) lines->addTo(topmost);
+void PickActors::addTo(vtkRenderer* in_front, vtkRenderer* topmost) {
+  for (Mark* mark : {&m_selected, &m_hovered}) {
+    mark->rim.addTo(in_front);
+    mark->lines.addTo(topmost);
+    mark->dots.addTo(topmost);
+  }
 }
 
 void PickActors::setColours(const Palette& palette, double pixel_ratio) {
@@ -31,32 +35,28 @@ void PickActors::setColours(const Palette& palette, double pixel_ratio) {
   dress(m_hovered, 2.5, 0.8);
 }
 
-void PickActors::Mark::show(const PickedItem& item, const PairPose& pair, std::span<const double> corners) {
-  rim.setVisible(item.kind != PickKind::None);
-  lines.setVisible(item.kind != PickKind::None);
-  dots.setVisible(item.kind == PickKind::Joint);
-  if (item.kind == PickKind::None) return;
-  std::vector<double> points(corners.begin(), corners.end());
-  if (corners.empty())
-    for (int v = 0; v < item.vertex_count(); ++v)
-      for (int axis = 0; axis < 3; ++axis)
-        points.push_back(pair(item.vertices[static_cast<std::size_t>(v)], axis));
+void PickActors::Mark::show(const Selection& item, const Place& place) {
+  const bool is_joints = item.kind == SelectionKind::Joints;
+  for (LineSet* set : {&rim, &lines}) set->setVisible(item.is_of_mesh());
+  dots.setVisible(is_joints);
+  if (!item.is_of_mesh()) return;
+  std::vector<double> points(place.corners.begin(), place.corners.end());
+  const auto add = [&](const PairPose& pair) {
+    for (const std::uint8_t v : item.vertices)
+      for (int axis = 0; axis < 3; ++axis) points.push_back(pair(v, axis));
+  };
+  if (place.corners.empty()) add(place.pair);
+  const int once = static_cast<int>(item.vertices.size());
+  if (place.second) add(*place.second);
   const int count = static_cast<int>(points.size() / 3);
   std::vector<std::array<int, 2>> pairs;
-  for (int a = 0; a < count; ++a)
-    for (int b = a + 1; b < count; ++b) pairs.push_back({a, b});
+  for (int first = 0; !is_joints && first < count; first += once)
+    for (int a = 0; a < once; ++a)
+      for (int b = a + 1; b < once; ++b) pairs.push_back({first + a, first + b});
   for (LineSet* set : {&rim, &lines, &dots}) set->setPoints(points);
   rim.setLines(pairs);
   lines.setLines(pairs);
-  dots.setDots(item.kind == PickKind::Joint ? 1 : 0);
-}
-
-void PickActors::showSelected(const PickedItem& item, const PairPose& pair, std::span<const double> corners) {
-  m_selected.show(item, pair, corners);
-}
-
-void PickActors::showHovered(const PickedItem& item, const PairPose& pair, std::span<const double> corners) {
-  m_hovered.show(item, pair, corners);
+  dots.setDots(is_joints ? count : 0);
 }
 
 }  // namespace abrazo::widgets

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "widgets/common/palette.hpp"
+#include "widgets/common/selection.hpp"
 #include "widgets/scene/line_set.hpp"
-#include "widgets/scene/scene_pick.hpp"
 
 namespace abrazo::widgets {
 
@@ -10,16 +10,22 @@ namespace abrazo::widgets {
 class PickActors {
  public:
   PickActors();
-  void addTo(vtkRenderer* topmost);
+  /// @param in_front  for the rims: in one layer they would fight with their lines for the same pixels
+  void addTo(vtkRenderer* in_front, vtkRenderer* topmost);
   void setColours(const Palette& palette, double pixel_ratio);
-  /// @param corners  of the cell as it is drawn, 12 numbers; empty for a joint or an edge
-  void showSelected(const PickedItem& item, const PairPose& pair, std::span<const double> corners);
-  void showHovered(const PickedItem& item, const PairPose& pair, std::span<const double> corners);
+  /// Where an item is marked.
+  struct Place {
+    const PairPose& pair;
+    std::span<const double> corners;   ///< of the cell as it is drawn, 12 numbers; empty for anything else
+    const PairPose* second = nullptr;  ///< where the same mesh stands a second time
+  };
+  void showSelected(const Selection& item, const Place& place) { m_selected.show(item, place); }
+  void showHovered(const Selection& item, const Place& place) { m_hovered.show(item, place); }
 
  private:
   struct Mark {
     LineSet rim, lines, dots{LineSet::Kind::Dots};
-    void show(const PickedItem& item, const PairPose& pair, std::span<const double> corners);
+    void show(const Selection& item, const Place& place);
   };
   Mark m_selected, m_hovered;
 };

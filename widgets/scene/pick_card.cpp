@@ -9,7 +9,7 @@
 namespace abrazo::widgets {
 namespace {
 
-constexpr int line_height = 18, margin = 9, pointer_gap = 16;
+constexpr int line_height = 18, margin = 9;
 
 QFont title_font() {
   return interface_font(13, QFont::DemiBold);
@@ -40,15 +40,8 @@ void PickCard::show(const PickText& text) {
   resize(isVisible() ? std::max(width, this->width()) : width,
          line_height * (m_lines.size() + 1) + 2 * margin);
   setVisible(true);
+  raise();  // over the words about the frame, where the picture is narrow
   update();
-}
-
-void PickCard::moveBeside(const QPoint& place) {
-  const QSize room = parentWidget()->size();
-  int x = place.x() + pointer_gap, y = place.y() + pointer_gap;
-  if (x + width() > room.width()) x = place.x() - pointer_gap - width();
-  if (y + height() > room.height()) y = place.y() - pointer_gap - height();
-  move(std::max(x, 0), std::max(y, 0));
 }
 
 void PickCard::paintEvent(QPaintEvent*) {

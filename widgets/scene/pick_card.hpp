@@ -15,8 +15,6 @@ class PickCard : public QWidget {
   void setColours(const Palette& palette);
   /// Sizes itself to the text.
   void show(const PickText& text);
-  /// Beside a point of the parent, within it.
-  void moveBeside(const QPoint& place);
 
  protected:
   void paintEvent(QPaintEvent* event) override;

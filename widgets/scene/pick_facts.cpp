@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "core/motion/joint_set.hpp"
+#include "widgets/scene/contact_shapes.hpp"
 #include "widgets/scene/mesh_scalar.hpp"
 
 namespace abrazo::widgets {
@@ -16,18 +17,70 @@ std::string text(const char* format, Values... values) {
   return buffer.data();
 }
 
+/// What the limbs that end at a joint overlap.
+void add_contacts(PickText& told, const FrameSnapshot& frame, int vertex) {
+  for (const CapsuleContact& contact : frame.result.collisions) {
+    const bool ours = contact.a[1] == vertex || contact.b[1] == vertex;
+    if (!ours) continue;
+    const int other = contact.a[1] == vertex ? contact.b[1] : contact.a[1];
+    told.lines.push_back("limb overlaps " + vertex_name(other) + "'s by " +
+                         depth_text(contact.depth_m, contact.allowed_depth_m));
+  }
+}
+
 PickText describe_joint(const FrameSnapshot& frame, int vertex) {
   const JointFacts facts = joint_facts(frame, vertex);
   PickText told{vertex_name(vertex), {}};
   told.lines.push_back(
       text("at %.3f, %.3f, %.3f m", facts.position.x(), facts.position.y(), facts.position.z()));
   if (facts.to_user_m) told.lines.push_back(text("%.0f mm from the user's", 1000 * *facts.to_user_m));
+  told.lines.push_back(text("%.0f mm from the selected pair's", 1000 * facts.to_selected_m));
   told.lines.push_back(
       text("nearest: %s, %.3f m", vertex_name(facts.nearest_partner).c_str(), facts.to_partner_m));
+  add_contacts(told, frame, vertex);
   return told;
 }
 
-PickText describe_edge(const FrameSnapshot& frame, const PickedItem& item) {
+PickText describe_joints(const FrameSnapshot& frame, const Selection& item) {
+  constexpr std::size_t most_lines = 6;
+  PickText told{text("%zu joints", item.vertices.size()), {}};
+  const std::size_t listed = item.vertices.size() > most_lines ? most_lines - 1 : item.vertices.size();
+  for (std::size_t j = 0; j < listed; ++j) told.lines.push_back(vertex_name(item.vertices[j]));
+  if (listed < item.vertices.size())
+    told.lines.push_back(text("and %zu more", item.vertices.size() - listed));
+  if (item.vertices.size() == 2) {
+    const PairPose& pair = frame.result.result;
+    told.lines.push_back(
+        text("%.3f m apart", (pair.row(item.vertices[0]) - pair.row(item.vertices[1])).norm()));
+  }
+  return told;
+}
+
+PickText describe_candidate(const FrameSnapshot& frame, int pair, const MotionLibrary* library) {
+  PickText told{text("pair %d", pair), {}};
+  if (library && pair >= 0 && pair < library->pair_count()) {
+    told.title = text("%s · %u", library->take_of(pair).name.c_str(), library->source(pair).frame);
+    if (!library->label(pair).empty()) told.lines.emplace_back(library->label(pair));
+  }
+  const auto place = candidate_of(frame, pair);
+  if (!place) {
+    told.lines.emplace_back("not among the candidates of this frame");
+    return told;
+  }
+  const Candidate& candidate = frame.result.candidates[*place];
+  const CostBreakdown& cost = candidate.cost;
+  const auto cheaper = std::ranges::count_if(
+      frame.result.candidates, [&cost](const Candidate& other) { return other.cost.total < cost.total; });
+  const bool is_used =
+      frame.result.selected >= 0 && *place == static_cast<std::size_t>(frame.result.selected);
+  told.lines.push_back(text("rank %d of %zu%s", static_cast<int>(cheaper) + 1, frame.result.candidates.size(),
+                            is_used ? ", selected" : ""));
+  told.lines.push_back(text("cost %.3f m² = pose %.3f + %.2f (%.3f + %.3f)", cost.total, cost.pose,
+                            frame.settings.alpha, cost.temporal_active, cost.temporal_passive));
+  return told;
+}
+
+PickText describe_edge(const FrameSnapshot& frame, const Selection& item) {
   PickText told{vertex_name(item.vertices[0]) + " — " + vertex_name(item.vertices[1]), {}};
   const auto facts = edge_facts(frame, {item.vertices[0], item.vertices[1]});
   if (!facts) {
@@ -41,7 +94,7 @@ PickText describe_edge(const FrameSnapshot& frame, const PickedItem& item) {
   return told;
 }
 
-PickText describe_cell(const FrameSnapshot& frame, const PickedItem& item) {
+PickText describe_cell(const FrameSnapshot& frame, const Selection& item) {
   constexpr double litres = 1000;
   PickText told{"tetrahedron", {}};
   for (const int first : {0, 2})
@@ -67,6 +120,7 @@ JointFacts joint_facts(const FrameSnapshot& frame, int vertex) {
   const bool second = vertex >= joint_count;
   JointFacts facts;
   facts.position = pair.row(vertex).transpose();
+  facts.to_selected_m = (frame.result.selected_pair.row(vertex) - pair.row(vertex)).norm();
   if (second == (frame.settings.user_role == UserRole::Passive))
     facts.to_user_m = (frame.user.row(vertex % joint_count) - pair.row(vertex)).norm();
   const int first = second ? 0 : joint_count;
@@ -94,36 +148,42 @@ std::optional<EdgeFacts> edge_facts(const FrameSnapshot& frame, const MeshEdge& 
   return facts;
 }
 
-std::optional<CellVolume> cell_facts(const FrameSnapshot& frame, const PickedItem& cell) {
+std::optional<CellVolume> cell_facts(const FrameSnapshot& frame, const Selection& cell) {
   const FrameResult& result = frame.result;
   for (const MeshTetrahedron& tetrahedron : result.tetrahedra)
-    if (PickedItem::tetrahedron(tetrahedron) == cell)
+    if (Selection::tetrahedron(tetrahedron) == cell)
       return cell_volume(result.result, result.selected_pair, tetrahedron);
   return std::nullopt;
 }
 
-bool has_item(const FrameSnapshot& frame, const PickedItem& item) {
+std::optional<std::size_t> candidate_of(const FrameSnapshot& frame, int pair) {
+  const auto& all = frame.result.candidates;
+  const auto found = std::ranges::find(all, pair, &Candidate::pair);
+  if (found == all.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - all.begin());
+}
+
+bool has_item(const FrameSnapshot& frame, const Selection& item) {
   const auto& edges = frame.result.edges;
-  if (item.kind == PickKind::Edge)
+  if (item.kind == SelectionKind::Edge)
     return std::find(edges.begin(), edges.end(), MeshEdge{item.vertices[0], item.vertices[1]}) != edges.end();
-  if (item.kind == PickKind::Tetrahedron) return cell_facts(frame, item).has_value();
-  return item.kind == PickKind::Joint;
+  if (item.kind == SelectionKind::Tetrahedron) return cell_facts(frame, item).has_value();
+  if (item.kind == SelectionKind::Candidate) return candidate_of(frame, item.pair).has_value();
+  return item.kind == SelectionKind::Joints;
 }
 
-std::string vertex_name(int vertex) {
-  const std::string body = vertex < joint_count ? "leader " : "follower ";
-  return body + std::string(joint_names[static_cast<std::size_t>(vertex % joint_count)]);
-}
-
-PickText describe(const FrameSnapshot& frame, const PickedItem& item) {
+PickText describe(const FrameSnapshot& frame, const Selection& item, const MotionLibrary* library) {
   switch (item.kind) {
-    case PickKind::Joint:
-      return describe_joint(frame, item.vertices[0]);
-    case PickKind::Edge:
+    case SelectionKind::Joints:
+      return item.vertices.size() == 1 ? describe_joint(frame, item.vertices[0])
+                                       : describe_joints(frame, item);
+    case SelectionKind::Edge:
       return describe_edge(frame, item);
-    case PickKind::Tetrahedron:
+    case SelectionKind::Tetrahedron:
       return describe_cell(frame, item);
-    case PickKind::None:
+    case SelectionKind::Candidate:
+      return describe_candidate(frame, item.pair, library);
+    case SelectionKind::None:
       break;
   }
   return {};

@@ -4,14 +4,16 @@
 #include <string>
 #include <vector>
 
+#include "core/library/motion_library.hpp"
 #include "core/session/frame_snapshot.hpp"
+#include "widgets/common/selection.hpp"
 #include "widgets/scene/mesh_cells.hpp"
-#include "widgets/scene/scene_pick.hpp"
 
 namespace abrazo::widgets {
 
 struct JointFacts {
   Vec3 position = Vec3::Zero();     ///< world [m]
+  double to_selected_m = 0;         ///< from the same joint of the selected pair
   std::optional<double> to_user_m;  ///< from the same joint of the input; only for the user's character
   int nearest_partner = 0;          ///< vertex of the other body
   double to_partner_m = 0;
@@ -27,18 +29,19 @@ struct EdgeFacts {
 std::optional<EdgeFacts> edge_facts(const FrameSnapshot& frame, const MeshEdge& edge);
 
 /// Nothing when the frame's mesh has no such cell.
-std::optional<CellVolume> cell_facts(const FrameSnapshot& frame, const PickedItem& cell);
+std::optional<CellVolume> cell_facts(const FrameSnapshot& frame, const Selection& cell);
+
+/// Place of a pair among the candidates of the frame; nothing when it is not one of them.
+std::optional<std::size_t> candidate_of(const FrameSnapshot& frame, int pair);
 
 /// Whether the frame has the item.
-bool has_item(const FrameSnapshot& frame, const PickedItem& item);
-
-/// "leader lhand"
-std::string vertex_name(int vertex);
+bool has_item(const FrameSnapshot& frame, const Selection& item);
 
 struct PickText {
   std::string title;
   std::vector<std::string> lines;
 };
-PickText describe(const FrameSnapshot& frame, const PickedItem& item);
+/// @param library  names a candidate; may be null
+PickText describe(const FrameSnapshot& frame, const Selection& item, const MotionLibrary* library = nullptr);
 
 }  // namespace abrazo::widgets

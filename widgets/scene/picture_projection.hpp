@@ -17,7 +17,7 @@ class PictureProjection {
   /// @param width_px, height_px  of the picture
   PictureProjection(const OrbitCamera& camera, double width_px, double height_px);
 
-  /// Nothing for a point that is nearer than the camera shows.
+  /// Nothing for a point that is nearer than the camera shows, or cut away.
   std::optional<PicturePoint> project(const Vec3& world) const;
 
  private:
@@ -26,6 +26,7 @@ class PictureProjection {
   double focal_px_;   ///< pixels per unit of slope; parallel: pixels per metre
   double nearest_m_;  ///< of the camera
   bool is_parallel_;
+  std::optional<CutPlane> plane_;
 };
 
 }  // namespace abrazo::widgets

@@ -7,6 +7,7 @@
 
 #include "core/mesh/capsules.hpp"
 #include "core/motion/joint_set.hpp"
+#include "widgets/scene/body_light.hpp"
 
 namespace abrazo::widgets {
 namespace {
@@ -46,7 +47,6 @@ std::array<double, bone_count> drawn_radii(const std::array<double, bone_count>&
 SceneActors::SceneActors()
     : m_leader(BodyActor::Outline::Solid),
       m_follower(BodyActor::Outline::Dashed),
-      m_contacts(LineSet::Kind::Dots),
       m_joint_rims(LineSet::Kind::Dots),
       m_joints(LineSet::Kind::Dots) {
   m_user.setLines(bone_lines(0));
@@ -67,7 +67,9 @@ void SceneActors::addTo(vtkRenderer* solid, vtkRenderer* in_front, vtkRenderer* 
                          &m_bones[1], &m_candidate[0], &m_candidate[1], &m_joint_rims})
     lines->addTo(in_front);
   m_joints.addTo(topmost);
-  m_contacts.addTo(topmost);
+  m_contacts.addTo(in_front, topmost);
+  m_reference.addTo(solid, in_front);
+  m_cut.addTo(solid);
 }
 
 void SceneActors::setColours(const Palette& palette, double pixel_ratio) {
@@ -89,16 +91,19 @@ void SceneActors::setColours(const Palette& palette, double pixel_ratio) {
   style(m_morph, palette.text, 1.2, 1);
   style(m_locks, palette.good, 2.2, 1);
   style(m_trail_lines, palette.text, 2, 1);
-  style(m_contacts, palette.warning, 9, 1);
   style(m_joint_rims, QColor("#14171c"), 7, 1);
   style(m_joints, Qt::white, 4.6, 1);
   m_mesh.setColours(palette, pixel_ratio);
+  m_contacts.setColours(palette, pixel_ratio);
+  m_reference.setColours(palette, pixel_ratio);
+  m_cut.setColours(palette, pixel_ratio);
 }
 
 void SceneActors::setRadii(const std::array<double, bone_count>& active,
                            const std::array<double, bone_count>& passive) {
   m_leader.setRadii(drawn_radii(active));
   m_follower.setRadii(drawn_radii(passive));
+  m_contacts.setRadii(active, passive);
 }
 
 void SceneActors::setVisibility(const PartVisibility& visibility) {
@@ -116,10 +121,25 @@ void SceneActors::setVisibility(const PartVisibility& visibility) {
   m_morph.setVisible(shown(ScenePart::MorphSteps));
   m_trail_lines.setVisible(shown(ScenePart::Trails));
   m_locks.setVisible(shown(ScenePart::FootLocks));
-  m_contacts.setVisible(shown(ScenePart::Contacts));
+  m_contacts.setVisible(shown(ScenePart::Contacts), shown(ScenePart::Touches));
   m_joints.setVisible(shown(ScenePart::Joints));
   m_joint_rims.setVisible(shown(ScenePart::Joints));
   m_floor.setVisible(shown(ScenePart::Floor));
+  setReferenceOffset(m_reference_offset);
+}
+
+void SceneActors::setReferenceOffset(const Vec3& offset) {
+  m_reference_offset = offset;
+  const auto shown = [this](ScenePart part) { return m_visibility[static_cast<std::size_t>(part)]; };
+  m_reference.setVisible(!offset.isZero(), shown(ScenePart::MeshBetween), shown(ScenePart::MeshWithin));
+}
+
+void SceneActors::sortFor(const Vec3& eye, const Vec3& direction) {
+  m_mesh.sortFor(eye, direction);
+  const BodyLight light(direction);
+  m_leader.lightFor(light);
+  m_follower.lightFor(light);
+  m_contacts.outlineFor(direction);
 }
 
 void SceneActors::show(const FrameSnapshot& frame, const MeshLook& look) {
@@ -138,7 +158,8 @@ void SceneActors::show(const FrameSnapshot& frame, const MeshLook& look) {
   m_trails.add(frame.time_s, result.result);
   if (m_visibility[static_cast<std::size_t>(ScenePart::Trails)]) showTrails();
   showFootLocks(result);
-  showContacts(result);
+  m_contacts.show(result);
+  if (!m_reference_offset.isZero()) m_reference.show(result, m_mesh, m_reference_offset);
   showShadows(result);
   const auto count = [this](ScenePart part, std::size_t number) {
     m_counts[static_cast<std::size_t>(part)] = static_cast<int>(number);
@@ -150,6 +171,7 @@ void SceneActors::show(const FrameSnapshot& frame, const MeshLook& look) {
   count(ScenePart::Joints, pair_vertex_count);
   count(ScenePart::FootLocks, result.foot_locks.size());
   count(ScenePart::Contacts, result.collisions.size());
+  count(ScenePart::Touches, m_contacts.touchCount());
   count(ScenePart::Trails, m_trail_joints.size());
   count(ScenePart::MorphSteps, result.morph_steps.size());
 }
@@ -209,27 +231,6 @@ void SceneActors::showFootLocks(const FrameResult& result) {
   }
   m_locks.setPoints(points);
   m_locks.setLines(lines);
-}
-
-void SceneActors::showContacts(const FrameResult& result) {
-  std::vector<double> points;
-  std::vector<Rgba> colours;
-  for (const CapsuleContact& contact : result.collisions) {
-    const auto vertex = [&result](int v) { return Vec3(result.result.row(v)); };
-    const Vec3 a0 = vertex(contact.a[0]), a1 = vertex(contact.a[1]), b0 = vertex(contact.b[0]),
-               b1 = vertex(contact.b[1]);
-    const SegmentApproach nearest = closest_points(a0, a1, b0, b1);
-    const Vec3 middle = 0.5 * (a0 + nearest.s * (a1 - a0) + b0 + nearest.t * (b1 - b0));
-    points.insert(points.end(), {middle.x(), middle.y(), middle.z()});
-    // Deeper than the recorded pair is a fault; as deep as recorded is a touch.
-    const QColor& colour =
-        contact.depth_m > contact.allowed_depth_m + 0.005 ? m_palette.live : m_palette.warning;
-    colours.push_back({static_cast<unsigned char>(colour.red()), static_cast<unsigned char>(colour.green()),
-                       static_cast<unsigned char>(colour.blue()), 235});
-  }
-  m_contacts.setPoints(points);
-  m_contacts.setDots(static_cast<int>(colours.size()));
-  m_contacts.setCellColours(colours);
 }
 
 void SceneActors::showShadows(const FrameResult& result) {

@@ -8,10 +8,13 @@
 #include "core/session/frame_snapshot.hpp"
 #include "widgets/common/palette.hpp"
 #include "widgets/scene/body_actor.hpp"
+#include "widgets/scene/contact_actors.hpp"
+#include "widgets/scene/cut_actors.hpp"
 #include "widgets/scene/floor_actor.hpp"
 #include "widgets/scene/joint_trails.hpp"
 #include "widgets/scene/line_set.hpp"
 #include "widgets/scene/mesh_actors.hpp"
+#include "widgets/scene/reference_actors.hpp"
 #include "widgets/scene/scene_parts.hpp"
 
 namespace abrazo::widgets {
@@ -32,10 +35,16 @@ class SceneActors {
 
   void show(const FrameSnapshot& frame, const MeshLook& look);
   /// Before each picture: what is translucent must be drawn from the back to the front.
-  void sortFor(const Vec3& eye, const Vec3& direction) { m_mesh.sortFor(eye, direction); }
+  void sortFor(const Vec3& eye, const Vec3& direction);
   const MeshActors& mesh() const { return m_mesh; }
   /// Whose trails are drawn, vertices of the pair.
   void setTrailJoints(const std::vector<int>& vertices) { m_trail_joints = vertices; }
+  JointTrails& trails() { return m_trails; }
+  void showTrails();
+  /// The selected pair's own mesh a second time, moved by an offset; zero for not at all.
+  void setReferenceOffset(const Vec3& offset);
+  void showReference(const FrameResult& result) { m_reference.show(result, m_mesh, m_reference_offset); }
+  void showCut(const std::optional<CutPlane>& plane) { m_cut.show(plane); }
   /// The pair of a candidate under the pointer, world; nothing hides it.
   void showCandidate(const std::optional<PairPose>& pair);
   const PartCounts& counts() const { return m_counts; }
@@ -43,9 +52,7 @@ class SceneActors {
  private:
   void showMorphSteps(const FrameResult& result);
   void showFootLocks(const FrameResult& result);
-  void showContacts(const FrameResult& result);
   void showShadows(const FrameResult& result);
-  void showTrails();
 
   Palette m_palette;
   PartVisibility m_visibility = default_visibility;
@@ -60,7 +67,11 @@ class SceneActors {
   LineSet m_morph, m_locks, m_trail_lines;
   JointTrails m_trails;
   std::vector<int> m_trail_joints;
-  LineSet m_contacts, m_joint_rims, m_joints;
+  LineSet m_joint_rims, m_joints;
+  ContactActors m_contacts;
+  ReferenceActors m_reference;
+  Vec3 m_reference_offset = Vec3::Zero();
+  CutFrame m_cut;
 };
 
 }  // namespace abrazo::widgets

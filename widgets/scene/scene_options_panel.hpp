@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QFrame>
+#include <vector>
 
 #include "widgets/scene/scene_options.hpp"
 
@@ -10,7 +11,7 @@ class QToolButton;
 
 namespace abrazo::widgets {
 
-/// Opens below its button: which edges are shown, how far the cells stand apart, and the cutting plane.
+/// Opens below its button: which edges are shown, how far the cells stand apart, the cutting plane, trails.
 class SceneOptionsPanel : public QFrame {
   Q_OBJECT
  public:
@@ -26,9 +27,11 @@ class SceneOptionsPanel : public QFrame {
   QDoubleSpinBox* length(const QString& name, const QString& tip);
 
   SceneOptions m_options;
-  QDoubleSpinBox *m_shortest, *m_longest;
-  QToolButton *m_pickedOnly, *m_cuts;
-  QSlider *m_apart, *m_cut;
+  std::vector<QWidget*> fields() const;
+
+  QDoubleSpinBox *m_shortest, *m_longest, *m_trail;
+  QToolButton *m_isolates, *m_cuts, *m_inWorld;
+  QSlider *m_apart, *m_cut, *m_turn, *m_tilt;
 };
 
 }  // namespace abrazo::widgets

@@ -2,13 +2,9 @@
 
 #include <QButtonGroup>
 #include <QHBoxLayout>
-#include <QLinearGradient>
 #include <QPainter>
-#include <QSignalBlocker>
 #include <QToolButton>
-#include <cmath>
 
-#include "widgets/common/icons.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/scene/scene_options_panel.hpp"
@@ -16,98 +12,18 @@
 namespace abrazo::widgets {
 namespace {
 
-constexpr int bar_width = 168;
-constexpr int lock_size = 20;
-
 QToolButton* chip(const QString& text, const QString& tip, QWidget* parent) {
   auto* button = new QToolButton(parent);
   button->setObjectName("chip");
   button->setText(text);
   button->setToolTip(tip);
   button->setCheckable(true);
-  button->setFocusPolicy(Qt::NoFocus);
+  button->setFocusPolicy(Qt::TabFocus);
   button->setCursor(Qt::PointingHandCursor);
   return button;
 }
 
 }  // namespace
-
-LegendScale scalar_legend(MeshScalar scalar, double upper) {
-  const ScalarInfo info = scalar_info(scalar);
-  const QString unit = *info.unit ? QString(" [%1]").arg(info.unit) : QString();
-  const QString number = upper > 0 ? QString::number(upper, 'g', 3) : QString("–");
-  return {info.title + unit, info.is_signed ? "−" + number : QString("0"),
-          info.is_signed ? "+" + number : number, info.is_signed};
-}
-
-LegendScale volume_legend(double doublings) {
-  const auto number = [doublings](double sign) {
-    return doublings > 0 ? "× " + QString::number(std::exp2(sign * doublings), 'g', 2) : QString("–");
-  };
-  return {"Volume ratio (log)", number(-1), number(1), true};
-}
-
-ScalarLegend::ScalarLegend(QWidget* parent) : QWidget(parent), m_lock(new QToolButton(this)) {
-  setFixedSize(bar_width + 12, 62);
-  m_lock->setObjectName("flat");
-  m_lock->setCheckable(true);
-  m_lock->setFocusPolicy(Qt::NoFocus);
-  m_lock->setToolTip("Keep this range: do not adapt it to the frame");
-  m_lock->setGeometry(width() - lock_size - 2, 40, lock_size, lock_size);
-  connect(m_lock, &QToolButton::toggled, this, [this](bool locked) {
-    dressLock();
-    emit lockToggled(locked);
-  });
-  setColours(palette_of(Theme::Dark));
-}
-
-void ScalarLegend::setColours(const Palette& palette) {
-  m_palette = palette;
-  dressLock();
-  update();
-}
-
-void ScalarLegend::dressLock() {
-  m_lock->setIcon(icon(m_lock->isChecked() ? Icon::Lock : Icon::Unlock,
-                       m_lock->isChecked() ? m_palette.text : m_palette.secondary));
-}
-
-void ScalarLegend::setLocked(bool locked) {
-  const QSignalBlocker silent(m_lock);
-  m_lock->setChecked(locked);
-  dressLock();
-}
-
-void ScalarLegend::show(const LegendScale& scale) {
-  if (scale == m_scale) return;
-  m_scale = scale;
-  update();
-}
-
-void ScalarLegend::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  const QRectF bar(width() - bar_width - 4, 26, bar_width, 8);
-  painter.setFont(interface_font(13));
-  painter.setPen(m_palette.text);
-  painter.drawText(QRectF(0, 2, width() - 4, 20), Qt::AlignRight | Qt::AlignVCenter, m_scale.title);
-
-  QLinearGradient gradient(bar.topLeft(), bar.topRight());
-  for (int stop = 0; stop <= 8; ++stop) {
-    const auto [r, g, b] =
-        m_scale.is_diverging ? diverging_colour(stop / 8.0) : sequential_colour(stop / 8.0);
-    gradient.setColorAt(stop / 8.0, QColor(r, g, b));
-  }
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setBrush(gradient);
-  painter.setPen(Qt::NoPen);
-  painter.drawRoundedRect(bar, 2, 2);
-
-  painter.setFont(interface_font(12));
-  painter.setPen(m_palette.secondary);
-  const QRectF ends(bar.left(), 39, bar.width() - lock_size, 20);
-  draw_tabular(painter, ends, Qt::AlignRight, m_scale.high);
-  draw_tabular(painter, ends, Qt::AlignLeft, m_scale.low);
-}
 
 ScalarChips::ScalarChips(QWidget* parent) : QWidget(parent) {
   auto* row = new QHBoxLayout(this);
@@ -142,7 +58,8 @@ ScalarChips::ScalarChips(QWidget* parent) : QWidget(parent) {
   m_betweenOnly = chip("Inter-body only", "Show only the edges between the two bodies", this);
   row->addWidget(m_betweenOnly);
   connect(m_betweenOnly, &QToolButton::clicked, this, &ScalarChips::betweenOnlyChosen);
-  m_filter = chip("Filter…", "Edges by length or at one joint, tetrahedra apart, cutting plane", this);
+  m_filter =
+      chip("Filter…", "Edges by length or of the selection, tetrahedra apart, cutting plane, trails", this);
   row->addWidget(m_filter);
   m_options = new SceneOptionsPanel(this);
   connect(m_options, &SceneOptionsPanel::optionsRequested, this, &ScalarChips::optionsRequested);
@@ -151,6 +68,20 @@ ScalarChips::ScalarChips(QWidget* parent) : QWidget(parent) {
     m_options->move(m_filter->mapToGlobal({0, m_filter->height() + 4}));
     m_options->show();
   });
+}
+
+void ScalarChips::fitInto(int width_px) {
+  const bool was_short = m_filter->text() == "Filter";
+  if (!was_short) m_fullWidth = sizeHint().width();
+  const bool is_short = width_px < m_fullWidth;
+  if (is_short == was_short) return;
+  const auto say = [is_short](QToolButton* button, const char* whole, const char* brief) {
+    button->setText(QString::fromUtf8(is_short ? brief : whole));
+  };
+  say(m_scalars[static_cast<std::size_t>(MeshScalar::LengthChange)], "Length change", "Length");
+  say(m_cells, "Volume ratio", "Volume");
+  say(m_betweenOnly, "Inter-body only", "Inter-body");
+  say(m_filter, "Filter…", "Filter");
 }
 
 void ScalarChips::setScalar(MeshScalar scalar) {
@@ -167,8 +98,7 @@ void ScalarChips::setCells(bool shown) {
 void ScalarChips::setOptions(const SceneOptions& options) {
   m_shown = options;
   m_options->setOptions(options);
-  m_filter->setChecked(options.shortest_m > 0 || options.longest_m < MeshFilter::no_limit ||
-                       options.picked_joint_only || options.apart > 0 || options.cuts);
+  m_filter->setChecked(options.filters());
 }
 
 FrameFacts::FrameFacts(QWidget* parent) : QWidget(parent) {

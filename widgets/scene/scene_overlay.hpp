@@ -12,44 +12,6 @@ namespace abrazo::widgets {
 
 class SceneOptionsPanel;
 
-/// A colour map with words.
-struct LegendScale {
-  QString title, low, high;
-  bool is_diverging = false;
-  bool operator==(const LegendScale& other) const {
-    return title == other.title && low == other.low && high == other.high &&
-           is_diverging == other.is_diverging;
-  }
-};
-
-/// @param upper  of the map in the scalar's unit; 0 when there is nothing to show
-LegendScale scalar_legend(MeshScalar scalar, double upper);
-/// @param doublings  |log2 ratio| at the ends
-LegendScale volume_legend(double doublings);
-
-/// What colours mean: title with unit, colour bar, its two ends, and a lock that keeps the range.
-class ScalarLegend : public QWidget {
-  Q_OBJECT
- public:
-  explicit ScalarLegend(QWidget* parent);
-  void setColours(const Palette& palette);
-  void show(const LegendScale& scale);
-  /// Sets the lock without saying so.
-  void setLocked(bool locked);
-
- signals:
-  void lockToggled(bool locked);
-
- protected:
-  void paintEvent(QPaintEvent* event) override;
-
- private:
-  void dressLock();
-  Palette m_palette;
-  LegendScale m_scale;
-  QToolButton* m_lock;
-};
-
 /// Chips that choose what colours the mesh.
 class ScalarChips : public QWidget {
   Q_OBJECT
@@ -59,6 +21,8 @@ class ScalarChips : public QWidget {
   void setBetweenOnly(bool only);
   void setCells(bool shown);
   void setOptions(const SceneOptions& options);
+  /// Shorter words where the whole ones do not fit.
+  void fitInto(int width_px);
 
  signals:
   void scalarChosen(abrazo::widgets::MeshScalar scalar);
@@ -71,6 +35,7 @@ class ScalarChips : public QWidget {
   QToolButton *m_cells, *m_betweenOnly, *m_filter;
   SceneOptionsPanel* m_options;
   SceneOptions m_shown;
+  int m_fullWidth = 0;  ///< pixels that the whole words take
 };
 
 /// A few lines about the frame at the bottom left. Never takes the pointer.

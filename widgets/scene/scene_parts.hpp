@@ -18,9 +18,11 @@ enum class ScenePart {
   Bones,
   Joints,
   FootLocks,
-  Contacts,
+  Contacts,  ///< limbs that overlap
+  Touches,   ///< hands that hold one another, feet on the floor
   Trails,
   Floor,
+  Comparison,  ///< bodies of another run
   Count
 };
 
@@ -32,8 +34,8 @@ using PartCounts = std::array<int, scene_part_count>;
 inline constexpr PartVisibility default_visibility = [] {
   PartVisibility visible;
   visible.fill(true);
-  for (const ScenePart quiet :
-       {ScenePart::Tetrahedra, ScenePart::MorphSteps, ScenePart::Bones, ScenePart::Trails})
+  for (const ScenePart quiet : {ScenePart::Tetrahedra, ScenePart::MorphSteps, ScenePart::Bones,
+                                ScenePart::Touches, ScenePart::Trails})
     visible[static_cast<std::size_t>(quiet)] = false;
   return visible;
 }();

@@ -3,7 +3,6 @@
 #include <vtkCamera.h>
 #include <vtkFXAAOptions.h>
 #include <vtkGenericOpenGLRenderWindow.h>
-#include <vtkLight.h>
 #include <vtkNew.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
@@ -13,28 +12,18 @@
 #include "widgets/scene/gl_surface.hpp"
 
 namespace abrazo::widgets {
-namespace {
-
-vtkNew<vtkLight> light(double x, double y, double z, double intensity) {
-  vtkNew<vtkLight> made;
-  made->SetLightTypeToCameraLight();
-  made->SetPosition(x, y, z);
-  made->SetFocalPoint(0, 0, 0);
-  made->SetIntensity(intensity);
-  return made;
-}
-
-}  // namespace
-
 struct SceneStage::Parts {
+  explicit Parts(GlSurface& on) : surface(on) {}
+  GlSurface& surface;
   vtkNew<vtkGenericOpenGLRenderWindow> window;
   vtkNew<vtkRenderer> solid, in_front, topmost;
 };
 
-SceneStage::SceneStage(GlSurface& surface) : m_parts(std::make_unique<Parts>()) {
+SceneStage::SceneStage(GlSurface& surface) : m_parts(std::make_unique<Parts>(surface)) {
   Parts& p = *m_parts;
   surface.setRenderWindow(p.window.Get());
   if (p.window->GetInteractor()) p.window->GetInteractor()->SetInteractorStyle(nullptr);
+  p.window->SetSwapBuffers(false);  // the surface fetches the picture itself
   p.window->SetMultiSamples(0);
   p.window->LineSmoothingOn();
   p.window->SetNumberOfLayers(3);
@@ -42,6 +31,7 @@ SceneStage::SceneStage(GlSurface& surface) : m_parts(std::make_unique<Parts>()) 
   p.in_front->SetLayer(1);
   p.topmost->SetLayer(2);
   p.solid->GradientBackgroundOn();
+  p.solid->SetBackgroundAlpha(1);  // what is drawn over it leaves it at 1
   for (vtkRenderer* renderer : {p.solid.Get(), p.in_front.Get(), p.topmost.Get()}) {
     renderer->SetActiveCamera(p.solid->GetActiveCamera());
     renderer->AutomaticLightCreationOff();
@@ -53,10 +43,9 @@ SceneStage::SceneStage(GlSurface& surface) : m_parts(std::make_unique<Parts>()) 
   smoothing->SetEndpointSearchIterations(4);
   p.topmost->SetFXAAOptions(smoothing);
   p.topmost->UseFXAAOn();  // works on the whole picture, so once, in the last layer
-  p.solid->AddLight(light(-0.7, 0.9, 1.0, 0.85));
-  p.solid->AddLight(light(0.9, 0.1, 0.8, 0.28));
   actors.addTo(p.solid, p.in_front, p.topmost);
-  picks.addTo(p.topmost);
+  ghosts.addTo(p.in_front);
+  picks.addTo(p.in_front, p.topmost);
 }
 
 SceneStage::~SceneStage() = default;
@@ -67,25 +56,29 @@ void SceneStage::setColours(const Palette& palette, double pixel_ratio) {
   m_parts->solid->SetBackground2(top.redF(), top.greenF(), top.blueF());
   actors.setColours(palette, pixel_ratio);
   picks.setColours(palette, pixel_ratio);
+  ghosts.setColours(palette, pixel_ratio);
 }
 
 void SceneStage::applyCamera() {
   const Vec3 position = camera.position(), up = camera.up();
   vtkCamera* shown = m_parts->solid->GetActiveCamera();
   shown->SetPosition(position.data());
-  shown->SetFocalPoint(camera.target.data());
+  const Vec3 focus = camera.focus();
+  shown->SetFocalPoint(focus.data());
   shown->SetViewUp(up.data());
   shown->SetViewAngle(camera.view_angle_rad * 180 / 3.14159265358979);
   shown->SetParallelProjection(camera.is_parallel);
   shown->SetParallelScale(camera.distance_m * std::tan(camera.view_angle_rad / 2));
   shown->SetClippingRange(camera.nearest_shown_m(), 60);
-  actors.sortFor(position, (camera.target - position).normalized());
+  actors.sortFor(position, (focus - position).normalized());
+  for (vtkRenderer* layer : {m_parts->solid.Get(), m_parts->in_front.Get(), m_parts->topmost.Get()})
+    cut_away(layer, camera.plane);
 }
 
 void SceneStage::render(bool smooth) {
   m_parts->topmost->SetUseFXAA(smooth);
   applyCamera();
-  m_parts->window->Render();
+  m_parts->surface.requestPicture();
 }
 
 }  // namespace abrazo::widgets

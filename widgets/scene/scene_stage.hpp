@@ -3,6 +3,7 @@
 #include <memory>
 
 #include "widgets/common/palette.hpp"
+#include "widgets/scene/comparison_ghost.hpp"
 #include "widgets/scene/orbit_camera.hpp"
 #include "widgets/scene/pick_actors.hpp"
 #include "widgets/scene/scene_actors.hpp"
@@ -25,6 +26,7 @@ class SceneStage {
 
   SceneActors actors;
   PickActors picks;
+  ComparisonGhost ghosts;
   OrbitCamera camera;
 
  private:

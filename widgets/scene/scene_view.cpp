@@ -1,32 +1,18 @@
 #include "widgets/scene/scene_view.hpp"
 
-#include <QElapsedTimer>
 #include <QEvent>
 #include <QSurfaceFormat>
-#include <QTimer>
 #include <QVBoxLayout>
-#include <algorithm>
 #include <cmath>
 
-#include "core/motion/joint_set.hpp"
-#include "widgets/common/value_range.hpp"
-#include "widgets/scene/gl_surface.hpp"
-#include "widgets/scene/pair_camera.hpp"
-#include "widgets/scene/scene_overlay.hpp"
-#include "widgets/scene/scene_picker.hpp"
-#include "widgets/scene/scene_stage.hpp"
-#include "widgets/scene/smoothing_budget.hpp"
+#include "widgets/scene/morph_step.hpp"
+#include "widgets/scene/scene_view_parts.hpp"
 
 namespace abrazo::widgets {
 namespace {
 
-constexpr double pixels_per_notch = 40;  // of a drag that zooms
-constexpr int standstill_ms = 130;       // without a new picture: time for smooth edges
-constexpr int moving_ms = 1000;  // pictures closer than this are one movement, however slow the renderer
-
-/// Of both bodies: their trails are drawn while no joint is selected.
-const std::vector<int> hands = {joints::left_hand, joints::right_hand, joint_count + joints::left_hand,
-                                joint_count + joints::right_hand};
+constexpr int fresh_ms = 12;
+constexpr int standstill_ms = 130;  // without a new picture: time for smooth edges
 
 QString seconds(double time_s) {
   return QString::number(time_s, 'f', 3) + " s";
@@ -34,65 +20,33 @@ QString seconds(double time_s) {
 
 }  // namespace
 
-struct SceneView::Parts {
-  explicit Parts(SceneView* view) : surface(new GlSurface(view)), stage(*surface), picker(view, stage) {}
-
-  GlSurface* surface;
-  SceneStage stage;
-  ScenePicker picker;
-  SceneActors& actors = stage.actors;
-  OrbitCamera& camera = stage.camera;
-  PairCamera pair_camera;
-  ScalarChips* chips = nullptr;
-  ScalarLegend *legend = nullptr, *cell_legend = nullptr;
-  FrameFacts* facts = nullptr;
-  Palette palette = palette_of(Theme::Dark);
-  PartVisibility visibility = default_visibility;
-  PartCounts counts{};
-  SceneOptions options;
-  int filter_joint = -1;  ///< the joint that was selected last
-  MeshScalar scalar = MeshScalar::Residual;
-  std::array<SteadyRange, mesh_scalar_count> ranges;
-  SteadyRange cell_range;
-  FrameSnapshotPtr frame;
-  std::shared_ptr<const MotionLibrary> library;
-  int candidate = -1;
-  bool following = true;
-  bool framed = false;
-  std::uint64_t rendered = 0;
-  SmoothingBudget budget;
-  bool smoothed = true;
-  bool on_the_way = false;  ///< rendered and not yet on the screen
-  QElapsedTimer since_render, since_follow;
-  QTimer standstill;  ///< runs out when no picture followed one with rough edges
-
-  MeshLook look();
-  SteadyRange& range() { return ranges[static_cast<std::size_t>(scalar)]; }
-  bool shows(ScenePart part) const { return visibility[static_cast<std::size_t>(part)]; }
-  PictureShape shape() const {
-    constexpr double overlays_px = 100;  // the chips above and the facts below
-    const double height = std::max(1, surface->height());
-    return {surface->width() / height, std::clamp(1 - overlays_px / height, 0.58, 0.84)};
-  }
-};
-
 /// Colours of the mesh for the frame, and the legends that explain them.
 MeshLook SceneView::Parts::look() {
-  const FrameResult& result = frame->result;
+  const FrameResult& result = shown->result;
   MeshLook look;
-  look.scalars = edge_scalars(*frame, scalar);
-  look.is_signed = scalar_info(scalar).is_signed;
-  range().show(typical_upper(result.edges, look.scalars), frame->time_s);
-  look.upper = range().upper();
-  legend->show(scalar_legend(scalar, look.upper));
+  look.scalars = edge_scalars(*shown, scalar);
+  range().show(typical_upper(result.edges, look.scalars), shown->time_s);
+  look.scale = {range().upper(), scalar_info(scalar).is_signed, options.map,
+                options.is_logarithmic && !scalar_info(scalar).is_signed};
+  const bool lacks_values =
+      std::any_of(look.scalars.begin(), look.scalars.end(), [](double v) { return !std::isfinite(v); });
+  legend->show(scalar_legend(scalar, look.scale, lacks_values));
   if (shows(ScenePart::Tetrahedra)) {
-    cell_range.show(typical_doublings(cell_volumes(result)), frame->time_s);
+    cell_range.show(typical_doublings(cell_volumes(result)), shown->time_s);
     look.doublings = cell_range.upper();
     cell_legend->show(volume_legend(look.doublings));
   }
-  look.filter = {options.shortest_m, options.longest_m, options.picked_joint_only ? filter_joint : -1};
+  look.filter = {options.shortest_m, options.longest_m, options.isolates ? picker.selected() : Selection{},
+                 hidden};
   look.apart = options.apart;
   return look;
+}
+
+void SceneView::Parts::applyCut() {
+  camera.cuts = options.cuts && !options.cut_in_world;
+  camera.cut_m = options.cut_m;
+  camera.plane = options.cuts && options.cut_in_world ? std::optional(options.plane()) : std::nullopt;
+  actors.showCut(camera.plane);
 }
 
 void SceneView::prepareApplication() {
@@ -102,9 +56,11 @@ void SceneView::prepareApplication() {
 SceneView::SceneView(QWidget* parent) : QWidget(parent), m_parts(std::make_unique<Parts>(this)) {
   Parts& p = *m_parts;
   setMinimumSize(320, 220);
+  setAccessibleName("Scene");
   auto* box = new QVBoxLayout(this);
   box->setContentsMargins(0, 0, 0, 0);
-  p.surface->setFocusPolicy(Qt::ClickFocus);
+  p.surface->setFocusPolicy(Qt::StrongFocus);
+  p.surface->setAccessibleName("Scene");
   p.surface->lower();
   box->addWidget(p.surface);
 
@@ -113,6 +69,8 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_parts(std::make_uniqu
   p.cell_legend = new ScalarLegend(this);
   p.cell_legend->setVisible(false);
   p.facts = new FrameFacts(this);
+  p.morph = new MorphStrip(this);
+  p.morph->setVisible(false);
   wireOverlay();
   wirePointer();
   connect(p.surface, &QOpenGLWidget::frameSwapped, this, [this] {
@@ -124,10 +82,17 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_parts(std::make_uniqu
   p.standstill.setSingleShot(true);
   p.standstill.setInterval(standstill_ms);
   connect(&p.standstill, &QTimer::timeout, this, &SceneView::renderSharp);
+  connect(&p.move_timer, &QTimer::timeout, this, [this] {
+    if (!m_parts->move) return m_parts->move_timer.stop();
+    const bool is_fresh = m_parts->since_render.isValid() && m_parts->since_render.elapsed() < fresh_ms;
+    if (!is_fresh) render();  // else a frame has taken the camera along
+  });
   setColours(palette_of(Theme::Dark));
   p.actors.setVisibility(p.visibility);
-  p.actors.setTrailJoints(hands);
+  p.actors.setTrailJoints({hands.begin(), hands.end()});
 }
+
+SceneView::~SceneView() = default;
 
 void SceneView::wireOverlay() {
   Parts& p = *m_parts;
@@ -141,36 +106,19 @@ void SceneView::wireOverlay() {
           [this](bool locked) { m_parts->range().set_locked(locked); });
   connect(p.cell_legend, &ScalarLegend::lockToggled, this,
           [this](bool locked) { m_parts->cell_range.set_locked(locked); });
+  connect(p.legend, &ScalarLegend::mapRequested, this, [this](ColourMap map, bool logarithmic) {
+    SceneOptions options = m_parts->options;
+    options.map = map;
+    options.is_logarithmic = logarithmic;
+    setOptions(options);
+  });
+  connect(p.morph, &MorphStrip::stepRequested, this, &SceneView::setMorphStep);
+  connect(p.morph, &MorphStrip::closeRequested, this, [this] {
+    m_parts->step.reset();
+    showPart(ScenePart::MorphSteps, false);
+    refresh();
+  });
 }
-
-void SceneView::wirePointer() {
-  GlSurface& surface = *m_parts->surface;
-  surface.dragged = [this](QPointF delta, PointerMove move) {
-    Parts& p = *m_parts;
-    if (move == PointerMove::Turn) p.pair_camera.turned_by_hand();
-    if (move == PointerMove::Turn) p.camera.orbit(delta.x(), delta.y());
-    if (move == PointerMove::Shift) p.camera.pan(delta.x(), delta.y(), p.surface->height());
-    if (move == PointerMove::Zoom) zoom(-delta.y() / pixels_per_notch);
-    render();
-  };
-  surface.wheeled = [this](double notches) {
-    zoom(notches);
-    render();
-  };
-  surface.hovered = [this](QPointF place) {
-    if (m_parts->frame && m_parts->picker.pointAt(place, *m_parts->frame)) render();
-  };
-  surface.clicked = [this](QPointF place) {
-    if (m_parts->frame) select(m_parts->picker.itemAt(place, *m_parts->frame));
-  };
-}
-
-void SceneView::zoom(double notches) {
-  m_parts->pair_camera.zoomed_by_hand();
-  m_parts->camera.zoom(notches);
-}
-
-SceneView::~SceneView() = default;
 
 const PartVisibility& SceneView::visibility() const {
   return m_parts->visibility;
@@ -178,21 +126,26 @@ const PartVisibility& SceneView::visibility() const {
 MeshScalar SceneView::scalar() const {
   return m_parts->scalar;
 }
-const OrbitCamera& SceneView::camera() const {
-  return m_parts->camera;
+const SceneOptions& SceneView::options() const {
+  return m_parts->options;
 }
-std::uint64_t SceneView::renderedFrames() const {
-  return m_parts->rendered;
+const Selection& SceneView::selection() const {
+  return m_parts->picker.selected();
+}
+const std::vector<Selection>& SceneView::hidden() const {
+  return m_parts->hidden;
 }
 
 void SceneView::setLibrary(std::shared_ptr<const MotionLibrary> library) {
-  m_parts->library = std::move(library);
-  m_parts->framed = false;
-  for (SteadyRange& range : m_parts->ranges) range.reset();
-  m_parts->cell_range.reset();
-  if (!m_parts->library || m_parts->library->bodies().empty()) return;
-  m_parts->actors.setRadii(m_parts->library->usual_active_body().capsule_radii,
-                           m_parts->library->usual_passive_body().capsule_radii);
+  Parts& p = *m_parts;
+  p.library = std::move(library);
+  p.picker.setLibrary(p.library);
+  p.framed = false;
+  for (SteadyRange& range : p.ranges) range.reset();
+  p.cell_range.reset();
+  if (!p.library || p.library->bodies().empty()) return;
+  p.actors.setRadii(p.library->usual_active_body().capsule_radii,
+                    p.library->usual_passive_body().capsule_radii);
 }
 
 void SceneView::setColours(const Palette& palette) {
@@ -200,16 +153,17 @@ void SceneView::setColours(const Palette& palette) {
   p.palette = palette;
   p.stage.setColours(palette, devicePixelRatioF());
   p.picker.setColours(palette);
+  p.tags.setColours(palette);
   p.legend->setColours(palette);
   p.cell_legend->setColours(palette);
   p.facts->setColours(palette);
+  p.morph->setColours(palette);
   refresh();
 }
 
 void SceneView::showFrame(FrameSnapshotPtr frame) {
   if (!frame || frame == m_parts->frame) return;
   m_parts->frame = std::move(frame);
-  followPair();
   refresh();
 }
 
@@ -217,83 +171,59 @@ void SceneView::showFrame(FrameSnapshotPtr frame) {
 void SceneView::refresh() {
   Parts& p = *m_parts;
   if (p.frame) {
-    p.actors.show(*p.frame, p.look());
-    showCandidate(p.candidate);
-    p.picker.show(*p.frame);
+    p.shown = p.step ? at_step(p.frame, *p.step) : p.frame;
+    followPair();
+    p.actors.show(*p.shown, p.look());
+    showGhost();
+    placeReference();
+    p.picker.show(*p.shown);
     updateFacts();
     if (p.actors.counts() != p.counts) emit countsChanged(p.counts = p.actors.counts());
   }
   render();
 }
 
-void SceneView::followPair() {
-  constexpr double longest_s = 0.1;  // a slow machine must not make the camera leap
-  Parts& p = *m_parts;
-  const FrameResult& result = p.frame->result;
-  if (!p.framed && result.selected >= 0) {
-    p.framed = true;
-    p.pair_camera.start(p.camera, result.result, p.shape());
-  } else if (p.following && p.framed) {
-    const double elapsed_s =
-        p.since_follow.isValid() ? static_cast<double>(p.since_follow.elapsed()) / 1000 : 0;
-    p.pair_camera.follow(p.camera, result.result, p.shape(), std::min(elapsed_s, longest_s));
-  }
-  p.since_follow.start();
-}
-
 void SceneView::updateFacts() {
-  const FrameSnapshot& frame = *m_parts->frame;
+  Parts& p = *m_parts;
+  const FrameSnapshot& frame = *p.shown;
   const FrameResult& result = frame.result;
-  QString first = QString("frame %1 · %2 · morph step %3 / %3 + %4")
-                      .arg(frame.index)
-                      .arg(seconds(frame.time_s))
-                      .arg(frame.settings.morph_steps)
-                      .arg(frame.settings.projection_steps);
-  if (m_parts->options.shortest_m > 0 || m_parts->options.longest_m < MeshFilter::no_limit ||
-      m_parts->options.picked_joint_only)
+  const int steps = step_count(frame), step = morphStep();
+  const QString way = QString::fromStdString(step_text(frame, step));
+  QString first = QString("frame %1 · %2 · morph step %3").arg(frame.index).arg(seconds(frame.time_s), way);
+  p.morph->showStep(step, steps, way);
+  const bool filters = p.options.shortest_m > 0 || p.options.longest_m < MeshFilter::no_limit ||
+                       (p.options.isolates && selection().is_of_mesh()) || !p.hidden.empty();
+  if (filters)
     first += QString(" · filter: %1 of %2 edges")
-                 .arg(m_parts->actors.mesh().shownEdges().size())
+                 .arg(p.actors.mesh().shownEdges().size())
                  .arg(result.edges.size());
   QString second = "no source";
-  if (m_parts->library && result.selected >= 0) {
+  if (p.library && result.selected >= 0) {
     const int pair = result.candidates[static_cast<std::size_t>(result.selected)].pair;
-    const std::string_view label = m_parts->library->label(pair);
+    const std::string_view label = p.library->label(pair);
     second = QString("source %1 · %2")
-                 .arg(QString::fromStdString(m_parts->library->take_of(pair).name))
-                 .arg(m_parts->library->source(pair).frame);
+                 .arg(QString::fromStdString(p.library->take_of(pair).name))
+                 .arg(p.library->source(pair).frame);
     if (!label.empty())
       second += " · " + QString::fromUtf8(label.data(), static_cast<int>(label.size())).replace('_', ' ');
   }
-  if (const int inverted = m_parts->actors.mesh().invertedCount(); inverted > 0)
+  if (const int inverted = p.actors.mesh().invertedCount(); inverted > 0)
     first += QString(" · %1 of %2 tetrahedra turned over").arg(inverted).arg(result.tetrahedra.size());
-  m_parts->facts->show(
-      first, second,
-      result.status == StepStatus::Ok ? QString() : QString::fromStdString(result.status_text()));
-}
-
-void SceneView::showCandidate(int candidate) {
-  Parts& p = *m_parts;
-  const bool changed = candidate != p.candidate;
-  p.candidate = candidate;
-  std::optional<PairPose> pair;
-  if (p.frame && p.library && candidate >= 0 &&
-      candidate < static_cast<int>(p.frame->result.candidates.size())) {
-    const int index = p.frame->result.candidates[static_cast<std::size_t>(candidate)].pair;
-    pair = p.library->pair_in_world(index, p.frame->result.query_root,
-                                    p.frame->settings.user_role == UserRole::Passive);
-  }
-  p.actors.showCandidate(pair);
-  if (changed) render();
+  p.facts->show(first, second,
+                result.status == StepStatus::Ok ? QString() : QString::fromStdString(result.status_text()));
 }
 
 void SceneView::setVisibility(const PartVisibility& visibility) {
-  if (visibility == m_parts->visibility) return;
-  m_parts->visibility = visibility;
-  m_parts->actors.setVisibility(visibility);
-  m_parts->picker.setVisibility(visibility);
-  m_parts->chips->setBetweenOnly(!m_parts->shows(ScenePart::MeshWithin));
-  m_parts->chips->setCells(m_parts->shows(ScenePart::Tetrahedra));
-  m_parts->cell_legend->setVisible(m_parts->shows(ScenePart::Tetrahedra));
+  Parts& p = *m_parts;
+  if (visibility == p.visibility) return;
+  p.visibility = visibility;
+  p.actors.setVisibility(visibility);
+  p.picker.setVisibility(visibility);
+  p.stage.ghosts.setVisible(p.shows(ScenePart::Comparison));
+  p.chips->setBetweenOnly(!p.shows(ScenePart::MeshWithin));
+  p.chips->setCells(p.shows(ScenePart::Tetrahedra));
+  p.cell_legend->setVisible(p.shows(ScenePart::Tetrahedra));
+  p.morph->setVisible(p.shows(ScenePart::MorphSteps) || p.step);
   refresh();
   emit visibilityChanged(visibility);
 }
@@ -304,82 +234,79 @@ void SceneView::showPart(ScenePart part, bool shown) {
   setVisibility(changed);
 }
 
-const SceneOptions& SceneView::options() const {
-  return m_parts->options;
-}
-
-void SceneView::setOptions(const SceneOptions& options) {
-  Parts& p = *m_parts;
-  if (options == p.options) return;
-  p.options = options;
-  p.surface->style = options.navigation;
-  p.camera.is_parallel = options.is_parallel;
-  p.camera.cuts = options.cuts;
-  p.camera.cut_m = options.cut_m;
-  p.chips->setOptions(options);
-  refresh();
-  emit optionsChanged(options);
-}
-
-const PickedItem& SceneView::picked() const {
-  return m_parts->picker.selected();
-}
-
-void SceneView::select(const PickedItem& item) {
-  Parts& p = *m_parts;
-  if (!p.picker.select(item)) return;
-  if (item.kind == PickKind::Joint) p.filter_joint = item.vertices[0];
-  if (!item) p.filter_joint = -1;
-  p.actors.setTrailJoints(p.filter_joint >= 0 ? std::vector<int>{p.filter_joint} : hands);
-  refresh();
-  emit pickedChanged(item);
-}
-
 void SceneView::setScalar(MeshScalar scalar) {
-  m_parts->scalar = scalar;
-  if (!m_parts->range().locked()) m_parts->range().reset();
-  m_parts->legend->setLocked(m_parts->range().locked());
-  m_parts->chips->setScalar(scalar);
+  Parts& p = *m_parts;
+  p.scalar = scalar;
+  if (!p.range().locked()) p.range().reset();
+  p.legend->setLocked(p.range().locked());
+  p.chips->setScalar(scalar);
+  refresh();
+  emit scalarChanged(scalar);
+}
+
+void SceneView::setOptions(const SceneOptions& wanted) {
+  Parts& p = *m_parts;
+  if (wanted == p.options) return;
+  const bool moves_beside = wanted.shows_reference_beside != p.options.shows_reference_beside;
+  const bool places_plane = wanted.cut_in_world && !p.options.cut_in_world && p.shown;
+  p.options = wanted;
+  if (places_plane) {  // where the plane of the eye would be, upright
+    p.options.cut_at = 0.5 * (p.shown->result.result.row(0) + p.shown->result.result.row(joint_count));
+    p.options.cut_azimuth_rad = p.camera.azimuth_rad;
+    p.options.cut_elevation_rad = 0;
+  }
+  p.surface->style = p.options.navigation;
+  p.camera.is_parallel = p.options.is_parallel;
+  p.applyCut();
+  p.actors.trails().set_length(p.options.trail_s);
+  p.legend->setMap(p.options.map, p.options.is_logarithmic);
+  p.chips->setOptions(p.options);
+  refresh();
+  if (moves_beside) frameAll();  // two pairs take more room than one
+  emit optionsChanged(p.options);
+}
+
+void SceneView::moveCut(double by_m, double turn_rad, double tilt_rad) {
+  constexpr double farthest_m = 1, steepest_rad = 1.5707963267948966;
+  SceneOptions options = m_parts->options;
+  if (!options.cuts) return;
+  options.cut_m = std::clamp(options.cut_m + by_m, -farthest_m, farthest_m);
+  if (options.cut_in_world) {
+    options.cut_azimuth_rad = std::remainder(options.cut_azimuth_rad + turn_rad, 4 * steepest_rad);
+    options.cut_elevation_rad = std::clamp(options.cut_elevation_rad + tilt_rad, -steepest_rad, steepest_rad);
+  }
+  setOptions(options);
+}
+
+int SceneView::morphStep() const {
+  const Parts& p = *m_parts;
+  const int last = p.frame ? step_count(*p.frame) : 0;
+  return p.step ? std::min(*p.step, last) : last;
+}
+
+void SceneView::setMorphStep(int step) {
+  Parts& p = *m_parts;
+  if (!p.frame) return;
+  const int last = step_count(*p.frame);
+  p.step = step >= last ? std::nullopt : std::optional(std::max(step, 0));
+  p.morph->setVisible(p.step || p.shows(ScenePart::MorphSteps));
+  arrange();
   refresh();
 }
 
-void SceneView::frameAll() {
-  if (!m_parts->frame) return;
-  m_parts->pair_camera.show_all(m_parts->camera, m_parts->frame->result.result, m_parts->shape());
-  render();
-}
-
-void SceneView::lookFrom(double azimuth_rad, double elevation_rad) {
-  m_parts->pair_camera.turned_by_hand();
-  m_parts->camera.azimuth_rad = azimuth_rad;
-  m_parts->camera.elevation_rad = elevation_rad;
-  render();
-}
-
-void SceneView::setFollowing(bool following) {
-  m_parts->following = following;
-  if (following) m_parts->framed = false;  // begins anew beside the pair
-}
-
-void SceneView::render() {
-  if (!isVisible()) return;
-  Parts& p = *m_parts;
-  const bool moving = p.since_render.isValid() && p.since_render.elapsed() < moving_ms;
-  p.smoothed = p.budget.wants_smoothing(moving);
-  if (!p.smoothed) p.standstill.start();
-  p.since_render.start();
-  p.on_the_way = true;
-  p.stage.render(p.smoothed);
-}
-
-void SceneView::renderSharp() {
-  m_parts->since_render.invalidate();
-  render();
+void SceneView::stepMorph(int by) {
+  setMorphStep(morphStep() + by);
 }
 
 void SceneView::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
+  arrange();
+  render();
+}
+
+void SceneView::arrange() {
   Parts& p = *m_parts;
+  p.chips->fitInto(width() - 24);
   p.chips->adjustSize();
   p.chips->move(12, 10);
   // Where the chips leave no room the legend goes below them.
@@ -387,13 +314,14 @@ void SceneView::resizeEvent(QResizeEvent* event) {
   p.legend->move(width() - p.legend->width() - 10, narrow ? 40 : 8);
   p.cell_legend->move(p.legend->x(), p.legend->y() + p.legend->height() + 2);
   p.facts->setGeometry(14, height() - p.facts->height() - 10, width() - 28, p.facts->height());
+  p.morph->adjustSize();
+  p.morph->move(12, p.facts->y() - p.morph->height() + 12);
   p.picker.arrange();
-  render();
 }
 
 void SceneView::changeEvent(QEvent* event) {
   QWidget::changeEvent(event);
-  if (event->type() == QEvent::StyleChange && m_parts && m_parts->chips) m_parts->chips->adjustSize();
+  if (event->type() == QEvent::StyleChange && m_parts && m_parts->chips) arrange();
 }
 
 }  // namespace abrazo::widgets

@@ -1,28 +1,27 @@
 #include "widgets/settings/setting_row.hpp"
 
 #include <QComboBox>
+#include <QContextMenuEvent>
 #include <QGridLayout>
 #include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 
 #include "core/base/text.hpp"
-#include "widgets/common/theme.hpp"
+#include "widgets/common/typeset.hpp"
+#include "widgets/settings/setting_help.hpp"
+#include "widgets/settings/toggle.hpp"
 #include "widgets/settings/value_slider.hpp"
 
 namespace abrazo::widgets {
 namespace {
 
+constexpr double lowest_step_rate_hz = 5;  ///< but for 0, the input's own rate
+
 QString text(std::string_view utf8) {
   return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
-}
-
-/// "w_Δ" with its index set low.
-QString typeset(const QString& symbol) {
-  const int low = symbol.indexOf('_');
-  if (low < 0) return symbol.toHtmlEscaped();
-  return symbol.left(low).toHtmlEscaped() + "<sub>" + symbol.mid(low + 1).toHtmlEscaped() + "</sub>";
 }
 
 /// What is typed after a click replaces the value. Escape leaves it as it was.
@@ -60,13 +59,9 @@ class ValueField : public QLineEdit {
 }  // namespace
 
 SettingRow::SettingRow(const SettingInfo& info, QWidget* parent) : QWidget(parent), m_info(info) {
-  const QString range = info.kind == SettingInfo::Kind::Real || info.kind == SettingInfo::Kind::Integer
-                            ? QString("<br><span>%1 … %2 %3 · double-click resets</span>")
-                                  .arg(info.minimum)
-                                  .arg(info.maximum)
-                                  .arg(text(info.unit))
-                            : QString();
-  setToolTip("<p>" + text(info.help).toHtmlEscaped() + range + "</p>");
+  setToolTip(QString::fromStdString(setting_tooltip(info)));
+  m_title = new QLabel(this);
+  m_title->setTextFormat(Qt::RichText);
   switch (info.kind) {
     case SettingInfo::Kind::Real:
     case SettingInfo::Kind::Integer:
@@ -79,58 +74,75 @@ SettingRow::SettingRow(const SettingInfo& info, QWidget* parent) : QWidget(paren
       buildChoice();
       break;
   }
+  name(*this);
 }
 
-QLabel* SettingRow::titleLabel() {
-  const QString symbol = typeset(text(m_info.symbol));
-  auto* label =
-      new QLabel((symbol.isEmpty() ? QString() : symbol + " ") + text(m_info.title).toHtmlEscaped(), this);
-  label->setTextFormat(Qt::RichText);
-  return label;
+QString SettingRow::key() const {
+  return text(m_info.key);
+}
+
+void SettingRow::name(QWidget& control) const {
+  control.setAccessibleName(text(m_info.title));
+  control.setAccessibleDescription(QString::fromStdString(setting_description(m_info)));
 }
 
 void SettingRow::buildNumber() {
-  m_scale = {m_info.minimum, m_info.maximum, m_info.logarithmic, m_info.kind == SettingInfo::Kind::Integer};
+  m_scale = {m_info.minimum, m_info.maximum, m_info.logarithmic, m_info.kind == SettingInfo::Kind::Integer,
+             m_info.key == "step-rate" ? lowest_step_rate_hz : m_info.minimum};
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(12, 2, 12, 0);
   grid->setHorizontalSpacing(8);
   grid->setVerticalSpacing(0);
+  m_slider = new ValueSlider(this);
   m_value = new ValueField(this);
   m_value->setObjectName("value");
   m_value->setAlignment(Qt::AlignRight);
   m_value->setFixedSize(84, 20);
-  m_value->setFocusPolicy(Qt::ClickFocus);
-  m_slider = new ValueSlider(this);
-  grid->addWidget(titleLabel(), 0, 0);
+  m_value->setFocusPolicy(Qt::StrongFocus);
+  grid->addWidget(m_title, 0, 0);
   grid->addWidget(m_value, 0, 1, Qt::AlignRight);
   grid->addWidget(m_slider, 1, 0, 1, 2);
   grid->setColumnStretch(0, 1);
   setFixedHeight(43);
-  const QString key = text(m_info.key);
-  connect(m_slider, &ValueSlider::moved, this, [this, key](double place, int gesture) {
-    emit changed(key, QString::fromStdString(exact_text(m_scale.value(place))), gesture);
-  });
-  connect(m_slider, &ValueSlider::resetRequested, this, [this, key] { emit changed(key, m_defaultText, 0); });
-  connect(m_value, &QLineEdit::editingFinished, this, [this, key] {
+  name(*m_slider);
+  name(*m_value);
+  connectSlider();
+  connectField();
+}
+
+void SettingRow::connectSlider() {
+  const auto ask = [this](double value, int gesture) {
+    emit changed(key(), QString::fromStdString(exact_text(value)), gesture);
+  };
+  connect(m_slider, &ValueSlider::moved, this,
+          [this, ask](double place, int gesture) { ask(m_scale.value(place), gesture); });
+  connect(m_slider, &ValueSlider::stepped, this,
+          [this, ask](int steps, int gesture) { ask(m_scale.stepped(m_number, steps), gesture); });
+  connect(m_slider, &ValueSlider::resetRequested, this,
+          [this](int gesture) { emit changed(key(), m_defaultText, gesture); });
+}
+
+void SettingRow::connectField() {
+  connect(m_value, &QLineEdit::editingFinished, this, [this] {
     QString typed = m_value->text().trimmed();
     const QString unit = text(m_info.unit);
     if (!unit.isEmpty() && typed.endsWith(unit)) typed.chop(unit.size());
     const bool typed_in = m_value->isModified();
     m_value->setModified(false);
     m_value->clearFocus();
-    if (typed_in) emit changed(key, typed.trimmed(), 0);
+    if (typed_in) emit changed(key(), typed.trimmed(), 0);
   });
 }
 
 void SettingRow::buildToggle() {
   auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(12, 2, 12, 2);
+  row->setContentsMargins(12, 2, 10, 2);
   m_toggle = new Toggle(this);
-  row->addWidget(titleLabel(), 1);
+  row->addWidget(m_title, 1);
   row->addWidget(m_toggle);
   setFixedHeight(28);
-  connect(m_toggle, &Toggle::toggled, this,
-          [this](bool on) { emit changed(text(m_info.key), on ? "on" : "off", 0); });
+  name(*m_toggle);
+  connect(m_toggle, &Toggle::clicked, this, [this](bool on) { emit changed(key(), on ? "on" : "off", 0); });
 }
 
 void SettingRow::buildChoice() {
@@ -140,33 +152,62 @@ void SettingRow::buildChoice() {
   m_choice->addItems(text(m_info.choices).split('|'));
   m_choice->setMinimumWidth(118);
   m_choice->setFocusPolicy(Qt::TabFocus);
-  row->addWidget(titleLabel(), 1);
+  row->addWidget(m_title, 1);
   row->addWidget(m_choice);
   setFixedHeight(34);
+  name(*m_choice);
   connect(m_choice, qOverload<int>(&QComboBox::activated), this,
-          [this](int index) { emit changed(text(m_info.key), m_choice->itemText(index), 0); });
+          [this](int index) { emit changed(key(), m_choice->itemText(index), 0); });
+}
+
+void SettingRow::contextMenuEvent(QContextMenuEvent* event) {
+  QMenu menu(this);
+  menu.addAction("Default (" + m_defaultText + ")", this, [this] { emit changed(key(), m_defaultText, 0); })
+      ->setEnabled(m_changed);
+  menu.addAction("Sweep this setting\u2026", this, [this] { emit sweepRequested(key()); });
+  menu.exec(event->globalPos());
 }
 
 void SettingRow::setColours(const Palette& palette) {
+  m_mark = palette.warning;
   if (m_slider) m_slider->setColours(palette);
   if (m_toggle) m_toggle->setColours(palette);
 }
 
-void SettingRow::show(const Settings& settings, const Settings& defaults) {
-  const double number = setting_number(settings, m_info.key);
+QString SettingRow::valueText(double number) const {
+  if (m_info.key == "step-rate" && number == 0) return "input's";
+  const QString unit = m_info.unit.empty() ? QString() : " " + text(m_info.unit);
+  return (m_scale.whole_numbers ? QString::number(number, 'f', 0) : QString::number(number, 'g', 4)) + unit;
+}
+
+void SettingRow::showTitle(bool changed, const QString& of_frame) {
+  const QString symbol = QString::fromStdString(typeset(m_info.symbol));
+  QString words = (symbol.isEmpty() ? QString() : symbol + " ") + text(m_info.title).toHtmlEscaped();
+  if (changed) words += " *";
+  if (!of_frame.isEmpty())
+    words +=
+        QString(" <span style='color: %1'>\u25b4 %2</span>").arg(m_mark.name(), of_frame.toHtmlEscaped());
+  if (m_title->text() != words) m_title->setText(words);
+}
+
+void SettingRow::show(const Settings& settings, const Settings& defaults, const Settings* of_frame) {
+  m_number = setting_number(settings, m_info.key);
+  const double usual = setting_number(defaults, m_info.key);
   m_defaultText = QString::fromStdString(setting_text(defaults, m_info.key));
-  if (m_toggle) m_toggle->setOn(number > 0.5);
-  if (m_choice) m_choice->setCurrentIndex(static_cast<int>(number));
+  const bool differs = of_frame && setting_number(*of_frame, m_info.key) != m_number;
+  const double then = differs ? setting_number(*of_frame, m_info.key) : m_number;
+  QString then_text;
+  if (differs) then_text = m_slider ? valueText(then) : text(setting_text(*of_frame, m_info.key));
+  m_changed = m_number != usual;
+  showTitle(m_changed, then_text);
+  if (m_toggle) m_toggle->setOn(m_number > 0.5);
+  if (m_choice) m_choice->setCurrentIndex(static_cast<int>(m_number));
   if (!m_slider) return;
-  m_slider->setPlace(m_scale.place(number));
-  m_slider->setDefaultPlace(m_scale.place(setting_number(defaults, m_info.key)));
+  m_slider->setPlace(m_scale.place(m_number));
+  m_slider->setDefaultPlace(m_scale.place(usual));
+  m_slider->setMarkedPlace(differs ? std::optional(m_scale.place(then)) : std::nullopt);
   if (m_value->hasFocus() && m_value->isModified()) return;
-  QString shown = m_scale.whole_numbers ? QString::number(number, 'f', 0) : QString::number(number, 'g', 4);
-  if (m_info.key == "step-rate" && number == 0)
-    shown = "input's";
-  else if (!m_info.unit.empty())
-    shown += " " + text(m_info.unit);
-  m_value->setText(shown);
+  m_value->setText(valueText(m_number));
 }
 
 }  // namespace abrazo::widgets

@@ -12,6 +12,7 @@ struct SliderScale {
   double maximum = 1;
   bool logarithmic = false;
   bool whole_numbers = false;
+  double gap_end = 0;  ///< nothing lies between the minimum and this, when it is higher
 
   /// @return [0, 1]
   double place(double value) const {
@@ -23,9 +24,17 @@ struct SliderScale {
     return minimum > 0 ? share : zero_share + (1 - zero_share) * share;
   }
 
+  /// The value some keystrokes away: hundredths of the scale, or whole numbers one by one. Held at the ends.
+  double stepped(double from, int steps) const {
+    if (whole_numbers) return std::clamp(std::round(from) + steps, minimum, maximum);
+    const double reached = value(place(from) + 0.01 * steps);
+    const bool left_the_minimum = from <= minimum && steps > 0 && gap_end > minimum;
+    return left_the_minimum ? std::max(reached, gap_end) : reached;
+  }
+
   double value(double place) const {
     const double held = std::clamp(place, 0.0, 1.0);
-    if (!logarithmic) return rounded(minimum + held * (maximum - minimum));
+    if (!logarithmic) return beside_gap(rounded(minimum + held * (maximum - minimum)));
     if (minimum > 0) return rounded(minimum * std::pow(maximum / minimum, held));
     if (held < zero_share) return minimum;
     return rounded(lowest() * std::pow(maximum / lowest(), (held - zero_share) / (1 - zero_share)));
@@ -36,6 +45,11 @@ struct SliderScale {
   static constexpr double decades = 1e4;  ///< spanned when the scale begins at 0
 
   double lowest() const { return minimum > 0 ? minimum : maximum / decades; }
+
+  double beside_gap(double value) const {
+    if (value >= gap_end) return value;
+    return value < (minimum + gap_end) / 2 ? minimum : gap_end;
+  }
 
   /// To three significant digits of the range, so that a slider gives readable numbers.
   double rounded(double value) const {

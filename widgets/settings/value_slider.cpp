@@ -4,11 +4,31 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
+#include <cmath>
 
 namespace abrazo::widgets {
 namespace {
 
 constexpr double handle_radius = 6.5;
+
+/// Steps of a key; 0 when it is none of the slider's.
+int steps_of(const QKeyEvent& event) {
+  const int many = event.modifiers() & Qt::ShiftModifier ? 10 : 1;
+  switch (event.key()) {
+    case Qt::Key_Left:
+    case Qt::Key_Down:
+      return -many;
+    case Qt::Key_Right:
+    case Qt::Key_Up:
+      return many;
+    case Qt::Key_PageDown:
+      return -10;
+    case Qt::Key_PageUp:
+      return 10;
+    default:
+      return 0;
+  }
+}
 
 }  // namespace
 
@@ -33,6 +53,12 @@ void ValueSlider::setDefaultPlace(double place) {
   update();
 }
 
+void ValueSlider::setMarkedPlace(std::optional<double> place) {
+  if (place == m_marked) return;
+  m_marked = place;
+  update();
+}
+
 double ValueSlider::xOf(double place) const {
   return handle_radius + place * (width() - 2 * handle_radius);
 }
@@ -49,13 +75,25 @@ void ValueSlider::paintEvent(QPaintEvent*) {
   painter.drawRoundedRect(QRectF(0, y - 1.75, xOf(m_place), 3.5), 1.75, 1.75);
   painter.setBrush(m_palette.secondary);
   painter.drawRect(QRectF(xOf(m_default) - 0.5, y + 7, 1, 4));
+  if (hasFocus()) {
+    QColor halo = filled;
+    halo.setAlphaF(0.35);
+    painter.setBrush(halo);
+    painter.drawEllipse(QPointF(xOf(m_place), y), handle_radius + 1.5, handle_radius + 1.5);
+  }
   painter.setPen(QPen(hasFocus() ? m_palette.text : filled, 2));
   painter.setBrush(m_palette.dark ? m_palette.text : QColor(Qt::white));
   painter.drawEllipse(QPointF(xOf(m_place), y), handle_radius - 1, handle_radius - 1);
+  if (!m_marked) return;
+  // A triangle under the track, so that it differs from the tick by shape as well.
+  const double x = xOf(*m_marked);
+  painter.setPen(QPen(m_palette.panel, 1));
+  painter.setBrush(m_palette.warning);
+  painter.drawPolygon(QPolygonF({{x, y + 3.5}, {x + 4.5, y + 11}, {x - 4.5, y + 11}}));
 }
 
 void ValueSlider::dragTo(double x) {
-  setPlace((x - handle_radius) / std::max(1.0, width() - 2 * handle_radius));
+  setPlace((x - m_grab - handle_radius) / std::max(1.0, width() - 2 * handle_radius));
   emit moved(m_place, m_gesture);
 }
 
@@ -63,7 +101,10 @@ void ValueSlider::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
   ++m_gesture;
   m_dragging = true;
-  dragTo(event->localPos().x());
+  const double off = event->localPos().x() - xOf(m_place);
+  const bool on_handle = std::abs(off) <= handle_radius;
+  m_grab = on_handle ? off : 0;
+  if (!on_handle) dragTo(event->localPos().x());
 }
 
 void ValueSlider::mouseMoveEvent(QMouseEvent* event) {
@@ -76,60 +117,27 @@ void ValueSlider::mouseReleaseEvent(QMouseEvent*) {
 
 void ValueSlider::mouseDoubleClickEvent(QMouseEvent*) {
   m_dragging = false;
-  emit resetRequested();
+  emit resetRequested(m_gesture);
 }
 
 void ValueSlider::keyPressEvent(QKeyEvent* event) {
-  const double step = event->modifiers() & Qt::ShiftModifier ? 0.1 : 0.01;
-  double place = m_place;
-  if (event->key() == Qt::Key_Left)
-    place -= step;
-  else if (event->key() == Qt::Key_Right)
-    place += step;
-  else
-    return QWidget::keyPressEvent(event);
-  setPlace(place);
-  emit moved(m_place, ++m_gesture);
+  if (event->key() == Qt::Key_Backspace || event->key() == Qt::Key_Delete)
+    return emit resetRequested(++m_gesture);
+  const int steps = steps_of(*event);
+  if (steps == 0) return QWidget::keyPressEvent(event);
+  if (!event->isAutoRepeat()) ++m_gesture;
+  emit stepped(steps, m_gesture);
 }
 
 bool ValueSlider::event(QEvent* event) {
-  // With the focus on a slider its arrow keys are its own, not the transport's.
+  // With the focus on a slider its keys are its own, not the transport's.
   if (event->type() == QEvent::ShortcutOverride) {
-    const int key = static_cast<QKeyEvent*>(event)->key();
-    if (key == Qt::Key_Left || key == Qt::Key_Right) event->accept();
+    const auto* key = static_cast<QKeyEvent*>(event);
+    const bool resets = key->key() == Qt::Key_Backspace || key->key() == Qt::Key_Delete;
+    const bool plain = !(key->modifiers() & (Qt::ControlModifier | Qt::AltModifier));
+    if (plain && (resets || steps_of(*key) != 0)) event->accept();
   }
   return QWidget::event(event);
-}
-
-Toggle::Toggle(QWidget* parent) : QWidget(parent), m_palette(palette_of(Theme::Dark)) {
-  setFixedSize(30, 18);
-  setCursor(Qt::PointingHandCursor);
-}
-
-void Toggle::setColours(const Palette& palette) {
-  m_palette = palette;
-  update();
-}
-
-void Toggle::setOn(bool on) {
-  m_on = on;
-  update();
-}
-
-void Toggle::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  const QColor off = m_palette.dark ? m_palette.border.lighter(140) : m_palette.border.darker(110);
-  painter.setBrush(m_on ? m_palette.accent : off);
-  painter.drawRoundedRect(QRectF(1, 2, 28, 14), 7, 7);
-  painter.setBrush(m_palette.dark ? m_palette.text : QColor(Qt::white));
-  painter.drawEllipse(QPointF(m_on ? 22 : 8, 9), 5, 5);
-}
-
-void Toggle::mousePressEvent(QMouseEvent*) {
-  setOn(!m_on);
-  emit toggled(m_on);
 }
 
 }  // namespace abrazo::widgets

@@ -1,12 +1,14 @@
 #pragma once
 
 #include <QWidget>
+#include <optional>
 
 #include "widgets/common/palette.hpp"
 
 namespace abrazo::widgets {
 
-/// A slim horizontal slider over [0, 1] with a tick at the default.
+/// A slim horizontal slider over [0, 1] with a tick at the default, and a mark where another value is to be
+/// compared.
 class ValueSlider : public QWidget {
   Q_OBJECT
  public:
@@ -15,12 +17,18 @@ class ValueSlider : public QWidget {
   void setPlace(double place);
   double place() const { return m_place; }
   void setDefaultPlace(double place);
+  void setMarkedPlace(std::optional<double> place);
   QSize sizeHint() const override { return {120, 20}; }
+  /// Middle of the handle, in pixels from the left.
+  double handleX() const { return xOf(m_place); }
 
  signals:
   /// @param gesture  the same for all moves of one drag
   void moved(double place, int gesture);
-  void resetRequested();
+  /// Keys: so many steps up or down. @param gesture  the same while a key is held
+  void stepped(int steps, int gesture);
+  /// @param gesture  that of the double click's first press
+  void resetRequested(int gesture);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -38,29 +46,10 @@ class ValueSlider : public QWidget {
   Palette m_palette;
   double m_place = 0;
   double m_default = 0;
+  std::optional<double> m_marked;
+  double m_grab = 0;  ///< from the handle's middle to where it was taken [px]
   int m_gesture = 0;
   bool m_dragging = false;
-};
-
-/// An on/off switch.
-class Toggle : public QWidget {
-  Q_OBJECT
- public:
-  explicit Toggle(QWidget* parent = nullptr);
-  void setColours(const Palette& palette);
-  void setOn(bool on);
-  bool isOn() const { return m_on; }
-
- signals:
-  void toggled(bool on);
-
- protected:
-  void paintEvent(QPaintEvent* event) override;
-  void mousePressEvent(QMouseEvent* event) override;
-
- private:
-  Palette m_palette;
-  bool m_on = false;
 };
 
 }  // namespace abrazo::widgets

@@ -13,7 +13,7 @@ struct TimelineAxis {
   double first_s = 0;  ///< at the left end
   double span_s = 35;  ///< over the whole width
 
-  static constexpr double shortest_s = 0.25, longest_s = 3600;
+  static constexpr double shortest_s = 0.1, longest_s = 7 * 86400;
 
   double last_s() const { return first_s + span_s; }
   double right_px() const { return left_px + width_px; }
@@ -26,6 +26,13 @@ struct TimelineAxis {
     const double wanted = std::clamp(span_s * factor, shortest_s, longest_s);
     first_s = fixed_s - (fixed_s - first_s) * wanted / span_s;
     span_s = wanted;
+  }
+
+  /// Shows [from, to] with a little room at both ends.
+  void show(double from_s, double to_s) {
+    constexpr double room = 0.02;
+    span_s = std::clamp((to_s - from_s) * (1 + 2 * room), shortest_s, longest_s);
+    first_s = (from_s + to_s) / 2 - span_s / 2;
   }
 
   /// Shows the end of [first, last] at the right, with a little room; the beginning at the left while all
@@ -46,14 +53,13 @@ struct TimelineAxis {
       first_s = time_s - (1 - margin) * span_s;
   }
 
-  /// Distance of labelled ticks: 1, 2 or 5 times a power of ten (or whole minutes), at least `apart_px`
-  /// apart.
+  /// Distance of labelled ticks: a round number of seconds, minutes or hours, at least `apart_px` apart.
   double tick_s(double apart_px) const {
     const double least = apart_px * seconds_per_pixel();
-    for (const double step :
-         {0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0, 10.0, 30.0, 60.0, 120.0, 300.0, 600.0})
+    for (const double step : {0.01, 0.02, 0.05,  0.1,   0.2,   0.5,    1.0,    2.0,    5.0,    10.0,   15.0,
+                              30.0, 60.0, 120.0, 300.0, 600.0, 1200.0, 1800.0, 3600.0, 7200.0, 14400.0})
       if (step >= least) return step;
-    return 1800;
+    return 86400;
   }
 
   /// Times of the labelled ticks that are in view.

@@ -3,25 +3,36 @@
 #include <algorithm>
 #include <cctype>
 
-#include "widgets/common/value_range.hpp"
-
 namespace abrazo::widgets {
 namespace {
 
+using Interval = TimelineTracks::Interval;
+using Lane = TimelineTracks::Lane;
+
 constexpr double gap_s = 0.5;  // without a frame for longer than this, an interval ends
+
+/// The first interval that ends after a time.
+Lane::const_iterator ending_after(const Lane& lane, double time_s) {
+  return std::upper_bound(lane.begin(), lane.end(), time_s,
+                          [](double t, const Interval& interval) { return t < interval.to_s; });
+}
 
 }  // namespace
 
-void TimelineTracks::append(double time_s, int take, std::string_view label, double cost) {
-  extend(sources_, time_s, take);
-  extend(moves_, time_s, label.empty() ? -1 : label_key(label));
-  if (take >= 0) costs_.push_back({time_s, cost});
+void TimelineTracks::append(const TrackRow& row) {
+  extend(sources_, row.time_s, row.take, row.source_changed);
+  extend(moves_, row.time_s, row.label.empty() ? -1 : label_key(row.label));
+  extend(leaders_, row.time_s, static_cast<int>(row.leader));
+  pairs_.push_back({row.time_s, row.pair});
+  if (row.take < 0) return;
+  costs_.append(row.time_s, row.cost);
+  energies_.append(row.time_s, row.energy);
 }
 
-void TimelineTracks::extend(std::deque<Interval>& lane, double time_s, int key) {
+void TimelineTracks::extend(Lane& lane, double time_s, int key, bool begins) {
   const bool continues = !lane.empty() && time_s - lane.back().to_s < gap_s;
   if (continues) lane.back().to_s = time_s;  // an interval lasts until the next begins
-  if (!continues || lane.back().key != key) lane.push_back({time_s, time_s, key});
+  if (!continues || begins || lane.back().key != key) lane.push_back({time_s, time_s, key});
 }
 
 int TimelineTracks::label_key(std::string_view label) {
@@ -32,26 +43,57 @@ int TimelineTracks::label_key(std::string_view label) {
 }
 
 void TimelineTracks::drop_before(double time_s) {
-  for (auto* lane : {&sources_, &moves_}) {
+  for (Lane* lane : {&sources_, &moves_, &leaders_}) {
     while (!lane->empty() && lane->front().to_s < time_s) lane->pop_front();
     if (!lane->empty()) lane->front().from_s = std::max(lane->front().from_s, time_s);
   }
-  while (!costs_.empty() && costs_.front().time_s < time_s) costs_.pop_front();
+  while (!pairs_.empty() && pairs_.front().time_s < time_s) pairs_.pop_front();
+  costs_.drop_before(time_s);
+  energies_.drop_before(time_s);
 }
 
 void TimelineTracks::clear() {
-  sources_.clear();
-  moves_.clear();
-  costs_.clear();
+  *this = {};
 }
 
-double TimelineTracks::usual_cost(double from_s, double to_s) const {
-  const auto before = [](const Sample& sample, double time_s) { return sample.time_s < time_s; };
-  std::vector<double> values;
-  for (auto it = std::lower_bound(costs_.begin(), costs_.end(), from_s, before);
-       it != costs_.end() && it->time_s <= to_s; ++it)
-    values.push_back(it->value);
-  return robust_upper(std::move(values));
+int TimelineTracks::pair_at(double time_s) const {
+  const auto after = std::upper_bound(pairs_.begin(), pairs_.end(), time_s,
+                                      [](double t, const Selection& chosen) { return t < chosen.time_s; });
+  if (after == pairs_.begin()) return -1;
+  const Selection& here = *std::prev(after);
+  return time_s - here.time_s < gap_s ? here.pair : -1;
+}
+
+std::optional<double> TimelineTracks::edge_before(double time_s) const {
+  constexpr double apart_s = 1e-6;
+  auto here = std::lower_bound(moves_.begin(), moves_.end(), time_s - apart_s,
+                               [](const Interval& interval, double t) { return interval.from_s < t; });
+  if (here == moves_.begin()) return std::nullopt;
+  return std::prev(here)->from_s;
+}
+
+std::optional<double> TimelineTracks::edge_after(double time_s) const {
+  constexpr double apart_s = 1e-6;
+  const auto next = std::upper_bound(moves_.begin(), moves_.end(), time_s + apart_s,
+                                     [](double t, const Interval& interval) { return t < interval.from_s; });
+  if (next == moves_.end()) return std::nullopt;
+  return next->from_s;
+}
+
+const Interval* interval_at(const Lane& lane, double time_s) {
+  const auto found = ending_after(lane, time_s);
+  return found != lane.end() && found->from_s <= time_s ? &*found : nullptr;
+}
+
+Lane drawn(const Lane& lane, double from_s, double to_s, double least_s) {
+  Lane shown;
+  auto it = ending_after(lane, from_s);
+  while (it != lane.end() && it->from_s <= to_s) {
+    shown.push_back(*it);
+    const double next_s = it->from_s + least_s;
+    it = it->to_s >= next_s ? std::next(it) : ending_after(lane, next_s);
+  }
+  return shown;
 }
 
 std::string_view short_take_name(std::string_view name) {

@@ -2,11 +2,29 @@
 
 #include <cstddef>
 #include <deque>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "widgets/timeline/sample_curve.hpp"
+
 namespace abrazo::widgets {
+
+/// Who leads: what the setting says of the user, unless the recording's annotation says otherwise.
+enum class Leader { User, Partner };
+
+/// What the lanes take of one frame.
+struct TrackRow {
+  double time_s = 0;
+  int pair = -1;           ///< of the library; -1 when nothing was selected
+  int take = -1;           ///< of that pair
+  std::string_view label;  ///< its move; may be empty
+  bool source_changed = false;
+  Leader leader = Leader::User;
+  double cost = 0;    ///< of the selected pair [m^2]
+  double energy = 0;  ///< sum of the terms [m^2]
+};
 
 /// What the lanes of the timeline show, kept up frame by frame. Plain data, no toolkit.
 class TimelineTracks {
@@ -14,34 +32,48 @@ class TimelineTracks {
   struct Interval {
     double from_s = 0;
     double to_s = 0;
-    int key = -1;  ///< take, or index into labels()
+    int key = -1;  ///< take, index into labels(), or Leader; -1 for nothing
   };
-  struct Sample {
-    double time_s = 0;
-    double value = 0;
-  };
+  using Lane = std::deque<Interval>;
 
-  /// Frames come in ascending time. @param take  -1 when nothing was selected
-  void append(double time_s, int take, std::string_view label, double cost);
+  /// Rows come in ascending time.
+  void append(const TrackRow& row);
   void drop_before(double time_s);
   void clear();
 
-  const std::deque<Interval>& sources() const { return sources_; }
-  const std::deque<Interval>& moves() const { return moves_; }
-  const std::deque<Sample>& costs() const { return costs_; }
+  const Lane& sources() const { return sources_; }  ///< a jump within a take begins an interval, too
+  const Lane& moves() const { return moves_; }
+  const Lane& leaders() const { return leaders_; }
+  const SampleCurve& costs() const { return costs_; }
+  const SampleCurve& energies() const { return energies_; }
   const std::string& label(int key) const { return labels_[static_cast<std::size_t>(key)]; }
 
-  /// How high the curve must reach for the costs in [from, to]: the largest, unless single ones tower.
-  double usual_cost(double from_s, double to_s) const;
+  /// The pair selected in the frame shown at a time; -1 where there is none.
+  int pair_at(double time_s) const;
+  /// Where the move of the sources last changed before, or next changes after a time.
+  std::optional<double> edge_before(double time_s) const;
+  std::optional<double> edge_after(double time_s) const;
 
  private:
-  static void extend(std::deque<Interval>& lane, double time_s, int key);
+  struct Selection {
+    double time_s = 0;
+    int pair = -1;
+  };
+  static void extend(Lane& lane, double time_s, int key, bool begins = false);
   int label_key(std::string_view label);
 
-  std::deque<Interval> sources_, moves_;
-  std::deque<Sample> costs_;
+  Lane sources_, moves_, leaders_;
+  SampleCurve costs_, energies_;
+  std::deque<Selection> pairs_;  ///< of every frame
   std::vector<std::string> labels_;
 };
+
+/// The interval of a lane at a time; null where there is none.
+const TimelineTracks::Interval* interval_at(const TimelineTracks::Lane& lane, double time_s);
+
+/// The intervals of a lane that are to be drawn in [from, to]: of those shorter than `least_s` only the first
+/// at each `least_s`. Costs the number of what is returned, not that of the intervals.
+TimelineTracks::Lane drawn(const TimelineTracks::Lane& lane, double from_s, double to_s, double least_s);
 
 /// The digits at the end of a take's name ("salsa_06" -> "06"), or the whole name.
 std::string_view short_take_name(std::string_view name);

@@ -1,250 +1,239 @@
 #include "widgets/timeline/timeline_view.hpp"
 
 #include <QHelpEvent>
-#include <QMouseEvent>
 #include <QPainter>
-#include <QPainterPath>
+#include <QScrollBar>
 #include <QToolTip>
-#include <QWheelEvent>
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/common/tabular.hpp"
-#include "widgets/common/theme.hpp"
+#include "widgets/timeline/timeline_accessible.hpp"
+#include "widgets/timeline/timeline_painter.hpp"
 
 namespace abrazo::widgets {
 namespace {
 
-constexpr int lane_height = 27;
-constexpr int ruler_height = 22;
 constexpr int names_width = 104;
 constexpr int right_margin = 16;
-enum Lane { SourceLane, MovesLane, CostLane };
 
-QString text(std::string_view utf8) {
-  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
-}
-
-QString tickText(double time_s, double step_s) {
-  if (step_s >= 60) return QString("%1 min").arg(time_s / 60, 0, 'f', 0);
-  return QString::number(time_s, 'f', step_s < 0.1 ? 2 : step_s < 1 ? 1 : 0) + " s";
+/// @param dt_s  since the step before, for the weight of its rate
+TrackRow row_of(const FrameSnapshot& frame, const MotionLibrary* library, double dt_s) {
+  const FrameResult& result = frame.result;
+  TrackRow row;
+  row.time_s = frame.time_s;
+  row.leader = leader_of(frame, library);
+  if (!library || result.selected < 0) return row;
+  const Candidate& chosen = result.candidates[static_cast<std::size_t>(result.selected)];
+  if (chosen.pair < 0 || chosen.pair >= library->pair_count()) return row;
+  row.pair = chosen.pair;
+  row.take = static_cast<int>(library->source(chosen.pair).take);
+  row.label = library->label(chosen.pair);
+  row.source_changed = result.source_changed;
+  row.cost = chosen.cost.total;
+  const double velocity = dt_s > 0 ? velocity_weight_at(frame.settings, dt_s) * result.energy.velocity : 0;
+  row.energy = result.energy.deformation + velocity + result.energy.constraint;
+  return row;
 }
 
 }  // namespace
 
-TimelineView::TimelineView(QWidget* parent) : QWidget(parent), m_palette(palette_of(Theme::Dark)) {
-  setMinimumHeight(ruler_height + 3 * lane_height + 14);
-  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  setFixedHeight(ruler_height + 3 * lane_height + 18);
+TimelineView::TimelineView(QWidget* parent) : QWidget(parent), m_scroll(new QScrollBar(Qt::Vertical, this)) {
+  m_content.palette = palette_of(Theme::Dark);
+  setAccessibleName("Timeline");
+  setAccessibleDescription("Arrow keys step frames, + and - zoom, Page Up and Page Down move the view");
+  install_timeline_accessibility();
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+  m_scroll->setAccessibleName("Lanes of the timeline");
+  m_scroll->setFocusPolicy(Qt::NoFocus);
+  m_scroll->hide();
+  connect(m_scroll, &QScrollBar::valueChanged, this, [this](int px) {
+    m_content.lanes.scroll_to(px);
+    redraw();
+  });
+}
+
+QSize TimelineView::sizeHint() const {
+  return {800, static_cast<int>(m_content.lanes.whole_px())};
+}
+
+QSize TimelineView::minimumSizeHint() const {
+  constexpr double least_lanes_px = 54;
+  return {300, static_cast<int>(TimelineLanes::ruler_px + TimelineLanes::gap_px + TimelineLanes::overview_px +
+                                least_lanes_px)};
 }
 
 void TimelineView::setLibrary(std::shared_ptr<const MotionLibrary> library) {
-  m_library = std::move(library);
-  m_tracks.clear();
+  const TimelineLanes lanes = m_content.lanes;
+  const Palette palette = m_content.palette;
+  m_content = {};
+  m_content.palette = palette;
+  m_content.lanes = lanes;
+  m_content.library = std::move(library);
+  ++m_session;
   m_nextIndex = 0;
-  update();
+  m_previousTime = 0;
+  m_drag = Drag::None;
+  arrange();  // the new viewport has no place yet
 }
 
 void TimelineView::setColours(const Palette& palette) {
-  m_palette = palette;
+  m_content.palette = palette;
+  redraw();
+}
+
+void TimelineView::setLanes(const TimelineLanes& lanes) {
+  if (lanes.text() == m_content.lanes.text()) return;
+  m_content.lanes.set_text(lanes.text());
+  arrangeScroll();
+  updateGeometry();
+  redraw();
+  emit lanesChanged();
+}
+
+void TimelineView::showMarkers(const Markers& markers) {
+  m_content.markers = markers;
+  if (!markers.find(m_content.selected_marker)) m_content.selected_marker = 0;
+  redraw();
+}
+
+void TimelineView::selectMarker(int id) {
+  m_content.selected_marker = m_content.markers.find(id) ? id : 0;
+  redraw();
+}
+
+void TimelineView::redraw() {
+  m_layerIsOld = true;
   update();
 }
 
 void TimelineView::refresh(const FrameHistory& history, const Playback& playback) {
+  const double shown_until = axis().last_s(), known_until = m_content.playback.last_s;
   for (const FrameSnapshotPtr& frame : history.since(m_nextIndex)) take(*frame);
-  m_playback = playback;
-  m_tracks.drop_before(playback.first_s);
-  if (playback.state == Playback::State::Following)
-    m_axis.follow(playback.first_s, playback.last_s);
-  else if (!m_scrubbing)
-    m_axis.reveal(playback.cursor_s);
+  m_content.tracks.drop_before(playback.first_s);
+  m_content.settings.evict_before(playback.first_s);
+  place(playback);
+  if (known_until <= shown_until) redraw();  // what is new is in view
   update();
 }
 
 void TimelineView::take(const FrameSnapshot& frame) {
   m_nextIndex = frame.index + 1;
-  const FrameResult& result = frame.result;
-  if (!m_library || result.selected < 0) return m_tracks.append(frame.time_s, -1, {}, 0);
-  const Candidate& chosen = result.candidates[static_cast<std::size_t>(result.selected)];
-  m_tracks.append(frame.time_s, static_cast<int>(m_library->source(chosen.pair).take),
-                  m_library->label(chosen.pair), chosen.cost.total);
+  const std::size_t changes = m_content.settings.changes().size();
+  m_content.settings.append(frame);
+  if (m_content.settings.changes().size() != changes) m_settingsMarksScale = 0;
+  m_content.tracks.append(row_of(frame, m_content.library.get(), frame.time_s - m_previousTime));
+  m_previousTime = frame.time_s;
 }
 
-QRectF TimelineView::laneRect(int lane) const {
-  return {m_axis.left_px, ruler_height + 4.0 + lane * lane_height, m_axis.width_px, lane_height};
+void TimelineView::append(std::span<const TrackRow> rows) {
+  for (const TrackRow& row : rows) m_content.tracks.append(row);
+  redraw();
 }
 
-QRectF TimelineView::block(const TimelineTracks::Interval& interval, int lane) const {
-  const double left = std::max(m_axis.x(interval.from_s), m_axis.left_px);
-  const double right = std::min(m_axis.x(interval.to_s), m_axis.right_px());
-  return {left, laneRect(lane).top() + 3, std::max(0.0, right - left), lane_height - 6.0};
+void TimelineView::showPlayback(const Playback& playback) {
+  const Playback& known = m_content.playback;
+  const bool still = playback.state == known.state && playback.cursor_s == known.cursor_s &&
+                     playback.range() == known.range() && playback.loop == known.loop;
+  // The live end moves the whole view; that is for refresh(), which has its frames.
+  if (still || playback.state == Playback::State::Following) return;
+  place(playback);
+  update();
+}
+
+void TimelineView::place(const Playback& playback) {
+  const TimelineAxis before = axis();
+  const Playback known = m_content.playback;
+  m_content.playback = playback;
+  m_content.viewport.show(playback, m_drag == Drag::Cursor);
+  if (before.first_s != axis().first_s || before.span_s != axis().span_s ||
+      known.range() != playback.range() || known.loop != playback.loop || known.first_s != playback.first_s)
+    m_layerIsOld = true;
+}
+
+void TimelineView::zoom(double factor) {
+  m_content.viewport.zoom(factor, m_content.playback.cursor_s);
+  redraw();
+}
+
+void TimelineView::showAll() {
+  m_content.viewport.show_all();
+  redraw();
+}
+
+void TimelineView::showRange() {
+  const auto range = m_content.playback.range();
+  if (!range) return showAll();
+  m_content.viewport.show_range(range->from_s, range->to_s);
+  redraw();
 }
 
 void TimelineView::paintEvent(QPaintEvent*) {
-  QPainter painter(this);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.fillRect(rect(), m_palette.panel);
-  painter.setFont(interface_font(12));
-  painter.setPen(m_palette.secondary);
-  const char* names[] = {"Source", "Moves", "Cost"};
-  for (int lane = SourceLane; lane <= CostLane; ++lane)
-    painter.drawText(QRectF(14, laneRect(lane).top(), names_width - 14, lane_height), Qt::AlignVCenter,
-                     names[lane]);
-  paintRuler(painter);
-  painter.setClipRect(QRectF(m_axis.left_px, 0, m_axis.width_px, height()));
-  paintSources(painter);
-  paintMoves(painter);
-  paintCost(painter);
-  paintEvicted(painter);
-  painter.setClipping(false);
-  paintCursor(painter);
-}
-
-void TimelineView::paintRuler(QPainter& painter) const {
-  painter.setFont(interface_font(12));
-  const double step = m_axis.tick_s(90);
-  for (const double tick : m_axis.ticks(90)) {
-    const double x = std::round(m_axis.x(tick)) + 0.5;
-    painter.setPen(mixed(m_palette.secondary, m_palette.panel, 0.55));
-    painter.drawLine(QPointF(x, 4), QPointF(x, ruler_height - 2));
-    painter.setPen(m_palette.secondary);
-    const QString label = tickText(tick, step);
-    if (x + 5 + tabular_width(painter.font(), label) < width())
-      draw_tabular(painter, QRectF(x + 5, 2, 80, ruler_height - 4), Qt::AlignLeft, label);
+  const double scale = devicePixelRatioF();
+  if (m_layer.size() != size() * scale) {
+    m_layer = QPixmap(size() * scale);
+    m_layer.setDevicePixelRatio(scale);
+    m_layerIsOld = true;
   }
-  if (m_playback.out_s > m_playback.in_s) {
-    const QRectF range(QPointF(m_axis.x(m_playback.in_s), 0),
-                       QPointF(m_axis.x(m_playback.out_s), ruler_height));
-    painter.fillRect(range & QRectF(m_axis.left_px, 0, m_axis.width_px, ruler_height),
-                     QColor(47, 111, 184, 70));
-  }
-}
-
-void TimelineView::paintSources(QPainter& painter) const {
-  painter.setFont(interface_font(12));
-  for (const auto& interval : m_tracks.sources()) {
-    if (interval.key < 0 || interval.to_s < m_axis.first_s || interval.from_s > m_axis.last_s()) continue;
-    const QRectF area = block(interval, SourceLane);
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(take_colour(m_palette, interval.key));
-    painter.drawRoundedRect(area.adjusted(0.5, 0, -0.5, 0), 2, 2);
-    if (!m_library) continue;
-    const QString number =
-        text(short_take_name(m_library->takes()[static_cast<std::size_t>(interval.key)].name));
-    if (area.width() < tabular_width(painter.font(), number) + 7) continue;
-    painter.setPen(m_palette.dark ? QColor("#e6e9ee") : m_palette.text);
-    draw_tabular(painter, area.adjusted(5, 0, 0, 0), Qt::AlignLeft, number);
-  }
-}
-
-void TimelineView::paintMoves(QPainter& painter) const {
-  painter.setFont(interface_font(12));
-  for (const auto& interval : m_tracks.moves()) {
-    if (interval.to_s < m_axis.first_s || interval.from_s > m_axis.last_s()) continue;
-    const QRectF area = block(interval, MovesLane);
-    const QColor colour =
-        label_colour(m_palette, interval.key < 0 ? std::string_view() : m_tracks.label(interval.key));
-    painter.fillRect(area, mixed(colour, m_palette.panel, m_palette.dark ? 0.26 : 0.20));
-    painter.fillRect(QRectF(area.left(), area.top(), std::min(2.5, area.width()), area.height()), colour);
-    if (interval.key < 0) continue;
-    const QString name = text(m_tracks.label(interval.key)).replace('_', ' ');
-    const QString fitting =
-        painter.fontMetrics().elidedText(name, Qt::ElideRight, static_cast<int>(area.width()) - 12);
-    constexpr int readable = 6;  // fewer letters of a name say nothing
-    if (fitting != name && fitting.size() < readable) continue;
-    painter.setPen(m_palette.text);
-    painter.drawText(area.adjusted(8, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, fitting);
-  }
-}
-
-void TimelineView::paintCost(QPainter& painter) const {
-  const double largest = m_tracks.usual_cost(m_axis.first_s, m_axis.last_s());
-  if (!(largest > 0)) return;
-  const QRectF area = laneRect(CostLane).adjusted(0, 3, 0, -2);
-  QPainterPath curve;
-  // One point per pixel column: the largest within it, so that no peak is lost.
-  double column = -1, peak = 0;
-  const auto put = [&] {
-    if (column < 0) return;
-    const QPointF point(column, area.bottom() - std::min(1.0, peak / largest) * area.height());
-    curve.elementCount() == 0 ? curve.moveTo(point) : curve.lineTo(point);
-  };
-  const auto before = [](const TimelineTracks::Sample& s, double t) { return s.time_s < t; };
-  const auto& costs = m_tracks.costs();
-  for (auto it = std::lower_bound(costs.begin(), costs.end(), m_axis.first_s, before);
-       it != costs.end() && it->time_s <= m_axis.last_s(); ++it) {
-    const double here = std::floor(m_axis.x(it->time_s));
-    if (here != column) {
-      put();
-      column = here;
-      peak = 0;
+  if (m_layerIsOld) {
+    if (m_settingsMarksScale != axis().seconds_per_pixel()) {
+      constexpr double apart_px = 5, dragged_s = 0.3;
+      m_settingsMarksScale = axis().seconds_per_pixel();
+      m_content.settings_marks =
+          m_content.settings.merged(std::max(dragged_s, apart_px * m_settingsMarksScale));
     }
-    peak = std::max(peak, it->value);
+    QPainter layer(&m_layer);
+    paint_timeline(layer, m_content, size());
+    m_layerIsOld = false;
   }
-  put();
-  painter.setBrush(Qt::NoBrush);
-  painter.setPen(QPen(m_palette.user, 1.2));
-  painter.drawPath(curve);
-}
-
-void TimelineView::paintEvicted(QPainter& painter) const {
-  const double end = std::min(m_axis.x(m_playback.first_s), m_axis.right_px());
-  const double begin = std::max(m_axis.x(0), m_axis.left_px);
-  if (end - begin < 1 || m_playback.first_s <= 0.5) return;
-  painter.fillRect(QRectF(begin, 0, end - begin, height()),
-                   QBrush(mixed(m_palette.secondary, m_palette.panel, 0.45), Qt::BDiagPattern));
-}
-
-void TimelineView::paintCursor(QPainter& painter) const {
-  const double x = std::round(m_axis.x(m_playback.cursor_s)) + 0.5;
-  if (x < m_axis.left_px - 1 || x > m_axis.right_px() + 1) return;
-  const QColor ink = m_palette.dark ? QColor(Qt::white) : m_palette.text;
-  painter.setPen(QPen(ink, 1.6));
-  painter.drawLine(QPointF(x, 5), QPointF(x, height()));
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(ink);
-  painter.drawPolygon(QPolygonF({{x - 5, 0}, {x + 5, 0}, {x, 7}}));
+  QPainter painter(this);
+  painter.drawPixmap(0, 0, m_layer);
+  paint_timeline_overview(painter, m_content, size());
+  paint_timeline_cursor(painter, m_content, size());
 }
 
 void TimelineView::resizeEvent(QResizeEvent*) {
-  m_axis.left_px = names_width + 16;
-  m_axis.width_px = std::max(50.0, width() - m_axis.left_px - right_margin);
+  arrange();
 }
 
-void TimelineView::mousePressEvent(QMouseEvent* event) {
-  if (event->button() != Qt::LeftButton || event->localPos().x() < m_axis.left_px - 8) return;
-  m_scrubbing = true;
-  emit seekRequested(m_axis.time(event->localPos().x()));
+void TimelineView::arrange() {
+  const double left = names_width + 16;
+  m_content.lanes.set_height(height());
+  m_content.viewport.set_place(left, std::max(50.0, width() - left - right_margin));
+  arrangeScroll();
+  redraw();
 }
 
-void TimelineView::mouseMoveEvent(QMouseEvent* event) {
-  if (m_scrubbing) emit seekRequested(m_axis.time(event->localPos().x()));
+void TimelineView::arrangeScroll() {
+  m_content.lanes.set_height(height());
+  const int most = static_cast<int>(std::ceil(m_content.lanes.most_scroll_px()));
+  const int page = static_cast<int>(m_content.lanes.bottom_px() - m_content.lanes.top_px());
+  const QSignalBlocker quiet(m_scroll);
+  m_scroll->setRange(0, most);
+  m_scroll->setPageStep(page);
+  m_scroll->setSingleStep(20);
+  m_scroll->setValue(static_cast<int>(m_content.lanes.scroll_px()));
+  m_scroll->setGeometry(width() - 9, static_cast<int>(m_content.lanes.top_px()), 8, std::max(page, 0));
+  m_scroll->setVisible(most > 0);
 }
 
-void TimelineView::mouseReleaseEvent(QMouseEvent*) {
-  m_scrubbing = false;
+void TimelineView::focusInEvent(QFocusEvent* event) {
+  m_content.focused = event->reason() == Qt::TabFocusReason || event->reason() == Qt::BacktabFocusReason ||
+                      event->reason() == Qt::ShortcutFocusReason;
+  redraw();
 }
 
-void TimelineView::wheelEvent(QWheelEvent* event) {
-  const double factor = std::pow(0.85, event->angleDelta().y() / 120.0);
-  const bool following = m_playback.state == Playback::State::Following;
-  m_axis.zoom(factor, m_playback.cursor_s);
-  if (following) m_axis.follow(m_playback.first_s, m_playback.last_s);
-  update();
+void TimelineView::focusOutEvent(QFocusEvent*) {
+  m_content.focused = false;
+  redraw();
 }
 
 bool TimelineView::event(QEvent* event) {
   if (event->type() != QEvent::ToolTip) return QWidget::event(event);
   const auto* help = static_cast<QHelpEvent*>(event);
-  const double time = m_axis.time(help->x());
-  QString tip;
-  for (const auto& interval : m_tracks.sources())
-    if (m_library && interval.key >= 0 && interval.from_s <= time && time < interval.to_s)
-      tip = text(m_library->takes()[static_cast<std::size_t>(interval.key)].name);
-  for (const auto& interval : m_tracks.moves())
-    if (interval.key >= 0 && interval.from_s <= time && time < interval.to_s)
-      tip += (tip.isEmpty() ? "" : " · ") + text(m_tracks.label(interval.key));
-  tip.isEmpty() ? QToolTip::hideText() : QToolTip::showText(help->globalPos(), tip, this);
+  const QString facts = facts_at(m_content, help->pos());
+  facts.isEmpty() ? QToolTip::hideText() : QToolTip::showText(help->globalPos(), facts, this);
   return true;
 }
 

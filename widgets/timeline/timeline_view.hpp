@@ -1,35 +1,64 @@
 #pragma once
 
+#include <QPixmap>
 #include <QWidget>
-#include <memory>
+#include <span>
 
-#include "core/library/motion_library.hpp"
 #include "core/session/frame_history.hpp"
-#include "core/session/playback.hpp"
-#include "widgets/common/palette.hpp"
-#include "widgets/timeline/timeline_axis.hpp"
-#include "widgets/timeline/timeline_tracks.hpp"
+#include "widgets/timeline/timeline_content.hpp"
+#include "widgets/timeline/timeline_hit.hpp"
+
+class QScrollBar;
 
 namespace abrazo::widgets {
 
-/// The lanes below the transport: ruler, sources, moves, cost; one white cursor through all. Does not move
-/// the cursor itself: it asks, and waits to be shown the playback that answers.
+/// The lanes below the transport: one white cursor through all. Does not move the cursor, the range or a
+/// marker itself: it asks, and waits to be shown what answers.
 class TimelineView : public QWidget {
   Q_OBJECT
  public:
   explicit TimelineView(QWidget* parent = nullptr);
+  /// Begins a session: forgets frames and markers.
   void setLibrary(std::shared_ptr<const MotionLibrary> library);
+  int session() const { return m_session; }  ///< counts them
   void setColours(const Palette& palette);
-  const TimelineAxis& axis() const { return m_axis; }
-  const TimelineTracks& tracks() const { return m_tracks; }
-  QSize sizeHint() const override { return {800, 150}; }
+
+  const TimelineAxis& axis() const { return m_content.axis(); }
+  const TimelineTracks& tracks() const { return m_content.tracks; }
+  const TimelineLanes& lanes() const { return m_content.lanes; }
+  const TimelineViewport& viewport() const { return m_content.viewport; }
+  const Playback& playback() const { return m_content.playback; }
+  void setLanes(const TimelineLanes& lanes);
+
+  const Markers& markers() const { return m_content.markers; }
+  void showMarkers(const Markers& markers);
+  int selectedMarker() const { return m_content.selected_marker; }
+  void selectMarker(int id);
+
+  /// For frames that do not come from a history.
+  void append(std::span<const TrackRow> rows);
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override;
 
  public slots:
   /// Takes what is new in the history and moves the cursor.
   void refresh(const abrazo::FrameHistory& history, const abrazo::Playback& playback);
+  /// Moves the cursor alone.
+  void showPlayback(const abrazo::Playback& playback);
+  void zoom(double factor);
+  void showAll();
+  void showRange();  ///< between in and out; all without them
 
  signals:
   void seekRequested(double time_s);
+  /// The cursor is being dragged, or no longer.
+  void scrubbing(bool on);
+  void rangeRequested(double from_s, double to_s);
+  void rangeEntryRequested();
+  void markersRequested(const abrazo::Markers& next, const QString& what);
+  void markerEntryRequested(int id);
+  void menuRequested(const QPoint& global);
+  void lanesChanged();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -37,27 +66,46 @@ class TimelineView : public QWidget {
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
   void wheelEvent(QWheelEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+  void contextMenuEvent(QContextMenuEvent* event) override;
+  void focusInEvent(QFocusEvent* event) override;
+  void focusOutEvent(QFocusEvent* event) override;
   bool event(QEvent* event) override;
 
  private:
-  void take(const FrameSnapshot& frame);
-  void paintRuler(QPainter& painter) const;
-  void paintSources(QPainter& painter) const;
-  void paintMoves(QPainter& painter) const;
-  void paintCost(QPainter& painter) const;
-  void paintEvicted(QPainter& painter) const;
-  void paintCursor(QPainter& painter) const;
-  QRectF laneRect(int lane) const;
-  QRectF block(const TimelineTracks::Interval& interval, int lane) const;
+  enum class Drag { None, Cursor, In, Out, NewRange, Marker, View, Overview };
 
-  Palette m_palette;
-  std::shared_ptr<const MotionLibrary> m_library;
-  TimelineAxis m_axis;
-  TimelineTracks m_tracks;
-  Playback m_playback;
+  void take(const FrameSnapshot& frame);
+  void place(const Playback& playback);
+  void redraw();
+  void arrange();
+  void arrangeScroll();
+  TimelineHit under(const QPointF& place) const;
+  void begin(const TimelineHit& hit, QMouseEvent* event);
+  void dragTo(const QPointF& place);
+  void scrubTo(double x_px);
+  void dragRangeTo(double time_s);
+  void showPointer(const QPointF& place);
+
+  TimelineContent m_content;
+  QPixmap m_layer;
+  bool m_layerIsOld = true;
+  int m_session = 0;
   std::uint64_t m_nextIndex = 0;
-  bool m_scrubbing = false;
+  double m_previousTime = 0;        ///< of the frame taken last
+  double m_settingsMarksScale = 0;  ///< [s/px] at which the marks were gathered
+  QScrollBar* m_scroll;
+
+  Drag m_drag = Drag::None;
+  QPointF m_pressed;
+  double m_pressedTime = 0;
+  bool m_moved = false;
+  Playback::Range m_draggedRange;
+  Markers m_draggedMarkers;
 };
 
 }  // namespace abrazo::widgets
+
+Q_DECLARE_METATYPE(abrazo::Markers)

@@ -1,10 +1,13 @@
 #include "widgets/timeline/transport_bar.hpp"
 
+#include <QActionGroup>
+#include <QContextMenuEvent>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
 
 #include "widgets/common/icons.hpp"
@@ -12,64 +15,42 @@
 #include "widgets/common/theme.hpp"
 
 namespace abrazo::widgets {
+namespace {
 
-QString clock_text(double time_s) {
-  const auto milliseconds = static_cast<long long>(std::llround(std::max(0.0, time_s) * 1000));
-  const long long minutes = milliseconds / 60000 % 60, hours = milliseconds / 3600000;
-  const QString tail = QString("%1:%2.%3")
-                           .arg(minutes, 2, 10, QChar('0'))
-                           .arg(milliseconds / 1000 % 60, 2, 10, QChar('0'))
-                           .arg(milliseconds % 1000, 3, 10, QChar('0'));
-  return hours > 0 ? QString("%1:").arg(hours) + tail : tail;
+QString speed_number(double factor) {
+  return QString::number(factor, 'f', 2) + "×";
 }
+
+}  // namespace
 
 TransportBar::TransportBar(QWidget* parent) : QWidget(parent), m_palette(palette_of(Theme::Dark)) {
   setFixedHeight(40);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(10, 0, 14, 0);
-  row->setSpacing(2);
-  m_start = button("To the beginning (Home)");
-  m_back = button("One frame back (Left)");
-  m_play = button("Play or pause (Space)");
-  m_forward = button("One frame on (Right)");
-  m_end = button("To the live end (End)");
-  for (QToolButton* b : {m_start, m_back, m_play, m_forward, m_end}) row->addWidget(b);
+  m_start = button("To the beginning", "To the beginning (Home)");
+  m_back = button("One frame back", "One frame back (Left)");
+  m_play = button("Play or pause", "Play or pause (Space)");
+  m_forward = button("One frame on", "One frame on (Right)");
+  m_end = button("To the live end", "To the live end (End)");
   m_time = new TabularLabel(this);
   m_time->setFont(interface_font(17));
+  m_time->setAccessibleName("Time");
   m_frame = new TabularLabel(this);
+  m_frame->setAccessibleName("Frame");
+  for (QWidget* field : {m_time, m_frame}) {
+    field->setToolTip("Double click to go to a frame or a time (G), right click for how it is written");
+    field->installEventFilter(this);
+  }
   m_state = new TabularLabel(this);
+  m_state->setAccessibleName("State of playback");
   m_live = new QPushButton("LIVE  End", this);
   m_live->setFocusPolicy(Qt::NoFocus);
   m_live->setCursor(Qt::PointingHandCursor);
   m_live->setToolTip("Follow what comes in (End)");
-  m_speed = button("Speed of playback ([ and ], Backspace for 1×)");
-  m_speed->setPopupMode(QToolButton::InstantPopup);
-  auto* speeds = new QMenu(m_speed);
-  for (const double factor : {0.1, 0.25, 0.5, 1.0, 2.0, 4.0})
-    connect(speeds->addAction(QString::number(factor, 'f', 2) + "×"), &QAction::triggered, this,
-            [this, factor] { emit speedRequested(factor); });
-  m_speed->setMenu(speeds);
-  m_speed->setStyleSheet("QToolButton::menu-indicator { image: none; }");
-  m_loop = button("Play the range between in and out over and over");
-  m_loop->setCheckable(true);
-  m_loop->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  m_loop->setText("loop");
+  makeSpeeds();
+  makeRepeats();
+  makeFormats();
   m_input = new QLabel(this);
   m_input->setObjectName("secondary");
-  row->addSpacing(10);
-  row->addWidget(m_time);
-  row->addSpacing(14);
-  row->addWidget(m_frame);
-  row->addSpacing(14);
-  row->addWidget(m_state);
-  row->addSpacing(10);
-  row->addWidget(m_live);
-  row->addSpacing(8);
-  row->addWidget(m_speed);
-  row->addWidget(m_loop);
-  row->addStretch(1);
-  m_input->setMinimumWidth(1);
-  row->addWidget(m_input);
+  arrange();
   connect(m_start, &QToolButton::clicked, this, &TransportBar::startRequested);
   connect(m_back, &QToolButton::clicked, this, [this] { emit stepRequested(-1); });
   connect(m_play, &QToolButton::clicked, this, &TransportBar::toggleRequested);
@@ -81,19 +62,85 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent), m_palette(palette
   showPlayback({}, -1);
 }
 
-QToolButton* TransportBar::button(const QString& tip) {
+QToolButton* TransportBar::button(const QString& name, const QString& tip) {
   auto* made = new QToolButton(this);
   made->setObjectName("flat");
+  made->setAccessibleName(name);
   made->setToolTip(tip);
   made->setFocusPolicy(Qt::NoFocus);
   made->setIconSize({16, 16});
   return made;
 }
 
+void TransportBar::makeSpeeds() {
+  m_speed = button("Speed of playback", "Speed of playback ([ and ], Backspace for 1×)");
+  m_speed->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(m_speed);
+  for (const double factor : {0.01, 0.02, 0.05, 0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0, 10.0})
+    connect(menu->addAction(speed_number(factor)), &QAction::triggered, this,
+            [this, factor] { emit speedRequested(factor); });
+  connect(menu->addAction("Other…"), &QAction::triggered, this, &TransportBar::speedEntryRequested);
+  menu->addSeparator();
+  m_everyFrame = menu->addAction("Every frame, rather slower than asked");
+  m_everyFrame->setCheckable(true);
+  connect(m_everyFrame, &QAction::triggered, this, &TransportBar::everyFrameRequested);
+  m_speed->setMenu(menu);
+}
+
+void TransportBar::makeRepeats() {
+  m_loop = button("Loop", "Play the range between in and out over and over; all without them (Ctrl+L)");
+  m_loop->setCheckable(true);
+  m_loop->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  m_loop->setPopupMode(QToolButton::DelayedPopup);
+  m_loop->setContextMenuPolicy(Qt::ActionsContextMenu);
+  auto* group = new QActionGroup(this);
+  m_overAndOver = new QAction("Over and over", group);
+  m_backAndForth = new QAction("Back and forth", group);
+  for (QAction* action : {m_overAndOver, m_backAndForth}) {
+    action->setCheckable(true);
+    m_loop->addAction(action);
+  }
+  connect(m_overAndOver, &QAction::triggered, this, [this] { emit repeatRequested(Playback::Repeat::Loop); });
+  connect(m_backAndForth, &QAction::triggered, this,
+          [this] { emit repeatRequested(Playback::Repeat::PingPong); });
+}
+
+void TransportBar::makeFormats() {
+  m_formats = new QMenu(this);
+  auto* group = new QActionGroup(m_formats);
+  const std::pair<const char*, TimeFormat> formats[] = {{"Minutes and seconds", TimeFormat::Clock},
+                                                        {"Seconds", TimeFormat::Seconds},
+                                                        {"Frames", TimeFormat::Frames},
+                                                        {"Timecode", TimeFormat::Timecode}};
+  for (const auto& [name, format] : formats) {
+    QAction* action = group->addAction(m_formats->addAction(name));
+    action->setCheckable(true);
+    action->setChecked(format == m_format);
+    action->setData(static_cast<int>(format));
+    connect(action, &QAction::triggered, this, [this, format = format] { emit formatRequested(format); });
+  }
+}
+
+void TransportBar::arrange() {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(10, 0, 14, 0);
+  row->setSpacing(2);
+  for (QToolButton* b : {m_start, m_back, m_play, m_forward, m_end}) row->addWidget(b);
+  const std::pair<QWidget*, int> after[] = {{m_time, 10}, {m_frame, 14}, {m_state, 14},
+                                            {m_live, 10}, {m_speed, 8},  {m_loop, 0}};
+  for (const auto& [widget, space] : after) {
+    row->addSpacing(space);
+    row->addWidget(widget);
+  }
+  row->addStretch(1);
+  m_input->setMinimumWidth(1);
+  row->addWidget(m_input);
+}
+
 void TransportBar::setColours(const Palette& palette) {
   m_palette = palette;
   dress();
-  showPlayback(m_shown, -2);
+  showState();
 }
 
 void TransportBar::dress() {
@@ -104,11 +151,19 @@ void TransportBar::dress() {
   m_end->setIcon(icon(Icon::ToEnd, ink));
   m_play->setIcon(icon(m_shown.state == Playback::State::Parked ? Icon::Play : Icon::Pause, ink));
   m_loop->setIcon(icon(Icon::Loop, m_shown.loop ? ink : m_palette.secondary));
+  m_loop->setChecked(m_shown.loop);
+  const bool forth = m_shown.repeat == Playback::Repeat::PingPong;
+  m_loop->setText(forth ? "back and forth" : "loop");
+  m_overAndOver->setChecked(!forth);
+  m_backAndForth->setChecked(forth);
+  m_everyFrame->setChecked(m_shown.every_frame);
   m_frame->setColour(m_palette.secondary);
-  m_speed->setStyleSheet(QString("QToolButton { color: %1; } QToolButton::menu-indicator { image: none; }")
-                             .arg(m_palette.secondary.name()));
-  m_loop->setStyleSheet(QString("QToolButton { color: %1; }")
-                            .arg((m_shown.loop ? m_palette.text : m_palette.secondary).name()));
+  const auto coloured = [](const QColor& colour) {
+    return QString("QToolButton { color: %1; } QToolButton::menu-indicator { image: none; }")
+        .arg(colour.name());
+  };
+  m_speed->setStyleSheet(coloured(m_palette.secondary));
+  m_loop->setStyleSheet(coloured(m_shown.loop ? m_palette.text : m_palette.secondary));
   // Filled when there is something to go back to; quiet when already there.
   const bool behind = m_shown.state != Playback::State::Following;
   m_live->setStyleSheet(QString("QPushButton { background: %1; color: %2; border: 1px solid %3; "
@@ -124,9 +179,21 @@ void TransportBar::setInput(const QString& text) {
   makeRoom();
 }
 
+void TransportBar::setRate(double rate_hz) {
+  m_rate_hz = rate_hz;
+  showTime();
+}
+
+void TransportBar::setFormat(TimeFormat format) {
+  m_format = format;
+  for (QAction* action : m_formats->actions())
+    action->setChecked(action->data().toInt() == static_cast<int>(format));
+  showTime();
+}
+
 /// Rather nothing than half a name.
 void TransportBar::makeRoom() {
-  constexpr int others_px = 620;
+  constexpr int others_px = 660;
   m_input->setVisible(width() >= others_px + m_input->sizeHint().width());
 }
 
@@ -135,23 +202,66 @@ void TransportBar::resizeEvent(QResizeEvent* event) {
   makeRoom();
 }
 
+bool TransportBar::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::MouseButtonDblClick) {
+    emit placeEntryRequested();
+    return true;
+  }
+  if (event->type() == QEvent::ContextMenu) {
+    m_formats->popup(static_cast<QContextMenuEvent*>(event)->globalPos());
+    return true;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
 QString TransportBar::stateText() const {
   return m_state->text();
 }
 
+QString TransportBar::timeText() const {
+  return m_time->text();
+}
+
+QString TransportBar::speedText() const {
+  return m_speed->text();
+}
+
 void TransportBar::showPlayback(const Playback& playback, long long frame) {
-  const bool look = playback.state != m_shown.state || playback.loop != m_shown.loop;
+  const bool look = playback.state != m_shown.state || playback.loop != m_shown.loop ||
+                    playback.repeat != m_shown.repeat || playback.every_frame != m_shown.every_frame;
   m_shown = playback;
+  m_shownFrame = frame;
   if (look) dress();
-  m_time->setText(clock_text(playback.cursor_s));
-  if (frame >= -1) m_frame->setText(frame < 0 ? "no frame" : QString("frame %1").arg(frame));
-  switch (playback.state) {
+  showTime();
+  showState();
+  showSpeed();
+}
+
+void TransportBar::showAchieved(double speed) {
+  if (speed == m_achieved) return;
+  m_achieved = speed;
+  showSpeed();
+}
+
+void TransportBar::showTime() {
+  const auto written = [this](TimeFormat format) {
+    return QString::fromStdString(time_text(format, m_shown.cursor_s, m_shownFrame, m_rate_hz));
+  };
+  m_time->setText(written(m_format));
+  // The other of time and frame stands beside it.
+  const QString frame = m_shownFrame < 0 ? "no frame" : QString("frame %1").arg(m_shownFrame);
+  m_frame->setText(m_format == TimeFormat::Frames ? written(TimeFormat::Clock) : frame);
+}
+
+void TransportBar::showState() {
+  const QString behind = QString(" −%1 s").arg(std::max(0.0, m_shown.behind_live_s()), 0, 'f', 1);
+  switch (m_shown.state) {
     case Playback::State::Parked:
-      m_state->setText(QString("PARKED −%1 s").arg(std::max(0.0, playback.behind_live_s()), 0, 'f', 1));
+      m_state->setText("PARKED" + behind);
       m_state->setColour(m_palette.warning);
       break;
     case Playback::State::Playing:
-      m_state->setText(QString("PLAYING −%1 s").arg(std::max(0.0, playback.behind_live_s()), 0, 'f', 1));
+      m_state->setText((m_shown.speed < 0 ? "PLAYING BACK" : "PLAYING") + behind);
       m_state->setColour(m_palette.text);
       break;
     case Playback::State::Following:
@@ -159,7 +269,17 @@ void TransportBar::showPlayback(const Playback& playback, long long frame) {
       m_state->setColour(m_palette.dark ? m_palette.live.lighter(135) : m_palette.live);
       break;
   }
-  m_speed->setText(QString::number(playback.speed, 'f', 2) + "×");
+}
+
+void TransportBar::showSpeed() {
+  const double asked = std::abs(m_shown.speed);
+  constexpr double noticed = 0.05;
+  const bool differs = m_shown.state == Playback::State::Playing && m_achieved >= 0 &&
+                       std::abs(m_achieved - asked) > noticed * asked;
+  const QString text = (m_shown.speed < 0 ? "−" : "") + speed_number(asked) +
+                       (differs ? QString(" (is %1)").arg(m_achieved, 0, 'f', 2) : QString()) +
+                       (m_shown.every_frame ? " every frame" : "");
+  if (text != m_speed->text()) m_speed->setText(text);
 }
 
 }  // namespace abrazo::widgets

@@ -3,18 +3,18 @@
 #include <QWidget>
 
 #include "core/session/playback.hpp"
+#include "core/session/time_place.hpp"
 #include "widgets/common/palette.hpp"
 
+class QActionGroup;
 class QLabel;
+class QMenu;
 class QPushButton;
 class QToolButton;
 
 namespace abrazo::widgets {
 
 class TabularLabel;
-
-/// "00:11.500"; hours only when there are any.
-QString clock_text(double time_s);
 
 /// Play, step, time, state, speed, loop. Asks; shows what it is told.
 class TransportBar : public QWidget {
@@ -23,11 +23,20 @@ class TransportBar : public QWidget {
   explicit TransportBar(QWidget* parent = nullptr);
   void setColours(const Palette& palette);
   void setInput(const QString& text);
+  /// Of the timecode; 0 when the input has none.
+  void setRate(double rate_hz);
+  double rate() const { return m_rate_hz; }
+  void setFormat(TimeFormat format);
+  TimeFormat format() const { return m_format; }
   QString stateText() const;
+  QString timeText() const;
+  QString speedText() const;
 
  public slots:
   /// @param frame  index of the shown frame; -1 when there is none
   void showPlayback(const abrazo::Playback& playback, long long frame);
+  /// How fast it really goes; shown where it differs from the speed that was asked for.
+  void showAchieved(double speed);
 
  signals:
   void toggleRequested();
@@ -35,22 +44,41 @@ class TransportBar : public QWidget {
   void startRequested();
   void followRequested();
   void speedRequested(double factor);
+  void speedEntryRequested();
+  void everyFrameRequested(bool on);
   void loopRequested(bool on);
+  void repeatRequested(abrazo::Playback::Repeat repeat);
+  void placeEntryRequested();
+  void formatRequested(abrazo::TimeFormat format);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
-  QToolButton* button(const QString& tip);
+  QToolButton* button(const QString& name, const QString& tip);
+  void makeSpeeds();
+  void makeRepeats();
+  void makeFormats();
+  void arrange();
   void dress();
   void makeRoom();
+  void showTime();
+  void showState();
+  void showSpeed();
 
   Palette m_palette;
   Playback m_shown;
+  long long m_shownFrame = -1;
+  double m_achieved = 1;
+  double m_rate_hz = 0;
+  TimeFormat m_format = TimeFormat::Clock;
   QToolButton *m_start, *m_back, *m_play, *m_forward, *m_end, *m_speed, *m_loop;
   TabularLabel *m_time, *m_frame, *m_state;
   QPushButton* m_live;
   QLabel* m_input;
+  QMenu* m_formats;
+  QAction *m_everyFrame = nullptr, *m_backAndForth = nullptr, *m_overAndOver = nullptr;
 };
 
 }  // namespace abrazo::widgets

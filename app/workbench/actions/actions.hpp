@@ -8,6 +8,10 @@ class QAction;
 class QMenu;
 class QString;
 
+namespace abrazo {
+struct SweepOutcome;
+}
+
 namespace abrazo::widgets {
 enum class PlotExport;
 }
@@ -15,29 +19,75 @@ enum class PlotExport;
 namespace abrazo::app {
 
 class MainWindow;
+class ViewRecording;
+struct RangeRequest;
+
+/// Every action there is, in the order of the menus: for the program and for tests of the whole window.
+void add_all_actions(MainWindow& window);
 
 /// An action in a menu, with its keys, at work wherever the window has the focus.
 QAction* add_action(MainWindow& window, QMenu* menu, const QString& text,
                     std::initializer_list<QKeySequence> keys, std::function<void()> act);
 
 void add_file_actions(MainWindow& window);
+/// Films of the screen and of what was recorded; called by those of files.
+void add_recording_actions(MainWindow& window);
 void add_edit_actions(MainWindow& window);
 void add_playback_actions(MainWindow& window);
+/// What the timeline shows, and the fields of go to, in and out, speed.
+void add_timeline_actions(MainWindow& window);
+void add_marker_actions(MainWindow& window);
+void add_camera_actions(MainWindow& window);
 void add_view_actions(MainWindow& window);
+void add_layout_actions(MainWindow& window);
+/// After those of files.
+void add_recent_actions(MainWindow& window);
+/// After whatever offers something to begin with.
+void add_welcome_actions(MainWindow& window);
 void add_scene_actions(MainWindow& window);
+/// Links the selection of all views.
+void add_selection_actions(MainWindow& window);
 void add_solve_actions(MainWindow& window);
+/// One's own presets, and what the shown frame was solved with.
+void add_preset_actions(MainWindow& window);
+/// The window that tries a grid of two settings on the takes of the library.
+void add_sweep_actions(MainWindow& window);
+/// The library browser, and building libraries of motion files.
+void add_library_actions(MainWindow& window);
 /// Pin, veto and jump; what the candidate table asks for becomes a step of undo.
 void add_candidate_actions(MainWindow& window);
+/// Freezes settings as A, and solves again with others what was recorded.
+void add_compare_actions(MainWindow& window);
 /// After those of playback: whatever follows the live end takes the plots along.
 void add_plot_actions(MainWindow& window);
 void add_help_actions(MainWindow& window);
 /// The field at the right of the menu bar that finds any action; after all others.
 void add_command_search(MainWindow& window);
+/// A person's own keys, and which of them a focused control keeps; after all others.
+void add_shortcuts(MainWindow& window);
+
+/// Size and place of the window and its panels as they were when it was closed last; after all panels exist.
+void restore_last_layout(MainWindow& window);
+
+/// Shows the welcome page where a person wants it and there is room for it beside the scene.
+void welcome_at_start(MainWindow& window);
+
+/// @param entry  of the recent files; what is missing is told
+void open_recent(MainWindow& window, const QString& entry);
+void remove_missing_recent(MainWindow& window);
 
 /// Writes the window as it is on the screen, the 3D scene included. @return what went wrong, or nothing
 QString save_screenshot(MainWindow& window, const QString& file);
 
+/// Films until it is stopped; what is in the way is told.
+void start_recording(MainWindow& window, ViewRecording& recording, const QString& file);
+/// Films recorded frames while the window goes on; the end is told.
+void render_range(MainWindow& window, const RangeRequest& request);
+
 /// Writes the plots, or the samples in their window, whole or not at all. @return what went wrong, or nothing
 QString save_plots(MainWindow& window, widgets::PlotExport what, const QString& file);
+
+/// Writes the report of a sweep, JSON or a page by the file's ending. @return what went wrong, or nothing
+QString save_sweep(const SweepOutcome& outcome, const QString& file);
 
 }  // namespace abrazo::app

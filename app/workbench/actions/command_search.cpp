@@ -7,9 +7,10 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QMenuBar>
-#include <QStringListModel>
+#include <QStandardItemModel>
 
 #include "app/workbench/actions/actions.hpp"
+#include "app/workbench/command_row.hpp"
 #include "app/workbench/main_window.hpp"
 #include "widgets/common/theme.hpp"
 
@@ -21,6 +22,37 @@ QAction* find_action(MainWindow& window, const QString& text) {
     if (action->text() == text && action->isEnabled()) return action;
   return nullptr;
 }
+
+/// What can be done now, with its keys as they are now.
+void fill(const MainWindow& window, QStandardItemModel& model) {
+  model.clear();
+  for (const QAction* action : window.actions()) {
+    if (action->text().isEmpty() || action->isSeparator() || !action->isEnabled()) continue;
+    auto* item = new QStandardItem(action->text());
+    item->setData(action->shortcut().toString(QKeySequence::NativeText), CommandRow::key_role);
+    model.appendRow(item);
+  }
+}
+
+/// The list is made anew whenever the field gets the keyboard: actions come, go and change their words.
+class FillOnFocus : public QObject {
+ public:
+  FillOnFocus(const MainWindow& window, QLineEdit* field, QStandardItemModel* model)
+      : QObject(field), m_window(window), m_model(model) {
+    field->installEventFilter(this);
+  }
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    // Not when it comes back from its own list.
+    const bool is_new = event->type() == QEvent::FocusIn &&
+                        static_cast<QFocusEvent*>(event)->reason() != Qt::PopupFocusReason;
+    if (is_new) fill(m_window, *m_model);
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  const MainWindow& m_window;
+  QStandardItemModel* m_model;
+};
 
 /// Escape leaves the search at once, with or without its list open.
 class LeaveOnEscape : public QObject {
@@ -54,13 +86,15 @@ void add_command_search(MainWindow& window) {
   field->setPlaceholderText("Search commands  Ctrl+P");
   field->setFixedWidth(252);
   field->setFocusPolicy(Qt::ClickFocus);
-  QStringList names;
-  for (const QAction* action : window.actions()) names << action->text();
-  auto* completer = new QCompleter(names, field);
+  field->setAccessibleName("Search commands");
+  auto* model = new QStandardItemModel(field);
+  auto* completer = new QCompleter(model, field);
   completer->setFilterMode(Qt::MatchContains);
   completer->setCaseSensitivity(Qt::CaseInsensitive);
   completer->setMaxVisibleItems(12);
+  completer->popup()->setItemDelegate(new CommandRow(completer->popup()));
   field->setCompleter(completer);
+  new FillOnFocus(window, field, model);
   new LeaveOnEscape(field, completer->popup());
   auto* holder = new QWidget(&window);
   auto* row = new QHBoxLayout(holder);

@@ -1,8 +1,10 @@
 #include <QAction>
 #include <QMenu>
+#include <QUndoView>
 
 #include "app/workbench/actions/actions.hpp"
 #include "app/workbench/main_window.hpp"
+#include "app/workbench/panel_area.hpp"
 
 namespace abrazo::app {
 
@@ -20,6 +22,13 @@ void add_edit_actions(MainWindow& window) {
                    [undo](const QString& what) { undo->setText(what.isEmpty() ? "Undo" : "Undo " + what); });
   QObject::connect(&window.undoStack(), &QUndoStack::redoTextChanged, redo,
                    [redo](const QString& what) { redo->setText(what.isEmpty() ? "Redo" : "Redo " + what); });
+  auto* history = new QUndoView(&window.undoStack());
+  history->setAccessibleName("History of changes");
+  history->setEmptyLabel("As it was opened");
+  history->setFrameShape(QFrame::NoFrame);
+  window.addPanel("history", "History", history, Qt::RightDockWidgetArea, false);
+  menu->addSeparator();
+  add_action(window, menu, "History", {}, [&window] { window.panels().want("history", true); });
 }
 
 }  // namespace abrazo::app

@@ -8,11 +8,10 @@
 namespace abrazo::app {
 namespace {
 
-constexpr double quarter = 1.5707963267948966;
-
 void add_panel_actions(MainWindow& window, QMenu* menu) {
-  QAction* left = add_action(window, menu, "Scene and library", {QKeySequence("F8")}, [] {});
-  QAction* right = add_action(window, menu, "Candidates and settings", {QKeySequence("F9")}, [] {});
+  menu->addMenu(&window.panelMenu());
+  QAction* left = add_action(window, menu, "Panels at the left", {QKeySequence("F8")}, [] {});
+  QAction* right = add_action(window, menu, "Panels at the right", {QKeySequence("F9")}, [] {});
   for (QAction* action : {left, right}) action->setCheckable(true);
   // triggered, not toggled: a window that gets small hides a panel without it being a wish
   QObject::connect(left, &QAction::triggered, &window, &MainWindow::showLeft);
@@ -28,17 +27,6 @@ void add_panel_actions(MainWindow& window, QMenu* menu) {
 void add_view_actions(MainWindow& window) {
   QMenu* menu = window.menu("View");
   widgets::SceneView& scene = window.scene();
-  add_action(window, menu, "Show all", {QKeySequence("F"), QKeySequence("0")},
-             [&scene] { scene.frameAll(); });
-  add_action(window, menu, "From the front", {QKeySequence("1")}, [&scene] { scene.lookFrom(0, 0.05); });
-  add_action(window, menu, "From the right", {QKeySequence("3")},
-             [&scene] { scene.lookFrom(quarter, 0.05); });
-  add_action(window, menu, "From above", {QKeySequence("7")}, [&scene] { scene.lookFrom(0, quarter); });
-  add_action(window, menu, "From behind", {QKeySequence("Ctrl+1")},
-             [&scene] { scene.lookFrom(2 * quarter, 0.05); });
-  add_action(window, menu, "From the left", {QKeySequence("Ctrl+3")},
-             [&scene] { scene.lookFrom(-quarter, 0.05); });
-  menu->addSeparator();
   QAction* follow = add_action(window, menu, "Camera follows the pair", {}, [] {});
   follow->setCheckable(true);
   follow->setChecked(true);

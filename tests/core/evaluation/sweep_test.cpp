@@ -113,6 +113,86 @@ TEST(Sweep, IsRefusedWithEqualAxesOrAnUnknownMetric) {
   EXPECT_TRUE(check_sweep(sweep));
 }
 
+TEST(Sweep, HandsOverEveryPointAsItIsDoneAndWritesNothing) {
+  Bowl bowl;
+  std::vector<int> heard;
+  const Sweep sweep = sweep_of();
+  const std::vector<int> points = {14, 0, 7};
+  EXPECT_TRUE(evaluate_points(sweep, points, bowl.evaluator(),
+                              [&](int point, const Result<Figures>& figures) {
+                                EXPECT_EQ(bowl.evaluated.size(), heard.size() + 1) << "at once";
+                                EXPECT_TRUE(figures->contains(sweep.metric));
+                                heard.push_back(point);
+                                return true;
+                              },
+                              {}));
+  EXPECT_EQ(heard, points);
+}
+
+TEST(Sweep, APointThatCannotBeEvaluatedDoesNotKeepTheOthersFromIt) {
+  Bowl bowl;
+  const auto evaluator = bowl.evaluator();
+  int failed = 0, good = 0;
+  const Status done = evaluate_points(
+      sweep_of(), std::vector<int>{0, 1, 2},
+      [&](const Settings& settings, const Progress& progress) -> Result<Evaluation> {
+        if (settings.alpha == 0.25) return Error{"not one of its steps could be solved", "take one"};
+        return evaluator(settings, progress);
+      },
+      [&](int point, const Result<Figures>& figures) {
+        figures ? ++good : ++failed;
+        if (!figures) {
+          EXPECT_EQ(point, 1);
+          EXPECT_THAT(figures.error().text(), HasSubstr("alpha = 0.25"));
+        }
+        return true;
+      },
+      {});
+  EXPECT_TRUE(done);
+  EXPECT_EQ(failed, 1);
+  EXPECT_EQ(good, 2);
+}
+
+TEST(Sweep, EndsWhenTheListenerOrTheProgressSaysSo) {
+  Bowl bowl;
+  const auto once = [](int, const Result<Figures>&) { return false; };
+  const Status stopped = evaluate_points(sweep_of(), std::vector<int>{0, 1, 2}, bowl.evaluator(), once, {});
+  EXPECT_EQ(stopped.error().message, "cancelled");
+  EXPECT_EQ(bowl.evaluated.size(), 1U);
+  const auto always = [](int, const Result<Figures>&) { return true; };
+  const Status refused = evaluate_points(sweep_of(), std::vector<int>{0}, bowl.evaluator(), always,
+                                         [](double, std::string_view) { return false; });
+  EXPECT_EQ(refused.error().message, "cancelled");
+  EXPECT_EQ(bowl.evaluated.size(), 1U);
+}
+
+TEST(Sweep, CoarseFirstTakesEveryPointOnceAndTheCornersAtTheBeginning) {
+  const Sweep sweep = sweep_of();  // 5 columns, 3 rows
+  const std::vector<int> order = coarse_first(sweep);
+  EXPECT_EQ(std::set<int>(order.begin(), order.end()).size(), 15U);
+  EXPECT_EQ(order.size(), 15U);
+  EXPECT_EQ(std::set<int>(order.begin(), order.begin() + 4), (std::set<int>{0, 4, 10, 14}));
+}
+
+TEST(Sweep, AReportCanBeMadeOfFiguresGatheredByHandEvenWithGaps) {
+  Bowl bowl;
+  const Sweep sweep = sweep_of();
+  std::vector<Figures> points(15);
+  ASSERT_TRUE(evaluate_points(sweep, std::vector<int>{0, 6, 14}, bowl.evaluator(),
+                              [&](int point, const Result<Figures>& figures) {
+                                points[static_cast<std::size_t>(point)] = *figures;
+                                return true;
+                              },
+                              {}));
+  const SweepOutcome outcome = sweep_outcome(sweep, points);
+  EXPECT_EQ(outcome.best, 6);  // alpha 0.25, w 0.2
+  const auto json = nlohmann::json::parse(sweep_json(outcome));
+  EXPECT_EQ(json["best"]["x"], 1);
+  EXPECT_TRUE(json["points"][1]["value"].is_null());
+  EXPECT_THAT(sweep_html(outcome), HasSubstr("</html>"));
+  EXPECT_THROW((void)sweep_outcome(sweep, {}), std::invalid_argument);
+}
+
 TEST(SweepMetric, CanBeEveryFigureOfTheContract) {
   for (const char* name :
        {"moves.rate", "zmp.original_m", "zmp.synthesised_m", "zmp.synthesised_asf",

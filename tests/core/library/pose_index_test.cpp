@@ -76,6 +76,53 @@ TEST(PoseIndex, FindsOnlyThePairsItWasGiven) {
   EXPECT_THAT(found, testing::UnorderedElementsAreArray(odd));
 }
 
+TEST(PoseIndex, WithoutWhatIsLeftOutItFindsWhatBruteForceFindsAmongTheRest) {
+  const int count = 3000;
+  const auto all = random_features(count, 11);
+  const PoseIndex index(all, numbers_to(count));
+  std::mt19937 random(12);
+  std::vector<PoseMatch> matches;
+  for (const double share : {0.01, 0.5, 0.99, 0.999}) {
+    std::vector<bool> left_out(static_cast<std::size_t>(count));
+    std::vector<int> rest;
+    for (int pair = 0; pair < count; ++pair) {
+      left_out[static_cast<std::size_t>(pair)] = std::bernoulli_distribution(share)(random);
+      if (!left_out[static_cast<std::size_t>(pair)]) rest.push_back(pair);
+    }
+    for (const Features& query : random_features(200, 13)) {
+      index.nearest_without(left_out, query, 10, matches);
+      ASSERT_EQ(distances_of(matches), brute_force(all, rest, query, 10)) << share;
+      for (const PoseMatch& match : matches) ASSERT_FALSE(left_out[static_cast<std::size_t>(match.pair)]);
+    }
+  }
+}
+
+TEST(PoseIndex, LeavingOutTheNearestOfManyGivesTheNextNearest) {
+  const auto all = random_features(500, 14);
+  const PoseIndex index(all, numbers_to(500));
+  const Features query = random_features(1, 15).front();
+  std::vector<PoseMatch> before, after;
+  index.nearest(query, 60, before);
+  std::vector<bool> left_out(500);
+  for (std::size_t i = 0; i < 50; ++i) left_out[static_cast<std::size_t>(before[i].pair)] = true;
+  index.nearest_without(left_out, query, 10, after);
+  ASSERT_EQ(after.size(), 10U);
+  for (std::size_t i = 0; i < 10; ++i) EXPECT_EQ(after[i].pair, before[50 + i].pair);
+}
+
+TEST(PoseIndex, FindsNothingWhenAllIsLeftOutAndFewerWhenFewAreLeft) {
+  const auto all = random_features(50, 16);
+  const PoseIndex index(all, numbers_to(50));
+  std::vector<PoseMatch> matches(3);
+  std::vector<bool> left_out(50, true);
+  index.nearest_without(left_out, all[0], 5, matches);
+  EXPECT_TRUE(matches.empty());
+  left_out[7] = left_out[9] = false;
+  index.nearest_without(left_out, all[9], 5, matches);
+  ASSERT_EQ(matches.size(), 2U);
+  EXPECT_EQ(matches[0].pair, 9);
+}
+
 TEST(PoseIndex, FindsAPoseItself) {
   const auto all = random_features(200, 6);
   const PoseIndex index(all, numbers_to(200));

@@ -77,14 +77,171 @@ TEST(Playback, EvictionPullsAParkedCursorAlong) {
 TEST(Playback, LoopingStaysBetweenInAndOut) {
   Playback p = playback(State::Playing, 5.9);
   p.loop = true;
-  p.in_s = 4;
-  p.out_s = 6;
+  p.set_range(6, 4);
   p.advance(0.2);
   EXPECT_NEAR(p.cursor_s, 4.1, 1e-12);
   EXPECT_EQ(p.state, State::Playing);
   p.speed = -1;
   p.advance(0.3);
   EXPECT_NEAR(p.cursor_s, 5.8, 1e-12);
+}
+
+TEST(Playback, LoopingWithoutARangeStartsAllOverInsteadOfFollowing) {
+  Playback p = playback(State::Playing, 9.9);
+  p.loop = true;
+  p.advance(0.3);
+  EXPECT_NEAR(p.cursor_s, 0.2, 1e-12);
+  EXPECT_EQ(p.state, State::Playing);
+}
+
+TEST(Playback, BackAndForthTurnsAtBothEnds) {
+  Playback p = playback(State::Playing, 5.9);
+  p.loop = true;
+  p.repeat = Playback::Repeat::PingPong;
+  p.set_range(4, 6);
+  p.advance(0.3);
+  EXPECT_NEAR(p.cursor_s, 5.8, 1e-12);
+  EXPECT_EQ(p.speed, -1);
+  p.advance(2);
+  EXPECT_NEAR(p.cursor_s, 4.2, 1e-12);
+  EXPECT_EQ(p.speed, 1);
+  p.advance(4);  // there and back
+  EXPECT_NEAR(p.cursor_s, 4.2, 1e-12);
+  EXPECT_EQ(p.speed, 1);
+}
+
+TEST(Playback, PlayFromOutsideALoopedRangeStartsInIt) {
+  Playback p = playback(State::Parked, 9);
+  p.loop = true;
+  p.set_range(4, 6);
+  p.play();
+  EXPECT_EQ(p.cursor_s, 4);
+}
+
+TEST(Playback, AnOpenEndOfTheRangeGoesAlongWithWhatThereIs) {
+  Playback p = playback(State::Parked, 4);
+  p.set_in();
+  EXPECT_EQ(p.range(), (Playback::Range{4, 10}));
+  p.extend(0, 15);
+  EXPECT_EQ(p.range(), (Playback::Range{4, 15}));
+  p.seek(8);
+  p.set_out();
+  p.extend(0, 20);
+  EXPECT_EQ(p.range(), (Playback::Range{4, 8}));
+  p.clear_in();
+  EXPECT_EQ(p.range(), (Playback::Range{0, 8}));
+  p.clear_out();
+  EXPECT_FALSE(p.range());
+}
+
+TEST(Playback, AnInBehindTheOutGivesTheOutUp) {
+  Playback p = playback(State::Parked, 9);
+  p.set_range(4, 6);
+  p.set_in();
+  EXPECT_EQ(p.range(), (Playback::Range{9, 10}));
+  p.seek(2);
+  p.set_out();
+  EXPECT_EQ(p.range(), (Playback::Range{0, 2}));
+}
+
+TEST(Playback, WhatWasEvictedOfTheRangeIsGone) {
+  Playback p = playback(State::Playing, 9);
+  p.loop = true;
+  p.set_range(4, 6);
+  p.extend(5, 12);
+  EXPECT_EQ(p.range(), (Playback::Range{5, 6}));
+  p.extend(7, 12);
+  EXPECT_FALSE(p.range());
+}
+
+TEST(Playback, ShuttlingDoublesUpToEightInEitherDirectionAndStops) {
+  Playback p = playback(State::Parked, 5);
+  for (const double speed : {-1.0, -2.0, -4.0, -8.0, -8.0}) {
+    p.shuttle(-1);
+    EXPECT_EQ(p.speed, speed);
+  }
+  p.shuttle(1);
+  EXPECT_EQ(p.speed, 1) << "turning around starts slowly";
+  p.shuttle(1);
+  EXPECT_EQ(p.speed, 2);
+  p.shuttle(0);
+  EXPECT_EQ(p.state, State::Parked);
+  p.shuttle(1);
+  EXPECT_EQ(p.speed, 1);
+  EXPECT_EQ(p.state, State::Playing);
+}
+
+TEST(Playback, AfterShuttlingBackPlayGoesOnwards) {
+  Playback p = playback(State::Parked, 5);
+  p.shuttle(-1);
+  p.toggle();
+  p.toggle();
+  EXPECT_EQ(p.state, State::Playing);
+  EXPECT_EQ(p.speed, 1);
+}
+
+TEST(Playback, ShuttlingOnAtTheLiveEndStaysThere) {
+  Playback p = playback(State::Following, 10);
+  p.shuttle(1);
+  EXPECT_EQ(p.state, State::Following);
+  p.shuttle(-1);
+  EXPECT_EQ(p.state, State::Playing);
+  EXPECT_EQ(p.cursor_s, 10);
+  p.advance(1);
+  EXPECT_EQ(p.cursor_s, 9);
+}
+
+TEST(Playback, SpeedGoesThroughTheUsualOnesAndKeepsItsDirection) {
+  Playback p = playback(State::Playing, 5);
+  p.change_speed(1);
+  EXPECT_EQ(p.speed, 2);
+  p.change_speed(-3);
+  EXPECT_EQ(p.speed, 0.25);
+  p.set_speed(0.3);
+  p.change_speed(1);
+  EXPECT_EQ(p.speed, 0.5) << "from between two to the next";
+  p.speed = -1;
+  p.change_speed(99);
+  EXPECT_EQ(p.speed, -10);
+  p.set_speed(1e-9);
+  EXPECT_EQ(p.speed, -0.01);
+}
+
+TEST(Playback, AtTheLiveEndSlowerFallsBehindAndFasterIsImpossible) {
+  Playback p = playback(State::Following, 10);
+  p.change_speed(1);
+  EXPECT_EQ(p.speed, 1);
+  EXPECT_EQ(p.state, State::Following);
+  p.change_speed(-1);
+  EXPECT_EQ(p.speed, 0.5);
+  EXPECT_EQ(p.state, State::Playing);
+  p.advance(1);
+  EXPECT_EQ(p.cursor_s, 10) << "waits for more";
+  EXPECT_EQ(p.state, State::Playing);
+  p.extend(0, 12);
+  p.advance(1);
+  EXPECT_EQ(p.cursor_s, 10.5);
+}
+
+TEST(Playback, CatchingUpWithTheLiveEndFollowsItAtNormalSpeed) {
+  Playback p = playback(State::Playing, 8);
+  p.speed = 4;
+  p.advance(1);
+  EXPECT_EQ(p.state, State::Following);
+  EXPECT_EQ(p.speed, 1);
+}
+
+TEST(Playback, PlayingEveryFrameGoesNoFartherThanTheNext) {
+  Playback p = playback(State::Playing, 5);
+  p.speed = 2;
+  EXPECT_NEAR(p.advance_to_next(0.5, 5.1), 0.05, 1e-12);
+  EXPECT_EQ(p.cursor_s, 5.1);
+  EXPECT_EQ(p.advance_to_next(0.01, 5.2), 0.01) << "and no faster than asked";
+  EXPECT_NEAR(p.cursor_s, 5.12, 1e-12);
+  p.speed = -1;
+  EXPECT_NEAR(p.advance_to_next(0.5, 5.1), 0.02, 1e-12);
+  EXPECT_EQ(p.cursor_s, 5.1);
+  EXPECT_EQ(p.advance_to_next(0.5, 5.1), 0.5) << "there is no other frame: on to the end";
 }
 
 TEST(Playback, PlayingBackwardsParksAtTheStart) {

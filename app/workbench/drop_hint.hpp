@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+
+#include "widgets/common/palette.hpp"
+
+namespace abrazo::app {
+
+/// "walk.bvh: a motion, plays the user", for each file that is about to be dropped.
+QStringList dropped_in_words(const QStringList& files);
+
+/// Laid over the window while files are dragged above it.
+class DropHint : public QWidget {
+  Q_OBJECT
+ public:
+  explicit DropHint(QWidget* window);
+  void showFor(const QStringList& files, const widgets::Palette& palette);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  QStringList m_words;
+  widgets::Palette m_palette;
+};
+
+}  // namespace abrazo::app

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <QLineEdit>
+#include <string>
+
+namespace abrazo::app {
+
+/// A field that takes the next key as it is pressed. Tab goes on to the next control, as everywhere.
+class KeyEntry : public QLineEdit {
+  Q_OBJECT
+ public:
+  explicit KeyEntry(QWidget* parent = nullptr);
+  /// Portable text; empty before a key was pressed.
+  const std::string& key() const { return m_key; }
+  void forget();
+
+ signals:
+  void pressed();
+
+ protected:
+  bool event(QEvent* event) override;
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  std::string m_key;
+};
+
+/// As an action would be given it: a sign needs no Shift of its own, digits of the keypad are digits. Empty
+/// for a modifier alone.
+std::string pressed_key(const QKeyEvent& event);
+
+}  // namespace abrazo::app

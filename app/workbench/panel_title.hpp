@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/common/palette.hpp"
+
+class QDockWidget;
+class QMenu;
+class QToolButton;
+
+namespace abrazo::widgets {
+class SectionHeader;
+}
+
+namespace abrazo::app {
+
+/// What a panel is moved by: its name, a menu of places and a button to close it.
+class PanelTitle : public QWidget {
+  Q_OBJECT
+ public:
+  /// @param header  shown as the name; becomes a child of this
+  PanelTitle(widgets::SectionHeader* header, QDockWidget* panel);
+  widgets::SectionHeader& header() { return *m_header; }
+  void setColours(const widgets::Palette& palette);
+
+ signals:
+  void closeRequested();
+  void moveRequested(Qt::DockWidgetArea area);
+
+ protected:
+  void contextMenuEvent(QContextMenuEvent* event) override;
+
+ private:
+  QMenu* makeMenu();
+  QToolButton* button(const QString& what);
+
+  QDockWidget* m_panel;
+  widgets::SectionHeader* m_header;
+  QToolButton *m_more, *m_close;
+};
+
+}  // namespace abrazo::app

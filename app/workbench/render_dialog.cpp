@@ -1,0 +1,92 @@
+#include "app/workbench/render_dialog.hpp"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+
+namespace abrazo::app {
+namespace {
+
+QString seconds(double s) {
+  return QString::number(s, 'f', 2) + " s";
+}
+
+QString span_words(const QString& name, const Playback::Range& range) {
+  return QString("%1: %2 to %3").arg(name, seconds(range.from_s), seconds(range.to_s));
+}
+
+}  // namespace
+
+RenderDialog::RenderDialog(QWidget* parent) : QDialog(parent) {
+  setObjectName("renderRange");
+  setWindowTitle("Render a range as video");
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(20, 16, 20, 16);
+  m_span = new QComboBox(this);
+  m_span->setAccessibleName("Range");
+  m_size = new QComboBox(this);
+  m_size->setAccessibleName("Size in pixels");
+  m_rate = new QDoubleSpinBox(this);
+  m_rate->setAccessibleName("Pictures per second");
+  m_rate->setRange(FilmPlan::slowest_hz, FilmPlan::fastest_hz);
+  m_rate->setDecimals(2);
+  m_rate->setValue(30);
+  m_rate->setSuffix(" Hz");
+  m_captions = new QCheckBox("With legends and facts of the frame", this);
+  m_captions->setChecked(true);
+  m_estimate = new QLabel(this);
+  m_render = new QPushButton("Render…", this);
+  m_render->setDefault(true);
+  auto* cancel = new QPushButton("Close", this);
+  auto* buttons = new QHBoxLayout;
+  buttons->addStretch(1);
+  buttons->addWidget(cancel);
+  buttons->addWidget(m_render);
+  form->addRow("Range", m_span);
+  form->addRow("Size", m_size);
+  form->addRow("Rate", m_rate);
+  form->addRow(QString(), m_captions);
+  form->addRow(QString(), m_estimate);
+  form->addRow(buttons);
+  connect(m_span, qOverload<int>(&QComboBox::currentIndexChanged), this, &RenderDialog::estimate);
+  connect(m_rate, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &RenderDialog::estimate);
+  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+  connect(m_render, &QPushButton::clicked, this, &RenderDialog::renderRequested);
+}
+
+void RenderDialog::offer(const Playback& playback, const std::optional<Playback::Range>& range, QSize view) {
+  m_whole = {playback.first_s, playback.last_s};
+  m_range = range.value_or(m_whole);
+  m_span->clear();
+  if (range && m_range != m_whole) m_span->addItem(span_words("In to out", m_range));
+  m_span->addItem(span_words("All there is", m_whole));
+  m_size->clear();
+  const QSize even(view.width() & ~1, view.height() & ~1);
+  for (const QSize size : {QSize(1280, 720), QSize(1920, 1080), QSize(3840, 2160), even})
+    m_size->addItem(
+        QString("%1 × %2%3").arg(size.width()).arg(size.height()).arg(size == even ? "  (as the view)" : ""),
+        size);
+  estimate();
+}
+
+RangeRequest RenderDialog::request() const {
+  const bool whole = m_span->currentIndex() == m_span->count() - 1;
+  const Playback::Range& range = whole ? m_whole : m_range;
+  return {{range.from_s, range.to_s, m_rate->value()},
+          m_size->currentData().toSize(),
+          m_captions->isChecked(),
+          {}};
+}
+
+void RenderDialog::estimate() {
+  const FilmPlan plan = request().plan;
+  m_estimate->setText(
+      QString("%1 pictures, %2 of film").arg(plan.pictures()).arg(seconds(plan.pictures() / plan.rate_hz)));
+  m_render->setEnabled(plan.pictures() > 1);
+}
+
+}  // namespace abrazo::app

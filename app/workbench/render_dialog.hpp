@@ -1,0 +1,41 @@
+#pragma once
+
+#include <QDialog>
+#include <optional>
+
+#include "app/workbench/range_rendering.hpp"
+#include "core/session/playback.hpp"
+
+class QCheckBox;
+class QComboBox;
+class QDoubleSpinBox;
+class QLabel;
+class QPushButton;
+
+namespace abrazo::app {
+
+/// Of what, how large and how fast a film is to be made of what was recorded.
+class RenderDialog : public QDialog {
+  Q_OBJECT
+ public:
+  explicit RenderDialog(QWidget* parent);
+  /// @param range  between in and out, where both make one  @param view  size of the scene [pixels]
+  void offer(const Playback& playback, const std::optional<Playback::Range>& range, QSize view);
+  /// Without the file.
+  RangeRequest request() const;
+
+ signals:
+  void renderRequested();
+
+ private:
+  void estimate();
+
+  QComboBox *m_span, *m_size;
+  QDoubleSpinBox* m_rate;
+  QCheckBox* m_captions;
+  QLabel* m_estimate;
+  QPushButton* m_render;
+  Playback::Range m_whole, m_range;
+};
+
+}  // namespace abrazo::app

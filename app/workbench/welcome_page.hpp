@@ -1,0 +1,57 @@
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+#include <functional>
+#include <vector>
+
+#include "widgets/common/palette.hpp"
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+class QToolButton;
+class QVBoxLayout;
+
+namespace abrazo::widgets {
+class SectionHeader;
+}
+
+namespace abrazo::app {
+
+/// Where to begin, beside the scene that already moves: what to open, what was open, what the colours mean,
+/// the first keys.
+class WelcomePage : public QWidget {
+  Q_OBJECT
+ public:
+  explicit WelcomePage(QWidget* parent = nullptr);
+  void setColours(const widgets::Palette& palette);
+  /// @param labels  one for each that can be opened again; @param tips  the whole paths
+  void setRecent(const QStringList& labels, const QStringList& tips);
+  /// One more way to begin, above the recent files.
+  void addStart(const QString& text, const QString& key, std::function<void()> act);
+  void setShownAtStart(bool on);
+
+ signals:
+  void recentChosen(int which);
+  void shownAtStartChanged(bool on);
+  void closeRequested();
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  widgets::SectionHeader* section(const QString& title);
+  QPushButton* link(const QString& text, const QString& key);
+  void addColours();
+  void addKeys();
+
+  QVBoxLayout* m_column;
+  QVBoxLayout *m_starts, *m_recent;
+  std::vector<widgets::SectionHeader*> m_heads;
+  std::vector<QLabel*> m_swatches;
+  QToolButton* m_close;
+  QCheckBox* m_atStart;
+};
+
+}  // namespace abrazo::app

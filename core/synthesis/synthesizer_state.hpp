@@ -1,0 +1,23 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "core/selection/vetoes.hpp"
+#include "core/synthesis/frame_memory.hpp"
+#include "core/synthesis/settings.hpp"
+
+namespace abrazo {
+
+/// What a PartnerSynthesizer keeps between two frames. Another one over the same library that is given it
+/// goes on to the same bits.
+struct SynthesizerState {
+  UserRole user_role = UserRole::Active;
+  FrameMemory memory;             ///< in the order of bodies that the user's role gives: user, partner
+  std::optional<Body> user_body;  ///< as it was given; none when it is measured
+  std::optional<int> pinned;
+  std::shared_ptr<const Vetoes> vetoes;  ///< shared by the states between two changes; never null
+  double unsolved_s = 0;                 ///< since the last frame that was solved
+};
+
+}  // namespace abrazo

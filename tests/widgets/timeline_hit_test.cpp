@@ -1,0 +1,93 @@
+#include "widgets/timeline/timeline_hit.hpp"
+
+#include <gtest/gtest.h>
+
+namespace abrazo::widgets {
+namespace {
+
+using Part = TimelineHit::Part;
+
+/// 20 pixels a second from x = 100; in at 20 s, out at 30 s; a marker at 15 s, one at 25 s.
+struct Place {
+  TimelineAxis axis{100, 700, 10, 35};
+  TimelineLanes lanes;
+  Markers markers;
+  std::optional<Playback::Range> range = Playback::Range{20, 30};
+  Place() {
+    lanes.set_height(lanes.whole_px());
+    markers.add(15, "dip");
+    markers.add(25);
+  }
+  TimelineHit at(double time_s, double y, double off_px = 0) const {
+    return hit(axis.x(time_s) + off_px, y, axis, lanes, range, markers, true);
+  }
+  double middle_of(TimelineLane lane) const { return lanes.top_of(lane) + info_of(lane).height_px / 2; }
+};
+
+TEST(TimelineHit, TellsTheHandlesOfTheRangeFromWhatIsBetween) {
+  const Place place;
+  EXPECT_EQ(place.at(20, 10, -3).part, Part::In);
+  EXPECT_EQ(place.at(30, 10, 4).part, Part::Out);
+  EXPECT_EQ(place.at(22, 10).part, Part::Range);
+  EXPECT_EQ(place.at(32, 10).part, Part::Time);
+  EXPECT_EQ(place.at(20, place.middle_of(TimelineLane::Source)).part, Part::Time) << "only on the ruler";
+}
+
+TEST(TimelineHit, OfANarrowRangeBothHandlesCanBeTaken) {
+  Place place;
+  place.range = Playback::Range{20, 20.2};
+  EXPECT_EQ(place.at(20, 10, -2).part, Part::In);
+  EXPECT_EQ(place.at(20.2, 10, 2).part, Part::Out);
+}
+
+TEST(TimelineHit, FindsAMarkerOnTheRulerAndByItsFlag) {
+  const Place place;
+  const int dip = place.markers.all()[0].id;
+  EXPECT_EQ(place.at(15, 10, 3), (TimelineHit{Part::Marker, dip}));
+  EXPECT_EQ(place.at(15, place.middle_of(TimelineLane::Markers), 11), (TimelineHit{Part::Marker, dip}));
+  EXPECT_EQ(place.at(15, place.middle_of(TimelineLane::Moves)).part, Part::Time);
+  EXPECT_EQ(place.at(16, 10).part, Part::Time);
+}
+
+TEST(TimelineHit, KnowsTheNamesAtTheLeftAndTheOverviewBelow) {
+  const Place place;
+  EXPECT_EQ(place.at(9, 40).part, Part::Names);
+  EXPECT_EQ(place.at(12, place.lanes.bottom_px() + 5).part, Part::Overview);
+}
+
+TEST(TimelineLanes, StandOneBelowTheOtherWithoutTheHiddenOnes) {
+  TimelineLanes lanes;
+  lanes.set_height(400);
+  EXPECT_EQ(lanes.top_of(TimelineLane::Moves), 26 + 27);
+  lanes.set_shown(TimelineLane::Source, false);
+  EXPECT_EQ(lanes.top_of(TimelineLane::Moves), 26);
+  TimelineLane found{};
+  ASSERT_TRUE(lanes.lane_at(30, found));
+  EXPECT_EQ(found, TimelineLane::Moves);
+  EXPECT_FALSE(lanes.lane_at(10, found)) << "the ruler";
+}
+
+TEST(TimelineLanes, ScrollOnlyWhereTheyDoNotFit) {
+  TimelineLanes lanes;
+  lanes.set_height(lanes.whole_px());
+  lanes.scroll_to(50);
+  EXPECT_EQ(lanes.scroll_px(), 0);
+  lanes.set_height(lanes.whole_px() - 30);
+  lanes.scroll_to(50);
+  EXPECT_EQ(lanes.scroll_px(), 30);
+  lanes.set_height(lanes.whole_px());
+  EXPECT_EQ(lanes.scroll_px(), 0) << "and come back where there is room again";
+}
+
+TEST(TimelineLanes, AreRememberedByName) {
+  TimelineLanes lanes;
+  lanes.set_shown(TimelineLane::Energy, true);
+  lanes.set_shown(TimelineLane::Role, false);
+  TimelineLanes again;
+  again.set_text(lanes.text() + " Weather");
+  EXPECT_EQ(again.text(), lanes.text());
+  EXPECT_TRUE(again.is_shown(TimelineLane::Energy));
+}
+
+}  // namespace
+}  // namespace abrazo::widgets

@@ -1,0 +1,416 @@
+// What the timeline draws, and what it asks for under the pointer and the keys.
+#include <gtest/gtest.h>
+
+#include <QAccessible>
+#include <QLineEdit>
+#include <QScrollBar>
+#include <QSignalSpy>
+#include <QTest>
+#include <QWheelEvent>
+
+#include "tests/widgets/pictures.hpp"
+#include "tests/widgets/synthetic_frames.hpp"
+#include "widgets/timeline/quick_entry.hpp"
+#include "widgets/timeline/timeline_view.hpp"
+#include "widgets/timeline/transport_bar.hpp"
+
+namespace abrazo::widgets {
+namespace {
+
+using test::picture_of;
+using test::pixels_like;
+using test::synthetic_frame;
+using test::two_take_library;
+
+const Palette& dark() {
+  return palette_of(Theme::Dark);
+}
+
+/// Ten seconds of frames, a playback parked in their middle, and a timeline that shows them all.
+class Timeline : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    const FrameSnapshotPtr like = synthetic_frame(0, 0);
+    for (std::uint64_t i = 0; i < 300; ++i) {
+      auto frame = std::make_shared<FrameSnapshot>(*like);
+      frame->index = i;
+      frame->time_s = static_cast<double>(i) / 30;
+      if (i >= 120) frame->settings.alpha = 0.3;
+      if (i >= 200) frame->settings.user_role = UserRole::Passive;
+      history.append(frame);
+    }
+    library = two_take_library();
+  }
+  Timeline() {
+    playback.extend(history.span().first_s, history.span().last_s);
+    playback.seek(5);
+    view.setLibrary(library);
+    view.resize(900, view.sizeHint().height());
+    view.show();
+    view.refresh(history, playback);
+  }
+
+  int x(double time_s) const { return static_cast<int>(std::lround(view.axis().x(time_s))); }
+  int middle_of(TimelineLane lane) const {
+    return static_cast<int>(view.lanes().top_of(lane) + info_of(lane).height_px / 2);
+  }
+  QImage lane_picture(TimelineLane lane, double from_s, double to_s) {
+    return picture_of(view).copy(x(from_s), static_cast<int>(view.lanes().top_of(lane)), x(to_s) - x(from_s),
+                                 static_cast<int>(info_of(lane).height_px));
+  }
+  void move_to(const QPoint& place, Qt::MouseButtons held = Qt::LeftButton) {
+    QMouseEvent move(QEvent::MouseMove, place, place, Qt::NoButton, held, {});
+    QApplication::sendEvent(&view, &move);
+  }
+  void drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers keys = {},
+            Qt::MouseButton button = Qt::LeftButton) {
+    QTest::mousePress(&view, button, keys, from);
+    move_to((from + to) / 2, button);
+    move_to(to, button);
+    QTest::mouseRelease(&view, button, keys, to);
+  }
+  void wheel(const QPoint& place, int notches, Qt::KeyboardModifiers keys = {}) {
+    QWheelEvent event(place, view.mapToGlobal(place), {}, QPoint(0, 120 * notches), Qt::NoButton, keys,
+                      Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&view, &event);
+  }
+
+  static inline FrameHistory history{std::size_t{512} << 20};
+  static inline std::shared_ptr<const MotionLibrary> library;
+  Playback playback;
+  TimelineView view;
+};
+
+TEST_F(Timeline, DrawsTheCursorWhereItsAxisSays) {
+  const QImage picture = picture_of(view);
+  const int lanes = static_cast<int>(view.lanes().bottom_px());
+  EXPECT_GT(pixels_like(picture.copy(x(5) - 2, 10, 5, lanes - 12), Qt::white), lanes - 30);
+  EXPECT_LT(pixels_like(picture.copy(x(5) + 30, 10, 40, lanes - 12), Qt::white, 8), 10);
+}
+
+TEST_F(Timeline, TheNextSessionStandsWhereTheLastOneStood) {
+  const double left = view.axis().left_px, width = view.axis().width_px;
+  view.setLibrary(library);
+  EXPECT_DOUBLE_EQ(view.axis().left_px, left);
+  EXPECT_DOUBLE_EQ(view.axis().width_px, width);
+  EXPECT_TRUE(view.tracks().sources().empty());
+}
+
+TEST_F(Timeline, MovesTheCursorAloneWithoutTheHistory) {
+  Playback moved = playback;
+  moved.seek(8);
+  view.showPlayback(moved);
+  const QImage picture = picture_of(view);
+  EXPECT_GT(pixels_like(picture.copy(x(8) - 2, 30, 5, 80), Qt::white), 60);
+  EXPECT_LT(pixels_like(picture.copy(x(5) - 2, 30, 5, 80), Qt::white), 20);
+}
+
+TEST_F(Timeline, ShowsSourcesAndMovesOfTheSelectedPairs) {
+  const QImage picture = picture_of(view);
+  EXPECT_GT(pixels_like(picture, take_colour(dark(), 0), 6), 1500);
+  EXPECT_GT(pixels_like(picture, mixed(label_colour(dark(), "turn"), dark().panel, 0.26), 6), 1000);
+}
+
+TEST_F(Timeline, ShowsWhoLeads) {
+  // The library's annotation says that the active performer leads, whom the user plays only at first.
+  const auto filled = [](const QColor& colour) { return mixed(colour, dark().panel, 0.26); };
+  EXPECT_GT(pixels_like(lane_picture(TimelineLane::Role, 0.5, 6), filled(dark().active), 6), 1000);
+  EXPECT_LT(pixels_like(lane_picture(TimelineLane::Role, 0.5, 6), filled(dark().passive), 6), 20);
+  EXPECT_GT(pixels_like(lane_picture(TimelineLane::Role, 7, 9.5), filled(dark().passive), 6), 300);
+}
+
+TEST_F(Timeline, MarksWhereSettingsChanged) {
+  const QColor tick = mixed(dark().warning, dark().panel, 0.85);
+  EXPECT_GT(pixels_like(lane_picture(TimelineLane::Settings, 3.9, 4.3), tick, 20), 10);
+  EXPECT_LT(pixels_like(lane_picture(TimelineLane::Settings, 0.5, 3.8), tick, 20), 2);
+}
+
+TEST_F(Timeline, LanesCanBeHiddenAndTheRestMovesUp) {
+  const int before = middle_of(TimelineLane::Role);
+  TimelineLanes lanes = view.lanes();
+  lanes.set_shown(TimelineLane::Source, false);
+  QSignalSpy changed(&view, &TimelineView::lanesChanged);
+  view.setLanes(lanes);
+  EXPECT_EQ(changed.size(), 1);
+  EXPECT_EQ(middle_of(TimelineLane::Role), before - 27);
+  EXPECT_LT(pixels_like(picture_of(view), take_colour(dark(), 0), 6), 50);
+}
+
+TEST_F(Timeline, ScrollsItsLanesWhereThePanelIsLow) {
+  auto* scroll = view.findChild<QScrollBar*>();
+  EXPECT_FALSE(scroll->isVisible());
+  view.resize(900, 100);
+  ASSERT_TRUE(scroll->isVisible());
+  const double before = view.lanes().top_of(TimelineLane::Role);
+  wheel({20, 60}, -1);
+  EXPECT_LT(view.lanes().top_of(TimelineLane::Role), before);
+  view.resize(900, view.sizeHint().height());
+  EXPECT_FALSE(scroll->isVisible());
+}
+
+TEST_F(Timeline, AsksToGoWhereItIsClickedAndDragged) {
+  QSignalSpy asked(&view, &TimelineView::seekRequested), scrubbing(&view, &TimelineView::scrubbing);
+  drag({x(7), 10}, {x(9), 40});
+  ASSERT_EQ(asked.size(), 3);
+  EXPECT_NEAR(asked[0][0].toDouble(), 7, 2 * view.axis().seconds_per_pixel());
+  EXPECT_NEAR(asked[2][0].toDouble(), 9, 2 * view.axis().seconds_per_pixel());
+  ASSERT_EQ(scrubbing.size(), 2);
+  EXPECT_TRUE(scrubbing[0][0].toBool());
+  EXPECT_FALSE(scrubbing[1][0].toBool());
+}
+
+TEST_F(Timeline, ShiftAndADragMarksARange) {
+  QSignalSpy asked(&view, &TimelineView::rangeRequested);
+  drag({x(8), 40}, {x(6), 40}, Qt::ShiftModifier);
+  ASSERT_GE(asked.size(), 1);
+  EXPECT_NEAR(asked.back()[0].toDouble(), 6, 2 * view.axis().seconds_per_pixel());
+  EXPECT_NEAR(asked.back()[1].toDouble(), 8, 2 * view.axis().seconds_per_pixel());
+}
+
+TEST_F(Timeline, TheHandlesOfTheRangeAreDragged) {
+  playback.set_range(3, 7);
+  view.showPlayback(playback);
+  EXPECT_GT(pixels_like(picture_of(view).copy(x(3), 0, x(7) - x(3), 22),
+                        mixed(dark().accent, dark().panel, 0.28), 14),
+            900);
+  QSignalSpy asked(&view, &TimelineView::rangeRequested), seek(&view, &TimelineView::seekRequested);
+  drag({x(3), 10}, {x(4), 10});
+  ASSERT_GE(asked.size(), 1);
+  EXPECT_NEAR(asked.back()[0].toDouble(), 4, 2 * view.axis().seconds_per_pixel());
+  EXPECT_DOUBLE_EQ(asked.back()[1].toDouble(), 7);
+  drag({x(7), 10}, {x(1), 10});
+  EXPECT_GT(asked.back()[1].toDouble(), asked.back()[0].toDouble()) << "stops at the other one";
+  EXPECT_EQ(seek.size(), 0);
+}
+
+TEST_F(Timeline, DoubleClickOnTheRangeAsksForNumbers) {
+  playback.set_range(3, 7);
+  view.showPlayback(playback);
+  QSignalSpy asked(&view, &TimelineView::rangeEntryRequested);
+  QTest::mouseDClick(&view, Qt::LeftButton, {}, {x(4.3), 10});
+  EXPECT_EQ(asked.size(), 1);
+}
+
+TEST_F(Timeline, AMarkerIsSelectedByAClickAndMovedByADrag) {
+  Markers markers;
+  const int dip = markers.add(4, "dip");
+  view.showMarkers(markers);
+  QSignalSpy asked(&view, &TimelineView::markersRequested), seek(&view, &TimelineView::seekRequested);
+  const int y = middle_of(TimelineLane::Markers);
+  QTest::mouseClick(&view, Qt::LeftButton, {}, {x(4) + 4, y});
+  EXPECT_EQ(view.selectedMarker(), dip);
+  EXPECT_DOUBLE_EQ(seek.back()[0].toDouble(), 4) << "and the cursor goes to it";
+  drag({x(4) + 1, y}, {x(6), y});
+  ASSERT_EQ(asked.size(), 1) << "one step of undo for the whole drag";
+  const auto next = asked[0][0].value<Markers>();
+  EXPECT_NEAR(next.find(dip)->time_s, 6, 2 * view.axis().seconds_per_pixel());
+  EXPECT_DOUBLE_EQ(view.markers().find(dip)->time_s, 4) << "waits for the answer";
+}
+
+TEST_F(Timeline, DoubleClickOnAMarkerAsksForItsName) {
+  Markers markers;
+  const int dip = markers.add(4, "dip");
+  view.showMarkers(markers);
+  QSignalSpy asked(&view, &TimelineView::markerEntryRequested);
+  QTest::mouseDClick(&view, Qt::LeftButton, {}, {x(4) + 4, middle_of(TimelineLane::Markers)});
+  ASSERT_EQ(asked.size(), 1);
+  EXPECT_EQ(asked[0][0].toInt(), dip);
+}
+
+TEST_F(Timeline, AMarkerThatIsGoneIsNoLongerSelected) {
+  Markers markers;
+  view.showMarkers(markers);
+  const int id = markers.add(4);
+  view.showMarkers(markers);
+  view.selectMarker(id);
+  markers.remove(id);
+  view.showMarkers(markers);
+  EXPECT_EQ(view.selectedMarker(), 0);
+}
+
+TEST_F(Timeline, TheWheelZoomsAroundThePointerAndPansWithShift) {
+  const double time = view.axis().time(300), span = view.axis().span_s;
+  for (const Qt::KeyboardModifiers keys :
+       {Qt::KeyboardModifiers(), Qt::KeyboardModifiers(Qt::ControlModifier)})
+    wheel({300, 60}, 2, keys);
+  EXPECT_LT(view.axis().span_s, 0.6 * span);
+  EXPECT_NEAR(view.axis().time(300), time, 1e-6);
+  const double first = view.axis().first_s;
+  wheel({300, 60}, -1, Qt::ShiftModifier);
+  EXPECT_GT(view.axis().first_s, first);
+}
+
+TEST_F(Timeline, TheMiddleButtonAndTheOverviewMoveTheView) {
+  wheel({x(5), 60}, 6);
+  const double first = view.axis().first_s;
+  drag({400, 60}, {300, 60}, {}, Qt::MiddleButton);
+  EXPECT_NEAR(view.axis().first_s, first + 100 * view.axis().seconds_per_pixel(), 0.01);
+  ASSERT_TRUE(view.viewport().is_partial());
+  QSignalSpy seek(&view, &TimelineView::seekRequested);
+  const double wanted_s = 2;
+  const auto at = static_cast<int>(view.viewport().whole().x(wanted_s));
+  QTest::mouseClick(&view, Qt::LeftButton, {}, {at, static_cast<int>(view.lanes().bottom_px()) + 6});
+  EXPECT_NEAR(view.axis().first_s + view.axis().span_s / 2, wanted_s, 0.1);
+  EXPECT_EQ(seek.size(), 0);
+}
+
+TEST_F(Timeline, ShowsAllAndTheRange) {
+  playback.set_range(3, 4);
+  view.showPlayback(playback);
+  view.showRange();
+  EXPECT_LT(view.axis().span_s, 1.2);
+  EXPECT_TRUE(view.viewport().is_partial());
+  view.showAll();
+  EXPECT_FALSE(view.viewport().is_partial());
+}
+
+TEST_F(Timeline, KeysZoomAndMoveTheView) {
+  const double span = view.axis().span_s;
+  QTest::keyClick(&view, Qt::Key_Plus);
+  QTest::keyClick(&view, Qt::Key_Plus);
+  QTest::keyClick(&view, Qt::Key_Plus);
+  EXPECT_LT(view.axis().span_s, 0.5 * span);
+  const double first = view.axis().first_s;
+  QTest::keyClick(&view, Qt::Key_PageUp);
+  EXPECT_LT(view.axis().first_s, first);
+  EXPECT_EQ(view.focusPolicy(), Qt::StrongFocus);
+}
+
+TEST_F(Timeline, TellsTheFactsOfAPlace) {
+  TimelineContent content;
+  content.library = library;
+  content.viewport.set_place(100, 700);
+  content.lanes.set_height(300);
+  content.playback = playback;
+  content.viewport.show(playback);
+  for (int i = 0; i < 100; ++i)
+    content.tracks.append({0.1 * i, 2, 0, "turn", false, Leader::User, 0.25, 0.01});
+  const auto facts = [&content](TimelineLane lane, double time_s) {
+    return facts_at(content, {content.axis().x(time_s), content.lanes.top_of(lane) + 5});
+  };
+  EXPECT_TRUE(facts(TimelineLane::Source, 4).contains("salsa_01 · frame 2"));
+  EXPECT_TRUE(facts(TimelineLane::Source, 4).contains("turn"));
+  EXPECT_TRUE(facts(TimelineLane::Role, 4).contains("user leads, as the recording is annotated"));
+  EXPECT_TRUE(facts(TimelineLane::Cost, 4).contains("cost 0.25 m²"));
+  EXPECT_TRUE(facts(TimelineLane::Source, 30).isEmpty());
+  auto before = *synthetic_frame(0, 1), after = *synthetic_frame(1, 2);
+  after.settings.alpha = 0.3;
+  content.settings.append(before);
+  content.settings.append(after);
+  content.settings_marks = content.settings.merged(0.1);
+  EXPECT_TRUE(facts(TimelineLane::Settings, 2).contains("α 0.5 → 0.3"));
+}
+
+TEST_F(Timeline, TellsAssistiveProgramsItsCursorAndIsMovedByThem) {
+  QAccessibleInterface* accessible = QAccessible::queryAccessibleInterface(&view);
+  ASSERT_TRUE(accessible);
+  EXPECT_EQ(accessible->text(QAccessible::Name), QString("Timeline"));
+  EXPECT_EQ(accessible->text(QAccessible::Value), QString("00:05.000, parked 5.0 s behind live"));
+  auto* value = accessible->valueInterface();
+  ASSERT_TRUE(value);
+  EXPECT_DOUBLE_EQ(value->currentValue().toDouble(), 5);
+  EXPECT_DOUBLE_EQ(value->minimumValue().toDouble(), 0);
+  QSignalSpy asked(&view, &TimelineView::seekRequested);
+  value->setCurrentValue(7.5);
+  ASSERT_EQ(asked.size(), 1);
+  EXPECT_DOUBLE_EQ(asked[0][0].toDouble(), 7.5);
+}
+
+TEST_F(Timeline, DrawsInLightColoursToo) {
+  view.setColours(palette_of(Theme::Light));
+  const QImage picture = picture_of(view);
+  EXPECT_GT(pixels_like(picture, palette_of(Theme::Light).panel, 3), picture.width() * picture.height() / 4);
+  EXPECT_GT(pixels_like(picture, take_colour(palette_of(Theme::Light), 0), 6), 1500);
+}
+
+TEST(TransportBar, TellsTheStateInWords) {
+  TransportBar bar;
+  Playback playback;
+  playback.extend(0, 35);
+  bar.showPlayback(playback, 10);
+  EXPECT_TRUE(bar.stateText().contains("LIVE"));
+  playback.seek(11.5);
+  bar.showPlayback(playback, 10);
+  EXPECT_EQ(bar.stateText(), QString("PARKED −23.5 s"));
+  playback.play();
+  bar.showPlayback(playback, 10);
+  EXPECT_TRUE(bar.stateText().startsWith("PLAYING"));
+}
+
+TEST(TransportBar, WritesTimeAsAskedFor) {
+  TransportBar bar;
+  bar.setRate(60);
+  Playback playback;
+  playback.extend(0, 35);
+  playback.seek(11.5);
+  bar.showPlayback(playback, 690);
+  EXPECT_EQ(bar.timeText(), QString("00:11.500"));
+  bar.setFormat(TimeFormat::Timecode);
+  EXPECT_EQ(bar.timeText(), QString("00:00:11:30"));
+  bar.setFormat(TimeFormat::Frames);
+  EXPECT_EQ(bar.timeText(), QString("690"));
+}
+
+TEST(TransportBar, ShowsTheAchievedSpeedOnlyWhereItDiffers) {
+  TransportBar bar;
+  Playback playback;
+  playback.extend(0, 35);
+  playback.seek(5);
+  playback.play();
+  playback.every_frame = true;
+  bar.showPlayback(playback, 10);
+  EXPECT_EQ(bar.speedText(), QString("1.00× every frame"));
+  bar.showAchieved(0.48);
+  EXPECT_EQ(bar.speedText(), QString("1.00× (is 0.48) every frame"));
+  bar.showAchieved(0.99);
+  EXPECT_EQ(bar.speedText(), QString("1.00× every frame"));
+}
+
+TEST(TransportBar, DoubleClickOnTheTimeAsksWhereToGo) {
+  TransportBar bar;
+  bar.resize(1000, 40);
+  bar.show();
+  QSignalSpy asked(&bar, &TransportBar::placeEntryRequested);
+  for (QWidget* child : bar.findChildren<QWidget*>())
+    if (child->accessibleName() == "Time") QTest::mouseDClick(child, Qt::LeftButton);
+  EXPECT_EQ(asked.size(), 1);
+}
+
+TEST(QuickEntry, TakesAValueOrSaysWhatIsWrongAndStays) {
+  QWidget window;
+  window.resize(600, 300);
+  window.show();
+  QString taken;
+  auto* entry = QuickEntry::open(window, {100, 250}, "Number", "1", [&taken](const QString& text) -> QString {
+    if (text == "x") return "x is not a number";
+    taken = text;
+    return {};
+  });
+  auto* field = entry->findChild<QLineEdit*>();
+  EXPECT_EQ(field->accessibleName(), QString("Number"));
+  field->setText("x");
+  QTest::keyClick(field, Qt::Key_Return);
+  EXPECT_EQ(entry->complaint(), QString("x is not a number"));
+  EXPECT_TRUE(entry->isVisible());
+  field->setText("7");
+  QTest::keyClick(field, Qt::Key_Return);
+  EXPECT_EQ(taken, QString("7"));
+  EXPECT_FALSE(entry->isVisible());
+}
+
+TEST(QuickEntry, EscapeTakesNothing) {
+  QWidget window;
+  window.resize(600, 300);
+  window.show();
+  bool taken = false;
+  auto* entry = QuickEntry::open(window, {100, 250}, "Number", "1", [&taken](const QString&) {
+    taken = true;
+    return QString();
+  });
+  QTest::keyClick(entry->findChild<QLineEdit*>(), Qt::Key_Escape);
+  EXPECT_FALSE(taken);
+  EXPECT_FALSE(entry->isVisible());
+}
+
+}  // namespace
+}  // namespace abrazo::widgets

@@ -1,0 +1,168 @@
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QDockWidget>
+#include <QElapsedTimer>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/workbench/actions/actions.hpp"
+#include "app/workbench/comparison_desk.hpp"
+#include "app/workbench/main_window.hpp"
+#include "app/workbench/panel_area.hpp"
+#include "widgets/compare/compare_panel.hpp"
+#include "widgets/settings/settings_panel.hpp"
+
+namespace abrazo::app {
+namespace {
+
+using State = Playback::State;
+
+class CompareInTheWindow : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    s_home = new QTemporaryDir;
+    qputenv("ABRAZO_HOME", s_home->path().toUtf8());
+    s_remembered = new UserSettings;
+    s_window = new MainWindow(*s_remembered);
+    s_window->setTheme(widgets::Theme::Dark);
+    s_window->resize(1600, 1000);
+    add_all_actions(*s_window);
+    s_window->startWith(*preset("responsive"));
+    s_window->show();
+    s_window->openDemo();
+    until([] { return shown() && shown()->index > 60; }, 60'000);
+  }
+  static void TearDownTestSuite() {
+    delete s_window;
+    delete s_remembered;
+    delete s_home;
+  }
+  void SetUp() override {
+    ASSERT_TRUE(shown()) << "the demo did not start";
+    s_window->ticker().follow();
+    window().panels().want("compare", true);
+    window().panels().panel("compare")->raise();  // what nobody sees is not solved again
+    choose(*preset("responsive"));
+    if (desk().frozen()) desk().setFrozen({});
+    ASSERT_TRUE(until([] { return live().settings == *preset("responsive") && !desk().shown(); }, 5'000));
+  }
+
+  template <typename Condition>
+  static bool until(Condition reached, int patience_ms) {
+    QElapsedTimer clock;
+    clock.start();
+    while (!reached() && clock.elapsed() < patience_ms) QTest::qWait(10);
+    return reached();
+  }
+  static MainWindow& window() { return *s_window; }
+  static ComparisonDesk& desk() { return *s_window->findChild<ComparisonDesk*>(); }
+  static widgets::ComparePanel& panel() { return *s_window->findChild<widgets::ComparePanel*>(); }
+  static const FrameSnapshotPtr& shown() { return s_window->ticker().shown(); }
+  static const FrameSnapshot& live() { return *window().session()->latest().newest(); }
+  static void choose(const Settings& settings) {
+    window().settings().showSettings(settings);
+    window().session()->push(SetSettings{settings});
+  }
+  static void trigger(const QString& text) {
+    for (QAction* action : window().actions())
+      if (action->text() == text) return action->trigger();
+    FAIL() << text.toStdString();
+  }
+  static double lag(const RunFigures& figures) { return figures[static_cast<std::size_t>(RunFigure::Lag)]; }
+
+  static inline MainWindow* s_window = nullptr;
+  static inline UserSettings* s_remembered = nullptr;
+  static inline QTemporaryDir* s_home = nullptr;
+};
+
+TEST_F(CompareInTheWindow, AFrozenRunGoesOnBesideTheLiveOne) {
+  trigger("Freeze the settings as A");
+  EXPECT_EQ(desk().frozen(), *preset("responsive"));
+  window().settings().change("velocity-weight", "2");
+  ASSERT_TRUE(until([] { return desk().shown() && desk().shown()->steps.size() > 60; }, 20'000));
+  const Comparison& comparison = *desk().shown();
+  EXPECT_TRUE(comparison.task.goes_on);
+  EXPECT_EQ(comparison.settings_a, *preset("responsive"));
+  EXPECT_EQ(comparison.settings_b.velocity_weight, 2);
+  EXPECT_GT(lag(comparison.figures_b), lag(comparison.figures_a));
+  EXPECT_EQ(window().ticker().playback().state, State::Following);
+}
+
+TEST_F(CompareInTheWindow, AParkedCursorIsSolvedAgainWhileLiveGoesOn) {
+  window().ticker().seek(live().time_s);  // older frames may have other settings
+  ASSERT_TRUE(until([] { return window().ticker().playback().state == State::Parked; }, 1'000));
+  const double parked_s = window().ticker().playback().cursor_s;
+  const std::uint64_t before = live().index;
+  window().settings().change("velocity-weight", "2");
+  ASSERT_TRUE(until([] { return desk().shown() && desk().shown()->done; }, 20'000));
+  EXPECT_FALSE(desk().shown()->task.goes_on);
+  EXPECT_FALSE(desk().shown()->task.a) << "A is what was recorded";
+  EXPECT_EQ(desk().shown()->task.b->velocity_weight, 2);
+  EXPECT_EQ(window().ticker().playback().cursor_s, parked_s);
+  EXPECT_TRUE(until([before] { return live().index > before; }, 5'000));
+}
+
+TEST_F(CompareInTheWindow, LiveKeepsAWhileBIsTriedAside) {
+  trigger("Freeze the settings as A");
+  trigger("Live keeps A");
+  EXPECT_TRUE(desk().isAside());
+  window().settings().change("velocity-weight", "2");
+  ASSERT_TRUE(until(
+      [] { return desk().shown() && desk().shown()->task.b && desk().shown()->steps.size() > 30; }, 20'000));
+  EXPECT_EQ(live().settings, *preset("responsive"));
+  EXPECT_EQ(desk().shown()->settings_b.velocity_weight, 2);
+  trigger("Live keeps A");
+  EXPECT_TRUE(until([] { return live().settings.velocity_weight == 2; }, 5'000))
+      << "what was tried comes when the live solver is let go";
+}
+
+TEST_F(CompareInTheWindow, SwapAndAdoptAreOneStepOfUndoEach) {
+  trigger("Freeze the settings as A");
+  window().settings().change("velocity-weight", "2");
+  const int steps = window().undoStack().index();
+  trigger("Swap A and B");
+  EXPECT_EQ(desk().frozen()->velocity_weight, 2);
+  EXPECT_EQ(window().settings().settings(), *preset("responsive"));
+  EXPECT_EQ(window().undoStack().index(), steps + 1);
+  window().undoStack().undo();
+  EXPECT_EQ(desk().frozen(), *preset("responsive"));
+  EXPECT_EQ(window().settings().settings().velocity_weight, 2);
+  trigger("Adopt the settings of A");
+  EXPECT_EQ(window().settings().settings(), *preset("responsive"));
+  window().undoStack().undo();
+  EXPECT_EQ(window().settings().settings().velocity_weight, 2);
+}
+
+TEST_F(CompareInTheWindow, ACancelledWhatIfIsNotTakenUpAgainByItself) {
+  window().ticker().seek(shown()->time_s - 0.2);
+  panel().setSpan(widgets::WhatIfSpan::TenSeconds);
+  emit panel().spanRequested(widgets::WhatIfSpan::TenSeconds);
+  window().settings().change("morph-steps", "20");
+  ASSERT_TRUE(until([] { return desk().hasAsked(); }, 5'000));
+  desk().cancel();
+  QTest::qWait(100);
+  const auto solved = [] { return desk().shown() ? desk().shown()->steps.size() : 0; };
+  const std::size_t at_cancel = solved();
+  QTest::qWait(600);
+  EXPECT_EQ(solved(), at_cancel) << "what is there stays, and nothing is added";
+  panel().setSpan(widgets::WhatIfSpan::TwoSeconds);
+  emit panel().spanRequested(widgets::WhatIfSpan::TwoSeconds);
+  EXPECT_TRUE(until([] { return desk().shown() && desk().shown()->done; }, 20'000));
+}
+
+TEST_F(CompareInTheWindow, AnotherSessionKeepsAAndStartsItsRunsAnew) {
+  trigger("Freeze the settings as A");
+  window().settings().change("velocity-weight", "2");
+  ASSERT_TRUE(until([] { return desk().shown() != nullptr; }, 20'000));
+  const auto before = window().session();
+  window().openDemo();
+  ASSERT_TRUE(
+      until([before] { return window().session() != before && shown() && shown()->index > 30; }, 60'000));
+  EXPECT_EQ(desk().frozen(), *preset("responsive"));
+  EXPECT_TRUE(until([] { return desk().shown() && desk().shown()->steps.size() > 10; }, 20'000));
+}
+
+}  // namespace
+}  // namespace abrazo::app

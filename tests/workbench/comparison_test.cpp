@@ -1,0 +1,235 @@
+#include "app/workbench/comparison.hpp"
+
+#include <gtest/gtest.h>
+
+#include "app/workbench/comparison_plan.hpp"
+#include "app/workbench/comparison_runner.hpp"
+#include "core/session/live_loop.hpp"
+#include "tests/support/libraries.hpp"
+
+namespace abrazo::app {
+namespace {
+
+using widgets::WhatIfSpan;
+
+std::shared_ptr<const MotionLibrary> library() {
+  static const auto small = test::small_library();
+  return small;
+}
+
+Settings slow_settings() {
+  Settings settings = *preset("responsive");
+  settings.velocity_weight = 5;
+  return settings;
+}
+
+double value(const RunFigures& figures, RunFigure figure) {
+  return figures[static_cast<std::size_t>(figure)];
+}
+
+/// A session recorded by hand, with the settings "responsive".
+class Recorded : public testing::Test {
+ protected:
+  Recorded() {
+    auto synthesizer = std::move(*PartnerSynthesizer::create(library(), *preset("responsive")));
+    auto source = std::make_unique<ClipSource>(test::swinging_take("user", 900, 4).a);
+    loop = std::make_unique<LiveLoop>(std::move(synthesizer), std::move(source), commands, history, latest);
+  }
+  void run_until(double to_s) {
+    while (now_s < to_s) now_s = std::max(loop->turn(now_s), now_s + 1e-6);
+  }
+  std::shared_ptr<const Comparison> carried_out(const ComparisonTask& task) {
+    ComparisonRun run(task, history, solvers);
+    while (run.advance(7)) {
+    }
+    return run.measured();
+  }
+
+  CommandQueue commands;
+  FrameHistory history;
+  LatestSlot<FrameSnapshot> latest;
+  std::unique_ptr<LiveLoop> loop;
+  double now_s = 0;
+  ComparisonRun::Solvers solvers{library(), {}, nullptr, nullptr};
+};
+
+TEST_F(Recorded, TwoRunsAreSolvedOverTheSameFrames) {
+  run_until(3);
+  const auto result = carried_out({slow_settings(), *preset("responsive"), 1, 2, false});
+  EXPECT_TRUE(result->done);
+  EXPECT_EQ(result->fraction, 1);
+  EXPECT_EQ(result->steps.size(), history.range(1, 2).size());
+  EXPECT_EQ(result->a->span().frames, result->b->span().frames);
+  EXPECT_EQ(result->settings_a, slow_settings());
+  EXPECT_GT(value(result->figures_a, RunFigure::Lag), value(result->figures_b, RunFigure::Lag));
+  EXPECT_GT(result->steps.back().b[static_cast<std::size_t>(StepFigure::PartnerDistance)], 0.001);
+}
+
+TEST_F(Recorded, ARunWithoutSettingsIsAsRecorded) {
+  run_until(2);
+  const auto result = carried_out({std::nullopt, *preset("responsive"), 1, 1.5, false});
+  for (const ComparedStep& step : result->steps)
+    EXPECT_EQ(step.b[static_cast<std::size_t>(StepFigure::PartnerDistance)], 0) << step.time_s;
+}
+
+TEST_F(Recorded, AWhatIfOnOneFrameHasOneStep) {
+  run_until(2);
+  const double here_s = history.at(1.3)->time_s;
+  const auto result = carried_out({std::nullopt, slow_settings(), here_s, here_s, false});
+  ASSERT_EQ(result->steps.size(), 1U);
+  EXPECT_EQ(result->b->at(here_s)->index, history.at(here_s)->index);
+}
+
+TEST_F(Recorded, ARunThatGoesOnFollowsTheLiveSolver) {
+  run_until(1);
+  ComparisonRun run({slow_settings(), std::nullopt, history.span().last_s, 0, true}, history, solvers);
+  while (run.advance(8)) {
+  }
+  const std::size_t before = run.measured()->steps.size();
+  EXPECT_EQ(before, 1U);
+  run_until(2);
+  while (run.advance(8)) {
+  }
+  EXPECT_FALSE(run.isDone());
+  EXPECT_EQ(run.measured()->steps.size(), 61U);
+  EXPECT_EQ(run.measured()->a->at(99)->index, latest.newest()->index);
+}
+
+TEST_F(Recorded, FiguresOfALiveComparisonAreThoseSinceTheSettingsChanged) {
+  run_until(1);
+  ComparisonRun run({slow_settings(), std::nullopt, history.span().last_s, 0, true}, history, solvers);
+  run_until(2);
+  commands.push(SetSettings{*preset("paper")});
+  run_until(2.5);
+  while (run.advance(8)) {
+  }
+  const auto result = run.measured();
+  EXPECT_EQ(result->settings_b, *preset("paper"));
+  EXPECT_GE(result->steps.front().time_s, 2 - 1e-9);
+}
+
+TEST_F(Recorded, FramesThatAreGoneAreSaidToBeGone) {
+  run_until(1);
+  const auto result = carried_out({std::nullopt, slow_settings(), 50, 60, false});
+  EXPECT_TRUE(result->done);
+  EXPECT_NE(result->trouble.find("no longer kept"), std::string::npos);
+}
+
+TEST_F(Recorded, ARunThatFellBehindStartsAnewAtTheLiveEnd) {
+  run_until(1);
+  ComparisonRun run({slow_settings(), std::nullopt, history.span().last_s, 0, true}, history, solvers);
+  run.advance(1);
+  run_until(12.5);  // 690 frames without a turn
+  while (run.advance(8)) {
+  }
+  EXPECT_EQ(run.measured()->a->at(99)->index, latest.newest()->index);
+  EXPECT_LT(run.measured()->steps.size(), 60U);
+}
+
+TEST_F(Recorded, AnUnknownExcludedTakeIsTrouble) {
+  run_until(1);
+  solvers.excluded_takes = {"nobody"};
+  EXPECT_NE(carried_out({std::nullopt, slow_settings(), 0, 1, false})->trouble.find("nobody"),
+            std::string::npos);
+}
+
+TEST_F(Recorded, TheLatestTaskWinsAndACancelledOnePublishesNothing) {
+  run_until(10);
+  ComparisonRunner runner(library(), {}, history);
+  std::uint64_t seen = 0;
+  runner.ask({std::nullopt, slow_settings(), 0, 10, false});
+  const ComparisonTask wanted{std::nullopt, slow_settings(), 9, 9.1, false};
+  runner.ask(wanted);
+  std::shared_ptr<const Comparison> result;
+  while (!result || result->task != wanted || !result->done) {
+    if (auto newer = runner.take_if_newer(seen)) result = std::move(newer);
+    std::this_thread::yield();
+  }
+  EXPECT_EQ(result->steps.size(), history.range(9, 9.1).size());
+  runner.ask({std::nullopt, slow_settings(), 0, 10, false});
+  runner.cancel();
+  runner.ask(wanted);  // answered only after what was cancelled has been dropped
+  result.reset();
+  while (!result || !result->done) {
+    if (auto newer = runner.take_if_newer(seen)) result = std::move(newer);
+    std::this_thread::yield();
+  }
+  EXPECT_EQ(result->task, wanted);
+}
+
+CompareSituation parked_at(double time_s, const Settings& recorded) {
+  CompareSituation now;
+  auto frame = std::make_shared<FrameSnapshot>();
+  frame->time_s = time_s;
+  frame->settings = recorded;
+  now.shown = frame;
+  now.present = recorded;
+  now.playback.state = Playback::State::Parked;
+  now.playback.last_s = 60;
+  return now;
+}
+
+TEST(ComparisonPlan, AParkedCursorIsSolvedAgainOnceASettingDiffers) {
+  CompareSituation now = parked_at(20, *preset("responsive"));
+  EXPECT_FALSE(what_if_task(now, nullptr));
+  now.present = slow_settings();
+  const auto task = what_if_task(now, nullptr);
+  ASSERT_TRUE(task);
+  EXPECT_FALSE(task->a);
+  EXPECT_EQ(task->b, slow_settings());
+  EXPECT_EQ(task->from_s, 18);
+  EXPECT_EQ(task->to_s, 20);
+}
+
+TEST(ComparisonPlan, AFrozenRunIsSolvedAgainToo) {
+  CompareSituation now = parked_at(20, *preset("responsive"));
+  now.frozen = *preset("paper");
+  now.span = WhatIfSpan::Frame;
+  const auto task = what_if_task(now, nullptr);
+  ASSERT_TRUE(task);
+  EXPECT_EQ(task->a, *preset("paper"));
+  EXPECT_EQ(task->from_s, task->to_s);
+  now.present = *preset("paper");
+  EXPECT_FALSE(what_if_task(now, nullptr)) << "A and B would be the same run";
+}
+
+TEST(ComparisonPlan, ACursorInsideWhatIsSolvedAsksForNothingNew) {
+  CompareSituation now = parked_at(20, *preset("responsive"));
+  now.present = slow_settings();
+  const auto task = what_if_task(now, nullptr);
+  CompareSituation earlier = parked_at(19, *preset("responsive"));
+  earlier.present = slow_settings();
+  EXPECT_EQ(what_if_task(earlier, &*task), task);
+  CompareSituation outside = parked_at(21, *preset("responsive"));
+  outside.present = slow_settings();
+  EXPECT_NE(what_if_task(outside, &*task), task);
+}
+
+TEST(ComparisonPlan, ARangeNeedsItsMarks) {
+  CompareSituation now = parked_at(20, *preset("responsive"));
+  now.present = slow_settings();
+  now.span = WhatIfSpan::InToOut;
+  EXPECT_FALSE(what_if_task(now, nullptr));
+  now.playback.in_s = 5;
+  now.playback.out_s = 9;
+  EXPECT_EQ(what_if_task(now, nullptr)->from_s, 5);
+  EXPECT_EQ(what_if_task(now, nullptr)->to_s, 9);
+}
+
+TEST(ComparisonPlan, WhileFollowingTheShadowIsTheRunThatLiveDoesNotSolve) {
+  CompareSituation now = parked_at(20, *preset("responsive"));
+  now.playback.state = Playback::State::Following;
+  EXPECT_FALSE(what_if_task(now, nullptr));
+  EXPECT_FALSE(shadow_task(now, 20));
+  now.frozen = *preset("paper");
+  now.present = slow_settings();
+  EXPECT_EQ(shadow_task(now, 20)->a, *preset("paper"));
+  EXPECT_FALSE(shadow_task(now, 20)->b);
+  now.is_aside = true;
+  EXPECT_FALSE(shadow_task(now, 20)->a);
+  EXPECT_EQ(shadow_task(now, 20)->b, slow_settings());
+  EXPECT_TRUE(shadow_task(now, 20)->goes_on);
+}
+
+}  // namespace
+}  // namespace abrazo::app

@@ -1,0 +1,147 @@
+// The pictures of the guide, and every panel and dialog by itself, made by the program. See docs/images/make.
+//   guide_pictures OUT THEME [FILE...]   THEME is dark or light; QT_SCALE_FACTOR=2 gives them twice as fine
+
+#include <QAction>
+#include <QApplication>
+#include <QDialog>
+#include <QDir>
+#include <QDockWidget>
+#include <QElapsedTimer>
+#include <QMenu>
+#include <QTemporaryDir>
+#include <QThread>
+#include <QTimer>
+#include <clocale>
+#include <cstdio>
+
+#include "app/workbench/actions/actions.hpp"
+#include "app/workbench/main_window.hpp"
+#include "app/workbench/panel_area.hpp"
+#include "widgets/scene/scene_view.hpp"
+
+namespace abrazo::app {
+namespace {
+
+constexpr QSize window_size(1600, 1000);
+constexpr double shown_time_s = 30;  ///< of the session, where the cursor is parked
+constexpr int patience_ms = 180'000;
+
+template <typename Condition>
+bool until(Condition reached, int patience) {
+  QElapsedTimer clock;
+  clock.start();
+  while (!reached() && clock.elapsed() < patience) {
+    QApplication::processEvents(QEventLoop::AllEvents, 20);
+    if (!reached()) QThread::msleep(5);
+  }
+  return reached();
+}
+
+void wait(int milliseconds) {
+  (void)until([] { return false; }, milliseconds);
+}
+
+class Pictures {
+ public:
+  Pictures(MainWindow& window, QDir folder) : m_window(window), m_folder(std::move(folder)) {}
+
+  void save(QWidget& what, const QString& name) {
+    const QString file = m_folder.filePath(name + ".png");
+    const bool written = what.grab().save(file);
+    std::printf("%s%s\n", qPrintable(file), written ? "" : ": could not be written");
+    m_complete = m_complete && written;
+  }
+
+  void window(const QString& name) {
+    wait(300);
+    m_window.scene().renderSharp();
+    save(m_window, name);
+  }
+
+  /// Every panel there is, by itself, in the place it has when it is shown.
+  void panels() {
+    for (QDockWidget* dock : m_window.panels().panels()) {
+      const bool before = m_window.panels().isWanted(dock->objectName());
+      m_window.panels().want(dock->objectName(), true);
+      dock->raise();
+      wait(400);
+      save(*dock, "panel-" + dock->objectName());
+      m_window.panels().want(dock->objectName(), before);
+    }
+  }
+
+  /// What an action of the menus opens, modal or not.
+  void dialog(const QString& action, const QString& name) {
+    QAction* found = nullptr;
+    for (QAction* candidate : m_window.findChildren<QAction*>())
+      if (candidate->text() == action) found = candidate;
+    if (!found) {
+      std::printf("%s: there is no such action\n", qPrintable(action));
+      m_complete = false;
+      return;
+    }
+    QTimer::singleShot(700, &m_window, [this, name] {
+      for (QWidget* top : QApplication::topLevelWidgets()) {
+        if (top == &m_window || !top->isVisible() || !qobject_cast<QDialog*>(top)) continue;
+        save(*top, name);
+        top->close();
+      }
+    });
+    found->trigger();
+    wait(1200);
+  }
+
+  bool complete() const { return m_complete; }
+
+ private:
+  MainWindow& m_window;
+  QDir m_folder;
+  bool m_complete = true;
+};
+
+int make_pictures(const QString& out, widgets::Theme theme, const QStringList& files) {
+  QTemporaryDir home;
+  qputenv("ABRAZO_HOME", home.path().toUtf8());
+  UserSettings remembered;
+  MainWindow window(remembered);
+  window.setTheme(theme);
+  add_all_actions(window);
+  window.startWith(preset("responsive").value());
+  window.resize(window_size);
+  window.show();
+  files.isEmpty() ? window.openDemo() : window.openFiles(files);
+  const auto solved = [&window] {
+    return window.session() && window.session()->history().span().last_s > shown_time_s + 2;
+  };
+  if (!QDir().mkpath(out) || !until(solved, patience_ms)) {
+    std::printf("%s: the folder cannot be made, or nothing was solved\n", qPrintable(out));
+    return 1;
+  }
+  Pictures pictures(window, QDir(out));
+  window.ticker().seek(shown_time_s);
+  pictures.window("workbench");
+  pictures.panels();
+  for (const auto& [action, name] : {std::pair("All keys", "keys"), std::pair("Sweep…", "sweep"),
+                                     std::pair("Build library…", "build"), std::pair("Shortcuts…", "shortcuts")})
+    pictures.dialog(action, name);
+  return pictures.complete() ? 0 : 1;
+}
+
+}  // namespace
+}  // namespace abrazo::app
+
+int main(int argc, char** argv) {
+  abrazo::widgets::SceneView::prepareApplication();
+  QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+  QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  QApplication application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C");
+  const QStringList words = QApplication::arguments();
+  if (words.size() < 3 || (words[2] != "dark" && words[2] != "light")) {
+    std::printf("usage: guide_pictures OUT dark|light [FILE...]\n");
+    return 2;
+  }
+  return abrazo::app::make_pictures(
+      words[1], words[2] == "light" ? abrazo::widgets::Theme::Light : abrazo::widgets::Theme::Dark, words.mid(3));
+}

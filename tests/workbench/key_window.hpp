@@ -1,0 +1,186 @@
+#pragma once
+
+// The whole window on the generated dance, and what tests of its keys look at.
+
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDialog>
+#include <QDir>
+#include <QElapsedTimer>
+#include <QFile>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QTreeView>
+#include <cmath>
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+
+#include "app/workbench/actions/actions.hpp"
+#include "app/workbench/comparison_desk.hpp"
+#include "app/workbench/key_entry.hpp"
+#include "app/workbench/main_window.hpp"
+#include "app/workbench/shortcut_dialog.hpp"
+#include "app/workbench/shortcuts.hpp"
+#include "widgets/candidates/candidate_table.hpp"
+#include "widgets/common/message_bar.hpp"
+#include "widgets/common/selection_model.hpp"
+#include "widgets/library/take_list.hpp"
+#include "widgets/scene/scene_tree.hpp"
+#include "widgets/scene/scene_view.hpp"
+#include "widgets/settings/settings_panel.hpp"
+#include "widgets/timeline/quick_entry.hpp"
+#include "widgets/timeline/timeline_view.hpp"
+#include "widgets/timeline/transport_bar.hpp"
+
+namespace abrazo::app {
+
+using State = Playback::State;
+using widgets::ScenePart;
+using widgets::Selection;
+
+inline constexpr double quarter = 1.57079632679;
+
+template <typename Condition>
+bool until(Condition reached, int patience_ms) {
+  QElapsedTimer clock;
+  clock.start();
+  while (!reached() && clock.elapsed() < patience_ms) QTest::qWait(10);
+  return reached();
+}
+
+inline void turn() {
+  QTest::qWait(30);
+}
+
+inline MainWindow* window = nullptr;
+inline FrameTicker& ticker() {
+  return window->ticker();
+}
+inline const Playback& playback() {
+  return ticker().playback();
+}
+inline widgets::SceneView& scene() {
+  return window->scene();
+}
+inline const Selection& selection() {
+  return window->selection().selection();
+}
+inline const widgets::OrbitCamera& camera() {
+  return scene().camera();
+}
+inline bool shows(ScenePart part) {
+  return scene().visibility()[static_cast<std::size_t>(part)];
+}
+inline std::size_t markers() {
+  return window->timeline().markers().all().size();
+}
+inline widgets::QuickEntry* entry() {
+  auto* field = window->findChild<widgets::QuickEntry*>();
+  return field && field->isVisible() ? field : nullptr;
+}
+inline QDialog* dialog(const QString& name) {
+  auto* found = window->findChild<QDialog*>(name);
+  return found && found->isVisible() ? found : nullptr;
+}
+
+inline bool looks_from(double azimuth_rad, double elevation_rad) {
+  return std::abs(std::remainder(camera().azimuth_rad - azimuth_rad, 4 * quarter)) < 1e-6 &&
+         std::abs(camera().elevation_rad - elevation_rad) < 1e-3;
+}
+
+inline void mark(double time_s) {
+  Markers next = window->timeline().markers();
+  const int id = next.add(time_s);
+  window->timeline().showMarkers(next);
+  window->timeline().selectMarker(id);
+}
+
+inline void select_leader_root() {
+  window->selection().select(Selection::joint(0));
+}
+inline void focus_scene() {
+  for (QWidget* child : scene().findChildren<QWidget*>())
+    if (child->focusPolicy() == Qt::StrongFocus) return child->setFocus();
+}
+/// One window on the generated dance for all of it.
+class OneWindow : public testing::Environment {
+  void SetUp() override {
+    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    QApplication::setQuitOnLastWindowClosed(false);
+    qputenv("ABRAZO_HOME", m_home.path().toUtf8());
+    qputenv("HOME", m_home.path().toUtf8());  // no folder of pictures: they go to the other
+    m_remembered = std::make_unique<UserSettings>();
+    window = new MainWindow(*m_remembered);
+    window->setTheme(widgets::Theme::Dark);
+    window->resize(1500, 950);
+    add_all_actions(*window);
+    window->show();
+    window->openDemo();
+    until([] { return playback().last_s > 3; }, 60'000);
+  }
+  void TearDown() override { delete window; }
+
+  QTemporaryDir m_home;
+  std::unique_ptr<UserSettings> m_remembered;
+};
+
+/// Parked in the past, with nothing selected, set or open.
+class KeyWindow : public testing::Test {
+ protected:
+  void SetUp() override {
+    ASSERT_TRUE(ticker().shown()) << "the demo did not start";
+    for (QDialog* each : window->findChildren<QDialog*>()) each->close();
+    if (auto* field = entry()) QTest::keyClick(field->findChild<QLineEdit*>(), Qt::Key_Escape);
+    window->setWindowState(Qt::WindowNoState);
+    window->show();
+    window->activateWindow();
+    (void)QTest::qWaitForWindowActive(window, 300);
+    window->resetLayout();
+    if (auto* focused = QApplication::focusWidget()) focused->clearFocus();
+    window->setFocus();
+    settle();
+    turn();
+  }
+
+  static void settle() {
+    for (QAction* action : window->actions())
+      if (action->text() == "Hold the input still" || action->text() == "Live keeps A")
+        if (action->isChecked()) action->trigger();
+    window->findChild<ComparisonDesk*>()->setFrozen({});
+    window->candidates().liftAll();
+    window->settings().change("alpha", "0.5");
+    window->undoStack().clear();
+    window->selection().select({});
+    scene().showHidden();
+    scene().setOptions({});
+    scene().setVisibility(widgets::default_visibility);
+    scene().setMorphStep(1'000);
+    if (window->takes().isPlaying()) window->takes().togglePlay();
+    window->timeline().showMarkers({});
+    window->timeline().selectMarker(0);
+    ticker().setRange(0, 0);
+    ticker().setLoop(false);
+    ticker().setSpeed(1);
+    ticker().seek(1.5);
+  }
+
+  static void press(int key, Qt::KeyboardModifiers held = {}) {
+    QWidget* focused = QApplication::focusWidget();
+    QTest::keyClick(focused && focused->window() == window ? focused : window, static_cast<Qt::Key>(key),
+                    held);
+  }
+};
+
+}  // namespace abrazo::app

@@ -1,0 +1,270 @@
+// Markers, range, go to and speed in the whole window, by the keys of a user.
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QLineEdit>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "app/workbench/actions/actions.hpp"
+#include "app/workbench/main_window.hpp"
+#include "widgets/scene/scene_view.hpp"
+#include "widgets/timeline/quick_entry.hpp"
+#include "widgets/timeline/timeline_view.hpp"
+#include "widgets/timeline/transport_bar.hpp"
+
+namespace abrazo::app {
+namespace {
+
+using State = Playback::State;
+
+/// One window on the generated dance for all tests: opening it takes seconds.
+class TimelineActions : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    s_home = new QTemporaryDir;
+    qputenv("ABRAZO_HOME", s_home->path().toUtf8());
+    s_remembered = new UserSettings;
+    s_window = new MainWindow(*s_remembered);
+    s_window->setTheme(widgets::Theme::Dark);
+    s_window->resize(1280, 720);
+    add_all_actions(*s_window);
+    s_window->show();
+    s_window->openDemo();
+    until([] { return s_window->ticker().playback().last_s > 3; }, 60'000);
+  }
+  static void TearDownTestSuite() {
+    delete s_window;
+    delete s_remembered;
+    delete s_home;
+  }
+  void SetUp() override {
+    ASSERT_TRUE(ticker().shown()) << "the demo did not start";
+    s_window->activateWindow();
+    (void)QTest::qWaitForWindowActive(s_window, 300);
+    s_window->setFocus();
+    s_window->undoStack().clear();
+    timeline().showMarkers({});
+    ticker().setRange(0, 0);
+    ticker().setLoop(false);
+    ticker().setEveryFrame(false);
+    ticker().seek(1.5);
+    ticker().setSpeed(1);
+    turn();
+  }
+
+  template <typename Condition>
+  static bool until(Condition reached, int patience_ms) {
+    QElapsedTimer clock;
+    clock.start();
+    while (!reached() && clock.elapsed() < patience_ms) QTest::qWait(10);
+    return reached();
+  }
+  static void turn() { QTest::qWait(40); }
+  static void press(int key, Qt::KeyboardModifiers modifiers = {}) {
+    QTest::keyClick(s_window, static_cast<Qt::Key>(key), modifiers);
+    turn();
+  }
+  /// Into the field that is open.
+  static QString enter(const QString& text) {
+    auto* entry = s_window->findChild<widgets::QuickEntry*>();
+    if (!entry) return "no field is open";
+    auto* field = entry->findChild<QLineEdit*>();
+    field->setText(text);
+    QTest::keyClick(field, Qt::Key_Return);
+    turn();
+    const auto* still = s_window->findChild<widgets::QuickEntry*>();
+    return still && still->isVisible() ? still->complaint() : QString();
+  }
+  static FrameTicker& ticker() { return s_window->ticker(); }
+  static const Playback& playback() { return ticker().playback(); }
+  static widgets::TimelineView& timeline() { return s_window->timeline(); }
+  static const std::vector<Marker>& markers() { return timeline().markers().all(); }
+
+  static inline MainWindow* s_window = nullptr;
+  static inline UserSettings* s_remembered = nullptr;
+  static inline QTemporaryDir* s_home = nullptr;
+};
+
+TEST_F(TimelineActions, MAddsAMarkerDelDeletesItAndUndoBringsItBack) {
+  press(Qt::Key_M);
+  ASSERT_EQ(markers().size(), 1u);
+  EXPECT_NEAR(markers()[0].time_s, 1.5, 1e-9);
+  EXPECT_EQ(timeline().selectedMarker(), markers()[0].id);
+  press(Qt::Key_Delete);
+  EXPECT_TRUE(markers().empty());
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(markers().size(), 1u);
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(markers().empty());
+}
+
+TEST_F(TimelineActions, ShiftMAsksForANameWhereTheKeyWasPressed) {
+  ticker().follow();
+  turn();
+  const double before = playback().cursor_s;
+  press(Qt::Key_M, Qt::ShiftModifier);
+  const double after = playback().cursor_s;
+  until([after] { return playback().cursor_s > after; }, 5'000);
+  EXPECT_EQ(enter("dip"), QString());
+  ASSERT_EQ(markers().size(), 1u);
+  EXPECT_EQ(markers()[0].name, "dip");
+  EXPECT_GE(markers()[0].time_s, before);
+  EXPECT_LE(markers()[0].time_s, after) << "it went on while the name was typed";
+}
+
+TEST_F(TimelineActions, CtrlArrowsGoToMarkersAndEdgesOfMoves) {
+  Markers two;
+  two.add(0.8);
+  two.add(2.2);
+  timeline().showMarkers(two);
+  double before = playback().cursor_s;
+  for (int steps = 0; steps < 50 && playback().cursor_s < 2.2 - 1e-9; ++steps) {
+    press(Qt::Key_Right, Qt::ControlModifier);
+    EXPECT_GT(playback().cursor_s, before);
+    before = playback().cursor_s;
+  }
+  EXPECT_NEAR(playback().cursor_s, 2.2, 1e-9) << "no marker is passed over";
+  EXPECT_EQ(timeline().selectedMarker(), two.all()[1].id);
+  for (int steps = 0; steps < 50 && playback().cursor_s > 0.8 + 1e-9; ++steps)
+    press(Qt::Key_Left, Qt::ControlModifier);
+  EXPECT_NEAR(playback().cursor_s, 0.8, 1e-9);
+}
+
+TEST_F(TimelineActions, ADraggedMarkerIsOneStepOfUndo) {
+  Markers one;
+  const int id = one.add(1);
+  timeline().showMarkers(one);
+  Markers moved = one;
+  moved.move(id, 2);
+  emit timeline().markersRequested(moved, "move marker");
+  EXPECT_EQ(markers()[0].time_s, 2);
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(markers()[0].time_s, 1);
+}
+
+TEST_F(TimelineActions, InOutAndTheirClearingByKey) {
+  ticker().seek(1);
+  press(Qt::Key_I);
+  ticker().seek(2);
+  press(Qt::Key_O);
+  EXPECT_EQ(playback().range(), (Playback::Range{1, 2}));
+  press(Qt::Key_I, Qt::AltModifier);
+  EXPECT_EQ(playback().range(), (Playback::Range{playback().first_s, 2}));
+  press(Qt::Key_O, Qt::AltModifier);
+  EXPECT_FALSE(playback().range());
+}
+
+TEST_F(TimelineActions, CtrlLLoopsTheRange) {
+  ticker().setRange(1, 1.3);
+  press(Qt::Key_L, Qt::ControlModifier);
+  EXPECT_TRUE(playback().loop);
+  ticker().seek(2);
+  press(Qt::Key_Space);
+  QTest::qWait(600);
+  EXPECT_EQ(playback().state, State::Playing);
+  EXPECT_GE(playback().cursor_s, 1);
+  EXPECT_LT(playback().cursor_s, 1.3);
+}
+
+TEST_F(TimelineActions, GGoesToFramesAndTimesAndSaysWhatIsWrong) {
+  press(Qt::Key_G);
+  EXPECT_EQ(enter("60"), QString());
+  EXPECT_EQ(ticker().shown()->index, 60u);
+  press(Qt::Key_G);
+  EXPECT_EQ(enter("+10"), QString());
+  EXPECT_EQ(ticker().shown()->index, 70u);
+  press(Qt::Key_G);
+  EXPECT_EQ(enter("0:01.25"), QString());
+  EXPECT_NEAR(playback().cursor_s, 1.25, 1e-9);
+  press(Qt::Key_G);
+  EXPECT_EQ(enter("-0.5s"), QString());
+  EXPECT_NEAR(playback().cursor_s, 0.75, 1e-9);
+  press(Qt::Key_G);
+  EXPECT_TRUE(enter("tomorrow").contains("neither a frame nor a time"));
+  EXPECT_TRUE(enter("99999999").contains("has not been solved yet"));
+  EXPECT_NEAR(playback().cursor_s, 0.75, 1e-9);
+  EXPECT_EQ(enter("1s"), QString());
+}
+
+TEST_F(TimelineActions, TheRangeByNumber) {
+  emit timeline().rangeEntryRequested();
+  EXPECT_TRUE(enter("1s").contains("two places"));
+  EXPECT_EQ(enter("0:02 to 0:01"), QString());
+  ASSERT_TRUE(playback().range());
+  EXPECT_DOUBLE_EQ(playback().range()->to_s, 2);
+}
+
+TEST_F(TimelineActions, WithKHeldJAndLStepOneFrame) {
+  const auto start = ticker().shown()->index;
+  QTest::keyPress(s_window, Qt::Key_K);
+  turn();
+  press(Qt::Key_L);
+  press(Qt::Key_L);
+  EXPECT_EQ(ticker().shown()->index, start + 2);
+  press(Qt::Key_J);
+  EXPECT_EQ(ticker().shown()->index, start + 1);
+  EXPECT_EQ(playback().state, State::Parked);
+  QTest::keyRelease(s_window, Qt::Key_K);
+  press(Qt::Key_J);
+  EXPECT_EQ(playback().state, State::Playing);
+  EXPECT_EQ(playback().speed, -1);
+}
+
+TEST_F(TimelineActions, PlayingEveryFrameLeavesNoneOut) {
+  ticker().setEveryFrame(true);
+  std::vector<std::uint64_t> shown;
+  const auto connection =
+      QObject::connect(&ticker(), &FrameTicker::frameReady,
+                       [&shown](const FrameSnapshotPtr& frame) { shown.push_back(frame->index); });
+  ticker().seek(0.2);
+  turn();
+  shown.clear();
+  ticker().toggle();
+  until([&shown] { return shown.size() > 20; }, 10'000);
+  ticker().pause();
+  QObject::disconnect(connection);
+  ASSERT_GT(shown.size(), 20u);
+  for (std::size_t i = 1; i < shown.size(); ++i) EXPECT_EQ(shown[i], shown[i - 1] + 1);
+}
+
+TEST_F(TimelineActions, OfManyMovesBetweenTwoPicturesOnlyTheNewestIsShown) {
+  int shown = 0;
+  const auto connection = QObject::connect(&ticker(), &FrameTicker::frameReady, [&shown] { ++shown; });
+  ticker().setScrubbing(true);
+  for (int move = 0; move < 50; ++move) ticker().seek(1 + 0.02 * move);
+  turn();
+  ticker().setScrubbing(false);
+  QObject::disconnect(connection);
+  EXPECT_EQ(shown, 1);
+  EXPECT_LE(ticker().shown()->time_s, 1.98);
+  EXPECT_GT(ticker().shown()->time_s, 1.9);
+}
+
+TEST_F(TimelineActions, ArrowsWorkWithTheFocusInTheTimeline) {
+  timeline().setFocus(Qt::TabFocusReason);
+  const auto start = ticker().shown()->index;
+  QTest::keyClick(&timeline(), Qt::Key_Right);
+  turn();
+  EXPECT_EQ(ticker().shown()->index, start + 1);
+  QTest::keyClick(&timeline(), Qt::Key_Left, Qt::ShiftModifier);
+  turn();
+  EXPECT_EQ(ticker().shown()->index, start - 9);
+}
+
+TEST_F(TimelineActions, LanesAreRememberedAndZKeysShowAllAndTheRange) {
+  widgets::TimelineLanes lanes = timeline().lanes();
+  lanes.set_shown(widgets::TimelineLane::Energy, true);
+  timeline().setLanes(lanes);
+  EXPECT_TRUE(s_remembered->timelineLanes().contains("Energy"));
+  ticker().setRange(1, 1.5);
+  turn();
+  press(Qt::Key_Z, Qt::ShiftModifier);
+  EXPECT_LT(timeline().axis().span_s, 0.6);
+  press(Qt::Key_Z);
+  EXPECT_FALSE(timeline().viewport().is_partial());
+}
+
+}  // namespace
+}  // namespace abrazo::app

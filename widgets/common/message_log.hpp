@@ -1,0 +1,30 @@
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/common/message_bar.hpp"
+
+class QListWidget;
+
+namespace abrazo::widgets {
+
+/// The messages since the start, the latest at the bottom, to read again and to copy.
+class MessageLog : public QWidget {
+  Q_OBJECT
+ public:
+  explicit MessageLog(QWidget* parent = nullptr);
+  void setColours(const Palette& palette);
+  /// All lines, "12:30:05  error  …".
+  QString text() const;
+
+ public slots:
+  void add(abrazo::widgets::MessageKind kind, const QString& text);
+
+ private:
+  void paint(int row);
+
+  Palette m_palette;
+  QListWidget* m_list;
+};
+
+}  // namespace abrazo::widgets

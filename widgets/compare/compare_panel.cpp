@@ -1,0 +1,228 @@
+#include "widgets/compare/compare_panel.hpp"
+
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "widgets/common/section_header.hpp"
+#include "widgets/compare/compare_curve.hpp"
+#include "widgets/compare/figure_table.hpp"
+#include "widgets/compare/run_card.hpp"
+
+namespace abrazo::widgets {
+namespace {
+
+QHBoxLayout* row_in(QWidget* box, int spacing) {
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(12, 2, 12, 6);
+  row->setSpacing(spacing);
+  return row;
+}
+
+QPushButton* button_in(QHBoxLayout* row, QWidget* box, const QString& text, const QString& tip) {
+  auto* button = new QPushButton(text, box);
+  button->setToolTip(tip);
+  button->setFocusPolicy(Qt::TabFocus);
+  button->setStyleSheet("padding: 3px 8px;");
+  row->addWidget(button);
+  return button;
+}
+
+}  // namespace
+
+ComparePanel::ComparePanel(QWidget* parent) : QWidget(parent) {
+  setObjectName("panel");
+  setAttribute(Qt::WA_StyledBackground);
+  auto* outer = new QVBoxLayout(this);
+  outer->setContentsMargins(0, 0, 0, 0);
+  outer->setSpacing(0);
+  auto* content = new QWidget(this);
+  content->setAutoFillBackground(false);
+  m_column = new QVBoxLayout(content);
+  m_column->setContentsMargins(0, 4, 0, 8);
+  m_column->setSpacing(0);
+  m_a = new RunCard("A", content);
+  m_b = new RunCard("B", content);
+  m_curve = new CompareCurve(content);
+  m_table = new FigureTable(content);
+  m_note = new QLabel(content);
+  m_note->setObjectName("secondary");
+  m_note->setWordWrap(true);
+  m_note->setContentsMargins(12, 2, 12, 4);
+  for (QWidget* part : {static_cast<QWidget*>(m_a), static_cast<QWidget*>(m_b), makeButtons(), makeSpans(),
+                        makeProgress(), static_cast<QWidget*>(m_note), makeCurveHead(),
+                        static_cast<QWidget*>(m_curve), static_cast<QWidget*>(m_table)})
+    m_column->addWidget(part);
+  m_column->addStretch(1);
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(content);
+  scroll->viewport()->setAutoFillBackground(false);
+  content->setAutoFillBackground(false);
+  outer->addWidget(scroll);
+  connect(m_curve, &CompareCurve::seekRequested, this, &ComparePanel::seekRequested);
+  showProgress(-1);
+  showSides({});
+  showNothing({});
+}
+
+QWidget* ComparePanel::makeButtons() {
+  auto* box = new QWidget(this);
+  auto* row = row_in(box, 6);
+  m_freeze = button_in(row, box, "Freeze A", "Keep the settings as they are now as A; what you change is B");
+  m_swap = button_in(row, box, "Swap", "A gets the settings of B, and B those of A");
+  m_adopt = button_in(row, box, "Adopt A", "The settings become those of A again");
+  m_clear = button_in(row, box, "Clear", "Let A go");
+  row->addStretch(1);
+  m_aside = new QToolButton(box);
+  m_aside->setObjectName("chip");
+  m_aside->setText("Live keeps A");
+  m_aside->setCheckable(true);
+  m_aside->setFocusPolicy(Qt::TabFocus);
+  m_aside->setToolTip("Try B aside: the live partner goes on with A until this is let go");
+  row->addWidget(m_aside);
+  connect(m_freeze, &QPushButton::clicked, this, &ComparePanel::freezeRequested);
+  connect(m_swap, &QPushButton::clicked, this, &ComparePanel::swapRequested);
+  connect(m_adopt, &QPushButton::clicked, this, &ComparePanel::adoptRequested);
+  connect(m_clear, &QPushButton::clicked, this, &ComparePanel::clearRequested);
+  connect(m_aside, &QToolButton::clicked, this, &ComparePanel::asideRequested);
+  return box;
+}
+
+QWidget* ComparePanel::makeSpans() {
+  struct Choice {
+    const char *text, *tip;
+  };
+  constexpr Choice choices[] = {
+      {"This frame", "Parked: one step, from what the solver knew before this frame"},
+      {"2 s to here", "Parked: both runs start together 2 s before the cursor"},
+      {"10 s to here", "Parked: both runs start together 10 s before the cursor"},
+      {"In to out", "Both runs over the range between the in and out marks"}};
+  auto* box = new QWidget(this);
+  auto* row = row_in(box, 0);
+  auto* group = new QButtonGroup(box);
+  for (const Choice& choice : choices) {
+    auto* button = new QToolButton(box);
+    button->setObjectName("segment");
+    button->setProperty("first", m_spans.empty());
+    button->setProperty("last", m_spans.size() + 1 == std::size(choices));
+    button->setText(choice.text);
+    button->setToolTip(choice.tip);
+    button->setAccessibleName(QString("What if over: ") + choice.text);
+    button->setCheckable(true);
+    button->setFocusPolicy(Qt::TabFocus);
+    button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    group->addButton(button, static_cast<int>(m_spans.size()));
+    row->addWidget(button, 1);
+    m_spans.push_back(button);
+  }
+  m_spans[1]->setChecked(true);
+  connect(group, &QButtonGroup::idClicked, this,
+          [this](int chosen) { emit spanRequested(static_cast<WhatIfSpan>(chosen)); });
+  return box;
+}
+
+QWidget* ComparePanel::makeProgress() {
+  m_progressRow = new QWidget(this);
+  auto* row = row_in(m_progressRow, 8);
+  m_progress = new QProgressBar(m_progressRow);
+  m_progress->setRange(0, 100);
+  m_progress->setTextVisible(false);
+  m_progress->setFixedHeight(6);
+  m_progress->setAccessibleName("Solving again");
+  row->addWidget(m_progress, 1);
+  auto* cancel = button_in(row, m_progressRow, "Cancel", "Stop solving; what is there stays");
+  connect(cancel, &QPushButton::clicked, this, &ComparePanel::cancelRequested);
+  return m_progressRow;
+}
+
+QWidget* ComparePanel::makeCurveHead() {
+  auto* box = new QWidget(this);
+  auto* row = row_in(box, 8);
+  m_figure = new QComboBox(box);
+  m_figure->setAccessibleName("Figure of the curve");
+  m_figure->setFocusPolicy(Qt::TabFocus);
+  for (std::size_t i = 0; i < step_figure_count; ++i) {
+    const RunFigureInfo& info = info_of(static_cast<StepFigure>(i));
+    m_figure->addItem(QString::fromUtf8(info.name.data(), static_cast<int>(info.name.size())));
+    m_figure->setItemData(static_cast<int>(i),
+                          QString::fromUtf8(info.help.data(), static_cast<int>(info.help.size())),
+                          Qt::ToolTipRole);
+  }
+  row->addWidget(m_figure);
+  row->addStretch(1);
+  connect(m_figure, qOverload<int>(&QComboBox::currentIndexChanged), this,
+          [this](int chosen) { m_curve->setFigure(static_cast<StepFigure>(chosen)); });
+  return box;
+}
+
+void ComparePanel::setColours(const Palette& palette) {
+  m_a->setColours(palette);
+  m_b->setColours(palette);
+  m_curve->setColours(palette);
+  m_table->setColours(palette);
+  m_progress->setStyleSheet(QString("QProgressBar { background: %1; border: none; border-radius: 3px; }"
+                                    "QProgressBar::chunk { background: %2; border-radius: 3px; }")
+                                .arg(palette.raised.name(), palette.accent.name()));
+}
+
+WhatIfSpan ComparePanel::span() const {
+  for (std::size_t i = 0; i < m_spans.size(); ++i)
+    if (m_spans[i]->isChecked()) return static_cast<WhatIfSpan>(i);
+  return WhatIfSpan::TwoSeconds;
+}
+
+void ComparePanel::setSpan(WhatIfSpan span) {
+  m_spans[static_cast<std::size_t>(span)]->setChecked(true);
+}
+
+QString ComparePanel::note() const {
+  return m_note->text();
+}
+
+void ComparePanel::showSides(const CompareSides& sides) {
+  m_a->showRun(sides.origin_a, sides.settings_a);
+  m_b->showRun(sides.origin_b, sides.settings_b);
+  m_swap->setEnabled(sides.is_frozen);
+  m_adopt->setEnabled(sides.is_frozen);
+  m_clear->setEnabled(sides.is_frozen);
+  m_aside->setEnabled(sides.is_frozen);
+  m_aside->setChecked(sides.is_aside);
+}
+
+void ComparePanel::showFigures(const RunFigures& a, const RunFigures& b,
+                               const std::vector<ComparedStep>& steps, const QString& note) {
+  const auto rows = figure_rows(a, b);
+  m_a->showFigures(rows);
+  m_b->showFigures(rows);
+  m_table->showRows(rows);
+  m_curve->setSteps(steps);
+  m_note->setText(note);
+}
+
+void ComparePanel::showNothing(const QString& note) {
+  m_a->showFigures({});
+  m_b->showFigures({});
+  m_table->showRows({});
+  m_curve->setSteps({});
+  m_note->setText(note);
+}
+
+void ComparePanel::showProgress(double fraction) {
+  m_progressRow->setVisible(fraction >= 0);
+  if (fraction >= 0) m_progress->setValue(static_cast<int>(100 * fraction));
+}
+
+void ComparePanel::showCursor(double time_s) {
+  m_curve->setCursor(time_s);
+}
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "core/metrics/run_comparison.hpp"
+#include "widgets/common/palette.hpp"
+
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QToolButton;
+class QVBoxLayout;
+
+namespace abrazo::widgets {
+
+class CompareCurve;
+class FigureTable;
+class RunCard;
+
+/// Which frames are solved again when the cursor is parked.
+enum class WhatIfSpan { Frame, TwoSeconds, TenSeconds, InToOut };
+
+/// What the panel says about the two runs; plain values.
+struct CompareSides {
+  QString origin_a, origin_b;      ///< where each comes from: "frozen at 12.3 s", "live"
+  QString settings_a, settings_b;  ///< what each has that the other has not
+  bool is_frozen = false;          ///< A holds settings of its own
+  bool is_aside = false;           ///< the live solver keeps A while B is tried
+};
+
+/// Two runs over the same inputs side by side: their settings, figures and a curve over time. Asks for
+/// everything by signals; solves nothing.
+class ComparePanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ComparePanel(QWidget* parent = nullptr);
+  void setColours(const Palette& palette);
+
+  WhatIfSpan span() const;
+  void setSpan(WhatIfSpan span);
+  const CompareCurve& curve() const { return *m_curve; }
+  const FigureTable& table() const { return *m_table; }
+  QString note() const;
+
+ public slots:
+  void showSides(const abrazo::widgets::CompareSides& sides);
+  /// @param note  over which frames, and what is to be known about them
+  void showFigures(const abrazo::RunFigures& a, const abrazo::RunFigures& b,
+                   const std::vector<abrazo::ComparedStep>& steps, const QString& note);
+  /// Nothing to compare; @param note  what to do about it
+  void showNothing(const QString& note);
+  /// Of what is being solved [0, 1]; negative: nothing is.
+  void showProgress(double fraction);
+  void showCursor(double time_s);
+
+ signals:
+  void freezeRequested();
+  void swapRequested();
+  void adoptRequested();
+  void clearRequested();
+  void asideRequested(bool on);
+  void spanRequested(abrazo::widgets::WhatIfSpan span);
+  void cancelRequested();
+  void seekRequested(double time_s);
+
+ private:
+  QWidget* makeButtons();
+  QWidget* makeSpans();
+  QWidget* makeProgress();
+  QWidget* makeCurveHead();
+
+  QVBoxLayout* m_column = nullptr;
+  RunCard *m_a = nullptr, *m_b = nullptr;
+  QPushButton *m_freeze = nullptr, *m_swap = nullptr, *m_adopt = nullptr, *m_clear = nullptr;
+  QToolButton* m_aside = nullptr;
+  std::vector<QToolButton*> m_spans;
+  QWidget* m_progressRow = nullptr;
+  QProgressBar* m_progress = nullptr;
+  QComboBox* m_figure = nullptr;
+  CompareCurve* m_curve = nullptr;
+  FigureTable* m_table = nullptr;
+  QLabel* m_note = nullptr;
+};
+
+}  // namespace abrazo::widgets

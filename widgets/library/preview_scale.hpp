@@ -1,0 +1,35 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/motion/clip.hpp"
+
+namespace abrazo::widgets {
+
+/// A clip with the frame that counts as its first.
+struct PreviewedClip {
+  std::shared_ptr<const Clip> clip;
+  int start = 0;
+
+  int frames() const;
+  /// The pose of a frame counted from the start, held at the end; null without a clip.
+  const Pose* pose(int frame) const;
+};
+
+/// How two people are drawn beside one another. Stays the same over a take, so that only the people move.
+struct PreviewScale {
+  double extent_m = 2.2;  ///< largest extent of the two in any direction, in one frame
+  int side_axis = 0;      ///< 0 = x, 2 = z: the horizontal axis along which they are farther apart
+};
+
+/// @param b  may be without a clip
+PreviewScale preview_scale(const PreviewedClip& a, const PreviewedClip& b);
+
+/// Frames that both have; those of one where there is no other.
+int common_frames(const PreviewedClip& a, const PreviewedClip& b);
+
+/// Middle of the people's bounding box in a frame [m].
+Vec3 middle_of(const PreviewedClip& a, const PreviewedClip& b, int frame);
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <QAbstractListModel>
+#include <QPixmap>
+#include <QSortFilterProxyModel>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "widgets/common/palette.hpp"
+#include "widgets/library/take_coverage.hpp"
+#include "widgets/library/take_rows.hpp"
+
+namespace abrazo::widgets {
+
+/// The takes of a library as rows. Pictures are made when they are first asked for.
+class TakeModel : public QAbstractListModel {
+  Q_OBJECT
+ public:
+  explicit TakeModel(QObject* parent = nullptr);
+  void setLibrary(std::shared_ptr<const MotionLibrary> library);
+  void setColours(const Palette& palette);
+  const std::shared_ptr<const MotionLibrary>& library() const { return m_library; }
+  const TakeRow& row(int take) const { return m_rows[static_cast<std::size_t>(take)]; }
+  const PairsOfTakes& pairs() const { return m_pairs; }
+  TakeCoverage& coverage() { return m_coverage; }
+  const TakeCoverage& coverage() const { return m_coverage; }
+
+  /// Names of takes that are not selected from: by a person's veto, or because one plays the user.
+  void setVetoed(const std::set<std::string>& takes);
+  void setUsersTake(const std::string& take);
+  bool isVetoed(int take) const { return m_vetoed.contains(row(take).name); }
+  bool isUsers(int take) const { return !m_users.empty() && row(take).name == m_users; }
+  /// Where the shown frame comes from; take -1 for none.
+  void setSource(int take, int frame);
+  int sourceTake() const { return m_source_take; }
+  int sourceFrame() const { return m_source_frame; }
+  /// Where a person is looking along a take; take -1 for nowhere.
+  void setCursor(int take, int frame);
+  int cursorTake() const { return m_cursor_take; }
+  int cursorFrame() const { return m_cursor_frame; }
+  void coverageChanged();
+
+  QPixmap picture(int take, double pixel_ratio) const;
+  int picturesMade() const { return static_cast<int>(m_pictures.size()); }
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+
+ private:
+  void changed(int take);
+  QString spoken(const TakeRow& row) const;
+
+  std::shared_ptr<const MotionLibrary> m_library;
+  std::vector<TakeRow> m_rows;
+  PairsOfTakes m_pairs;
+  TakeCoverage m_coverage;
+  Palette m_palette;
+  std::set<std::string> m_vetoed;
+  std::string m_users;
+  int m_source_take = -1, m_source_frame = 0;
+  int m_cursor_take = -1, m_cursor_frame = 0;
+  mutable std::map<int, QPixmap> m_pictures;
+};
+
+enum class TakeOrder { AsRecorded, Name, Longest, MostMoves, MostSelected };
+
+/// The rows that a filter leaves, in some order.
+class TakeFilter : public QSortFilterProxyModel {
+  Q_OBJECT
+ public:
+  TakeFilter(TakeModel* model, QObject* parent = nullptr);
+  void setWanted(const QString& text);
+  void setOrder(TakeOrder order);
+  int takeAt(const QModelIndex& index) const;
+  QModelIndex indexOf(int take) const;
+
+ protected:
+  bool filterAcceptsRow(int row, const QModelIndex& parent) const override;
+  bool lessThan(const QModelIndex& left, const QModelIndex& right) const override;
+
+ private:
+  TakeModel* m_model;
+  std::string m_wanted;
+  TakeOrder m_order = TakeOrder::AsRecorded;
+};
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/synthesis/settings.hpp"
+
+namespace abrazo::widgets {
+
+/// "0.5 (paper), 0.1 (responsive)"; one value where the presets agree. With the unit.
+std::string preset_values(const SettingInfo& info);
+
+/// "0 to 5 m/s"; "velocity, predicted"; "on, off".
+std::string value_range(const SettingInfo& info);
+
+/// What a setting does, its formula (the help's lines that begin with two blanks), where it comes from, its
+/// range and presets, as HTML.
+std::string setting_tooltip(const SettingInfo& info);
+
+/// The same without markup, for those who hear it.
+std::string setting_description(const SettingInfo& info);
+
+/// Every word of `wanted` occurs in key, symbol, title, group or help of the setting, in any case. Nothing
+/// wanted: all match.
+bool matches(const SettingInfo& info, std::string_view wanted);
+
+}  // namespace abrazo::widgets

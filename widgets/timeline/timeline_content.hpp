@@ -1,0 +1,44 @@
+#pragma once
+
+#include <QPointF>
+#include <QRectF>
+#include <QString>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "core/library/motion_library.hpp"
+#include "core/session/markers.hpp"
+#include "core/session/playback.hpp"
+#include "core/session/settings_track.hpp"
+#include "widgets/common/palette.hpp"
+#include "widgets/timeline/timeline_lanes.hpp"
+#include "widgets/timeline/timeline_tracks.hpp"
+#include "widgets/timeline/timeline_viewport.hpp"
+
+namespace abrazo::widgets {
+
+/// All that a picture of the timeline is made from.
+struct TimelineContent {
+  Palette palette;
+  std::shared_ptr<const MotionLibrary> library;
+  TimelineViewport viewport;
+  TimelineLanes lanes;
+  TimelineTracks tracks;
+  SettingsTrack settings;
+  std::vector<SettingsChange> settings_marks;  ///< of `settings`, near ones as one
+  Markers markers;
+  int selected_marker = 0;
+  Playback playback;
+  bool focused = false;
+
+  const TimelineAxis& axis() const { return viewport.axis(); }
+};
+
+/// The facts at a place, as rich text; empty where there are none.
+QString facts_at(const TimelineContent& content, const QPointF& place);
+
+/// Who leads in a frame that the user's role and the recording tell about.
+Leader leader_of(const FrameSnapshot& frame, const MotionLibrary* library);
+
+}  // namespace abrazo::widgets

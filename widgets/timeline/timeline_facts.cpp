@@ -1,0 +1,110 @@
+#include <algorithm>
+#include <cmath>
+
+#include "core/session/time_place.hpp"
+#include "widgets/timeline/timeline_content.hpp"
+
+namespace abrazo::widgets {
+namespace {
+
+QString words(std::string_view utf8) {
+  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size())).toHtmlEscaped();
+}
+
+QString clock_at(double time_s) {
+  return words(clock_text(time_s));
+}
+
+/// "turn · follower left ×1".
+QString move_of(const LibraryTake& take, int frame) {
+  for (const LabelInterval& label : take.labels) {
+    if (frame < label.start || frame >= label.end) continue;
+    QString move = words(label.label).replace('_', ' ');
+    if (!label.detail.empty()) move += " · " + words(label.detail);
+    return move;
+  }
+  return {};
+}
+
+QString source_facts(const TimelineContent& content, double time_s) {
+  const int pair = content.tracks.pair_at(time_s);
+  if (!content.library || pair < 0 || pair >= content.library->pair_count()) return {};
+  const PairSource& source = content.library->source(pair);
+  const LibraryTake& take = content.library->take_of(pair);
+  QString facts = QString("<b>%1 · frame %2</b>").arg(words(take.name)).arg(source.frame);
+  const QString move = move_of(take, static_cast<int>(source.frame));
+  if (!move.isEmpty()) facts += "<br>" + move;
+  const auto* leads = interval_at(content.tracks.leaders(), time_s);
+  if (leads)
+    facts +=
+        QString("<br>%1 leads, as the %2")
+            .arg(leads->key == static_cast<int>(Leader::User) ? "user" : "partner",
+                 source.annotated == ActivePerformer::Unknown ? "setting says" : "recording is annotated");
+  return facts;
+}
+
+QString figure_facts(const SampleCurve& curve, double time_s, double around_s, const char* name) {
+  const auto here = curve.columns(time_s - around_s, time_s + around_s, 1).front();
+  if (is_empty(here)) return {};
+  const bool one = here.most - here.least <= 1e-4F * std::abs(here.most);
+  const auto figure = [](float value) { return QString::number(static_cast<double>(value), 'g', 3); };
+  return QString("<br>%1 %2 m²")
+      .arg(name, one ? figure(here.most) : figure(here.least) + " to " + figure(here.most));
+}
+
+QString settings_facts(const TimelineContent& content, double x_px) {
+  constexpr double reach_px = 8;
+  QString facts;
+  for (const SettingsChange& change : content.settings_marks) {
+    const double x = content.axis().x(change.time_s);
+    if (x_px < x - reach_px || x_px > std::max(x, content.axis().x(change.until_s)) + reach_px) continue;
+    facts +=
+        (facts.isEmpty() ? "<b>" : "<br><b>") + words(change.text) + "</b><br>at " + clock_at(change.time_s);
+  }
+  return facts;
+}
+
+QString marker_facts(const TimelineContent& content, double time_s) {
+  constexpr double reach_px = 8;
+  const Marker* marker = content.markers.near(time_s, reach_px * content.axis().seconds_per_pixel());
+  if (!marker) return {};
+  return QString("<b>%1</b><br>marker at %2").arg(words(marker_title(*marker)), clock_at(marker->time_s));
+}
+
+}  // namespace
+
+QString facts_at(const TimelineContent& content, const QPointF& place) {
+  const TimelineAxis& axis = content.axis();
+  if (place.x() < axis.left_px || place.x() > axis.right_px()) return {};
+  const double time_s = axis.time(place.x());
+  TimelineLane lane{};
+  const bool on_lane = content.lanes.lane_at(place.y(), lane);
+  if (on_lane && lane == TimelineLane::Settings) return settings_facts(content, place.x());
+  if (on_lane && lane == TimelineLane::Markers) return marker_facts(content, time_s);
+  if (time_s < content.playback.first_s)
+    return time_s < 0 ? QString() : QString("Given up: the memory for recorded frames is full");
+  QString facts = source_facts(content, time_s);
+  if (facts.isEmpty()) return {};
+  const double around_s = std::max(axis.seconds_per_pixel(), 0.01);
+  if (on_lane && lane == TimelineLane::Cost)
+    facts += figure_facts(content.tracks.costs(), time_s, around_s, "cost");
+  if (on_lane && lane == TimelineLane::Energy)
+    facts += figure_facts(content.tracks.energies(), time_s, around_s, "energy");
+  return facts + "<br>" + clock_at(time_s);
+}
+
+Leader leader_of(const FrameSnapshot& frame, const MotionLibrary* library) {
+  const bool user_is_active = frame.settings.user_role == UserRole::Active;
+  const FrameResult& result = frame.result;
+  const Leader as_set = user_is_active ? Leader::User : Leader::Partner;
+  if (!library || result.selected < 0) return as_set;
+  const int pair = result.candidates[static_cast<std::size_t>(result.selected)].pair;
+  if (pair < 0 || pair >= library->pair_count()) return as_set;
+  const PairSource& source = library->source(pair);
+  if (source.annotated == ActivePerformer::Unknown) return as_set;
+  // Whom the user stands for: the one that the library holds as active, or the other.
+  const bool user_is_a = user_is_active != source.swapped;
+  return (source.annotated == ActivePerformer::A) == user_is_a ? Leader::User : Leader::Partner;
+}
+
+}  // namespace abrazo::widgets
