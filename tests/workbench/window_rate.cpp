@@ -7,6 +7,8 @@
 #include <QAction>
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QMouseEvent>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QTimer>
 #include <cmath>
@@ -148,6 +150,30 @@ class Measurement {
   double m_seconds;
 };
 
+/// The left button held over the scene, to and fro.
+class DragOfScene {
+ public:
+  explicit DragOfScene(QWidget& scene)
+      : m_under(scene.childAt(scene.width() / 4, scene.height() / 2)), m_from(m_under->rect().center()) {
+    send(QEvent::MouseButtonPress);
+  }
+  void operator()() {
+    ++m_step;
+    send(QEvent::MouseMove);
+  }
+
+ private:
+  void send(QEvent::Type type) {
+    const QPointF at = m_from + QPointF(200 * std::sin(0.05 * m_step), 0);
+    QMouseEvent event(type, at, m_under->mapToGlobal(at.toPoint()), Qt::LeftButton, Qt::LeftButton, {});
+    QApplication::sendEvent(m_under, &event);
+  }
+
+  QWidget* m_under;
+  QPointF m_from;
+  int m_step = 0;
+};
+
 struct Asked {
   double seconds = 6;
   double watched_ms = 1e9;
@@ -172,8 +198,19 @@ Asked asked_of(const QStringList& words) {
   return asked;
 }
 
-/// Chooses what the menus call so, and closes the dialog it may have opened when its time is over.
-bool trigger(MainWindow& window, const QString& text, double seconds) {
+/// Presses the button of this text in a dialog that is open.
+void press(const QString& text) {
+  for (QWidget* top : QApplication::topLevelWidgets())
+    for (QPushButton* button : top->findChildren<QPushButton*>())
+      if (button->isVisible() && button->text().startsWith(text)) return button->click();
+  std::printf("no button is called %s\n", text.toUtf8().constData());
+}
+
+/// Chooses what the menus call so ("ENTRY", or "ENTRY>BUTTON" to press a button in the dialog that it opens),
+/// and closes a modal dialog when its time is over.
+bool trigger(MainWindow& window, const QString& asked, double seconds) {
+  const QString text = asked.section('>', 0, 0), button = asked.section('>', 1);
+  if (!button.isEmpty()) QTimer::singleShot(200, [button] { press(button); });
   for (QAction* action : window.findChildren<QAction*>()) {
     if (!QString(action->text()).remove('&').startsWith(text)) continue;
     QTimer::singleShot(static_cast<int>(1000 * seconds), [] {
@@ -210,9 +247,7 @@ void measure(MainWindow& window, Responsiveness& responsiveness, const Asked& as
   ticker.toggle();
   measurement.during("playing what was recorded, solver goes on");
   ticker.pause();
-  double azimuth = 0.4;
-  measurement.during("parked, camera turning, solver goes on",
-                     [&] { window.scene().lookFrom(azimuth += 0.01, 0.2); });
+  measurement.during("parked, camera turning, solver goes on", DragOfScene(window.scene()));
   window.session()->push(PauseInput{true});
   measurement.during("parked, untouched");
   measurement.during("scrubbing", [&, step = 0]() mutable {
