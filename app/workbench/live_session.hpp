@@ -28,7 +28,8 @@ class LiveSession {
   explicit LiveSession(PreparedSolver prepared);
 
   void push(const Command& command);
-  /// While held, the solver keeps its settings; the last that were asked for meanwhile come when it is let go.
+  /// While held, the solver keeps its settings; the last that were asked for meanwhile come when it is let
+  /// go.
   void holdSettings(bool on);
   const FrameHistory& history() const { return m_history; }
   const LatestSlot<FrameSnapshot>& latest() const { return m_latest; }

@@ -8,22 +8,29 @@
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QMenu>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QThread>
 #include <QTimer>
+#include <algorithm>
 #include <clocale>
 #include <cstdio>
 
 #include "app/workbench/actions/actions.hpp"
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/panel_area.hpp"
+#include "core/base/atomic_file.hpp"
+#include "core/choreography/salsa.hpp"
+#include "core/motion/bvh.hpp"
 #include "widgets/scene/scene_view.hpp"
+#include "widgets/settings/settings_panel.hpp"
 
 namespace abrazo::app {
 namespace {
 
 constexpr QSize window_size(1600, 1000);
 constexpr double shown_time_s = 30;  ///< of the session, where the cursor is parked
+constexpr double compared_from_s = 20;
 constexpr int patience_ms = 180'000;
 
 template <typename Condition>
@@ -70,8 +77,25 @@ class Pictures {
     }
   }
 
+  bool hasDialog() const {
+    const QWidgetList all = QApplication::topLevelWidgets();
+    return std::any_of(all.begin(), all.end(), [this](const QWidget* top) {
+      return top != &m_window && top->isVisible() && qobject_cast<const QDialog*>(top);
+    });
+  }
+
+  /// What is open beside the window.
+  void saveDialogs(const QString& name) {
+    for (QWidget* top : QApplication::topLevelWidgets()) {
+      if (top == &m_window || !top->isVisible() || !qobject_cast<QDialog*>(top)) continue;
+      save(*top, name);
+      top->close();
+    }
+  }
+
   /// What an action of the menus opens, modal or not.
-  void dialog(const QString& action, const QString& name) {
+  /// @param button  of it, by object name, that is pressed `seconds` before the picture; empty for none
+  void dialog(const QString& action, const QString& name, const QString& button = {}, int seconds = 0) {
     QAction* found = nullptr;
     for (QAction* candidate : m_window.findChildren<QAction*>())
       if (candidate->text() == action) found = candidate;
@@ -80,15 +104,13 @@ class Pictures {
       m_complete = false;
       return;
     }
-    QTimer::singleShot(700, &m_window, [this, name] {
-      for (QWidget* top : QApplication::topLevelWidgets()) {
-        if (top == &m_window || !top->isVisible() || !qobject_cast<QDialog*>(top)) continue;
-        save(*top, name);
-        top->close();
-      }
-    });
+    if (!button.isEmpty())
+      QTimer::singleShot(500, &m_window, [this, button] {
+        if (auto* pressed = m_window.findChild<QPushButton*>(button)) pressed->click();
+      });
+    QTimer::singleShot(700 + 1000 * seconds, &m_window, [this, name] { saveDialogs(name); });
     found->trigger();
-    wait(1200);
+    wait(1200 + 1000 * seconds);
   }
 
   bool complete() const { return m_complete; }
@@ -98,6 +120,28 @@ class Pictures {
   QDir m_folder;
   bool m_complete = true;
 };
+
+/// Two generated couples as files, as a person would drop them.
+QStringList written_couples(const QDir& folder) {
+  QStringList files;
+  ChoreographyOptions dance;
+  dance.minutes = 0.5;
+  for (const PairedTake& take : generate_salsa(dance)) {
+    for (const auto& [clip, role] : {std::pair(&take.a, "leader"), std::pair(&take.b, "follower")}) {
+      const QString file = folder.filePath(QString("%1_%2.bvh").arg(QString::fromStdString(take.name), role));
+      const auto text = write_bvh(std::span(clip, 1));
+      if (text && write_whole_file(file.toStdString(), *text)) files << file;
+    }
+  }
+  return files;
+}
+
+/// A frozen, B other settings: what a comparison has to show.
+void compare(MainWindow& window) {
+  for (QAction* action : window.actions())
+    if (action->text() == "Freeze the settings as A") action->trigger();
+  window.settings().change("velocity-weight", "0.4");
+}
 
 int make_pictures(const QString& out, widgets::Theme theme, const QStringList& files) {
   QTemporaryDir home;
@@ -113,17 +157,26 @@ int make_pictures(const QString& out, widgets::Theme theme, const QStringList& f
   const auto solved = [&window] {
     return window.session() && window.session()->history().span().last_s > shown_time_s + 2;
   };
+  const auto under_way = [&window] {
+    return window.session() && window.session()->history().span().last_s > compared_from_s;
+  };
+  if (until(under_way, patience_ms)) compare(window);
   if (!QDir().mkpath(out) || !until(solved, patience_ms)) {
     std::printf("%s: the folder cannot be made, or nothing was solved\n", qPrintable(out));
     return 1;
   }
   Pictures pictures(window, QDir(out));
   window.ticker().seek(shown_time_s);
+  wait(3000);  // until the comparison at the cursor is there
   pictures.window("workbench");
   pictures.panels();
-  for (const auto& [action, name] : {std::pair("All keys", "keys"), std::pair("Sweep…", "sweep"),
-                                     std::pair("Build library…", "build"), std::pair("Shortcuts…", "shortcuts")})
-    pictures.dialog(action, name);
+  pictures.dialog("Keys", "keys");
+  pictures.dialog("Shortcuts…", "shortcuts");
+  pictures.dialog("Sweep two settings…", "sweep", "startSweep", 40);
+  window.openFiles(written_couples(QDir(home.path())));
+  (void)until([&pictures] { return pictures.hasDialog(); }, patience_ms);
+  wait(3000);
+  pictures.saveDialogs("build");
   return pictures.complete() ? 0 : 1;
 }
 
@@ -143,5 +196,6 @@ int main(int argc, char** argv) {
     return 2;
   }
   return abrazo::app::make_pictures(
-      words[1], words[2] == "light" ? abrazo::widgets::Theme::Light : abrazo::widgets::Theme::Dark, words.mid(3));
+      words[1], words[2] == "light" ? abrazo::widgets::Theme::Light : abrazo::widgets::Theme::Dark,
+      words.mid(3));
 }

@@ -5,6 +5,11 @@
 #include <QPalette>
 #include <QStyleFactory>
 
+/// A static library's resources are there once they are asked for; the macro must stand outside namespaces.
+static void load_resources() {
+  Q_INIT_RESOURCE(resources);
+}
+
 namespace abrazo::widgets {
 namespace {
 
@@ -96,6 +101,7 @@ QString style_sheet(const Palette& p) {
 }
 
 void apply_theme(QApplication& application, const Palette& p) {
+  load_resources();
   application.setStyle(QStyleFactory::create("Fusion"));
   application.setFont(interface_font());
   QPalette colours;

@@ -62,8 +62,8 @@ struct SceneView::Parts {
   std::uint64_t past_of = ~std::uint64_t{0};  ///< frame whose trails were last filled from the past
   double past_length_s = 0;
   bool following = true;
-  bool by_frame_time = false;                 ///< follow by the frames' time, not by the clock
-  std::optional<double> followed_s;           ///< time of the frame that was followed last
+  bool by_frame_time = false;        ///< follow by the frames' time, not by the clock
+  std::optional<double> followed_s;  ///< time of the frame that was followed last
   bool framed = false;
   std::optional<CameraMove> move;
   CameraHistory views;

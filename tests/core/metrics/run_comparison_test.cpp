@@ -86,8 +86,7 @@ TEST(RunComparison, WhatCannotBeMeasuredIsNotANumber) {
   EXPECT_TRUE(std::isnan(at(values, RunFigure::Lag)));
   EXPECT_TRUE(std::isnan(at(values, RunFigure::ZmpError)));
   EXPECT_EQ(at(values, RunFigure::Unmet), 100);
-  for (const double value : measure_run({}, *library(), UserRole::Active))
-    EXPECT_TRUE(std::isnan(value));
+  for (const double value : measure_run({}, *library(), UserRole::Active)) EXPECT_TRUE(std::isnan(value));
 }
 
 TEST(RunComparison, StepsAreComparedOneByOne) {
