@@ -106,6 +106,12 @@ TEST_F(Window, WithEveryTakeVetoedTheFrameSaysSoAndThePartnerIsHeld) {
   s_window->undoStack().clear();
 }
 
+QString described(const QWidget* widget) {
+  if (!widget) return "nothing";
+  return QString(widget->metaObject()->className()) + " " + widget->objectName() + " " +
+         widget->accessibleName();
+}
+
 TEST_F(Window, AltCGoesToTheCandidatesAndReturnTellsTheFactsOfTheFrame) {
   ASSERT_TRUE(until([] { return !ticker().shown()->result.candidates.empty(); }, 5'000));
   press(Qt::Key_C, Qt::AltModifier);
@@ -115,7 +121,9 @@ TEST_F(Window, AltCGoesToTheCandidatesAndReturnTellsTheFactsOfTheFrame) {
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
         return s_window->messages().text().contains("frame");
       },
-      5'000));
+      5'000))
+      << "the focus has " << qPrintable(described(QApplication::focusWidget())) << ", told is "
+      << qPrintable(s_window->messages().text());
   const int take = s_window->takes().selectedTake();
   ASSERT_GE(take, 0);
   EXPECT_TRUE(s_window->messages().text().startsWith(

@@ -314,11 +314,7 @@ void CandidateList::keyPressEvent(QKeyEvent* event) {
       return choose(-1);
     case Qt::Key_Return:
     case Qt::Key_Enter:
-      if (const CandidateRow* at = current()) {
-        const CandidateRow chosen = *at;
-        emit jumpAsked(chosen);
-      }
-      return;
+      return emit jumpToChosenAsked();
     default:
       QWidget::keyPressEvent(event);
   }

@@ -53,6 +53,7 @@ class CandidateList : public QWidget {
   /// A person chose the row of this pair; -1 when none.
   void pairChosen(int pair);
   void jumpAsked(const abrazo::widgets::CandidateRow& row);
+  void jumpToChosenAsked();  ///< the chosen pair may have left the list meanwhile
   void pinClicked(const abrazo::widgets::CandidateRow& row);
   void menuAsked(const abrazo::widgets::CandidateRow& row, const QPoint& globalPosition);
 

@@ -105,6 +105,7 @@ void CandidateTable::connectParts() {
   connect(m_list, &CandidateList::candidateHovered, this, &CandidateTable::candidateHovered);
   connect(m_map, &FeatureMap::candidateHovered, this, &CandidateTable::candidateHovered);
   connect(m_list, &CandidateList::jumpAsked, this, &CandidateTable::askJump);
+  connect(m_list, &CandidateList::jumpToChosenAsked, this, &CandidateTable::jump);
   connect(m_list, &CandidateList::pinClicked, this, &CandidateTable::askPin);
   connect(m_list, &CandidateList::menuAsked, this, &CandidateTable::showMenu);
   connect(m_list, &CandidateList::currentChanged, this, [this](int row) {
