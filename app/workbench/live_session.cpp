@@ -1,5 +1,7 @@
 #include "app/workbench/live_session.hpp"
 
+#include "core/stream/clip_source.hpp"
+
 namespace abrazo::app {
 
 Result<PreparedSolver> prepare_solver(Material material, const Settings& settings) {

@@ -8,7 +8,17 @@
 
 namespace abrazo {
 
+struct Decisions;
 struct SynthesizerState;
+
+/// Where the time between a packet and the partner's answer went; session clock, -1 where it did not happen.
+struct FrameTimes {
+  double arrived_s = -1;    ///< first packet of the pose, by the kernel's stamp where there is one
+  double assembled_s = -1;  ///< the pose was whole
+  double taken_s = -1;      ///< the solver took it (behind the jitter buffer)
+  double solved_s = -1;
+  double sent_s = -1;  ///< the last packet of the partner was handed to the network
+};
 
 /// One solved frame, frozen: all that was computed and under which settings. Filled by the solver thread,
 /// then only read.
@@ -23,6 +33,8 @@ struct FrameSnapshot {
   /// What the synthesizer kept before this step: in the first frame, after every command and each so many
   /// frames; else null. From there on the frames can be solved again.
   std::shared_ptr<const SynthesizerState> before;
+  std::shared_ptr<const Decisions> decisions;  ///< under which it was solved; null where none were made
+  FrameTimes times;
   double input_rate_hz = 0;          ///< measured
   std::uint64_t dropped_inputs = 0;  ///< poses that a newer one replaced before they were solved
 };

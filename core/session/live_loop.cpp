@@ -20,7 +20,7 @@ double wanted_rate(const Settings& settings) {
 
 }  // namespace
 
-LiveLoop::LiveLoop(std::unique_ptr<PartnerSynthesizer> synthesizer, std::unique_ptr<ClipSource> source,
+LiveLoop::LiveLoop(std::unique_ptr<PartnerSynthesizer> synthesizer, std::unique_ptr<PoseSource> source,
                    CommandQueue& commands, FrameHistory& history, LatestSlot<FrameSnapshot>& latest)
     : synthesizer_(std::move(synthesizer)),
       source_(std::move(source)),
@@ -76,11 +76,11 @@ void LiveLoop::apply(const Command& command, double now_s) {
         } else if constexpr (std::is_same_v<Wish, ResetSolver>) {
           synthesizer_->reset();
         } else if constexpr (std::is_same_v<Wish, PauseInput>) {
-          source_->set_paused(wish.paused, now_s);
+          if (ReplayControl* replay = source_->replay()) replay->set_paused(wish.paused, now_s);
         } else if constexpr (std::is_same_v<Wish, SeekInput>) {
-          source_->seek(wish.time_s, now_s);
+          if (ReplayControl* replay = source_->replay()) replay->seek(wish.time_s, now_s);
         } else if constexpr (std::is_same_v<Wish, SetInputSpeed>) {
-          source_->set_speed(wish.factor, now_s);
+          if (ReplayControl* replay = source_->replay()) replay->set_speed(wish.factor, now_s);
         }
       },
       command);

@@ -8,7 +8,7 @@
 #include "core/session/frame_history.hpp"
 #include "core/session/frame_snapshot.hpp"
 #include "core/session/latest_slot.hpp"
-#include "core/stream/clip_source.hpp"
+#include "core/stream/pose_source.hpp"
 #include "core/synthesis/partner_synthesizer.hpp"
 
 namespace abrazo {
@@ -17,7 +17,7 @@ namespace abrazo {
 /// thread; driven by tests with a clock of their own. The queue, history and slot outlive it.
 class LiveLoop {
  public:
-  LiveLoop(std::unique_ptr<PartnerSynthesizer> synthesizer, std::unique_ptr<ClipSource> source,
+  LiveLoop(std::unique_ptr<PartnerSynthesizer> synthesizer, std::unique_ptr<PoseSource> source,
            CommandQueue& commands, FrameHistory& history, LatestSlot<FrameSnapshot>& latest);
 
   /// @param now_s  session clock
@@ -33,7 +33,7 @@ class LiveLoop {
   void publish(std::shared_ptr<FrameSnapshot> snapshot);
 
   std::unique_ptr<PartnerSynthesizer> synthesizer_;
-  std::unique_ptr<ClipSource> source_;
+  std::unique_ptr<PoseSource> source_;
   CommandQueue& commands_;
   FrameHistory& history_;
   LatestSlot<FrameSnapshot>& latest_;

@@ -7,7 +7,7 @@ namespace abrazo {
 
 /// Plays a clip as if it came from a capture system: poses at the clip's rate (or thinned to `max_rate_hz`),
 /// in a loop.
-class ClipSource : public PoseSource {
+class ClipSource : public PoseSource, public ReplayControl {
  public:
   explicit ClipSource(Clip clip, double max_rate_hz = 120, bool loop = true);
 
@@ -16,10 +16,12 @@ class ClipSource : public PoseSource {
   double rate_hz() const override { return rate_hz_; }
   std::optional<Body> body() const override { return body_; }
 
-  void set_paused(bool paused, double now_s);
-  void seek(double clip_time_s, double now_s);
-  void set_speed(double factor, double now_s);
-  void set_max_rate(double max_rate_hz);
+  void set_max_rate(double max_rate_hz) override;
+  ReplayControl* replay() override { return this; }
+
+  void set_paused(bool paused, double now_s) override;
+  void seek(double clip_time_s, double now_s) override;
+  void set_speed(double factor, double now_s) override;
   const Clip& clip() const { return clip_; }
 
  private:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 
 #include "core/base/positions.hpp"
@@ -15,6 +16,17 @@ struct SourcePose {
   std::int64_t frame = -1;     ///< of the clip; -1 for a device
   bool discontinuous = false;  ///< does not follow from the previous one (loop, seek, tracking loss)
   std::uint64_t dropped = 0;   ///< poses replaced by newer ones since the start
+  double arrived_s = -1;       ///< session clock, of the first packet it was made from; -1 for a clip
+  double assembled_s = -1;     ///< when all of it was there
+};
+
+/// What can be asked of a source that plays a recording.
+class ReplayControl {
+ public:
+  virtual ~ReplayControl() = default;
+  virtual void set_paused(bool paused, double now_s) = 0;
+  virtual void seek(double clip_time_s, double now_s) = 0;
+  virtual void set_speed(double factor, double now_s) = 0;
 };
 
 /// Where the user's motion comes from. Polled by the solver thread with the session clock.
@@ -26,8 +38,14 @@ class PoseSource {
   /// Session time at which the next pose is due; lets the solver thread sleep till then.
   virtual double next_due_s() const = 0;
   virtual double rate_hz() const = 0;
+  /// Poses beyond this rate are left out (and count as dropped).
+  virtual void set_max_rate(double max_rate_hz) = 0;
   /// Measures of the user where the source knows them.
   virtual std::optional<Body> body() const { return std::nullopt; }
+  /// Null for a device.
+  virtual ReplayControl* replay() { return nullptr; }
+  /// Called from another thread whenever a pose came in, so that nobody need poll in between.
+  virtual void on_arrival(std::function<void()> /*called*/) {}
 };
 
 }  // namespace abrazo

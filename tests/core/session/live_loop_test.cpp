@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "core/session/solver_thread.hpp"
+#include "core/stream/clip_source.hpp"
 #include "tests/support/libraries.hpp"
 
 namespace abrazo {

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+
+namespace abrazo {
+
+/// One thread sleeps until a time or until another thread has something for it, whichever comes first. What
+/// was notified while it was awake is not lost: the next wait returns at once.
+class WakeUp {
+ public:
+  void notify() {
+    {
+      const std::scoped_lock lock(mutex_);
+      called_ = true;
+    }
+    condition_.notify_one();
+  }
+
+  /// @return whether it was called, not merely time
+  bool wait_until(std::chrono::steady_clock::time_point until) {
+    std::unique_lock lock(mutex_);
+    const bool called = condition_.wait_until(lock, until, [this] { return called_; });
+    called_ = false;
+    return called;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::condition_variable condition_;
+  bool called_ = false;
+};
+
+}  // namespace abrazo

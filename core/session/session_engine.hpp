@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "core/base/session_clock.hpp"
+#include "core/session/command.hpp"
+#include "core/session/frame_history.hpp"
+#include "core/session/latest_slot.hpp"
+#include "core/session/recorder.hpp"
+#include "core/stream/stream_receiver.hpp"
+#include "core/synthesis/partner_synthesizer.hpp"
+
+namespace abrazo {
+
+/// A running session with all that belongs to it: solver thread, source, sinks, recorder. One for the window
+/// and for `abrazo live`. Called by one thread (the window's); ends with this object, which waits for the
+/// running step and for what the recorder still has to write.
+class SessionEngine {
+ public:
+  SessionEngine(std::unique_ptr<PartnerSynthesizer> synthesizer, std::shared_ptr<PoseSource> source,
+                SessionClock clock = SessionClock());
+  ~SessionEngine();
+
+  void push(const Command& command);
+  const FrameHistory& history() const;
+  const LatestSlot<FrameSnapshot>& latest() const;
+  const SessionClock& clock() const;
+
+  /// Opens a stream and takes its poses for the user's from then on; the source there was stays ready.
+  /// @param performer  empty = the first that is seen
+  Status receive(const StreamUri& uri, const std::string& performer = {},
+                 const StreamReceiverOptions& options = {});
+  /// Another performer of the open stream plays the user.
+  void follow_performer(const std::string& performer);
+  /// Closes the stream; the source of the constructor goes on.
+  void stop_receiving();
+  std::shared_ptr<StreamReceiver> receiver() const;  ///< null when no stream is open
+
+  Status send(const StreamUri& uri, Character character);
+  void stop_sending(const std::string& uri);
+  std::vector<SinkHealth> sinks() const;
+
+  /// Everything from now on into a session file; the history reaches back into it.
+  Status record(const std::string& path, const RecordingFacts& facts);
+  std::shared_ptr<Recorder> recorder() const;  ///< null when nothing is recorded
+  /// @return what went wrong while writing
+  Status stop_recording();
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace abrazo

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace abrazo {
+
+/// What of a stream is measured, per performer. Times over the last second or so.
+struct PerformerHealth {
+  std::string performer;
+  std::uint64_t frames = 0;
+  double rate_hz = 0;
+  double interval_p50_ms = 0, interval_p95_ms = 0;  ///< between arrivals
+  double assembly_p50_ms = 0, assembly_p95_ms = 0;  ///< first packet of a frame to its last
+  double delay_ms = 0;                              ///< that the jitter buffer adds
+  std::uint64_t lost = 0;                           ///< gaps of the sender's counter
+  std::uint64_t repeated = 0;                       ///< frames that came twice
+  std::uint64_t reordered = 0;                      ///< that came late but in time for the jitter buffer
+  std::uint64_t late = 0;                           ///< that came after a newer one had been given out
+  std::uint64_t held_joints = 0;    ///< joints kept from the frame before since they were not tracked
+  std::uint64_t interruptions = 0;  ///< times that tracking was lost and came back
+  std::uint64_t clock_jumps = 0;
+  bool tracked = false;  ///< now
+  bool calibrated = false;
+  std::string joint_map;  ///< "unity", ...
+  std::vector<std::string> estimated_joints;
+  double height_m = 0;  ///< of the head joint
+  double last_s = -1;   ///< session clock, of the newest frame
+};
+
+/// One line of advice: what is seen, and what to do about it.
+struct StreamDiagnosis {
+  enum class Severity { Note, Warning, Error };
+  std::string kind;  ///< short and stable: "no-packets", "other-protocol", "two-senders", ...
+  Severity severity = Severity::Warning;
+  std::string text;
+};
+
+/// Of one kind of issue: how often, and the newest one's text.
+struct IssueCount {
+  std::string kind;
+  std::uint64_t count = 0;
+  std::string latest;
+};
+
+/// The state of a source at one time, as a value: what the connection panel and the summary of `abrazo live`
+/// show.
+struct StreamHealth {
+  enum class State { Waiting, Receiving, Stalled, Failed };
+  State state = State::Waiting;
+  std::string uri;
+  std::string listening;  ///< "0.0.0.0:39539"
+  double taken_s = 0;     ///< session clock, of this value
+  std::uint64_t packets = 0, bytes = 0, packets_with_issues = 0;
+  std::uint64_t overflowed = 0;  ///< packets that the kernel dropped because nobody took them in time
+  double last_packet_s = -1;
+  std::array<std::uint8_t, 16> first_bytes{};  ///< of the newest packet that was not understood
+  std::vector<std::string> senders;
+  std::vector<PerformerHealth> performers;
+  std::vector<IssueCount> issues;
+  std::vector<StreamDiagnosis> diagnoses;  ///< most severe first
+  std::vector<std::string> facts;
+};
+
+/// Of one sink.
+struct SinkHealth {
+  std::string uri;
+  std::string character;  ///< "partner", "user"
+  std::uint64_t frames = 0, packets = 0, bytes = 0, failures = 0;
+  std::string latest_failure;
+};
+
+}  // namespace abrazo

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "core/base/result.hpp"
+
+namespace abrazo {
+
+/// "vmc://HOST:PORT", "natnet://HOST[:PORT][?multicast=GROUP]", "xsens://HOST:PORT", "clip:FILE", each with
+/// further options after "?" ("performer=Ana&delay=20"). The table of options is in stream_uri.cpp; an
+/// unknown one is an error that lists those there are.
+struct StreamUri {
+  enum class Scheme { Vmc, NatNet, Xsens, Clip };
+  Scheme scheme = Scheme::Vmc;
+  std::string host;        ///< name or address; "0.0.0.0" listens on every interface
+  std::uint16_t port = 0;  ///< the protocol's usual one where none was written
+  std::string file;        ///< of a clip
+  std::map<std::string, std::string, std::less<>> options;
+  std::string text;  ///< as it was written
+
+  std::string option(std::string_view key, std::string_view otherwise = {}) const;
+};
+
+Result<StreamUri> parse_stream_uri(std::string_view text);
+
+}  // namespace abrazo
