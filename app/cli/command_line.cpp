@@ -28,6 +28,13 @@ void answer(CommandLine& line, std::string_view text) {
   fmt::print("{}", text);
 }
 
+void show_state(CommandLine& line, std::string_view text) {
+  if (line.quiet || ::isatty(STDERR_FILENO) == 0) return;
+  fmt::print(stderr, "\r\033[K{}", text);
+  std::fflush(stderr);
+  line.progress_visible = true;
+}
+
 void clear_progress(CommandLine& line) {
   if (!line.progress_visible) return;
   fmt::print(stderr, "\r\033[K");
@@ -36,15 +43,9 @@ void clear_progress(CommandLine& line) {
 }
 
 Progress terminal_progress(CommandLine& line) {
-  if (line.quiet || ::isatty(STDERR_FILENO) == 0)
-    return [](double, std::string_view) { return !interrupted(); };
   return [&line, last = -1](double fraction, std::string_view doing) mutable {
     const int percent = static_cast<int>(fraction * 100);
-    if (percent != last) {
-      fmt::print(stderr, "\r\033[K{:3d} %  {}", percent, doing);
-      std::fflush(stderr);
-      line.progress_visible = true;
-    }
+    if (percent != last) show_state(line, fmt::format("{:3d} %  {}", percent, doing));
     if (percent >= 100) clear_progress(line);
     last = percent;
     return !interrupted();

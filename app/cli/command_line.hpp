@@ -27,12 +27,15 @@ void warn(CommandLine& line, std::string_view text);
 /// The command's answer, on stdout.
 void answer(CommandLine& line, std::string_view text);
 
+/// How something that goes on without an end is doing: takes the place of the progress line before, on
+/// stderr when that is a terminal and --quiet was not given.
+void show_state(CommandLine& line, std::string_view text);
+
 /// Takes the progress line off the terminal, so that other text can follow.
 void clear_progress(CommandLine& line);
 
 /// Stops the job when the program was interrupted. Shows a progress line on stderr when that is a terminal
-/// and
-/// --quiet was not given. `line` must outlive it.
+/// and --quiet was not given. `line` must outlive it.
 Progress terminal_progress(CommandLine& line);
 
 /// A number above 0, such as a rate. CLI11's own check answers with the largest double spelled out.
@@ -48,5 +51,8 @@ void add_synth_command(CommandLine& line);
 void add_demo_command(CommandLine& line);
 void add_evaluate_command(CommandLine& line);
 void add_sweep_command(CommandLine& line);
+void add_live_command(CommandLine& line);
+void add_send_command(CommandLine& line);
+void add_export_command(CommandLine& line);
 
 }  // namespace abrazo::app

@@ -26,6 +26,9 @@ int main(int argc, char** argv) {
   app::add_demo_command(line);
   app::add_evaluate_command(line);
   app::add_sweep_command(line);
+  app::add_live_command(line);
+  app::add_send_command(line);
+  app::add_export_command(line);
   app::note_interruptions();
   try {
     line.app.parse(argc, argv);

@@ -12,13 +12,16 @@ namespace abrazo::app {
 /// The options of every setting (contract: SETTINGS), the same for each subcommand that solves.
 class SettingsOptions {
  public:
+  /// @param preset  that holds where none is given
+  explicit SettingsOptions(std::string preset = "paper") : preset_(std::move(preset)) {}
+
   void add_to(CLI::App& command);
 
   /// The preset with what was given changed.
   Result<Settings> read() const;
 
  private:
-  std::string preset_ = "paper";
+  std::string preset_;
   std::map<std::string, std::string> given_;
 };
 

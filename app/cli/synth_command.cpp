@@ -1,19 +1,16 @@
-#include <fmt/core.h>
-
 #include <algorithm>
-#include <fstream>
+#include <array>
 #include <memory>
 
+#include "app/cli/clip_file.hpp"
 #include "app/cli/command_line.hpp"
 #include "app/cli/interruption.hpp"
+#include "app/cli/line_file.hpp"
 #include "app/cli/motion_reading.hpp"
 #include "app/cli/output_file.hpp"
 #include "app/cli/settings_options.hpp"
-#include "core/base/atomic_file.hpp"
 #include "core/library/motion_library_file.hpp"
 #include "core/metrics/run_summary.hpp"
-#include "core/motion/bvh.hpp"
-#include "core/motion/clip_csv.hpp"
 #include "core/synthesis/clip_synthesis.hpp"
 #include "core/synthesis/trace.hpp"
 
@@ -29,45 +26,11 @@ struct SynthOptions {
   bool split = false, json = false;
 };
 
-/// Writes trace lines to a file that appears whole at the end.
-class TraceFile {
- public:
-  static Result<std::unique_ptr<TraceFile>> open(const std::string& path, const TraceHeader& header) {
-    auto trace = std::unique_ptr<TraceFile>(new TraceFile(path));
-    if (!trace->out_) return Error{"cannot be created; choose a folder that exists and can be written", path};
-    trace->out_ << trace_header_line(header) << '\n';
-    return trace;
-  }
-  void add(const std::string& line) { out_ << line << '\n'; }
-  Status finish() {
-    out_.close();
-    if (!out_) return Error{"could not be written whole; is the disk full?", path_};
-    return file_.commit();
-  }
-
- private:
-  explicit TraceFile(const std::string& path)
-      : path_(path), file_(path), out_(file_.partial(), std::ios::binary) {}
-  std::string path_;
-  AtomicFile file_;
-  std::ofstream out_;
-};
-
-Result<std::string> clip_file_text(const std::string& path, std::span<const Clip> clips) {
-  if (path.ends_with(".bvh")) return write_bvh(clips);
-  return write_clip_csv(clips);
-}
-
 Status write_clips(const SynthOptions& options, const Clip& active, const Clip& passive) {
-  const auto write = [](const std::string& path, std::span<const Clip> clips) -> Status {
-    const auto text = clip_file_text(path, clips);
-    if (!text) return text.error();
-    return write_whole_file(path, *text);
-  };
-  if (!options.split) return write(options.output, std::array<Clip, 2>{active, passive});
-  const Status first = write(with_suffix(options.output, "_active"), std::array<Clip, 1>{active});
+  if (!options.split) return write_clip_file(options.output, std::array<Clip, 2>{active, passive});
+  const Status first = write_clip_file(with_suffix(options.output, "_active"), std::array<Clip, 1>{active});
   if (!first) return first;
-  return write(with_suffix(options.output, "_passive"), std::array<Clip, 1>{passive});
+  return write_clip_file(with_suffix(options.output, "_passive"), std::array<Clip, 1>{passive});
 }
 
 /// The files that will be written, asked before the work.
@@ -76,8 +39,7 @@ Status check_outputs(const SynthOptions& options) {
                                            options.input.joint_map};
   std::vector<std::string> outputs;
   if (!options.output.empty()) {
-    if (!options.output.ends_with(".bvh") && !options.output.ends_with(".csv"))
-      return Error{"this file type cannot be written; use .bvh or .csv", options.output};
+    if (const Status known = check_clip_file(options.output); !known) return known;
     if (options.split)
       outputs = {with_suffix(options.output, "_active"), with_suffix(options.output, "_passive")};
     else
@@ -97,7 +59,7 @@ Status check_outputs(const SynthOptions& options) {
 struct Run {
   Clip active, passive;
   RunSummary summary;
-  std::unique_ptr<TraceFile> trace;
+  std::unique_ptr<LineFile> trace;
 };
 
 Status solve(CommandLine& line, PartnerSynthesizer& synthesizer, const Clip& clip,
@@ -137,9 +99,10 @@ Status run_synth(CommandLine& line, const SynthOptions& options) {
   const double rate = clip_step_rate(input->clip, *settings);
   Run run{{"active", rate, {}}, {"passive", rate, {}}, RunSummary(*library, settings->user_role), nullptr};
   if (!options.trace.empty()) {
-    auto opened = TraceFile::open(options.trace, {options.library, options.input.file, rate, *settings});
+    auto opened = LineFile::open(options.trace);
     if (!opened) return opened.error();
     run.trace = std::move(*opened);
+    run.trace->add(trace_header_line({options.library, options.input.file, rate, *settings}));
   }
   if (const Status solved = solve(line, **synthesizer, input->clip, *library, run); !solved) return solved;
   if (const Status written = write_outputs(options, run); !written) return written;
@@ -171,7 +134,7 @@ void add_synth_command(CommandLine& line) {
       ->type_name("TAKE");
   CLI::Option* output = synth
                             ->add_option("-o,--output", options->output,
-                                         "both characters at the step rate: .bvh (two roots) or .csv")
+                                         "both characters at the step rate: .bvh (two roots), .glb or .csv")
                             ->type_name("FILE");
   synth->add_flag("--split", options->split, "two files instead: OUT_active and OUT_passive")->needs(output);
   synth

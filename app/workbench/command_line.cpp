@@ -5,6 +5,7 @@
 
 #include "core/base/text.hpp"
 #include "core/base/version.hpp"
+#include "core/stream/stream_uri.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -19,23 +20,34 @@ std::string read_size(const std::string& text, QSize& size) {
   return {};
 }
 
+/// What is wrong with a stream's URI; nothing when it is one.
+std::string wrong_uri(const std::string& text) {
+  const auto uri = parse_stream_uri(text);
+  return uri ? std::string() : uri.error().text();
+}
+
 }  // namespace
 
 std::variant<CommandLine, ExitStatus> parse_command_line(int argc, char** argv) {
   CommandLine asked;
-  std::string listen, session, size;
+  std::string size;
   CLI::App parser("Abrazo: a workbench for partner control in close interactions", "abrazo-workbench");
   parser.set_version_flag("--version", std::string("abrazo-workbench ") + version());
-  auto* files =
-      parser.add_option("FILE", asked.files,
-                        "motion (.bvh, .amc; also its .asf or joint map), library (.h5) or manifest "
-                        "(.json) to open");
+  auto* files = parser.add_option("FILE", asked.files,
+                                  "motion (.bvh, .amc; also its .asf or joint map), library (.h5), manifest "
+                                  "(.json) or session (.abrazo) to open");
   auto* library = parser.add_option("--library", asked.library, "library (.h5) or manifest (.json)");
   parser.add_flag("--demo", asked.demo, "the generated dance; also what opens when nothing is named")
       ->excludes(files)
       ->excludes(library);
-  parser.add_option("--listen", listen, "live stream to follow");
-  parser.add_option("--session", session, "session file to open");
+  parser
+      .add_option("--listen", asked.listen,
+                  "live stream to follow: vmc://HOST:PORT, natnet://HOST[:PORT][?multicast=GROUP], "
+                  "xsens://HOST:PORT")
+      ->check(wrong_uri);
+  parser.add_option("--send", asked.send, "where the partner is sent on to, such as vmc://127.0.0.1:39540")
+      ->check(wrong_uri);
+  parser.add_option("--session", asked.session, "recorded session (.abrazo) to open");
   parser.add_option("--settings", asked.settings, "settings: a JSON file, or the JSON object itself");
   parser.add_option("--screenshot", asked.screenshot, "write a picture of the window here, then quit");
   parser.add_option("--record", asked.record,
@@ -54,13 +66,6 @@ std::variant<CommandLine, ExitStatus> parse_command_line(int argc, char** argv) 
     parser.parse(argc, argv);
   } catch (const CLI::ParseError& stop) {
     return ExitStatus{parser.exit(stop) == 0 ? 0 : 2};
-  }
-  const std::string missing = !listen.empty() ? "--listen" : !session.empty() ? "--session" : "";
-  if (!missing.empty()) {
-    std::cerr << "abrazo-workbench: " << missing
-              << " is not part of this version; open a motion file as the user instead: abrazo-workbench "
-                 "FILE\n";
-    return ExitStatus{1};
   }
   return asked;
 }

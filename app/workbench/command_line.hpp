@@ -13,10 +13,13 @@ struct CommandLine {
   std::vector<std::string> files;
   bool demo = false;
   std::string library;
-  std::string settings;    ///< a JSON file, or the object itself
-  std::string screenshot;  ///< where to write one picture of the window
-  std::string record;      ///< folder for a picture, a video and the motion
-  double after_s = 3;      ///< counted from the first frame shown
+  std::string settings;           ///< a JSON file, or the object itself
+  std::string session;            ///< a recorded one
+  std::string listen;             ///< URI of a live stream
+  std::vector<std::string> send;  ///< URIs that the partner is sent to
+  std::string screenshot;         ///< where to write one picture of the window
+  std::string record;             ///< folder for a picture, a video and the motion
+  double after_s = 3;             ///< counted from the first frame shown
   int smoke_frames = 0;
   std::string theme;
   QSize size;

@@ -16,6 +16,7 @@ QString kind_in_words(const QFileInfo& file) {
   if (ending == "h5" || ending == "hdf5") return "a library";
   if (ending == "json") return "a manifest, or a joint map";
   if (ending == "bvh" || ending == "amc") return "a motion";
+  if (ending == "abrazo") return "a recorded session";
   if (ending == "asf") return "the skeleton of a motion";
   return "not a kind of file that Abrazo opens";
 }

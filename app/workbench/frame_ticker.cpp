@@ -41,11 +41,12 @@ void FrameTicker::tick() {
   const auto span = m_history->span();
   const double elapsed_s = static_cast<double>(m_clock.nsecsElapsed()) * 1e-9;
   m_clock.restart();
-  if (span.frames == 0) return;
+  if (span.frames + span.stored == 0) return;
   m_playback.extend(span.first_s, span.last_s);
   advance(elapsed_s);
   const bool following = m_playback.state == Playback::State::Following;
-  FrameSnapshotPtr frame = following ? m_latest->newest() : m_history->at(m_playback.cursor_s);
+  FrameSnapshotPtr frame = following ? m_latest->newest() : nullptr;
+  if (!frame) frame = m_history->at(m_playback.cursor_s);
   const bool is_new = frame && frame != m_shown;
   if (is_new) {
     m_shown = frame;

@@ -7,10 +7,7 @@
 
 #include "app/workbench/material.hpp"
 #include "core/base/result.hpp"
-#include "core/session/command_queue.hpp"
-#include "core/session/frame_history.hpp"
-#include "core/session/latest_slot.hpp"
-#include "core/session/solver_thread.hpp"
+#include "core/session/session_engine.hpp"
 
 namespace abrazo::app {
 
@@ -22,7 +19,7 @@ struct PreparedSolver {
 
 Result<PreparedSolver> prepare_solver(Material material, const Settings& settings);
 
-/// One running solver with what it writes to. Ends with this object.
+/// The session that a window shows: a running engine, and what it was started on. Ends with this object.
 class LiveSession {
  public:
   explicit LiveSession(PreparedSolver prepared);
@@ -31,18 +28,19 @@ class LiveSession {
   /// While held, the solver keeps its settings; the last that were asked for meanwhile come when it is let
   /// go.
   void holdSettings(bool on);
-  const FrameHistory& history() const { return m_history; }
-  const LatestSlot<FrameSnapshot>& latest() const { return m_latest; }
+  const FrameHistory& history() const { return m_engine.history(); }
+  const LatestSlot<FrameSnapshot>& latest() const { return m_engine.latest(); }
   const Material& material() const { return m_material; }
+  /// The same session with a take added to its library, say: it goes on, with this from the next frame on.
+  void replaceSolver(PreparedSolver prepared);
+  /// Streams, sinks, recording. Commands go through `push`.
+  SessionEngine& engine() { return m_engine; }
 
  private:
   Material m_material;
   bool m_isHeld = false;
   std::optional<SetSettings> m_heldBack;
-  CommandQueue m_commands;
-  FrameHistory m_history;
-  LatestSlot<FrameSnapshot> m_latest;
-  SolverThread m_solver;  // last in, first out
+  SessionEngine m_engine;
 };
 
 }  // namespace abrazo::app

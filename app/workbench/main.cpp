@@ -29,6 +29,7 @@ Result<Settings> asked_settings(const std::string& text) {
 QStringList asked_files(const app::CommandLine& asked) {
   QStringList files;
   if (!asked.library.empty()) files << QString::fromStdString(asked.library);
+  if (!asked.session.empty()) files << QString::fromStdString(asked.session);
   for (const std::string& file : asked.files) files << QString::fromStdString(file);
   return files;
 }
@@ -81,6 +82,9 @@ int main(int argc, char** argv) {
   window.show();
   const QStringList files = asked_files(asked);
   if (!asked.unattended() && !asked.demo && files.isEmpty()) app::welcome_at_start(window);
+  if (!asked.unattended()) app::offer_leftovers(window);
+  if (!asked.listen.empty()) app::connect_to_stream(window, QString::fromStdString(asked.listen));
+  for (const std::string& uri : asked.send) app::send_partner_to(window, QString::fromStdString(uri));
   files.isEmpty() || asked.demo ? window.openDemo() : window.openFiles(files);
   return QApplication::exec();
 }

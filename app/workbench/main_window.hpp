@@ -88,6 +88,7 @@ class MainWindow : public QMainWindow {
   widgets::TimelineView& timeline() const { return *m_timeline; }
   widgets::TransportBar& transport() const { return *m_transport; }
   widgets::MessageBar& messages() { return *m_messages; }
+  StatusFigures& status() const { return *m_status; }
 
  signals:
   void sessionStarted();

@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <string_view>
 
+#include "app/workbench/recorded_session.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/text.hpp"
 #include "core/choreography/salsa.hpp"
@@ -16,11 +17,11 @@
 namespace abrazo::app {
 namespace {
 
-enum class Kind { Library, Manifest, Motion, Skeleton, JointMap, Unknown };
+enum class Kind { Library, Manifest, Motion, Skeleton, JointMap, Session, Unknown };
 
 /// What the files are for, at most one of each.
 struct Sorted {
-  std::string library, manifest, motion, skeleton, joint_map;
+  std::string library, manifest, motion, skeleton, joint_map, session;
 };
 
 /// A manifest lists "takes", a joint map "joints"; both are JSON.
@@ -38,6 +39,7 @@ Kind kind_of_name(const std::string& file) {
   if (extension == ".json") return Kind::Manifest;
   if (extension == ".bvh" || extension == ".amc") return Kind::Motion;
   if (extension == ".asf") return Kind::Skeleton;
+  if (extension == ".abrazo") return Kind::Session;
   return Kind::Unknown;
 }
 
@@ -60,8 +62,8 @@ Result<Sorted> sort_files(const std::vector<std::string>& files) {
     const Kind kind = kind_of(file);
     if (kind == Kind::Unknown && !std::filesystem::is_directory(file))
       return Error{
-          "not a kind of file Abrazo opens; use a motion (.bvh, .amc), a library (.h5) or a manifest "
-          "(.json)",
+          "not a kind of file Abrazo opens; use a motion (.bvh, .amc), a library (.h5), a manifest (.json) "
+          "or a session (.abrazo)",
           file};
     const Status there = check_existence(file);
     if (!there) return there.error();
@@ -69,17 +71,21 @@ Result<Sorted> sort_files(const std::vector<std::string>& files) {
                          : kind == Kind::Manifest ? sorted.manifest
                          : kind == Kind::Motion   ? sorted.motion
                          : kind == Kind::Skeleton ? sorted.skeleton
+                         : kind == Kind::Session  ? sorted.session
                                                   : sorted.joint_map;
     if (!place.empty() && kind == Kind::Motion)
       return Error{
-          "is a second motion, and one plays the user; open one of the two, or make a take of both with "
-          "Library > Build library…",
+          "is a second motion, and one plays the user; open one of the two, or list both as a pair in a "
+          "manifest",
           file};
     const bool libraries = kind == Kind::Library || kind == Kind::Manifest;
     if (!place.empty() || (libraries && !(sorted.library + sorted.manifest).empty()))
       return Error{"is the second of its kind; open one of the two", file};
     place = file;
   }
+  if (!sorted.session.empty() && !(sorted.motion + sorted.skeleton + sorted.joint_map).empty())
+    return Error{"is a session, which has its own user; open it alone, or together with its library",
+                 sorted.session};
   if (sorted.motion.empty() && !(sorted.skeleton + sorted.joint_map).empty())
     return Error{"says how to read a motion; open it together with one (.amc, .bvh)",
                  sorted.skeleton.empty() ? sorted.joint_map : sorted.skeleton};
@@ -105,6 +111,7 @@ Status add_library(const Sorted& sorted, Material& material, const Progress& pro
   if (!library) return library.error();
   if (library->pair_count() == 0) return Error{"has no pairs; open one with at least one take", file};
   material.library = std::make_shared<const MotionLibrary>(std::move(library).value());
+  material.library_file = file;
   return Done{};
 }
 
@@ -153,8 +160,11 @@ Result<Material> load_material(const std::vector<std::string>& files, const Mate
                                const Progress& progress) {
   Material material = open;
   material.warnings.clear();
+  material.recorded.reset();
   const auto sorted = sort_files(files);
   if (!sorted) return sorted.error();
+  if (!sorted->session.empty())
+    return load_session(sorted->session, sorted->library + sorted->manifest, open, progress);
   const bool new_library = !(sorted->library + sorted->manifest).empty();
   const bool new_input = !sorted->motion.empty();
   if (new_input) {
@@ -190,6 +200,7 @@ Material with_library(std::shared_ptr<const MotionLibrary> library, std::vector<
 
 Material danced_with(const Material& open, int take) {
   Material material = open;
+  material.recorded.reset();
   material.input = clip_of_take(*open.library, take);
   material.excluded_takes.clear();
   if (open.library->takes().size() > 1)

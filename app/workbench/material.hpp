@@ -11,19 +11,25 @@
 
 namespace abrazo::app {
 
-/// What a live session runs on: a library, and a clip that stands in for the user.
+struct RecordedSession;
+
+/// What a live session runs on: a library, and a clip that stands in for the user; or a recorded session,
+/// whose clip has a name and a rate but no poses.
 struct Material {
   std::shared_ptr<const MotionLibrary> library;
+  std::string library_file;  ///< library or manifest; empty when it was generated, or built and not saved
   Clip input;
   std::vector<std::string> excluded_takes;  ///< the input's own take, where it comes from the library
   std::vector<std::string> warnings;
+  std::shared_ptr<const RecordedSession> recorded;  ///< null: nothing was recorded before
 };
 
 /// A minute of generated dance, and a leader whom the library has not seen.
 Result<Material> make_demo(const Progress& progress);
 
 /// What opening these files gives, in addition to what is open now. A library file or manifest replaces the
-/// library, a motion replaces the input; what is still missing comes from the library or the demo.
+/// library, a motion replaces the input, a session file is opened with its library; what is still missing
+/// comes from the library or the demo.
 Result<Material> load_material(const std::vector<std::string>& files, const Material& open,
                                const Progress& progress);
 

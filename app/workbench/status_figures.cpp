@@ -41,6 +41,13 @@ void StatusFigures::setInput(const QString& name, int library_pairs) {
   update();
 }
 
+void StatusFigures::showInput(const QString& name, bool comes) {
+  if (name == m_input && comes == m_comes) return;
+  m_input = name;
+  m_comes = comes;
+  update();
+}
+
 void StatusFigures::refresh(const FrameHistory& history, std::uint64_t rendered_frames) {
   const double elapsed_s = static_cast<double>(m_sinceRefresh.restart()) / 1000;
   if (elapsed_s > 0) m_renderRate = static_cast<double>(rendered_frames - m_rendered) / elapsed_s;
@@ -96,7 +103,7 @@ void StatusFigures::paintEvent(QPaintEvent*) {
     x += draw(x, figure->name, plain, m_palette.secondary) + 5;
     draw(x, figure->value, strong, m_palette.text);
   }
-  const QColor state = m_ok ? m_palette.good : m_palette.live;
+  const QColor state = !m_comes ? m_palette.warning : m_ok ? m_palette.good : m_palette.live;
   double x = 26;
   painter.setPen(Qt::NoPen);
   painter.setBrush(state);

@@ -18,6 +18,8 @@ class StatusFigures : public QWidget {
   explicit StatusFigures(QWidget* parent = nullptr);
   void setColours(const widgets::Palette& palette);
   void setInput(const QString& name, int library_pairs);
+  /// @param comes  whether anything comes in from it now
+  void showInput(const QString& name, bool comes);
   void refresh(const FrameHistory& history, std::uint64_t rendered_frames);
   double renderRate() const { return m_renderRate; }
 
@@ -31,7 +33,7 @@ class StatusFigures : public QWidget {
   widgets::Palette m_palette;
   QString m_input;
   int m_pairs = 0;
-  bool m_ok = true;
+  bool m_ok = true, m_comes = true;
   std::vector<Figure> m_left, m_right;
   std::uint64_t m_nextIndex = 0;
   std::uint64_t m_rendered = 0;

@@ -29,8 +29,20 @@ class UserSettings {
   /// Latest first; see recent_files.hpp.
   QStringList recent() const { return m_store.value("files/recent").toStringList(); }
   void setRecent(const QStringList& entries) { m_store.setValue("files/recent", entries); }
+  /// URIs of streams and of places that characters were sent to, latest first.
+  QStringList recentStreams() const { return m_store.value("live/streams").toStringList(); }
+  void setRecentStreams(const QStringList& uris) { m_store.setValue("live/streams", uris); }
+  QStringList recentSinks() const { return m_store.value("live/sinks").toStringList(); }
+  void setRecentSinks(const QStringList& uris) { m_store.setValue("live/sinks", uris); }
   bool welcome() const { return m_store.value("window/welcome", true).toBool(); }
   void setWelcome(bool at_start) { m_store.setValue("window/welcome", at_start); }
+  QString takeName() const { return m_store.value("takes/name").toString(); }
+  void setTakeName(const QString& name) { m_store.setValue("takes/name", name); }
+  int takeCountdown() const { return m_store.value("takes/countdown", 0).toInt(); }
+  void setTakeCountdown(int seconds) { m_store.setValue("takes/countdown", seconds); }
+  /// Of a live stream every frame is written, not only takes.
+  bool keepsEverything() const { return m_store.value("takes/everything", true).toBool(); }
+  void setKeepsEverything(bool on) { m_store.setValue("takes/everything", on); }
 
  private:
   QString m_folder;

@@ -73,7 +73,9 @@ void MainWindow::start(const std::shared_ptr<PreparedSolver>& prepared) {
   const QString library = QString::fromStdString(material.library->name());
   const QString input = QString::fromStdString(material.input.name);
   m_panels->setHead("library", "Library · " + library);
-  m_transport->setInput(QString("clip %1 · %2 Hz").arg(input).arg(material.input.fps, 0, 'f', 0));
+  m_transport->setInput(QString("%1 %2 · %3 Hz")
+                            .arg(material.recorded ? "recorded" : "clip", input)
+                            .arg(material.input.fps, 0, 'f', 0));
   m_status->setInput(input, material.library->pair_count());
   setWindowTitle(input + " with " + library + " — Abrazo");
   m_ticker.setSources(&m_session->history(), &m_session->latest());

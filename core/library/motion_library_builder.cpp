@@ -8,12 +8,11 @@
 
 #include "core/base/parallel.hpp"
 #include "core/library/capsule_calibration.hpp"
+#include "core/library/library_bodies.hpp"
 
 namespace abrazo {
 
 namespace {
-
-constexpr double same_body_difference = 0.005;  ///< of a bone's length
 
 Error cancelled() {
   return {"cancelled", ""};
@@ -99,14 +98,6 @@ std::optional<Error> check_options(const std::vector<PairedTake>& takes, const L
 
 int frame_stride(double fps, const std::optional<double>& rate_hz) {
   return rate_hz ? static_cast<int>(std::clamp(std::round(fps / *rate_hz), 1.0, 1e6)) : 1;
-}
-
-std::uint32_t find_or_add_body(std::vector<LibraryBody>& bodies, const Body& body, const std::string& name) {
-  for (std::size_t i = 0; i < bodies.size(); ++i)
-    if (largest_length_difference(bodies[i].body, body) < same_body_difference)
-      return static_cast<std::uint32_t>(i);
-  bodies.push_back({name, body, {}});
-  return static_cast<std::uint32_t>(bodies.size() - 1);
 }
 
 void add_takes(const std::vector<PairedTake>& takes, const LibraryBuildOptions& options,

@@ -1,3 +1,4 @@
+#include <array>
 #include <cstddef>
 #include <string>
 #include <utility>
@@ -46,6 +47,7 @@ void set_both(JointMap& map, int left_joint, const Rules& rules) {
 constexpr double toe_tip_beyond_foot = 1.35;
 constexpr double hand_beyond_forearm = 1.28;
 constexpr double head_beyond_neck = 2.2;
+constexpr double knuckles_in_hand = 0.5;  // from the wrist to the finger tips
 
 JointMap cmu() {
   JointMap map{"cmu", {}};
@@ -145,12 +147,15 @@ JointMap unity() {
        along("Spine", "Neck", 0.6), shoulders_and("Spine", 0.4)});
   set(map, LowerNeck, {at("Neck"), shoulders_and("Head", 0.2)});
   set(map, UpperNeck, {at("Head")});
-  set(map, Head, {along("Neck", "Head", head_beyond_neck), along("Hips", "Head", 1.2)});
+  // The head's end is the crown; the head joint of the 25 is the middle of the head.
+  set(map, Head,
+      {along("Head", "Head_End", 0.6), along("Neck", "Head", head_beyond_neck), along("Hips", "Head", 1.2)});
   set_both(map, LeftClavicle, {at("%UpperArm")});
   set_both(map, LeftHumerus, {at("%LowerArm")});
   set_both(map, LeftWrist, {at("%Hand")});
   set_both(map, LeftHand,
-           {at("%MiddleProximal"), at("%IndexProximal"), along("%LowerArm", "%Hand", hand_beyond_forearm)});
+           {at("%MiddleProximal"), at("%IndexProximal"), at("%Hand_End"),
+            along("%LowerArm", "%Hand", hand_beyond_forearm)});
   return map;
 }
 
@@ -176,8 +181,64 @@ JointMap xsens() {
   set_both(map, LeftHumerus, {at("%Forearm"), at("%Elbow")});
   set_both(map, LeftWrist, {at("%Hand"), at("%Wrist")});
   set_both(map, LeftHand,
-           {along("%Forearm", "%Hand", hand_beyond_forearm), at("%Wrist_End"),
-            along("%Elbow", "%Wrist", hand_beyond_forearm)});
+           {along("%Hand", "%Hand_End", knuckles_in_hand), along("%Forearm", "%Hand", hand_beyond_forearm),
+            at("%Wrist_End"), along("%Elbow", "%Wrist", hand_beyond_forearm)});
+  return map;
+}
+
+/// OptiTrack Motive's skeletons, as NatNet streams them, in any of its conventions of bone names: Motive,
+/// FBX, BVH, Unreal. "_End" points are what the stream's reader adds.
+JointMap motive() {
+  using namespace joints;
+  JointMap map{"motive", {}};
+  set(map, Root, {at("Hip"), at("Hips"), at("pelvis")});
+  // "Chest" is the upper of two bones in Motive's convention and the lower in BVH's, which has "Chest2" too.
+  set(map, LowerBack, {at("Ab"), at("Spine"), at("Chest"), at("spine_01")});
+  set(map, UpperBack, {at("Chest2"), at("Spine1"), at("Chest"), at("spine_02")});
+  set(map, Thorax,
+      {along("Chest2", "Neck", 0.5), along("Spine1", "Neck", 0.5), along("Chest", "Neck", 0.5),
+       along("spine_02", "neck_01", 0.5)});
+  set(map, LowerNeck, {at("Neck"), at("neck_01")});
+  set(map, UpperNeck, {at("Head")});
+  set(map, Head,
+      {along("Head", "Head_End", 0.6), along("Neck", "Head", head_beyond_neck),
+       along("neck_01", "Head", head_beyond_neck)});
+  struct Side {
+    std::string letter, word, suffix;
+  };
+  for (const Side& side : {Side{"L", "Left", "_l"}, Side{"R", "Right", "_r"}}) {
+    // By convention, in the order of the comment above.
+    const auto names = [&](const char* motive, const char* fbx, const char* bvh, const char* unreal) {
+      return std::array{side.letter + motive, side.word + fbx, side.word + bvh, unreal + side.suffix};
+    };
+    const auto place = [&](int left_joint, const auto& points) {
+      Rules rules;
+      for (const std::string& point : points) rules.push_back(at(point));
+      set(map, side.letter == "L" ? left_joint : mirrored_joint(left_joint), std::move(rules));
+    };
+    const auto forearms = names("FArm", "ForeArm", "Elbow", "lowerarm");
+    const auto hands = names("Hand", "Hand", "Wrist", "hand");
+    const auto feet = names("Foot", "Foot", "Ankle", "foot");
+    const auto toes = names("Toe", "ToeBase", "Toe", "ball");
+    place(LeftHipJoint, names("Thigh", "UpLeg", "Hip", "thigh"));
+    place(LeftFemur, names("Shin", "Leg", "Knee", "calf"));
+    place(LeftTibia, feet);
+    place(LeftFoot, toes);
+    place(LeftClavicle, names("UArm", "Arm", "Shoulder", "upperarm"));
+    place(LeftHumerus, forearms);
+    place(LeftWrist, hands);
+    Rules hand, toe_tip;
+    for (std::size_t n = 0; n < hands.size(); ++n) {
+      hand.push_back(along(hands[n], hands[n] + "_End", knuckles_in_hand));
+      toe_tip.push_back(at(toes[n] + "_End"));
+    }
+    for (std::size_t n = 0; n < hands.size(); ++n) {
+      hand.push_back(along(forearms[n], hands[n], hand_beyond_forearm));
+      toe_tip.push_back(along(feet[n], toes[n], toe_tip_beyond_foot));
+    }
+    set(map, side.letter == "L" ? LeftHand : RightHand, std::move(hand));
+    set(map, side.letter == "L" ? LeftToes : RightToes, std::move(toe_tip));
+  }
   return map;
 }
 
@@ -185,7 +246,7 @@ JointMap xsens() {
 
 const std::vector<JointMap>& builtin_joint_maps() {
   // Stricter maps first: the first one that finds all joints is used.
-  static const std::vector<JointMap> maps = {cmu(), cmu_bvh(), mixamo(), lafan(), unity(), xsens()};
+  static const std::vector<JointMap> maps = {cmu(), cmu_bvh(), mixamo(), lafan(), unity(), xsens(), motive()};
   return maps;
 }
 

@@ -1,5 +1,3 @@
-#include <Eigen/Geometry>
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -7,8 +5,9 @@
 #include <set>
 
 #include "core/base/text.hpp"
-#include "core/motion/body.hpp"
 #include "core/motion/bvh.hpp"
+#include "core/motion/joint_rotations.hpp"
+#include "core/motion/joint_tree.hpp"
 
 namespace abrazo {
 
@@ -17,176 +16,15 @@ namespace {
 using Rotation = Eigen::Matrix3d;
 using namespace joints;
 
-/// Direction of the bone that ends at a joint when all rotations are zero: standing with the arms held
-/// sideways, facing +Z.
-Vec3 rest_direction(int joint) {
-  switch (joint) {
-    case LeftFemur:
-    case LeftTibia:
-    case RightFemur:
-    case RightTibia:
-      return -Vec3::UnitY();
-    case LeftFoot:
-    case RightFoot:
-      return Vec3(0, -0.5, 1).normalized();
-    case LeftToes:
-    case RightToes:
-      return Vec3::UnitZ();
-    case LeftClavicle:
-    case LeftHumerus:
-    case LeftWrist:
-    case LeftHand:
-      return Vec3::UnitX();
-    case RightClavicle:
-    case RightHumerus:
-    case RightWrist:
-    case RightHand:
-      return -Vec3::UnitX();
-    default:
-      return Vec3::UnitY();
-  }
-}
-
 /// Length of the end site beyond a limb's last joint [m]: toes, crown, fingers.
 double end_site_length_m(int joint) {
   return joint == Head ? 0.12 : joint == LeftHand || joint == RightHand ? 0.09 : 0.03;
 }
 
-/// A joint of the BVH tree. Where bones fan out that do not move as one, a helper without length stands
-/// between, so that every bone has a rotation of its own.
-struct Node {
-  std::string name;
-  int joint;         ///< of the 25 at this place
-  int parent;        ///< node index, -1 for the root
-  int aims_at = -1;  ///< joint this node's rotation turns towards; -1: see `frame_of`
-  Vec3 offset = Vec3::Zero();
-  std::vector<int> children;
-};
-
-class BvhTree {
- public:
-  explicit BvhTree(const Clip& clip);
-
-  const std::vector<Node>& nodes() const { return nodes_; }
-
-  /// World rotation of every node for a pose.
-  void rotations(const Pose& pose, std::vector<Rotation>& world) const;
-
- private:
-  int add(std::string name, int joint, int parent, const Vec3& offset);
-  void add_limb(int parent, const std::vector<int>& joints, const std::string& helper);
-  Rotation pelvis(const Pose& pose) const;
-
-  Body body_;
-  bool flat_pelvis_ = false;  ///< root on the line between the hips: it does not fix the pelvis' rotation
-  std::vector<Node> nodes_;
-};
-
-/// Right-handed axes with x along `side` and y as close to `up` as that allows.
-Rotation frame_of(const Vec3& side, const Vec3& up) {
-  Vec3 x = side.norm() > 1e-9 ? Vec3(side.normalized()) : Vec3(Vec3::UnitX());
-  Vec3 z = x.cross(up);
-  if (z.norm() < 1e-9) z = x.unitOrthogonal();
-  z.normalize();
-  Rotation frame;
-  frame << x, z.cross(x), z;
-  return frame;
-}
+using Node = JointTree::Node;
 
 Vec3 point(const Pose& pose, int joint) {
   return pose.row(joint).transpose();
-}
-
-Rotation BvhTree::pelvis(const Pose& pose) const {
-  const Vec3 middle = 0.5 * (point(pose, left_hip) + point(pose, right_hip));
-  return frame_of(point(pose, left_hip) - point(pose, right_hip),
-                  point(pose, flat_pelvis_ ? LowerBack : Root) - middle);
-}
-
-double median(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
-BvhTree::BvhTree(const Clip& clip) : body_(body_of(clip.poses)) {
-  std::vector<double> heights;
-  for (const Pose& pose : clip.poses)
-    heights.push_back((point(pose, Root) - 0.5 * (point(pose, left_hip) + point(pose, right_hip))).norm());
-  flat_pelvis_ = median(heights) < 0.01;
-  const auto hip_offset = [&](int hip) {
-    Vec3 offset;
-    for (int axis = 0; axis < 3; ++axis) {
-      std::vector<double> values;
-      for (const Pose& pose : clip.poses)
-        values.push_back((pelvis(pose).transpose() * (point(pose, hip) - point(pose, Root)))[axis]);
-      offset[axis] = median(values);
-    }
-    return offset;
-  };
-  const int root = add("root", Root, -1, Vec3::Zero());
-  for (const bool left : {true, false}) {
-    const int hip = add(left ? "lhipjoint" : "rhipjoint", left ? left_hip : right_hip, root,
-                        hip_offset(left ? left_hip : right_hip));
-    add_limb(hip,
-             left ? std::vector<int>{LeftFemur, LeftTibia, LeftFoot, LeftToes}
-                  : std::vector<int>{RightFemur, RightTibia, RightFoot, RightToes},
-             "");
-  }
-  add_limb(root, {LowerBack, UpperBack, Thorax}, "root_spine");
-  const int thorax = static_cast<int>(nodes_.size()) - 1;
-  add_limb(thorax, {LowerNeck, UpperNeck, Head}, "thorax_neck");
-  add_limb(thorax, {LeftClavicle, LeftHumerus, LeftWrist, LeftHand}, "thorax_left");
-  add_limb(thorax, {RightClavicle, RightHumerus, RightWrist, RightHand}, "thorax_right");
-}
-
-int BvhTree::add(std::string name, int joint, int parent, const Vec3& offset) {
-  const int index = static_cast<int>(nodes_.size());
-  nodes_.push_back(Node{std::move(name), joint, parent, -1, offset, {}});
-  if (parent >= 0) nodes_[static_cast<std::size_t>(parent)].children.push_back(index);
-  return index;
-}
-
-/// Hangs a chain of joints below `parent`, each aimed at by the node before it.
-void BvhTree::add_limb(int parent, const std::vector<int>& joints, const std::string& helper) {
-  if (!helper.empty())
-    parent = add(helper, nodes_[static_cast<std::size_t>(parent)].joint, parent, Vec3::Zero());
-  for (const int joint : joints) {
-    nodes_[static_cast<std::size_t>(parent)].aims_at = joint;
-    const Vec3 offset = rest_direction(joint) * body_.bone_lengths[static_cast<std::size_t>(joint - 1)];
-    parent = add(std::string(joint_names[static_cast<std::size_t>(joint)]), joint, parent, offset);
-  }
-}
-
-/// The smallest rotation that turns `from` (unit) towards `to`.
-Rotation swing(const Vec3& from, const Vec3& to) {
-  if (to.norm() < 1e-9) return Rotation::Identity();
-  return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
-}
-
-void BvhTree::rotations(const Pose& pose, std::vector<Rotation>& world) const {
-  world.resize(nodes_.size());
-  std::vector<Vec3> places(nodes_.size());
-  for (std::size_t n = 0; n < nodes_.size(); ++n) {
-    const Node& node = nodes_[n];
-    if (node.parent < 0) {
-      places[n] = point(pose, Root);
-      world[n] = pelvis(pose);
-      continue;
-    }
-    const auto parent = static_cast<std::size_t>(node.parent);
-    places[n] = places[parent] + world[parent] * node.offset;
-    world[n] = world[parent];
-    if (node.aims_at >= 0) {
-      // Aims from where the file puts this joint, so that differences of bone length do not add up along a
-      // limb.
-      const Vec3 local = world[parent].transpose() * (point(pose, node.aims_at) - places[n]);
-      world[n] = world[parent] * swing(rest_direction(node.aims_at), local);
-    } else if (node.joint == Thorax) {
-      world[n] = frame_of(point(pose, LeftClavicle) - point(pose, RightClavicle),
-                          point(pose, Thorax) - point(pose, UpperBack));
-    }
-  }
 }
 
 constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
@@ -255,7 +93,7 @@ void append_node(std::string& text, const std::vector<Node>& nodes, std::size_t 
 /// One performer of the file: its tree and the angles last written.
 struct Performer {
   const Clip& clip;
-  BvhTree tree;
+  JointTree tree;
   std::vector<Vec3> angles;
   std::vector<Rotation> world;
 };
@@ -264,7 +102,7 @@ struct Performer {
 void append_frame(std::string& text, Performer& performer, std::size_t frame, double units_per_metre) {
   const std::vector<Node>& nodes = performer.tree.nodes();
   const Pose& pose = performer.clip.poses[frame];
-  performer.tree.rotations(pose, performer.world);
+  performer.tree.rotations(pose, 1.0 / performer.clip.fps, performer.world);
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     if (nodes[n].parent < 0) {
       append_vector(text, point(pose, Root) * units_per_metre);
@@ -316,7 +154,7 @@ Result<std::string> write_bvh(std::span<const Clip> clips, double units_per_metr
   std::vector<Performer> performers;
   std::string text = "HIERARCHY\n";
   for (const Clip& clip : clips) {
-    performers.push_back(Performer{clip, BvhTree(clip), {}, {}});
+    performers.push_back(Performer{clip, JointTree(clip), {}, {}});
     const std::vector<Node>& nodes = performers.back().tree.nodes();
     performers.back().angles.assign(nodes.size(), Vec3::Zero());
     append_node(text, nodes, 0, clips.size() > 1 ? prefix_of(clip.name) : "", units_per_metre, 0);

@@ -45,12 +45,16 @@ class VetoTest {
 
 }  // namespace
 
-PairSelector::PairSelector(std::shared_ptr<const MotionLibrary> library, std::vector<int> pairs)
+PairSelector::PairSelector(std::shared_ptr<const MotionLibrary> library, std::vector<int> pairs,
+                           std::shared_ptr<const PoseIndex> index)
     : library_(std::move(library)),
       pairs_(std::move(pairs)),
       selectable_(as_flags(pairs_, library_->pair_count())),
       vetoed_(selectable_.size(), false),
-      index_(library_->columns().features, pairs_) {}
+      left_out_(vetoed_),
+      index_(std::move(index)) {
+  if (!index_) index_ = std::make_shared<const PoseIndex>(library_->columns().features, pairs_);
+}
 
 void PairSelector::set_vetoes(const Vetoes& vetoes) {
   VetoTest is_unwanted(vetoes, *library_);
@@ -60,15 +64,40 @@ void PairSelector::set_vetoes(const Vetoes& vetoes) {
     vetoed_[static_cast<std::size_t>(pair)] = unwanted;
     if (unwanted) ++veto_count_;
   }
+  leave_out();
+}
+
+void PairSelector::set_meant(const std::optional<MeantPairs>& meant) {
+  meant_ = meant;
+  leave_out();
+}
+
+void PairSelector::leave_out() {
+  left_out_ = vetoed_;
+  leaves_out_ = veto_count_ > 0;
+  if (!meant_ || all_vetoed()) return;
+  const int take = meant_->take ? library_->find_take(*meant_->take) : -1;
+  const auto is_meant = [&](int pair) {
+    return (!meant_->take || static_cast<int>(library_->source(pair).take) == take) &&
+           (!meant_->label || library_->label(pair) == *meant_->label);
+  };
+  bool leaves_any = false;
+  for (const int pair : pairs_) {
+    const auto at = static_cast<std::size_t>(pair);
+    left_out_[at] = vetoed_[at] || !is_meant(pair);
+    leaves_any = leaves_any || !left_out_[at];
+  }
+  leaves_out_ = leaves_any || veto_count_ > 0;
+  if (!leaves_any) left_out_ = vetoed_;
 }
 
 int PairSelector::select(const SelectionQuery& query, std::vector<Candidate>& candidates) {
   candidates.clear();
   if (all_vetoed()) return -1;
-  if (veto_count_ == 0)
-    index_.nearest(query.features, query.neighbours, matches_);
+  if (leaves_out_)
+    index_->nearest_without(left_out_, query.features, query.neighbours, matches_);
   else
-    index_.nearest_without(vetoed_, query.features, query.neighbours, matches_);
+    index_->nearest(query.features, query.neighbours, matches_);
   for (const PoseMatch& match : matches_) {
     Candidate candidate;
     candidate.pair = match.pair;
@@ -78,7 +107,7 @@ int PairSelector::select(const SelectionQuery& query, std::vector<Candidate>& ca
   for (int n = 1; query.current_pair >= 0 && n <= query.continuations; ++n) {
     const int pair = library_->later_pair(query.current_pair, n * query.expected_advance);
     if (pair < 0 || !is_selectable(pair)) break;
-    if (is_vetoed(pair)) continue;
+    if (is_left_out(pair)) continue;
     if (std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& c) { return c.pair == pair; }))
       continue;
     Candidate candidate;

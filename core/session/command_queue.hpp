@@ -1,9 +1,11 @@
 #pragma once
 
+#include <memory>
 #include <mutex>
 #include <utility>
 #include <vector>
 
+#include "core/base/wake_up.hpp"
 #include "core/session/command.hpp"
 
 namespace abrazo {
@@ -12,8 +14,11 @@ namespace abrazo {
 class CommandQueue {
  public:
   void push(Command command) {
-    const std::scoped_lock lock(mutex_);
-    waiting_.push_back(std::move(command));
+    {
+      const std::scoped_lock lock(mutex_);
+      waiting_.push_back(std::move(command));
+    }
+    wake_up_->notify();
   }
 
   /// All that wait, leaving none.
@@ -22,7 +27,11 @@ class CommandQueue {
     return std::exchange(waiting_, {});
   }
 
+  /// Notified of every command; whoever else has something for the solver thread notifies it too.
+  const std::shared_ptr<WakeUp>& wake_up() const { return wake_up_; }
+
  private:
+  std::shared_ptr<WakeUp> wake_up_ = std::make_shared<WakeUp>();
   std::mutex mutex_;
   std::vector<Command> waiting_;
 };

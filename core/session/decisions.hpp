@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "core/selection/meant_pairs.hpp"
 #include "core/selection/vetoes.hpp"
 
 namespace abrazo {
@@ -12,9 +13,14 @@ namespace abrazo {
 struct MeantMove {
   std::optional<std::string> label;
   std::optional<std::string> take;
-  double until_s = -1;  ///< session clock; negative = until it is taken back
+  double until_s = -1;      ///< session clock; negative = until it is taken back
+  bool until_done = false;  ///< also until a recorded move that was followed came to its end
   bool operator==(const MeantMove&) const = default;
 };
+
+inline std::optional<MeantPairs> pairs_of(const std::optional<MeantMove>& move) {
+  return move ? std::optional(MeantPairs{move->label, move->take}) : std::nullopt;
+}
 
 /// What decides the user's role.
 enum class RoleControl {

@@ -8,6 +8,7 @@
 
 namespace abrazo {
 
+class MotionLibrary;
 struct Decisions;
 struct SynthesizerState;
 
@@ -34,6 +35,8 @@ struct FrameSnapshot {
   /// frames; else null. From there on the frames can be solved again.
   std::shared_ptr<const SynthesizerState> before;
   std::shared_ptr<const Decisions> decisions;  ///< under which it was solved; null where none were made
+  /// That it was solved with, whose pairs the candidates are; null where it is no longer known.
+  std::shared_ptr<const MotionLibrary> library;
   FrameTimes times;
   double input_rate_hz = 0;          ///< measured
   std::uint64_t dropped_inputs = 0;  ///< poses that a newer one replaced before they were solved

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/session/frame_snapshot.hpp"
@@ -24,6 +25,12 @@ class FrameStore {
   virtual FrameSnapshotPtr frame(std::uint64_t index) const = 0;
   /// All frames in [from_s, to_s], at most `most` of them, then evenly thinned.
   virtual std::vector<FrameSnapshotPtr> range(double from_s, double to_s, std::size_t most) const = 0;
+  /// The same by index: all in [first, last].
+  virtual std::vector<FrameSnapshotPtr> between(std::uint64_t first, std::uint64_t last,
+                                                std::size_t most) const = 0;
+  /// Index of the last frame, not after this one, that has the synthesizer's state; nothing when there is
+  /// none.
+  virtual std::optional<std::uint64_t> state_before(std::uint64_t index) const = 0;
 };
 
 }  // namespace abrazo

@@ -20,23 +20,37 @@ void ReSolver::go_to(std::span<const FrameSnapshotPtr> run_up, const FrameSnapsh
   const FrameSnapshot& first = run_up.empty() ? next : *run_up.front();
   if (!first.before) throw std::invalid_argument("the first frame to be solved again has no state");
   synthesizer_->restore(*first.before);
-  vetoes_ = first.before->vetoes;
+  decisions_ = {};
+  decisions_.pinned = first.before->pinned;
+  decisions_.vetoes = *first.before->vetoes;
+  synthesizer_->set_meant(std::nullopt);
   for (const FrameSnapshotPtr& frame : run_up) {
-    if (frame->before && frame != run_up.front()) follow_commands(*frame->before);
+    follow_commands(*frame);
     synthesizer_->set_settings(frame->settings);
     if (frame->elapsed_s >= 0) synthesizer_->step(frame->user, Duration(frame->elapsed_s));
   }
 }
 
-void ReSolver::follow_commands(const SynthesizerState& recorded) {
-  synthesizer_->pin_pair(recorded.pinned);
-  if (vetoes_ != recorded.vetoes) synthesizer_->set_vetoes(*recorded.vetoes);
-  vetoes_ = recorded.vetoes;
-  if (recorded.memory.frames_since_reset == 0) synthesizer_->reset();
+/// What came between the frame before and this one: each command makes that a frame has a state.
+void ReSolver::follow_commands(const FrameSnapshot& recorded) {
+  follow_decisions(recorded.decisions ? *recorded.decisions : Decisions{});
+  if (!recorded.before) return;
+  if (recorded.before->memory.frames_since_reset == 0) synthesizer_->reset();
+  if (recorded.before->user_body)
+    synthesizer_->set_user_body(*recorded.before->user_body);
+  else if (!recorded.before->memory.user_body)
+    synthesizer_->forget_user_body();
+}
+
+void ReSolver::follow_decisions(const Decisions& decisions) {
+  if (decisions.pinned != decisions_.pinned) synthesizer_->pin_pair(decisions.pinned);
+  if (decisions.vetoes != decisions_.vetoes) synthesizer_->set_vetoes(decisions.vetoes);
+  if (decisions.meant != decisions_.meant) synthesizer_->set_meant(pairs_of(decisions.meant));
+  decisions_ = decisions;
 }
 
 std::shared_ptr<FrameSnapshot> ReSolver::solve(const FrameSnapshot& recorded, const Settings& settings) {
-  if (recorded.before) follow_commands(*recorded.before);
+  follow_commands(recorded);
   synthesizer_->set_settings(settings);
   auto solved = std::make_shared<FrameSnapshot>();
   solved->index = recorded.index;
@@ -45,6 +59,7 @@ std::shared_ptr<FrameSnapshot> ReSolver::solve(const FrameSnapshot& recorded, co
   solved->user = recorded.user;
   solved->settings = settings;
   solved->elapsed_s = recorded.elapsed_s;
+  solved->decisions = recorded.decisions;
   solved->input_rate_hz = recorded.input_rate_hz;
   solved->dropped_inputs = recorded.dropped_inputs;
   const bool was_stepped = recorded.elapsed_s >= 0;  // otherwise there is nothing to take again

@@ -3,6 +3,7 @@
 #include <memory>
 #include <span>
 
+#include "core/session/decisions.hpp"
 #include "core/session/frame_snapshot.hpp"
 #include "core/synthesis/partner_synthesizer.hpp"
 
@@ -24,14 +25,15 @@ class ReSolver {
   void go_to(std::span<const FrameSnapshotPtr> run_up, const FrameSnapshot& next);
 
   /// The input of `recorded` once more, after the frames solved so far: with its time and index, but these
-  /// settings and their result. Pins, vetoes and fresh starts are those of the recording.
+  /// settings and their result. Decisions and fresh starts are those of the recording.
   std::shared_ptr<FrameSnapshot> solve(const FrameSnapshot& recorded, const Settings& settings);
 
  private:
-  void follow_commands(const SynthesizerState& recorded);
+  void follow_commands(const FrameSnapshot& recorded);
+  void follow_decisions(const Decisions& decisions);
 
   std::unique_ptr<PartnerSynthesizer> synthesizer_;
-  std::shared_ptr<const Vetoes> vetoes_;  ///< those that the synthesizer was given
+  Decisions decisions_;  ///< those that the synthesizer was given
 };
 
 }  // namespace abrazo

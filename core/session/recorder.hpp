@@ -1,12 +1,15 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/base/result.hpp"
 #include "core/session/frame_listener.hpp"
 #include "core/session/frame_store.hpp"
+#include "core/session/markers.hpp"
 #include "core/stream/stream_receiver.hpp"
 
 namespace abrazo {
@@ -17,35 +20,66 @@ struct RecordingFacts {
   std::string library_name;
   std::uint64_t library_pairs = 0;
   std::string input;  ///< URI or clip
+  /// The library itself when it is at hand: its pairs get their take, frame and label in the file, and a
+  /// changed one is noticed when the file is opened. Frames that name a library of their own go before it.
+  std::shared_ptr<const MotionLibrary> library;
+  std::vector<std::string> excluded_takes;  ///< that the synthesizer was told to leave out
+  /// The session's times and indices are those of the file, in which it goes on: it was opened from there, or
+  /// has recorded into it before. Otherwise they are put behind what the file has.
+  bool has_times_of_file = false;
+};
+
+/// How much waits in memory and for how long.
+struct RecorderOptions {
+  double commit_interval_s = 0.1;        ///< what was handed over is on disk so much later, and a write
+  std::size_t waiting_frames = 4096;     ///< more than that are lost and counted: 34 s at 120 Hz
+  std::size_t waiting_poses = 16384;     ///< of all performers
+  std::uint64_t largest_file_bytes = 0;  ///< then it counts as full; 0 = as large as the disk is
 };
 
 /// Writes a running session into a session file, on a thread of its own: everything that was received, the
-/// settings and decisions, every result. At most half a second is not yet on disk.
+/// settings and decisions, every result. At most half a second is not yet on disk. Everything but `finish`
+/// and `flush` returns at once and may be called from any thread.
 class Recorder : public FrameListener {
  public:
-  /// Creates the file, or goes on in one that a recorder wrote.
-  static Result<std::shared_ptr<Recorder>> open(const std::string& path, const RecordingFacts& facts);
+  /// Creates the file, or goes on in one that a recorder wrote: then its times and frame indices follow
+  /// those that are in the file.
+  static Result<std::shared_ptr<Recorder>> open(const std::string& path, const RecordingFacts& facts,
+                                                const RecorderOptions& options = {});
 
   /// Listener of a StreamReceiver: a raw pose of any performer.
   virtual void pose_received(const ReceivedPose& pose) = 0;
 
-  /// From here on the frames belong to a take of this name, till `end_take`; all are kept either way.
+  /// From here on the frames belong to a take of this name, till `end_take`; all are kept either way. A take
+  /// that is still open ends.
   virtual void begin_take(const std::string& name) = 0;
   virtual void end_take() = 0;
+
+  /// The markers of this session, in place of those before.
+  virtual void set_markers(const Markers& markers) = 0;
+  /// The frames that follow have another input: URI or clip.
+  virtual void set_input(const std::string& input) = 0;
+  /// Where a library can be opened again that frames will name, other than that of RecordingFacts.
+  virtual void set_library_path(const std::shared_ptr<const MotionLibrary>& library,
+                                const std::string& path) = 0;
 
   struct State {
     std::string path;
     std::uint64_t frames = 0, poses = 0, bytes = 0;
-    double behind_s = 0;  ///< age of the oldest frame that is not on disk yet
-    std::string take;     ///< being recorded; empty = none
-    std::string failure;  ///< why nothing more is written (disk full): frames are lost from then on
-    std::uint64_t lost = 0;
+    double behind_s = 0;     ///< age of the oldest frame that is not on disk yet
+    std::string take;        ///< being recorded; empty = none
+    std::string failure;     ///< why nothing more is written (disk full): frames are lost from then on. Empty
+                             ///< again when it could go on
+    std::uint64_t lost = 0;  ///< frames and poses that are not and will not be on disk
   };
   virtual State state() const = 0;
 
-  /// What is already written, readable while it goes on: for a history that reaches back to the disk.
+  /// What is already written, readable while it goes on, with this session's times and indices: for a
+  /// history that reaches back to the disk.
   virtual std::shared_ptr<const FrameStore> store() const = 0;
 
+  /// Waits till all that was handed over is on disk. @return why it is not
+  virtual Status flush() = 0;
   /// Waits till all is on disk and closes the file. @return what went wrong
   virtual Status finish() = 0;
 };

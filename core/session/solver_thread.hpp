@@ -3,15 +3,16 @@
 #include <memory>
 #include <thread>
 
+#include "core/base/session_clock.hpp"
 #include "core/session/live_loop.hpp"
 
 namespace abrazo {
 
-/// Runs a LiveLoop in real time until it is destroyed, which waits for the running step at most.
-/// An exception becomes a failed snapshot with its text.
+/// Runs a LiveLoop in real time until it is destroyed, which waits for the running step at most. Sleeps until
+/// the next pose is due or a command or pose came in. An exception becomes a failed snapshot with its text.
 class SolverThread {
  public:
-  explicit SolverThread(std::unique_ptr<LiveLoop> loop);
+  explicit SolverThread(std::unique_ptr<LiveLoop> loop, SessionClock clock = SessionClock());
 
  private:
   std::unique_ptr<LiveLoop> loop_;

@@ -34,7 +34,9 @@ struct StreamIssue {
 struct Decoded {
   std::vector<PerformerFrame> frames;
   std::vector<StreamIssue> issues;
-  std::vector<OutgoingDatagram> replies;  ///< to be sent from the socket that receives
+  /// To be sent from the socket that receives. An address of 0 stands for the URI's host, a port of 0 for the
+  /// URI's port: a decoder cannot look names up.
+  std::vector<OutgoingDatagram> replies;
 };
 
 /// A protocol: bytes in, frames out. Knows neither socket nor clock nor thread. No bytes make it throw.
@@ -47,6 +49,10 @@ class StreamDecoder {
   /// The performer stands in the rest pose (T-pose) now: from here on rotations are counted from it. Without
   /// effect where the protocol sends positions. @param performer  empty = all
   virtual void calibrate(const std::string& performer) = 0;
+  /// A multicast group and port that frames come to besides the receiving socket: known from the start or
+  /// after an answer of the sender, so ask again after each `take`. What comes there goes into `take` as
+  /// well.
+  virtual std::optional<Endpoint> wanted_group() const { return std::nullopt; }
   /// What the sender says of itself, for people: "Motive 3.1.0, NatNet 4.1", "72 bones, no offsets".
   virtual std::vector<std::string> facts() const = 0;
 };

@@ -22,12 +22,17 @@ struct PerformerHealth {
   std::uint64_t held_joints = 0;    ///< joints kept from the frame before since they were not tracked
   std::uint64_t interruptions = 0;  ///< times that tracking was lost and came back
   std::uint64_t clock_jumps = 0;
-  bool tracked = false;  ///< now
+  std::uint64_t restarts = 0;  ///< of the sender: its counter or time began anew
+  std::uint64_t unusable = 0;  ///< frames that gave no pose: too many joints were not tracked, or unknown
+  std::uint64_t dropped = 0;   ///< poses that a newer one replaced before the solver took them
+  bool tracked = false;        ///< now
   bool calibrated = false;
   std::string joint_map;  ///< "unity", ...
   std::vector<std::string> estimated_joints;
   double height_m = 0;  ///< of the head joint
-  double last_s = -1;   ///< session clock, of the newest frame
+  std::string
+      correction;      ///< what is done to the sender's positions: "unit cm, Z up, floor +0.12 m"; or empty
+  double last_s = -1;  ///< session clock, of the newest frame
 };
 
 /// One line of advice: what is seen, and what to do about it.

@@ -14,6 +14,8 @@
 
 namespace abrazo {
 
+class StreamDecoder;
+
 struct StreamReceiverOptions {
   double delay_s = 0;  ///< of the jitter buffer: poses are given out so long after they were due
   std::optional<JointMap> joint_map;  ///< nothing = the built-in one that fits
@@ -34,6 +36,10 @@ class StreamReceiver {
   /// @return an Error that names the port when it cannot be bound, and which one is free
   static Result<std::shared_ptr<StreamReceiver>> open(const StreamUri& uri, const SessionClock& clock,
                                                       const StreamReceiverOptions& options = {});
+  /// The same with a decoder of one's own instead of the scheme's.
+  static Result<std::shared_ptr<StreamReceiver>> open(const StreamUri& uri, const SessionClock& clock,
+                                                      const StreamReceiverOptions& options,
+                                                      std::unique_ptr<StreamDecoder> decoder);
   virtual ~StreamReceiver() = default;
 
   virtual const StreamUri& uri() const = 0;

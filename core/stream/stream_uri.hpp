@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -25,5 +26,14 @@ struct StreamUri {
 };
 
 Result<StreamUri> parse_stream_uri(std::string_view text);
+
+enum class StreamDirection { Listen, Send };
+
+/// An Error for an option that the other direction has; says which there are.
+Status check_stream_options(const StreamUri& uri, StreamDirection direction);
+
+/// An option in milliseconds, as seconds; nothing when it is not there.
+Result<std::optional<double>> milliseconds_option(const StreamUri& uri, std::string_view key,
+                                                  double largest_ms);
 
 }  // namespace abrazo

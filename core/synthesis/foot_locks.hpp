@@ -48,13 +48,19 @@ class FootLocks {
 
   static constexpr std::array<int, 4> ankles = {3, 8, 28, 33};  ///< vertices
 
- private:
   struct Foot {
     bool was_landed = false;
     bool locked = false;
     Vec3 ankle = Vec3::Zero();
     Vec3 toe_base = Vec3::Zero();
   };
+  /// All that there is to remember, for keeping it on disk.
+  FootLocks() = default;
+  FootLocks(const std::array<Foot, 4>& feet, const std::array<bool, 2>& passive_released)
+      : feet_(feet), passive_released_(passive_released) {}
+  const std::array<Foot, 4>& feet() const { return feet_; }
+
+ private:
   static bool may_be_held(const FootSituation& wanted, const Foot& foot, double farthest_m);
 
   std::array<Foot, 4> feet_;

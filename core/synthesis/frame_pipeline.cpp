@@ -32,10 +32,12 @@ int expected_advance(const LibraryTake& take, double dt_s) {
 }  // namespace
 
 FramePipeline::FramePipeline(std::shared_ptr<const MotionLibrary> library, const Settings& settings,
-                             std::vector<int> pairs)
-    : library_(std::move(library)), settings_(settings), selector_(library_, std::move(pairs)) {}
+                             std::vector<int> pairs, std::shared_ptr<const PoseIndex> index)
+    : library_(std::move(library)),
+      settings_(settings),
+      selector_(library_, std::move(pairs), std::move(index)) {}
 
-void FramePipeline::set_user_body(const Body& body) {
+void FramePipeline::set_user_body(const std::optional<Body>& body) {
   memory_.user_body = body;
   retargeter_.reset();
 }
@@ -51,6 +53,11 @@ void FramePipeline::forget() {
 void FramePipeline::restore(const FrameMemory& memory) {
   memory_ = memory;
   retargeter_.reset();  // it is of the user's measures
+}
+
+void FramePipeline::take_over(const FrameMemory& memory) {
+  restore(memory);
+  memory_.current_pair = -1;
 }
 
 bool FramePipeline::measure(const Pose& user) {
@@ -152,24 +159,40 @@ void FramePipeline::follow_source(double dt_s) {
   out_.selected_pair = library_->pair_in_world(pair, out_.query_root);
   memory_.transition.fade(dt_s, settings_.transition_half_life_s, hurry_of_holds());
   out_.source_changed = false;
-  if (memory_.current_pair >= 0) {
-    const int advance = expected_advance(library_->take_of(memory_.current_pair), dt_s);
-    const PairSource& now = library_->source(pair);
-    const PairSource& before = library_->source(memory_.current_pair);
-    const int frames = static_cast<int>(now.frame) - static_cast<int>(before.frame);
-    // From standing still to three times the expected pace it is still the same stretch of recorded motion.
-    const int most = std::max(3, 3 * advance * library_->take_of(pair).frame_stride);
-    out_.source_changed =
-        now.take != before.take || now.swapped != before.swapped || frames < 0 || frames > most;
-    const int continued = library_->later_pair(memory_.current_pair, advance);
-    if (settings_.transition_half_life_s > 0 && pair != continued) {
-      const Pose chosen = out_.selected_pair.bottomRows<joint_count>();
-      const int from = continued >= 0 ? continued : memory_.current_pair;
-      const Pose would_be = library_->pair_in_world(from, out_.query_root).bottomRows<joint_count>();
-      memory_.transition.jump(would_be, partner_velocity(from), chosen, partner_velocity(pair));
-    }
-  }
+  if (memory_.current_pair >= 0)
+    glide_from_continued(pair, dt_s);
+  else if (memory_.frames_since_reset > 0)
+    glide_from_prediction(pair, dt_s);
   memory_.current_pair = pair;
+}
+
+void FramePipeline::glide_from_continued(int pair, double dt_s) {
+  const int advance = expected_advance(library_->take_of(memory_.current_pair), dt_s);
+  const PairSource& now = library_->source(pair);
+  const PairSource& before = library_->source(memory_.current_pair);
+  const int frames = static_cast<int>(now.frame) - static_cast<int>(before.frame);
+  // From standing still to three times the expected pace it is still the same stretch of recorded motion.
+  const int most = std::max(3, 3 * advance * library_->take_of(pair).frame_stride);
+  out_.source_changed =
+      now.take != before.take || now.swapped != before.swapped || frames < 0 || frames > most;
+  const int continued = library_->later_pair(memory_.current_pair, advance);
+  if (settings_.transition_half_life_s <= 0 || pair == continued) return;
+  const Pose chosen = out_.selected_pair.bottomRows<joint_count>();
+  const int from = continued >= 0 ? continued : memory_.current_pair;
+  const Pose would_be = library_->pair_in_world(from, out_.query_root).bottomRows<joint_count>();
+  memory_.transition.jump(would_be, partner_velocity(from), chosen, partner_velocity(pair));
+}
+
+/// The partner goes on without a recorded pair that did: from where its own motion would have taken it.
+void FramePipeline::glide_from_prediction(int pair, double dt_s) {
+  out_.source_changed = true;
+  if (settings_.transition_half_life_s <= 0) return;
+  Pose velocity = Pose::Zero();
+  if (memory_.frames_since_reset >= 2 && memory_.previous_dt_s > 0)
+    velocity = (memory_.previous - memory_.before_previous).bottomRows<joint_count>() / memory_.previous_dt_s;
+  memory_.transition.reset();  // what was left of it is in the prediction
+  memory_.transition.jump(predicted(dt_s).bottomRows<joint_count>(), velocity,
+                          out_.selected_pair.bottomRows<joint_count>(), partner_velocity(pair));
 }
 
 bool FramePipeline::is_recorded_foot_slow(int vertex) const {

@@ -21,8 +21,9 @@ namespace abrazo {
 class FramePipeline {
  public:
   /// @param pairs  those that may be selected
+  /// @param index  over those pairs of this library; made when there is none
   FramePipeline(std::shared_ptr<const MotionLibrary> library, const Settings& settings,
-                std::vector<int> pairs);
+                std::vector<int> pairs, std::shared_ptr<const PoseIndex> index = nullptr);
 
   /// @param user  finite;  @param elapsed_s  since the last frame that was solved; 0 at the start
   void solve(const Pose& user, double elapsed_s);
@@ -32,15 +33,20 @@ class FramePipeline {
   void forget();
 
   void set_settings(const Settings& settings) { settings_ = settings; }
-  void set_user_body(const Body& body);
+  /// Nothing: measured on the next pose that can be a person's.
+  void set_user_body(const std::optional<Body>& body);
   void pin_pair(std::optional<int> pair) { pinned_ = pair; }
   void set_vetoes(const Vetoes& vetoes) { selector_.set_vetoes(vetoes); }
+  void set_meant(const std::optional<MeantPairs>& meant) { selector_.set_meant(meant); }
 
   const FrameResult& result() const { return out_; }
 
   const FrameMemory& memory() const { return memory_; }
   /// The next frame follows those that this was kept from.
   void restore(const FrameMemory& memory);
+  /// The next frame follows those of a pipeline over other pairs, or over the same with the roles exchanged:
+  /// both bodies go on from where they are, what was recorded of them does not.
+  void take_over(const FrameMemory& memory);
 
  private:
   void begin_frame();
@@ -50,6 +56,8 @@ class FramePipeline {
   bool select(double dt_s);
   void select_pinned(const SelectionQuery& query);
   void follow_source(double dt_s);
+  void glide_from_continued(int pair, double dt_s);
+  void glide_from_prediction(int pair, double dt_s);
   void hold_feet(double dt_s);
   std::array<double, joint_count> hurry_of_holds() const;
   PairPose predicted(double dt_s) const;

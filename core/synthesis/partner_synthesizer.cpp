@@ -1,9 +1,11 @@
 #include "core/synthesis/partner_synthesizer.hpp"
 
 #include <algorithm>
+#include <array>
 #include <exception>
 
 #include "core/synthesis/frame_pipeline.hpp"
+#include "core/synthesis/role_views.hpp"
 #include "core/synthesis/synthesizer_state.hpp"
 
 namespace abrazo {
@@ -40,30 +42,37 @@ std::string first_joint_without_position(const Pose& pose) {
 }  // namespace
 
 struct PartnerSynthesizer::State {
-  std::shared_ptr<const MotionLibrary> library;
-  std::vector<int> pairs;  ///< that may be selected
+  std::shared_ptr<const RoleViews> views;
   Settings settings;
   std::optional<Body> user_body;
   std::optional<int> pinned;
   std::shared_ptr<const Vetoes> vetoes = std::make_shared<const Vetoes>();
-  std::shared_ptr<const MotionLibrary> exchanged;  ///< the library as a passive user sees it, once needed
-  std::unique_ptr<FramePipeline> pipeline;
+  std::optional<MeantPairs> meant;
+  /// By the user's role, each once needed. A passive user's gets the pairs with the roles exchanged, so that
+  /// the user is always the first body.
+  std::array<std::unique_ptr<FramePipeline>, 2> pipelines;
   double unsolved_s = 0;  ///< since the last frame that was solved
   FrameResult shown;      ///< of a passive user, in the order active, passive
 
   bool user_is_passive() const { return settings.user_role == UserRole::Passive; }
 
-  /// For a passive user the pipeline gets the pairs with the roles exchanged, so that the user is always its
-  /// first body.
-  std::unique_ptr<FramePipeline> new_pipeline(const Settings& wanted) {
-    const bool is_passive = wanted.user_role == UserRole::Passive;
-    if (is_passive && !exchanged)
-      exchanged = std::make_shared<const MotionLibrary>(with_roles_exchanged(*library));
-    auto made = std::make_unique<FramePipeline>(is_passive ? exchanged : library, wanted, pairs);
-    if (user_body) made->set_user_body(*user_body);
-    made->pin_pair(pinned);
-    made->set_vetoes(*vetoes);
-    return made;
+  FramePipeline& pipeline_of(UserRole role) {
+    auto& pipeline = pipelines[role == UserRole::Passive ? 1 : 0];
+    if (!pipeline) {
+      const RoleViews::View& view = views->of(role);
+      pipeline = std::make_unique<FramePipeline>(view.library, settings, views->pairs(), view.index);
+      pipeline->set_user_body(user_body);
+      pipeline->pin_pair(pinned);
+      pipeline->set_vetoes(*vetoes);
+      pipeline->set_meant(meant);
+    }
+    return *pipeline;
+  }
+  FramePipeline& pipeline() { return pipeline_of(settings.user_role); }
+
+  void for_each_pipeline(const auto& change) {
+    for (const auto& pipeline : pipelines)
+      if (pipeline) change(*pipeline);
   }
 };
 
@@ -73,10 +82,9 @@ Result<std::unique_ptr<PartnerSynthesizer>> PartnerSynthesizer::create(
   auto pairs = selectable_pairs(*library, excluded_takes);
   if (!pairs) return pairs.error();
   auto state = std::make_unique<State>();
-  state->library = std::move(library);
-  state->pairs = std::move(*pairs);
+  state->views = std::make_shared<const RoleViews>(std::move(library), std::move(*pairs));
   state->settings = settings;
-  state->pipeline = state->new_pipeline(settings);
+  state->pipeline();
   return std::unique_ptr<PartnerSynthesizer>(new PartnerSynthesizer(std::move(state)));
 }
 
@@ -84,7 +92,7 @@ PartnerSynthesizer::PartnerSynthesizer(std::unique_ptr<State> state) : state_(st
 PartnerSynthesizer::~PartnerSynthesizer() = default;
 
 const FrameResult& PartnerSynthesizer::step(const Pose& user, Duration elapsed) {
-  FramePipeline& pipeline = *state_->pipeline;
+  FramePipeline& pipeline = state_->pipeline();
   // Frames that gave nothing count as time without tracking: velocities and locks belong to the last one
   // solved.
   const double since_solved_s = state_->unsolved_s + std::max(0.0, elapsed.count());
@@ -107,13 +115,10 @@ const FrameResult& PartnerSynthesizer::step(const Pose& user, Duration elapsed) 
 }
 
 void PartnerSynthesizer::set_settings(const Settings& settings) {
-  if (settings.user_role != state_->settings.user_role) {
-    state_->pipeline = state_->new_pipeline(settings);
-    state_->unsolved_s = 0;
-  } else {
-    state_->pipeline->set_settings(settings);
-  }
+  const UserRole before = state_->settings.user_role;
   state_->settings = settings;
+  if (settings.user_role != before) state_->pipeline().take_over(state_->pipeline_of(before).memory());
+  state_->pipeline().set_settings(settings);
 }
 
 const Settings& PartnerSynthesizer::settings() const {
@@ -122,48 +127,78 @@ const Settings& PartnerSynthesizer::settings() const {
 
 void PartnerSynthesizer::set_user_body(const Body& body) {
   state_->user_body = body;
-  state_->pipeline->set_user_body(body);
+  state_->pipeline().set_user_body(body);
+}
+
+void PartnerSynthesizer::forget_user_body() {
+  state_->user_body.reset();
+  state_->pipeline().set_user_body(std::nullopt);
+}
+
+const std::optional<Body>& PartnerSynthesizer::user_body() const {
+  return state_->pipeline().memory().user_body;
 }
 
 void PartnerSynthesizer::reset() {
-  state_->pipeline->forget();
+  state_->pipeline().forget();
 }
 
 void PartnerSynthesizer::pin_pair(std::optional<int> pair) {
   state_->pinned = pair;
-  state_->pipeline->pin_pair(pair);
+  state_->for_each_pipeline([&](FramePipeline& pipeline) { pipeline.pin_pair(pair); });
 }
 
 void PartnerSynthesizer::set_vetoes(const Vetoes& vetoes) {
   state_->vetoes = std::make_shared<const Vetoes>(vetoes);
-  state_->pipeline->set_vetoes(vetoes);
+  state_->for_each_pipeline([&](FramePipeline& pipeline) { pipeline.set_vetoes(vetoes); });
+}
+
+void PartnerSynthesizer::set_meant(const std::optional<MeantPairs>& meant) {
+  if (state_->meant == meant) return;
+  state_->meant = meant;
+  state_->for_each_pipeline([&](FramePipeline& pipeline) { pipeline.set_meant(meant); });
 }
 
 SynthesizerState PartnerSynthesizer::state() const {
   return {.user_role = state_->settings.user_role,
-          .memory = state_->pipeline->memory(),
+          .memory = state_->pipeline().memory(),
           .user_body = state_->user_body,
           .pinned = state_->pinned,
           .vetoes = state_->vetoes,
+          .meant = state_->meant,
           .unsolved_s = state_->unsolved_s};
 }
 
 void PartnerSynthesizer::restore(const SynthesizerState& state) {
-  Settings settings = state_->settings;
-  settings.user_role = state.user_role;
-  set_settings(settings);
+  state_->settings.user_role = state.user_role;
   state_->user_body = state.user_body;
   pin_pair(state.pinned);
-  if (state_->vetoes != state.vetoes) {
-    state_->vetoes = state.vetoes;
-    state_->pipeline->set_vetoes(*state.vetoes);
-  }
-  state_->pipeline->restore(state.memory);
+  if (state_->vetoes != state.vetoes) set_vetoes(*state.vetoes);
+  state_->vetoes = state.vetoes;
+  set_meant(state.meant);
+  state_->pipeline().set_settings(state_->settings);
+  state_->pipeline().restore(state.memory);
+  state_->unsolved_s = state.unsolved_s;
+}
+
+void PartnerSynthesizer::take_over(const SynthesizerState& state) {
+  state_->settings.user_role = state.user_role;
+  state_->user_body = state.user_body;
+  state_->pipeline().set_settings(state_->settings);
+  state_->pipeline().take_over(state.memory);
   state_->unsolved_s = state.unsolved_s;
 }
 
 const MotionLibrary& PartnerSynthesizer::library() const {
-  return *state_->library;
+  return *state_->views->library();
+}
+
+std::shared_ptr<const MotionLibrary> PartnerSynthesizer::shared_library() const {
+  return state_->views->library();
+}
+
+const std::shared_ptr<const RoleViews>& PartnerSynthesizer::views() const {
+  return state_->views;
 }
 
 }  // namespace abrazo

@@ -9,12 +9,14 @@
 #include "core/base/result.hpp"
 #include "core/library/motion_library.hpp"
 #include "core/motion/body.hpp"
+#include "core/selection/meant_pairs.hpp"
 #include "core/selection/vetoes.hpp"
 #include "core/synthesis/frame_result.hpp"
 #include "core/synthesis/settings.hpp"
 
 namespace abrazo {
 
+class RoleViews;
 struct SynthesizerState;
 
 using Duration = std::chrono::duration<double>;
@@ -37,12 +39,18 @@ class PartnerSynthesizer {
   /// @return         valid until the next call
   const FrameResult& step(const Pose& user, Duration elapsed);
 
-  /// Applies from the next step on; state is kept, but a change of the user's role starts anew.
+  /// Applies from the next step on; state is kept. When the user's role changes, both bodies go on from where
+  /// they are, the partner as at a change of source. The first change makes the other role's view of the
+  /// library unless `views` was asked for it before.
   void set_settings(const Settings& settings);
   const Settings& settings() const;
 
   /// What the user measures; without it the first pose that can be a person's is measured.
   void set_user_body(const Body& body);
+  /// Another user: the next pose that can be a person's is measured.
+  void forget_user_body();
+  /// Given or measured; none before either.
+  const std::optional<Body>& user_body() const;
 
   /// Forgets the previous frames: the next step is a first one.
   void reset();
@@ -55,13 +63,22 @@ class PartnerSynthesizer {
   /// fail and say so.
   void set_vetoes(const Vetoes& vetoes);
 
+  /// Selects only among these from the next step on, while one of them may be selected.
+  void set_meant(const std::optional<MeantPairs>& meant);
+
   /// All that the next step depends on beside settings and input.
   SynthesizerState state() const;
   /// Goes on where `state` was taken, on a synthesizer of the same library and excluded takes. Settings stay,
   /// but for the user's role, which is the state's.
   void restore(const SynthesizerState& state);
+  /// Goes on where one over another library stopped: bodies and locks stay, recorded pairs are chosen anew;
+  /// pins, vetoes and what is meant stay this one's.
+  void take_over(const SynthesizerState& state);
 
   const MotionLibrary& library() const;
+  /// The library as each role's user sees it; may be asked from another thread.
+  const std::shared_ptr<const RoleViews>& views() const;
+  std::shared_ptr<const MotionLibrary> shared_library() const;
 
  private:
   struct State;

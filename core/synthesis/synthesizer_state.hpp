@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/selection/meant_pairs.hpp"
 #include "core/selection/vetoes.hpp"
 #include "core/synthesis/frame_memory.hpp"
 #include "core/synthesis/settings.hpp"
@@ -17,6 +18,7 @@ struct SynthesizerState {
   std::optional<Body> user_body;  ///< as it was given; none when it is measured
   std::optional<int> pinned;
   std::shared_ptr<const Vetoes> vetoes;  ///< shared by the states between two changes; never null
+  std::optional<MeantPairs> meant;
   double unsolved_s = 0;                 ///< since the last frame that was solved
 };
 

@@ -11,6 +11,8 @@ namespace abrazo {
 /// *reference* of the deformation energy, not the result, so bone lengths and contacts stay hard throughout.
 class Transition {
  public:
+  Transition() = default;
+  Transition(const Pose& offset, const Pose& velocity) : offset_(offset), velocity_(velocity) {}
   void reset();
   /// @param hurry  per joint: fades so many times faster; where hands hold one another the hold comes before
   /// the glide
@@ -22,6 +24,7 @@ class Transition {
   void pull(int joint, const Vec3& seen, const Vec3& reference);
 
   const Pose& offset() const { return offset_; }
+  const Pose& velocity() const { return velocity_; }
 
  private:
   Pose offset_ = Pose::Zero();

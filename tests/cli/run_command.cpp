@@ -99,6 +99,14 @@ Outcome RunningCommand::wait() {
   return outcome;
 }
 
+std::string RunningCommand::answers_so_far() const {
+  return content_of(out_);
+}
+
+std::string RunningCommand::errors_so_far() const {
+  return content_of(err_);
+}
+
 Outcome run_abrazo(const fs::path& folder, std::vector<std::string> words) {
   words.insert(words.begin(), ABRAZO_PROGRAM);
   return RunningCommand(words, folder).wait();

@@ -30,6 +30,9 @@ class RunningCommand {
   bool catches(int number) const;
   bool finished();
   Outcome wait();
+  /// What it has written by now; of errors only those that go to a file.
+  std::string answers_so_far() const;
+  std::string errors_so_far() const;
 
  private:
   std::filesystem::path out_, err_;

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <cstring>
 
 #include "tests/cli/command_line_fixture.hpp"
 #include "tests/support/captured_data.hpp"
@@ -67,6 +68,27 @@ TEST_F(SynthCommand, SplitWritesOneFileForEachBody) {
   EXPECT_LT(largest_difference(parse_table(read("back.csv")), pair, "passive."), 1e-3);
 }
 
+/// The JSON chunk of a binary glTF file.
+nlohmann::json gltf_of(const std::string& glb) {
+  std::uint32_t bytes = 0;
+  std::memcpy(&bytes, glb.data() + 12, 4);
+  return nlohmann::json::parse(glb.substr(20, bytes));
+}
+
+TEST_F(SynthCommand, GlbHoldsBothCharactersOrOneEach) {
+  make_library();
+  ASSERT_EQ(synth("-o pair.glb").status, 0);
+  const auto pair = gltf_of(read("pair.glb"));
+  ASSERT_THAT(pair["skins"], SizeIs(2));
+  EXPECT_EQ(pair["skins"][0]["name"], "active");
+  EXPECT_EQ(pair["skins"][1]["name"], "passive");
+  EXPECT_THAT(pair["animations"], SizeIs(1));
+  ASSERT_EQ(synth("-o two.glb --split").status, 0);
+  EXPECT_EQ(gltf_of(read("two_active.glb"))["skins"][0]["name"], "active");
+  EXPECT_EQ(gltf_of(read("two_passive.glb"))["skins"][0]["name"], "passive");
+  EXPECT_THAT(names(), ElementsAre("demo", "demo.h5", "pair.glb", "two_active.glb", "two_passive.glb"));
+}
+
 TEST_F(SynthCommand, AnotherInputRateGivesTheSameStepRate) {
   make_library();
   for (const std::string fps : {"30", "120"}) {
@@ -118,7 +140,7 @@ TEST_F(SynthCommand, WrongFilesAreRefusedWithTheirName) {
   expect_failure(run("synth --library demo/labels.csv" + user), "demo/labels.csv: is not an HDF5 file");
   expect_failure(run("synth --library demo.h5 --input gone.bvh"), "gone.bvh: cannot be opened");
   expect_failure(run("synth --library demo.h5 --input demo.h5"), "demo.h5: is not a motion file");
-  expect_failure(synth("-o pair.fbx"), "pair.fbx: this file type cannot be written");
+  expect_failure(synth("-o pair.fbx"), "pair.fbx: this file type cannot be written; use .bvh, .glb or .csv");
 }
 
 TEST_F(SynthCommand, ACapturedFollowerOfAnotherBuildIsAnswered) {

@@ -10,8 +10,9 @@ using ::testing::MatchesRegex;
 class Usage : public CommandLineTest {};
 
 TEST_F(Usage, HelpIsThereAtEveryLevelAndNamesItsCommand) {
-  for (const std::string command : {"", " motion", " motion info", " motion positions", " library",
-                                    " library build", " library info", " library pair", " synth", " demo"}) {
+  for (const std::string command :
+       {"", " motion", " motion info", " motion positions", " library", " library build", " library info",
+        " library pair", " synth", " demo", " live", " send"}) {
     const Outcome outcome = run(command + " --help");
     EXPECT_EQ(outcome.status, 0) << command;
     EXPECT_THAT(outcome.out, HasSubstr("Usage: abrazo" + command + " ")) << command;

@@ -60,7 +60,7 @@ TEST(Steering, EachDecisionInForceCanBeLiftedByItself) {
   steering = with_veto_toggled(steering, Reach::Take, 0, *library);
   const auto decisions = decisions_in_force(steering, *library);
   ASSERT_EQ(decisions.size(), 4U);
-  EXPECT_TRUE(decisions[0].pin);
+  EXPECT_EQ(decisions[0].kind, Decision::Kind::Pin);
   EXPECT_EQ(decisions[0].text, "salsa_02 2");
   EXPECT_FALSE(decisions[0].without.pinned);
   EXPECT_EQ(decisions[1].text, "all turn");
@@ -70,6 +70,24 @@ TEST(Steering, EachDecisionInForceCanBeLiftedByItself) {
   EXPECT_EQ(decisions[3].text, "salsa_01 2");
   EXPECT_TRUE(decisions[3].without.vetoes.pairs.empty());
   EXPECT_EQ(decisions[3].without.vetoes.takes, steering.vetoes.takes);
+}
+
+TEST(Steering, WhatIsMeantComesFirstAndPutsOtherMovesOut) {
+  const auto library = test::two_take_library();  // pairs 0..3 salsa_01 turn, 4..7 salsa_02 open hold
+  Steering steering = with_pin_toggled({}, 6);
+  steering.meant = MeantMove{"turn", {}, -1, false};
+  EXPECT_FALSE(is_not_meant(steering, 1, *library));
+  EXPECT_TRUE(is_not_meant(steering, 5, *library));
+  const auto decisions = decisions_in_force(steering, *library);
+  ASSERT_EQ(decisions.size(), 2U);
+  EXPECT_EQ(decisions[0].kind, Decision::Kind::Meant);
+  EXPECT_EQ(decisions[0].text, "meaning: turn");
+  EXPECT_FALSE(decisions[0].without.meant);
+  EXPECT_EQ(decisions[0].without.pinned, 6);
+  steering.meant = MeantMove{{}, "salsa_02", -1, false};
+  EXPECT_TRUE(is_not_meant(steering, 1, *library));
+  EXPECT_EQ(meant_words(*steering.meant), "take salsa_02");
+  EXPECT_FALSE(is_not_meant({}, 1, *library)) << "nothing is meant";
 }
 
 TEST(Steering, ManyVetoedPairsAreOneDecision) {

@@ -47,6 +47,12 @@ TEST(Selection, HasACounterpartOfTheOtherCharacter) {
   EXPECT_EQ(other_character(Selection::edge({20, 49})), Selection::edge({45, 24}));
 }
 
+TEST(Selection, IsTheSameHoweverItsVerticesAreOrdered) {
+  EXPECT_EQ(Selection::tetrahedron({3, 40, 1, 2}), Selection::tetrahedron({1, 2, 3, 40}));
+  EXPECT_EQ(Selection::edge({40, 3}), Selection::edge({3, 40}));
+  EXPECT_NE(Selection::edge({3, 40}), Selection::edge({3, 41}));
+}
+
 TEST(Selection, IsNamedByBodiesAndJoints) {
   EXPECT_EQ(name_of(Selection::joint(20)), "leader lhand");
   EXPECT_EQ(name_of(joints_of({20, 49})), "leader lhand, follower rhand");

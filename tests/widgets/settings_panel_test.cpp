@@ -15,10 +15,10 @@
 #include <QUndoStack>
 
 #include "tests/widgets/pictures.hpp"
+#include "widgets/common/value_slider.hpp"
 #include "widgets/settings/preset_bar.hpp"
 #include "widgets/settings/setting_row.hpp"
 #include "widgets/settings/toggle.hpp"
-#include "widgets/settings/value_slider.hpp"
 
 namespace abrazo::widgets {
 namespace {

@@ -98,5 +98,35 @@ TEST(TimelineTracks, ATakeIsCalledByItsNumberWhereItHasOne) {
   EXPECT_EQ(short_take_name("12"), "12");
 }
 
+TEST(TimelineTracks, RowsThatWereLeftOutEndNoInterval) {
+  TimelineTracks tracks;
+  for (int i = 0; i < 5; ++i) {
+    TrackRow row;
+    row.time_s = 2 * i;
+    row.pair = 7;
+    row.take = 1;
+    row.left_out_s = i > 0 ? 2 : 0;
+    tracks.append(row);
+  }
+  ASSERT_EQ(tracks.sources().size(), 1U);
+  EXPECT_EQ(tracks.sources()[0].to_s, 8);
+  EXPECT_EQ(tracks.pair_at(3.5), 7);
+  EXPECT_DOUBLE_EQ(tracks.longest_gap_s(), 3);
+}
+
+TEST(TimelineTracks, KeepTheRoleThatTheUserWasGiven) {
+  TimelineTracks tracks;
+  for (int i = 0; i < 6; ++i) {
+    TrackRow row;
+    row.time_s = 0.1 * i;
+    row.user_is_active = i < 3;
+    tracks.append(row);
+  }
+  ASSERT_EQ(tracks.user_roles().size(), 2U);
+  EXPECT_EQ(tracks.user_roles()[0].key, 1);
+  EXPECT_NEAR(tracks.user_roles()[0].to_s, 0.3, 1e-12);
+  EXPECT_EQ(tracks.user_roles()[1].key, 0);
+}
+
 }  // namespace
 }  // namespace abrazo::widgets

@@ -412,5 +412,29 @@ TEST(QuickEntry, EscapeTakesNothing) {
   EXPECT_FALSE(entry->isVisible());
 }
 
+TEST_F(Timeline, TakesAreBlocksAndADoubleClickAsksForOne) {
+  view.showTakes({{3, 1, 4, "salsa 001", false}, {4, 6, 6, "salsa 002", true}});
+  const QColor ended = mixed(mixed(dark().text, dark().panel, 0.7), dark().panel, 0.22);
+  const QColor running = mixed(dark().live, dark().panel, 0.5);
+  EXPECT_GT(pixels_like(lane_picture(TimelineLane::Takes, 1, 4), ended, 6), 300);
+  EXPECT_GT(pixels_like(lane_picture(TimelineLane::Takes, 7, 9), running, 6), 300)
+      << "a running take lasts until the live end";
+  EXPECT_LT(pixels_like(lane_picture(TimelineLane::Takes, 4.5, 5.5), ended, 6), 30);
+  QSignalSpy asked(&view, &TimelineView::takeRequested);
+  QTest::mouseDClick(&view, Qt::LeftButton, {}, {x(2), middle_of(TimelineLane::Takes)});
+  ASSERT_EQ(asked.count(), 1);
+  EXPECT_EQ(asked[0][0].toLongLong(), 3);
+}
+
+TEST_F(Timeline, TheUsersRoleHasALaneOfItsOwn) {
+  TimelineLanes lanes = view.lanes();
+  EXPECT_FALSE(lanes.is_shown(TimelineLane::UserRole)) << "until it is switched";
+  lanes.set_shown(TimelineLane::UserRole, true);
+  view.setLanes(lanes);
+  view.resize(900, view.sizeHint().height());
+  ASSERT_EQ(view.tracks().user_roles().size(), 2U);
+  EXPECT_NEAR(view.tracks().user_roles()[1].from_s, 200.0 / 30, 1e-6);
+}
+
 }  // namespace
 }  // namespace abrazo::widgets

@@ -40,9 +40,20 @@ TEST(CommandLine, HelpAndVersionAreStatusZero) {
   EXPECT_EQ(exit_code({"--version"}), 0);
 }
 
-TEST(CommandLine, WhatThisVersionLacksIsStatusOne) {
-  EXPECT_EQ(exit_code({"--listen", "vmc://0.0.0.0:39539"}), 1);
-  EXPECT_EQ(exit_code({"--session", "a.abrazo"}), 1);
+TEST(CommandLine, AStreamToFollowAndPlacesToSendToAreUris) {
+  const auto result = parsed({"--listen", "natnet://10.0.0.2?multicast=239.255.42.99", "--send",
+                             "vmc://127.0.0.1:39540", "--send", "vmc://127.0.0.1:39541"});
+  const auto* asked = std::get_if<CommandLine>(&result);
+  ASSERT_NE(asked, nullptr);
+  EXPECT_EQ(asked->listen, "natnet://10.0.0.2?multicast=239.255.42.99");
+  EXPECT_EQ(asked->send.size(), 2U);
+  EXPECT_EQ(exit_code({"--listen", "ftp://here"}), 2);
+  EXPECT_EQ(exit_code({"--send", "vmc://here:99999"}), 2);
+}
+
+TEST(CommandLine, TakesARecordedSession) {
+  const auto result = parsed({"--session", "a.abrazo"});
+  EXPECT_EQ(std::get<CommandLine>(result).session, "a.abrazo");
 }
 
 }  // namespace

@@ -22,6 +22,7 @@
 #include "core/base/atomic_file.hpp"
 #include "core/choreography/salsa.hpp"
 #include "core/motion/bvh.hpp"
+#include "core/stream/pose_sink.hpp"
 #include "widgets/scene/scene_view.hpp"
 #include "widgets/settings/settings_panel.hpp"
 
@@ -31,6 +32,7 @@ namespace {
 constexpr QSize window_size(1600, 1000);
 constexpr double shown_time_s = 30;  ///< of the session, where the cursor is parked
 constexpr double compared_from_s = 20;
+constexpr double live_rate_hz = 60;
 constexpr int patience_ms = 180'000;
 
 template <typename Condition>
@@ -143,6 +145,37 @@ void compare(MainWindow& window) {
   window.settings().change("velocity-weight", "0.4");
 }
 
+/// The take that plays the user, sent as VMC packets to the window itself; the partner is sent back.
+void live(MainWindow& window, Pictures& pictures) {
+  connect_to_stream(window, "vmc://127.0.0.1:39539");
+  const Clip clip = window.session()->material().input;
+  const auto to = parse_stream_uri("vmc://127.0.0.1:39539");
+  auto sender = PoseSink::open(*to, body_of(clip.poses), "user");
+  if (!sender || !window.session()->engine().receiver()) return;
+  send_partner_to(window, "vmc://127.0.0.1:39540?framing=t-last");
+  const double rate = std::min(clip.fps, live_rate_hz);
+  std::size_t sent = 0;
+  QTimer packets;
+  packets.setTimerType(Qt::PreciseTimer);
+  QObject::connect(&packets, &QTimer::timeout, &packets, [&] {
+    const auto frame =
+        static_cast<std::size_t>(static_cast<double>(sent) * clip.fps / rate) % clip.poses.size();
+    (*sender)->send({clip.poses[frame], static_cast<double>(sent++) / rate, true});
+  });
+  packets.start(static_cast<int>(1000 / rate));
+  window.panels().want("connection", true);
+  window.panels().panel("connection")->raise();
+  window.panels().want("latency", true);
+  window.panels().panel("latency")->raise();
+  wait(8000);
+  pictures.window("live");
+  pictures.save(*window.panels().panel("connection"), "connection");
+  pictures.save(*window.panels().panel("latency"), "latency");
+  for (const char* panel : {"connection", "latency"}) window.panels().want(panel, false);
+  for (QAction* action : window.actions())
+    if (action->text() == "Disconnect") action->trigger();
+}
+
 int make_pictures(const QString& out, widgets::Theme theme, const QStringList& files) {
   QTemporaryDir home;
   qputenv("ABRAZO_HOME", home.path().toUtf8());
@@ -170,6 +203,7 @@ int make_pictures(const QString& out, widgets::Theme theme, const QStringList& f
   wait(3000);  // until the comparison at the cursor is there
   pictures.window("workbench");
   pictures.panels();
+  live(window, pictures);
   pictures.dialog("Keys", "keys");
   pictures.dialog("Shortcuts…", "shortcuts");
   pictures.dialog("Sweep two settings…", "sweep", "startSweep", 40);

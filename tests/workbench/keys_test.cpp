@@ -1,6 +1,9 @@
 // Each key of the keymap, pressed in the whole window on the generated dance, by what it does. Not yet there,
-// and so without a row: N and digits for labels, Ctrl+R (record a take), Ctrl+S, Ctrl+N, Ctrl+W (sessions).
+// and so without a row: N and digits for labels, Ctrl+S, Ctrl+N, Ctrl+W (sessions).
+#include "app/workbench/meaning_desk.hpp"
+#include "app/workbench/take_desk.hpp"
 #include "tests/workbench/key_window.hpp"
+#include "widgets/meaning/meaning_popup.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -17,6 +20,13 @@ struct Before {
 };
 
 void nothing() {}
+
+TakeDesk& takes() {
+  return *window->findChild<TakeDesk*>();
+}
+void end_take() {
+  if (takes().isRecording()) takes().toggle();
+}
 
 struct KeyRow {
   const char* name;
@@ -242,6 +252,20 @@ std::vector<KeyRow> program_rows() {
        [](auto&) { return window->takes().selectedTake() >= 0; }},
       {"ShiftSpace", Qt::Key_Space, shift, [] { window->takes().setSelectedTake(0); },
        [](auto&) { return window->takes().isPlaying(); }},
+      {"CtrlR", Qt::Key_R, ctrl, end_take, [](auto&) { return takes().isRecording(); }},
+      {"CtrlShiftR", Qt::Key_R, ctrl | shift,
+       [] {
+         takes().toggle();
+         end_take();
+       },
+       [](auto&) { return takes().isRecording(); }},
+      {"U", Qt::Key_U, none, nothing,
+       [](auto&) {
+         const FrameSnapshotPtr newest = window->session()->latest().newest();
+         return newest->settings.user_role == UserRole::Passive;
+       }},
+      {"W", Qt::Key_W, none, nothing,
+       [](auto&) { return window->findChild<MeaningDesk*>()->popup().isVisible(); }},
       {"CtrlSpace", Qt::Key_Space, ctrl, nothing, [](auto&) { return input_is_held(); }},
       {"P", Qt::Key_P, none, nothing,
        [](auto&) { return window->candidates().steering().pinned.has_value(); }},

@@ -125,6 +125,7 @@ void CandidateList::describe() {
   if (row->selected) words += ", selected";
   if (row->pinned) words += ", pinned";
   if (row->vetoed) words += ", vetoed";
+  if (row->not_meant) words += ", not what is meant";
   if (words != accessibleDescription()) setAccessibleDescription(words);
 }
 
@@ -151,7 +152,7 @@ void CandidateList::paintRow(QPainter& painter, int index) const {
   paintBackground(painter, index, line);
   painter.setFont(interface_font(13));
   paintMarks(painter, index, line);
-  painter.setOpacity(row.vetoed ? vetoed_opacity : 1);
+  painter.setOpacity(row.vetoed || row.not_meant ? vetoed_opacity : 1);
   paintName(painter, row, line);
   paintBar(painter, index);
   painter.setPen(m_palette.text);
@@ -182,6 +183,8 @@ void CandidateList::paintMarks(QPainter& painter, int index, const QRectF& line)
     draw_pin(painter, gutter, m_palette.warning, true);
   else if (row.vetoed)
     draw_veto(painter, gutter, m_palette.secondary);
+  else if (row.not_meant)
+    draw_meant(painter, gutter, m_palette.secondary, true);
   else if (index == m_hovered)
     draw_pin(painter, gutter, m_palette.secondary, false);
   painter.setPen(m_palette.secondary);
@@ -236,7 +239,9 @@ QString CandidateList::tip(const CandidateRow& row) const {
                     .arg(row.swapped ? " (roles swapped)" : "")
                     .arg(row.label.empty() ? "no label" : text(row.label).toHtmlEscaped())
                     .arg(row.pinned ? " · pinned" : "")
-                    .arg(row.vetoed ? " · vetoed" : "");
+                    .arg(row.vetoed      ? " · vetoed"
+                         : row.not_meant ? " · out: another move is meant"
+                                         : "");
   tip += line("pose", row.pose, "m²") + line("α · temporal leader", row.active, "m²") +
          line("α · temporal follower", row.passive, "m²") + line("total (Eq. 7)", row.total, "m²") +
          line("feature distance", row.feature_distance, "m");

@@ -25,7 +25,8 @@ struct CandidateRow {
   double feature_distance = 0;  ///< [m]
   bool selected = false;
   bool pinned = false;
-  bool vetoed = false;  ///< by itself, its take or its label
+  bool vetoed = false;     ///< by itself, its take or its label
+  bool not_meant = false;  ///< another move is meant
 };
 
 /// Cheapest first; ties keep the order of their feature distance.

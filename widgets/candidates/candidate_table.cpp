@@ -125,8 +125,10 @@ void CandidateTable::connectParts() {
   });
   connect(m_columns, &CandidateHeader::columnClicked, this, &CandidateTable::sortBy);
   connect(m_decisions, &DecisionBar::lifted, this, [this](const Decision& decision) {
-    emit steeringRequested(decision.without,
-                           (decision.pin ? "let go of " : "lift veto of ") + text(decision.text));
+    emit steeringRequested(decision.without, (decision.kind == Decision::Kind::Pin     ? "let go of "
+                                              : decision.kind == Decision::Kind::Meant ? "take back "
+                                                                                       : "lift veto of ") +
+                                                 text(decision.text));
   });
   connect(m_mapButton, &QToolButton::toggled, this, &CandidateTable::showMap);
 }
@@ -176,6 +178,7 @@ void CandidateTable::showFrame(const FrameSnapshotPtr& frame) {
 void CandidateTable::mark(CandidateRow& row) const {
   row.pinned = m_steering.pinned == row.pair;
   row.vetoed = is_vetoed(m_steering, row.pair, *m_library);
+  row.not_meant = is_not_meant(m_steering, row.pair, *m_library);
 }
 
 void CandidateTable::showRows() {

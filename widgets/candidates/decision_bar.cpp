@@ -42,8 +42,9 @@ QIcon mark(const Decision& decision, const Palette& palette) {
     picture.fill(Qt::transparent);
     QPainter painter(&picture);
     painter.setRenderHint(QPainter::Antialiasing);
-    decision.pin ? draw_pin(painter, {6, 7}, palette.warning, true)
-                 : draw_veto(painter, {6, 7}, palette.secondary);
+    if (decision.kind == Decision::Kind::Pin) draw_pin(painter, {6, 7}, palette.warning, true);
+    if (decision.kind == Decision::Kind::Veto) draw_veto(painter, {6, 7}, palette.secondary);
+    if (decision.kind == Decision::Kind::Meant) draw_meant(painter, {6, 7}, palette.warning);
     painter.end();
     icon.addPixmap(picture);
   }
@@ -54,7 +55,7 @@ QIcon mark(const Decision& decision, const Palette& palette) {
 
 DecisionBar::DecisionBar(QWidget* parent) : QWidget(parent), m_palette(palette_of(Theme::Dark)) {
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  setAccessibleName("Pin and vetoes in force");
+  setAccessibleName("What was decided and is in force");
   hide();
 }
 
@@ -87,7 +88,9 @@ void DecisionBar::makeButtons() {
     button->setIconSize({12, 14});
     button->setText(what + "  ✕");
     button->setFocusPolicy(Qt::StrongFocus);
-    const QString lift = decision.pin ? "Let the pinned pair go: " + what : "Lift the veto: " + what;
+    const QString lift = decision.kind == Decision::Kind::Pin     ? "Let the pinned pair go: " + what
+                         : decision.kind == Decision::Kind::Meant ? "Take it back, " + what
+                                                                  : "Lift the veto: " + what;
     button->setToolTip(lift);
     button->setAccessibleName(lift);
     connect(button, &QToolButton::clicked, this, [this, decision] { emit lifted(decision); });

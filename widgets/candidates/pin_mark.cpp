@@ -22,4 +22,16 @@ void draw_veto(QPainter& painter, const QPointF& middle, const QColor& colour) {
   painter.restore();
 }
 
+void draw_meant(QPainter& painter, const QPointF& middle, const QColor& colour, bool out) {
+  painter.save();
+  painter.setPen(QPen(colour, 1.3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawPolygon(
+      QPolygonF({middle + QPointF(-4.3, -4), middle + QPointF(4.3, -4), middle + QPointF(4.3, 2),
+                 middle + QPointF(0.5, 2), middle + QPointF(-1.8, 4.6), middle + QPointF(-1.8, 2),
+                 middle + QPointF(-4.3, 2)}));
+  if (out) painter.drawLine(middle + QPointF(-4.6, 4.6), middle + QPointF(4.6, -5.6));
+  painter.restore();
+}
+
 }  // namespace abrazo::widgets

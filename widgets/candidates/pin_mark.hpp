@@ -13,4 +13,7 @@ void draw_pin(QPainter& painter, const QPointF& middle, const QColor& colour, bo
 /// A circle with a bar across, 8 px.
 void draw_veto(QPainter& painter, const QPointF& middle, const QColor& colour);
 
+/// A speech bubble, 9 px: what is meant. @param out  crossed: another move is
+void draw_meant(QPainter& painter, const QPointF& middle, const QColor& colour, bool out = false);
+
 }  // namespace abrazo::widgets

@@ -1,5 +1,7 @@
 #include "widgets/candidates/steering.hpp"
 
+#include <algorithm>
+
 namespace abrazo::widgets {
 namespace {
 
@@ -71,6 +73,21 @@ bool is_vetoed(const Steering& steering, int pair, const MotionLibrary& library)
          is_vetoed(steering, Reach::Label, pair, library);
 }
 
+bool is_not_meant(const Steering& steering, int pair, const MotionLibrary& library) {
+  if (!steering.meant || !exists(pair, library)) return false;
+  const MeantMove& move = *steering.meant;
+  return (move.label && *move.label != library.label(pair)) ||
+         (move.take && *move.take != library.take_of(pair).name);
+}
+
+std::string meant_words(const MeantMove& move) {
+  std::string words;
+  if (move.label) words = move.label->empty() ? "without a label" : *move.label;
+  std::replace(words.begin(), words.end(), '_', ' ');
+  if (move.take) words += (words.empty() ? "take " : " of ") + *move.take;
+  return words;
+}
+
 std::string pair_name(int pair, const MotionLibrary& library) {
   if (!exists(pair, library)) return "pair " + std::to_string(pair);
   return library.take_of(pair).name + " " + std::to_string(library.source(pair).frame);
@@ -78,23 +95,29 @@ std::string pair_name(int pair, const MotionLibrary& library) {
 
 std::vector<Decision> decisions_in_force(const Steering& steering, const MotionLibrary& library) {
   std::vector<Decision> found;
+  if (steering.meant) {
+    Steering rest = steering;
+    rest.meant.reset();
+    found.push_back({Decision::Kind::Meant, "meaning: " + meant_words(*steering.meant), rest});
+  }
   if (steering.pinned) {
     Steering rest = steering;
     rest.pinned.reset();
-    found.push_back({true, pair_name(*steering.pinned, library), rest});
+    found.push_back({Decision::Kind::Pin, pair_name(*steering.pinned, library), rest});
   }
   for (const std::string& label : steering.vetoes.labels)
-    found.push_back({false, label.empty() ? "all without a label" : "all " + label,
+    found.push_back({Decision::Kind::Veto, label.empty() ? "all without a label" : "all " + label,
                      without(steering, &Vetoes::labels, label)});
   for (const std::string& take : steering.vetoes.takes)
-    found.push_back({false, "take " + take, without(steering, &Vetoes::takes, take)});
+    found.push_back({Decision::Kind::Veto, "take " + take, without(steering, &Vetoes::takes, take)});
   if (steering.vetoes.pairs.size() > most_single_pairs) {
     Steering rest = steering;
     rest.vetoes.pairs.clear();
-    found.push_back({false, std::to_string(steering.vetoes.pairs.size()) + " pairs", rest});
+    found.push_back({Decision::Kind::Veto, std::to_string(steering.vetoes.pairs.size()) + " pairs", rest});
   } else {
     for (const int pair : steering.vetoes.pairs)
-      found.push_back({false, pair_name(pair, library), without(steering, &Vetoes::pairs, pair)});
+      found.push_back(
+          {Decision::Kind::Veto, pair_name(pair, library), without(steering, &Vetoes::pairs, pair)});
   }
   return found;
 }

@@ -13,8 +13,9 @@ namespace abrazo::widgets {
 struct Steering {
   std::optional<int> pinned;  ///< the pair that is selected, whatever it costs
   Vetoes vetoes;
+  std::optional<MeantMove> meant;  ///< only these are selected, while there are any
 
-  bool empty() const { return !pinned && vetoes.empty(); }
+  bool empty() const { return !pinned && vetoes.empty() && !meant; }
   bool operator==(const Steering&) const = default;
 };
 
@@ -32,14 +33,20 @@ bool is_vetoed(const Steering& steering, Reach reach, int pair, const MotionLibr
 /// By itself, its take or its label.
 bool is_vetoed(const Steering& steering, int pair, const MotionLibrary& library);
 
+/// Another move than the one that is meant.
+bool is_not_meant(const Steering& steering, int pair, const MotionLibrary& library);
+/// "turn", "take salsa_02", "without a label".
+std::string meant_words(const MeantMove& move);
+
 /// A decision in force, in words, and what is left without it.
 struct Decision {
-  bool pin = false;
+  enum class Kind { Veto, Pin, Meant };
+  Kind kind = Kind::Veto;
   std::string text;  ///< "salsa_06 1342", "take salsa_02", "all turn", "7 pairs"
   Steering without;
 };
 
-/// The pin first, then labels, takes and pairs; more than three pairs are one decision.
+/// What is meant and the pin first, then labels, takes and pairs; more than three pairs are one decision.
 std::vector<Decision> decisions_in_force(const Steering& steering, const MotionLibrary& library);
 
 /// "salsa_06 1342"

@@ -77,7 +77,9 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_parts(std::make_uniqu
     if (!m_parts->on_the_way) return;  // the window was put together anew without a new picture of the scene
     m_parts->on_the_way = false;
     ++m_parts->rendered;
-    m_parts->budget.took(m_parts->smoothed, static_cast<double>(m_parts->since_render.nsecsElapsed()) * 1e-6);
+    const double took_ms = static_cast<double>(m_parts->since_render.nsecsElapsed()) * 1e-6;
+    m_parts->budget.took(m_parts->smoothed, took_ms);
+    emit pictureDrawn(took_ms);
   });
   p.standstill.setSingleShot(true);
   p.standstill.setInterval(standstill_ms);

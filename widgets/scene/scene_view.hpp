@@ -95,6 +95,8 @@ class SceneView : public QWidget {
   void selectionRequested(const abrazo::widgets::Selection& selection);
   /// Index into the frame's candidates whose ghost the pointer is on; -1 when it left.
   void candidateHovered(int candidate);
+  /// One more picture reached the screen, so long after it was begun.
+  void pictureDrawn(double took_ms);
 
  protected:
   bool event(QEvent* event) override;

@@ -11,9 +11,9 @@
 
 #include "core/base/text.hpp"
 #include "widgets/common/typeset.hpp"
+#include "widgets/common/value_slider.hpp"
 #include "widgets/settings/setting_help.hpp"
 #include "widgets/settings/toggle.hpp"
-#include "widgets/settings/value_slider.hpp"
 
 namespace abrazo::widgets {
 namespace {

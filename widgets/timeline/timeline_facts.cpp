@@ -71,7 +71,32 @@ QString marker_facts(const TimelineContent& content, double time_s) {
   return QString("<b>%1</b><br>marker at %2").arg(words(marker_title(*marker)), clock_at(marker->time_s));
 }
 
+QString take_facts(const TimelineContent& content, double time_s) {
+  const TimelineTake* take = take_at(content, time_s);
+  if (!take) return {};
+  return QString("<b>%1</b><br>%2, %3 s at %4<br>Double click: in and out there")
+      .arg(words(take->name), take->is_running ? "being recorded" : "take")
+      .arg((take->is_running ? content.playback.last_s : take->to_s) - take->from_s, 0, 'f', 1)
+      .arg(clock_at(take->from_s));
+}
+
+QString user_role_facts(const TimelineContent& content, double time_s) {
+  const auto* role = interval_at(content.tracks.user_roles(), time_s);
+  if (!role) return {};
+  return QString("<b>The user is the %1</b><br>since %2")
+      .arg(role->key == 1 ? "active performer, the partner answers" : "passive performer, the partner leads",
+           clock_at(role->from_s));
+}
+
 }  // namespace
+
+const TimelineTake* take_at(const TimelineContent& content, double time_s) {
+  const auto found =
+      std::find_if(content.takes.rbegin(), content.takes.rend(), [&](const TimelineTake& take) {
+        return take.from_s <= time_s && (take.is_running || time_s <= take.to_s);
+      });
+  return found == content.takes.rend() ? nullptr : &*found;
+}
 
 QString facts_at(const TimelineContent& content, const QPointF& place) {
   const TimelineAxis& axis = content.axis();
@@ -81,8 +106,11 @@ QString facts_at(const TimelineContent& content, const QPointF& place) {
   const bool on_lane = content.lanes.lane_at(place.y(), lane);
   if (on_lane && lane == TimelineLane::Settings) return settings_facts(content, place.x());
   if (on_lane && lane == TimelineLane::Markers) return marker_facts(content, time_s);
+  if (on_lane && lane == TimelineLane::Takes) return take_facts(content, time_s);
+  if (on_lane && lane == TimelineLane::UserRole) return user_role_facts(content, time_s);
   if (time_s < content.playback.first_s)
-    return time_s < 0 ? QString() : QString("Given up: the memory for recorded frames is full");
+    return time_s < 0 ? QString()
+                      : QString("Given up: the memory for frames is full, and they were not kept on disk");
   QString facts = source_facts(content, time_s);
   if (facts.isEmpty()) return {};
   const double around_s = std::max(axis.seconds_per_pixel(), 0.01);
@@ -90,6 +118,7 @@ QString facts_at(const TimelineContent& content, const QPointF& place) {
     facts += figure_facts(content.tracks.costs(), time_s, around_s, "cost");
   if (on_lane && lane == TimelineLane::Energy)
     facts += figure_facts(content.tracks.energies(), time_s, around_s, "energy");
+  if (time_s < content.memory_first_s) facts += "<br><i>on disk</i>";
   return facts + "<br>" + clock_at(time_s);
 }
 

@@ -150,8 +150,16 @@ void TimelineView::mouseDoubleClickEvent(QMouseEvent* event) {
     emit markerEntryRequested(hit.marker);
   else if (event->button() == Qt::LeftButton && hit.part == TimelineHit::Part::Range)
     emit rangeEntryRequested();
+  else if (const TimelineTake* take = takeUnder(event->localPos()); take && event->button() == Qt::LeftButton)
+    emit takeRequested(take->id);
   else
     mousePressEvent(event);
+}
+
+const TimelineTake* TimelineView::takeUnder(const QPointF& place) const {
+  TimelineLane lane{};
+  const bool on_takes = m_content.lanes.lane_at(place.y(), lane) && lane == TimelineLane::Takes;
+  return on_takes ? take_at(m_content, axis().time(place.x())) : nullptr;
 }
 
 void TimelineView::showPointer(const QPointF& place) {

@@ -8,8 +8,8 @@
 namespace abrazo::widgets {
 
 /// The rows of the timeline, from the top.
-enum class TimelineLane { Source, Moves, Role, Cost, Energy, Settings, Markers };
-inline constexpr int timeline_lane_count = 7;
+enum class TimelineLane { Source, Moves, Role, UserRole, Cost, Energy, Settings, Takes, Markers };
+inline constexpr int timeline_lane_count = 9;
 
 struct TimelineLaneInfo {
   std::string_view name;
@@ -20,9 +20,11 @@ inline constexpr std::array<TimelineLaneInfo, timeline_lane_count> timeline_lane
     {"Source", 27, true},
     {"Moves", 27, true},
     {"Role", 27, true},
+    {"User is", 20, false},
     {"Cost", 27, true},
     {"Energy", 27, false},
     {"Settings", 20, true},
+    {"Takes", 20, true},
     {"Markers", 20, true},
 }};
 

@@ -16,7 +16,6 @@ namespace {
 
 constexpr double names_left = 14;
 constexpr double tick_apart = 90;
-constexpr double longest_bridge_s = 0.5;  // without a sample for longer than this, a curve has a gap
 
 QString text(std::string_view utf8) {
   return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
@@ -49,12 +48,15 @@ class Painting {
     sources();
     blocks(TimelineLane::Moves, c.tracks.moves());
     blocks(TimelineLane::Role, c.tracks.leaders());
+    blocks(TimelineLane::UserRole, c.tracks.user_roles());
     curve(TimelineLane::Cost, c.tracks.costs(), colours.user);
     curve(TimelineLane::Energy, c.tracks.energies(), colours.energy_deformation);
     settings();
+    takes();
     p.setClipRect(QRectF(axis.left_px - 6, 0, axis.width_px + 12, c.lanes.bottom_px()));
     range();
     ruler();
+    on_disk();
     evicted();
     live_end();
     markers();
@@ -157,6 +159,9 @@ class Painting {
       const bool user = key == static_cast<int>(Leader::User);
       look.edge = user ? colours.active : colours.passive;
       look.name = user ? "user leads" : "partner leads";
+    } else if (which == TimelineLane::UserRole) {
+      look.edge = key == 1 ? colours.active : colours.passive;
+      look.name = key == 1 ? "active" : "passive";
     } else {
       look.edge = label_colour(colours, key < 0 ? std::string_view() : c.tracks.label(key));
       if (key >= 0) look.name = text(c.tracks.label(key)).replace('_', ' ');
@@ -196,7 +201,7 @@ class Painting {
     const double upper = usual_upper(columns);
     if (!(upper > 0)) return;
     const double seconds_per_column = axis.seconds_per_pixel() / scale;
-    bridge_columns(columns, static_cast<int>(longest_bridge_s / seconds_per_column));
+    bridge_columns(columns, static_cast<int>(c.tracks.longest_gap_s() / seconds_per_column));
     QImage line = curve_picture(columns, upper, static_cast<int>(area.height() * scale), 1.2 * scale, colour);
     line.setDevicePixelRatio(scale);
     p.drawImage(area.topLeft(), line);
@@ -242,6 +247,40 @@ class Painting {
       const double grip = x == in ? x : x - 5;
       p.fillRect(QRectF(grip, 1, 5, 7), mixed(colours.accent, colours.text, 0.75));
     }
+  }
+
+  void takes() {
+    if (!shows(TimelineLane::Takes)) return;
+    const QRectF row = lane(TimelineLane::Takes);
+    for (const TimelineTake& take : c.takes) {
+      const double end_s = take.is_running ? c.playback.last_s : take.to_s;
+      const double left = std::max(axis.x(take.from_s), axis.left_px);
+      const double right = std::min(axis.x(end_s), axis.right_px());
+      if (right < left) continue;
+      const QRectF area(left, row.top() + 3, std::max(2.0, right - left), row.height() - 6);
+      const QColor ink = take.is_running ? colours.live : mixed(colours.text, colours.panel, 0.7);
+      p.fillRect(area, mixed(ink, colours.panel, take.is_running ? 0.5 : 0.22));
+      p.fillRect(QRectF(area.topLeft(), QSizeF(2, area.height())), ink);
+      const QString name = (take.is_running ? "● " : "") + text(take.name);
+      const QString fitting =
+          p.fontMetrics().elidedText(name, Qt::ElideRight, static_cast<int>(area.width()) - 10);
+      constexpr int readable = 5;
+      if (fitting != name && fitting.size() < readable) continue;
+      p.setPen(colours.text);
+      p.drawText(area.adjusted(7, -3, 0, 3), Qt::AlignVCenter, fitting);
+    }
+  }
+
+  /// Frames that memory no longer has but the session file does: they can be gone to like any other.
+  void on_disk() {
+    const double end = std::min(axis.x(std::min(c.memory_first_s, c.playback.last_s)), axis.right_px());
+    const double begin = std::max(axis.x(c.playback.first_s), axis.left_px);
+    if (end - begin < 1) return;
+    QColor shade = colours.secondary;
+    shade.setAlphaF(0.10F);
+    p.fillRect(QRectF(begin, 0, end - begin, TimelineLanes::ruler_px), shade);
+    p.fillRect(QRectF(begin, TimelineLanes::ruler_px - 1, end - begin, 1.5),
+               mixed(colours.secondary, colours.panel, 0.7));
   }
 
   void evicted() {

@@ -9,7 +9,7 @@ namespace {
 using Interval = TimelineTracks::Interval;
 using Lane = TimelineTracks::Lane;
 
-constexpr double gap_s = 0.5;  // without a frame for longer than this, an interval ends
+constexpr double gap_s = 0.5;  // of rows that are frame by frame
 
 /// The first interval that ends after a time.
 Lane::const_iterator ending_after(const Lane& lane, double time_s) {
@@ -19,18 +19,25 @@ Lane::const_iterator ending_after(const Lane& lane, double time_s) {
 
 }  // namespace
 
+double TimelineTracks::longest_gap_s() const {
+  constexpr double uneven = 1.5;  // rows that were left out evenly by index are not quite even in time
+  return std::max(gap_s, uneven * left_out_s_);
+}
+
 void TimelineTracks::append(const TrackRow& row) {
+  left_out_s_ = std::max(left_out_s_, row.left_out_s);
   extend(sources_, row.time_s, row.take, row.source_changed);
   extend(moves_, row.time_s, row.label.empty() ? -1 : label_key(row.label));
   extend(leaders_, row.time_s, static_cast<int>(row.leader));
+  extend(user_roles_, row.time_s, row.user_is_active ? 1 : 0);
   pairs_.push_back({row.time_s, row.pair});
   if (row.take < 0) return;
   costs_.append(row.time_s, row.cost);
   energies_.append(row.time_s, row.energy);
 }
 
-void TimelineTracks::extend(Lane& lane, double time_s, int key, bool begins) {
-  const bool continues = !lane.empty() && time_s - lane.back().to_s < gap_s;
+void TimelineTracks::extend(Lane& lane, double time_s, int key, bool begins) const {
+  const bool continues = !lane.empty() && time_s - lane.back().to_s < longest_gap_s();
   if (continues) lane.back().to_s = time_s;  // an interval lasts until the next begins
   if (!continues || begins || lane.back().key != key) lane.push_back({time_s, time_s, key});
 }
@@ -43,7 +50,7 @@ int TimelineTracks::label_key(std::string_view label) {
 }
 
 void TimelineTracks::drop_before(double time_s) {
-  for (Lane* lane : {&sources_, &moves_, &leaders_}) {
+  for (Lane* lane : {&sources_, &moves_, &leaders_, &user_roles_}) {
     while (!lane->empty() && lane->front().to_s < time_s) lane->pop_front();
     if (!lane->empty()) lane->front().from_s = std::max(lane->front().from_s, time_s);
   }
@@ -61,7 +68,7 @@ int TimelineTracks::pair_at(double time_s) const {
                                       [](double t, const Selection& chosen) { return t < chosen.time_s; });
   if (after == pairs_.begin()) return -1;
   const Selection& here = *std::prev(after);
-  return time_s - here.time_s < gap_s ? here.pair : -1;
+  return time_s - here.time_s < longest_gap_s() ? here.pair : -1;
 }
 
 std::optional<double> TimelineTracks::edge_before(double time_s) const {

@@ -22,8 +22,10 @@ struct TrackRow {
   std::string_view label;  ///< its move; may be empty
   bool source_changed = false;
   Leader leader = Leader::User;
-  double cost = 0;    ///< of the selected pair [m^2]
-  double energy = 0;  ///< sum of the terms [m^2]
+  double cost = 0;             ///< of the selected pair [m^2]
+  double energy = 0;           ///< sum of the terms [m^2]
+  bool user_is_active = true;  ///< the role the user was given, whoever leads
+  double left_out_s = 0;       ///< to the row before, where the frames between them were left out
 };
 
 /// What the lanes of the timeline show, kept up frame by frame. Plain data, no toolkit.
@@ -32,7 +34,7 @@ class TimelineTracks {
   struct Interval {
     double from_s = 0;
     double to_s = 0;
-    int key = -1;  ///< take, index into labels(), or Leader; -1 for nothing
+    int key = -1;  ///< take, index into labels(), Leader, or whether the user is active; -1 for nothing
   };
   using Lane = std::deque<Interval>;
 
@@ -44,9 +46,13 @@ class TimelineTracks {
   const Lane& sources() const { return sources_; }  ///< a jump within a take begins an interval, too
   const Lane& moves() const { return moves_; }
   const Lane& leaders() const { return leaders_; }
+  const Lane& user_roles() const { return user_roles_; }
   const SampleCurve& costs() const { return costs_; }
   const SampleCurve& energies() const { return energies_; }
   const std::string& label(int key) const { return labels_[static_cast<std::size_t>(key)]; }
+
+  /// Without a row for longer than this nothing is known, and lanes and curves end.
+  double longest_gap_s() const;
 
   /// The pair selected in the frame shown at a time; -1 where there is none.
   int pair_at(double time_s) const;
@@ -59,10 +65,11 @@ class TimelineTracks {
     double time_s = 0;
     int pair = -1;
   };
-  static void extend(Lane& lane, double time_s, int key, bool begins = false);
+  void extend(Lane& lane, double time_s, int key, bool begins = false) const;
   int label_key(std::string_view label);
 
-  Lane sources_, moves_, leaders_;
+  Lane sources_, moves_, leaders_, user_roles_;
+  double left_out_s_ = 0;  ///< most there was
   SampleCurve costs_, energies_;
   std::deque<Selection> pairs_;  ///< of every frame
   std::vector<std::string> labels_;

@@ -22,6 +22,7 @@ TrackRow row_of(const FrameSnapshot& frame, const MotionLibrary* library, double
   TrackRow row;
   row.time_s = frame.time_s;
   row.leader = leader_of(frame, library);
+  row.user_is_active = frame.settings.user_role == UserRole::Active;
   if (!library || result.selected < 0) return row;
   const Candidate& chosen = result.candidates[static_cast<std::size_t>(result.selected)];
   if (chosen.pair < 0 || chosen.pair >= library->pair_count()) return row;
@@ -73,9 +74,15 @@ void TimelineView::setLibrary(std::shared_ptr<const MotionLibrary> library) {
   m_content.library = std::move(library);
   ++m_session;
   m_nextIndex = 0;
+  m_isBegun = false;
   m_previousTime = 0;
   m_drag = Drag::None;
   arrange();  // the new viewport has no place yet
+}
+
+void TimelineView::extendLibrary(std::shared_ptr<const MotionLibrary> library) {
+  m_content.library = std::move(library);
+  redraw();
 }
 
 void TimelineView::setColours(const Palette& palette) {
@@ -103,6 +110,12 @@ void TimelineView::selectMarker(int id) {
   redraw();
 }
 
+void TimelineView::showTakes(std::vector<TimelineTake> takes) {
+  if (takes == m_content.takes) return;
+  m_content.takes = std::move(takes);
+  redraw();
+}
+
 void TimelineView::redraw() {
   m_layerIsOld = true;
   update();
@@ -110,6 +123,9 @@ void TimelineView::redraw() {
 
 void TimelineView::refresh(const FrameHistory& history, const Playback& playback) {
   const double shown_until = axis().last_s(), known_until = m_content.playback.last_s;
+  const double memory_first_s = history.span().memory_first_s;
+  if (memory_first_s != m_content.memory_first_s) m_layerIsOld = true;
+  m_content.memory_first_s = memory_first_s;
   for (const FrameSnapshotPtr& frame : history.since(m_nextIndex)) take(*frame);
   m_content.tracks.drop_before(playback.first_s);
   m_content.settings.evict_before(playback.first_s);
@@ -119,11 +135,15 @@ void TimelineView::refresh(const FrameHistory& history, const Playback& playback
 }
 
 void TimelineView::take(const FrameSnapshot& frame) {
+  const bool left_out = m_isBegun && frame.index > m_nextIndex;
   m_nextIndex = frame.index + 1;
+  m_isBegun = true;
   const std::size_t changes = m_content.settings.changes().size();
   m_content.settings.append(frame);
   if (m_content.settings.changes().size() != changes) m_settingsMarksScale = 0;
-  m_content.tracks.append(row_of(frame, m_content.library.get(), frame.time_s - m_previousTime));
+  TrackRow row = row_of(frame, m_content.library.get(), frame.time_s - m_previousTime);
+  if (left_out) row.left_out_s = frame.time_s - m_previousTime;
+  m_content.tracks.append(row);
   m_previousTime = frame.time_s;
 }
 

@@ -20,6 +20,8 @@ class TimelineView : public QWidget {
   explicit TimelineView(QWidget* parent = nullptr);
   /// Begins a session: forgets frames and markers.
   void setLibrary(std::shared_ptr<const MotionLibrary> library);
+  /// The session goes on with a longer library, in which the takes there were have kept their numbers.
+  void extendLibrary(std::shared_ptr<const MotionLibrary> library);
   int session() const { return m_session; }  ///< counts them
   void setColours(const Palette& palette);
 
@@ -34,6 +36,9 @@ class TimelineView : public QWidget {
   void showMarkers(const Markers& markers);
   int selectedMarker() const { return m_content.selected_marker; }
   void selectMarker(int id);
+
+  const std::vector<TimelineTake>& takes() const { return m_content.takes; }
+  void showTakes(std::vector<TimelineTake> takes);
 
   /// For frames that do not come from a history.
   void append(std::span<const TrackRow> rows);
@@ -55,6 +60,7 @@ class TimelineView : public QWidget {
   void scrubbing(bool on);
   void rangeRequested(double from_s, double to_s);
   void rangeEntryRequested();
+  void takeRequested(qint64 id);
   void markersRequested(const abrazo::Markers& next, const QString& what);
   void markerEntryRequested(int id);
   void menuRequested(const QPoint& global);
@@ -83,6 +89,7 @@ class TimelineView : public QWidget {
   void arrange();
   void arrangeScroll();
   TimelineHit under(const QPointF& place) const;
+  const TimelineTake* takeUnder(const QPointF& place) const;
   void begin(const TimelineHit& hit, QMouseEvent* event);
   void dragTo(const QPointF& place);
   void scrubTo(double x_px);
@@ -94,6 +101,7 @@ class TimelineView : public QWidget {
   bool m_layerIsOld = true;
   int m_session = 0;
   std::uint64_t m_nextIndex = 0;
+  bool m_isBegun = false;           ///< a frame was taken
   double m_previousTime = 0;        ///< of the frame taken last
   double m_settingsMarksScale = 0;  ///< [s/px] at which the marks were gathered
   QScrollBar* m_scroll;

@@ -48,6 +48,13 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent), m_palette(palette
   makeSpeeds();
   makeRepeats();
   makeFormats();
+  m_recording = new QLabel(this);
+  m_recording->setAccessibleName("Recording");
+  m_recording->hide();
+  m_role = button("Role of the user", {});
+  m_role->setPopupMode(QToolButton::InstantPopup);
+  m_role->setFocusPolicy(Qt::TabFocus);
+  m_role->hide();
   m_input = new QLabel(this);
   m_input->setObjectName("secondary");
   arrange();
@@ -132,7 +139,11 @@ void TransportBar::arrange() {
     row->addSpacing(space);
     row->addWidget(widget);
   }
+  row->addSpacing(8);
+  row->addWidget(m_role);
   row->addStretch(1);
+  row->addWidget(m_recording, 0, Qt::AlignVCenter);
+  row->addSpacing(12);
   m_input->setMinimumWidth(1);
   row->addWidget(m_input);
 }
@@ -158,6 +169,10 @@ void TransportBar::dress() {
   m_backAndForth->setChecked(forth);
   m_everyFrame->setChecked(m_shown.every_frame);
   m_frame->setColour(m_palette.secondary);
+  m_recording->setStyleSheet(QString("background: %1; color: #ffffff; border-radius: 5px; padding: 2px 8px; "
+                                     "font-weight: 600; font-size: 12px;")
+                                 .arg(m_palette.live.name()));
+  dressRole();
   const auto coloured = [](const QColor& colour) {
     return QString("QToolButton { color: %1; } QToolButton::menu-indicator { image: none; }")
         .arg(colour.name());
@@ -191,9 +206,56 @@ void TransportBar::setFormat(TimeFormat format) {
   showTime();
 }
 
+void TransportBar::showRecording(const QString& words) {
+  const QString text = words.isEmpty() ? QString() : "● REC  " + words;
+  if (text == m_recording->text()) return;
+  m_recording->setText(text);
+  m_recording->setVisible(!text.isEmpty());
+  makeRoom();
+}
+
+void TransportBar::showRole(bool user_is_active, const QString& by) {
+  m_userIsActive = user_is_active;
+  const QString role = user_is_active ? "active" : "passive";
+  const QString text = "user " + role + (by.isEmpty() ? QString() : " · " + by) + " ▾";
+  if (text == m_role->text() && !m_role->isHidden()) return;
+  m_role->setText(text);
+  m_role->setAccessibleName("Role of the user: " + role);
+  m_role->setToolTip(user_is_active
+                         ? "The user is the active performer; the partner answers (U switches)"
+                         : "The user is the passive performer; the partner leads (U switches)");
+  m_role->show();
+  dressRole();
+  makeRoom();
+}
+
+/// The colour of the character that the user is; the partner leads in dashes.
+void TransportBar::dressRole() {
+  const QColor ink = m_userIsActive ? m_palette.active : m_palette.passive;
+  m_role->setStyleSheet(
+      QString("QToolButton { color: %1; border: 1.5px %2 %3; border-radius: 6px; padding: 2px 8px; "
+              "font-weight: 600; font-size: 12px; } "
+              "QToolButton::menu-indicator { image: none; width: 0; }")
+          .arg(m_palette.text.name(), m_userIsActive ? "solid" : "dashed", ink.name()));
+}
+
+void TransportBar::setRoleMenu(QMenu* menu) {
+  m_role->setMenu(menu);
+}
+
+QString TransportBar::recordingText() const {
+  return m_recording->text();
+}
+
+QString TransportBar::roleText() const {
+  return m_role->isHidden() ? QString() : m_role->text();
+}
+
 /// Rather nothing than half a name.
 void TransportBar::makeRoom() {
-  constexpr int others_px = 660;
+  int others_px = 660;
+  for (const QWidget* part : {static_cast<QWidget*>(m_recording), static_cast<QWidget*>(m_role)})
+    if (!part->isHidden()) others_px += part->sizeHint().width() + 12;
   m_input->setVisible(width() >= others_px + m_input->sizeHint().width());
 }
 

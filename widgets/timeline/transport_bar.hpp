@@ -28,6 +28,14 @@ class TransportBar : public QWidget {
   double rate() const { return m_rate_hz; }
   void setFormat(TimeFormat format);
   TimeFormat format() const { return m_format; }
+  /// A take is being recorded; empty when none is. "salsa 003 · 00:35"
+  void showRecording(const QString& words);
+  /// Which role the user has. @param by  who decides: "by hand", "by the library"
+  void showRole(bool user_is_active, const QString& by);
+  /// Opens at the role.
+  void setRoleMenu(QMenu* menu);
+  QString recordingText() const;
+  QString roleText() const;
   QString stateText() const;
   QString timeText() const;
   QString speedText() const;
@@ -66,6 +74,7 @@ class TransportBar : public QWidget {
   void showTime();
   void showState();
   void showSpeed();
+  void dressRole();
 
   Palette m_palette;
   Playback m_shown;
@@ -73,6 +82,9 @@ class TransportBar : public QWidget {
   double m_achieved = 1;
   double m_rate_hz = 0;
   TimeFormat m_format = TimeFormat::Clock;
+  QLabel* m_recording;
+  QToolButton* m_role;
+  bool m_userIsActive = true;
   QToolButton *m_start, *m_back, *m_play, *m_forward, *m_end, *m_speed, *m_loop;
   TabularLabel *m_time, *m_frame, *m_state;
   QPushButton* m_live;

@@ -47,11 +47,23 @@ void add_welcome_actions(MainWindow& window);
 void add_scene_actions(MainWindow& window);
 /// Links the selection of all views.
 void add_selection_actions(MainWindow& window);
+/// Recording takes of a session.
+void add_take_actions(MainWindow& window);
+/// Two streamed performers as a take of the library; after those of takes.
+void add_pair_actions(MainWindow& window);
+/// Which role the user has, and who decides about it.
+void add_role_actions(MainWindow& window);
+/// "I mean this move"; after those of candidates.
+void add_meaning_actions(MainWindow& window);
+/// Opening recorded sessions; after those of takes.
+void add_session_actions(MainWindow& window);
 void add_solve_actions(MainWindow& window);
 /// One's own presets, and what the shown frame was solved with.
 void add_preset_actions(MainWindow& window);
 /// The window that tries a grid of two settings on the takes of the library.
 void add_sweep_actions(MainWindow& window);
+/// Connecting to a live stream, calibrating, sending on; the panels of connection and latency.
+void add_stream_actions(MainWindow& window);
 /// The library browser, and building libraries of motion files.
 void add_library_actions(MainWindow& window);
 /// Pin, veto and jump; what the candidate table asks for becomes a step of undo.
@@ -69,8 +81,15 @@ void add_shortcuts(MainWindow& window);
 /// Size and place of the window and its panels as they were when it was closed last; after all panels exist.
 void restore_last_layout(MainWindow& window);
 
+/// Sessions that a crash left behind, above the scene.
+void offer_leftovers(MainWindow& window);
+
 /// Shows the welcome page where a person wants it and there is room for it beside the scene.
 void welcome_at_start(MainWindow& window);
+
+/// As soon as there is a session. What is wrong is told.
+void connect_to_stream(MainWindow& window, const QString& uri);
+void send_partner_to(MainWindow& window, const QString& uri);
 
 /// @param entry  of the recent files; what is missing is told
 void open_recent(MainWindow& window, const QString& entry);

@@ -16,8 +16,14 @@ void add_all_actions(MainWindow& window) {
   add_solve_actions(window);
   add_preset_actions(window);
   add_sweep_actions(window);
+  add_stream_actions(window);
+  add_take_actions(window);
+  add_pair_actions(window);
+  add_role_actions(window);
+  add_session_actions(window);
   add_plot_actions(window);
   add_candidate_actions(window);
+  add_meaning_actions(window);
   add_compare_actions(window);
   add_recent_actions(window);
   add_help_actions(window);

@@ -21,8 +21,9 @@ namespace {
 void choose_files(MainWindow& window) {
   const QStringList files =
       QFileDialog::getOpenFileNames(&window, "Open", window.remembered().lastFolder(),
-                                    "All that Abrazo opens (*.bvh *.amc *.asf *.h5 *.json);;Motions "
-                                    "(*.bvh *.amc *.asf);;Libraries (*.h5 *.json);;All files (*)");
+                                    "All that Abrazo opens (*.bvh *.amc *.asf *.h5 *.json *.abrazo);;Motions "
+                                    "(*.bvh *.amc *.asf);;Libraries (*.h5 *.json);;Sessions "
+                                    "(*.abrazo);;All files (*)");
   if (files.isEmpty()) return;
   window.remembered().setLastFolder(QFileInfo(files.front()).absolutePath());
   window.openFiles(files);

@@ -92,7 +92,7 @@ void show_progress(MainWindow& window, RangeRendering& rendering, const QString&
 }
 
 void open_dialog(MainWindow& window, RenderDialog& dialog) {
-  if (!window.ticker().history() || window.ticker().history()->span().frames < 2)
+  if (const auto* past = window.ticker().history(); !past || past->span().frames + past->span().stored < 2)
     return window.messages().showInformation("There is nothing recorded yet");
   if (window.findChild<RangeRendering*>())
     return window.messages().showInformation("A range is being rendered; wait for it, or cancel it");

@@ -15,7 +15,7 @@ void add_solve_actions(MainWindow& window) {
                [&window, preset] { window.settings().choosePreset(preset); });
   }
   menu->addSeparator();
-  QAction* hold = add_action(window, menu, "Hold the input still", {QKeySequence("Ctrl+Space")}, [] {});
+  QAction* hold = add_action(window, menu, "Hold the input still", {}, [] {});
   hold->setCheckable(true);
   QObject::connect(hold, &QAction::toggled, &window, [&window](bool on) {
     if (window.session()) window.session()->push(PauseInput{on});

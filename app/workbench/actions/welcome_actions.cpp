@@ -33,8 +33,8 @@ QAction* find_action(const MainWindow& window, const QString& beginning) {
 
 /// What other parts of the program offer to begin with, by the names of their actions.
 void add_starts(MainWindow& window, WelcomePage& page) {
-  for (const char* name :
-       {"Open…", "Generated dance", "Generated fight", "Build a library", "Build library"}) {
+  for (const char* name : {"Open…", "Generated dance", "Generated fight", "Build a library", "Build library",
+                           "Connect to a stream"}) {
     QAction* action = find_action(window, name);
     if (!action) continue;
     page.addStart(action->text(), action->shortcut().toString(QKeySequence::NativeText),

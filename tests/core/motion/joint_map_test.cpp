@@ -91,9 +91,11 @@ TEST(JointMap, UnityFillsInWhatAvatarsMayLack) {
   for (const char* part :
        {"Chest", "UpperChest", "Neck", "LeftToes", "RightToes", "LeftMiddleProximal", "RightMiddleProximal"})
     full.push_back(part);
-  const JointBinding best = bind_joints(builtin("unity"), full);
-  EXPECT_THAT(best.missing, IsEmpty());
-  EXPECT_THAT(best.estimated, testing::ElementsAre(joints::LeftToes, joints::RightToes));
+  const JointBinding better = bind_joints(builtin("unity"), full);
+  EXPECT_THAT(better.missing, IsEmpty());
+  EXPECT_THAT(better.estimated, testing::ElementsAre(joints::LeftToes, joints::RightToes, joints::Head));
+  for (const char* end : {"Head_End", "LeftToes_End", "RightToes_End"}) full.emplace_back(end);
+  EXPECT_THAT(bind_joints(builtin("unity"), full).estimated, IsEmpty());
 }
 
 TEST(JointMap, XsensTakesSegmentAndJointNames) {

@@ -217,9 +217,11 @@ TEST(PartnerSynthesizer, TheUserCanChangeRolesWhileRunning) {
   Settings settings = synthesizer->settings();
   settings.user_role = UserRole::Passive;
   synthesizer->set_settings(settings);
-  const FrameResult& passive = synthesizer->step(take.b.poses[4], step_time);
-  EXPECT_EQ(passive.status, StepStatus::Ok);
-  EXPECT_LT((passive.passive() - take.b.poses[4]).rowwise().norm().maxCoeff(), 0.15);
+  const FrameResult& passive = synthesizer->step(take.a.poses[4], step_time);
+  // The library's performers differ by 7 % in size, and so do the characters from now on: a foot that was
+  // held may have to be let go, which the step says.
+  EXPECT_NE(passive.status, StepStatus::Failed) << passive.message;
+  EXPECT_LT((passive.passive() - take.a.poses[4]).rowwise().norm().maxCoeff(), 0.15);
 }
 
 TEST(PartnerSynthesizer, ADoubledLibraryGivesTheRecordedPairBackToo) {

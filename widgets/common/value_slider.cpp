@@ -1,4 +1,4 @@
-#include "widgets/settings/value_slider.hpp"
+#include "widgets/common/value_slider.hpp"
 
 #include <QKeyEvent>
 #include <QMouseEvent>

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "core/base/result.hpp"
+#include "core/library/tier.hpp"
+
+namespace abrazo {
+
+/// What an annotation document says of itself.
+struct EafFacts {
+  std::string author;
+  std::string date;  ///< xsd:dateTime, "2026-11-21T20:15:00Z"
+};
+
+/// Tiers as an ELAN annotation document (EAF 3.0, XML), with a controlled vocabulary for every tier that has
+/// one. Times are whole milliseconds: neighbours stay neighbours, and an interval that rounds to nothing
+/// takes the next millisecond.
+/// @return an Error for what EAF cannot hold: two tiers of one name, intervals that overlap or run backwards,
+/// times before 0 or beyond 2^32 ms
+Result<std::string> write_eaf(std::span<const Tier> tiers, const EafFacts& facts);
+
+}  // namespace abrazo

@@ -1,0 +1,40 @@
+#include "core/session/partner_output.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace abrazo {
+
+void PartnerOutput::attach(Character character, std::shared_ptr<PoseSink> sink) {
+  if (sink) sinks_.push_back({character, std::move(sink)});
+}
+
+void PartnerOutput::detach(const std::shared_ptr<PoseSink>& sink) {
+  std::erase_if(sinks_, [&](const Attached& attached) { return attached.sink == sink; });
+}
+
+bool PartnerOutput::send(const FrameResult& result, UserRole user_role, double time_s) {
+  user_ = user_role == UserRole::Passive ? Pose(result.passive()) : Pose(result.active());
+  partner_ = user_role == UserRole::Passive ? Pose(result.active()) : Pose(result.passive());
+  has_poses_ = true;
+  sent_s_ = time_s;
+  send_to_all(time_s, true);
+  return !sinks_.empty();
+}
+
+bool PartnerOutput::hold(double time_s) {
+  if (!has_poses_ || time_s < next_hold_s()) return false;
+  sent_s_ = time_s;
+  send_to_all(time_s, false);
+  return !sinks_.empty();
+}
+
+void PartnerOutput::send_to_all(double time_s, bool tracked) {
+  // The partner first: it is what somebody waits for.
+  for (const Character character : {Character::Partner, Character::User})
+    for (const Attached& attached : sinks_)
+      if (attached.character == character)
+        attached.sink->send({character == Character::User ? user_ : partner_, time_s, tracked});
+}
+
+}  // namespace abrazo

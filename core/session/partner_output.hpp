@@ -1,0 +1,43 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "core/session/command.hpp"
+#include "core/stream/pose_sink.hpp"
+#include "core/synthesis/frame_result.hpp"
+#include "core/synthesis/settings.hpp"
+
+namespace abrazo {
+
+/// Both characters on their way out: what was solved goes to every sink at once, and while there is nothing
+/// to solve the last poses are repeated as not tracked, `held_rate_hz` times a second.
+class PartnerOutput {
+ public:
+  static constexpr double held_rate_hz = 10;
+
+  void attach(Character character, std::shared_ptr<PoseSink> sink);
+  void detach(const std::shared_ptr<PoseSink>& sink);
+  bool empty() const { return sinks_.empty(); }
+
+  /// @return whether anything was sent
+  bool send(const FrameResult& result, UserRole user_role, double time_s);
+  /// The poses sent last, if it is time again. @return whether anything was sent
+  bool hold(double time_s);
+  /// When `hold` has something to do next.
+  double next_hold_s() const { return sent_s_ + 1 / held_rate_hz; }
+
+ private:
+  void send_to_all(double time_s, bool tracked);
+
+  struct Attached {
+    Character character;
+    std::shared_ptr<PoseSink> sink;
+  };
+  std::vector<Attached> sinks_;
+  Pose user_ = Pose::Zero(), partner_ = Pose::Zero();
+  bool has_poses_ = false;
+  double sent_s_ = 0;
+};
+
+}  // namespace abrazo

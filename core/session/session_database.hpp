@@ -1,0 +1,102 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.hpp"
+
+namespace abrazo {
+
+/// Kinds of errors that somebody goes on from.
+enum class DatabaseFault { Other, Full, Busy, Damaged, NotADatabase, CannotWrite };
+
+/// A prepared statement. Parameters and columns count from 0. Used by one thread at a time, and not longer
+/// than its database.
+class SessionStatement {
+ public:
+  SessionStatement(SessionStatement&&) noexcept;
+  SessionStatement& operator=(SessionStatement&&) noexcept;
+  ~SessionStatement();
+
+  SessionStatement& bind(int parameter, double value);
+  SessionStatement& bind(int parameter, std::int64_t value);
+  SessionStatement& bind(int parameter, std::uint64_t value) {
+    return bind(parameter, static_cast<std::int64_t>(value));
+  }
+  SessionStatement& bind(int parameter, int value) { return bind(parameter, std::int64_t{value}); }
+  SessionStatement& bind(int parameter, bool value) { return bind(parameter, std::int64_t{value}); }
+  SessionStatement& bind(int parameter, std::string_view text);
+  SessionStatement& bind(int parameter, const char* text) { return bind(parameter, std::string_view(text)); }
+  /// The bytes must stay till the next `reset` or `run`.
+  SessionStatement& bind(int parameter, std::span<const std::uint8_t> blob);
+  SessionStatement& bind_null(int parameter);
+
+  /// @return whether there is a row
+  Result<bool> step();
+  /// Runs one that has no rows to its end and makes it ready for the next parameters.
+  Status run();
+  /// Ends the read transaction that stepping began; parameters stay.
+  void reset();
+  DatabaseFault fault() const { return fault_; }  ///< of the last step that failed
+
+  bool is_null(int column) const;
+  double real(int column) const;
+  std::int64_t integer(int column) const;
+  std::string text(int column) const;
+  /// Till the next step or reset.
+  std::span<const std::uint8_t> blob(int column) const;
+
+ private:
+  friend class SessionDatabase;
+  struct Handle;
+  explicit SessionStatement(std::unique_ptr<Handle> handle);
+  std::unique_ptr<Handle> handle_;
+  DatabaseFault fault_ = DatabaseFault::Other;
+};
+
+/// An SQLite database on disk: the only place that knows SQLite. Errors name the file and what to do. Used by
+/// one thread at a time.
+class SessionDatabase {
+ public:
+  enum class Access {
+    Read,    ///< takes in what a crash left beside the file, where the folder can be written; else only reads
+    Frozen,  ///< reads the file alone, as it is; for folders that cannot be written. Nobody may write it
+    Salvage,  ///< reads what can be read of one that is damaged; changes nothing
+    Write,    ///< must be there
+    Create    ///< is made when it is not there
+  };
+  static Result<SessionDatabase> open(const std::string& path, Access access);
+  SessionDatabase(SessionDatabase&&) noexcept;
+  SessionDatabase& operator=(SessionDatabase&&) noexcept;
+  ~SessionDatabase();
+
+  const std::string& path() const;
+  bool is_salvage() const;  ///< opened so
+  /// Statements without parameters or rows, separated by ";".
+  Status execute(const std::string& sql);
+  Result<SessionStatement> prepare(std::string_view sql);
+  /// First column of the first row; nothing when there is no row.
+  Result<std::optional<std::int64_t>> integer(std::string_view sql);
+  Result<std::optional<std::string>> text(std::string_view sql);
+
+  DatabaseFault fault() const { return fault_; }  ///< of the last call that failed
+  std::int64_t last_row_id() const;
+  /// How long to wait for another writer [ms].
+  void set_patience(int milliseconds);
+  /// Moves everything from the write-ahead log into the file, which is all there is then.
+  Status close();
+
+ private:
+  struct Handle;
+  explicit SessionDatabase(std::unique_ptr<Handle> handle);
+  std::unique_ptr<Handle> handle_;
+  DatabaseFault fault_ = DatabaseFault::Other;
+};
+
+}  // namespace abrazo

@@ -1,0 +1,90 @@
+#include "core/session/session_edit.hpp"
+
+#include <cstdint>
+#include <filesystem>
+#include <vector>
+
+#include "core/session/session_database.hpp"
+#include "core/session/session_schema.hpp"
+
+namespace abrazo {
+
+namespace {
+
+struct Row {
+  std::int64_t id = 0;
+  std::string name;
+};
+
+Result<std::vector<Row>> rows_to_edit(SessionDatabase& database, const TakeEdits& edits) {
+  auto query = database.prepare("SELECT id, name FROM takes");
+  if (!query) return query.error();
+  std::vector<Row> rows;
+  while (true) {
+    const auto more = query->step();
+    if (!more) return more.error();
+    if (!*more) return rows;
+    Row row{query->integer(0), query->text(1)};
+    if (edits.contains(row.name)) rows.push_back(std::move(row));
+  }
+}
+
+Status edit(SessionDatabase& database, const TakeEdits& edits) {
+  const auto rows = rows_to_edit(database, edits);
+  if (!rows) return rows.error();
+  auto rename = database.prepare("UPDATE takes SET name = ? WHERE id = ?");
+  if (!rename) return rename.error();
+  auto remove = database.prepare("DELETE FROM takes WHERE id = ?");
+  if (!remove) return remove.error();
+  for (const Row& row : *rows) {
+    const std::optional<std::string>& name = edits.at(row.name);
+    const Status done =
+        name ? rename->bind(0, std::string_view(*name)).bind(1, row.id).run() : remove->bind(0, row.id).run();
+    if (!done) return done;
+  }
+  return Done{};
+}
+
+std::string sql_text(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
+  return quoted + "'";
+}
+
+}  // namespace
+
+Status edit_session_takes(const std::string& path, const TakeEdits& edits) {
+  if (edits.empty()) return Done{};
+  auto database = SessionDatabase::open(path, SessionDatabase::Access::Write);
+  if (!database) return database.error();
+  const Status known = check_session_schema(*database);
+  if (!known) return known;
+  const Status begun = database->execute("BEGIN IMMEDIATE");
+  if (!begun) return begun;
+  const Status edited = edit(*database, edits);
+  const Status ended = database->execute(edited ? "COMMIT" : "ROLLBACK");
+  const Status closed = database->close();
+  return !edited ? edited : !ended ? ended : closed;
+}
+
+Status copy_session(const std::string& path, const std::string& copy) {
+  std::error_code trouble;
+  if (std::filesystem::equivalent(path, copy, trouble))
+    return Error{"is the session itself; save it under another name", copy};
+  auto database = SessionDatabase::open(path, SessionDatabase::Access::Read);
+  if (!database) return database.error();
+  const Status known = check_session_schema(*database);
+  if (!known) return known;
+  const std::string partial = copy + ".part";
+  std::filesystem::remove(partial, trouble);
+  const Status written = database->execute("VACUUM INTO " + sql_text(partial));
+  if (!written) {
+    std::filesystem::remove(partial, trouble);
+    return Error{written.error().message, copy};
+  }
+  std::filesystem::rename(partial, copy, trouble);
+  if (trouble) return Error{"cannot be written (" + trouble.message() + "); choose another folder", copy};
+  return Done{};
+}
+
+}  // namespace abrazo

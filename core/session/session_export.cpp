@@ -1,0 +1,238 @@
+#include "core/session/session_export.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <string_view>
+
+#include "core/base/statistics.hpp"
+#include "core/synthesis/trace.hpp"
+
+namespace abrazo {
+
+namespace {
+
+constexpr double all_s = std::numeric_limits<double>::infinity();
+
+template <typename Named>
+std::string names_of(const std::vector<Named>& all) {
+  std::string names;
+  for (const Named& one : all) names += (names.empty() ? "'" : ", '") + one.name + "'";
+  return names;
+}
+
+Result<const SessionTake*> find_take(const SessionFile& file, const std::string& name) {
+  const SessionTake* found = nullptr;
+  for (const SessionTake& take : file.contents().takes) {
+    if (take.name != name) continue;
+    if (found)
+      return Error{fmt::format("has two takes named '{}', at {:.3f} and {:.3f} s; choose one by its times "
+                               "instead",
+                               name, found->start_s, take.start_s),
+                   file.path()};
+    found = &take;
+  }
+  if (found) return found;
+  const auto& takes = file.contents().takes;
+  return Error{takes.empty() ? "has no takes; leave the take out, or choose by times"
+                             : fmt::format("has no take '{}'; there are {}", name, names_of(takes)),
+               file.path()};
+}
+
+struct Bounds {
+  double from_s = -all_s, to_s = all_s;
+};
+
+Result<Bounds> bounds_of(const SessionFile& file, const SessionPart& part) {
+  Bounds bounds;
+  if (part.take) {
+    const auto take = find_take(file, *part.take);
+    if (!take) return take.error();
+    bounds = {(*take)->start_s, (*take)->end_s};
+  }
+  if (part.from_s) bounds.from_s = std::max(bounds.from_s, *part.from_s);
+  if (part.to_s) bounds.to_s = std::min(bounds.to_s, *part.to_s);
+  if (bounds.to_s < bounds.from_s)
+    return Error{fmt::format("nothing lies between {:.3f} and {:.3f} s{}", bounds.from_s, bounds.to_s,
+                             part.take ? " of the take '" + *part.take + "'" : ""),
+                 file.path()};
+  return bounds;
+}
+
+constexpr std::array<std::string_view, 3> body_names = {"user", "active", "passive"};
+
+Pose pose_of(const FrameSnapshot& frame, SessionBody body) {
+  switch (body) {
+    case SessionBody::Active:
+      return frame.result.active();
+    case SessionBody::Passive:
+      return frame.result.passive();
+    case SessionBody::User:
+      break;
+  }
+  return frame.user;
+}
+
+Result<double> rate_of(std::span<const StampedPose> poses, double wanted_hz, const std::string& path) {
+  if (wanted_hz > 0) return wanted_hz;
+  const double rate_hz = median_rate_hz(poses);
+  if (rate_hz > 0) return even_rate(rate_hz);
+  return Error{"a single frame has no rate; give one, or a longer part", path};
+}
+
+/// The times at which received poses were taken, on the clock of the file. A sender's own clock is steadier
+/// than arrival over a network; where it jumps, arrival is all there is.
+void use_sender_clock(std::vector<StampedPose>& poses, const std::vector<double>& sender_s) {
+  std::vector<double> offsets;
+  for (std::size_t i = 0; i < poses.size(); ++i) offsets.push_back(poses[i].time_s - sender_s[i]);
+  const double offset = percentile(offsets, 0.5);
+  constexpr double largest_delay_s = 0.25;
+  for (std::size_t i = 0; i < poses.size(); ++i)
+    if (!(std::abs(offsets[i] - offset) < largest_delay_s) || (i > 0 && sender_s[i] <= sender_s[i - 1]))
+      return;
+  for (std::size_t i = 0; i < poses.size(); ++i) poses[i].time_s = sender_s[i] + offset;
+}
+
+Result<SessionMotion> even_motion(std::vector<std::vector<StampedPose>> bodies,
+                                  const std::vector<std::string>& names, double wanted_hz,
+                                  const RowsRead& rows, const std::string& path) {
+  const auto rate_hz = rate_of(bodies.front(), wanted_hz, path);
+  if (!rate_hz) return rate_hz.error();
+  SessionMotion motion;
+  motion.rows = rows;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    EvenPoses even = resample(bodies[b], *rate_hz);
+    std::vector<StampedPose>().swap(bodies[b]);
+    motion.clips.push_back({names[b], *rate_hz, std::move(even.poses)});
+    even.poses.clear();
+    if (b == 0) motion.timing = std::move(even);
+  }
+  return motion;
+}
+
+}  // namespace
+
+Result<SessionRange> session_range(const SessionFile& file, const SessionPart& part) {
+  const auto bounds = bounds_of(file, part);
+  if (!bounds) return bounds.error();
+  SessionRange range{all_s, -all_s, 0, 0};
+  const Status looked =
+      file.each_source(bounds->from_s, bounds->to_s, [&](const SessionSource& frame) -> Status {
+        if (range.from_s == all_s) range.from_s = frame.time_s, range.first_frame = frame.frame;
+        range.to_s = std::max(range.to_s, frame.time_s);
+        range.last_frame = frame.frame;
+        return Done{};
+      });
+  if (!looked) return looked.error();
+  if (range.from_s <= range.to_s) return range;
+  const SessionContents& contents = file.contents();
+  if (contents.frames == 0) return Error{"has no solved frames; only received poses, if any", file.path()};
+  return Error{
+      fmt::format("has no frames there; they go from {:.3f} to {:.3f} s", contents.first_s, contents.last_s),
+      file.path()};
+}
+
+Result<SessionMotion> session_motion(const SessionFile& file, const SessionRange& range,
+                                     std::span<const SessionBody> bodies, double rate_hz) {
+  std::vector<std::vector<StampedPose>> stamped(bodies.size());
+  const auto rows = file.each_frame(range.from_s, range.to_s, [&](const FrameSnapshot& frame) -> Status {
+    for (std::size_t b = 0; b < bodies.size(); ++b)
+      stamped[b].push_back({frame.time_s, pose_of(frame, bodies[b])});
+    return Done{};
+  });
+  if (!rows) return rows.error();
+  if (rows->read == 0 || stamped.front().empty())
+    return Error{"none of the frames there can be read: " + rows->damage, file.path()};
+  std::vector<std::string> names;
+  for (const SessionBody body : bodies) names.emplace_back(body_names[static_cast<std::size_t>(body)]);
+  return even_motion(std::move(stamped), names, rate_hz, *rows, file.path());
+}
+
+Result<SessionMotion> performer_motion(const SessionFile& file, const SessionPart& part,
+                                       const std::string& performer, double rate_hz) {
+  const auto bounds = bounds_of(file, part);
+  if (!bounds) return bounds.error();
+  const auto& performers = file.contents().performers;
+  const auto found = std::find_if(performers.begin(), performers.end(), [&](const SessionPerformer& one) {
+    return one.name == performer || (performer.empty() && performers.size() == 1);
+  });
+  if (performers.empty())
+    return Error{"nothing was received from a stream; export the user instead", file.path()};
+  if (found == performers.end())
+    return Error{fmt::format("has no performer '{}'; there are {}", performer, names_of(performers)),
+                 file.path()};
+  std::vector<StampedPose> stamped;
+  std::vector<double> sender_s;
+  const auto rows =
+      file.each_pose(found->id, bounds->from_s, bounds->to_s, [&](const ReceivedPose& pose) -> Status {
+        const bool arrived = pose.pose.arrived_s >= 0;
+        stamped.push_back({arrived ? pose.pose.arrived_s : pose.pose.time_s, pose.pose.pose});
+        sender_s.push_back(pose.sender_time_s.value_or(pose.pose.time_s));
+        return Done{};
+      });
+  if (!rows) return rows.error();
+  if (stamped.empty())
+    return Error{fmt::format("has no poses of '{}' there; they go from {:.3f} to {:.3f} s", found->name,
+                             found->first_s, found->last_s),
+                 file.path()};
+  use_sender_clock(stamped, sender_s);
+  return even_motion({std::move(stamped)}, {found->name}, rate_hz, *rows, file.path());
+}
+
+Result<std::vector<SessionSegment>> session_segments(const SessionFile& file, const SessionRange& range) {
+  const auto& libraries = file.contents().libraries;
+  const auto library_of = [&](std::uint64_t frame) {
+    const SessionLibrary* found = nullptr;
+    for (const SessionLibrary& library : libraries)
+      if (library.first_frame <= frame) found = &library;
+    return found;
+  };
+  std::vector<SessionSegment> segments;
+  const Status looked = file.each_source(range.from_s, range.to_s, [&](const SessionSource& frame) -> Status {
+    const SessionLibrary* library = library_of(frame.frame);
+    if (segments.empty() || segments.back().library != library)
+      segments.push_back({library, {frame.time_s, frame.time_s, frame.frame, frame.frame}});
+    segments.back().range.to_s = frame.time_s;
+    segments.back().range.last_frame = frame.frame;
+    return Done{};
+  });
+  if (!looked) return looked.error();
+  return segments;
+}
+
+Result<std::string> session_trace_header(const SessionFile& file, const std::string& library_name,
+                                         const SessionRange& range) {
+  TraceHeader header{library_name, "", 0, {}};
+  for (const SessionInput& input : file.contents().inputs)
+    if (input.first_frame <= range.first_frame) header.input = input.text;
+  for (const SessionSettings& change : file.contents().settings)
+    if (change.frame <= range.first_frame) header.settings = change.settings;
+  std::vector<StampedPose> times;
+  const Status looked = file.each_source(range.from_s, range.to_s, [&](const SessionSource& frame) -> Status {
+    constexpr std::size_t enough = 4096;  // for a median
+    if (times.size() < enough) times.push_back({frame.time_s, Pose::Zero()});
+    return Done{};
+  });
+  if (!looked) return looked.error();
+  header.fps = even_rate(median_rate_hz(times));
+  return trace_header_line(header);
+}
+
+Result<SessionReplay> session_trace(const SessionFile& file, std::shared_ptr<const MotionLibrary> library,
+                                    const SessionRange& range,
+                                    const std::function<Status(const std::string&)>& each_line,
+                                    const Progress& progress) {
+  return re_solve_session(
+      file, library, range.from_s, range.to_s,
+      [&](const FrameSnapshot& frame) -> Status {
+        const long long number =
+            frame.input_frame >= 0 ? frame.input_frame : static_cast<long long>(frame.index);
+        return each_line(trace_frame_line(frame.result, *library, number, frame.time_s));
+      },
+      progress);
+}
+
+}  // namespace abrazo

@@ -1,0 +1,234 @@
+#include "core/session/session_tiers.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include "core/base/statistics.hpp"
+
+namespace abrazo {
+
+namespace {
+
+/// Frames further apart than this do not belong to one interval: nothing was solved in between.
+constexpr double longest_pause_s = 0.3;
+constexpr double marker_s = 1e-3;
+
+/// Values of frames over their times.
+struct FrameValues {
+  std::vector<double> times_s;
+  std::vector<std::string> values;  ///< empty = none
+
+  /// Neighbours of the same value as one interval. A frame lasts till the next one; the last one, and one
+  /// before a pause, as long as most do.
+  std::vector<TierInterval> intervals() const;
+  double usual_interval_s() const;
+};
+
+double FrameValues::usual_interval_s() const {
+  std::vector<double> all;
+  for (std::size_t i = 1; i < times_s.size(); ++i)
+    if (times_s[i] > times_s[i - 1]) all.push_back(times_s[i] - times_s[i - 1]);
+  return percentile(std::move(all), 0.5);
+}
+
+std::vector<TierInterval> FrameValues::intervals() const {
+  const double usual_s = usual_interval_s();
+  std::vector<TierInterval> found;
+  for (std::size_t i = 0; i < times_s.size(); ++i) {
+    const bool goes_on = i + 1 < times_s.size() && times_s[i + 1] - times_s[i] <= longest_pause_s;
+    const double end_s = goes_on ? std::max(times_s[i + 1], times_s[i]) : times_s[i] + usual_s;
+    if (values[i].empty()) continue;
+    if (!found.empty() && found.back().value == values[i] && found.back().end_s >= times_s[i])
+      found.back().end_s = std::max(found.back().end_s, end_s);
+    else
+      found.push_back({times_s[i], end_s, values[i]});
+  }
+  return found;
+}
+
+/// What the frames of a range followed.
+struct Followed {
+  FrameValues moves, takes;
+};
+
+Result<Followed> followed_in(const SessionFile& file, double from_s, double to_s) {
+  Followed followed;
+  const Status looked = file.each_source(from_s, to_s, [&](const SessionSource& source) -> Status {
+    for (FrameValues* values : {&followed.moves, &followed.takes}) values->times_s.push_back(source.time_s);
+    followed.moves.values.push_back(source.label);
+    followed.takes.values.push_back(source.take);
+    return Done{};
+  });
+  if (!looked) return looked.error();
+  return followed;
+}
+
+/// Cut to the range; what lies outside is left out.
+std::vector<TierInterval> within(std::vector<TierInterval> intervals, double from_s, double to_s) {
+  std::erase_if(intervals,
+                [&](const TierInterval& one) { return one.end_s <= from_s || one.start_s >= to_s; });
+  for (TierInterval& one : intervals) {
+    one.start_s = std::max(one.start_s, from_s);
+    one.end_s = std::min(one.end_s, to_s);
+  }
+  return intervals;
+}
+
+/// Values that are in force from a time on, till the next or the end.
+std::vector<TierInterval> in_force(std::vector<std::pair<double, std::string>> changes, double end_s) {
+  std::vector<TierInterval> intervals;
+  for (std::size_t i = 0; i < changes.size(); ++i) {
+    const double until_s = i + 1 < changes.size() ? changes[i + 1].first : end_s;
+    if (changes[i].second.empty()) continue;
+    if (!intervals.empty() && intervals.back().value == changes[i].second &&
+        intervals.back().end_s == changes[i].first)
+      intervals.back().end_s = until_s;
+    else
+      intervals.push_back({changes[i].first, until_s, changes[i].second});
+  }
+  return intervals;
+}
+
+Tier take_tier(const SessionContents& contents) {
+  Tier tier{"take", {}, {}};
+  for (const SessionTake& take : contents.takes)
+    tier.intervals.push_back({take.start_s, take.end_s, take.name});
+  return tier;
+}
+
+Tier role_tier(const SessionContents& contents, double end_s) {
+  std::vector<std::pair<double, std::string>> changes;
+  for (const SessionSettings& change : contents.settings)
+    changes.emplace_back(change.time_s,
+                         change.settings.user_role == UserRole::Passive ? "passive" : "active");
+  return {"user role", in_force(std::move(changes), end_s), {"active", "passive"}};
+}
+
+Tier meant_tier(const SessionContents& contents, double end_s) {
+  std::vector<std::pair<double, std::string>> changes;
+  for (const SessionDecisions& change : contents.decisions) {
+    const auto& meant = change.decisions.meant;
+    changes.emplace_back(change.time_s, !meant         ? ""
+                                        : meant->label ? *meant->label
+                                        : meant->take  ? "take " + *meant->take
+                                                       : "");
+  }
+  return {"meant", in_force(std::move(changes), end_s), {}};
+}
+
+Tier marker_tier(const SessionContents& contents) {
+  Tier tier{"marker", {}, {}};
+  for (const SessionMarker& marker : contents.markers) {
+    const double free_s = tier.intervals.empty() ? 0 : tier.intervals.back().end_s;
+    const double start_s = std::max(marker.time_s, free_s);
+    tier.intervals.push_back(
+        {start_s, start_s + marker_s, marker.name.empty() ? std::to_string(marker.id) : marker.name});
+  }
+  return tier;
+}
+
+/// What was noted in the file, by kind. An interval that overlaps one of its kind goes to a further tier.
+std::vector<Tier> noted_tiers(const SessionContents& contents) {
+  std::vector<Tier> tiers;
+  for (const SessionInterval& noted : contents.intervals) {
+    for (int copy = 1;; ++copy) {
+      const std::string name = noted.kind + (copy > 1 ? " " + std::to_string(copy) : "");
+      auto tier = std::find_if(tiers.begin(), tiers.end(), [&](const Tier& one) { return one.name == name; });
+      if (tier == tiers.end()) tier = tiers.insert(tiers.end(), Tier{name, {}, {}});
+      if (!tier->intervals.empty() && tier->intervals.back().end_s > noted.start_s) continue;
+      tier->intervals.push_back({noted.start_s, noted.end_s, noted.name});
+      break;
+    }
+  }
+  return tiers;
+}
+
+/// Takes within a range; the whole range under the file's name when the file has none.
+std::vector<SessionTake> takes_in(const SessionFile& file, const SessionRange& range) {
+  std::vector<SessionTake> takes;
+  for (SessionTake take : file.contents().takes) {
+    if (take.end_s < range.from_s || take.start_s > range.to_s) continue;
+    take.start_s = std::max(take.start_s, range.from_s);
+    take.end_s = std::min(take.end_s, range.to_s);
+    takes.push_back(std::move(take));
+  }
+  if (!takes.empty()) return takes;
+  SessionTake whole;
+  whole.name = std::filesystem::path(file.path()).stem().string();
+  whole.start_s = range.from_s;
+  whole.end_s = range.to_s;
+  return {whole};
+}
+
+std::vector<TierInterval> noted_moves(const SessionContents& contents) {
+  for (Tier& tier : noted_tiers(contents))
+    if (tier.name == "move") return std::move(tier.intervals);
+  return {};
+}
+
+}  // namespace
+
+Result<std::vector<Tier>> session_tiers(const SessionFile& file, const SessionRange& range) {
+  const SessionContents& contents = file.contents();
+  const auto followed = followed_in(file, range.from_s, range.to_s);
+  if (!followed) return followed.error();
+  const double end_s = range.to_s + followed->moves.usual_interval_s();
+  std::vector<Tier> tiers = {
+      take_tier(contents), role_tier(contents, end_s), {"move followed", followed->moves.intervals(), {}}};
+  const std::size_t always = tiers.size();
+  tiers.push_back({"take followed", followed->takes.intervals(), {}});
+  tiers.push_back(meant_tier(contents, end_s));
+  tiers.push_back(marker_tier(contents));
+  for (Tier& tier : noted_tiers(contents)) {
+    const auto same =
+        std::find_if(tiers.begin(), tiers.end(), [&](const Tier& one) { return one.name == tier.name; });
+    if (same != tiers.end()) tier.name += " (noted)";
+    tiers.push_back(std::move(tier));
+  }
+  std::vector<Tier> kept;
+  for (std::size_t i = 0; i < tiers.size(); ++i) {
+    tiers[i].intervals = within(std::move(tiers[i].intervals), range.from_s, end_s);
+    if (tiers[i].vocabulary.empty() && tiers[i].name != "marker" && tiers[i].name != "note")
+      tiers[i].vocabulary = values_of(tiers[i].intervals);
+    if (i < always || !tiers[i].intervals.empty()) kept.push_back(std::move(tiers[i]));
+  }
+  return kept;
+}
+
+Result<std::string> session_labels_csv(const SessionFile& file, const SessionRange& range, double rate_hz) {
+  std::string text = "take,start_frame,end_frame,label,detail,confidence\n";
+  const std::vector<TierInterval> noted = noted_moves(file.contents());
+  for (const SessionTake& take : takes_in(file, range)) {
+    const auto followed = followed_in(file, take.start_s, take.end_s);
+    if (!followed) return followed.error();
+    const FrameValues& moves = followed->moves;
+    if (moves.times_s.empty()) continue;
+    const double usual_s = moves.usual_interval_s();
+    const double rate = rate_hz > 0 ? rate_hz : usual_s > 0 ? even_rate(1 / usual_s) : 0;
+    if (rate <= 0) return Error{"a single frame has no rate; give one, or a longer part", file.path()};
+    const double first_s = moves.times_s.front();
+    const auto frames = std::floor((moves.times_s.back() - first_s) * rate + 1e-6) + 1;
+    // The frame at or after a time; a stamp a nanosecond late is still in time.
+    const auto frame_at = [&](double time_s) {
+      return static_cast<long long>(std::clamp(std::ceil((time_s - first_s) * rate - 1e-3), 0.0, frames));
+    };
+    for (const TierInterval& move : noted.empty() ? moves.intervals() : noted) {
+      const long long start = frame_at(move.start_s), end = frame_at(move.end_s);
+      if (end <= start) continue;  // between two frames of this rate, or outside the take
+      if ((take.name + move.value).find_first_of(",\n\r") != std::string::npos)
+        return Error{
+            fmt::format("'{}' or '{}' has a comma, which a label file cannot hold; rename it, or use "
+                        ".eaf or .json",
+                        take.name, move.value),
+            file.path()};
+      text += fmt::format("{},{},{},{},,\n", take.name, start, end, move.value);
+    }
+  }
+  return text;
+}
+
+}  // namespace abrazo

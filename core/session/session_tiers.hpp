@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "core/library/tier.hpp"
+#include "core/session/session_export.hpp"
+
+namespace abrazo {
+
+/// What a session says about its time, as tiers within a range; an interval that goes beyond ends there.
+///   take            the takes by name
+///   user role       active or passive, as the frames were solved
+///   move followed   label of the recorded frame that each solved frame followed; none where it has none
+///   take followed   the library's take that it is from
+///   meant           what the person said that they mean, while it was in force
+///   marker          1 ms each
+/// and one tier for each kind of interval that was noted in the file (overlapping ones on further tiers).
+/// Tiers without an interval are left out, but for the first three.
+Result<std::vector<Tier>> session_tiers(const SessionFile& file, const SessionRange& range);
+
+/// Moves as a label file (take,start_frame,end_frame,label,detail,confidence) whose frames count from the
+/// first frame of each take, at the rate of an export of that take: the two belong together. Moves that were
+/// noted in the file (kind "move"), else those that were followed. Without takes the whole range is one,
+/// named like the file.
+/// @param rate_hz  0 = that of the frames
+Result<std::string> session_labels_csv(const SessionFile& file, const SessionRange& range, double rate_hz);
+
+}  // namespace abrazo

@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/session/decisions.hpp"
+#include "core/session/recorded_frames.hpp"
+#include "core/session/recorder.hpp"
+#include "core/session/session_database.hpp"
+
+namespace abrazo {
+
+/// Puts frames, poses and takes into a session file, one transaction after the other. What a transaction that
+/// failed had changed here is taken back too, so that the same can be written again. Used by one thread.
+class SessionWriter {
+ public:
+  /// Creates the file or goes on in it; holds the file against other writers until it is closed.
+  static Result<std::unique_ptr<SessionWriter>> open(const std::string& path, const RecordingFacts& facts,
+                                                     const RecorderOptions& options);
+
+  /// Into the running transaction.
+  Status write(const FrameSnapshot& frame);
+  Status write(const ReceivedPose& pose);
+  void begin_take(const std::string& name);
+  Status end_take();
+  Status write(const Markers& markers);
+  void set_input(const std::string& input);
+  void set_library_path(const std::shared_ptr<const MotionLibrary>& library, const std::string& path);
+
+  /// Ends the transaction: on disk, also when the power fails. Begins the next.
+  Status commit(std::uint64_t lost);
+  /// Forgets what was written since the last commit.
+  void roll_back();
+
+  DatabaseFault fault() const { return fault_; }  ///< of the last function that failed
+  /// How the session's times and indices become those of the file.
+  const RecordedFrames::Origin& origin() const { return origin_; }
+  std::uint64_t bytes() const;  ///< of the file with its log
+
+  /// Commits and makes it one file.
+  Status close(std::uint64_t lost);
+
+ private:
+  using Library = std::shared_ptr<const MotionLibrary>;
+  /// What is known of the rows that are there already.
+  struct Memory {
+    std::optional<Settings> settings;
+    std::optional<Decisions> decisions;
+    std::shared_ptr<const Decisions> decided;  ///< the value `decisions` was taken from
+    std::string input;
+    std::optional<std::int64_t> input_id;
+    Library library;
+    std::optional<std::int64_t> library_id;
+    std::vector<bool> pairs;  ///< of the library, that have a row
+    std::map<std::string, std::int64_t> performers;
+    std::optional<std::string> wanted_take;  ///< begins with the next frame
+    std::string wanted_take_begun_at;
+    std::optional<std::int64_t> take_id;  ///< that is open
+    bool has_first_frame = false;
+    std::int64_t last_frame = -1;
+    double last_s = 0;
+  };
+  struct Statements;
+
+  SessionWriter(SessionDatabase database, RecordingFacts facts);
+  Status prepare_file(const RecorderOptions& options);
+  Status begin_run();
+  Status close_open_takes();
+  Status prepare_statements();
+  Status note_input(std::int64_t frame);
+  Status note_library(const FrameSnapshot& frame, std::int64_t index);
+  Status note_pairs(const FrameSnapshot& frame);
+  Status note_settings(const FrameSnapshot& frame, std::int64_t index, double time_s);
+  Status note_take(std::int64_t index, double time_s);
+  Result<std::int64_t> performer_id(const std::string& name);
+  Status keep_fault(SessionStatement& statement);
+  Status keep_fault(Status status);
+
+  RecordingFacts facts_;
+  std::map<Library, std::string> library_paths_;
+  RecordedFrames::Origin origin_;
+  std::int64_t run_ = 0;
+  DatabaseFault fault_ = DatabaseFault::Other;
+  Memory memory_, committed_;
+  SessionDatabase database_;
+  std::unique_ptr<Statements> statements_;  // after the database: gone before it
+
+ public:
+  ~SessionWriter();
+};
+
+/// "2024-05-17T14:03:22Z", now.
+std::string utc_now();
+
+}  // namespace abrazo

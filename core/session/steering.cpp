@@ -1,0 +1,148 @@
+#include "core/session/steering.hpp"
+
+#include <utility>
+
+#include "core/synthesis/synthesizer_state.hpp"
+
+namespace abrazo {
+
+namespace {
+
+bool has_label(const MotionLibrary& library, const std::string& label) {
+  if (label.empty()) return true;
+  for (const LibraryTake& take : library.takes())
+    for (const LabelInterval& interval : take.labels)
+      if (interval.label == label) return true;
+  return false;
+}
+
+/// The pair of another library that is the same recorded frame; -1 when it has none.
+int same_pair(const MotionLibrary& from, int pair, const MotionLibrary& to) {
+  if (pair < 0 || pair >= from.pair_count()) return -1;
+  const PairSource& source = from.source(pair);
+  return to.find_pair(from.take_of(pair).name, static_cast<int>(source.frame), source.swapped);
+}
+
+/// What of the decisions on one library means something in another.
+Decisions carried_over(const Decisions& decisions, const MotionLibrary& from, const MotionLibrary& to) {
+  Decisions carried;
+  carried.role_control = decisions.role_control;
+  const auto pair_there = [&](int pair) { return same_pair(from, pair, to); };
+  if (decisions.pinned && pair_there(*decisions.pinned) >= 0) carried.pinned = pair_there(*decisions.pinned);
+  for (const int pair : decisions.vetoes.pairs)
+    if (pair_there(pair) >= 0) carried.vetoes.pairs.insert(pair_there(pair));
+  for (const std::string& take : decisions.vetoes.takes)
+    if (to.find_take(take) >= 0) carried.vetoes.takes.insert(take);
+  for (const std::string& label : decisions.vetoes.labels)
+    if (has_label(to, label)) carried.vetoes.labels.insert(label);
+  const auto& meant = decisions.meant;
+  if (meant && (!meant->take || to.find_take(*meant->take) >= 0) &&
+      (!meant->label || has_label(to, *meant->label)))
+    carried.meant = meant;
+  return carried;
+}
+
+}  // namespace
+
+Steering::Steering(std::shared_ptr<PartnerSynthesizer> synthesizer)
+    : synthesizer_(std::move(synthesizer)),
+      asked_role_(synthesizer_->settings().user_role),
+      role_switch_(synthesizer_->views(), asked_role_) {}
+
+void Steering::set_settings(const Settings& settings) {
+  asked_role_ = settings.user_role;
+  Settings wanted = settings;
+  if (current_.role_control == RoleControl::Hand)
+    role_switch_.control(RoleControl::Hand, settings.user_role);
+  else
+    wanted.user_role = role_switch_.role();
+  synthesizer_->set_settings(wanted);
+}
+
+void Steering::decide(const Decisions& decisions) {
+  current_ = decisions;
+  decisions_ = current_ == Decisions{} ? nullptr : std::make_shared<const Decisions>(current_);
+}
+
+void Steering::pin(std::optional<int> pair) {
+  Decisions wanted = current_;
+  wanted.pinned = pair;
+  decide(wanted);
+  synthesizer_->pin_pair(pair);
+}
+
+void Steering::set_vetoes(const Vetoes& vetoes) {
+  Decisions wanted = current_;
+  wanted.vetoes = vetoes;
+  decide(wanted);
+  synthesizer_->set_vetoes(vetoes);
+}
+
+void Steering::mean(const std::optional<MeantMove>& move) {
+  Decisions wanted = current_;
+  wanted.meant = move;
+  decide(wanted);
+  followed_pair_ = -1;
+  move_is_done_ = false;
+  synthesizer_->set_meant(pairs_of(move));
+}
+
+void Steering::control_role(RoleControl by) {
+  Decisions wanted = current_;
+  wanted.role_control = by;
+  decide(wanted);
+  role_switch_.control(by, by == RoleControl::Hand ? asked_role_ : synthesizer_->settings().user_role);
+}
+
+void Steering::replace(std::shared_ptr<PartnerSynthesizer> synthesizer) {
+  const std::shared_ptr<PartnerSynthesizer> before = std::exchange(synthesizer_, std::move(synthesizer));
+  decide(carried_over(current_, before->library(), synthesizer_->library()));
+  synthesizer_->set_settings(before->settings());
+  synthesizer_->pin_pair(current_.pinned);
+  synthesizer_->set_vetoes(current_.vetoes);
+  synthesizer_->set_meant(pairs_of(current_.meant));
+  synthesizer_->take_over(before->state());
+  role_switch_ = RoleSwitch(synthesizer_->views(), before->settings().user_role);
+  role_switch_.control(current_.role_control, before->settings().user_role);
+  followed_pair_ = -1;
+}
+
+bool Steering::is_over(const MeantMove& move, double now_s) const {
+  return (move.until_s >= 0 && now_s >= move.until_s) || (move.until_done && move_is_done_);
+}
+
+bool Steering::before_step(double now_s) {
+  bool changed = false;
+  if (current_.meant && is_over(*current_.meant, now_s)) {
+    mean(std::nullopt);
+    changed = true;
+  }
+  if (synthesizer_->settings().user_role != role_switch_.role()) {
+    Settings settings = synthesizer_->settings();
+    settings.user_role = role_switch_.role();
+    synthesizer_->set_settings(settings);
+    changed = true;
+  }
+  return changed;
+}
+
+void Steering::after_step(const FrameResult& result, const Pose& user, double time_s) {
+  if (current_.meant && current_.meant->until_done) watch_move(result);
+  if (current_.role_control == RoleControl::Hand || result.status == StepStatus::Failed) return;
+  const std::optional<Body>& body = synthesizer_->user_body();
+  role_switch_.after({result, user, body, time_s});
+}
+
+/// A move has come to its end when the pair that is followed is the last of its label or take.
+void Steering::watch_move(const FrameResult& result) {
+  if (result.selected < 0) return;
+  const MotionLibrary& library = synthesizer_->library();
+  const int pair = result.candidates[static_cast<std::size_t>(result.selected)].pair;
+  const bool was_followed = followed_pair_ >= 0 && !result.source_changed;
+  followed_pair_ = pair;
+  if (!was_followed) return;
+  const int next = library.later_pair(pair, 1);
+  move_is_done_ = next < 0 || (current_.meant->label && library.label(next) != *current_.meant->label);
+}
+
+}  // namespace abrazo

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "core/session/decisions.hpp"
+#include "core/session/role_switch.hpp"
+#include "core/synthesis/partner_synthesizer.hpp"
+
+namespace abrazo {
+
+/// What a person asked of the running solver, and what of it holds at present: settings and decisions.
+/// Applies them to the synthesizer; the only one who does.
+class Steering {
+ public:
+  explicit Steering(std::shared_ptr<PartnerSynthesizer> synthesizer);
+
+  PartnerSynthesizer& synthesizer() const { return *synthesizer_; }
+
+  /// The user's role among them counts while the hand decides about it.
+  void set_settings(const Settings& settings);
+  void pin(std::optional<int> pair);
+  void set_vetoes(const Vetoes& vetoes);
+  void mean(const std::optional<MeantMove>& move);
+  void control_role(RoleControl by);
+  /// Settings and decisions stay, but those on pairs, takes and labels that the new library does not have
+  /// fall away. Both bodies go on from where they are.
+  void replace(std::shared_ptr<PartnerSynthesizer> synthesizer);
+
+  /// Before a step: a move that was meant till now is released, the role changes where it is to.
+  /// @return whether anything changed
+  bool before_step(double now_s);
+  /// After a step, as `PartnerSynthesizer::step` was given it.
+  void after_step(const FrameResult& result, const Pose& user, double time_s);
+
+  /// Under which the next step is solved; null while there are none.
+  const std::shared_ptr<const Decisions>& decisions() const { return decisions_; }
+
+ private:
+  void decide(const Decisions& decisions);
+  bool is_over(const MeantMove& move, double now_s) const;
+  void watch_move(const FrameResult& result);
+
+  std::shared_ptr<PartnerSynthesizer> synthesizer_;
+  Decisions current_;
+  std::shared_ptr<const Decisions> decisions_;
+  UserRole asked_role_;  ///< by the hand
+  RoleSwitch role_switch_;
+  int followed_pair_ = -1;  ///< of the move that is meant
+  bool move_is_done_ = false;
+};
+
+}  // namespace abrazo

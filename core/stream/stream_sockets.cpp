@@ -1,0 +1,91 @@
+#include "core/stream/stream_sockets.hpp"
+
+#include <array>
+
+namespace abrazo {
+
+namespace {
+
+constexpr int packets_at_once = 256;
+constexpr std::size_t largest_packet = 65536;  ///< none over IPv4 is larger
+constexpr std::uint16_t natnet_data_port = 1511, natnet_command_port = 1510;
+
+}  // namespace
+
+StreamSockets::StreamSockets(UdpSocket main, Endpoint peer, std::uint32_t interface_address)
+    : main_(std::move(main)),
+      peer_(peer),
+      interface_address_(interface_address),
+      wait_(std::make_unique<SocketWait>()),
+      buffer_(largest_packet) {}
+
+Result<StreamSockets> StreamSockets::open(const StreamUri& uri) {
+  const Result<std::uint32_t> host = resolve_host(uri.host);
+  if (!host) return host.error();
+  std::uint32_t interface_address = 0;
+  if (const std::string name = uri.option("interface"); !name.empty()) {
+    const Result<std::uint32_t> address = resolve_host(name);
+    if (!address) return address.error();
+    interface_address = *address;
+  }
+  const Endpoint written{*host, uri.port};
+  const bool talks_to_server = uri.scheme == StreamUri::Scheme::NatNet && written.address != 0;
+  Endpoint local = written;
+  if (talks_to_server)
+    local = Endpoint{};
+  else if (uri.scheme == StreamUri::Scheme::NatNet && local.port == natnet_command_port)
+    local.port = natnet_data_port;  // without a server to ask there are only frames to wait for
+  Result<UdpSocket> socket = UdpSocket::bind(local);
+  if (!socket) return socket.error();
+  if (talks_to_server && interface_address == 0) interface_address = address_towards(written);
+  return StreamSockets(std::move(*socket), talks_to_server ? written : Endpoint{}, interface_address);
+}
+
+bool StreamSockets::wait(int at_most_ms) {
+  std::array<int, 2> descriptors{main_.descriptor(), group_socket_ ? group_socket_->descriptor() : -1};
+  return wait_->wait(std::span(descriptors).first(group_socket_ ? 2 : 1), at_most_ms);
+}
+
+Status StreamSockets::receive(const SessionClock& clock, const Take& take) {
+  for (UdpSocket* const socket : {&main_, group_socket_ ? &*group_socket_ : nullptr}) {
+    for (int i = 0; socket != nullptr && i < packets_at_once; ++i) {
+      const auto received = socket->receive(buffer_, clock);
+      if (!received) return received.error();
+      if (!*received) break;
+      const UdpSocket::Received& packet = **received;
+      take(Datagram{packet.from, packet.arrived_s, std::span(buffer_).first(packet.size)}, packet.truncated);
+    }
+  }
+  return Done{};
+}
+
+Status StreamSockets::reply(const OutgoingDatagram& datagram) {
+  Endpoint to = datagram.to;
+  if (to.address == 0) to.address = peer_.address;
+  if (to.port == 0) to.port = peer_.port;
+  if (to.address == 0) return Done{};  // nobody to answer: the URI names no server
+  return main_.send(to, datagram.bytes);
+}
+
+Status StreamSockets::join(const Endpoint& group) {
+  if (group_ == group) return Done{};
+  group_ = group;
+  group_socket_.reset();
+  Result<UdpSocket> socket = UdpSocket::bind({0, group.port}, true);
+  if (!socket) return socket.error();
+  if (Status joined = socket->join(group.address, interface_address_); !joined) return joined;
+  group_socket_.emplace(std::move(*socket));
+  return Done{};
+}
+
+std::string StreamSockets::listening() const {
+  std::string text = main_.local().text();
+  if (group_socket_) text += " and multicast " + group_.text();
+  return text;
+}
+
+std::uint64_t StreamSockets::overflowed() const {
+  return main_.overflowed() + (group_socket_ ? group_socket_->overflowed() : 0);
+}
+
+}  // namespace abrazo

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/stream/stream_uri.hpp"
+#include "core/stream/udp_socket.hpp"
+
+namespace abrazo {
+
+/// The sockets of a stream that is received: the one that also talks to the sender, and one for a multicast
+/// group where there is one. Used by one thread, but for `wake`.
+class StreamSockets {
+ public:
+  /// VMC and Xsens listen where the URI says; NatNet talks to the server there from any port.
+  static Result<StreamSockets> open(const StreamUri& uri);
+
+  /// Sleeps until a packet came, at most so long. @return whether one came
+  bool wait(int at_most_ms);
+  void wake() { wait_->wake(); }
+
+  using Take = std::function<void(const Datagram&, bool truncated)>;
+  /// Hands over what has come, at most some hundreds of packets. @return an Error when a socket is broken
+  Status receive(const SessionClock& clock, const Take& take);
+  /// An address or port of 0 stands for the URI's.
+  Status reply(const OutgoingDatagram& datagram);
+  /// Joins on the network that the sender is reached through. Nothing happens when it is joined already.
+  Status join(const Endpoint& group);
+
+  std::string listening() const;
+  Endpoint local() const { return main_.local(); }
+  std::uint64_t overflowed() const;
+
+ private:
+  StreamSockets(UdpSocket main, Endpoint peer, std::uint32_t interface_address);
+
+  UdpSocket main_;
+  std::optional<UdpSocket> group_socket_;
+  Endpoint peer_, group_;
+  std::uint32_t interface_address_;
+  std::unique_ptr<SocketWait> wait_;
+  std::vector<std::uint8_t> buffer_;
+};
+
+}  // namespace abrazo

@@ -1,0 +1,151 @@
+#include "core/session/recorded_frames.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/session/re_solver.hpp"
+#include "tests/core/session/recorded_session.hpp"
+
+namespace abrazo {
+namespace {
+
+/// A recorded session, and what memory had of it.
+class RecordedFramesTest : public testing::Test {
+ protected:
+  void record(double seconds, std::size_t history_bytes = std::size_t{512} << 20) {
+    path = folder.file("s.abrazo");
+    session = std::make_unique<test::DrivenSession>(history_bytes);
+    session->keeper->recorder = *Recorder::open(path, test::session_facts());
+    session->run_until(seconds);
+    ASSERT_TRUE(session->keeper->recorder->flush());
+  }
+  const std::vector<FrameSnapshotPtr>& kept() const { return session->keeper->frames; }
+
+  test::TemporaryFolder folder;
+  std::string path;
+  std::unique_ptr<test::DrivenSession> session;
+};
+
+TEST_F(RecordedFramesTest, AreFoundByTimeAndIndex) {
+  record(2);
+  const auto frames = *RecordedFrames::open(path);
+  EXPECT_EQ(frames->span().frames, kept().size());
+  EXPECT_EQ(frames->span().last_s, kept().back()->time_s);
+  EXPECT_EQ(frames->at(-1), nullptr);
+  EXPECT_EQ(frames->at(1e9)->index, kept().back()->index);
+  for (const std::size_t i : {0U, 7U, 50U}) {
+    EXPECT_EQ(frames->at(kept()[i]->time_s)->index, i);
+    EXPECT_EQ(frames->at(kept()[i]->time_s + 0.001)->index, i);
+    EXPECT_EQ(frames->frame(i)->result.result, kept()[i]->result.result);
+  }
+  EXPECT_EQ(frames->frame(kept().size()), nullptr);
+  EXPECT_EQ(frames->frame(3), frames->frame(3));  // kept in memory
+}
+
+TEST_F(RecordedFramesTest, HaveTheMeshOfTheLibraryTheyWereSolvedWith) {
+  record(1);
+  const auto without = *RecordedFrames::open(path);
+  EXPECT_TRUE(without->frame(20)->result.edges.empty());
+  const auto with = *RecordedFrames::open(path, test::session_library());
+  const FrameResult &read = with->frame(20)->result, &solved = kept()[20]->result;
+  EXPECT_EQ(read.edges, solved.edges);
+  EXPECT_EQ(read.tetrahedra, solved.tetrahedra);
+  EXPECT_EQ(read.selected_pair, solved.selected_pair);
+  EXPECT_EQ(read.edge_weights, solved.edge_weights);
+  EXPECT_EQ(read.edge_residuals_m, solved.edge_residuals_m);
+  EXPECT_EQ(with->frame(20)->library, test::session_library());
+}
+
+TEST_F(RecordedFramesTest, ALongRangeIsThinnedEvenly) {
+  record(4);
+  const auto frames = *RecordedFrames::open(path);
+  EXPECT_EQ(frames->range(1, 2, 1000).size(), session->history.range(1, 2).size());
+  const auto thinned = frames->range(0, 4, 20);
+  ASSERT_EQ(thinned.size(), 20U);
+  EXPECT_EQ(thinned.front()->index, 0U);
+  EXPECT_EQ(thinned.back()->index, kept().back()->index);
+  for (std::size_t i = 1; i < thinned.size(); ++i)
+    EXPECT_NEAR(static_cast<double>(thinned[i]->index - thinned[i - 1]->index),
+                static_cast<double>(kept().size() - 1) / 19, 1);
+  EXPECT_EQ(frames->between(10, 20, 1000).size(), 11U);
+  EXPECT_TRUE(frames->between(100000, 200000, 1000).empty());
+}
+
+TEST_F(RecordedFramesTest, SeeWhatIsRecordedMeanwhile) {
+  record(1);
+  const auto frames = *RecordedFrames::open(path);
+  const auto before = frames->span().frames;
+  session->run_until(2);
+  ASSERT_TRUE(session->keeper->recorder->flush());
+  EXPECT_GT(frames->span().frames, before);
+  EXPECT_EQ(frames->at(1e9)->index, kept().back()->index);
+}
+
+TEST_F(RecordedFramesTest, AHistoryReachesThroughThemToTheBeginning) {
+  record(4, 400 << 10);  // memory has the last frames only
+  FrameHistory& history = session->history;
+  const auto in_memory = history.span();
+  ASSERT_GT(in_memory.evicted, 100U);
+  ASSERT_GT(in_memory.first_s, 1);
+  history.set_store(session->keeper->recorder->store());
+
+  const auto span = history.span();
+  EXPECT_EQ(span.first_s, kept().front()->time_s);
+  EXPECT_EQ(span.memory_first_s, in_memory.first_s);
+  EXPECT_EQ(span.stored, in_memory.evicted);
+  EXPECT_EQ(span.first_index, 0U);
+  EXPECT_EQ(history.at(0.5)->index, 30U);
+  EXPECT_EQ(history.at(-5)->index, 0U);
+  EXPECT_EQ(history.at(1e9), kept().back());
+  EXPECT_EQ(history.stepped(0.5, 3)->index, 33U);
+  EXPECT_EQ(history.stepped(0.5, -100)->index, 0U);
+  const auto across = static_cast<int>(in_memory.evicted) - 30 + 5;
+  EXPECT_EQ(history.stepped(0.5, across), kept()[in_memory.evicted + 5]);
+  EXPECT_EQ(history.stepped(1e9, -static_cast<int>(kept().size()) + 3)->index, 2U);
+
+  const auto all = history.range(-1, 1e9);
+  ASSERT_EQ(all.size(), kept().size());
+  for (std::size_t i = 0; i < all.size(); ++i) EXPECT_EQ(all[i]->index, i);
+  EXPECT_EQ(history.range(-1, 1e9, 10).size(), 10U + in_memory.frames);
+  EXPECT_EQ(history.range(0.5, 0.6).size(), 7U);
+  EXPECT_EQ(history.since(5).size(), kept().size() - 5);
+  EXPECT_EQ(history.since(kept().size() - 2).size(), 2U);
+}
+
+TEST_F(RecordedFramesTest, AHistoryWithoutFramesOfItsOwnShowsThoseOfTheFile) {
+  record(2);
+  FrameHistory history;
+  history.set_store(*RecordedFrames::open(path, test::session_library()));
+  EXPECT_EQ(history.span().last_s, kept().back()->time_s);
+  EXPECT_GT(history.span().memory_first_s, history.span().last_s);
+  EXPECT_EQ(history.since(0).size(), kept().size());
+  EXPECT_TRUE(history.since(kept().size()).empty());
+  EXPECT_EQ(history.at(1)->index, 60U);
+  EXPECT_EQ(history.stepped(1, 1)->index, 61U);
+  EXPECT_EQ(history.stepped(1, 100000)->index, kept().back()->index);
+}
+
+TEST_F(RecordedFramesTest, WhatTheyGiveCanBeSolvedAgainToTheSameBits) {
+  record(4, 400 << 10);
+  session->history.set_store(session->keeper->recorder->store());
+  const double memory_s = session->history.span().memory_first_s;
+  auto again = std::move(*ReSolver::create(test::session_library(), {}));
+  const auto expect_bits = [&](double from_s, double to_s) {
+    const auto found = session->history.solvable_again(from_s, to_s);
+    EXPECT_FALSE(found.is_short);
+    ASSERT_GT(found.frames.size(), found.run_up);
+    ASSERT_EQ(found.frames.size() - found.run_up, session->history.range(from_s, to_s).size());
+    again->go_to(std::span(found.frames).first(found.run_up), *found.frames[found.run_up]);
+    for (std::size_t i = found.run_up; i < found.frames.size(); ++i) {
+      const FrameSnapshot& frame = *found.frames[i];
+      ASSERT_EQ(again->solve(frame, frame.settings)->result.result, kept()[frame.index]->result.result);
+    }
+  };
+  expect_bits(0.7, 1.1);
+  expect_bits(memory_s - 0.3, memory_s + 0.3);
+  expect_bits(memory_s, memory_s + 0.05);
+  expect_bits(0, 4);
+}
+
+}  // namespace
+}  // namespace abrazo

@@ -1,0 +1,243 @@
+#include "core/session/session_engine.hpp"
+
+#include <gtest/gtest.h>
+
+#include <thread>
+
+#include "core/stream/clip_source.hpp"
+#include "tests/core/session/fakes.hpp"
+
+namespace abrazo {
+namespace {
+
+using test::FakeDevice;
+using test::FakeSink;
+
+/// Returns once it holds; the engine runs in real time.
+bool eventually(const std::function<bool()>& holds) {
+  const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  while (!holds()) {
+    if (std::chrono::steady_clock::now() > until) return false;
+    std::this_thread::yield();
+  }
+  return true;
+}
+
+MeantMove meant(std::optional<std::string> label, std::optional<std::string> take) {
+  MeantMove move;
+  move.label = std::move(label);
+  move.take = std::move(take);
+  return move;
+}
+
+class FakeReceiver : public StreamReceiver {
+ public:
+  FakeReceiver(StreamUri uri, std::shared_ptr<FakeDevice> device)
+      : uri_(std::move(uri)), device_(std::move(device)) {}
+  const StreamUri& uri() const override { return uri_; }
+  StreamHealth health() const override { return {}; }
+  std::vector<std::string> performers() const override { return {"Ana", "Ben"}; }
+  std::unique_ptr<PoseSource> source(const std::string& performer) override {
+    followed = performer;
+    return std::make_unique<test::SharedDevice>(device_);
+  }
+  int listen(std::function<void(const ReceivedPose&)> listener) override {
+    listeners.push_back(std::move(listener));
+    return static_cast<int>(listeners.size());
+  }
+  void unlisten(int number) override { listeners[static_cast<std::size_t>(number - 1)] = nullptr; }
+  void set_delay(double) override {}
+  void calibrate(const std::string&, double) override {}
+  std::optional<Body> measured_body(const std::string&) const override { return std::nullopt; }
+
+  std::string followed;
+  std::vector<std::function<void(const ReceivedPose&)>> listeners;
+
+ private:
+  StreamUri uri_;
+  std::shared_ptr<FakeDevice> device_;
+};
+
+class FakeRecorder : public Recorder {
+ public:
+  void frame_solved(const FrameSnapshotPtr& frame) override { frames.frame_solved(frame); }
+  void pose_received(const ReceivedPose& pose) override { poses.push_back(pose); }
+  void begin_take(const std::string&) override {}
+  void end_take() override {}
+  void set_markers(const Markers&) override {}
+  void set_input(const std::string&) override {}
+  void set_library_path(const std::shared_ptr<const MotionLibrary>&, const std::string&) override {}
+  State state() const override {
+    State state;
+    state.path = "S.abrazo";
+    return state;
+  }
+  std::shared_ptr<const FrameStore> store() const override { return nullptr; }
+  Status flush() override { return Done{}; }
+  Status finish() override {
+    finished = true;
+    return finish_with;
+  }
+
+  test::FakeListener frames;
+  std::vector<ReceivedPose> poses;
+  Status finish_with = Done{};
+  bool finished = false;
+};
+
+class Engine : public testing::Test {
+ protected:
+  static std::unique_ptr<PartnerSynthesizer> synthesizer() {
+    return std::move(*PartnerSynthesizer::create(test::small_library(), *preset("responsive")));
+  }
+  SessionOpeners openers() {
+    SessionOpeners fakes;
+    fakes.receiver = [this](const StreamUri& uri, const SessionClock&,
+                            const StreamReceiverOptions&) -> Result<std::shared_ptr<StreamReceiver>> {
+      if (uri.port == 1) return Error{"the port is taken", uri.text};
+      receiver = std::make_shared<FakeReceiver>(uri, device);
+      return std::shared_ptr<StreamReceiver>(receiver);
+    };
+    fakes.sink = [this](const StreamUri& uri, const Body& body,
+                        const std::string& character) -> Result<std::unique_ptr<PoseSink>> {
+      if (uri.port == 1) return Error{"no such host", uri.text};
+      opened_character = character;
+      sink_body = body;
+      auto made = std::make_unique<FakeSink>();
+      sink = made.get();
+      return std::unique_ptr<PoseSink>(std::move(made));
+    };
+    fakes.recorder = [this](const std::string&, const RecordingFacts& facts) {
+      recorded_facts = facts;
+      return Result<std::shared_ptr<Recorder>>(recorder);
+    };
+    return fakes;
+  }
+  static StreamUri uri(std::uint16_t port) {
+    StreamUri made;
+    made.port = port;
+    made.text = "vmc://127.0.0.1:" + std::to_string(port);
+    return made;
+  }
+  bool runs_on_the_clip() {
+    return eventually([&] {
+      const FrameSnapshotPtr newest = engine.latest().newest();
+      return newest && newest->input_frame >= 0;
+    });
+  }
+  bool runs_on_the_device() {
+    return eventually([&] {
+      SourcePose pose;
+      pose.pose = test::swinging_take("user", 2, 4).a.poses[0];
+      pose.time_s = pose.arrived_s = pose.assembled_s = engine.clock().now_s();
+      device->arrive(pose);
+      const FrameSnapshotPtr newest = engine.latest().newest();
+      return newest && newest->times.arrived_s >= 0;
+    });
+  }
+
+  std::shared_ptr<FakeDevice> device = std::make_shared<FakeDevice>();
+  std::shared_ptr<FakeReceiver> receiver;
+  std::shared_ptr<FakeRecorder> recorder = std::make_shared<FakeRecorder>();
+  FakeSink* sink = nullptr;
+  std::string opened_character;
+  Body sink_body;
+  RecordingFacts recorded_facts;
+  SessionEngine engine{synthesizer(), std::make_shared<ClipSource>(test::swinging_take("user", 120, 4).a),
+                       SessionClock(), openers()};
+};
+
+TEST_F(Engine, RunsOnItsOwnSourceFromTheStart) {
+  EXPECT_TRUE(runs_on_the_clip());
+  EXPECT_EQ(engine.receiver(), nullptr);
+  EXPECT_EQ(engine.recorder(), nullptr);
+}
+
+TEST_F(Engine, AStreamTakesOverAndGivesBackTheSourceThereWas) {
+  ASSERT_TRUE(runs_on_the_clip());
+  ASSERT_TRUE(engine.receive(uri(39539), "Ana"));
+  EXPECT_EQ(receiver->followed, "Ana");
+  EXPECT_EQ(engine.receiver(), receiver);
+  EXPECT_TRUE(runs_on_the_device());
+  engine.follow_performer("Ben");
+  EXPECT_EQ(receiver->followed, "Ben");
+  EXPECT_TRUE(runs_on_the_device());
+  engine.stop_receiving();
+  EXPECT_EQ(engine.receiver(), nullptr);
+  EXPECT_TRUE(runs_on_the_clip());
+}
+
+TEST_F(Engine, AStreamThatCannotBeOpenedChangesNothing) {
+  ASSERT_TRUE(engine.receive(uri(39539)));
+  const Status refused = engine.receive(uri(1));
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().text(), "vmc://127.0.0.1:1: the port is taken");
+  EXPECT_EQ(engine.receiver(), receiver);
+  EXPECT_TRUE(runs_on_the_device());
+}
+
+TEST_F(Engine, WhenAStreamIsClosedNobodyHoldsItsSourceAnyMore) {
+  ASSERT_TRUE(engine.receive(uri(39539)));
+  ASSERT_TRUE(runs_on_the_device());
+  const std::weak_ptr<StreamReceiver> closed = engine.receiver();
+  receiver.reset();
+  engine.stop_receiving();
+  EXPECT_TRUE(closed.expired());
+  EXPECT_EQ(device.use_count(), 1);
+}
+
+TEST_F(Engine, ACharacterIsSentWithTheBodyOfItsRole) {
+  const auto library = test::small_library();
+  ASSERT_TRUE(engine.send(uri(39540), Character::Partner));
+  EXPECT_EQ(opened_character, "partner");
+  EXPECT_EQ(sink_body.bone_lengths, library->usual_passive_body().body.bone_lengths);
+  EXPECT_TRUE(eventually([&] { return engine.sinks().front().frames > 3; }));
+  EXPECT_FALSE(engine.send(uri(39540), Character::User));
+  EXPECT_FALSE(engine.send(uri(1), Character::User));
+  engine.stop_sending("vmc://127.0.0.1:39540");
+  EXPECT_TRUE(engine.sinks().empty());
+}
+
+TEST_F(Engine, ARecordingHasEveryFrameAndPoseBetweenItsBeginningAndItsEnd) {
+  ASSERT_TRUE(engine.receive(uri(39539)));
+  ASSERT_TRUE(engine.record("S.abrazo", {}));
+  EXPECT_NE(recorded_facts.library, nullptr);
+  EXPECT_FALSE(engine.record("T.abrazo", {}));
+  ASSERT_TRUE(runs_on_the_device());
+  receiver->listeners.front()(ReceivedPose{});
+  ASSERT_TRUE(eventually([&] { return recorder->frames.frames().size() > 2; }));
+  recorder->finish_with = Error{"the disk is full", "S.abrazo"};
+  EXPECT_FALSE(engine.stop_recording());
+  EXPECT_TRUE(recorder->finished);
+  EXPECT_EQ(recorder->poses.size(), 1U);
+  EXPECT_EQ(receiver->listeners.front(), nullptr);
+  const auto frames = recorder->frames.frames();
+  ASSERT_TRUE(runs_on_the_device());
+  EXPECT_EQ(recorder->frames.frames().size(), frames.size());
+  EXPECT_TRUE(frames.front()->before);
+  for (std::size_t i = 1; i < frames.size(); ++i) EXPECT_EQ(frames[i]->index, frames[i - 1]->index + 1);
+}
+
+TEST_F(Engine, ALaterStreamIsRecordedToo) {
+  ASSERT_TRUE(engine.record("S.abrazo", {}));
+  ASSERT_TRUE(engine.receive(uri(39539)));
+  ASSERT_EQ(receiver->listeners.size(), 1U);
+  receiver->listeners.front()(ReceivedPose{});
+  EXPECT_EQ(recorder->poses.size(), 1U);
+  EXPECT_TRUE(engine.stop_recording());
+}
+
+TEST_F(Engine, AMoveThatIsNotThereIsRefusedWithThoseThatAre) {
+  const Status refused = engine.mean(meant("somersault", std::nullopt));
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().text().find("\"turn\" (165 pairs)"), std::string::npos) << refused.error().text();
+  EXPECT_TRUE(engine.mean(meant(std::nullopt, "second")));
+  EXPECT_TRUE(eventually([&] {
+    const FrameSnapshotPtr newest = engine.latest().newest();
+    return newest && newest->decisions && newest->decisions->meant;
+  }));
+  EXPECT_FALSE(engine.meant_choices().empty());
+}
+
+}  // namespace
+}  // namespace abrazo

@@ -1,0 +1,91 @@
+#include "core/session/synthesizer_state_bytes.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/session/decisions_json.hpp"
+#include "core/synthesis/partner_synthesizer.hpp"
+#include "tests/core/session/recorded_session.hpp"
+
+namespace abrazo {
+namespace {
+
+/// A state in the middle of a session: locks, a transition, a heading.
+SynthesizerState used_state() {
+  auto synthesizer = std::move(*PartnerSynthesizer::create(test::session_library(), *preset("responsive")));
+  synthesizer->set_vetoes({{3, 7}, {"nobody"}, {"turn", ""}});
+  const Clip clip = test::swinging_take("user", 90, 4).a;
+  for (const Pose& pose : clip.poses) synthesizer->step(pose, Duration(1.0 / 60));
+  SynthesizerState state = synthesizer->state();
+  state.pinned = 12;
+  state.meant = MeantPairs{"turn", std::nullopt};
+  state.unsolved_s = 0.1 + 0.2;
+  return state;
+}
+
+TEST(SynthesizerStateBytes, ReadBackToTheSameBits) {
+  const SynthesizerState state = used_state();
+  const auto bytes = synthesizer_state_bytes(state);
+  const auto read = parse_synthesizer_state(bytes);
+  ASSERT_TRUE(read) << read.error().text();
+  EXPECT_EQ(synthesizer_state_bytes(*read), bytes);
+  EXPECT_EQ(read->memory.previous, state.memory.previous);
+  EXPECT_EQ(read->memory.previous_heading, state.memory.previous_heading);
+  EXPECT_EQ(read->memory.transition.velocity(), state.memory.transition.velocity());
+  EXPECT_EQ(read->memory.locks.feet()[0].ankle, state.memory.locks.feet()[0].ankle);
+  EXPECT_EQ(read->memory.user_body->bone_lengths, state.memory.user_body->bone_lengths);
+  EXPECT_EQ(*read->vetoes, *state.vetoes);
+  EXPECT_EQ(read->meant, state.meant);
+  EXPECT_EQ(read->pinned, 12);
+  EXPECT_EQ(read->unsolved_s, 0.1 + 0.2);
+}
+
+TEST(SynthesizerStateBytes, ASolverGoesOnFromThemAsIfNothingHadBeen) {
+  auto first = std::move(*PartnerSynthesizer::create(test::session_library(), *preset("responsive")));
+  auto second = std::move(*PartnerSynthesizer::create(test::session_library(), *preset("responsive")));
+  const Clip clip = test::swinging_take("user", 120, 4).a;
+  for (int i = 0; i < 60; ++i) first->step(clip.poses[static_cast<std::size_t>(i)], Duration(1.0 / 60));
+  second->restore(*parse_synthesizer_state(synthesizer_state_bytes(first->state())));
+  for (std::size_t i = 60; i < 120; ++i) {
+    const PairPose expected = first->step(clip.poses[i], Duration(1.0 / 60)).result;
+    ASSERT_EQ(second->step(clip.poses[i], Duration(1.0 / 60)).result, expected) << i;
+  }
+}
+
+TEST(SynthesizerStateBytes, ThatAreCutShortTooLongOrOfAnotherVersionAreRefused) {
+  const auto bytes = synthesizer_state_bytes(used_state());
+  for (std::size_t size = 0; size < bytes.size(); size += 7)
+    EXPECT_FALSE(parse_synthesizer_state(std::span(bytes).first(size))) << size;
+  auto longer = bytes;
+  longer.push_back(0);
+  EXPECT_FALSE(parse_synthesizer_state(longer));
+  auto newer = bytes;
+  newer[0] = 99;
+  EXPECT_THAT(parse_synthesizer_state(newer).error().message, testing::HasSubstr("version 99"));
+}
+
+TEST(SynthesizerStateBytes, ImpossibleCountsEndWithTheBytes) {
+  auto bytes = synthesizer_state_bytes(used_state());
+  for (std::size_t at = 0; at < bytes.size(); ++at) {
+    auto changed = bytes;
+    changed[at] = 0xff;
+    (void)parse_synthesizer_state(changed);  // neither crashes nor takes all the memory
+  }
+}
+
+TEST(DecisionsJson, ReadsBackWhatWasDecided) {
+  Decisions decisions;
+  decisions.pinned = 7;
+  decisions.vetoes = {{1, 2}, {"a \"take\""}, {"", "turn"}};
+  decisions.meant = MeantMove{"turn", "salsa_01", 12.5, true};
+  decisions.role_control = RoleControl::Leader;
+  const auto read = parse_decisions(decisions_json(decisions), "test");
+  ASSERT_TRUE(read);
+  EXPECT_EQ(*read, decisions);
+  EXPECT_EQ(*parse_decisions(decisions_json({}), "test"), Decisions{});
+  EXPECT_FALSE(parse_decisions("[]", "test"));
+  EXPECT_FALSE(parse_decisions("{\"role_control\":\"dice\"}", "test"));
+}
+
+}  // namespace
+}  // namespace abrazo

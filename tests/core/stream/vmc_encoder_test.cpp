@@ -1,0 +1,107 @@
+#include "core/stream/vmc_encoder.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "core/stream/osc_packet.hpp"
+#include "tests/core/stream/vmc_packets.hpp"
+#include "tests/support/bodies.hpp"
+
+namespace abrazo {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::unique_ptr<StreamEncoder> encoder(const std::string& options = "") {
+  return std::move(make_vmc_encoder(*parse_stream_uri("vmc://127.0.0.1:39539" + options),
+                                    body_of(test::standing_pose())))
+      .value();
+}
+
+std::vector<std::string> addresses(const std::vector<std::uint8_t>& packet) {
+  std::vector<std::string> words;
+  for (const OscElement& element : read_osc(packet).elements)
+    if (element.kind == OscElement::Kind::Message) words.push_back(element.address);
+  return words;
+}
+
+TEST(VmcEncoder, SendsBundlesOfTwelveBonesAndTimeLast) {
+  const auto packets = encoder()->packets({test::standing_pose(), 2, true});
+  ASSERT_EQ(packets.size(), 2u);
+  for (const auto& packet : packets) {
+    EXPECT_LE(packet.size(), 1500u);
+    EXPECT_EQ(read_osc(packet).elements[0].time_tag, osc_immediately);
+  }
+  EXPECT_EQ(addresses(packets[0]), std::vector<std::string>(12, "/VMC/Ext/Bone/Pos"));
+  const auto last = addresses(packets[1]);
+  EXPECT_EQ(last.front(), "/VMC/Ext/Root/Pos");
+  EXPECT_EQ(last[last.size() - 2], "/VMC/Ext/OK");
+  EXPECT_EQ(last.back(), "/VMC/Ext/T");
+}
+
+TEST(VmcEncoder, SendsOneBundleThatBeginsWithTimeWhenAsked) {
+  const auto packets = encoder("?framing=t-first")->packets({test::standing_pose(), 2, true});
+  ASSERT_EQ(packets.size(), 1u);
+  const auto words = addresses(packets[0]);
+  EXPECT_EQ(words[0], "/VMC/Ext/T");
+  EXPECT_EQ(words[1], "/VMC/Ext/OK");
+  EXPECT_EQ(words[2], "/VMC/Ext/Root/Pos");
+  EXPECT_EQ(words[3], "/VMC/Ext/Bone/Pos");
+}
+
+const OscElement& message(const OscPacket& packet, const std::string& address) {
+  for (const OscElement& element : packet.elements)
+    if (element.address == address) return element;
+  throw std::out_of_range(address);
+}
+
+TEST(VmcEncoder, CountsItsTimeFromTheFirstPose) {
+  const auto sender = encoder("?framing=t-first");
+  const auto time_of = [&](double at_s) {
+    return message(read_osc(sender->packets({test::standing_pose(), at_s, true})[0]), "/VMC/Ext/T")
+        .arguments[0]
+        .number;
+  };
+  EXPECT_EQ(time_of(1000.0), 0);
+  EXPECT_EQ(time_of(1000.5), 0.5);
+  sender->restart();
+  EXPECT_EQ(time_of(1001.0), 0);
+}
+
+TEST(VmcEncoder, SaysWhetherThePoseIsTracked) {
+  for (const bool tracked : {true, false}) {
+    const OscPacket packet =
+        read_osc(encoder("?framing=t-first")->packets({test::standing_pose(), 0, tracked})[0]);
+    const auto& ok = message(packet, "/VMC/Ext/OK").arguments;
+    ASSERT_EQ(ok.size(), 4u);  // loaded, calibrated, normal mode, tracking
+    EXPECT_EQ(ok[0].number, 1);
+    EXPECT_EQ(ok[1].number, 3);
+    EXPECT_EQ(ok[2].number, 0);
+    EXPECT_EQ(ok[3].number, tracked ? 1 : 0);
+  }
+}
+
+TEST(VmcEncoder, WritesInUnitysLeftHandedSpace) {
+  Pose pose = test::standing_pose();
+  pose.col(0).array() += 2;  // two metres to the left
+  const OscPacket packet = read_osc(encoder("?framing=t-first")->packets({pose, 0, true})[0]);
+  const auto& hips = message(packet, "/VMC/Ext/Bone/Pos").arguments;
+  EXPECT_EQ(hips[0].text, "Hips");
+  EXPECT_NEAR(hips[1].number, -2, 1e-6);
+  EXPECT_NEAR(hips[2].number, 0.95, 1e-6);
+}
+
+TEST(VmcEncoder, RefusesWhatItCannotSend) {
+  const StreamUri uri = *parse_stream_uri("vmc://127.0.0.1:39539?framing=sideways");
+  EXPECT_THAT(make_vmc_encoder(uri, body_of(test::standing_pose())).error().message,
+              HasSubstr("expected t-last"));
+  Body unknown = body_of(test::standing_pose());
+  unknown.bone_lengths[3] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THAT(make_vmc_encoder(*parse_stream_uri("vmc://127.0.0.1:39539"), unknown).error().message,
+              HasSubstr("body was not measured"));
+}
+
+}  // namespace
+}  // namespace abrazo

@@ -1,0 +1,129 @@
+// A recorded session in the window again: the same frames, takes and markers, and it can go on.
+#include <QFile>
+#include <QPushButton>
+
+#include "app/workbench/recorded_session.hpp"
+#include "app/workbench/session_places.hpp"
+#include "app/workbench/take_desk.hpp"
+#include "core/session/session_file.hpp"
+#include "tests/workbench/demo_window.hpp"
+#include "widgets/candidates/candidate_table.hpp"
+#include "widgets/common/message_bar.hpp"
+#include "widgets/takes/leftover_bar.hpp"
+#include "widgets/takes/take_panel.hpp"
+#include "widgets/timeline/timeline_view.hpp"
+
+namespace abrazo::app {
+namespace {
+
+/// A second of the generated dance, recorded and opened again.
+class SessionOpen : public DemoWindow {
+ protected:
+  static void SetUpTestSuite() {
+    showDemo({1400, 900});
+    desk().toggle();
+    until([] { return !desk().takes().empty() && desk().takes().all().back().frames > 60; });
+    desk().toggle();
+    s_take = desk().takes().all().back();
+    for (const FrameSnapshotPtr& frame : history().range(s_take.from_s, s_take.to_s))
+      if (frame->time_s > (s_take.from_s + s_take.to_s) / 2 && !s_middle) s_middle = frame;
+    s_file = desk().file();
+    window().openFiles({s_file});
+    until([] { return window().session()->material().recorded && ticker().shown(); }, 60'000);
+  }
+  static void TearDownTestSuite() {
+    s_middle.reset();
+    DemoWindow::TearDownTestSuite();
+  }
+  void SetUp() override {
+    DemoWindow::SetUp();
+    ASSERT_TRUE(window().session()->material().recorded) << window().messages().text().toStdString();
+  }
+  static TakeDesk& desk() { return *window().findChild<TakeDesk*>(); }
+  static const FrameHistory& history() { return window().session()->history(); }
+  static inline widgets::RecordedTake s_take;
+  static inline FrameSnapshotPtr s_middle;
+  static inline QString s_file;
+};
+
+TEST_F(SessionOpen, StandsAtItsBeginningAndSaysWhatItIs) {
+  EXPECT_EQ(ticker().playback().state, Playback::State::Parked);
+  EXPECT_TRUE(window().windowTitle().contains("session "));
+  EXPECT_TRUE(window().messages().openErrors().isEmpty());
+  ASSERT_EQ(desk().takes().all().size(), 1U);
+  EXPECT_EQ(desk().takes().all()[0].name, s_take.name);
+  EXPECT_EQ(window().timeline().takes().size(), 1U);
+}
+
+TEST_F(SessionOpen, ShowsTheRecordedFrameWhereTheCursorIs) {
+  ASSERT_TRUE(s_middle);
+  ticker().seek(s_middle->time_s + 1e-4);
+  ASSERT_TRUE(until([] { return ticker().shown() && ticker().shown()->index == s_middle->index; }))
+      << ticker().shown()->time_s << " for " << s_middle->time_s;
+  const FrameSnapshot& shown = *ticker().shown();
+  EXPECT_EQ(shown.user, s_middle->user);
+  EXPECT_EQ(shown.result.result, s_middle->result.result);
+  EXPECT_EQ(shown.result.candidates.size(), s_middle->result.candidates.size());
+  EXPECT_EQ(shown.result.edges, s_middle->result.edges) << "the mesh comes from the library";
+  EXPECT_EQ(shown.settings, s_middle->settings);
+  EXPECT_FALSE(window().candidates().rows().empty());
+}
+
+TEST_F(SessionOpen, TheTimelineHasItsLanes) {
+  ASSERT_TRUE(until([] { return !window().timeline().tracks().sources().empty(); }));
+  EXPECT_NEAR(window().timeline().tracks().sources().front().from_s, history().span().first_s, 0.2);
+  EXPECT_NEAR(window().timeline().tracks().sources().back().to_s, history().span().last_s, 0.2);
+}
+
+TEST_F(SessionOpen, ItsFramesCanBeSolvedAgainWithOtherSettings) {
+  const auto again = history().solvable_again(s_take.to_s - 0.1, s_take.to_s);
+  ASSERT_FALSE(again.frames.empty());
+  EXPECT_NE(again.frames.front()->before, nullptr);
+}
+
+TEST_F(SessionOpen, ATakeInWhichNothingMovedIsNotKept) {
+  desk().toggle();
+  EXPECT_TRUE(desk().isRecording());
+  desk().toggle();
+  EXPECT_EQ(desk().takes().all().size(), 1U);
+  EXPECT_TRUE(window().messages().text().contains("no frames"));
+  EXPECT_EQ(desk().file(), s_file) << "recorded into the same file";
+}
+
+TEST(SessionPlaces, ASessionGetsAFileOfItsOwn) {
+  const QTemporaryDir folder;
+  const QDateTime now(QDate(2026, 11, 21), QTime(14, 3));
+  const QString first = new_session_file(folder.path(), now);
+  EXPECT_TRUE(first.endsWith("/session 2026-11-21 14-03.abrazo"));
+  QFile made(first);
+  ASSERT_TRUE(made.open(QIODevice::WriteOnly));
+  EXPECT_TRUE(new_session_file(folder.path(), now).endsWith("14-03 (2).abrazo"));
+  EXPECT_TRUE(unclosed_sessions(folder.path()).isEmpty());
+  QFile log(first + "-wal");
+  ASSERT_TRUE(log.open(QIODevice::WriteOnly));
+  log.write("x");
+  log.close();
+  EXPECT_EQ(unclosed_sessions(folder.path()), QStringList{first});
+  EXPECT_TRUE(discard_session(first));
+  EXPECT_FALSE(QFile::exists(first) || QFile::exists(first + "-wal"));
+}
+
+TEST(Leftovers, AreOfferedOneAfterTheOther) {
+  widgets::LeftoverBar bar;
+  QStringList opened, discarded;
+  QObject::connect(&bar, &widgets::LeftoverBar::openRequested, [&](const QString& file) { opened << file; });
+  QObject::connect(&bar, &widgets::LeftoverBar::discardRequested,
+                   [&](const QString& file) { discarded << file; });
+  bar.offer({{"a.abrazo", "Session of 14:03 was not closed; 12 min, 3 takes"}, {"b.abrazo", "another"}});
+  EXPECT_TRUE(bar.text().contains("12 min, 3 takes"));
+  const auto buttons = bar.findChildren<QPushButton*>();
+  buttons[2]->click();
+  EXPECT_TRUE(bar.text().contains("another"));
+  buttons[0]->click();
+  EXPECT_EQ(opened, QStringList{"b.abrazo"});
+  EXPECT_EQ(discarded, QStringList{"a.abrazo"});
+  EXPECT_TRUE(bar.isHidden());
+}
+
+}  // namespace
+}  // namespace abrazo::app

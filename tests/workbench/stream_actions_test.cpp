@@ -1,0 +1,224 @@
+// Live streams in the whole window: real packets over the loopback, as a person sees and steers them.
+#include <QComboBox>
+#include <QDockWidget>
+#include <QMenu>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTimer>
+
+#include "app/workbench/latency_desk.hpp"
+#include "app/workbench/panel_area.hpp"
+#include "app/workbench/stream_desk.hpp"
+#include "core/stream/pose_sink.hpp"
+#include "tests/workbench/demo_window.hpp"
+#include "widgets/common/message_bar.hpp"
+#include "widgets/settings/settings_panel.hpp"
+#include "widgets/stream/address_form.hpp"
+#include "widgets/stream/connection_panel.hpp"
+#include "widgets/stream/latency_button.hpp"
+#include "widgets/stream/performer_card.hpp"
+#include "widgets/stream/scene_notice.hpp"
+#include "widgets/stream/sink_list.hpp"
+#include "widgets/stream/stream_head.hpp"
+
+namespace abrazo::app {
+namespace {
+
+using widgets::StreamMark;
+
+StreamUri uri_of(const QString& text) {
+  return parse_stream_uri(text.toStdString()).value();
+}
+
+/// Sends the poses of a clip as VMC packets, a hundred a second, as long as it is there.
+class Performer {
+ public:
+  Performer(const Clip& clip, const QString& to)
+      : m_clip(clip), m_sink(PoseSink::open(uri_of(to), body_of(clip.poses), "user").value()) {
+    QObject::connect(&m_timer, &QTimer::timeout, &m_timer, [this] {
+      const Pose& pose = m_clip.poses[m_still ? 0 : m_frame++ % m_clip.poses.size()];
+      m_sink->send({pose, 0.01 * static_cast<double>(++m_sent), true});
+    });
+    m_timer.start(10);
+  }
+  void standStill() { m_still = true; }
+
+ private:
+  const Clip& m_clip;
+  std::unique_ptr<PoseSink> m_sink;
+  QTimer m_timer;
+  std::size_t m_frame = 0, m_sent = 0;
+  bool m_still = false;
+};
+
+class StreamActions : public DemoWindow {
+ protected:
+  static void SetUpTestSuite() { showDemo({1280, 800}); }
+  void SetUp() override {
+    ASSERT_TRUE(ticker().shown()) << "the demo did not start";
+    desk().disconnectStream();
+    ticker().follow();
+    DemoWindow::SetUp();
+  }
+  static StreamDesk& desk() { return *window().findChild<StreamDesk*>(); }
+  static widgets::ConnectionPanel& panel() { return *window().findChild<widgets::ConnectionPanel*>(); }
+  static QString notice() {
+    const auto* found = window().findChild<widgets::SceneNotice*>();
+    return found->isVisible() ? found->words() : QString();
+  }
+  static const FrameSnapshot& live() { return *window().session()->latest().newest(); }
+  static const Clip& clip() { return window().session()->material().input; }
+  /// Connects to a port that is free. @return where to send to
+  static QString listen() {
+    desk().connectTo("vmc://127.0.0.1:0");
+    EXPECT_TRUE(desk().health());
+    return desk().health() ? "vmc://" + QString::fromStdString(desk().health()->listening) : QString();
+  }
+  static bool receives() {
+    return until([] {
+      return desk().health() && !desk().health()->performers.empty() && live().times.arrived_s >= 0;
+    });
+  }
+};
+
+TEST_F(StreamActions, ConnectOpensThePanelAndGoesToTheAddress) {
+  press(Qt::Key_K, Qt::ControlModifier);
+  EXPECT_TRUE(window().panels().isWanted("connection"));
+  EXPECT_TRUE(panel().form().isAncestorOf(QApplication::focusWidget()));
+}
+
+TEST_F(StreamActions, WhileNothingHasComeTheSceneSaysSoAndTheClipIsHeld) {
+  listen();
+  EXPECT_TRUE(until([] { return notice().contains("Waiting for the first packet of vmc://127.0.0.1:0"); }));
+  EXPECT_EQ(panel().findChild<widgets::StreamHead*>()->shown().mark, StreamMark::Waiting);
+  QSignalSpy polls(&desk(), &StreamDesk::polled);
+  ASSERT_TRUE(until([&polls] { return polls.count() >= 2; }));  // what was on its way is through
+  const auto index = live().index;
+  ASSERT_TRUE(until([&polls] { return polls.count() >= 4; }));
+  EXPECT_EQ(live().index, index) << "nobody dances";
+}
+
+TEST_F(StreamActions, WhatComesInPlaysTheUser) {
+  const Performer performer(clip(), listen());
+  ASSERT_TRUE(receives());
+  EXPECT_TRUE(until([] { return notice().isEmpty(); }));
+  EXPECT_TRUE(until([] { return panel().cards().size() == 1; }));
+  EXPECT_EQ(panel().cards()[0]->part(), widgets::PerformerPart::User);
+  EXPECT_EQ(live().input_frame, -1) << "no frame of the clip";
+  auto* latency = window().findChild<widgets::LatencyButton*>();
+  EXPECT_TRUE(until([latency] { return latency->words().contains("ms"); }));
+}
+
+TEST_F(StreamActions, AfterDisconnectingTheClipGoesOn) {
+  const Performer performer(clip(), listen());
+  ASSERT_TRUE(receives());
+  action("Disconnect")->trigger();
+  EXPECT_FALSE(desk().health());
+  EXPECT_FALSE(action("Calibrate in T-pose")->isEnabled());
+  EXPECT_TRUE(until([] { return live().input_frame >= 0; }));
+  EXPECT_EQ(notice(), QString());
+}
+
+TEST_F(StreamActions, APortThatIsTakenIsToldWithWhatToDo) {
+  const auto other =
+      StreamReceiver::open(uri_of("vmc://127.0.0.1:0"), window().session()->engine().clock()).value();
+  const QString taken = QString::fromStdString(other->health().listening).section(':', -1);
+  desk().connectTo("vmc://127.0.0.1:" + taken);
+  EXPECT_FALSE(desk().isConnected());
+  EXPECT_TRUE(window().messages().text().contains(taken)) << window().messages().text().toStdString();
+}
+
+TEST_F(StreamActions, WhenTheSenderStopsABadgeSaysSo) {
+  {
+    const Performer performer(clip(), listen());
+    ASSERT_TRUE(receives());
+  }
+  EXPECT_TRUE(
+      until([] { return notice().contains("Nothing comes in") || notice().contains("Tracking lost"); }));
+}
+
+TEST_F(StreamActions, TheBadgeIsNotShownOverTheLiveEndsPast) {
+  {
+    const Performer performer(clip(), listen());
+    ASSERT_TRUE(receives());
+  }
+  ASSERT_TRUE(until([] { return !notice().isEmpty(); }));
+  ticker().seek(0.5);
+  EXPECT_TRUE(until([] { return notice().isEmpty(); }));
+}
+
+TEST_F(StreamActions, FreezeParksTheViewWhileTheStreamGoesOn) {
+  const Performer performer(clip(), listen());
+  ASSERT_TRUE(receives());
+  press(Qt::Key_Space, Qt::ControlModifier);
+  EXPECT_EQ(ticker().playback().state, Playback::State::Parked);
+  const auto index = live().index;
+  EXPECT_TRUE(until([index] { return live().index > index + 10; }));
+  press(Qt::Key_Space, Qt::ControlModifier);
+  EXPECT_EQ(ticker().playback().state, Playback::State::Following);
+}
+
+TEST_F(StreamActions, ThePartnerIsSentOnAndIsAnotherProgramsPerformer) {
+  const auto engine = StreamReceiver::open(uri_of("vmc://127.0.0.1:0"), SessionClock()).value();
+  const QString to = "vmc://" + QString::fromStdString(engine->health().listening);
+  desk().send(to, Character::Partner);
+  EXPECT_TRUE(until([&] { return !engine->health().performers.empty(); }));
+  EXPECT_EQ(window().session()->engine().sinks().size(), 1U);
+  EXPECT_TRUE(remembered().recentSinks().contains(to));
+  desk().stopSending(to);
+  EXPECT_TRUE(window().session()->engine().sinks().empty());
+}
+
+TEST_F(StreamActions, ACalibrationCountsDownMeasuresAndTells) {
+  Performer performer(clip(), listen());
+  ASSERT_TRUE(receives());
+  performer.standStill();
+  press(Qt::Key_T, Qt::ControlModifier);
+  EXPECT_TRUE(notice().startsWith("3"));
+  EXPECT_TRUE(until([] { return notice().startsWith("Hold still"); }));
+  EXPECT_TRUE(until([] { return !desk().calibration().is_under_way(); }));
+  EXPECT_EQ(desk().calibration().stage(), CalibrationSteps::Stage::Done) << desk().calibration().words();
+  EXPECT_TRUE(window().messages().text().contains("Calibrated")) << window().messages().text().toStdString();
+}
+
+TEST_F(StreamActions, CtrlTAgainCancelsTheCalibration) {
+  const Performer performer(clip(), listen());
+  ASSERT_TRUE(receives());
+  press(Qt::Key_T, Qt::ControlModifier);
+  press(Qt::Key_T, Qt::ControlModifier);
+  EXPECT_FALSE(desk().calibration().is_under_way());
+  EXPECT_TRUE(until([] { return notice().isEmpty(); }));
+}
+
+TEST_F(StreamActions, TheStepRateOfThePanelIsASettingAndAStepOfUndo) {
+  const double before_hz = window().settings().settings().step_rate_hz;
+  emit panel().stepRateRequested("30");
+  EXPECT_EQ(window().settings().settings().step_rate_hz, 30);
+  desk().poll();
+  QComboBox* rate = nullptr;
+  for (auto* box : panel().findChildren<QComboBox*>())
+    if (box->accessibleName() == "Solver step rate") rate = box;
+  EXPECT_EQ(rate->currentText(), "30 Hz");
+  window().undoStack().undo();
+  EXPECT_EQ(window().settings().settings().step_rate_hz, before_hz);
+}
+
+TEST_F(StreamActions, ConnectionsAreRememberedLatestFirst) {
+  listen();
+  EXPECT_EQ(remembered().recentStreams().front(), "vmc://127.0.0.1:0");
+}
+
+TEST_F(StreamActions, AFrameOfThePastTellsItsOwnLatency) {
+  const Performer performer(clip(), listen());
+  ASSERT_TRUE(receives());
+  const auto came = live().index;
+  ASSERT_TRUE(until([came] { return live().index > came + 20; }));
+  const auto past = window().session()->history().at(live().time_s - 0.1);
+  ticker().seek(past->time_s);
+  ASSERT_TRUE(until([&] { return ticker().shown()->index == past->index; }));
+  const auto sample = window().findChild<LatencyDesk*>()->log().of(window().session()->history(), *past);
+  EXPECT_NEAR(sample.end_to_end, 1000 * (past->times.solved_s - past->times.arrived_s), 1e-6);
+}
+
+}  // namespace
+}  // namespace abrazo::app

@@ -1,0 +1,143 @@
+// Recording takes in the whole window: keys, panel, timeline, undo, and what is in the file.
+#include <QFile>
+#include <QLineEdit>
+#include <QPushButton>
+
+#include "app/workbench/session_places.hpp"
+#include "app/workbench/take_desk.hpp"
+#include "core/session/session_file.hpp"
+#include "tests/workbench/demo_window.hpp"
+#include "widgets/takes/countdown.hpp"
+#include "widgets/takes/take_panel.hpp"
+#include "widgets/timeline/timeline_view.hpp"
+#include "widgets/timeline/transport_bar.hpp"
+
+namespace abrazo::app {
+namespace {
+
+class TakeActions : public DemoWindow {
+ protected:
+  static void SetUpTestSuite() { showDemo({1400, 900}); }
+  void SetUp() override {
+    DemoWindow::SetUp();
+    panel().setCountdown(0);
+    panel().setTypedName("salsa");
+  }
+  static TakeDesk& desk() { return *window().findChild<TakeDesk*>(); }
+  static widgets::TakePanel& panel() { return *window().findChild<widgets::TakePanel*>(); }
+  static const widgets::RecordedTake& last() { return desk().takes().all().back(); }
+  static void record_a_take(std::uint64_t frames = 20) {
+    desk().toggle();
+    ASSERT_TRUE(desk().isRecording());
+    ASSERT_TRUE(until([&] { return last().frames >= frames; }));
+    desk().toggle();
+    ASSERT_FALSE(desk().isRecording());
+  }
+  static std::vector<std::string> names_in_file() {
+    std::vector<std::string> names;
+    const auto session = SessionFile::open(desk().file().toStdString());
+    if (!session) return {session.error().text()};
+    for (const SessionTake& take : (*session)->contents().takes) names.push_back(take.name);
+    return names;
+  }
+};
+
+TEST_F(TakeActions, TheKeyRecordsATakeIntoAFileAndEndsIt) {
+  press(Qt::Key_R, Qt::ControlModifier);
+  ASSERT_TRUE(desk().isRecording());
+  EXPECT_TRUE(until([] { return window().transport().recordingText().contains("REC  salsa 0"); }))
+      << window().transport().recordingText().toStdString();
+  EXPECT_TRUE(window().timeline().takes().back().is_running);
+  ASSERT_TRUE(until([] { return last().frames > 20; }));
+  press(Qt::Key_R, Qt::ControlModifier);
+  EXPECT_FALSE(desk().isRecording());
+  EXPECT_TRUE(window().transport().recordingText().isEmpty());
+  EXPECT_FALSE(window().timeline().takes().back().is_running);
+  EXPECT_TRUE(QFile::exists(desk().file()));
+  EXPECT_EQ(names_in_file().back(), last().name);
+  const auto session = SessionFile::open(desk().file().toStdString());
+  ASSERT_TRUE(session) << session.error().text();
+  EXPECT_TRUE((*session)->contents().runs.back().finished) << "it was closed in order";
+}
+
+TEST_F(TakeActions, AgainCountsUpAndBeginsAtOnce) {
+  record_a_take();
+  const std::size_t before = desk().takes().all().size();
+  panel().setCountdown(5);
+  press(Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+  ASSERT_TRUE(desk().isRecording());
+  ASSERT_TRUE(until([] { return last().frames > 5; }));
+  press(Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+  ASSERT_TRUE(desk().isRecording());
+  ASSERT_TRUE(until([] { return last().frames > 5; }));
+  desk().toggle();
+  const auto names = desk().takes().names();
+  ASSERT_EQ(names.size(), before + 2);
+  EXPECT_NE(names[before], names[before + 1]);
+  EXPECT_TRUE(QString::fromStdString(names[before + 1]).startsWith("salsa "));
+}
+
+TEST_F(TakeActions, ACountdownStandsOverTheSceneAndCanBeGivenUp) {
+  const std::size_t before = desk().takes().all().size();
+  panel().setCountdown(10);
+  desk().toggle();
+  EXPECT_FALSE(desk().isRecording());
+  auto* countdown = window().scene().findChild<widgets::Countdown*>();
+  ASSERT_NE(countdown, nullptr);
+  EXPECT_TRUE(until([&] { return countdown->isVisible(); }));
+  desk().toggle();
+  EXPECT_TRUE(until([&] { return !countdown->isVisible(); }));
+  EXPECT_EQ(desk().takes().all().size(), before);
+}
+
+TEST_F(TakeActions, RenamingAndDeletingAreStepsOfUndoAndReachTheFile) {
+  record_a_take();
+  const widgets::RecordedTake take = last();
+  emit panel().renameRequested(take.id, "warm-up");
+  EXPECT_EQ(last().name, "warm-up");
+  EXPECT_EQ(names_in_file().back(), "warm-up");
+  window().undoStack().undo();
+  EXPECT_EQ(last().name, take.name);
+  EXPECT_EQ(names_in_file().back(), take.name);
+  emit panel().removeRequested(take.id);
+  EXPECT_EQ(desk().takes().find(take.id), nullptr);
+  window().undoStack().undo();
+  ASSERT_NE(desk().takes().find(take.id), nullptr);
+  EXPECT_EQ(*desk().takes().find(take.id), take);
+}
+
+TEST_F(TakeActions, ATakeOfTheSameNameIsRefused) {
+  record_a_take();
+  const std::string other = desk().takes().all().front().name;
+  record_a_take();
+  const std::string before = last().name;
+  emit panel().renameRequested(last().id, QString::fromStdString(other));
+  EXPECT_EQ(last().name, before);
+}
+
+TEST_F(TakeActions, GoingToATakeSetsInAndOutThere) {
+  record_a_take();
+  emit panel().goToRequested(last().id);
+  turn();
+  const auto range = ticker().playback().range();
+  ASSERT_TRUE(range);
+  EXPECT_NEAR(range->from_s, last().from_s, 1e-6);
+  EXPECT_NEAR(range->to_s, last().to_s, 1e-6);
+  EXPECT_EQ(ticker().playback().state, Playback::State::Parked);
+  ticker().follow();
+}
+
+TEST_F(TakeActions, ACopyHasTheTakesAsTheyAreOnTheList) {
+  record_a_take();
+  emit panel().removeRequested(last().id);
+  const QString copy = home().filePath("copy.abrazo");
+  EXPECT_EQ(desk().saveAs(copy), "");
+  const auto session = SessionFile::open(copy.toStdString());
+  ASSERT_TRUE(session) << session.error().text();
+  EXPECT_EQ((*session)->contents().takes.size(), desk().takes().all().size());
+  EXPECT_GT((*session)->contents().frames, 20U);
+  EXPECT_NE(desk().saveAs(desk().file()), "") << "onto itself";
+}
+
+}  // namespace
+}  // namespace abrazo::app

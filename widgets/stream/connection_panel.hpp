@@ -1,0 +1,89 @@
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+#include <vector>
+
+#include "core/session/command.hpp"
+#include "core/stream/stream_health.hpp"
+#include "widgets/common/palette.hpp"
+#include "widgets/stream/sink_rates.hpp"
+
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QVBoxLayout;
+
+namespace abrazo::widgets {
+
+class AddressForm;
+class FigureGrid;
+class IssueList;
+class NumberRow;
+class PerformerCard;
+class SectionHeader;
+class SinkList;
+class StreamHead;
+enum class PerformerPart;
+
+/// The live stream: where it comes from, how well it does, who is in it, what is wrong and what to do; and
+/// where characters are sent on to. Shows values; asks for everything by signals.
+class ConnectionPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ConnectionPanel(QWidget* parent = nullptr);
+  void setColours(const Palette& palette);
+  AddressForm& form() { return *m_form; }
+  SinkList& sinks() { return *m_sinks; }
+
+  /// @param health  null when nothing is connected
+  void showHealth(const StreamHealth* health);
+  const StreamHealth& shown() const { return m_health; }
+  /// Who plays what; empty: the first that is seen, nobody.
+  void setParts(const QString& user, const QString& second);
+  /// What became of the last calibration, and whether one goes on.
+  void showCalibration(const QString& words, bool under_way);
+  void setDelay(int ms);
+  /// @param hz  0 = the input's own
+  void setStepRate(double hz);
+  void showSinks(const std::vector<SinkRow>& rows);
+  std::vector<PerformerCard*> cards() const { return m_cards; }
+
+ signals:
+  void userChosen(const QString& performer);
+  /// @param performer  empty: nobody
+  void secondChosen(const QString& performer);
+  void calibrateRequested();
+  void forgetRequested();
+  void delayRequested(int ms);
+  /// @param value  as the setting takes it
+  void stepRateRequested(const QString& value);
+  void copyRequested();
+
+ private:
+  QWidget* section(const QString& title);
+  QWidget* makeCalibration();
+  QWidget* makeTiming();
+  QWidget* makeReport();
+  void showPerformers();
+  void choose(const QString& performer, PerformerPart part);
+
+  Palette m_palette;
+  StreamHealth m_health;
+  bool m_connected = false;
+  QString m_user, m_second;
+  std::vector<SectionHeader*> m_heads;
+  std::vector<PerformerCard*> m_cards;
+  StreamHead* m_head;
+  AddressForm* m_form;
+  QVBoxLayout* m_performers;
+  QLabel *m_nobody, *m_calibration, *m_said;
+  QPushButton *m_calibrate, *m_forget, *m_copy;
+  NumberRow* m_delay;
+  QComboBox* m_stepRate;
+  IssueList* m_issues;
+  FigureGrid* m_traffic;
+  SinkList* m_sinks;
+};
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,60 @@
+#include "widgets/stream/stream_address.hpp"
+
+#include <array>
+#include <cstdio>
+
+namespace abrazo::widgets {
+namespace {
+
+/// As the value of an option stands in a URI.
+std::string encoded(std::string_view text) {
+  std::string plain;
+  for (const char c : text) {
+    std::array<char, 4> code{};
+    std::snprintf(code.data(), code.size(), "%%%02X", static_cast<unsigned char>(c));
+    const bool is_special = std::string_view("%&=?+# ").find(c) != std::string_view::npos;
+    plain += is_special ? std::string(code.data()) : std::string(1, c);
+  }
+  return plain;
+}
+
+}  // namespace
+
+const SchemeInfo& info_of(StreamUri::Scheme scheme) {
+  static constexpr std::array<SchemeInfo, 4> infos = {
+      {{"vmc", "VMC", "0.0.0.0", 39539, "Address that this machine listens on; 0.0.0.0 is every network"},
+       {"natnet", "NatNet (Motive)", "127.0.0.1", 1510, "Address of the machine that runs Motive"},
+       {"xsens", "Xsens MVN", "0.0.0.0", 9763,
+        "Address that this machine listens on; 0.0.0.0 is every network"},
+       {"clip", "Clip, replayed", "", 0, ""}}};
+  return infos[static_cast<std::size_t>(scheme)];
+}
+
+std::string uri_of(const StreamAddress& address) {
+  const SchemeInfo& info = info_of(address.scheme);
+  std::string uri = std::string(info.word) + ":";
+  if (address.scheme == StreamUri::Scheme::Clip) {
+    uri += address.file;
+  } else {
+    uri += "//" + (address.host.empty() ? std::string(info.host) : address.host);
+    uri += ":" + std::to_string(address.port == 0 ? info.port : address.port);
+  }
+  auto options = address.options;
+  if (!address.group.empty()) options["multicast"] = address.group;
+  char before = '?';
+  for (const auto& [key, value] : options) {
+    uri += before + key + "=" + encoded(value);
+    before = '&';
+  }
+  return uri;
+}
+
+Result<StreamAddress> address_of(std::string_view text) {
+  const auto uri = parse_stream_uri(text);
+  if (!uri) return uri.error();
+  StreamAddress address{uri->scheme, uri->host, uri->port, uri->option("multicast"), uri->file, uri->options};
+  address.options.erase("multicast");
+  return address;
+}
+
+}  // namespace abrazo::widgets

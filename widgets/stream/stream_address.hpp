@@ -1,0 +1,36 @@
+#pragma once
+
+#include <map>
+#include <string>
+#include <string_view>
+
+#include "core/base/result.hpp"
+#include "core/stream/stream_uri.hpp"
+
+namespace abrazo::widgets {
+
+/// A stream's URI in the fields of a form.
+struct StreamAddress {
+  StreamUri::Scheme scheme = StreamUri::Scheme::Vmc;
+  std::string host;                                         ///< empty = the usual one
+  int port = 0;                                             ///< 0 = the usual one
+  std::string group;                                        ///< of NatNet; empty = unicast
+  std::string file;                                         ///< of a clip
+  std::map<std::string, std::string, std::less<>> options;  ///< others, as they were written
+};
+
+/// "vmc://0.0.0.0:39539", with usual values where fields are empty.
+std::string uri_of(const StreamAddress& address);
+/// The error says what is wrong with the text.
+Result<StreamAddress> address_of(std::string_view uri);
+
+struct SchemeInfo {
+  std::string_view word;       ///< of the URI
+  std::string_view name;       ///< for people
+  std::string_view host;       ///< usual
+  int port = 0;                ///< usual
+  std::string_view host_help;  ///< what the field means
+};
+const SchemeInfo& info_of(StreamUri::Scheme scheme);
+
+}  // namespace abrazo::widgets

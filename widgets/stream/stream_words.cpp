@@ -1,0 +1,174 @@
+#include "widgets/stream/stream_words.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+
+namespace abrazo::widgets {
+namespace {
+
+std::string fixed(double value, int decimals) {
+  std::array<char, 48> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", decimals, value);
+  return text.data();
+}
+
+std::string joined(const std::vector<std::string>& words) {
+  std::string text;
+  for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+  return text;
+}
+
+std::string percentiles(double p50_ms, double p95_ms) {
+  return fixed(p50_ms, 1) + " / " + fixed(p95_ms, 1) + " ms";
+}
+
+StreamFigure counted(const char* name, std::uint64_t count, const char* help) {
+  return {name, count_text(count), count > 0, help};
+}
+
+bool any_tracked(const StreamHealth& health) {
+  return std::any_of(health.performers.begin(), health.performers.end(),
+                     [](const PerformerHealth& performer) { return performer.tracked; });
+}
+
+const char* word_of(StreamDiagnosis::Severity severity) {
+  switch (severity) {
+    case StreamDiagnosis::Severity::Error:
+      return "error";
+    case StreamDiagnosis::Severity::Warning:
+      return "warning";
+    case StreamDiagnosis::Severity::Note:
+      break;
+  }
+  return "note";
+}
+
+}  // namespace
+
+StreamHeadline headline_of(const StreamHealth* health) {
+  if (!health) return {StreamMark::Off, "not connected", "The clip stands in for the user"};
+  const std::string detail =
+      health->uri + (health->listening.empty() || health->uri.find(health->listening) != std::string::npos
+                         ? ""
+                         : " · " + health->listening);
+  switch (health->state) {
+    case StreamHealth::State::Waiting:
+      return {StreamMark::Waiting, "waiting for the first packet", detail};
+    case StreamHealth::State::Stalled:
+      return {StreamMark::Warning, "stalled: nothing comes in", detail};
+    case StreamHealth::State::Failed:
+      return {StreamMark::Bad, "failed", detail};
+    case StreamHealth::State::Receiving:
+      break;
+  }
+  if (!health->performers.empty() && !any_tracked(*health))
+    return {StreamMark::Warning, "receiving, tracking lost", detail};
+  const bool is_odd = std::any_of(
+      health->diagnoses.begin(), health->diagnoses.end(),
+      [](const StreamDiagnosis& one) { return one.severity == StreamDiagnosis::Severity::Error; });
+  return is_odd ? StreamHeadline{StreamMark::Warning, "receiving, see the diagnosis", detail}
+                : StreamHeadline{StreamMark::Good, "receiving", detail};
+}
+
+std::vector<StreamFigure> figures_of(const PerformerHealth& performer) {
+  return {
+      {"rate", fixed(performer.rate_hz, 1) + " Hz", false, "Poses a second"},
+      {"delay", fixed(performer.delay_ms, 0) + " ms", false, "That the jitter buffer adds"},
+      {"interval", percentiles(performer.interval_p50_ms, performer.interval_p95_ms), false,
+       "Between two arrivals: median and 95th percentile of the last second or so"},
+      {"assembly", percentiles(performer.assembly_p50_ms, performer.assembly_p95_ms), false,
+       "From the first packet of a pose to its last: median and 95th percentile"},
+      counted("lost", performer.lost, "Gaps of the sender's counter. VMC has none, and so no figure"),
+      counted("late", performer.late, "Came after a newer one had been given out; a longer delay helps"),
+      counted("repeated", performer.repeated, "Came twice"),
+      {"reordered", count_text(performer.reordered), false, "Came late, but in time for the jitter buffer"},
+      counted("held joints", performer.held_joints,
+              "Joints kept from the pose before: they were not tracked"),
+      counted("unusable", performer.unusable,
+              "Frames that gave no pose: too many joints were not tracked, or unknown"),
+      counted("interrupted", performer.interruptions, "Times that tracking was lost and came back"),
+      counted("restarts", performer.restarts, "Of the sender: its counter or its time began anew"),
+      counted("clock jumps", performer.clock_jumps, "Of the sender's clock"),
+      {"replaced", count_text(performer.dropped), false,
+       "Poses that a newer one replaced before the solver took them"}};
+}
+
+std::string body_line(const PerformerHealth& performer) {
+  std::string line = performer.joint_map.empty() ? "no joint map fits" : performer.joint_map + " map";
+  if (performer.height_m > 0) line += " · head at " + fixed(performer.height_m, 2) + " m";
+  line += performer.calibrated ? " · calibrated" : " · not calibrated";
+  return performer.correction.empty() ? line : line + " · " + performer.correction;
+}
+
+std::string estimated_line(const PerformerHealth& performer) {
+  return performer.estimated_joints.empty() ? "" : "estimated: " + joined(performer.estimated_joints);
+}
+
+std::vector<StreamFigure> traffic_of(const StreamHealth& health) {
+  return {
+      {"packets", count_text(health.packets), false, "Since the connection was made"},
+      {"bytes", byte_count_text(health.bytes), false, "Since the connection was made"},
+      counted("with issues", health.packets_with_issues, "Packets with something wrong in them; see below"),
+      counted("overflowed", health.overflowed,
+              "Dropped by the operating system because they were not taken in time")};
+}
+
+std::string count_text(std::uint64_t count) {
+  std::string text = std::to_string(count);
+  for (auto place = static_cast<std::ptrdiff_t>(text.size()) - 3; place > 0; place -= 3)
+    text.insert(static_cast<std::size_t>(place), "\u202f");
+  return text;
+}
+
+std::string byte_count_text(std::uint64_t bytes) {
+  if (bytes < 1000) return std::to_string(bytes) + " bytes";
+  constexpr std::array<const char*, 4> units = {"kB", "MB", "GB", "TB"};
+  double value = static_cast<double>(bytes) / 1000;
+  std::size_t unit = 0;
+  for (; value >= 999.95 && unit + 1 < units.size(); ++unit) value /= 1000;
+  return fixed(value, 1) + " " + units[unit];
+}
+
+std::string dump_text(std::span<const std::uint8_t> bytes) {
+  std::string numbers, letters;
+  for (const std::uint8_t byte : bytes) {
+    std::array<char, 4> hex{};
+    std::snprintf(hex.data(), hex.size(), "%02x ", byte);
+    numbers += hex.data();
+    letters += byte >= 0x20 && byte < 0x7f ? static_cast<char>(byte) : '.';
+  }
+  return numbers + " " + letters;
+}
+
+bool has_unknown_packets(const StreamHealth& health) {
+  return std::any_of(health.first_bytes.begin(), health.first_bytes.end(),
+                     [](std::uint8_t byte) { return byte != 0; });
+}
+
+std::string report_of(const StreamHealth& health) {
+  const StreamHeadline head = headline_of(&health);
+  std::string text = head.detail + ": " + head.word + "\n";
+  const auto add = [&text](const std::string& name, const std::string& value) {
+    if (!value.empty()) text += name + ": " + value + "\n";
+  };
+  add("senders", joined(health.senders));
+  for (const std::string& fact : health.facts) add("sender says", fact);
+  for (const StreamFigure& figure : traffic_of(health)) add(figure.name, figure.value);
+  for (const PerformerHealth& performer : health.performers) {
+    text += "\n" + performer.performer + (performer.tracked ? ": tracked\n" : ": not tracked\n");
+    add("body", body_line(performer));
+    if (!performer.estimated_joints.empty()) text += estimated_line(performer) + "\n";
+    for (const StreamFigure& figure : figures_of(performer)) add(figure.name, figure.value);
+  }
+  if (!health.diagnoses.empty() || !health.issues.empty()) text += "\n";
+  for (const StreamDiagnosis& one : health.diagnoses)
+    text += std::string(word_of(one.severity)) + " " + one.kind + ": " + one.text + "\n";
+  for (const IssueCount& issue : health.issues)
+    text += count_text(issue.count) + " x " + issue.kind + ": " + issue.latest + "\n";
+  if (has_unknown_packets(health))
+    add("first bytes of a packet that was not understood", dump_text(health.first_bytes));
+  return text;
+}
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/stream/stream_health.hpp"
+
+namespace abrazo::widgets {
+
+/// How well a stream does; each has a sign, a word and a colour of its own.
+enum class StreamMark { Off, Waiting, Good, Warning, Bad };
+
+/// The state of a connection in a word and a line.
+struct StreamHeadline {
+  StreamMark mark = StreamMark::Off;
+  std::string word;    ///< "receiving"
+  std::string detail;  ///< "vmc://0.0.0.0:39539"
+};
+/// @param health  null when nothing is connected
+StreamHeadline headline_of(const StreamHealth* health);
+
+/// A number with its name; its text has as many digits after the point always, so that it does not jump.
+struct StreamFigure {
+  std::string name, value;
+  bool is_odd = false;  ///< more than there should be
+  std::string help;
+};
+/// Of a performer, in pairs that stand in a line.
+std::vector<StreamFigure> figures_of(const PerformerHealth& performer);
+/// "unity map · head at 1.62 m · calibrated"
+std::string body_line(const PerformerHealth& performer);
+/// "estimated: lowerneck, upperneck"; empty when all are sent.
+std::string estimated_line(const PerformerHealth& performer);
+/// Packets and bytes of the whole stream.
+std::vector<StreamFigure> traffic_of(const StreamHealth& health);
+
+/// "12 345 678"
+std::string count_text(std::uint64_t count);
+/// "17 bytes", "1.2 kB", "34.5 MB"
+std::string byte_count_text(std::uint64_t bytes);
+/// "56 4d 43 00  VMC."
+std::string dump_text(std::span<const std::uint8_t> bytes);
+/// Whether the stream has packets that are of no protocol that is known; `first_bytes` are theirs.
+bool has_unknown_packets(const StreamHealth& health);
+
+/// All of it as lines: for the clipboard, to be sent to somebody who helps.
+std::string report_of(const StreamHealth& health);
+
+}  // namespace abrazo::widgets

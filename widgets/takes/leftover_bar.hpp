@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+
+#include "widgets/common/palette.hpp"
+
+class QLabel;
+class QPushButton;
+
+namespace abrazo::widgets {
+
+/// A session that a program did not close.
+struct LeftoverSession {
+  QString file;
+  QString words;  ///< "Session of 14:03 was not closed; 12 min, 3 takes"
+};
+
+/// Offers sessions that were not closed, one after the other: open, keep for later, discard.
+class LeftoverBar : public QWidget {
+  Q_OBJECT
+ public:
+  explicit LeftoverBar(QWidget* parent = nullptr);
+  void setColours(const Palette& palette);
+  void offer(std::vector<LeftoverSession> sessions);
+  QString text() const;
+
+ signals:
+  void openRequested(const QString& file);
+  void keepRequested(const QString& file);
+  void discardRequested(const QString& file);
+
+ private:
+  void next();
+  void showFirst();
+
+  std::vector<LeftoverSession> m_sessions;
+  QLabel* m_text;
+  QPushButton *m_open, *m_keep, *m_discard;
+};
+
+}  // namespace abrazo::widgets

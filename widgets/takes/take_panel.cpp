@@ -1,0 +1,286 @@
+#include "widgets/takes/take_panel.hpp"
+
+#include <QCheckBox>
+#include <QFileInfo>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPainter>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "widgets/common/tabular.hpp"
+#include "widgets/common/theme.hpp"
+#include "widgets/takes/take_name.hpp"
+#include "widgets/takes/take_rows.hpp"
+
+namespace abrazo::widgets {
+namespace {
+
+using Phase = TakeSequence::Phase;
+
+/// A disc begins, a square ends.
+QIcon mark(bool records, const QColor& colour) {
+  QIcon icon;
+  for (const int ratio : {1, 2}) {
+    QPixmap picture(QSize(16, 16) * ratio);
+    picture.setDevicePixelRatio(ratio);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(colour);
+    records ? painter.drawRoundedRect(QRectF(3, 3, 10, 10), 1.5, 1.5)
+            : painter.drawEllipse(QPointF(8, 8), 5.5, 5.5);
+    painter.end();
+    icon.addPixmap(picture);
+  }
+  return icon;
+}
+
+QLabel* secondary(QWidget* parent) {
+  auto* label = new QLabel(parent);
+  label->setObjectName("secondary");
+  label->setFont(interface_font(12));
+  return label;
+}
+
+QToolButton* chip(QWidget* parent, const QString& text, const QString& tip) {
+  auto* button = new QToolButton(parent);
+  button->setObjectName("chip");
+  button->setText(text);
+  button->setToolTip(tip);
+  button->setAccessibleName(QString(text).remove("…"));
+  button->setFocusPolicy(Qt::StrongFocus);
+  return button;
+}
+
+}  // namespace
+
+TakePanel::TakePanel(QWidget* parent) : QWidget(parent), m_palette(palette_of(Theme::Dark)) {
+  setObjectName("panel");
+  setAttribute(Qt::WA_StyledBackground);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 4, 0, 0);
+  column->setSpacing(0);
+  column->addWidget(makeHead());
+  column->addWidget(makeDisk());
+  m_none = secondary(this);
+  m_none->setText("No takes yet. Ctrl+R records one.");
+  m_none->setContentsMargins(12, 8, 12, 8);
+  m_none->setWordWrap(true);
+  m_rows = new TakeRows(this);
+  column->addWidget(m_none);
+  column->addWidget(m_rows, 1);
+  column->addStretch(0);
+  connectParts();
+  showStatus({});
+  showNext();
+  dress();
+}
+
+QWidget* TakePanel::makeHead() {
+  auto* head = new QWidget(this);
+  auto* column = new QVBoxLayout(head);
+  column->setContentsMargins(12, 4, 12, 8);
+  column->setSpacing(6);
+  m_name = new QLineEdit(head);
+  m_name->setPlaceholderText("take");
+  m_name->setAccessibleName("Name of the takes");
+  m_name->setToolTip("Takes of this name are counted up by themselves");
+  m_next = secondary(head);
+  m_next->setAccessibleName("Name of the next take");
+  auto* naming = new QHBoxLayout;
+  naming->setSpacing(8);
+  naming->addWidget(m_name, 1);
+  naming->addWidget(m_next, 1);
+  m_record = new QPushButton(head);
+  m_record->setMinimumHeight(36);
+  m_record->setIconSize({16, 16});
+  m_record->setFont(interface_font(14, QFont::DemiBold));
+  m_again = new QPushButton("Again", head);
+  m_again->setMinimumHeight(36);
+  m_again->setToolTip("The same name with the next number, at once; ends the take that is being recorded");
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(6);
+  buttons->addWidget(m_record, 3);
+  buttons->addWidget(m_again, 1);
+  m_elapsed = new TabularLabel(head);
+  m_elapsed->setFont(interface_font(17));
+  m_elapsed->setAccessibleName("Length of the take that is being recorded");
+  auto* wait = secondary(head);
+  wait->setText("Countdown");
+  m_countdown = new QSpinBox(head);
+  m_countdown->setRange(0, static_cast<int>(TakeSequence::longest_countdown_s));
+  m_countdown->setSuffix(" s");
+  m_countdown->setSpecialValueText("none");
+  m_countdown->setAccessibleName("Countdown before a take");
+  m_countdown->setToolTip("Counted large over the scene before a take begins; Again does without");
+  m_countdown->setFixedWidth(72);
+  auto* last = new QHBoxLayout;
+  last->setSpacing(6);
+  last->addWidget(m_elapsed);
+  last->addStretch(1);
+  last->addWidget(wait);
+  last->addWidget(m_countdown);
+  column->addLayout(naming);
+  column->addLayout(buttons);
+  column->addLayout(last);
+  return head;
+}
+
+QWidget* TakePanel::makeDisk() {
+  auto* disk = new QWidget(this);
+  auto* column = new QVBoxLayout(disk);
+  column->setContentsMargins(12, 2, 12, 8);
+  column->setSpacing(5);
+  m_disk = new QLabel(disk);
+  m_disk->setFont(interface_font(12));
+  m_disk->setWordWrap(true);
+  m_disk->setAccessibleName("How the disk keeps up");
+  m_file = secondary(disk);
+  m_file->setAccessibleName("Session file");
+  m_file->setMinimumWidth(40);
+  m_file->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  m_everything = new QCheckBox("Keep everything on disk", disk);
+  m_everything->setToolTip(
+      "Every frame from the first on is written, not only takes: nothing is lost, and the timeline reaches "
+      "back beyond the memory");
+  m_saveAs = chip(disk, "Save as…", "Copies the whole session to a file of your choice");
+  m_pair = chip(disk, "Record pair…",
+                "Records two streamed performers; at the end they can become a take of the library");
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(6);
+  buttons->addWidget(m_saveAs);
+  buttons->addWidget(m_pair);
+  buttons->addStretch(1);
+  column->addWidget(m_disk);
+  column->addWidget(m_file);
+  column->addWidget(m_everything);
+  column->addLayout(buttons);
+  return disk;
+}
+
+void TakePanel::connectParts() {
+  connect(m_record, &QPushButton::clicked, this, &TakePanel::recordRequested);
+  connect(m_again, &QPushButton::clicked, this, &TakePanel::againRequested);
+  connect(m_name, &QLineEdit::textChanged, this, &TakePanel::showNext);
+  connect(m_name, &QLineEdit::textEdited, this, &TakePanel::nameEdited);
+  connect(m_countdown, qOverload<int>(&QSpinBox::valueChanged), this, &TakePanel::countdownEdited);
+  connect(m_everything, &QCheckBox::clicked, this, [this](bool on) {
+    m_everything->setChecked(m_status.is_everything_kept);  // until the answer shows it
+    emit everythingRequested(on);
+  });
+  connect(m_saveAs, &QToolButton::clicked, this, &TakePanel::saveAsRequested);
+  connect(m_pair, &QToolButton::clicked, this, &TakePanel::pairRequested);
+  connect(m_rows, &TakeRows::goToRequested, this, &TakePanel::goToRequested);
+  connect(m_rows, &TakeRows::renameRequested, this, &TakePanel::renameRequested);
+  connect(m_rows, &TakeRows::removeRequested, this, &TakePanel::removeRequested);
+}
+
+void TakePanel::setColours(const Palette& palette) {
+  m_palette = palette;
+  m_rows->setColours(palette);
+  dress();
+  showStatus(m_status);
+}
+
+/// The one thing here that must be found without reading.
+void TakePanel::dress() {
+  const bool busy = m_status.phase != Phase::Idle;
+  const QColor ground = busy ? m_palette.panel : m_palette.live;
+  const QColor ink =
+      busy ? (m_palette.dark ? m_palette.live.lighter(140) : m_palette.live) : QColor(Qt::white);
+  m_record->setIcon(mark(busy, ink));
+  m_record->setText(m_status.phase == Phase::Recording      ? " Stop"
+                    : m_status.phase == Phase::CountingDown ? " Cancel"
+                                                            : " Record");
+  m_record->setAccessibleName(m_status.phase == Phase::Recording      ? "Stop recording"
+                              : m_status.phase == Phase::CountingDown ? "Give up the countdown"
+                                                                      : "Record a take");
+  m_record->setToolTip(busy ? "Ctrl+R" : "Record a take (Ctrl+R)");
+  m_record->setStyleSheet(
+      QString("QPushButton { background: %1; color: %2; border: 2px solid %3; border-radius: 6px; }"
+              "QPushButton:hover, QPushButton:focus { border-color: %4; }"
+              "QPushButton:disabled { background: %5; color: %6; border-color: %5; }")
+          .arg(ground.name(), ink.name(), m_palette.live.name(), m_palette.text.name(),
+               m_palette.raised.name(), m_palette.secondary.name()));
+}
+
+void TakePanel::setTakes(const RecordedTakes& takes) {
+  m_takes = takes;
+  m_rows->setTakes(takes);
+  m_rows->setVisible(!takes.empty());
+  m_none->setVisible(takes.empty());
+  showNext();
+}
+
+void TakePanel::showStatus(const RecordingStatus& status) {
+  const bool look = status.phase != m_status.phase;
+  m_status = status;
+  if (look) dress();
+  m_record->setEnabled(status.can_record);
+  m_again->setEnabled(status.can_record && !m_takes.empty());
+  m_saveAs->setEnabled(!status.file.empty());
+  m_pair->setEnabled(status.can_record);
+  m_everything->setEnabled(status.can_record);
+  m_everything->setChecked(status.is_everything_kept);
+  const QString length = QString::fromStdString(duration_text(status.elapsed_s));
+  m_elapsed->setText(status.phase == Phase::Recording      ? "● " + length
+                     : status.phase == Phase::CountingDown ? QString("in %1").arg(status.count)
+                                                           : QString());
+  m_elapsed->setColour(m_palette.dark ? m_palette.live.lighter(140) : m_palette.live);
+  const DiskWords words = disk_words(status);
+  const QColor ink = words.weight == DiskWords::Weight::Failed
+                         ? (m_palette.dark ? m_palette.live.lighter(140) : m_palette.live)
+                     : words.weight == DiskWords::Weight::Behind ? m_palette.warning
+                                                                 : m_palette.text;
+  m_disk->setText((words.weight == DiskWords::Weight::Fine ? "" : "⚠ ") + QString::fromStdString(words.text));
+  m_disk->setStyleSheet("color: " + ink.name());
+  const QString file = QString::fromStdString(status.file);
+  m_file->setVisible(!file.isEmpty());
+  m_file->setText(QFileInfo(file).fileName());
+  m_file->setToolTip(file);
+  showNext();
+}
+
+void TakePanel::showNext() {
+  const bool busy = m_status.phase != Phase::Idle;
+  m_next->setText((busy ? "now " : "next ") + (busy ? QString::fromStdString(m_status.take) : nextName()));
+  m_again->setToolTip(m_takes.empty() ? "There is no take yet to do again"
+                                      : "Records " + QString::fromStdString(again_name(m_takes.names())) +
+                                            " at once; ends the take that is being recorded (Ctrl+Shift+R)");
+}
+
+QString TakePanel::typedName() const {
+  return m_name->text();
+}
+
+void TakePanel::setTypedName(const QString& name) {
+  if (name != m_name->text()) m_name->setText(name);
+}
+
+QString TakePanel::nextName() const {
+  return QString::fromStdString(next_take_name(m_name->text().toStdString(), m_takes.names()));
+}
+
+int TakePanel::countdown() const {
+  return m_countdown->value();
+}
+
+void TakePanel::setCountdown(int seconds) {
+  const QSignalBlocker quiet(m_countdown);
+  m_countdown->setValue(seconds);
+}
+
+QString TakePanel::diskText() const {
+  return m_disk->text();
+}
+
+QString TakePanel::elapsedText() const {
+  return m_elapsed->text();
+}
+
+}  // namespace abrazo::widgets
