@@ -5,6 +5,7 @@
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/status_figures.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/scene/scene_tree.hpp"
 #include "widgets/scene/scene_view.hpp"
 #include "widgets/settings/settings_panel.hpp"
 #include "widgets/stream/address_form.hpp"
@@ -274,7 +275,9 @@ void StreamDesk::showInput() {
   const Material& material = m_window.session()->material();
   const QString clip = QString::fromStdString(material.input.name);
   if (!m_health) {
-    nameInput(QString("clip %1 · %2 Hz").arg(clip).arg(material.input.fps, 0, 'f', 0));
+    const char* kind = material.recorded ? "recorded" : "clip";
+    nameInput(QString("%1 %2 · %3 Hz").arg(kind, clip).arg(material.input.fps, 0, 'f', 0));
+    m_window.sceneTree().setInputName(kind);
     return m_window.status().showInput(clip, true);
   }
   const PerformerHealth* user_health = userHealth();
@@ -282,6 +285,7 @@ void StreamDesk::showInput() {
   const QString name = short_name(*m_health) + (comes ? QString() : " " + short_state(*m_health));
   nameInput(comes ? QString("%1 · %2 Hz").arg(name).arg(user_health->rate_hz, 0, 'f', 0) : name);
   m_window.status().showInput(name, comes);
+  m_window.sceneTree().setInputName("stream");
 }
 
 /// Only when it is another: others may write there, too.

@@ -134,10 +134,9 @@ void NatNetDecoder::take_server_info(ByteReader& reader, Decoded& out) {
 /// Whether the version that decides the fields is known.
 bool NatNetDecoder::can_read(const ByteReader& reader, std::string_view what, Decoded& out) {
   if (reader.failed() || connection_.version()) return !reader.failed();
-  out.issues.push_back(
-      {"no-version", std::string(what) +
-                         " came before the server said its version; it is asked at port 1510. "
-                         "If that port is closed, give version=3.1 or the like"});
+  out.issues.push_back({"no-version", std::string(what) +
+                                          " came before the server said its version; it is asked for that. "
+                                          "If its command port is closed, give version=3.1 or the like"});
   return false;
 }
 
@@ -191,8 +190,8 @@ void NatNetDecoder::take_frame(ByteReader& reader, const Datagram& datagram, Dec
   } else {
     connection_.want_model();
     out.issues.push_back({"no-model",
-                          "a frame came before the description of the skeletons; it is asked for "
-                          "at port 1510"});
+                          "a frame came before the description of the skeletons; the server is "
+                          "asked for it at its command port"});
   }
   frame.bodies.clear();
   newest_ = std::move(frame);

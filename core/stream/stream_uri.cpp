@@ -43,8 +43,6 @@ constexpr std::array option_table = {
     OptionFacts{"unit", "vmc natnet", true, false, "unit=m|cm|mm or metres per unit"},
     OptionFacts{"up", "vmc natnet xsens", true, false, "up=y|z"},
     OptionFacts{"units", "xsens", true, false, "units=m|cm"},
-    OptionFacts{"split", "vmc", true, false,
-                "split=sender|port (every address is a performer, or all are one)"},
     OptionFacts{"coordinates", "natnet", true, false, "coordinates=global|local"},
     OptionFacts{"multicast", "natnet", true, true, "multicast=GROUP"},
     OptionFacts{"interface", "natnet", true, true, "interface=ADDRESS (network that multicast goes through)"},

@@ -55,8 +55,8 @@ const std::vector<Entry>& entries() {
              "Not in the paper: 0."},
             &Settings::continuations),
       entry({"user-role", "", "user's role", "Selection", "", Kind::Choice, 0, 1, false, "active|passive",
-             "Whether the person leads (Role_A) or the partner does (Role_S). A change starts the solver "
-             "anew.\n"
+             "Whether the person leads (Role_A) or the partner does (Role_S). Both bodies go on "
+             "from where they are.\n"
              "Paper 3.3.1: active; section 5 speaks of both."},
             &Settings::user_role),
       entry({"velocity-weight", "w_\u0394", "velocity weight", "Energies", "", Kind::Real, 0, 2, false, "",

@@ -66,6 +66,7 @@ void AddressForm::makeFields() {
   m_uri->setMinimumContentsLength(8);
   m_uri->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   m_uri->setAccessibleName("URI of the stream");
+  m_uri->lineEdit()->setAccessibleName("URI of the stream");
   m_uri->setToolTip("The same as one line, to paste and to copy; the list has the recent ones");
   m_note = line_of(this);
   m_connect = new QPushButton("Connect", this);
