@@ -179,6 +179,7 @@ std::vector<LiveEnd::Diagnosis> run(CommandLine& line, const LiveOptions& option
   double end_s = options.seconds > 0 ? start_s + options.seconds : std::numeric_limits<double>::infinity();
   if (clip) end_s = std::min(end_s, start_s + clip->clip().duration_s());
   std::vector<LiveEnd::Diagnosis> diagnoses;
+  std::string told_failure;  ///< of the recording
   bool is_calibrated = options.calibrate_after_s <= 0;
   double next_report_s = start_s + between_reports_s;
   while (!interrupted()) {
@@ -192,6 +193,11 @@ std::vector<LiveEnd::Diagnosis> run(CommandLine& line, const LiveOptions& option
     if (now_s >= next_report_s) {
       next_report_s = now_s + between_reports_s;
       if (receiver) note_diagnoses(line, receiver->health(), diagnoses);
+      if (const auto recorder = engine.recorder())
+        if (const std::string failure = recorder->state().failure; failure != told_failure) {
+          told_failure = failure;
+          warn(line, failure.empty() ? "recording goes on" : "nothing is recorded now: " + failure);
+        }
       show_state(line, live.line(now_s - start_s));
     }
     std::this_thread::sleep_until(clock.at(std::min(now_s + between_looks_s, end_s)));

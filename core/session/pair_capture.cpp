@@ -27,12 +27,17 @@ Pose pose_at(const Track& track, double time_s) {
   return (1 - share) * before.pose + share * after->pose;
 }
 
+/// That of the usual interval: a pose that got lost does not lower it.
 template <typename Track>
 double rate_of(const Track& track, double from_s, double to_s) {
-  const auto poses = std::count_if(track.begin(), track.end(), [&](const auto& timed) {
-    return from_s <= timed.time_s && timed.time_s <= to_s;
-  });
-  return static_cast<double>(poses - 1) / (to_s - from_s);
+  std::vector<double> intervals_s;
+  for (std::size_t i = 1; i < track.size(); ++i)
+    if (from_s <= track[i - 1].time_s && track[i].time_s <= to_s)
+      intervals_s.push_back(track[i].time_s - track[i - 1].time_s);
+  if (intervals_s.empty()) return 1;
+  const auto median = intervals_s.begin() + static_cast<std::ptrdiff_t>(intervals_s.size() / 2);
+  std::nth_element(intervals_s.begin(), median, intervals_s.end());
+  return 1 / *median;
 }
 
 /// Where a performer was lost for too long; nothing when nowhere.

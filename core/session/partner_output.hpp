@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -25,7 +26,10 @@ class PartnerOutput {
   /// The poses sent last, if it is time again. @return whether anything was sent
   bool hold(double time_s);
   /// When `hold` has something to do next.
-  double next_hold_s() const { return sent_s_ + 1 / held_rate_hz; }
+  double next_hold_s() const {
+    if (!has_poses_ || sinks_.empty()) return std::numeric_limits<double>::infinity();
+    return sent_s_ + 1 / held_rate_hz;
+  }
 
  private:
   void send_to_all(double time_s, bool tracked);

@@ -178,11 +178,11 @@ class FileRecorder : public Recorder {
   }
 
   Status write(const std::deque<Item>& batch, std::uint64_t lost) {
-    Status written = Done{};
+    Status written = writer_->begin_batch();
     try {
       for (const Item& item : batch) {
-        written = std::visit(*this, item);
         if (!written) break;
+        written = std::visit(*this, item);
       }
       if (written) written = writer_->commit(lost);
     } catch (const std::exception& failure) {

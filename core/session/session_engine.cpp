@@ -127,6 +127,7 @@ struct SessionEngine::Parts {
   FrameHistory history;
   LatestSlot<FrameSnapshot> latest;
   std::shared_ptr<PoseSource> own_source;  ///< of the constructor; belongs to the solver thread
+  std::string own_input;                   ///< its name in a recording
   std::shared_ptr<const RoleViews> views;
   UserRole role;  ///< that was asked for last
 
@@ -204,6 +205,7 @@ Status SessionEngine::receive(const StreamUri& uri, const std::string& performer
     if (!clip) return clip.error();
     stop_receiving();
     parts_->play(std::move(*clip));
+    if (parts_->recorder) parts_->recorder->set_input(uri.text);
     return Done{};
   }
   // The same port again: it has to be free first.
@@ -213,6 +215,7 @@ Status SessionEngine::receive(const StreamUri& uri, const std::string& performer
   parts_->play((*opened)->source(performer));
   parts_->stop_recording_poses();
   parts_->receiver = std::move(*opened);
+  if (parts_->recorder) parts_->recorder->set_input(uri.text);
   parts_->record_poses();
   return Done{};
 }
@@ -225,6 +228,7 @@ void SessionEngine::stop_receiving() {
   parts_->play(nullptr);
   parts_->stop_recording_poses();
   parts_->receiver.reset();
+  if (parts_->recorder) parts_->recorder->set_input(parts_->own_input);
 }
 
 std::shared_ptr<StreamReceiver> SessionEngine::receiver() const {
@@ -272,6 +276,8 @@ Status SessionEngine::record(const std::string& path, const RecordingFacts& fact
   auto opened = parts_->openers.recorder(path, complete);
   if (!opened) return opened.error();
   parts_->recorder = std::move(*opened);
+  // What plays without a stream is known to the caller only.
+  if (!parts_->receiver) parts_->own_input = complete.input;
   parts_->gate = std::make_shared<ListenerGate>(parts_->recorder);
   parts_->history.set_store(joined_stores(parts_->history.store(), parts_->recorder->store()));
   push(AttachListener{parts_->gate});

@@ -364,8 +364,10 @@ Status SessionWriter::write(const ReceivedPose& received) {
   return keep_fault(row);
 }
 
+/// A session that has the times of its file has the markers of all its runs, too.
 Status SessionWriter::write(const Markers& markers) {
-  auto cleared = database_.prepare("DELETE FROM markers WHERE run = ?");
+  auto cleared = database_.prepare(facts_.has_times_of_file ? "DELETE FROM markers WHERE run <= ?"
+                                                            : "DELETE FROM markers WHERE run = ?");
   if (!cleared) return keep_fault(cleared.error());
   if (Status done = keep_fault(cleared->bind(0, run_)); !done) return done;
   auto row = database_.prepare("INSERT INTO markers (run, time_s, name) VALUES (?, ?, ?)");
@@ -395,13 +397,22 @@ Status SessionWriter::commit(std::uint64_t lost) {
   }
   if (Status done = keep_fault(statements_->commit); !done) return done;
   committed_ = memory_;
-  return keep_fault(statements_->begin);
+  // What was written is on disk; that somebody else writes now is the next batch's trouble.
+  is_open_ = statements_->begin.run().ok();
+  return Done{};
+}
+
+Status SessionWriter::begin_batch() {
+  if (is_open_) return Done{};
+  const Status begun = keep_fault(statements_->begin);
+  is_open_ = begun.ok();
+  return begun;
 }
 
 void SessionWriter::roll_back() {
   memory_ = committed_;
   (void)database_.execute("ROLLBACK");  // fails when SQLite has already done it
-  (void)statements_->begin.run();
+  is_open_ = statements_->begin.run().ok();
 }
 
 std::uint64_t SessionWriter::bytes() const {
@@ -415,7 +426,8 @@ std::uint64_t SessionWriter::bytes() const {
 }
 
 Status SessionWriter::close(std::uint64_t lost) {
-  Status ended = end_take();
+  Status ended = begin_batch();
+  if (ended) ended = end_take();
   auto run = database_.prepare("UPDATE runs SET ended_at = ?, lost = ? WHERE id = ?");
   if (ended && run) ended = keep_fault(run->bind(0, utc_now()).bind(1, lost).bind(2, run_));
   if (ended) ended = keep_fault(statements_->commit);

@@ -31,7 +31,10 @@ class SessionWriter {
   void set_input(const std::string& input);
   void set_library_path(const std::shared_ptr<const MotionLibrary>& library, const std::string& path);
 
-  /// Ends the transaction: on disk, also when the power fails. Begins the next.
+  /// To be called before the first `write` after a commit. @return why nothing can be written now: another
+  /// program writes in the file
+  Status begin_batch();
+  /// Ends the transaction: on disk, also when the power fails. Begins the next where it can.
   Status commit(std::uint64_t lost);
   /// Forgets what was written since the last commit.
   void roll_back();
@@ -86,6 +89,7 @@ class SessionWriter {
   std::int64_t run_ = 0;
   DatabaseFault fault_ = DatabaseFault::Other;
   Memory memory_, committed_;
+  bool is_open_ = true;  ///< a transaction
   SessionDatabase database_;
   std::unique_ptr<Statements> statements_;  // after the database: gone before it
 

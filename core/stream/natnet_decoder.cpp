@@ -1,6 +1,7 @@
 #include "core/stream/natnet_decoder.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "core/base/text.hpp"
@@ -198,6 +199,10 @@ void NatNetDecoder::take_frame(ByteReader& reader, const Datagram& datagram, Dec
 }
 
 void NatNetDecoder::give(const NatNetFrame& frame, const Datagram& datagram, Decoded& out) {
+  const bool has_time = frame.time_s && std::isfinite(*frame.time_s);
+  if (frame.time_s && !has_time)
+    out.issues.push_back({"not-finite", "frame " + std::to_string(frame.number) +
+                                            ": its time stamp is not a number; it is taken as it came"});
   if (frame.skeletons.empty() && performers_.empty())
     out.issues.push_back(
         {"no-skeleton", "frames with " + std::to_string(frame.bodies.size()) +
@@ -221,7 +226,7 @@ void NatNetDecoder::give(const NatNetFrame& frame, const Datagram& datagram, Dec
     given.points = performer->points();
     given.positions = std::move(*positions);
     given.counter = frame.number;
-    given.sender_time_s = frame.time_s;
+    if (has_time) given.sender_time_s = frame.time_s;
     given.first_arrived_s = given.arrived_s = datagram.arrived_s;
     out.frames.push_back(std::move(given));
   }

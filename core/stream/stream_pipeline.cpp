@@ -13,7 +13,7 @@ namespace abrazo {
 namespace {
 
 constexpr std::size_t most_performers = 16, most_senders = 32, most_issue_kinds = 64;
-constexpr double forgotten_after_s = 60;  ///< a performer that makes room for another
+constexpr double forgotten_after_s = 2;  ///< a silent performer then makes room for another
 constexpr double sender_is_recent_s = 2;
 constexpr double stalled_after_s = 1;
 constexpr double longest_hold_ms = 5000;
@@ -154,10 +154,12 @@ PerformerStream* StreamPipeline::find(const std::string& performer) {
 PerformerStream* StreamPipeline::stream_of(const PerformerFrame& frame, double now_s) {
   if (PerformerStream* const known = find(frame.performer)) return known;
   if (streams_.size() >= most_performers) {
-    const auto silent = std::find_if(streams_.begin(), streams_.end(), [&](const auto& stream) {
-      return now_s - stream->last_frame_s() > forgotten_after_s;
+    // Whoever has been silent longest, and rather one of whom nothing was measured.
+    const auto silent = std::min_element(streams_.begin(), streams_.end(), [](const auto& a, const auto& b) {
+      return std::pair(a->body().has_value(), a->last_frame_s()) <
+             std::pair(b->body().has_value(), b->last_frame_s());
     });
-    if (silent == streams_.end()) {
+    if (now_s - (*silent)->last_frame_s() <= forgotten_after_s) {
       note_issue({"too-many-performers", "more than " + std::to_string(most_performers) +
                                              " performers on one port; " + in_quotes(frame.performer) +
                                              " is left out"});

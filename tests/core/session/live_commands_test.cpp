@@ -154,6 +154,7 @@ TEST_F(LiveCommands, BeforeTheFirstPoseThereIsNothingToHold) {
   wait(2);
   EXPECT_TRUE(history.since(0).empty());
   EXPECT_TRUE(sink->sent().empty());
+  EXPECT_GT(loop->turn(now_s), now_s) << "the thread sleeps";
 }
 
 TEST_F(LiveCommands, AnotherSourceIsAnotherUserWhoStartsAnew) {

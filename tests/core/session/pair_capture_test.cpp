@@ -93,6 +93,18 @@ TEST(PairCapture, NeedsBothPerformers) {
   EXPECT_NE(take.error().text().find("Ben"), std::string::npos);
 }
 
+TEST(PairCapture, APoseLostHereAndThereDoesNotLowerTheRate) {
+  PairCapture capture("Ana", "Ben");
+  stream(capture, "Ana", 0, 4, 60);
+  for (int i = 0; i <= 240; ++i)
+    if (i % 20 != 7) capture.add(pose_of("Ben", i / 60.0));
+  const auto take = capture.take({"salsa 001", ActivePerformer::A, "", 0, 0});
+  ASSERT_TRUE(take) << take.error().text();
+  EXPECT_EQ(take->fps, 60);
+  ASSERT_EQ(take->b.poses.size(), 241U);
+  EXPECT_NEAR(take->b.poses[7](3, 1), 7 / 60.0, 1e-9) << "straight between its neighbours";
+}
+
 TEST(PairCapture, PassesOverPosesThatAreNotNewer) {
   PairCapture capture("Ana", "Ben");
   capture.add(pose_of("Ana", 1));

@@ -180,6 +180,17 @@ TEST(NatNetConversation, FramesBeforeTheModelAreCountedAndTheModelIsAskedForAgai
   EXPECT_EQ(requests(listener), std::vector{NatNetMessage::RequestModelDef});
 }
 
+TEST(NatNetConversation, ATimeThatIsNotANumberIsCountedAndTheFrameIsTakenWithoutIt) {
+  Listener listener = connected({skeleton("Ana", 1)});
+  NatNetFrame frame = frame_of({posed(skeleton("Ana", 1), false)});
+  frame.time_s = std::numeric_limits<double>::quiet_NaN();
+  listener.forget();
+  listener.take(frame_packet(frame, v41), 0.1);
+  EXPECT_TRUE(listener.has_issue("not-finite")) << listener.issues();
+  ASSERT_EQ(listener.out.frames.size(), 1u);
+  EXPECT_FALSE(listener.out.frames[0].sender_time_s);
+}
+
 TEST(NatNetConversation, ChangedModelsAreAskedForAndAnUnknownSkeletonSaysSo) {
   Listener listener = connected({skeleton("Ana", 1)});
   listener.pass_time(0);

@@ -293,6 +293,24 @@ TEST(StreamFaults, TwoVmcSendersOnOnePortAreTwoPerformers) {
   EXPECT_EQ(breaks(line), 1U) << "one of them is followed";
 }
 
+TEST(StreamFaults, ManyShortLivedSendersDoNotLockOutTheOneThatStays) {
+  std::vector<Packet> packets;
+  for (std::uint16_t port = 0; port < 20; ++port) {
+    const std::size_t first = packets.size();
+    append_frames(packets, *encoder_of("vmc://127.0.0.1:39539?framing=t-first"), 0.01 * port, 0.03, 0);
+    for (std::size_t i = first; i < packets.size(); ++i)
+      packets[i].from.port = static_cast<std::uint16_t>(6000 + port);
+  }
+  append_frames(packets, *encoder_of("vmc://127.0.0.1:39539?framing=t-first"), 1, 4, 0);
+  Line line("vmc://0.0.0.0:39539");
+  line.run(std::move(packets), 5.1);
+  const StreamHealth health = line.health();
+  const auto real = std::find_if(health.performers.begin(), health.performers.end(),
+                                 [](const PerformerHealth& performer) { return performer.frames > 100; });
+  ASSERT_NE(real, health.performers.end());
+  EXPECT_GT(real->frames, 250u) << "from two seconds after the last of the others on";
+}
+
 TEST(StreamFaults, TwoXsensSendersWithOneCharacterNumberMixAndItIsSaid) {
   auto packets = frames(xsens);
   std::vector<Packet> others;
