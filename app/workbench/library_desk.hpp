@@ -28,10 +28,11 @@ class LibraryDesk : public QObject {
   LibraryBuild* building() const { return m_build; }
   void danceWith(int take);
   void toggleVeto(int take);
+  /// A session begins, or goes on with another library.
+  void onSession();
 
  private:
   void connectBrowser();
-  void onSession();
   void onPanels();
   void showRecorded(int pair, bool in_motion);
   void measure(const std::shared_ptr<const MotionLibrary>& library);

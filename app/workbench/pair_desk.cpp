@@ -16,6 +16,7 @@
 #include "widgets/library/take_list.hpp"
 #include "widgets/scene/scene_view.hpp"
 #include "widgets/settings/settings_panel.hpp"
+#include "widgets/takes/take_name.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 
 namespace abrazo::app {
@@ -23,6 +24,12 @@ namespace {
 
 QString text(const std::string& utf8) {
   return QString::fromStdString(utf8);
+}
+
+std::vector<std::string> names_of(const MotionLibrary& library) {
+  std::vector<std::string> names;
+  for (const LibraryTake& take : library.takes()) names.push_back(take.name);
+  return names;
 }
 
 QStringList labels_of(const MotionLibrary& library) {
@@ -37,11 +44,18 @@ QStringList labels_of(const MotionLibrary& library) {
 }  // namespace
 
 PairDesk::PairDesk(MainWindow& window, TakeDesk& takes) : QObject(&window), m_window(window), m_takes(takes) {
+  connect(&takes, &TakeDesk::begun, this, &PairDesk::listen);
   connect(&takes, &TakeDesk::taken, this, [this] {
     if (m_capture && !m_dialog) ask();
   });
+  connect(&takes, &TakeDesk::cameToNothing, this, [this] {
+    if (m_dialog) return;
+    stopListening();
+    m_capture.reset();
+  });
   connect(&window, &MainWindow::sessionEnding, this, [this] {
     stopListening();
+    if (m_dialog) m_dialog->close();  // the library that it would be added to goes
     m_capture.reset();
     Job::retire(std::move(m_job), this);
   });
@@ -52,6 +66,7 @@ PairDesk::~PairDesk() {
 }
 
 void PairDesk::toggle() {
+  if (m_dialog) return m_dialog->raise();  // one pair after the other
   if (m_capture || m_takes.isRecording()) return m_takes.toggle();
   begin();
 }
@@ -62,7 +77,8 @@ void PairDesk::begin() {
   const auto performers = receiver ? receiver->performers() : std::vector<std::string>();
   if (performers.size() < 2)
     return m_window.messages().showInformation(
-        "A pair needs two performers in the stream; connect to one that has them (Live > Connect…)");
+        "A pair needs two performers in the stream; connect to one that has them (Live > Connect to a "
+        "stream…)");
   const std::string a =
       streams && !streams->user().isEmpty() ? streams->user().toStdString() : performers.front();
   std::string b = streams ? streams->second().toStdString() : std::string();
@@ -70,22 +86,30 @@ void PairDesk::begin() {
     b = *std::find_if(performers.begin(), performers.end(), [&](const auto& other) { return other != a; });
   m_capture = std::make_shared<PairCapture>(a, b);
   m_receiver = receiver;
-  m_listener = receiver->listen([to = m_capture](const ReceivedPose& pose) { to->add(pose); });
   m_takes.toggle();
-  m_window.messages().showInformation("Recording " + text(a) + " and " + text(b) +
+}
+
+/// From the beginning of the take on; what comes in during the countdown is not of it.
+void PairDesk::listen() {
+  const auto receiver = m_receiver.lock();
+  if (!receiver || !m_capture || m_dialog || m_listener) return;
+  m_listener = receiver->listen([to = m_capture](const ReceivedPose& pose) { to->add(pose); });
+  m_window.messages().showInformation("Recording " + text(m_capture->a()) + " and " + text(m_capture->b()) +
                                       " as a pair; Ctrl+R ends it");
 }
 
 void PairDesk::stopListening() {
-  if (const auto receiver = m_receiver.lock(); receiver && m_capture) receiver->unlisten(m_listener);
+  if (const auto receiver = m_receiver.lock(); receiver && m_listener) receiver->unlisten(*m_listener);
+  m_listener.reset();
   m_receiver.reset();
 }
 
 void PairDesk::ask() {
   stopListening();
-  const std::string name = m_takes.takes().empty() ? "pair" : m_takes.takes().all().back().name;
-  m_dialog =
-      new PairDialog(*m_capture, text(name), labels_of(*m_window.session()->material().library), &m_window);
+  const MotionLibrary& library = *m_window.session()->material().library;
+  const std::string recorded = m_takes.takes().empty() ? "pair" : m_takes.takes().all().back().name;
+  const std::string name = widgets::next_take_name(recorded, names_of(library));
+  m_dialog = new PairDialog(*m_capture, text(name), labels_of(library), &m_window);
   m_dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(m_dialog, &PairDialog::addRequested, this, [this] { add(*m_dialog); });
   connect(m_dialog, &QDialog::finished, this, [this] { m_capture.reset(); });
@@ -95,6 +119,8 @@ void PairDesk::ask() {
 void PairDesk::add(PairDialog& dialog) {
   const PairCapture::Wishes wishes = dialog.wishes();
   if (wishes.name.empty()) return dialog.showTrouble("A take needs a name");
+  if (m_window.session()->material().library->find_take(wishes.name) >= 0)
+    return dialog.showTrouble("The library has a take " + text(wishes.name) + " already; give another name");
   const auto take = m_capture->take(wishes);
   if (!take) return dialog.showTrouble(text(take.error().text()));
   dialog.accept();
@@ -137,6 +163,7 @@ void PairDesk::show(PreparedSolver prepared) {
   m_window.candidates().showSteering(steering);  // the solver keeps it, too
   m_window.timeline().extendLibrary(library);
   m_window.takes().setLibrary(library);
+  m_window.status().setLibrary(library->pair_count());
   const LibraryTake& added = library->takes().back();
   m_window.messages().showInformation(
       QString("%1 is in the library: %2 frames. Library > Save library… keeps it")

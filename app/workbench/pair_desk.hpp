@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QPointer>
 #include <memory>
+#include <optional>
 
 #include "app/workbench/live_session.hpp"
 #include "core/session/pair_capture.hpp"
@@ -34,6 +35,7 @@ class PairDesk : public QObject {
 
  private:
   void begin();
+  void listen();
   void stopListening();
   void ask();
   void add(PairDialog& dialog);
@@ -43,7 +45,7 @@ class PairDesk : public QObject {
   TakeDesk& m_takes;
   std::shared_ptr<PairCapture> m_capture;
   std::weak_ptr<StreamReceiver> m_receiver;
-  int m_listener = 0;
+  std::optional<int> m_listener;
   QPointer<PairDialog> m_dialog;
   std::unique_ptr<Job> m_job;
 };

@@ -39,9 +39,13 @@ PairDialog::PairDialog(const PairCapture& capture, const QString& name, const QS
   m_label = new QComboBox(this);
   m_label->setEditable(true);
   m_label->addItems(QStringList{""} + labels);
+  m_label->lineEdit()->setPlaceholderText("several, or none");
   m_label->setToolTip("The move that all of it is; nothing where it is several");
   m_in = trim(m_length_s, "Cut off at the beginning", this);
   m_out = trim(m_length_s, "Cut off at the end", this);
+  m_name->setAccessibleName("Name");
+  m_leads->setAccessibleName("Role");
+  m_label->setAccessibleName("Move");
   if (m_length_s > 4 * usual_trim_s) {
     m_in->setValue(usual_trim_s);
     m_out->setValue(usual_trim_s);

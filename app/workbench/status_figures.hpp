@@ -18,6 +18,7 @@ class StatusFigures : public QWidget {
   explicit StatusFigures(QWidget* parent = nullptr);
   void setColours(const widgets::Palette& palette);
   void setInput(const QString& name, int library_pairs);
+  void setLibrary(int pairs) { m_pairs = pairs; }
   /// @param comes  whether anything comes in from it now
   void showInput(const QString& name, bool comes);
   void refresh(const FrameHistory& history, std::uint64_t rendered_frames);

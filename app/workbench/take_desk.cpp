@@ -76,8 +76,9 @@ void TakeDesk::toggle() {
   if (!m_window.session()) return m_window.messages().showInformation("Nothing is open yet");
   if (m_sequence.phase == Phase::Idle)
     return begin(freshName(m_panel.typedName().toStdString()), m_panel.countdown());
-  const bool recorded = m_sequence.stop();
-  recorded ? endTake() : update();
+  if (m_sequence.stop()) return endTake();
+  update();
+  emit cameToNothing();
 }
 
 void TakeDesk::again() {
@@ -98,7 +99,8 @@ void TakeDesk::begin(const std::string& name, double countdown_s) {
 void TakeDesk::beginTake() {
   if (!record()) {
     m_sequence.stop();
-    return update();
+    update();
+    return emit cameToNothing();
   }
   m_window.session()->engine().recorder()->begin_take(m_sequence.name);
   RecordedTake take;
@@ -116,6 +118,7 @@ void TakeDesk::beginTake() {
   m_namesInFile[take.id] = take.name;
   update();
   showTakes();
+  emit begun();
 }
 
 void TakeDesk::endTake() {
@@ -132,7 +135,7 @@ void TakeDesk::endTake() {
   }
   update();
   showTakes();
-  if (!is_empty) emit taken(id);
+  is_empty ? emit cameToNothing() : emit taken(id);
 }
 
 /// The running take lasts until the newest frame.
@@ -183,7 +186,11 @@ bool TakeDesk::record() {
     m_file = new_session_file(folder, QDateTime::currentDateTime());
   }
   const Status started = engine.record(m_file.toStdString(), facts());
-  if (started) return true;
+  m_markersInFile.reset();
+  if (started) {
+    writeMarkers();
+    return true;
+  }
   m_window.messages().showError(QString::fromStdString(started.error().text()));
   if (!QFileInfo::exists(m_file)) m_file.clear();
   return false;
@@ -192,6 +199,7 @@ bool TakeDesk::record() {
 void TakeDesk::stopRecorder() {
   SessionEngine& engine = m_window.session()->engine();
   if (!engine.recorder()) return;
+  writeMarkers();
   const Status written = engine.stop_recording();
   if (!written) m_window.messages().showError(QString::fromStdString(written.error().text()));
   m_lastState.bytes = static_cast<std::uint64_t>(QFileInfo(m_file).size());
@@ -212,6 +220,14 @@ void TakeDesk::writeEdits() {
   for (const auto& [name, now] : names) m_edits.erase(name);
   for (auto& [id, name] : m_namesInFile)
     if (const auto found = names.find(name); found != names.end()) name = *found->second;
+}
+
+/// Those of the timeline, when they are not the ones in the file.
+void TakeDesk::writeMarkers() {
+  const auto recorder = m_window.session() ? m_window.session()->engine().recorder() : nullptr;
+  if (!recorder || m_markersInFile == m_window.timeline().markers()) return;
+  m_markersInFile = m_window.timeline().markers();
+  recorder->set_markers(*m_markersInFile);
 }
 
 void TakeDesk::keepEverything(bool on) {
@@ -257,6 +273,7 @@ QString TakeDesk::saveAs(const QString& file) {
   if (m_file.isEmpty()) return "Nothing of this session is on disk yet; record a take first (Ctrl+R)";
   const auto recorder = m_window.session() ? m_window.session()->engine().recorder() : nullptr;
   if (recorder) {
+    writeMarkers();
     const Status flushed = recorder->flush();
     if (!flushed) return QString::fromStdString(flushed.error().text());
   }
@@ -297,6 +314,7 @@ void TakeDesk::update() {
   if (has_stream) m_isForStream = false;
   m_hasStream = has_stream;
   if (m_sequence.advance(now())) beginTake();
+  writeMarkers();
   if (m_running >= 0) {
     follow();
     showTakes();

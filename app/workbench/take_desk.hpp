@@ -54,6 +54,10 @@ class TakeDesk : public QObject {
 
  signals:
   void takesChanged();
+  /// A take has begun, after its countdown.
+  void begun();
+  /// No take came of it: it was ended in its countdown, cannot be written, or nothing came in.
+  void cameToNothing();
   /// A take has ended and is on the list.
   void taken(qint64 id);
 
@@ -69,6 +73,7 @@ class TakeDesk : public QObject {
   void showTakes();
   void onSessionEnding();
   void writeEdits();
+  void writeMarkers();
   RecordingFacts facts() const;
   widgets::RecordingStatus status() const;
   double now() const;
@@ -86,6 +91,7 @@ class TakeDesk : public QObject {
   TakeEdits m_edits;               ///< by the names in the file, what is to be changed there
   std::map<std::int64_t, std::string> m_namesInFile;
   QString m_file;
+  std::optional<Markers> m_markersInFile;  ///< as the recorder was told; nothing = not yet
   Recorder::State m_lastState;
   QString m_toldFailure;
   bool m_hasStream = false;

@@ -4,13 +4,12 @@
 #include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
-#include <QTimer>
 
 #include "app/workbench/latency_desk.hpp"
 #include "app/workbench/panel_area.hpp"
 #include "app/workbench/stream_desk.hpp"
-#include "core/stream/pose_sink.hpp"
 #include "tests/workbench/demo_window.hpp"
+#include "tests/workbench/streamed_performer.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/settings/settings_panel.hpp"
 #include "widgets/stream/address_form.hpp"
@@ -25,31 +24,6 @@ namespace abrazo::app {
 namespace {
 
 using widgets::StreamMark;
-
-StreamUri uri_of(const QString& text) {
-  return parse_stream_uri(text.toStdString()).value();
-}
-
-/// Sends the poses of a clip as VMC packets, a hundred a second, as long as it is there.
-class Performer {
- public:
-  Performer(const Clip& clip, const QString& to)
-      : m_clip(clip), m_sink(PoseSink::open(uri_of(to), body_of(clip.poses), "user").value()) {
-    QObject::connect(&m_timer, &QTimer::timeout, &m_timer, [this] {
-      const Pose& pose = m_clip.poses[m_still ? 0 : m_frame++ % m_clip.poses.size()];
-      m_sink->send({pose, 0.01 * static_cast<double>(++m_sent), true});
-    });
-    m_timer.start(10);
-  }
-  void standStill() { m_still = true; }
-
- private:
-  const Clip& m_clip;
-  std::unique_ptr<PoseSink> m_sink;
-  QTimer m_timer;
-  std::size_t m_frame = 0, m_sent = 0;
-  bool m_still = false;
-};
 
 class StreamActions : public DemoWindow {
  protected:
@@ -99,7 +73,7 @@ TEST_F(StreamActions, WhileNothingHasComeTheSceneSaysSoAndTheClipIsHeld) {
 }
 
 TEST_F(StreamActions, WhatComesInPlaysTheUser) {
-  const Performer performer(clip(), listen());
+  const StreamedPerformer performer(clip(), listen());
   ASSERT_TRUE(receives());
   EXPECT_TRUE(until([] { return notice().isEmpty(); }));
   EXPECT_TRUE(until([] { return panel().cards().size() == 1; }));
@@ -110,7 +84,7 @@ TEST_F(StreamActions, WhatComesInPlaysTheUser) {
 }
 
 TEST_F(StreamActions, AfterDisconnectingTheClipGoesOn) {
-  const Performer performer(clip(), listen());
+  const StreamedPerformer performer(clip(), listen());
   ASSERT_TRUE(receives());
   action("Disconnect")->trigger();
   EXPECT_FALSE(desk().health());
@@ -130,7 +104,7 @@ TEST_F(StreamActions, APortThatIsTakenIsToldWithWhatToDo) {
 
 TEST_F(StreamActions, WhenTheSenderStopsABadgeSaysSo) {
   {
-    const Performer performer(clip(), listen());
+    const StreamedPerformer performer(clip(), listen());
     ASSERT_TRUE(receives());
   }
   EXPECT_TRUE(
@@ -139,7 +113,7 @@ TEST_F(StreamActions, WhenTheSenderStopsABadgeSaysSo) {
 
 TEST_F(StreamActions, TheBadgeIsNotShownOverTheLiveEndsPast) {
   {
-    const Performer performer(clip(), listen());
+    const StreamedPerformer performer(clip(), listen());
     ASSERT_TRUE(receives());
   }
   ASSERT_TRUE(until([] { return !notice().isEmpty(); }));
@@ -148,7 +122,7 @@ TEST_F(StreamActions, TheBadgeIsNotShownOverTheLiveEndsPast) {
 }
 
 TEST_F(StreamActions, FreezeParksTheViewWhileTheStreamGoesOn) {
-  const Performer performer(clip(), listen());
+  const StreamedPerformer performer(clip(), listen());
   ASSERT_TRUE(receives());
   press(Qt::Key_Space, Qt::ControlModifier);
   EXPECT_EQ(ticker().playback().state, Playback::State::Parked);
@@ -170,7 +144,7 @@ TEST_F(StreamActions, ThePartnerIsSentOnAndIsAnotherProgramsPerformer) {
 }
 
 TEST_F(StreamActions, ACalibrationCountsDownMeasuresAndTells) {
-  Performer performer(clip(), listen());
+  StreamedPerformer performer(clip(), listen());
   ASSERT_TRUE(receives());
   performer.standStill();
   press(Qt::Key_T, Qt::ControlModifier);
@@ -182,7 +156,7 @@ TEST_F(StreamActions, ACalibrationCountsDownMeasuresAndTells) {
 }
 
 TEST_F(StreamActions, CtrlTAgainCancelsTheCalibration) {
-  const Performer performer(clip(), listen());
+  const StreamedPerformer performer(clip(), listen());
   ASSERT_TRUE(receives());
   press(Qt::Key_T, Qt::ControlModifier);
   press(Qt::Key_T, Qt::ControlModifier);
@@ -209,7 +183,7 @@ TEST_F(StreamActions, ConnectionsAreRememberedLatestFirst) {
 }
 
 TEST_F(StreamActions, AFrameOfThePastTellsItsOwnLatency) {
-  const Performer performer(clip(), listen());
+  const StreamedPerformer performer(clip(), listen());
   ASSERT_TRUE(receives());
   const auto came = live().index;
   ASSERT_TRUE(until([came] { return live().index > came + 20; }));

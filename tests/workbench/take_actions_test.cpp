@@ -139,5 +139,26 @@ TEST_F(TakeActions, ACopyHasTheTakesAsTheyAreOnTheList) {
   EXPECT_NE(desk().saveAs(desk().file()), "") << "onto itself";
 }
 
+TEST_F(TakeActions, AMarkerSetWhileRecordingIsInTheFileOnce) {
+  const auto markers_in_file = [] {
+    const auto session = SessionFile::open(desk().file().toStdString());
+    return session ? (*session)->contents().markers : std::vector<SessionMarker>();
+  };
+  desk().toggle();
+  ASSERT_TRUE(until([] { return last().frames >= 5; }));
+  press(Qt::Key_M);
+  ASSERT_EQ(window().timeline().markers().all().size(), 1U);
+  const Marker set = window().timeline().markers().all().front();
+  ASSERT_TRUE(until([] { return last().frames >= 20; }));
+  desk().toggle();
+  ASSERT_EQ(markers_in_file().size(), 1U);
+  EXPECT_NEAR(markers_in_file()[0].time_s, set.time_s, 1e-9);
+  record_a_take();
+  EXPECT_EQ(markers_in_file().size(), 1U) << "the next run of the file has it, too, and it is the same one";
+  window().undoStack().undo();
+  record_a_take();
+  EXPECT_TRUE(markers_in_file().empty()) << "undone before the take";
+}
+
 }  // namespace
 }  // namespace abrazo::app

@@ -42,9 +42,9 @@ widgets::RecordedTakes takes_of(const SessionContents& contents) {
 void show_recorded(MainWindow& window) {
   const auto recorded = window.session()->material().recorded;
   if (!recorded) return;
+  window.timeline().showMarkers(recorded->markers());  // first: who goes on writing there writes these
   if (auto* desk = window.findChild<TakeDesk*>())
     desk->setOpened(QString::fromStdString(recorded->file), takes_of(recorded->contents));
-  window.timeline().showMarkers(recorded->markers());
   if (!recorded->contents.settings.empty()) window.startWith(recorded->contents.settings.back().settings);
   window.ticker().tick();
   window.ticker().goToStart();
