@@ -19,7 +19,7 @@ struct SynthesizerState {
   std::optional<int> pinned;
   std::shared_ptr<const Vetoes> vetoes;  ///< shared by the states between two changes; never null
   std::optional<MeantPairs> meant;
-  double unsolved_s = 0;                 ///< since the last frame that was solved
+  double unsolved_s = 0;  ///< since the last frame that was solved
 };
 
 }  // namespace abrazo

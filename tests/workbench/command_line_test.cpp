@@ -42,7 +42,7 @@ TEST(CommandLine, HelpAndVersionAreStatusZero) {
 
 TEST(CommandLine, AStreamToFollowAndPlacesToSendToAreUris) {
   const auto result = parsed({"--listen", "natnet://10.0.0.2?multicast=239.255.42.99", "--send",
-                             "vmc://127.0.0.1:39540", "--send", "vmc://127.0.0.1:39541"});
+                              "vmc://127.0.0.1:39540", "--send", "vmc://127.0.0.1:39541"});
   const auto* asked = std::get_if<CommandLine>(&result);
   ASSERT_NE(asked, nullptr);
   EXPECT_EQ(asked->listen, "natnet://10.0.0.2?multicast=239.255.42.99");

@@ -221,9 +221,8 @@ void TransportBar::showRole(bool user_is_active, const QString& by) {
   if (text == m_role->text() && !m_role->isHidden()) return;
   m_role->setText(text);
   m_role->setAccessibleName("Role of the user: " + role);
-  m_role->setToolTip(user_is_active
-                         ? "The user is the active performer; the partner answers (U switches)"
-                         : "The user is the passive performer; the partner leads (U switches)");
+  m_role->setToolTip(user_is_active ? "The user is the active performer; the partner answers (U switches)"
+                                    : "The user is the passive performer; the partner leads (U switches)");
   m_role->show();
   dressRole();
   makeRoom();
@@ -257,6 +256,9 @@ void TransportBar::makeRoom() {
   for (const QWidget* part : {static_cast<QWidget*>(m_recording), static_cast<QWidget*>(m_role)})
     if (!part->isHidden()) others_px += part->sizeHint().width() + 12;
   m_input->setVisible(width() >= others_px + m_input->sizeHint().width());
+  // Both are in the menus and on the ruler as well.
+  for (QWidget* part : {static_cast<QWidget*>(m_frame), static_cast<QWidget*>(m_loop)})
+    part->setVisible(width() >= others_px);
 }
 
 void TransportBar::resizeEvent(QResizeEvent* event) {
