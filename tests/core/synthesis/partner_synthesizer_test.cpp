@@ -222,6 +222,13 @@ TEST(PartnerSynthesizer, TheUserCanChangeRolesWhileRunning) {
   // held may have to be let go, which the step says.
   EXPECT_NE(passive.status, StepStatus::Failed) << passive.message;
   EXPECT_LT((passive.passive() - take.a.poses[4]).rowwise().norm().maxCoeff(), 0.15);
+
+  // Somebody else, of the follower's size, has nothing to go on from and nothing to let go of.
+  synthesizer->reset();
+  synthesizer->forget_user_body();
+  const FrameResult& first = synthesizer->step(take.b.poses[4], step_time);
+  EXPECT_EQ(first.status, StepStatus::Ok) << first.message;
+  EXPECT_LT((first.passive() - take.b.poses[4]).rowwise().norm().maxCoeff(), 0.15);
 }
 
 TEST(PartnerSynthesizer, ADoubledLibraryGivesTheRecordedPairBackToo) {
