@@ -103,7 +103,8 @@ void EafDocument::add_annotation(pugi::xml_node tier, const Tier& facts, const T
                                  const Slots& slots) {
   pugi::xml_node annotation = tier.append_child("ANNOTATION").append_child("ALIGNABLE_ANNOTATION");
   set(annotation, "ANNOTATION_ID", "a" + std::to_string(++annotations_));
-  const auto word = std::find(facts.vocabulary.begin(), facts.vocabulary.end(), interval.value);
+  const auto word = std::find_if(facts.vocabulary.begin(), facts.vocabulary.end(),
+                                 [&](const VocabularyEntry& entry) { return entry.value == interval.value; });
   if (word != facts.vocabulary.end())
     set(annotation, "CVE_REF", "v" + std::to_string(word - facts.vocabulary.begin()));
   uses_.push_back({slots.start, set(annotation, "TIME_SLOT_REF1", "")});
@@ -162,7 +163,7 @@ void EafDocument::add_vocabularies() {
       set(entry, "CVE_ID", "v" + std::to_string(w));
       pugi::xml_node value = entry.append_child("CVE_VALUE");
       set(value, "LANG_REF", language);
-      value.text().set(tier.vocabulary[w].c_str());
+      value.text().set(tier.vocabulary[w].value.c_str());
     }
   }
 }

@@ -105,7 +105,7 @@ Tier role_tier(const SessionContents& contents, double end_s) {
   for (const SessionSettings& change : contents.settings)
     changes.emplace_back(change.time_s,
                          change.settings.user_role == UserRole::Passive ? "passive" : "active");
-  return {"user role", in_force(std::move(changes), end_s), {"active", "passive"}};
+  return {"user role", in_force(std::move(changes), end_s), {{"active"}, {"passive"}}, TierKind::Note};
 }
 
 Tier meant_tier(const SessionContents& contents, double end_s) {
@@ -138,7 +138,7 @@ std::vector<Tier> noted_tiers(const SessionContents& contents) {
     for (int copy = 1;; ++copy) {
       const std::string name = noted.kind + (copy > 1 ? " " + std::to_string(copy) : "");
       auto tier = std::find_if(tiers.begin(), tiers.end(), [&](const Tier& one) { return one.name == name; });
-      if (tier == tiers.end()) tier = tiers.insert(tiers.end(), Tier{name, {}, {}});
+      if (tier == tiers.end()) tier = tiers.insert(tiers.end(), Tier{name, {}});
       if (!tier->intervals.empty() && tier->intervals.back().end_s > noted.start_s) continue;
       tier->intervals.push_back({noted.start_s, noted.end_s, noted.name});
       break;
@@ -193,7 +193,7 @@ Result<std::vector<Tier>> session_tiers(const SessionFile& file, const SessionRa
   for (std::size_t i = 0; i < tiers.size(); ++i) {
     tiers[i].intervals = within(std::move(tiers[i].intervals), range.from_s, end_s);
     if (tiers[i].vocabulary.empty() && tiers[i].name != "marker" && tiers[i].name != "note")
-      tiers[i].vocabulary = values_of(tiers[i].intervals);
+      tiers[i].vocabulary = vocabulary_of(tiers[i].intervals);
     if (i < always || !tiers[i].intervals.empty()) kept.push_back(std::move(tiers[i]));
   }
   return kept;

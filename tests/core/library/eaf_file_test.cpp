@@ -45,8 +45,9 @@ std::string refusal(const std::vector<Tier>& tiers) {
 }
 
 TEST(EafFile, HoldsTheIntervalsOfItsTiers) {
-  const std::string eaf = written({{"role", {{0, 1.5, "active"}, {1.5, 4, "passive"}}, {"active", "passive"}},
-                                   {"move", {{0.25, 2, "basic"}}, {}}});
+  const std::string eaf =
+      written({{"role", {{0, 1.5, "active"}, {1.5, 4, "passive"}}, {{"active"}, {"passive"}}},
+               {"move", {{0.25, 2, "basic"}}, {}}});
   EXPECT_THAT(annotations(eaf),
               ElementsAre("role 0-1500 active", "role 1500-4000 passive", "move 250-2000 basic"));
 }
@@ -62,7 +63,8 @@ TEST(EafFile, TimeSlotsAreInTheOrderOfTime) {
 }
 
 TEST(EafFile, ElementsAreInTheOrderOfTheSchema) {
-  const std::string eaf = written({{"role", {{0, 1, "active"}}, {"active", "passive"}}, {"note", {}, {}}});
+  const std::string eaf =
+      written({{"role", {{0, 1, "active"}}, {{"active"}, {"passive"}}}, {"note", {}, {}}});
   pugi::xml_document document;
   ASSERT_TRUE(document.load_string(eaf.c_str()));
   const pugi::xml_node root = document.child("ANNOTATION_DOCUMENT");
@@ -76,7 +78,7 @@ TEST(EafFile, ElementsAreInTheOrderOfTheSchema) {
 }
 
 TEST(EafFile, AVocabularyIsReferredTo) {
-  const std::string eaf = written({{"role", {{0, 1, "passive"}, {1, 2, "odd"}}, {"active", "passive"}}});
+  const std::string eaf = written({{"role", {{0, 1, "passive"}, {1, 2, "odd"}}, {{"active"}, {"passive"}}}});
   pugi::xml_document document;
   ASSERT_TRUE(document.load_string(eaf.c_str()));
   const auto entry = document.select_node("//CV_ENTRY_ML[CVE_VALUE='passive']").node();
@@ -114,7 +116,7 @@ TEST(Tier, ValuesAreListedOnceInTheirOrder) {
 }
 
 TEST(Tier, JsonHasTimesToTheLastBit) {
-  const std::vector<Tier> tiers = {{"move", {{0.1, 1.0 / 3, "a\"b"}}, {"a\"b"}}};
+  const std::vector<Tier> tiers = {{"move", {{0.1, 1.0 / 3, "a\"b"}}, {{"a\"b"}}}};
   EXPECT_EQ(tiers_json(tiers),
             "{\"tiers\":[{\"name\":\"move\",\"vocabulary\":[\"a\\\"b\"],\"intervals\":[{\"start_s\":0.1,"
             "\"end_s\":0.3333333333333333,\"value\":\"a\\\"b\"}]}]}\n");

@@ -244,7 +244,7 @@ TEST_F(SessionExport, RolesMeantMovesTakesAndMarkersAreTiers) {
   ASSERT_THAT(values(*role), ElementsAre("active", "passive"));
   EXPECT_NEAR(role->intervals[1].start_s, 20 / 60.0, 1e-9);
   EXPECT_NEAR(role->intervals[1].end_s, 1, 1e-6);
-  EXPECT_THAT(role->vocabulary, ElementsAre("active", "passive"));
+  EXPECT_THAT(role->vocabulary, ElementsAre(VocabularyEntry{"active"}, VocabularyEntry{"passive"}));
   ASSERT_TRUE(find(*tiers, "meant"));
   EXPECT_EQ(find(*tiers, "meant")->intervals[0].value, "dip");
   EXPECT_NEAR(find(*tiers, "meant")->intervals[0].start_s, 40 / 60.0, 1e-9);

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/annotation/annotations.hpp"
+#include "core/base/progress.hpp"
+#include "core/base/result.hpp"
+#include "core/library/motion_library.hpp"
+
+namespace abrazo {
+
+/// What to propose for a take, from its geometry (holds, facing, turns, places changed, who moves first) and
+/// from labelled neighbours: frames of the library's other takes that look alike.
+struct SuggestionRequest {
+  std::string take;  ///< of the library; its own roles and labels are not looked at
+  bool moves = true;
+  bool roles = true;
+};
+
+/// Suggested intervals without tier and id, tiling what can be said of the take, in seconds = frame / fps.
+struct SuggestedTiers {
+  std::vector<Suggestion> moves;
+  std::vector<Suggestion> roles;  ///< "a" or "b"
+};
+Result<SuggestedTiers> suggest_annotations(const MotionLibrary& library, const SuggestionRequest& request,
+                                           const Progress& progress);
+
+}  // namespace abrazo
