@@ -54,5 +54,9 @@ void add_sweep_command(CommandLine& line);
 void add_live_command(CommandLine& line);
 void add_send_command(CommandLine& line);
 void add_export_command(CommandLine& line);
+void add_labels_command(CommandLine& line);
+void add_render_command(CommandLine& line);
+void add_suggest_command(CommandLine& line);
+void add_session_command(CommandLine& line);
 
 }  // namespace abrazo::app

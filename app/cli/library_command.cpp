@@ -8,11 +8,12 @@
 #include <memory>
 
 #include "app/cli/command_line.hpp"
-#include "app/cli/output_file.hpp"
 #include "core/base/json_text.hpp"
+#include "core/base/output_file.hpp"
 #include "core/library/manifest.hpp"
 #include "core/library/motion_library_builder.hpp"
 #include "core/library/motion_library_file.hpp"
+#include "core/library/performer_letter.hpp"
 
 namespace abrazo::app {
 
@@ -34,18 +35,6 @@ struct PairArguments {
   bool swapped = false;
   bool json = false;
 };
-
-const char* role_text(ActivePerformer active) {
-  switch (active) {
-    case ActivePerformer::A:
-      return "a";
-    case ActivePerformer::B:
-      return "b";
-    case ActivePerformer::Unknown:
-      break;
-  }
-  return "unknown";
-}
 
 long long bytes_of(const std::string& file) {
   return static_cast<long long>(std::filesystem::file_size(file));
@@ -91,7 +80,7 @@ PairCounts count_pairs(const MotionLibrary& library) {
   counts.per_take.resize(library.takes().size());
   for (int pair = 0; pair < library.pair_count(); ++pair) {
     ++counts.per_take[library.source(pair).take];
-    ++counts.per_role[role_text(library.source(pair).annotated)];
+    ++counts.per_role[std::string(letter_of(library.source(pair).annotated))];
     ++counts.per_quality.at(library.columns().mesh_quality[static_cast<std::size_t>(pair)]);
     if (const auto label = library.label(pair); !label.empty()) ++counts.per_label[std::string(label)];
   }
@@ -117,7 +106,7 @@ void append_take(JsonText& json, const LibraryTake& take, int pairs) {
         .key("end")
         .value(role.end)
         .key("active")
-        .value(role_text(role.active))
+        .value(letter_of(role.active))
         .end_object();
   json.end_array().key("labels").begin_array();
   for (const LabelInterval& label : take.labels) {
@@ -258,7 +247,7 @@ std::string pair_json(const MotionLibrary& library, int pair) {
     json.null();
   else
     json.value(label);
-  json.key("role").value(role_text(library.source(pair).annotated));
+  json.key("role").value(letter_of(library.source(pair).annotated));
   json.key("take")
       .value(library.take_of(pair).name)
       .key("frame")
@@ -271,7 +260,7 @@ void print_pair(const MotionLibrary& library, int pair) {
   const auto label = library.label(pair);
   fmt::print("{} frame {}{}, role {}, label {}, {} edges, {} tetrahedra\n", library.take_of(pair).name,
              library.source(pair).frame, library.source(pair).swapped ? " swapped" : "",
-             role_text(library.source(pair).annotated), label.empty() ? "none" : label,
+             letter_of(library.source(pair).annotated), label.empty() ? "none" : label,
              library.edges(pair).size(), library.tetrahedra(pair).size());
   fmt::print("{:10}  {:>8} {:>8} {:>8}   {:>8} {:>8} {:>8}\n", "normalised", "active x", "y", "z",
              "passive x", "y", "z");

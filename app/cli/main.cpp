@@ -29,6 +29,10 @@ int main(int argc, char** argv) {
   app::add_live_command(line);
   app::add_send_command(line);
   app::add_export_command(line);
+  app::add_labels_command(line);
+  app::add_render_command(line);
+  app::add_suggest_command(line);
+  app::add_session_command(line);
   app::note_interruptions();
   try {
     line.app.parse(argc, argv);

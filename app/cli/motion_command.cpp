@@ -8,21 +8,22 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/interruption.hpp"
 #include "app/cli/motion_reading.hpp"
-#include "app/cli/output_file.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/json_text.hpp"
+#include "core/base/output_file.hpp"
 #include "core/base/text.hpp"
 #include "core/motion/clip_csv.hpp"
+#include "core/motion/clip_file.hpp"
 #include "core/motion/import_clip.hpp"
 
 namespace abrazo::app {
 
 namespace {
 
-/// What `motion info` and `motion positions` are told.
+/// What `motion info`, `motion positions` and `motion convert` are told.
 struct MotionWords {
   MotionReading reading;
-  std::string output;
+  std::string output, units, up;
   bool json = false;
 };
 
@@ -121,6 +122,40 @@ void run_positions(CommandLine& line, const MotionWords& words) {
   if (const Status written = write_whole_file(words.output, *csv); !written) fail(line, written.error());
 }
 
+/// All performers of a file, or the chosen one.
+Result<std::vector<Clip>> clips_to_convert(CommandLine& line, const MotionWords& words) {
+  if (words.reading.performer > 0) {
+    auto imported = read_performer(line, words.reading);
+    if (!imported) return imported.error();
+    return std::vector<Clip>{std::move(imported->clip)};
+  }
+  auto all = read_performers(words.reading);
+  if (!all) return all.error();
+  std::vector<Clip> clips;
+  for (ImportedClip& imported : *all) {
+    warn_of_import(line, words.reading, imported);
+    clips.push_back(std::move(imported.clip));
+  }
+  return clips;
+}
+
+void run_convert(CommandLine& line, const MotionWords& words) {
+  const ClipFileSpace space = file_space(words.units, words.up);
+  if (const Status known = check_clip_file(words.output, space); !known) return fail(line, known.error());
+  const std::vector<std::string> inputs = {words.reading.file, words.reading.skeleton,
+                                           words.reading.joint_map};
+  if (const Status usable = check_output(words.output, inputs); !usable) return fail(line, usable.error());
+  const auto clips = clips_to_convert(line, words);
+  if (!clips) return fail(line, clips.error());
+  if (interrupted()) return fail(line, {"cancelled", words.output});
+  if (const Status written = write_clip_file(words.output, *clips, space); !written)
+    return fail(line, written.error());
+  if (!line.quiet)
+    answer(line, fmt::format("{}: {} of {} frames at {} Hz\n", words.output,
+                             clips->size() == 1 ? "a body" : fmt::format("{} bodies", clips->size()),
+                             clips->front().poses.size(), exact_text(clips->front().fps)));
+}
+
 }  // namespace
 
 void add_motion_command(CommandLine& line) {
@@ -141,6 +176,17 @@ void add_motion_command(CommandLine& line) {
   add_performer_option(*positions, words->reading);
   positions->add_option("-o,--output", words->output, "the CSV file to write")->required()->type_name("CSV");
   positions->callback([&line, words] { run_positions(line, *words); });
+
+  const auto convert_words = std::make_shared<MotionWords>();
+  CLI::App* convert = motion->add_subcommand(
+      "convert", "write the 25 joints of all performers, or of one, as another motion file");
+  add_file(*convert, *convert_words);
+  add_performer_option(*convert, convert_words->reading);
+  convert->add_option("-o,--output", convert_words->output, "the .bvh, .glb or .csv to write")
+      ->required()
+      ->type_name("FILE");
+  add_space_options(*convert, convert_words->units, convert_words->up);
+  convert->callback([&line, convert_words] { run_convert(line, *convert_words); });
 }
 
 }  // namespace abrazo::app

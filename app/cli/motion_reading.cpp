@@ -2,8 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "core/base/atomic_file.hpp"
-#include "core/base/text.hpp"
+#include "core/motion/motion_format.hpp"
 
 namespace abrazo::app {
 
@@ -18,8 +17,9 @@ void add_reading_options(CLI::App& command, MotionReading& reading) {
       ->check(above_zero)
       ->type_name("HZ");
   command
-      .add_option("--joint-map", reading.joint_map, "which point is which joint, where no built-in map fits")
-      ->type_name("JSON");
+      .add_option("--joint-map", reading.joint_map,
+                  "which point is which joint: a built-in map or marker model, or a JSON file")
+      ->type_name("NAME|JSON");
   command.add_option("--up", reading.up, "the file's axis that points up")
       ->check(CLI::IsMember({"y", "z"}))
       ->type_name("AXIS");
@@ -36,15 +36,12 @@ Result<std::vector<ImportedClip>> read_performers(const MotionReading& reading) 
   if (reading.metres_per_unit > 0) options.metres_per_unit = reading.metres_per_unit;
   if (reading.fps > 0) options.fps = reading.fps;
   if (!reading.up.empty()) options.up_axis = reading.up == "z" ? UpAxis::Z : UpAxis::Y;
-  if (!reading.joint_map.empty()) {
-    const Result<std::string> text = read_whole_file(reading.joint_map);
-    if (!text) return text.error();
-    Result<JointMap> map = parse_joint_map(*text, reading.joint_map);
-    if (!map) return map.error();
-    options.joint_map = std::move(*map);
-  }
-  if (!reading.skeleton.empty() && lower_case(reading.file).ends_with(".bvh"))
-    return Error{"a .bvh has its own skeleton; leave out --skeleton", reading.file};
+  if (!reading.joint_map.empty())
+    if (const Status chosen = choose_joints(reading.joint_map, options); !chosen) return chosen.error();
+  const auto format = format_of_name(reading.file);
+  if (!reading.skeleton.empty() && format && format != MotionFormat::Amc)
+    return Error{"a " + std::string(name_of(*format)) + " file has its own skeleton; leave out --skeleton",
+                 reading.file};
   return load_motion(reading.file, reading.skeleton, options);
 }
 
@@ -59,11 +56,28 @@ Result<ImportedClip> read_performer(CommandLine& line, const MotionReading& read
   if (chosen >= count)
     return Error{fmt::format("has no performer {}; it holds {}", reading.performer, count), reading.file};
   ImportedClip& imported = (*clips)[chosen];
+  warn_of_import(line, reading, imported);
+  return std::move(imported);
+}
+
+void warn_of_import(CommandLine& line, const MotionReading& reading, const ImportedClip& imported) {
   for (const ImportWarning& warning : imported.report.warnings)
     warn(line,
          fmt::format("{}{}: {}: {}", reading.file, warning.line > 0 ? fmt::format(":{}", warning.line) : "",
                      warning.kind, warning.detail));
-  return std::move(imported);
+}
+
+void add_space_options(CLI::App& command, std::string& units, std::string& up) {
+  command.add_option("--out-units", units, "unit of the written .bvh or .csv; by default metres")
+      ->check(CLI::IsMember({"m", "cm", "mm"}))
+      ->type_name("UNIT");
+  command.add_option("--out-up", up, "axis that points up in the written .bvh or .csv; by default y")
+      ->check(CLI::IsMember({"y", "z"}))
+      ->type_name("AXIS");
+}
+
+ClipFileSpace file_space(const std::string& units, const std::string& up) {
+  return {units == "cm" ? 100.0 : units == "mm" ? 1000.0 : 1.0, up == "z" ? UpAxis::Z : UpAxis::Y};
 }
 
 }  // namespace abrazo::app

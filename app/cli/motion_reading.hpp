@@ -6,6 +6,7 @@
 
 #include "app/cli/command_line.hpp"
 #include "core/base/result.hpp"
+#include "core/motion/clip_file.hpp"
 #include "core/motion/import_clip.hpp"
 
 namespace abrazo::app {
@@ -27,5 +28,12 @@ Result<std::vector<ImportedClip>> read_performers(const MotionReading& reading);
 /// The one performer wanted: an Error that says how many there are when that is not clear. What the reader
 /// found odd about this one is printed.
 Result<ImportedClip> read_performer(CommandLine& line, const MotionReading& reading);
+
+/// What was odd about a file, as warnings.
+void warn_of_import(CommandLine& line, const MotionReading& reading, const ImportedClip& imported);
+
+/// --out-units and --out-up of a motion file that is written.
+void add_space_options(CLI::App& command, std::string& units, std::string& up);
+ClipFileSpace file_space(const std::string& units, const std::string& up);
 
 }  // namespace abrazo::app

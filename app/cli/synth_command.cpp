@@ -2,15 +2,15 @@
 #include <array>
 #include <memory>
 
-#include "app/cli/clip_file.hpp"
 #include "app/cli/command_line.hpp"
 #include "app/cli/interruption.hpp"
-#include "app/cli/line_file.hpp"
 #include "app/cli/motion_reading.hpp"
-#include "app/cli/output_file.hpp"
 #include "app/cli/settings_options.hpp"
+#include "core/base/line_file.hpp"
+#include "core/base/output_file.hpp"
 #include "core/library/motion_library_file.hpp"
 #include "core/metrics/run_summary.hpp"
+#include "core/motion/clip_file.hpp"
 #include "core/synthesis/clip_synthesis.hpp"
 #include "core/synthesis/trace.hpp"
 

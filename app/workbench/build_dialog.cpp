@@ -20,14 +20,12 @@
 #include <algorithm>
 
 #include "app/workbench/build_form.hpp"
+#include "core/motion/motion_format.hpp"
 #include "widgets/common/icons.hpp"
 #include "widgets/library/pair_preview.hpp"
 
 namespace abrazo::app {
 namespace {
-
-constexpr const char* motion_files =
-    "Motions, skeletons, labels (*.bvh *.amc *.asf *.csv *.json);;All files (*)";
 
 QLabel* secondary(const QString& text) {
   auto* label = new QLabel(text);
@@ -167,7 +165,7 @@ QWidget* BuildDialog::makeOutputs() {
   grid->addWidget(label, 0, 0);
   grid->addWidget(m_name, 0, 1, 1, 2);
   m_labels = addPath(grid, 1, "Labels", "CSV: take,start_frame,end_frame,label[,detail,confidence]",
-                     "Labels (*.csv);;All files (*)", false);
+                     "Labels (*.csv *.eaf *.json *.vtt *.srt);;All files (*)", false);
   m_library =
       addPath(grid, 0, "Save library", "An .h5 that opens at once next time", "Libraries (*.h5)", true);
   m_manifest =
@@ -348,7 +346,10 @@ void BuildDialog::reject() {
 }
 
 void BuildDialog::chooseFiles() {
-  const QStringList files = QFileDialog::getOpenFileNames(this, "Add files", {}, motion_files);
+  const QStringList files = QFileDialog::getOpenFileNames(
+      this, "Add files", {},
+      QString("Motions, skeletons, labels (%1 *.eaf *.json *.vtt *.srt);;All files (*)")
+          .arg(QString::fromStdString(motion_file_patterns(true))));
   if (!files.isEmpty()) emit filesOffered(files);
 }
 

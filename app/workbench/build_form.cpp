@@ -11,6 +11,7 @@
 #include <set>
 
 #include "core/base/text.hpp"
+#include "core/motion/marker_model.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -178,6 +179,8 @@ void BuildForm::showJoints(const PlannedPerformer& performer) {
   m_joints->addItem(as_found, QString());
   for (const JointMap& map : builtin_joint_maps())
     m_joints->addItem(QString::fromStdString(map.name), QString::fromStdString(map.name));
+  for (const MarkerModel& model : builtin_marker_models())
+    m_joints->addItem(QString::fromStdString(model.name) + " markers", QString::fromStdString(model.name));
   if (!said.isEmpty() && m_joints->findData(said) < 0) m_joints->addItem(QFileInfo(said).fileName(), said);
   m_joints->addItem("From a file…", "…");
   m_joints->setCurrentIndex(std::max(0, m_joints->findData(said)));

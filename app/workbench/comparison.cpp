@@ -78,28 +78,29 @@ void ComparisonRun::fail(const std::string& why) {
 void ComparisonRun::start(double from_s, double to_s) {
   auto found = m_recorded.solvable_again(from_s, to_s);
   m_state.is_short = found.is_short;
-  m_waiting.clear();
-  m_next = 0;
-  if (found.frames.empty()) return;
-  const std::span<const FrameSnapshotPtr> run_up = std::span(found.frames).first(found.run_up);
-  if (m_state.task.a) m_solvers.a->go_to(run_up, *found.frames[found.run_up]);
-  if (m_state.task.b) m_solvers.b->go_to(run_up, *found.frames[found.run_up]);
-  m_waiting.assign(found.frames.begin() + static_cast<std::ptrdiff_t>(found.run_up), found.frames.end());
+  m_waiting = {};
+  m_solved = 0;
+  m_last = nullptr;
+  const FrameSnapshotPtr first = found.frames.next();
+  if (!first) return;
+  if (m_state.task.a) m_solvers.a->go_to(found.run_up, *first);
+  if (m_state.task.b) m_solvers.b->go_to(found.run_up, *first);
+  m_waiting = std::move(found.frames);
+  m_waiting.rewind();
 }
 
 /// The frames that the live solver has added.
 bool ComparisonRun::findMore() {
-  if (m_waiting.empty()) {
+  if (!m_last) {
     start(m_state.task.from_s, m_state.task.from_s);
     return !m_waiting.empty();
   }
-  const FrameSnapshotPtr last = m_waiting.back();
-  auto more = m_recorded.since(last->index + 1);
+  auto more = m_recorded.since(m_last->index + 1);
   if (more.empty()) return false;
-  const bool is_gapless = more.front()->index == last->index + 1;
+  const bool is_gapless = more.front()->index == m_last->index + 1;
   if (is_gapless && more.size() <= most_waiting) {
-    m_waiting = std::move(more);
-    m_next = 0;
+    m_waiting = {nullptr, 0, 0, std::move(more)};
+    m_solved = 0;
     return true;
   }
   m_a->clear();
@@ -111,11 +112,20 @@ bool ComparisonRun::findMore() {
 bool ComparisonRun::advance(std::size_t frames) {
   if (m_state.done) return false;
   const auto began = std::chrono::steady_clock::now();
-  if (m_next == m_waiting.size() && m_state.task.goes_on && !findMore()) return false;
-  for (; frames > 0 && m_next < m_waiting.size(); --frames) solve(*m_waiting[m_next++]);
+  if (m_solved == m_waiting.size() && m_state.task.goes_on && !findMore()) return false;
+  for (; frames > 0 && m_solved < m_waiting.size(); --frames) {
+    const FrameSnapshotPtr recorded = m_waiting.next();
+    if (!recorded) {
+      m_solved = m_waiting.size();  // the rest cannot be read
+      break;
+    }
+    solve(*recorded);
+    m_last = recorded;
+    ++m_solved;
+  }
   if (!m_state.task.goes_on) {
-    m_state.done = m_next == m_waiting.size();
-    m_state.fraction = static_cast<double>(m_next) / static_cast<double>(m_waiting.size());
+    m_state.done = m_solved == m_waiting.size();
+    m_state.fraction = static_cast<double>(m_solved) / static_cast<double>(m_waiting.size());
   }
   m_state.solve_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return true;

@@ -66,8 +66,9 @@ class ComparisonRun {
   Solvers& m_solvers;
   Comparison m_state;
   std::shared_ptr<FrameHistory> m_a, m_b;
-  std::vector<FrameSnapshotPtr> m_waiting;
-  std::size_t m_next = 0;  ///< in m_waiting
+  FrameRange m_waiting;
+  std::uint64_t m_solved = 0;  ///< of m_waiting
+  FrameSnapshotPtr m_last;     ///< that was solved; null = none yet
 };
 
 }  // namespace abrazo::app

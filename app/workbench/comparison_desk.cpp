@@ -96,7 +96,7 @@ CompareSituation ComparisonDesk::situation() const {
 }
 
 void ComparisonDesk::refresh() {
-  if (!m_window.session() || !m_window.ticker().history()) return;
+  if (!m_window.session() || !m_window.ticker().history() || m_window.session()->looksElsewhere()) return;
   const CompareSituation now = situation();
   const double cursor_s = now.shown ? now.shown->time_s : 0;
   const bool is_moving = now.playback.state != Playback::State::Following && cursor_s != m_cursor_s;
@@ -139,7 +139,7 @@ void ComparisonDesk::ask(Work& work, const std::optional<ComparisonTask>& task) 
   const Material& material = m_window.session()->material();
   if (!work.runner)
     work.runner = std::make_unique<ComparisonRunner>(material.library, material.excluded_takes,
-                                                     m_window.session()->history());
+                                                     m_window.session()->engine().history());
   work.runner->ask(*task);
 }
 

@@ -3,6 +3,8 @@
 #include <QFileInfo>
 #include <QPainter>
 
+#include "app/workbench/material.hpp"
+#include "app/workbench/open_video.hpp"
 #include "widgets/common/theme.hpp"
 
 namespace abrazo::app {
@@ -15,9 +17,12 @@ QString kind_in_words(const QFileInfo& file) {
   if (file.isDir()) return "a folder; drop the files in it";
   if (ending == "h5" || ending == "hdf5") return "a library";
   if (ending == "json") return "a manifest, or a joint map";
-  if (ending == "bvh" || ending == "amc") return "a motion";
   if (ending == "abrazo") return "a recorded session";
   if (ending == "asf") return "the skeleton of a motion";
+  if (ending == "csv" || ending == "tsv")
+    return is_motion_file(file.filePath().toStdString()) ? "positions" : "labels";
+  if (is_motion_file(file.filePath().toStdString())) return "a motion";
+  if (is_video_file(file.filePath())) return "a reference video";
   return "not a kind of file that Abrazo opens";
 }
 

@@ -1,19 +1,8 @@
 #include "app/workbench/film_writer.hpp"
 
-#include <QPainter>
+#include "widgets/scene/scene_pictures.hpp"
 
 namespace abrazo::app {
-
-QImage fitted(const QImage& picture, QSize size) {
-  if (picture.size() == size) return picture.convertToFormat(QImage::Format_RGB888);
-  QImage scaled = picture.scaled(size, Qt::KeepAspectRatio, Qt::SmoothTransformation);
-  scaled.setDevicePixelRatio(1);
-  QImage film(size, QImage::Format_RGB888);
-  film.fill(Qt::black);
-  QPainter painter(&film);
-  painter.drawImage((size.width() - scaled.width()) / 2, (size.height() - scaled.height()) / 2, scaled);
-  return film;
-}
 
 Result<std::unique_ptr<FilmWriter>> FilmWriter::open(const QString& file, QSize size, double rate_hz) {
   auto video = VideoWriter::open(file.toStdString(), size.width(), size.height(), rate_hz);
@@ -45,7 +34,7 @@ QString FilmWriter::finishNow() {
 }
 
 Status FilmWriter::write(const Picture& picture) {
-  const QImage rgb = fitted(picture.image, m_size);
+  const QImage rgb = widgets::fitted(picture.image, m_size);
   for (int i = 0; i < picture.times; ++i) {
     const Status added = m_video.add({rgb.constBits(), static_cast<std::size_t>(rgb.sizeInBytes())},
                                      static_cast<std::size_t>(rgb.bytesPerLine()));

@@ -54,7 +54,4 @@ class FilmWriter : public QObject {
   std::thread m_worker;
 };
 
-/// The picture within `size`, whole, as large as it fits, on black.
-QImage fitted(const QImage& picture, QSize size);
-
 }  // namespace abrazo::app

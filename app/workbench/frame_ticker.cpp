@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/session/frame_in_library.hpp"
+
 namespace abrazo::app {
 namespace {
 
@@ -25,7 +27,7 @@ void FrameTicker::setSources(const FrameHistory* history, const LatestSlot<Frame
   m_history = history;
   m_latest = latest;
   m_playback = {};
-  m_shown = nullptr;
+  m_shown = m_kept = nullptr;
   m_panelsNow = true;
   m_scrubbing = false;
   m_soon.stop();
@@ -34,6 +36,19 @@ void FrameTicker::setSources(const FrameHistory* history, const LatestSlot<Frame
   m_panels.start();
   m_sinceShown.start();
   m_timer.start();
+}
+
+void FrameTicker::setLibrary(std::shared_ptr<const MotionLibrary> library) {
+  m_library = std::move(library);
+  m_kept = nullptr;  // shown anew
+  changed();
+}
+
+void FrameTicker::resume(const Playback& playback) {
+  const double first_s = m_playback.first_s, last_s = m_playback.last_s;
+  m_playback = playback;
+  if (m_history) m_playback.extend(first_s, last_s);
+  changed();
 }
 
 void FrameTicker::tick() {
@@ -47,9 +62,10 @@ void FrameTicker::tick() {
   const bool following = m_playback.state == Playback::State::Following;
   FrameSnapshotPtr frame = following ? m_latest->newest() : nullptr;
   if (!frame) frame = m_history->at(m_playback.cursor_s);
-  const bool is_new = frame && frame != m_shown;
+  const bool is_new = frame && frame != m_kept;
   if (is_new) {
-    m_shown = frame;
+    m_kept = frame;
+    m_shown = frame = in_library(frame, m_library);
     m_picturesWhenShown = m_pictures ? m_pictures() : 0;
     m_sinceShown.restart();
     emit frameReady(frame);

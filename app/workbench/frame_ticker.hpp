@@ -20,6 +20,10 @@ class FrameTicker : public QObject {
   explicit FrameTicker(QObject* parent = nullptr);
   /// Both outlive the ticker or the next call; null pointers stop it.
   void setSources(const FrameHistory* history, const LatestSlot<FrameSnapshot>* latest);
+  /// Frames are shown with their candidates numbered as in this library.
+  void setLibrary(std::shared_ptr<const MotionLibrary> library);
+  /// As it was left: cursor, speed, in and out, within what there is now.
+  void resume(const Playback& playback);
   /// How many pictures reached the screen so far: what playing every frame waits for.
   void setPictures(std::function<std::uint64_t()> count) { m_pictures = std::move(count); }
   const Playback& playback() const { return m_playback; }
@@ -74,6 +78,8 @@ class FrameTicker : public QObject {
   bool m_scrubbing = false;
   Playback m_playback;
   FrameSnapshotPtr m_shown;
+  FrameSnapshotPtr m_kept;  ///< the shown one as the history has it
+  std::shared_ptr<const MotionLibrary> m_library;
   const FrameHistory* m_history = nullptr;
   const LatestSlot<FrameSnapshot>* m_latest = nullptr;
   std::function<std::uint64_t()> m_pictures;

@@ -7,6 +7,7 @@
 #include <QKeyEvent>
 #include <QToolButton>
 
+#include "app/workbench/label_keys.hpp"
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/panel_area.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -40,7 +41,7 @@ void click(QAbstractButton& button) {
 
 }  // namespace
 
-KeyRouting::KeyRouting(MainWindow& window) : QObject(&window), m_window(window) {
+KeyRouting::KeyRouting(MainWindow& window) : QObject(&window), m_window(window), m_labels(window.findChild<LabelKeys*>()) {
   window.installEventFilter(this);
   for (QDockWidget* panel : window.panels().panels()) panel->installEventFilter(this);  // floating: no way up
 }
@@ -48,7 +49,7 @@ KeyRouting::KeyRouting(MainWindow& window) : QObject(&window), m_window(window) 
 bool KeyRouting::isKept(const QKeyEvent& event) const {
   const QWidget* focused = QApplication::focusWidget();
   if (qobject_cast<const QComboBox*>(focused)) return is_of_a_choice(event);
-  return focused == &m_window.timeline() && is_digit(event);
+  return focused == &m_window.timeline() && (is_digit(event) || (m_labels && m_labels->means(event)));
 }
 
 /// Space plays wherever the focus is, so Return presses a button.
@@ -61,7 +62,8 @@ bool KeyRouting::press(const QKeyEvent& event) {
   }
   if (focused != &m_window.timeline() || !is_digit(event)) return false;
   m_window.messages().showInformation(
-      "In the timeline digits are kept for labels; click the scene, then they choose the view");
+      "No value of the active tier has this key (panel Annotation, Vocabulary). In the scene digits choose "
+      "the view");
   return true;
 }
 

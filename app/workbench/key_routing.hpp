@@ -6,6 +6,7 @@ class QKeyEvent;
 
 namespace abrazo::app {
 
+class LabelKeys;
 class MainWindow;
 
 /// Which of the window's keys a focused control keeps for itself: what a control does not take, comes by
@@ -23,6 +24,7 @@ class KeyRouting : public QObject {
   bool press(const QKeyEvent& event);
 
   MainWindow& m_window;
+  const LabelKeys* m_labels;
 };
 
 }  // namespace abrazo::app

@@ -71,6 +71,7 @@ bool LatencyDesk::isPanelSeen() const {
 void LatencyDesk::refresh() {
   const FrameHistory* history = m_window.ticker().history();
   const FrameSnapshotPtr& shown = m_window.ticker().shown();
+  if (m_window.session() && m_window.session()->looksElsewhere()) return;
   if (!history || !shown || (m_sinceRefresh.isValid() && m_sinceRefresh.elapsed() < refresh_ms)) return;
   m_sinceRefresh.start();
   m_log.follow(*history);
@@ -94,7 +95,7 @@ void LatencyDesk::refresh() {
 /// On the screen counts only what was shown as it came.
 void LatencyDesk::pictureDrawn(double took_ms) {
   const FrameSnapshotPtr& shown = m_window.ticker().shown();
-  if (!shown || !m_window.session()) return;
+  if (!shown || !m_window.session() || m_window.session()->looksElsewhere()) return;
   const bool follows = m_window.ticker().playback().state == Playback::State::Following;
   const double arrived_s = shown->times.arrived_s;
   const double age_s = m_window.session()->engine().clock().now_s() - arrived_s;

@@ -1,10 +1,14 @@
 #include "app/workbench/library_build.hpp"
 
 #include <QFileInfo>
+#include <algorithm>
 #include <filesystem>
 
 #include "app/workbench/job.hpp"
+#include "app/workbench/label_import.hpp"
+#include "app/workbench/mapping_dialog.hpp"
 #include "app/workbench/material.hpp"
+#include "app/workbench/unmapped_motion.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/library/saved_build.hpp"
 
@@ -16,10 +20,12 @@ struct LibraryBuild::Read {
   std::optional<QString> labels;  ///< of which `labelled` are the takes
   std::vector<std::string> labelled;
   QString trouble;
+  UnmappedMotion unmapped;             ///< the first whose points nobody knows
+  std::vector<Survey> without_joints;  ///< it and those that may be like it
 };
 
 LibraryBuild::LibraryBuild(QWidget* window, const widgets::Palette& palette)
-    : QObject(window), m_window(window), m_dialog(new BuildDialog(window)) {
+    : QObject(window), m_window(window), m_palette(palette), m_dialog(new BuildDialog(window)) {
   m_dialog->setColours(palette);
   connect(m_dialog, &BuildDialog::filesOffered, this, &LibraryBuild::offer);
   connect(m_dialog, &BuildDialog::surveyRequested, this, &LibraryBuild::survey);
@@ -42,6 +48,7 @@ LibraryBuild::LibraryBuild(QWidget* window, const widgets::Palette& palette)
 LibraryBuild::~LibraryBuild() = default;
 
 void LibraryBuild::setColours(const widgets::Palette& palette) {
+  m_palette = palette;
   m_dialog->setColours(palette);
 }
 
@@ -54,10 +61,11 @@ void LibraryBuild::offer(const QStringList& files) {
   for (const QString& file : files) {
     const QString suffix = QFileInfo(file).suffix().toLower();
     if (suffix == "asf") m_skeletons << file;
-    if (suffix == "json") m_jointMap = file.toStdString();
-    if (suffix == "csv") m_labels = file;
-    if (!QStringList{"asf", "json", "csv", "bvh", "amc"}.contains(suffix))
-      not_of_use << QFileInfo(file).fileName();
+    const bool motion = is_motion_file(file.toStdString());
+    const bool labels = !motion && (is_label_file(file) || suffix == "csv");
+    if (suffix == "json" && !labels) m_jointMap = file.toStdString();
+    if (labels) m_labels = file;
+    if (!motion && !labels && suffix != "asf" && suffix != "json") not_of_use << QFileInfo(file).fileName();
   }
   m_dialog->setSkeletons(m_skeletons);
   std::vector<std::string> skeletons;
@@ -113,14 +121,27 @@ void LibraryBuild::begin(std::function<std::function<void()>(const Progress&)> w
 /// Everything that waits to be read, in one job; what is asked for meanwhile comes after it.
 void LibraryBuild::readNext() {
   if (m_job || (m_surveys.empty() && m_labels.isEmpty())) return;
-  auto work = [this, surveys = std::exchange(m_surveys, {}),
-               labels = std::exchange(m_labels, {})](const Progress& progress) -> Job::Finish {
+  auto work = [this, surveys = std::exchange(m_surveys, {}), labels = std::exchange(m_labels, {}),
+               maps = m_maps.toStdString()](const Progress& progress) -> Job::Finish {
     auto read = std::make_shared<Read>();
     for (std::size_t i = 0; i < surveys.size(); ++i) {
       const std::string name = surveys[i].source.motion.filename().string();
       if (!report(progress, static_cast<double>(i) / static_cast<double>(surveys.size()), "Reading " + name))
         return {};
-      read->files.push_back(survey_motion(surveys[i].source, surveys[i].fps));
+      auto found = survey_motion(surveys[i].source, surveys[i].fps);
+      if (const auto unmapped = found.front().trouble.empty() || !surveys[i].source.joint_map.empty()
+                                    ? nullptr
+                                    : motion_without_joints({surveys[i].source.motion.string()})) {
+        Survey again = surveys[i];
+        again.source.joint_map = remembered_map(*unmapped, maps);
+        if (!again.source.joint_map.empty()) {
+          found = survey_motion(again.source, again.fps);
+        } else {
+          read->without_joints.push_back(again);
+          if (!read->unmapped) read->unmapped = unmapped;
+        }
+      }
+      read->files.push_back(std::move(found));
       for (PlannedPerformer& performer : read->files.back()) {
         performer.trouble = in_words_of_the_window(performer.trouble);
         for (ImportWarning& warning : performer.report.warnings)
@@ -129,8 +150,9 @@ void LibraryBuild::readNext() {
     }
     if (!labels.isEmpty()) {
       const auto csv = read_whole_file(labels.toStdString());
+      const bool table = labels.endsWith(".csv", Qt::CaseInsensitive);
       if (csv)
-        read->labels = labels, read->labelled = takes_in_labels(*csv);
+        read->labels = labels, read->labelled = table ? takes_in_labels(*csv) : std::vector<std::string>();
       else
         read->trouble = QString::fromStdString(csv.error().text());
     }
@@ -140,12 +162,51 @@ void LibraryBuild::readNext() {
 }
 
 void LibraryBuild::show(const Read& read) {
+  const auto readable = [this] {
+    const auto& performers = m_dialog->model().plan().performers;
+    return std::count_if(performers.begin(), performers.end(),
+                         [](const auto& one) { return one.clip != nullptr; });
+  };
   const int before = m_dialog->model().rowCount();
+  const auto readable_before = readable();
   if (!read.files.empty()) m_dialog->model().setSurveyed(read.files);
-  if (m_dialog->model().rowCount() != before) m_dialog->model().pairUp();
-  if (read.labels) m_dialog->model().setLabels(*read.labels, read.labelled);
+  if (m_dialog->model().rowCount() != before || readable() != readable_before) m_dialog->model().pairUp();
+  if (read.labels) m_dialog->model().setLabels(*read.labels, labelledTakes(read));
   m_dialog->endProgress();
   if (!read.trouble.isEmpty()) m_dialog->showError(read.trouble);
+  if (read.unmapped) askForJoints(read);
+}
+
+/// A file that names no takes holds the labels of the one there is.
+std::vector<std::string> LibraryBuild::labelledTakes(const Read& read) const {
+  if (!read.labelled.empty()) return read.labelled;
+  std::vector<std::string> takes;
+  for (const PlannedPerformer& performer : m_dialog->model().plan().performers)
+    if (!performer.take.empty() && std::count(takes.begin(), takes.end(), performer.take) == 0)
+      takes.push_back(performer.take);
+  if (takes.size() > 1) takes.clear();
+  return takes;
+}
+
+/// What is said of the first is kept, and found again for the others when their points have the same names.
+void LibraryBuild::askForJoints(const Read& read) {
+  delete m_mapping;
+  m_mapping = new MappingDialog(*read.unmapped, m_dialog);
+  m_mapping->setAttribute(Qt::WA_DeleteOnClose);
+  m_mapping->setColours(m_palette);
+  connect(m_mapping, &QDialog::accepted, this, [this, again = read.without_joints] {
+    const auto map = remember_map(m_mapping->map(), m_maps.toStdString());
+    if (!map) return m_dialog->showError(QString::fromStdString(map.error().text()));
+    const ImportOptions said = m_mapping->said();
+    for (Survey survey : again) {
+      if (said.up_axis) survey.source.up_axis = said.up_axis;
+      if (said.metres_per_unit) survey.source.metres_per_unit = said.metres_per_unit;
+      if (said.fps) survey.fps = said.fps;
+      m_surveys.push_back(survey);
+    }
+    readNext();
+  });
+  m_mapping->open();
 }
 
 void LibraryBuild::build() {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QObject>
+#include <QPointer>
 #include <QStringList>
 #include <functional>
 #include <memory>
@@ -8,6 +9,7 @@
 #include <vector>
 
 #include "app/workbench/build_dialog.hpp"
+#include "app/workbench/mapping_dialog.hpp"
 #include "core/library/motion_library.hpp"
 
 namespace abrazo::app {
@@ -24,6 +26,9 @@ class LibraryBuild : public QObject {
   /// Adds files to what is planned, and shows the dialog.
   void offer(const QStringList& files);
   void setColours(const widgets::Palette& palette);
+  /// Where joint maps that a person made are kept.
+  void setJointMaps(const QString& folder) { m_maps = folder; }
+  MappingDialog* mapping() const { return m_mapping; }
   BuildDialog& dialog() { return *m_dialog; }
   /// Something is being read or built.
   bool isBusy() const;
@@ -45,16 +50,20 @@ class LibraryBuild : public QObject {
   void readLabels(const QString& file);
   void readNext();
   void show(const Read& read);
+  void askForJoints(const Read& read);
+  std::vector<std::string> labelledTakes(const Read& read) const;
   void build();
   void stop();
   void begin(std::function<std::function<void()>(const Progress&)> work, const QString& doing);
 
   QWidget* m_window;
+  widgets::Palette m_palette;
   BuildDialog* m_dialog;
   QStringList m_skeletons;
   std::string m_jointMap;
   std::vector<Survey> m_surveys;
-  QString m_labels;
+  QString m_labels, m_maps;
+  QPointer<MappingDialog> m_mapping;
   std::unique_ptr<Job> m_job;
   bool m_finished = false;  ///< the dialog closes with a result
 };

@@ -5,6 +5,7 @@
 #include "app/workbench/job.hpp"
 #include "app/workbench/library_build.hpp"
 #include "app/workbench/main_window.hpp"
+#include "app/workbench/mapping_desk.hpp"
 #include "core/library/neighbour_distance.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/library/take_list.hpp"
@@ -57,10 +58,10 @@ void LibraryDesk::measure(const std::shared_ptr<const MotionLibrary>& library) {
 }
 
 void LibraryDesk::onPanels() {
-  const LiveSession* session = m_window.session();
+  LiveSession* session = m_window.session();
   if (!session) return;
   widgets::TakeList& takes = m_window.takes();
-  takes.refresh(session->history());
+  takes.refresh(session->engine().history());
   takes.setVetoedTakes(m_window.candidates().steering().vetoes.takes);
   const auto& shown = m_window.ticker().shown();
   if (!shown || shown->result.selected < 0) return takes.setSource(-1, 0);
@@ -103,6 +104,7 @@ void LibraryDesk::toggleVeto(int take) {
 void LibraryDesk::offer(const QStringList& files) {
   if (!m_build) {
     m_build = new LibraryBuild(&m_window, m_window.colours());
+    m_build->setJointMaps(MappingDesk::folder(m_window));
     connect(m_build, &LibraryBuild::built, this, &LibraryDesk::open);
     connect(m_build, &LibraryBuild::userChosen, &m_window, &MainWindow::openFiles);
     const auto end = [this] {

@@ -53,6 +53,14 @@ void LiveSession::holdSettings(bool on) {
   m_heldBack.reset();
 }
 
+void LiveSession::lookAt(const std::shared_ptr<const FrameStore>& frames) {
+  m_lookedAt.reset();
+  if (!frames) return;
+  m_lookedAt = std::make_unique<LookedAt>();
+  m_lookedAt->history.set_store(frames);
+  m_lookedAt->latest.publish(frames->frame(frames->span().last_index));
+}
+
 void LiveSession::replaceSolver(PreparedSolver prepared) {
   m_material = std::move(prepared.material);
   m_engine.push(ReplaceSynthesizer{std::move(prepared.synthesizer)});

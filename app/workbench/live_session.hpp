@@ -28,8 +28,15 @@ class LiveSession {
   /// While held, the solver keeps its settings; the last that were asked for meanwhile come when it is let
   /// go.
   void holdSettings(bool on);
-  const FrameHistory& history() const { return m_engine.history(); }
-  const LatestSlot<FrameSnapshot>& latest() const { return m_engine.latest(); }
+  /// That the views show: the session's own frames, or those that are looked at in their place.
+  const FrameHistory& history() const { return m_lookedAt ? m_lookedAt->history : m_engine.history(); }
+  const LatestSlot<FrameSnapshot>& latest() const {
+    return m_lookedAt ? m_lookedAt->latest : m_engine.latest();
+  }
+  /// Other frames than the session's own, which goes on meanwhile; null = its own again. What reads the
+  /// frames of the one before has to let go of them first.
+  void lookAt(const std::shared_ptr<const FrameStore>& frames);
+  bool looksElsewhere() const { return m_lookedAt != nullptr; }
   const Material& material() const { return m_material; }
   /// The same session with a take added to its library, say: it goes on, with this from the next frame on.
   void replaceSolver(PreparedSolver prepared);
@@ -37,7 +44,13 @@ class LiveSession {
   SessionEngine& engine() { return m_engine; }
 
  private:
+  struct LookedAt {
+    FrameHistory history;
+    LatestSlot<FrameSnapshot> latest;
+  };
+
   Material m_material;
+  std::unique_ptr<LookedAt> m_lookedAt;
   bool m_isHeld = false;
   std::optional<SetSettings> m_heldBack;
   SessionEngine m_engine;

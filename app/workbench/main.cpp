@@ -6,6 +6,7 @@
 #include "app/workbench/actions/actions.hpp"
 #include "app/workbench/command_line.hpp"
 #include "app/workbench/main_window.hpp"
+#include "app/workbench/project_desk.hpp"
 #include "app/workbench/responsiveness.hpp"
 #include "app/workbench/unattended.hpp"
 #include "app/workbench/user_settings.hpp"
@@ -82,7 +83,10 @@ int main(int argc, char** argv) {
   window.show();
   const QStringList files = asked_files(asked);
   if (!asked.unattended() && !asked.demo && files.isEmpty()) app::welcome_at_start(window);
-  if (!asked.unattended()) app::offer_leftovers(window);
+  if (!asked.unattended()) {
+    window.findChild<app::ProjectDesk*>()->setAsks(true);
+    app::offer_leftovers(window);
+  }
   if (!asked.listen.empty()) app::connect_to_stream(window, QString::fromStdString(asked.listen));
   for (const std::string& uri : asked.send) app::send_partner_to(window, QString::fromStdString(uri));
   files.isEmpty() || asked.demo ? window.openDemo() : window.openFiles(files);

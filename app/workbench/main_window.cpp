@@ -205,7 +205,7 @@ void MainWindow::wireViews() {
     if (m_job) m_job->cancel();
   });
   connect(&m_statusTimer, &QTimer::timeout, this, [this] {
-    if (m_session) m_status->refresh(m_session->history(), m_scene->renderedFrames());
+    if (m_session) m_status->refresh(m_session->engine().history(), m_scene->renderedFrames());
   });
   m_statusTimer.start(status_interval_ms);
 }
@@ -283,6 +283,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  bool allowed = true;
+  emit leaving(allowed);
+  if (!allowed) return event->ignore();
   m_remembered.setGeometry(saveGeometry());
   emit closing();
   QMainWindow::closeEvent(event);

@@ -98,7 +98,15 @@ class MainWindow : public QMainWindow {
   void failed(const QString& message);
   /// More than one motion is to be opened: a person says what they are for.
   void motionsOffered(const QStringList& files);
+  /// Nobody knows which points of this motion are which joints: a person says so.
+  void mappingOffered(const QStringList& files, const std::shared_ptr<const abrazo::NamedMotion>& motion);
+  /// Reference videos are to be opened, beside what else is.
+  void videosOffered(const QStringList& files);
   void filesOpened(const QStringList& files);
+  /// A session file is to be opened, among these; whoever opens it himself says so.
+  void sessionOffered(const QStringList& files, bool& taken);
+  /// The session is to end, for another one or with the window. Who wants it to stay says so.
+  void leaving(bool& allowed);
   void closing();
   void panelsArranged(const abrazo::app::PanelPlan& plan);
 

@@ -1,6 +1,8 @@
 #include "app/workbench/material.hpp"
 
+#include <algorithm>
 #include <filesystem>
+#include <fstream>
 #include <string_view>
 
 #include "app/workbench/recorded_session.hpp"
@@ -13,6 +15,7 @@
 #include "core/library/normalization.hpp"
 #include "core/motion/import_clip.hpp"
 #include "core/motion/joint_map.hpp"
+#include "core/motion/motion_format.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -32,13 +35,32 @@ Kind kind_of_json(const std::string& file) {
   return names_joints ? Kind::JointMap : Kind::Manifest;
 }
 
+/// The first lines of a file; empty when it cannot be read.
+std::string head_of(const std::string& file) {
+  std::string head(65536, '\0');
+  std::ifstream stream(file, std::ios::binary);
+  stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
+  return head;
+}
+
+/// What an unknown file is, as far as that can be told, and what to do.
+Error unknown_file(const std::string& file) {
+  const std::string foreign = foreign_kind(head_of(file), file);
+  if (!foreign.empty()) return Error{foreign, file};
+  return Error{"not a kind of file Abrazo opens; use a motion (" + motion_file_patterns(false) +
+                   "), a library (.h5), a manifest (.json) or a session (.abrazo)",
+               file};
+}
+
 /// As far as the name says; a .json counts as a manifest.
 Kind kind_of_name(const std::string& file) {
   const std::string extension = lower_case(std::filesystem::path(file).extension().string());
   if (extension == ".h5" || extension == ".hdf5") return Kind::Library;
   if (extension == ".json") return Kind::Manifest;
-  if (extension == ".bvh" || extension == ".amc") return Kind::Motion;
   if (extension == ".asf") return Kind::Skeleton;
+  if (const auto format = format_of_name(file))
+    return *format != MotionFormat::PointCsv || holds_positions(head_of(file)) ? Kind::Motion : Kind::Unknown;
   if (extension == ".abrazo") return Kind::Session;
   return Kind::Unknown;
 }
@@ -60,11 +82,7 @@ Result<Sorted> sort_files(const std::vector<std::string>& files) {
   Sorted sorted;
   for (const std::string& file : files) {
     const Kind kind = kind_of(file);
-    if (kind == Kind::Unknown && !std::filesystem::is_directory(file))
-      return Error{
-          "not a kind of file Abrazo opens; use a motion (.bvh, .amc), a library (.h5), a manifest (.json) "
-          "or a session (.abrazo)",
-          file};
+    if (kind == Kind::Unknown && !std::filesystem::is_directory(file)) return unknown_file(file);
     const Status there = check_existence(file);
     if (!there) return there.error();
     std::string& place = kind == Kind::Library    ? sorted.library
@@ -87,7 +105,7 @@ Result<Sorted> sort_files(const std::vector<std::string>& files) {
     return Error{"is a session, which has its own user; open it alone, or together with its library",
                  sorted.session};
   if (sorted.motion.empty() && !(sorted.skeleton + sorted.joint_map).empty())
-    return Error{"says how to read a motion; open it together with one (.amc, .bvh)",
+    return Error{"says how to read a motion; open it together with one (.amc, .bvh, ...)",
                  sorted.skeleton.empty() ? sorted.joint_map : sorted.skeleton};
   return sorted;
 }
@@ -115,9 +133,9 @@ Status add_library(const Sorted& sorted, Material& material, const Progress& pro
   return Done{};
 }
 
-Status add_motion(const Sorted& sorted, Material& material) {
+Status add_motion(const Sorted& sorted, const ImportOptions& said, Material& material) {
   const std::string name = std::filesystem::path(sorted.motion).filename().string();
-  ImportOptions options;
+  ImportOptions options = said;
   if (!sorted.joint_map.empty()) {
     const auto content = read_whole_file(sorted.joint_map);
     if (!content) return content.error();
@@ -134,6 +152,9 @@ Status add_motion(const Sorted& sorted, Material& material) {
   for (const ImportWarning& warning : first.report.warnings)
     material.warnings.push_back(name + ": " + in_words_of_the_window(warning.detail));
   material.input = std::move(first.clip);
+  material.input_files = {sorted.motion};
+  for (const std::string& file : {sorted.skeleton, sorted.joint_map})
+    if (!file.empty()) material.input_files.push_back(file);
   material.excluded_takes.clear();
   return Done{};
 }
@@ -157,10 +178,11 @@ Result<Material> make_demo(const Progress& progress) {
 }
 
 Result<Material> load_material(const std::vector<std::string>& files, const Material& open,
-                               const Progress& progress) {
+                               const Progress& progress, const ImportOptions& said) {
   Material material = open;
   material.warnings.clear();
   material.recorded.reset();
+  material.project.reset();
   const auto sorted = sort_files(files);
   if (!sorted) return sorted.error();
   if (!sorted->session.empty())
@@ -168,7 +190,7 @@ Result<Material> load_material(const std::vector<std::string>& files, const Mate
   const bool new_library = !(sorted->library + sorted->manifest).empty();
   const bool new_input = !sorted->motion.empty();
   if (new_input) {
-    const Status added = add_motion(*sorted, material);
+    const Status added = add_motion(*sorted, said, material);
     if (!added) return added.error();
   }
   if (new_library) {
@@ -201,6 +223,8 @@ Material with_library(std::shared_ptr<const MotionLibrary> library, std::vector<
 Material danced_with(const Material& open, int take) {
   Material material = open;
   material.recorded.reset();
+  material.project.reset();
+  material.input_files.clear();
   material.input = clip_of_take(*open.library, take);
   material.excluded_takes.clear();
   if (open.library->takes().size() > 1)

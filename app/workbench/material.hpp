@@ -8,9 +8,11 @@
 #include "core/base/result.hpp"
 #include "core/library/motion_library.hpp"
 #include "core/motion/clip.hpp"
+#include "core/motion/import_clip.hpp"
 
 namespace abrazo::app {
 
+struct OpenedProject;
 struct RecordedSession;
 
 /// What a live session runs on: a library, and a clip that stands in for the user; or a recorded session,
@@ -19,9 +21,12 @@ struct Material {
   std::shared_ptr<const MotionLibrary> library;
   std::string library_file;  ///< library or manifest; empty when it was generated, or built and not saved
   Clip input;
+  /// Motion, skeleton and joint map that the input was read from; none when it is a take of the library.
+  std::vector<std::string> input_files;
   std::vector<std::string> excluded_takes;  ///< the input's own take, where it comes from the library
   std::vector<std::string> warnings;
   std::shared_ptr<const RecordedSession> recorded;  ///< null: nothing was recorded before
+  std::shared_ptr<const OpenedProject> project;     ///< null: what is open was not opened from a session file
 };
 
 /// A minute of generated dance, and a leader whom the library has not seen.
@@ -30,10 +35,12 @@ Result<Material> make_demo(const Progress& progress);
 /// What opening these files gives, in addition to what is open now. A library file or manifest replaces the
 /// library, a motion replaces the input, a session file is opened with its library; what is still missing
 /// comes from the library or the demo.
+/// @param said  what a person knows of the motion
 Result<Material> load_material(const std::vector<std::string>& files, const Material& open,
-                               const Progress& progress);
+                               const Progress& progress, const ImportOptions& said = {});
 
-/// Whether the name is that of a motion file; of two or more, only a person knows what they are for.
+/// Whether it is a motion file by its name; a table counts when its first lines are those of positions. Of
+/// two or more, only a person knows what they are for.
 bool is_motion_file(const std::string& file);
 
 /// What is open with another library: its last take plays the user.

@@ -5,6 +5,7 @@
 #include <map>
 
 #include "app/workbench/main_window.hpp"
+#include "core/session/frame_in_library.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/meaning/meaning_popup.hpp"
@@ -67,7 +68,8 @@ std::vector<MeaningChoice> MeaningDesk::choices() const {
     found.push_back({choice.label, {}, choice.pairs, choice.feature_distance});
   const MotionLibrary& library = *m_window.session()->material().library;
   std::map<std::size_t, double> nearest;
-  if (const FrameSnapshotPtr newest = m_window.session()->latest().newest())
+  if (const FrameSnapshotPtr newest = 
+          in_library(m_window.session()->engine().latest().newest(), m_window.session()->material().library))
     for (const Candidate& candidate : newest->result.candidates) {
       if (candidate.pair < 0 || candidate.pair >= library.pair_count()) continue;
       const auto take = static_cast<std::size_t>(library.source(candidate.pair).take);

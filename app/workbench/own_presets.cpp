@@ -93,6 +93,19 @@ Status OwnPresets::save(const std::string& wanted, const Settings& settings) {
   return write(std::move(presets));
 }
 
+Result<int> OwnPresets::adopt(const std::string& content, const std::string& place) {
+  auto offered = interpreted(content, place);
+  if (!offered) return offered.error();
+  std::vector<OwnPreset> presets = presets_;
+  for (OwnPreset& preset : *offered)
+    if (check_name(preset.name) && find(presets, preset.name) == presets.end())
+      presets.push_back(std::move(preset));
+  const int added = static_cast<int>(presets.size() - presets_.size());
+  if (added == 0) return 0;
+  if (const Status written = write(std::move(presets)); !written) return written.error();
+  return added;
+}
+
 Status OwnPresets::rename(const std::string& from, const std::string& wanted) {
   const std::string to(trimmed(wanted));
   if (const Status usable = check_name(to); !usable) return usable;

@@ -22,6 +22,8 @@ class OwnPresets {
 
   /// Under a new name, or in place of those of that name.
   Status save(const std::string& name, const Settings& settings);
+  /// Those of a file's content whose names are free; none is replaced. @return how many
+  Result<int> adopt(const std::string& content, const std::string& place);
   Status rename(const std::string& from, const std::string& to);
   Status remove(const std::string& name);
 

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <set>
 
+#include "app/workbench/annotation_desk.hpp"
 #include "app/workbench/job.hpp"
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/pair_dialog.hpp"
+#include "app/workbench/session_labels.hpp"
 #include "app/workbench/status_figures.hpp"
 #include "app/workbench/stream_desk.hpp"
 #include "app/workbench/take_desk.hpp"
@@ -124,7 +126,10 @@ void PairDesk::add(PairDialog& dialog) {
   const auto take = m_capture->take(wishes);
   if (!take) return dialog.showTrouble(text(take.error().text()));
   dialog.accept();
-  extend(*take);
+  const auto* annotation = m_window.findChild<AnnotationDesk*>();
+  if (!annotation || m_takes.takes().empty()) return extend(*take);
+  const double began_s = m_takes.takes().all().back().from_s + wishes.in_s;
+  extend(with_session_labels(*take, annotation->annotations_of(""), began_s));
 }
 
 void PairDesk::extend(const PairedTake& take) {

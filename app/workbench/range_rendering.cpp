@@ -1,10 +1,6 @@
 #include "app/workbench/range_rendering.hpp"
 
-#include <QGuiApplication>
-#include <QScreen>
-#include <algorithm>
-
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/scene_pictures.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -13,8 +9,8 @@ constexpr int breath_ms = 4;  // for the window, between two pictures
 
 }  // namespace
 
-RangeRendering::RangeRendering(std::vector<FrameSnapshotPtr> frames, QObject* parent)
-    : QObject(parent), m_frames(std::move(frames)) {
+RangeRendering::RangeRendering(FrameRange frames, QObject* parent)
+    : QObject(parent), m_isEmpty(frames.empty()), m_frames(std::move(frames)) {
   m_timer.setSingleShot(true);
   m_timer.setInterval(breath_ms);
   connect(&m_timer, &QTimer::timeout, this, &RangeRendering::step);
@@ -23,17 +19,12 @@ RangeRendering::RangeRendering(std::vector<FrameSnapshotPtr> frames, QObject* pa
 RangeRendering::~RangeRendering() = default;
 
 QString RangeRendering::start(const RangeRequest& request, const widgets::SceneView& like) {
-  if (m_frames.empty()) return "There is no frame in this range; choose another";
+  if (m_isEmpty) return "There is no frame in this range; choose another";
   m_request = request;
   auto writer = FilmWriter::open(request.file, request.size, request.plan.rate_hz);
   if (!writer) return QString::fromStdString(writer.error().text());
   m_writer = std::move(writer).value();
-  m_scene = std::make_unique<widgets::SceneView>();
-  m_scene->setAttribute(Qt::WA_DontShowOnScreen);
-  const double ratio = QGuiApplication::primaryScreen()->devicePixelRatio();
-  m_scene->setFixedSize((QSizeF(request.size) / ratio).toSize());
-  m_scene->show();
-  m_scene->showAs(like, request.captions);
+  m_pictures = std::make_unique<widgets::ScenePictures>(request.size, like, request.captions);
   connect(m_writer.get(), &FilmWriter::hasRoom, this, [this] {
     if (!m_timer.isActive()) m_timer.start();
   });
@@ -44,13 +35,7 @@ QString RangeRendering::start(const RangeRequest& request, const widgets::SceneV
 
 QImage RangeRendering::picture(double time_s) {
   constexpr double rounding_s = 1e-6;
-  const auto after =
-      std::upper_bound(m_frames.begin(), m_frames.end(), time_s + rounding_s,
-                       [](double time, const FrameSnapshotPtr& frame) { return time < frame->time_s; });
-  m_scene->showFrame(after == m_frames.begin() ? m_frames.front() : *std::prev(after));
-  if (!m_request.captions) return m_scene->picture();
-  m_scene->renderSharp();
-  return m_scene->grab().toImage();
+  return m_pictures->picture(m_frames.at(time_s + rounding_s));
 }
 
 void RangeRendering::step() {
@@ -65,12 +50,12 @@ void RangeRendering::step() {
 void RangeRendering::cancel() {
   m_timer.stop();
   m_writer.reset();
-  m_scene.reset();
+  m_pictures.reset();
 }
 
 void RangeRendering::end(const QString& trouble) {
   m_timer.stop();
-  m_scene.reset();
+  m_pictures.reset();
   m_writer.release()->deleteLater();  // it is what speaks
   emit ended(trouble);
 }

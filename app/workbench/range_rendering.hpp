@@ -4,15 +4,15 @@
 #include <QSize>
 #include <QTimer>
 #include <memory>
-#include <vector>
 
 #include "app/workbench/film_plan.hpp"
 #include "app/workbench/film_writer.hpp"
-#include "core/session/frame_snapshot.hpp"
+#include "core/session/frame_range.hpp"
 
 namespace abrazo::widgets {
+class ScenePictures;
 class SceneView;
-}
+}  // namespace abrazo::widgets
 
 namespace abrazo::app {
 
@@ -28,13 +28,13 @@ struct RangeRequest {
 class RangeRendering : public QObject {
   Q_OBJECT
  public:
-  /// @param frames  in order, those of the plan; kept until the end
-  RangeRendering(std::vector<FrameSnapshotPtr> frames, QObject* parent);
+  /// @param frames  those of the plan
+  RangeRendering(FrameRange frames, QObject* parent);
   ~RangeRendering() override;
   /// @param like  how the scene is set up, and the camera. @return what is in the way, or nothing
   QString start(const RangeRequest& request, const widgets::SceneView& like);
   void cancel();
-  /// The picture of one moment of the plan.
+  /// The picture of one moment of the plan; quick where moments follow one another.
   QImage picture(double time_s);
 
  signals:
@@ -46,9 +46,10 @@ class RangeRendering : public QObject {
   void step();
   void end(const QString& trouble);
 
-  std::vector<FrameSnapshotPtr> m_frames;
+  bool m_isEmpty;
+  FrameRangeAtTimes m_frames;
   RangeRequest m_request;
-  std::unique_ptr<widgets::SceneView> m_scene;
+  std::unique_ptr<widgets::ScenePictures> m_pictures;
   std::unique_ptr<FilmWriter> m_writer;
   QTimer m_timer;
   int m_done = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include "app/workbench/generated_fight.hpp"
 #include "core/session/library_reference.hpp"
@@ -14,7 +15,6 @@ using LibraryPtr = std::shared_ptr<const MotionLibrary>;
 
 /// What the frames of the file were solved with last.
 Result<SessionLibrary> reference_of(const SessionContents& contents, const std::string& file) {
-  if (contents.frames == 0) return Error{"has no frames: nothing was recorded into it", file};
   if (contents.libraries.empty()) return Error{"does not say which library it was solved with", file};
   return contents.libraries.back();
 }
@@ -84,16 +84,36 @@ Markers RecordedSession::markers() const {
   return markers;
 }
 
-Result<Material> load_session(const std::string& file, const std::string& library, const Material& open,
-                              const Progress& progress) {
-  report(progress, 0, "Opening " + std::filesystem::path(file).filename().string());
-  const auto session = SessionFile::open(file);
-  if (!session) return session.error();
-  const SessionContents& contents = (*session)->contents();
+namespace {
+
+/// The library that the frames were solved with; another one where a person said that it will do.
+Result<Found> library_of(const SessionLibrary& reference, const OpenedProject& project,
+                         const std::string& given, const Material& open, const Progress& progress,
+                         bool may_be_another) {
+  if (!given.empty()) return given_library(reference, given, progress);
+  auto found = find_library(reference, project.file, open, progress);
+  if (found) return found;
+  for (const auto use : {DataReference::Use::Library, DataReference::Use::Manifest})
+    if (const std::string place = project.place_of(use); !place.empty())
+      return given_library(reference, place, progress);
+  if (!may_be_another) return found;
+  auto demo = make_demo(progress);
+  if (!demo) return demo.error();
+  return Found{demo->library,
+               "",
+               {"its library '" + reference.name +
+                "' is not there: the generated dance stands in for it; the "
+                "bodies are as recorded, meshes and selected pairs of the recorded frames are wrong"}};
+}
+
+Result<Material> load_recorded(const std::shared_ptr<const SessionFile>& session,
+                               const OpenedProject& project, const std::string& library, const Material& open,
+                               const Progress& progress, bool may_be_another) {
+  const std::string& file = project.file;
+  const SessionContents& contents = session->contents();
   const auto reference = reference_of(contents, file);
   if (!reference) return reference.error();
-  auto found = library.empty() ? find_library(*reference, file, open, progress)
-                               : given_library(*reference, library, progress);
+  auto found = library_of(*reference, project, library, open, progress, may_be_another);
   if (!found) return found.error();
   auto frames = RecordedFrames::open(file, found->library);
   if (!frames) return frames.error();
@@ -107,9 +127,37 @@ Result<Material> load_session(const std::string& file, const std::string& librar
   material.excluded_takes = reference->excluded_takes;
   material.input.name = std::filesystem::path(file).stem().string();
   material.input.fps = rate_of(contents);
-  material.warnings = (*session)->recovery();
+  material.warnings = session->recovery();
+  const auto& damage = project.reading.damage;
+  std::ranges::copy_if(damage, std::back_inserter(material.warnings), [&](const std::string& sentence) {
+    return std::ranges::find(session->recovery(), sentence) == session->recovery().end();
+  });
   material.warnings.insert(material.warnings.end(), found->warnings.begin(), found->warnings.end());
   material.recorded = std::move(recorded);
+  return material;
+}
+
+}  // namespace
+
+Result<Material> load_session(const std::string& file, const std::string& library, const Material& open,
+                              const Progress& progress, const Places& places) {
+  report(progress, 0, "Opening " + std::filesystem::path(file).filename().string());
+  auto project = open_project(file, places);
+  if (!project) return project.error();
+  std::error_code ignored;
+  std::shared_ptr<const SessionFile> session;
+  if (!(*project)->file.empty() && std::filesystem::exists((*project)->file, ignored)) {
+    auto opened = SessionFile::open((*project)->file);
+    if (!opened) return opened.error();
+    session = *opened;
+  }
+  auto material = session && session->contents().frames > 0
+                      ? load_recorded(session, **project, library, open, progress, !places.empty())
+                  : (*project)->reading.is_saved
+                      ? material_of(**project, progress)
+                      : Result<Material>(Error{"has no frames: nothing was recorded into it", file});
+  if (!material) return material.error();
+  material->project = *project;
   return material;
 }
 

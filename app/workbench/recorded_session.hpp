@@ -4,6 +4,7 @@
 #include <string>
 
 #include "app/workbench/material.hpp"
+#include "app/workbench/project_opening.hpp"
 #include "core/session/frame_store.hpp"
 #include "core/session/markers.hpp"
 #include "core/session/session_file.hpp"
@@ -23,8 +24,10 @@ struct RecordedSession {
 /// A session and the library it was solved with: the one given with it, else where its reference says, else
 /// what is open or can be generated, if it is the same. What was recovered of a file that was cut off is
 /// among the warnings.
+/// A session in which nothing was recorded gives what its project says.
 /// @param library  library file or manifest to take in its place; empty = none was given
+/// @param places   where data of its project is now
 Result<Material> load_session(const std::string& file, const std::string& library, const Material& open,
-                              const Progress& progress);
+                              const Progress& progress, const Places& places = {});
 
 }  // namespace abrazo::app

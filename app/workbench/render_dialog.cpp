@@ -26,6 +26,10 @@ RenderDialog::RenderDialog(QWidget* parent) : QDialog(parent) {
   setWindowTitle("Render a range as video");
   auto* form = new QFormLayout(this);
   form->setContentsMargins(20, 16, 20, 16);
+  m_whatTitle = new QLabel("What", this);
+  m_what = new QComboBox(this);
+  m_what->setAccessibleName("What is rendered");
+  m_what->addItems({"The scene", "The reference video with its overlay"});
   m_span = new QComboBox(this);
   m_span->setAccessibleName("Range");
   m_size = new QComboBox(this);
@@ -46,6 +50,7 @@ RenderDialog::RenderDialog(QWidget* parent) : QDialog(parent) {
   buttons->addStretch(1);
   buttons->addWidget(cancel);
   buttons->addWidget(m_render);
+  form->addRow(m_whatTitle, m_what);
   form->addRow("Range", m_span);
   form->addRow("Size", m_size);
   form->addRow("Rate", m_rate);
@@ -55,7 +60,35 @@ RenderDialog::RenderDialog(QWidget* parent) : QDialog(parent) {
   connect(m_span, qOverload<int>(&QComboBox::currentIndexChanged), this, &RenderDialog::estimate);
   connect(m_rate, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &RenderDialog::estimate);
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
-  connect(m_render, &QPushButton::clicked, this, &RenderDialog::renderRequested);
+  connect(m_what, qOverload<int>(&QComboBox::currentIndexChanged), this, &RenderDialog::chooseWhat);
+  connect(m_render, &QPushButton::clicked, this,
+          [this] { isOfVideo() ? emit videoRenderRequested() : emit renderRequested(); });
+  offerVideo({}, 0);
+}
+
+void RenderDialog::offerVideo(QSize size, double rate_hz) {
+  m_video = QSize(size.width() & ~1, size.height() & ~1);
+  m_videoRate = rate_hz;
+  for (QWidget* part : {static_cast<QWidget*>(m_whatTitle), static_cast<QWidget*>(m_what)})
+    part->setVisible(!size.isEmpty());
+  if (size.isEmpty()) m_what->setCurrentIndex(0);
+}
+
+bool RenderDialog::isOfVideo() const {
+  return m_what->currentIndex() == 1;
+}
+
+/// A video is best rendered at its own size and rate.
+void RenderDialog::chooseWhat() {
+  m_captions->setEnabled(!isOfVideo());
+  if (isOfVideo()) m_sceneRate = m_rate->value();
+  m_rate->setValue(isOfVideo() ? m_videoRate : m_sceneRate);
+  const QString title = QString("%1 × %2  (as the video)").arg(m_video.width()).arg(m_video.height());
+  if (const int old = m_size->findText("(as the video)", Qt::MatchEndsWith); old >= 0)
+    m_size->removeItem(old);
+  if (!isOfVideo()) return;
+  m_size->insertItem(0, title, m_video);
+  m_size->setCurrentIndex(0);
 }
 
 void RenderDialog::offer(const Playback& playback, const std::optional<Playback::Range>& range, QSize view) {
@@ -70,6 +103,7 @@ void RenderDialog::offer(const Playback& playback, const std::optional<Playback:
     m_size->addItem(
         QString("%1 × %2%3").arg(size.width()).arg(size.height()).arg(size == even ? "  (as the view)" : ""),
         size);
+  chooseWhat();
   estimate();
 }
 

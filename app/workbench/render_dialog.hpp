@@ -21,21 +21,30 @@ class RenderDialog : public QDialog {
   explicit RenderDialog(QWidget* parent);
   /// @param range  between in and out, where both make one  @param view  size of the scene [pixels]
   void offer(const Playback& playback, const std::optional<Playback::Range>& range, QSize view);
+  /// That the reference video can be rendered too. @param size  empty: there is none
+  void offerVideo(QSize size, double rate_hz);
   /// Without the file.
   RangeRequest request() const;
+  bool isOfVideo() const;
 
  signals:
   void renderRequested();
+  /// In its place where it is to be of the reference video.
+  void videoRenderRequested();
 
  private:
   void estimate();
+  void chooseWhat();
 
-  QComboBox *m_span, *m_size;
+  QLabel* m_whatTitle;
+  QComboBox *m_what, *m_span, *m_size;
   QDoubleSpinBox* m_rate;
   QCheckBox* m_captions;
   QLabel* m_estimate;
   QPushButton* m_render;
   Playback::Range m_whole, m_range;
+  QSize m_video;
+  double m_videoRate = 0, m_sceneRate = 30;
 };
 
 }  // namespace abrazo::app

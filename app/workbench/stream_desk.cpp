@@ -161,7 +161,10 @@ void StreamDesk::beginSession() {
     disconnectStream();
     m_window.messages().showInformation(name + " plays the user; " + was + " was disconnected");
   } else if (isConnected()) {
-    receive();
+    // After all others have begun the session: whoever records has to know its file by then.
+    QTimer::singleShot(0, this, [this] {
+      if (isConnected() && engine() && !engine()->receiver()) receive();
+    });
   }
 }
 

@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include "app/workbench/annotation_desk.hpp"
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/session_places.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -189,6 +190,7 @@ bool TakeDesk::record() {
   m_markersInFile.reset();
   if (started) {
     writeMarkers();
+    emit fileChanged();
     return true;
   }
   m_window.messages().showError(QString::fromStdString(started.error().text()));
@@ -207,15 +209,16 @@ void TakeDesk::stopRecorder() {
   writeEdits();
 }
 
-/// Names in the file follow those on the list when nobody else writes it. What was taken off goes last: until
-/// the session ends it can come back.
+/// Names in the file follow those on the list, by way of the recorder while there is one. What was taken off
+/// goes last: until the session ends it can come back.
 void TakeDesk::writeEdits() {
   if (m_edits.empty() || m_file.isEmpty() || !m_window.session()) return;
-  if (m_window.session()->engine().recorder()) return;
   TakeEdits names;
   for (const auto& [name, now] : m_edits)
     if (now) names[name] = now;
-  const Status written = edit_session_takes(m_file.toStdString(), names);
+  const auto recorder = m_window.session()->engine().recorder();
+  if (recorder) recorder->edit_takes(names);
+  const Status written = recorder ? Status(Done{}) : edit_session_takes(m_file.toStdString(), names);
   if (!written) return m_window.messages().showError(QString::fromStdString(written.error().text()));
   for (const auto& [name, now] : names) m_edits.erase(name);
   for (auto& [id, name] : m_namesInFile)
@@ -225,8 +228,11 @@ void TakeDesk::writeEdits() {
 /// Those of the timeline, when they are not the ones in the file.
 void TakeDesk::writeMarkers() {
   const auto recorder = m_window.session() ? m_window.session()->engine().recorder() : nullptr;
-  if (!recorder || m_markersInFile == m_window.timeline().markers()) return;
-  m_markersInFile = m_window.timeline().markers();
+  if (!recorder) return;
+  const auto* annotation = m_window.findChild<AnnotationDesk*>();
+  const Markers& markers = annotation ? annotation->sessionMarkers() : m_window.timeline().markers();
+  if (m_markersInFile == markers) return;
+  m_markersInFile = markers;
   recorder->set_markers(*m_markersInFile);
 }
 
@@ -267,19 +273,15 @@ void TakeDesk::setOpened(const QString& file, const widgets::RecordedTakes& take
   }
   update();
   showTakes();
+  emit fileChanged();
 }
 
-QString TakeDesk::saveAs(const QString& file) {
-  if (m_file.isEmpty()) return "Nothing of this session is on disk yet; record a take first (Ctrl+R)";
-  const auto recorder = m_window.session() ? m_window.session()->engine().recorder() : nullptr;
-  if (recorder) {
-    writeMarkers();
-    const Status flushed = recorder->flush();
-    if (!flushed) return QString::fromStdString(flushed.error().text());
-  }
-  Status saved = copy_session(m_file.toStdString(), file.toStdString());
-  if (saved) saved = edit_session_takes(file.toStdString(), m_edits);
-  return saved ? QString() : QString::fromStdString(saved.error().text());
+void TakeDesk::setFile(const QString& file) {
+  m_file = file;
+  m_isForStream = false;
+  m_lastState.bytes = static_cast<std::uint64_t>(QFileInfo(file).size());
+  update();
+  emit fileChanged();
 }
 
 void TakeDesk::onSessionEnding() {

@@ -48,12 +48,15 @@ class TakeDesk : public QObject {
   const QString& file() const { return m_file; }
   /// A session that was opened from a file, with its takes.
   void setOpened(const QString& file, const widgets::RecordedTakes& takes);
-  /// @return what went wrong, or nothing
-  QString saveAs(const QString& file);
+  /// The session goes on in this file. Not while it is recorded.
+  void setFile(const QString& file);
+  /// What is still to be changed in the file, of its takes.
+  const TakeEdits& edits() const { return m_edits; }
   int session() const { return m_session; }  ///< counts them
 
  signals:
   void takesChanged();
+  void fileChanged();
   /// A take has begun, after its countdown.
   void begun();
   /// No take came of it: it was ended in its countdown, cannot be written, or nothing came in.

@@ -2,8 +2,12 @@
 #include <algorithm>
 
 #include "app/workbench/job.hpp"
+#include "app/workbench/label_import.hpp"
 #include "app/workbench/main_window.hpp"
+#include "app/workbench/mapping_desk.hpp"
+#include "app/workbench/open_video.hpp"
 #include "app/workbench/panel_area.hpp"
+#include "app/workbench/session_places.hpp"
 #include "app/workbench/status_figures.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -15,30 +19,62 @@
 #include "widgets/timeline/transport_bar.hpp"
 
 namespace abrazo::app {
+namespace {
+
+std::vector<std::string> names_of(const QStringList& files) {
+  std::vector<std::string> names;
+  for (const QString& file : files) names.push_back(file.toStdString());
+  return names;
+}
+
+}  // namespace
 
 void MainWindow::openDemo() {
   openMaterial(make_demo);
 }
 
-void MainWindow::openFiles(const QStringList& files) {
+void MainWindow::openFiles(const QStringList& all) {
+  QStringList videos, labels, files;
+  for (const QString& file : all)
+    (is_video_file(file)                                          ? videos
+     : is_label_file(file) && !is_motion_file(file.toStdString()) ? labels
+                                                                  : files)
+        << file;
+  if (auto* import = findChild<LabelImport*>(); import && files.isEmpty() && !labels.isEmpty())
+    return import->read(labels);
+  files << labels;  // beside something else, that they may be part of
+  if (files.isEmpty() && !videos.isEmpty()) {
+    emit videosOffered(videos);
+    return m_session || m_job ? void() : openDemo();
+  }
   const auto motions = std::count_if(files.begin(), files.end(),
                                      [](const QString& file) { return is_motion_file(file.toStdString()); });
   // Without anyone to ask, load_material refuses them.
   if (motions > 1 && isSignalConnected(QMetaMethod::fromSignal(&MainWindow::motionsOffered)))
     return emit motionsOffered(files);
-  std::vector<std::string> names;
-  for (const QString& file : files) names.push_back(file.toStdString());
+  bool taken = false;
+  if (std::any_of(files.begin(), files.end(), is_session_file)) emit sessionOffered(files, taken);
+  if (taken) return;
+  const std::vector<std::string> names = names_of(files);
   const Material open = m_session ? m_session->material() : Material{};
-  openMaterial([names, open](const Progress& progress) { return load_material(names, open, progress); },
-               files);
+  openMaterial(
+      [names, open, maps = MappingDesk::folder(*this).toStdString()](const Progress& progress) {
+        return load_with_remembered_maps(names, open, maps, progress);
+      },
+      all);
 }
 
 void MainWindow::openMaterial(MakeMaterial make, const QStringList& files) {
+  bool allowed = true;
+  emit leaving(allowed);
+  if (!allowed) return;
   const Settings wanted = m_settings->settings();
   Job::retire(std::move(m_job), this);
   m_job = std::make_unique<Job>(
       [this, make = std::move(make), wanted, files](const Progress& progress) -> Job::Finish {
         auto material = make(progress);
+        if (const auto unmapped = material ? nullptr : motion_without_joints(names_of(files)))
+          return [this, unmapped, files] { emit mappingOffered(files, unmapped); };
         if (!material)
           return [this, text = material.error().text()] { showFailure(QString::fromStdString(text)); };
         report(progress, 1, "Indexing the library");
@@ -78,6 +114,7 @@ void MainWindow::start(const std::shared_ptr<PreparedSolver>& prepared) {
                             .arg(material.input.fps, 0, 'f', 0));
   m_status->setInput(input, material.library->pair_count());
   setWindowTitle(input + " with " + library + " — Abrazo");
+  m_ticker.setLibrary(material.library);
   m_ticker.setSources(&m_session->history(), &m_session->latest());
   QStringList warnings;
   for (const std::string& warning : material.warnings) warnings << QString::fromStdString(warning);

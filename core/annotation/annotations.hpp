@@ -108,6 +108,13 @@ class Annotations {
   Status reject(int suggestion);
   void clear_suggestions();
 
+  /// As they were kept somewhere, with their ids. The error names the first thing that cannot be: an id that
+  /// is there twice or not before `next_id`, names alike, annotations that are empty, overlap or are out of
+  /// order, a suggestion for no tier.
+  static Result<Annotations> restored(std::vector<AnnotationTier> tiers, std::vector<Suggestion> suggestions,
+                                      int next_id);
+  int next_id() const { return next_id_; }
+
   bool operator==(const Annotations&) const = default;
 
  private:

@@ -11,6 +11,7 @@
 
 #include "core/base/atomic_file.hpp"
 #include "core/base/json_text.hpp"
+#include "core/library/performer_letter.hpp"
 #include "core/motion/bvh.hpp"
 
 namespace abrazo {
@@ -56,18 +57,6 @@ std::string labels_csv(const std::vector<PairedTake>& takes) {
       text += fmt::format("{},{},{},{},{},{}\n", take.name, label.start, label.end, label.label, label.detail,
                           label.confidence);
   return text;
-}
-
-std::string_view letter_of(ActivePerformer active) {
-  switch (active) {
-    case ActivePerformer::A:
-      return "a";
-    case ActivePerformer::B:
-      return "b";
-    case ActivePerformer::Unknown:
-      break;
-  }
-  return "unknown";
 }
 
 /// Intervals must be in order, within the take and without overlap, or nobody could read them back.

@@ -28,14 +28,6 @@ std::vector<std::string> library_moves(const MotionLibrary& library, UserRole ro
   return moves;
 }
 
-/// "alt=turn" in a label's detail: what another annotator would have said.
-std::string alternative(const LabelInterval& label) {
-  const std::size_t at = label.detail.find("alt=");
-  if (at == std::string::npos) return {};
-  const std::string rest = label.detail.substr(at + 4);
-  return rest.substr(0, rest.find_first_of(" ;,)"));
-}
-
 /// Steps of one take whose frames lie in [start, end).
 struct Steps {
   std::size_t first = 0, last = 0;
@@ -70,7 +62,7 @@ std::vector<CountedMove> moves_of(const SynthesisedTake& take, const std::vector
     const ActivePerformer active = active_at(*take.take, (label.start + label.end) / 2);
     CountedMove move{.take = take.take->name,
                      .own = named(label.label, both_roles, active, take.user),
-                     .lenient = named(alternative(label), both_roles, active, take.user),
+                     .lenient = named(alternative_label(label), both_roles, active, take.user),
                      .steps = {}};
     for (std::size_t step = first; step < last; ++step)
       ++move.steps[sources[static_cast<std::size_t>(take.pairs[step])]];
@@ -125,6 +117,13 @@ void fill_matrices(const std::vector<CountedMove>& moves, MoveTable& table) {
 
 bool is_move(std::string_view label) {
   return !label.empty() && label != "other" && label != "guard";
+}
+
+std::string alternative_label(const LabelInterval& label) {
+  const std::size_t at = label.detail.find("alt=");
+  if (at == std::string::npos) return {};
+  const std::string rest = label.detail.substr(at + 4);
+  return rest.substr(0, rest.find_first_of(" ;,)"));
 }
 
 MoveTable count_moves(std::span<const SynthesisedTake> takes, const MotionLibrary& library, bool both_roles) {

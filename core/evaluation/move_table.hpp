@@ -2,6 +2,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "core/evaluation/evaluation.hpp"
 #include "core/evaluation/take_synthesis.hpp"
@@ -11,6 +12,9 @@ namespace abrazo {
 
 /// Labels of what is no move: standing, walking in, footwork between exchanges.
 bool is_move(std::string_view label);
+
+/// What another annotator would have said, as a label's detail has it ("alt=turn"); empty when it has none.
+std::string alternative_label(const LabelInterval& label);
 
 /// Table III (Eq. 12) over takes answered by `library`. A step's label is that of the pair it was made from.
 /// Where either performer may be the active one (`both_roles`), who attacks belongs to the move:

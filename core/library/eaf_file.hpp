@@ -2,8 +2,10 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "core/base/result.hpp"
+#include "core/library/eaf_contents.hpp"
 #include "core/library/tier.hpp"
 
 namespace abrazo {
@@ -16,9 +18,13 @@ struct EafFacts {
 
 /// Tiers as an ELAN annotation document (EAF 3.0, XML), with a controlled vocabulary for every tier that has
 /// one. Times are whole milliseconds: neighbours stay neighbours, and an interval that rounds to nothing
-/// takes the next millisecond.
+/// takes the next millisecond. Detail and confidence become child tiers ("move detail", one to one with
+/// theirs); kinds, colours and keys, for which EAF has no place, a property of the document that ELAN keeps.
 /// @return an Error for what EAF cannot hold: two tiers of one name, intervals that overlap or run backwards,
-/// times before 0 or beyond 2^32 ms
+/// times before 0 or beyond 2^32 ms, characters that XML does not have
 Result<std::string> write_eaf(std::span<const Tier> tiers, const EafFacts& facts);
+
+/// What stands in an ELAN document (EAF 2.0 to 3.0). A DOCTYPE is refused: nothing is fetched or expanded.
+Result<EafContents> parse_eaf(std::string_view text, std::string_view where);
 
 }  // namespace abrazo

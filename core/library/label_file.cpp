@@ -4,6 +4,7 @@
 #include <climits>
 
 #include "core/base/text.hpp"
+#include "core/library/csv_text.hpp"
 #include "core/library/manifest.hpp"
 
 namespace abrazo {
@@ -19,7 +20,7 @@ Error at_line(std::string_view where, std::size_t line, std::string message) {
   return {std::move(message), fmt::format("{}:{}", where, line)};
 }
 
-bool is_header(const std::vector<std::string_view>& fields) {
+bool is_header(const std::vector<std::string>& fields) {
   return fields.size() > 1 && lower_case(fields[0]) == "take" && !parse_integer(fields[1]);
 }
 
@@ -31,7 +32,7 @@ Result<int> parse_frame(std::string_view field, const char* what, std::string_vi
   return static_cast<int>(*number);
 }
 
-Result<LabelInterval> parse_row(const std::vector<std::string_view>& fields, std::string_view where,
+Result<LabelInterval> parse_row(const std::vector<std::string>& fields, std::string_view where,
                                 std::size_t line) {
   const auto start = parse_frame(fields[1], "start_frame", where, line);
   if (!start) return start.error();
@@ -43,9 +44,7 @@ Result<LabelInterval> parse_row(const std::vector<std::string_view>& fields, std
         fmt::format("the label ends at frame {}, which is not after its start {}; end is exclusive", *end,
                     *start));
   if (fields[3].empty()) return at_line(where, line, "the label is empty; name it or leave the line out");
-  const auto field = [&](std::size_t i) {
-    return i < fields.size() ? std::string(fields[i]) : std::string();
-  };
+  const auto field = [&](std::size_t i) { return i < fields.size() ? fields[i] : std::string(); };
   return LabelInterval{*start, *end, field(3), field(4), field(5)};
 }
 
@@ -65,45 +64,34 @@ Result<std::vector<LabelInterval>> ordered(std::vector<LabelRow> rows, std::stri
   return labels;
 }
 
-std::string_view without_byte_order_mark(std::string_view csv) {
-  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-  if (csv.starts_with(byte_order_mark)) csv.remove_prefix(byte_order_mark.size());
-  return csv;
-}
-
 }  // namespace
 
 std::vector<std::string> takes_in_labels(std::string_view csv) {
   std::vector<std::string> takes;
-  bool first = true;
-  for (const std::string_view text : split_lines(without_byte_order_mark(csv))) {
-    if (trimmed(text).empty()) continue;
-    const auto fields = split_fields(text, ',');
-    if (std::exchange(first, false) && is_header(fields)) continue;
-    if (std::find(takes.begin(), takes.end(), fields[0]) == takes.end()) takes.emplace_back(fields[0]);
+  const auto rows = parse_csv(csv, "");
+  if (!rows) return takes;
+  for (const CsvRow& row : *rows) {
+    if (&row == &rows->front() && is_header(row.fields)) continue;
+    if (std::find(takes.begin(), takes.end(), row.fields[0]) == takes.end()) takes.push_back(row.fields[0]);
   }
   return takes;
 }
 
 Result<std::vector<LabelInterval>> parse_labels(std::string_view csv, std::string_view take,
                                                 std::string_view where) {
-  csv = without_byte_order_mark(csv);
+  const auto table = parse_csv(csv, where);
+  if (!table) return table.error();
   std::vector<LabelRow> rows;
-  bool first = true;
-  std::size_t line = 0;
-  for (const std::string_view text : split_lines(csv)) {
-    ++line;
-    if (trimmed(text).empty()) continue;
-    const auto fields = split_fields(text, ',');
-    if (std::exchange(first, false) && is_header(fields)) continue;
-    if (fields.size() < 4)
+  for (const CsvRow& row : *table) {
+    if (&row == &table->front() && is_header(row.fields)) continue;
+    if (row.fields.size() < 4)
       return at_line(
-          where, line,
-          fmt::format("expected take,start_frame,end_frame,label, found {} fields", fields.size()));
-    if (fields[0] != take) continue;
-    auto interval = parse_row(fields, where, line);
+          where, row.line,
+          fmt::format("expected take,start_frame,end_frame,label, found {} fields", row.fields.size()));
+    if (row.fields[0] != take) continue;
+    auto interval = parse_row(row.fields, where, row.line);
     if (!interval) return interval.error();
-    rows.push_back({std::move(*interval), line});
+    rows.push_back({std::move(*interval), row.line});
   }
   return ordered(std::move(rows), where);
 }

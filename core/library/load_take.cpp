@@ -5,7 +5,11 @@
 #include <cmath>
 
 #include "core/base/atomic_file.hpp"
+#include "core/base/text.hpp"
 #include "core/library/manifest.hpp"
+#include "core/library/take_labels.hpp"
+#include "core/library/tier_csv.hpp"
+#include "core/library/tier_file.hpp"
 #include "core/motion/import_clip.hpp"
 
 namespace abrazo {
@@ -17,21 +21,6 @@ void add_warnings(const ImportReport& report, const std::string& file, std::vect
     const std::string line = warning.line > 0 ? fmt::format(":{}", warning.line) : "";
     warnings.push_back(fmt::format("{}{}: {}", file, line, warning.detail));
   }
-}
-
-Status set_joint_map(const std::string& name, ImportOptions& options) {
-  if (name.empty()) return Done{};
-  for (const JointMap& map : builtin_joint_maps())
-    if (map.name == name) {
-      options.joint_map = map;
-      return Done{};
-    }
-  const auto text = read_whole_file(name);
-  if (!text) return text.error();
-  auto map = parse_joint_map(*text, name);
-  if (!map) return map.error();
-  options.joint_map = std::move(*map);
-  return Done{};
 }
 
 /// The clips of a file, with the readers' warnings appended.
@@ -140,16 +129,58 @@ void warn_of_late_end(const std::vector<Interval>& intervals, const char* what, 
                                    intervals.back().end, frames));
 }
 
+Result<std::vector<Tier>> tiers_in(const std::filesystem::path& file, const PairedTake& take,
+                                   std::vector<std::string>& warnings) {
+  auto document = read_tiers(file, {take.fps, take.name});
+  if (!document) return document.error();
+  for (const std::string& warning : document->warnings) warnings.push_back(file.string() + ": " + warning);
+  return std::move(document->tiers);
+}
+
+/// Out of a label file in frames, or out of a tier of any other.
+Result<std::vector<LabelInterval>> labels_in(const Manifest::Take& take, const PairedTake& result,
+                                             std::vector<std::string>& warnings) {
+  const std::string where = take.labels.string();
+  if (lower_case(take.labels.extension().string()) == ".csv" || !is_tier_file(where)) {
+    const auto text = read_whole_file(take.labels);
+    if (!text) return text.error();
+    if (!is_tier_csv(*text)) return parse_labels(*text, take.name, where);
+  }
+  const auto tiers = tiers_in(take.labels, result, warnings);
+  if (!tiers) return tiers.error();
+  const auto tier = tier_for_take(*tiers, take.labels_tier, TierKind::Move, take.name, where);
+  if (!tier) return tier.error();
+  return labels_of(**tier, result.fps, where, warnings);
+}
+
 Status load_labels(const Manifest::Take& take, PairedTake& result, std::vector<std::string>& warnings) {
   if (take.labels.empty()) return Done{};
-  const auto text = read_whole_file(take.labels);
-  if (!text) return text.error();
-  auto labels = parse_labels(*text, take.name, take.labels.string());
+  auto labels = labels_in(take, result, warnings);
   if (!labels) return labels.error();
   result.labels = std::move(*labels);
   if (result.labels.empty())
     warnings.push_back(fmt::format("{}: no labels of take {}", take.labels.string(), take.name));
   warn_of_late_end(result.labels, "labels", result, warnings);
+  return Done{};
+}
+
+/// The manifest's own, or out of a tier.
+Status load_roles(const Manifest::Take& take, PairedTake& result, std::vector<std::string>& warnings) {
+  result.roles = take.roles;
+  // One letter for the whole take comes without its length.
+  for (RoleInterval& role : result.roles)
+    if (role.end == INT_MAX) role.end = static_cast<int>(result.a.poses.size());
+  if (!take.roles_tier.empty()) {
+    const std::filesystem::path& file = take.roles_file.empty() ? take.labels : take.roles_file;
+    const auto tiers = tiers_in(file, result, warnings);
+    if (!tiers) return tiers.error();
+    const auto tier = tier_for_take(*tiers, take.roles_tier, TierKind::Role, take.name, file.string());
+    if (!tier) return tier.error();
+    auto roles = roles_of(**tier, result.fps, file.string(), warnings);
+    if (!roles) return roles.error();
+    result.roles = std::move(*roles);
+  }
+  warn_of_late_end(result.roles, "roles", result, warnings);
   return Done{};
 }
 
@@ -160,7 +191,8 @@ Result<ImportOptions> import_options(const Manifest::Performer& performer, std::
   options.fps = fps;
   options.metres_per_unit = performer.metres_per_unit;
   options.up_axis = performer.up_axis;
-  if (const Status map = set_joint_map(performer.joint_map, options); !map) return map.error();
+  if (!performer.joint_map.empty())
+    if (const Status chosen = choose_joints(performer.joint_map, options); !chosen) return chosen.error();
   return options;
 }
 
@@ -171,11 +203,7 @@ Result<PairedTake> load_take(const Manifest::Take& take, std::vector<std::string
   if (const Status cut = cut_to_frames(take, result); !cut) return cut.error();
   if (const Status lengths = check_lengths(result); !lengths) return lengths.error();
   result.fps = result.a.fps;
-  result.roles = take.roles;
-  // One letter for the whole take comes without its length.
-  for (RoleInterval& role : result.roles)
-    if (role.end == INT_MAX) role.end = static_cast<int>(result.a.poses.size());
-  warn_of_late_end(result.roles, "roles", result, warnings);
+  if (const Status roles = load_roles(take, result, warnings); !roles) return roles.error();
   if (const Status labels = load_labels(take, result, warnings); !labels) return labels.error();
   return result;
 }

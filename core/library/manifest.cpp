@@ -117,6 +117,30 @@ std::vector<RoleInterval> parse_roles(const Node& node) {
   return roles;
 }
 
+/// A letter or list as parse_roles has it, or {"tier": ..., "file": ...}.
+void parse_take_roles(const Node& node, const fs::path& folder, Manifest::Take& take) {
+  if (!node.value.is_object()) {
+    take.roles = parse_roles(node);
+    return;
+  }
+  node.expect_object({"tier", "file"});
+  take.roles_tier = node.required("tier", "the tier of the label file that says who is active").string();
+  if (node.has("file")) take.roles_file = folder / node.at("file").string();
+  if (take.roles_file.empty() && take.labels.empty())
+    node.refuse("names a tier but no file; add \"file\", or \"labels\" to the take");
+}
+
+/// A file, or {"file": ..., "tier": ...}.
+void parse_take_labels(const Node& node, const fs::path& folder, Manifest::Take& take) {
+  if (!node.value.is_object()) {
+    take.labels = folder / node.string();
+    return;
+  }
+  node.expect_object({"file", "tier"});
+  take.labels = folder / node.required("file", "the label file").string();
+  if (node.has("tier")) take.labels_tier = node.at("tier").string();
+}
+
 UpAxis parse_up_axis(const Node& node) {
   const std::string text = node.string();
   if (text == "y") return UpAxis::Y;
@@ -153,8 +177,8 @@ Manifest::Take parse_take(const Node& node, const fs::path& folder) {
   take.a = parse_manifest_performer(node.required("a", "the first performer, {\"motion\": ...}"), folder);
   take.b = parse_manifest_performer(node.required("b", "the second performer, {\"motion\": ...}"), folder);
   if (node.has("frames")) take.frames = node.at("frames").frame();
-  if (node.has("roles")) take.roles = parse_roles(node.at("roles"));
-  if (node.has("labels")) take.labels = folder / node.at("labels").string();
+  if (node.has("labels")) parse_take_labels(node.at("labels"), folder, take);
+  if (node.has("roles")) parse_take_roles(node.at("roles"), folder, take);
   return take;
 }
 

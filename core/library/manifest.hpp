@@ -35,6 +35,10 @@ struct Manifest {
     std::vector<RoleInterval>
         roles;  ///< one interval over everything when the file gives one letter; empty = unknown
     std::filesystem::path labels;  ///< empty = none
+    std::string labels_tier = {};  ///< of a file with several; empty = its moves
+    /// Roles out of a label file's tier, in place of `roles`; the file is `labels` when it is empty.
+    std::string roles_tier = {};
+    std::filesystem::path roles_file = {};
   };
   std::string name;
   std::vector<Take> takes;
@@ -49,7 +53,8 @@ Result<Manifest> read_manifest(const std::filesystem::path& file);
 /// beginning with it, else whole.
 std::string manifest_json(const Manifest& manifest, const std::filesystem::path& folder);
 
-/// Rows of one take from a label file: take,start_frame,end_frame,label[,detail,confidence].
+/// Rows of one take from a label file: take,start_frame,end_frame,label[,detail,confidence]; a field with a
+/// comma stands in quotes.
 /// Refuses overlapping, empty or reversed intervals with the line's number.
 Result<std::vector<LabelInterval>> parse_labels(std::string_view csv, std::string_view take,
                                                 std::string_view where);

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/library/manifest.hpp"
+#include "core/library/performer_letter.hpp"
 
 namespace abrazo {
 
@@ -39,16 +40,12 @@ json performer_json(const Manifest::Performer& performer, const fs::path& folder
   return object;
 }
 
-const char* letter(ActivePerformer active) {
-  return active == ActivePerformer::A ? "a" : active == ActivePerformer::B ? "b" : "unknown";
-}
-
 json roles_json(const std::vector<RoleInterval>& roles) {
   if (roles.empty()) return "unknown";
-  if (roles.size() == 1 && roles[0].start == 0 && roles[0].end == INT_MAX) return letter(roles[0].active);
+  if (roles.size() == 1 && roles[0].start == 0 && roles[0].end == INT_MAX) return letter_of(roles[0].active);
   json list = json::array();
   for (const RoleInterval& role : roles)
-    list.push_back({{"start", role.start}, {"end", role.end}, {"active", letter(role.active)}});
+    list.push_back({{"start", role.start}, {"end", role.end}, {"active", letter_of(role.active)}});
   return list;
 }
 
@@ -59,8 +56,17 @@ json take_json(const Manifest::Take& take, const fs::path& folder) {
   object["a"] = performer_json(take.a, folder);
   object["b"] = performer_json(take.b, folder);
   if (take.frames) object["frames"] = *take.frames;
-  object["roles"] = roles_json(take.roles);
-  if (!take.labels.empty()) object["labels"] = portable(take.labels, folder);
+  if (take.roles_tier.empty()) {
+    object["roles"] = roles_json(take.roles);
+  } else {
+    object["roles"] = {{"tier", take.roles_tier}};
+    if (!take.roles_file.empty()) object["roles"]["file"] = portable(take.roles_file, folder);
+  }
+  if (take.labels.empty()) return object;
+  if (take.labels_tier.empty())
+    object["labels"] = portable(take.labels, folder);
+  else
+    object["labels"] = {{"file", portable(take.labels, folder)}, {"tier", take.labels_tier}};
   return object;
 }
 

@@ -1,8 +1,12 @@
 #include "core/library/tier.hpp"
 
-#include <algorithm>
+#include <fmt/format.h>
 
-#include "core/base/json_text.hpp"
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/base/text.hpp"
 
 namespace abrazo {
 
@@ -20,22 +24,37 @@ std::vector<VocabularyEntry> vocabulary_of(std::span<const TierInterval> interva
   return vocabulary;
 }
 
-std::string tiers_json(std::span<const Tier> tiers) {
-  JsonText json;
-  json.begin_object().key("tiers").begin_array();
+TierKind kind_of_name(std::string_view name) {
+  const std::string lower = lower_case(trimmed(name));
+  for (const char* role : {"role", "roles", "who leads"})
+    if (lower == role) return TierKind::Role;
+  for (const char* move : {"move", "moves", "label", "labels", "figure", "figures"})
+    if (lower == move) return TierKind::Move;
+  return TierKind::Note;
+}
+
+Status check_tiers(std::span<const Tier> tiers, std::string_view where) {
+  std::set<std::string_view> names;
   for (const Tier& tier : tiers) {
-    json.begin_object().key("name").value(tier.name);
-    json.key("vocabulary").begin_array();
-    for (const VocabularyEntry& entry : tier.vocabulary) json.value(entry.value);
-    json.end_array().key("intervals").begin_array();
+    if (trimmed(tier.name).empty()) return Error{"a tier has no name; give it one", std::string(where)};
+    const std::string place = fmt::format("{}: tier {}", where, in_quotes(tier.name));
+    if (!names.insert(tier.name).second) return Error{"there are two of this name; rename one", place};
+    const TierInterval* before = nullptr;
     for (const TierInterval& interval : tier.intervals) {
-      json.begin_object().key("start_s").value(interval.start_s).key("end_s").value(interval.end_s);
-      json.key("value").value(interval.value).end_object();
+      const std::string spoken =
+          fmt::format("{} at {:.3f}-{:.3f} s", in_quotes(interval.value), interval.start_s, interval.end_s);
+      if (!std::isfinite(interval.start_s) || !std::isfinite(interval.end_s))
+        return Error{spoken + " needs finite times", place};
+      if (interval.end_s <= interval.start_s)
+        return Error{spoken + " does not end after its start; give it some length", place};
+      if (before && interval.start_s < before->end_s)
+        return Error{fmt::format("{} overlaps {} at {:.3f}-{:.3f} s; move one, or put it into another tier",
+                                 spoken, in_quotes(before->value), before->start_s, before->end_s),
+                     place};
+      before = &interval;
     }
-    json.end_array().end_object();
   }
-  json.end_array().end_object();
-  return json.take() + "\n";
+  return Done{};
 }
 
 }  // namespace abrazo

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/result.hpp"
+
 namespace abrazo {
 
 /// What an interval of a tier says.
@@ -52,9 +54,27 @@ std::vector<std::string> values_of(std::span<const TierInterval> intervals);
 /// Them as a vocabulary without descriptions, colours and keys.
 std::vector<VocabularyEntry> vocabulary_of(std::span<const TierInterval> intervals);
 
+/// Role for "role", "roles", "who leads"; Move for "move", "moves", "label", "labels", "figure", "figures"
+/// (in any case); Note for others.
+TierKind kind_of_name(std::string_view name);
+
+/// Whether tiers hold together: names are there and each once, intervals have finite times, some length, and
+/// are ascending without overlap. @return what is not, with the tier's name and the interval
+Status check_tiers(std::span<const Tier> tiers, std::string_view where);
+
 /// Tiers as one JSON object:
-/// {"tiers":[{"name":...,"vocabulary":[...],"intervals":[{"start_s":...,"end_s":..., "value":...}]}]}. Times
-/// read back to the same doubles.
+/// {"tiers":[{"name":...,"kind":"role|move|note","vocabulary":[...],
+///            "intervals":[{"start_s":...,"end_s":...,"value":...[,"detail":...][,"confidence":...]}]}]}.
+/// A vocabulary's entry is a text, or {"value":...[,"description":...][,"colour":"#rrggbb"][,"key":"1"]}
+/// where more is known of it. Times read back to the same doubles.
 std::string tiers_json(std::span<const Tier> tiers);
+
+/// Kinds and vocabularies alone, without intervals.
+std::string tier_facts_json(std::span<const Tier> tiers);
+
+/// Reads both. Kind, vocabulary and intervals may be missing; intervals need not be ascending.
+/// @param warnings  keys that nobody reads, most likely misspelt
+Result<std::vector<Tier>> parse_tiers_json(std::string_view text, std::string_view where,
+                                           std::vector<std::string>& warnings);
 
 }  // namespace abrazo

@@ -10,7 +10,7 @@
 #include <sstream>
 
 #include "core/base/version.hpp"
-#include "core/motion/bone_octahedron.hpp"
+#include "core/motion/body_surface.hpp"
 #include "core/motion/joint_tree.hpp"
 
 // Only the writer is used, and no image is ever written.
@@ -179,7 +179,12 @@ void Character::add_skeleton() {
   // Beside one another as in the first frame, also where nothing plays the animation.
   model_.nodes[static_cast<std::size_t>(first_node_)].translation[0] = clip_.poses.front()(joints::Root, 0);
   model_.nodes[static_cast<std::size_t>(first_node_)].translation[2] = clip_.poses.front()(joints::Root, 2);
-  model_.scenes[0].nodes.push_back(first_node_);
+  // Below a node of its own, so that every reader takes each character for a skeleton of its own.
+  tinygltf::Node group;
+  group.name = clip_.name.empty() ? "character" : clip_.name;
+  group.children = {first_node_};
+  model_.nodes.push_back(group);
+  model_.scenes[0].nodes.push_back(static_cast<int>(model_.nodes.size()) - 1);
   add_skin(places);
 }
 
@@ -213,17 +218,13 @@ int Character::add_material() {
 
 void Character::add_body() {
   const auto& nodes = tree_.nodes();
-  const std::vector<Vec3> places = rest_places();
+  const BodySurface surface = body_surface(nodes, rest_places());
   Vectors corners, normals;
   std::vector<std::array<std::uint8_t, 4>> joints;
-  for (std::size_t n = 1; n < nodes.size(); ++n) {
-    if (nodes[n].offset.norm() < 1e-6) continue;  // a helper: no bone ends there
-    const auto parent = static_cast<std::uint8_t>(nodes[n].parent);
-    for (const OctahedronCorner& corner : bone_octahedron(places[parent], places[n])) {
-      corners.push_back(corner.place.cast<float>());
-      normals.push_back(corner.normal.cast<float>());
-      joints.push_back({parent, 0, 0, 0});
-    }
+  for (const BodySurface::Vertex& vertex : surface.vertices) {
+    corners.push_back(vertex.place.cast<float>());
+    normals.push_back(vertex.normal.cast<float>());
+    joints.push_back({static_cast<std::uint8_t>(vertex.node), 0, 0, 0});
   }
   const std::vector<Eigen::Vector4f> weights(corners.size(), Eigen::Vector4f(1, 0, 0, 0));
   tinygltf::Primitive primitive;
@@ -235,6 +236,9 @@ void Character::add_body() {
   primitive.attributes["WEIGHTS_0"] =
       buffer_.add(weights.data(), weights.size(), sizeof(Eigen::Vector4f), TINYGLTF_COMPONENT_TYPE_FLOAT,
                   TINYGLTF_TYPE_VEC4, TINYGLTF_TARGET_ARRAY_BUFFER);
+  primitive.indices = buffer_.add(surface.corners.data(), surface.corners.size(), sizeof(std::uint16_t),
+                                  TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT, TINYGLTF_TYPE_SCALAR,
+                                  TINYGLTF_TARGET_ELEMENT_ARRAY_BUFFER);
   primitive.material = add_material();
   primitive.mode = TINYGLTF_MODE_TRIANGLES;
   tinygltf::Mesh mesh;

@@ -3,9 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 
+#include "core/base/atomic_file.hpp"
 #include "core/base/text.hpp"
 #include "core/motion/body.hpp"
+#include "core/motion/marker_gaps.hpp"
+#include "core/motion/marker_model.hpp"
+#include "core/motion/performers.hpp"
 
 namespace abrazo {
 
@@ -44,6 +49,8 @@ Error no_map_fits(const NamedMotion& motion, const JointMap& closest, const Join
   for (std::size_t i = 0; i < binding.missing.size() && i < 6; ++i)
     message += (i > 0 ? ", " : "") + describe_joint(closest, binding.missing[i]);
   if (binding.missing.size() > 6) message += " and " + std::to_string(binding.missing.size() - 6) + " more";
+  for (const ImportWarning& warning : motion.warnings)
+    if (warning.kind == "never-seen") message += " (" + warning.detail + ")";
   message +=
       R"(. Say which point is which joint in a JSON file {"name": "mine", "joints": {"root": "Hips", "head": )"
       R"({"Neck": 0.3, "Top": 0.7}, ...}} with all 25 joints (--joint-map FILE). The file's points: )";
@@ -68,11 +75,51 @@ Result<JointBinding> bind(const NamedMotion& motion, const ImportOptions& option
   }
   if (!closest_binding.missing.empty())
     return no_map_fits(motion, *closest, closest_binding, options.joint_map.has_value());
-  report.joint_map = closest->name;
+  if (report.joint_map.empty()) report.joint_map = closest->name;
   if (!closest_binding.estimated.empty())
     warn(report, "estimated-joints",
          names_of(closest_binding.estimated) + ": not in the file, estimated from neighbouring points");
   return closest_binding;
+}
+
+/// Whether a joint map, given or built in, finds all joints.
+bool a_map_fits(const NamedMotion& motion, const ImportOptions& options) {
+  if (options.joint_map) return true;  // what it lacks is told by bind
+  for (const JointMap& map : builtin_joint_maps())
+    if (bind_joints(map, motion.points).missing.empty()) return true;
+  return false;
+}
+
+/// Where markers were captured, the joints by the marker model that was said or fits; nothing otherwise.
+Result<std::optional<NamedMotion>> joints_by_markers(const NamedMotion& motion, const ImportOptions& options,
+                                                     ImportReport& report) {
+  if (options.marker_model.empty() && a_map_fits(motion, options)) return std::optional<NamedMotion>();
+  const MarkerModel* chosen = nullptr;
+  for (const MarkerModel& model : builtin_marker_models()) {
+    const bool said = model.name == options.marker_model;
+    if (!said && !options.marker_model.empty()) continue;
+    const std::vector<std::string> missing = missing_markers(model, motion.points);
+    if (said && !missing.empty())
+      return Error{"the marker model '" + model.name + "' does not fit: the file lacks " + some_of(missing),
+                   motion.name};
+    if (!chosen && missing.empty()) chosen = &model;
+  }
+  if (!chosen) return std::optional<NamedMotion>();
+  const double unit =
+      options.metres_per_unit.value_or(motion.metres_per_unit.value_or(unit_of_markers(*chosen, motion)));
+  Result<NamedMotion> joints = joints_of_markers(*chosen, motion, unit);
+  if (!joints) return joints.error();
+  report.joint_map = chosen->name;
+  report.warnings = joints->warnings;
+  return std::optional<NamedMotion>(std::move(*joints));
+}
+
+/// Why a joint is at no place: the points it is found from.
+std::string gaps_behind(const NamedMotion& motion, const JointBinding& binding, int joint) {
+  std::vector<int> points;
+  for (const auto& [point, weight] : binding.terms[static_cast<std::size_t>(joint)]) points.push_back(point);
+  const std::string gaps = gaps_of(motion, points);
+  return gaps.empty() ? "is not a finite number" : "is not known: " + gaps;
 }
 
 Result<std::vector<Pose>> extract(const NamedMotion& motion, const JointBinding& binding) {
@@ -83,8 +130,9 @@ Result<std::vector<Pose>> extract(const NamedMotion& motion, const JointBinding&
     if (poses.back().allFinite()) continue;
     for (int j = 0; j < joint_count; ++j)
       if (!poses.back().row(j).allFinite())
-        return Error{"the position of " + std::string(joint_names[static_cast<std::size_t>(j)]) +
-                         " is not a finite number; leave that frame out or export the motion again",
+        return Error{"the position of " + std::string(joint_names[static_cast<std::size_t>(j)]) + " " +
+                         gaps_behind(motion, binding, j) +
+                         "; leave that frame out or export the motion again",
                      motion.name + ": frame " + std::to_string(f)};
   }
   if (poses.empty()) return Error{"has no frames", motion.name};
@@ -113,6 +161,28 @@ UpAxis guess_up_axis(const std::vector<Pose>& poses, ImportReport& report) {
     warn(report, "up-axis",
          std::string("the head is mostly not above the feet along Y or Z; ") +
              (guess == UpAxis::Z ? "Z" : "Y") + " was taken as up, say if it is the other");
+  return guess;
+}
+
+/// What the file says, unless the people in it clearly stand along the other axis.
+UpAxis settle_up_axis(const NamedMotion& motion, const ImportOptions& options, const std::vector<Pose>& poses,
+                      ImportReport& report) {
+  report.up_axis_guessed = !options.up_axis && !motion.up_axis;
+  if (options.up_axis) return *options.up_axis;
+  const std::size_t warnings = report.warnings.size();
+  const UpAxis guess = guess_up_axis(poses, report);
+  const bool sure = report.warnings.size() == warnings;
+  if (!motion.up_axis) {
+    if (guess == UpAxis::Z) warn(report, "up-axis", "Z was taken as up: the head is above the feet along it");
+    return guess;
+  }
+  if (!sure) report.warnings.pop_back();
+  if (guess == *motion.up_axis || !sure) return *motion.up_axis;
+  report.up_axis_guessed = true;
+  const auto name = [](UpAxis axis) { return std::string(axis == UpAxis::Z ? "Z" : "Y"); };
+  warn(report, "up-axis",
+       "the file says that " + name(*motion.up_axis) + " points up, but the head is above the feet along " +
+           name(guess) + ", which was taken");
   return guess;
 }
 
@@ -199,29 +269,55 @@ void look_for_rest_pose(const std::vector<Pose>& poses, ImportReport& report) {
 
 }  // namespace
 
-Result<ImportedClip> import_clip(const NamedMotion& motion, const ImportOptions& options) {
+Result<ImportedClip> import_clip(const NamedMotion& file_points, const ImportOptions& options) {
   if (options.metres_per_unit && !(*options.metres_per_unit > 0 && std::isfinite(*options.metres_per_unit)))
-    return Error{"metres per unit must be above 0", motion.name};
+    return Error{"metres per unit must be above 0", file_points.name};
   if (options.fps && !(*options.fps > 0 && std::isfinite(*options.fps)))
-    return Error{"the frame rate must be above 0", motion.name};
+    return Error{"the frame rate must be above 0", file_points.name};
   ImportedClip result;
   ImportReport& report = result.report;
-  report.warnings = motion.warnings;
+  report.warnings = file_points.warnings;
+  Result<std::optional<NamedMotion>> by_markers = joints_by_markers(file_points, options, report);
+  if (!by_markers) return by_markers.error();
+  const NamedMotion& motion = *by_markers ? **by_markers : file_points;
   const Result<JointBinding> binding = bind(motion, options, report);
   if (!binding) return binding.error();
   Result<std::vector<Pose>> poses = extract(motion, *binding);
   if (!poses) return poses.error();
-  report.up_axis_guessed = !options.up_axis;
-  report.up_axis = options.up_axis ? *options.up_axis : guess_up_axis(*poses, report);
+  report.up_axis = settle_up_axis(motion, options, *poses, report);
   if (report.up_axis == UpAxis::Z) turn_z_up_to_y_up(*poses);
-  if (report.up_axis == UpAxis::Z && report.up_axis_guessed)
-    warn(report, "up-axis", "Z was taken as up: the head is above the feet along it");
   settle_unit(motion, options, *poses, report);
   settle_rate(motion, options, report);
   settle_floor(*poses, report);
   look_for_rest_pose(*poses, report);
   result.clip = Clip{motion.name, report.fps, std::move(*poses)};
   return result;
+}
+
+bool joints_are_known(const NamedMotion& motion) {
+  const auto& models = builtin_marker_models();
+  return a_map_fits(motion, {}) || std::any_of(models.begin(), models.end(), [&](const MarkerModel& model) {
+           return missing_markers(model, motion.points).empty();
+         });
+}
+
+Status choose_joints(const std::string& name_or_file, ImportOptions& options) {
+  for (const MarkerModel& model : builtin_marker_models())
+    if (model.name == name_or_file) {
+      options.marker_model = model.name;
+      return Done{};
+    }
+  for (const JointMap& map : builtin_joint_maps())
+    if (map.name == name_or_file) {
+      options.joint_map = map;
+      return Done{};
+    }
+  const auto text = read_whole_file(name_or_file);
+  if (!text) return text.error();
+  auto map = parse_joint_map(*text, name_or_file);
+  if (!map) return map.error();
+  options.joint_map = std::move(*map);
+  return Done{};
 }
 
 }  // namespace abrazo

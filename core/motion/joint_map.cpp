@@ -14,30 +14,18 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-/// "mixamorig:LeftToe_End", "mixamorig_LeftToe End" -> "lefttoeend".
-std::string plain_name(std::string_view name) {
-  if (const auto colon = name.rfind(':'); colon != std::string_view::npos) name.remove_prefix(colon + 1);
-  std::string plain;
-  for (const char c : name)
-    if (c != ' ' && c != '\t' && c != '_')
-      plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-  constexpr std::string_view exporter = "mixamorig";
-  if (plain.starts_with(exporter) && plain.size() > exporter.size()) plain.erase(0, exporter.size());
-  return plain;
-}
-
 class PointIndex {
  public:
   explicit PointIndex(const std::vector<std::string>& points) {
     for (std::size_t i = 0; i < points.size(); ++i) {
       exact_.emplace(points[i], static_cast<int>(i));
-      plain_.emplace(plain_name(points[i]), static_cast<int>(i));
+      plain_.emplace(plain_point_name(points[i]), static_cast<int>(i));
     }
   }
   /// -1 when there is no such point.
   int find(const std::string& name) const {
     if (const auto found = exact_.find(name); found != exact_.end()) return found->second;
-    const auto found = plain_.find(plain_name(name));
+    const auto found = plain_.find(plain_point_name(name));
     return found == plain_.end() ? -1 : found->second;
   }
 
@@ -78,6 +66,36 @@ Result<std::vector<JointRule>> parse_alternatives(const Json& json, const std::s
 }
 
 }  // namespace
+
+std::string plain_point_name(std::string_view name) {
+  if (const auto colon = name.rfind(':'); colon != std::string_view::npos) name.remove_prefix(colon + 1);
+  std::string plain;
+  for (const char c : name)
+    if (c != ' ' && c != '\t' && c != '_')
+      plain += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+  constexpr std::string_view exporter = "mixamorig";
+  if (plain.starts_with(exporter) && plain.size() > exporter.size()) plain.erase(0, exporter.size());
+  return plain;
+}
+
+std::string joint_map_json(const JointMap& map) {
+  Json joints = Json::object();
+  for (std::size_t j = 0; j < joint_count; ++j) {
+    Json alternatives = Json::array();
+    for (const JointRule& rule : map.rules[j]) {
+      if (rule.terms.size() == 1 && rule.terms[0].weight == 1.0) {
+        alternatives.push_back(rule.terms[0].point);
+        continue;
+      }
+      Json weights = Json::object();
+      for (const JointRule::Term& term : rule.terms) weights[term.point] = term.weight;
+      alternatives.push_back(std::move(weights));
+    }
+    joints[std::string(joint_names[j])] = alternatives.size() == 1 ? alternatives[0] : alternatives;
+  }
+  return Json{{"name", map.name}, {"joints", joints}}.dump(2, ' ', false, Json::error_handler_t::replace) +
+         "\n";
+}
 
 Result<JointMap> parse_joint_map(std::string_view text, std::string_view where) {
   const std::string file(where);

@@ -50,6 +50,12 @@ struct JointBinding {
 /// case, blanks and underscores.
 JointBinding bind_joints(const JointMap& map, const std::vector<std::string>& points);
 
+/// A point's name as it is compared when it does not match exactly: "mixamorig:LeftToe_End" -> "lefttoeend".
+std::string plain_point_name(std::string_view name);
+
+/// The JSON that reads back to the same map.
+std::string joint_map_json(const JointMap& map);
+
 /// "ltoes (LeftToe_End or LeftToeBase_End)": the joint and the points that would give it.
 std::string describe_joint(const JointMap& map, int joint);
 

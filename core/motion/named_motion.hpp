@@ -8,6 +8,9 @@
 
 namespace abrazo {
 
+/// The axis of a file that points up.
+enum class UpAxis { Y, Z };
+
 /// Something odd in a file that did not prevent reading it. Always shown, never dropped.
 struct ImportWarning {
   std::string
@@ -19,12 +22,13 @@ struct ImportWarning {
 /// A motion as its file has it: world positions of named points in the file's own unit and axes.
 /// What readers produce; `import_clip` turns it into a Clip.
 struct NamedMotion {
-  std::string name;                       ///< of the performer or the file
-  std::vector<std::string> points;        ///< unique
-  std::vector<int> parents;               ///< per point, -1 for a root
-  std::vector<Positions> frames;          ///< per frame: points x 3, file units
-  std::optional<double> fps;              ///< nothing where the format does not say (AMC) or says nonsense
+  std::string name;                 ///< of the performer or the file
+  std::vector<std::string> points;  ///< unique
+  std::vector<int> parents;         ///< per point, -1 for a root
+  std::vector<Positions> frames;    ///< per frame: points x 3, file units; NaN where a marker was not seen
+  std::optional<double> fps;        ///< nothing where the format does not say (AMC) or says nonsense
   std::optional<double> metres_per_unit;  ///< nothing where the format does not say
+  std::optional<UpAxis> up_axis;          ///< nothing where the format does not say
   std::vector<ImportWarning> warnings;
 };
 

@@ -16,6 +16,48 @@ std::size_t bytes_of(const std::vector<T>& values) {
   return values.capacity() * sizeof(T);
 }
 
+/// A store's frames of a time, of those that are asked for by index.
+class FramesWithin : public FrameStore {
+ public:
+  FramesWithin(std::shared_ptr<const FrameStore> store, double from_s, double to_s)
+      : store_(std::move(store)), from_s_(from_s), to_s_(to_s) {}
+
+  Span span() const override { return store_->span(); }
+  FrameSnapshotPtr at(double time_s) const override { return store_->at(time_s); }
+  FrameSnapshotPtr frame(std::uint64_t index) const override { return store_->frame(index); }
+  std::vector<FrameSnapshotPtr> range(double from_s, double to_s, std::size_t most) const override {
+    return store_->range(std::max(from_s, from_s_), std::min(to_s, to_s_), most);
+  }
+  std::vector<FrameSnapshotPtr> between(std::uint64_t first, std::uint64_t last,
+                                        std::size_t most) const override {
+    auto frames = store_->between(first, last, most);
+    std::erase_if(frames, [&](const FrameSnapshotPtr& frame) {
+      return frame->time_s < from_s_ || frame->time_s > to_s_;
+    });
+    return frames;
+  }
+  std::optional<std::uint64_t> state_before(std::uint64_t index) const override {
+    return store_->state_before(index);
+  }
+
+ private:
+  std::shared_ptr<const FrameStore> store_;
+  double from_s_, to_s_;
+};
+
+/// First index of a store's frames in [from_s, to_s], and the one after the last. Where the frame at a bound
+/// cannot be read, more than those.
+std::pair<std::uint64_t, std::uint64_t> stored_between(const FrameStore& store, double from_s, double to_s) {
+  const FrameStore::Span span = store.span();
+  if (span.frames == 0 || from_s > span.last_s || to_s < span.first_s) return {0, 0};
+  std::uint64_t first = span.first_index, end = span.last_index + 1;
+  if (from_s > span.first_s)
+    if (const auto near = store.at(from_s)) first = near->time_s < from_s ? near->index + 1 : near->index;
+  if (to_s < span.last_s)
+    if (const auto last = store.at(to_s)) end = last->index + 1;
+  return {first, std::max(first, end)};
+}
+
 }  // namespace
 
 std::size_t size_of(const FrameSnapshot& frame) {
@@ -149,92 +191,86 @@ FrameSnapshotPtr FrameHistory::stored_step(const FrameStore& store, double time_
   return frame ? frame : from;  // of a lost or damaged frame the one it was stepped from stays
 }
 
-std::vector<FrameSnapshotPtr> FrameHistory::range(double from_s, double to_s, std::size_t most) const {
-  std::vector<FrameSnapshotPtr> remembered;
-  std::uint64_t first_index = std::numeric_limits<std::uint64_t>::max();
+FrameHistory::Parts FrameHistory::parts(double from_s, double to_s) const {
+  Parts parts;
+  parts.first_index = std::numeric_limits<std::uint64_t>::max();
   double first_s = std::numeric_limits<double>::infinity();
-  std::shared_ptr<const FrameStore> store;
   {
     const std::scoped_lock lock(mutex_);
     const auto first = frames_.begin() + first_not_before(from_s);
     const auto last =
         std::upper_bound(first, frames_.end(), to_s,
                          [](double t, const FrameSnapshotPtr& frame) { return t < frame->time_s; });
-    remembered.assign(first, last);
-    store = store_;
+    parts.remembered.assign(first, last);
+    parts.store = store_;
     if (!frames_.empty()) {
-      first_index = frames_.front()->index;
+      parts.first_index = frames_.front()->index;
       first_s = frames_.front()->time_s;
     }
   }
-  if (!store || from_s >= first_s) return remembered;
-  std::vector<FrameSnapshotPtr> frames = store->range(
-      from_s, std::min(to_s, std::nextafter(first_s, -std::numeric_limits<double>::infinity())), most);
-  std::erase_if(frames, [&](const FrameSnapshotPtr& frame) { return frame->index >= first_index; });
-  frames.insert(frames.end(), remembered.begin(), remembered.end());
+  if (from_s >= first_s) parts.store = nullptr;
+  parts.stored_to_s = std::min(to_s, std::nextafter(first_s, -std::numeric_limits<double>::infinity()));
+  return parts;
+}
+
+std::vector<FrameSnapshotPtr> FrameHistory::range(double from_s, double to_s, std::size_t most) const {
+  Parts found = parts(from_s, to_s);
+  if (!found.store) return std::move(found.remembered);
+  std::vector<FrameSnapshotPtr> frames = found.store->range(from_s, found.stored_to_s, most);
+  std::erase_if(frames, [&](const FrameSnapshotPtr& frame) { return frame->index >= found.first_index; });
+  frames.insert(frames.end(), found.remembered.begin(), found.remembered.end());
   return frames;
+}
+
+FrameRange FrameHistory::stretch(double from_s, double to_s) const {
+  Parts found = parts(from_s, to_s);
+  if (!found.store) return {nullptr, 0, 0, std::move(found.remembered)};
+  const auto [first, end] = stored_between(*found.store, from_s, found.stored_to_s);
+  return {std::make_shared<const FramesWithin>(found.store, from_s, found.stored_to_s), first,
+          std::min(end, std::max(first, found.first_index)), std::move(found.remembered)};
 }
 
 FrameHistory::SolvableAgain FrameHistory::solvable_again(double from_s, double to_s) const {
-  const SolvableAgain found = remembered_again(from_s, to_s);
-  const auto [memory, store] = view();
-  if (!store || (!found.is_short && memory.frames > 0 && from_s >= memory.first_s)) return found;
-  SolvableAgain reached;
-  reached.frames = range(from_s, to_s);
-  if (reached.frames.empty()) return found;
-  const std::uint64_t asked = reached.frames.front()->index;
-  if (reached.frames.front()->before) return reached;
-  if (const auto state = store->state_before(asked)) {
-    std::vector<FrameSnapshotPtr> run_up = before(asked, *state, *store);
-    if (!run_up.empty() && run_up.front()->before) {
-      reached.run_up = run_up.size();
-      reached.frames.insert(reached.frames.begin(), run_up.begin(), run_up.end());
-      return reached;
-    }
-  }
-  const auto first = std::find_if(reached.frames.begin(), reached.frames.end(),
-                                  [](const FrameSnapshotPtr& frame) { return frame->before != nullptr; });
-  reached.frames.erase(reached.frames.begin(), first);
-  reached.is_short = true;
-  return reached;
+  SolvableAgain again;
+  again.frames = stretch(from_s, to_s);
+  const FrameSnapshotPtr first = again.frames.next();
+  again.frames.rewind();
+  if (!first || first->before) return again;
+  again.run_up = run_up(*first);
+  if (!again.run_up.empty()) return again;
+  again.is_short = true;
+  // The states are some dozens of frames apart: the next one is near, or there is none.
+  FrameSnapshotPtr later = again.frames.next();
+  while (later && !later->before) later = again.frames.next();
+  again.frames = later ? stretch(later->time_s, to_s) : FrameRange();
+  return again;
 }
 
-/// All frames of [from, asked), wherever they are.
-std::vector<FrameSnapshotPtr> FrameHistory::before(std::uint64_t asked, std::uint64_t from,
-                                                   const FrameStore& store) const {
-  std::vector<FrameSnapshotPtr> remembered;
+/// All frames before one, back to the last that has a state; empty when there is none, or one between is
+/// lost.
+std::vector<FrameSnapshotPtr> FrameHistory::run_up(const FrameSnapshot& to) const {
+  std::vector<FrameSnapshotPtr> frames;
+  std::shared_ptr<const FrameStore> store;
   {
     const std::scoped_lock lock(mutex_);
-    for (const FrameSnapshotPtr& frame : frames_)
-      if (frame->index >= from && frame->index < asked) remembered.push_back(frame);
+    store = store_;
+    for (auto i = static_cast<std::ptrdiff_t>(frames_.size()) - 1; i >= 0; --i) {
+      const FrameSnapshotPtr& frame = frames_[static_cast<std::size_t>(i)];
+      if (frame->index >= to.index) continue;
+      frames.push_back(frame);
+      if (frame->before) break;
+    }
   }
-  const std::uint64_t stored_end = remembered.empty() ? asked : remembered.front()->index;
-  std::vector<FrameSnapshotPtr> frames;
-  if (stored_end > from) frames = store.between(from, stored_end - 1, all_frames);
-  frames.insert(frames.end(), remembered.begin(), remembered.end());
-  return frames;
-}
-
-FrameHistory::SolvableAgain FrameHistory::remembered_again(double from_s, double to_s) const {
-  const std::scoped_lock lock(mutex_);
-  const auto count = static_cast<std::ptrdiff_t>(frames_.size());
-  const auto has_state = [&](std::ptrdiff_t i) {
-    return frames_[static_cast<std::size_t>(i)]->before != nullptr;
-  };
-  std::ptrdiff_t asked = first_not_before(from_s);
-  std::ptrdiff_t first = std::min(asked, count - 1);
-  while (first > 0 && !has_state(first)) --first;
-  SolvableAgain found;
-  if (first < 0 || !has_state(first)) {
-    for (first = asked; first < count && !has_state(first);) ++first;
-    asked = first;
-    found.is_short = true;
-  }
-  found.run_up = static_cast<std::size_t>(asked - first);
-  for (std::ptrdiff_t i = first; i < count && frames_[static_cast<std::size_t>(i)]->time_s <= to_s; ++i)
-    found.frames.push_back(frames_[static_cast<std::size_t>(i)]);
-  if (found.frames.size() <= found.run_up) found = {{}, 0, found.is_short};
-  return found;
+  std::reverse(frames.begin(), frames.end());
+  if (!frames.empty() && frames.front()->before) return frames;
+  const auto state = store ? store->state_before(to.index) : std::nullopt;
+  if (!state) return {};
+  const std::uint64_t stored_end = frames.empty() ? to.index : frames.front()->index;
+  if (*state >= stored_end) return {};
+  std::vector<FrameSnapshotPtr> stored = store->between(*state, stored_end - 1, all_frames);
+  if (stored.empty() || !stored.front()->before) return {};
+  stored.insert(stored.end(), frames.begin(), frames.end());
+  return stored;
 }
 
 std::vector<FrameSnapshotPtr> FrameHistory::since(std::uint64_t index) const {

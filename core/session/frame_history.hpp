@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/session/frame_range.hpp"
 #include "core/session/frame_snapshot.hpp"
 #include "core/session/frame_store.hpp"
 
@@ -54,10 +55,12 @@ class FrameHistory {
   /// All frames in [from_s, to_s]. @param most  when the store has more of them they are evenly thinned to so
   /// many; those in memory all come
   std::vector<FrameSnapshotPtr> range(double from_s, double to_s, std::size_t most = all_frames) const;
+  /// The same, however many they are: held are those in memory and a piece of the others.
+  FrameRange stretch(double from_s, double to_s) const;
   /// The frames in [from_s, to_s], after those back to the last one that has the synthesizer's state.
   struct SolvableAgain {
-    std::vector<FrameSnapshotPtr> frames;  ///< the first has a state; empty when none in the range can be had
-    std::size_t run_up = 0;                ///< so many of them come before the range
+    std::vector<FrameSnapshotPtr> run_up;  ///< come before the range; the first has a state
+    FrameRange frames;      ///< the first has a state where there is no run-up; empty when none can be had
     bool is_short = false;  ///< the range begins later than asked: what it needs is no longer kept
   };
   SolvableAgain solvable_again(double from_s, double to_s) const;
@@ -69,9 +72,15 @@ class FrameHistory {
   std::pair<Span, std::shared_ptr<const FrameStore>> view() const;
   FrameSnapshotPtr remembered(double time_s, int steps, bool only_inside) const;
   FrameSnapshotPtr stored_step(const FrameStore& store, double time_s, int steps) const;
-  SolvableAgain remembered_again(double from_s, double to_s) const;
-  std::vector<FrameSnapshotPtr> before(std::uint64_t asked, std::uint64_t from,
-                                       const FrameStore& store) const;
+  /// What memory has of [from_s, to_s], and what only the store has before it.
+  struct Parts {
+    std::vector<FrameSnapshotPtr> remembered;
+    std::shared_ptr<const FrameStore> store;  ///< null when nothing of it is wanted
+    double stored_to_s = 0;                   ///< its frames end there
+    std::uint64_t first_index = 0;            ///< of the oldest in memory; those from there on are not wanted
+  };
+  Parts parts(double from_s, double to_s) const;
+  std::vector<FrameSnapshotPtr> run_up(const FrameSnapshot& to) const;
   std::ptrdiff_t position_at(double time_s) const;
   std::ptrdiff_t first_not_before(double time_s) const;
 

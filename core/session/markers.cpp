@@ -39,6 +39,18 @@ void Markers::remove(int id) {
   std::erase_if(markers_, [id](const Marker& marker) { return marker.id == id; });
 }
 
+Markers Markers::restored(std::vector<Marker> markers, int next_id) {
+  Markers restored;
+  restored.next_id_ = std::max(1, next_id);
+  for (const Marker& marker : markers) restored.next_id_ = std::max(restored.next_id_, marker.id + 1);
+  for (Marker& marker : markers) {
+    if (marker.id < 1 || restored.find(marker.id)) marker.id = restored.next_id_++;
+    restored.markers_.push_back(std::move(marker));
+  }
+  restored.sort();
+  return restored;
+}
+
 const Marker* Markers::before(double time_s, double apart_s) const {
   const Marker* found = nullptr;
   for (const Marker& marker : markers_)

@@ -36,6 +36,10 @@ class Markers {
   /// The one nearest to a time within `reach_s`; null when there is none.
   const Marker* near(double time_s, double reach_s) const;
 
+  /// As they were kept somewhere, with their ids; one that is there twice gets a new one.
+  static Markers restored(std::vector<Marker> markers, int next_id);
+  int next_id() const { return next_id_; }
+
   bool operator==(const Markers&) const = default;
 
  private:

@@ -8,6 +8,7 @@
 
 #include "core/annotation/annotations.hpp"
 #include "core/base/result.hpp"
+#include "core/session/data_reference.hpp"
 #include "core/session/decisions.hpp"
 #include "core/session/markers.hpp"
 #include "core/synthesis/settings.hpp"
@@ -15,19 +16,6 @@
 #include "core/video/video_sync.hpp"
 
 namespace abrazo {
-
-/// A file that a project stands on; its content stays where it is.
-struct DataReference {
-  enum class Use { Library, Manifest, Motion, Skeleton, Video, Intrinsics, JointMap };
-  Use use = Use::Library;
-  std::string relative_path;  ///< to the session file's folder, with '/'; empty where there is no such path
-  std::string absolute_path;  ///< when it was saved last
-  std::uint64_t bytes = 0;
-  std::string
-      hash;  ///< 16 hexadecimal digits of the content (whole up to 64 MiB; else size, begin, middle, end)
-
-  bool operator==(const DataReference&) const = default;
-};
 
 /// A reference video with how it goes with its subject.
 struct ProjectVideo {
@@ -58,27 +46,25 @@ struct Project {
 };
 
 /// Puts the project into a session file, whole or not at all; what was recorded in it stays. The file is made
-/// when there is none. Not while it is being recorded by another: the error says so.
+/// when there is none, and one of an older version is migrated. Not while it is being recorded by another:
+/// the error says so; its own recorder takes it, see Recorder::save_project.
 Status save_project(const std::string& path, const Project& project);
-/// Of a file of any version up to this one; a file of an older version gives what it has.
+
+/// What could be read of a file, and what not.
+struct ProjectReading {
+  Project project;
+  bool is_saved = false;            ///< a person saved it; otherwise it is what the recording knows
+  int version = 0;                  ///< of the file
+  std::string saved_at;             ///< UTC, "2024-05-17T14:03:22Z"; empty when it never was
+  std::uint64_t damaged = 0;        ///< rows that could not be read, and were left out
+  std::vector<std::string> damage;  ///< of what kind, one sentence each
+};
+/// Of a file of any version up to this one; a file of an older version gives what it has, and is not changed.
+Result<ProjectReading> read_project(const std::string& path);
+/// The same without what could not be read.
 Result<Project> load_project(const std::string& path);
 
-/// A reference to a file as it is now.
-Result<DataReference> reference_to(const std::string& file, DataReference::Use use,
-                                   const std::string& session_path);
-
-/// Where the file is: beside the session by the relative path, else at the absolute one. Found with other
-/// content counts as found, and says so.
-struct FoundData {
-  enum class State { Found, Changed, Missing };
-  State state = State::Missing;
-  std::string path;  ///< empty when missing
-};
-FoundData find_data(const DataReference& reference, const std::string& session_path);
-
-/// After one missing file was pointed out: the others that lie as they did relative to it.
-/// @return by index into `data`, the paths at which they exist
-std::map<std::size_t, std::string> relocated(const std::vector<DataReference>& data, std::size_t pointed_out,
-                                             const std::string& path);
+/// Brings a file to this program's version, whole or not at all. @return the version it had
+Result<int> migrate_session(const std::string& path);
 
 }  // namespace abrazo

@@ -29,6 +29,10 @@ struct BeginTake {
   std::string name;
 };
 struct EndTake {};
+struct EditTakes {
+  TakeEdits edits;
+};
+using ProjectPtr = std::shared_ptr<const Project>;
 struct SetInput {
   std::string input;
 };
@@ -36,8 +40,8 @@ struct SetLibraryPath {
   std::shared_ptr<const MotionLibrary> library;
   std::string path;
 };
-using Item =
-    std::variant<FrameSnapshotPtr, ReceivedPose, BeginTake, EndTake, Markers, SetInput, SetLibraryPath>;
+using Item = std::variant<FrameSnapshotPtr, ReceivedPose, BeginTake, EndTake, Markers, SetInput,
+                          SetLibraryPath, ProjectPtr, EditTakes>;
 
 /// One thread owns the writer; the others leave what is to be written in a queue.
 class FileRecorder : public Recorder {
@@ -84,6 +88,16 @@ class FileRecorder : public Recorder {
   void set_markers(const Markers& markers) override {
     const std::scoped_lock lock(mutex_);
     push(markers);
+  }
+
+  void save_project(ProjectPtr project) override {
+    const std::scoped_lock lock(mutex_);
+    push(std::move(project));
+  }
+
+  void edit_takes(const TakeEdits& edits) override {
+    const std::scoped_lock lock(mutex_);
+    push(EditTakes{edits});
   }
 
   void set_input(const std::string& input) override {
@@ -257,6 +271,8 @@ class FileRecorder : public Recorder {
   }
   Status operator()(const ReceivedPose& pose) { return writer_->write(pose); }
   Status operator()(const Markers& markers) { return writer_->write(markers); }
+  Status operator()(const ProjectPtr& project) { return writer_->write(*project); }
+  Status operator()(const EditTakes& takes) { return writer_->edit_takes(takes.edits); }
   Status operator()(const EndTake&) { return writer_->end_take(); }
   Status operator()(const BeginTake& take) {
     writer_->begin_take(take.name);

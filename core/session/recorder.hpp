@@ -10,9 +10,12 @@
 #include "core/session/frame_listener.hpp"
 #include "core/session/frame_store.hpp"
 #include "core/session/markers.hpp"
+#include "core/session/session_edit.hpp"
 #include "core/stream/stream_receiver.hpp"
 
 namespace abrazo {
+
+struct Project;
 
 /// What a recording says of where it came from; kept in the session file.
 struct RecordingFacts {
@@ -57,6 +60,10 @@ class Recorder : public FrameListener {
 
   /// The markers of this session, in place of those before.
   virtual void set_markers(const Markers& markers) = 0;
+  /// The project into the same file, beside what is recorded, in place of the one there; with the next write.
+  virtual void save_project(std::shared_ptr<const Project> project) = 0;
+  /// Takes of the file, also of its runs before, by the names they have when this is written.
+  virtual void edit_takes(const TakeEdits& edits) = 0;
   /// The frames that follow have another input: URI or clip.
   virtual void set_input(const std::string& input) = 0;
   /// Where a library can be opened again that frames will name, other than that of RecordingFacts.

@@ -5,6 +5,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/session/decisions_json.hpp"
+#include "core/session/noted_intervals.hpp"
+#include "core/session/project_annotations.hpp"
+#include "core/session/project_schema.hpp"
+#include "core/session/table_reader.hpp"
 #include "core/session/time_place.hpp"
 
 namespace abrazo {
@@ -108,15 +112,17 @@ void read_tracks(Tables& tables, SessionContents& contents) {
               });
 }
 
-void read_intervals(Tables& tables, SessionContents& contents) {
-  tables.rows("intervals",
-              "SELECT kind, start_s, end_s, name, coalesce(detail, ''), coalesce(confidence, '') "
-              "FROM intervals ORDER BY start_s, id",
-              [&](const SessionStatement& row) -> Status {
-                contents.intervals.push_back(
-                    {row.text(0), row.real(1), row.real(2), row.text(3), row.text(4), row.text(5)});
-                return Done{};
-              });
+/// What a person said of the session itself, not of takes of the library.
+void read_annotated(SessionDatabase& database, SessionContents& contents, std::vector<std::string>& damage) {
+  if (contents.version < 2) {
+    contents.annotations = noted_intervals(database, damage);
+    return;
+  }
+  TableReader tables(database);
+  const AnnotationBook book = read_annotations(tables);
+  if (const auto session = book.find(""); session != book.end())
+    contents.annotations = tiers_of(session->second);
+  damage.insert(damage.end(), tables.damage().begin(), tables.damage().end());
 }
 
 void read_performers(Tables& tables, SessionContents& contents) {
@@ -197,13 +203,14 @@ void bound_runs(SessionDatabase& database, SessionContents& contents) {
 
 SessionContents read_contents(SessionDatabase& database, std::vector<std::string>& damage) {
   SessionContents contents;
+  if (const auto version = session_version(database)) contents.version = static_cast<int>(*version);
   Tables tables(database, damage);
   read_frames(tables, contents);
   read_runs(tables, contents);
   bound_runs(database, contents);
   read_libraries(tables, contents);
   read_tracks(tables, contents);
-  read_intervals(tables, contents);
+  read_annotated(database, contents, damage);
   read_performers(tables, contents);
   read_takes(tables, contents);
   // Each kind of damage is said once.

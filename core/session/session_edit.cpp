@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <vector>
 
+#include "core/session/project_schema.hpp"
 #include "core/session/session_database.hpp"
 #include "core/session/session_schema.hpp"
 
@@ -29,7 +30,15 @@ Result<std::vector<Row>> rows_to_edit(SessionDatabase& database, const TakeEdits
   }
 }
 
-Status edit(SessionDatabase& database, const TakeEdits& edits) {
+std::string sql_text(const std::string& text) {
+  std::string quoted = "'";
+  for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
+  return quoted + "'";
+}
+
+}  // namespace
+
+Status apply_take_edits(SessionDatabase& database, const TakeEdits& edits) {
   const auto rows = rows_to_edit(database, edits);
   if (!rows) return rows.error();
   auto rename = database.prepare("UPDATE takes SET name = ? WHERE id = ?");
@@ -45,14 +54,6 @@ Status edit(SessionDatabase& database, const TakeEdits& edits) {
   return Done{};
 }
 
-std::string sql_text(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
-  return quoted + "'";
-}
-
-}  // namespace
-
 Status edit_session_takes(const std::string& path, const TakeEdits& edits) {
   if (edits.empty()) return Done{};
   auto database = SessionDatabase::open(path, SessionDatabase::Access::Write);
@@ -61,7 +62,8 @@ Status edit_session_takes(const std::string& path, const TakeEdits& edits) {
   if (!known) return known;
   const Status begun = database->execute("BEGIN IMMEDIATE");
   if (!begun) return begun;
-  const Status edited = edit(*database, edits);
+  Status edited = migrate_session_schema(*database);
+  if (edited) edited = apply_take_edits(*database, edits);
   const Status ended = database->execute(edited ? "COMMIT" : "ROLLBACK");
   const Status closed = database->close();
   return !edited ? edited : !ended ? ended : closed;

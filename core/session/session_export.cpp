@@ -24,32 +24,32 @@ std::string names_of(const std::vector<Named>& all) {
   return names;
 }
 
-Result<const SessionTake*> find_take(const SessionFile& file, const std::string& name) {
+Result<const SessionTake*> find_take(const SessionRecord& session, const std::string& name) {
   const SessionTake* found = nullptr;
-  for (const SessionTake& take : file.contents().takes) {
+  for (const SessionTake& take : session.contents().takes) {
     if (take.name != name) continue;
     if (found)
       return Error{fmt::format("has two takes named '{}', at {:.3f} and {:.3f} s; choose one by its times "
                                "instead",
                                name, found->start_s, take.start_s),
-                   file.path()};
+                   session.where()};
     found = &take;
   }
   if (found) return found;
-  const auto& takes = file.contents().takes;
+  const auto& takes = session.contents().takes;
   return Error{takes.empty() ? "has no takes; leave the take out, or choose by times"
                              : fmt::format("has no take '{}'; there are {}", name, names_of(takes)),
-               file.path()};
+               session.where()};
 }
 
 struct Bounds {
   double from_s = -all_s, to_s = all_s;
 };
 
-Result<Bounds> bounds_of(const SessionFile& file, const SessionPart& part) {
+Result<Bounds> bounds_of(const SessionRecord& session, const SessionPart& part) {
   Bounds bounds;
   if (part.take) {
-    const auto take = find_take(file, *part.take);
+    const auto take = find_take(session, *part.take);
     if (!take) return take.error();
     bounds = {(*take)->start_s, (*take)->end_s};
   }
@@ -58,8 +58,12 @@ Result<Bounds> bounds_of(const SessionFile& file, const SessionPart& part) {
   if (bounds.to_s < bounds.from_s)
     return Error{fmt::format("nothing lies between {:.3f} and {:.3f} s{}", bounds.from_s, bounds.to_s,
                              part.take ? " of the take '" + *part.take + "'" : ""),
-                 file.path()};
+                 session.where()};
   return bounds;
+}
+
+double share(double time_s, double from_s, double to_s) {
+  return to_s > from_s ? std::clamp((time_s - from_s) / (to_s - from_s), 0.0, 1.0) : 0;
 }
 
 constexpr std::array<std::string_view, 3> body_names = {"user", "active", "passive"};
@@ -83,8 +87,8 @@ Result<double> rate_of(std::span<const StampedPose> poses, double wanted_hz, con
   return Error{"a single frame has no rate; give one, or a longer part", path};
 }
 
-/// The times at which received poses were taken, on the clock of the file. A sender's own clock is steadier
-/// than arrival over a network; where it jumps, arrival is all there is.
+/// The times at which received poses were taken, on the clock of the session. A sender's own clock is
+/// steadier than arrival over a network; where it jumps, arrival is all there is.
 void use_sender_clock(std::vector<StampedPose>& poses, const std::vector<double>& sender_s) {
   std::vector<double> offsets;
   for (std::size_t i = 0; i < poses.size(); ++i) offsets.push_back(poses[i].time_s - sender_s[i]);
@@ -115,12 +119,12 @@ Result<SessionMotion> even_motion(std::vector<std::vector<StampedPose>> bodies,
 
 }  // namespace
 
-Result<SessionRange> session_range(const SessionFile& file, const SessionPart& part) {
-  const auto bounds = bounds_of(file, part);
+Result<SessionRange> session_range(const SessionRecord& session, const SessionPart& part) {
+  const auto bounds = bounds_of(session, part);
   if (!bounds) return bounds.error();
   SessionRange range{all_s, -all_s, 0, 0};
   const Status looked =
-      file.each_source(bounds->from_s, bounds->to_s, [&](const SessionSource& frame) -> Status {
+      session.each_source(bounds->from_s, bounds->to_s, [&](const SessionSource& frame) -> Status {
         if (range.from_s == all_s) range.from_s = frame.time_s, range.first_frame = frame.frame;
         range.to_s = std::max(range.to_s, frame.time_s);
         range.last_frame = frame.frame;
@@ -128,46 +132,53 @@ Result<SessionRange> session_range(const SessionFile& file, const SessionPart& p
       });
   if (!looked) return looked.error();
   if (range.from_s <= range.to_s) return range;
-  const SessionContents& contents = file.contents();
-  if (contents.frames == 0) return Error{"has no solved frames; only received poses, if any", file.path()};
+  const SessionContents& contents = session.contents();
+  if (contents.frames == 0)
+    return Error{"has no solved frames; only received poses, if any", session.where()};
   return Error{
       fmt::format("has no frames there; they go from {:.3f} to {:.3f} s", contents.first_s, contents.last_s),
-      file.path()};
+      session.where()};
 }
 
-Result<SessionMotion> session_motion(const SessionFile& file, const SessionRange& range,
-                                     std::span<const SessionBody> bodies, double rate_hz) {
+Result<SessionMotion> session_motion(const SessionRecord& session, const SessionRange& range,
+                                     std::span<const SessionBody> bodies, double rate_hz,
+                                     const Progress& progress) {
   std::vector<std::vector<StampedPose>> stamped(bodies.size());
-  const auto rows = file.each_frame(range.from_s, range.to_s, [&](const FrameSnapshot& frame) -> Status {
+  const auto rows = session.each_frame(range.from_s, range.to_s, [&](const FrameSnapshot& frame) -> Status {
+    if (!report(progress, share(frame.time_s, range.from_s, range.to_s), "Reading the frames"))
+      return Error{"cancelled; nothing was written", session.where()};
     for (std::size_t b = 0; b < bodies.size(); ++b)
       stamped[b].push_back({frame.time_s, pose_of(frame, bodies[b])});
     return Done{};
   });
   if (!rows) return rows.error();
   if (rows->read == 0 || stamped.front().empty())
-    return Error{"none of the frames there can be read: " + rows->damage, file.path()};
+    return Error{"none of the frames there can be read: " + rows->damage, session.where()};
   std::vector<std::string> names;
   for (const SessionBody body : bodies) names.emplace_back(body_names[static_cast<std::size_t>(body)]);
-  return even_motion(std::move(stamped), names, rate_hz, *rows, file.path());
+  return even_motion(std::move(stamped), names, rate_hz, *rows, session.where());
 }
 
-Result<SessionMotion> performer_motion(const SessionFile& file, const SessionPart& part,
-                                       const std::string& performer, double rate_hz) {
-  const auto bounds = bounds_of(file, part);
+Result<SessionMotion> performer_motion(const SessionRecord& session, const SessionPart& part,
+                                       const std::string& performer, double rate_hz,
+                                       const Progress& progress) {
+  const auto bounds = bounds_of(session, part);
   if (!bounds) return bounds.error();
-  const auto& performers = file.contents().performers;
+  const auto& performers = session.contents().performers;
   const auto found = std::find_if(performers.begin(), performers.end(), [&](const SessionPerformer& one) {
     return one.name == performer || (performer.empty() && performers.size() == 1);
   });
   if (performers.empty())
-    return Error{"nothing was received from a stream; export the user instead", file.path()};
+    return Error{"nothing was received from a stream; export the user instead", session.where()};
   if (found == performers.end())
     return Error{fmt::format("has no performer '{}'; there are {}", performer, names_of(performers)),
-                 file.path()};
+                 session.where()};
   std::vector<StampedPose> stamped;
   std::vector<double> sender_s;
   const auto rows =
-      file.each_pose(found->id, bounds->from_s, bounds->to_s, [&](const ReceivedPose& pose) -> Status {
+      session.each_pose(found->id, bounds->from_s, bounds->to_s, [&](const ReceivedPose& pose) -> Status {
+        if (!report(progress, share(pose.pose.time_s, found->first_s, found->last_s), "Reading the poses"))
+          return Error{"cancelled; nothing was written", session.where()};
         const bool arrived = pose.pose.arrived_s >= 0;
         stamped.push_back({arrived ? pose.pose.arrived_s : pose.pose.time_s, pose.pose.pose});
         sender_s.push_back(pose.sender_time_s.value_or(pose.pose.time_s));
@@ -177,13 +188,14 @@ Result<SessionMotion> performer_motion(const SessionFile& file, const SessionPar
   if (stamped.empty())
     return Error{fmt::format("has no poses of '{}' there; they go from {:.3f} to {:.3f} s", found->name,
                              found->first_s, found->last_s),
-                 file.path()};
+                 session.where()};
   use_sender_clock(stamped, sender_s);
-  return even_motion({std::move(stamped)}, {found->name}, rate_hz, *rows, file.path());
+  return even_motion({std::move(stamped)}, {found->name}, rate_hz, *rows, session.where());
 }
 
-Result<std::vector<SessionSegment>> session_segments(const SessionFile& file, const SessionRange& range) {
-  const auto& libraries = file.contents().libraries;
+Result<std::vector<SessionSegment>> session_segments(const SessionRecord& session,
+                                                     const SessionRange& range) {
+  const auto& libraries = session.contents().libraries;
   const auto library_of = [&](std::uint64_t frame) {
     const SessionLibrary* found = nullptr;
     for (const SessionLibrary& library : libraries)
@@ -191,42 +203,44 @@ Result<std::vector<SessionSegment>> session_segments(const SessionFile& file, co
     return found;
   };
   std::vector<SessionSegment> segments;
-  const Status looked = file.each_source(range.from_s, range.to_s, [&](const SessionSource& frame) -> Status {
-    const SessionLibrary* library = library_of(frame.frame);
-    if (segments.empty() || segments.back().library != library)
-      segments.push_back({library, {frame.time_s, frame.time_s, frame.frame, frame.frame}});
-    segments.back().range.to_s = frame.time_s;
-    segments.back().range.last_frame = frame.frame;
-    return Done{};
-  });
+  const Status looked =
+      session.each_source(range.from_s, range.to_s, [&](const SessionSource& frame) -> Status {
+        const SessionLibrary* library = library_of(frame.frame);
+        if (segments.empty() || segments.back().library != library)
+          segments.push_back({library, {frame.time_s, frame.time_s, frame.frame, frame.frame}});
+        segments.back().range.to_s = frame.time_s;
+        segments.back().range.last_frame = frame.frame;
+        return Done{};
+      });
   if (!looked) return looked.error();
   return segments;
 }
 
-Result<std::string> session_trace_header(const SessionFile& file, const std::string& library_name,
+Result<std::string> session_trace_header(const SessionRecord& session, const std::string& library_name,
                                          const SessionRange& range) {
   TraceHeader header{library_name, "", 0, {}};
-  for (const SessionInput& input : file.contents().inputs)
+  for (const SessionInput& input : session.contents().inputs)
     if (input.first_frame <= range.first_frame) header.input = input.text;
-  for (const SessionSettings& change : file.contents().settings)
+  for (const SessionSettings& change : session.contents().settings)
     if (change.frame <= range.first_frame) header.settings = change.settings;
   std::vector<StampedPose> times;
-  const Status looked = file.each_source(range.from_s, range.to_s, [&](const SessionSource& frame) -> Status {
-    constexpr std::size_t enough = 4096;  // for a median
-    if (times.size() < enough) times.push_back({frame.time_s, Pose::Zero()});
-    return Done{};
-  });
+  const Status looked =
+      session.each_source(range.from_s, range.to_s, [&](const SessionSource& frame) -> Status {
+        constexpr std::size_t enough = 4096;  // for a median
+        if (times.size() < enough) times.push_back({frame.time_s, Pose::Zero()});
+        return Done{};
+      });
   if (!looked) return looked.error();
   header.fps = even_rate(median_rate_hz(times));
   return trace_header_line(header);
 }
 
-Result<SessionReplay> session_trace(const SessionFile& file, std::shared_ptr<const MotionLibrary> library,
-                                    const SessionRange& range,
+Result<SessionReplay> session_trace(const SessionRecord& session,
+                                    std::shared_ptr<const MotionLibrary> library, const SessionRange& range,
                                     const std::function<Status(const std::string&)>& each_line,
                                     const Progress& progress) {
   return re_solve_session(
-      file, library, range.from_s, range.to_s,
+      session, library, range.from_s, range.to_s,
       [&](const FrameSnapshot& frame) -> Status {
         const long long number =
             frame.input_frame >= 0 ? frame.input_frame : static_cast<long long>(frame.index);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/base/result.hpp"
+#include "core/library/tier.hpp"
 #include "core/session/decisions.hpp"
 #include "core/session/frame_snapshot.hpp"
 #include "core/stream/stream_receiver.hpp"
@@ -79,13 +80,6 @@ struct SessionMarker {
   std::string name;
 };
 
-/// Something that was said of a stretch of the session: a role, a move, a note.
-struct SessionInterval {
-  std::string kind;  ///< its tier
-  double start_s = 0, end_s = 0;
-  std::string name, detail, confidence;
-};
-
 /// The recorded frame that a solved one followed.
 struct SessionSource {
   std::uint64_t frame = 0;
@@ -99,6 +93,7 @@ struct SessionSource {
 /// All of a session file but the frames and poses. Times are of the file: seconds since its first session
 /// began.
 struct SessionContents {
+  int version = 0;      ///< of the file's layout
   std::string program;  ///< that wrote it: "abrazo 0.4.0"
   std::vector<SessionRun> runs;
   std::vector<SessionLibrary> libraries;
@@ -108,7 +103,7 @@ struct SessionContents {
   std::vector<SessionSettings> settings;    ///< changes, the first at the first frame
   std::vector<SessionDecisions> decisions;  ///< the same
   std::vector<SessionMarker> markers;
-  std::vector<SessionInterval> intervals;                     ///< by start
+  std::vector<Tier> annotations;  ///< of the session, by a person: nothing that is only suggested
   std::uint64_t frames = 0, first_frame = 0, last_frame = 0;  ///< frames: those between, if none is missing
   double first_s = 0, last_s = 0;                             ///< of the frames
 };
@@ -119,25 +114,17 @@ struct RowsRead {
   std::string damage;  ///< the first one's text
 };
 
-/// A session file, open for reading (layout: docs/session-file.md). May be read while it is recorded. Safe to
-/// call from any thread; every call sees what is on disk by then.
-class SessionFile {
+/// What happened in a session, wherever it is kept: in a file, in the history of a running session, in a take
+/// of a library. Safe to call from any thread.
+class SessionRecord {
  public:
-  /// Takes in what a crash left beside the file. Refuses, and says why, what is no session file, is of a
-  /// newer version, or is too damaged to have any content.
-  static Result<std::shared_ptr<const SessionFile>> open(const std::string& path);
-  virtual ~SessionFile() = default;
+  virtual ~SessionRecord() = default;
 
-  virtual const std::string& path() const = 0;
-  /// As it was when the file was opened.
+  /// The file, or what it is called instead in messages.
+  virtual const std::string& where() const = 0;
   virtual const SessionContents& contents() const = 0;
-  /// Another process or recorder is writing it (when it was opened).
-  virtual bool is_being_recorded() const = 0;
-  /// What is to be said of a file that was cut off or damaged, one sentence each; empty when all is well.
-  virtual const std::vector<std::string>& recovery() const = 0;
-
-  /// Frames in [from_s, to_s] in order, with all that does not need the library: no mesh, no selected pair,
-  /// no morph steps. Stops when `visit` fails.
+  /// Frames in [from_s, to_s] in order, with at least all that does not need the library. Stops when `visit`
+  /// fails.
   virtual Result<RowsRead> each_frame(double from_s, double to_s,
                                       const std::function<Status(const FrameSnapshot&)>& visit) const = 0;
   /// Received poses of a performer, in order of arrival. @param performer  id; nothing = all
@@ -146,6 +133,23 @@ class SessionFile {
   /// What the frames in [from_s, to_s] followed, in order; known without the library.
   virtual Status each_source(double from_s, double to_s,
                              const std::function<Status(const SessionSource&)>& visit) const = 0;
+};
+
+/// A session file, open for reading (layout: docs/session-file.md). May be read while it is recorded; every
+/// call sees what is on disk by then, but its contents are as they were when it was opened. Its frames have
+/// no mesh, no selected pair and no morph steps.
+class SessionFile : public SessionRecord {
+ public:
+  /// Takes in what a crash left beside the file. Refuses, and says why, what is no session file, is of a
+  /// newer version, or is too damaged to have any content.
+  static Result<std::shared_ptr<const SessionFile>> open(const std::string& path);
+
+  virtual const std::string& path() const = 0;
+  const std::string& where() const override { return path(); }
+  /// Another process or recorder is writing it (when it was opened).
+  virtual bool is_being_recorded() const = 0;
+  /// What is to be said of a file that was cut off or damaged, one sentence each; empty when all is well.
+  virtual const std::vector<std::string>& recovery() const = 0;
   /// By index; null when it is not kept.
   virtual Result<FrameSnapshotPtr> frame(std::uint64_t index) const = 0;
 };

@@ -89,11 +89,11 @@ class Replay {
 
 }  // namespace
 
-Result<SessionReplay> re_solve_session(const SessionFile& file, std::shared_ptr<const MotionLibrary> library,
-                                       double from_s, double to_s,
-                                       const std::function<Status(const FrameSnapshot&)>& each,
+Result<SessionReplay> re_solve_session(const SessionRecord& session,
+                                       std::shared_ptr<const MotionLibrary> library, double from_s,
+                                       double to_s, const std::function<Status(const FrameSnapshot&)>& each,
                                        const Progress& progress) {
-  const SessionContents& contents = file.contents();
+  const SessionContents& contents = session.contents();
   if (!contents.libraries.empty()) {
     Status same = Done{};
     for (const SessionLibrary& reference : contents.libraries) {
@@ -107,12 +107,12 @@ Result<SessionReplay> re_solve_session(const SessionFile& file, std::shared_ptr<
   constexpr double run_up_s = 10;
   const double length_s =
       std::max(1e-9, std::min(to_s, contents.last_s) - std::max(from_s, contents.first_s));
-  const auto pass = file.each_frame(from_s - run_up_s, to_s, [&](const FrameSnapshot& frame) -> Status {
+  const auto pass = session.each_frame(from_s - run_up_s, to_s, [&](const FrameSnapshot& frame) -> Status {
     if (frame.index % 64 == 0 &&
         !report(progress,
                 std::clamp((frame.time_s - std::max(from_s, contents.first_s)) / length_s, 0.0, 1.0),
                 "solving again"))
-      return Error{"cancelled", file.path()};
+      return Error{"cancelled", session.where()};
     return replay.solve(frame, from_s, each);
   });
   if (!pass) return pass.error();

@@ -19,13 +19,13 @@ struct SessionReplay {
 };
 
 /// Solves the frames of [from_s, to_s] again, from the recorded inputs with the recorded settings, decisions
-/// and fresh starts: everything of a frame is there, also what the file does not keep (mesh, morph steps).
+/// and fresh starts: everything of a frame is there, also what a file does not keep (mesh, morph steps).
 /// @param library  that they were recorded with, see open_session_library; its copy is checked
-/// @param each     is given every frame in order, time and index as in the file; frames that were skipped
+/// @param each     is given every frame in order, time and index as in the session; frames that were skipped
 ///                 are not given
-Result<SessionReplay> re_solve_session(const SessionFile& file, std::shared_ptr<const MotionLibrary> library,
-                                       double from_s, double to_s,
-                                       const std::function<Status(const FrameSnapshot&)>& each,
+Result<SessionReplay> re_solve_session(const SessionRecord& session,
+                                       std::shared_ptr<const MotionLibrary> library, double from_s,
+                                       double to_s, const std::function<Status(const FrameSnapshot&)>& each,
                                        const Progress& progress = {});
 
 }  // namespace abrazo

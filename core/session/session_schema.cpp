@@ -4,6 +4,7 @@
 #include <system_error>
 
 #include "core/session/frame_row.hpp"
+#include "core/session/project_schema.hpp"
 
 namespace abrazo {
 
@@ -33,9 +34,6 @@ CREATE TABLE takes (
   first_frame INTEGER NOT NULL, last_frame INTEGER);
 CREATE TABLE markers (
   id INTEGER PRIMARY KEY, run INTEGER REFERENCES runs, time_s REAL NOT NULL, name TEXT NOT NULL);
-CREATE TABLE intervals (
-  id INTEGER PRIMARY KEY, kind TEXT NOT NULL, start_s REAL NOT NULL, end_s REAL NOT NULL, name TEXT NOT NULL,
-  detail TEXT, confidence TEXT, take INTEGER REFERENCES takes);
 )sql";
 
 constexpr const char* views = R"sql(
@@ -76,7 +74,7 @@ Result<bool> is_empty_database(SessionDatabase& database) {
 Status create_session_schema(SessionDatabase& database) {
   return database.execute("PRAGMA application_id = " + std::to_string(session_application_id) +
                           "; PRAGMA user_version = " + std::to_string(session_schema_version) + ";" + tables +
-                          "CREATE TABLE frames (\n" + frame_column_definitions() + ");\n" + views);
+                          "CREATE TABLE frames (\n" + frame_column_definitions() + ");\n" + views + project_tables);
 }
 
 Status check_session_schema(SessionDatabase& database) {

@@ -9,7 +9,7 @@ namespace abrazo {
 /// "Abrz", in the header of the file: what `file` and other programs tell a session file by.
 inline constexpr std::int64_t session_application_id = 0x4162727a;
 /// Raised when an older program could not read the file.
-inline constexpr std::int64_t session_schema_version = 1;
+inline constexpr std::int64_t session_schema_version = 2;
 
 /// Whether nothing was ever put into the database.
 Result<bool> is_empty_database(SessionDatabase& database);

@@ -55,9 +55,9 @@ struct Followed {
   FrameValues moves, takes;
 };
 
-Result<Followed> followed_in(const SessionFile& file, double from_s, double to_s) {
+Result<Followed> followed_in(const SessionRecord& session, double from_s, double to_s) {
   Followed followed;
-  const Status looked = file.each_source(from_s, to_s, [&](const SessionSource& source) -> Status {
+  const Status looked = session.each_source(from_s, to_s, [&](const SessionSource& source) -> Status {
     for (FrameValues* values : {&followed.moves, &followed.takes}) values->times_s.push_back(source.time_s);
     followed.moves.values.push_back(source.label);
     followed.takes.values.push_back(source.take);
@@ -131,26 +131,10 @@ Tier marker_tier(const SessionContents& contents) {
   return tier;
 }
 
-/// What was noted in the file, by kind. An interval that overlaps one of its kind goes to a further tier.
-std::vector<Tier> noted_tiers(const SessionContents& contents) {
-  std::vector<Tier> tiers;
-  for (const SessionInterval& noted : contents.intervals) {
-    for (int copy = 1;; ++copy) {
-      const std::string name = noted.kind + (copy > 1 ? " " + std::to_string(copy) : "");
-      auto tier = std::find_if(tiers.begin(), tiers.end(), [&](const Tier& one) { return one.name == name; });
-      if (tier == tiers.end()) tier = tiers.insert(tiers.end(), Tier{name, {}});
-      if (!tier->intervals.empty() && tier->intervals.back().end_s > noted.start_s) continue;
-      tier->intervals.push_back({noted.start_s, noted.end_s, noted.name});
-      break;
-    }
-  }
-  return tiers;
-}
-
-/// Takes within a range; the whole range under the file's name when the file has none.
-std::vector<SessionTake> takes_in(const SessionFile& file, const SessionRange& range) {
+/// Takes within a range; the whole range under the name of the session when it has none.
+std::vector<SessionTake> takes_in(const SessionRecord& session, const SessionRange& range) {
   std::vector<SessionTake> takes;
-  for (SessionTake take : file.contents().takes) {
+  for (SessionTake take : session.contents().takes) {
     if (take.end_s < range.from_s || take.start_s > range.to_s) continue;
     take.start_s = std::max(take.start_s, range.from_s);
     take.end_s = std::min(take.end_s, range.to_s);
@@ -158,23 +142,24 @@ std::vector<SessionTake> takes_in(const SessionFile& file, const SessionRange& r
   }
   if (!takes.empty()) return takes;
   SessionTake whole;
-  whole.name = std::filesystem::path(file.path()).stem().string();
+  whole.name = std::filesystem::path(session.where()).stem().string();
   whole.start_s = range.from_s;
   whole.end_s = range.to_s;
   return {whole};
 }
 
-std::vector<TierInterval> noted_moves(const SessionContents& contents) {
-  for (Tier& tier : noted_tiers(contents))
-    if (tier.name == "move") return std::move(tier.intervals);
+/// Of the first tier of moves that a person annotated.
+std::vector<TierInterval> annotated_moves(const SessionContents& contents) {
+  for (const Tier& tier : contents.annotations)
+    if (tier.kind == TierKind::Move) return tier.intervals;
   return {};
 }
 
 }  // namespace
 
-Result<std::vector<Tier>> session_tiers(const SessionFile& file, const SessionRange& range) {
-  const SessionContents& contents = file.contents();
-  const auto followed = followed_in(file, range.from_s, range.to_s);
+Result<std::vector<Tier>> session_tiers(const SessionRecord& session, const SessionRange& range) {
+  const SessionContents& contents = session.contents();
+  const auto followed = followed_in(session, range.from_s, range.to_s);
   if (!followed) return followed.error();
   const double end_s = range.to_s + followed->moves.usual_interval_s();
   std::vector<Tier> tiers = {
@@ -183,33 +168,35 @@ Result<std::vector<Tier>> session_tiers(const SessionFile& file, const SessionRa
   tiers.push_back({"take followed", followed->takes.intervals(), {}});
   tiers.push_back(meant_tier(contents, end_s));
   tiers.push_back(marker_tier(contents));
-  for (Tier& tier : noted_tiers(contents)) {
+  const std::size_t known = tiers.size();
+  for (Tier tier : contents.annotations) {
     const auto same =
         std::find_if(tiers.begin(), tiers.end(), [&](const Tier& one) { return one.name == tier.name; });
-    if (same != tiers.end()) tier.name += " (noted)";
+    if (same != tiers.end()) tier.name += " (annotated)";
     tiers.push_back(std::move(tier));
   }
   std::vector<Tier> kept;
   for (std::size_t i = 0; i < tiers.size(); ++i) {
     tiers[i].intervals = within(std::move(tiers[i].intervals), range.from_s, end_s);
-    if (tiers[i].vocabulary.empty() && tiers[i].name != "marker" && tiers[i].name != "note")
+    if (tiers[i].vocabulary.empty() && tiers[i].name != "marker" && i < known)  // free text stays so
       tiers[i].vocabulary = vocabulary_of(tiers[i].intervals);
     if (i < always || !tiers[i].intervals.empty()) kept.push_back(std::move(tiers[i]));
   }
   return kept;
 }
 
-Result<std::string> session_labels_csv(const SessionFile& file, const SessionRange& range, double rate_hz) {
+Result<std::string> session_labels_csv(const SessionRecord& session, const SessionRange& range,
+                                       double rate_hz) {
   std::string text = "take,start_frame,end_frame,label,detail,confidence\n";
-  const std::vector<TierInterval> noted = noted_moves(file.contents());
-  for (const SessionTake& take : takes_in(file, range)) {
-    const auto followed = followed_in(file, take.start_s, take.end_s);
+  const std::vector<TierInterval> noted = annotated_moves(session.contents());
+  for (const SessionTake& take : takes_in(session, range)) {
+    const auto followed = followed_in(session, take.start_s, take.end_s);
     if (!followed) return followed.error();
     const FrameValues& moves = followed->moves;
     if (moves.times_s.empty()) continue;
     const double usual_s = moves.usual_interval_s();
     const double rate = rate_hz > 0 ? rate_hz : usual_s > 0 ? even_rate(1 / usual_s) : 0;
-    if (rate <= 0) return Error{"a single frame has no rate; give one, or a longer part", file.path()};
+    if (rate <= 0) return Error{"a single frame has no rate; give one, or a longer part", session.where()};
     const double first_s = moves.times_s.front();
     const auto frames = std::floor((moves.times_s.back() - first_s) * rate + 1e-6) + 1;
     // The frame at or after a time; a stamp a nanosecond late is still in time.
@@ -224,7 +211,7 @@ Result<std::string> session_labels_csv(const SessionFile& file, const SessionRan
             fmt::format("'{}' or '{}' has a comma, which a label file cannot hold; rename it, or use "
                         ".eaf or .json",
                         take.name, move.value),
-            file.path()};
+            session.where()};
       text += fmt::format("{},{},{},{},,\n", take.name, start, end, move.value);
     }
   }

@@ -16,15 +16,16 @@ namespace abrazo {
 ///   take followed   the library's take that it is from
 ///   meant           what the person said that they mean, while it was in force
 ///   marker          1 ms each
-/// and one tier for each kind of interval that was noted in the file (overlapping ones on further tiers).
+/// and the tiers that a person annotated, with their kinds and vocabularies; nothing that is only suggested.
 /// Tiers without an interval are left out, but for the first three.
-Result<std::vector<Tier>> session_tiers(const SessionFile& file, const SessionRange& range);
+Result<std::vector<Tier>> session_tiers(const SessionRecord& session, const SessionRange& range);
 
 /// Moves as a label file (take,start_frame,end_frame,label,detail,confidence) whose frames count from the
 /// first frame of each take, at the rate of an export of that take: the two belong together. Moves that were
-/// noted in the file (kind "move"), else those that were followed. Without takes the whole range is one,
-/// named like the file.
+/// annotated (first tier of moves), else those that were followed. Without takes the whole range is one,
+/// named like the session.
 /// @param rate_hz  0 = that of the frames
-Result<std::string> session_labels_csv(const SessionFile& file, const SessionRange& range, double rate_hz);
+Result<std::string> session_labels_csv(const SessionRecord& session, const SessionRange& range,
+                                       double rate_hz);
 
 }  // namespace abrazo

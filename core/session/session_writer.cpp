@@ -1,5 +1,6 @@
 #include "core/session/session_writer.hpp"
 
+#include <algorithm>
 #include <array>
 #include <chrono>
 #include <cmath>
@@ -12,6 +13,8 @@
 #include "core/session/decisions_json.hpp"
 #include "core/session/frame_row.hpp"
 #include "core/session/library_reference.hpp"
+#include "core/session/project_rows.hpp"
+#include "core/session/project_schema.hpp"
 #include "core/session/session_schema.hpp"
 
 namespace abrazo {
@@ -22,8 +25,8 @@ namespace {
 
 /// A frame with its state is some 9 kB, one without 3.5 kB: four rows to a page, and few that need a second.
 constexpr int page_bytes = 16384;
-/// The log is moved into the file when it has so many pages: 16 MB, some 40 s.
-constexpr int pages_in_log = 1024;
+/// The log is moved into the file when it has so many bytes: some 40 s.
+constexpr std::int64_t bytes_in_log = 16 << 20;
 /// Between two sessions in one file.
 constexpr double pause_s = 1;
 
@@ -104,21 +107,26 @@ Status SessionWriter::prepare_file(const RecorderOptions& options) {
   if (mode->value_or("") != "wal")
     return Error{"the disk cannot keep a log beside the file (is it a network drive?); record to a local one",
                  database_.path()};
+  // A file that began as a project has smaller pages.
+  const auto page = database_.integer("PRAGMA page_size");
+  if (!page) return page.error();
+  const std::int64_t size = std::max<std::int64_t>(512, page->value_or(page_bytes));
   // FULL: every commit is on the platter before the next, so that also a power cut costs no more than the
   // last fraction of a second. The wait is this thread's alone.
-  const Status tuned =
-      database_.execute("PRAGMA synchronous=FULL; PRAGMA wal_autocheckpoint=" + std::to_string(pages_in_log) +
-                        "; PRAGMA journal_size_limit=67108864; PRAGMA temp_store=MEMORY");
+  const Status tuned = database_.execute(
+      "PRAGMA synchronous=FULL; PRAGMA wal_autocheckpoint=" + std::to_string(bytes_in_log / size) +
+      "; PRAGMA journal_size_limit=67108864; PRAGMA temp_store=MEMORY");
   if (!tuned) return tuned;
   if (options.largest_file_bytes > 0) {
     const auto limited =
-        database_.integer("PRAGMA max_page_count=" + std::to_string(options.largest_file_bytes / page_bytes));
+        database_.integer("PRAGMA max_page_count=" +
+                          std::to_string(static_cast<std::int64_t>(options.largest_file_bytes) / size));
     if (!limited) return limited.error();
   }
   // From here to the end there is always a transaction of this writer: nobody else can write in between.
   if (const Status begun = database_.execute("BEGIN IMMEDIATE"); !begun) return begun;
-  if (*empty)
-    if (const Status created = create_session_schema(database_); !created) return created;
+  const Status current = *empty ? create_session_schema(database_) : migrate_session_schema(database_);
+  if (!current) return current;
   if (const Status begun = begin_run(); !begun) return begun;
   if (const Status prepared = prepare_statements(); !prepared) return prepared;
   // In the file itself, so that it is a session file whatever becomes of the log.
@@ -366,17 +374,28 @@ Status SessionWriter::write(const ReceivedPose& received) {
 
 /// A session that has the times of its file has the markers of all its runs, too.
 Status SessionWriter::write(const Markers& markers) {
-  auto cleared = database_.prepare(facts_.has_times_of_file ? "DELETE FROM markers WHERE run <= ?"
-                                                            : "DELETE FROM markers WHERE run = ?");
+  auto cleared =
+      database_.prepare(facts_.has_times_of_file ? "DELETE FROM markers WHERE run <= ?1 OR run IS NULL"
+                                                 : "DELETE FROM markers WHERE run = ?1");
   if (!cleared) return keep_fault(cleared.error());
   if (Status done = keep_fault(cleared->bind(0, run_)); !done) return done;
-  auto row = database_.prepare("INSERT INTO markers (run, time_s, name) VALUES (?, ?, ?)");
+  auto row = database_.prepare("INSERT INTO markers (id, run, time_s, name) VALUES (?, ?, ?, ?)");
   if (!row) return keep_fault(row.error());
   for (const Marker& marker : markers.all()) {
-    row->bind(0, run_).bind(1, marker.time_s + origin_.offset_s).bind(2, marker.name);
+    // Of a session of its own in the file the numbers may be taken.
+    facts_.has_times_of_file ? row->bind(0, marker.id) : row->bind_null(0);
+    row->bind(1, run_).bind(2, marker.time_s + origin_.offset_s).bind(3, marker.name);
     if (Status written = keep_fault(*row); !written) return written;
   }
   return Done{};
+}
+
+Status SessionWriter::write(const Project& project) {
+  return keep_fault(write_project(database_, project));
+}
+
+Status SessionWriter::edit_takes(const TakeEdits& edits) {
+  return keep_fault(apply_take_edits(database_, edits));
 }
 
 void SessionWriter::set_input(const std::string& input) {

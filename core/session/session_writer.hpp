@@ -11,8 +11,11 @@
 #include "core/session/recorded_frames.hpp"
 #include "core/session/recorder.hpp"
 #include "core/session/session_database.hpp"
+#include "core/session/session_edit.hpp"
 
 namespace abrazo {
+
+struct Project;
 
 /// Puts frames, poses and takes into a session file, one transaction after the other. What a transaction that
 /// failed had changed here is taken back too, so that the same can be written again. Used by one thread.
@@ -28,6 +31,9 @@ class SessionWriter {
   void begin_take(const std::string& name);
   Status end_take();
   Status write(const Markers& markers);
+  /// In place of the project that the file has. Its markers are in the session's time.
+  Status write(const Project& project);
+  Status edit_takes(const TakeEdits& edits);
   void set_input(const std::string& input);
   void set_library_path(const std::shared_ptr<const MotionLibrary>& library, const std::string& path);
 

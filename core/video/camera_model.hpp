@@ -63,8 +63,13 @@ CameraIntrinsics guessed_intrinsics(int width, int height, double horizontal_deg
 struct PickedPoint {
   Vec3 world;
   Pixel pixel;
+  int vertex = -1;       ///< joint of the pair, 0..49; -1 where it is not known
+  double subject_s = 0;  ///< when the joint was there
 
-  bool operator==(const PickedPoint& other) const { return world == other.world && pixel == other.pixel; }
+  bool operator==(const PickedPoint& other) const {
+    return world == other.world && pixel == other.pixel && vertex == other.vertex &&
+           subject_s == other.subject_s;
+  }
 };
 
 struct SolvedCamera {

@@ -21,8 +21,11 @@ class VideoReader {
   ~VideoReader();
 
   const VideoFacts& facts() const;
-  /// @param index  within the facts' frames. The last ones that were read are kept for a while
-  Result<VideoFramePtr> frame(int index);
+  /// @param index     within the facts' frames. The last ones that were read are kept for a while
+  /// @param progress  asked while decoding; false gives up with an Error "cancelled"
+  Result<VideoFramePtr> frame(int index, const Progress& progress = {});
+  /// It is among those that are kept: frame() has it at once.
+  bool holds(int index) const;
 
  private:
   struct State;

@@ -59,7 +59,7 @@ constexpr std::array third_parties = {
     ThirdParty{"OpenCV", "^opencv", "core/video/"},
     ThirdParty{"SQLite", "^sqlite3", ""},
     ThirdParty{"liblo", "^lo/", ""},
-    ThirdParty{"pugixml", "^pugi", "core/library/eaf_file.cpp"},
+    ThirdParty{"pugixml", "^pugi", "core/library/eaf_"},
     ThirdParty{"tinygltf", "^tiny_gltf", "core/motion/glb_writer.cpp"},
     ThirdParty{"assimp", "^assimp/", "core/motion/assimp_scene.cpp"},
     ThirdParty{"CLI11", "^CLI/", "app/"},
@@ -79,6 +79,7 @@ bool is_in_place(const SourceFile& file, std::string_view place, std::string& fi
 bool is_open_to_widgets(const std::string& include) {
   static const std::set<std::string> open = {"core/session/frame_snapshot.hpp",
                                              "core/session/frame_history.hpp",
+                                             "core/session/frame_in_library.hpp",
                                              "core/session/command.hpp",
                                              "core/session/decisions.hpp",
                                              "core/session/frame_store.hpp",
@@ -189,6 +190,20 @@ Violations command_line_knows_no_widgets(std::span<const SourceFile> files) {
     const bool toolkit = include.starts_with("widgets/") || is_qt(include) || is_vtk(include);
     return toolkit ? "the command line is built without Qt and VTK, but includes " + include : std::string();
   });
+}
+
+Violations renderer_draws_only_the_scene(std::span<const SourceFile> files) {
+  return check_includes(
+      files, "app/render/", [](const SourceFile& file, const std::string& include) -> std::string {
+        const bool is_view = include.starts_with("widgets/") && !include.starts_with("widgets/scene/") &&
+                             !include.starts_with("widgets/common/");
+        if (is_view || include.starts_with("app/workbench/"))
+          return "the renderer draws the scene and opens no window, but includes " + include;
+        const bool is_options = file.path.find("render_options") != std::string::npos;
+        if (is_options && (is_qt(include) || is_vtk(include) || include.starts_with("widgets/")))
+          return "the command line reads these options without a toolkit, but they include " + include;
+        return {};
+      });
 }
 
 Violations third_parties_have_one_place(std::span<const SourceFile> files) {

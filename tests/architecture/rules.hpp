@@ -22,6 +22,8 @@ Violations core_names_no_toolkit(std::span<const SourceFile> files);
 Violations core_folders_include_downwards(std::span<const SourceFile> files);
 Violations layers_point_down(std::span<const SourceFile> files);
 Violations command_line_knows_no_widgets(std::span<const SourceFile> files);
+/// The renderer draws the scene alone: no window, no other views. Its options know no toolkit.
+Violations renderer_draws_only_the_scene(std::span<const SourceFile> files);
 Violations third_parties_have_one_place(std::span<const SourceFile> files);
 Violations widgets_see_only_snapshots(std::span<const SourceFile> files);
 Violations widget_folders_are_strangers(std::span<const SourceFile> files);

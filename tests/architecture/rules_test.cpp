@@ -111,6 +111,18 @@ TEST(ArchitectureRules, CatchTheCommandLineReachingForWidgets) {
               IsEmpty());
 }
 
+TEST(ArchitectureRules, CatchARendererThatOpensAWindow) {
+  EXPECT_THAT(renderer_draws_only_the_scene(one("app/render/a.cpp", "#include \"widgets/plots/b.hpp\"\n")),
+              SizeIs(1));
+  EXPECT_THAT(renderer_draws_only_the_scene(one("app/render/a.cpp", "#include \"app/workbench/b.hpp\"\n")),
+              SizeIs(1));
+  EXPECT_THAT(renderer_draws_only_the_scene(one("app/render/render_options.cpp", "#include <QSize>\n")),
+              SizeIs(1));
+  EXPECT_THAT(renderer_draws_only_the_scene(
+                  one("app/render/a.cpp", "#include <QImage>\n#include \"widgets/scene/b.hpp\"\n")),
+              IsEmpty());
+}
+
 TEST(ArchitectureRules, CatchAThirdPartyOutsideItsPlace) {
   EXPECT_THAT(third_parties_have_one_place(one("core/library/a.cpp", "#include <tetgen.h>\n")),
               ElementsAre(HasSubstr("TetGen may be named only in core/mesh/tetrahedralize.cpp")));

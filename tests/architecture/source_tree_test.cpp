@@ -45,6 +45,10 @@ TEST(Architecture, TheCommandLineNeedsNoToolkit) {
   EXPECT_TRUE(holds(command_line_knows_no_widgets(tree())));
 }
 
+TEST(Architecture, TheRendererDrawsOnlyTheScene) {
+  EXPECT_TRUE(holds(renderer_draws_only_the_scene(tree())));
+}
+
 TEST(Architecture, AThirdPartyIsNamedInOnePlace) {
   EXPECT_TRUE(holds(third_parties_have_one_place(tree())));
 }

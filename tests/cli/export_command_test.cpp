@@ -181,7 +181,7 @@ TEST_F(ExportCommand, LabelsAsEafJsonAndCsv) {
 TEST_F(ExportCommand, WhatDoesNotFitIsRefusedWithWhatDoes) {
   expect_failure(exported("--what mesh -o m.bvh"),
                  "m.bvh: meshes cannot be written as this file type; use .vtu or .pvd");
-  expect_failure(exported("--what labels -o l.bvh"), "use .eaf, .csv or .json");
+  expect_failure(exported("--what labels -o l.bvh"), "use .eaf, .csv, .json, .vtt or .srt");
   expect_failure(exported("--what trace -o t.csv"), "use .jsonl");
   expect_failure(exported("--what active -o a.vtu"), "use .bvh, .glb or .csv");
   expect_failure(exported("--what active,mesh -o a.bvh"), "mesh needs one of its own");

@@ -10,6 +10,7 @@
 #include "app/workbench/film_plan.hpp"
 #include "app/workbench/film_writer.hpp"
 #include "app/workbench/scene_picture.hpp"
+#include "widgets/scene/scene_pictures.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -93,7 +94,7 @@ TEST(FilmWriter, LeavesNothingBehindWhenItIsGivenUp) {
 }
 
 TEST(Fitted, KeepsTheShapeOnBlack) {
-  const QImage film = fitted(plain({100, 50}, Qt::white), {64, 64});
+  const QImage film = widgets::fitted(plain({100, 50}, Qt::white), {64, 64});
   EXPECT_EQ(film.size(), QSize(64, 64));
   EXPECT_EQ(film.pixelColor(32, 32), QColor(Qt::white));
   EXPECT_EQ(film.pixelColor(32, 4), QColor(Qt::black));

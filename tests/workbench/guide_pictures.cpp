@@ -17,6 +17,7 @@
 #include <cstdio>
 
 #include "app/workbench/actions/actions.hpp"
+#include "app/workbench/annotation_desk.hpp"
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/panel_area.hpp"
 #include "core/base/atomic_file.hpp"
@@ -145,6 +146,26 @@ void compare(MainWindow& window) {
   window.settings().change("velocity-weight", "0.4");
 }
 
+/// A take half annotated: its second half is only suggested.
+void annotate(MainWindow& window, Pictures& pictures) {
+  auto& desk = *window.findChild<AnnotationDesk*>();
+  desk.showSubject(desk.library()->takes().front().name);
+  Annotations next = desk.annotations();
+  const AnnotationTier moves = *next.first_of(TierKind::Move);
+  const double middle_s = desk.range().last_s / 2;
+  std::vector<Suggestion> suggested;
+  for (const Annotation& each : moves.annotations)
+    if (each.start_s > middle_s && next.remove(each.id))
+      suggested.push_back({0, moves.id, each.start_s, each.end_s, each.value, 0.8, ""});
+  next.suggest(std::span(&moves.id, 1), suggested);
+  desk.change(next, "show");
+  desk.select(next.tier(moves.id)->annotations.back().id);
+  window.ticker().seek(middle_s);
+  wait(2000);
+  pictures.window("annotation");
+  desk.showSubject("");
+}
+
 /// The take that plays the user, sent as VMC packets to the window itself; the partner is sent back.
 void live(MainWindow& window, Pictures& pictures) {
   connect_to_stream(window, "vmc://127.0.0.1:39539");
@@ -203,6 +224,7 @@ int make_pictures(const QString& out, widgets::Theme theme, const QStringList& f
   wait(3000);  // until the comparison at the cursor is there
   pictures.window("workbench");
   pictures.panels();
+  annotate(window, pictures);
   live(window, pictures);
   pictures.dialog("Keys", "keys");
   pictures.dialog("Shortcuts…", "shortcuts");

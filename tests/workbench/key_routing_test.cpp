@@ -117,7 +117,7 @@ std::vector<std::string> keys_of_cell(QString cell) {
   std::vector<std::string> keys;
   for (QString word : cell.split(' ', Qt::SkipEmptyParts)) {
     if (word == "and" || word == "or") continue;
-    if (word.size() > 1 && word.endsWith(',')) word.chop(1);
+    if (word.size() > 1 && word.endsWith(',') && !word.endsWith("+,")) word.chop(1);
     keys.push_back(Shortcuts::normal(word.toStdString()));
     EXPECT_FALSE(keys.back().empty()) << "'" << word.toStdString() << "' in the guide is no key";
   }

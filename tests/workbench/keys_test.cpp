@@ -1,5 +1,5 @@
-// Each key of the keymap, pressed in the whole window on the generated dance, by what it does. Not yet there,
-// and so without a row: N and digits for labels, Ctrl+S, Ctrl+N, Ctrl+W (sessions).
+// Each key of the keymap, pressed in the whole window on the generated dance, by what it does. Keys of
+// labels: annotation_actions_test.
 #include "app/workbench/meaning_desk.hpp"
 #include "app/workbench/take_desk.hpp"
 #include "tests/workbench/key_window.hpp"
@@ -72,6 +72,12 @@ void dismiss_next_dialog() {
     modal->reject();
   });
   timer->start(20);
+}
+
+int sessions_begun = 0;
+void count_sessions() {
+  sessions_begun = 0;
+  QObject::connect(window, &MainWindow::sessionStarted, window, [] { ++sessions_begun; });
 }
 
 int pictures_in(const QString& folder) {
@@ -236,6 +242,10 @@ std::vector<KeyRow> program_rows() {
        [](auto&) { return alpha_is_changed(); }},
       {"CtrlY", Qt::Key_Y, ctrl, change_alpha_and_undo, [](auto&) { return alpha_is_changed(); }},
       {"CtrlO", Qt::Key_O, ctrl, dismiss_next_dialog, [](auto&) { return blocked_by == "QFileDialog"; }},
+      {"CtrlS", Qt::Key_S, ctrl, dismiss_next_dialog, [](auto&) { return blocked_by == "QFileDialog"; }},
+      {"CtrlShiftS", Qt::Key_S, ctrl | shift, dismiss_next_dialog,
+       [](auto&) { return blocked_by == "QFileDialog"; }},
+      {"CtrlN", Qt::Key_N, ctrl, count_sessions, [](auto&) { return sessions_begun > 0; }},
       {"CtrlB", Qt::Key_B, ctrl, nothing,
        [](auto&) {
          for (const QDialog* each : window->findChildren<QDialog*>())

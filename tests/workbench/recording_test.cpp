@@ -58,7 +58,7 @@ class Recording : public testing::Test {
     return nullptr;
   }
   static RangeRequest request(const QString& file) { return {{0.5, 1.0, 12}, {480, 320}, true, file}; }
-  static std::vector<FrameSnapshotPtr> frames() { return s_window->ticker().history()->range(0.4, 1.1); }
+  static FrameRange frames() { return s_window->ticker().history()->stretch(0.4, 1.1); }
 
   static inline MainWindow* s_window = nullptr;
   static inline UserSettings* s_remembered = nullptr;

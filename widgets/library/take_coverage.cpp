@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/session/frame_in_library.hpp"
+
 namespace abrazo::widgets {
 
 void TakeCoverage::begin(std::shared_ptr<const MotionLibrary> library) {
@@ -38,7 +40,7 @@ void TakeCoverage::append(const FrameSnapshot& frame) {
 
 bool TakeCoverage::append_new(const FrameHistory& history) {
   const auto frames = history.since(next_index_);
-  for (const FrameSnapshotPtr& frame : frames) append(*frame);
+  for (const FrameSnapshotPtr& frame : frames) append(*in_library(frame, library_));
   if (!frames.empty()) next_index_ = frames.back()->index + 1;
   return !frames.empty();
 }

@@ -294,6 +294,7 @@ void TakeList::showMenu(int take, const QPoint& at) {
   menu.addAction("Dance with this take", this, &TakeList::dance)->setEnabled(!m_model->isUsers(take));
   menu.addAction(m_model->isVetoed(take) ? "Use again" : "Exclude from selection", this,
                  &TakeList::toggleVeto);
+  menu.addAction("Annotate take", this, [this, take] { emit annotateRequested(take); });
   menu.addSeparator();
   menu.addAction("Go to the shown source", this, &TakeList::goToSource);
   menu.exec(at);

@@ -71,6 +71,7 @@ class TakeList : public QWidget {
   void recordedShown(int pair, bool in_motion);
   void danceRequested(int take);
   void vetoRequested(int take);
+  void annotateRequested(int take);
 
  private:
   QWidget* makeHead();

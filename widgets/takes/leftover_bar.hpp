@@ -14,6 +14,8 @@ namespace abrazo::widgets {
 struct LeftoverSession {
   QString file;
   QString words;  ///< "Session of 14:03 was not closed; 12 min, 3 takes"
+  /// Another file that opens with it, and is not offered by itself; empty when there is none.
+  QString belongsTo = {};
 };
 
 /// Offers sessions that were not closed, one after the other: open, keep for later, discard.

@@ -15,6 +15,7 @@
 #include "core/session/settings_track.hpp"
 #include "widgets/common/palette.hpp"
 #include "widgets/timeline/timeline_lanes.hpp"
+#include "widgets/timeline/timeline_tiers.hpp"
 #include "widgets/timeline/timeline_tracks.hpp"
 #include "widgets/timeline/timeline_viewport.hpp"
 
@@ -43,6 +44,7 @@ struct TimelineContent {
   double memory_first_s = 0;                   ///< frames before this are on disk
   Markers markers;
   int selected_marker = 0;
+  TimelineTiers tiers;
   Playback playback;
   bool focused = false;
 

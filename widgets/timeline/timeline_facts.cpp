@@ -102,6 +102,7 @@ QString facts_at(const TimelineContent& content, const QPointF& place) {
   const TimelineAxis& axis = content.axis();
   if (place.x() < axis.left_px || place.x() > axis.right_px()) return {};
   const double time_s = axis.time(place.x());
+  if (const QString facts = tier_facts(content, place); !facts.isEmpty()) return facts;
   TimelineLane lane{};
   const bool on_lane = content.lanes.lane_at(place.y(), lane);
   if (on_lane && lane == TimelineLane::Settings) return settings_facts(content, place.x());
@@ -118,7 +119,7 @@ QString facts_at(const TimelineContent& content, const QPointF& place) {
     facts += figure_facts(content.tracks.costs(), time_s, around_s, "cost");
   if (on_lane && lane == TimelineLane::Energy)
     facts += figure_facts(content.tracks.energies(), time_s, around_s, "energy");
-  if (time_s < content.memory_first_s) facts += "<br><i>on disk</i>";
+  if (time_s < content.memory_first_s && !content.lanes.is_of_take()) facts += "<br><i>on disk</i>";
   return facts + "<br>" + clock_at(time_s);
 }
 

@@ -29,7 +29,7 @@ void TimelineView::mousePressEvent(QMouseEvent* event) {
   if (event->button() == Qt::MiddleButton) {
     m_drag = Drag::View;
     setCursor(Qt::ClosedHandCursor);
-  } else if (event->button() == Qt::LeftButton) {
+  } else if (event->button() == Qt::LeftButton && !beginInTier(event)) {
     begin(under(m_pressed), event);
   }
 }
@@ -76,6 +76,7 @@ void TimelineView::mouseMoveEvent(QMouseEvent* event) {
       far < QApplication::startDragDistance() / 2.0)
     return;
   m_moved = true;
+  if (m_drag == Drag::Tier) return dragInTier(event->localPos(), !(event->modifiers() & Qt::AltModifier));
   dragTo(event->localPos());
 }
 
@@ -84,6 +85,7 @@ void TimelineView::dragTo(const QPointF& place) {
   const double there = std::clamp(time_s, m_content.playback.first_s, m_content.playback.last_s);
   switch (m_drag) {
     case Drag::None:
+    case Drag::Tier:
       return;
     case Drag::Cursor:
       return scrubTo(place.x());
@@ -133,6 +135,7 @@ void TimelineView::mouseReleaseEvent(QMouseEvent* event) {
   m_drag = Drag::None;
   showPointer(event->localPos());
   if (ended == Drag::Cursor) emit scrubbing(false);
+  if (ended == Drag::Tier) return endInTier();
   if (ended != Drag::Marker) return;
   if (!m_moved) {
     if (const Marker* marker = m_content.markers.find(m_content.selected_marker))
@@ -146,7 +149,11 @@ void TimelineView::mouseReleaseEvent(QMouseEvent* event) {
 
 void TimelineView::mouseDoubleClickEvent(QMouseEvent* event) {
   const TimelineHit hit = under(event->localPos());
-  if (event->button() == Qt::LeftButton && hit.part == TimelineHit::Part::Marker)
+  const TierHit tier = tierUnder(event->localPos());
+  if (event->button() == Qt::LeftButton && tier.annotation != 0)
+    tier.part == TierHit::Part::Suggestion ? emit suggestionEntryRequested(tier.annotation)
+                                           : emit valueEntryRequested(tier.annotation);
+  else if (event->button() == Qt::LeftButton && hit.part == TimelineHit::Part::Marker)
     emit markerEntryRequested(hit.marker);
   else if (event->button() == Qt::LeftButton && hit.part == TimelineHit::Part::Range)
     emit rangeEntryRequested();
@@ -165,9 +172,10 @@ const TimelineTake* TimelineView::takeUnder(const QPointF& place) const {
 void TimelineView::showPointer(const QPointF& place) {
   using Part = TimelineHit::Part;
   const Part part = under(place).part;
-  setCursor(part == Part::In || part == Part::Out ? Qt::SizeHorCursor
-            : part == Part::Marker                ? Qt::PointingHandCursor
-                                                  : Qt::ArrowCursor);
+  setCursor(tierUnder(place).is_edge()              ? Qt::SizeHorCursor
+            : part == Part::In || part == Part::Out ? Qt::SizeHorCursor
+            : part == Part::Marker                  ? Qt::PointingHandCursor
+                                                    : Qt::ArrowCursor);
   if (!QToolTip::isVisible()) return;
   const QString facts = facts_at(m_content, place);
   facts.isEmpty() ? QToolTip::hideText() : QToolTip::showText(mapToGlobal(place.toPoint()), facts, this);
@@ -201,11 +209,14 @@ void TimelineView::keyPressEvent(QKeyEvent* event) {
       m_content.viewport.pan((event->key() == Qt::Key_PageUp ? -0.8 : 0.8) * axis().span_s);
       return redraw();
     case Qt::Key_Escape:
+      if (m_drag == Drag::Tier) return m_drag = Drag::None, m_content.tiers.drag.reset(), redraw();
       selectMarker(0);
+      emit annotationChosen(0);
       return QWidget::keyPressEvent(event);
     case Qt::Key_Return:
     case Qt::Key_Enter:
       if (m_content.selected_marker != 0) return emit markerEntryRequested(m_content.selected_marker);
+      if (m_content.tiers.selected != 0) return emit valueEntryRequested(m_content.tiers.selected);
       return QWidget::keyPressEvent(event);
     default:
       QWidget::keyPressEvent(event);
@@ -217,6 +228,17 @@ void TimelineView::contextMenuEvent(QContextMenuEvent* event) {
   const QPoint place(by_key ? static_cast<int>(axis().left_px) : event->pos().x(), event->pos().y());
   const TimelineHit hit = under(place);
   if (hit.part == TimelineHit::Part::Marker) selectMarker(hit.marker);
+  if (by_key && m_content.tiers.selected != 0)
+    return emit tierMenuRequested(m_content.tiers.active_tier, m_content.tiers.selected,
+                                  m_content.playback.cursor_s, mapToGlobal(QPoint(place.x(), 20)));
+  if (const TierHit tier = tierUnder(event->pos()); !by_key && tier.tier != 0) {
+    const bool confirmed = tier.part != TierHit::Part::Suggestion;
+    emit tierChosen(tier.tier);
+    if (tier.annotation != 0)
+      confirmed ? emit annotationChosen(tier.annotation) : emit suggestionChosen(tier.annotation);
+    return emit tierMenuRequested(tier.tier, confirmed ? tier.annotation : 0, axis().time(place.x()),
+                                  event->globalPos());
+  }
   emit menuRequested(by_key ? mapToGlobal(QPoint(place.x(), 20)) : event->globalPos());
 }
 

@@ -2,12 +2,14 @@
 
 #include <algorithm>
 #include <array>
+#include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace abrazo::widgets {
 
-/// The rows of the timeline, from the top.
+/// The computed rows of the timeline, from the top.
 enum class TimelineLane { Source, Moves, Role, UserRole, Cost, Energy, Settings, Takes, Markers };
 inline constexpr int timeline_lane_count = 9;
 
@@ -15,47 +17,71 @@ struct TimelineLaneInfo {
   std::string_view name;
   double height_px;
   bool shown_at_first;
+  bool says_of_a_take;  ///< something, when a take is shown in place of the session
 };
 inline constexpr std::array<TimelineLaneInfo, timeline_lane_count> timeline_lane_infos = {{
-    {"Source", 27, true},
-    {"Moves", 27, true},
-    {"Role", 27, true},
-    {"User is", 20, false},
-    {"Cost", 27, true},
-    {"Energy", 27, false},
-    {"Settings", 20, true},
-    {"Takes", 20, true},
-    {"Markers", 20, true},
+    {"Source", 27, true, true},
+    {"Moves", 27, true, false},
+    {"Role", 27, true, false},
+    {"User is", 20, false, false},
+    {"Cost", 27, true, false},
+    {"Energy", 27, false, false},
+    {"Settings", 20, true, false},
+    {"Takes", 20, true, false},
+    {"Markers", 20, true, true},
 }};
 
 constexpr const TimelineLaneInfo& info_of(TimelineLane lane) {
   return timeline_lane_infos[static_cast<std::size_t>(lane)];
 }
 
+/// A row for a tier of annotations.
+struct TierLane {
+  int tier = 0;  ///< its id
+  std::string name;
+
+  bool operator==(const TierLane&) const = default;
+};
+
 /// Which lanes there are and where: the ruler above and the overview below stay, what is between scrolls
-/// where the panel is low. Plain arithmetic, no toolkit.
+/// where the panel is low. Lanes of tiers stand below the computed ones. Plain arithmetic, no toolkit.
 class TimelineLanes {
  public:
-  static constexpr double ruler_px = 22, overview_px = 14, gap_px = 4;
+  static constexpr double ruler_px = 22, overview_px = 14, gap_px = 4, tier_px = 27;
 
   TimelineLanes() {
     for (std::size_t lane = 0; lane < shown_.size(); ++lane)
       shown_[lane] = timeline_lane_infos[lane].shown_at_first;
   }
 
-  bool is_shown(TimelineLane lane) const { return shown_[static_cast<std::size_t>(lane)]; }
+  bool is_shown(TimelineLane lane) const {
+    return shown_[static_cast<std::size_t>(lane)] && (!of_take_ || info_of(lane).says_of_a_take);
+  }
   void set_shown(TimelineLane lane, bool on) {
     shown_[static_cast<std::size_t>(lane)] = on;
     scroll_to(scroll_px_);
   }
+  /// While a take of the library is shown, lanes that say nothing of it are away.
+  void set_of_take(bool on) {
+    of_take_ = on;
+    scroll_to(scroll_px_);
+  }
+  bool is_of_take() const { return of_take_; }
+
+  const std::vector<TierLane>& tiers() const { return tiers_; }
+  void set_tiers(std::vector<TierLane> tiers) {
+    tiers_ = std::move(tiers);
+    scroll_to(scroll_px_);
+  }
+  /// Hidden by its name, also in other subjects and when it comes back.
+  bool is_shown(const TierLane& lane) const { return !hidden_.contains(lane.name); }
+  void set_tier_shown(const std::string& name, bool on) {
+    on ? void(hidden_.erase(name)) : void(hidden_.insert(name));
+    scroll_to(scroll_px_);
+  }
 
   /// Height of all shown lanes.
-  double content_px() const {
-    double sum = 0;
-    for (std::size_t lane = 0; lane < shown_.size(); ++lane)
-      if (shown_[lane]) sum += timeline_lane_infos[lane].height_px;
-    return sum;
-  }
+  double content_px() const { return computed_px() + tiers_above(tiers_.size()); }
   /// Of the whole timeline, so that nothing scrolls.
   double whole_px() const { return top_px() + content_px() + overview_px; }
 
@@ -68,13 +94,24 @@ class TimelineLanes {
   double most_scroll_px() const { return std::max(0.0, content_px() - (bottom_px() - top_px())); }
   double scroll_px() const { return scroll_px_; }
   void scroll_to(double px) { scroll_px_ = std::clamp(px, 0.0, most_scroll_px()); }
+  /// So far that a tier's lane is to be seen whole.
+  void reveal(int tier) {
+    const double top = top_of_tier(tier);
+    if (top < top_px()) scroll_to(scroll_px_ - (top_px() - top));
+    if (top + tier_px > bottom_px()) scroll_to(scroll_px_ + top + tier_px - bottom_px());
+  }
 
   /// Where the top of a lane is; it may lie outside [top_px, bottom_px].
   double top_of(TimelineLane lane) const {
     double y = top_px() - scroll_px_;
     for (std::size_t above = 0; above < static_cast<std::size_t>(lane); ++above)
-      if (shown_[above]) y += timeline_lane_infos[above].height_px;
+      if (is_shown(static_cast<TimelineLane>(above))) y += timeline_lane_infos[above].height_px;
     return y;
+  }
+  double top_of_tier(int tier) const {
+    std::size_t place = 0;
+    while (place < tiers_.size() && tiers_[place].tier != tier) ++place;
+    return top_px() - scroll_px_ + computed_px() + tiers_above(place);
   }
 
   /// @return whether a shown lane is at this height; then which
@@ -89,23 +126,58 @@ class TimelineLanes {
     }
     return false;
   }
+  /// Id of the tier whose shown lane is at this height; 0 where there is none.
+  int tier_at(double y_px) const {
+    if (y_px < top_px() || y_px >= bottom_px()) return 0;
+    for (const TierLane& lane : tiers_) {
+      const double top = top_of_tier(lane.tier);
+      if (is_shown(lane) && y_px >= top && y_px < top + tier_px) return lane.tier;
+    }
+    return 0;
+  }
 
-  /// "Source Moves": names of the shown ones, to be remembered; and back. Names it does not know are passed
-  /// over.
+  /// "Source Moves|notes": names of the shown computed lanes and of the hidden tiers, to be remembered; and
+  /// back. Names of computed lanes that it does not know are passed over.
   std::string text() const {
     std::string names;
     for (std::size_t lane = 0; lane < shown_.size(); ++lane)
       if (shown_[lane]) names += (names.empty() ? "" : " ") + std::string(timeline_lane_infos[lane].name);
+    for (const std::string& hidden : hidden_) names += "|" + hidden;
     return names;
   }
   void set_text(std::string_view names) {
+    const std::string_view computed = names.substr(0, names.find('|'));
     for (std::size_t lane = 0; lane < shown_.size(); ++lane)
-      shown_[lane] = names.find(timeline_lane_infos[lane].name) != std::string_view::npos;
+      shown_[lane] = computed.find(timeline_lane_infos[lane].name) != std::string_view::npos;
+    hidden_.clear();
+    for (std::size_t bar = names.find('|'); bar != std::string_view::npos;) {
+      const std::size_t next = names.find('|', bar + 1);
+      const std::size_t length = next == std::string_view::npos ? next : next - bar - 1;
+      hidden_.emplace(names.substr(bar + 1, length));
+      bar = next;
+    }
     scroll_to(scroll_px_);
   }
 
  private:
+  double computed_px() const {
+    double sum = 0;
+    for (int lane = 0; lane < timeline_lane_count; ++lane)
+      if (is_shown(static_cast<TimelineLane>(lane)))
+        sum += timeline_lane_infos[static_cast<std::size_t>(lane)].height_px;
+    return sum;
+  }
+  double tiers_above(std::size_t place) const {
+    double sum = 0;
+    for (std::size_t above = 0; above < place; ++above)
+      if (is_shown(tiers_[above])) sum += tier_px;
+    return sum;
+  }
+
   std::array<bool, timeline_lane_count> shown_{};
+  bool of_take_ = false;
+  std::vector<TierLane> tiers_;
+  std::set<std::string> hidden_;
   double height_px_ = 200;
   double scroll_px_ = 0;
 };

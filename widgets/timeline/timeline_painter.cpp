@@ -44,6 +44,7 @@ class Painting {
     p.setFont(interface_font(12));
     p.setClipRect(QRectF(0, c.lanes.top_px(), size.width(), c.lanes.bottom_px() - c.lanes.top_px()));
     names();
+    paint_tier_names(p, c);
     p.setClipRect(lanes_area());
     sources();
     blocks(TimelineLane::Moves, c.tracks.moves());
@@ -53,6 +54,7 @@ class Painting {
     curve(TimelineLane::Energy, c.tracks.energies(), colours.energy_deformation);
     settings();
     takes();
+    paint_tiers(p, c);
     p.setClipRect(QRectF(axis.left_px - 6, 0, axis.width_px + 12, c.lanes.bottom_px()));
     range();
     ruler();
@@ -273,6 +275,7 @@ class Painting {
 
   /// Frames that memory no longer has but the session file does: they can be gone to like any other.
   void on_disk() {
+    if (c.lanes.is_of_take()) return;
     const double end = std::min(axis.x(std::min(c.memory_first_s, c.playback.last_s)), axis.right_px());
     const double begin = std::max(axis.x(c.playback.first_s), axis.left_px);
     if (end - begin < 1) return;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/session/frame_in_library.hpp"
 #include "widgets/timeline/timeline_accessible.hpp"
 #include "widgets/timeline/timeline_painter.hpp"
 
@@ -82,6 +83,12 @@ void TimelineView::setLibrary(std::shared_ptr<const MotionLibrary> library) {
 
 void TimelineView::extendLibrary(std::shared_ptr<const MotionLibrary> library) {
   m_content.library = std::move(library);
+  // Labels, roles and the numbers of pairs may be others now: all frames are taken anew.
+  m_content.tracks.clear();
+  m_content.settings = {};
+  m_nextIndex = 0;
+  m_isBegun = false;
+  m_settingsMarksScale = 0;
   redraw();
 }
 
@@ -97,6 +104,21 @@ void TimelineView::setLanes(const TimelineLanes& lanes) {
   updateGeometry();
   redraw();
   emit lanesChanged();
+}
+
+void TimelineView::showOtherFrames() {
+  TimelineContent before = std::move(m_content);
+  m_content = {};
+  m_content.palette = before.palette;
+  m_content.library = std::move(before.library);
+  m_content.lanes = std::move(before.lanes);
+  m_content.tiers.rules = before.tiers.rules;
+  m_content.takes = std::move(before.takes);
+  m_nextIndex = 0;
+  m_isBegun = false;
+  m_settingsMarksScale = 0;
+  m_drag = Drag::None;
+  arrange();
 }
 
 void TimelineView::showMarkers(const Markers& markers) {
@@ -126,7 +148,8 @@ void TimelineView::refresh(const FrameHistory& history, const Playback& playback
   const double memory_first_s = history.span().memory_first_s;
   if (memory_first_s != m_content.memory_first_s) m_layerIsOld = true;
   m_content.memory_first_s = memory_first_s;
-  for (const FrameSnapshotPtr& frame : history.since(m_nextIndex)) take(*frame);
+  for (const FrameSnapshotPtr& frame : history.since(m_nextIndex))
+    take(*in_library(frame, m_content.library));
   m_content.tracks.drop_before(playback.first_s);
   m_content.settings.evict_before(playback.first_s);
   place(playback);
@@ -209,6 +232,7 @@ void TimelineView::paintEvent(QPaintEvent*) {
   }
   QPainter painter(this);
   painter.drawPixmap(0, 0, m_layer);
+  paint_running_labels(painter, m_content);
   paint_timeline_overview(painter, m_content, size());
   paint_timeline_cursor(painter, m_content, size());
 }

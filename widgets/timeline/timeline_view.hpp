@@ -20,7 +20,11 @@ class TimelineView : public QWidget {
   explicit TimelineView(QWidget* parent = nullptr);
   /// Begins a session: forgets frames and markers.
   void setLibrary(std::shared_ptr<const MotionLibrary> library);
-  /// The session goes on with a longer library, in which the takes there were have kept their numbers.
+  /// Other frames of the same session, or the same again: their lanes are made anew; markers stay away or
+  /// come back with `showMarkers`.
+  void showOtherFrames();
+  /// The session goes on with another library, whose takes were in the one before or are behind them: a take
+  /// longer, or with other roles and labels.
   void extendLibrary(std::shared_ptr<const MotionLibrary> library);
   int session() const { return m_session; }  ///< counts them
   void setColours(const Palette& palette);
@@ -39,6 +43,18 @@ class TimelineView : public QWidget {
 
   const std::vector<TimelineTake>& takes() const { return m_content.takes; }
   void showTakes(std::vector<TimelineTake> takes);
+
+  const TimelineTiers& tiers() const { return m_content.tiers; }
+  void showAnnotations(const Annotations& annotations, const TierRules& rules);
+  /// Which tier is active, and what is selected; 0 = none.
+  void showChosen(int tier, int annotation);
+  void showChosenSuggestion(int suggestion);
+  /// What is being said while the cursor goes on.
+  void showRunning(std::vector<RunningLabel> running);
+  /// The lanes are those of a take of the library, or of the session.
+  void showOfTake(bool on);
+  /// Upper left corner of an annotation, or of a tier at a time; for what opens there.
+  QPoint placeOf(int tier, double time_s) const;
 
   /// For frames that do not come from a history.
   void append(std::span<const TrackRow> rows);
@@ -65,6 +81,17 @@ class TimelineView : public QWidget {
   void markerEntryRequested(int id);
   void menuRequested(const QPoint& global);
   void lanesChanged();
+  void annotationsRequested(const abrazo::Annotations& next, const QString& what);
+  /// An interval was drawn: what does it say?
+  void labelDrawn(int tier, double from_s, double to_s);
+  void labelRefused(const QString& why);
+  void tierChosen(int tier);
+  void annotationChosen(int annotation);
+  void suggestionChosen(int suggestion);
+  /// What an annotation says is to be edited.
+  void valueEntryRequested(int annotation);
+  void suggestionEntryRequested(int suggestion);
+  void tierMenuRequested(int tier, int annotation, double time_s, const QPoint& global);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -81,7 +108,7 @@ class TimelineView : public QWidget {
   bool event(QEvent* event) override;
 
  private:
-  enum class Drag { None, Cursor, In, Out, NewRange, Marker, View, Overview };
+  enum class Drag { None, Cursor, In, Out, NewRange, Marker, View, Overview, Tier };
 
   void take(const FrameSnapshot& frame);
   void place(const Playback& playback);
@@ -95,6 +122,10 @@ class TimelineView : public QWidget {
   void scrubTo(double x_px);
   void dragRangeTo(double time_s);
   void showPointer(const QPointF& place);
+  TierHit tierUnder(const QPointF& place) const;
+  bool beginInTier(QMouseEvent* event);
+  void dragInTier(const QPointF& place, bool snaps);
+  void endInTier();
 
   TimelineContent m_content;
   QPixmap m_layer;
@@ -116,4 +147,5 @@ class TimelineView : public QWidget {
 
 }  // namespace abrazo::widgets
 
+Q_DECLARE_METATYPE(abrazo::Annotations)
 Q_DECLARE_METATYPE(abrazo::Markers)

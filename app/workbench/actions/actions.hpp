@@ -18,6 +18,7 @@ enum class PlotExport;
 
 namespace abrazo::app {
 
+class LabelEdits;
 class MainWindow;
 class ViewRecording;
 struct RangeRequest;
@@ -32,6 +33,8 @@ QAction* add_action(MainWindow& window, QMenu* menu, const QString& text,
 void add_file_actions(MainWindow& window);
 /// Films of the screen and of what was recorded; called by those of files.
 void add_recording_actions(MainWindow& window);
+/// The reference video: opening, stepping, synchronising, its camera; after those of files.
+void add_video_actions(MainWindow& window);
 void add_edit_actions(MainWindow& window);
 void add_playback_actions(MainWindow& window);
 /// What the timeline shows, and the fields of go to, in and out, speed.
@@ -57,6 +60,8 @@ void add_role_actions(MainWindow& window);
 void add_meaning_actions(MainWindow& window);
 /// Opening recorded sessions; after those of takes.
 void add_session_actions(MainWindow& window);
+/// New, save, save as: the session file with the project; after those of sessions and recent files.
+void add_project_actions(MainWindow& window);
 void add_solve_actions(MainWindow& window);
 /// One's own presets, and what the shown frame was solved with.
 void add_preset_actions(MainWindow& window);
@@ -66,10 +71,17 @@ void add_sweep_actions(MainWindow& window);
 void add_stream_actions(MainWindow& window);
 /// The library browser, and building libraries of motion files.
 void add_library_actions(MainWindow& window);
+/// Labels of the session and of takes: the panel, the lanes, their keys; after those of the timeline.
+void add_annotation_actions(MainWindow& window);
+/// After those of annotation, whose panel has the suggestions.
+void add_suggestion_actions(MainWindow& window);
+void add_label_actions(MainWindow& window, LabelEdits& edits);
 /// Pin, veto and jump; what the candidate table asks for becomes a step of undo.
 void add_candidate_actions(MainWindow& window);
 /// Freezes settings as A, and solves again with others what was recorded.
 void add_compare_actions(MainWindow& window);
+/// Motion, meshes, labels, traces and plots as files.
+void add_export_actions(MainWindow& window);
 /// After those of playback: whatever follows the live end takes the plots along.
 void add_plot_actions(MainWindow& window);
 void add_help_actions(MainWindow& window);

@@ -12,6 +12,7 @@
 #include "app/workbench/actions/actions.hpp"
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/scene_picture.hpp"
+#include "core/motion/motion_format.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/scene/scene_view.hpp"
 
@@ -19,11 +20,11 @@ namespace abrazo::app {
 namespace {
 
 void choose_files(MainWindow& window) {
-  const QStringList files =
-      QFileDialog::getOpenFileNames(&window, "Open", window.remembered().lastFolder(),
-                                    "All that Abrazo opens (*.bvh *.amc *.asf *.h5 *.json *.abrazo);;Motions "
-                                    "(*.bvh *.amc *.asf);;Libraries (*.h5 *.json);;Sessions "
-                                    "(*.abrazo);;All files (*)");
+  const QStringList files = QFileDialog::getOpenFileNames(
+      &window, "Open", window.remembered().lastFolder(),
+      QString("All that Abrazo opens (%1 *.h5 *.json *.abrazo *.eaf);;Motions "
+              "(%1);;Libraries (*.h5 *.json);;Sessions (*.abrazo);;All files (*)")
+          .arg(QString::fromStdString(motion_file_patterns(true))));
   if (files.isEmpty()) return;
   window.remembered().setLastFolder(QFileInfo(files.front()).absolutePath());
   window.openFiles(files);

@@ -6,6 +6,7 @@
 #include "app/workbench/actions/actions.hpp"
 #include "app/workbench/library_desk.hpp"
 #include "app/workbench/main_window.hpp"
+#include "app/workbench/mapping_desk.hpp"
 #include "widgets/library/take_list.hpp"
 
 namespace abrazo::app {
@@ -23,6 +24,7 @@ void open_library(MainWindow& window) {
 }  // namespace
 
 void add_library_actions(MainWindow& window) {
+  new MappingDesk(window);
   auto* desk = new LibraryDesk(window);
   widgets::TakeList& takes = window.takes();
   QMenu* menu = window.menu("Library");

@@ -3,6 +3,8 @@
 #include <algorithm>
 
 #include "app/workbench/actions/actions.hpp"
+#include "app/workbench/annotation_desk.hpp"
+#include "app/workbench/label_edits.hpp"
 #include "app/workbench/main_window.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/timeline/quick_entry.hpp"
@@ -21,6 +23,7 @@ class ChangeMarkers : public QUndoCommand {
       : QUndoCommand(what),
         m_window(window),
         m_session(window.timeline().session()),
+        m_subject(desk().subject()),
         m_before(window.timeline().markers()),
         m_after(std::move(after)) {}
 
@@ -29,11 +32,13 @@ class ChangeMarkers : public QUndoCommand {
 
  private:
   void change(const Markers& markers) {
-    m_window.timeline().session() == m_session ? m_window.timeline().showMarkers(markers) : setObsolete(true);
+    m_window.timeline().session() == m_session ? desk().showMarkers(m_subject, markers) : setObsolete(true);
   }
+  AnnotationDesk& desk() const { return *m_window.findChild<AnnotationDesk*>(); }
 
   MainWindow& m_window;
   int m_session;
+  std::string m_subject;
   Markers m_before, m_after;
 };
 
@@ -70,8 +75,7 @@ void add_named(MainWindow& window) {
 void rename(MainWindow& window, int id) {
   TimelineView& timeline = window.timeline();
   const Marker* marker = timeline.markers().find(id);
-  if (!marker)
-    return window.messages().showInformation("Select a marker first: click its flag in the timeline");
+  if (!marker) return window.messages().showInformation("Select a marker first: click its flag");
   QuickEntry::open(timeline, over_the_timeline(timeline, marker->time_s), "Name of the marker",
                    QString::fromStdString(marker->name), [&window, id](const QString& name) -> QString {
                      Markers next = window.timeline().markers();
@@ -82,27 +86,44 @@ void rename(MainWindow& window, int id) {
 }
 
 void remove(MainWindow& window) {
+  if (window.findChild<AnnotationDesk*>()->selected() != 0) return window.findChild<LabelEdits*>()->remove();
   Markers next = window.timeline().markers();
   const int id = window.timeline().selectedMarker();
   if (!next.find(id))
-    return window.messages().showInformation("Select a marker first: click its flag in the timeline");
+    return window.messages().showInformation("Select a label or a marker first: click it in the timeline");
   next.remove(id);
   change(window, next, "delete marker");
 }
 
-/// To the nearest marker or edge of a move in that direction.
+/// Of moves of the sources and of labels.
+std::vector<double> edges_of(const MainWindow& window, double here, bool on) {
+  std::vector<double> edges;
+  const auto& tracks = window.timeline().tracks();
+  if (const auto edge = on ? tracks.edge_after(here) : tracks.edge_before(here)) edges.push_back(*edge);
+  const auto* desk = window.findChild<AnnotationDesk*>();
+  const AnnotationTier* tier = desk->annotations().tier(desk->activeTier());
+  if (!tier) return edges;
+  for (const Annotation& each : tier->annotations) edges.insert(edges.end(), {each.start_s, each.end_s});
+  return edges;
+}
+
+/// To the nearest marker or edge in that direction.
 void jump(MainWindow& window, bool on) {
   const TimelineView& timeline = window.timeline();
+  constexpr double apart_s = 1e-6;
   const double here = window.ticker().playback().cursor_s;
   const Marker* marker = on ? timeline.markers().after(here) : timeline.markers().before(here);
-  const auto edge = on ? timeline.tracks().edge_after(here) : timeline.tracks().edge_before(here);
-  if (!marker && !edge)
-    return window.messages().showInformation(on ? "No marker or move begins after this"
-                                                : "No marker or move begins before this");
-  const auto nearer = [on](double a, double b) { return on ? std::min(a, b) : std::max(a, b); };
-  const double there = marker && edge ? nearer(marker->time_s, *edge) : marker ? marker->time_s : *edge;
-  window.ticker().seek(there);
-  if (marker && marker->time_s == there) window.timeline().selectMarker(marker->id);
+  std::optional<double> there;
+  if (marker) there = marker->time_s;
+  for (const double edge : edges_of(window, here, on))
+    if (on ? edge > here + apart_s && (!there || edge < *there)
+           : edge < here - apart_s && (!there || edge > *there))
+      there = edge;
+  if (!there)
+    return window.messages().showInformation(on ? "No marker, move or label begins after this"
+                                                : "No marker, move or label begins before this");
+  window.ticker().seek(*there);
+  if (marker && marker->time_s == *there) window.timeline().selectMarker(marker->id);
 }
 
 }  // namespace
@@ -113,13 +134,13 @@ void add_marker_actions(MainWindow& window) {
   add_action(window, menu, "Marker", {QKeySequence("M")}, [&window] { add(window, {}); });
   add_action(window, menu, "Marker with a name…", {QKeySequence("Shift+M")},
              [&window] { add_named(window); });
-  add_action(window, menu, "Previous marker or edge of a move", {QKeySequence("Ctrl+Left")},
+  add_action(window, menu, "Previous marker or edge", {QKeySequence("Ctrl+Left")},
              [&window] { jump(window, false); });
-  add_action(window, menu, "Next marker or edge of a move", {QKeySequence("Ctrl+Right")},
+  add_action(window, menu, "Next marker or edge", {QKeySequence("Ctrl+Right")},
              [&window] { jump(window, true); });
   add_action(window, menu, "Rename marker…", {},
              [&window] { rename(window, window.timeline().selectedMarker()); });
-  add_action(window, menu, "Delete marker", {QKeySequence("Del")}, [&window] { remove(window); });
+  add_action(window, menu, "Delete label or marker", {QKeySequence("Del")}, [&window] { remove(window); });
   QObject::connect(&timeline, &TimelineView::markersRequested, &window,
                    [&window](const Markers& next, const QString& what) { change(window, next, what); });
   QObject::connect(&timeline, &TimelineView::markerEntryRequested, &window,

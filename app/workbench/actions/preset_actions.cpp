@@ -8,6 +8,7 @@
 #include "app/workbench/actions/actions.hpp"
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/own_presets.hpp"
+#include "app/workbench/project_opening.hpp"
 #include "core/base/atomic_file.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/settings/preset_bar.hpp"
@@ -79,11 +80,24 @@ void import_settings(MainWindow& window) {
   window.settings().adopt(*settings, "import of " + QFileInfo(file).fileName());
 }
 
+/// A session brings the presets along that were a person's own when it was saved.
+void adopt_with(MainWindow& window, const Store& store) {
+  QObject::connect(&window, &MainWindow::sessionStarted, &window.settings(), [&window, store] {
+    const auto opened = window.session()->material().project;
+    if (!opened || opened->project().presets.empty()) return;
+    const auto added = store->adopt(opened->project().presets, "presets of the session");
+    if (!added) return window.messages().showError(words(added.error()));
+    if (*added == 0) return;
+    window.settings().setOwnPresets(store->all());
+    window.messages().showInformation(QString("Presets that came with the session: %1").arg(*added));
+  });
+}
+
 /// While another frame than the newest is shown, the panel tells what it was solved with.
 void follow_frame(MainWindow& window) {
   const auto tell = [&window] {
     const FrameTicker& ticker = window.ticker();
-    const bool looks_back = ticker.shown() && ticker.playback().state != Playback::State::Following;
+    const bool looks_back = !window.session()->looksElsewhere() && ticker.shown() && ticker.playback().state != Playback::State::Following;
     window.settings().showFrameSettings(looks_back ? std::optional(ticker.shown()->settings) : std::nullopt);
   };
   QObject::connect(&window.ticker(), &FrameTicker::frameReady, &window.settings(), tell);
@@ -121,6 +135,7 @@ void add_preset_actions(MainWindow& window) {
   add_action(window, menu, "Export settings\u2026", {}, [&window] { export_settings(window); });
   add_action(window, menu, "Import settings\u2026", {}, [&window] { import_settings(window); });
   follow_frame(window);
+  adopt_with(window, store);
 }
 
 }  // namespace abrazo::app

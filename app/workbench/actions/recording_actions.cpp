@@ -112,7 +112,7 @@ void start_recording(MainWindow& window, ViewRecording& recording, const QString
 void render_range(MainWindow& window, const RangeRequest& request) {
   const FrameHistory* history = window.ticker().history();
   if (!history) return window.messages().showInformation("Nothing is open yet");
-  auto* rendering = new RangeRendering(history->range(request.plan.from_s, request.plan.to_s), &window);
+  auto* rendering = new RangeRendering(history->stretch(request.plan.from_s, request.plan.to_s), &window);
   const QString trouble = rendering->start(request, window.scene());
   if (trouble.isEmpty()) return show_progress(window, *rendering, request.file);
   window.messages().showError(trouble);

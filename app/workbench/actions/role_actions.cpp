@@ -29,6 +29,7 @@ class RoleKeeper : public QObject {
   explicit RoleKeeper(MainWindow& window)
       : QObject(&window), m_window(window), m_group(new QActionGroup(this)) {
     connect(&window.ticker(), &FrameTicker::frameReady, this, [this](const FrameSnapshotPtr& frame) {
+      if (m_window.session()->looksElsewhere()) return;  // a take has no user
       show(frame->settings.user_role, frame->decisions ? frame->decisions->role_control : RoleControl::Hand);
     });
     connect(&window, &MainWindow::sessionStarted, this, [this] { control(m_by); });

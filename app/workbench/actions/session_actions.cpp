@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/workbench/actions/actions.hpp"
+#include "app/workbench/autosave.hpp"
 #include "app/workbench/job.hpp"
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/recorded_session.hpp"
@@ -78,20 +79,44 @@ std::vector<LeftoverSession> leftovers(const QStringList& files) {
   return found;
 }
 
+QString autosave_folder(const MainWindow& window) {
+  return window.remembered().folder() + "/autosave";
+}
+
 void discard(MainWindow& window, const QString& file) {
+  if (QFileInfo(file).absolutePath() == QFileInfo(autosave_folder(window)).absoluteFilePath()) {
+    Autosave::remove(file);
+    return window.messages().showInformation("The changes that were not saved were discarded");
+  }
   discard_session(file) ? window.messages().showInformation(file + " was discarded")
                         : window.messages().showError(file + ": cannot be removed; check who owns it");
+}
+
+/// Changes that were kept for programs that are gone; what cannot be read is offered, too, to be thrown away.
+std::vector<LeftoverSession> unsaved(const QStringList& files) {
+  std::vector<LeftoverSession> found;
+  for (const QString& file : files) {
+    const QString words = words_of_autosave(file);
+    found.push_back({file, words.isEmpty() ? "Changes that were not saved cannot be read" : words,
+                     session_of_autosave(file)});
+  }
+  return found;
 }
 
 }  // namespace
 
 void offer_leftovers(MainWindow& window) {
   const QStringList files = unclosed_sessions(sessions_folder());
+  const QStringList kept = Autosave::leftBehind(autosave_folder(window));
   auto* bar = window.findChild<LeftoverBar*>();
-  if (files.isEmpty() || !bar) return;
+  if ((files + kept).isEmpty() || !bar) return;
   new Job(
-      [files, bar](const Progress&) -> Job::Finish {
-        auto found = leftovers(files);
+      [files, kept, bar](const Progress&) -> Job::Finish {
+        // What was not saved opens together with what was recorded.
+        auto found = unsaved(kept);
+        for (LeftoverSession& session : leftovers(files))
+          if (std::ranges::none_of(found, [&](const auto& one) { return one.belongsTo == session.file; }))
+            found.push_back(std::move(session));
         return [found, bar] { bar->offer(found); };
       },
       bar);

@@ -1,7 +1,5 @@
 #include <QAction>
 #include <QDockWidget>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QMenu>
 #include <QUndoCommand>
 
@@ -75,17 +73,6 @@ void remove(MainWindow& window, TakeDesk& desk, qint64 id) {
   window.undoStack().push(new RemoveTake(desk, *take));
 }
 
-void save_as(MainWindow& window, TakeDesk& desk) {
-  const QString start = window.remembered().lastFolder() + "/" +
-                        (desk.file().isEmpty() ? "session.abrazo" : QFileInfo(desk.file()).fileName());
-  QString file = QFileDialog::getSaveFileName(&window, "Save session as", start, "Sessions (*.abrazo)");
-  if (file.isEmpty()) return;
-  if (QFileInfo(file).suffix().isEmpty()) file += ".abrazo";
-  const QString trouble = desk.saveAs(file);
-  trouble.isEmpty() ? window.messages().showInformation("Session saved as " + file)
-                    : window.messages().showError(trouble);
-}
-
 void connect_panel(MainWindow& window, TakePanel& panel, TakeDesk& desk) {
   QObject::connect(&window, &MainWindow::coloursChanged, &panel, &TakePanel::setColours);
   QObject::connect(&panel, &TakePanel::recordRequested, &desk, &TakeDesk::toggle);
@@ -93,7 +80,6 @@ void connect_panel(MainWindow& window, TakePanel& panel, TakeDesk& desk) {
   QObject::connect(&panel, &TakePanel::everythingRequested, &desk, &TakeDesk::keepEverything);
   QObject::connect(&panel, &TakePanel::goToRequested, &desk, &TakeDesk::goTo);
   QObject::connect(&window.timeline(), &widgets::TimelineView::takeRequested, &desk, &TakeDesk::goTo);
-  QObject::connect(&panel, &TakePanel::saveAsRequested, &window, [&] { save_as(window, desk); });
   QObject::connect(&panel, &TakePanel::renameRequested, &window,
                    [&](qint64 id, const QString& name) { rename(window, desk, id, name); });
   QObject::connect(&panel, &TakePanel::removeRequested, &window,
@@ -138,7 +124,6 @@ void add_take_actions(MainWindow& window) {
   keep->setCheckable(true);
   keep->setChecked(window.remembered().keepsEverything());
   QObject::connect(panel, &TakePanel::everythingRequested, keep, &QAction::setChecked);
-  add_action(window, menu, "Save session as…", {}, [&window, desk] { save_as(window, *desk); });
   menu->addSeparator();
 }
 

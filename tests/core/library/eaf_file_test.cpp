@@ -118,7 +118,8 @@ TEST(Tier, ValuesAreListedOnceInTheirOrder) {
 TEST(Tier, JsonHasTimesToTheLastBit) {
   const std::vector<Tier> tiers = {{"move", {{0.1, 1.0 / 3, "a\"b"}}, {{"a\"b"}}}};
   EXPECT_EQ(tiers_json(tiers),
-            "{\"tiers\":[{\"name\":\"move\",\"vocabulary\":[\"a\\\"b\"],\"intervals\":[{\"start_s\":0.1,"
+            "{\"tiers\":[{\"name\":\"move\",\"kind\":\"note\",\"vocabulary\":[\"a\\\"b\"],\"intervals\":[{"
+            "\"start_s\":0.1,"
             "\"end_s\":0.3333333333333333,\"value\":\"a\\\"b\"}]}]}\n");
 }
 

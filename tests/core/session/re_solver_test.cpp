@@ -49,12 +49,12 @@ class Recording : public testing::Test {
 
   std::vector<std::shared_ptr<FrameSnapshot>> solved_again(double from_s, double to_s,
                                                            std::optional<Settings> settings = {}) {
-    const auto found = history.solvable_again(from_s, to_s);
+    auto found = history.solvable_again(from_s, to_s);
     std::vector<std::shared_ptr<FrameSnapshot>> solved;
-    if (found.frames.empty()) return solved;
-    again->go_to(std::span(found.frames).first(found.run_up), *found.frames[found.run_up]);
-    for (std::size_t i = found.run_up; i < found.frames.size(); ++i)
-      solved.push_back(again->solve(*found.frames[i], settings.value_or(found.frames[i]->settings)));
+    while (const FrameSnapshotPtr frame = found.frames.next()) {
+      if (solved.empty()) again->go_to(found.run_up, *frame);
+      solved.push_back(again->solve(*frame, settings.value_or(frame->settings)));
+    }
     return solved;
   }
 
@@ -163,13 +163,14 @@ TEST_F(Recording, AfterEvictionARangeBeginsWhereAStateIsKept) {
   for (const auto& frame : all) shorter.append(frame);
   const FrameHistory::Span span = shorter.span();
   ASSERT_GT(span.evicted, 0U);
-  const auto found = shorter.solvable_again(0, 3);
+  auto found = shorter.solvable_again(0, 3);
   EXPECT_TRUE(found.is_short);
-  EXPECT_EQ(found.run_up, 0U);
-  ASSERT_FALSE(found.frames.empty());
-  EXPECT_LT(found.frames.front()->time_s - span.first_s, 0.6);
-  again->go_to({}, *found.frames.front());
-  for (const auto& frame : found.frames)
+  EXPECT_TRUE(found.run_up.empty());
+  const FrameSnapshotPtr first = found.frames.next();
+  ASSERT_TRUE(first);
+  EXPECT_LT(first->time_s - span.first_s, 0.6);
+  again->go_to({}, *first);
+  for (FrameSnapshotPtr frame = first; frame; frame = found.frames.next())
     ASSERT_EQ(content(again->solve(*frame, frame->settings)->result), content(frame->result));
 }
 

@@ -131,15 +131,14 @@ TEST_F(RecordedFramesTest, WhatTheyGiveCanBeSolvedAgainToTheSameBits) {
   const double memory_s = session->history.span().memory_first_s;
   auto again = std::move(*ReSolver::create(test::session_library(), {}));
   const auto expect_bits = [&](double from_s, double to_s) {
-    const auto found = session->history.solvable_again(from_s, to_s);
+    auto found = session->history.solvable_again(from_s, to_s);
     EXPECT_FALSE(found.is_short);
-    ASSERT_GT(found.frames.size(), found.run_up);
-    ASSERT_EQ(found.frames.size() - found.run_up, session->history.range(from_s, to_s).size());
-    again->go_to(std::span(found.frames).first(found.run_up), *found.frames[found.run_up]);
-    for (std::size_t i = found.run_up; i < found.frames.size(); ++i) {
-      const FrameSnapshot& frame = *found.frames[i];
-      ASSERT_EQ(again->solve(frame, frame.settings)->result.result, kept()[frame.index]->result.result);
-    }
+    ASSERT_EQ(found.frames.size(), session->history.range(from_s, to_s).size());
+    FrameSnapshotPtr frame = found.frames.next();
+    ASSERT_TRUE(frame);
+    again->go_to(found.run_up, *frame);
+    for (; frame; frame = found.frames.next())
+      ASSERT_EQ(again->solve(*frame, frame->settings)->result.result, kept()[frame->index]->result.result);
   };
   expect_bits(0.7, 1.1);
   expect_bits(memory_s - 0.3, memory_s + 0.3);

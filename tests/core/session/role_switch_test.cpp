@@ -234,14 +234,14 @@ TEST(SolvedAgain, WithPinsVetoesMeantMovesAndChangesOfRoleTheBitsAreTheSame) {
   ASSERT_EQ(roles.size(), 2U);
   auto again = std::move(*ReSolver::create(library, {}));
   for (const auto& [from_s, to_s] : {std::pair(0.0, 3.9), std::pair(1.5, 2.5), std::pair(1.9, 3.0)}) {
-    const auto found = live.history.solvable_again(from_s, to_s);
-    ASSERT_FALSE(found.frames.empty());
-    again->go_to(std::span(found.frames).first(found.run_up), *found.frames[found.run_up]);
-    for (std::size_t i = found.run_up; i < found.frames.size(); ++i) {
-      const FrameSnapshot& recorded = *found.frames[i];
-      const auto solved = again->solve(recorded, recorded.settings);
-      ASSERT_EQ(solved->result.result, recorded.result.result) << "frame " << recorded.index;
-      ASSERT_EQ(solved->result.selected, recorded.result.selected) << "frame " << recorded.index;
+    auto found = live.history.solvable_again(from_s, to_s);
+    FrameSnapshotPtr recorded = found.frames.next();
+    ASSERT_TRUE(recorded);
+    again->go_to(found.run_up, *recorded);
+    for (; recorded; recorded = found.frames.next()) {
+      const auto solved = again->solve(*recorded, recorded->settings);
+      ASSERT_EQ(solved->result.result, recorded->result.result) << "frame " << recorded->index;
+      ASSERT_EQ(solved->result.selected, recorded->result.selected) << "frame " << recorded->index;
     }
   }
 }

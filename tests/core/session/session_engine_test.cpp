@@ -65,6 +65,8 @@ class FakeRecorder : public Recorder {
   void begin_take(const std::string&) override {}
   void end_take() override {}
   void set_markers(const Markers&) override {}
+  void save_project(std::shared_ptr<const Project>) override {}
+  void edit_takes(const TakeEdits&) override {}
   void set_input(const std::string&) override {}
   void set_library_path(const std::shared_ptr<const MotionLibrary>&, const std::string&) override {}
   State state() const override {

@@ -7,7 +7,7 @@
 
 #include "core/library/manifest.hpp"
 #include "core/library/motion_library_builder.hpp"
-#include "core/session/session_database.hpp"
+#include "core/session/project.hpp"
 #include "core/session/session_tiers.hpp"
 #include "core/synthesis/trace.hpp"
 #include "tests/core/session/recorded_session.hpp"
@@ -252,23 +252,25 @@ TEST_F(SessionExport, RolesMeantMovesTakesAndMarkersAreTiers) {
   EXPECT_THAT(values(*find(*tiers, "marker")), ElementsAre("here"));
 }
 
-TEST_F(SessionExport, IntervalsNotedInTheFileAreTiersOfTheirKind) {
+TEST_F(SessionExport, WhatAPersonAnnotatedIsExportedAndWhatIsOnlySuggestedIsNot) {
   for (int i = 0; i < 60; ++i) solved(i / 60.0);
   ASSERT_TRUE(recorder->finish());
-  {
-    auto database = SessionDatabase::open(path, SessionDatabase::Access::Write);
-    ASSERT_TRUE(database);
-    ASSERT_TRUE(database->execute(
-        "INSERT INTO intervals (kind, start_s, end_s, name) VALUES ('move', 0.1, 0.5, 'push'),"
-        "('move', 0.4, 0.6, 'pull'), ('note', 0, 1, 'too fast')"));
-  }
+  const Tier moves{"move", {{0.1, 0.5, "push", "with both hands", "high"}}, {{"push"}, {"pull"}}, TierKind::Move};
+  Project project;
+  project.annotations[""] = *annotations_of(std::vector{moves, Tier{"remarks", {{0, 1, "too fast"}}}});
+  Annotations& said = project.annotations[""];
+  said.suggest(std::vector{said.tiers()[0].id}, {{0, said.tiers()[0].id, 0.6, 0.9, "pull", 0.5, "it looks so"}});
+  project.annotations["another take"] = *annotations_of(std::vector{Tier{"elsewhere", {{0, 1, "x"}}}});
+  ASSERT_TRUE(save_project(path, project));
   const auto opened = SessionFile::open(path);
   const auto tiers = session_tiers(**opened, *session_range(**opened, {}));
   ASSERT_TRUE(tiers);
-  EXPECT_THAT(values(*find(*tiers, "move")), ElementsAre("push"));
-  EXPECT_THAT(values(*find(*tiers, "move 2")), ElementsAre("pull"));
-  EXPECT_THAT(values(*find(*tiers, "note")), ElementsAre("too fast"));
-  EXPECT_THAT(*session_labels_csv(**opened, *session_range(**opened, {}), 0), HasSubstr("s,6,30,push,,"));
+  ASSERT_TRUE(find(*tiers, "move"));
+  EXPECT_EQ(*find(*tiers, "move"), moves);
+  EXPECT_THAT(values(*find(*tiers, "remarks")), ElementsAre("too fast"));
+  EXPECT_THAT(find(*tiers, "remarks")->vocabulary, SizeIs(0));  // free text stays so
+  EXPECT_FALSE(find(*tiers, "elsewhere"));
+  EXPECT_THAT(*session_labels_csv(**opened, *session_range(**opened, {}), 0), HasSubstr("s,6,30,push,"));
 }
 
 TEST_F(SessionExport, TheLabelFileCountsFramesFromEachTake) {

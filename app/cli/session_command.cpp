@@ -1,0 +1,209 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "app/cli/command_line.hpp"
+#include "core/base/json_text.hpp"
+#include "core/session/project.hpp"
+#include "core/session/session_file.hpp"
+#include "core/session/session_schema.hpp"
+
+namespace abrazo::app {
+
+namespace {
+
+struct InfoArguments {
+  std::string session;
+  bool json = false;
+};
+
+/// All that is told of a session file.
+struct About {
+  std::shared_ptr<const SessionFile> file;
+  ProjectReading reading;
+  std::vector<FoundData> found;
+};
+
+Result<About> look_into(const std::string& path) {
+  auto file = SessionFile::open(path);
+  if (!file) return file.error();
+  auto reading = read_project(path);
+  if (!reading) return reading.error();
+  About about{*file, std::move(*reading), {}};
+  for (const DataReference& data : about.reading.project.data) about.found.push_back(find_data(data, path));
+  return about;
+}
+
+std::string_view state_text(FoundData::State state) {
+  constexpr std::array<std::string_view, 3> texts = {"found", "changed", "missing"};
+  return texts[static_cast<std::size_t>(state)];
+}
+
+/// What migration will do; empty when there is nothing to do.
+std::string migration_text(int version) {
+  if (version >= session_schema_version) return {};
+  return fmt::format(
+      "'abrazo session migrate', and the first recording or saving into it, bring it to version {}: tables "
+      "for "
+      "the project are added, noted intervals become annotations; nothing that was recorded changes",
+      session_schema_version);
+}
+
+std::size_t count_of(const Annotations& annotations) {
+  std::size_t count = 0;
+  for (const AnnotationTier& tier : annotations.tiers()) count += tier.annotations.size();
+  return count;
+}
+
+std::string name_of(const std::string& subject) {
+  return subject.empty() ? "the session" : subject;
+}
+
+std::string as_text(const About& about) {
+  const SessionContents& contents = about.file->contents();
+  const Project& project = about.reading.project;
+  std::string text = fmt::format("{}\n  version    {}{}\n", about.file->path(), about.reading.version,
+                                 about.file->is_being_recorded() ? ", is being recorded" : "");
+  if (const std::string migration = migration_text(about.reading.version); !migration.empty())
+    text += fmt::format("  migration  {}\n", migration);
+  text += fmt::format("  saved      {}\n",
+                      about.reading.is_saved ? about.reading.saved_at : "never as a project");
+  text += fmt::format("  recorded   {} frames, {:.3f} s, in {} part(s)\n", contents.frames,
+                      contents.last_s - contents.first_s, contents.runs.size());
+  for (const SessionTake& take : contents.takes)
+    text += fmt::format("  take       {}, {:.3f} to {:.3f} s, frames {} to {}{}\n", take.name, take.start_s,
+                        take.end_s, take.first_frame, take.last_frame, take.interrupted ? ", not ended" : "");
+  text += fmt::format("  markers    {}\n", project.markers.all().size());
+  for (const auto& [subject, annotations] : project.annotations) {
+    text += fmt::format("  annotated  {}: {} in {} tiers", name_of(subject), count_of(annotations),
+                        annotations.tiers().size());
+    const std::size_t suggested = annotations.suggestions().size();
+    text += suggested > 0 ? fmt::format(", {} suggested\n", suggested) : "\n";
+  }
+  for (std::size_t i = 0; i < about.found.size(); ++i) {
+    const FoundData& found = about.found[i];
+    text += fmt::format("  {:<10} {}: {}\n", text_of(project.data[i].use), state_text(found.state),
+                        found.path.empty() ? fmt::format("{}", fmt::join(found.looked, ", ")) : found.path);
+  }
+  for (const std::string& sentence : about.file->recovery())
+    text += fmt::format("  note       {}\n", sentence);
+  for (const std::string& sentence : about.reading.damage) text += fmt::format("  damaged    {}\n", sentence);
+  return text;
+}
+
+void write_takes(JsonText& json, const SessionContents& contents) {
+  json.key("takes").begin_array();
+  for (const SessionTake& take : contents.takes)
+    json.begin_object()
+        .key("name")
+        .value(take.name)
+        .key("start_s")
+        .value(take.start_s)
+        .key("end_s")
+        .value(take.end_s)
+        .key("frames")
+        .value(static_cast<long long>(take.last_frame + 1 - take.first_frame))
+        .key("ended")
+        .value(!take.interrupted)
+        .end_object();
+  json.end_array();
+}
+
+void write_annotations(JsonText& json, const Project& project) {
+  json.key("annotations").begin_array();
+  for (const auto& [subject, annotations] : project.annotations) {
+    json.begin_object().key("subject").value(subject).key("tiers").begin_array();
+    for (const AnnotationTier& tier : annotations.tiers())
+      json.begin_object()
+          .key("name")
+          .value(tier.name)
+          .key("annotations")
+          .value(static_cast<long long>(tier.annotations.size()))
+          .end_object();
+    json.end_array()
+        .key("suggestions")
+        .value(static_cast<long long>(annotations.suggestions().size()))
+        .end_object();
+  }
+  json.end_array();
+}
+
+void write_data(JsonText& json, const About& about) {
+  json.key("data").begin_array();
+  for (std::size_t i = 0; i < about.found.size(); ++i) {
+    json.begin_object()
+        .key("use")
+        .value(text_of(about.reading.project.data[i].use))
+        .key("state")
+        .value(state_text(about.found[i].state))
+        .key("path")
+        .value(about.found[i].path)
+        .key("looked")
+        .begin_array();
+    for (const std::string& place : about.found[i].looked) json.value(place);
+    json.end_array().end_object();
+  }
+  json.end_array();
+}
+
+std::string as_json(const About& about) {
+  const SessionContents& contents = about.file->contents();
+  JsonText json;
+  json.begin_object().key("version").value(about.reading.version);
+  json.key("newest_version").value(static_cast<long long>(session_schema_version));
+  json.key("migration").value(migration_text(about.reading.version));
+  json.key("saved_at").value(about.reading.saved_at);
+  json.key("is_being_recorded").value(about.file->is_being_recorded());
+  json.key("recordings").value(static_cast<long long>(contents.runs.size()));
+  json.key("frames").value(static_cast<long long>(contents.frames));
+  json.key("seconds").value(contents.last_s - contents.first_s);
+  json.key("markers").value(static_cast<long long>(about.reading.project.markers.all().size()));
+  json.key("videos").value(static_cast<long long>(about.reading.project.videos.size()));
+  write_takes(json, contents);
+  write_annotations(json, about.reading.project);
+  write_data(json, about);
+  json.key("damaged_rows").value(static_cast<long long>(about.reading.damaged)).key("notes").begin_array();
+  for (const std::string& sentence : about.file->recovery()) json.value(sentence);
+  for (const std::string& sentence : about.reading.damage) json.value(sentence);
+  return json.end_array().end_object().take() + "\n";
+}
+
+void run_info(CommandLine& line, const InfoArguments& arguments) {
+  const auto about = look_into(arguments.session);
+  if (!about) return fail(line, about.error());
+  answer(line, arguments.json ? as_json(*about) : as_text(*about));
+}
+
+void run_migrate(CommandLine& line, const std::string& session) {
+  const auto version = migrate_session(session);
+  if (!version) return fail(line, version.error());
+  answer(line,
+         *version == session_schema_version
+             ? fmt::format("{}: is of version {} already\n", session, *version)
+             : fmt::format("{}: version {} is now version {}\n", session, *version, session_schema_version));
+}
+
+}  // namespace
+
+void add_session_command(CommandLine& line) {
+  CLI::App* session =
+      line.app.add_subcommand("session", "look into session files, and bring old ones up to date");
+  session->require_subcommand(1);
+  CLI::App* info = session->add_subcommand(
+      "info", "version, recordings, takes, annotations, and the files it stands on with where they are");
+  const auto arguments = std::make_shared<InfoArguments>();
+  info->add_option("session", arguments->session, "session file")->required()->type_name("S.abrazo");
+  info->add_flag("--json", arguments->json, "as one JSON object on stdout");
+  info->callback([&line, arguments] { run_info(line, *arguments); });
+  CLI::App* migrate =
+      session->add_subcommand("migrate", "brings a session file to this version, whole or not at all");
+  const auto path = std::make_shared<std::string>();
+  migrate->add_option("session", *path, "session file")->required()->type_name("S.abrazo");
+  migrate->callback([&line, path] { run_migrate(line, *path); });
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,95 @@
+#include "app/render/frame_source.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "core/base/text.hpp"
+#include "core/library/motion_library_file.hpp"
+#include "core/session/library_reference.hpp"
+#include "core/session/recorded_frames.hpp"
+#include "core/session/session_file.hpp"
+#include "core/session/trace_frames.hpp"
+
+namespace abrazo::app {
+namespace {
+
+using LibraryPtr = std::shared_ptr<const MotionLibrary>;
+
+/// Null with a warning where it is not found: bodies are drawn all the same.
+Result<LibraryPtr> library_of(const SessionContents& contents, const std::string& file,
+                              const std::string& given, std::vector<std::string>& warnings) {
+  if (!given.empty()) {
+    auto read = read_library(given);
+    if (!read) return read.error();
+    auto library = std::make_shared<const MotionLibrary>(std::move(read).value());
+    if (!contents.libraries.empty())
+      if (const Status same = check_session_library(contents.libraries.back(), *library); !same)
+        warnings.push_back(same.error().text() + "; meshes may be wrong");
+    return LibraryPtr(std::move(library));
+  }
+  if (contents.libraries.empty()) return LibraryPtr();
+  const SessionLibrary& reference = contents.libraries.back();
+  if (reference.relative_path.empty() && reference.absolute_path.empty()) {
+    warnings.push_back(fmt::format("{}: its library \"{}\" was never a file; without it there is no mesh",
+                                   file, reference.name));
+    return LibraryPtr();
+  }
+  auto opened = open_session_library(reference, file);
+  if (opened) return *opened;
+  warnings.push_back(opened.error().text() + "; without it there is no mesh (--library names it)");
+  return LibraryPtr();
+}
+
+Result<FrameSource> of_session(const std::string& file, const std::string& given) {
+  const auto session = SessionFile::open(file);
+  if (!session) return session.error();
+  const SessionContents& contents = (*session)->contents();
+  if (contents.frames == 0) return Error{"has no frames: nothing was recorded into it", file};
+  FrameSource source;
+  for (const std::string& sentence : (*session)->recovery())
+    source.warnings.push_back(file + ": " + sentence);
+  auto library = library_of(contents, file, given, source.warnings);
+  if (!library) return library.error();
+  source.library = *library;
+  const auto frames = RecordedFrames::open(file, source.library);
+  if (!frames) return frames.error();
+  source.first_s = contents.first_s;
+  source.last_s = contents.last_s;
+  source.at = [frames = *frames, first_s = contents.first_s,
+               file](double time_s) -> Result<FrameSnapshotPtr> {
+    if (FrameSnapshotPtr frame = frames->at(std::max(time_s, first_s))) return frame;
+    const std::string why = frames->damage();
+    return Error{
+        fmt::format("its frame at {:.3f} s cannot be read{}{}; render the parts before and behind it "
+                    "with --to and --from",
+                    time_s, why.empty() ? "" : ": ", why),
+        file};
+  };
+  return source;
+}
+
+Result<FrameSource> of_trace(const std::string& file, const Progress& progress) {
+  auto opened = TraceFrames::open(file, progress);
+  if (!opened) return opened.error();
+  auto frames = std::make_shared<TraceFrames>(std::move(opened).value());
+  FrameSource source;
+  source.first_s = frames->times_s().front();
+  source.last_s = frames->times_s().back();
+  source.at = [frames](double time_s) { return frames->at(time_s); };
+  return source;
+}
+
+}  // namespace
+
+Result<FrameSource> open_frames(const std::string& file, const std::string& library,
+                                const Progress& progress) {
+  const std::string extension = lower_case(std::filesystem::path(file).extension().string());
+  if (extension == ".abrazo") return of_session(file, library);
+  if (extension != ".jsonl")
+    return Error{"is neither a session (.abrazo) nor a trace (.jsonl, abrazo synth --trace)", file};
+  if (!library.empty()) return Error{"--library is for sessions; a trace has its meshes in it", file};
+  return of_trace(file, progress);
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,148 @@
+#include "app/render/rendering.hpp"
+
+#include <fmt/format.h>
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <filesystem>
+#include <numbers>
+
+#include "core/base/atomic_file.hpp"
+#include "core/video/film_plan.hpp"
+#include "core/video/video_writer.hpp"
+#include "widgets/scene/scene_pictures.hpp"
+
+namespace abrazo::app {
+namespace {
+
+constexpr double rounding_s = 1e-6;
+
+/// Where pictures go.
+class PictureSink {
+ public:
+  virtual ~PictureSink() = default;
+  virtual Status add(const QImage& picture) = 0;
+  virtual Status finish() { return Done{}; }
+};
+
+class FilmSink : public PictureSink {
+ public:
+  explicit FilmSink(VideoWriter video) : m_video(std::move(video)) {}
+  Status add(const QImage& picture) override {
+    return m_video.add({picture.constBits(), static_cast<std::size_t>(picture.sizeInBytes())},
+                       static_cast<std::size_t>(picture.bytesPerLine()));
+  }
+  Status finish() override { return m_video.finish(); }
+
+ private:
+  VideoWriter m_video;
+};
+
+/// One picture or a series; those of a series that is not finished are taken away again.
+class FileSink : public PictureSink {
+ public:
+  FileSink(std::string output, bool is_series) : m_output(std::move(output)), m_isSeries(is_series) {}
+  ~FileSink() override {
+    if (m_isFinished) return;
+    std::error_code ignored;
+    for (int i = 0; i < m_written; ++i) std::filesystem::remove(name(i), ignored);
+  }
+  Status add(const QImage& picture) override {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    if (!picture.save(&buffer, "PNG")) return Error{"the picture cannot be coded as PNG", name(m_written)};
+    const Status written =
+        write_whole_file(name(m_written), {bytes.constData(), static_cast<std::size_t>(bytes.size())});
+    if (written) ++m_written;
+    return written;
+  }
+  Status finish() override {
+    m_isFinished = true;
+    return Done{};
+  }
+
+ private:
+  std::string name(int number) const { return m_isSeries ? series_name(m_output, number) : m_output; }
+
+  std::string m_output;
+  bool m_isSeries, m_isFinished = false;
+  int m_written = 0;
+};
+
+Result<std::unique_ptr<PictureSink>> open_sink(const RenderOptions& options, RenderKind kind) {
+  if (kind != RenderKind::Film)
+    return std::unique_ptr<PictureSink>(
+        std::make_unique<FileSink>(options.output, kind == RenderKind::Series));
+  const PictureSize size = picture_size(options.size).value();
+  auto video = VideoWriter::open(options.output, size.width, size.height, options.rate_hz);
+  if (!video) return video.error();
+  return std::unique_ptr<PictureSink>(std::make_unique<FilmSink>(std::move(video).value()));
+}
+
+Result<FilmPlan> plan_of(const FrameSource& source, const RenderOptions& options, RenderKind kind) {
+  constexpr int most_pictures = 10'000'000;
+  FilmPlan plan{options.from_s.value_or(source.first_s), options.to_s.value_or(source.last_s),
+                options.rate_hz};
+  const auto within = [&](double time_s) {
+    return time_s >= source.first_s - rounding_s && time_s <= source.last_s + rounding_s;
+  };
+  for (const auto& [asked, word] : {std::pair{options.from_s, "--from"}, std::pair{options.to_s, "--to"}})
+    if (asked && !within(*asked))
+      return Error{fmt::format("{} {} is outside of what was recorded, {:.3f} to {:.3f} s", word, *asked,
+                               source.first_s, source.last_s),
+                   options.input};
+  if (kind == RenderKind::Picture) plan.to_s = plan.from_s;
+  if (plan.to_s < plan.from_s)
+    return Error{fmt::format("--to {} is before the first frame, {:.3f} s", plan.to_s, plan.from_s),
+                 options.input};
+  if ((plan.to_s - plan.from_s) * plan.rate_hz > most_pictures)
+    return Error{"would be more than 10 million pictures; choose a part with --from and --to", options.input};
+  return plan;
+}
+
+widgets::ScenePictures::Look look_of(const FrameSource& source, const RenderOptions& options) {
+  widgets::ScenePictures::Look look;
+  look.library = source.library;
+  look.theme = options.theme == "light" ? widgets::Theme::Light : widgets::Theme::Dark;
+  look.captions = options.captions == "on";
+  const auto show = [&look](widgets::ScenePart part, bool shown) {
+    look.visibility[static_cast<std::size_t>(part)] = shown;
+  };
+  if (options.mesh == "off")
+    for (const auto part : {widgets::ScenePart::MeshBetween, widgets::ScenePart::MeshWithin})
+      show(part, false);
+  if (options.user == "off") show(widgets::ScenePart::User, false);
+  std::optional<ViewDirection> direction;
+  view_direction(options.camera, direction);
+  constexpr double rad = std::numbers::pi / 180;
+  if (direction) look.direction = {{direction->azimuth_deg * rad, direction->elevation_deg * rad}};
+  return look;
+}
+
+}  // namespace
+
+Result<Rendered> render(const FrameSource& source, const RenderOptions& options, const Progress& progress) {
+  const auto kind = render_kind(options.output);
+  if (!kind) return kind.error();
+  const auto plan = plan_of(source, options, *kind);
+  if (!plan) return plan.error();
+  auto sink = open_sink(options, *kind);
+  if (!sink) return sink.error();
+  const PictureSize size = picture_size(options.size).value();
+  widgets::ScenePictures pictures(QSize(size.width, size.height), look_of(source, options));
+  for (int i = 0; i < plan->pictures(); ++i) {
+    if (!report(progress, static_cast<double>(i) / plan->pictures(),
+                fmt::format("picture {} of {}", i + 1, plan->pictures())))
+      return Error{"was stopped; nothing was written", options.output};
+    const auto frame = source.at(plan->time_of(i) + rounding_s);
+    if (!frame) return frame.error();
+    if (const Status added = (*sink)->add(pictures.picture(*frame)); !added) return added.error();
+    QCoreApplication::processEvents();
+  }
+  report(progress, 1, "done");
+  if (const Status finished = (*sink)->finish(); !finished) return finished.error();
+  return Rendered{*kind == RenderKind::Series ? series_name(options.output, 0) : options.output,
+                  plan->pictures()};
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "app/render/frame_source.hpp"
+#include "app/render/render_options.hpp"
+
+namespace abrazo::app {
+
+struct Rendered {
+  std::string file;  ///< the first one of a series
+  int pictures = 0;
+};
+
+/// Draws the frames off screen, one picture after the other, and writes them. The same frames and options
+/// give the same pictures. Leaves nothing behind when it fails or is stopped. Needs a QApplication.
+Result<Rendered> render(const FrameSource& source, const RenderOptions& options, const Progress& progress);
+
+}  // namespace abrazo::app

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+#include <vector>
+
+#include "core/annotation/suggestions.hpp"
+
+namespace abrazo::widgets {
+class SuggestionSection;
+}
+
+namespace abrazo::app {
+
+class AnnotationDesk;
+class Job;
+class MainWindow;
+
+/// Labels and roles suggested for the shown take. They are made on a thread of their own, and become
+/// annotations only when a person accepts them; each decision is a step of undo.
+class SuggestionDesk : public QObject {
+  Q_OBJECT
+ public:
+  SuggestionDesk(MainWindow& window, AnnotationDesk& annotations);
+  ~SuggestionDesk() override;
+
+  void suggest(bool moves, bool roles);
+  void cancel();
+  /// Of the one that is chosen in the list.
+  void acceptCurrent();
+  void editCurrent();
+  void rejectCurrent();
+  /// To the list of suggestions.
+  void focusList();
+
+  widgets::SuggestionSection& section() const { return *m_section; }
+
+ private:
+  void take(const std::string& subject, SuggestedTiers suggested, bool moves, bool roles);
+  void accept(int suggestion);
+  void acceptAll(const std::vector<int>& suggestions);
+  void edit(int suggestion);
+  void reject(int suggestion);
+  void finish();
+
+  MainWindow& m_window;
+  AnnotationDesk& m_annotations;
+  widgets::SuggestionSection* m_section;
+  std::unique_ptr<Job> m_job;
+};
+
+}  // namespace abrazo::app

@@ -1,0 +1,257 @@
+#include "core/annotation/annotated_library.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace abrazo {
+
+namespace {
+
+constexpr const char* role_tier = "role";
+constexpr const char* move_tier = "move";
+
+std::vector<VocabularyEntry> labels_in(const MotionLibrary& library) {
+  std::vector<TierInterval> all;
+  for (const LibraryTake& take : library.takes())
+    for (const LabelInterval& label : take.labels) all.push_back({0, 0, label.label});
+  return vocabulary_of(all);
+}
+
+Error no_such_take(const MotionLibrary& library, std::string_view take) {
+  std::string names;
+  for (const LibraryTake& other : library.takes()) names += (names.empty() ? "" : ", ") + other.name;
+  return {fmt::format("the library has no take '{}'; it has {}", take, names), library.name()};
+}
+
+/// Frames that seconds mean, within the take.
+struct FrameSpan {
+  int start = 0, end = 0;
+};
+
+FrameSpan frames_of(const Annotation& annotation, double fps, int frames) {
+  const auto frame = [&](double time_s) {
+    return static_cast<int>(std::clamp(std::round(time_s * fps), 0.0, static_cast<double>(frames)));
+  };
+  return {frame(annotation.start_s), frame(annotation.end_s)};
+}
+
+// ---- pairs of one take anew ----
+
+template <typename Interval>
+const Interval* holding(const std::vector<Interval>& intervals, int frame) {
+  const auto found = std::find_if(intervals.begin(), intervals.end(), [&](const Interval& interval) {
+    return interval.start <= frame && frame < interval.end;
+  });
+  return found == intervals.end() ? nullptr : &*found;
+}
+
+/// Both bodies of a recorded frame may be active in a library even where the roles say otherwise.
+bool has_both_roles(const MotionLibrary& library) {
+  return std::any_of(library.columns().sources.begin(), library.columns().sources.end(),
+                     [](const PairSource& source) {
+                       return source.annotated == (source.swapped ? ActivePerformer::A : ActivePerformer::B);
+                     });
+}
+
+std::uint8_t of_other_body(std::uint8_t vertex) {
+  return static_cast<std::uint8_t>((vertex + joint_count) % pair_vertex_count);
+}
+
+/// Grows row by row out of another library's rows.
+class PairRows {
+ public:
+  PairRows(const MotionLibrary& from, LibraryColumns& to) : from_(from), to_(to) {}
+  void copy(int pair, ActivePerformer annotated);
+  void copy(int pair) { copy(pair, from_.source(pair).annotated); }
+  /// The same frame with the other performer active.
+  void exchange(int pair, ActivePerformer annotated, std::optional<double> previous_heading_rad);
+
+ private:
+  void end_row(int pair);
+
+  const MotionLibrary& from_;
+  LibraryColumns& to_;
+};
+
+void PairRows::end_row(int pair) {
+  to_.edge_offsets.push_back(to_.edges.size());
+  to_.tetrahedron_offsets.push_back(to_.tetrahedra.size());
+  to_.mesh_quality.push_back(from_.columns().mesh_quality[static_cast<std::size_t>(pair)]);
+}
+
+void PairRows::copy(int pair, ActivePerformer annotated) {
+  PairSource source = from_.source(pair);
+  source.annotated = annotated;
+  to_.sources.push_back(source);
+  to_.roots.push_back(from_.root(pair));
+  to_.poses.push_back(from_.pose(pair));
+  to_.features.push_back(from_.features(pair));
+  const auto edges = from_.edges(pair);
+  const auto tetrahedra = from_.tetrahedra(pair);
+  to_.edges.insert(to_.edges.end(), edges.begin(), edges.end());
+  to_.tetrahedra.insert(to_.tetrahedra.end(), tetrahedra.begin(), tetrahedra.end());
+  end_row(pair);
+}
+
+void PairRows::exchange(int pair, ActivePerformer annotated, std::optional<double> previous_heading_rad) {
+  PairSource source = from_.source(pair);
+  source.swapped = !source.swapped;
+  source.annotated = annotated;
+  const PairPose& pose = from_.pose(pair);
+  const Pose active = to_world(pose.bottomRows<joint_count>(), from_.root(pair));
+  const Pose passive = to_world(pose.topRows<joint_count>(), from_.root(pair));
+  const RootFrame root = root_frame(active, previous_heading_rad);
+  PairPose exchanged;
+  exchanged.topRows<joint_count>() = to_normalized(active, root);
+  exchanged.bottomRows<joint_count>() = to_normalized(passive, root);
+  to_.sources.push_back(source);
+  to_.roots.push_back(root);
+  to_.poses.push_back(exchanged);
+  to_.features.push_back(pose_features(exchanged.topRows<joint_count>()));
+  const auto first = static_cast<std::ptrdiff_t>(to_.edges.size());
+  for (const MeshEdge& edge : from_.edges(pair)) {
+    const std::uint8_t a = of_other_body(edge[0]), b = of_other_body(edge[1]);
+    to_.edges.push_back({std::min(a, b), std::max(a, b)});
+  }
+  std::sort(to_.edges.begin() + first, to_.edges.end());
+  for (MeshTetrahedron tetrahedron : from_.tetrahedra(pair)) {
+    for (std::uint8_t& vertex : tetrahedron) vertex = of_other_body(vertex);
+    to_.tetrahedra.push_back(tetrahedron);
+  }
+  end_row(pair);
+}
+
+/// The pairs of a take as its new roles want them.
+void add_take(const MotionLibrary& library, const LibraryTake& take, const std::vector<RoleInterval>& roles,
+              bool both_roles, PairRows& rows) {
+  for (const bool swapped : {false, true}) {
+    const ActivePerformer other = swapped ? ActivePerformer::A : ActivePerformer::B;
+    std::optional<double> heading_rad;
+    for (int frame = 0; frame < take.frames; frame += take.frame_stride) {
+      const int own = library.find_pair(take.name, frame, swapped),
+                others = library.find_pair(take.name, frame, !swapped);
+      if (own < 0 && others < 0) continue;
+      const RoleInterval* role = holding(roles, frame);
+      const ActivePerformer annotated = role ? role->active : ActivePerformer::Unknown;
+      const bool wanted = annotated != other || both_roles;
+      if (wanted && own >= 0)
+        rows.copy(own, annotated);
+      else if (wanted)
+        rows.exchange(others, annotated, heading_rad);
+      // The heading of a frame whose hips say none is that of the frame before, whether or not it is a pair.
+      if (own >= 0)
+        heading_rad = library.root(own).heading_rad;
+      else
+        heading_rad =
+            root_frame(to_world(library.pose(others).bottomRows<joint_count>(), library.root(others)),
+                       heading_rad)
+                .heading_rad;
+    }
+  }
+}
+
+LibraryColumns columns_without_pairs(const MotionLibrary& library) {
+  LibraryColumns columns;
+  const LibraryColumns& from = library.columns();
+  columns.name = from.name;
+  columns.rate_hz = from.rate_hz;
+  columns.takes = from.takes;
+  columns.bodies = from.bodies;
+  columns.edge_offsets.assign(1, 0);
+  columns.tetrahedron_offsets.assign(1, 0);
+  return columns;
+}
+
+template <typename Interval>
+Status check_intervals(const std::vector<Interval>& intervals, const char* what, std::string_view take) {
+  for (std::size_t i = 0; i < intervals.size(); ++i)
+    if (intervals[i].start < 0 || intervals[i].end <= intervals[i].start ||
+        (i > 0 && intervals[i].start < intervals[i - 1].end))
+      return Error{fmt::format("{} {} [{}, {}) is empty, overlaps the one before it, or is out of order",
+                               what, i, intervals[i].start, intervals[i].end),
+                   fmt::format("take {}", take)};
+  return Done{};
+}
+
+}  // namespace
+
+Annotations annotations_of_take(const MotionLibrary& library, std::string_view take) {
+  const int index = library.find_take(take);
+  if (index < 0) throw std::invalid_argument("the library has no take " + std::string(take));
+  const LibraryTake& from = library.takes()[static_cast<std::size_t>(index)];
+  Tier roles{role_tier, {}, {{"a"}, {"b"}}, TierKind::Role};
+  for (const RoleInterval& role : from.roles)
+    if (role.active != ActivePerformer::Unknown)
+      roles.intervals.push_back(
+          {role.start / from.fps, role.end / from.fps, role.active == ActivePerformer::A ? "a" : "b"});
+  Tier moves{move_tier, {}, labels_in(library), TierKind::Move};
+  for (const LabelInterval& label : from.labels)
+    moves.intervals.push_back(
+        {label.start / from.fps, label.end / from.fps, label.label, label.detail, label.confidence});
+  const auto annotations = annotations_of(std::vector<Tier>{std::move(roles), std::move(moves)});
+  if (!annotations) throw std::invalid_argument(annotations.error().text());
+  return *annotations;
+}
+
+Result<TakeAnnotation> take_annotation(const Annotations& annotations, double fps, int frames) {
+  if (!(fps > 0) || !std::isfinite(fps) || frames < 0)
+    throw std::invalid_argument("a take has frames, so many a second");
+  TakeAnnotation taken;
+  if (const AnnotationTier* roles = annotations.first_of(TierKind::Role))
+    for (const Annotation& annotation : roles->annotations) {
+      const FrameSpan span = frames_of(annotation, fps, frames);
+      if (annotation.value != "a" && annotation.value != "b")
+        return Error{fmt::format("'{}' at {:.3f} s is not a role; say a or b, the performer who leads or "
+                                 "attacks there",
+                                 annotation.value, annotation.start_s),
+                     roles->name};
+      if (span.end > span.start)
+        taken.roles.push_back(
+            {span.start, span.end, annotation.value == "a" ? ActivePerformer::A : ActivePerformer::B});
+    }
+  if (const AnnotationTier* moves = annotations.first_of(TierKind::Move))
+    for (const Annotation& annotation : moves->annotations) {
+      const FrameSpan span = frames_of(annotation, fps, frames);
+      // A move that nobody has named yet is none.
+      if (span.end > span.start && !annotation.value.empty())
+        taken.labels.push_back(
+            {span.start, span.end, annotation.value, annotation.detail, annotation.confidence});
+    }
+  return taken;
+}
+
+Result<MotionLibrary> with_annotation(const MotionLibrary& library, std::string_view take,
+                                      const TakeAnnotation& annotation) {
+  const int index = library.find_take(take);
+  if (index < 0) return no_such_take(library, take);
+  if (const Status checked = check_intervals(annotation.roles, "role", take); !checked)
+    return checked.error();
+  if (const Status checked = check_intervals(annotation.labels, "label", take); !checked)
+    return checked.error();
+  if (library.columns().roles_exchanged) {
+    const auto annotated = with_annotation(with_roles_exchanged(library), take, annotation);
+    if (!annotated) return annotated.error();
+    return with_roles_exchanged(*annotated);
+  }
+  LibraryColumns columns = columns_without_pairs(library);
+  const auto annotated = static_cast<std::uint32_t>(index);
+  columns.takes[annotated].roles = annotation.roles;
+  columns.takes[annotated].labels = annotation.labels;
+  PairRows rows(library, columns);
+  const bool both_roles = has_both_roles(library);
+  bool added = false;
+  for (int pair = 0; pair < library.pair_count(); ++pair) {
+    if (library.source(pair).take != annotated)
+      rows.copy(pair);
+    else if (!std::exchange(added, true))
+      add_take(library, library.takes()[annotated], annotation.roles, both_roles, rows);
+  }
+  return MotionLibrary(std::move(columns));
+}
+
+}  // namespace abrazo

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <fstream>
+#include <memory>
+#include <string>
+
+#include "core/base/atomic_file.hpp"
+#include "core/base/result.hpp"
+
+namespace abrazo {
+
+/// Lines written one after another to a file that appears whole at the end.
+class LineFile {
+ public:
+  static Result<std::unique_ptr<LineFile>> open(const std::string& path);
+  void add(const std::string& line) { out_ << line << '\n'; }
+  /// False once something could not be written.
+  bool good() const { return static_cast<bool>(out_); }
+  Status finish();
+
+ private:
+  explicit LineFile(const std::string& path);
+  std::string path_;
+  AtomicFile file_;
+  std::ofstream out_;
+};
+
+}  // namespace abrazo

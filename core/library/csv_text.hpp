@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.hpp"
+
+namespace abrazo {
+
+/// A line of a table. A field in quotes may hold separators, line ends and doubled quotes (RFC 4180).
+struct CsvRow {
+  std::size_t line = 0;             ///< where it begins, from 1
+  std::vector<std::string> fields;  ///< trimmed where they stand without quotes
+};
+
+/// Rows of a text with commas; empty lines are none.
+/// @param where  place in messages
+/// @return an Error with the line for quotes that do not end, and for more than 64 fields
+Result<std::vector<CsvRow>> parse_csv(std::string_view text, std::string_view where);
+
+/// A field as it stands in a file: in quotes where it must.
+std::string csv_field(std::string_view text);
+
+}  // namespace abrazo

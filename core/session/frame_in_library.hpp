@@ -1,0 +1,20 @@
+#pragma once
+
+#include <memory>
+
+#include "core/library/motion_library.hpp"
+#include "core/session/frame_snapshot.hpp"
+
+namespace abrazo {
+
+/// The pair of a library that shows the same recorded frame with the same character active as a pair of
+/// another does; when it only has the frame with the other one active, that. -1 when it has neither.
+int same_pair(const MotionLibrary& from, int pair, const MotionLibrary& to);
+
+/// A frame whose candidates are numbered as in this library: the same object where they are already, or where
+/// it is not known which library they are of. Candidates that the library does not have fall away; nothing is
+/// selected when the selected one does.
+FrameSnapshotPtr in_library(const FrameSnapshotPtr& frame,
+                            const std::shared_ptr<const MotionLibrary>& library);
+
+}  // namespace abrazo

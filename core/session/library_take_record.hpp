@@ -1,0 +1,41 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/session/session_file.hpp"
+
+namespace abrazo {
+
+/// A recorded pair of a library as a record: its frames as if they had been solved without any error, the
+/// active performer as the user. Times are those of the take, from 0.
+class LibraryTakeRecord : public SessionRecord {
+ public:
+  /// @param tiers  what is said of the take
+  /// @throws std::invalid_argument when the library has no such take
+  LibraryTakeRecord(std::shared_ptr<const MotionLibrary> library, const std::string& take,
+                    std::vector<Tier> tiers);
+
+  const std::string& where() const override { return take_; }
+  const SessionContents& contents() const override { return contents_; }
+  Result<RowsRead> each_frame(double from_s, double to_s,
+                              const std::function<Status(const FrameSnapshot&)>& visit) const override;
+  Result<RowsRead> each_pose(std::optional<int> performer, double from_s, double to_s,
+                             const std::function<Status(const ReceivedPose&)>& visit) const override;
+  Status each_source(double from_s, double to_s,
+                     const std::function<Status(const SessionSource&)>& visit) const override;
+  /// With its mesh; null when there is none of this index.
+  FrameSnapshotPtr frame(std::uint64_t index) const;
+
+ private:
+  double time_of(int pair) const;
+
+  std::shared_ptr<const MotionLibrary> library_;
+  std::string take_;
+  double fps_ = 60;         ///< of the take's own frames
+  std::vector<int> pairs_;  ///< in order of time
+  SessionContents contents_;
+};
+
+}  // namespace abrazo

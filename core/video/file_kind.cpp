@@ -1,0 +1,112 @@
+#include "core/video/file_kind.hpp"
+
+#include <array>
+#include <cstdint>
+#include <fstream>
+#include <string_view>
+#include <system_error>
+
+namespace abrazo {
+namespace {
+
+constexpr std::uint64_t most_boxes = 4096;          // at the top of an MP4; a real one has a handful
+constexpr std::uint64_t most_searched = 16u << 20;  // bytes of its index that are looked through
+
+std::string bytes_at(std::ifstream& stream, std::uint64_t at, std::uint64_t count) {
+  std::string bytes(count, '\0');
+  stream.clear();
+  stream.seekg(static_cast<std::streamoff>(at));
+  stream.read(bytes.data(), static_cast<std::streamsize>(count));
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  return bytes;
+}
+
+std::uint64_t big_endian(std::string_view bytes) {
+  std::uint64_t value = 0;
+  for (const char c : bytes) value = value << 8 | static_cast<std::uint8_t>(c);
+  return value;
+}
+
+/// The index of an MP4 or QuickTime file; empty when there is none.
+std::string index_of(std::ifstream& stream, std::uint64_t size) {
+  std::uint64_t at = 0;
+  for (std::uint64_t box = 0; box < most_boxes && at + 8 <= size; ++box) {
+    const std::string head = bytes_at(stream, at, 16);
+    if (head.size() < 8) break;
+    std::uint64_t length = big_endian(std::string_view(head).substr(0, 4));
+    if (length == 1 && head.size() == 16) length = big_endian(std::string_view(head).substr(8));
+    if (length == 0) length = size - at;
+    if (head.substr(4, 4) == "moov" || head.substr(4, 4) == "moof")
+      return bytes_at(stream, at, std::min(length, most_searched));
+    if (length < 8 || length > size - at) break;
+    at += length;
+  }
+  return {};
+}
+
+std::string why_no_mp4(std::ifstream& stream, std::uint64_t size) {
+  const std::string index = index_of(stream, size);
+  if (index.empty())
+    return "is an MP4 without its index (\"moov\"): it was cut off before it was finished; record or copy it "
+           "again, or have it repaired by a program like untrunc";
+  if (index.find("vide") == std::string::npos && index.find("soun") != std::string::npos)
+    return "holds sound and no pictures; choose the file with the pictures";
+  return "is an MP4 whose pictures cannot be read: damaged, or in a coding that is not known here; convert "
+         "it "
+         "to H.264 in an .mp4";
+}
+
+struct Signature {
+  std::size_t at;
+  std::string_view bytes;
+  const char* what;
+};
+constexpr std::string_view sound = "holds sound and no pictures; choose the file with the pictures";
+constexpr std::array<Signature, 12> signatures = {{
+    {8, "WAVE", sound.data()},
+    {0, "ID3", sound.data()},
+    {0, "fLaC", sound.data()},
+    {0, "#!AMR", sound.data()},
+    {0, "SQLite format 3", "is a session or another database, not a video"},
+    {0, "\x89HDF", "is a motion library or another HDF5 file, not a video"},
+    {0, "%PDF", "is a PDF document, not a video"},
+    {0, "PK\x03\x04", "is a ZIP archive, not a video; unpack it first"},
+    {0, "HIERARCHY", "is a BVH motion, not a video"},
+    {0, "glTF", "is a glTF scene, not a video"},
+    {0, "RIFF",
+     "is an AVI or another RIFF file whose pictures cannot be read: damaged, or in an unknown coding"},
+    {0, "\x1A\x45\xDF\xA3",
+     "is a Matroska or WebM file without pictures that can be read: damaged, only sound, "
+     "or in an unknown coding"},
+}};
+
+bool is_text(std::string_view bytes) {
+  for (const char c : bytes)
+    if (static_cast<unsigned char>(c) < 9) return false;
+  return true;
+}
+
+}  // namespace
+
+std::string why_no_video(const std::filesystem::path& file) {
+  std::error_code failure;
+  if (!std::filesystem::exists(file, failure)) return "does not exist; check the path";
+  if (std::filesystem::is_directory(file, failure)) return "is a folder; choose a video file in it";
+  const std::uint64_t size = std::filesystem::file_size(file, failure);
+  std::ifstream stream(file, std::ios::binary);
+  if (failure || !stream) return "cannot be read; check its permissions";
+  if (size == 0) return "is empty (0 bytes); it was not copied or recorded to its end";
+  const std::string head = bytes_at(stream, 0, 64);
+  const std::string_view fourth = std::string_view(head).substr(std::min<std::size_t>(4, head.size()), 4);
+  if (fourth == "ftyp" || fourth == "moov" || fourth == "mdat" || fourth == "wide" || fourth == "free")
+    return why_no_mp4(stream, size);
+  for (const Signature& known : signatures)
+    if (head.size() > known.at && std::string_view(head).substr(known.at).starts_with(known.bytes))
+      return known.what;
+  if (is_text(head)) return "is a text, not a video";
+  return "is not a video that can be read: of no known kind, or damaged at its beginning; convert it to "
+         "H.264 "
+         "in an .mp4";
+}
+
+}  // namespace abrazo

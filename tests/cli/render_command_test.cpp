@@ -1,0 +1,103 @@
+// Pictures and films without a display. The drawing itself needs the workbench's program beside `abrazo`.
+#include <unistd.h>
+
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <thread>
+
+#include "tests/cli/command_line_fixture.hpp"
+
+namespace abrazo::test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::StartsWith;
+
+class RenderCommand : public CommandLineTest {
+ protected:
+  /// A trace of 2 s of the generated dance.
+  void make_trace() const {
+    make_library();
+    ASSERT_EQ(run("synth --library demo.h5 --input demo/salsa_01_a.bvh --trace all.jsonl -o out.bvh --quiet")
+                  .status,
+              0);
+    std::string all = read("all.jsonl");
+    std::size_t end = 0;
+    for (int line = 0; line < 31; ++line) end = all.find('\n', end) + 1;
+    write("T.jsonl", all.substr(0, end));
+  }
+};
+
+TEST_F(RenderCommand, RefusesWordsThatCannotBe) {
+  expect_wrong_usage(run("render T.jsonl"), "--output is required");
+  expect_wrong_usage(run("render T.jsonl -o a.png --size 10x10"), "write a size as 1280x720");
+  expect_wrong_usage(run("render T.jsonl -o a.png --camera behind"),
+                     "expected follow, front, right, top, iso");
+  expect_wrong_usage(run("render T.jsonl -o a.mp4 --rate 0"), "expected a rate of 0.1 to 240 Hz");
+  expect_failure(run("render T.jsonl -o a.gif"), "a film (.mp4), a picture (.png) or a series");
+  expect_failure(run("render T.jsonl -o a%s.png"), "has a '%' that is no number");
+  expect_failure(run("render T.jsonl -o a.mp4 --size 641x360"), "a film needs an even size; found 641x360");
+  expect_failure(run("render T.jsonl -o a.png --from 1 --to 2"), "one picture has no --to");
+  expect_failure(run("render T.jsonl -o a.mp4 --from 2 --to 1"), "--to 1 is before --from 2");
+  expect_failure(run("render T.jsonl -o none/a.mp4"), "none");
+}
+
+TEST_F(RenderCommand, DrawsTheSamePictureEachTime) {
+  make_trace();
+  for (const std::string name : {"a.png", "b.png"}) {
+    const Outcome outcome = run({"render", "T.jsonl", "-o", name, "--from", "1", "--size", "320x240"});
+    ASSERT_EQ(outcome.status, 0) << outcome.err;
+    EXPECT_EQ(outcome.out, name + ": 1 picture, 320x240\n");
+  }
+  EXPECT_THAT(read("a.png"), StartsWith("\x89PNG"));
+  EXPECT_EQ(read("a.png"), read("b.png"));
+}
+
+TEST_F(RenderCommand, MakesAFilmAndANumberedSeries) {
+  make_trace();
+  Outcome outcome = run("render T.jsonl -o a.mp4 --to 0.5 --rate 10 --size 320x240");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "a.mp4: 6 pictures, 320x240\n");
+  std::filesystem::create_directory(path("s"));
+  outcome = run(
+      "render T.jsonl -o s/f_%03d.png --to 0.2 --rate 10 --size 320x240 --mesh off --theme light --quiet");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(outcome.out, "");
+  for (const char* name : {"s/f_000.png", "s/f_001.png", "s/f_002.png"})
+    EXPECT_TRUE(std::filesystem::exists(path(name))) << name;
+  EXPECT_FALSE(std::filesystem::exists(path("s/f_003.png")));
+}
+
+TEST_F(RenderCommand, SaysWhatIsWrongWithItsInput) {
+  make_trace();
+  expect_failure(run("render none.jsonl -o a.png"), "none.jsonl: cannot be opened");
+  write("t.txt", "");
+  expect_failure(run("render t.txt -o a.png"), "neither a session (.abrazo) nor a trace");
+  write("l.jsonl", "take,start\n");
+  expect_failure(run("render l.jsonl -o a.png"), "l.jsonl:1: is no trace");
+  write("cut.jsonl", read("T.jsonl").substr(0, read("T.jsonl").size() - 500));
+  expect_failure(run("render cut.jsonl -o a.png"), "cut.jsonl:31: is no JSON object");
+  expect_failure(run("render T.jsonl -o a.png --from 99"),
+                 "--from 99 is outside of what was recorded, 0.000 to");
+  EXPECT_FALSE(std::filesystem::exists(path("a.png")));
+}
+
+TEST_F(RenderCommand, LeavesNothingWhenItIsStopped) {
+  make_trace();
+  std::filesystem::create_directory(path("film"));
+  RunningCommand running(
+      {ABRAZO_PROGRAM, "render", "T.jsonl", "-o", "film/a.mp4", "--size", "1920x1080", "--rate", "240"},
+      folder());
+  // The partial file is there from the first picture on.
+  while (!running.finished() && std::filesystem::is_empty(path("film"))) std::this_thread::yield();
+  running.signal(SIGINT);
+  const Outcome outcome = running.wait();
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("was stopped; nothing was written"));
+  EXPECT_TRUE(std::filesystem::is_empty(path("film")));
+}
+
+}  // namespace
+}  // namespace abrazo::test

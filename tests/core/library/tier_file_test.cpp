@@ -1,0 +1,260 @@
+#include "core/library/tier_file.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+
+#include "core/base/atomic_file.hpp"
+
+namespace abrazo {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+std::vector<Tier> rich_tiers() {
+  return {{"role", {{0, 1.5, "a"}, {1.5, 4, "b"}}, {{"a"}, {"b"}}, TierKind::Role},
+          {"move",
+           {{0.1, 1.25, "basic", "to the <left>", "high"},
+            {1.25, 3.001, "turn"},
+            {3.5, 4, "odd, \"one\"", "", "low"}},
+           {{"basic", "the basic step", 0x336699, 'b'}, {"turn", "", {}, '2'}, {"never used"}},
+           TierKind::Move},
+          {"what I saw", {{0.5, 0.75, "two\nlines & more"}}, {}, TierKind::Note},
+          {"still empty", {}, {{"x"}}, TierKind::Move}};
+}
+
+TierDocument back(const std::vector<Tier>& tiers, const std::string& name, const TierWriting& writing = {},
+                  const TierReading& reading = {}) {
+  const auto text = write_tiers(tiers, name, writing);
+  if (!text) {
+    ADD_FAILURE() << text.error().text();
+    return {};
+  }
+  auto document = parse_tiers(text->text, name, reading);
+  if (!document) ADD_FAILURE() << document.error().text() << "\n" << text->text;
+  return document ? *document : TierDocument{};
+}
+
+/// What CSV and subtitles have no place for, taken away.
+std::vector<Tier> plain(std::vector<Tier> tiers, bool remarks) {
+  std::erase_if(tiers, [](const Tier& tier) { return tier.intervals.empty(); });
+  for (Tier& tier : tiers) {
+    tier.vocabulary.clear();
+    tier.kind = kind_of_name(tier.name);
+    for (TierInterval& one : tier.intervals)
+      if (!remarks) one.detail.clear(), one.confidence.clear();
+  }
+  return tiers;
+}
+
+TEST(TierFile, EafKeepsEverything) {
+  const TierDocument document = back(rich_tiers(), "x.eaf");
+  EXPECT_EQ(document.tiers, rich_tiers());
+  EXPECT_THAT(document.warnings, IsEmpty());
+}
+
+TEST(TierFile, JsonKeepsEverything) {
+  EXPECT_EQ(back(rich_tiers(), "x.json").tiers, rich_tiers());
+}
+
+TEST(TierFile, CsvKeepsIntervalsAndSaysWhatItLeavesOut) {
+  EXPECT_EQ(back(rich_tiers(), "x.csv").tiers, plain(rich_tiers(), true));
+  EXPECT_THAT(write_tiers(rich_tiers(), "x.csv", {})->warnings,
+              ElementsAre("1 empty tier was left out", HasSubstr("the vocabulary of 3 tiers was left out")));
+}
+
+TEST(TierFile, SubtitlesKeepValuesAndSayWhatTheyLeaveOut) {
+  for (const char* name : {"x.vtt", "x.srt"}) {
+    // Cues are in order of time, and so tiers in order of their first one.
+    const auto tiers = back(rich_tiers(), name).tiers;
+    EXPECT_EQ(tiers, plain(rich_tiers(), false)) << name;
+    EXPECT_THAT(write_tiers(rich_tiers(), name, {})->warnings,
+                ElementsAre(HasSubstr("the vocabulary of 3"), HasSubstr("1 empty tier"),
+                            "detail and confidence of 2 intervals were left out"));
+  }
+}
+
+TEST(TierFile, WebVttIsWhatPlayersRead) {
+  const auto text = write_tiers(std::vector<Tier>{{"move", {{3661.5, 3662, "a<b"}}}}, "x.vtt", {});
+  EXPECT_EQ(text->text, "WEBVTT\n\nmove 1\n01:01:01.500 --> 01:01:02.000\n<v move>a&lt;b\n");
+  const auto srt = write_tiers(std::vector<Tier>{{"move", {{1.5, 2, "a"}}}}, "x.srt", {});
+  EXPECT_EQ(srt->text, "1\n00:00:01,500 --> 00:00:02,000\n[move] a\n");
+}
+
+TEST(TierFile, WhatIsRoundedToMillisecondsIsCounted) {
+  const std::vector<Tier> tiers = {{"m", {{0, 1.0 / 3, "a"}, {1.0 / 3, 1, "b"}}}};
+  for (const char* name : {"x.eaf", "x.vtt", "x.srt"})
+    EXPECT_THAT(write_tiers(tiers, name, {})->warnings,
+                Contains("2 of 4 times were rounded to whole milliseconds"))
+        << name;
+  EXPECT_THAT(write_tiers(tiers, "x.json", {})->warnings, IsEmpty());
+}
+
+TEST(TierFile, FramesOfCommonRatesComeBackThroughMilliseconds) {
+  for (const double fps : {24.0, 25.0, 30000 / 1001.0, 30.0, 50.0, 60000 / 1001.0, 60.0, 120.0, 240.0}) {
+    Tier tier{"move", {}, {}, TierKind::Move};
+    for (int frame = 0; frame < 3000; frame += 1 + frame % 3)
+      tier.intervals.push_back({frame / fps, (frame + 1) / fps, "m"});
+    for (const char* name : {"x.eaf", "x.vtt", "x.srt"}) {
+      const TierDocument document = back({tier}, name, {}, {fps, ""});
+      ASSERT_EQ(document.tiers.size(), 1u) << name << " at " << fps;
+      ASSERT_EQ(document.tiers[0].intervals, tier.intervals) << name << " at " << fps;
+    }
+  }
+}
+
+TEST(TierFile, TimesThatMeanNoFrameStayAsTheyAre) {
+  const TierDocument document =
+      parse_tiers("WEBVTT\n\n00:00.110 --> 00:00.200\nx\n", "x.vtt", {10, ""}).value();
+  EXPECT_EQ(document.tiers[0].intervals[0].start_s, 0.11);
+}
+
+TEST(TierFile, ALabelFileIsTheTierMoveInFrames) {
+  const std::string csv =
+      "take,start_frame,end_frame,label,detail,confidence\none,0,30,basic,,\none,30,90,\"turn, "
+      "slow\",d,low\ntwo,0,9,x,,\n";
+  const auto document = parse_tiers(csv, "x.csv", {60, "one"});
+  ASSERT_TRUE(document) << document.error().text();
+  EXPECT_EQ(document->take, "one");
+  EXPECT_EQ(document->tiers,
+            (std::vector<Tier>{
+                {"move", {{0, 0.5, "basic"}, {0.5, 1.5, "turn, slow", "d", "low"}}, {}, TierKind::Move}}));
+  TierWriting writing;
+  writing.take = "one";
+  writing.fps = 60;
+  const auto written = write_tiers(document->tiers, "y.csv", writing);
+  ASSERT_TRUE(written);
+  EXPECT_EQ(written->text, csv.substr(0, csv.find("two")));
+}
+
+TEST(TierFile, ALabelFileCountsWhatItCannotHold) {
+  TierWriting writing;
+  writing.take = "one";
+  writing.fps = 10;
+  const std::vector<Tier> tiers = {
+      {"move", {{0, 0.04, "short"}, {1, 2, ""}, {2, 3, "x"}}, {}, TierKind::Move}, {"note", {}}};
+  const auto written = write_tiers(tiers, "y.csv", writing);
+  ASSERT_TRUE(written);
+  EXPECT_THAT(written->text, HasSubstr("one,20,30,x,,"));
+  EXPECT_THAT(written->warnings,
+              ElementsAre(HasSubstr("2 of 3 intervals were left out"), HasSubstr("here 'move'; 1 left out")));
+  writing.fps = 0;
+  EXPECT_THAT(write_tiers(tiers, "y.csv", writing).error().text(), HasSubstr("--fps"));
+}
+
+TEST(TierFile, OtherPeoplesTablesAreReadByTheirHeader) {
+  const auto document = parse_tiers("\xEF\xBB\xBFTier;x\n", "x.csv", {});
+  EXPECT_FALSE(document) << "semicolons";
+  const auto table =
+      parse_tiers("label,end_s,tier,start_s,annotator\nturn,2,move,1,me\nbasic,1,move,0.5,me\n", "x.csv", {});
+  ASSERT_TRUE(table) << table.error().text();
+  EXPECT_EQ(table->tiers,
+            (std::vector<Tier>{{"move", {{0.5, 1, "basic"}, {1, 2, "turn"}}, {}, TierKind::Move}}));
+  EXPECT_THAT(table->warnings, ElementsAre(HasSubstr("annotator")));
+}
+
+TEST(TierFile, OtherPeoplesSubtitlesAreRead) {
+  const auto document = parse_tiers(
+      "WEBVTT - a dance\nKind: captions\n\nNOTE\nnot a cue\n\nSTYLE\n::cue { color: red }\n\nid\n00:01.000 "
+      "--> "
+      "00:03.000 align:start position:0%\n<v.loud Ann>hold <b>on</b>&amp;off\nnow\n\n00:02.000 --> "
+      "00:04.000\n<v "
+      "Ann>again\n\n01:00:00.000 --> 01:00:01.000\nno voice",
+      "x.vtt", {});
+  ASSERT_TRUE(document) << document.error().text();
+  EXPECT_EQ(document->tiers, (std::vector<Tier>{{"Ann", {{1, 3, "hold on&off\nnow"}}},
+                                                {"Ann 2", {{2, 4, "again"}}},
+                                                {"subtitles", {{3600, 3601, "no voice"}}}}));
+  EXPECT_THAT(document->warnings, ElementsAre(HasSubstr("1 cue overlaps others")));
+  const auto srt = parse_tiers(
+      "1\r\n00:00:01,000 --> 00:00:02,000\r\n<i>quiet</i>\r\n\r\n2\r\n00:00:02,000 --> 00:00:02,000\r\nx\r\n",
+      "x.srt", {});
+  ASSERT_TRUE(srt) << srt.error().text();
+  EXPECT_EQ(srt->tiers, (std::vector<Tier>{{"subtitles", {{1, 2, "quiet"}}}}));
+  EXPECT_THAT(srt->warnings, ElementsAre("1 cue without length was left out"));
+}
+
+TEST(TierFile, IntervalsWithoutLengthAreNotWrittenButCounted) {
+  const auto written = write_tiers(std::vector<Tier>{{"m", {{1, 1, "a"}, {1, 2, "b"}}}}, "x.csv", {});
+  ASSERT_TRUE(written) << written.error().text();
+  EXPECT_EQ(written->text, "tier,start,end,value,detail,confidence\nm,1,2,b,,\n");
+  EXPECT_THAT(written->warnings, ElementsAre("1 interval without length was left out"));
+}
+
+TEST(TierFile, WhatCannotBeWrittenIsRefused) {
+  const auto refusal = [](const std::vector<Tier>& tiers, const char* name) {
+    const auto written = write_tiers(tiers, name, {});
+    return written ? "written" : written.error().text();
+  };
+  EXPECT_THAT(refusal({{"m", {{0, 2, "a"}, {1, 3, "b"}}}}, "x.json"), HasSubstr("overlaps"));
+  EXPECT_THAT(refusal({{"m", {{0, std::nan(""), "a"}}}}, "x.csv"), HasSubstr("finite"));
+  EXPECT_THAT(refusal({{" ", {}}}, "x.csv"), HasSubstr("no name"));
+  EXPECT_THAT(refusal({{"m", {{-1, 1, "a"}}}}, "x.vtt"), HasSubstr("no times before 0"));
+  EXPECT_THAT(refusal({{"a]b", {{0, 1, "a"}}}}, "x.srt"), HasSubstr("cannot hold the tier name"));
+  EXPECT_THAT(refusal({{"m", {{0, 1, "a\x01"}}}}, "x.eaf"), HasSubstr("control character"));
+  EXPECT_THAT(refusal({}, "x.doc"), HasSubstr(".eaf, .csv, .json, .vtt, .srt"));
+}
+
+TEST(TierFile, AnythingComesBackFromEveryFormat) {
+  EXPECT_TRUE(rc::check("round trips", [] {
+    std::vector<Tier> tiers;
+    const int tier_count = *rc::gen::inRange(1, 4);
+    for (int t = 0; t < tier_count; ++t) {
+      Tier tier{"tier " + std::to_string(t), {}, {}, TierKind::Note};
+      double at_s = t;  // so that tiers begin in their order
+      for (int i = *rc::gen::inRange(1, 6); i > 0; --i) {
+        const double end_s = at_s + *rc::gen::inRange(1, 5000) / 1000.0;
+        const auto letters =
+            rc::gen::container<std::string>(rc::gen::elementOf(std::string("ab,\"<>&;[]:-'\n")));
+        std::string value = "v" + *letters + "v";
+        while (value.find("\n\n") != std::string::npos) value.erase(value.find("\n\n"), 1);
+        tier.intervals.push_back({at_s, end_s, value});
+        at_s = end_s + *rc::gen::inRange(0, 2) / 2.0;
+      }
+      tiers.push_back(tier);
+    }
+    for (const char* name : {"x.eaf", "x.csv", "x.json", "x.vtt", "x.srt"}) {
+      const auto text = write_tiers(tiers, name, {});
+      RC_ASSERT(text.ok());
+      const auto document = parse_tiers(text->text, name, {1000, ""});
+      RC_ASSERT(document.ok());
+      RC_ASSERT(document->tiers.size() == tiers.size());
+      for (std::size_t t = 0; t < tiers.size(); ++t) {
+        RC_ASSERT(document->tiers[t].intervals.size() == tiers[t].intervals.size());
+        for (std::size_t i = 0; i < tiers[t].intervals.size(); ++i) {
+          const TierInterval &is = document->tiers[t].intervals[i], &was = tiers[t].intervals[i];
+          RC_ASSERT(is.value == was.value);
+          RC_ASSERT(std::abs(is.start_s - was.start_s) < 1e-6);
+          RC_ASSERT(std::abs(is.end_s - was.end_s) < 1e-6);
+        }
+      }
+    }
+  }));
+}
+
+TEST(TierFile, AnyBytesAreReadOrRefused) {
+  EXPECT_TRUE(rc::check("bytes", [] {
+    const auto bytes = *rc::gen::container<std::string>(rc::gen::arbitrary<char>());
+    for (const char* name : {"x.eaf", "x.csv", "x.json", "x.vtt", "x.srt"}) {
+      (void)parse_tiers(bytes, name, {60, ""});
+      (void)parse_tiers("WEBVTT\n\n" + bytes, name, {60, ""});
+      (void)parse_tiers("tier,start,end,value\n" + bytes, name, {});
+    }
+  }));
+}
+
+TEST(TierFile, EveryBeginningOfAFileIsReadOrRefused) {
+  for (const char* name : {"x.eaf", "x.csv", "x.json", "x.vtt", "x.srt"}) {
+    const std::string text = write_tiers(rich_tiers(), name, {})->text;
+    for (std::size_t length = 0; length < text.size(); ++length)
+      (void)parse_tiers(text.substr(0, length), name, {});
+  }
+}
+
+}  // namespace
+}  // namespace abrazo

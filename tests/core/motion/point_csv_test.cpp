@@ -1,0 +1,151 @@
+#include "core/motion/point_csv.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/motion/clip_csv.hpp"
+#include "core/motion/motion_format.hpp"
+#include "tests/core/motion/motion_fixtures.hpp"
+#include "tests/support/bodies.hpp"
+
+namespace abrazo {
+namespace {
+
+using test::place;
+using test::the_warning;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+std::vector<NamedMotion> read(const std::string& text) {
+  Result<std::vector<NamedMotion>> motions = read_point_csv(text, "walk.csv");
+  if (motions) return std::move(*motions);
+  ADD_FAILURE() << motions.error().text();
+  return std::vector<NamedMotion>(1);
+}
+std::string message_of(const std::string& text) {
+  const auto motions = read_point_csv(text, "walk.csv");
+  return motions ? "read" : motions.error().text();
+}
+
+std::vector<Clip> two_clips() {
+  std::vector<Clip> clips(2);
+  for (std::size_t c = 0; c < 2; ++c) {
+    clips[c].name = c == 0 ? "active" : "passive";
+    clips[c].fps = 59.94;
+    for (int f = 0; f < 7; ++f)
+      clips[c].poses.push_back(
+          test::moved(test::standing_pose(), 0.1 * f, Vec3(static_cast<double>(c), 0, 1.0 / 3)));
+  }
+  return clips;
+}
+
+TEST(PointCsv, ReadsWhatAbrazoWritesToTheSameNumbers) {
+  const std::vector<Clip> clips = two_clips();
+  const std::vector<NamedMotion> motions = read(*write_clip_csv(clips));
+  ASSERT_EQ(motions.size(), 2U);
+  EXPECT_EQ(motions[1].name, "passive");
+  EXPECT_NEAR(*motions[1].fps, 59.94, 1e-9);
+  EXPECT_EQ(motions[1].metres_per_unit, 1.0);
+  for (std::size_t f = 0; f < 7; ++f) EXPECT_EQ(motions[1].frames[f], Positions(clips[1].poses[f]));
+  const std::vector<NamedMotion> alone = read(*write_clip_csv(std::span(clips).first(1)));
+  ASSERT_EQ(alone.size(), 1U);
+  EXPECT_EQ(alone[0].points[3], "ltibia");
+}
+
+TEST(PointCsv, ReadsColumnsNamedInManyWays) {
+  for (const char* names :
+       {"a_x,a_y,a_z,b_x,b_y,b_z", "a.X,a.Y,a.Z,b.X,b.Y,b.Z", "a:X,a:Y,a:Z,b:X,b:Y,b:Z",
+        "a x,a y,a z,b x,b y,b z", "aX,aY,aZ,bX,bY,bZ", "x_a,y_a,z_a,x_b,y_b,z_b",
+        "\"a_x [mm]\",a_y [mm],a_z [mm],b_x [mm],b_y [mm],b_z [mm]", "a_x,b_x,a_y,b_y,a_z,b_z"}) {
+    SCOPED_TRACE(names);
+    const bool mixed = std::string(names).starts_with("a_x,b_x");
+    const NamedMotion motion =
+        read(std::string("time,") + names +
+             (mixed ? "\n0,1,4,2,5,3,6\n0.5,1,4,2,5,3,6\n" : "\n0,1,2,3,4,5,6\n0.5,1,2,3,4,5,6\n"))
+            .front();
+    EXPECT_THAT(motion.points, ElementsAre("a", "b"));
+    EXPECT_EQ(place(motion, 1, "b"), Vec3(4, 5, 6));
+    EXPECT_EQ(motion.fps, 2.0);
+  }
+  EXPECT_EQ(read("a_x [mm],a_y [mm],a_z [mm]\n1,2,3\n").front().metres_per_unit, 0.001);
+  EXPECT_EQ(read("time_ms,a_x,a_y,a_z\n0,1,2,3\n20,1,2,3\n").front().fps, 50.0);
+}
+
+TEST(PointCsv, ReadsSemicolonsWithDecimalCommas) {
+  const NamedMotion motion = read("t;a_x;a_y;a_z\n0;1,5;-2;3\n0,1;;;\n").front();
+  EXPECT_EQ(place(motion, 0, "a"), Vec3(1.5, -2, 3));
+  EXPECT_FALSE(place(motion, 1, "a").allFinite());
+  EXPECT_EQ(motion.fps, 10.0);
+}
+
+TEST(PointCsv, ReadsNamesOverALineOfAxes) {
+  const NamedMotion motion =
+      read(
+          "Trajectories\n120\n,,Anna:LASI,,,Anna:RASI,,\nFrame,Sub Frame,X,Y,Z,X,Y,Z\n,,mm,mm,mm,mm,mm,mm\n"
+          "1,0,1,2,3,4,5,6\n2,0,1,2,3,,,\n")
+          .front();
+  EXPECT_THAT(motion.points, ElementsAre("Anna:LASI", "Anna:RASI"));
+  EXPECT_EQ(motion.fps, 120.0);
+  EXPECT_EQ(motion.metres_per_unit, 0.001);
+  EXPECT_EQ(motion.frames.size(), 2U);
+}
+
+/// An export of Motive with a bone, its rotation before its position, and a marker.
+std::string motive_export(const std::string& space) {
+  std::string types = ",Type", names = ",Name", ids = ",ID", properties = ",", axes = "Frame,Time (Seconds)",
+              row = "0,0";
+  for (int bone = 0; bone < 9; ++bone) {
+    const std::string name = ",Fred:Bone" + std::to_string(bone);
+    for (int i = 0; i < 7; ++i) types += ",Bone", names += name, ids += ",1";
+    properties += ",Rotation,Rotation,Rotation,Rotation,Position,Position,Position";
+    axes += ",X,Y,Z,W,X,Y,Z";
+    row += ",0,0,0,1," + std::to_string(bone) + ",2,3";
+  }
+  types += ",Marker,Marker,Marker", names += ",M,M,M", ids += ",1,1,1",
+      properties += ",Position,Position,Position";
+  axes += ",X,Y,Z", row += ",9,9,9";
+  return "Format Version,1.23,Take Name,t,Capture Frame Rate,120,Export Frame Rate,60,Length "
+         "Units,Millimeters,"
+         "Coordinate Space," +
+         space + "\n\n" + types + "\n" + names + "\n" + ids + "\n" + properties + "\n" + axes + "\n" + row +
+         "\n";
+}
+
+TEST(PointCsv, ReadsTheBonesOfAnExportOfMotive) {
+  const NamedMotion motion = read(motive_export("Global")).front();
+  EXPECT_EQ(motion.name, "Fred");
+  EXPECT_EQ(motion.points.size(), 9U);
+  EXPECT_EQ(place(motion, 0, "Bone4"), Vec3(4, 2, 3));
+  EXPECT_EQ(motion.fps, 60.0);
+  EXPECT_EQ(motion.metres_per_unit, 0.001);
+  EXPECT_THAT(message_of(motive_export("Local")), HasSubstr("coordinate space Global"));
+}
+
+TEST(PointCsv, IsToldFromLabels) {
+  EXPECT_TRUE(holds_positions("frame,time,root_x,root_y,root_z\n"));
+  EXPECT_FALSE(holds_positions("take,start_frame,end_frame,label\nsalsa_01,0,120,basic\n"));
+  EXPECT_FALSE(holds_positions("tier,start,end,value\n"));
+}
+
+TEST(PointCsv, SaysWhatIsWrong) {
+  EXPECT_THAT(message_of(""), HasSubstr("is empty"));
+  EXPECT_THAT(message_of("one,two\n1,2\n"), HasSubstr("no line names the x, y and z"));
+  EXPECT_THAT(message_of("a_x,a_y,a_z\n"), HasSubstr("no rows of numbers"));
+  EXPECT_THAT(message_of("a_x,a_y,a_z\n1,oops,3\n"),
+              HasSubstr("walk.csv:2: expected a number for a's y (column 2), found 'oops'"));
+  EXPECT_THAT(message_of("a_x,a_y,a_z\n1,2\n1,2,3\n"), HasSubstr("walk.csv:2: expected at least 3 fields"));
+  EXPECT_THAT(the_warning(read("a_x,a_y,a_z\n1,2,3\n1,2").front().warnings, "truncated").detail,
+              HasSubstr("the 1 whole ones"));
+}
+
+TEST(PointCsv, SurvivesDamagedFiles) {
+  std::mt19937 random(5);
+  const std::string whole = motive_export("Global");
+  for (int n = 0; n < 1000; ++n) {
+    (void)read_point_csv(test::damaged(whole, random), "damaged.csv");
+    (void)read_point_csv(test::damaged("time,a_x,a_y,a_z\n0,1,2,3\n0.5,1,2,3\n", random), "damaged.csv");
+  }
+}
+
+}  // namespace
+}  // namespace abrazo

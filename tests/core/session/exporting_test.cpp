@@ -1,0 +1,253 @@
+#include "core/session/exporting.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+
+#include <csignal>
+#include <filesystem>
+#include <fstream>
+#include <map>
+
+#include "core/base/atomic_file.hpp"
+#include "core/base/text.hpp"
+#include "core/library/tier_file.hpp"
+#include "core/session/session_export.hpp"
+#include "tests/core/session/recorded_session.hpp"
+
+namespace abrazo {
+namespace {
+
+namespace fs = std::filesystem;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+/// A running session of one second, and a library whose take has labels.
+class Exporting : public ::testing::Test {
+ protected:
+  Exporting() {
+    fs::create_directory(folder);
+    session.run_until(1);
+  }
+
+  std::unique_ptr<ExportSource> source(std::vector<Tier> noted = {}) {
+    RunningExport running;
+    running.name = "session";
+    running.frames = session.history.stretch(-1, 100);
+    running.library = test::session_library();
+    running.library_name = "small";
+    running.input = "user";
+    running.takes = {{1, "waltz", 0.25, 0.75, 0, 0, {}, false}};
+    running.markers = {{1, 0.5, "here"}};
+    running.noted = std::move(noted);
+    return std::move(*export_of_history(std::move(running)));
+  }
+  ExportWish wish(ExportContent content, const std::string& name) const {
+    ExportWish made;
+    made.content = content;
+    if (content == ExportContent::Motion) made.bodies = {SessionBody::Active, SessionBody::Passive};
+    made.output = (folder / name).string();
+    return made;
+  }
+  static std::map<ExportContent, std::vector<std::string>> types() {
+    std::map<ExportContent, std::vector<std::string>> all;
+    for (const ExportContent content :
+         {ExportContent::Motion, ExportContent::Mesh, ExportContent::Labels, ExportContent::Trace})
+      all[content] = export_types(content);
+    return all;
+  }
+  std::vector<std::string> files() const {
+    std::vector<std::string> names;
+    for (const auto& entry : fs::directory_iterator(folder))
+      names.push_back(entry.path().filename().string());
+    std::ranges::sort(names);
+    return names;
+  }
+  std::string text(const std::string& name) const { return *read_whole_file(folder / name); }
+  std::vector<std::string> lines_of(const std::string& name) const {
+    const std::string all = text(name);
+    const auto lines = split_lines(all);
+    return {lines.begin(), lines.end()};
+  }
+
+  test::TemporaryFolder own;
+  fs::path folder = own.file("out");
+  test::DrivenSession session;
+};
+
+TEST_F(Exporting, MotionOfARunningSessionIsThatOfItsFrames) {
+  const auto done = export_session(*source(), wish(ExportContent::Motion, "pair.csv"));
+  ASSERT_TRUE(done) << done.error().text();
+  const auto lines = lines_of("pair.csv");
+  const auto frames = session.history.range(-1, 100);
+  ASSERT_EQ(lines.size(), frames.size() + 1);
+  const auto fields = split_fields(lines[31], ',');
+  EXPECT_EQ(parse_number(fields[2]), frames[30]->result.result(0, 0));
+  EXPECT_THAT(done->warnings, IsEmpty());
+}
+
+TEST_F(Exporting, EveryTypeOfEveryContentIsWritten) {
+  for (const auto& [content, endings] : types())
+    for (const std::string& ending : endings) {
+      const auto done = export_session(*source(), wish(content, "out" + ending));
+      ASSERT_TRUE(done) << ending << ": " << done.error().text();
+      for (const std::string& file : done->files) EXPECT_GT(fs::file_size(file), 20U) << file;
+    }
+}
+
+TEST_F(Exporting, ATakeIsAPartOfTheSession) {
+  ExportWish of_take = wish(ExportContent::Motion, "take.csv");
+  of_take.part.take = "waltz";
+  ASSERT_TRUE(export_session(*source(), of_take));
+  const auto frames = session.history.range(0.25, 0.75);
+  EXPECT_EQ(lines_of("take.csv").size(), frames.size() + 1);
+}
+
+TEST_F(Exporting, AMeshIsOfTheFrameShownThen) {
+  ExportWish one = wish(ExportContent::Mesh, "mesh.vtu");
+  one.at_s = 0.5;
+  const auto done = export_session(*source(), one);
+  ASSERT_TRUE(done) << done.error().text();
+  EXPECT_THAT(done->text, HasSubstr("at " + std::string("0.")));
+  EXPECT_THAT(files(), ElementsAre("mesh.vtu"));
+}
+
+TEST_F(Exporting, ATraceOfARunningSessionIsThatOfItsFrames) {
+  const auto done = export_session(*source(), wish(ExportContent::Trace, "t.jsonl"));
+  ASSERT_TRUE(done) << done.error().text();
+  EXPECT_EQ(lines_of("t.jsonl").size(), session.history.range(-1, 100).size() + 1);
+  EXPECT_THAT(text("t.jsonl"), HasSubstr("\"library\":\"small\""));
+}
+
+TEST_F(Exporting, WhatAPersonSaidComesWithTheSessionsOwnTiers) {
+  const Tier moves{"moves", {{0.1, 0.6, "turn"}}, {{"turn"}}, TierKind::Move};
+  ASSERT_TRUE(export_session(*source({moves}), wish(ExportContent::Labels, "l.json")));
+  const auto read = read_tiers(folder / "l.json", {});
+  ASSERT_TRUE(read) << read.error().text();
+  std::map<std::string, Tier> tiers;
+  for (const Tier& tier : read->tiers) tiers[tier.name] = tier;
+  ASSERT_TRUE(tiers.contains("moves"));
+  EXPECT_EQ(tiers["moves"].intervals, moves.intervals);
+  EXPECT_EQ(tiers["take"].intervals.at(0).value, "waltz");
+  EXPECT_TRUE(tiers.contains("user role"));
+  EXPECT_FALSE(tiers.contains("move (noted)")) << "once is enough";
+  ASSERT_TRUE(export_session(*source({moves}), wish(ExportContent::Labels, "l.csv")));
+  EXPECT_THAT(text("l.csv"), HasSubstr("waltz,0,"));
+  EXPECT_THAT(text("l.csv"), HasSubstr(",turn,"));
+}
+
+TEST_F(Exporting, ATakeOfTheLibraryIsExportedAsItWasRecorded) {
+  const auto library = test::session_library();
+  const std::string take = library->takes().front().name;
+  const auto recorded = export_of_take(library, take);
+  ExportWish motion = wish(ExportContent::Motion, "take.csv");
+  const auto done = export_session(*recorded, motion);
+  ASSERT_TRUE(done) << done.error().text();
+  const int pair = library->find_pair(take, 3, false);
+  ASSERT_GE(pair, 0);
+  const auto lines = lines_of("take.csv");
+  const auto fields = split_fields(lines[4], ',');
+  EXPECT_NEAR(parse_number(fields[2]).value(), library->pair_in_world(pair, library->root(pair))(0, 0),
+              1e-12);
+  EXPECT_TRUE(export_session(*recorded, wish(ExportContent::Mesh, "m.pvd")));
+  const auto refused = export_session(*recorded, wish(ExportContent::Trace, "t.jsonl"));
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().message, HasSubstr("not solved"));
+  EXPECT_THROW(export_of_take(library, "nothing"), std::invalid_argument);
+}
+
+TEST_F(Exporting, CancellingAtAnyMomentLeavesNothing) {
+  for (const auto& [content, endings] : types())
+    for (const std::string& ending : endings) {
+      int reports = 0;
+      const auto count = [&](double, std::string_view) { return ++reports > 0; };
+      ASSERT_TRUE(export_session(*source(), wish(content, "whole" + ending), count));
+      fs::remove_all(folder);
+      fs::create_directory(folder);
+      const int all = reports;
+      for (const int until : {1, all / 2, all - 1}) {
+        reports = 0;
+        const auto stop = [&](double, std::string_view) { return ++reports < until; };
+        if (until < 1) continue;
+        const auto done = export_session(*source(), wish(content, "part" + ending), stop);
+        if (done) continue;  // it was past the point where it can be stopped
+        EXPECT_THAT(done.error().message, HasSubstr("cancelled")) << ending;
+        EXPECT_THAT(files(), IsEmpty()) << ending << " at " << until << " of " << all;
+      }
+      fs::remove_all(folder);
+      fs::create_directory(folder);
+    }
+}
+
+TEST_F(Exporting, AFullDiskLeavesNothing) {
+  const auto before = std::signal(SIGXFSZ, SIG_IGN);
+  rlimit limit{};
+  ASSERT_EQ(getrlimit(RLIMIT_FSIZE, &limit), 0);
+  for (const auto& [content, endings] : types())
+    for (const std::string& ending : endings) {
+      const auto made = source();
+      rlimit small = limit;
+      small.rlim_cur = 64;
+      ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &small), 0);
+      const auto done = export_session(*made, wish(content, "full" + ending));
+      ASSERT_EQ(setrlimit(RLIMIT_FSIZE, &limit), 0);
+      ASSERT_FALSE(done) << ending;
+      EXPECT_THAT(done.error().message, HasSubstr("disk full")) << ending;
+      EXPECT_THAT(files(), IsEmpty()) << ending;
+    }
+  std::signal(SIGXFSZ, before);
+}
+
+TEST_F(Exporting, AFolderThatIsGoneIsNamed) {
+  fs::remove_all(folder);
+  for (const auto& [content, endings] : types())
+    for (const std::string& ending : endings) {
+      const auto done = export_session(*source(), wish(content, "gone" + ending));
+      ASSERT_FALSE(done) << ending;
+      EXPECT_THAT(done.error().text(), HasSubstr("gone")) << ending;
+      EXPECT_THAT(done.error().text(), HasSubstr("folder")) << ending;
+    }
+}
+
+TEST_F(Exporting, WhatDoesNotFitTogetherIsRefused) {
+  const auto refusal = [&](const ExportWish& wish) {
+    const Status checked = check_export(wish);
+    return checked ? std::string("fits") : checked.error().message;
+  };
+  ExportWish motion = wish(ExportContent::Motion, "a.bvh");
+  EXPECT_EQ(refusal(motion), "fits");
+  motion.bodies = {};
+  EXPECT_THAT(refusal(motion), HasSubstr("no body"));
+  motion.bodies = {SessionBody::User, SessionBody::User};
+  EXPECT_THAT(refusal(motion), HasSubstr("twice"));
+  EXPECT_THAT(refusal(wish(ExportContent::Mesh, "a.bvh")), HasSubstr("use .vtu or .pvd"));
+  EXPECT_THAT(refusal(wish(ExportContent::Labels, "a.txt")), HasSubstr(".vtt or .srt"));
+  ExportWish metres = wish(ExportContent::Motion, "a.glb");
+  metres.space.units_per_metre = 100;
+  EXPECT_THAT(refusal(metres), HasSubstr("metres with Y up"));
+  ExportWish trace = wish(ExportContent::Trace, "a.jsonl");
+  trace.rate_hz = 30;
+  EXPECT_THAT(refusal(trace), HasSubstr("leave the rate out"));
+  ExportWish series = wish(ExportContent::Mesh, "a.pvd");
+  series.at_s = 1;
+  EXPECT_THAT(refusal(series), HasSubstr("series"));
+}
+
+TEST_F(Exporting, TheEstimateIsNearWhatIsWritten) {
+  for (const std::string name : {"a.bvh", "a.glb", "a.csv"}) {
+    const ExportWish motion = wish(ExportContent::Motion, name);
+    const auto done = export_session(*source(), motion);
+    ASSERT_TRUE(done);
+    const auto frames = session.history.range(-1, 100);
+    const double length_s = frames.back()->time_s - frames.front()->time_s;
+    const auto estimate = estimate_export(motion, length_s, 60);
+    EXPECT_NEAR(static_cast<double>(estimate.frames), static_cast<double>(frames.size()), 1) << name;
+    EXPECT_NEAR(static_cast<double>(estimate.bytes), static_cast<double>(fs::file_size(motion.output)),
+                0.25 * static_cast<double>(fs::file_size(motion.output)))
+        << name;
+  }
+}
+
+}  // namespace
+}  // namespace abrazo

@@ -1,0 +1,387 @@
+#include "core/session/project.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <fstream>
+#include <iterator>
+#include <thread>
+
+#include "core/session/session_database.hpp"
+#include "core/session/session_edit.hpp"
+#include "core/session/session_file.hpp"
+#include "tests/core/session/project_values.hpp"
+#include "tests/core/session/recorded_session.hpp"
+
+namespace abrazo {
+namespace {
+
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+std::string bytes_of(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void change(const std::string& path, const std::string& sql) {
+  auto database = SessionDatabase::open(path, SessionDatabase::Access::Write);
+  ASSERT_TRUE(database);
+  const Status done = database->execute(sql);
+  ASSERT_TRUE(done) << done.error().text();
+}
+
+/// A file as the first version of the program recorded it: 4 frames, a take, a marker, and intervals that
+/// somebody noted, two of them overlapping.
+std::string file_of_version_1(const test::TemporaryFolder& folder) {
+  const std::string path = folder.file("old.abrazo");
+  std::filesystem::copy_file(std::string(ABRAZO_FIXTURES) + "/session/version_1.abrazo", path);
+  return path;
+}
+
+TEST(Project, EveryFieldOfAnyProjectReadsBackTheSame) {
+  const test::TemporaryFolder folder;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    const Project project = test::ProjectMaker(seed).make();
+    const std::string path = folder.file(seed % 3 ? "one.abrazo" : std::to_string(seed) + ".abrazo");
+    const Status saved = save_project(path, project);  // also over another one
+    ASSERT_TRUE(saved) << saved.error().text();
+    const auto read = read_project(path);
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_THAT(read->damage, SizeIs(0));
+    EXPECT_TRUE(read->is_saved);
+    EXPECT_EQ(read->version, 2);
+    EXPECT_EQ(read->project.data, project.data);
+    EXPECT_EQ(read->project.annotations, project.annotations);
+    EXPECT_EQ(read->project.videos, project.videos);
+    EXPECT_EQ(read->project.markers, project.markers);
+    EXPECT_EQ(read->project.settings, project.settings);
+    EXPECT_EQ(read->project.decisions, project.decisions);
+    EXPECT_EQ(read->project, project) << seed;
+  }
+}
+
+TEST(Project, IsASessionFileThatLeavesNothingBesideItself) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("p.abrazo");
+  ASSERT_TRUE(save_project(path, test::ProjectMaker(1).make()));
+  const auto file = SessionFile::open(path);
+  ASSERT_TRUE(file) << file.error().text();
+  EXPECT_THAT((*file)->recovery(), SizeIs(0));
+  EXPECT_EQ((*file)->contents().frames, 0U);
+  const auto here = std::filesystem::directory_iterator(std::filesystem::path(path).parent_path());
+  EXPECT_EQ(std::distance(begin(here), end(here)), 1);
+}
+
+TEST(Project, IsSavedBesideWhatWasRecordedAndRecordedBehind) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("s.abrazo");
+  const Project project = test::ProjectMaker(5).make();
+  ASSERT_TRUE(save_project(path, project));
+  test::DrivenSession session;
+  RecordingFacts facts = test::session_facts();
+  facts.has_times_of_file = true;
+  session.keeper->recorder = *Recorder::open(path, facts);
+  session.run_until(1);
+  ASSERT_TRUE(session.keeper->recorder->finish());
+  EXPECT_EQ(*load_project(path), project);
+  const Project other = test::ProjectMaker(6).make();
+  ASSERT_TRUE(save_project(path, other));
+  EXPECT_EQ(*load_project(path), other);
+  const auto file = SessionFile::open(path);
+  EXPECT_EQ((*file)->contents().frames, session.keeper->frames.size());
+}
+
+TEST(Project, IsSavedByTheRecorderWhileItRecords) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("s.abrazo");
+  test::DrivenSession session;
+  session.keeper->recorder = *Recorder::open(path, test::session_facts());
+  session.run_until(0.5);
+  const auto project = std::make_shared<const Project>(test::ProjectMaker(7).make());
+  const Status by_another = save_project(path, *project);
+  ASSERT_FALSE(by_another);
+  EXPECT_THAT(by_another.error().message, HasSubstr("is recording into this file"));
+  session.keeper->recorder->save_project(project);
+  session.run_until(0.8);
+  ASSERT_TRUE(session.keeper->recorder->flush());
+  EXPECT_EQ(*load_project(path), *project);  // while it goes on
+  ASSERT_TRUE(session.keeper->recorder->finish());
+  EXPECT_EQ(*load_project(path), *project);
+  EXPECT_EQ((*SessionFile::open(path))->contents().frames, session.keeper->frames.size());
+}
+
+TEST(Project, TakesAreRenamedWhileTheFileIsRecorded) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("s.abrazo");
+  test::DrivenSession session;
+  session.keeper->recorder = *Recorder::open(path, test::session_facts());
+  for (const char* name : {"one", "two", "three"}) {
+    session.keeper->recorder->begin_take(name);
+    session.run_until(session.now_s + 0.3);
+  }
+  session.keeper->recorder->edit_takes({{"one", "uno"}, {"two", std::nullopt}});
+  ASSERT_TRUE(session.keeper->recorder->flush());
+  std::vector<std::string> names;
+  const auto file = SessionFile::open(path);
+  for (const SessionTake& take : (*file)->contents().takes) names.push_back(take.name);
+  EXPECT_THAT(names, ElementsAre("uno", "three"));
+}
+
+TEST(Project, OfARecordingInWhichNoneWasSavedIsWhatTheRecordingKnows) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("s.abrazo");
+  test::DrivenSession session;
+  RecordingFacts facts = test::session_facts();
+  facts.library_path = folder.file("lib.h5");
+  session.keeper->recorder = *Recorder::open(path, facts);
+  session.commands.push(PinPair{3});
+  session.run_until(0.4);
+  Markers markers;
+  markers.add(0.2, "clap");
+  session.keeper->recorder->set_markers(markers);
+  ASSERT_TRUE(session.keeper->recorder->finish());
+  const auto read = read_project(path);
+  ASSERT_TRUE(read) << read.error().text();
+  EXPECT_FALSE(read->is_saved);
+  EXPECT_EQ(read->project.settings, *preset("responsive"));
+  EXPECT_EQ(read->project.decisions.pinned, 3);
+  EXPECT_EQ(read->project.input, "clip:user.bvh");
+  ASSERT_THAT(read->project.data, SizeIs(1));
+  EXPECT_EQ(read->project.data[0].relative_path, "lib.h5");
+  ASSERT_THAT(read->project.markers.all(), SizeIs(1));
+  EXPECT_EQ(read->project.markers.all()[0].name, "clap");
+}
+
+TEST(ProjectVersions, TheFirstIsReadWithoutBeingChanged) {
+  const test::TemporaryFolder folder;
+  const std::string path = file_of_version_1(folder);
+  const std::string before = bytes_of(path);
+  const auto file = SessionFile::open(path);
+  ASSERT_TRUE(file) << file.error().text();
+  EXPECT_EQ((*file)->contents().version, 1);
+  EXPECT_EQ((*file)->contents().frames, 4U);
+  ASSERT_THAT((*file)->contents().annotations, SizeIs(3));
+  EXPECT_EQ((*file)->contents().annotations[0].name, "move");
+  EXPECT_EQ((*file)->contents().annotations[0].intervals[0],
+            (TierInterval{0, 0.05, "basic", "first step", "high"}));
+  const auto read = read_project(path);
+  ASSERT_TRUE(read) << read.error().text();
+  EXPECT_EQ(read->version, 1);
+  EXPECT_FALSE(read->is_saved);
+  EXPECT_EQ(read->project.markers.all().at(0).name, "clap");
+  EXPECT_EQ(bytes_of(path), before);
+}
+
+TEST(ProjectVersions, TheFirstIsMigratedWithAllThatItHas) {
+  const test::TemporaryFolder folder;
+  const std::string path = file_of_version_1(folder);
+  std::vector<FrameSnapshotPtr> before;
+  const auto keep = [](std::vector<FrameSnapshotPtr>& into) {
+    return [&into](const FrameSnapshot& frame) -> Status {
+      into.push_back(std::make_shared<FrameSnapshot>(frame));
+      return Done{};
+    };
+  };
+  ASSERT_EQ((*SessionFile::open(path))->each_frame(-1e9, 1e9, keep(before))->damaged, 0U);
+  const auto version = migrate_session(path);
+  ASSERT_TRUE(version) << version.error().text();
+  EXPECT_EQ(*version, 1);
+  EXPECT_EQ(*migrate_session(path), 2);  // nothing is left to do
+  const auto file = SessionFile::open(path);
+  ASSERT_TRUE(file) << file.error().text();
+  EXPECT_EQ((*file)->contents().version, 2);
+  std::vector<FrameSnapshotPtr> after;
+  ASSERT_EQ((*file)->each_frame(-1e9, 1e9, keep(after))->damaged, 0U);
+  ASSERT_EQ(after.size(), before.size());
+  for (std::size_t i = 0; i < after.size(); ++i) EXPECT_EQ(after[i]->result.result, before[i]->result.result);
+  const Project project = *load_project(path);
+  const std::vector<Tier> tiers = tiers_of(project.annotations.at(""));
+  ASSERT_THAT(tiers, SizeIs(3));
+  EXPECT_EQ(tiers[0].kind, TierKind::Move);
+  EXPECT_EQ(tiers[0].intervals[0], (TierInterval{0, 0.05, "basic", "first step", "high"}));
+  EXPECT_EQ(tiers[1].kind, TierKind::Role);
+  EXPECT_EQ(tiers[2].name, "move 2");
+  EXPECT_EQ(tiers[2].intervals[0].value, "turn");
+}
+
+TEST(ProjectVersions, SavingAndRecordingMigrateAsWell) {
+  const test::TemporaryFolder folder;
+  const std::string path = file_of_version_1(folder);
+  {
+    auto recorder = Recorder::open(path, test::session_facts());
+    ASSERT_TRUE(recorder) << recorder.error().text();
+    ASSERT_TRUE((*recorder)->finish());
+  }
+  EXPECT_EQ(read_project(path)->version, 2);
+  EXPECT_EQ(read_project(path)->project.annotations.size(), 1U);
+  std::filesystem::remove(path);
+  file_of_version_1(folder);
+  const Project project = test::ProjectMaker(3).make();
+  ASSERT_TRUE(save_project(path, project));
+  EXPECT_EQ(*load_project(path), project);
+  EXPECT_EQ((*SessionFile::open(path))->contents().frames, 4U);
+  std::filesystem::remove(path);
+  file_of_version_1(folder);
+  ASSERT_TRUE(edit_session_takes(path, {{"salsa 3", "salsa three"}}));
+  EXPECT_EQ((*SessionFile::open(path))->contents().takes[0].name, "salsa three");
+}
+
+TEST(ProjectVersions, AMigrationThatFailsLeavesTheFileAsItWas) {
+  const test::TemporaryFolder folder;
+  const std::string path = file_of_version_1(folder);
+  change(path, "CREATE VIEW annotation_list AS SELECT 1");  // in the way of the last thing that is made
+  const std::string before = bytes_of(path);
+  EXPECT_FALSE(migrate_session(path));
+  EXPECT_EQ(bytes_of(path), before);
+  EXPECT_EQ((*SessionFile::open(path))->contents().version, 1);
+}
+
+TEST(ProjectVersions, ANewerOneIsRefusedWithWhatToDoAndNotTouched) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("new.abrazo");
+  ASSERT_TRUE(save_project(path, {}));
+  change(path, "PRAGMA user_version = 3");
+  const std::string before = bytes_of(path);
+  for (const Status& refused :
+       {save_project(path, {}), edit_session_takes(path, {{"a", "b"}}),
+        migrate_session(path) ? Status(Done{}) : Status(migrate_session(path).error()),
+        read_project(path) ? Status(Done{}) : Status(read_project(path).error())}) {
+    ASSERT_FALSE(refused);
+    EXPECT_EQ(refused.error().message,
+              "the session file is of version 3, this program reads up to version 2; open it with a newer "
+              "Abrazo");
+    EXPECT_EQ(refused.error().where, path);
+  }
+  EXPECT_FALSE(Recorder::open(path, test::session_facts()));
+  EXPECT_EQ(bytes_of(path), before);
+}
+
+TEST(DamagedProject, RowsThatCannotBeAreLeftOutCountedAndSaid) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("p.abrazo");
+  Project project;
+  const Tier moves{"move", {{0, 1, "basic"}, {1, 2, "turn"}, {3, 4, "dip"}}, {{"basic"}}, TierKind::Move};
+  project.annotations[""] = *annotations_of(std::vector{moves});
+  project.markers.add(1, "clap");
+  ASSERT_TRUE(save_project(path, project));
+  change(path,
+         "UPDATE annotations SET end_s = 0.5 WHERE value = 'turn';"
+         "INSERT INTO annotations (tier, number, start_s, end_s, value, detail, confidence) VALUES"
+         "  (99, 77, 0, 1, 'of no tier', '', ''), (1, 1, 5, 6, 'the number of the tier', '', '');"
+         "UPDATE vocabularies SET key = 'both';"
+         "INSERT INTO tiers (subject, number, kind, name) VALUES (1, 78, 'colour', 'x'), (1, 79, 'note', "
+         "'move');"
+         "UPDATE project SET value = '{\"alpha\":' WHERE key = 'settings';"
+         "INSERT INTO videos (id, data, subject, rate) VALUES (1, 44, '', 'fast');"
+         "INSERT INTO sync_points (video, subject_s, video_s) VALUES (8, 1, 2);");
+  const auto read = read_project(path);
+  ASSERT_TRUE(read) << read.error().text();
+  std::string said;
+  for (const std::string& sentence : read->damage) said += sentence + "\n";
+  EXPECT_EQ(read->damaged, 8U) << said;
+  EXPECT_THAT(said, HasSubstr("3 of its annotations could not be read: 'turn' does not end after it begins"));
+  EXPECT_THAT(said, HasSubstr("2 of its tiers could not be read: a tier is of kind 'colour'"));
+  EXPECT_THAT(said, HasSubstr("1 of its words of vocabularies could not be read: 'both' is not one key"));
+  EXPECT_THAT(said, HasSubstr("1 of its sync points could not be read"));
+  EXPECT_THAT(said, HasSubstr("its settings or decisions could not be read"));
+  const std::vector<Tier> tiers = tiers_of(read->project.annotations.at(""));
+  ASSERT_THAT(tiers, SizeIs(1));
+  EXPECT_THAT(tiers[0].intervals, ElementsAre(moves.intervals[0], moves.intervals[2]));
+  EXPECT_EQ(read->project.markers, project.markers);
+}
+
+TEST(DamagedProject, ATableThatIsGoneCostsItself) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("p.abrazo");
+  const Project project = test::ProjectMaker(2).make();
+  for (const char* table :
+       {"project", "view_state", "data_references", "subjects", "tiers", "vocabularies", "annotations",
+        "suggestions", "videos", "sync_points", "cameras", "picked_points", "markers"}) {
+    std::filesystem::remove(path);
+    ASSERT_TRUE(save_project(path, project));
+    change(path, std::string("DROP TABLE ") + table);
+    const auto read = read_project(path);
+    ASSERT_TRUE(read) << read.error().text();
+    EXPECT_GE(read->damaged, 1U) << table;
+    EXPECT_THAT(read->damage.at(0), HasSubstr("can be read")) << table;
+  }
+}
+
+TEST(DamagedProject, BytesThatTheDiskChangedNeverCrashTheReader) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("p.abrazo"), broken = folder.file("broken.abrazo");
+  ASSERT_TRUE(save_project(path, test::ProjectMaker(4).make()));
+  const std::string whole = bytes_of(path);
+  std::mt19937 random(11);
+  int readable = 0;
+  for (int round = 0; round < 200; ++round) {
+    std::string bytes = whole;
+    for (int flips = 0; flips < 1 + round % 7; ++flips)
+      bytes[random() % bytes.size()] ^= static_cast<char>(1 << (random() % 8));
+    if (round % 10 == 0) bytes.resize(bytes.size() * (random() % 100) / 100);
+    std::ofstream(broken, std::ios::binary | std::ios::trunc) << bytes;
+    const auto read = read_project(broken);
+    if (!read) {
+      EXPECT_FALSE(read.error().message.empty());
+    }
+    readable += read ? 1 : 0;
+  }
+  EXPECT_GT(readable, 50);
+}
+
+/// Saves one project after the other till it is killed. @return what the file has then
+TEST(SavingAProject, ThatIsKilledLeavesTheOldOneOrTheNewOneWhole) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("p.abrazo");
+  const Project even = test::ProjectMaker(8).make(), odd = test::ProjectMaker(9).make();
+  ASSERT_TRUE(save_project(path, even));
+  int of_odd = 0;
+  for (int round = 0; round < 12; ++round) {
+    int ends[2];
+    ASSERT_EQ(pipe(ends), 0);
+    const pid_t child = fork();
+    if (child == 0) {
+      for (int i = 1;; ++i) {
+        (void)save_project(path, i % 2 ? odd : even);
+        if (write(ends[1], "x", 1) != 1) _exit(1);
+      }
+    }
+    close(ends[1]);
+    char byte;
+    for (int saves = 0; saves < 2 + round; ++saves) ASSERT_EQ(read(ends[0], &byte, 1), 1);
+    // Somewhere in the next save, whose statements take some milliseconds.
+    std::this_thread::sleep_for(std::chrono::microseconds(300 * round));
+    kill(child, SIGKILL);
+    int status = 0;
+    waitpid(child, &status, 0);
+    close(ends[0]);
+    const auto left = read_project(path);
+    ASSERT_TRUE(left) << left.error().text();
+    EXPECT_THAT(left->damage, SizeIs(0));
+    EXPECT_TRUE(left->project == even || left->project == odd) << round;
+    of_odd += left->project == odd ? 1 : 0;
+  }
+  EXPECT_GT(of_odd, 0);
+  EXPECT_LT(of_odd, 12);
+}
+
+TEST(SavingAProject, SaysWhatIsInTheWay) {
+  const test::TemporaryFolder folder;
+  const auto trouble = [](const Status& status) { return status ? std::string() : status.error().message; };
+  EXPECT_THAT(trouble(save_project(folder.file("."), {})), HasSubstr("this is a folder"));
+  EXPECT_THAT(trouble(save_project(folder.file("no/where/p.abrazo"), {})),
+              HasSubstr("does its folder exist"));
+  const std::string text = folder.file("notes.txt");
+  std::ofstream(text) << "This was never a database, and stays as it is, whatever is saved.";
+  EXPECT_THAT(trouble(save_project(text, {})), HasSubstr("not a session file"));
+  EXPECT_THAT(bytes_of(text), HasSubstr("stays as it is"));
+}
+
+}  // namespace
+}  // namespace abrazo

@@ -1,0 +1,464 @@
+// Labels in the whole window, by the mouse and the keys of a user.
+#include <QApplication>
+#include <QFile>
+#include <QLineEdit>
+#include <QTableWidget>
+
+#include "app/workbench/annotation_desk.hpp"
+#include "app/workbench/label_import.hpp"
+#include "app/workbench/library_feed.hpp"
+#include "tests/workbench/demo_window.hpp"
+#include "widgets/annotation/annotation_panel.hpp"
+#include "widgets/annotation/problem_list.hpp"
+#include "widgets/annotation/value_picker.hpp"
+#include "widgets/candidates/candidate_table.hpp"
+#include "widgets/library/take_list.hpp"
+#include "widgets/timeline/timeline_view.hpp"
+
+namespace abrazo::app {
+namespace {
+
+using widgets::TimelineView;
+using widgets::ValuePicker;
+
+class Annotating : public DemoWindow {
+ protected:
+  static void SetUpTestSuite() { showDemo({1500, 950}); }
+  void SetUp() override {
+    ASSERT_TRUE(until([] { return ticker().shown() != nullptr; }, 120'000)) << "the demo did not start";
+    if (auto* picker = open_picker()) QTest::keyClick(picker->findChild<QLineEdit*>(), Qt::Key_Escape);
+    desk().showSubject(take());
+    empty();
+    desk().setConflict(Conflict::Replace);
+    ticker().setRange(0, 0);
+    ticker().setLoop(false);
+    ticker().setSpeed(1);
+    ticker().seek(1);
+    DemoWindow::SetUp();
+    timeline().showAll();
+    timeline().setFocus(Qt::OtherFocusReason);
+    turn();
+  }
+
+  static AnnotationDesk& desk() { return *window().findChild<AnnotationDesk*>(); }
+  static TimelineView& timeline() { return window().timeline(); }
+  static const MotionLibrary& library() { return *window().session()->material().library; }
+  static std::string take() { return library().takes().front().name; }
+  static const AnnotationTier& tier(TierKind kind = TierKind::Move) {
+    return *desk().annotations().first_of(kind);
+  }
+  static const std::vector<Annotation>& labels(TierKind kind = TierKind::Move) {
+    return tier(kind).annotations;
+  }
+  /// No label in any tier; moves "one" and "two" have the keys 1 and 2, and are active.
+  static void empty() {
+    Annotations next = desk().annotations();
+    const auto tiers = next.tiers();
+    for (const AnnotationTier& each : tiers)
+      for (const Annotation& label : each.annotations) ASSERT_TRUE(next.remove(label.id));
+    const int moves = next.first_of(TierKind::Move)->id;
+    ASSERT_TRUE(next.set_vocabulary(moves, {{"one", "", {}, '1'}, {"two", "", {}, '2'}}));
+    desk().change(next, "empty");
+    desk().setActiveTier(moves);
+    desk().select(0);
+  }
+  static int add(double from_s, double to_s, const std::string& value) {
+    Annotations next = desk().annotations();
+    const auto id = next.draw(tier().id, from_s, to_s, value, Conflict::Replace, desk().range());
+    EXPECT_TRUE(id);
+    desk().change(next, "draw");
+    return *id;
+  }
+  static const Annotation& label(int id) { return *desk().annotations().find(id); }
+
+  static QPoint at(double time_s, int tier) {
+    return {static_cast<int>(std::lround(timeline().axis().x(time_s))),
+            static_cast<int>(timeline().lanes().top_of_tier(tier) + 13)};
+  }
+  static void drag(double from_s, double to_s, Qt::KeyboardModifiers held = {}) {
+    const int id = tier().id;
+    QTest::mousePress(&timeline(), Qt::LeftButton, held, at(from_s, id));
+    for (int step = 1; step <= 4; ++step) {
+      const QPoint place = at(from_s + (to_s - from_s) * step / 4, id);
+      QMouseEvent move(QEvent::MouseMove, place, timeline().mapToGlobal(place), Qt::NoButton, Qt::LeftButton,
+                       held);
+      QApplication::sendEvent(&timeline(), &move);
+    }
+    QTest::mouseRelease(&timeline(), Qt::LeftButton, held, at(to_s, id));
+    turn();
+  }
+  static ValuePicker* open_picker() {
+    auto* picker = window().findChild<ValuePicker*>();
+    return picker && picker->isVisible() ? picker : nullptr;
+  }
+  static void type(int key) {
+    ASSERT_TRUE(open_picker());
+    QTest::keyClick(open_picker()->findChild<QLineEdit*>(), static_cast<Qt::Key>(key));
+    turn();
+  }
+  static void key(int key, Qt::KeyboardModifiers held = {}) {
+    QTest::keyClick(&timeline(), static_cast<Qt::Key>(key), held);
+    turn();
+  }
+  static double frame_s() { return 1 / desk().fps(); }
+  static bool on_frame(double time_s) {
+    return std::abs(time_s * desk().fps() - std::round(time_s * desk().fps())) < 1e-6;
+  }
+};
+
+TEST_F(Annotating, ATakeIsLookedAtFrameByFrameAndTheSessionComesBackAsItWas) {
+  const LibraryTake about = library().takes().front();
+  EXPECT_NEAR(ticker().playback().last_s, (about.frames - 1) / about.fps, 0.1);
+  ticker().seek(100 / about.fps);
+  turn();
+  EXPECT_EQ(ticker().shown()->input_frame, 100);
+  EXPECT_EQ(library().source(ticker().shown()->result.candidates[0].pair).frame, 100u);
+  press(Qt::Key_End);
+  EXPECT_EQ(ticker().playback().state, Playback::State::Parked) << "a take has no live end";
+  desk().showSubject("");
+  turn();
+  EXPECT_FALSE(window().session()->looksElsewhere());
+  EXPECT_GT(ticker().shown()->result.candidates.size(), 1u);
+}
+
+TEST_F(Annotating, EachSubjectKeepsItsMarkers) {
+  press(Qt::Key_M);
+  ASSERT_EQ(timeline().markers().all().size(), 1u);
+  desk().showSubject("");
+  EXPECT_TRUE(timeline().markers().empty());
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(timeline().markers().empty()) << "what was undone is of the take";
+  desk().showSubject(take());
+  EXPECT_TRUE(timeline().markers().empty());
+}
+
+TEST_F(Annotating, ADragDrawsAndADigitSaysWhat) {
+  drag(2, 4);
+  ASSERT_TRUE(open_picker());
+  EXPECT_TRUE(labels().empty()) << "not before it says something";
+  type(Qt::Key_2);
+  ASSERT_EQ(labels().size(), 1u);
+  EXPECT_EQ(labels()[0].value, "two");
+  EXPECT_NEAR(labels()[0].start_s, 2, 0.05);
+  EXPECT_NEAR(labels()[0].end_s, 4, 0.05);
+  EXPECT_TRUE(on_frame(labels()[0].start_s) && on_frame(labels()[0].end_s));
+  EXPECT_EQ(window().undoStack().undoText(), "draw two");
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(labels().empty());
+  press(Qt::Key_Y, Qt::ControlModifier);
+  EXPECT_EQ(labels().size(), 1u);
+}
+
+TEST_F(Annotating, EscapeAtTheQuestionDrawsNothing) {
+  drag(2, 4);
+  type(Qt::Key_Escape);
+  EXPECT_FALSE(open_picker());
+  EXPECT_TRUE(labels().empty());
+}
+
+TEST_F(Annotating, AnEdgeAndTheMiddleCanBeDragged) {
+  const int id = add(3, 5, "one");
+  drag(5, 7);
+  EXPECT_NEAR(label(id).end_s, 7, 0.05);
+  EXPECT_TRUE(on_frame(label(id).end_s));
+  drag(4, 5);
+  EXPECT_NEAR(label(id).start_s, 4, 0.05);
+  EXPECT_NEAR(label(id).end_s, 8, 0.05);
+  EXPECT_EQ(window().undoStack().undoText(), "move one");
+}
+
+TEST_F(Annotating, AnEdgeSnapsToTheCursorUnlessAltIsHeld) {
+  const int id = add(3, 5, "one");
+  ticker().seek(6.1);
+  turn();
+  const double near_s = 6.1 + 3 * timeline().axis().seconds_per_pixel();
+  drag(5, near_s);
+  EXPECT_DOUBLE_EQ(label(id).end_s, 6.1);
+  drag(6.1, 6.1 + 6 * timeline().axis().seconds_per_pixel(), Qt::AltModifier);
+  EXPECT_GT(label(id).end_s, 6.1 + 4 * timeline().axis().seconds_per_pixel());
+}
+
+TEST_F(Annotating, WhatIsInTheWayIsCutPushedOrRefuses) {
+  const int first = add(3, 5, "one"), second = add(6, 8, "two");
+  desk().setConflict(Conflict::Refuse);
+  drag(5, 7);
+  EXPECT_NEAR(label(first).end_s, 5, 1e-9);
+  desk().setConflict(Conflict::Push);
+  drag(5, 7);
+  EXPECT_NEAR(label(second).start_s, 7, 0.05);
+  EXPECT_NEAR(label(second).duration_s(), 2, 1e-6);
+  press(Qt::Key_Z, Qt::ControlModifier);
+  desk().setConflict(Conflict::Replace);
+  drag(5, 7);
+  EXPECT_NEAR(label(second).start_s, 7, 0.05);
+  EXPECT_NEAR(label(second).end_s, 8, 1e-6);
+}
+
+TEST_F(Annotating, ReturnEditsWhatIsSelectedAndDelRemovesIt) {
+  const int id = add(3, 5, "one");
+  QTest::mouseClick(&timeline(), Qt::LeftButton, {}, at(4, tier().id));
+  turn();
+  EXPECT_EQ(desk().selected(), id);
+  EXPECT_NEAR(ticker().playback().cursor_s, 4, 0.05) << "a click goes there, as anywhere";
+  key(Qt::Key_Return);
+  type(Qt::Key_2);
+  EXPECT_EQ(label(id).value, "two");
+  timeline().setFocus();
+  key(Qt::Key_Delete);
+  EXPECT_TRUE(labels().empty());
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(labels().size(), 1u);
+}
+
+TEST_F(Annotating, WhatIsTypedIsCompletedFromTheVocabulary) {
+  const int id = add(3, 5, "one");
+  desk().select(id);
+  key(Qt::Key_F2);
+  ASSERT_TRUE(open_picker());
+  QTest::keyClicks(open_picker()->findChild<QLineEdit*>(), "tw");
+  EXPECT_EQ(open_picker()->value(), "two");
+  type(Qt::Key_Return);
+  EXPECT_EQ(label(id).value, "two");
+}
+
+TEST_F(Annotating, KeysSplitMergeExtendAndNudge) {
+  const int id = add(3, 5, "one");
+  desk().select(id);
+  ticker().seek(4);
+  turn();
+  key(Qt::Key_S);
+  ASSERT_EQ(labels().size(), 2u);
+  desk().select(id);
+  key(Qt::Key_S, Qt::ShiftModifier);
+  EXPECT_EQ(labels().size(), 1u);
+  EXPECT_NEAR(label(id).end_s, 5, 1e-9);
+  ticker().seek(6);
+  turn();
+  key(Qt::Key_E);
+  EXPECT_NEAR(label(id).end_s, 6, 1e-9);
+  key(Qt::Key_Right, Qt::ControlModifier | Qt::AltModifier);
+  EXPECT_NEAR(label(id).start_s, 3 + frame_s(), 1e-9);
+  EXPECT_NEAR(label(id).end_s, 6 + frame_s(), 1e-9);
+  key(Qt::Key_Left, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_NEAR(label(id).start_s, 3, 1e-9);
+  key(Qt::Key_Left, Qt::AltModifier | Qt::ShiftModifier);
+  EXPECT_NEAR(label(id).end_s, 6, 1e-9);
+}
+
+TEST_F(Annotating, NLabelsWhatIsBetweenInAndOut) {
+  ticker().setRange(2, 3.5);
+  turn();
+  key(Qt::Key_N);
+  type(Qt::Key_1);
+  ASSERT_EQ(labels().size(), 1u);
+  EXPECT_NEAR(labels()[0].start_s, 2, 1e-6);
+  EXPECT_NEAR(labels()[0].end_s, 3.5, 1e-6);
+}
+
+TEST_F(Annotating, AKeyAtAStandingCursorSaysItFromThereOn) {
+  ticker().seek(2);
+  turn();
+  key(Qt::Key_1);
+  ASSERT_EQ(labels().size(), 1u);
+  EXPECT_NEAR(labels()[0].end_s, desk().range().last_s, 1e-9);
+  ticker().seek(5);
+  turn();
+  key(Qt::Key_2);
+  ASSERT_EQ(labels().size(), 2u);
+  EXPECT_NEAR(labels()[0].end_s, labels()[1].start_s, 1e-9);
+  EXPECT_EQ(labels()[1].value, "two");
+  ticker().seek(3);
+  turn();
+  key(Qt::Key_2);
+  EXPECT_NEAR(labels()[1].end_s, 5, 0.02) << "to where the next one begins";
+}
+
+TEST_F(Annotating, AKeyGivesTheSelectedLabelItsValue) {
+  const int id = add(3, 5, "one");
+  desk().select(id);
+  key(Qt::Key_2);
+  EXPECT_EQ(label(id).value, "two");
+  EXPECT_EQ(labels().size(), 1u);
+}
+
+TEST_F(Annotating, AHeldKeyLabelsWhileTheTakePlays) {
+  ticker().seek(2);
+  ticker().toggle();
+  turn();
+  QTest::keyPress(&timeline(), Qt::Key_1);
+  const double from = ticker().playback().cursor_s;
+  until([from] { return ticker().playback().cursor_s > from + 0.4; });
+  EXPECT_FALSE(timeline().tiers().running.empty());
+  QTest::keyRelease(&timeline(), Qt::Key_1);
+  const double to = ticker().playback().cursor_s;
+  ticker().pause();
+  ASSERT_EQ(labels().size(), 1u);
+  EXPECT_NEAR(labels()[0].start_s, from, 0.05);
+  EXPECT_NEAR(labels()[0].end_s, to, 0.05);
+  EXPECT_TRUE(on_frame(labels()[0].start_s));
+  EXPECT_TRUE(timeline().tiers().running.empty());
+}
+
+TEST_F(Annotating, TappingEndsTheLastAndBeginsTheNext) {
+  QAction* taps = action("Keys tap: each begins the next label");
+  ASSERT_TRUE(taps);
+  taps->trigger();
+  ticker().seek(2);
+  ticker().toggle();
+  turn();
+  key(Qt::Key_1);
+  double here = ticker().playback().cursor_s;
+  until([here] { return ticker().playback().cursor_s > here + 0.3; });
+  key(Qt::Key_2);
+  here = ticker().playback().cursor_s;
+  until([here] { return ticker().playback().cursor_s > here + 0.3; });
+  ticker().pause();
+  until([] { return labels().size() == 2; });
+  taps->trigger();
+  for (const Annotation& e : labels()) std::printf("DEBUG %s %f %f\n", e.value.c_str(), e.start_s, e.end_s);
+  ASSERT_EQ(labels().size(), 2u);
+  EXPECT_NEAR(labels()[0].end_s, labels()[1].start_s, 1e-9);
+  EXPECT_EQ(labels()[1].value, "two");
+}
+
+TEST_F(Annotating, ALoopThatStartsOverEndsWhatIsHeld) {
+  ticker().setRange(2, 2.5);
+  ticker().setLoop(true);
+  ticker().seek(2.2);
+  ticker().toggle();
+  turn();
+  QTest::keyPress(&timeline(), Qt::Key_1);
+  until([] { return !labels().empty(); }, 3'000);
+  QTest::keyRelease(&timeline(), Qt::Key_1);
+  ticker().pause();
+  for (const Annotation& e : labels()) std::printf("DEBUG %s %f %f\n", e.value.c_str(), e.start_s, e.end_s);
+  ASSERT_EQ(labels().size(), 1u);
+  EXPECT_NEAR(labels()[0].end_s, 2.5, 0.03);
+}
+
+TEST_F(Annotating, TheRoleChangesAtTheCursor) {
+  ticker().seek(3);
+  turn();
+  key(Qt::Key_U, Qt::ShiftModifier);
+  ASSERT_EQ(labels(TierKind::Role).size(), 2u);
+  EXPECT_EQ(labels(TierKind::Role)[0].value, "a");
+  EXPECT_EQ(labels(TierKind::Role)[1].value, "b");
+  EXPECT_NEAR(labels(TierKind::Role)[1].start_s, 3, 0.01);
+  ticker().seek(6);
+  turn();
+  key(Qt::Key_U, Qt::ShiftModifier);
+  ASSERT_EQ(labels(TierKind::Role).size(), 3u);
+  EXPECT_EQ(labels(TierKind::Role)[2].value, "a");
+}
+
+TEST_F(Annotating, TheLibraryOfTheRunningSessionFollows) {
+  Annotations next = desk().annotations();
+  ASSERT_TRUE(next.draw(tier().id, 0, 4, "one", Conflict::Replace, desk().range()));
+  ASSERT_TRUE(next.draw(next.first_of(TierKind::Role)->id, 0, desk().range().last_s, "b", Conflict::Replace,
+                        desk().range()));
+  desk().change(next, "label");
+  until([] { return desk().feed().isIdle(); }, 30'000);
+  const LibraryTake& about = library().takes().front();
+  ASSERT_FALSE(about.labels.empty());
+  EXPECT_EQ(about.labels.front().label, "one");
+  ASSERT_FALSE(about.roles.empty());
+  EXPECT_EQ(about.roles.front().active, ActivePerformer::B);
+  EXPECT_GE(library().find_pair(take(), 10, true), 0) << "B is the active one of its pairs";
+  EXPECT_EQ(window().candidates().library()->takes().front().labels.front().label, "one");
+  turn();
+  ASSERT_TRUE(ticker().shown());
+  EXPECT_EQ(ticker().shown()->library, window().session()->material().library);
+  press(Qt::Key_Z, Qt::ControlModifier);
+  until([] { return desk().feed().isIdle(); }, 30'000);
+  EXPECT_TRUE(library().takes().front().labels.empty());
+}
+
+TEST_F(Annotating, UndoReachesIntoASubjectThatIsNotShown) {
+  add(3, 5, "one");
+  desk().showSubject("");
+  turn();
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(desk().subject(), "") << "it does not take anybody away";
+  const Annotations& of_take = desk().annotations_of(take());
+  EXPECT_TRUE(of_take.first_of(TierKind::Move)->annotations.empty());
+  press(Qt::Key_Y, Qt::ControlModifier);
+  EXPECT_EQ(of_take.first_of(TierKind::Move)->annotations.size(), 1u);
+}
+
+TEST_F(Annotating, TheSessionItselfIsLabelledWhileItIsLive) {
+  desk().showSubject("");
+  ticker().follow();
+  turn();
+  timeline().setFocus();
+  const AnnotationTier& moves = *desk().annotations().first_of(TierKind::Move);
+  ASSERT_FALSE(moves.vocabulary.empty());
+  QTest::keyPress(&timeline(), Qt::Key_1);
+  const double from = ticker().playback().cursor_s;
+  until([from] { return ticker().playback().cursor_s > from + 0.4; });
+  QTest::keyRelease(&timeline(), Qt::Key_1);
+  ASSERT_EQ(labels().size(), 1u);
+  EXPECT_EQ(labels()[0].value, tier().vocabulary.front().value);
+  EXPECT_NEAR(labels()[0].start_s, from, 0.1);
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(labels().empty());
+}
+
+TEST_F(Annotating, CtrlArrowsGoFromEdgeToEdge) {
+  add(3, 5, "one");
+  ticker().seek(4);
+  turn();
+  key(Qt::Key_Right, Qt::ControlModifier);
+  EXPECT_NEAR(ticker().playback().cursor_s, 5, 1e-6);
+  key(Qt::Key_Left, Qt::ControlModifier);
+  EXPECT_NEAR(ticker().playback().cursor_s, 3, 1e-6);
+}
+
+TEST_F(Annotating, ThePanelListsTheLabelsAndTakesTypedTimes) {
+  const int id = add(3, 5, "one");
+  QTableWidget& table = desk().panel().table();
+  ASSERT_EQ(table.rowCount(), 1);
+  table.item(0, 1)->setText("6.5");
+  EXPECT_NEAR(label(id).end_s, 6.5, 1e-9);
+  table.item(0, 0)->setText("60 f");
+  EXPECT_NEAR(label(id).start_s, 60 / desk().fps(), 1e-9);
+  table.item(0, 0)->setText("soon");
+  EXPECT_NEAR(label(id).start_s, 60 / desk().fps(), 1e-9);
+}
+
+TEST_F(Annotating, AGapIsFilledByOneKeyInTheListOfProblems) {
+  add(0, 3, "one");
+  add(5, desk().range().last_s, "two");
+  widgets::ProblemList& problems = desk().panel().problems();
+  int gap = -1;
+  for (int row = 0; row < problems.count(); ++row)
+    if (problems.item(row)->text().startsWith("move: nothing")) gap = row;
+  ASSERT_GE(gap, 0);
+  problems.setCurrentRow(gap);
+  QTest::keyClick(&problems, Qt::Key_Return);
+  EXPECT_NEAR(labels()[0].end_s, 5, 1e-9);
+}
+
+TEST_F(Annotating, LabelFilesComeInAsOneStep) {
+  const QString file = home().filePath("labels.csv");
+  QFile out(file);
+  ASSERT_TRUE(out.open(QIODevice::WriteOnly));
+  out.write("tier,start,end,value\nmove,1,2,spin\nmove,2,4,one\n");
+  out.close();
+  ASSERT_TRUE(is_label_file(file));
+  window().openFiles({file});
+  ASSERT_EQ(labels().size(), 2u);
+  EXPECT_EQ(labels()[0].value, "spin");
+  EXPECT_TRUE(tier().entry("spin")) << "its values are in the vocabulary";
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(labels().empty());
+}
+
+TEST_F(Annotating, TheListOfTakesAsksForATake) {
+  emit window().takes().annotateRequested(1);
+  EXPECT_EQ(desk().subject(), library().takes()[1].name);
+  press(Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(desk().subject(), "");
+}
+
+}  // namespace
+}  // namespace abrazo::app

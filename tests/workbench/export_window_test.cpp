@@ -1,0 +1,177 @@
+// Exporting from the window: what is offered, what is written, and what is told.
+#include <gtest/gtest.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDialog>
+#include <QDir>
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+
+#include "app/workbench/export_desk.hpp"
+#include "app/workbench/export_dialog.hpp"
+#include "tests/workbench/demo_window.hpp"
+#include "widgets/common/message_bar.hpp"
+#include "widgets/common/offer_bar.hpp"
+
+namespace abrazo::app {
+namespace {
+
+class ExportWindow : public DemoWindow {
+ protected:
+  static void SetUpTestSuite() { showDemo({1100, 700}, 60); }
+
+  static ExportDesk& desk() { return *window().findChild<ExportDesk*>(); }
+  static ExportDialog& dialog() { return *window().findChild<ExportDialog*>(); }
+  static QComboBox& box(const char* name) { return *dialog().findChild<QComboBox*>(name); }
+  static QCheckBox& body(const QString& name) {
+    for (auto* check : dialog().findChildren<QCheckBox*>())
+      if (check->text() == name) return *check;
+    throw std::invalid_argument(name.toStdString());
+  }
+  static QPushButton& button(const QString& text) {
+    for (auto* one : dialog().findChildren<QPushButton*>())
+      if (one->text() == text) return *one;
+    throw std::invalid_argument(text.toStdString());
+  }
+  static void choose(const char* name, const QVariant& data) {
+    const int index = box(name).findData(data);
+    ASSERT_GE(index, 0) << name << " does not have " << data.toString().toStdString();
+    box(name).setCurrentIndex(index);
+  }
+  static QString estimate() { return dialog().findChild<QLabel*>("estimate")->text(); }
+  void SetUp() override {
+    DemoWindow::SetUp();
+    dialog().offer(desk().offer());
+    choose("What", 0);
+    choose("Of", QString());
+    choose("Part", "all");
+  }
+  static QString file(const QString& name) { return home().filePath(name); }
+  /// Writes what the dialog says, to the end.
+  static void write(const QString& name) {
+    desk().write(dialog().request(), file(name));
+    ASSERT_TRUE(until([] { return !desk().isBusy(); }, 60'000));
+  }
+  static QString told() { return desk().bar().text(); }
+};
+
+TEST_F(ExportWindow, TheMenuOpensTheDialogOfWhatThereIs) {
+  QAction* open = action("Export…");
+  ASSERT_TRUE(open);
+  open->trigger();
+  turn();
+  EXPECT_TRUE(dialog().isVisible());
+  EXPECT_GT(box("Of").count(), 1) << "the session and the takes of its library";
+  EXPECT_TRUE(estimate().contains("frames, about")) << estimate().toStdString();
+  dialog().hide();
+}
+
+TEST_F(ExportWindow, MotionIsWrittenAndTheFolderIsOffered) {
+  ticker().setRange(0.2, 0.9);
+  dialog().offer(desk().offer());
+  choose("Part", "range");
+  for (const QString ending : {".glb", ".bvh", ".csv"}) {
+    choose("As", ending);
+    write("motion" + ending);
+    EXPECT_GT(QFileInfo(file("motion" + ending)).size(), 1000) << window().messages().text().toStdString();
+    EXPECT_TRUE(told().contains("motion" + ending)) << told().toStdString();
+    EXPECT_TRUE(told().contains("frames at")) << told().toStdString();
+    EXPECT_FALSE(desk().bar().isHidden());
+  }
+}
+
+TEST_F(ExportWindow, EveryOtherContentIsWritten) {
+  ticker().setRange(0.2, 0.6);
+  dialog().offer(desk().offer());
+  for (const auto& [what, ending] : {std::pair{1, ".pvd"},
+                                     {2, ".eaf"},
+                                     {2, ".vtt"},
+                                     {3, ".jsonl"},
+                                     {4, ".csv"},
+                                     {4, ".png"},
+                                     {4, ".svg"}}) {
+    choose("What", what);
+    if (what < 4) choose("Part", "range");
+    choose("As", ending);
+    write(QString("content%1%2").arg(what).arg(ending));
+    EXPECT_TRUE(QFileInfo::exists(file(QString("content%1%2").arg(what).arg(ending))))
+        << ending << ": " << window().messages().text().toStdString();
+  }
+}
+
+TEST_F(ExportWindow, ATakeOfTheLibraryIsWritten) {
+  choose("Of", box("Of").itemData(1));
+  choose("As", ".bvh");
+  write("take.bvh");
+  EXPECT_GT(QFileInfo(file("take.bvh")).size(), 10'000) << window().messages().text().toStdString();
+  choose("What", 3);
+  EXPECT_FALSE(button("Export…").isEnabled()) << "a take was not solved: it has no trace";
+}
+
+TEST_F(ExportWindow, WhatDoesNotFitCannotBeStarted) {
+  EXPECT_TRUE(button("Export…").isEnabled());
+  for (const char* name : {"Leader", "Follower", "User as received"}) body(name).setChecked(false);
+  EXPECT_FALSE(button("Export…").isEnabled());
+  body("Leader").setChecked(true);
+  EXPECT_TRUE(button("Export…").isEnabled());
+  choose("Part", "frame");
+  EXPECT_FALSE(button("Export…").isEnabled());
+  choose("What", 1);
+  EXPECT_TRUE(button("Export…").isEnabled());
+  EXPECT_TRUE(estimate().startsWith("1 frame,")) << estimate().toStdString();
+  body("Follower").setChecked(true);
+}
+
+TEST_F(ExportWindow, AHalvedRateHalvesTheEstimate) {
+  choose("As", ".csv");
+  dialog().findChild<QDoubleSpinBox*>("Rate")->setValue(60);
+  const QString whole = estimate();
+  dialog().findChild<QDoubleSpinBox*>("Rate")->setValue(30);
+  EXPECT_NE(estimate(), whole);
+  dialog().findChild<QDoubleSpinBox*>("Rate")->setValue(0);
+}
+
+TEST_F(ExportWindow, UnitAndAxesAreForTypesThatLeaveThemOpen) {
+  choose("As", ".bvh");
+  EXPECT_FALSE(box("Unit").isHidden());
+  box("Unit").setCurrentIndex(1);
+  EXPECT_EQ(dialog().request().wish.space.units_per_metre, 100);
+  choose("As", ".glb");
+  EXPECT_TRUE(box("Unit").isHidden());
+  EXPECT_TRUE(dialog().request().wish.space.is_usual());
+  choose("As", ".bvh");
+  box("Unit").setCurrentIndex(0);
+}
+
+TEST_F(ExportWindow, CancellingLeavesNothing) {
+  choose("What", 1);
+  choose("As", ".pvd");
+  desk().write(dialog().request(), file("cancelled.pvd"));
+  emit window().messages().cancelRequested();
+  ASSERT_TRUE(until([] { return !desk().isBusy(); }, 60'000));
+  EXPECT_TRUE(window().messages().text().contains("cancelled")) << window().messages().text().toStdString();
+  EXPECT_TRUE(QDir(home().path()).entryList({"cancelled*"}).isEmpty());
+}
+
+TEST_F(ExportWindow, WhatIsInTheWayIsTold) {
+  desk().write(dialog().request(), "/nowhere/at/all" + QString(".glb"));
+  EXPECT_TRUE(until([] { return !desk().isBusy(); }, 60'000));
+  EXPECT_TRUE(window().messages().text().contains("folder does not exist"))
+      << window().messages().text().toStdString();
+}
+
+TEST_F(ExportWindow, TheChoicesOfLastTimeComeBack) {
+  choose("What", 2);
+  choose("As", ".vtt");
+  const QStringList choices = dialog().choices();
+  choose("What", 0);
+  dialog().restore(choices);
+  EXPECT_EQ(box("What").currentData().toInt(), 2);
+  EXPECT_EQ(box("As").currentData().toString(), ".vtt");
+}
+
+}  // namespace
+}  // namespace abrazo::app

@@ -1,0 +1,289 @@
+// The project of the window: saved, opened again, asked for, found where its data moved, kept against a
+// crash.
+#include <QDir>
+#include <QFile>
+#include <QLabel>
+#include <QLockFile>
+#include <QTreeWidget>
+#include <filesystem>
+#include <fstream>
+
+#include "app/workbench/annotation_desk.hpp"
+#include "app/workbench/autosave.hpp"
+#include "app/workbench/project_desk.hpp"
+#include "app/workbench/relocate_dialog.hpp"
+#include "app/workbench/take_desk.hpp"
+#include "core/library/motion_library_file.hpp"
+#include "core/session/session_file.hpp"
+#include "tests/workbench/demo_window.hpp"
+#include "widgets/common/message_bar.hpp"
+#include "widgets/settings/settings_panel.hpp"
+#include "widgets/timeline/timeline_view.hpp"
+
+namespace abrazo::app {
+namespace {
+
+class ProjectActions : public DemoWindow {
+ protected:
+  static void SetUpTestSuite() { showDemo({1400, 900}); }
+  void SetUp() override {
+    DemoWindow::SetUp();
+    desk().setAsks(false);
+    reopen([] { window().openDemo(); });
+    desk().setAsks(true);
+    desk().ask = [this] { return ++asked, answer; };
+  }
+  void TearDown() override { desk().setAsks(false); }
+
+  static ProjectDesk& desk() { return *window().findChild<ProjectDesk*>("project desk"); }
+  static TakeDesk& takes() { return *window().findChild<TakeDesk*>(); }
+  static AnnotationDesk& annotations() { return *window().findChild<AnnotationDesk*>(); }
+  static QString file(const QString& name) { return home().filePath(name); }
+  static void reopen(const std::function<void()>& open) {
+    bool begun = false;
+    const auto link =
+        QObject::connect(&window(), &MainWindow::sessionStarted, &window(), [&begun] { begun = true; });
+    open();
+    ASSERT_TRUE(until([&begun] { return begun; }, 60'000)) << window().messages().text().toStdString();
+    QObject::disconnect(link);
+    until([] { return window().session()->latest().newest() || window().session()->material().recorded; });
+    turn();
+  }
+  static void save_as(const QString& name) {
+    desk().saveAs(file(name));
+    ASSERT_TRUE(until([] { return !desk().isSaving(); }));
+  }
+  static void save() {
+    desk().save();
+    ASSERT_TRUE(until([] { return !desk().isSaving(); }));
+  }
+  /// As a person draws an interval: a step of undo.
+  static void annotate(double from_s, double to_s, const char* value) {
+    Annotations next = annotations().annotations_of("");
+    int tier = next.tiers().empty() ? 0 : next.tiers().front().id;
+    if (tier == 0) tier = *next.add_tier("notes", TierKind::Note, {});
+    for (const AnnotationTier& each : next.tiers())
+      if (each.kind == TierKind::Note) tier = each.id;
+    ASSERT_TRUE(next.draw(tier, from_s, to_s, value, Conflict::Replace, {0, 1e6}));
+    annotations().change("", next, "draw");
+  }
+  static std::size_t annotated() {
+    std::size_t count = 0;
+    for (const AnnotationTier& tier : annotations().annotations_of("").tiers())
+      count += tier.annotations.size();
+    return count;
+  }
+  static bool is_modified() {
+    desk().refresh();
+    return window().isWindowModified();
+  }
+
+  int asked = 0;
+  ProjectDesk::Answer answer = ProjectDesk::Answer::Cancel;
+};
+
+TEST_F(ProjectActions, AFreshSessionIsUntitledAndNotModified) {
+  EXPECT_TRUE(window().windowTitle().startsWith("Untitled[*]")) << window().windowTitle().toStdString();
+  EXPECT_FALSE(is_modified());
+  EXPECT_EQ(desk().file(), "");
+}
+
+TEST_F(ProjectActions, WhatASessionHadIsThereAgainWhenItIsOpened) {
+  annotate(0.5, 1.5, "a long look");
+  Markers markers = window().timeline().markers();
+  markers.add(0.7, "clap");
+  window().timeline().showMarkers(markers);
+  window().settings().change("alpha", "0.77");
+  EXPECT_TRUE(is_modified());
+  save_as("one.abrazo");
+  EXPECT_FALSE(is_modified());
+  EXPECT_TRUE(window().windowTitle().startsWith("one[*]")) << window().windowTitle().toStdString();
+  EXPECT_EQ(remembered().recent().value(0), file("one.abrazo"));
+  window().settings().change("alpha", "0.2");
+  desk().setAsks(false);
+  reopen([] { window().openDemo(); });
+  EXPECT_EQ(annotated(), 0U);
+  desk().setAsks(true);
+  reopen([] { window().openFiles({file("one.abrazo")}); });
+  EXPECT_EQ(annotated(), 1U);
+  ASSERT_EQ(window().timeline().markers().all().size(), 1U);
+  EXPECT_EQ(window().timeline().markers().all()[0].name, "clap");
+  EXPECT_NEAR(window().settings().settings().alpha, 0.77, 1e-12);
+  EXPECT_EQ(desk().file(), file("one.abrazo"));
+  EXPECT_FALSE(is_modified());
+}
+
+TEST_F(ProjectActions, UndoGoesOnAcrossASave) {
+  annotate(0.5, 1, "first");
+  save_as("undo.abrazo");
+  EXPECT_TRUE(window().undoStack().isClean());
+  annotate(2, 3, "second");
+  EXPECT_TRUE(is_modified());
+  window().undoStack().undo();
+  EXPECT_EQ(annotated(), 1U);
+  EXPECT_FALSE(is_modified());  // as it was saved
+  EXPECT_TRUE(window().undoStack().isClean());
+  window().undoStack().undo();
+  EXPECT_EQ(annotated(), 0U);
+  EXPECT_TRUE(is_modified());
+  save();
+  const auto saved = load_project(file("undo.abrazo").toStdString());
+  ASSERT_TRUE(saved);
+  for (const AnnotationTier& tier : saved->annotations.at("").tiers()) EXPECT_TRUE(tier.annotations.empty());
+}
+
+TEST_F(ProjectActions, TakesAreRecordedIntoTheFileOfTheProjectAndItIsSavedMeanwhile) {
+  annotate(0.5, 1, "before");
+  save_as("both.abrazo");
+  takes().toggle();
+  ASSERT_TRUE(until([] { return takes().isRecording() && takes().takes().all().back().frames > 20; }));
+  EXPECT_EQ(takes().file(), file("both.abrazo"));
+  annotate(2, 3, "while it is recorded");
+  save();
+  EXPECT_TRUE(window().messages().openErrors().isEmpty()) << window().messages().text().toStdString();
+  EXPECT_FALSE(is_modified());
+  EXPECT_EQ(load_project(file("both.abrazo").toStdString())->annotations.at(""),
+            annotations().annotations_of(""));
+  takes().toggle();
+  const auto session = SessionFile::open(file("both.abrazo").toStdString());
+  ASSERT_TRUE(session);
+  EXPECT_GT((*session)->contents().frames, 20U);
+  EXPECT_EQ((*session)->contents().takes.size(), 1U);
+  reopen([] { window().openFiles({file("both.abrazo")}); });
+  EXPECT_TRUE(window().session()->material().recorded);
+  EXPECT_EQ(annotated(), 2U);
+  EXPECT_EQ(takes().takes().all().size(), 1U);
+}
+
+TEST_F(ProjectActions, NothingIsLostWithoutBeingAsked) {
+  annotate(0.5, 1, "precious");
+  window().close();
+  EXPECT_EQ(asked, 1);
+  EXPECT_TRUE(window().isVisible());
+  window().openDemo();
+  EXPECT_EQ(asked, 2);
+  turn();
+  EXPECT_EQ(annotated(), 1U);
+  answer = ProjectDesk::Answer::Discard;
+  reopen([] { window().openDemo(); });
+  EXPECT_EQ(asked, 3);
+  EXPECT_EQ(annotated(), 0U);
+  reopen([] { window().openDemo(); });
+  EXPECT_EQ(asked, 3);  // there was nothing to lose
+}
+
+TEST_F(ProjectActions, SaveIsAnAnswerThatSavesBeforeItGoesOn) {
+  save_as("asked.abrazo");
+  annotate(0.5, 1, "late");
+  answer = ProjectDesk::Answer::Save;
+  reopen([] { window().openDemo(); });
+  EXPECT_EQ(asked, 1);
+  std::size_t kept = 0;
+  for (const AnnotationTier& tier :
+       load_project(file("asked.abrazo").toStdString())->annotations.at("").tiers())
+    kept += tier.annotations.size();
+  EXPECT_EQ(kept, 1U);
+}
+
+TEST_F(ProjectActions, WhatIsNotSavedIsKeptAndComesBackAfterACrash) {
+  const QString folder = remembered().folder() + "/autosave";
+  annotate(0.5, 1.5, "nearly lost");
+  const auto kept = [&folder] { return QDir(folder).entryList({"*.abrazo"}, QDir::Files); };
+  ASSERT_TRUE(
+      until([&] { return kept().size() == 1 && !words_of_autosave(folder + "/" + kept().front()).isEmpty(); },
+            2'000));
+  EXPECT_TRUE(Autosave::leftBehind(folder).isEmpty());  // it belongs to this window
+  // What a killed program leaves: its file, and a lock that nobody holds.
+  const QString left = folder + "/crashed.abrazo";
+  ASSERT_TRUE(QFile::copy(folder + "/" + kept().front(), left));
+  EXPECT_EQ(Autosave::leftBehind(folder), QStringList{left});
+  EXPECT_TRUE(words_of_autosave(left).contains("an untitled session"))
+      << words_of_autosave(left).toStdString();
+  EXPECT_TRUE(words_of_autosave(left).contains("1 annotation, 0 markers"));
+  answer = ProjectDesk::Answer::Discard;
+  reopen([] { window().openDemo(); });
+  EXPECT_TRUE(until([&] { return kept() == QStringList{"crashed.abrazo"}; }));  // its own is gone
+  reopen([&left] { window().openFiles({left}); });
+  EXPECT_EQ(annotated(), 1U);
+  EXPECT_EQ(desk().file(), "");
+  EXPECT_TRUE(is_modified());
+  // It goes when the same is kept for this window.
+  EXPECT_TRUE(until([&] { return !QFile::exists(left) && kept().size() == 1; }, 4'000));
+}
+
+TEST_F(ProjectActions, AFileOfTheOldVersionAndANewerOne) {
+  const QString newer = file("newer.abrazo");
+  save_as("now.abrazo");
+  ASSERT_TRUE(QFile::copy(file("now.abrazo"), newer));
+  {
+    QFile patch(newer);
+    ASSERT_TRUE(patch.open(QIODevice::ReadWrite));
+    patch.seek(60);  // user_version, in the head of every SQLite file
+    patch.write(QByteArray("\0\0\0\x09", 4));
+  }
+  window().openFiles({newer});
+  EXPECT_TRUE(until([] { return window().messages().text().contains("open it with a newer Abrazo"); }))
+      << window().messages().text().toStdString();
+}
+
+/// A project whose library and video were moved away together.
+class Relocation : public ProjectActions {
+ protected:
+  void SetUp() override {
+    ProjectActions::SetUp();
+    QDir(home().path()).mkpath("old/libs");
+    QDir(home().path()).mkpath("old/video");
+    ASSERT_TRUE(
+        write_library(*window().session()->material().library, file("old/libs/lib.h5").toStdString()));
+    std::ofstream(file("old/video/v.mp4").toStdString()) << "a film";
+    Project project;
+    for (const auto& [name, use] : {std::pair{"old/libs/lib.h5", DataReference::Use::Library},
+                                    {"old/video/v.mp4", DataReference::Use::Video}})
+      project.data.push_back(
+          *reference_to(file(name).toStdString(), use, file("moved.abrazo").toStdString()));
+    project.input = window().session()->material().library->takes().front().name;
+    ASSERT_TRUE(save_project(file("moved.abrazo").toStdString(), project));
+    QDir(file("new")).removeRecursively();
+    ASSERT_TRUE(QDir(home().path()).rename("old", "new"));
+  }
+  static RelocateDialog* dialog() {
+    for (auto* each : window().findChildren<RelocateDialog*>())
+      if (each->isVisible()) return each;
+    return nullptr;
+  }
+};
+
+TEST_F(Relocation, OnePointedOutFindsTheOthersAndTheSessionOpens) {
+  window().openFiles({file("moved.abrazo")});
+  ASSERT_TRUE(until([] { return dialog() != nullptr; }));
+  EXPECT_EQ(dialog()->leftMissing(), 2U);
+  dialog()->pointOut(0, file("new/libs/lib.h5"));
+  EXPECT_EQ(dialog()->leftMissing(), 0U);
+  EXPECT_EQ(dialog()->places().at(1), file("new/video/v.mp4").toStdString());
+  reopen([] { dialog()->accept(); });
+  EXPECT_EQ(window().session()->material().library_file, file("new/libs/lib.h5").toStdString());
+  EXPECT_EQ(window().session()->material().input.name,
+            window().session()->material().library->takes().front().name);
+}
+
+TEST_F(Relocation, WithoutThemItSaysWhatWillNotWorkAndOpens) {
+  window().openFiles({file("moved.abrazo")});
+  ASSERT_TRUE(until([] { return dialog() != nullptr; }));
+  QString said;
+  for (const QLabel* label : dialog()->findChildren<QLabel*>()) said += label->text() + "\n";
+  EXPECT_TRUE(said.contains("Without lib.h5: the generated dance answers in its place"))
+      << said.toStdString();
+  reopen([] { dialog()->accept(); });
+  EXPECT_TRUE(window().session()->material().library_file.empty());
+  EXPECT_TRUE(window().messages().text().contains("lib.h5 is not there"))
+      << window().messages().text().toStdString();
+  save();  // what it was opened without stays among its data
+  const auto saved = load_project(file("moved.abrazo").toStdString());
+  ASSERT_TRUE(saved);
+  ASSERT_FALSE(saved->data.empty());
+  EXPECT_EQ(saved->data[0].absolute_path, file("old/libs/lib.h5").toStdString());
+  EXPECT_EQ(saved->data[0].hash.size(), 16U);
+}
+
+}  // namespace
+}  // namespace abrazo::app

@@ -1,0 +1,287 @@
+#include "widgets/annotation/annotation_panel.hpp"
+
+#include <QButtonGroup>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QTableWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "widgets/annotation/annotation_rows.hpp"
+#include "widgets/annotation/problem_list.hpp"
+#include "widgets/annotation/tier_list.hpp"
+#include "widgets/annotation/vocabulary_editor.hpp"
+#include "widgets/common/theme.hpp"
+#include "widgets/common/value_look.hpp"
+
+namespace abrazo::widgets {
+namespace {
+
+constexpr int id_role = Qt::UserRole;
+
+QString text(const std::string& utf8) {
+  return QString::fromStdString(utf8);
+}
+
+QToolButton* chip(const QString& text, const QString& tip, QWidget* parent) {
+  auto* button = new QToolButton(parent);
+  button->setObjectName("chip");
+  button->setText(text);
+  button->setToolTip(tip);
+  button->setFocusPolicy(Qt::StrongFocus);
+  return button;
+}
+
+QLabel* caption(const QString& text, QWidget* parent) {
+  auto* label = new QLabel(text, parent);
+  label->setObjectName("secondary");
+  label->setFont(interface_font(12));
+  return label;
+}
+
+}  // namespace
+
+AnnotationPanel::AnnotationPanel(QWidget* parent) : QWidget(parent), m_palette(palette_of(Theme::Dark)) {
+  // Where the panel is low it scrolls: it never takes room from what stands above and below it.
+  auto* all = new QVBoxLayout(this);
+  all->setContentsMargins(0, 0, 0, 0);
+  auto* scroll = new QScrollArea(this);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* inside = new QWidget(scroll);
+  inside->setObjectName("panel");
+  scroll->setWidget(inside);
+  all->addWidget(scroll);
+  m_column = new QVBoxLayout(inside);
+  m_column->setContentsMargins(12, 4, 12, 10);
+  m_column->setSpacing(8);
+  m_column->addWidget(makeSubject());
+  m_tiers = new TierList(this);
+  m_column->addWidget(m_tiers);
+  m_column->addWidget(makeConflict());
+  m_column->addWidget(makeLists(), 1);
+  connectParts();
+}
+
+QWidget* AnnotationPanel::makeSubject() {
+  auto* box = new QWidget(this);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(6);
+  m_subject = new QComboBox(box);
+  m_subject->setAccessibleName("What is annotated");
+  m_subject->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  m_back = chip("Back to the session", "Shows the session again", box);
+  row->addWidget(caption("Annotate", box));
+  row->addWidget(m_subject, 1);
+  row->addWidget(m_back);
+  return box;
+}
+
+QWidget* AnnotationPanel::makeConflict() {
+  auto* box = new QWidget(this);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(4);
+  row->addWidget(caption("Labels in the way", box));
+  m_conflict = new QButtonGroup(this);
+  const std::tuple<const char*, const char*, Conflict> ways[] = {
+      {"are cut", "What is in the way is cut, and goes when it is covered", Conflict::Replace},
+      {"move on", "What is in the way moves on with its length", Conflict::Push},
+      {"stay", "Nothing is drawn over what is there", Conflict::Refuse}};
+  for (const auto& [name, tip, way] : ways) {
+    QToolButton* each = chip(name, tip, box);
+    each->setCheckable(true);
+    each->setAccessibleName(QString("Labels in the way ") + name);
+    m_conflict->addButton(each, static_cast<int>(way));
+    row->addWidget(each);
+  }
+  row->addStretch(1);
+  return box;
+}
+
+QWidget* AnnotationPanel::makeLists() {
+  auto* box = new QWidget(this);
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(6);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  m_lists = new QButtonGroup(this);
+  m_stack = new QStackedWidget(box);
+  m_table = new QTableWidget(0, 5, box);
+  m_table->setAccessibleName("Labels of the active tier");
+  m_table->setHorizontalHeaderLabels({"Start", "End", "Label", "Detail", "Confidence"});
+  m_table->setToolTip(
+      "A click goes there; a double click edits. Times are seconds: 12.5, 1:05.2, or a frame: 750 f");
+  m_table->verticalHeader()->hide();
+  m_table->verticalHeader()->setDefaultSectionSize(24);
+  m_table->horizontalHeader()->setStretchLastSection(true);
+  m_table->horizontalHeader()->setHighlightSections(false);
+  for (const auto& [where, px] : {std::pair{Start, 84}, {End, 84}, {Value, 110}, {Detail, 84}})
+    m_table->setColumnWidth(where, px);
+  m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+  m_table->setMinimumHeight(140);
+  m_table->setShowGrid(false);
+  m_table->setFrameShape(QFrame::NoFrame);
+  m_problems = new ProblemList(box);
+  m_vocabulary = new VocabularyEditor(box);
+  const std::pair<const char*, QWidget*> lists[] = {
+      {"Labels", m_table}, {"Vocabulary", m_vocabulary}, {"Problems", m_problems}};
+  for (const auto& [name, list] : lists) {
+    QToolButton* each = chip(name, {}, box);
+    each->setCheckable(true);
+    m_lists->addButton(each, m_stack->addWidget(list));
+    row->addWidget(each);
+  }
+  row->addStretch(1);
+  m_coverage = caption({}, box);
+  m_lists->button(0)->setChecked(true);
+  column->addLayout(row);
+  column->addWidget(m_stack, 1);
+  column->addWidget(m_coverage);
+  return box;
+}
+
+void AnnotationPanel::connectParts() {
+  connect(m_subject, QOverload<int>::of(&QComboBox::activated), this,
+          [this](int at) { emit subjectRequested(at == 0 ? QString() : m_subject->itemText(at)); });
+  connect(m_back, &QToolButton::clicked, this, [this] { emit subjectRequested({}); });
+  connect(m_conflict, &QButtonGroup::idClicked, this,
+          [this](int way) { emit conflictRequested(static_cast<Conflict>(way)); });
+  connect(m_lists, &QButtonGroup::idClicked, m_stack, &QStackedWidget::setCurrentIndex);
+  connect(m_tiers, &TierList::tierChosen, this, &AnnotationPanel::tierChosen);
+  connect(m_tiers, &TierList::changeRequested, this, &AnnotationPanel::changeRequested);
+  connect(m_tiers, &TierList::refused, this, &AnnotationPanel::refused);
+  connect(m_tiers, &TierList::visibilityRequested, this, &AnnotationPanel::visibilityRequested);
+  connect(m_vocabulary, &VocabularyEditor::changeRequested, this, &AnnotationPanel::changeRequested);
+  connect(m_vocabulary, &VocabularyEditor::refused, this, &AnnotationPanel::refused);
+  connect(m_problems, &ProblemList::changeRequested, this, &AnnotationPanel::changeRequested);
+  connect(m_problems, &ProblemList::refused, this, &AnnotationPanel::refused);
+  connect(m_problems, &ProblemList::seekRequested, this, &AnnotationPanel::seekRequested);
+  connect(m_problems, &ProblemList::problemChosen, this, [this](int tier, int annotation) {
+    emit tierChosen(tier);
+    emit annotationChosen(annotation);
+  });
+  connect(m_table, &QTableWidget::itemChanged, this, &AnnotationPanel::edited);
+  connect(m_table, &QTableWidget::itemSelectionChanged, this, &AnnotationPanel::chooseRow);
+}
+
+void AnnotationPanel::addSection(QWidget* section) {
+  m_column->addWidget(section);
+}
+
+void AnnotationPanel::setColours(const Palette& palette) {
+  m_palette = palette;
+  m_tiers->setColours(palette);
+  m_vocabulary->setColours(palette);
+  fillTable();
+}
+
+void AnnotationPanel::showSubjects(const QStringList& subjects, const QString& shown) {
+  QStringList known;
+  for (int at = 1; at < m_subject->count(); ++at) known << m_subject->itemText(at);
+  const QString before = m_subject->currentIndex() > 0 ? m_subject->currentText() : QString();
+  if (m_subject->count() > 0 && known == subjects && before == shown) return;
+  m_subject->clear();
+  m_subject->addItem("the session");
+  m_subject->addItems(subjects);
+  const int at = shown.isEmpty() ? 0 : m_subject->findText(shown);
+  m_subject->setCurrentIndex(at);
+  m_back->setVisible(at > 0);
+}
+
+void AnnotationPanel::show(const Shown& shown) {
+  m_shown = shown;
+  m_tiers->show(shown.annotations, shown.tier, shown.hidden);
+  m_vocabulary->show(shown.annotations, shown.tier);
+  m_problems->show(shown.annotations, shown.range, shown.fps);
+  m_conflict->button(static_cast<int>(shown.conflict))->setChecked(true);
+  const int count = m_problems->count();
+  m_lists->button(2)->setText(count == 0 ? QString("Problems") : QString("Problems %1").arg(count));
+  const AnnotationTier* tier = shown.annotations.tier(shown.tier);
+  m_coverage->setText(tier ? text(tier->name) + ": " + text(coverage_text(*tier, shown.range)) : QString());
+  fillTable();
+}
+
+void AnnotationPanel::fillTable() {
+  m_filling = true;
+  const AnnotationTier* tier = m_shown.annotations.tier(m_shown.tier);
+  m_table->setRowCount(tier ? static_cast<int>(tier->annotations.size()) : 0);
+  m_table->clearSelection();
+  for (int row = 0; row < m_table->rowCount(); ++row) {
+    const Annotation& each = tier->annotations[static_cast<std::size_t>(row)];
+    fillRow(row, *tier, each);
+    if (each.id != m_shown.annotation) continue;
+    m_table->setCurrentCell(row, Value);
+    m_table->scrollToItem(m_table->item(row, Value));
+  }
+  m_filling = false;
+}
+
+void AnnotationPanel::fillRow(int row, const AnnotationTier& tier, const Annotation& annotation) {
+  const auto time = [this](double time_s) {
+    const std::string frame = frame_text(time_s, m_shown.fps);
+    return text(seconds_text(time_s)) + (frame.empty() ? QString() : "  " + text(frame) + " f");
+  };
+  const auto put = [&](Column where, const QString& words) {
+    auto* item = new QTableWidgetItem(words);
+    item->setData(id_role, annotation.id);
+    m_table->setItem(row, where, item);
+    return item;
+  };
+  put(Start, time(annotation.start_s));
+  put(End, time(annotation.end_s));
+  QPixmap swatch(10, 14);
+  swatch.fill(value_colour(m_palette, tier, annotation.value));
+  put(Value, text(annotation.value))->setIcon(QIcon(swatch));
+  put(Detail, text(annotation.detail));
+  put(Confidence, text(annotation.confidence));
+}
+
+void AnnotationPanel::chooseRow() {
+  if (m_filling || m_table->currentRow() < 0) return;
+  const int id = m_table->item(m_table->currentRow(), Value)->data(id_role).toInt();
+  const Annotation* chosen = m_shown.annotations.find(id);
+  if (!chosen) return;
+  const double start_s = chosen->start_s;
+  emit annotationChosen(id);
+  emit seekRequested(start_s);
+}
+
+void AnnotationPanel::edited(QTableWidgetItem* item) {
+  if (m_filling) return;
+  Annotations next = m_shown.annotations;
+  const Annotation* known = next.find(item->data(id_role).toInt());
+  if (!known) return;
+  const Annotation before = *known;
+  const std::string typed = item->text().trimmed().toStdString();
+  Status done = Done{};
+  if (item->column() == Start || item->column() == End) {
+    // What stands there has both, the seconds first.
+    const std::string first = item->text().section("  ", 0, 0).toStdString();
+    const auto time_s = typed_time(first, m_shown.fps);
+    const bool start = item->column() == Start;
+    done = !time_s ? Status(Error{"'" + first +
+                                      "' is not a time; write seconds (12.5), minutes (1:05.2) or "
+                                      "a frame (750 f)",
+                                  ""})
+                   : next.place(before.id, start ? *time_s : before.start_s, start ? before.end_s : *time_s,
+                                m_shown.conflict, m_shown.range);
+  } else {
+    done = next.say(before.id, item->column() == Value ? typed : before.value,
+                    item->column() == Detail ? typed : before.detail,
+                    item->column() == Confidence ? typed : before.confidence);
+  }
+  if (done) return emit changeRequested(next, "edit " + text(before.value).replace('_', ' '));
+  fillTable();
+  emit refused(text(done.error().text()));
+}
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <QStringList>
+#include <QWidget>
+#include <set>
+#include <string>
+
+#include "core/annotation/annotations.hpp"
+#include "widgets/common/palette.hpp"
+
+class QButtonGroup;
+class QComboBox;
+class QLabel;
+class QStackedWidget;
+class QTableWidget;
+class QTableWidgetItem;
+class QToolButton;
+class QVBoxLayout;
+
+namespace abrazo::widgets {
+
+class ProblemList;
+class TierList;
+class VocabularyEditor;
+
+/// What is said of a subject as lists: its tiers, the labels of the active one, their vocabulary, what is
+/// odd. Changes nothing itself: it asks, and waits to be shown what answers.
+class AnnotationPanel : public QWidget {
+  Q_OBJECT
+ public:
+  explicit AnnotationPanel(QWidget* parent = nullptr);
+  void setColours(const Palette& palette);
+  QSize sizeHint() const override { return {360, 560}; }
+
+  /// A section of another part's, below the lists: suggestions, say. It has its own head and keeps its
+  /// height.
+  void addSection(QWidget* section);
+
+  /// @param subjects  names of the takes; the session stands before them. @param shown  "" = the session
+  void showSubjects(const QStringList& subjects, const QString& shown);
+  struct Shown {
+    Annotations annotations;
+    Annotations::Range range;
+    double fps = 0;
+    int tier = 0, annotation = 0;
+    Conflict conflict = Conflict::Replace;
+    std::set<std::string> hidden;  ///< names of tiers whose lanes are not to be seen
+  };
+  void show(const Shown& shown);
+  ProblemList& problems() const { return *m_problems; }
+  VocabularyEditor& vocabulary() const { return *m_vocabulary; }
+  QTableWidget& table() const { return *m_table; }
+
+ signals:
+  void subjectRequested(const QString& subject);
+  void changeRequested(const abrazo::Annotations& next, const QString& what);
+  void refused(const QString& why);
+  void tierChosen(int tier);
+  void annotationChosen(int annotation);
+  void seekRequested(double time_s);
+  void conflictRequested(abrazo::Conflict conflict);
+  void visibilityRequested(const QString& tier, bool on);
+
+ private:
+  enum Column { Start, End, Value, Detail, Confidence };
+  QWidget* makeSubject();
+  QWidget* makeConflict();
+  QWidget* makeLists();
+  void connectParts();
+  void fillTable();
+  void fillRow(int row, const AnnotationTier& tier, const Annotation& annotation);
+  void edited(QTableWidgetItem* item);
+  void chooseRow();
+
+  Palette m_palette;
+  Shown m_shown;
+  bool m_filling = false;
+  QComboBox* m_subject = nullptr;
+  QToolButton* m_back = nullptr;
+  TierList* m_tiers = nullptr;
+  QButtonGroup *m_conflict = nullptr, *m_lists = nullptr;
+  QStackedWidget* m_stack = nullptr;
+  QTableWidget* m_table = nullptr;
+  QLabel* m_coverage = nullptr;
+  ProblemList* m_problems = nullptr;
+  VocabularyEditor* m_vocabulary = nullptr;
+  QVBoxLayout* m_column = nullptr;
+};
+
+}  // namespace abrazo::widgets
+
+Q_DECLARE_METATYPE(abrazo::Conflict)

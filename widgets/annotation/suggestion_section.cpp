@@ -1,0 +1,206 @@
+#include "widgets/annotation/suggestion_section.hpp"
+
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QListWidget>
+#include <QProgressBar>
+#include <QSlider>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/common/section_header.hpp"
+
+namespace abrazo::widgets {
+namespace {
+
+constexpr int id_role = Qt::UserRole;
+constexpr int usual_threshold = 80;  ///< per cent
+
+QString text(const std::string& utf8) {
+  return QString::fromStdString(utf8);
+}
+
+QToolButton* chip(const QString& words, const QString& tip, QWidget* parent) {
+  auto* button = new QToolButton(parent);
+  button->setObjectName("chip");
+  button->setText(words);
+  button->setToolTip(tip);
+  button->setAccessibleName(tip);
+  button->setFocusPolicy(Qt::StrongFocus);
+  return button;
+}
+
+}  // namespace
+
+SuggestionSection::SuggestionSection(QWidget* parent)
+    : QWidget(parent),
+      m_head(new SectionHeader("Suggestions", this)),
+      m_list(new QListWidget(this)),
+      m_reason(new QLabel(this)),
+      m_progress(new QProgressBar(this)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  column->addWidget(m_head);
+  column->addWidget(makeButtons());
+  m_progress->setRange(0, 100);
+  m_progress->setAccessibleName("Suggesting");
+  m_progress->hide();
+  column->addWidget(m_progress);
+  m_list->setAccessibleName("Suggestions, the surest first");
+  m_list->setFrameShape(QFrame::NoFrame);
+  m_list->setToolTip("A accepts, E says something else, X rejects; then the next one");
+  m_list->setMinimumHeight(110);
+  m_list->installEventFilter(this);
+  column->addWidget(m_list, 1);
+  m_reason->setWordWrap(true);
+  m_reason->setObjectName("hint");
+  m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  column->addWidget(m_reason);
+  column->addWidget(makeThreshold());
+  connect(m_list, &QListWidget::currentRowChanged, this, [this](int row) {
+    if (m_filling) return;
+    describe();
+    if (row >= 0) emit chosen(current(), m_rows[static_cast<std::size_t>(row)].start_s);
+  });
+  describe();
+  count();
+}
+
+QWidget* SuggestionSection::makeButtons() {
+  auto* bar = new QWidget(this);
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(4);
+  m_moves = chip("Labels", "Suggest labels for this take from the other takes", bar);
+  m_roles = chip("Roles", "Suggest who is active in this take from the other takes", bar);
+  m_cancel = chip("Cancel", "Stop suggesting", bar);
+  m_cancel->hide();
+  m_accept = chip("Accept", "Accept the chosen suggestion (A in the list)", bar);
+  m_edit = chip("Edit", "Accept it with another value (E in the list)", bar);
+  m_reject = chip("Reject", "Reject the chosen suggestion (X in the list)", bar);
+  for (QToolButton* button : {m_moves, m_roles, m_cancel}) row->addWidget(button);
+  row->addStretch(1);
+  for (QToolButton* button : {m_accept, m_edit, m_reject}) row->addWidget(button);
+  connect(m_moves, &QToolButton::clicked, this, [this] { emit suggestRequested(true, false); });
+  connect(m_roles, &QToolButton::clicked, this, [this] { emit suggestRequested(false, true); });
+  connect(m_cancel, &QToolButton::clicked, this, &SuggestionSection::cancelRequested);
+  connect(m_accept, &QToolButton::clicked, this, [this] { press(Qt::Key_A); });
+  connect(m_edit, &QToolButton::clicked, this, [this] { press(Qt::Key_E); });
+  connect(m_reject, &QToolButton::clicked, this, [this] { press(Qt::Key_X); });
+  return bar;
+}
+
+QWidget* SuggestionSection::makeThreshold() {
+  auto* bar = new QWidget(this);
+  auto* row = new QHBoxLayout(bar);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->setSpacing(6);
+  m_slider = new QSlider(Qt::Horizontal, bar);
+  m_slider->setRange(0, 100);
+  m_slider->setValue(usual_threshold);
+  m_slider->setAccessibleName("Confidence from which all are accepted, per cent");
+  m_threshold = new QLabel(bar);
+  m_acceptAll = chip({}, "Accept all that are at least as sure as the slider says; one step of undo", bar);
+  auto* clear = chip("Clear", "Take all suggestions away", bar);
+  row->addWidget(m_slider, 1);
+  row->addWidget(m_threshold);
+  row->addWidget(m_acceptAll);
+  row->addWidget(clear);
+  connect(m_slider, &QSlider::valueChanged, this, &SuggestionSection::count);
+  connect(m_acceptAll, &QToolButton::clicked, this,
+          [this] { emit acceptAllRequested(at_least(m_rows, threshold())); });
+  connect(clear, &QToolButton::clicked, this, &SuggestionSection::clearRequested);
+  return bar;
+}
+
+void SuggestionSection::setColours(const Palette& palette) {
+  m_head->setColours(palette);
+}
+
+void SuggestionSection::showSuggestions(const Annotations& annotations) {
+  const int before = m_list->currentRow(), id = current();
+  m_rows = suggestion_rows(annotations);
+  m_filling = true;
+  m_list->clear();
+  for (const SuggestionRow& row : m_rows) {
+    auto* item = new QListWidgetItem(text(words_of(row)), m_list);
+    item->setData(id_role, row.id);
+    item->setToolTip(text(row.tier_name + ": " + row.reason));
+  }
+  const int again = row_of(m_rows, id), last = m_list->count() - 1;
+  // What was decided is gone: the one that took its place is next.
+  if (last >= 0) m_list->setCurrentRow(again >= 0 ? again : std::clamp(before, 0, last));
+  m_filling = false;
+  // Only a decision goes on to another place; any other edit leaves the cursor where it is.
+  if (id != 0 && again < 0 && last >= 0)
+    emit chosen(current(), m_rows[static_cast<std::size_t>(m_list->currentRow())].start_s);
+  m_head->setTitle(m_rows.empty() ? "Suggestions" : QString("Suggestions (%1)").arg(m_rows.size()));
+  describe();
+  count();
+}
+
+void SuggestionSection::choose(int suggestion) {
+  if (const int row = row_of(m_rows, suggestion); row >= 0) m_list->setCurrentRow(row);
+}
+
+void SuggestionSection::showProgress(double fraction, const QString& doing) {
+  const bool busy = fraction >= 0;
+  m_progress->setVisible(busy);
+  m_progress->setValue(static_cast<int>(100 * std::max(0.0, fraction)));
+  m_progress->setFormat(doing + " %p %");
+  m_cancel->setVisible(busy);
+  m_moves->setVisible(!busy);
+  m_roles->setVisible(!busy);
+}
+
+int SuggestionSection::current() const {
+  const QListWidgetItem* item = m_list->currentItem();
+  return item ? item->data(id_role).toInt() : 0;
+}
+
+double SuggestionSection::threshold() const {
+  return m_slider->value() / 100.0;
+}
+
+void SuggestionSection::describe() {
+  const int row = m_list->currentRow();
+  const bool is_chosen = row >= 0 && row < static_cast<int>(m_rows.size());
+  for (QToolButton* button : {m_accept, m_edit, m_reject}) button->setEnabled(is_chosen);
+  m_reason->setText(is_chosen ? text(m_rows[static_cast<std::size_t>(row)].reason)
+                              : QString("Nothing is suggested. Labels and roles of the other takes are what "
+                                        "suggestions are made from."));
+}
+
+void SuggestionSection::count() {
+  const auto sure = at_least(m_rows, threshold()).size();
+  m_threshold->setText(QString("≥ %1 %").arg(m_slider->value()));
+  m_acceptAll->setText(QString("Accept %1").arg(sure));
+  m_acceptAll->setEnabled(sure > 0);
+}
+
+bool SuggestionSection::press(int key) {
+  if (key != Qt::Key_A && key != Qt::Key_E && key != Qt::Key_X) return false;
+  if (const int id = current(); id != 0)
+    key == Qt::Key_A   ? emit acceptRequested(id)
+    : key == Qt::Key_E ? emit editRequested(id)
+                       : emit rejectRequested(id);
+  return true;
+}
+
+/// Letters go to the list before the window's actions, and do not search in it.
+bool SuggestionSection::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == m_list && (event->type() == QEvent::ShortcutOverride || event->type() == QEvent::KeyPress)) {
+    auto* key = static_cast<QKeyEvent*>(event);
+    const bool own = key->modifiers() == Qt::NoModifier &&
+                     (key->key() == Qt::Key_A || key->key() == Qt::Key_E || key->key() == Qt::Key_X);
+    if (own && event->type() == QEvent::ShortcutOverride) event->accept();
+    if (own && event->type() == QEvent::KeyPress) press(key->key());
+    if (own) return true;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace abrazo::widgets

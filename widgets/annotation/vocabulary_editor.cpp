@@ -1,0 +1,225 @@
+#include "widgets/annotation/vocabulary_editor.hpp"
+
+#include <QColorDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTableWidget>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/common/theme.hpp"
+#include "widgets/common/value_look.hpp"
+
+namespace abrazo::widgets {
+namespace {
+
+QString text(const std::string& utf8) {
+  return QString::fromStdString(utf8);
+}
+
+QToolButton* chip(const QString& text, const QString& tip, QWidget* parent) {
+  auto* button = new QToolButton(parent);
+  button->setObjectName("chip");
+  button->setText(text);
+  button->setToolTip(tip);
+  button->setAccessibleName(tip);
+  button->setFocusPolicy(Qt::StrongFocus);
+  return button;
+}
+
+/// The next digit that no value has yet; 0 when all nine are taken.
+char free_key(const std::vector<VocabularyEntry>& vocabulary) {
+  for (char key = '1'; key <= '9'; ++key)
+    if (std::none_of(vocabulary.begin(), vocabulary.end(),
+                     [key](const VocabularyEntry& entry) { return entry.key == key; }))
+      return key;
+  return 0;
+}
+
+}  // namespace
+
+VocabularyEditor::VocabularyEditor(QWidget* parent)
+    : QWidget(parent), m_palette(palette_of(Theme::Dark)), m_table(new QTableWidget(0, 4, this)) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(4);
+  m_table->setAccessibleName("Vocabulary");
+  m_table->setHorizontalHeaderLabels({"Key", "", "Value", "Description"});
+  m_table->verticalHeader()->hide();
+  m_table->verticalHeader()->setDefaultSectionSize(24);
+  m_table->horizontalHeader()->setStretchLastSection(true);
+  m_table->horizontalHeader()->setHighlightSections(false);
+  m_table->setColumnWidth(Key, 38);
+  m_table->setColumnWidth(Colour, 28);
+  m_table->setColumnWidth(Value, 120);
+  m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+  m_table->setShowGrid(false);
+  m_table->setFrameShape(QFrame::NoFrame);
+  m_hint = new QLabel(this);
+  m_hint->setObjectName("secondary");
+  m_hint->setWordWrap(true);
+  m_hint->setFont(interface_font(11));
+  auto* row = new QHBoxLayout;
+  row->setSpacing(4);
+  auto* more = chip("+ Value", "Add a value", this);
+  m_remove = chip("Remove", "Remove the value; labels that say it stay", this);
+  m_up = chip("↑", "Move the value up", this);
+  m_down = chip("↓", "Move the value down", this);
+  for (QToolButton* each : {more, m_remove, m_up, m_down}) row->addWidget(each);
+  row->addStretch(1);
+  column->addWidget(m_table, 1);
+  column->addWidget(m_hint);
+  column->addLayout(row);
+  connect(more, &QToolButton::clicked, this, &VocabularyEditor::add);
+  connect(m_remove, &QToolButton::clicked, this, &VocabularyEditor::remove);
+  connect(m_up, &QToolButton::clicked, this, [this] { move(-1); });
+  connect(m_down, &QToolButton::clicked, this, [this] { move(1); });
+  connect(m_table, &QTableWidget::itemChanged, this, &VocabularyEditor::edited);
+  connect(m_table, &QTableWidget::cellDoubleClicked, this, [this](int at, int where) {
+    if (where == Colour) chooseColour(at);
+  });
+}
+
+void VocabularyEditor::setColours(const Palette& palette) {
+  m_palette = palette;
+  fill();
+}
+
+void VocabularyEditor::show(const Annotations& annotations, int tier) {
+  const AnnotationTier* before = m_annotations.tier(m_tier);
+  const AnnotationTier* now = annotations.tier(tier);
+  const bool same = before && now && m_tier == tier && before->vocabulary == now->vocabulary;
+  m_annotations = annotations;
+  m_tier = tier;
+  if (!same) fill();
+}
+
+std::vector<VocabularyEntry> VocabularyEditor::vocabulary() const {
+  const AnnotationTier* tier = m_annotations.tier(m_tier);
+  return tier ? tier->vocabulary : std::vector<VocabularyEntry>();
+}
+
+void VocabularyEditor::fill() {
+  m_filling = true;
+  const int at = m_table->currentRow();
+  const AnnotationTier* tier = m_annotations.tier(m_tier);
+  const auto entries = vocabulary();
+  m_table->setRowCount(static_cast<int>(entries.size()));
+  for (int row = 0; row < m_table->rowCount(); ++row) {
+    const VocabularyEntry& entry = entries[static_cast<std::size_t>(row)];
+    m_table->setItem(row, Key, new QTableWidgetItem(entry.key ? QString(QChar(entry.key)) : QString()));
+    auto* colour = new QTableWidgetItem;
+    colour->setBackground(value_colour(m_palette, *tier, entry.value));
+    colour->setFlags(Qt::ItemIsEnabled | Qt::ItemIsSelectable);
+    colour->setToolTip("Double click: another colour");
+    m_table->setItem(row, Colour, colour);
+    m_table->setItem(row, Value, new QTableWidgetItem(text(entry.value)));
+    m_table->setItem(row, Description, new QTableWidgetItem(text(entry.description)));
+  }
+  if (at >= 0 && at < m_table->rowCount()) m_table->setCurrentCell(at, Value);
+  m_hint->setText(!tier ? QString("Choose a tier above")
+                  : entries.empty()
+                      ? QString("No values: labels of %1 are free text").arg(text(tier->name))
+                      : QString("Values of %1; hold a key while playing, or press it").arg(text(tier->name)));
+  m_filling = false;
+}
+
+void VocabularyEditor::settle(std::vector<VocabularyEntry> vocabulary, const QString& what) {
+  Annotations next = m_annotations;
+  const Status done = next.set_vocabulary(m_tier, std::move(vocabulary));
+  if (!done) {
+    fill();
+    return emit refused(text(done.error().text()));
+  }
+  emit changeRequested(next, what);
+}
+
+/// The labels that said it say the new word.
+void VocabularyEditor::rename(std::size_t row, const std::string& value) {
+  Annotations next = m_annotations;
+  auto entries = vocabulary();
+  const std::string before = entries[row].value;
+  entries[row].value = value;
+  const Status done = next.set_vocabulary(m_tier, std::move(entries));
+  if (!done) {
+    fill();
+    return emit refused(text(done.error().text()));
+  }
+  const auto labels = next.tier(m_tier)->annotations;
+  for (const Annotation& each : labels)
+    if (each.value == before) (void)next.say(each.id, value, each.detail, each.confidence);
+  emit changeRequested(next, "rename value");
+}
+
+void VocabularyEditor::edited(QTableWidgetItem* item) {
+  if (m_filling) return;
+  auto entries = vocabulary();
+  const auto row = static_cast<std::size_t>(item->row());
+  if (row >= entries.size()) return;
+  const QString typed = item->text().trimmed();
+  if (item->column() == Value) return rename(row, typed.toStdString());
+  if (item->column() == Key) {
+    const bool one = typed.isEmpty() || (typed.size() == 1 && typed.at(0).isLetterOrNumber() &&
+                                         typed.at(0).unicode() < 128 && typed.at(0) != '0');
+    if (!one) {
+      fill();
+      return emit refused("A key is one digit from 1 to 9 or one letter");
+    }
+    entries[row].key = typed.isEmpty() ? '\0' : typed.at(0).toLower().toLatin1();
+    return settle(std::move(entries), "key of a value");
+  }
+  if (item->column() == Description) {
+    entries[row].description = typed.toStdString();
+    settle(std::move(entries), "describe value");
+  }
+}
+
+void VocabularyEditor::chooseColour(int row) {
+  auto entries = vocabulary();
+  const AnnotationTier* tier = m_annotations.tier(m_tier);
+  VocabularyEntry& entry = entries[static_cast<std::size_t>(row)];
+  const QColor chosen = QColorDialog::getColor(value_colour(m_palette, *tier, entry.value), this,
+                                               "Colour of " + text(entry.value));
+  if (!chosen.isValid()) return;
+  entry.rgb = chosen.rgb() & 0xFFFFFFU;
+  settle(std::move(entries), "colour of a value");
+}
+
+void VocabularyEditor::add() {
+  auto entries = vocabulary();
+  QString name = "new value";
+  for (int n = 2; std::any_of(entries.begin(), entries.end(),
+                              [&name](const VocabularyEntry& each) { return text(each.value) == name; });
+       ++n)
+    name = QString("new value %1").arg(n);
+  const char key = free_key(entries);
+  entries.push_back({name.toStdString(), {}, {}, key});
+  const int row = static_cast<int>(entries.size()) - 1;
+  settle(std::move(entries), "add value");
+  if (row < m_table->rowCount()) {
+    m_table->setCurrentCell(row, Value);
+    m_table->editItem(m_table->item(row, Value));
+  }
+}
+
+void VocabularyEditor::remove() {
+  auto entries = vocabulary();
+  const int row = m_table->currentRow();
+  if (row < 0 || row >= static_cast<int>(entries.size())) return;
+  entries.erase(entries.begin() + row);
+  settle(std::move(entries), "remove value");
+}
+
+void VocabularyEditor::move(int by) {
+  auto entries = vocabulary();
+  const int row = m_table->currentRow(), to = row + by;
+  if (row < 0 || to < 0 || to >= static_cast<int>(entries.size())) return;
+  std::swap(entries[static_cast<std::size_t>(row)], entries[static_cast<std::size_t>(to)]);
+  m_table->setCurrentCell(to, Value);
+  settle(std::move(entries), "move value");
+}
+
+}  // namespace abrazo::widgets

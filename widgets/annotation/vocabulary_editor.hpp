@@ -1,0 +1,49 @@
+#pragma once
+
+#include <QWidget>
+
+#include "core/annotation/annotations.hpp"
+#include "widgets/common/palette.hpp"
+
+class QLabel;
+class QTableWidget;
+class QTableWidgetItem;
+class QToolButton;
+
+namespace abrazo::widgets {
+
+/// What a tier can say: values with key, colour and description. A value that is renamed here is renamed in
+/// the tier's labels, too. Asks; shows what it is told.
+class VocabularyEditor : public QWidget {
+  Q_OBJECT
+ public:
+  explicit VocabularyEditor(QWidget* parent = nullptr);
+  void setColours(const Palette& palette);
+  void show(const Annotations& annotations, int tier);
+
+ signals:
+  void changeRequested(const abrazo::Annotations& next, const QString& what);
+  void refused(const QString& why);
+
+ private:
+  enum Column { Key, Colour, Value, Description };
+  void fill();
+  void edited(QTableWidgetItem* item);
+  void chooseColour(int row);
+  void add();
+  void remove();
+  void move(int by);
+  void settle(std::vector<VocabularyEntry> vocabulary, const QString& what);
+  void rename(std::size_t row, const std::string& value);
+  std::vector<VocabularyEntry> vocabulary() const;
+
+  Palette m_palette;
+  Annotations m_annotations;
+  int m_tier = 0;
+  bool m_filling = false;
+  QTableWidget* m_table;
+  QLabel* m_hint;
+  QToolButton *m_remove, *m_up, *m_down;
+};
+
+}  // namespace abrazo::widgets

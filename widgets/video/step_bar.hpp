@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/common/palette.hpp"
+
+class QToolButton;
+
+namespace abrazo::widgets {
+
+class TabularLabel;
+
+/// Below the picture: which one it is, one back, one on, and whether it goes with the timeline.
+class StepBar : public QWidget {
+  Q_OBJECT
+ public:
+  explicit StepBar(QWidget* parent = nullptr);
+  void setColours(const Palette& palette);
+  /// @param index  -1 = no picture
+  void showPicture(int index, int pictures, double time_s);
+  void setLinked(bool linked);
+  bool isLinked() const;
+  void setUsable(bool on);
+  QString text() const;
+
+ signals:
+  void stepRequested(int pictures);
+  void linkRequested(bool linked);
+
+ private:
+  QToolButton* makeStep(const QString& name, int pictures);
+
+  QToolButton *m_back, *m_on, *m_link;
+  TabularLabel *m_time, *m_picture;
+};
+
+}  // namespace abrazo::widgets
