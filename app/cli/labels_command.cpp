@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <limits>
 #include <memory>
 #include <string>
@@ -13,8 +12,10 @@
 #include "core/base/json_text.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/text.hpp"
+#include "core/base/utc_time.hpp"
 #include "core/base/version.hpp"
 #include "core/library/tier_file.hpp"
+#include "core/library/tier_kind.hpp"
 
 namespace abrazo::app {
 
@@ -29,7 +30,6 @@ struct LabelWords {
   bool json = false;
 };
 
-constexpr const char* kind_names[] = {"role", "move", "note"};
 constexpr const char* problem_names[] = {"gap",          "unknown_value", "too_short",
                                          "out_of_range", "off_frame",     "empty_tier"};
 
@@ -53,7 +53,7 @@ std::string info_json(const TierDocument& document) {
   json.begin_object().key("take").value(document.take).key("tiers").begin_array();
   for (const Tier& tier : document.tiers) {
     json.begin_object().key("name").value(tier.name);
-    json.key("kind").value(kind_names[static_cast<std::size_t>(tier.kind)]);
+    json.key("kind").value(text_of(tier.kind));
     json.key("intervals").value(static_cast<long long>(tier.intervals.size()));
     if (!tier.intervals.empty()) {
       json.key("start_s").value(tier.intervals.front().start_s);
@@ -76,8 +76,7 @@ std::string info_json(const TierDocument& document) {
 std::string info_text(const TierDocument& document) {
   std::string text;
   for (const Tier& tier : document.tiers) {
-    text += fmt::format("{} ({}): {} intervals", tier.name, kind_names[static_cast<std::size_t>(tier.kind)],
-                        tier.intervals.size());
+    text += fmt::format("{} ({}): {} intervals", tier.name, text_of(tier.kind), tier.intervals.size());
     if (!tier.intervals.empty())
       text += fmt::format(" from {:.3f} to {:.3f} s, {:.3f} s annotated", tier.intervals.front().start_s,
                           tier.intervals.back().end_s, annotated_s(tier));
@@ -117,15 +116,6 @@ Result<std::vector<Tier>> chosen(std::vector<Tier> tiers, const LabelWords& word
     kept.push_back(*found);
   }
   return kept;
-}
-
-std::string utc_now() {
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text;
 }
 
 Status run_convert(CommandLine& line, const LabelWords& words) {

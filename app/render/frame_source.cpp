@@ -5,41 +5,13 @@
 #include <filesystem>
 
 #include "core/base/text.hpp"
-#include "core/library/motion_library_file.hpp"
-#include "core/session/library_reference.hpp"
 #include "core/session/recorded_frames.hpp"
 #include "core/session/session_file.hpp"
+#include "core/session/session_libraries.hpp"
 #include "core/session/trace_frames.hpp"
 
 namespace abrazo::app {
 namespace {
-
-using LibraryPtr = std::shared_ptr<const MotionLibrary>;
-
-/// Null with a warning where it is not found: bodies are drawn all the same.
-Result<LibraryPtr> library_of(const SessionContents& contents, const std::string& file,
-                              const std::string& given, std::vector<std::string>& warnings) {
-  if (!given.empty()) {
-    auto read = read_library(given);
-    if (!read) return read.error();
-    auto library = std::make_shared<const MotionLibrary>(std::move(read).value());
-    if (!contents.libraries.empty())
-      if (const Status same = check_session_library(contents.libraries.back(), *library); !same)
-        warnings.push_back(same.error().text() + "; meshes may be wrong");
-    return LibraryPtr(std::move(library));
-  }
-  if (contents.libraries.empty()) return LibraryPtr();
-  const SessionLibrary& reference = contents.libraries.back();
-  if (reference.relative_path.empty() && reference.absolute_path.empty()) {
-    warnings.push_back(fmt::format("{}: its library \"{}\" was never a file; without it there is no mesh",
-                                   file, reference.name));
-    return LibraryPtr();
-  }
-  auto opened = open_session_library(reference, file);
-  if (opened) return *opened;
-  warnings.push_back(opened.error().text() + "; without it there is no mesh (--library names it)");
-  return LibraryPtr();
-}
 
 Result<FrameSource> of_session(const std::string& file, const std::string& given) {
   const auto session = SessionFile::open(file);
@@ -49,11 +21,13 @@ Result<FrameSource> of_session(const std::string& file, const std::string& given
   FrameSource source;
   for (const std::string& sentence : (*session)->recovery())
     source.warnings.push_back(file + ": " + sentence);
-  auto library = library_of(contents, file, given, source.warnings);
-  if (!library) return library.error();
-  source.library = *library;
-  const auto frames = RecordedFrames::open(file, source.library);
+  // Bodies are drawn also where a library is not at hand.
+  const auto libraries = SessionLibraries(*session, given).all(source.warnings);
+  if (!libraries) return libraries.error();
+  if (!libraries->empty()) source.library = libraries->back();
+  const auto frames = RecordedFrames::open(file);
   if (!frames) return frames.error();
+  for (const auto& library : *libraries) (*frames)->add_library(library);
   source.first_s = contents.first_s;
   source.last_s = contents.last_s;
   source.at = [frames = *frames, first_s = contents.first_s,

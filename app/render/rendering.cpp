@@ -4,10 +4,9 @@
 
 #include <QBuffer>
 #include <QCoreApplication>
-#include <filesystem>
 #include <numbers>
 
-#include "core/base/atomic_file.hpp"
+#include "core/base/file_series.hpp"
 #include "core/video/film_plan.hpp"
 #include "core/video/video_writer.hpp"
 #include "widgets/scene/scene_pictures.hpp"
@@ -38,35 +37,26 @@ class FilmSink : public PictureSink {
   VideoWriter m_video;
 };
 
-/// One picture or a series; those of a series that is not finished are taken away again.
+/// One picture or a series, under their names only when the last one is there: an older series stays till
+/// then.
 class FileSink : public PictureSink {
  public:
   FileSink(std::string output, bool is_series) : m_output(std::move(output)), m_isSeries(is_series) {}
-  ~FileSink() override {
-    if (m_isFinished) return;
-    std::error_code ignored;
-    for (int i = 0; i < m_written; ++i) std::filesystem::remove(name(i), ignored);
-  }
   Status add(const QImage& picture) override {
+    const std::string name = m_isSeries ? series_name(m_output, m_count) : m_output;
     QByteArray bytes;
     QBuffer buffer(&bytes);
-    if (!picture.save(&buffer, "PNG")) return Error{"the picture cannot be coded as PNG", name(m_written)};
-    const Status written =
-        write_whole_file(name(m_written), {bytes.constData(), static_cast<std::size_t>(bytes.size())});
-    if (written) ++m_written;
-    return written;
+    if (!picture.save(&buffer, "PNG")) return Error{"the picture cannot be coded as PNG", name};
+    ++m_count;
+    return m_files.add(name, bytes.toStdString());
   }
-  Status finish() override {
-    m_isFinished = true;
-    return Done{};
-  }
+  Status finish() override { return m_files.commit(); }
 
  private:
-  std::string name(int number) const { return m_isSeries ? series_name(m_output, number) : m_output; }
-
   std::string m_output;
-  bool m_isSeries, m_isFinished = false;
-  int m_written = 0;
+  bool m_isSeries;
+  int m_count = 0;
+  FileSeries m_files;
 };
 
 Result<std::unique_ptr<PictureSink>> open_sink(const RenderOptions& options, RenderKind kind) {

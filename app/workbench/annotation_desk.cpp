@@ -76,6 +76,8 @@ AnnotationDesk::AnnotationDesk(MainWindow& window)
   connect(&window, &MainWindow::coloursChanged, m_panel, &AnnotationPanel::setColours);
   connect(&window, &MainWindow::sessionStarted, this, &AnnotationDesk::onSessionStarted);
   connect(&window, &MainWindow::sessionEnding, this, [this] {
+    // Whoever ends the recording reads the session's there.
+    if (showsTake()) m_window.timeline().showMarkers(m_stage->markers(""));
     m_subject.clear();
     m_stage->forget();
   });
@@ -222,6 +224,13 @@ void AnnotationDesk::showSubject(const std::string& subject) {
 
 const Markers& AnnotationDesk::sessionMarkers() const {
   return showsTake() ? m_stage->markers("") : m_window.timeline().markers();
+}
+
+std::map<std::string, Markers> AnnotationDesk::takeMarkers() const {
+  auto markers = m_stage->markersOfTakes();
+  if (showsTake()) markers[m_subject] = m_window.timeline().markers();
+  std::erase_if(markers, [](const auto& of) { return of.second.empty(); });
+  return markers;
 }
 
 void AnnotationDesk::showMarkers(const std::string& subject, const Markers& markers) {

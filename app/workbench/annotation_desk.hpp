@@ -63,6 +63,8 @@ class AnnotationDesk : public QObject {
   void showSubject(const std::string& subject);
   /// Markers of the session, whichever subject is shown.
   const Markers& sessionMarkers() const;
+  /// Of the takes that have any, by name.
+  std::map<std::string, Markers> takeMarkers() const;
   /// Of a subject that need not be shown.
   void showMarkers(const std::string& subject, const Markers& markers);
 

@@ -35,6 +35,11 @@ std::vector<Tier> noted_tiers(const MainWindow& window, const std::string& subje
   return desk ? tiers_of(desk->annotations_of(subject)) : std::vector<Tier>();
 }
 
+const Markers& session_markers(const MainWindow& window) {
+  const auto* desk = window.findChild<AnnotationDesk*>();
+  return desk ? desk->sessionMarkers() : window.timeline().markers();
+}
+
 }  // namespace
 
 ExportDesk::ExportDesk(MainWindow& window) : QObject(&window), m_window(window) {
@@ -56,16 +61,20 @@ ExportOffer ExportDesk::offer() const {
   ExportOffer offer;
   auto* session = m_window.session();
   if (!session) return offer;
-  const auto span = session->history().span();
+  // Whatever take is looked at: that is among those of the library.
+  const FrameHistory& history = session->engine().history();
+  const auto span = history.span();
   const Material& material = session->material();
   const Playback& playback = m_window.ticker().playback();
   if (span.frames + span.stored > 0)
     offer.session = {material.recorded ? "Session " + QString::fromStdString(material.input.name)
                                        : QString("This session"),
                      {span.first_s, span.last_s},
-                     rate_of(session->history())};
-  offer.range = playback.range();
-  offer.cursor_s = m_window.ticker().shown() ? m_window.ticker().shown()->time_s : playback.cursor_s;
+                     rate_of(history)};
+  if (!session->looksElsewhere()) {
+    offer.range = playback.range();
+    offer.cursor_s = m_window.ticker().shown() ? m_window.ticker().shown()->time_s : playback.cursor_s;
+  }
   if (const auto* takes = m_window.findChild<TakeDesk*>())
     for (const widgets::RecordedTake& take : takes->takes().all())
       offer.takes.push_back({QString::fromStdString(take.name), {take.from_s, take.to_s}, 0});
@@ -79,14 +88,15 @@ ExportOffer ExportDesk::offer() const {
 /// The frames of the wish alone: of a session of hours the rest is not looked at.
 RunningExport ExportDesk::running(const ExportWish& wish) const {
   auto& session = *m_window.session();
-  const auto span = session.history().span();
+  const FrameHistory& history = session.engine().history();
+  const auto span = history.span();
   const Material& material = session.material();
   RunningExport running;
   running.name = material.recorded ? material.input.name : "session";
   const double at_s = wish.at_s.value_or(0);
-  running.frames = wish.at_s ? session.history().stretch(at_s - 1, at_s)
-                             : session.history().stretch(wish.part.from_s.value_or(span.first_s),
-                                                         wish.part.to_s.value_or(span.last_s));
+  running.frames = wish.at_s ? history.stretch(at_s - 1, at_s)
+                             : history.stretch(wish.part.from_s.value_or(span.first_s),
+                                               wish.part.to_s.value_or(span.last_s));
   running.library = material.library;
   running.library_name = material.library_file.empty() ? material.library->name() : material.library_file;
   running.input = material.input.name;
@@ -94,7 +104,7 @@ RunningExport ExportDesk::running(const ExportWish& wish) const {
     for (const widgets::RecordedTake& take : takes->takes().all())
       running.takes.push_back(
           {static_cast<int>(take.id), take.name, take.from_s, take.to_s, 0, 0, {}, false});
-  for (const Marker& marker : m_window.timeline().markers().all())
+  for (const Marker& marker : session_markers(m_window).all())
     running.markers.push_back({marker.id, marker.time_s, marker.name});
   running.noted = noted_tiers(m_window, "");
   return running;

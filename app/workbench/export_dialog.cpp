@@ -182,7 +182,8 @@ void ExportDialog::sourceChanged() {
   if (of_session)
     for (const ExportOffer::Stretch& take : m_offer.takes)
       m_part->addItem(range_words("Take " + take.name, take.range), "take " + take.name);
-  if (of_session) m_part->addItem("The frame shown now: " + seconds(m_offer.cursor_s), "frame");
+  if (of_session && m_offer.cursor_s)
+    m_part->addItem("The frame shown now: " + seconds(*m_offer.cursor_s), "frame");
   choose(m_part, last);
   m_filling = false;
   settle();
@@ -208,7 +209,7 @@ void ExportDialog::whatChanged() {
 Playback::Range ExportDialog::part() const {
   const QString chosen = m_part->currentData().toString();
   if (chosen == "range" && m_offer.range) return *m_offer.range;
-  if (chosen == "frame") return {m_offer.cursor_s, m_offer.cursor_s};
+  if (chosen == "frame" && m_offer.cursor_s) return {*m_offer.cursor_s, *m_offer.cursor_s};
   for (const ExportOffer::Stretch& take : m_offer.takes)
     if (chosen == "take " + take.name) return take.range;
   return stretch().range;

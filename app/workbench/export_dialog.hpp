@@ -25,7 +25,7 @@ struct ExportOffer {
   };
   std::optional<Stretch> session;        ///< all there is of it; nothing while no frame was solved
   std::optional<Playback::Range> range;  ///< between in and out
-  double cursor_s = 0;
+  std::optional<double> cursor_s;      ///< of the frame that is shown; nothing while it is not of the session
   std::vector<Stretch> takes;          ///< of the session
   std::vector<Stretch> library_takes;  ///< times of the take
 };

@@ -45,9 +45,11 @@ void FrameTicker::setLibrary(std::shared_ptr<const MotionLibrary> library) {
 }
 
 void FrameTicker::resume(const Playback& playback) {
-  const double first_s = m_playback.first_s, last_s = m_playback.last_s;
   m_playback = playback;
-  if (m_history) m_playback.extend(first_s, last_s);
+  if (m_history) {
+    const auto span = m_history->span();
+    m_playback.extend(span.first_s, span.last_s);
+  }
   changed();
 }
 

@@ -41,7 +41,8 @@ void click(QAbstractButton& button) {
 
 }  // namespace
 
-KeyRouting::KeyRouting(MainWindow& window) : QObject(&window), m_window(window), m_labels(window.findChild<LabelKeys*>()) {
+KeyRouting::KeyRouting(MainWindow& window)
+    : QObject(&window), m_window(window), m_labels(window.findChild<LabelKeys*>()) {
   window.installEventFilter(this);
   for (QDockWidget* panel : window.panels().panels()) panel->installEventFilter(this);  // floating: no way up
 }

@@ -134,9 +134,12 @@ void LabelImport::choose() {
 }
 
 void LabelImport::read(const QStringList& files) {
-  if (!m_window.session())
-    return m_window.messages().showError(
-        "Labels need something to be put on; open a library or a session first, then the labels");
+  if (!m_window.session()) {
+    const QString why =
+        "Labels need something to be put on; open a library or a session first, then the labels";
+    m_window.messages().showError(why);
+    return emit m_window.failed(why);  // who started the program unattended waits for it
+  }
   for (const QString& file : files) {
     TierReading reading;
     reading.fps = m_desk.fps();

@@ -6,6 +6,7 @@
 #include "app/workbench/library_build.hpp"
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/mapping_desk.hpp"
+#include "app/workbench/open_video.hpp"
 #include "core/library/neighbour_distance.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/library/take_list.hpp"
@@ -106,8 +107,10 @@ void LibraryDesk::offer(const QStringList& files) {
     m_build = new LibraryBuild(&m_window, m_window.colours());
     m_build->setJointMaps(MappingDesk::folder(m_window));
     connect(m_build, &LibraryBuild::built, this, &LibraryDesk::open);
-    connect(m_build, &LibraryBuild::userChosen, &m_window, &MainWindow::openFiles);
+    connect(m_build, &LibraryBuild::userChosen, this,
+            [this](const QStringList& chosen) { m_window.openFiles(chosen + m_videos); });
     const auto end = [this] {
+      m_videos.clear();
       m_build->deleteLater();
       m_build = nullptr;
     };
@@ -115,7 +118,9 @@ void LibraryDesk::offer(const QStringList& files) {
     connect(m_build, &LibraryBuild::built, this, end);
     connect(m_build, &LibraryBuild::userChosen, this, end);
   }
-  m_build->offer(files);
+  QStringList others;
+  for (const QString& file : files) (is_video_file(file) ? m_videos : others) << file;
+  m_build->offer(others);
 }
 
 void LibraryDesk::open(const std::shared_ptr<const MotionLibrary>& library, std::vector<std::string> told,
@@ -124,7 +129,7 @@ void LibraryDesk::open(const std::shared_ptr<const MotionLibrary>& library, std:
   for (const QString& file : {written.library, written.manifest})
     if (!file.isEmpty()) told.push_back("written to " + file.toStdString());
   m_window.openMaterial(
-      [library, told](const Progress&) -> Result<Material> { return with_library(library, told); });
+      [library, told](const Progress&) -> Result<Material> { return with_library(library, told); }, m_videos);
 }
 
 }  // namespace abrazo::app

@@ -22,7 +22,7 @@ class LibraryDesk : public QObject {
   explicit LibraryDesk(MainWindow& window);
   ~LibraryDesk() override;
 
-  /// The dialog, with these files added to what it has.
+  /// The dialog, with these files added to what it has. Videos among them are opened with what comes of it.
   void offer(const QStringList& files);
   /// Null while no library is being built.
   LibraryBuild* building() const { return m_build; }
@@ -41,6 +41,7 @@ class LibraryDesk : public QObject {
 
   MainWindow& m_window;
   LibraryBuild* m_build = nullptr;
+  QStringList m_videos;  ///< offered beside what is built
   RecordedGhost m_ghost;
   std::weak_ptr<const MotionLibrary> m_measured;
   std::unique_ptr<Job> m_measuring;

@@ -1,8 +1,10 @@
 #include "app/workbench/library_feed.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "app/workbench/job.hpp"
+#include "app/workbench/library_desk.hpp"
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/status_figures.hpp"
 #include "core/session/frame_in_library.hpp"
@@ -115,8 +117,16 @@ void LibraryFeed::begin() {
         m_window.messages().showError(QString::fromStdString(why));
       };
     auto ready = std::make_shared<PreparedSolver>(std::move(prepared).value());
-    return [this, ready] { show(std::move(*ready)); };
+    return [this, ready, base = material.library] {
+      m_window.session()->material().library == base ? show(std::move(*ready)) : beginAgain();
+    };
   });
+}
+
+/// The library got a take meanwhile, say, which is not in what was made.
+void LibraryFeed::beginAgain() {
+  for (auto& [take, annotation] : std::exchange(m_working, {})) m_wanted.emplace(take, annotation);
+  begin();
 }
 
 void LibraryFeed::show(PreparedSolver prepared) {
@@ -133,7 +143,9 @@ void LibraryFeed::show(PreparedSolver prepared) {
   const int take = m_window.takes().selectedTake();
   m_window.takes().setLibrary(library);
   if (take >= 0) m_window.takes().setSelectedTake(take);
+  if (auto* of_library = m_window.findChild<LibraryDesk*>()) of_library->onSession();
   m_window.status().setLibrary(library->pair_count());
+  if (auto* browser = m_window.findChild<LibraryDesk*>()) browser->onSession();
   emit fed();
 }
 

@@ -34,6 +34,7 @@ class LibraryFeed : public QObject {
 
  private:
   void begin();
+  void beginAgain();
   void show(PreparedSolver prepared);
 
   MainWindow& m_window;

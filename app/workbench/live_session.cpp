@@ -46,6 +46,12 @@ void LiveSession::push(const Command& command) {
     m_engine.push(command);
 }
 
+Status LiveSession::controlRole(RoleControl by) {
+  const Status possible = m_engine.control_role(by);
+  if (possible) m_roleControl = by;
+  return possible;
+}
+
 void LiveSession::holdSettings(bool on) {
   m_isHeld = on;
   if (on || !m_heldBack) return;
@@ -54,9 +60,8 @@ void LiveSession::holdSettings(bool on) {
 }
 
 void LiveSession::lookAt(const std::shared_ptr<const FrameStore>& frames) {
-  m_lookedAt.reset();
-  if (!frames) return;
-  m_lookedAt = std::make_unique<LookedAt>();
+  if (!frames) return m_lookedAt.reset();
+  if (!m_lookedAt) m_lookedAt = std::make_unique<LookedAt>();
   m_lookedAt->history.set_store(frames);
   m_lookedAt->latest.publish(frames->frame(frames->span().last_index));
 }

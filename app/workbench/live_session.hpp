@@ -25,6 +25,9 @@ class LiveSession {
   explicit LiveSession(PreparedSolver prepared);
 
   void push(const Command& command);
+  /// Who decides about the user's role from the next frame on; an Error when the library cannot.
+  Status controlRole(RoleControl by);
+  RoleControl roleControl() const { return m_roleControl; }
   /// While held, the solver keeps its settings; the last that were asked for meanwhile come when it is let
   /// go.
   void holdSettings(bool on);
@@ -33,8 +36,9 @@ class LiveSession {
   const LatestSlot<FrameSnapshot>& latest() const {
     return m_lookedAt ? m_lookedAt->latest : m_engine.latest();
   }
-  /// Other frames than the session's own, which goes on meanwhile; null = its own again. What reads the
-  /// frames of the one before has to let go of them first.
+  /// Other frames than the session's own, which goes on meanwhile; null = its own again. Whoever reads
+  /// history() lets go of it before it changes from one to the other; other frames may come in place of
+  /// others at any time.
   void lookAt(const std::shared_ptr<const FrameStore>& frames);
   bool looksElsewhere() const { return m_lookedAt != nullptr; }
   const Material& material() const { return m_material; }
@@ -53,6 +57,7 @@ class LiveSession {
   std::unique_ptr<LookedAt> m_lookedAt;
   bool m_isHeld = false;
   std::optional<SetSettings> m_heldBack;
+  RoleControl m_roleControl = RoleControl::Hand;
   SessionEngine m_engine;
 };
 

@@ -77,9 +77,13 @@ int main(int argc, char** argv) {
     app::restore_last_layout(window);
 
   std::unique_ptr<app::Unattended> unattended;
-  // Nobody is there to answer a dialog: two motions are refused, as by the command line.
-  if (asked.unattended()) QObject::disconnect(&window, &app::MainWindow::motionsOffered, nullptr, nullptr);
-  if (asked.unattended()) unattended = std::make_unique<app::Unattended>(window, asked, responsiveness);
+  if (asked.unattended()) {
+    // Nobody is there to answer a dialog: two motions, and joints that nobody knows, are refused as by the
+    // command line.
+    QObject::disconnect(&window, &app::MainWindow::motionsOffered, nullptr, nullptr);
+    QObject::disconnect(&window, &app::MainWindow::mappingOffered, nullptr, nullptr);
+    unattended = std::make_unique<app::Unattended>(window, asked, responsiveness);
+  }
   window.show();
   const QStringList files = asked_files(asked);
   if (!asked.unattended() && !asked.demo && files.isEmpty()) app::welcome_at_start(window);

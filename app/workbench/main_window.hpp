@@ -96,7 +96,7 @@ class MainWindow : public QMainWindow {
   void sessionEnding();
   void coloursChanged(const abrazo::widgets::Palette& palette);
   void failed(const QString& message);
-  /// More than one motion is to be opened: a person says what they are for.
+  /// More than one motion is to be opened: a person says what they are for. Videos may be among them.
   void motionsOffered(const QStringList& files);
   /// Nobody knows which points of this motion are which joints: a person says so.
   void mappingOffered(const QStringList& files, const std::shared_ptr<const abrazo::NamedMotion>& motion);
@@ -125,6 +125,7 @@ class MainWindow : public QMainWindow {
   void wireTransport();
   void showPanels();
   void start(const std::shared_ptr<PreparedSolver>& prepared);
+  void offerOnceOpen(const QStringList& videos, const QStringList& files);
   void showFailure(const QString& message);
 
   UserSettings& m_remembered;

@@ -2,6 +2,7 @@
 
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/mapping_dialog.hpp"
+#include "app/workbench/open_video.hpp"
 #include "widgets/common/message_bar.hpp"
 
 namespace abrazo::app {
@@ -30,7 +31,8 @@ void MappingDesk::use(const QStringList& files) {
   const auto map = remember_map(m_dialog->map(), folder(m_window).toStdString());
   if (!map) return m_window.messages().showError(QString::fromStdString(map.error().text()));
   std::vector<std::string> names{*map};
-  for (const QString& file : files) names.push_back(file.toStdString());
+  for (const QString& file : files)
+    if (!is_video_file(file)) names.push_back(file.toStdString());
   const Material open = m_window.session() ? m_window.session()->material() : Material{};
   m_window.openMaterial([names, open, said = m_dialog->said()](
                             const Progress& progress) { return load_material(names, open, progress, said); },

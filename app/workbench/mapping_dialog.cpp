@@ -42,6 +42,12 @@ const char* words_of(JointGuess::By by) {
   return "";
 }
 
+/// A recording may be hundreds of megabytes.
+NamedMotion without_frames(const NamedMotion& motion) {
+  return {motion.name, motion.points,          motion.parents, {},
+          motion.fps,  motion.metres_per_unit, motion.up_axis, motion.warnings};
+}
+
 }  // namespace
 
 MappingDialog::MappingDialog(NamedMotion motion, QWidget* parent)
@@ -266,8 +272,7 @@ void MappingDialog::showFrame() {
 }
 
 bool MappingDialog::isComplete() const {
-  return std::none_of(m_map.rules.begin(), m_map.rules.end(),
-                      [](const auto& rules) { return rules.empty(); });
+  return bind_joints(m_map, m_motion.points).missing.empty();
 }
 
 ImportOptions MappingDialog::said() const {
@@ -282,17 +287,16 @@ ImportOptions MappingDialog::said() const {
 /// A few frames are imported as the whole file will be: what it finds is what is shown.
 void MappingDialog::showFacts() {
   QStringList missing;
-  for (int j = 0; j < joint_count; ++j)
-    if (m_map.rules[at(j)].empty()) missing << QString::fromUtf8(joint_names[at(j)].data());
+  for (const int joint : bind_joints(m_map, m_motion.points).missing)
+    missing << QString::fromUtf8(joint_names[at(joint)].data());
   m_use->setEnabled(missing.isEmpty());
   m_facts->clear();
   if (!missing.isEmpty())
     return m_state->setText(
         QString("No points yet for %1").arg(missing.mid(0, 5).join(", ")) +
         (missing.size() > 5 ? QString(" and %1 more").arg(missing.size() - 5) : QString()));
-  NamedMotion few = m_motion;
+  NamedMotion few = without_frames(m_motion);
   constexpr std::size_t most_frames = 40;
-  few.frames.clear();
   const std::size_t step = std::max<std::size_t>(1, m_motion.frames.size() / most_frames);
   for (std::size_t f = 0; f < m_motion.frames.size(); f += step)
     if (m_motion.frames[f].allFinite() || few.frames.empty()) few.frames.push_back(m_motion.frames[f]);

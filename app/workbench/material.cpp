@@ -212,6 +212,10 @@ bool is_motion_file(const std::string& file) {
   return kind_of_name(file) == Kind::Motion;
 }
 
+bool is_joint_map_file(const std::string& file) {
+  return kind_of(file) == Kind::JointMap;
+}
+
 Material with_library(std::shared_ptr<const MotionLibrary> library, std::vector<std::string> warnings) {
   Material material;
   material.library = std::move(library);

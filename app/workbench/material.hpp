@@ -43,6 +43,9 @@ Result<Material> load_material(const std::vector<std::string>& files, const Mate
 /// two or more, only a person knows what they are for.
 bool is_motion_file(const std::string& file);
 
+/// Whether it says which points are joints. Reads a .json.
+bool is_joint_map_file(const std::string& file);
+
 /// What is open with another library: its last take plays the user.
 Material with_library(std::shared_ptr<const MotionLibrary> library, std::vector<std::string> warnings);
 

@@ -68,7 +68,7 @@ std::vector<MeaningChoice> MeaningDesk::choices() const {
     found.push_back({choice.label, {}, choice.pairs, choice.feature_distance});
   const MotionLibrary& library = *m_window.session()->material().library;
   std::map<std::size_t, double> nearest;
-  if (const FrameSnapshotPtr newest = 
+  if (const FrameSnapshotPtr newest =
           in_library(m_window.session()->engine().latest().newest(), m_window.session()->material().library))
     for (const Candidate& candidate : newest->result.candidates) {
       if (candidate.pair < 0 || candidate.pair >= library.pair_count()) continue;
@@ -116,7 +116,8 @@ void MeaningDesk::takeBack() {
 /// The solver ends it by itself when its time is over or the move is done.
 void MeaningDesk::onPanels() {
   const auto& steering = m_window.candidates().steering();
-  const FrameSnapshotPtr newest = m_window.session() ? m_window.session()->latest().newest() : nullptr;
+  const FrameSnapshotPtr newest =
+      m_window.session() ? m_window.session()->engine().latest().newest() : nullptr;
   if (steering.meant && newest && newest->time_s > m_since_s + answered_within_s &&
       !(newest->decisions && newest->decisions->meant)) {
     widgets::Steering rest = steering;

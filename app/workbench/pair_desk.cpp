@@ -148,9 +148,11 @@ void PairDesk::extend(const PairedTake& take) {
     auto prepared = prepare_solver(std::move(next), settings);
     if (!prepared) return [this, why = prepared.error().text()] { m_window.messages().showError(text(why)); };
     auto ready = std::make_shared<PreparedSolver>(std::move(prepared).value());
-    return [this, ready, name = text(take.name)] {
+    return [this, ready, take, base = material.library] {
+      // What was said of other takes meanwhile is not in what was made.
+      if (m_window.session()->material().library != base) return extend(take);
       show(std::move(*ready));
-      emit extended(name);
+      emit extended(text(take.name));
     };
   });
   connect(m_job.get(), &Job::progressed, &messages,
@@ -162,6 +164,7 @@ void PairDesk::extend(const PairedTake& take) {
 void PairDesk::show(PreparedSolver prepared) {
   const auto library = prepared.material.library;
   m_window.session()->replaceSolver(std::move(prepared));
+  m_window.ticker().setLibrary(library);
   m_window.scene().setLibrary(library);
   const auto steering = m_window.candidates().steering();
   m_window.candidates().setLibrary(library);

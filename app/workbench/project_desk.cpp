@@ -186,14 +186,21 @@ void ProjectDesk::write(const QString& target, bool is_other) {
     if (!done) return done.error();
     return complete;
   };
-  const auto finish = [this, now, target, is_copy = is_other && recorder](const Result<Project>& done) {
+  const auto finish = [this, now, target, is_other, recorder, session = m_takes.session(), from = file(),
+                       takes = m_takes.takes()](const Result<Project>& done) {
     if (!done) {
       const QString why = QString::fromStdString(done.error().text());
       m_window.messages().showError(why);
       return emit notSaved(why);
     }
-    if (is_copy) {
-      m_window.messages().showInformation("Copied to " + target + "; the recording goes on in " + file());
+    if (m_takes.session() != session) {  // another one has begun meanwhile
+      emit m_window.filesOpened({target});
+      return emit saved(target);
+    }
+    const bool has_gone_on = recorder || m_window.session()->engine().recorder() || m_takes.file() != from ||
+                             m_takes.takes() != takes;
+    if (is_other && has_gone_on) {
+      m_window.messages().showInformation("Copied to " + target + "; the session goes on in " + file());
       return emit saved(target);
     }
     if (m_takes.file() != target) m_takes.setFile(target);
@@ -222,15 +229,21 @@ void ProjectDesk::onLeaving(bool& allowed) {
   if (answer == Answer::Cancel || (answer == Answer::Save && !saveAndWait())) allowed = false;
 }
 
-bool ProjectDesk::saveAndWait() {
+bool ProjectDesk::waitForSave() {
   QEventLoop loop;
   bool done = false;
   connect(this, &ProjectDesk::saved, &loop, [&] { done = true, loop.quit(); });
   connect(this, &ProjectDesk::notSaved, &loop, &QEventLoop::quit);
-  save();
-  if (!m_job) return false;  // no name was given
   loop.exec(QEventLoop::ExcludeUserInputEvents);
   return done;
+}
+
+bool ProjectDesk::saveAndWait() {
+  if (m_job) waitForSave();  // what was changed since it began is not in it
+  refresh();
+  if (!m_isModified) return true;
+  save();
+  return m_job && waitForSave();  // no job: no name was given
 }
 
 // ---- opening ----

@@ -55,6 +55,8 @@ class ProjectDesk : public QObject {
   void onLeaving(bool& allowed);
   void onOffered(const QStringList& files, bool& taken);
   void onSessionStarted();
+  /// @return whether it was written
+  bool waitForSave();
   bool saveAndWait();
   void restored(const OpenedProject& project);
   void showTitle();

@@ -1,6 +1,11 @@
 #include "app/workbench/project_state.hpp"
 
 #include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "app/workbench/annotation_desk.hpp"
@@ -20,6 +25,9 @@ namespace abrazo::app {
 namespace {
 
 using Use = DataReference::Use;
+
+/// In Project::view: before the name of a take, the key of its markers.
+constexpr std::string_view markers_key = "markers:";
 
 std::string extension_of(const std::string& file) {
   return lower_case(std::filesystem::path(file).extension().string());
@@ -64,6 +72,46 @@ void add_videos(const MainWindow& window, Project& project) {
 std::string presets_of(const MainWindow& window) {
   QFile file(window.remembered().folder() + "/presets.json");
   return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
+}
+
+std::string text_of(const Markers& markers) {
+  QJsonArray list;
+  for (const Marker& marker : markers.all())
+    list.append(QJsonObject{
+        {"id", marker.id}, {"time_s", marker.time_s}, {"name", QString::fromStdString(marker.name)}});
+  return QJsonDocument(list).toJson(QJsonDocument::Compact).toStdString();
+}
+
+/// What is no marker is left out.
+Markers markers_of(const std::string& text) {
+  std::vector<Marker> markers;
+  int last_id = 0;
+  for (const QJsonValue& each : QJsonDocument::fromJson(QByteArray::fromStdString(text)).array()) {
+    const double time_s = each["time_s"].toDouble(std::nan(""));
+    if (!std::isfinite(time_s)) continue;
+    const int id = std::clamp(each["id"].toInt(), 0, 1'000'000'000);
+    markers.push_back({id, time_s, each["name"].toString().toStdString()});
+    last_id = std::max(last_id, id);
+  }
+  return Markers::restored(std::move(markers), last_id + 1);
+}
+
+void add_take_markers(const AnnotationDesk& desk, Project& project) {
+  for (const auto& [take, markers] : desk.takeMarkers())
+    project.view[std::string(markers_key) + take] = text_of(markers);
+}
+
+void show_take_markers(MainWindow& window, const Project& project) {
+  auto* desk = window.findChild<AnnotationDesk*>();
+  for (const auto& [key, text] : project.view)
+    if (desk && key.starts_with(markers_key) && key.size() > markers_key.size())
+      desk->showMarkers(key.substr(markers_key.size()), markers_of(text));
+}
+
+std::map<std::string, std::string> take_markers(const Project& project) {
+  auto kept = project.view;
+  std::erase_if(kept, [](const auto& entry) { return !entry.first.starts_with(markers_key); });
+  return kept;
 }
 
 void add_view(MainWindow& window, Project& project) {
@@ -112,7 +160,7 @@ void show_decisions(MainWindow& window, const Decisions& decisions) {
   window.candidates().showSteering(steering);
   window.session()->push(PinPair{steering.pinned});
   window.session()->push(SetVetoes{steering.vetoes});
-  window.session()->push(SetRoleControl{decisions.role_control});
+  (void)window.session()->controlRole(decisions.role_control);  // another library may not say who leads
 }
 
 }  // namespace
@@ -126,13 +174,13 @@ Project project_of(MainWindow& window) {
   if (const auto* desk = window.findChild<AnnotationDesk*>()) {
     project.annotations = desk->book();
     project.markers = desk->sessionMarkers();
+    add_take_markers(*desk, project);
   }
   project.settings = window.settings().settings();
   const widgets::Steering& steering = window.candidates().steering();
   project.decisions.pinned = steering.pinned;
   project.decisions.vetoes = steering.vetoes;
-  const FrameSnapshotPtr newest = window.session()->engine().latest().newest();
-  if (newest && newest->decisions) project.decisions.role_control = newest->decisions->role_control;
+  project.decisions.role_control = window.session()->roleControl();
   project.presets = presets_of(window);
   add_view(window, project);
   return project;
@@ -143,6 +191,7 @@ void show_project(MainWindow& window, const Project& project, const QStringList&
   show_decisions(window, project.decisions);
   window.timeline().showMarkers(project.markers);
   show_annotations(window, project.annotations);
+  show_take_markers(window, project);
   if (auto* desk = window.findChild<VideoDesk*>()) desk->setVideos(project.videos, videos);
   show_view(window, project.view);
 }
@@ -167,7 +216,8 @@ Project with_contents(Project project, const Project& before, const std::string&
 bool is_same_work(const Project& a, const Project& b) {
   return a.annotations == b.annotations && a.videos == b.videos && a.markers.all() == b.markers.all() &&
          a.settings == b.settings && a.decisions.pinned == b.decisions.pinned &&
-         a.decisions.vetoes == b.decisions.vetoes;
+         a.decisions.vetoes == b.decisions.vetoes && a.decisions.role_control == b.decisions.role_control &&
+         take_markers(a) == take_markers(b);
 }
 
 }  // namespace abrazo::app

@@ -68,6 +68,7 @@ RenderDialog::RenderDialog(QWidget* parent) : QDialog(parent) {
 
 void RenderDialog::offerVideo(QSize size, double rate_hz) {
   m_video = QSize(size.width() & ~1, size.height() & ~1);
+  if (isOfVideo() && rate_hz != m_videoRate) m_rate->setValue(rate_hz);
   m_videoRate = rate_hz;
   for (QWidget* part : {static_cast<QWidget*>(m_whatTitle), static_cast<QWidget*>(m_what)})
     part->setVisible(!size.isEmpty());
@@ -81,8 +82,11 @@ bool RenderDialog::isOfVideo() const {
 /// A video is best rendered at its own size and rate.
 void RenderDialog::chooseWhat() {
   m_captions->setEnabled(!isOfVideo());
-  if (isOfVideo()) m_sceneRate = m_rate->value();
-  m_rate->setValue(isOfVideo() ? m_videoRate : m_sceneRate);
+  if (isOfVideo() != m_wasOfVideo) {
+    if (isOfVideo()) m_sceneRate = m_rate->value();
+    m_rate->setValue(isOfVideo() ? m_videoRate : m_sceneRate);
+    m_wasOfVideo = isOfVideo();
+  }
   const QString title = QString("%1 × %2  (as the video)").arg(m_video.width()).arg(m_video.height());
   if (const int old = m_size->findText("(as the video)", Qt::MatchEndsWith); old >= 0)
     m_size->removeItem(old);

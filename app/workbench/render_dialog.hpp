@@ -45,6 +45,7 @@ class RenderDialog : public QDialog {
   Playback::Range m_whole, m_range;
   QSize m_video;
   double m_videoRate = 0, m_sceneRate = 30;
+  bool m_wasOfVideo = false;
 };
 
 }  // namespace abrazo::app

@@ -53,17 +53,16 @@ void SubjectStage::look(const std::shared_ptr<const TakeFrames>& take) {
 }
 
 void SubjectStage::restore(const std::string& subject) {
-  FrameTicker& ticker = m_window.ticker();
   const auto known = m_places.find(subject);
   m_window.timeline().showMarkers(m_markers[subject]);
-  ticker.tick();
-  if (known == m_places.end()) {
-    m_window.timeline().showAll();
-    return ticker.goToStart();
-  }
-  ticker.resume(known->second);
-  if (known->second.state == Playback::State::Playing) ticker.pause();
-  if (!subject.empty()) m_window.timeline().showAll();
+  Playback place;
+  place.state = Playback::State::Parked;  // at the beginning
+  if (known != m_places.end()) place = known->second;
+  if (place.state == Playback::State::Playing) place.pause();
+  m_window.ticker().resume(place);
+  if (subject.empty()) return;
+  m_window.timeline().showPlayback(m_window.ticker().playback());
+  m_window.timeline().showAll();
 }
 
 void SubjectStage::write(const std::string& subject) {
@@ -83,14 +82,8 @@ void SubjectStage::write(const std::string& subject) {
 void SubjectStage::renew(const std::string& take) {
   const auto frames = TakeFrames::create(m_window.session()->material().library, take);
   if (!frames) return;
-  const Playback before = m_window.ticker().playback();
-  LiveSession& session = *m_window.session();
-  m_window.ticker().setSources(nullptr, nullptr);
-  session.lookAt(*frames);
+  m_window.session()->lookAt(*frames);
   m_take = *frames;
-  m_window.ticker().setSources(&session.history(), &session.latest());
-  m_window.ticker().tick();
-  m_window.ticker().resume(before);
 }
 
 void SubjectStage::forget() {
@@ -105,6 +98,12 @@ const Markers& SubjectStage::markers(const std::string& subject) const {
   static const Markers none;
   const auto found = m_markers.find(subject);
   return found == m_markers.end() ? none : found->second;
+}
+
+std::map<std::string, Markers> SubjectStage::markersOfTakes() const {
+  auto takes = m_markers;
+  takes.erase("");
+  return takes;
 }
 
 }  // namespace abrazo::app

@@ -28,6 +28,8 @@ class SubjectStage {
   /// Of the shown take; null while the session is shown.
   const TakeFrames* take() const { return m_take.get(); }
   const Markers& markers(const std::string& subject) const;
+  /// By name, as they were when another subject was shown.
+  std::map<std::string, Markers> markersOfTakes() const;
   void keepMarkers(const std::string& subject, const Markers& markers) { m_markers[subject] = markers; }
 
  private:

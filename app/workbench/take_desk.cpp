@@ -107,7 +107,7 @@ void TakeDesk::beginTake() {
   RecordedTake take;
   take.id = m_running = m_nextId++;
   take.name = m_sequence.name;
-  const FrameSnapshotPtr latest = m_window.session()->latest().newest();
+  const FrameSnapshotPtr latest = m_window.session()->engine().latest().newest();
   take.from_s = take.to_s = latest ? latest->time_s : now();
   m_firstFrame = latest ? latest->index + 1 : 0;
   const auto receiver = m_window.session()->engine().receiver();
@@ -139,10 +139,11 @@ void TakeDesk::endTake() {
   is_empty ? emit cameToNothing() : emit taken(id);
 }
 
-/// The running take lasts until the newest frame.
+/// The running take lasts until the newest frame of the session, whatever is looked at meanwhile.
 void TakeDesk::follow() {
   const RecordedTake* running = m_takes.find(m_running);
-  const FrameSnapshotPtr latest = m_window.session() ? m_window.session()->latest().newest() : nullptr;
+  const FrameSnapshotPtr latest =
+      m_window.session() ? m_window.session()->engine().latest().newest() : nullptr;
   if (!running || !latest) return;
   RecordedTake take = *running;
   take.to_s = std::max(take.from_s, latest->time_s);
@@ -172,6 +173,9 @@ void TakeDesk::restore(const RecordedTake& take) {
 void TakeDesk::goTo(std::int64_t id) {
   const RecordedTake* take = m_takes.find(id);
   if (!take) return;
+  // Its times are the session's.
+  if (auto* subjects = m_window.findChild<AnnotationDesk*>(); subjects && subjects->showsTake())
+    subjects->showSubject("");
   if (take->to_s > take->from_s) m_window.ticker().setRange(take->from_s, take->to_s);
   m_window.ticker().seek(take->from_s);
 }

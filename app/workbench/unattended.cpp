@@ -122,7 +122,8 @@ void Unattended::quit(const QString& failure) {
   m_pictures.stop();
   if (!failure.isEmpty()) std::fprintf(stderr, "abrazo-workbench: %s\n", failure.toUtf8().constData());
   std::fflush(stdout);
-  QApplication::exit(failure.isEmpty() ? 0 : 1);
+  // What fails at once does so before the event loop runs, which nothing ends then.
+  QTimer::singleShot(0, qApp, [code = failure.isEmpty() ? 0 : 1] { QApplication::exit(code); });
 }
 
 }  // namespace abrazo::app

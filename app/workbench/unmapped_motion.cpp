@@ -14,6 +14,7 @@ namespace abrazo::app {
 namespace fs = std::filesystem;
 
 UnmappedMotion motion_without_joints(const std::vector<std::string>& files) {
+  if (std::any_of(files.begin(), files.end(), is_joint_map_file)) return nullptr;
   std::string skeleton;
   for (const std::string& file : files)
     if (lower_case(file).ends_with(".asf")) skeleton = file;
@@ -40,6 +41,11 @@ std::string remembered_map(const NamedMotion& motion, const std::string& folder)
     if (map && bind_joints(*map, motion.points).missing.empty()) return file.string();
   }
   return {};
+}
+
+UnmappedMotion motion_to_map(const std::vector<std::string>& files, const std::string& folder) {
+  UnmappedMotion motion = motion_without_joints(files);
+  return motion && remembered_map(*motion, folder).empty() ? motion : nullptr;
 }
 
 Result<std::string> remember_map(const JointMap& map, const std::string& folder) {

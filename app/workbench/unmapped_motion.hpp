@@ -13,11 +13,14 @@ namespace abrazo::app {
 using UnmappedMotion = std::shared_ptr<const NamedMotion>;
 
 /// The first performer of these files that no built-in joint map and no marker model fits; null when there is
-/// none. Reads the files.
+/// none, or a joint map is among the files. Reads the files.
 UnmappedMotion motion_without_joints(const std::vector<std::string>& files);
 
 /// Of the joint maps in a folder the file of the one that fits; empty when none does.
 std::string remembered_map(const NamedMotion& motion, const std::string& folder);
+
+/// The same, where there is no joint map for it in a folder either: what loading these files failed for.
+UnmappedMotion motion_to_map(const std::vector<std::string>& files, const std::string& folder);
 
 /// Keeps a joint map for files with the same points. @return its file
 Result<std::string> remember_map(const JointMap& map, const std::string& folder);

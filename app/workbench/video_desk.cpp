@@ -231,10 +231,11 @@ std::string VideoDesk::subjectOfWindow() const {
 /// A video of the session before has nothing to do with this one; those of takes stay.
 void VideoDesk::onSessionStarted() {
   VideoStates rest = m_states;
-  if (std::exchange(m_hadSession, true))
+  if (std::exchange(m_hadSession, true)) {
+    ++m_generation;  // a step of undo would bring back one that was closed before
     std::erase_if(rest, [](const VideoState& state) { return state.subject.empty(); });
+  }
   if (rest.size() != m_states.size()) {
-    ++m_generation;
     set(rest);
     m_window.messages().showInformation("The video belonged to the session before, and was closed");
   }

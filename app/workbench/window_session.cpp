@@ -40,8 +40,10 @@ void MainWindow::openFiles(const QStringList& all) {
      : is_label_file(file) && !is_motion_file(file.toStdString()) ? labels
                                                                   : files)
         << file;
-  if (auto* import = findChild<LabelImport*>(); import && files.isEmpty() && !labels.isEmpty())
+  if (auto* import = findChild<LabelImport*>(); import && files.isEmpty() && !labels.isEmpty()) {
+    if (!videos.isEmpty()) emit videosOffered(videos);
     return import->read(labels);
+  }
   files << labels;  // beside something else, that they may be part of
   if (files.isEmpty() && !videos.isEmpty()) {
     emit videosOffered(videos);
@@ -51,10 +53,10 @@ void MainWindow::openFiles(const QStringList& all) {
                                      [](const QString& file) { return is_motion_file(file.toStdString()); });
   // Without anyone to ask, load_material refuses them.
   if (motions > 1 && isSignalConnected(QMetaMethod::fromSignal(&MainWindow::motionsOffered)))
-    return emit motionsOffered(files);
+    return emit motionsOffered(files + videos);
   bool taken = false;
   if (std::any_of(files.begin(), files.end(), is_session_file)) emit sessionOffered(files, taken);
-  if (taken) return;
+  if (taken) return offerOnceOpen(videos, files);
   const std::vector<std::string> names = names_of(files);
   const Material open = m_session ? m_session->material() : Material{};
   openMaterial(
@@ -64,30 +66,46 @@ void MainWindow::openFiles(const QStringList& all) {
       all);
 }
 
+/// A session that begins closes videos: they come after it, and not at all when something else is opened.
+void MainWindow::offerOnceOpen(const QStringList& videos, const QStringList& files) {
+  if (videos.isEmpty()) return;
+  auto* waiting = new QObject(this);
+  connect(this, &MainWindow::failed, waiting, &QObject::deleteLater);
+  connect(this, &MainWindow::filesOpened, waiting, [this, waiting, videos, files](const QStringList& opened) {
+    disconnect(this, nullptr, waiting, nullptr);
+    waiting->deleteLater();
+    if (opened == files) emit videosOffered(videos);
+  });
+}
+
 void MainWindow::openMaterial(MakeMaterial make, const QStringList& files) {
   bool allowed = true;
   emit leaving(allowed);
   if (!allowed) return;
   const Settings wanted = m_settings->settings();
   Job::retire(std::move(m_job), this);
-  m_job = std::make_unique<Job>(
-      [this, make = std::move(make), wanted, files](const Progress& progress) -> Job::Finish {
-        auto material = make(progress);
-        if (const auto unmapped = material ? nullptr : motion_without_joints(names_of(files)))
-          return [this, unmapped, files] { emit mappingOffered(files, unmapped); };
-        if (!material)
-          return [this, text = material.error().text()] { showFailure(QString::fromStdString(text)); };
-        report(progress, 1, "Indexing the library");
-        auto prepared = prepare_solver(std::move(material).value(), wanted);
-        if (!prepared)
-          return [this, text = prepared.error().text()] { showFailure(QString::fromStdString(text)); };
-        // Shared only because std::function must be copyable.
-        auto ready = std::make_shared<PreparedSolver>(std::move(prepared).value());
-        return [this, ready, files] {
-          start(ready);
-          if (!files.isEmpty()) emit filesOpened(files);
-        };
-      });
+  m_job = std::make_unique<Job>([this, make = std::move(make), wanted, files,
+                                 maps = MappingDesk::folder(*this).toStdString()](
+                                    const Progress& progress) -> Job::Finish {
+    auto material = make(progress);
+    if (!material)
+      return [this, files, unmapped = motion_to_map(names_of(files), maps), text = material.error().text()] {
+        // Without anyone to ask it is a failure like any other.
+        if (unmapped && isSignalConnected(QMetaMethod::fromSignal(&MainWindow::mappingOffered)))
+          return emit mappingOffered(files, unmapped);
+        showFailure(QString::fromStdString(text));
+      };
+    report(progress, 1, "Indexing the library");
+    auto prepared = prepare_solver(std::move(material).value(), wanted);
+    if (!prepared)
+      return [this, text = prepared.error().text()] { showFailure(QString::fromStdString(text)); };
+    // Shared only because std::function must be copyable.
+    auto ready = std::make_shared<PreparedSolver>(std::move(prepared).value());
+    return [this, ready, files] {
+      start(ready);
+      if (!files.isEmpty()) emit filesOpened(files);
+    };
+  });
   m_messages->showProgress("Opening", 0);
   connect(m_job.get(), &Job::progressed, m_messages,
           [this](double fraction, const QString& doing) { m_messages->showProgress(doing, fraction); });

@@ -8,6 +8,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/mesh/other_body.hpp"
+
 namespace abrazo {
 
 namespace {
@@ -56,10 +58,6 @@ bool has_both_roles(const MotionLibrary& library) {
                      [](const PairSource& source) {
                        return source.annotated == (source.swapped ? ActivePerformer::A : ActivePerformer::B);
                      });
-}
-
-std::uint8_t of_other_body(std::uint8_t vertex) {
-  return static_cast<std::uint8_t>((vertex + joint_count) % pair_vertex_count);
 }
 
 /// Grows row by row out of another library's rows.
@@ -115,12 +113,12 @@ void PairRows::exchange(int pair, ActivePerformer annotated, std::optional<doubl
   to_.features.push_back(pose_features(exchanged.topRows<joint_count>()));
   const auto first = static_cast<std::ptrdiff_t>(to_.edges.size());
   for (const MeshEdge& edge : from_.edges(pair)) {
-    const std::uint8_t a = of_other_body(edge[0]), b = of_other_body(edge[1]);
+    const std::uint8_t a = vertex_of_other_body(edge[0]), b = vertex_of_other_body(edge[1]);
     to_.edges.push_back({std::min(a, b), std::max(a, b)});
   }
   std::sort(to_.edges.begin() + first, to_.edges.end());
   for (MeshTetrahedron tetrahedron : from_.tetrahedra(pair)) {
-    for (std::uint8_t& vertex : tetrahedron) vertex = of_other_body(vertex);
+    for (std::uint8_t& vertex : tetrahedron) vertex = vertex_of_other_body(vertex);
     to_.tetrahedra.push_back(tetrahedron);
   }
   end_row(pair);

@@ -17,7 +17,8 @@ class Counts {
         const auto label = static_cast<std::size_t>(take.moves[m].label);
         note(before, label);
         before = label;
-        if (m > 0) ++(take.moves[m].active == take.moves[m - 1].active ? role_stays_ : role_changes_);
+        if (m > 0 && take.moves[m].active >= 0 && take.moves[m - 1].active >= 0)
+          ++(take.moves[m].active == take.moves[m - 1].active ? role_stays_ : role_changes_);
       }
       note(before, n_ + 1);
     }

@@ -98,7 +98,6 @@ LabelledMoves labelled_moves(const MotionLibrary& library, int without) {
           add_move(take, motion,
                    {position(motion, role.start), position(motion, role.end), index_of(found.labels, ""),
                     active_at(of.roles, role.start)});
-    if (found.has_roles) std::erase_if(take.moves, [](const LabelledMove& move) { return move.active < 0; });
     if (!take.moves.empty()) found.takes.push_back(std::move(take));
   }
   const int takes_found = static_cast<int>(found.takes.size());

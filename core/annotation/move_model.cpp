@@ -28,12 +28,13 @@ double MoveModel::Trials::goodness() const {
 
 void MoveModel::Trials::add(const ProposedMove& move, const LabelledTake& take) {
   bool is_right = false;
-  double common_frames = 0, role_agreed = 0;
+  double common_frames = 0, role_frames = 0, role_agreed = 0;
   for (const LabelledMove& truth : take.moves) {
     const double common = std::min(move.end, truth.end) - std::max(move.begin, truth.begin);
     if (common <= 0) continue;
     common_frames += common;
     agreed_frames += truth.label == move.label ? common : 0;
+    role_frames += truth.active >= 0 ? common : 0;
     role_agreed += truth.active == move.active ? common : 0;
     is_right = is_right || (truth.label == move.label &&
                             overlap(move.begin, move.end, truth.begin, truth.end) >= right_overlap);
@@ -43,7 +44,7 @@ void MoveModel::Trials::add(const ProposedMove& move, const LabelledTake& take) 
   ++proposed;
   right += is_right ? 1 : 0;
   moves.push_back({move.move_evidence, is_right});
-  roles.push_back({move.role_evidence, 2 * role_agreed > common_frames});
+  if (role_frames > 0) roles.push_back({move.role_evidence, 2 * role_agreed > role_frames});
 }
 
 Result<MoveModel> MoveModel::learn(const LabelledMoves& moves, const Progress& progress) {

@@ -114,9 +114,10 @@ pugi::xml_attribute set(pugi::xml_node node, const char* name, const std::string
   return attribute;
 }
 
-/// Kinds, colours and keys have no place of their own in the document.
+/// Kinds, colours and keys have no place of their own in the document; where nothing is said of the kind, it
+/// is read from the name.
 bool has_more_than_eaf_has(const Tier& tier) {
-  return tier.kind != TierKind::Note ||
+  return tier.kind != TierKind::Note || kind_of_name(tier.name) != TierKind::Note ||
          std::any_of(tier.vocabulary.begin(), tier.vocabulary.end(),
                      [](const VocabularyEntry& entry) { return entry.rgb || entry.key != 0; });
 }

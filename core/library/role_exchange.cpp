@@ -2,25 +2,22 @@
 #include <optional>
 
 #include "core/library/motion_library.hpp"
+#include "core/mesh/other_body.hpp"
 
 namespace abrazo {
 
 namespace {
 
-std::uint8_t other_body(std::uint8_t vertex) {
-  return static_cast<std::uint8_t>((vertex + joint_count) % pair_vertex_count);
-}
-
 void exchange_meshes(LibraryColumns& columns) {
   for (MeshEdge& edge : columns.edges) {
-    edge = {other_body(edge[0]), other_body(edge[1])};
+    edge = {vertex_of_other_body(edge[0]), vertex_of_other_body(edge[1])};
     if (edge[0] > edge[1]) std::swap(edge[0], edge[1]);
   }
   for (std::size_t pair = 0; pair + 1 < columns.edge_offsets.size(); ++pair)
     std::sort(columns.edges.begin() + static_cast<std::ptrdiff_t>(columns.edge_offsets[pair]),
               columns.edges.begin() + static_cast<std::ptrdiff_t>(columns.edge_offsets[pair + 1]));
   for (MeshTetrahedron& tetrahedron : columns.tetrahedra)
-    for (std::uint8_t& vertex : tetrahedron) vertex = other_body(vertex);
+    for (std::uint8_t& vertex : tetrahedron) vertex = vertex_of_other_body(vertex);
 }
 
 }  // namespace

@@ -71,8 +71,13 @@ Result<Cue> timing(std::string_view line_text, std::size_t line, std::string_vie
 // ---- text ----
 
 void replace_all(std::string& text, std::string_view from, std::string_view to) {
-  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-    text.replace(at, from.size(), to);
+  std::string replaced;
+  std::size_t behind = 0;
+  for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, behind)) {
+    replaced.append(text, behind, at - behind).append(to);
+    behind = at + from.size();
+  }
+  text = replaced.append(text, behind);
 }
 
 std::string unescaped(std::string text) {
@@ -94,8 +99,10 @@ std::string escaped(std::string text) {
 void take_markup(Cue& cue) {
   std::string plain;
   const std::string& text = cue.value;
+  const std::size_t last_end = text.rfind('>');  // behind it nothing is looked for
   for (std::size_t at = 0; at < text.size();) {
-    const std::size_t end = text[at] == '<' ? text.find('>', at) : std::string::npos;
+    const bool is_tag = text[at] == '<' && last_end != std::string::npos && at < last_end;
+    const std::size_t end = is_tag ? text.find('>', at) : std::string::npos;
     if (end == std::string::npos) {
       plain += text[at++];
       continue;

@@ -6,19 +6,13 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/json_text.hpp"
-#include "core/library/tier.hpp"
+#include "core/library/tier_kind.hpp"
 
 namespace abrazo {
 
 namespace {
 
 using nlohmann::json;
-
-constexpr const char* kind_names[] = {"role", "move", "note"};
-
-const char* name_of(TierKind kind) {
-  return kind_names[static_cast<std::size_t>(kind)];
-}
 
 void put_entry(JsonText& text, const VocabularyEntry& entry) {
   if (entry.description.empty() && !entry.rgb && entry.key == 0) {
@@ -44,7 +38,7 @@ std::string json_of(std::span<const Tier> tiers, bool with_intervals) {
   JsonText text;
   text.begin_object().key("tiers").begin_array();
   for (const Tier& tier : tiers) {
-    text.begin_object().key("name").value(tier.name).key("kind").value(name_of(tier.kind));
+    text.begin_object().key("name").value(tier.name).key("kind").value(text_of(tier.kind));
     text.key("vocabulary").begin_array();
     for (const VocabularyEntry& entry : tier.vocabulary) put_entry(text, entry);
     text.end_array();
@@ -138,8 +132,7 @@ TierInterval parse_interval(const Node& node) {
 
 TierKind parse_kind(const Node& node) {
   const std::string text = node.string();
-  for (std::size_t i = 0; i < std::size(kind_names); ++i)
-    if (text == kind_names[i]) return static_cast<TierKind>(i);
+  if (const auto kind = parse_tier_kind(text)) return *kind;
   node.refuse("expected \"role\", \"move\" or \"note\", found \"" + text + "\"");
 }
 

@@ -14,6 +14,7 @@
 #include "core/motion/line_reader.hpp"
 #include "core/motion/performers.hpp"
 #include "core/motion/scene_animation.hpp"
+#include "core/motion/scene_nesting.hpp"
 
 namespace abrazo {
 
@@ -21,6 +22,7 @@ namespace {
 
 constexpr const char* helper_mark = "_$AssimpFbx$_";  ///< in names of nodes that hold a pivot or one rotation
 constexpr std::size_t most_nodes = 100'000;
+constexpr std::size_t deepest = 1000;  ///< levels: Assimp descends by recursion
 
 double ticks_per_second(const aiAnimation& animation) {
   return animation.mTicksPerSecond > 0 && std::isfinite(animation.mTicksPerSecond) ? animation.mTicksPerSecond
@@ -49,6 +51,7 @@ class SceneReader {
  private:
   Status add_nodes();
   void note_bones();
+  Status check_names() const;
   std::vector<const aiAnimation*> choose_animations();
   Status add_channel(const aiNodeAnim& channel, double ticks);
   void settle(NamedMotion& motion) const;
@@ -111,6 +114,27 @@ void SceneReader::note_bones() {
   };
   for (unsigned c = 0; c < scene_.mNumCameras; ++c) note_other(scene_.mCameras[c]->mName);
   for (unsigned l = 0; l < scene_.mNumLights; ++l) note_other(scene_.mLights[l]->mName);
+}
+
+/// Animations name their nodes: of two with one name nobody can tell which is meant.
+Status SceneReader::check_names() const {
+  std::set<std::string> moved;
+  for (unsigned a = 0; a < scene_.mNumAnimations; ++a)
+    for (unsigned c = 0; c < scene_.mAnimations[a]->mNumChannels; ++c)
+      moved.insert(scene_.mAnimations[a]->mChannels[c]->mNodeName.C_Str());
+  std::map<std::string, int> times;
+  std::vector<std::string> doubled;
+  for (const SceneNode& node : nodes_)
+    if (!node.is_other && moved.contains(node.name) && ++times[node.name] == 2) doubled.push_back(node.name);
+  if (doubled.empty()) return Done{};
+  const std::string first = in_quotes(doubled.front());
+  return Error{std::to_string(times[doubled.front()]) + " nodes are named " + first +
+                   (doubled.size() > 1 ? ", and " + std::to_string(doubled.size() - 1) +
+                                             " other names are there more than once"
+                                       : std::string()) +
+                   "; animations tell them by their names, so rename one armature's bones, or export each "
+                   "performer to a file of its own",
+               file_};
 }
 
 /// Exporters give every armature an animation of its own: those that move different nodes belong together. Of
@@ -207,6 +231,7 @@ Result<std::vector<NamedMotion>> SceneReader::read() {
   note_bones();
   if (scene_.mNumAnimations == 0)
     return Error{"holds no animation; export it with its animation baked", file_};
+  if (const Status told_apart = check_names(); !told_apart) return told_apart.error();
   for (const aiAnimation* animation : choose_animations())
     for (unsigned c = 0; c < animation->mNumChannels; ++c)
       if (const Status added = add_channel(*animation->mChannels[c], ticks_per_second(*animation)); !added)
@@ -242,6 +267,10 @@ Result<std::vector<NamedMotion>> read_scene(std::string_view bytes, MotionFormat
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_CAMERAS, false);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_LIGHTS, false);
   const char* hint = hint_of(format, bytes);
+  if (scene_nesting(bytes, format) > deepest)
+    return Error{"has elements more than " + std::to_string(deepest) +
+                     " deep inside each other, which no skeleton has; it is damaged",
+                 file};
   // A .gltf may name files beside it; the others hold everything.
   const bool by_name = hint == std::string_view("gltf");
   const aiScene* scene =

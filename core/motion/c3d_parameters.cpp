@@ -41,13 +41,14 @@ class ParameterParser {
     C3dParameter parameter;
   };
   /// @param at  where its type stands
-  Result<C3dParameter> parse_value(std::size_t at, const std::string& name) const;
+  Result<C3dParameter> parse_value(std::size_t at, const std::string& name);
   void read_numbers(std::size_t at, std::size_t count, C3dParameter& parameter) const;
   void read_texts(std::size_t at, std::size_t count, C3dParameter& parameter) const;
 
   const C3dBytes& bytes_;
   std::size_t end_;
   std::string_view where_;
+  std::size_t value_bytes_ = 0;  ///< of the values so far
   std::map<int, std::string> groups_;
   std::vector<Entry> entries_;
 };
@@ -73,7 +74,7 @@ void ParameterParser::read_texts(std::size_t at, std::size_t count, C3dParameter
     parameter.texts.push_back(clean_text(bytes_.text(at + i, length)));
 }
 
-Result<C3dParameter> ParameterParser::parse_value(std::size_t at, const std::string& name) const {
+Result<C3dParameter> ParameterParser::parse_value(std::size_t at, const std::string& name) {
   C3dParameter parameter;
   if (at + 2 > end_) return at_byte(where_, at, "the parameters end inside " + in_quotes(name));
   parameter.type = static_cast<std::int8_t>(bytes_.byte(at));
@@ -100,6 +101,13 @@ Result<C3dParameter> ParameterParser::parse_value(std::size_t at, const std::str
                    "the parameter " + in_quotes(name) + " would need " + std::to_string(count * width) +
                        " bytes or more, and " + std::to_string(end_ > at ? end_ - at : 0) +
                        " are left; the file is cut off or damaged, export it again");
+  // An entry may say that the next one begins within its value: the same bytes would be read again and again.
+  value_bytes_ += count * width;
+  if (value_bytes_ > end_)
+    return at_byte(where_, at,
+                   "the values of the parameters up to " + in_quotes(name) + " take " +
+                       std::to_string(value_bytes_) + " bytes, and they end at byte " + std::to_string(end_) +
+                       ": they lie over each other. The file is damaged; export it again");
   parameter.type == -1 ? read_texts(at, count, parameter) : read_numbers(at, count, parameter);
   return parameter;
 }

@@ -60,7 +60,7 @@ Result<std::vector<NamedMotion>> read_point_csv(std::string_view text, std::stri
   NamedMotion motion = rows.take(header.seconds_per_time);
   if (header.fps) motion.fps = header.fps;
   motion.metres_per_unit = header.metres_per_unit;
-  motion.warnings = header.warnings;
+  motion.warnings.insert(motion.warnings.begin(), header.warnings.begin(), header.warnings.end());
   motion.name = stem_of(where);
   return split_performers(std::move(motion), ":.");
 }

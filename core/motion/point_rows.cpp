@@ -10,6 +10,10 @@
 
 namespace abrazo {
 
+namespace {
+constexpr int exact_digits = 9;  ///< times of so many are not rounded
+}
+
 PointRows::PointRows(std::vector<PointColumn> columns, std::optional<std::size_t> time_field,
                      bool decimal_commas)
     : columns_(std::move(columns)), time_field_(time_field), decimal_commas_(decimal_commas) {}
@@ -49,9 +53,21 @@ Status PointRows::add(const std::vector<std::string_view>& fields, std::string_v
   for (Eigen::Index p = 0; p < frame.rows(); ++p)
     if (!frame.row(p).allFinite()) frame.row(p).setConstant(std::numeric_limits<double>::quiet_NaN());
   motion_.frames.push_back(std::move(frame));
-  if (time_field_ && *time_field_ < fields.size())
-    if (const auto time = number(fields[*time_field_]); time && std::isfinite(*time)) times_.push_back(*time);
+  if (time_field_ && *time_field_ < fields.size()) add_time(fields[*time_field_], line);
   return Done{};
+}
+
+void PointRows::add_time(std::string_view field, int line) {
+  const auto time = number(field);
+  if (!time || !std::isfinite(*time)) return;
+  times_.push_back(*time);
+  time_lines_.push_back(line);
+  if (field.find_first_of("eE") != std::string_view::npos) time_digits_ = exact_digits;
+  int digits = 0;
+  const std::size_t point = field.find_last_of(".,");
+  for (std::size_t i = point; i != std::string_view::npos && ++i < field.size();)
+    if (field[i] >= '0' && field[i] <= '9') ++digits;
+  time_digits_ = std::max(time_digits_, std::min(digits, exact_digits));
 }
 
 NamedMotion PointRows::take(double seconds_per_time) {
@@ -60,14 +76,73 @@ NamedMotion PointRows::take(double seconds_per_time) {
     motion_.parents.push_back(-1);
   }
   for (double& time : times_) time *= seconds_per_time;
-  if (times_.size() == motion_.frames.size()) motion_.fps = rate_of_times(times_);
+  if (times_.size() == motion_.frames.size()) {
+    const auto jumps = time_jumps(times_, std::pow(10.0, -time_digits_) * seconds_per_time);
+    motion_.fps = rate_of_times(times_, jumps);
+    if (motion_.fps && !jumps.empty()) fill_jumps(jumps, *motion_.fps);
+  }
   return std::move(motion_);
 }
 
-std::optional<double> rate_of_times(const std::vector<double>& times_s) {
-  if (times_s.size() < 2) return std::nullopt;
-  const double span = times_s.back() - times_s.front();
-  const auto steps = static_cast<double>(times_s.size() - 1);
+void PointRows::fill_jumps(const std::vector<std::size_t>& jumps, double fps) {
+  std::vector<double> missing(motion_.frames.size(), 0);
+  double all = 0;
+  for (const std::size_t row : jumps)
+    all += missing[row] = std::max(0.0, std::round((times_[row] - times_[row - 1]) * fps) - 1);
+  if (all == 0) return;
+  const std::size_t first = jumps.front();
+  const std::string what =
+      (jumps.size() == 1 ? "the time jumps once"
+                         : "the time jumps at " + std::to_string(jumps.size()) + " rows, first") +
+      ", from " + exact_text(times_[first - 1]) + " to " + exact_text(times_[first]) + " s";
+  // No more than there are: a wrong time would be hours of nothing.
+  if (!(all <= static_cast<double>(motion_.frames.size()))) {
+    motion_.warnings.push_back({"time-jump", time_lines_[first],
+                                what +
+                                    "; more rows are missing there than there are, and the rows were put one "
+                                    "behind the other: export what is before and behind apart"});
+    return;
+  }
+  std::vector<Positions> frames;
+  frames.reserve(motion_.frames.size() + static_cast<std::size_t>(all));
+  const Positions unseen = Positions::Constant(static_cast<Eigen::Index>(columns_.size()), 3,
+                                               std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t row = 0; row < missing.size(); ++row) {
+    frames.insert(frames.end(), static_cast<std::size_t>(missing[row]), unseen);
+    frames.push_back(std::move(motion_.frames[row]));
+  }
+  motion_.frames = std::move(frames);
+  motion_.warnings.push_back({"time-jump", time_lines_[first],
+                              what + "; the " + std::to_string(static_cast<std::size_t>(all)) +
+                                  " frames that are missing were taken as not seen"});
+}
+
+std::vector<std::size_t> time_jumps(const std::vector<double>& times_s, double resolution_s) {
+  if (times_s.size() < 3) return {};
+  std::vector<double> steps;
+  for (std::size_t row = 1; row < times_s.size(); ++row) steps.push_back(times_s[row] - times_s[row - 1]);
+  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  if (!(*middle > 0)) return {};
+  // Rounded times differ by up to one unit of their last digit from what they would.
+  const double longest = std::max(1.5 * *middle, *middle + 1.5 * resolution_s);
+  std::vector<std::size_t> jumps;
+  for (std::size_t row = 1; row < times_s.size(); ++row)
+    if (times_s[row] - times_s[row - 1] > longest) jumps.push_back(row);
+  return jumps;
+}
+
+std::optional<double> rate_of_times(const std::vector<double>& times_s,
+                                    const std::vector<std::size_t>& jumps) {
+  if (times_s.size() < 2 + jumps.size()) return std::nullopt;
+  double span = times_s.back() - times_s.front();
+  if (!jumps.empty()) {
+    // A sum, as the difference of a wrong time would swallow the others.
+    span = 0;
+    for (std::size_t row = 1; row < times_s.size(); ++row)
+      if (!std::binary_search(jumps.begin(), jumps.end(), row)) span += times_s[row] - times_s[row - 1];
+  }
+  const auto steps = static_cast<double>(times_s.size() - 1 - jumps.size());
   if (!(span > 0) || !std::isfinite(span)) return std::nullopt;
   const double fps = steps / span;
   const double whole = std::round(fps);

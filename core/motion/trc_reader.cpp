@@ -1,5 +1,6 @@
 #include "core/motion/trc_reader.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -14,6 +15,11 @@ namespace {
 
 constexpr std::size_t most_markers = 10'000;
 
+/// Of all markers in all frames. Rows may be shorter than their markers, but not all of a file's by far.
+std::size_t most_positions(std::size_t bytes) {
+  return std::min<std::size_t>(1'000'000 + 16 * bytes, 400'000'000);
+}
+
 /// The fields of a line between tabs; of a line without tabs, its words.
 std::vector<std::string_view> fields_of(std::string_view line) {
   return line.find('\t') == std::string_view::npos ? split_words(line) : split_fields(line, '\t');
@@ -21,13 +27,15 @@ std::vector<std::string_view> fields_of(std::string_view line) {
 
 class TrcParser {
  public:
-  TrcParser(std::string_view text, std::string_view where) : lines_(text), where_(where) {}
+  TrcParser(std::string_view text, std::string_view where)
+      : lines_(text), where_(where), most_positions_(most_positions(text.size())) {}
   Result<std::vector<NamedMotion>> parse();
 
  private:
   Status read_header();
   Status read_names(std::string_view line);
   Status read_rows(PointRows& rows);
+  Status note_short_row(std::size_t frames_before);
   std::optional<double> header_number(const std::string& name) const;
   void check_counts(std::size_t frames);
   void settle(NamedMotion& motion) const;
@@ -38,8 +46,10 @@ class TrcParser {
 
   LineReader lines_;
   std::string where_;
+  std::size_t most_positions_;
   std::map<std::string, std::string> header_;
   int header_line_ = 0;
+  int short_rows_ = 0, first_short_row_ = 0;
   std::vector<PointColumn> columns_;
   std::vector<ImportWarning> warnings_;
 };
@@ -89,6 +99,16 @@ Status TrcParser::read_names(std::string_view line) {
   return Done{};
 }
 
+/// Programs leave out the fields behind the last marker that was seen.
+Status TrcParser::note_short_row(std::size_t frames_before) {
+  if (short_rows_++ == 0) first_short_row_ = lines_.number();
+  if (frames_before < most_positions_ / columns_.size()) return Done{};
+  return error("has " + std::to_string(short_rows_) + " rows with fewer fields than its " +
+               std::to_string(columns_.size()) +
+               " markers have, and would need more memory than a file of its size can be worth; export it "
+               "with a field for every coordinate, or with the markers that were seen");
+}
+
 Status TrcParser::read_rows(PointRows& rows) {
   const std::size_t expected = columns_.back().fields[2] + 1;
   std::string_view line;
@@ -111,6 +131,8 @@ Status TrcParser::read_rows(PointRows& rows) {
            "the file ends inside a frame; the " + std::to_string(rows.frames()) + " whole frames were kept");
       return Done{};
     }
+    if (fields.size() < expected)
+      if (const Status noted = note_short_row(rows.frames()); !noted) return noted;
     if (const Status added = rows.add(fields, where_, lines_.number()); !added) return added.error();
   }
   return Done{};
@@ -156,9 +178,13 @@ Result<std::vector<NamedMotion>> TrcParser::parse() {
   PointRows rows(columns_, 1, false);
   if (const Status read = read_rows(rows); !read) return read.error();
   if (rows.frames() == 0) return error("has no frames below its header");
+  if (short_rows_ > 0)
+    warn("short-row", first_short_row_,
+         std::to_string(short_rows_) + (short_rows_ == 1 ? " row ends" : " rows end") +
+             " before the last marker; the markers behind were taken as not seen");
   check_counts(rows.frames());
   NamedMotion motion = rows.take();
-  motion.warnings = warnings_;
+  motion.warnings.insert(motion.warnings.begin(), warnings_.begin(), warnings_.end());
   settle(motion);
   motion.name = stem_of(where_);
   return split_performers(std::move(motion));

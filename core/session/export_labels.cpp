@@ -1,8 +1,7 @@
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "core/base/atomic_file.hpp"
+#include "core/library/csv_text.hpp"
 #include "core/library/tier_file.hpp"
 #include "core/session/export_parts.hpp"
 #include "core/session/session_tiers.hpp"
@@ -14,11 +13,7 @@ namespace {
 /// A label file counts frames from the beginning of each take; all others have the tiers in seconds.
 Result<TierText> text_of(const SessionRecord& session, const std::vector<Tier>& tiers,
                          const SessionRange& range, const ExportWish& wish) {
-  if (wish.output.ends_with(".csv")) {
-    auto text = session_labels_csv(session, range, wish.rate_hz);
-    if (!text) return text.error();
-    return TierText{std::move(*text), {}};
-  }
+  if (wish.output.ends_with(".csv")) return session_labels_csv(session, range, wish.rate_hz);
   const SessionContents& contents = session.contents();
   TierWriting writing;
   writing.author = contents.program;
@@ -52,7 +47,9 @@ Result<ExportReport> export_labels(const ExportSource& source, const ExportWish&
   }
   done.figures.end_array();
   if (wish.output.ends_with(".csv")) {
-    const auto lines = std::count(content->text.begin(), content->text.end(), '\n') - 1;
+    const auto rows = parse_csv(content->text, wish.output);
+    if (!rows) return rows.error();
+    const std::size_t lines = rows->size() - 1;
     done.text = fmt::format("{} moves", lines);
     done.figures.key("moves").value(static_cast<long long>(lines));
   }

@@ -1,6 +1,6 @@
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "core/base/atomic_file.hpp"
@@ -78,11 +78,12 @@ Result<ExportReport> export_one_mesh(ExportSource& source, const ExportWish& wis
 /// Which frames a series has: all, or at the wanted rate those that were shown then.
 struct SeriesClock {
   double rate_hz = 0;
-  double next_s = 0;
+  double from_s = 0;
+  double next_s = from_s;
   bool wants(double time_s) {
     if (rate_hz <= 0) return true;
     if (time_s + 1e-9 < next_s) return false;
-    while (next_s <= time_s + 1e-9) next_s += 1 / rate_hz;
+    next_s = from_s + (std::floor((time_s - from_s + 1e-9) * rate_hz + 1e-6) + 1) / rate_hz;
     return true;
   }
 };

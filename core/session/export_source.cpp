@@ -1,5 +1,6 @@
 #include "core/session/export_source.hpp"
 
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -141,8 +142,15 @@ class TakeExport : public ExportSource {
                                         const Progress&) override {
     return Error{"is a recorded take, which was not solved; a trace is of a session", record_.where()};
   }
-  Result<std::vector<Tier>> tiers(const SessionRange&) const override {
-    return record_.contents().annotations;
+  Result<std::vector<Tier>> tiers(const SessionRange& range) const override {
+    // A part ends with its last frame; the whole take goes as far as was said of it.
+    constexpr double all_s = std::numeric_limits<double>::infinity();
+    const SessionContents& contents = record_.contents();
+    const double from_s = range.from_s > contents.first_s ? range.from_s : -all_s;
+    const double to_s = range.to_s < contents.last_s ? range.to_s + record_.frame_s() : all_s;
+    std::vector<Tier> tiers = contents.annotations;
+    for (Tier& tier : tiers) tier.intervals = intervals_within(std::move(tier.intervals), from_s, to_s);
+    return tiers;
   }
 
  private:

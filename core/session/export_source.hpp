@@ -49,7 +49,8 @@ struct RunningExport {
 /// Looks through all frames once. @return an Error when it was cancelled
 Result<std::unique_ptr<ExportSource>> export_of_history(RunningExport running, const Progress& progress = {});
 
-/// A recorded pair of the library: its bodies are "active" and "passive", the active one is also the user.
+/// A recorded pair of the library: performer A is "active" and also the user, B "passive", whoever leads; the
+/// tiers say who does.
 /// @param noted  its tiers; empty = the roles and moves that the library has
 /// @throws std::invalid_argument when the library has no such take
 std::unique_ptr<ExportSource> export_of_take(std::shared_ptr<const MotionLibrary> library,

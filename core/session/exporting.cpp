@@ -1,5 +1,7 @@
 #include "core/session/exporting.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -41,6 +43,8 @@ Status check_motion(const ExportWish& wish) {
   return check_clip_file(wish.output, wish.space);
 }
 
+constexpr double highest_rate_hz = 1000;
+
 // Bytes per frame, measured over generated dances.
 constexpr double bvh_bytes = 885, csv_bytes = 1480, glb_bytes = 620;  // of a body
 constexpr double glb_skin_bytes = 155e3;                              // of a body, once
@@ -67,6 +71,10 @@ Status check_export(const ExportWish& wish) {
   const bool fits = std::ranges::any_of(types, [&](const auto& type) { return wish.output.ends_with(type); });
   if (!fits)
     return Error{name_of(wish.content) + " cannot be written as this file type; use " + listed(types),
+                 wish.output};
+  if (!(wish.rate_hz <= highest_rate_hz))
+    return Error{fmt::format("cannot have {} frames a second; choose a rate of at most {} Hz", wish.rate_hz,
+                             highest_rate_hz),
                  wish.output};
   if (wish.content == ExportContent::Motion) return check_motion(wish);
   if (wish.performer)

@@ -11,6 +11,14 @@ int same_pair(const MotionLibrary& from, int pair, const MotionLibrary& to) {
   return same >= 0 ? same : to.find_pair(take, frame, !source.swapped);
 }
 
+int selected_pair(const FrameSnapshot& frame, const std::shared_ptr<const MotionLibrary>& library) {
+  const FrameResult& result = frame.result;
+  if (result.selected < 0) return -1;
+  const int pair = result.candidates[static_cast<std::size_t>(result.selected)].pair;
+  if (!library || !frame.library || frame.library == library) return pair;
+  return same_pair(*frame.library, pair, *library);
+}
+
 FrameSnapshotPtr in_library(const FrameSnapshotPtr& frame,
                             const std::shared_ptr<const MotionLibrary>& library) {
   if (!frame || !library || !frame->library || frame->library == library) return frame;

@@ -11,6 +11,10 @@ namespace abrazo {
 /// another does; when it only has the frame with the other one active, that. -1 when it has neither.
 int same_pair(const MotionLibrary& from, int pair, const MotionLibrary& to);
 
+/// The pair selected in a frame, numbered as in this library, or as it is where it is not known which library
+/// it is of. -1 when nothing is selected, or the library does not have it.
+int selected_pair(const FrameSnapshot& frame, const std::shared_ptr<const MotionLibrary>& library);
+
 /// A frame whose candidates are numbered as in this library: the same object where they are already, or where
 /// it is not known which library they are of. Candidates that the library does not have fall away; nothing is
 /// selected when the selected one does.

@@ -70,6 +70,21 @@ void HistoryRecord::note(const FrameSnapshot& frame) {
       {frame.index, frame.time_s, frame.decisions ? *frame.decisions : Decisions{}});
 }
 
+/// When they were is known from the frames around them.
+std::uint64_t HistoryRecord::unreadable_between(double from_s, double to_s) const {
+  if (unreadable_ == 0 || sources_.empty()) return unreadable_;
+  std::uint64_t inside = 0, placed = 0;
+  for (std::size_t i = 1; i < sources_.size(); ++i) {
+    const std::uint64_t lost = sources_[i].frame - sources_[i - 1].frame - 1;
+    placed += lost;
+    if (sources_[i].time_s >= from_s && sources_[i - 1].time_s <= to_s) inside += lost;
+  }
+  // The others are before the first frame or behind the last.
+  if (placed < unreadable_ && (from_s < contents_.first_s || to_s > contents_.last_s))
+    inside += unreadable_ - placed;
+  return std::min(inside, unreadable_);
+}
+
 Result<RowsRead> HistoryRecord::each_frame(double from_s, double to_s,
                                            const std::function<Status(const FrameSnapshot&)>& visit) const {
   RowsRead rows;
@@ -80,8 +95,8 @@ Result<RowsRead> HistoryRecord::each_frame(double from_s, double to_s,
     if (const Status visited = visit(*frame); !visited) return visited.error();
     ++rows.read;
   }
-  rows.damaged = unreadable_;
-  if (unreadable_ > 0) rows.damage = "they cannot be read back from the file that is being recorded";
+  rows.damaged = unreadable_between(from_s, to_s);
+  if (rows.damaged > 0) rows.damage = "they cannot be read back from the file that is being recorded";
   return rows;
 }
 

@@ -31,6 +31,7 @@ class HistoryRecord : public SessionRecord {
   explicit HistoryRecord(RunningExport running) : running_(std::move(running)) {}
   Status look_through(const Progress& progress);
   void note(const FrameSnapshot& frame);
+  std::uint64_t unreadable_between(double from_s, double to_s) const;
 
   RunningExport running_;
   SessionContents contents_;

@@ -5,11 +5,12 @@
 #include <vector>
 
 #include "core/session/session_file.hpp"
+#include "core/session/take_frames.hpp"
 
 namespace abrazo {
 
-/// A recorded pair of a library as a record: its frames as if they had been solved without any error, the
-/// active performer as the user. Times are those of the take, from 0.
+/// A recorded pair of a library as a record: its frames as TakeFrames has them, performer A as the active
+/// body and the user, B as the passive one, whoever leads. Times are those of the take, from 0.
 class LibraryTakeRecord : public SessionRecord {
  public:
   /// @param tiers  what is said of the take
@@ -27,14 +28,15 @@ class LibraryTakeRecord : public SessionRecord {
                      const std::function<Status(const SessionSource&)>& visit) const override;
   /// With its mesh; null when there is none of this index.
   FrameSnapshotPtr frame(std::uint64_t index) const;
+  /// How long a frame of the library lasts; 0 without frames.
+  double frame_s() const;
 
  private:
-  double time_of(int pair) const;
+  double time_of(std::uint64_t index) const;
 
   std::shared_ptr<const MotionLibrary> library_;
   std::string take_;
-  double fps_ = 60;         ///< of the take's own frames
-  std::vector<int> pairs_;  ///< in order of time
+  std::shared_ptr<const TakeFrames> frames_;  ///< null where the library has none of the take
   SessionContents contents_;
 };
 

@@ -1,20 +1,18 @@
 #include "core/session/project_annotations.hpp"
 
 #include <algorithm>
-#include <array>
 #include <limits>
 #include <map>
 #include <set>
+
+#include "core/library/tier_kind.hpp"
 
 namespace abrazo {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> kind_texts = {"role", "move", "note"};
-
 Result<TierKind> parse_kind(const std::string& text) {
-  for (std::size_t i = 0; i < kind_texts.size(); ++i)
-    if (kind_texts[i] == text) return static_cast<TierKind>(i);
+  if (const auto kind = parse_tier_kind(text)) return *kind;
   return Error{"a tier is of kind '" + text + "'; there are role, move and note", {}};
 }
 
@@ -224,10 +222,6 @@ class Reader {
 };
 
 }  // namespace
-
-std::string_view text_of(TierKind kind) {
-  return kind_texts[static_cast<std::size_t>(kind)];
-}
 
 Status write_annotations(SessionDatabase& database, const AnnotationBook& book) {
   const Status cleared = database.execute(

@@ -13,7 +13,4 @@ Status write_annotations(SessionDatabase& database, const AnnotationBook& book);
 /// counted.
 AnnotationBook read_annotations(TableReader& tables);
 
-/// "role", "move", "note".
-std::string_view text_of(TierKind kind);
-
 }  // namespace abrazo

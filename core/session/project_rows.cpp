@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/base/utc_time.hpp"
 #include "core/session/decisions_json.hpp"
 #include "core/session/noted_intervals.hpp"
 #include "core/session/project_annotations.hpp"
 #include "core/session/project_schema.hpp"
 #include "core/session/project_videos.hpp"
-#include "core/session/session_writer.hpp"
 #include "core/session/table_reader.hpp"
 
 namespace abrazo {

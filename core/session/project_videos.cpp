@@ -1,7 +1,11 @@
 #include "core/session/project_videos.hpp"
 
+#include <algorithm>
 #include <limits>
 #include <map>
+#include <utility>
+
+#include "core/video/camera_file.hpp"
 
 namespace abrazo {
 
@@ -45,8 +49,12 @@ Status write_camera(SessionDatabase& database, std::int64_t video, const CameraM
 CameraModel camera_of(const SessionStatement& row) {
   CameraModel camera;
   CameraIntrinsics& lens = camera.intrinsics;
-  lens.width = static_cast<int>(row.integer(2));
-  lens.height = static_cast<int>(row.integer(3));
+  const auto pixels = [&](int column) {
+    return static_cast<int>(
+        std::clamp<std::int64_t>(row.integer(column), 0, std::numeric_limits<int>::max()));
+  };
+  lens.width = pixels(2);
+  lens.height = pixels(3);
   int column = 4;
   for (double* value : {&lens.fx, &lens.fy, &lens.cx, &lens.cy}) *value = row.real(column++);
   for (double& value : lens.distortion) value = row.real(column++);
@@ -147,19 +155,25 @@ void read_data_and_videos(TableReader& tables, Project& project) {
       video.data = place->second;
     video.subject = row.text(2);
     video.sync.rate = row.real(3);
+    if (Status good = check_sync(video.sync); !good) return good;
     rows.add(row.integer(0), std::move(video));
     return Done{};
   });
   rows.each("sync points", "sync_points", "video, subject_s, video_s", 2,
             [](ProjectVideo& video, const SessionStatement& row) -> Status {
               if (video.sync.points.size() >= 2) return Error{"a video has more than two", {}};
-              video.sync.points.push_back({row.real(2), row.real(3)});
+              VideoSync sync = video.sync;
+              sync.points.push_back({row.real(2), row.real(3)});
+              if (Status good = check_sync(sync); !good) return good;
+              video.sync = std::move(sync);
               return Done{};
             });
   rows.each("cameras", "cameras", camera_columns, 26,
             [](ProjectVideo& video, const SessionStatement& row) -> Status {
               if (video.camera) return Error{"a video has two", {}};
-              video.camera = camera_of(row);
+              const CameraModel camera = camera_of(row);
+              if (Status good = check_camera(camera, {}); !good) return good;
+              video.camera = camera;
               return Done{};
             });
   rows.each(

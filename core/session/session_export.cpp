@@ -105,6 +105,16 @@ Result<SessionMotion> even_motion(std::vector<std::vector<StampedPose>> bodies,
                                   const RowsRead& rows, const std::string& path) {
   const auto rate_hz = rate_of(bodies.front(), wanted_hz, path);
   if (!rate_hz) return rate_hz.error();
+  constexpr double most_frames = 10e6;
+  const auto [first, last] =
+      std::ranges::minmax(bodies.front(), {}, [](const StampedPose& pose) { return pose.time_s; });
+  const double frames = (last.time_s - first.time_s) * *rate_hz;
+  if (!(frames < most_frames))
+    return Error{
+        fmt::format("would be {:.3g} frames at {:.6g} Hz, more than {:.0f}; choose a shorter part or a "
+                    "lower rate",
+                    frames, *rate_hz, most_frames),
+        path};
   SessionMotion motion;
   motion.rows = rows;
   for (std::size_t b = 0; b < bodies.size(); ++b) {

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "core/base/result.hpp"
 #include "core/library/motion_library.hpp"
@@ -22,6 +23,11 @@ class SessionLibraries {
   };
   /// The library of a part; the Error says how to give one.
   Result<Opened> open(const SessionLibrary* reference);
+
+  /// All of them in their order, each once, with a warning for each that is not at hand or was never a file.
+  /// The given one comes in any case, with a warning where it is none of them.
+  /// @return an Error when the given one cannot be read
+  Result<std::vector<std::shared_ptr<const MotionLibrary>>> all(std::vector<std::string>& warnings) const;
 
  private:
   std::shared_ptr<const SessionFile> file_;

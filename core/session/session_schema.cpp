@@ -74,7 +74,8 @@ Result<bool> is_empty_database(SessionDatabase& database) {
 Status create_session_schema(SessionDatabase& database) {
   return database.execute("PRAGMA application_id = " + std::to_string(session_application_id) +
                           "; PRAGMA user_version = " + std::to_string(session_schema_version) + ";" + tables +
-                          "CREATE TABLE frames (\n" + frame_column_definitions() + ");\n" + views + project_tables);
+                          "CREATE TABLE frames (\n" + frame_column_definitions() + ");\n" + views +
+                          project_tables);
 }
 
 Status check_session_schema(SessionDatabase& database) {

@@ -8,6 +8,8 @@
 #include <utility>
 
 #include "core/base/statistics.hpp"
+#include "core/base/text.hpp"
+#include "core/library/csv_text.hpp"
 
 namespace abrazo {
 
@@ -65,17 +67,6 @@ Result<Followed> followed_in(const SessionRecord& session, double from_s, double
   });
   if (!looked) return looked.error();
   return followed;
-}
-
-/// Cut to the range; what lies outside is left out.
-std::vector<TierInterval> within(std::vector<TierInterval> intervals, double from_s, double to_s) {
-  std::erase_if(intervals,
-                [&](const TierInterval& one) { return one.end_s <= from_s || one.start_s >= to_s; });
-  for (TierInterval& one : intervals) {
-    one.start_s = std::max(one.start_s, from_s);
-    one.end_s = std::min(one.end_s, to_s);
-  }
-  return intervals;
 }
 
 /// Values that are in force from a time on, till the next or the end.
@@ -148,14 +139,91 @@ std::vector<SessionTake> takes_in(const SessionRecord& session, const SessionRan
   return {whole};
 }
 
-/// Of the first tier of moves that a person annotated.
-std::vector<TierInterval> annotated_moves(const SessionContents& contents) {
+/// The first tier of moves that a person annotated; null when it says nothing.
+const Tier* annotated_moves(const SessionContents& contents) {
   for (const Tier& tier : contents.annotations)
-    if (tier.kind == TierKind::Move) return tier.intervals;
-  return {};
+    if (tier.kind == TierKind::Move) return tier.intervals.empty() ? nullptr : &tier;
+  return nullptr;
+}
+
+/// The moves of a session, take by take, as lines of a label file.
+class LabelLines {
+ public:
+  explicit LabelLines(const SessionContents& contents) : contents_(contents) {
+    const Tier* moves = annotated_moves(contents);
+    if (moves) noted_ = *moves;
+    goes_in_.resize(noted_.intervals.size());
+  }
+  void add(const std::string& take, const FrameValues& followed, double rate_hz);
+  TierText finished(const SessionRange& range) &&;
+
+ private:
+  bool add_line(const std::string& take, long long start, long long end, const TierInterval& move);
+
+  const SessionContents& contents_;
+  Tier noted_;                 ///< without intervals: those that were followed are written
+  std::vector<char> goes_in_;  ///< per interval of it
+  std::size_t followed_ = 0, followed_left_out_ = 0;
+  TierText csv_{"take,start_frame,end_frame,label,detail,confidence\n", {}};
+};
+
+bool LabelLines::add_line(const std::string& take, long long start, long long end, const TierInterval& move) {
+  if (end <= start || move.value.empty()) return false;
+  csv_.text += fmt::format("{},{},{},{},{},{}\n", csv_field(take), start, end, csv_field(move.value),
+                           csv_field(move.detail), csv_field(move.confidence));
+  return true;
+}
+
+void LabelLines::add(const std::string& take, const FrameValues& followed, double rate_hz) {
+  const double first_s = followed.times_s.front();
+  const auto frames = std::floor((followed.times_s.back() - first_s) * rate_hz + 1e-6) + 1;
+  // The frame at or after a time; a stamp a nanosecond late is still in time.
+  const auto frame_at = [&](double time_s) {
+    return static_cast<long long>(std::clamp(std::ceil((time_s - first_s) * rate_hz - 1e-3), 0.0, frames));
+  };
+  for (std::size_t i = 0; i < noted_.intervals.size(); ++i) {
+    const TierInterval& move = noted_.intervals[i];
+    if (add_line(take, frame_at(move.start_s), frame_at(move.end_s), move)) goes_in_[i] = 1;
+  }
+  if (!noted_.intervals.empty()) return;
+  for (const TierInterval& move : followed.intervals()) {
+    ++followed_;
+    if (!add_line(take, frame_at(move.start_s), frame_at(move.end_s), move)) ++followed_left_out_;
+  }
+}
+
+TierText LabelLines::finished(const SessionRange& range) && {
+  std::size_t all = followed_, left_out = followed_left_out_, other_tiers = 0;
+  for (std::size_t i = 0; i < noted_.intervals.size(); ++i) {
+    const TierInterval& move = noted_.intervals[i];
+    if (move.end_s <= range.from_s || move.start_s > range.to_s) continue;
+    ++all;
+    left_out += goes_in_[i] == 0 ? 1 : 0;
+  }
+  if (left_out > 0)
+    csv_.warnings.push_back(fmt::format(
+        "{} of {} moves were left out: shorter than a frame, outside of the takes, or without a label",
+        left_out, all));
+  for (const Tier& tier : contents_.annotations)
+    other_tiers += !tier.intervals.empty() && tier.name != noted_.name ? 1 : 0;
+  if (other_tiers > 0)
+    csv_.warnings.push_back(fmt::format(
+        "a label file holds one tier, here {}; {} left out",
+        noted_.name.empty() ? "the moves that were followed" : in_quotes(noted_.name), other_tiers));
+  return std::move(csv_);
 }
 
 }  // namespace
+
+std::vector<TierInterval> intervals_within(std::vector<TierInterval> intervals, double from_s, double to_s) {
+  std::erase_if(intervals,
+                [&](const TierInterval& one) { return one.end_s <= from_s || one.start_s >= to_s; });
+  for (TierInterval& one : intervals) {
+    one.start_s = std::max(one.start_s, from_s);
+    one.end_s = std::min(one.end_s, to_s);
+  }
+  return intervals;
+}
 
 Result<std::vector<Tier>> session_tiers(const SessionRecord& session, const SessionRange& range) {
   const SessionContents& contents = session.contents();
@@ -177,7 +245,7 @@ Result<std::vector<Tier>> session_tiers(const SessionRecord& session, const Sess
   }
   std::vector<Tier> kept;
   for (std::size_t i = 0; i < tiers.size(); ++i) {
-    tiers[i].intervals = within(std::move(tiers[i].intervals), range.from_s, end_s);
+    tiers[i].intervals = intervals_within(std::move(tiers[i].intervals), range.from_s, end_s);
     if (tiers[i].vocabulary.empty() && tiers[i].name != "marker" && i < known)  // free text stays so
       tiers[i].vocabulary = vocabulary_of(tiers[i].intervals);
     if (i < always || !tiers[i].intervals.empty()) kept.push_back(std::move(tiers[i]));
@@ -185,10 +253,8 @@ Result<std::vector<Tier>> session_tiers(const SessionRecord& session, const Sess
   return kept;
 }
 
-Result<std::string> session_labels_csv(const SessionRecord& session, const SessionRange& range,
-                                       double rate_hz) {
-  std::string text = "take,start_frame,end_frame,label,detail,confidence\n";
-  const std::vector<TierInterval> noted = annotated_moves(session.contents());
+Result<TierText> session_labels_csv(const SessionRecord& session, const SessionRange& range, double rate_hz) {
+  LabelLines lines(session.contents());
   for (const SessionTake& take : takes_in(session, range)) {
     const auto followed = followed_in(session, take.start_s, take.end_s);
     if (!followed) return followed.error();
@@ -197,25 +263,9 @@ Result<std::string> session_labels_csv(const SessionRecord& session, const Sessi
     const double usual_s = moves.usual_interval_s();
     const double rate = rate_hz > 0 ? rate_hz : usual_s > 0 ? even_rate(1 / usual_s) : 0;
     if (rate <= 0) return Error{"a single frame has no rate; give one, or a longer part", session.where()};
-    const double first_s = moves.times_s.front();
-    const auto frames = std::floor((moves.times_s.back() - first_s) * rate + 1e-6) + 1;
-    // The frame at or after a time; a stamp a nanosecond late is still in time.
-    const auto frame_at = [&](double time_s) {
-      return static_cast<long long>(std::clamp(std::ceil((time_s - first_s) * rate - 1e-3), 0.0, frames));
-    };
-    for (const TierInterval& move : noted.empty() ? moves.intervals() : noted) {
-      const long long start = frame_at(move.start_s), end = frame_at(move.end_s);
-      if (end <= start) continue;  // between two frames of this rate, or outside the take
-      if ((take.name + move.value).find_first_of(",\n\r") != std::string::npos)
-        return Error{
-            fmt::format("'{}' or '{}' has a comma, which a label file cannot hold; rename it, or use "
-                        ".eaf or .json",
-                        take.name, move.value),
-            session.where()};
-      text += fmt::format("{},{},{},{},,\n", take.name, start, end, move.value);
-    }
+    lines.add(take.name, moves, rate);
   }
-  return text;
+  return std::move(lines).finished(range);
 }
 
 }  // namespace abrazo

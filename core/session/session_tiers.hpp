@@ -5,6 +5,7 @@
 
 #include "core/base/result.hpp"
 #include "core/library/tier.hpp"
+#include "core/library/tier_file.hpp"
 #include "core/session/session_export.hpp"
 
 namespace abrazo {
@@ -20,12 +21,14 @@ namespace abrazo {
 /// Tiers without an interval are left out, but for the first three.
 Result<std::vector<Tier>> session_tiers(const SessionRecord& session, const SessionRange& range);
 
+/// Cut to a range; what lies outside is left out.
+std::vector<TierInterval> intervals_within(std::vector<TierInterval> intervals, double from_s, double to_s);
+
 /// Moves as a label file (take,start_frame,end_frame,label,detail,confidence) whose frames count from the
 /// first frame of each take, at the rate of an export of that take: the two belong together. Moves that were
 /// annotated (first tier of moves), else those that were followed. Without takes the whole range is one,
-/// named like the session.
+/// named like the session. The warnings count the moves and the other annotated tiers that are not in it.
 /// @param rate_hz  0 = that of the frames
-Result<std::string> session_labels_csv(const SessionRecord& session, const SessionRange& range,
-                                       double rate_hz);
+Result<TierText> session_labels_csv(const SessionRecord& session, const SessionRange& range, double rate_hz);
 
 }  // namespace abrazo

@@ -1,14 +1,13 @@
 #include "core/session/session_writer.hpp"
 
 #include <algorithm>
-#include <array>
-#include <chrono>
 #include <cmath>
 #include <ctime>
 #include <filesystem>
 #include <utility>
 
 #include "core/base/json_text.hpp"
+#include "core/base/utc_time.hpp"
 #include "core/base/version.hpp"
 #include "core/session/decisions_json.hpp"
 #include "core/session/frame_row.hpp"
@@ -46,15 +45,6 @@ std::string path_from(const std::string& session, const std::string& library) {
 }
 
 }  // namespace
-
-std::string utc_now() {
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  std::tm fields{};
-  gmtime_r(&now, &fields);
-  std::array<char, 32> text{};
-  const std::size_t size = std::strftime(text.data(), text.size(), "%Y-%m-%dT%H:%M:%SZ", &fields);
-  return {text.data(), size};
-}
 
 struct SessionWriter::Statements {
   SessionStatement frame, pose, pair, settings, decisions, begin, commit;

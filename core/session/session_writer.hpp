@@ -103,7 +103,4 @@ class SessionWriter {
   ~SessionWriter();
 };
 
-/// "2024-05-17T14:03:22Z", now.
-std::string utc_now();
-
 }  // namespace abrazo

@@ -8,15 +8,15 @@
 #include <mutex>
 #include <unordered_map>
 
+#include "core/mesh/laplacian.hpp"
+#include "core/mesh/other_body.hpp"
+
 namespace abrazo {
 
 namespace {
 
 /// Some 8 s at 60 Hz, 10 kB each.
 constexpr std::size_t kept_frames = 512;
-
-/// As in Laplacian: nearer vertices count as this far apart.
-constexpr double shortest_edge_m = 1e-3;
 
 /// A frame of the take and a pair that has it.
 struct Place {
@@ -36,10 +36,6 @@ std::vector<Place> places_of(const MotionLibrary& library, std::uint32_t take) {
   return places;
 }
 
-std::uint8_t of_other_body(std::uint8_t vertex) {
-  return static_cast<std::uint8_t>((vertex + joint_count) % pair_vertex_count);
-}
-
 class LibraryTakeFrames : public TakeFrames {
  public:
   LibraryTakeFrames(std::shared_ptr<const MotionLibrary> library, int take)
@@ -50,6 +46,7 @@ class LibraryTakeFrames : public TakeFrames {
   bool empty() const { return places_.empty(); }
   double fps() const override { return about_.fps; }
   int take_frames() const override { return about_.frames; }
+  int pair(std::uint64_t index) const override { return places_.at(static_cast<std::size_t>(index)).pair; }
 
   Span span() const override {
     return {time_of(0), time_of(places_.size() - 1), 0, places_.size() - 1, places_.size()};
@@ -122,12 +119,12 @@ FrameSnapshotPtr LibraryTakeFrames::make(std::size_t place) const {
   result.query_normalized = to_normalized(result.query_world, result.query_root);
   result.features = pose_features(result.query_normalized);
   for (MeshEdge edge : library_->edges(pair)) {
-    if (swapped) edge = {of_other_body(edge[0]), of_other_body(edge[1])};
+    if (swapped) edge = {vertex_of_other_body(edge[0]), vertex_of_other_body(edge[1])};
     result.edges.push_back({std::min(edge[0], edge[1]), std::max(edge[0], edge[1])});
   }
   for (MeshTetrahedron tetrahedron : library_->tetrahedra(pair)) {
     if (swapped)
-      for (std::uint8_t& vertex : tetrahedron) vertex = of_other_body(vertex);
+      for (std::uint8_t& vertex : tetrahedron) vertex = vertex_of_other_body(vertex);
     result.tetrahedra.push_back(tetrahedron);
   }
   result.edge_weights = inverse_edge_weights(result.edges, result.selected_pair);
@@ -174,16 +171,11 @@ Result<std::shared_ptr<const TakeFrames>> TakeFrames::create(std::shared_ptr<con
 }
 
 std::vector<double> inverse_edge_weights(std::span<const MeshEdge> edges, const PairPose& reference) {
-  std::vector<double> inverse(edges.size());
-  std::array<double, pair_vertex_count> sums{};
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    inverse[i] =
-        1 / std::max(shortest_edge_m, (reference.row(edges[i][0]) - reference.row(edges[i][1])).norm());
-    for (const std::uint8_t end : edges[i]) sums[end] += inverse[i];
-  }
-  std::vector<double> weights(edges.size());
-  for (std::size_t i = 0; i < edges.size(); ++i)
-    weights[i] = 0.5 * (inverse[i] / sums[edges[i][0]] + inverse[i] / sums[edges[i][1]]);
+  Laplacian laplacian;
+  laplacian.build(edges, reference, EdgeWeights::Inverse);
+  std::vector<double> weights;
+  for (const MeshEdge& edge : edges)
+    weights.push_back(0.5 * (laplacian.weight(edge[0], edge[1]) + laplacian.weight(edge[1], edge[0])));
   return weights;
 }
 

@@ -26,6 +26,8 @@ class TakeFrames : public FrameStore {
   virtual double fps() const = 0;
   /// Frames that the take's file has; the last ones may be missing in the library.
   virtual int take_frames() const = 0;
+  /// The pair of the library that a frame is made of. @throws std::out_of_range
+  virtual int pair(std::uint64_t index) const = 0;
 };
 
 /// Per edge of a mesh the mean of w_jl and w_lj, as Laplacian::build makes them with EdgeWeights::Inverse.

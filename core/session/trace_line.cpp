@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
+#include <array>
+#include <bitset>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "core/mesh/laplacian.hpp"
 #include "core/session/trace_frames.hpp"
@@ -97,8 +100,14 @@ void take_mesh(LineReader& reader, FrameResult& result, EdgeWeights weights) {
   const auto passive = reader.pose("selected_pair", "passive", false);
   reader.vertices("mesh", "edges", pair_vertex_count * pair_vertex_count, result.edges);
   reader.vertices("mesh", "tetrahedra", 4096, result.tetrahedra);
-  for (const MeshEdge& edge : result.edges)
+  std::array<std::bitset<pair_vertex_count>, pair_vertex_count> known;
+  for (MeshEdge& edge : result.edges) {
     if (edge[0] == edge[1]) return reader.refuse("edges", "has an edge from a vertex to itself");
+    if (edge[0] > edge[1]) std::swap(edge[0], edge[1]);
+    if (known[edge[0]].test(edge[1]))
+      return reader.refuse("edges", fmt::format("has the edge between {} and {} twice", edge[0], edge[1]));
+    known[edge[0]].set(edge[1]);
+  }
   if (reader.error() || !active || !passive) return;
   result.selected_pair << *active, *passive;
   // What the trace leaves out follows from what it has.

@@ -15,6 +15,7 @@ namespace {
 using nlohmann::json;
 
 constexpr std::uintmax_t most_bytes = 1 << 20;
+constexpr int largest_px = 65536;
 constexpr double square_to = 1e-6;  // rows of a rotation, from being at right angles
 constexpr double farthest_m = 1e5;
 
@@ -42,7 +43,7 @@ Result<std::vector<double>> numbers(const json& object, const char* name, std::s
 
 Result<int> pixels(const json& object, const char* name, const std::string& where) {
   const auto found = object.find(name);
-  if (found == object.end() || !found->is_number_integer() || *found < 1 || *found > 65536)
+  if (found == object.end() || !found->is_number_integer() || *found < 1 || *found > largest_px)
     return Error{std::string("\"") + name + "\" is not a number of pixels", where};
   return found->get<int>();
 }
@@ -62,8 +63,6 @@ Result<CameraIntrinsics> intrinsics_of(const json& object, const std::string& wh
   lens.cx = (*matrix)[2];
   lens.fy = (*matrix)[4];
   lens.cy = (*matrix)[5];
-  if (!(lens.fx > 0) || !(lens.fy > 0))
-    return Error{"\"camera_matrix\" has no focal lengths above 0 at its first and fifth place", where};
   std::copy(distortion->begin(), distortion->end(), lens.distortion.begin());
   return lens;
 }
@@ -76,11 +75,6 @@ Result<CameraPose> pose_of(const json& object, const std::string& where) {
   CameraPose pose;
   for (int i = 0; i < 9; ++i) pose.rotation(i / 3, i % 3) = (*rotation)[static_cast<std::size_t>(i)];
   for (int i = 0; i < 3; ++i) pose.translation(i) = (*translation)[static_cast<std::size_t>(i)];
-  const Eigen::Matrix3d square = pose.rotation * pose.rotation.transpose() - Eigen::Matrix3d::Identity();
-  if (square.cwiseAbs().maxCoeff() > square_to || pose.rotation.determinant() < 0)
-    return Error{"\"rotation\" is not a rotation: its rows are not unit vectors at right angles", where};
-  if (pose.translation.cwiseAbs().maxCoeff() > farthest_m)
-    return Error{"\"translation\" is more than 100 km; it is in metres", where};
   return pose;
 }
 
@@ -114,7 +108,27 @@ Result<CameraModel> read_camera(const std::filesystem::path& file) {
   if (!lens) return lens.error();
   const auto pose = pose_of(object, file.string());
   if (!pose) return pose.error();
-  return CameraModel{*lens, *pose};
+  const CameraModel camera{*lens, *pose};
+  if (const Status good = check_camera(camera, file.string()); !good) return good.error();
+  return camera;
+}
+
+Status check_camera(const CameraModel& camera, const std::string& where) {
+  const CameraIntrinsics& lens = camera.intrinsics;
+  for (const int side : {lens.width, lens.height})
+    if (side < 1 || side > largest_px)
+      return Error{"the camera's pictures have " + std::to_string(side) +
+                       " pixels on a side; expected 1 to " + std::to_string(largest_px),
+                   where};
+  if (!(lens.fx > 0) || !(lens.fy > 0))
+    return Error{"\"camera_matrix\" has no focal lengths above 0 at its first and fifth place", where};
+  const CameraPose& pose = camera.pose;
+  const Eigen::Matrix3d square = pose.rotation * pose.rotation.transpose() - Eigen::Matrix3d::Identity();
+  if (!(square.cwiseAbs().maxCoeff() <= square_to) || pose.rotation.determinant() < 0)
+    return Error{"\"rotation\" is not a rotation: its rows are not unit vectors at right angles", where};
+  if (!(pose.translation.cwiseAbs().maxCoeff() <= farthest_m))
+    return Error{"\"translation\" is more than 100 km; it is in metres", where};
+  return Done{};
 }
 
 }  // namespace abrazo

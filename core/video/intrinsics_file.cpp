@@ -15,10 +15,29 @@ namespace {
 constexpr std::uintmax_t most_bytes = 1 << 20;  // a calibration with all its corners is a tenth of it
 constexpr int largest_px = 65536;
 constexpr std::size_t most_coefficients = 14;
+constexpr std::size_t deepest = 2000;  ///< levels; with all its views a calibration has some hundred brackets
 
 const char* const advice =
     "expected a calibration as OpenCV writes it (YAML, XML or JSON with camera_matrix, "
     "distortion_coefficients, image_width and image_height)";
+
+/// OpenCV descends by recursion, so that a file decides how much stack is used. Never less than the depth
+/// that it goes to, also where brackets stand in strings and comments: each level begins with a bracket, a
+/// tag, or, in a block of YAML, further right in its line.
+std::size_t most_levels(std::string_view text) {
+  const auto is_opening = [](char c) { return c == '[' || c == '{' || c == '<'; };
+  const auto openings = static_cast<std::size_t>(std::ranges::count_if(text, is_opening));
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  if (!text.starts_with("%YAML")) return openings;
+  std::size_t furthest = 0;
+  for (const std::string_view line : split_lines(text)) {
+    const std::size_t blanks = std::min(line.find_first_not_of(' '), line.size());
+    const auto marks =
+        static_cast<std::size_t>(std::ranges::count(line, ':') + std::ranges::count(line, '-'));
+    furthest = std::max(furthest, blanks + marks);
+  }
+  return openings + furthest;
+}
 
 /// The numbers of a matrix entry, read one by one: what the file says of its size allocates nothing.
 Result<std::vector<double>> numbers(const cv::FileNode& node, const char* entry, std::size_t most,
@@ -126,6 +145,9 @@ Result<CameraIntrinsics> read_intrinsics(const std::filesystem::path& file) {
   auto text = read_whole_file(file);
   if (!text) return text.error();
   if (trimmed(*text).empty()) return Error{std::string("is empty; ") + advice, file.string()};
+  if (most_levels(*text) > deepest)
+    return Error{fmt::format("may have more than {} levels inside each other; {}", deepest, advice),
+                 file.string()};
   try {
     const cv::FileStorage storage(*text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
     if (!storage.isOpened()) return Error{std::string("cannot be read; ") + advice, file.string()};

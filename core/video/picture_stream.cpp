@@ -14,15 +14,6 @@ namespace {
 
 constexpr double most_pictures = 1e8;
 
-/// What FFmpeg has to say of a file is said by the reader, as a message instead of on the console.
-void silence_backend() {
-  static std::once_flag once;
-  std::call_once(once, [] {
-    setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
-    cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
-  });
-}
-
 /// Clockwise. OpenCV 4.6.0 tells it the other way round (its issue 22088; right before and after).
 int quarter_turns(double degrees) {
   const bool is_reversed = cv::getVersionMajor() == 4 && cv::getVersionMinor() == 6;
@@ -31,6 +22,15 @@ int quarter_turns(double degrees) {
 }
 
 }  // namespace
+
+/// What FFmpeg has to say of a file is said by the reader, as a message instead.
+void PictureStream::silence_backend() {
+  static std::once_flag once;
+  std::call_once(once, [] {
+    setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0);
+    cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
+  });
+}
 
 bool PictureStream::open(const std::filesystem::path& file) {
   silence_backend();

@@ -11,6 +11,9 @@ namespace abrazo {
 /// is only known by the time of the picture it lands on: OpenCV counts in an average rate.
 class PictureStream {
  public:
+  /// Keeps the backend from writing to the console. It changes the environment: to be called before threads
+  /// start that open videos; opening calls it as well.
+  static void silence_backend();
   /// @return false where there is nothing that decodes; what was open before is closed
   bool open(const std::filesystem::path& file);
   /// At the beginning again, before the first picture.

@@ -5,6 +5,7 @@
 #include <mutex>
 #include <thread>
 
+#include "core/video/picture_stream.hpp"
 #include "core/video/video_reader.hpp"
 
 namespace abrazo {
@@ -17,7 +18,10 @@ constexpr int pictures_ahead = 12;
 class VideoDecoder::Work {
  public:
   Work(std::filesystem::path file, std::function<void()> notify)
-      : file_(std::move(file)), notify_(std::move(notify)), thread_([this] { run(); }) {}
+      : file_(std::move(file)), notify_(std::move(notify)) {
+    PictureStream::silence_backend();
+    thread_ = std::thread([this] { run(); });
+  }
 
   ~Work() {
     {
@@ -154,7 +158,7 @@ class VideoDecoder::Work {
   bool is_new_ = false;
   std::atomic<bool> stops_ = false;
   std::atomic<double> opened_ = 0;
-  std::thread thread_;  // last: it uses the others
+  std::thread thread_;
 };
 
 VideoDecoder::VideoDecoder(std::filesystem::path file, std::function<void()> notify)

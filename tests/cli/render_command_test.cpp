@@ -84,6 +84,16 @@ TEST_F(RenderCommand, SaysWhatIsWrongWithItsInput) {
   EXPECT_FALSE(std::filesystem::exists(path("a.png")));
 }
 
+TEST_F(RenderCommand, KeepsAnOlderSeriesWhenTheNewOneFails) {
+  make_trace();
+  std::filesystem::create_directories(path("s/f_2.png"));
+  for (const char* name : {"s/f_0.png", "s/f_1.png"}) write(name, "old");
+  expect_failure(run("render T.jsonl -o s/f_%d.png --to 0.2 --rate 10 --size 320x240"),
+                 "f_2.png: is a folder");
+  for (const char* name : {"s/f_0.png", "s/f_1.png"}) EXPECT_EQ(read(name), "old") << name;
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(path("s")), {}), 3);
+}
+
 TEST_F(RenderCommand, LeavesNothingWhenItIsStopped) {
   make_trace();
   std::filesystem::create_directory(path("film"));

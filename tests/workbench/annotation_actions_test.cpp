@@ -315,7 +315,6 @@ TEST_F(Annotating, TappingEndsTheLastAndBeginsTheNext) {
   ticker().pause();
   until([] { return labels().size() == 2; });
   taps->trigger();
-  for (const Annotation& e : labels()) std::printf("DEBUG %s %f %f\n", e.value.c_str(), e.start_s, e.end_s);
   ASSERT_EQ(labels().size(), 2u);
   EXPECT_NEAR(labels()[0].end_s, labels()[1].start_s, 1e-9);
   EXPECT_EQ(labels()[1].value, "two");
@@ -331,7 +330,6 @@ TEST_F(Annotating, ALoopThatStartsOverEndsWhatIsHeld) {
   until([] { return !labels().empty(); }, 3'000);
   QTest::keyRelease(&timeline(), Qt::Key_1);
   ticker().pause();
-  for (const Annotation& e : labels()) std::printf("DEBUG %s %f %f\n", e.value.c_str(), e.start_s, e.end_s);
   ASSERT_EQ(labels().size(), 1u);
   EXPECT_NEAR(labels()[0].end_s, 2.5, 0.03);
 }

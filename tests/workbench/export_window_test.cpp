@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
+#include "app/workbench/annotation_desk.hpp"
 #include "app/workbench/export_desk.hpp"
 #include "app/workbench/export_dialog.hpp"
 #include "tests/workbench/demo_window.hpp"
@@ -109,6 +110,22 @@ TEST_F(ExportWindow, ATakeOfTheLibraryIsWritten) {
   EXPECT_GT(QFileInfo(file("take.bvh")).size(), 10'000) << window().messages().text().toStdString();
   choose("What", 3);
   EXPECT_FALSE(button("Export…").isEnabled()) << "a take was not solved: it has no trace";
+}
+
+TEST_F(ExportWindow, TheSessionStaysTheSessionWhileATakeIsLookedAt) {
+  auto& subjects = *window().findChild<AnnotationDesk*>();
+  subjects.showSubject(window().session()->material().library->takes().front().name);
+  turn();
+  ticker().setRange(0.2, 0.6);
+  const ExportOffer offer = desk().offer();
+  const auto span = window().session()->engine().history().span();
+  subjects.showSubject("");
+  ASSERT_TRUE(offer.session);
+  EXPECT_EQ(offer.session->range.from_s, span.first_s);
+  EXPECT_NEAR(offer.session->range.to_s, span.last_s, 1);
+  EXPECT_FALSE(offer.range) << "in and out are the take's";
+  EXPECT_FALSE(offer.cursor_s);
+  EXPECT_TRUE(desk().offer().cursor_s);
 }
 
 TEST_F(ExportWindow, WhatDoesNotFitCannotBeStarted) {

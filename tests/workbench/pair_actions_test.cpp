@@ -7,6 +7,8 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
+#include "app/workbench/annotation_desk.hpp"
+#include "app/workbench/library_feed.hpp"
 #include "app/workbench/pair_desk.hpp"
 #include "app/workbench/pair_dialog.hpp"
 #include "app/workbench/stream_desk.hpp"
@@ -150,6 +152,7 @@ TEST_F(PairActions, TwoStreamedPerformersBecomeATakeOfTheLibraryAndTheSessionGoe
   ASSERT_EQ(take.labels.size(), 1U);
   EXPECT_EQ(take.labels[0].label, "walk");
   EXPECT_EQ(window().candidates().library(), after);
+  EXPECT_TRUE(until([&] { return ticker().shown()->library == after; })) << "frames are shown as it has them";
 
   EXPECT_TRUE(streams().isConnected());
   EXPECT_EQ(ticker().playback().state, Playback::State::Following);
@@ -184,6 +187,27 @@ TEST_F(PairActions, ANameThatTheLibraryHasIsAskedForAgainAndNothingIsLost) {
   EXPECT_TRUE(dialog()->trouble().contains("another name")) << dialog()->trouble().toStdString();
   dialog()->reject();
   EXPECT_EQ(library(), before);
+}
+
+TEST_F(PairActions, ATakeAndALabelThatComeAtTheSameTimeAreBothInTheLibrary) {
+  auto& desk = *window().findChild<AnnotationDesk*>();
+  desk.showSubject(library()->takes().front().name);
+  Annotations next = desk.annotations();
+  const int moves = next.first_of(TierKind::Move)->id;
+  ASSERT_TRUE(next.draw(moves, 0, 1, "said meanwhile", Conflict::Replace, desk.range()));
+  PairedTake take = *s_dance;
+  take.name = "added meanwhile";
+  take.labels.clear();
+  take.roles = {{0, static_cast<int>(take.a.poses.size()), ActivePerformer::A}};
+  QSignalSpy extended(&pairs(), &PairDesk::extended);
+  desk.change(next, "label");
+  pairs().extend(take);
+  ASSERT_TRUE(until([&] { return extended.count() == 1 && desk.feed().isIdle(); }, patience_ms))
+      << window().messages().text().toStdString();
+  EXPECT_GE(library()->find_take("added meanwhile"), 0);
+  ASSERT_FALSE(library()->takes().front().labels.empty());
+  EXPECT_EQ(library()->takes().front().labels.front().label, "said meanwhile");
+  desk.showSubject("");
 }
 
 TEST_F(PairActions, TheCountdownIsNotOfThePair) {

@@ -11,9 +11,11 @@
 #include "app/workbench/annotation_desk.hpp"
 #include "app/workbench/autosave.hpp"
 #include "app/workbench/project_desk.hpp"
+#include "app/workbench/recorded_session.hpp"
 #include "app/workbench/relocate_dialog.hpp"
 #include "app/workbench/take_desk.hpp"
 #include "core/library/motion_library_file.hpp"
+#include "core/session/library_reference.hpp"
 #include "core/session/session_file.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -111,6 +113,67 @@ TEST_F(ProjectActions, WhatASessionHadIsThereAgainWhenItIsOpened) {
   EXPECT_NEAR(window().settings().settings().alpha, 0.77, 1e-12);
   EXPECT_EQ(desk().file(), file("one.abrazo"));
   EXPECT_FALSE(is_modified());
+}
+
+TEST_F(ProjectActions, MarkersOfATakeAreKeptWithIt) {
+  const std::string take = window().session()->material().library->takes().front().name;
+  annotations().showSubject(take);
+  Markers markers;
+  markers.add(0.4, "heel: \"down\"");
+  markers.add(0.9);
+  annotations().showMarkers(take, markers);
+  EXPECT_TRUE(is_modified());
+  save_as("marked take.abrazo");
+  EXPECT_FALSE(is_modified());
+  annotations().showSubject("");
+  EXPECT_FALSE(is_modified()) << "what is shown is no work";
+  desk().setAsks(false);
+  reopen([] { window().openDemo(); });
+  EXPECT_TRUE(annotations().takeMarkers().empty());
+  reopen([] { window().openFiles({file("marked take.abrazo")}); });
+  desk().setAsks(true);
+  EXPECT_TRUE(window().timeline().markers().empty()) << "they are not the session's";
+  annotations().showSubject(take);
+  EXPECT_EQ(window().timeline().markers().all(), markers.all());
+  EXPECT_FALSE(is_modified());
+  annotations().showSubject("");
+}
+
+TEST_F(ProjectActions, WhoDecidesAboutTheRoleIsWorkThatIsKept) {
+  EXPECT_FALSE(is_modified());
+  action("Role as the library's takes are annotated")->trigger();
+  EXPECT_TRUE(is_modified());
+  save_as("role.abrazo");
+  action("Role by hand")->trigger();
+  desk().setAsks(false);
+  reopen([] { window().openFiles({file("role.abrazo")}); });
+  desk().setAsks(true);
+  EXPECT_EQ(window().session()->roleControl(), RoleControl::Library);
+  EXPECT_TRUE(until([] { return action("Role as the library's takes are annotated")->isChecked(); }));
+  EXPECT_FALSE(is_modified());
+  action("Role by hand")->trigger();
+}
+
+TEST_F(ProjectActions, ARecordingMadeAfterATakeWasAnnotatedIsOpenedAgain) {
+  const auto library = window().session()->material().library;
+  const LibraryTake& take = library->takes().front();
+  annotations().showSubject(take.name);
+  Annotations next = annotations().annotations();
+  const int moves = next.first_of(TierKind::Move)->id;
+  ASSERT_TRUE(next.draw(moves, 0.2, 0.6, "something new", Conflict::Replace, annotations().range()));
+  annotations().change(next, "draw");
+  ASSERT_TRUE(until([&] { return window().session()->material().library != library; }, 60'000));
+  annotations().showSubject("");
+  const auto annotated = window().session()->material().library;
+  takes().toggle();
+  ASSERT_TRUE(until([] { return takes().isRecording() && takes().takes().all().back().frames > 20; }));
+  takes().toggle();
+  save();
+  const auto again = load_session(takes().file().toStdString(), "", {}, {});  // with nothing open
+  ASSERT_TRUE(again) << again.error().text();
+  EXPECT_TRUE(again->warnings.empty()) << again->warnings[0];
+  EXPECT_EQ(library_fingerprint(*again->library), library_fingerprint(*annotated));
+  while (window().undoStack().canUndo()) window().undoStack().undo();
 }
 
 TEST_F(ProjectActions, UndoGoesOnAcrossASave) {

@@ -3,7 +3,9 @@
 
 #include <QAction>
 #include <QApplication>
+#include <QComboBox>
 #include <QDir>
+#include <QDoubleSpinBox>
 #include <QElapsedTimer>
 #include <QLabel>
 #include <QStatusBar>
@@ -163,6 +165,16 @@ TEST_F(Recording, TheDialogOffersTheRangeTheWholeAndSizes) {
   EXPECT_EQ(asked.size, QSize(1280, 720));
   dialog.offer(playback, {}, {801, 601});
   EXPECT_EQ(dialog.request().plan.pictures(), 301);
+  dialog.findChild<QDoubleSpinBox*>()->setValue(24);
+  dialog.offer(playback, {}, {801, 601});
+  EXPECT_EQ(dialog.request().plan.rate_hz, 24) << "as it was typed";
+  auto* what = dialog.findChild<QComboBox*>();
+  dialog.offerVideo({640, 480}, 50);
+  what->setCurrentIndex(1);
+  EXPECT_EQ(dialog.request().plan.rate_hz, 50) << "a video has its own";
+  dialog.offer(playback, {}, {801, 601});
+  what->setCurrentIndex(0);
+  EXPECT_EQ(dialog.request().plan.rate_hz, 24);
 }
 
 }  // namespace

@@ -3,8 +3,9 @@
 #include <QLineEdit>
 #include <QPushButton>
 
-#include "app/workbench/session_places.hpp"
+#include "app/workbench/annotation_desk.hpp"
 #include "app/workbench/project_desk.hpp"
+#include "app/workbench/session_places.hpp"
 #include "app/workbench/take_desk.hpp"
 #include "core/session/session_file.hpp"
 #include "tests/workbench/demo_window.hpp"
@@ -125,6 +126,25 @@ TEST_F(TakeActions, GoingToATakeSetsInAndOutThere) {
   EXPECT_NEAR(range->from_s, last().from_s, 1e-6);
   EXPECT_NEAR(range->to_s, last().to_s, 1e-6);
   EXPECT_EQ(ticker().playback().state, Playback::State::Parked);
+  ticker().follow();
+}
+
+TEST_F(TakeActions, LookingAtATakeOfTheLibraryMeanwhileDoesNotChangeWhatIsRecorded) {
+  auto& subjects = *window().findChild<AnnotationDesk*>();
+  const std::string of_library = window().session()->material().library->takes().front().name;
+  desk().toggle();
+  ASSERT_TRUE(until([] { return last().frames >= 20; }));
+  subjects.showSubject(of_library);
+  turn();
+  desk().toggle();
+  ASSERT_EQ(names_in_file().back(), last().name) << "it was kept";
+  const FrameSnapshotPtr newest = window().session()->engine().latest().newest();
+  EXPECT_GE(last().frames, 20U);
+  EXPECT_LE(last().to_s, newest->time_s) << "in times of the session, not of the take";
+  EXPECT_GT(last().to_s, last().from_s);
+  desk().goTo(last().id);
+  EXPECT_FALSE(subjects.showsTake()) << "a recorded take is of the session";
+  EXPECT_NEAR(ticker().playback().range()->from_s, last().from_s, 1e-6);
   ticker().follow();
 }
 

@@ -1,5 +1,7 @@
 // The reference video in the whole window, on a video that was drawn from a known camera.
+#include <QApplication>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QPushButton>
 
 #include "app/workbench/camera_desk.hpp"
@@ -232,6 +234,26 @@ TEST_F(Video, ArrowKeysMoveAPickByATenthOfAPixelAndThatIsOneStepOfUndo) {
   EXPECT_EQ(state().picked.front().pixel, before);
   window().undoStack().undo();
   EXPECT_TRUE(state().picked.empty());
+}
+
+TEST_F(Video, APickIsDraggedToWhereTheButtonIsLetGoAndThatIsOneStepOfUndo) {
+  openInTime();
+  click(joints::Head);
+  ASSERT_EQ(state().picked.size(), 1u);
+  const Pixel before = state().picked.front().pixel;
+  auto& view = panel().view();
+  const auto frame = view.framing();
+  const QPoint from = QPointF(frame.x(before.x()), frame.y(before.y())).toPoint(), to = from + QPoint(18, 9);
+  QTest::mousePress(&view, Qt::LeftButton, {}, from);
+  for (const QPoint& place : {(from + to) / 2, to}) {
+    QMouseEvent move(QEvent::MouseMove, place, view.mapToGlobal(place), Qt::NoButton, Qt::LeftButton, {});
+    QApplication::sendEvent(&view, &move);
+  }
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, to);
+  ASSERT_EQ(state().picked.size(), 1u) << "the next joint was not picked there";
+  EXPECT_LT((state().picked.front().pixel - frame.to_picture(to.x(), to.y())).norm(), 1e-9);
+  window().undoStack().undo();
+  EXPECT_EQ(state().picked.front().pixel, before);
 }
 
 TEST_F(Video, AWrongPickIsMarkedAndDelTakesItAway) {

@@ -123,7 +123,7 @@ QWidget* AnnotationPanel::makeLists() {
   m_table->verticalHeader()->setDefaultSectionSize(24);
   m_table->horizontalHeader()->setStretchLastSection(true);
   m_table->horizontalHeader()->setHighlightSections(false);
-  for (const auto& [where, px] : {std::pair{Start, 84}, {End, 84}, {Value, 110}, {Detail, 84}})
+  for (const auto& [where, px] : {std::pair{Start, 98}, {End, 98}, {Value, 112}, {Detail, 70}})
     m_table->setColumnWidth(where, px);
   m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
   m_table->setSelectionMode(QAbstractItemView::SingleSelection);

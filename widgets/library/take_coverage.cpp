@@ -27,9 +27,8 @@ void TakeCoverage::append(const FrameSnapshot& frame) {
   for (const Candidate& candidate : result.candidates)
     nearest = std::min(nearest, candidate.feature_distance);
   if (!result.candidates.empty()) distances_.push_back(static_cast<float>(nearest));
-  if (!library_ || result.selected < 0) return;
-  const int pair = result.candidates[static_cast<std::size_t>(result.selected)].pair;
-  if (pair < 0 || pair >= library_->pair_count()) return;
+  const int pair = selected_pair(frame, library_);
+  if (!library_ || pair < 0 || pair >= library_->pair_count()) return;
   const PairSource& source = library_->source(pair);
   Take& take = takes_[source.take];
   const std::size_t kept = source.frame / static_cast<std::size_t>(take.stride);
@@ -40,7 +39,7 @@ void TakeCoverage::append(const FrameSnapshot& frame) {
 
 bool TakeCoverage::append_new(const FrameHistory& history) {
   const auto frames = history.since(next_index_);
-  for (const FrameSnapshotPtr& frame : frames) append(*in_library(frame, library_));
+  for (const FrameSnapshotPtr& frame : frames) append(*frame);
   if (!frames.empty()) next_index_ = frames.back()->index + 1;
   return !frames.empty();
 }

@@ -58,6 +58,7 @@ QString facts_at(const TimelineContent& content, const QPointF& place);
 const TimelineTake* take_at(const TimelineContent& content, double time_s);
 
 /// Who leads in a frame that the user's role and the recording tell about.
-Leader leader_of(const FrameSnapshot& frame, const MotionLibrary* library);
+/// @param pair  the selected one, of this library; -1 = none
+Leader leader_of(const FrameSnapshot& frame, int pair, const MotionLibrary* library);
 
 }  // namespace abrazo::widgets

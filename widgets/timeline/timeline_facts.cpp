@@ -123,13 +123,10 @@ QString facts_at(const TimelineContent& content, const QPointF& place) {
   return facts + "<br>" + clock_at(time_s);
 }
 
-Leader leader_of(const FrameSnapshot& frame, const MotionLibrary* library) {
+Leader leader_of(const FrameSnapshot& frame, int pair, const MotionLibrary* library) {
   const bool user_is_active = frame.settings.user_role == UserRole::Active;
-  const FrameResult& result = frame.result;
   const Leader as_set = user_is_active ? Leader::User : Leader::Partner;
-  if (!library || result.selected < 0) return as_set;
-  const int pair = result.candidates[static_cast<std::size_t>(result.selected)].pair;
-  if (pair < 0 || pair >= library->pair_count()) return as_set;
+  if (!library || pair < 0 || pair >= library->pair_count()) return as_set;
   const PairSource& source = library->source(pair);
   if (source.annotated == ActivePerformer::Unknown) return as_set;
   // Whom the user stands for: the one that the library holds as active, or the other.

@@ -17,19 +17,21 @@ namespace {
 constexpr int names_width = 104;
 constexpr int right_margin = 16;
 
+/// Of a frame that may have been solved with another library; only what is shown of it is translated.
 /// @param dt_s  since the step before, for the weight of its rate
-TrackRow row_of(const FrameSnapshot& frame, const MotionLibrary* library, double dt_s) {
+TrackRow row_of(const FrameSnapshot& frame, const std::shared_ptr<const MotionLibrary>& library,
+                double dt_s) {
   const FrameResult& result = frame.result;
+  const int pair = selected_pair(frame, library);
   TrackRow row;
   row.time_s = frame.time_s;
-  row.leader = leader_of(frame, library);
+  row.leader = leader_of(frame, pair, library.get());
   row.user_is_active = frame.settings.user_role == UserRole::Active;
-  if (!library || result.selected < 0) return row;
+  if (!library || pair < 0 || pair >= library->pair_count()) return row;
   const Candidate& chosen = result.candidates[static_cast<std::size_t>(result.selected)];
-  if (chosen.pair < 0 || chosen.pair >= library->pair_count()) return row;
-  row.pair = chosen.pair;
-  row.take = static_cast<int>(library->source(chosen.pair).take);
-  row.label = library->label(chosen.pair);
+  row.pair = pair;
+  row.take = static_cast<int>(library->source(pair).take);
+  row.label = library->label(pair);
   row.source_changed = result.source_changed;
   row.cost = chosen.cost.total;
   const double velocity = dt_s > 0 ? velocity_weight_at(frame.settings, dt_s) * result.energy.velocity : 0;
@@ -148,8 +150,7 @@ void TimelineView::refresh(const FrameHistory& history, const Playback& playback
   const double memory_first_s = history.span().memory_first_s;
   if (memory_first_s != m_content.memory_first_s) m_layerIsOld = true;
   m_content.memory_first_s = memory_first_s;
-  for (const FrameSnapshotPtr& frame : history.since(m_nextIndex))
-    take(*in_library(frame, m_content.library));
+  for (const FrameSnapshotPtr& frame : history.since(m_nextIndex)) take(*frame);
   m_content.tracks.drop_before(playback.first_s);
   m_content.settings.evict_before(playback.first_s);
   place(playback);
@@ -164,7 +165,7 @@ void TimelineView::take(const FrameSnapshot& frame) {
   const std::size_t changes = m_content.settings.changes().size();
   m_content.settings.append(frame);
   if (m_content.settings.changes().size() != changes) m_settingsMarksScale = 0;
-  TrackRow row = row_of(frame, m_content.library.get(), frame.time_s - m_previousTime);
+  TrackRow row = row_of(frame, m_content.library, frame.time_s - m_previousTime);
   if (left_out) row.left_out_s = frame.time_s - m_previousTime;
   m_content.tracks.append(row);
   m_previousTime = frame.time_s;

@@ -43,8 +43,7 @@ CameraSection::CameraSection(QWidget* parent) : QWidget(parent), m_palette(palet
   makePicking(*column);
   auto* files = section_row(column);
   m_clear = chip_button(this, "Forget", "Takes away camera and points");
-  m_save =
-      chip_button(this, "Save…", "Lens and place of the camera, as a file that can be loaded again");
+  m_save = chip_button(this, "Save…", "Lens and place of the camera, as a file that can be loaded again");
   m_load = chip_button(this, "Load…", "Lens and place that were saved");
   files->addWidget(m_save);
   files->addWidget(m_load);

@@ -20,13 +20,20 @@ QString text(const std::string& utf8) {
   return QString::fromStdString(utf8);
 }
 
-/// The take chosen in the library, else the one that the shown frame comes from.
+/// -1 when no take of the library does.
+int take_that_plays_the_user(const Material& material) {
+  return material.input_files.empty() ? material.library->find_take(material.input.name) : -1;
+}
+
+/// @param take  -1 = the one chosen in the library, else the one that plays the user
 void annotate_take(MainWindow& window, AnnotationDesk& desk, int take) {
   const auto library = desk.library();
   if (!library) return window.messages().showInformation("Nothing is open yet");
   if (take < 0) take = window.takes().selectedTake();
+  if (take < 0) take = take_that_plays_the_user(window.session()->material());
   if (take < 0 || take >= static_cast<int>(library->takes().size()))
-    return window.messages().showInformation("Choose a take in the library first");
+    return window.messages().showInformation(
+        "Choose a take in the library first; none of them plays the user");
   desk.showSubject(library->takes()[static_cast<std::size_t>(take)].name);
 }
 

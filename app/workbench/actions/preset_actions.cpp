@@ -97,7 +97,8 @@ void adopt_with(MainWindow& window, const Store& store) {
 void follow_frame(MainWindow& window) {
   const auto tell = [&window] {
     const FrameTicker& ticker = window.ticker();
-    const bool looks_back = !window.session()->looksElsewhere() && ticker.shown() && ticker.playback().state != Playback::State::Following;
+    const bool looks_back = !window.session()->looksElsewhere() && ticker.shown() &&
+                            ticker.playback().state != Playback::State::Following;
     window.settings().showFrameSettings(looks_back ? std::optional(ticker.shown()->settings) : std::nullopt);
   };
   QObject::connect(&window.ticker(), &FrameTicker::frameReady, &window.settings(), tell);

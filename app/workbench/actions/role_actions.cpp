@@ -30,6 +30,7 @@ class RoleKeeper : public QObject {
       : QObject(&window), m_window(window), m_group(new QActionGroup(this)) {
     connect(&window.ticker(), &FrameTicker::frameReady, this, [this](const FrameSnapshotPtr& frame) {
       if (m_window.session()->looksElsewhere()) return;  // a take has no user
+      if (m_window.session()->roleControl() != m_by) adopt(m_window.session()->roleControl());
       show(frame->settings.user_role, frame->decisions ? frame->decisions->role_control : RoleControl::Hand);
     });
     connect(&window, &MainWindow::sessionStarted, this, [this] { control(m_by); });
@@ -44,20 +45,16 @@ class RoleKeeper : public QObject {
 
   void control(RoleControl by) {
     LiveSession* session = m_window.session();
-    const Status done = session ? session->engine().control_role(by) : Status(Done{});
-    if (done)
-      m_by = by;
-    else
-      m_window.messages().showError(QString::fromStdString(done.error().text()));
+    const Status done = session ? session->controlRole(by) : Status(Done{});
+    if (!done) m_window.messages().showError(QString::fromStdString(done.error().text()));
     if (!done && by == m_by) control(RoleControl::Hand);  // another library, which does not say who leads
-    for (QAction* action : m_group->actions())
-      action->setChecked(action->data().toInt() == static_cast<int>(m_by));
+    adopt(done ? by : m_by);
   }
 
   /// To the other role than the newest frame's; from then on the hand decides.
   void exchange() {
     if (!m_window.session()) return m_window.messages().showInformation("Nothing is open yet");
-    const FrameSnapshotPtr newest = m_window.session()->latest().newest();
+    const FrameSnapshotPtr newest = m_window.session()->engine().latest().newest();
     const UserRole now = newest ? newest->settings.user_role : m_window.settings().settings().user_role;
     if (m_by != RoleControl::Hand) control(RoleControl::Hand);
     const bool becomes_active = now == UserRole::Passive;
@@ -77,6 +74,13 @@ class RoleKeeper : public QObject {
   }
 
  private:
+  /// What is so already, by a project that was opened, say.
+  void adopt(RoleControl by) {
+    m_by = by;
+    for (QAction* action : m_group->actions())
+      action->setChecked(action->data().toInt() == static_cast<int>(m_by));
+  }
+
   void show(UserRole role, RoleControl by) {
     m_window.transport().showRole(role == UserRole::Active, words_of(by));
   }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -315,6 +316,24 @@ TEST(AnnotationExchange, TiersComeBackAsTheyWere) {
   const auto annotations = annotations_of(tiers);
   ASSERT_TRUE(annotations) << annotations.error().text();
   EXPECT_EQ(tiers_of(*annotations), tiers);
+}
+
+TEST(AnnotationExchange, TakesIntervalsInAnyOrderAndAsManyAsAFileHas) {
+  std::vector<Tier> tiers = {{"move", {}, {}, TierKind::Move}};
+  for (int i = 0; i < 60'000; ++i) tiers[0].intervals.push_back({0.5 * i, 0.5 * i + 0.5, "x", "y", "low"});
+  const std::vector<Tier> ascending = tiers;
+  std::reverse(tiers[0].intervals.begin(), tiers[0].intervals.end());
+  const auto annotations = annotations_of(tiers);
+  ASSERT_TRUE(annotations) << annotations.error().text();
+  EXPECT_EQ(tiers_of(*annotations), ascending);
+  EXPECT_EQ(annotations->next_id(), 60'002);
+}
+
+TEST(AnnotationExchange, EdgesThatDifferByRoundingMeet) {
+  const auto annotations = annotations_of(std::vector<Tier>{{"m", {{0, 1 + 1e-9, "x"}, {1, 2, "y"}}}});
+  ASSERT_TRUE(annotations) << annotations.error().text();
+  const auto& both = annotations->tiers()[0].annotations;
+  EXPECT_EQ(both[0].end_s, both[1].start_s);
 }
 
 TEST(AnnotationExchange, TiersThatDoNotHoldTogetherAreRefused) {

@@ -2,9 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include "core/annotation/move_examples.hpp"
 #include "core/choreography/fight.hpp"
 #include "core/choreography/salsa.hpp"
 #include "core/library/manifest.hpp"
@@ -89,6 +91,24 @@ TEST_F(Suggestions, DoNotLookAtTheTakesOwnLabels) {
   ASSERT_TRUE(again);
   EXPECT_EQ(again->moves, suggested.moves);
   EXPECT_EQ(again->roles, suggested.roles);
+}
+
+TEST_F(Suggestions, LearnFromTakesWithoutRolesAsWell) {
+  const LabelledMoves all = labelled_moves(*salsa, -1);
+  LibraryColumns columns = salsa->columns();
+  for (std::size_t t = 1; t < columns.takes.size(); ++t) columns.takes[t].roles = {};
+  const LabelledMoves some = labelled_moves(MotionLibrary(std::move(columns)), -1);
+  EXPECT_TRUE(some.has_roles);
+  EXPECT_EQ(some.takes.size(), all.takes.size());
+  EXPECT_EQ(some.move_count, all.move_count);
+  // A move of nobody's is learned in either order, with its label.
+  const CandidateLengths lengths = candidate_lengths(some);
+  const auto none_of = [&](const LabelledMoves& moves) {
+    const ForestExamples examples = move_examples(moves, lengths);
+    return std::count(examples.classes.begin(), examples.classes.end(),
+                      static_cast<int>(moves.labels.size()));
+  };
+  EXPECT_LT(none_of(some), none_of(all));
 }
 
 TEST_F(Suggestions, AreOnlyOfWhatWasAskedFor) {

@@ -6,6 +6,8 @@
 
 #include <fstream>
 
+#include "core/base/file_series.hpp"
+
 namespace abrazo {
 namespace {
 
@@ -55,6 +57,39 @@ TEST_F(AtomicFileTest, WritesBytesAsTheyAre) {
   const std::string bytes("a\r\n\0b", 5);
   ASSERT_TRUE(write_whole_file(folder_ / "bytes", bytes));
   EXPECT_EQ(read_whole_file(folder_ / "bytes").value(), bytes);
+}
+
+TEST_F(AtomicFileTest, ASeriesWithAFolderInItsWayReplacesNothing) {
+  ASSERT_TRUE(write_whole_file(folder_ / "0.csv", "old"));
+  fs::create_directory(folder_ / "1.csv");
+  {
+    FileSeries series;
+    for (const char* name : {"0.csv", "1.csv"})
+      ASSERT_TRUE(series.add((folder_ / name).string(), "new")) << name;
+    const Status done = series.commit();
+    ASSERT_FALSE(done);
+    EXPECT_THAT(done.error().text(), testing::HasSubstr("1.csv: is a folder"));
+  }
+  EXPECT_EQ(read_whole_file(folder_ / "0.csv").value(), "old");
+  EXPECT_EQ(files(), 2u);
+}
+
+TEST_F(AtomicFileTest, ASeriesThatFailsHalfWayTakesAwayWhatItAddedAndCountsWhatItReplaced) {
+  ASSERT_TRUE(write_whole_file(folder_ / "1.csv", "old"));
+  {
+    FileSeries series;
+    for (const char* name : {"0.csv", "1.csv", "2.csv"})
+      ASSERT_TRUE(series.add((folder_ / name).string(), "new")) << name;
+    for (const auto& entry : fs::directory_iterator(folder_))
+      if (entry.path().filename().string().starts_with("2.csv.")) fs::remove(entry.path());
+    const Status done = series.commit();
+    ASSERT_FALSE(done);
+    EXPECT_THAT(done.error().text(), testing::HasSubstr("2.csv"));
+    EXPECT_THAT(done.error().text(), testing::HasSubstr("1 older file of the series was already replaced"));
+  }
+  EXPECT_FALSE(fs::exists(folder_ / "0.csv"));
+  EXPECT_EQ(read_whole_file(folder_ / "1.csv").value(), "new");
+  EXPECT_EQ(files(), 1u);
 }
 
 TEST_F(AtomicFileTest, NamesTheFileThatCannotBeWrittenOrRead) {

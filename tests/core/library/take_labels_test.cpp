@@ -56,6 +56,16 @@ TEST(TakeLabels, AreInFramesAndWhatIsLeftOutIsCounted) {
   EXPECT_THAT(warnings, ElementsAre(HasSubstr("x.eaf: 1 interval of tier 'moves' left out")));
 }
 
+TEST(TakeLabels, WhatBeginsBeforeTheFirstFrameIsCutThereAndCounted) {
+  const Tier moves{"m", {{-0.5, 1, "basic"}, {1, 2, "turn"}}}, roles{"r", {{-1, 1, "a"}, {1, 2, "b"}}};
+  std::vector<std::string> warnings;
+  EXPECT_EQ(labels_of(moves, 60, "x.eaf", warnings)[0].start, 0);
+  ASSERT_TRUE(roles_of(roles, 60, "x.eaf", warnings));
+  EXPECT_THAT(warnings,
+              ElementsAre("x.eaf: 1 interval of tier 'm' begins before the first frame and was cut there",
+                          "x.eaf: 1 interval of tier 'r' begins before the first frame and was cut there"));
+}
+
 TEST(TakeLabels, RolesSayWhichPerformerIsActive) {
   std::vector<std::string> warnings;
   const auto roles = roles_of(tiers[0], 60, "x.eaf", warnings);

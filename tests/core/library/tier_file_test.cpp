@@ -58,6 +58,19 @@ TEST(TierFile, EafKeepsEverything) {
   EXPECT_THAT(document.warnings, IsEmpty());
 }
 
+TEST(TierFile, EafKeepsTheKindOfANoteWithATellingName) {
+  const std::vector<Tier> tiers = {{"moves", {{0, 1, "a"}}, {}, TierKind::Note}};
+  EXPECT_EQ(back(tiers, "x.eaf").tiers, tiers);
+}
+
+TEST(TierFile, ASubtitleOfBracketsIsText) {
+  const std::string brackets(1'000'000, '<');
+  const auto document =
+      parse_tiers("WEBVTT\n\n00:00.000 --> 00:01.000\n<b>x</b>" + brackets + "\n", "x.vtt", {});
+  ASSERT_TRUE(document) << document.error().text();
+  EXPECT_EQ(document->tiers[0].intervals[0].value, "x" + brackets);
+}
+
 TEST(TierFile, JsonKeepsEverything) {
   EXPECT_EQ(back(rich_tiers(), "x.json").tiers, rich_tiers());
 }

@@ -65,6 +65,17 @@ TEST(C3dReader, KnowsTheBytesOfANumberOnADecMachine) {
   EXPECT_EQ(C3dBytes(minus, C3dProcessor::Dec).real(0), -7.5F);
 }
 
+TEST(C3dReader, RefusesParametersWhoseValuesLieOverEachOther) {
+  std::string text(4, '\0');
+  // Texts of one letter, 250 x 200 of them: the next entry begins where they should.
+  for (int entry = 0; entry < 10'000; ++entry) text += std::string("\1\1A\7\0\xFF\3\1\xFA\xC8", 10);
+  std::vector<ImportWarning> warnings;
+  const C3dBytes bytes(text, C3dProcessor::Intel);
+  const auto parameters = parse_c3d_parameters(bytes, 0, text.size(), "walk.c3d", warnings);
+  ASSERT_FALSE(parameters);
+  EXPECT_THAT(parameters.error().text(), HasSubstr("they lie over each other"));
+}
+
 TEST(C3dReader, TakesAMarkerWithANegativeResidualOrAtTheOriginAsNotSeen) {
   for (const bool floats : {true, false}) {
     C3dBytesWriter writer = two_markers();

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <cstdio>
+
 #include "core/motion/clip_csv.hpp"
 #include "core/motion/motion_format.hpp"
 #include "tests/core/motion/motion_fixtures.hpp"
@@ -125,6 +128,49 @@ TEST(PointCsv, IsToldFromLabels) {
   EXPECT_TRUE(holds_positions("frame,time,root_x,root_y,root_z\n"));
   EXPECT_FALSE(holds_positions("take,start_frame,end_frame,label\nsalsa_01,0,120,basic\n"));
   EXPECT_FALSE(holds_positions("tier,start,end,value\n"));
+}
+
+/// Ten seconds at a rate, without some of the rows. A point moves 1 in a second. @param digits  of the times
+std::string ten_seconds(double rate, int digits, int first_missing, int missing,
+                        const std::string& above = "") {
+  std::string text = above + "time,a_x,a_y,a_z\n";
+  for (int row = 0; row < 10 * rate; ++row) {
+    if (row >= first_missing && row < first_missing + missing) continue;
+    char line[80];
+    std::snprintf(line, sizeof line, "%.*f,%.6f,0,0\n", digits, row / rate, row / rate);
+    text += line;
+  }
+  return text;
+}
+
+TEST(PointCsv, RowsThatAreMissingLeaveTheOthersWhereTheyWere) {
+  for (const char* rate_above : {"", "100\n"}) {
+    const NamedMotion motion = read(ten_seconds(100, 3, 400, 50, rate_above)).front();
+    EXPECT_EQ(motion.fps, 100.0);
+    ASSERT_EQ(motion.frames.size(), 1000U);
+    EXPECT_NEAR(place(motion, 399, "a").x(), 3.99, 1e-9);
+    EXPECT_FALSE(place(motion, 400, "a").allFinite());
+    EXPECT_FALSE(place(motion, 449, "a").allFinite());
+    EXPECT_NEAR(place(motion, 450, "a").x(), 4.5, 1e-9);
+    EXPECT_THAT(the_warning(motion.warnings, "time-jump").detail,
+                HasSubstr("jumps once, from 3.99 to 4.5 s; the 50 frames"));
+    EXPECT_EQ(the_warning(motion.warnings, "time-jump").line, *rate_above ? 403 : 402);
+  }
+}
+
+TEST(PointCsv, RoundedTimesDoNotJump) {
+  for (const double rate : {75.0, 90.0, 120.0, 29.97})
+    for (const int digits : {2, 3, 6}) {
+      const NamedMotion motion = read(ten_seconds(rate, digits, 0, 0)).front();
+      EXPECT_EQ(motion.frames.size(), static_cast<std::size_t>(std::ceil(10 * rate)));
+      EXPECT_FALSE(test::has_warning(motion.warnings, "time-jump")) << rate << " Hz, digits: " << digits;
+    }
+}
+
+TEST(PointCsv, AWrongTimeMakesNoHoursOfNothing) {
+  const NamedMotion motion = read("time,a_x,a_y,a_z\n0,1,2,3\n1,1,2,3\n2,1,2,3\n1e300,1,2,3\n").front();
+  EXPECT_EQ(motion.frames.size(), 4U);
+  EXPECT_THAT(the_warning(motion.warnings, "time-jump").detail, HasSubstr("put one behind the other"));
 }
 
 TEST(PointCsv, SaysWhatIsWrong) {

@@ -48,6 +48,36 @@ TEST(ReadScene, ReadsBackWhatTheGlbWriterWrote) {
   }
 }
 
+TEST(ReadScene, RefusesBracketsSoDeepThatReadingThemWouldTakeTheWholeStack) {
+  const std::string deep = "{\"a\":" + std::string(2'000'000, '[');
+  std::string glb("glTF\2\0\0\0", 8);
+  for (const std::size_t number : {deep.size() + 20, deep.size()})
+    for (unsigned byte = 0; byte < 4; ++byte) glb += static_cast<char>((number >> (8 * byte)) & 0xff);
+  glb += "JSON" + deep;
+  std::string records("Kaydara FBX Binary  \0\x1a\0\xe8\x1c\0\0", 27),
+      collada = "<COLLADA version=\"1.4.1\">", fbx;
+  constexpr std::uint32_t levels = 200'000, level_bytes = 13;
+  const std::uint32_t whole = 27 + 2 * levels * level_bytes;
+  for (std::uint32_t i = 0; i < levels; ++i) {
+    const std::uint32_t end = whole - i * level_bytes;
+    for (unsigned byte = 0; byte < 4; ++byte) records += static_cast<char>((end >> (8 * byte)) & 0xff);
+    records += std::string(9, '\0');
+    collada += "<node id='/>'><!-- </node> --><p/>";
+    fbx += "a: \"}\" { ; }\n";
+  }
+  records.resize(whole);
+  const std::vector<std::pair<std::string, MotionFormat>> files = {{deep, MotionFormat::Gltf},
+                                                                   {glb, MotionFormat::Gltf},
+                                                                   {records, MotionFormat::Fbx},
+                                                                   {fbx, MotionFormat::Fbx},
+                                                                   {collada, MotionFormat::Collada}};
+  for (const auto& [bytes, format] : files) {
+    const auto motions = read_scene(bytes, format, "deep");
+    ASSERT_FALSE(motions);
+    EXPECT_THAT(motions.error().text(), HasSubstr("has elements more than 1000 deep")) << bytes.substr(0, 20);
+  }
+}
+
 TEST(ReadScene, SaysWhatIsWrongWithABrokenFile) {
   const auto message = [](std::string_view bytes, MotionFormat format) {
     const auto motions = read_scene(bytes, format, "broken.glb");
@@ -58,6 +88,19 @@ TEST(ReadScene, SaysWhatIsWrongWithABrokenFile) {
   EXPECT_THAT(message("Kaydara FBX Binary  \0rubbish", MotionFormat::Fbx),
               HasSubstr("cannot be read as FBX"));
   EXPECT_THAT(message("<COLLADA><rubbish", MotionFormat::Collada), HasSubstr("cannot be read as Collada"));
+}
+
+TEST(ReadScene, TwoArmaturesWithTheSameBonesAreRefused) {
+  std::vector<Clip> clips = two_dancers(60);
+  clips[0].name = "anna", clips[1].name = "bert";
+  std::string bytes = *write_glb(clips);
+  ASSERT_EQ(read_scene(bytes, MotionFormat::Gltf, "pair.glb")->size(), 2U);
+  for (auto at = bytes.find("bert"); at != std::string::npos; at = bytes.find("bert", at))
+    bytes.replace(at, 4, "anna");
+  const auto motions = read_scene(bytes, MotionFormat::Gltf, "pair.glb");
+  ASSERT_FALSE(motions);
+  EXPECT_THAT(motions.error().text(), HasSubstr("pair.glb: 2 nodes are named 'anna"));
+  EXPECT_THAT(motions.error().text(), HasSubstr("rename one armature's bones"));
 }
 
 /// A chain of bones along x, each 1 long, the first of which turns about z by 90 degrees in a second.

@@ -47,6 +47,29 @@ TEST(TrcReader, TakesEmptyFieldsAsGaps) {
   EXPECT_FALSE(place(motion, 0, "LASI").allFinite());
   EXPECT_FALSE(place(motion, 1, "RASI").allFinite()) << "fields behind the last value may be missing";
   EXPECT_TRUE(place(motion, 2, "RASI").allFinite());
+  const ImportWarning& warning = the_warning(motion.warnings, "short-row");
+  EXPECT_THAT(warning.detail, HasSubstr("1 row ends before the last marker"));
+  EXPECT_EQ(warning.line, 8);
+}
+
+TEST(TrcReader, RowsThatAreMissingAreFramesInWhichNothingWasSeen) {
+  std::string text = head;
+  for (int row = 0; row < 20; ++row)
+    if (row < 5 || row > 7)
+      text += std::to_string(row) + "\t" + std::to_string(row / 120.0) + "\t1\t2\t3\t4\t5\t6\n";
+  const NamedMotion motion = read_one(text);
+  EXPECT_EQ(motion.frames.size(), 20U);
+  EXPECT_FALSE(place(motion, 7, "LASI").allFinite());
+  EXPECT_TRUE(place(motion, 8, "LASI").allFinite());
+  EXPECT_TRUE(has_warning(motion.warnings, "time-jump"));
+}
+
+TEST(TrcReader, ShortRowsOfManyMarkersTakeNoMoreMemoryThanAFileIsWorth) {
+  std::string text = head.substr(0, head.find("LASI"));
+  for (int marker = 0; marker < 9999; ++marker) text += "M" + std::to_string(marker) + "\t\t\t";
+  text += "\n";
+  for (int row = 0; row < 2000; ++row) text += "1\n";
+  EXPECT_THAT(message_of(text), HasSubstr("rows with fewer fields than its 9999 markers have"));
 }
 
 TEST(TrcReader, BelievesTheRowsAndNotTheCountsAbove) {

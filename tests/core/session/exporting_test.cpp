@@ -9,6 +9,7 @@
 #include <fstream>
 #include <map>
 
+#include "core/annotation/annotated_library.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/text.hpp"
 #include "core/library/tier_file.hpp"
@@ -157,6 +158,60 @@ TEST_F(Exporting, ATakeOfTheLibraryIsExportedAsItWasRecorded) {
   EXPECT_THROW(export_of_take(library, "nothing"), std::invalid_argument);
 }
 
+TEST_F(Exporting, ATakeWhoseRolesChangeKeepsItsBodies) {
+  const auto library = test::session_library();
+  const LibraryTake& take = library->takes().front();
+  const auto roles =
+      with_annotation(*library, take.name,
+                      {{{0, 60, ActivePerformer::A}, {60, take.frames, ActivePerformer::B}}, take.labels});
+  ASSERT_TRUE(roles) << roles.error().text();
+  const auto changed = std::make_shared<const MotionLibrary>(*roles);
+  ASSERT_TRUE(export_session(*export_of_take(library, take.name), wish(ExportContent::Motion, "before.csv")));
+  ASSERT_TRUE(export_session(*export_of_take(changed, take.name), wish(ExportContent::Motion, "after.csv")));
+  const auto before = lines_of("before.csv"), after = lines_of("after.csv");
+  ASSERT_EQ(before.size(), after.size());
+  for (std::size_t i = 1; i < before.size(); ++i)
+    EXPECT_NEAR(*parse_number(split_fields(before[i], ',')[2]), *parse_number(split_fields(after[i], ',')[2]),
+                1e-9)
+        << "line " << i + 1;
+}
+
+TEST_F(Exporting, LabelsOfAPartOfATakeAreThoseOfThePart) {
+  const auto library = test::session_library();
+  const std::string take = library->takes().front().name;
+  const auto moves = [&](std::optional<double> from_s, std::optional<double> to_s) {
+    ExportWish labels = wish(ExportContent::Labels, "l.json");
+    labels.part.from_s = from_s;
+    labels.part.to_s = to_s;
+    const auto done = export_session(*export_of_take(library, take), labels);
+    EXPECT_TRUE(done) << done.error().text();
+    const auto read = read_tiers(folder / "l.json", {});
+    for (const Tier& tier : read->tiers)
+      if (tier.kind == TierKind::Move) return tier.intervals;
+    return std::vector<TierInterval>();
+  };
+  EXPECT_THAT(moves({}, {}), ElementsAre(TierInterval{0, 1.5, "open_hold"}, TierInterval{1.5, 3, "turn"}));
+  const auto part = moves(1.0, 1.25);
+  ASSERT_EQ(part.size(), 1u);
+  EXPECT_EQ(part[0].value, "open_hold");
+  EXPECT_NEAR(part[0].start_s, 1.0, 1e-9);
+  EXPECT_NEAR(part[0].end_s, 1.25 + 1 / 60.0, 1e-9) << "the last frame lasts, too";
+}
+
+TEST_F(Exporting, AMeshSeriesHasAtMostTheWantedRate) {
+  ExportWish series = wish(ExportContent::Mesh, "m.pvd");
+  series.part.from_s = 0.2;
+  series.part.to_s = 0.7;
+  const auto all = export_session(*source(), series);
+  ASSERT_TRUE(all) << all.error().text();
+  for (const double rate_hz : {10.0, 1000.0}) {
+    series.rate_hz = rate_hz;
+    const auto some = export_session(*source(), series);
+    ASSERT_TRUE(some) << some.error().text();
+    EXPECT_EQ(some->files.size() - 1, rate_hz < 20 ? 6u : all->files.size() - 1) << rate_hz;
+  }
+}
+
 TEST_F(Exporting, CancellingAtAnyMomentLeavesNothing) {
   for (const auto& [content, endings] : types())
     for (const std::string& ending : endings) {
@@ -230,6 +285,9 @@ TEST_F(Exporting, WhatDoesNotFitTogetherIsRefused) {
   trace.rate_hz = 30;
   EXPECT_THAT(refusal(trace), HasSubstr("leave the rate out"));
   ExportWish series = wish(ExportContent::Mesh, "a.pvd");
+  series.rate_hz = 1e18;
+  EXPECT_THAT(refusal(series), HasSubstr("at most 1000 Hz"));
+  series.rate_hz = 0;
   series.at_s = 1;
   EXPECT_THAT(refusal(series), HasSubstr("series"));
 }

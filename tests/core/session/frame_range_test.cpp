@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/session/frame_history.hpp"
+#include "core/session/history_record.hpp"
 
 namespace abrazo {
 namespace {
@@ -126,6 +127,22 @@ TEST_F(Stretch, ShowsTheLastFrameNotAfterATime) {
   EXPECT_EQ(shown.at(99)->index, 4100U);
   EXPECT_EQ(shown.at(39.5)->index, 3950U) << "backwards, too";
   EXPECT_FALSE(FrameRangeAtTimes(FrameRange()).at(1));
+}
+
+TEST(HistoryRecord, CountsTheFramesThatAreLostInWhatIsAskedFor) {
+  const auto store = std::make_shared<Stored>(1000);
+  store->lost_from = 300, store->lost_to = 400;
+  const auto record = HistoryRecord::create({"session", FrameRange(store, 0, 1000, {}), nullptr, "", ""}, {});
+  ASSERT_TRUE(record) << record.error().text();
+  const auto lost = [&](double from_s, double to_s) {
+    return (*record)
+        ->each_frame(from_s, to_s, [](const FrameSnapshot&) -> Status { return Done{}; })
+        ->damaged;
+  };
+  EXPECT_EQ(lost(0, 10), 100U);
+  EXPECT_EQ(lost(2, 5), 100U);
+  EXPECT_EQ(lost(0, 2), 0U);
+  EXPECT_EQ(lost(5, 9), 0U);
 }
 
 }  // namespace

@@ -284,16 +284,47 @@ TEST(DamagedProject, RowsThatCannotBeAreLeftOutCountedAndSaid) {
   ASSERT_TRUE(read) << read.error().text();
   std::string said;
   for (const std::string& sentence : read->damage) said += sentence + "\n";
-  EXPECT_EQ(read->damaged, 8U) << said;
+  EXPECT_EQ(read->damaged, 9U) << said;
   EXPECT_THAT(said, HasSubstr("3 of its annotations could not be read: 'turn' does not end after it begins"));
   EXPECT_THAT(said, HasSubstr("2 of its tiers could not be read: a tier is of kind 'colour'"));
   EXPECT_THAT(said, HasSubstr("1 of its words of vocabularies could not be read: 'both' is not one key"));
+  EXPECT_THAT(said, HasSubstr("1 of its videos could not be read: the video's rate is 0"));
   EXPECT_THAT(said, HasSubstr("1 of its sync points could not be read"));
   EXPECT_THAT(said, HasSubstr("its settings or decisions could not be read"));
   const std::vector<Tier> tiers = tiers_of(read->project.annotations.at(""));
   ASSERT_THAT(tiers, SizeIs(1));
   EXPECT_THAT(tiers[0].intervals, ElementsAre(moves.intervals[0], moves.intervals[2]));
   EXPECT_EQ(read->project.markers, project.markers);
+}
+
+TEST(DamagedProject, CamerasAndSyncsThatCannotBeAreLeftOut) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("p.abrazo");
+  Project project;
+  ProjectVideo video;
+  video.sync.points = {{0, 0}, {10, 10}};
+  video.camera = CameraModel{{1920, 1080, 1000, 1000, 960, 540, {}}, {}};
+  project.videos.assign(5, video);
+  ASSERT_TRUE(save_project(path, project));
+  change(path,
+         "UPDATE videos SET rate = 0 WHERE id = 1;"
+         "DELETE FROM sync_points WHERE video = 1; DELETE FROM cameras WHERE video = 1;"
+         "UPDATE sync_points SET video_s = -1 WHERE video = 2 AND subject_s > 0;"
+         "UPDATE cameras SET fx = 0 WHERE video = 3;"
+         "UPDATE cameras SET r11 = 2 WHERE video = 4;"
+         "UPDATE cameras SET width = 4294967297 WHERE video = 5;");
+  const auto read = read_project(path);
+  ASSERT_TRUE(read) << read.error().text();
+  std::string said;
+  for (const std::string& sentence : read->damage) said += sentence + "\n";
+  EXPECT_EQ(read->damaged, 5U) << said;
+  EXPECT_THAT(said, HasSubstr("1 of its videos could not be read: the video's rate is 0"));
+  EXPECT_THAT(said, HasSubstr("1 of its sync points could not be read: the sync points are 10.000 s apart"));
+  EXPECT_THAT(said, HasSubstr("3 of its cameras could not be read: \"camera_matrix\" has no focal lengths"));
+  ASSERT_THAT(read->project.videos, SizeIs(4));
+  EXPECT_THAT(read->project.videos[0].sync.points, SizeIs(1));
+  EXPECT_TRUE(read->project.videos[0].camera);
+  for (std::size_t v = 1; v < 4; ++v) EXPECT_FALSE(read->project.videos[v].camera) << v;
 }
 
 TEST(DamagedProject, ATableThatIsGoneCostsItself) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <random>
 #include <string>
 
@@ -78,17 +79,20 @@ class ProjectMaker {
     video.data = references == 0 ? -1 : below(references + 1) - 1;
     video.subject = word();
     video.sync.rate = 0.5 + 0.01 * below(100);
-    for (int i = 0; i < below(3); ++i) video.sync.points.push_back({i + number() * 1e-4, number()});
+    for (int i = 0; i < below(3); ++i)
+      video.sync.points.push_back({i + number() * 1e-4, 2 * i + number() * 1e-4});
     if (below(2)) {
       CameraModel camera;
-      camera.intrinsics = {1920, 1080, number(), number(), number(), number(), {}};
+      camera.intrinsics = {1920, 1080, 1001 + number(), 1001 + number(), number(), number(), {}};
       for (double& k : camera.intrinsics.distortion) k = number() * 1e-3;
-      camera.pose.rotation = Eigen::Matrix3d::NullaryExpr([this] { return number(); });
+      camera.pose.rotation =
+          Eigen::Quaterniond(number(), number(), number(), number()).normalized().toRotationMatrix();
       camera.pose.translation = Vec3(number(), number(), number());
       video.camera = camera;
     }
     for (int i = 0; i < below(9); ++i)
-      video.picked.push_back({Vec3(number(), number(), number()), Pixel(number(), number()), below(51) - 1, number()});
+      video.picked.push_back(
+          {Vec3(number(), number(), number()), Pixel(number(), number()), below(51) - 1, number()});
     return video;
   }
 

@@ -7,7 +7,10 @@
 
 #include "core/library/manifest.hpp"
 #include "core/library/motion_library_builder.hpp"
+#include "core/library/motion_library_file.hpp"
+#include "core/session/library_reference.hpp"
 #include "core/session/project.hpp"
+#include "core/session/session_libraries.hpp"
 #include "core/session/session_tiers.hpp"
 #include "core/synthesis/trace.hpp"
 #include "tests/core/session/recorded_session.hpp"
@@ -55,7 +58,7 @@ class SessionExport : public ::testing::Test, protected test::TemporaryFolder {
     frame->user = user;
     frame->result.result << user, test::moved(user, 3, Vec3(0, 0, 1));
     frame->result.status = StepStatus::Ok;
-    frame->library = labelled_library();
+    frame->library = library;
     frame->settings = settings;
     frame->decisions = std::move(decisions);
     if (pair >= 0) {
@@ -83,6 +86,7 @@ class SessionExport : public ::testing::Test, protected test::TemporaryFolder {
   std::shared_ptr<Recorder> recorder;
   std::vector<FrameSnapshotPtr> frames;
   std::uint64_t index = 0;
+  std::shared_ptr<const MotionLibrary> library = labelled_library();  ///< of the next frame
 
  private:
   std::shared_ptr<const SessionFile> file_;
@@ -255,11 +259,13 @@ TEST_F(SessionExport, RolesMeantMovesTakesAndMarkersAreTiers) {
 TEST_F(SessionExport, WhatAPersonAnnotatedIsExportedAndWhatIsOnlySuggestedIsNot) {
   for (int i = 0; i < 60; ++i) solved(i / 60.0);
   ASSERT_TRUE(recorder->finish());
-  const Tier moves{"move", {{0.1, 0.5, "push", "with both hands", "high"}}, {{"push"}, {"pull"}}, TierKind::Move};
+  const Tier moves{
+      "move", {{0.1, 0.5, "push", "with both hands", "high"}}, {{"push"}, {"pull"}}, TierKind::Move};
   Project project;
   project.annotations[""] = *annotations_of(std::vector{moves, Tier{"remarks", {{0, 1, "too fast"}}}});
   Annotations& said = project.annotations[""];
-  said.suggest(std::vector{said.tiers()[0].id}, {{0, said.tiers()[0].id, 0.6, 0.9, "pull", 0.5, "it looks so"}});
+  said.suggest(std::vector{said.tiers()[0].id},
+               {{0, said.tiers()[0].id, 0.6, 0.9, "pull", 0.5, "it looks so"}});
   project.annotations["another take"] = *annotations_of(std::vector{Tier{"elsewhere", {{0, 1, "x"}}}});
   ASSERT_TRUE(save_project(path, project));
   const auto opened = SessionFile::open(path);
@@ -270,7 +276,9 @@ TEST_F(SessionExport, WhatAPersonAnnotatedIsExportedAndWhatIsOnlySuggestedIsNot)
   EXPECT_THAT(values(*find(*tiers, "remarks")), ElementsAre("too fast"));
   EXPECT_THAT(find(*tiers, "remarks")->vocabulary, SizeIs(0));  // free text stays so
   EXPECT_FALSE(find(*tiers, "elsewhere"));
-  EXPECT_THAT(*session_labels_csv(**opened, *session_range(**opened, {}), 0), HasSubstr("s,6,30,push,"));
+  const auto csv = session_labels_csv(**opened, *session_range(**opened, {}), 0);
+  EXPECT_THAT(csv->text, HasSubstr("s,6,30,push,with both hands,high\n"));
+  EXPECT_THAT(csv->warnings, ElementsAre("a label file holds one tier, here 'move'; 1 left out"));
 }
 
 TEST_F(SessionExport, TheLabelFileCountsFramesFromEachTake) {
@@ -281,17 +289,47 @@ TEST_F(SessionExport, TheLabelFileCountsFramesFromEachTake) {
   }
   const auto csv = session_labels_csv(file(), all(), 0);
   ASSERT_TRUE(csv) << csv.error().text();
-  const auto one = parse_labels(*csv, "one", "labels");
+  const auto one = parse_labels(csv->text, "one", "labels");
   ASSERT_TRUE(one) << one.error().text();
   ASSERT_THAT(*one, SizeIs(1));
   EXPECT_EQ((*one)[0].start, 0);
   EXPECT_EQ((*one)[0].end, 30);
   EXPECT_EQ((*one)[0].label, "basic");
   const auto half = session_labels_csv(file(), *session_range(file(), {{}, 0.75, {}}), 30);
-  const auto both = parse_labels(*half, "one", "labels");
+  const auto both = parse_labels(half->text, "one", "labels");
   ASSERT_THAT(*both, SizeIs(1));
   EXPECT_EQ((*both)[0].end, 8);  // 15 frames of 60 Hz from 0.75 s on are 8 of 30 Hz
-  EXPECT_EQ((*parse_labels(*half, "two", "labels"))[0].label, "turn");
+  EXPECT_EQ((*parse_labels(half->text, "two", "labels"))[0].label, "turn");
+}
+
+TEST_F(SessionExport, TheLabelFileKeepsCommasAndCountsMovesThatItCannotHold) {
+  for (int i = 0; i < 60; ++i) solved(i / 60.0);
+  ASSERT_TRUE(recorder->finish());
+  Project project;
+  project.annotations[""] = *annotations_of(std::vector{
+      Tier{"move",
+           {{0.1, 0.3, "push, then pull", "a \"firm\" one", "0.5"}, {0.4, 0.5, ""}, {0.61, 0.612, "dip"}},
+           {},
+           TierKind::Move}});
+  ASSERT_TRUE(save_project(path, project));
+  const auto opened = SessionFile::open(path);
+  const auto csv = session_labels_csv(**opened, *session_range(**opened, {}), 0);
+  ASSERT_TRUE(csv) << csv.error().text();
+  const auto back = parse_labels(csv->text, "s", "labels");
+  ASSERT_TRUE(back) << back.error().text();
+  ASSERT_THAT(*back, SizeIs(1));
+  EXPECT_EQ((*back)[0].label, "push, then pull");
+  EXPECT_EQ((*back)[0].detail, "a \"firm\" one");
+  EXPECT_EQ((*back)[0].confidence, "0.5");
+  ASSERT_THAT(csv->warnings, SizeIs(1));
+  EXPECT_THAT(csv->warnings[0], HasSubstr("2 of 3 moves were left out"));
+}
+
+TEST_F(SessionExport, FramesThatWouldFillAllMemoryAreNotMade) {
+  for (int i = 0; i < 60; ++i) solved(i / 60.0);
+  const auto motion = session_motion(file(), all(), all_bodies, 1e12);
+  ASSERT_FALSE(motion);
+  EXPECT_THAT(motion.error().text(), HasSubstr("more than 10000000; choose a shorter part"));
 }
 
 TEST_F(SessionExport, APartOfTheSessionIsOfOneLibrary) {
@@ -301,6 +339,35 @@ TEST_F(SessionExport, APartOfTheSessionIsOfOneLibrary) {
   ASSERT_THAT(*segments, SizeIs(1));
   EXPECT_EQ((*segments)[0].library->name, "labelled");
   EXPECT_EQ((*segments)[0].range.last_frame, 9U);
+}
+
+TEST_F(SessionExport, EveryLibraryOfASessionIsOpenedAndTheMissingOnesAreNamed) {
+  std::vector<PairedTake> takes = {test::swinging_take("third", 60, 3)};
+  const std::vector<std::shared_ptr<const MotionLibrary>> others = {
+      test::small_library(),
+      std::make_shared<const MotionLibrary>(*build_library("other", std::move(takes), {}, {}))};
+  for (std::size_t i = 0; i < others.size(); ++i) {
+    const std::string place = TemporaryFolder::file(i == 0 ? "first.h5" : "second.h5");
+    ASSERT_TRUE(write_library(*others[i], place));
+    recorder->set_library_path(others[i], place);
+    library = others[i];
+    for (int f = 0; f < 5; ++f) solved(static_cast<double>(i) + f / 60.0, f);
+  }
+  file();
+  const auto opened = *SessionFile::open(path);
+  std::vector<std::string> warnings;
+  const auto found = SessionLibraries(opened, "").all(warnings);
+  ASSERT_TRUE(found) << found.error().text();
+  ASSERT_THAT(*found, SizeIs(2)) << ::testing::PrintToString(warnings);
+  EXPECT_EQ(library_fingerprint(*(*found)[0]), library_fingerprint(*others[0]));
+  EXPECT_EQ(library_fingerprint(*(*found)[1]), library_fingerprint(*others[1]));
+  const std::size_t before = warnings.size();
+  std::filesystem::remove(TemporaryFolder::file("first.h5"));
+  const auto left = SessionLibraries(opened, TemporaryFolder::file("second.h5")).all(warnings);
+  ASSERT_TRUE(left);
+  ASSERT_THAT(*left, SizeIs(1));
+  ASSERT_THAT(warnings, SizeIs(2 * before + 1));
+  EXPECT_THAT(warnings, ::testing::Contains(HasSubstr("first.h5")));
 }
 
 TEST(SessionTrace, IsThatOfTheLiveSession) {

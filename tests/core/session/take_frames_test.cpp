@@ -138,6 +138,8 @@ TEST(FrameInLibrary, NumbersCandidatesAsTheOtherLibraryDoes) {
   EXPECT_EQ(now->result.candidates[0].feature_distance, 0.5);
   EXPECT_EQ(now->result.selected, 0);
   EXPECT_EQ(in_library(frame, before), frame) << "nothing to do";
+  EXPECT_EQ(selected_pair(*frame, after), after->find_pair(second, 3, false));
+  EXPECT_EQ(selected_pair(*frame, before), pair);
 }
 
 TEST(FrameInLibrary, WhereTheRolesChangedItIsTheFrameWithTheOtherOneActive) {

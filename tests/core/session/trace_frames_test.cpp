@@ -109,9 +109,15 @@ TEST_F(TraceFile, ThatIsBrokenIsRefusedWithItsLine) {
   EXPECT_THAT(refusal(header), HasSubstr("has a header and no frame"));
   EXPECT_THAT(refusal(good.substr(0, good.size() - 40)), HasSubstr(":3: is no JSON object"));
   EXPECT_THAT(refusal(frame("\"time\":0", "\"time\":\"now\"")), HasSubstr(":2: \"time\" has to be a number"));
-  EXPECT_THAT(refusal(frame("]]},\"active\":[[", "]]},\"activ\":[[")), HasSubstr(":2: \"active\" is missing"));
+  EXPECT_THAT(refusal(frame("]]},\"active\":[[", "]]},\"activ\":[[")),
+              HasSubstr(":2: \"active\" is missing"));
   EXPECT_THAT(refusal(frame("\"edges\":[[0,1]", "\"edges\":[[0,77]")), HasSubstr("rows of 2 vertices 0..49"));
   EXPECT_THAT(refusal(frame("\"edges\":[[0,1]", "\"edges\":[[4,4]")), HasSubstr("from a vertex to itself"));
+  EXPECT_THAT(refusal(frame("\"edges\":[[0,1],[0,25]", "\"edges\":[[0,1],[1,0]")),
+              HasSubstr(":2: \"edges\" has the edge between 0 and 1 twice"));
+  std::string same = "\"edges\":[[48,49]";
+  for (int i = 0; i < 2400; ++i) same += ",[48,49]";
+  EXPECT_THAT(refusal(frame("\"edges\":[[0,1]", same)), HasSubstr("has the edge between 48 and 49 twice"));
   EXPECT_THAT(refusal(frame("\"selected\":1", "\"selected\":3")), HasSubstr("no index into \"candidates\""));
   EXPECT_THAT(refusal(frame("active.right", "active.tail")), HasSubstr("\"foot_locks\" has to be names"));
   EXPECT_THAT(refusal(trace_of({1, 0.5})),

@@ -84,6 +84,23 @@ TEST(IntrinsicsFile, WhoseMatrixClaimsToBeHugeAllocatesNothing) {
   EXPECT_THAT(read.error().text(), HasSubstr("has 1 numbers"));
 }
 
+TEST(IntrinsicsFile, SoDeepThatReadingItWouldTakeTheWholeStackIsRefused) {
+  const auto times = [](int count, const std::string& text) {
+    std::string all;
+    for (int i = 0; i < count; ++i) all += text;
+    return all;
+  };
+  for (const std::string& text :
+       {"{\"a\":" + times(400'000, "["), "%YAML:1.0\n---\na: " + times(400'000, "["),
+        "%YAML:1.0\n---\na:\n " + times(200'000, "- "),
+        "<?xml version=\"1.0\"?>\n<opencv_storage>" + times(200'000, "<a>"),
+        "{/* \" */\"a\":" + times(400'000, "[")}) {
+    const auto read = reading(text);
+    ASSERT_FALSE(read);
+    EXPECT_THAT(read.error().text(), HasSubstr("more than 2000 levels")) << text.substr(0, 40);
+  }
+}
+
 TEST(IntrinsicsFile, IsWrittenInFormatsOfOpenCvAlone) {
   EXPECT_THAT(write_intrinsics(example, file_of(".csv")).error().text(),
               HasSubstr(".yaml, .yml, .xml or .json"));
