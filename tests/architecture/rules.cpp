@@ -44,8 +44,8 @@ bool is_vtk(const std::string& include) {
   return include.starts_with("vtk") || include.starts_with("QVTK");
 }
 
-/// A third party and the only place that may know it: a file, or a folder (ends in '/'). Without a place it
-/// is any one source file.
+/// A third party and the only place that may know it: a file, a folder (ends in '/'), or files that begin
+/// alike (ends in '_'). Without a place it is any one source file.
 struct ThirdParty {
   std::string_view name;
   const char* includes;  ///< regular expression
@@ -70,6 +70,7 @@ constexpr std::array third_parties = {
 /// @param first  the file that was seen to name a party without a fixed place; set when there was none
 bool is_in_place(const SourceFile& file, std::string_view place, std::string& first) {
   if (place.ends_with('/')) return file.is_under(place);
+  if (place.ends_with('_')) return file.path.starts_with(place);
   if (!place.empty()) return file.path == place;
   if (first.empty() && !file.is_header()) first = file.path;
   return file.path == first;

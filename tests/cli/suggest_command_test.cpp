@@ -9,7 +9,10 @@ using ::testing::HasSubstr;
 /// Two generated takes: each is suggested from the other.
 class SuggestCommand : public CommandLineTest {
  protected:
-  void SetUp() override { make_demo("0.5"); }
+  void SetUp() override {
+    make_demo("0.5");
+    ASSERT_EQ(run("library build demo/manifest.json -o demo.h5").status, 0);
+  }
 };
 
 TEST_F(SuggestCommand, ProposesLabelsAndRolesOfATake) {

@@ -30,7 +30,7 @@ TEST_F(Usage, VersionIsThereAtEveryLevel) {
 
 TEST_F(Usage, AMissingCommandIsAnsweredWithTheCommandsThereAre) {
   expect_wrong_usage(run(""), "a command is missing; there are motion, library, synth, demo");
-  expect_wrong_usage(run("motion"), "there are info, positions; see abrazo motion --help");
+  expect_wrong_usage(run("motion"), "there are info, positions, convert; see abrazo motion --help");
 }
 
 TEST_F(Usage, AnUnknownCommandIsNamed) {

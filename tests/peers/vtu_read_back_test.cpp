@@ -6,6 +6,7 @@
 #include <vtkPointData.h>
 #include <vtkUnstructuredGrid.h>
 #include <vtkXMLUnstructuredGridReader.h>
+#include <Eigen/Geometry>
 
 #include <cmath>
 
