@@ -32,7 +32,7 @@ class DataReferences : public testing::Test {
     return *made;
   }
   test::TemporaryFolder folder;
-  std::string session = folder.file("work/s.abrazo");
+  std::string session = folder.file("sessions/s.abrazo");
 };
 
 TEST_F(DataReferences, NameAFileRelativeToTheSessionWithItsContent) {
@@ -51,9 +51,9 @@ TEST_F(DataReferences, NameAFileRelativeToTheSessionWithItsContent) {
 
 TEST_F(DataReferences, AreFoundBesideTheSessionWhenBothMoved) {
   const DataReference made = reference(put("data/lib.h5", "pairs"));
-  fs::create_directories(folder.file("moved/work"));
+  fs::create_directories(folder.file("moved/sessions"));
   fs::rename(folder.file("data"), folder.file("moved/data"));
-  const FoundData found = find_data(made, folder.file("moved/work/s.abrazo"));
+  const FoundData found = find_data(made, folder.file("moved/sessions/s.abrazo"));
   EXPECT_EQ(found.state, State::Found);
   EXPECT_EQ(found.path, folder.file("moved/data/lib.h5"));
 }
@@ -77,7 +77,7 @@ TEST_F(DataReferences, WithOtherContentAreFoundAndSaidToBeChanged) {
 TEST_F(DataReferences, TakeTheOneOfTheSameContentWhereTwoAreThere) {
   const DataReference made = reference(put("data/lib.h5", "pairs"));
   put("elsewhere/data/lib.h5", "another");
-  const FoundData found = find_data(made, folder.file("elsewhere/work/s.abrazo"));
+  const FoundData found = find_data(made, folder.file("elsewhere/sessions/s.abrazo"));
   EXPECT_EQ(found.state, State::Found);
   EXPECT_EQ(found.path, folder.file("data/lib.h5"));
 }
@@ -85,7 +85,7 @@ TEST_F(DataReferences, TakeTheOneOfTheSameContentWhereTwoAreThere) {
 TEST_F(DataReferences, ThatAreMissingSayWhereTheyWereLookedFor) {
   const DataReference made = reference(put("data/lib.h5", "pairs"));
   fs::remove_all(folder.file("data"));
-  const FoundData found = find_data(made, folder.file("elsewhere/work/s.abrazo"));
+  const FoundData found = find_data(made, folder.file("elsewhere/sessions/s.abrazo"));
   EXPECT_EQ(found.state, State::Missing);
   EXPECT_EQ(found.path, "");
   EXPECT_THAT(found.looked, ElementsAre(folder.file("elsewhere/data/lib.h5"), folder.file("data/lib.h5")));
