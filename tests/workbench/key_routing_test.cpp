@@ -1,4 +1,6 @@
 // Which keys a focused control keeps, and that the keymap is whole and free of clashes.
+#include "app/workbench/annotation_desk.hpp"
+#include "app/workbench/panel_area.hpp"
 #include "tests/workbench/key_window.hpp"
 
 namespace abrazo::app {
@@ -67,10 +69,26 @@ TEST_F(Routing, NoSingleKeyReachesAnActionWhileAnEditorHasTheFocus) {
 TEST_F(Routing, DigitsAreLabelsInATimelineThatHasTheFocusAndViewsInTheScene) {
   scene().lookFrom(1, 0.3);
   QTest::qWait(400);
+  ticker().pause();
+  const auto labels = [] {
+    const AnnotationTier* moves =
+        window->findChild<AnnotationDesk*>()->annotations().first_of(TierKind::Move);
+    return moves ? moves->annotations : std::vector<Annotation>();
+  };
+  ASSERT_TRUE(labels().empty());
   window->timeline().setFocus();
   press(Qt::Key_3);
-  QTest::qWait(400);
-  EXPECT_TRUE(looks_from(1, 0.3));  // what it says there: annotation_actions_test.cpp
+  EXPECT_TRUE(until([] { return window->messages().text().contains("has this key"); }, 2'000));
+  EXPECT_TRUE(looks_from(1, 0.3));
+  EXPECT_TRUE(labels().empty());  // nothing is annotated yet
+  window->panels().want("annotation", true);
+  turn();
+  window->timeline().setFocus();
+  press(Qt::Key_3);
+  EXPECT_TRUE(until([&] { return labels().size() == 1; }, 2'000));
+  EXPECT_TRUE(looks_from(1, 0.3));
+  window->undoStack().undo();
+  window->panels().want("annotation", false);
   focus_scene();
   press(Qt::Key_3);
   EXPECT_TRUE(until([] { return looks_from(quarter, 0.05); }, 2'000));
