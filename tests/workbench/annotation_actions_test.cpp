@@ -327,7 +327,7 @@ TEST_F(Annotating, ALoopThatStartsOverEndsWhatIsHeld) {
   ticker().toggle();
   turn();
   QTest::keyPress(&timeline(), Qt::Key_1);
-  until([] { return !labels().empty(); }, 3'000);
+  until([] { return !labels().empty(); });
   QTest::keyRelease(&timeline(), Qt::Key_1);
   ticker().pause();
   ASSERT_EQ(labels().size(), 1u);
@@ -355,7 +355,7 @@ TEST_F(Annotating, TheLibraryOfTheRunningSessionFollows) {
   ASSERT_TRUE(next.draw(next.first_of(TierKind::Role)->id, 0, desk().range().last_s, "b", Conflict::Replace,
                         desk().range()));
   desk().change(next, "label");
-  until([] { return desk().feed().isIdle(); }, 30'000);
+  until([] { return desk().feed().isIdle(); });
   const LibraryTake& about = library().takes().front();
   ASSERT_FALSE(about.labels.empty());
   EXPECT_EQ(about.labels.front().label, "one");
@@ -367,7 +367,7 @@ TEST_F(Annotating, TheLibraryOfTheRunningSessionFollows) {
   ASSERT_TRUE(ticker().shown());
   EXPECT_EQ(ticker().shown()->library, window().session()->material().library);
   press(Qt::Key_Z, Qt::ControlModifier);
-  until([] { return desk().feed().isIdle(); }, 30'000);
+  until([] { return desk().feed().isIdle(); });
   EXPECT_TRUE(library().takes().front().labels.empty());
 }
 

@@ -11,6 +11,7 @@
 #include "app/workbench/comparison_desk.hpp"
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/panel_area.hpp"
+#include "tests/workbench/until.hpp"
 #include "widgets/compare/compare_panel.hpp"
 #include "widgets/settings/settings_panel.hpp"
 
@@ -32,7 +33,7 @@ class CompareInTheWindow : public testing::Test {
     s_window->startWith(*preset("responsive"));
     s_window->show();
     s_window->openDemo();
-    until([] { return shown() && shown()->index > 60; }, 60'000);
+    until([] { return shown() && shown()->index > 60; });
   }
   static void TearDownTestSuite() {
     delete s_window;
@@ -46,16 +47,9 @@ class CompareInTheWindow : public testing::Test {
     window().panels().panel("compare")->raise();  // what nobody sees is not solved again
     choose(*preset("responsive"));
     if (desk().frozen()) desk().setFrozen({});
-    ASSERT_TRUE(until([] { return live().settings == *preset("responsive") && !desk().shown(); }, 5'000));
+    ASSERT_TRUE(until([] { return live().settings == *preset("responsive") && !desk().shown(); }));
   }
 
-  template <typename Condition>
-  static bool until(Condition reached, int patience_ms) {
-    QElapsedTimer clock;
-    clock.start();
-    while (!reached() && clock.elapsed() < patience_ms) QTest::qWait(10);
-    return reached();
-  }
   static MainWindow& window() { return *s_window; }
   static ComparisonDesk& desk() { return *s_window->findChild<ComparisonDesk*>(); }
   static widgets::ComparePanel& panel() { return *s_window->findChild<widgets::ComparePanel*>(); }
@@ -81,7 +75,7 @@ TEST_F(CompareInTheWindow, AFrozenRunGoesOnBesideTheLiveOne) {
   trigger("Freeze the settings as A");
   EXPECT_EQ(desk().frozen(), *preset("responsive"));
   window().settings().change("velocity-weight", "2");
-  ASSERT_TRUE(until([] { return desk().shown() && desk().shown()->steps.size() > 60; }, 20'000));
+  ASSERT_TRUE(until([] { return desk().shown() && desk().shown()->steps.size() > 60; }));
   const Comparison& comparison = *desk().shown();
   EXPECT_TRUE(comparison.task.goes_on);
   EXPECT_EQ(comparison.settings_a, *preset("responsive"));
@@ -92,16 +86,16 @@ TEST_F(CompareInTheWindow, AFrozenRunGoesOnBesideTheLiveOne) {
 
 TEST_F(CompareInTheWindow, AParkedCursorIsSolvedAgainWhileLiveGoesOn) {
   window().ticker().seek(live().time_s);  // older frames may have other settings
-  ASSERT_TRUE(until([] { return window().ticker().playback().state == State::Parked; }, 1'000));
+  ASSERT_TRUE(until([] { return window().ticker().playback().state == State::Parked; }));
   const double parked_s = window().ticker().playback().cursor_s;
   const std::uint64_t before = live().index;
   window().settings().change("velocity-weight", "2");
-  ASSERT_TRUE(until([] { return desk().shown() && desk().shown()->done; }, 20'000));
+  ASSERT_TRUE(until([] { return desk().shown() && desk().shown()->done; }));
   EXPECT_FALSE(desk().shown()->task.goes_on);
   EXPECT_FALSE(desk().shown()->task.a) << "A is what was recorded";
   EXPECT_EQ(desk().shown()->task.b->velocity_weight, 2);
   EXPECT_EQ(window().ticker().playback().cursor_s, parked_s);
-  EXPECT_TRUE(until([before] { return live().index > before; }, 5'000));
+  EXPECT_TRUE(until([before] { return live().index > before; }));
 }
 
 TEST_F(CompareInTheWindow, LiveKeepsAWhileBIsTriedAside) {
@@ -109,12 +103,12 @@ TEST_F(CompareInTheWindow, LiveKeepsAWhileBIsTriedAside) {
   trigger("Live keeps A");
   EXPECT_TRUE(desk().isAside());
   window().settings().change("velocity-weight", "2");
-  ASSERT_TRUE(until(
-      [] { return desk().shown() && desk().shown()->task.b && desk().shown()->steps.size() > 30; }, 20'000));
+  ASSERT_TRUE(
+      until([] { return desk().shown() && desk().shown()->task.b && desk().shown()->steps.size() > 30; }));
   EXPECT_EQ(live().settings, *preset("responsive"));
   EXPECT_EQ(desk().shown()->settings_b.velocity_weight, 2);
   trigger("Live keeps A");
-  EXPECT_TRUE(until([] { return live().settings.velocity_weight == 2; }, 5'000))
+  EXPECT_TRUE(until([] { return live().settings.velocity_weight == 2; }))
       << "what was tried comes when the live solver is let go";
 }
 
@@ -140,7 +134,7 @@ TEST_F(CompareInTheWindow, ACancelledWhatIfIsNotTakenUpAgainByItself) {
   panel().setSpan(widgets::WhatIfSpan::TenSeconds);
   emit panel().spanRequested(widgets::WhatIfSpan::TenSeconds);
   window().settings().change("morph-steps", "20");
-  ASSERT_TRUE(until([] { return desk().hasAsked(); }, 5'000));
+  ASSERT_TRUE(until([] { return desk().hasAsked(); }));
   desk().cancel();
   QTest::qWait(100);
   const auto solved = [] { return desk().shown() ? desk().shown()->steps.size() : 0; };
@@ -149,19 +143,18 @@ TEST_F(CompareInTheWindow, ACancelledWhatIfIsNotTakenUpAgainByItself) {
   EXPECT_EQ(solved(), at_cancel) << "what is there stays, and nothing is added";
   panel().setSpan(widgets::WhatIfSpan::TwoSeconds);
   emit panel().spanRequested(widgets::WhatIfSpan::TwoSeconds);
-  EXPECT_TRUE(until([] { return desk().shown() && desk().shown()->done; }, 20'000));
+  EXPECT_TRUE(until([] { return desk().shown() && desk().shown()->done; }));
 }
 
 TEST_F(CompareInTheWindow, AnotherSessionKeepsAAndStartsItsRunsAnew) {
   trigger("Freeze the settings as A");
   window().settings().change("velocity-weight", "2");
-  ASSERT_TRUE(until([] { return desk().shown() != nullptr; }, 20'000));
+  ASSERT_TRUE(until([] { return desk().shown() != nullptr; }));
   const auto before = window().session();
   window().openDemo();
-  ASSERT_TRUE(
-      until([before] { return window().session() != before && shown() && shown()->index > 30; }, 60'000));
+  ASSERT_TRUE(until([before] { return window().session() != before && shown() && shown()->index > 30; }));
   EXPECT_EQ(desk().frozen(), *preset("responsive"));
-  EXPECT_TRUE(until([] { return desk().shown() && desk().shown()->steps.size() > 10; }, 20'000));
+  EXPECT_TRUE(until([] { return desk().shown() && desk().shown()->steps.size() > 10; }));
 }
 
 }  // namespace

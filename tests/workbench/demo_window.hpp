@@ -10,18 +10,10 @@
 
 #include "app/workbench/actions/actions.hpp"
 #include "app/workbench/main_window.hpp"
+#include "tests/workbench/until.hpp"
 #include "widgets/scene/scene_view.hpp"
 
 namespace abrazo::app {
-
-/// The program goes on until something is so. @return whether it became so in time
-template <typename Condition>
-bool until(Condition reached, int patience_ms = 10'000) {
-  QElapsedTimer clock;
-  clock.start();
-  while (!reached() && clock.elapsed() < patience_ms) QTest::qWait(10);
-  return reached();
-}
 
 /// One whole window with a home folder of its own for all tests of a suite: opening it takes seconds.
 class DemoWindow : public testing::Test {
@@ -41,7 +33,7 @@ class DemoWindow : public testing::Test {
   static void showDemo(QSize size, std::uint64_t frames = 30) {
     showWindow(size);
     s_window->openDemo();
-    until([frames] { return ticker().shown() && ticker().shown()->index >= frames; }, 60'000);
+    until([frames] { return ticker().shown() && ticker().shown()->index >= frames; });
   }
   static void TearDownTestSuite() {
     s_window.reset();

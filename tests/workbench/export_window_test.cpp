@@ -54,7 +54,7 @@ class ExportWindow : public DemoWindow {
   /// Writes what the dialog says, to the end.
   static void write(const QString& name) {
     desk().write(dialog().request(), file(name));
-    ASSERT_TRUE(until([] { return !desk().isBusy(); }, 60'000));
+    ASSERT_TRUE(until([] { return !desk().isBusy(); }));
   }
   static QString told() { return desk().bar().text(); }
 };
@@ -168,14 +168,14 @@ TEST_F(ExportWindow, CancellingLeavesNothing) {
   choose("As", ".pvd");
   desk().write(dialog().request(), file("cancelled.pvd"));
   emit window().messages().cancelRequested();
-  ASSERT_TRUE(until([] { return !desk().isBusy(); }, 60'000));
+  ASSERT_TRUE(until([] { return !desk().isBusy(); }));
   EXPECT_TRUE(window().messages().text().contains("cancelled")) << window().messages().text().toStdString();
   EXPECT_TRUE(QDir(home().path()).entryList({"cancelled*"}).isEmpty());
 }
 
 TEST_F(ExportWindow, WhatIsInTheWayIsTold) {
   desk().write(dialog().request(), "/nowhere/at/all" + QString(".glb"));
-  EXPECT_TRUE(until([] { return !desk().isBusy(); }, 60'000));
+  EXPECT_TRUE(until([] { return !desk().isBusy(); }));
   EXPECT_TRUE(window().messages().text().contains("folder does not exist"))
       << window().messages().text().toStdString();
 }

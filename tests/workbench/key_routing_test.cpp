@@ -21,8 +21,7 @@ TEST_F(Routing, SpacePlaysWhereverTheFocusIsButInAnEditor) {
     place->show();
     place->setFocus();
     press(Qt::Key_Space);
-    EXPECT_TRUE(until([] { return playback().state == State::Playing; }, 2'000))
-        << place->metaObject()->className();
+    EXPECT_TRUE(until([] { return playback().state == State::Playing; })) << place->metaObject()->className();
   }
   QLineEdit text(window);
   QSpinBox number(window);
@@ -78,20 +77,20 @@ TEST_F(Routing, DigitsAreLabelsInATimelineThatHasTheFocusAndViewsInTheScene) {
   ASSERT_TRUE(labels().empty());
   window->timeline().setFocus();
   press(Qt::Key_3);
-  EXPECT_TRUE(until([] { return window->messages().text().contains("has this key"); }, 2'000));
+  EXPECT_TRUE(until([] { return window->messages().text().contains("has this key"); }));
   EXPECT_TRUE(looks_from(1, 0.3));
   EXPECT_TRUE(labels().empty());  // nothing is annotated yet
   window->panels().want("annotation", true);
   turn();
   window->timeline().setFocus();
   press(Qt::Key_3);
-  EXPECT_TRUE(until([&] { return labels().size() == 1; }, 2'000));
+  EXPECT_TRUE(until([&] { return labels().size() == 1; }));
   EXPECT_TRUE(looks_from(1, 0.3));
   window->undoStack().undo();
   window->panels().want("annotation", false);
   focus_scene();
   press(Qt::Key_3);
-  EXPECT_TRUE(until([] { return looks_from(quarter, 0.05); }, 2'000));
+  EXPECT_TRUE(until([] { return looks_from(quarter, 0.05); }));
 }
 
 TEST_F(Routing, ReturnPressesAButtonBecauseSpacePlays) {

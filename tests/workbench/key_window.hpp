@@ -33,6 +33,7 @@
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/shortcut_dialog.hpp"
 #include "app/workbench/shortcuts.hpp"
+#include "tests/workbench/until.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/selection_model.hpp"
@@ -51,14 +52,6 @@ using widgets::ScenePart;
 using widgets::Selection;
 
 inline constexpr double quarter = 1.57079632679;
-
-template <typename Condition>
-bool until(Condition reached, int patience_ms) {
-  QElapsedTimer clock;
-  clock.start();
-  while (!reached() && clock.elapsed() < patience_ms) QTest::qWait(10);
-  return reached();
-}
 
 inline void turn() {
   QTest::qWait(30);
@@ -128,7 +121,7 @@ class OneWindow : public testing::Environment {
     add_all_actions(*window);
     window->show();
     window->openDemo();
-    until([] { return playback().last_s > 3; }, 60'000);
+    until([] { return playback().last_s > 3; });
   }
   void TearDown() override { delete window; }
 
@@ -141,8 +134,7 @@ class KeyWindow : public testing::Test {
  protected:
   void SetUp() override {
     // A key before this one may have begun another session.
-    ASSERT_TRUE(until([] { return ticker().shown() && playback().last_s > 3; }, 60'000))
-        << "the demo did not start";
+    ASSERT_TRUE(until([] { return ticker().shown() && playback().last_s > 3; })) << "the demo did not start";
     for (QDialog* each : window->findChildren<QDialog*>()) each->close();
     if (auto* field = entry()) QTest::keyClick(field->findChild<QLineEdit*>(), Qt::Key_Escape);
     window->setWindowState(Qt::WindowNoState);

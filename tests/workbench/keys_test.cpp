@@ -336,7 +336,7 @@ TEST_P(KeyOfTheKeymap, DoesWhatItSays) {
   const Before before{playback().cursor_s,  playback().speed,   ticker().shown()->index, camera(),
                       scene().visibility(), scene().morphStep()};
   press(row.key, row.held);
-  EXPECT_TRUE(until([&] { return row.effect(before); }, 4'000)) << window->messages().text().toStdString();
+  EXPECT_TRUE(until([&] { return row.effect(before); })) << window->messages().text().toStdString();
 }
 
 INSTANTIATE_TEST_SUITE_P(Keymap, KeyOfTheKeymap, testing::ValuesIn(all_rows()),

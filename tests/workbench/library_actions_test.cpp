@@ -15,6 +15,7 @@
 #include "core/motion/bvh.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/widgets/pictures.hpp"
+#include "tests/workbench/until.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/library/take_list.hpp"
 #include "widgets/library/take_model.hpp"
@@ -47,14 +48,6 @@ class LibraryActions : public testing::Test {
     ASSERT_TRUE(until([] { return bool(s_window->ticker().shown()); })) << "nothing was solved";
   }
 
-  template <typename Condition>
-  static bool until(Condition reached) {
-    constexpr int patience_ms = 60'000;
-    QElapsedTimer clock;
-    clock.start();
-    while (!reached() && clock.elapsed() < patience_ms) QTest::qWait(10);
-    return reached();
-  }
   static widgets::TakeList& takes() { return s_window->takes(); }
   static LibraryDesk& desk() { return *s_window->findChild<LibraryDesk*>(); }
   static std::string input() { return s_window->session()->material().input.name; }

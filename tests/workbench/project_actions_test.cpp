@@ -46,7 +46,7 @@ class ProjectActions : public DemoWindow {
     const auto link =
         QObject::connect(&window(), &MainWindow::sessionStarted, &window(), [&begun] { begun = true; });
     open();
-    ASSERT_TRUE(until([&begun] { return begun; }, 60'000)) << window().messages().text().toStdString();
+    ASSERT_TRUE(until([&begun] { return begun; })) << window().messages().text().toStdString();
     QObject::disconnect(link);
     until([] { return window().session()->latest().newest() || window().session()->material().recorded; });
     turn();
@@ -162,7 +162,7 @@ TEST_F(ProjectActions, ARecordingMadeAfterATakeWasAnnotatedIsOpenedAgain) {
   const int moves = next.first_of(TierKind::Move)->id;
   ASSERT_TRUE(next.draw(moves, 0.2, 0.6, "something new", Conflict::Replace, annotations().range()));
   annotations().change(next, "draw");
-  ASSERT_TRUE(until([&] { return window().session()->material().library != library; }, 60'000));
+  ASSERT_TRUE(until([&] { return window().session()->material().library != library; }));
   annotations().showSubject("");
   const auto annotated = window().session()->material().library;
   takes().toggle();
@@ -254,9 +254,8 @@ TEST_F(ProjectActions, WhatIsNotSavedIsKeptAndComesBackAfterACrash) {
   const QString folder = remembered().folder() + "/autosave";
   annotate(0.5, 1.5, "nearly lost");
   const auto kept = [&folder] { return QDir(folder).entryList({"*.abrazo"}, QDir::Files); };
-  ASSERT_TRUE(
-      until([&] { return kept().size() == 1 && !words_of_autosave(folder + "/" + kept().front()).isEmpty(); },
-            2'000));
+  ASSERT_TRUE(until(
+      [&] { return kept().size() == 1 && !words_of_autosave(folder + "/" + kept().front()).isEmpty(); }));
   EXPECT_TRUE(Autosave::leftBehind(folder).isEmpty());  // it belongs to this window
   // What a killed program leaves: its file, and a lock that nobody holds.
   const QString left = folder + "/crashed.abrazo";
@@ -273,7 +272,7 @@ TEST_F(ProjectActions, WhatIsNotSavedIsKeptAndComesBackAfterACrash) {
   EXPECT_EQ(desk().file(), "");
   EXPECT_TRUE(is_modified());
   // It goes when the same is kept for this window.
-  EXPECT_TRUE(until([&] { return !QFile::exists(left) && kept().size() == 1; }, 4'000));
+  EXPECT_TRUE(until([&] { return !QFile::exists(left) && kept().size() == 1; }));
 }
 
 TEST_F(ProjectActions, AFileOfTheOldVersionAndANewerOne) {

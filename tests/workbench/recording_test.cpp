@@ -19,6 +19,7 @@
 #include "app/workbench/scene_picture.hpp"
 #include "app/workbench/view_recording.hpp"
 #include "tests/widgets/pictures.hpp"
+#include "tests/workbench/until.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/scene/scene_view.hpp"
 
@@ -37,7 +38,7 @@ class Recording : public testing::Test {
     add_all_actions(*s_window);
     s_window->show();
     s_window->openDemo();
-    until([] { return s_window->ticker().playback().last_s > 2; }, 60'000);
+    until([] { return s_window->ticker().playback().last_s > 2; });
   }
   static void TearDownTestSuite() {
     delete s_window;
@@ -46,13 +47,6 @@ class Recording : public testing::Test {
   }
   void SetUp() override { ASSERT_TRUE(s_window->ticker().shown()) << "the demo did not start"; }
 
-  template <typename Condition>
-  static bool until(Condition reached, int patience_ms) {
-    QElapsedTimer clock;
-    clock.start();
-    while (!reached() && clock.elapsed() < patience_ms) QTest::qWait(10);
-    return reached();
-  }
   static QString text() { return s_window->messages().text(); }
   static QLabel* mark() {
     for (auto* label : s_window->statusBar()->findChildren<QLabel*>())
@@ -74,7 +68,7 @@ TEST_F(Recording, TheViewIsFilmedUntilItIsStoppedWithAMarkMeanwhile) {
   ASSERT_TRUE(recording);
   start_recording(*s_window, *recording, file);
   ASSERT_TRUE(recording->isRunning()) << text().toStdString();
-  EXPECT_TRUE(until([&] { return recording->elapsed_s() > 0.6 && mark()->isVisible(); }, 5'000));
+  EXPECT_TRUE(until([&] { return recording->elapsed_s() > 0.6 && mark()->isVisible(); }));
   EXPECT_TRUE(mark()->text().contains("REC"));
   EXPECT_FALSE(QFile::exists(file)) << "whole or not at all";
   QAction* stop = nullptr;
@@ -82,7 +76,7 @@ TEST_F(Recording, TheViewIsFilmedUntilItIsStoppedWithAMarkMeanwhile) {
     if (action->text() == "Stop recording") stop = action;
   ASSERT_TRUE(stop);
   stop->trigger();
-  EXPECT_TRUE(until([&] { return text().contains(file); }, 10'000)) << text().toStdString();
+  EXPECT_TRUE(until([&] { return text().contains(file); })) << text().toStdString();
   EXPECT_TRUE(QFile::exists(file));
   EXPECT_FALSE(mark()->isVisible());
   EXPECT_EQ(stop->text(), "Record view…");
@@ -100,9 +94,8 @@ TEST_F(Recording, ARangeIsFilmedWholeWhileTheWindowGoesOn) {
   const QString file = folder.filePath("range.mp4");
   const auto before = s_window->ticker().shown()->index;
   render_range(*s_window, request(file));
-  EXPECT_TRUE(until([] { return text().contains("Rendering picture"); }, 10'000));
-  EXPECT_TRUE(until([&] { return text().contains("Video written to " + file); }, 60'000))
-      << text().toStdString();
+  EXPECT_TRUE(until([] { return text().contains("Rendering picture"); }));
+  EXPECT_TRUE(until([&] { return text().contains("Video written to " + file); })) << text().toStdString();
   EXPECT_TRUE(QFile::exists(file));
   EXPECT_GT(s_window->ticker().shown()->index, before);
 }
@@ -110,7 +103,7 @@ TEST_F(Recording, ARangeIsFilmedWholeWhileTheWindowGoesOn) {
 TEST_F(Recording, ACancelledRangeLeavesNothing) {
   const QTemporaryDir folder;
   render_range(*s_window, request(folder.filePath("range.mp4")));
-  EXPECT_TRUE(until([] { return text().contains("Rendering picture"); }, 10'000));
+  EXPECT_TRUE(until([] { return text().contains("Rendering picture"); }));
   emit s_window->messages().cancelRequested();
   QTest::qWait(50);
   EXPECT_TRUE(text().contains("cancelled"));

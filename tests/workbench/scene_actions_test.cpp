@@ -9,6 +9,7 @@
 #include "app/workbench/actions/actions.hpp"
 #include "app/workbench/main_window.hpp"
 #include "core/motion/joint_set.hpp"
+#include "tests/workbench/until.hpp"
 #include "widgets/candidates/candidate_list.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/selection_model.hpp"
@@ -36,7 +37,7 @@ class SceneKeys : public testing::Test {
     add_all_actions(*s_window);
     s_window->show();
     s_window->openDemo();
-    until([] { return s_window->ticker().shown() && s_window->ticker().shown()->index > 30; }, 60'000);
+    until([] { return s_window->ticker().shown() && s_window->ticker().shown()->index > 30; });
     s_window->ticker().pause();
   }
   static void TearDownTestSuite() {
@@ -52,13 +53,6 @@ class SceneKeys : public testing::Test {
     scene().setOptions({});
     scene().setVisibility(widgets::default_visibility);
     turn();
-  }
-  template <typename Condition>
-  static bool until(Condition reached, int patience_ms) {
-    QElapsedTimer clock;
-    clock.start();
-    while (!reached() && clock.elapsed() < patience_ms) QTest::qWait(10);
-    return reached();
   }
   static void turn() { QTest::qWait(20); }
   static void press(int key, Qt::KeyboardModifiers modifiers = {}) {
@@ -111,13 +105,11 @@ TEST_F(SceneKeys, AltAndADigitShowOrHideARowOfTheTree) {
 
 TEST_F(SceneKeys, DigitsLookFromASideAndWithCtrlFromTheOpposite) {
   const auto sees = [](double azimuth, double elevation) {
-    return until(
-        [=] {
-          const auto& camera = scene().camera();
-          return std::abs(std::remainder(camera.azimuth_rad - azimuth, 6.283185307)) < 1e-6 &&
-                 std::abs(camera.elevation_rad - elevation) < 1e-6;
-        },
-        2'000);
+    return until([=] {
+      const auto& camera = scene().camera();
+      return std::abs(std::remainder(camera.azimuth_rad - azimuth, 6.283185307)) < 1e-6 &&
+             std::abs(camera.elevation_rad - elevation) < 1e-6;
+    });
   };
   press(Qt::Key_1);
   EXPECT_TRUE(sees(0, 0.05));
@@ -162,7 +154,7 @@ TEST_F(SceneKeys, XIsolatesHHidesAltHShowsFFrames) {
   s_window->selection().select(Selection::joint(joints::Head));
   press(Qt::Key_F);
   const Vec3 head = s_window->ticker().shown()->result.result.row(joints::Head);
-  EXPECT_TRUE(until([&] { return (scene().camera().target - head).norm() < 1e-6; }, 2'000));
+  EXPECT_TRUE(until([&] { return (scene().camera().target - head).norm() < 1e-6; }));
   press(Qt::Key_0);
 }
 
@@ -213,13 +205,11 @@ TEST_F(SceneKeys, RememberHowTheSceneIsSetUp) {
   options.map = widgets::ColourMap::Cividis;
   scene().setOptions(options);
   press(Qt::Key_T);
-  EXPECT_TRUE(until(
-      [] {
-        const auto memory = widgets::scene_memory_of(s_remembered->scene());
-        return memory.options.map == widgets::ColourMap::Cividis &&
-               memory.visibility[static_cast<std::size_t>(ScenePart::Tetrahedra)];
-      },
-      3'000));
+  EXPECT_TRUE(until([] {
+    const auto memory = widgets::scene_memory_of(s_remembered->scene());
+    return memory.options.map == widgets::ColourMap::Cividis &&
+           memory.visibility[static_cast<std::size_t>(ScenePart::Tetrahedra)];
+  }));
   MainWindow next(*s_remembered);
   add_all_actions(next);
   EXPECT_EQ(next.scene().options().map, widgets::ColourMap::Cividis);

@@ -29,7 +29,7 @@ class SessionOpen : public DemoWindow {
       if (frame->time_s > (s_take.from_s + s_take.to_s) / 2 && !s_middle) s_middle = frame;
     s_file = desk().file();
     window().openFiles({s_file});
-    until([] { return window().session()->material().recorded && ticker().shown(); }, 60'000);
+    until([] { return window().session()->material().recorded && ticker().shown(); });
   }
   static void TearDownTestSuite() {
     s_middle.reset();

@@ -36,7 +36,7 @@ TEST_F(Editing, AKeyThatSomebodyHasIsToldAtOnceTakenOverAndGivenBack) {
   turn();
   window->activateWindow();
   press(Qt::Key_T);
-  EXPECT_TRUE(until([] { return markers() == 1; }, 2'000));
+  EXPECT_TRUE(until([] { return markers() == 1; }));
   EXPECT_FALSE(shows(ScenePart::Tetrahedra));
   dialog = editor();
   click("Usual keys for all");
@@ -44,7 +44,7 @@ TEST_F(Editing, AKeyThatSomebodyHasIsToldAtOnceTakenOverAndGivenBack) {
   turn();
   window->activateWindow();
   press(Qt::Key_T);
-  EXPECT_TRUE(until([] { return shows(ScenePart::Tetrahedra); }, 2'000));
+  EXPECT_TRUE(until([] { return shows(ScenePart::Tetrahedra); }));
 }
 
 TEST_F(Editing, AViewsOwnKeyIsToldWithItsPlace) {
@@ -81,7 +81,7 @@ TEST_F(Editing, TheKeySheetShowsTheKeysAsTheyAre) {
   changed.give("timeline.marker", "F7");
   shortcuts->change(changed);
   press(Qt::Key_F1);
-  ASSERT_TRUE(until([] { return dialog("Keys") != nullptr; }, 2'000));
+  ASSERT_TRUE(until([] { return dialog("Keys") != nullptr; }));
   EXPECT_TRUE(dialog("Keys")->findChild<QLabel*>()->text().contains("M, F7"));
   changed.reset_all();
   shortcuts->change(changed);

@@ -16,6 +16,7 @@
 #include "app/workbench/own_presets.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/evaluation/sweep.hpp"
+#include "tests/workbench/until.hpp"
 #include "widgets/settings/preset_bar.hpp"
 #include "widgets/settings/settings_panel.hpp"
 #include "widgets/sweep/heat_map.hpp"
@@ -39,7 +40,7 @@ class SettingsWindow : public testing::Test {
     add_all_actions(*s_window);
     s_window->show();
     s_window->openDemo();
-    until([] { return s_window->ticker().shown() && s_window->ticker().shown()->index > 30; }, 60'000);
+    until([] { return s_window->ticker().shown() && s_window->ticker().shown()->index > 30; });
   }
   static void TearDownTestSuite() {
     delete s_window;
@@ -48,13 +49,6 @@ class SettingsWindow : public testing::Test {
   }
   void SetUp() override { ASSERT_TRUE(s_window->ticker().shown()) << "the demo did not start"; }
 
-  template <typename Condition>
-  static bool until(Condition reached, int patience_ms) {
-    QElapsedTimer clock;
-    clock.start();
-    while (!reached() && clock.elapsed() < patience_ms) QTest::qWait(10);
-    return reached();
-  }
   static widgets::SettingsPanel& panel() { return s_window->settings(); }
   static QAction* action(const QString& text) {
     for (QAction* action : s_window->findChildren<QAction*>())
@@ -73,10 +67,10 @@ TEST_F(SettingsWindow, AFrameSolvedUnderOtherSettingsSaysSoAndGivesThemBack) {
   const Settings before = panel().settings();
   auto* use = panel().findChild<QPushButton*>("useFrameSettings");
   panel().change("alpha", "0.77");
-  ASSERT_TRUE(until([&] { return ticker.shown()->settings.alpha == 0.77; }, 5'000));
+  ASSERT_TRUE(until([&] { return ticker.shown()->settings.alpha == 0.77; }));
   EXPECT_TRUE(use->parentWidget()->isHidden()) << "while following";
   ticker.seek(0.2);
-  ASSERT_TRUE(until([&] { return ticker.shown()->settings == before; }, 5'000));
+  ASSERT_TRUE(until([&] { return ticker.shown()->settings == before; }));
   EXPECT_FALSE(use->parentWidget()->isHidden());
   const int steps = s_window->undoStack().count();
   use->click();
@@ -84,7 +78,7 @@ TEST_F(SettingsWindow, AFrameSolvedUnderOtherSettingsSaysSoAndGivesThemBack) {
   EXPECT_EQ(s_window->undoStack().count(), steps + 1);
   EXPECT_TRUE(use->parentWidget()->isHidden());
   ticker.follow();
-  EXPECT_TRUE(until([&] { return ticker.shown()->settings == before; }, 5'000));
+  EXPECT_TRUE(until([&] { return ticker.shown()->settings == before; }));
 }
 
 TEST_F(SettingsWindow, OwnPresetsAreKeptInTheHomeFolder) {
@@ -123,9 +117,9 @@ TEST_F(SettingsWindow, ASweepFillsItsMapWhileTheLiveSolverGoesOnAndItsBestCellIs
   start->click();
   ASSERT_EQ(start->text(), "Cancel");
   const auto measured = [&] { return sweep.map().grid().count(SweepCell::State::Measured); };
-  ASSERT_TRUE(until([&] { return measured() > 0; }, 90'000));
+  ASSERT_TRUE(until([&] { return measured() > 0; }));
   EXPECT_LT(measured(), 4) << "cells appear one by one";
-  ASSERT_TRUE(until([&] { return start->text() == "Start"; }, 90'000));
+  ASSERT_TRUE(until([&] { return start->text() == "Start"; }));
   EXPECT_EQ(measured(), 4);
   EXPECT_GT(s_window->ticker().shown()->index, live + 5);
 
@@ -154,7 +148,7 @@ TEST_F(SettingsWindow, ACancelledSweepKeepsWhatItHasAndCanBeStartedAgain) {
   auto* start = sweep.findChild<QPushButton*>("startSweep");
   start->click();
   const auto& grid = sweep.map().grid();
-  ASSERT_TRUE(until([&] { return grid.count(SweepCell::State::Measured) > 0; }, 90'000));
+  ASSERT_TRUE(until([&] { return grid.count(SweepCell::State::Measured) > 0; }));
   start->click();
   EXPECT_EQ(start->text(), "Start");
   const int kept = grid.count(SweepCell::State::Measured);

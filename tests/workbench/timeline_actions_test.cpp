@@ -9,6 +9,7 @@
 
 #include "app/workbench/actions/actions.hpp"
 #include "app/workbench/main_window.hpp"
+#include "tests/workbench/until.hpp"
 #include "widgets/scene/scene_view.hpp"
 #include "widgets/timeline/quick_entry.hpp"
 #include "widgets/timeline/timeline_view.hpp"
@@ -32,7 +33,7 @@ class TimelineActions : public testing::Test {
     add_all_actions(*s_window);
     s_window->show();
     s_window->openDemo();
-    until([] { return s_window->ticker().playback().last_s > 3; }, 60'000);
+    until([] { return s_window->ticker().playback().last_s > 3; });
   }
   static void TearDownTestSuite() {
     delete s_window;
@@ -54,13 +55,6 @@ class TimelineActions : public testing::Test {
     turn();
   }
 
-  template <typename Condition>
-  static bool until(Condition reached, int patience_ms) {
-    QElapsedTimer clock;
-    clock.start();
-    while (!reached() && clock.elapsed() < patience_ms) QTest::qWait(10);
-    return reached();
-  }
   static void turn() { QTest::qWait(40); }
   static void press(int key, Qt::KeyboardModifiers modifiers = {}) {
     QTest::keyClick(s_window, static_cast<Qt::Key>(key), modifiers);
@@ -106,7 +100,7 @@ TEST_F(TimelineActions, ShiftMAsksForANameWhereTheKeyWasPressed) {
   const double before = playback().cursor_s;
   press(Qt::Key_M, Qt::ShiftModifier);
   const double after = playback().cursor_s;
-  until([after] { return playback().cursor_s > after; }, 5'000);
+  until([after] { return playback().cursor_s > after; });
   EXPECT_EQ(enter("dip"), QString());
   ASSERT_EQ(markers().size(), 1u);
   EXPECT_EQ(markers()[0].name, "dip");
@@ -222,7 +216,7 @@ TEST_F(TimelineActions, PlayingEveryFrameLeavesNoneOut) {
   turn();
   shown.clear();
   ticker().toggle();
-  until([&shown] { return shown.size() > 20; }, 10'000);
+  until([&shown] { return shown.size() > 20; });
   ticker().pause();
   QObject::disconnect(connection);
   ASSERT_GT(shown.size(), 20u);

@@ -12,6 +12,7 @@
 
 #include "app/workbench/actions/actions.hpp"
 #include "app/workbench/main_window.hpp"
+#include "tests/workbench/until.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/library/take_list.hpp"
@@ -36,7 +37,7 @@ class Window : public testing::Test {
     add_all_actions(*s_window);
     s_window->show();
     s_window->openDemo();
-    until([] { return s_window->ticker().shown() && s_window->ticker().shown()->index > 30; }, 60'000);
+    until([] { return s_window->ticker().shown() && s_window->ticker().shown()->index > 30; });
   }
   static void TearDownTestSuite() {
     delete s_window;
@@ -52,13 +53,6 @@ class Window : public testing::Test {
     turn();
   }
 
-  template <typename Condition>
-  static bool until(Condition reached, int patience_ms) {
-    QElapsedTimer clock;
-    clock.start();
-    while (!reached() && clock.elapsed() < patience_ms) QTest::qWait(10);
-    return reached();
-  }
   static void turn() { QTest::qWait(40); }
   static void press(int key, Qt::KeyboardModifiers modifiers = {}) {
     QTest::keyClick(s_window, static_cast<Qt::Key>(key), modifiers);
@@ -81,15 +75,15 @@ TEST_F(Window, PPinsTheSelectedPairVVetoesItAndBothCanBeUndone) {
   press(Qt::Key_P);
   ASSERT_TRUE(pinned());
   const int pair = *pinned();
-  EXPECT_TRUE(until([&] { return winner() == pair; }, 5'000));
+  EXPECT_TRUE(until([&] { return winner() == pair; }));
   press(Qt::Key_V, Qt::ShiftModifier);
   EXPECT_FALSE(pinned());
   const std::string take = s_window->candidates().library()->take_of(pair).name;
   const auto source = [&] { return s_window->candidates().library()->take_of(winner()).name; };
-  EXPECT_TRUE(until([&] { return winner() >= 0 && source() != take; }, 5'000));
+  EXPECT_TRUE(until([&] { return winner() >= 0 && source() != take; }));
   press(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(pinned(), pair) << "the pin that the veto let go is back";
-  EXPECT_TRUE(until([&] { return winner() == pair; }, 5'000));
+  EXPECT_TRUE(until([&] { return winner() == pair; }));
   press(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_TRUE(s_window->candidates().steering().empty());
 }
@@ -99,10 +93,10 @@ TEST_F(Window, WithEveryTakeVetoedTheFrameSaysSoAndThePartnerIsHeld) {
   widgets::Steering all;
   for (const LibraryTake& take : library->takes()) all.vetoes.takes.insert(take.name);
   emit s_window->candidates().steeringRequested(all, "veto everything");
-  EXPECT_TRUE(until([] { return s_window->ticker().shown()->result.status == StepStatus::Failed; }, 5'000));
+  EXPECT_TRUE(until([] { return s_window->ticker().shown()->result.status == StepStatus::Failed; }));
   EXPECT_NE(s_window->ticker().shown()->result.message.find("vetoed"), std::string::npos);
   press(Qt::Key_P, Qt::ShiftModifier);
-  EXPECT_TRUE(until([] { return s_window->ticker().shown()->result.status != StepStatus::Failed; }, 5'000));
+  EXPECT_TRUE(until([] { return s_window->ticker().shown()->result.status != StepStatus::Failed; }));
   s_window->undoStack().clear();
 }
 
@@ -113,15 +107,14 @@ QString described(const QWidget* widget) {
 }
 
 TEST_F(Window, AltCGoesToTheCandidatesAndReturnTellsTheFactsOfTheFrame) {
-  ASSERT_TRUE(until([] { return !ticker().shown()->result.candidates.empty(); }, 5'000));
+  ASSERT_TRUE(until([] { return !ticker().shown()->result.candidates.empty(); }));
   press(Qt::Key_C, Qt::AltModifier);
   const widgets::CandidateTable& table = s_window->candidates();
   EXPECT_TRUE(until(  // once the list shows the frame
       [] {
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
         return s_window->messages().text().contains("frame");
-      },
-      5'000))
+      }))
       << "the focus has " << qPrintable(described(QApplication::focusWidget())) << ", told is "
       << qPrintable(s_window->messages().text());
   const int take = s_window->takes().selectedTake();
@@ -191,17 +184,17 @@ TEST_F(Window, KeysGoToAFieldThatIsBeingEdited) {
 TEST_F(Window, ASettingReachesTheRunningSolverAndUndoTakesItBack) {
   const double before = s_window->settings().settings().alpha;
   s_window->settings().change("alpha", "0.77");
-  EXPECT_TRUE(until([] { return ticker().shown()->settings.alpha == 0.77; }, 3000));
+  EXPECT_TRUE(until([] { return ticker().shown()->settings.alpha == 0.77; }));
   press(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_TRUE(until([before] { return ticker().shown()->settings.alpha == before; }, 3000));
+  EXPECT_TRUE(until([before] { return ticker().shown()->settings.alpha == before; }));
 }
 
 TEST_F(Window, AFileThatCannotBeOpenedSaysWhatToDoAndLeavesTheSessionRunning) {
   s_window->openFiles({"/no/such/place/walk.txt"});
-  EXPECT_TRUE(until([] { return s_window->messages().text().contains("walk.txt"); }, 5000));
+  EXPECT_TRUE(until([] { return s_window->messages().text().contains("walk.txt"); }));
   EXPECT_TRUE(s_window->messages().text().contains("use a motion"));
   const auto index = shown();
-  EXPECT_TRUE(until([index] { return shown() > index; }, 3000));
+  EXPECT_TRUE(until([index] { return shown() > index; }));
 }
 
 /// A file with this content in the folder.
@@ -223,7 +216,7 @@ TEST_F(Window, FilesThatDoNotGoTogetherAreRefusedWithWhatToDo) {
       {{folder.filePath("gone.bvh")}, "check its name"}};
   for (const auto& [files, message] : cases) {
     s_window->openFiles(files);
-    EXPECT_TRUE(until([&message = message] { return s_window->messages().text().contains(message); }, 5000))
+    EXPECT_TRUE(until([&message = message] { return s_window->messages().text().contains(message); }))
         << s_window->messages().text().toStdString();
     EXPECT_FALSE(s_window->messages().text().contains("--skeleton"));
   }
@@ -237,13 +230,13 @@ TEST_F(Window, DroppedFilesAreOpened) {
   EXPECT_TRUE(enter.isAccepted());
   QDropEvent drop(QPointF(100, 100), Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(s_window, &drop);
-  EXPECT_TRUE(until([] { return s_window->messages().text().contains("dropped.bvh"); }, 5000));
+  EXPECT_TRUE(until([] { return s_window->messages().text().contains("dropped.bvh"); }));
 }
 
 TEST_F(Window, OpeningSomethingElseReplacesTheJobThatRuns) {
   s_window->openDemo();
   s_window->openFiles({"/no/such/place/later.bvh"});
-  EXPECT_TRUE(until([] { return s_window->messages().text().contains("later.bvh"); }, 5000));
+  EXPECT_TRUE(until([] { return s_window->messages().text().contains("later.bvh"); }));
   QTest::qWait(2500);
   EXPECT_TRUE(s_window->messages().text().contains("later.bvh")) << "the first job must not speak any more";
 }
@@ -252,9 +245,9 @@ TEST_F(Window, AnotherMaterialReplacesTheSessionOnceItIsReady) {
   QSignalSpy started(s_window, &MainWindow::sessionStarted);  // the next session may lie at the same address
   const auto index = shown();
   s_window->openDemo();
-  EXPECT_TRUE(until([index] { return shown() > index; }, 3000)) << "the old one runs until then";
-  EXPECT_TRUE(until([&started] { return started.size() == 1; }, 20'000));
-  EXPECT_TRUE(until([] { return ticker().shown() && shown() > 5; }, 5000));
+  EXPECT_TRUE(until([index] { return shown() > index; })) << "the old one runs until then";
+  EXPECT_TRUE(until([&started] { return started.size() == 1; }));
+  EXPECT_TRUE(until([] { return ticker().shown() && shown() > 5; }));
   EXPECT_LT(ticker().playback().last_s, 10) << "a timeline of its own";
 }
 
@@ -296,7 +289,7 @@ TEST_F(Window, APictureOfTheWindowHoldsTheScene) {
   QTemporaryDir folder;
   const QString file = folder.filePath("window.png");
   QTest::keyClick(&s_window->scene(), Qt::Key_0);  // show all, whatever the tests before did
-  ASSERT_TRUE(until([] { return ticker().shown()->result.status != StepStatus::Failed; }, 5'000));
+  ASSERT_TRUE(until([] { return ticker().shown()->result.status != StepStatus::Failed; }));
   turn();
   ASSERT_EQ(save_screenshot(*s_window, file), QString());
   const QImage picture(file);
