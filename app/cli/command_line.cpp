@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "app/cli/interruption.hpp"
+#include "core/base/printable.hpp"
 #include "core/base/text.hpp"
 
 namespace abrazo::app {
@@ -20,12 +21,18 @@ void fail(CommandLine& line, const Error& error) {
 void warn(CommandLine& line, std::string_view text) {
   if (line.quiet) return;
   clear_progress(line);
-  fmt::print(stderr, "abrazo: warning: {}\n", text);
+  fmt::print(stderr, "abrazo: warning: {}\n", printable(text));
+}
+
+void note(CommandLine& line, std::string_view text) {
+  if (line.quiet) return;
+  clear_progress(line);
+  fmt::print(stderr, "abrazo: {}\n", printable(text));
 }
 
 void answer(CommandLine& line, std::string_view text) {
   clear_progress(line);
-  fmt::print("{}", text);
+  fmt::print("{}", ::isatty(STDOUT_FILENO) == 0 ? std::string(text) : printable(text));
 }
 
 void show_state(CommandLine& line, std::string_view text) {

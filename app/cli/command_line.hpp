@@ -24,6 +24,9 @@ void fail(CommandLine& line, const Error& error);
 /// A remark on stderr about something odd that did not stop the work; nothing with --quiet.
 void warn(CommandLine& line, std::string_view text);
 
+/// What is going on, as a line on stderr; nothing with --quiet.
+void note(CommandLine& line, std::string_view text);
+
 /// The command's answer, on stdout.
 void answer(CommandLine& line, std::string_view text);
 

@@ -143,7 +143,9 @@ std::string info_json(const MotionLibrary& library, long long bytes) {
       .key("frames")
       .value(frame_count(library))
       .key("bytes")
-      .value(bytes);
+      .value(bytes)
+      .key("mapped_bytes")
+      .value(static_cast<long long>(mapped_bytes(library)));
   json.key("joints").begin_array();
   for (const std::string_view joint : joint_names) json.value(joint);
   json.end_array().key("takes").begin_array();
@@ -201,6 +203,10 @@ void print_info(const MotionLibrary& library, long long bytes) {
   fmt::print("{}: {} takes, {} frames, {} pairs at {:.4g} Hz, {} joints, {} bytes\n", library.name(),
              library.takes().size(), frame_count(library), library.pair_count(), library.rate_hz(),
              joint_count, bytes);
+  if (const std::uint64_t mapped = mapped_bytes(library); mapped > 0)
+    fmt::print("mapped: {} bytes stay in the file and are read as they are used\n", mapped);
+  else
+    fmt::print("mapped: nothing, all of it is read into memory\n");
   fmt::print("meshes: {} exact, {} jittered, {} from nearest neighbours\n", counts.per_quality[0],
              counts.per_quality[1], counts.per_quality[2]);
   for (const auto& [role, count] : counts.per_role) fmt::print("active {}: {} pairs\n", role, count);

@@ -248,6 +248,8 @@ Status run_live(CommandLine& line, const LiveOptions& options) {
   const auto live = std::make_shared<LiveReport>();
   engine.push(AttachListener{live});
   if (const Status opened = open_all(engine, options, *plan, library); !opened) return opened;
+  if (const auto receiver = engine.receiver())
+    note(line, "listening " + listening_words(receiver->health().listening));
   const double start_s = engine.clock().now_s();
   if (*clip) {
     (*clip)->seek(0, start_s);
@@ -272,7 +274,8 @@ void add_options(CLI::App& live, LiveOptions& options) {
       ->type_name("LIB");
   list("--listen", options.listen,
        "where the user's poses come from: vmc://HOST:PORT, natnet://HOST[:PORT][?multicast=GROUP], "
-       "xsens://HOST:PORT, clip:FILE; HOST 0.0.0.0 listens on every network")
+       "xsens://HOST:PORT, clip:FILE; without HOST only this machine is heard (127.0.0.1), with HOST 0.0.0.0 "
+       "every network")
       ->required()
       ->type_name("URI");
   list("--send", options.send, "where the partner goes, such as vmc://127.0.0.1:39540; may be repeated")

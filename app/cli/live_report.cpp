@@ -7,6 +7,7 @@
 #include <span>
 
 #include "core/session/latency.hpp"
+#include "core/stream/stream_uri.hpp"
 
 namespace abrazo::app {
 
@@ -105,6 +106,7 @@ Json stream_json(const StreamHealth& stream) {
   Json json = {{"uri", stream.uri},
                {"state", word_of(stream.state)},
                {"listening", stream.listening},
+               {"reach", listening_words(stream.listening)},
                {"packets", stream.packets},
                {"bytes", stream.bytes},
                {"packets_with_issues", stream.packets_with_issues},
@@ -121,8 +123,9 @@ Json stream_json(const StreamHealth& stream) {
 }
 
 std::string stream_text(const StreamHealth& stream) {
-  std::string text = fmt::format("{} packets, {} with something wrong, {} not fetched in time\n",
-                                 stream.packets, stream.packets_with_issues, stream.overflowed);
+  std::string text = fmt::format("listening {}: {} packets, {} with something wrong, {} not fetched in time\n",
+                                 listening_words(stream.listening), stream.packets,
+                                 stream.packets_with_issues, stream.overflowed);
   for (const PerformerHealth& performer : stream.performers)
     text += fmt::format("  {}: {} frames, {} lost, {} late, {} gave no pose\n", performer.performer,
                         performer.frames, performer.lost, performer.late, performer.unusable);

@@ -1,6 +1,7 @@
 #include <fmt/core.h>
 
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -34,6 +35,7 @@ int main(int argc, char** argv) {
   app::add_suggest_command(line);
   app::add_session_command(line);
   app::note_interruptions();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may grow no further is an error like a full disk
   try {
     line.app.parse(argc, argv);
   } catch (const CLI::ParseError& refusal) {

@@ -105,6 +105,7 @@ Status run_synth(CommandLine& line, const SynthOptions& options) {
     run.trace->add(trace_header_line({options.library, options.input.file, rate, *settings}));
   }
   if (const Status solved = solve(line, **synthesizer, input->clip, *library, run); !solved) return solved;
+  if (auto damage = library->damage()) return *damage;
   if (const Status written = write_outputs(options, run); !written) return written;
   if (options.json)
     answer(line, run.summary.json(rate) + "\n");

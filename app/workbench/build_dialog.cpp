@@ -22,6 +22,7 @@
 #include "app/workbench/build_form.hpp"
 #include "core/motion/motion_format.hpp"
 #include "widgets/common/icons.hpp"
+#include "widgets/common/plain_text.hpp"
 #include "widgets/library/pair_preview.hpp"
 
 namespace abrazo::app {
@@ -272,7 +273,7 @@ void BuildDialog::showPlan() {
         new QListWidgetItem(widgets::icon(warning ? widgets::Icon::Information : widgets::Icon::Warning,
                                           warning ? m_palette.secondary : m_palette.warning),
                             head + QString::fromStdString(remark.whole()), m_remarks);
-    item->setToolTip(item->text());
+    item->setToolTip(widgets::plain_tip(item->text()));
     item->setData(Qt::UserRole, remark.performer);
   }
   m_remarks->setVisible(m_remarks->count() > 0);

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "widgets/common/icons.hpp"
+#include "widgets/common/plain_text.hpp"
 #include "widgets/common/theme.hpp"
 
 namespace abrazo::app {
@@ -233,7 +234,7 @@ QVariant BuildPlanModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::EditRole && column == Take) return text_of(performer(row).take);
   if (role == Qt::DisplayRole)
     return text(row, column) + (guess && column != Take && column != Joints ? " ?" : "");
-  if (role == Qt::ToolTipRole) return tip(row, column);
+  if (role == Qt::ToolTipRole) return widgets::plain_tip(tip(row, column));
   if (role == Qt::AccessibleTextRole)
     return text(row, column) + (guess ? ", guessed" : "") + (trouble ? ", look at this" : "");
   if (role == Qt::ForegroundRole) {

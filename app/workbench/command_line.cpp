@@ -56,6 +56,12 @@ std::variant<CommandLine, ExitStatus> parse_command_line(int argc, char** argv) 
       ->check(CLI::Range(0.0, 3600.0));
   parser.add_option("--smoke", asked.smoke_frames, "show this many solved frames, then quit")
       ->check(CLI::Range(1, 1000000));
+  parser.add_flag("--start-times", asked.start_times,
+                  "tell when each stage of the start was reached, up to the first moving picture, then quit");
+  parser
+      .add_option("--status-every", asked.status_every_s,
+                  "write a line of figures (JSON) to the output every so many seconds")
+      ->check(CLI::Range(0.1, 3600.0));
   parser.add_option("--theme", asked.theme, "dark or light")->check(CLI::IsMember({"dark", "light"}));
   parser.add_option("--size", size, "size of the window, such as 1600x1000")
       ->check([&asked](const std::string& text) { return read_size(text, asked.size); });

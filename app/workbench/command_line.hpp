@@ -21,11 +21,15 @@ struct CommandLine {
   std::string record;             ///< folder for a picture, a video and the motion
   double after_s = 3;             ///< counted from the first frame shown
   int smoke_frames = 0;
+  bool start_times = false;   ///< tell how long the start took, then quit
+  double status_every_s = 0;  ///< a line of figures so often; 0 = never
   std::string theme;
   QSize size;
 
   /// The program shows something by itself and quits.
-  bool unattended() const { return !screenshot.empty() || !record.empty() || smoke_frames > 0; }
+  bool unattended() const {
+    return !screenshot.empty() || !record.empty() || smoke_frames > 0 || start_times;
+  }
 };
 
 /// The program is not to start: with this exit status, after what was printed.

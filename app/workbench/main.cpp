@@ -1,16 +1,25 @@
 #include <QApplication>
 #include <clocale>
+#include <csignal>
 #include <cstdio>
+#include <future>
 #include <memory>
+#include <optional>
 
 #include "app/workbench/actions/actions.hpp"
 #include "app/workbench/command_line.hpp"
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/project_desk.hpp"
 #include "app/workbench/responsiveness.hpp"
+#include "app/workbench/start_times.hpp"
+#include "app/workbench/status_lines.hpp"
+#include "app/workbench/termination.hpp"
+#include "app/workbench/thread_priorities.hpp"
 #include "app/workbench/unattended.hpp"
 #include "app/workbench/user_settings.hpp"
 #include "core/base/atomic_file.hpp"
+#include "widgets/common/icons.hpp"
+#include "widgets/common/plain_text.hpp"
 #include "widgets/scene/scene_view.hpp"
 
 using namespace abrazo;
@@ -41,10 +50,28 @@ void set_up_toolkit() {
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   QApplication::setApplicationName("abrazo");
+  QGuiApplication::setDesktopFileName("abrazo");  // what a Wayland desktop finds the icon by
 }
 
-void add_actions(app::MainWindow& window) {
-  app::add_all_actions(window);
+/// The dance that opens when nothing is named, generated while toolkit and window come up.
+app::MainWindow::MakeMaterial dance_begun_early() {
+  auto dance = std::make_shared<std::future<Result<app::Material>>>(
+      std::async(std::launch::async, [] { return app::make_demo({}); }));
+  return [dance](const Progress&) { return dance->get(); };
+}
+
+/// Once there is a picture: the threads that draw begin with it.
+void let_drawing_stand_back(app::MainWindow& window) {
+  auto* once = new QObject(&window);
+  QObject::connect(&window.scene(), &widgets::SceneView::pictureDrawn, once, [once] {
+    app::make_software_renderer_stand_back();
+    once->deleteLater();
+  });
+}
+
+void write_line(const std::string& line) {
+  std::fputs(line.c_str(), stdout);
+  std::fflush(stdout);
 }
 
 }  // namespace
@@ -59,17 +86,31 @@ int main(int argc, char** argv) {
     return asked.settings.front() == '{' ? 2 : 1;  // a wrong word, or a file that cannot be used
   }
 
+  app::StartTimes start;
+  start.reached("libraries loaded");
+  const QStringList files = asked_files(asked);
+  app::MainWindow::MakeMaterial dance;
+  if (files.isEmpty() || asked.demo) dance = dance_begun_early();
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may grow no further is an error like a full disk
   set_up_toolkit();
   QApplication application(argc, argv);
+  widgets::PlainTextLabels plain_labels;
+  start.reached("toolkit ready");
   std::setlocale(LC_NUMERIC, "C");  // QApplication took the user's; numbers in files are not the user's
+  QApplication::setWindowIcon(widgets::program_icon());
 
   app::UserSettings remembered;
   app::MainWindow window(remembered);
   const QString theme = asked.theme.empty() ? remembered.theme() : QString::fromStdString(asked.theme);
   window.setTheme(theme == "light" ? widgets::Theme::Light : widgets::Theme::Dark);
-  add_actions(window);
+  app::add_all_actions(window);
+  start.reached("window built");
+  start.follow(window);
+  let_drawing_stand_back(window);
   app::Responsiveness responsiveness;
   app::watch(window, responsiveness);
+  std::optional<app::StatusLines> status;
+  if (asked.status_every_s > 0) status.emplace(window, responsiveness, asked.status_every_s, write_line);
   window.startWith(*settings);
   if (asked.size.isValid())
     window.resize(asked.size);
@@ -82,10 +123,12 @@ int main(int argc, char** argv) {
     // command line.
     QObject::disconnect(&window, &app::MainWindow::motionsOffered, nullptr, nullptr);
     QObject::disconnect(&window, &app::MainWindow::mappingOffered, nullptr, nullptr);
-    unattended = std::make_unique<app::Unattended>(window, asked, responsiveness);
+    unattended = std::make_unique<app::Unattended>(window, asked, responsiveness, start);
   }
+  const app::Termination termination;
+  app::close_when_told(window, termination);
   window.show();
-  const QStringList files = asked_files(asked);
+  start.reached("window shown");
   if (!asked.unattended() && !asked.demo && files.isEmpty()) app::welcome_at_start(window);
   if (!asked.unattended()) {
     window.findChild<app::ProjectDesk*>()->setAsks(true);
@@ -93,6 +136,6 @@ int main(int argc, char** argv) {
   }
   if (!asked.listen.empty()) app::connect_to_stream(window, QString::fromStdString(asked.listen));
   for (const std::string& uri : asked.send) app::send_partner_to(window, QString::fromStdString(uri));
-  files.isEmpty() || asked.demo ? window.openDemo() : window.openFiles(files);
+  dance ? window.openMaterial(std::move(dance)) : window.openFiles(files);
   return QApplication::exec();
 }

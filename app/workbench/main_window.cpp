@@ -19,7 +19,6 @@
 #include "app/workbench/panel_area.hpp"
 #include "app/workbench/status_figures.hpp"
 #include "widgets/candidates/candidate_table.hpp"
-#include "widgets/common/icons.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/selection_model.hpp"
 #include "widgets/common/theme.hpp"
@@ -255,7 +254,6 @@ void MainWindow::setTheme(widgets::Theme theme) {
   m_transport->setColours(p);
   m_timeline->setColours(p);
   m_status->setColours(p);
-  setWindowIcon(widgets::program_icon(p.active, p.passive));
   emit coloursChanged(p);
 }
 

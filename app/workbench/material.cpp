@@ -35,8 +35,10 @@ Kind kind_of_json(const std::string& file) {
   return names_joints ? Kind::JointMap : Kind::Manifest;
 }
 
-/// The first lines of a file; empty when it cannot be read.
+/// The first lines of a file; empty when it cannot be read, as a pipe that nobody writes to.
 std::string head_of(const std::string& file) {
+  std::error_code failure;
+  if (!std::filesystem::is_regular_file(file, failure)) return {};
   std::string head(65536, '\0');
   std::ifstream stream(file, std::ios::binary);
   stream.read(head.data(), static_cast<std::streamsize>(head.size()));

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/atomic_file.hpp"
+#include "core/base/json_nesting.hpp"
 #include "core/base/text.hpp"
 
 namespace abrazo::app {
@@ -18,6 +19,7 @@ constexpr std::size_t longest_name = 60;
 Result<std::vector<OwnPreset>> interpreted(const std::string& text, const std::string& place) {
   const Error unreadable{
       "is not a list of presets, or is damaged; repair it or move it away. It is left as it is", place};
+  if (nests_too_deep(text)) return Error{too_deep_words, place};
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object() || !json.contains("abrazo_presets")) return unreadable;
   std::vector<OwnPreset> presets;

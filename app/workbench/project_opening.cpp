@@ -3,15 +3,20 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/workbench/user_settings.hpp"
+
 namespace abrazo::app {
 namespace {
 
 namespace fs = std::filesystem;
 using Use = DataReference::Use;
 
-/// What is written there by Autosave belongs to another file; anywhere else a file is what it is.
+/// What is written there by Autosave belongs to another file, which it names. Anywhere else a file is what it
+/// is: one from a stranger must not choose what "Save" writes to.
 bool is_in_autosave_folder(const std::string& file) {
-  return fs::path(file).parent_path().filename() == "autosave";
+  std::error_code failure;
+  const fs::path folder = fs::path(UserSettings().folder().toStdString()) / "autosave";
+  return fs::equivalent(fs::absolute(file, failure).parent_path(), folder, failure);
 }
 
 void warn_of(const OpenedProject& opened, std::vector<std::string>& warnings) {

@@ -7,6 +7,7 @@
 
 #include "app/workbench/generated_fight.hpp"
 #include "core/annotation/annotated_library.hpp"
+#include "core/session/frame_history.hpp"
 #include "core/session/library_reference.hpp"
 #include "core/session/recorded_frames.hpp"
 
@@ -184,6 +185,10 @@ Result<Material> load_recorded(const std::shared_ptr<const SessionFile>& session
   auto frames = RecordedFrames::open(file, found->library);
   if (!frames) return frames.error();
   if (found->before) (*frames)->add_library(found->before);
+  // Timeline and plots ask for it as soon as it is open, on the window's thread: then it is there.
+  const FrameStore::Span span = (*frames)->span();
+  report(progress, 0.8, "Reading the recorded frames");
+  (*frames)->between(span.first_index, span.last_index, FrameHistory::overview_frames);
   auto recorded = std::make_shared<RecordedSession>();
   recorded->file = file;
   recorded->frames = *frames;

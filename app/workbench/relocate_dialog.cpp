@@ -1,5 +1,7 @@
 #include "app/workbench/relocate_dialog.hpp"
 
+#include "widgets/common/plain_text.hpp"
+
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -91,7 +93,8 @@ void RelocateDialog::fill() {
                       ? QString("not found; looked for as %1")
                             .arg(QString::fromStdString(found.looked.empty() ? "" : found.looked.front()))
                       : (choice.proposed ? "moved along: " : "") + choice.file);
-    item->setToolTip(Place, choice.file.isEmpty() ? "Looked for as\n" + looked_at(found) : choice.file);
+    item->setToolTip(Place, widgets::plain_tip(choice.file.isEmpty() ? "Looked for as\n" + looked_at(found)
+                                                                     : choice.file));
     item->setData(File, Qt::UserRole, QVariant::fromValue<qulonglong>(index));
     if (choice.proposed) item->setCheckState(File, choice.taken ? Qt::Checked : Qt::Unchecked);
   }

@@ -27,6 +27,8 @@ class Responsiveness : public QObject {
   void begin(const QString& activity);
   /// Of the present activity.
   const AnswerTimes& times() const { return m_times; }
+  /// Since the program began.
+  const AnswerTimes& overall() const { return m_overall; }
   /// The longest since the program began, and what it did then.
   double longestMs() const { return m_overall.longest_ms(); }
   /// "answers within 6 ms (99 %), longest 31 ms, 12 s ago, while opening"

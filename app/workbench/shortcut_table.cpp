@@ -4,6 +4,8 @@
 #include <cctype>
 #include <nlohmann/json.hpp>
 
+#include "core/base/json_nesting.hpp"
+
 namespace abrazo::app {
 namespace {
 
@@ -136,7 +138,7 @@ std::string ShortcutTable::refuse(const std::string& id, const std::string& raw,
 
 std::vector<std::string> ShortcutTable::read(const std::string& text, const Normal& normal) {
   std::vector<std::string> told;
-  const Json json = Json::parse(text, nullptr, false);
+  const Json json = nests_too_deep(text) ? Json() : Json::parse(text, nullptr, false);
   if (!json.is_object() || !json.contains("abrazo_shortcuts") || !json.contains("keys") ||
       !json.at("keys").is_object())
     return {"is not a list of shortcuts, or is damaged; the usual keys are in use"};

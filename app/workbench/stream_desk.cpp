@@ -109,35 +109,54 @@ void StreamDesk::connectTo(const QString& text) {
   disconnectStream();
   m_uri = text;
   m_panel.form().setUri(text);
-  if (engine()) receive();
+  m_sourceLookup.find(*uri, [this](const Result<StreamUri>& found) {
+    if (!found) return refuse(found.error());
+    m_found = *found;
+    receiveOnceFound();
+  });
+  if (m_found || !isConnected()) return;
+  poll();
+  emit connectionChanged();  // so that it can be given up
+}
+
+/// Nothing is connected any more.
+void StreamDesk::refuse(const Error& error) {
+  m_window.messages().showError(words(error));
+  emit m_window.failed(words(error));  // who started the program unattended waits for it
+  m_uri.clear();
+  m_found.reset();
+  poll();
+  emit connectionChanged();
+}
+
+void StreamDesk::receiveOnceFound() {
+  if (m_found && engine() && !engine()->receiver()) receive();
 }
 
 /// @return whether the stream is open; if not, nothing is connected any more
 bool StreamDesk::receive() {
-  const auto uri = parse_stream_uri(m_uri.toStdString());
-  if (uri) emit aboutToReceive();
-  const Status opened = uri ? engine()->receive(*uri, m_user.toStdString()) : Status(Error(uri.error()));
-  if (!opened) {
-    m_window.messages().showError(words(opened.error()));
-    emit m_window.failed(words(opened.error()));  // who started the program unattended waits for it
-    m_uri.clear();
-  } else {
-    m_window.remembered().setRecentStreams(with_first(recent(), m_uri));
-    m_panel.form().setRecent(recent());
-    const auto delay = milliseconds_option(*uri, "delay", 500);
-    m_panel.setDelay(delay && *delay ? static_cast<int>(1000 * **delay) : 0);
-    m_window.ticker().follow();
+  emit aboutToReceive();
+  if (const Status opened = engine()->receive(*m_found, m_user.toStdString()); !opened) {
+    refuse(opened.error());
+    return false;
   }
+  m_window.remembered().setRecentStreams(with_first(recent(), m_uri));
+  m_panel.form().setRecent(recent());
+  const auto delay = milliseconds_option(*m_found, "delay", 500);
+  m_panel.setDelay(delay && *delay ? static_cast<int>(1000 * **delay) : 0);
+  m_window.ticker().follow();
   poll();
   emit connectionChanged();
-  return isConnected();
+  return true;
 }
 
 void StreamDesk::disconnectStream() {
   if (!isConnected()) return;
   m_calibration.cancel();
   m_soon.stop();
+  m_sourceLookup.cancel();
   m_uri.clear();
+  m_found.reset();
   m_user.clear();
   m_second.clear();
   m_panel.setParts({}, {});
@@ -162,9 +181,7 @@ void StreamDesk::beginSession() {
     m_window.messages().showInformation(name + " plays the user; " + was + " was disconnected");
   } else if (isConnected()) {
     // After all others have begun the session: whoever records has to know its file by then.
-    QTimer::singleShot(0, this, [this] {
-      if (isConnected() && engine() && !engine()->receiver()) receive();
-    });
+    QTimer::singleShot(0, this, [this] { receiveOnceFound(); });
   }
 }
 
@@ -173,8 +190,17 @@ void StreamDesk::send(const QString& text, Character character) {
   if (!uri) return m_window.messages().showError(words(uri.error()));
   if (!engine())
     return m_window.messages().showError("Nothing runs yet that could be sent; open a library first");
-  if (const Status opened = engine()->send(*uri, character); !opened)
+  m_sinkLookup.find(*uri, [this, character](const Result<StreamUri>& found) {
+    if (!found) return m_window.messages().showError(words(found.error()));
+    sendTo(*found, character);
+  });
+}
+
+void StreamDesk::sendTo(const StreamUri& uri, Character character) {
+  if (!engine()) return;  // it ended while the name was looked for
+  if (const Status opened = engine()->send(uri, character); !opened)
     return m_window.messages().showError(words(opened.error()));
+  const QString text = QString::fromStdString(uri.text);
   std::erase_if(m_sinks, [&text](const Sink& sink) { return sink.uri == text; });
   m_sinks.push_back({text, character});
   m_window.remembered().setRecentSinks(with_first(m_window.remembered().recentSinks(), text));
@@ -302,6 +328,9 @@ void StreamDesk::nameInput(const QString& words) {
 void StreamDesk::showNotice() {
   if (!m_notice || m_calibration.is_under_way()) return;
   const bool follows = m_window.ticker().playback().state == Playback::State::Following;
+  if (isConnected() && !m_found)
+    return m_notice->say({}, "Asking the network for the address of " + m_uri,
+                         "Live > Disconnect gives it up");
   if (!m_health || !follows) return m_notice->clear();
   const QString advice =
       m_health->diagnoses.empty() ? QString() : QString::fromStdString(m_health->diagnoses.front().text);

@@ -8,9 +8,11 @@
 #include <vector>
 
 #include "app/workbench/calibration_steps.hpp"
+#include "app/workbench/host_lookup.hpp"
 #include "core/motion/clip.hpp"
 #include "core/session/command.hpp"
 #include "core/stream/stream_health.hpp"
+#include "core/stream/stream_uri.hpp"
 #include "widgets/stream/sink_rates.hpp"
 
 namespace abrazo {
@@ -76,7 +78,10 @@ class StreamDesk : public QObject {
     Character character;
   };
   SessionEngine* engine() const;
+  void receiveOnceFound();
+  void refuse(const Error& error);
   bool receive();
+  void sendTo(const StreamUri& uri, Character character);
   void beginSession();
   void showInput();
   void nameInput(const QString& words);
@@ -87,7 +92,9 @@ class StreamDesk : public QObject {
   MainWindow& m_window;
   widgets::ConnectionPanel& m_panel;
   QPointer<widgets::SceneNotice> m_notice;
-  QString m_uri;  ///< connected to, or to be connected to; empty = nothing
+  QString m_uri;                     ///< connected to, or to be connected to; empty = nothing
+  std::optional<StreamUri> m_found;  ///< the same with addresses in the place of names; nothing before
+  HostLookup m_sourceLookup, m_sinkLookup;
   QString m_user, m_second;
   std::vector<Sink> m_sinks;
   widgets::SinkRates m_rates;

@@ -8,6 +8,7 @@
 #include "app/workbench/actions/actions.hpp"
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/responsiveness.hpp"
+#include "app/workbench/start_times.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/motion/bvh.hpp"
 #include "widgets/scene/scene_view.hpp"
@@ -21,13 +22,18 @@ constexpr int patience_ms = 90'000;  // for the first frame
 }  // namespace
 
 Unattended::Unattended(MainWindow& window, const CommandLine& asked, const Responsiveness& responsiveness,
-                       QObject* parent)
+                       const StartTimes& start, QObject* parent)
     : QObject(parent), m_window(window), m_asked(asked), m_responsiveness(responsiveness) {
   connect(&window.ticker(), &FrameTicker::frameReady, this, &Unattended::onFrame);
   connect(&window, &MainWindow::failed, this, [this](const QString& message) { quit(message); });
   connect(&m_pictures, &QTimer::timeout, this, &Unattended::recordPicture);
   connect(&m_patience, &QTimer::timeout, this,
           [this] { quit("no frame was solved within 90 s; try another file"); });
+  if (asked.start_times)
+    connect(&start, &StartTimes::moved, this, [this, &start] {
+      std::printf("%s", start.text().toUtf8().constData());
+      quit({});
+    });
   m_pictures.setTimerType(Qt::PreciseTimer);
   m_patience.setSingleShot(true);
   m_patience.start(patience_ms);
@@ -40,7 +46,7 @@ void Unattended::onFrame(const FrameSnapshotPtr& frame) {
     m_renderedBefore = m_window.scene().renderedFrames();
     m_solvedBefore = frame->index;
     if (!m_asked.record.empty()) m_pictures.start(1000 / video_rate_hz);
-    if (m_asked.smoke_frames == 0)
+    if (m_asked.smoke_frames == 0 && !m_asked.start_times)
       QTimer::singleShot(static_cast<int>(std::lround(1000 * m_asked.after_s)), this, &Unattended::onTime);
   }
   if (m_asked.smoke_frames == 0 || m_shown < m_asked.smoke_frames || m_done) return;

@@ -14,14 +14,15 @@ namespace abrazo::app {
 
 class MainWindow;
 class Responsiveness;
+class StartTimes;
 
-/// Carries out --smoke, --screenshot and --record, then quits: 0 when it is done, 1 with a sentence when it
-/// cannot be.
+/// Carries out --smoke, --start-times, --screenshot and --record, then quits: 0 when it is done, 1 with a
+/// sentence when it cannot be.
 class Unattended : public QObject {
   Q_OBJECT
  public:
   Unattended(MainWindow& window, const CommandLine& asked, const Responsiveness& responsiveness,
-             QObject* parent = nullptr);
+             const StartTimes& start, QObject* parent = nullptr);
 
  private:
   void onFrame(const FrameSnapshotPtr& frame);

@@ -13,6 +13,7 @@
 #include <array>
 
 #include "widgets/common/icons.hpp"
+#include "widgets/common/plain_text.hpp"
 #include "widgets/common/section_header.hpp"
 #include "widgets/common/theme.hpp"
 
@@ -132,7 +133,7 @@ void WelcomePage::setRecent(const QStringList& labels, const QStringList& tips) 
   }
   for (int i = 0; i < labels.size(); ++i) {
     QPushButton* button = link(labels[i], {});
-    button->setToolTip(tips.value(i));
+    button->setToolTip(widgets::plain_tip(tips.value(i)));
     connect(button, &QPushButton::clicked, this, [this, i] { emit recentChosen(i); });
     m_recent->addWidget(button);
   }

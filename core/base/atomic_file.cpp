@@ -3,6 +3,7 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -11,8 +12,19 @@ namespace abrazo {
 
 namespace fs = std::filesystem;
 
+namespace {
+
+/// An hour of one person at 120 Hz is some 300 MB as BVH text.
+constexpr std::uintmax_t most_bytes_read_whole = std::uintmax_t{4} << 30;
+
+}  // namespace
+
 AtomicFile::AtomicFile(fs::path target)
-    : target_(std::move(target)), partial_(target_.string() + ".partial-" + std::to_string(::getpid())) {}
+    : target_(std::move(target)), partial_(target_.string() + ".partial-" + std::to_string(::getpid())) {
+  // A link of that name would be written through, to wherever it leads.
+  std::error_code ignored;
+  fs::remove(partial_, ignored);
+}
 
 AtomicFile::~AtomicFile() {
   std::error_code ignored;
@@ -41,8 +53,17 @@ Status write_whole_file(const fs::path& target, std::string_view content) {
 }
 
 Result<std::string> read_whole_file(const fs::path& path) {
-  std::error_code ignored;
-  if (fs::is_directory(path, ignored)) return Error{"is a folder; name a file", path.string()};
+  std::error_code failure;
+  const fs::file_status status = fs::status(path, failure);
+  if (fs::is_directory(status)) return Error{"is a folder; name a file", path.string()};
+  // Opening a pipe may wait forever, and a device may have no end.
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    return Error{"is a device or a pipe; name a file", path.string()};
+  const std::uintmax_t bytes = fs::file_size(path, failure);
+  if (!failure && bytes > most_bytes_read_whole)
+    return Error{"is " + std::to_string(bytes >> 20) + " MB large; files of this kind are read up to " +
+                     std::to_string(most_bytes_read_whole >> 20) + " MB. Split it",
+                 path.string()};
   std::ifstream in(path, std::ios::binary);
   if (!in) return Error{std::string("cannot be opened: ") + std::strerror(errno), path.string()};
   return std::string(std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>());

@@ -32,7 +32,7 @@ class AtomicFile {
 /// Writes `content` to `target`, whole or not at all.
 Status write_whole_file(const std::filesystem::path& target, std::string_view content);
 
-/// The content of a file, or an Error that names it.
+/// The content of a file, or an Error that names it: also for a pipe or a device, and for more than 4 GB.
 Result<std::string> read_whole_file(const std::filesystem::path& path);
 
 }  // namespace abrazo

@@ -1,9 +1,11 @@
 #include "core/base/error.hpp"
 
+#include "core/base/printable.hpp"
+
 namespace abrazo {
 
 std::string Error::text() const {
-  return where.empty() ? message : where + ": " + message;
+  return printable(where.empty() ? message : where + ": " + message);
 }
 
 }  // namespace abrazo

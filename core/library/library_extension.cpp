@@ -9,12 +9,12 @@ namespace abrazo {
 
 namespace {
 
-template <typename Item>
-void append(std::vector<Item>& to, const std::vector<Item>& from) {
+template <typename Rows>
+void append(Rows& to, const Rows& from) {
   to.insert(to.end(), from.begin(), from.end());
 }
 
-void append_offsets(std::vector<std::uint64_t>& to, const std::vector<std::uint64_t>& from) {
+void append_offsets(Column<std::uint64_t>& to, const Column<std::uint64_t>& from) {
   const std::uint64_t base = to.back();
   for (std::size_t i = 1; i < from.size(); ++i) to.push_back(base + from[i]);
 }

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "core/base/atomic_file.hpp"
+#include "core/base/json_nesting.hpp"
 
 namespace abrazo {
 
@@ -207,6 +208,7 @@ int line_of(std::string_view text, std::size_t byte) {
 }  // namespace
 
 Result<Manifest> parse_manifest(std::string_view text, const fs::path& file) {
+  if (nests_too_deep(text)) return Error{too_deep_words, file.string()};
   try {
     const json root = json::parse(text);
     std::vector<std::string> warnings;
@@ -216,6 +218,8 @@ Result<Manifest> parse_manifest(std::string_view text, const fs::path& file) {
   } catch (const json::parse_error& failure) {
     return Error{"is not JSON from here on; look for a missing comma, quote or bracket",
                  fmt::format("{}:{}", file.string(), line_of(text, failure.byte))};
+  } catch (const json::out_of_range& failure) {
+    return Error{std::string("holds a number that is too large: ") + failure.what(), file.string()};
   } catch (const Refusal& refusal) {
     Error error = refusal.error;
     if (error.where.ends_with(": ")) error.where.resize(error.where.size() - 2);

@@ -1,11 +1,15 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/base/error.hpp"
+#include "core/library/column.hpp"
 #include "core/library/normalization.hpp"
 #include "core/library/paired_take.hpp"
 #include "core/mesh/interaction_mesh.hpp"
@@ -41,6 +45,9 @@ struct LibraryBody {
       capsule_radii{};  ///< [m], calibrated: recorded contact counts as contact, not as penetration
 };
 
+class MappedFile;
+class RowGuard;
+
 /// Everything of a motion library in columns, one row per pair; pairs of a take stand together, in frame
 /// order, those with swapped = false first. Filled by the builder or the file reader, then only read.
 struct LibraryColumns {
@@ -50,18 +57,20 @@ struct LibraryColumns {
   std::vector<LibraryTake> takes;
   std::vector<LibraryBody> bodies;  ///< performers whose bones differ by less than 0.5 % are one body
   std::vector<PairSource> sources;
-  std::vector<RootFrame> roots;  ///< of the active body, world of the take
-  std::vector<PairPose> poses;   ///< normalised (Eq. 1-2), active then passive
-  std::vector<Features> features;
-  std::vector<std::uint64_t> edge_offsets;  ///< pairs + 1
-  std::vector<MeshEdge> edges;
-  std::vector<std::uint64_t> tetrahedron_offsets;  ///< pairs + 1
-  std::vector<MeshTetrahedron> tetrahedra;
-  std::vector<std::uint8_t> mesh_quality;  ///< InteractionMesh::Quality
+  Column<RootFrame> roots;  ///< of the active body, world of the take
+  Column<PairPose> poses;   ///< normalised (Eq. 1-2), active then passive
+  Column<Features> features;
+  Column<std::uint64_t> edge_offsets;  ///< pairs + 1
+  Column<MeshEdge> edges;
+  Column<std::uint64_t> tetrahedron_offsets;  ///< pairs + 1
+  Column<MeshTetrahedron> tetrahedra;
+  std::vector<std::uint8_t> mesh_quality;     ///< InteractionMesh::Quality
+  std::shared_ptr<const MappedFile> mapping;  ///< what columns are views of; null when all is in memory
 };
 
 /// Recorded pairs, normalised, with their features and interaction meshes (paper 3.2). Immutable; shared
-/// between threads.
+/// between threads. Poses and meshes may be pages of a file (LibraryColumns::mapping) that another program
+/// can damage while it is in use: a damaged pair then shows pair 0, nothing throws, and damage() says so.
 class MotionLibrary {
  public:
   /// @throws std::invalid_argument when the columns do not fit together
@@ -75,11 +84,16 @@ class MotionLibrary {
   const LibraryColumns& columns() const { return columns_; }
 
   const PairSource& source(int pair) const { return columns_.sources[static_cast<std::size_t>(pair)]; }
-  const PairPose& pose(int pair) const { return columns_.poses[static_cast<std::size_t>(pair)]; }
+  const PairPose& pose(int pair) const {
+    return guard_ ? guarded_pose(pair) : columns_.poses[static_cast<std::size_t>(pair)];
+  }
   const RootFrame& root(int pair) const { return columns_.roots[static_cast<std::size_t>(pair)]; }
   const Features& features(int pair) const { return columns_.features[static_cast<std::size_t>(pair)]; }
   std::span<const MeshEdge> edges(int pair) const;
   std::span<const MeshTetrahedron> tetrahedra(int pair) const;
+
+  /// What is wrong with the file under a mapped library: changed since, or a pair in it is damaged.
+  std::optional<Error> damage() const;
 
   const LibraryTake& take_of(int pair) const { return columns_.takes[source(pair).take]; }
   const LibraryBody& active_body(int pair) const;
@@ -109,7 +123,10 @@ class MotionLibrary {
   const LibraryBody& usual_passive_body() const { return columns_.bodies[usual_passive_]; }
 
  private:
+  const PairPose& guarded_pose(int pair) const;
+
   LibraryColumns columns_;
+  std::shared_ptr<const RowGuard> guard_;  ///< null when all is in memory
   std::uint32_t usual_active_ = 0;
   std::uint32_t usual_passive_ = 0;
 };

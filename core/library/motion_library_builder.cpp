@@ -4,7 +4,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <optional>
 #include <set>
+#include <utility>
 
 #include "core/base/parallel.hpp"
 #include "core/library/capsule_calibration.hpp"
@@ -157,8 +160,7 @@ void add_sources(const std::vector<PairedTake>& takes, bool both_roles, LibraryC
 }
 
 /// Fills row `pair` from its source and root.
-void fill_pair(const std::vector<PairedTake>& takes, std::size_t pair, LibraryColumns& columns,
-               InteractionMesh& mesh) {
+void fill_pair(const std::vector<PairedTake>& takes, std::size_t pair, LibraryColumns& columns) {
   const PairSource& source = columns.sources[pair];
   const PairedTake& take = takes[source.take];
   const Pose& active = (source.swapped ? take.b : take.a).poses[source.frame];
@@ -167,23 +169,79 @@ void fill_pair(const std::vector<PairedTake>& takes, std::size_t pair, LibraryCo
   pose.topRows<joint_count>() = to_normalized(active, columns.roots[pair]);
   pose.bottomRows<joint_count>() = to_normalized(passive, columns.roots[pair]);
   columns.features[pair] = pose_features(pose.topRows<joint_count>());
-  mesh = tetrahedralize(pose);
 }
 
-void add_meshes(const std::vector<InteractionMesh>& meshes, LibraryColumns& columns) {
-  std::size_t edges = 0, tetrahedra = 0;
-  for (const InteractionMesh& mesh : meshes) edges += mesh.edges.size(), tetrahedra += mesh.tetrahedra.size();
-  columns.edges.reserve(edges);
-  columns.tetrahedra.reserve(tetrahedra);
-  columns.edge_offsets.assign(1, 0);
-  columns.tetrahedron_offsets.assign(1, 0);
-  for (const InteractionMesh& mesh : meshes) {
-    columns.edges.insert(columns.edges.end(), mesh.edges.begin(), mesh.edges.end());
-    columns.tetrahedra.insert(columns.tetrahedra.end(), mesh.tetrahedra.begin(), mesh.tetrahedra.end());
-    columns.edge_offsets.push_back(columns.edges.size());
-    columns.tetrahedron_offsets.push_back(columns.tetrahedra.size());
-    columns.mesh_quality.push_back(static_cast<std::uint8_t>(mesh.quality));
+/// Meshes of neighbouring pairs, end to end: what one core makes without asking the other.
+struct MeshBlock {
+  std::vector<MeshEdge> edges;
+  std::vector<MeshTetrahedron> tetrahedra;
+};
+constexpr std::size_t pairs_of_block = 64;
+
+/// Offsets hold the sizes of each mesh until all are known.
+void add_mesh(std::size_t pair, MeshBlock& block, LibraryColumns& columns) {
+  const InteractionMesh mesh = tetrahedralize(std::as_const(columns.poses)[pair]);
+  block.edges.insert(block.edges.end(), mesh.edges.begin(), mesh.edges.end());
+  block.tetrahedra.insert(block.tetrahedra.end(), mesh.tetrahedra.begin(), mesh.tetrahedra.end());
+  columns.edge_offsets[pair + 1] = mesh.edges.size();
+  columns.tetrahedron_offsets[pair + 1] = mesh.tetrahedra.size();
+  columns.mesh_quality[pair] = static_cast<std::uint8_t>(mesh.quality);
+}
+
+void join_meshes(std::vector<MeshBlock>& blocks, LibraryColumns& columns) {
+  const auto sum_up = [](Column<std::uint64_t>& sizes) {
+    std::partial_sum(sizes.begin(), sizes.end(), sizes.begin());
+    return sizes.back();
+  };
+  columns.edges.reserve(sum_up(columns.edge_offsets));
+  columns.tetrahedra.reserve(sum_up(columns.tetrahedron_offsets));
+  for (MeshBlock& block : blocks) {
+    columns.edges.insert(columns.edges.end(), block.edges.begin(), block.edges.end());
+    columns.tetrahedra.insert(columns.tetrahedra.end(), block.tetrahedra.begin(), block.tetrahedra.end());
+    block = {};  // a large library should not stand in memory twice
   }
+}
+
+/// Poses, features and meshes of all sources. @return false when progress asked to stop
+bool fill_pairs(const std::vector<PairedTake>& takes, const Progress& progress, LibraryColumns& columns) {
+  const std::size_t pairs = columns.sources.size();
+  columns.poses.resize(pairs);
+  columns.features.resize(pairs);
+  columns.edge_offsets.assign(pairs + 1, 0);
+  columns.tetrahedron_offsets.assign(pairs + 1, 0);
+  columns.mesh_quality.assign(pairs, 0);
+  std::vector<MeshBlock> blocks((pairs + pairs_of_block - 1) / pairs_of_block);
+  const auto fill_block = [&](std::size_t block) {
+    const std::size_t begin = block * pairs_of_block;
+    for (std::size_t pair = begin; pair < std::min(pairs, begin + pairs_of_block); ++pair) {
+      fill_pair(takes, pair, columns);
+      add_mesh(pair, blocks[block], columns);
+    }
+  };
+  if (!for_each_row(blocks.size(), 1, progress, "building interaction meshes", fill_block)) return false;
+  join_meshes(blocks, columns);
+  return true;
+}
+
+/// From every core; warnings in the order of the manifest, and of several errors the first.
+Result<std::vector<PairedTake>> load_takes(const std::vector<Manifest::Take>& wanted,
+                                           const Progress& progress, std::vector<std::string>& warnings) {
+  struct Loaded {
+    std::optional<Result<PairedTake>> take;
+    std::vector<std::string> warnings;
+  };
+  std::vector<Loaded> loaded(wanted.size());
+  const auto load = [&](std::size_t t) { loaded[t].take = load_take(wanted[t], loaded[t].warnings); };
+  if (!report(progress, 0, "reading takes") ||
+      !for_each_row(wanted.size(), 1, progress, "reading takes", load))
+    return cancelled();
+  std::vector<PairedTake> takes;
+  for (Loaded& one : loaded) {
+    warnings.insert(warnings.end(), one.warnings.begin(), one.warnings.end());
+    if (!*one.take) return one.take->error();
+    takes.push_back(std::move(**one.take));
+  }
+  return takes;
 }
 
 void warn_of_unequal_rates(const MotionLibrary& library, std::vector<std::string>& warnings) {
@@ -209,15 +267,7 @@ Result<MotionLibrary> build_library(std::string name, std::vector<PairedTake> ta
   add_takes(takes, options, columns);
   calibrate(takes, columns);
   add_sources(takes, options.both_roles, columns);
-  const std::size_t pairs = columns.sources.size();
-  columns.poses.resize(pairs);
-  columns.features.resize(pairs);
-  std::vector<InteractionMesh> meshes(pairs);
-  const bool finished =
-      for_each_row(pairs, 64, part(progress, 0.05, 0.98), "building interaction meshes",
-                   [&](std::size_t pair) { fill_pair(takes, pair, columns, meshes[pair]); });
-  if (!finished) return cancelled();
-  add_meshes(meshes, columns);
+  if (!fill_pairs(takes, part(progress, 0.05, 0.98), columns)) return cancelled();
   if (!report(progress, 1, "library built")) return cancelled();
   return MotionLibrary(std::move(columns));
 }
@@ -228,18 +278,11 @@ Result<MotionLibrary> build_library(const Manifest& manifest, const LibraryBuild
   std::vector<Manifest::Take> wanted = manifest.takes;
   if (auto refusal = exclude(wanted, options.excluded_takes)) return *refusal;
   constexpr double reading_share = 0.4;
-  std::vector<PairedTake> takes;
-  for (const Manifest::Take& take : wanted) {
-    const double fraction =
-        reading_share * static_cast<double>(takes.size()) / static_cast<double>(wanted.size());
-    if (!report(progress, fraction, "reading " + take.name)) return cancelled();
-    auto loaded = load_take(take, warnings);
-    if (!loaded) return loaded.error();
-    takes.push_back(std::move(*loaded));
-  }
+  auto takes = load_takes(wanted, part(progress, 0, reading_share), warnings);
+  if (!takes) return takes.error();
   LibraryBuildOptions rest = options;
   rest.excluded_takes.clear();
-  auto library = build_library(manifest.name, std::move(takes), rest, part(progress, reading_share, 1));
+  auto library = build_library(manifest.name, std::move(*takes), rest, part(progress, reading_share, 1));
   if (library) warn_of_unequal_rates(*library, warnings);
   if (library && options.rate_hz && std::abs(library->rate_hz() - *options.rate_hz) > 0.01 * *options.rate_hz)
     warnings.push_back(

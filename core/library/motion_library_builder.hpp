@@ -21,7 +21,8 @@ struct LibraryBuildOptions {
 
 /// Normalises, computes features and tetrahedralises every pair of the takes (paper 3.2, 3.4.1).
 /// A frame whose active performer is unknown becomes two pairs (the library doubles, 3.2.1).
-/// Uses every core (TetGen runs on one at a time). @return an Error "cancelled" when `progress` says so
+/// Uses every core; the result does not depend on how many there are. @return an Error "cancelled" when
+/// `progress` says so
 Result<MotionLibrary> build_library(std::string name, std::vector<PairedTake> takes,
                                     const LibraryBuildOptions& options, const Progress& progress);
 

@@ -14,8 +14,8 @@ struct PoseMatch {
   double distance = 0;  ///< Euclidean distance of the features [m]
 };
 
-/// Exact nearest neighbours in the 15-D feature space (kd-tree, paper 3.2.2). Keeps its own copy of the
-/// features.
+/// Exact nearest neighbours in the 15-D feature space (kd-tree, paper 3.2.2): the same for every order of the
+/// pairs. Keeps its own copy of the features. A search allocates nothing but room in `matches`.
 class PoseIndex {
  public:
   /// @param features  of every pair of the library
@@ -39,7 +39,9 @@ class PoseIndex {
 
  private:
   struct Tree;
-  PoseMatch match(std::size_t row, const Features& query) const;
+  template <typename IsLeftOut>
+  void search(const Features& query, int count, const IsLeftOut& is_left_out,
+              std::vector<PoseMatch>& matches) const;
   std::unique_ptr<Tree> tree_;
 };
 

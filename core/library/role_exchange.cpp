@@ -1,5 +1,7 @@
 #include <algorithm>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "core/library/motion_library.hpp"
 #include "core/mesh/other_body.hpp"
@@ -8,16 +10,31 @@ namespace abrazo {
 
 namespace {
 
-void exchange_meshes(LibraryColumns& columns) {
-  for (MeshEdge& edge : columns.edges) {
-    edge = {vertex_of_other_body(edge[0]), vertex_of_other_body(edge[1])};
-    if (edge[0] > edge[1]) std::swap(edge[0], edge[1]);
+/// Row by row as the library gives them: those of a mapped one are looked at on the way.
+void exchange_meshes(const MotionLibrary& library, LibraryColumns& columns) {
+  std::vector<MeshEdge> edges;
+  std::vector<MeshTetrahedron> tetrahedra;
+  edges.reserve(library.columns().edges.size());
+  tetrahedra.reserve(library.columns().tetrahedra.size());
+  std::vector<std::uint64_t> edge_offsets = {0}, tetrahedron_offsets = {0};
+  for (int pair = 0; pair < library.pair_count(); ++pair) {
+    for (MeshEdge edge : library.edges(pair)) {
+      edge = {vertex_of_other_body(edge[0]), vertex_of_other_body(edge[1])};
+      if (edge[0] > edge[1]) std::swap(edge[0], edge[1]);
+      edges.push_back(edge);
+    }
+    std::sort(edges.begin() + static_cast<std::ptrdiff_t>(edge_offsets.back()), edges.end());
+    for (MeshTetrahedron tetrahedron : library.tetrahedra(pair)) {
+      for (std::uint8_t& vertex : tetrahedron) vertex = vertex_of_other_body(vertex);
+      tetrahedra.push_back(tetrahedron);
+    }
+    edge_offsets.push_back(edges.size());
+    tetrahedron_offsets.push_back(tetrahedra.size());
   }
-  for (std::size_t pair = 0; pair + 1 < columns.edge_offsets.size(); ++pair)
-    std::sort(columns.edges.begin() + static_cast<std::ptrdiff_t>(columns.edge_offsets[pair]),
-              columns.edges.begin() + static_cast<std::ptrdiff_t>(columns.edge_offsets[pair + 1]));
-  for (MeshTetrahedron& tetrahedron : columns.tetrahedra)
-    for (std::uint8_t& vertex : tetrahedron) vertex = vertex_of_other_body(vertex);
+  columns.edges = std::move(edges);
+  columns.tetrahedra = std::move(tetrahedra);
+  columns.edge_offsets = std::move(edge_offsets);
+  columns.tetrahedron_offsets = std::move(tetrahedron_offsets);
 }
 
 }  // namespace
@@ -25,21 +42,24 @@ void exchange_meshes(LibraryColumns& columns) {
 MotionLibrary with_roles_exchanged(const MotionLibrary& library) {
   LibraryColumns columns = library.columns();
   columns.roles_exchanged = !columns.roles_exchanged;
-  exchange_meshes(columns);
+  exchange_meshes(library, columns);
   std::optional<double> previous_heading;
-  for (std::size_t pair = 0; pair < columns.poses.size(); ++pair) {
-    const bool continues =
-        pair > 0 && library.later_pair(static_cast<int>(pair) - 1, 1) == static_cast<int>(pair);
+  for (int pair = 0; pair < library.pair_count(); ++pair) {
+    const bool continues = pair > 0 && library.later_pair(pair - 1, 1) == pair;
     if (!continues) previous_heading.reset();
-    const Pose active = to_world(columns.poses[pair].topRows<joint_count>(), columns.roots[pair]);
-    const Pose passive = to_world(columns.poses[pair].bottomRows<joint_count>(), columns.roots[pair]);
+    const PairPose& recorded = library.pose(pair);
+    const Pose active = to_world(recorded.topRows<joint_count>(), library.root(pair));
+    const Pose passive = to_world(recorded.bottomRows<joint_count>(), library.root(pair));
     const RootFrame root = root_frame(passive, previous_heading);
     previous_heading = root.heading_rad;
-    columns.roots[pair] = root;
-    columns.poses[pair].topRows<joint_count>() = to_normalized(passive, root);
-    columns.poses[pair].bottomRows<joint_count>() = to_normalized(active, root);
-    columns.features[pair] = pose_features(columns.poses[pair].topRows<joint_count>());
+    PairPose exchanged;
+    exchanged << to_normalized(passive, root), to_normalized(active, root);
+    const auto row = static_cast<std::size_t>(pair);
+    columns.roots[row] = root;
+    columns.poses[row] = exchanged;
+    columns.features[row] = pose_features(exchanged.topRows<joint_count>());
   }
+  columns.mapping.reset();  // everything is in memory now; what was damaged on the way, `library` says
   return MotionLibrary(std::move(columns));
 }
 

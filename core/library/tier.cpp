@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/base/text.hpp"
+#include "core/base/utf8.hpp"
 
 namespace abrazo {
 
@@ -33,12 +34,31 @@ TierKind kind_of_name(std::string_view name) {
   return TierKind::Note;
 }
 
+namespace {
+
+/// Files of other encodings come through readers that go by what a file says of itself.
+bool is_utf8(const Tier& tier) {
+  bool good = !first_broken_byte(tier.name);
+  for (const TierInterval& each : tier.intervals)
+    good = good && !first_broken_byte(each.value) && !first_broken_byte(each.detail) &&
+           !first_broken_byte(each.confidence);
+  for (const VocabularyEntry& each : tier.vocabulary)
+    good = good && !first_broken_byte(each.value) && !first_broken_byte(each.description);
+  return good;
+}
+
+}  // namespace
+
 Status check_tiers(std::span<const Tier> tiers, std::string_view where) {
   std::set<std::string_view> names;
   for (const Tier& tier : tiers) {
     if (trimmed(tier.name).empty()) return Error{"a tier has no name; give it one", std::string(where)};
     const std::string place = fmt::format("{}: tier {}", where, in_quotes(tier.name));
     if (!names.insert(tier.name).second) return Error{"there are two of this name; rename one", place};
+    if (!is_utf8(tier))
+      return Error{
+          "holds text that is not UTF-8; save the file as UTF-8, or correct the encoding that it names",
+          place};
     const TierInterval* before = nullptr;
     for (const TierInterval& interval : tier.intervals) {
       const std::string spoken =

@@ -58,8 +58,8 @@ std::vector<VocabularyEntry> vocabulary_of(std::span<const TierInterval> interva
 /// (in any case); Note for others.
 TierKind kind_of_name(std::string_view name);
 
-/// Whether tiers hold together: names are there and each once, intervals have finite times, some length, and
-/// are ascending without overlap. @return what is not, with the tier's name and the interval
+/// Whether tiers hold together: names are there and each once, text is UTF-8, intervals have finite times,
+/// some length, and are ascending without overlap. @return what is not, with the tier's name and the interval
 Status check_tiers(std::span<const Tier> tiers, std::string_view where);
 
 /// Tiers as one JSON object:

@@ -8,6 +8,7 @@
 
 #include "core/base/atomic_file.hpp"
 #include "core/base/text.hpp"
+#include "core/base/utf8.hpp"
 #include "core/library/eaf_file.hpp"
 #include "core/library/subtitle_file.hpp"
 #include "core/library/tier_csv.hpp"
@@ -32,23 +33,6 @@ bool has_whole_milliseconds(const std::string& extension) {
 Error unknown_format(const std::string& name) {
   return {fmt::format("is not a label file by its name; use {}", fmt::join(tier_file_extensions(), ", ")),
           name};
-}
-
-/// Byte of the first character that is not UTF-8; nothing when all are.
-std::optional<std::size_t> first_broken_byte(std::string_view text) {
-  for (std::size_t at = 0; at < text.size();) {
-    const auto lead = static_cast<unsigned char>(text[at]);
-    const std::size_t length = lead < 0x80                   ? 1
-                               : lead >= 0xC2 && lead < 0xE0 ? 2
-                               : (lead & 0xF0) == 0xE0       ? 3
-                               : lead >= 0xF0 && lead < 0xF5 ? 4
-                                                             : 0;
-    if (length == 0 || at + length > text.size()) return at;
-    for (std::size_t i = 1; i < length; ++i)
-      if ((static_cast<unsigned char>(text[at + i]) & 0xC0) != 0x80) return at;
-    at += length;
-  }
-  return std::nullopt;
 }
 
 Status check_text(std::string_view text, const std::string& name, const std::string& extension) {

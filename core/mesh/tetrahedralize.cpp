@@ -1,5 +1,6 @@
-#define TETLIBRARY  // TetGen's header declares its library interface under this name only
-#include <tetgen.h>
+#include <CGAL/Delaunay_triangulation_3.h>
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Triangulation_vertex_base_with_info_3.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -7,9 +8,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <memory>
-#include <mutex>
 #include <optional>
+#include <stdexcept>
 
 #include "core/mesh/interaction_mesh.hpp"
 #include "core/motion/joint_set.hpp"
@@ -17,6 +17,12 @@
 namespace abrazo {
 
 namespace {
+
+using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
+using Vertex = CGAL::Triangulation_vertex_base_with_info_3<int, Kernel>;
+// The cell without a place for its circumcentre, which nobody asks for.
+using Cell = CGAL::Triangulation_cell_base_3<Kernel>;
+using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
 
 constexpr double coincidence_m = 1e-3;
 constexpr double jitter_m = 1e-5;
@@ -40,8 +46,7 @@ bool has_coincident_points(const PairPose& pair) {
   return false;
 }
 
-/// All points in a plane, on a line or in one place, as far as TetGen is concerned: it stops the process at
-/// some of these.
+/// All points in a plane, on a line or in one place, to within what a mesh should be made of.
 bool is_flat(const PairPose& pair) {
   const PairPose centred = pair.rowwise() - pair.colwise().mean();
   const Eigen::Matrix3d spread = centred.transpose() * centred;
@@ -55,40 +60,51 @@ PairPose jittered(const PairPose& pair) {
   return moved;
 }
 
-/// Nothing when TetGen finds no volume.
-std::optional<std::vector<MeshTetrahedron>> delaunay(const PairPose& pair) {
-  // TetGen's exact predicates live in globals that a call initialises: one call at a time.
-  static std::mutex one_at_a_time;
-  const std::scoped_lock lock(one_at_a_time);
+/// Bodies and joints in turn, far apart: points in the order of a limb would make slivers that the next ones
+/// take apart again, half as fast.
+constexpr int insertion_order(int n) {
+  return (n % 2) * joint_count + (n / 2 * 7) % joint_count;
+}
 
+/// Vertices ascending but for the last two, which stand so that the volume is positive: however a
+/// tetrahedron was found, it reads the same.
+MeshTetrahedron canonical(MeshTetrahedron t) {
+  bool odd = false;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = i + 1; j < 4; ++j)
+      if (t[j] < t[i]) std::swap(t[i], t[j]), odd = !odd;
+  if (odd) std::swap(t[2], t[3]);
+  return t;
+}
+
+/// Nothing when there is no volume, or points are one. Exact in every case: points on one sphere are told
+/// apart by CGAL's symbolic perturbation. Any thread.
+std::optional<std::vector<MeshTetrahedron>> delaunay(const PairPose& pair) {
+  thread_local Delaunay triangulation;  // keeps its memory from pair to pair
+  triangulation.clear();
   // Centred, so that pairs far from the origin keep their precision.
   const Eigen::RowVector3d centre = pair.colwise().mean();
-  tetgenio in;
-  tetgenio out;
-  in.firstnumber = 0;
-  in.numberofpoints = pair_vertex_count;
-  in.pointlist = new REAL[3 * pair_vertex_count];  // freed by tetgenio
-  for (int v = 0; v < pair_vertex_count; ++v)
-    for (int axis = 0; axis < 3; ++axis) in.pointlist[3 * v + axis] = pair(v, axis) - centre(axis);
-  try {
-    std::array<char, 2> quiet = {'Q', '\0'};
-    ::tetrahedralize(quiet.data(), &in, &out);
-  } catch (...) {  // TetGen throws an int
-    return std::nullopt;
+  Delaunay::Cell_handle near_last;
+  for (int n = 0; n < pair_vertex_count; ++n) {
+    const int v = insertion_order(n);
+    const Eigen::RowVector3d point = pair.row(v) - centre;
+    const auto inserted = triangulation.insert({point.x(), point.y(), point.z()}, near_last);
+    inserted->info() = v;
+    near_last = inserted->cell();
   }
-  if (out.numberoftetrahedra == 0 || out.numberofcorners < 4) return std::nullopt;
-  std::vector<MeshTetrahedron> tetrahedra(static_cast<std::size_t>(out.numberoftetrahedra));
-  std::array<bool, pair_vertex_count> used{};
-  for (int t = 0; t < out.numberoftetrahedra; ++t)
-    for (int corner = 0; corner < 4; ++corner) {
-      const int vertex = out.tetrahedronlist[t * out.numberofcorners + corner];
-      if (vertex < 0 || vertex >= pair_vertex_count) return std::nullopt;
-      tetrahedra[static_cast<std::size_t>(t)][static_cast<std::size_t>(corner)] =
-          static_cast<std::uint8_t>(vertex);
-      used[static_cast<std::size_t>(vertex)] = true;
-    }
-  // A vertex without a tetrahedron was merged away: not the mesh of all joints.
-  if (!std::all_of(used.begin(), used.end(), [](bool is_used) { return is_used; })) return std::nullopt;
+  // A vertex that stands where another stands is not a vertex of its own: not the mesh of all joints.
+  if (triangulation.dimension() < 3 ||
+      triangulation.number_of_vertices() != static_cast<std::size_t>(pair_vertex_count))
+    return std::nullopt;
+  std::vector<MeshTetrahedron> tetrahedra;
+  tetrahedra.reserve(triangulation.number_of_cells());
+  for (const auto cell : triangulation.finite_cell_handles()) {
+    MeshTetrahedron tetrahedron;
+    for (int corner = 0; corner < 4; ++corner)
+      tetrahedron[static_cast<std::size_t>(corner)] = static_cast<std::uint8_t>(cell->vertex(corner)->info());
+    tetrahedra.push_back(canonical(tetrahedron));
+  }
+  std::sort(tetrahedra.begin(), tetrahedra.end());
   return tetrahedra;
 }
 
@@ -125,6 +141,7 @@ void add_nearest_neighbours(const PairPose& pair, EdgeSet& edges) {
 }  // namespace
 
 InteractionMesh tetrahedralize(const PairPose& pair) {
+  if (!pair.allFinite()) throw std::invalid_argument("a joint's position is not finite");
   InteractionMesh mesh;
   std::optional<std::vector<MeshTetrahedron>> tetrahedra;
   if (!has_coincident_points(pair) && !is_flat(pair)) tetrahedra = delaunay(pair);

@@ -14,6 +14,7 @@
 #include "core/motion/line_reader.hpp"
 #include "core/motion/performers.hpp"
 #include "core/motion/scene_animation.hpp"
+#include "core/motion/scene_hierarchy.hpp"
 #include "core/motion/scene_nesting.hpp"
 
 namespace abrazo {
@@ -271,6 +272,9 @@ Result<std::vector<NamedMotion>> read_scene(std::string_view bytes, MotionFormat
     return Error{"has elements more than " + std::to_string(deepest) +
                      " deep inside each other, which no skeleton has; it is damaged",
                  file};
+  const Result<SceneHierarchy> hierarchy = scene_hierarchy(bytes, format, file);
+  if (!hierarchy) return hierarchy.error();
+  if (const Status tree = check_hierarchy(*hierarchy, deepest, most_nodes, file); !tree) return tree.error();
   // A .gltf may name files beside it; the others hold everything.
   const bool by_name = hint == std::string_view("gltf");
   const aiScene* scene =

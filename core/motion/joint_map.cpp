@@ -6,6 +6,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "core/base/json_nesting.hpp"
 #include "core/motion/line_reader.hpp"
 
 namespace abrazo {
@@ -99,6 +100,7 @@ std::string joint_map_json(const JointMap& map) {
 
 Result<JointMap> parse_joint_map(std::string_view text, std::string_view where) {
   const std::string file(where);
+  if (nests_too_deep(text)) return Error{too_deep_words, file};
   Json json;
   try {
     json = Json::parse(text);

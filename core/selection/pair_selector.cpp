@@ -8,6 +8,9 @@ namespace abrazo {
 
 namespace {
 
+/// As many as can be set: a larger k does not allocate in the step where it is set.
+constexpr std::size_t room_for_matches = 200;
+
 std::vector<bool> as_flags(const std::vector<int>& pairs, int count) {
   std::vector<bool> flags(static_cast<std::size_t>(count), false);
   for (const int pair : pairs) flags[static_cast<std::size_t>(pair)] = true;
@@ -53,6 +56,7 @@ PairSelector::PairSelector(std::shared_ptr<const MotionLibrary> library, std::ve
       vetoed_(selectable_.size(), false),
       left_out_(vetoed_),
       index_(std::move(index)) {
+  matches_.reserve(std::min(pairs_.size(), room_for_matches));
   if (!index_) index_ = std::make_shared<const PoseIndex>(library_->columns().features, pairs_);
 }
 

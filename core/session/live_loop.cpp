@@ -30,6 +30,15 @@ bool same_body(const Body& a, const Body& b) {
          a.toe_rest_height == b.toe_rest_height;
 }
 
+/// In place of what was solved from a library whose file others damaged: that would be nonsense.
+void hold(FrameSnapshot& snapshot, const FrameSnapshotPtr& last, const std::string& why) {
+  snapshot.elapsed_s = -1;
+  snapshot.before = nullptr;
+  snapshot.result = last ? last->result : FrameResult{};
+  snapshot.result.status = StepStatus::Failed;
+  snapshot.result.message = why + "; the partner holds its last pose";
+}
+
 }  // namespace
 
 LiveLoop::LiveLoop(std::shared_ptr<PartnerSynthesizer> synthesizer, std::shared_ptr<PoseSource> source,
@@ -89,11 +98,7 @@ void LiveLoop::solve(const SourcePose& input, double now_s) {
     state_due_ = next_index_;
   }
   if (steering_.before_step(now_s)) state_due_ = next_index_;
-  const double elapsed = previous_time_s_ < 0 ? 0.0 : input.time_s - previous_time_s_;
-  if (elapsed > 0 && elapsed < loss_after_s())
-    smoothed_interval_s_ +=
-        (smoothed_interval_s_ > 0 ? interval_smoothing : 1.0) * (elapsed - smoothed_interval_s_);
-  previous_time_s_ = input.time_s;
+  const double elapsed = time_since_previous(input);
   if (is_first_of_source_) dropped_at_start_ = input.dropped;
   is_first_of_source_ = false;
   dropped_now_ = input.dropped - dropped_at_start_;
@@ -114,12 +119,26 @@ void LiveLoop::solve(const SourcePose& input, double now_s) {
                      .assembled_s = input.assembled_s,
                      .taken_s = now_s,
                      .solved_s = clock_ ? clock_() : now_s};
-  if (output_.send(snapshot->result, snapshot->settings.user_role, snapshot->time_s))
+  const std::optional<Error> damage = snapshot->library->damage();
+  if (damage) hold(*snapshot, latest_.newest(), damage->text());
+  if (damage ? output_.hold(snapshot->time_s)
+             : output_.send(snapshot->result, snapshot->settings.user_role, snapshot->time_s))
     snapshot->times.sent_s = clock_ ? clock_() : now_s;
   has_solved_ = true;
   const FrameResult& solved = snapshot->result;
   steering_.after_step(solved, input.pose, snapshot->time_s);
   publish(std::move(snapshot));
+  if (damage) state_due_ = next_index_;
+}
+
+/// @return 0 for the first pose [s]
+double LiveLoop::time_since_previous(const SourcePose& input) {
+  const double elapsed = previous_time_s_ < 0 ? 0.0 : input.time_s - previous_time_s_;
+  if (elapsed > 0 && elapsed < loss_after_s())
+    smoothed_interval_s_ +=
+        (smoothed_interval_s_ > 0 ? interval_smoothing : 1.0) * (elapsed - smoothed_interval_s_);
+  previous_time_s_ = input.time_s;
+  return elapsed;
 }
 
 /// Frames of a session ascend in time, whatever the source's clock does.

@@ -45,6 +45,7 @@ class LiveLoop {
   void listen_to_source();
   void take_measures();
   void solve(const SourcePose& input, double now_s);
+  double time_since_previous(const SourcePose& input);
   double frame_time(const SourcePose& input, double now_s) const;
   void wait_for_pose(double now_s);
   double loss_after_s() const;

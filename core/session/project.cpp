@@ -29,6 +29,9 @@ Status create(const std::string& path, const Project& project) {
   {
     auto database = SessionDatabase::open(file.partial().string(), SessionDatabase::Access::Create);
     if (!database) return Error{database.error().message, path};
+    // The file is thrown away when it does not come to be: a journal beside it would only be left over.
+    if (const auto set = database->execute("PRAGMA journal_mode=MEMORY"); !set)
+      return Error{set.error().message, path};
     const Status made = in_transaction(*database, [&] {
       const Status created = create_session_schema(*database);
       return created ? write_project(*database, project) : created;

@@ -9,6 +9,7 @@
 
 #include "core/library/motion_library.hpp"
 #include "core/mesh/laplacian.hpp"
+#include "core/session/frame_in_library.hpp"
 #include "core/session/frame_reader.hpp"
 #include "core/session/library_reference.hpp"
 #include "core/session/session_schema.hpp"
@@ -19,6 +20,8 @@ namespace {
 
 /// Some 4 s at 120 Hz, 10 kB each.
 constexpr std::size_t cached_frames = 512;
+/// Of the whole file: several views ask for it one after the other, and again when a library is another.
+constexpr std::size_t kept_overview_frames = 4096;
 
 using Library = std::shared_ptr<const MotionLibrary>;
 
@@ -94,6 +97,7 @@ class FileFrames : public RecordedFrames {
     version_.reset();
     reader_.reset();
     database_.reset();
+    overview_ = {};
     Status done = run();
     if (const Status connected = connect(); !connected) note_damage(1, connected.error().message);
     return done;
@@ -106,6 +110,7 @@ class FileFrames : public RecordedFrames {
     libraries_[fingerprint] = std::move(library);
     by_id_.clear();
     cache_.clear();
+    overview_ = {};
   }
 
   Span span() const override {
@@ -151,7 +156,13 @@ class FileFrames : public RecordedFrames {
                                        origin_.offset_frames);
     };
     if (first_index > span.last_index) return {};
-    return read_between(in_file(first_index), in_file(last_index), most);
+    const std::int64_t begin = in_file(first_index), end = in_file(last_index);
+    const bool is_overview = begin == in_file(span.first_index) && most <= kept_overview_frames &&
+                             end - begin >= static_cast<std::int64_t>(most);
+    if (!is_overview) return read_between(begin, end, most);
+    if (overview_.frames.empty() || overview_.end != end || overview_.most != most)
+      overview_ = {end, most, read_between(begin, end, most)};
+    return overview_.frames;
   }
 
   std::optional<std::uint64_t> state_before(std::uint64_t index) const override {
@@ -187,6 +198,13 @@ class FileFrames : public RecordedFrames {
     return std::nullopt;
   }
 
+  /// Of all up to a frame, thinned.
+  struct Overview {
+    std::int64_t end = 0;
+    std::size_t most = 0;
+    std::vector<FrameSnapshotPtr> frames;
+  };
+
   Span read_span() const {
     if (!version_) return known_span_;
     // Another connection's commit changes the version; without one nothing is new.
@@ -213,6 +231,7 @@ class FileFrames : public RecordedFrames {
     FrameSnapshot& frame = *read.frame;
     if (read.library)
       if (const Library library = library_of(*read.library)) {
+        if (!has_pairs_of(*library, frame)) forget_pairs(frame);
         complete(frame, *library);
         frame.library = library;
       }
@@ -222,6 +241,14 @@ class FileFrames : public RecordedFrames {
                          &frame.times.solved_s, &frame.times.sent_s})
       if (*time >= 0) *time -= origin_.offset_s;
     return std::move(read.frame);
+  }
+
+  /// What is shown without them is still the poses that were recorded.
+  void forget_pairs(FrameSnapshot& frame) const {
+    note_damage(1, "frame " + std::to_string(frame.index) + " names pairs that its library does not have");
+    frame.result.candidates.clear();
+    frame.result.selected = -1;
+    frame.before = nullptr;
   }
 
   FrameSnapshotPtr read(std::int64_t index) const {
@@ -293,6 +320,7 @@ class FileFrames : public RecordedFrames {
   std::unique_ptr<FrameReader> reader_;
   mutable std::optional<SessionStatement> version_;
   mutable FrameCache cache_;
+  mutable Overview overview_;
   std::unordered_map<std::string, Library> libraries_;  ///< by fingerprint
   mutable std::unordered_map<std::int64_t, Library> by_id_;
   mutable std::uint64_t damaged_ = 0;

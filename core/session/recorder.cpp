@@ -209,6 +209,7 @@ class FileRecorder : public Recorder {
   /// Counts what is on disk now, or says why it is not.
   void settle(std::deque<Item>& batch, const Status& written) {
     const std::uint64_t bytes = writer_->bytes();
+    const std::string misplaced = writer_->misplaced();
     std::deque<Item> done;  // destroyed outside the lock
     const std::scoped_lock lock(mutex_);
     ++attempts_;
@@ -223,6 +224,9 @@ class FileRecorder : public Recorder {
       oldest_in_batch_ = Steady::time_point::max();
       if (failed_ || done.size() > 0) state_.failure.clear();
       failed_ = false;
+      // Seen also while nothing comes in, and over once the file is back.
+      if (!misplaced.empty() || state_.failure == misplaced_) state_.failure = misplaced;
+      misplaced_ = misplaced;
     }
     written_changed_.notify_all();
   }
@@ -251,6 +255,7 @@ class FileRecorder : public Recorder {
     queue_.clear();
     state_.take.clear();
     state_.bytes = writer_->bytes();
+    if (state_.failure == misplaced_) state_.failure.clear();  // closing says what became of it
     if (!closed && state_.failure.empty()) state_.failure = closed.error().message;
     if (!state_.failure.empty())
       finished_ =
@@ -291,6 +296,7 @@ class FileRecorder : public Recorder {
   const RecorderOptions options_;
   std::unique_ptr<SessionWriter> writer_;  ///< of the thread
   std::shared_ptr<RecordedFrames> store_;
+  std::string misplaced_;                         ///< of the thread: said at the last write
   bool failed_ = false;                           ///< of the thread: the last attempt to write
   std::shared_ptr<const MotionLibrary> library_;  ///< of the thread: of the newest frame
 

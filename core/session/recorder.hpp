@@ -75,8 +75,8 @@ class Recorder : public FrameListener {
     std::uint64_t frames = 0, poses = 0, bytes = 0;
     double behind_s = 0;     ///< age of the oldest frame that is not on disk yet
     std::string take;        ///< being recorded; empty = none
-    std::string failure;     ///< why nothing more is written (disk full): frames are lost from then on. Empty
-                             ///< again when it could go on
+    std::string failure;     ///< why nothing more is written (disk full), or would not be found (the file was
+                             ///< deleted): frames are lost from then on. Empty again when it could go on
     std::uint64_t lost = 0;  ///< frames and poses that are not and will not be on disk
   };
   virtual State state() const = 0;

@@ -2,7 +2,13 @@
 
 #include <sqlite3.h>
 
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <fstream>
 #include <utility>
+
+#include "core/base/atomic_file.hpp"
 
 namespace abrazo {
 
@@ -185,7 +191,55 @@ std::string frozen_uri(const std::string& path) {
 
 }  // namespace
 
+namespace {
+
+constexpr int usual_patience_ms = 2000;
+/// A value may be so large: pictures of states are some kB, a project's longest text a few MB.
+constexpr int largest_value_bytes = 256 << 20;
+
+/// A journal that SQLite finds beside a database may name another one, which it then deletes. Journals of
+/// session files never do.
+Status check_journal(const std::string& path) {
+  static constexpr std::array<char, 8> magic = {'\xd9', '\xd5', '\x05', '\xf9',
+                                                '\x20', '\xa1', '\x63', '\xd7'};
+  const std::string journal = path + "-journal";
+  std::ifstream file(journal, std::ios::binary | std::ios::ate);
+  if (!file || file.tellg() < static_cast<std::streamoff>(magic.size())) return Done{};
+  std::array<char, 8> end{};
+  file.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
+  file.read(end.data(), end.size());
+  if (!file || end != magic) return Done{};
+  return Error{
+      "beside the file lies a journal that names a file of its own, which would be deleted; this "
+      "program never writes such a one. Move '" +
+          std::filesystem::path(journal).filename().string() + "' away, then open the session again",
+      path};
+}
+
+/// A file from somebody else may hold a schema made to harm.
+void defend(sqlite3* database, bool is_salvage) {
+  const auto set = [&](int option, int value) { sqlite3_db_config(database, option, value, nullptr); };
+  set(SQLITE_DBCONFIG_DEFENSIVE, is_salvage ? 0 : 1);
+  set(SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0);
+  set(SQLITE_DBCONFIG_ENABLE_TRIGGER, 0);
+  set(SQLITE_DBCONFIG_ENABLE_VIEW, 0);  // those in the file are for people who look into it
+  set(SQLITE_DBCONFIG_ENABLE_LOAD_EXTENSION, 0);
+  set(SQLITE_DBCONFIG_ENABLE_FTS3_TOKENIZER, 0);
+  set(SQLITE_DBCONFIG_DQS_DDL, 0);
+  set(SQLITE_DBCONFIG_DQS_DML, 0);
+  sqlite3_limit(database, SQLITE_LIMIT_LENGTH, largest_value_bytes);
+  sqlite3_limit(database, SQLITE_LIMIT_SQL_LENGTH, 1 << 20);
+  sqlite3_limit(database, SQLITE_LIMIT_EXPR_DEPTH, 100);
+  sqlite3_limit(database, SQLITE_LIMIT_COMPOUND_SELECT, 10);
+  sqlite3_limit(database, SQLITE_LIMIT_TRIGGER_DEPTH, 1);
+  sqlite3_limit(database, SQLITE_LIMIT_ATTACHED, 1);  // a copy of the session is one
+  sqlite3_limit(database, SQLITE_LIMIT_WORKER_THREADS, 0);
+}
+
+}  // namespace
+
 Result<SessionDatabase> SessionDatabase::open(const std::string& path, Access access) {
+  if (const Status harmless = check_journal(path); !harmless) return harmless.error();
   auto handle = std::make_unique<Handle>();
   handle->path = path;
   int flags = SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE;
@@ -196,19 +250,23 @@ Result<SessionDatabase> SessionDatabase::open(const std::string& path, Access ac
   else
     flags |= SQLITE_OPEN_READWRITE;  // SQLite itself falls back to reading what may not be written
   if (access == Access::Create) flags |= SQLITE_OPEN_CREATE;
-  const std::string name = access == Access::Frozen ? frozen_uri(path) : path;
+  // A name such as ":memory:" is one of a file, too.
+  std::error_code failure;
+  const std::string full = std::filesystem::absolute(path, failure).string();
+  const std::string name = access == Access::Frozen ? frozen_uri(full) : full;
   const int code = sqlite3_open_v2(name.c_str(), &handle->database, flags, nullptr);
   if (code != SQLITE_OK) return error_of(code, nullptr, path);
   sqlite3_extended_result_codes(handle->database, 1);
-  // A file from somebody else may hold a schema made to harm.
   handle->is_salvage = access == Access::Salvage;
-  sqlite3_db_config(handle->database, SQLITE_DBCONFIG_DEFENSIVE, handle->is_salvage ? 0 : 1, nullptr);
-  sqlite3_db_config(handle->database, SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0, nullptr);
+  defend(handle->database, handle->is_salvage);
   SessionDatabase opened(std::move(handle));
-  opened.set_patience(2000);
+  opened.set_patience(usual_patience_ms);
+  // No page of a file that others may cut short is mapped, and every page is looked over before it is used.
+  (void)opened.execute("PRAGMA mmap_size=0; PRAGMA cell_size_check=ON");
   // Without this a file that is shorter than it says is refused as a whole.
   if (access == Access::Salvage) (void)opened.execute("PRAGMA writable_schema=ON");
   const bool writes = access == Access::Write || access == Access::Create;
+  if (!writes) (void)opened.execute("PRAGMA query_only=ON");
   if (writes && sqlite3_db_readonly(opened.handle_->database, "main") == 1)
     return error_of(SQLITE_READONLY, nullptr, path);
   return opened;
@@ -272,6 +330,38 @@ std::int64_t SessionDatabase::last_row_id() const {
 
 void SessionDatabase::set_patience(int milliseconds) {
   sqlite3_busy_timeout(handle_->database, milliseconds);
+}
+
+bool SessionDatabase::is_held_elsewhere() {
+  // A connection that only reads is not even asked for the lock.
+  const auto query_only = integer("PRAGMA query_only");
+  const bool only_reads = query_only && query_only->value_or(0) != 0;
+  if (only_reads) (void)execute("PRAGMA query_only=OFF");
+  set_patience(0);
+  const bool free = execute("BEGIN IMMEDIATE").ok();
+  const bool held = !free && fault() == DatabaseFault::Busy;
+  if (free) (void)execute("ROLLBACK");
+  set_patience(usual_patience_ms);
+  if (only_reads) (void)execute("PRAGMA query_only=ON");
+  return held;
+}
+
+Status SessionDatabase::copy_to(const std::string& path) {
+  AtomicFile file(path);
+  std::string quoted;
+  for (const char c : file.partial().string()) quoted += c == '\'' ? "''" : std::string(1, c);
+  (void)execute("PRAGMA query_only=OFF");  // it is the copy that is written
+  const Status copied = execute("VACUUM INTO '" + quoted + "'");
+  if (!copied) return Error{copied.error().message, path};
+  return file.commit();
+}
+
+Status SessionDatabase::abandon() {
+  sqlite3_file_control(handle_->database, "main", SQLITE_FCNTL_PERSIST_WAL, std::array{1}.data());
+  sqlite3_db_config(handle_->database, SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, 1, nullptr);
+  const int code = sqlite3_close_v2(std::exchange(handle_->database, nullptr));
+  if (code != SQLITE_OK) return error_of(code, nullptr, handle_->path);
+  return Done{};
 }
 
 Status SessionDatabase::close() {

@@ -89,6 +89,12 @@ class SessionDatabase {
   std::int64_t last_row_id() const;
   /// How long to wait for another writer [ms].
   void set_patience(int milliseconds);
+  /// Whether somebody else holds the file for writing.
+  bool is_held_elsewhere();
+  /// Everything that was committed into a file of its own, which appears whole or not at all.
+  Status copy_to(const std::string& path);
+  /// Closes without touching what lies beside the file.
+  Status abandon();
   /// Moves everything from the write-ahead log into the file, which is all there is then.
   Status close();
 

@@ -30,12 +30,6 @@ Result<std::vector<Row>> rows_to_edit(SessionDatabase& database, const TakeEdits
   }
 }
 
-std::string sql_text(const std::string& text) {
-  std::string quoted = "'";
-  for (const char c : text) quoted += c == '\'' ? "''" : std::string(1, c);
-  return quoted + "'";
-}
-
 }  // namespace
 
 Status apply_take_edits(SessionDatabase& database, const TakeEdits& edits) {
@@ -77,16 +71,7 @@ Status copy_session(const std::string& path, const std::string& copy) {
   if (!database) return database.error();
   const Status known = check_session_schema(*database);
   if (!known) return known;
-  const std::string partial = copy + ".part";
-  std::filesystem::remove(partial, trouble);
-  const Status written = database->execute("VACUUM INTO " + sql_text(partial));
-  if (!written) {
-    std::filesystem::remove(partial, trouble);
-    return Error{written.error().message, copy};
-  }
-  std::filesystem::rename(partial, copy, trouble);
-  if (trouble) return Error{"cannot be written (" + trouble.message() + "); choose another folder", copy};
-  return Done{};
+  return database->copy_to(copy);
 }
 
 }  // namespace abrazo

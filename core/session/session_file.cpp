@@ -14,23 +14,13 @@ namespace abrazo {
 
 namespace {
 
-/// Whether somebody else holds the file for writing.
-bool is_held(SessionDatabase& database) {
-  database.set_patience(0);
-  const bool free = database.execute("BEGIN IMMEDIATE").ok();
-  const bool held = !free && database.fault() == DatabaseFault::Busy;
-  if (free) (void)database.execute("ROLLBACK");
-  database.set_patience(2000);
-  return held;
-}
-
 class OpenSessionFile : public SessionFile {
  public:
   OpenSessionFile(SessionDatabase database, std::unique_ptr<FrameReader> reader)
       : database_(std::move(database)), reader_(std::move(reader)) {}
 
   Status read() {
-    being_recorded_ = is_held(database_);
+    being_recorded_ = database_.is_held_elsewhere();
     std::vector<std::string> damage;
     contents_ = read_contents(database_, damage);
     if (!being_recorded_) recovery_ = recovery_of(contents_);
@@ -84,8 +74,8 @@ class OpenSessionFile : public SessionFile {
                      const std::function<Status(const SessionSource&)>& visit) const override {
     const std::scoped_lock lock(mutex_);
     auto rows = database_.prepare(
-        "SELECT frame, time_s, take, take_frame, swapped, label FROM sources WHERE time_s BETWEEN ? AND ? "
-        "ORDER BY frame");
+        "SELECT f.frame, f.time_s, p.take, p.frame, p.swapped, p.label FROM frames f LEFT JOIN pairs p "
+        "ON p.library = f.library AND p.pair = f.pair WHERE f.time_s BETWEEN ? AND ? ORDER BY f.frame");
     if (!rows) return rows.error();
     rows->bind(0, from_s).bind(1, to_s);
     while (true) {

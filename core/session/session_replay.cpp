@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/session/frame_in_library.hpp"
 #include "core/session/library_reference.hpp"
 #include "core/session/re_solver.hpp"
 
@@ -33,6 +34,10 @@ class Replay {
       follows_ = false;
       return Done{};
     }
+    if (!has_pairs_of(*library_, recorded))
+      return Error{"frame " + std::to_string(recorded.index) +
+                       " names pairs that its library does not have; the session is damaged",
+                   {}};
     const bool follows = follows_ && recorded.index == next_index_;
     next_index_ = recorded.index + 1;
     if (!follows && !recorded.before) {

@@ -1,8 +1,11 @@
 #include "core/session/session_schema.hpp"
 
 #include <filesystem>
+#include <set>
+#include <string_view>
 #include <system_error>
 
+#include "core/base/text.hpp"
 #include "core/session/frame_row.hpp"
 #include "core/session/project_schema.hpp"
 
@@ -61,6 +64,49 @@ CREATE VIEW take_list AS
   FROM takes t;
 )sql";
 
+/// The tables that are made here, by their names.
+std::set<std::string, std::less<>> own_tables() {
+  std::set<std::string, std::less<>> names{"frames", "intervals"};
+  static constexpr std::string_view making = "CREATE TABLE ";
+  for (const std::string_view sql : {std::string_view(tables), std::string_view(project_tables)})
+    for (auto at = sql.find(making); at != std::string_view::npos; at = sql.find(making, at + 1)) {
+      const auto name = sql.substr(at + making.size());
+      names.emplace(name.substr(0, name.find_first_of(" (")));
+    }
+  return names;
+}
+
+/// What a row of the schema is that no session file has; empty for all others. Tables, views and indices
+/// that somebody added for their own use do no harm.
+std::string foreign_part(const SessionStatement& row) {
+  static const auto own = own_tables();
+  const std::string type = row.text(0), name = row.text(1), sql = lower_case(row.text(2));
+  const bool is_virtual = type == "table" && trimmed(sql).starts_with("create virtual");
+  if (type == "trigger") return "a trigger '" + name + "', which would run whenever the file is written";
+  if (!own.contains(lower_case(name))) return {};
+  if (type == "table" && !is_virtual) return {};
+  return (is_virtual ? "a virtual table" : "a " + type) + " in place of its table '" + name + "'";
+}
+
+/// A file that somebody else made may say of its tables what would be run when they are read or written.
+Status check_schema_objects(SessionDatabase& database) {
+  // Reads the whole schema, so that damage in it is known as such.
+  if (const auto count = database.integer("SELECT count(*) FROM sqlite_schema"); !count)
+    return database.is_salvage() ? Status(Done{}) : count.error();
+  auto objects = database.prepare("SELECT type, name, coalesce(sql, '') FROM sqlite_schema");
+  if (!objects) return objects.error();
+  while (true) {
+    const auto more = objects->step();
+    if (!more) return database.is_salvage() ? Status(Done{}) : more.error();
+    if (!*more) return Done{};
+    if (const std::string part = foreign_part(*objects); !part.empty())
+      return Error{
+          "the file has " + part +
+              ": no program of ours made that. It was not read; ask whoever sent it for another copy",
+          database.path()};
+  }
+}
+
 }  // namespace
 
 Result<bool> is_empty_database(SessionDatabase& database) {
@@ -98,7 +144,7 @@ Status check_session_schema(SessionDatabase& database) {
     return Error{"the session file says that it is of version " + std::to_string(schema->value_or(0)) +
                      ", which there never was: it is damaged",
                  database.path()};
-  return Done{};
+  return check_schema_objects(database);
 }
 
 Result<SessionDatabase> open_session_database(const std::string& path) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/json_text.hpp"
+#include "core/base/output_file.hpp"
 #include "core/base/utc_time.hpp"
 #include "core/base/version.hpp"
 #include "core/session/decisions_json.hpp"
@@ -51,7 +52,7 @@ struct SessionWriter::Statements {
 };
 
 SessionWriter::SessionWriter(SessionDatabase database, RecordingFacts facts)
-    : facts_(std::move(facts)), database_(std::move(database)) {
+    : facts_(std::move(facts)), database_(std::move(database)), file_(database_.path()) {
   memory_.input = facts_.input;
 }
 
@@ -434,6 +435,37 @@ std::uint64_t SessionWriter::bytes() const {
   return total;
 }
 
+std::string SessionWriter::misplaced() const {
+  switch (file_.state()) {
+    case WatchedFile::State::There:
+      break;
+    case WatchedFile::State::Deleted:
+      return "the file was deleted while it is recorded; end the recording now, and it is written again, "
+             "whole";
+    case WatchedFile::State::Moved:
+      return "the file was moved or renamed while it is recorded; put it back under its name, or end the "
+             "recording now";
+  }
+  return {};
+}
+
+/// A file without a name is gone once it is closed.
+Status SessionWriter::write_again() {
+  std::error_code failure;
+  const std::string& path = database_.path();
+  const bool is_free = !fs::exists(path, failure);
+  const std::string again = is_free ? path : with_suffix(path, "-deleted-" + utc_now());
+  if (Status copied = database_.copy_to(again); !copied)
+    return Error{
+        "the file was deleted while it was recorded, and cannot be written again: " + copied.error().message,
+        path};
+  if (is_free) return Done{};
+  return Error{
+      "the file was deleted while it was recorded, and another took its name; the recording is in '" + again +
+          "'",
+      path};
+}
+
 Status SessionWriter::close(std::uint64_t lost) {
   Status ended = begin_batch();
   if (ended) ended = end_take();
@@ -443,8 +475,22 @@ Status SessionWriter::close(std::uint64_t lost) {
   if (!ended) (void)database_.execute("ROLLBACK");
   statements_.reset();
   run = Error{};
-  const Status closed = database_.close();
-  return ended ? closed : ended;
+  const WatchedFile::State place = file_.state();
+  const bool is_deleted = place == WatchedFile::State::Deleted;
+  if (is_deleted) {
+    // Its log would be taken for that of the file that is written now.
+    std::error_code ignored;
+    for (const char* end : {"-wal", "-shm"}) fs::remove(database_.path() + end, ignored);
+  }
+  const Status again = is_deleted ? write_again() : Status(Done{});
+  const Status closed = is_deleted ? database_.abandon() : database_.close();
+  if (!ended) return ended;
+  if (!again) return again;
+  if (closed && place == WatchedFile::State::Moved)
+    return Error{
+        "the file was moved or renamed while it was recorded; the recording is whole, under its new name",
+        database_.path()};
+  return closed;
 }
 
 }  // namespace abrazo

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/watched_file.hpp"
 #include "core/session/decisions.hpp"
 #include "core/session/recorded_frames.hpp"
 #include "core/session/recorder.hpp"
@@ -49,8 +50,11 @@ class SessionWriter {
   /// How the session's times and indices become those of the file.
   const RecordedFrames::Origin& origin() const { return origin_; }
   std::uint64_t bytes() const;  ///< of the file with its log
+  /// Why what is written will not be found under the file's name: somebody deleted or moved it. Or empty.
+  std::string misplaced() const;
 
-  /// Commits and makes it one file.
+  /// Commits and makes it one file. One that was deleted meanwhile is written again, whole; the Error says
+  /// where when that could not be its own name.
   Status close(std::uint64_t lost);
 
  private:
@@ -86,6 +90,7 @@ class SessionWriter {
   Status note_settings(const FrameSnapshot& frame, std::int64_t index, double time_s);
   Status note_take(std::int64_t index, double time_s);
   Result<std::int64_t> performer_id(const std::string& name);
+  Status write_again();
   Status keep_fault(SessionStatement& statement);
   Status keep_fault(Status status);
 
@@ -97,6 +102,7 @@ class SessionWriter {
   Memory memory_, committed_;
   bool is_open_ = true;  ///< a transaction
   SessionDatabase database_;
+  WatchedFile file_;
   std::unique_ptr<Statements> statements_;  // after the database: gone before it
 
  public:

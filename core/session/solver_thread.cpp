@@ -6,6 +6,8 @@
 #include <string>
 #include <utility>
 
+#include "core/base/thread_urgency.hpp"
+
 namespace abrazo {
 
 namespace {
@@ -33,6 +35,7 @@ class FailureNotes {
 };
 
 void run(LiveLoop& loop, const SessionClock& clock, const std::stop_token& stop) {
+  let_this_thread_go_first();
   const std::stop_callback wake_to_stop(stop, [&] { loop.wake_up()->notify(); });
   FailureNotes failures(loop);
   while (!stop.stop_requested()) {

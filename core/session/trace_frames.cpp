@@ -6,6 +6,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "core/base/json_nesting.hpp"
 #include "core/base/text.hpp"
 
 namespace abrazo {
@@ -26,6 +27,7 @@ bool next_line(std::istream& stream, std::string& line) {
 }
 
 Result<TraceHeader> read_header(const std::string& line, const std::string& where) {
+  if (nests_too_deep(line)) return Error{too_deep_words, where};
   const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
   if (!json.is_object() || !json.contains("abrazo_trace"))
     return Error{

@@ -139,7 +139,9 @@ Result<std::unique_ptr<PoseSink>> PoseSink::open(const StreamUri& uri, const Bod
   if (!is_server && (*host == 0 || uri.port == 0))
     return Error{"it is not said who receives: write the receiver's address and port", uri.text};
   std::optional<Endpoint> receiver;
-  Result<UdpSocket> socket = is_server ? open_server(uri, *host, receiver) : UdpSocket::bind(Endpoint{});
+  // Answers are taken from the network that leads to the receiver alone.
+  Result<UdpSocket> socket = is_server ? open_server(uri, *host, receiver)
+                                       : UdpSocket::bind({address_towards({*host, uri.port}), 0});
   if (!socket) return socket.error();
   if (!is_server) {
     receiver = Endpoint{*host, uri.port};

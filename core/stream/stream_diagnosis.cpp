@@ -98,8 +98,8 @@ void look_for_silence(const StreamObservation& seen, Advice& advice) {
   else if (only_here)
     advice.add(Severity::Error, "no-packets",
                since + "only packets of this machine are taken at " + seen.uri.host +
-                   ". Have the sender send to " + seen.uri.host + ":" + port +
-                   ", or listen on 0.0.0.0:" + port + " when it runs on another machine");
+                   ". Have the sender send to " + seen.uri.host + ":" + port + ", or listen on 0.0.0.0:" +
+                   port + " (every network) when it runs on another machine");
   else
     advice.add(Severity::Error, "no-packets",
                since + "have the sender send to the address of this machine, port " + port + "; let UDP " +

@@ -4,6 +4,7 @@
 #include <mutex>
 #include <thread>
 
+#include "core/base/thread_urgency.hpp"
 #include "core/stream/pose_reader.hpp"
 #include "core/stream/stream_pipeline.hpp"
 #include "core/stream/stream_sockets.hpp"
@@ -151,6 +152,7 @@ class UdpStreamReceiver : public StreamReceiver {
 };
 
 void UdpStreamReceiver::run(const std::stop_token& stop) {
+  let_this_thread_go_first();
   double passed_s = stream_->clock.now_s();
   while (!stop.stop_requested()) {
     const bool came = sockets_.wait(longest_sleep_ms);

@@ -30,14 +30,18 @@ Result<StreamSockets> StreamSockets::open(const StreamUri& uri) {
   }
   const Endpoint written{*host, uri.port};
   const bool talks_to_server = uri.scheme == StreamUri::Scheme::NatNet && written.address != 0;
+  if (talks_to_server && interface_address == 0) interface_address = address_towards(written);
+  if (talks_to_server && interface_address == 0)
+    return Error{"there is no way to that address; is the network connected?", uri.text};
   Endpoint local = written;
   if (talks_to_server)
-    local = Endpoint{};
+    local = Endpoint{interface_address, 0};  // not on the other networks of this machine
   else if (uri.scheme == StreamUri::Scheme::NatNet && local.port == natnet_command_port)
     local.port = natnet_data_port;  // without a server to ask there are only frames to wait for
-  Result<UdpSocket> socket = UdpSocket::bind(local);
+  // Who waits for frames without a server shares the port with the group's socket.
+  const bool is_shared = uri.scheme == StreamUri::Scheme::NatNet && !talks_to_server;
+  Result<UdpSocket> socket = UdpSocket::bind(local, is_shared);
   if (!socket) return socket.error();
-  if (talks_to_server && interface_address == 0) interface_address = address_towards(written);
   return StreamSockets(std::move(*socket), talks_to_server ? written : Endpoint{}, interface_address);
 }
 
@@ -71,7 +75,8 @@ Status StreamSockets::join(const Endpoint& group) {
   if (group_ == group) return Done{};
   group_ = group;
   group_socket_.reset();
-  Result<UdpSocket> socket = UdpSocket::bind({0, group.port}, true);
+  // Bound to the group and not to every address: nothing else that is sent to the port comes in.
+  Result<UdpSocket> socket = UdpSocket::bind(group, true);
   if (!socket) return socket.error();
   if (Status joined = socket->join(group.address, interface_address_); !joined) return joined;
   group_socket_.emplace(std::move(*socket));

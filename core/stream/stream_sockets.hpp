@@ -15,7 +15,8 @@ namespace abrazo {
 /// group where there is one. Used by one thread, but for `wake`.
 class StreamSockets {
  public:
-  /// VMC and Xsens listen where the URI says; NatNet talks to the server there from any port.
+  /// VMC and Xsens listen where the URI says; NatNet talks to the server there from any port of the network
+  /// that leads to it. An Error when no network does.
   static Result<StreamSockets> open(const StreamUri& uri);
 
   /// Sleeps until a packet came, at most so long. @return whether one came

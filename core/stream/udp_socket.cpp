@@ -95,12 +95,23 @@ double seconds(const timespec& time) {
   return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
 }
 
-/// The kernel stamps on the wall clock, which may be set; so only the age is taken from it.
-double on_session_clock(const timespec& stamp, const SessionClock& clock) {
+double wall_now_s() {
   timespec wall{};
   ::clock_gettime(CLOCK_REALTIME, &wall);
-  const double age = seconds(wall) - seconds(stamp);
-  return clock.now_s() - (age > 0 && age < 10 ? age : 0.0);
+  return seconds(wall);
+}
+
+/// Both clocks at one moment, as near as the system lets us.
+std::pair<double, double> wall_and_session_s(const SessionClock& clock) {
+  constexpr double soon_s = 1e-3;
+  constexpr int attempts = 3;
+  double wall_s = 0, before_s = clock.now_s(), after_s = before_s;
+  for (int i = 0; i < attempts; ++i, before_s = after_s) {
+    wall_s = wall_now_s();
+    after_s = clock.now_s();
+    if (after_s - before_s < soon_s) break;
+  }
+  return {wall_s, after_s};
 }
 
 }  // namespace
@@ -143,7 +154,10 @@ Result<UdpSocket> UdpSocket::bind(const Endpoint& local, bool shared) {
   set_option(descriptor, SOL_SOCKET, SO_TIMESTAMPNS, 1);
   set_option(descriptor, SOL_SOCKET, SO_RXQ_OVFL, 1);
   set_option(descriptor, SOL_SOCKET, SO_BROADCAST, 1);
-  if (shared) set_option(descriptor, SOL_SOCKET, SO_REUSEADDR, 1);
+  if (shared) {
+    set_option(descriptor, SOL_SOCKET, SO_REUSEADDR, 1);
+    set_option(descriptor, IPPROTO_IP, IP_MULTICAST_ALL, 0);  // only what this socket has joined
+  }
   if (!bind_to(descriptor, local)) return why_not_bound(local);
   return socket;
 }
@@ -151,12 +165,14 @@ Result<UdpSocket> UdpSocket::bind(const Endpoint& local, bool shared) {
 UdpSocket::UdpSocket(UdpSocket&& other) noexcept
     : descriptor_(std::exchange(other.descriptor_, -1)),
       last_overflow_(other.last_overflow_),
-      overflowed_(other.overflowed_) {}
+      overflowed_(other.overflowed_),
+      arrivals_(other.arrivals_) {}
 
 UdpSocket& UdpSocket::operator=(UdpSocket&& other) noexcept {
   std::swap(descriptor_, other.descriptor_);
   std::swap(last_overflow_, other.last_overflow_);
   std::swap(overflowed_, other.overflowed_);
+  std::swap(arrivals_, other.arrivals_);
   return *this;
 }
 
@@ -221,7 +237,8 @@ Result<std::optional<UdpSocket::Received>> UdpSocket::receive(std::span<std::uin
     if (part->cmsg_type == SO_TIMESTAMPNS) {
       timespec stamp{};
       std::memcpy(&stamp, CMSG_DATA(part), sizeof stamp);
-      received.arrived_s = on_session_clock(stamp, clock);
+      const auto [wall_s, now_s] = wall_and_session_s(clock);
+      received.arrived_s = arrivals_.arrived_s(seconds(stamp), wall_s, now_s);
     } else if (part->cmsg_type == SO_RXQ_OVFL) {
       std::uint32_t total = 0;
       std::memcpy(&total, CMSG_DATA(part), sizeof total);

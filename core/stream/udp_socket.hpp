@@ -10,6 +10,7 @@
 
 #include "core/base/result.hpp"
 #include "core/base/session_clock.hpp"
+#include "core/stream/arrival_clock.hpp"
 #include "core/stream/datagram.hpp"
 
 namespace abrazo {
@@ -62,6 +63,7 @@ class UdpSocket {
   int descriptor_ = -1;
   std::uint32_t last_overflow_ = 0;
   std::uint64_t overflowed_ = 0;
+  ArrivalClock arrivals_;
 };
 
 /// Sleeps until one of some sockets has a packet, or until it is woken.

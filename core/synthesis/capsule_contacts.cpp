@@ -112,8 +112,8 @@ void CapsuleContacts::add_rows(const PairPose& iterate, std::vector<ConstraintRo
     row.inequality = true;
     row.count = 4;
     row.vertices = {a, b, c + joint_count, d + joint_count};
-    row.coefficients = {Vec3((1 - pair.s) * normal), Vec3(pair.s * normal), Vec3((pair.t - 1) * normal),
-                        Vec3(-pair.t * normal)};
+    row.weights = {1 - pair.s, pair.s, pair.t - 1, -pair.t};
+    row.direction = normal;
     row.target = active_[static_cast<std::size_t>(pair.active_bone)] +
                  passive_[static_cast<std::size_t>(pair.passive_bone)] -
                  allowed_depth_[static_cast<std::size_t>(pair.active_bone)]

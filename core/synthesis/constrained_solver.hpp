@@ -1,12 +1,12 @@
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <span>
 #include <vector>
 
 #include "core/base/positions.hpp"
 #include "core/mesh/laplacian.hpp"
 #include "core/synthesis/constraints.hpp"
+#include "core/synthesis/dual_system.hpp"
 
 namespace abrazo {
 
@@ -17,7 +17,7 @@ namespace abrazo {
 /// rows. Does not allocate after construction.
 class ConstrainedSolver {
  public:
-  static constexpr int max_rows = 176;
+  static constexpr int max_rows = DualSystem::max_rows;
 
   ConstrainedSolver();
 
@@ -53,21 +53,14 @@ class ConstrainedSolver {
  private:
   bool solve_from_unconstrained(std::span<const ConstraintRow> rows, std::vector<char>& active,
                                 PairPose& positions);
-  bool solve_active(std::span<const ConstraintRow> rows, const std::vector<char>& active,
-                    PairPose& positions);
-  bool factor_dual(int count);
-  void solve_dual(int count);
+  bool solve_active(std::span<const ConstraintRow> rows, const std::vector<char>& active);
+  bool should_bind(const ConstraintRow& row, bool binds, double multiplier) const;
 
-  VertexMatrix energy_inverse_;
-  VertexMatrix inverse_;  ///< energy_inverse_ with what stiffen() added
-  Eigen::LLT<VertexMatrix> energy_factor_;
-  PairPose unconstrained_;
-  std::vector<PairPose> spread_;  ///< per row: K^-1 times its transpose
-  std::vector<char> spread_known_;
-  std::vector<int> used_;        ///< rows that bind, in order
-  Eigen::MatrixXd dual_;         ///< S, lower triangle, in the upper left corner
-  Eigen::MatrixXd dual_factor_;  ///< its Cholesky factor
-  Eigen::VectorXd right_;
+  PaddedMatrix energy_inverse_;
+  PaddedMatrix inverse_;  ///< energy_inverse_ with what stiffen() added
+  VertexColumns unconstrained_;
+  VertexColumns solved_;
+  DualSystem dual_;
   std::vector<double> multipliers_;
 };
 

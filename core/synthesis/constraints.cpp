@@ -8,12 +8,12 @@
 namespace abrazo {
 
 double ConstraintRow::value(const PairPose& positions) const {
-  double sum = 0;
+  Vec3 sum = Vec3::Zero();
   for (int i = 0; i < count; ++i) {
     const auto at = static_cast<std::size_t>(i);
-    sum += coefficients[at].dot(Vec3(positions.row(vertices[at])));
+    sum += weights[at] * positions.row(vertices[at]).transpose();
   }
-  return sum;
+  return direction.dot(sum);
 }
 
 RigidDistances rigid_distances(const PairPose& pose) {
@@ -44,9 +44,9 @@ void add_bone_rows(const PairPose& iterate, const PairPose& reference, const Rig
     row.kind = RowKind::Bone;
     row.count = 2;
     row.vertices = {rigid.a, rigid.b, 0, 0};
+    row.weights = {1, -1, 0, 0};
     if (length >= 1e-6) {  // a bone of no length constrains nothing: an empty row keeps the order
-      row.coefficients[0] = along / length;
-      row.coefficients[1] = -along / length;
+      row.direction = along / length;
       row.target = rigid.length_m;
     }
     rows.push_back(row);
@@ -75,7 +75,8 @@ void add_floor_rows(const PairPose& selected_pair, double lowest_m, std::vector<
       row.inequality = true;
       row.count = 1;
       row.vertices[0] = joint + first_vertex;
-      row.coefficients[0] = Vec3::UnitY();
+      row.weights[0] = 1;
+      row.direction = Vec3::UnitY();
       row.target = std::min(lowest_m, selected_pair(joint + first_vertex, 1));
       rows.push_back(row);
     }
@@ -87,7 +88,8 @@ void add_position_rows(int vertex, const Vec3& position, std::vector<ConstraintR
     row.kind = RowKind::FootLock;
     row.count = 1;
     row.vertices[0] = vertex;
-    row.coefficients[0] = Vec3::Unit(axis);
+    row.weights[0] = 1;
+    row.direction = Vec3::Unit(axis);
     row.target = position(axis);
     rows.push_back(row);
   }

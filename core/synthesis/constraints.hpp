@@ -12,17 +12,20 @@ namespace abrazo {
 
 enum class RowKind : std::uint8_t { Bone, FootLock, Floor, Capsule };
 
-/// One hard constraint, linear at the current iterate: sum_i coefficient_i . v_(vertex_i) = target (>= for an
-/// inequality).
+/// One hard constraint, linear at the current iterate: direction . sum_i weight_i v_(vertex_i) = target (>=
+/// for an inequality). That all its coefficients point along one direction is what the solver is fast by.
 struct ConstraintRow {
   RowKind kind = RowKind::Bone;
   bool inequality = false;
   int count = 0;  ///< vertices used
   std::array<int, 4> vertices{};
-  std::array<Vec3, 4> coefficients{Vec3::Zero(), Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
+  std::array<double, 4> weights{};
+  Vec3 direction = Vec3::Zero();
   double target = 0;  ///< [m]
 
   double value(const PairPose& positions) const;
+  /// What vertex `vertices[i]` is multiplied with.
+  Vec3 coefficient(int i) const { return weights[static_cast<std::size_t>(i)] * direction; }
 };
 
 /// Two vertices that keep their distance: bones, and the pseudo-bones of pelvis and shoulder girdle.

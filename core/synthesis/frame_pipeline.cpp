@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/mesh/capsules.hpp"
+#include "core/synthesis/frame_room.hpp"
 
 namespace abrazo {
 
@@ -35,7 +36,9 @@ FramePipeline::FramePipeline(std::shared_ptr<const MotionLibrary> library, const
                              std::vector<int> pairs, std::shared_ptr<const PoseIndex> index)
     : library_(std::move(library)),
       settings_(settings),
-      selector_(library_, std::move(pairs), std::move(index)) {}
+      selector_(library_, std::move(pairs), std::move(index)) {
+  reserve_room(out_);
+}
 
 void FramePipeline::set_user_body(const std::optional<Body>& body) {
   memory_.user_body = body;
@@ -278,14 +281,14 @@ EditTask FramePipeline::edit_task(double dt_s) const {
   return task;
 }
 
-void FramePipeline::refuse(const std::string& why) {
+void FramePipeline::refuse(std::string_view why, std::string_view where) {
   begin_frame();
-  fail(why);
+  fail(why, where);
 }
 
-void FramePipeline::fail(const std::string& why) {
+void FramePipeline::fail(std::string_view why, std::string_view where) {
   out_.status = StepStatus::Failed;
-  out_.message = why;
+  out_.message.assign(why).append(where);
   if (memory_.has_good_result) {
     out_.result = memory_.previous;
   } else {

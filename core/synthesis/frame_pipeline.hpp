@@ -3,7 +3,7 @@
 #include <array>
 #include <memory>
 #include <optional>
-#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/library/motion_library.hpp"
@@ -27,8 +27,8 @@ class FramePipeline {
 
   /// @param user  finite;  @param elapsed_s  since the last frame that was solved; 0 at the start
   void solve(const Pose& user, double elapsed_s);
-  /// A frame that was not even tried: the last good poses are held.
-  void refuse(const std::string& why);
+  /// A frame that was not even tried: the last good poses are held. The message is `why` and `where`.
+  void refuse(std::string_view why, std::string_view where = {});
   /// The next frame is a first one.
   void forget();
 
@@ -50,7 +50,7 @@ class FramePipeline {
 
  private:
   void begin_frame();
-  void fail(const std::string& why);
+  void fail(std::string_view why, std::string_view where = {});
   bool measure(const Pose& user);
   void retarget(const Pose& user);
   bool select(double dt_s);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "core/synthesis/frame_room.hpp"
+
 namespace abrazo {
 
 namespace {
@@ -24,7 +26,7 @@ int locked_bodies(const Settings& settings, PairEditor::Relaxation relaxation) {
 PairEditor::PairEditor() {
   rows_.reserve(ConstrainedSolver::max_rows);
   active_rows_.reserve(ConstrainedSolver::max_rows);
-  steps_.reserve(64);
+  steps_.reserve(most_edit_steps);
 }
 
 PairEditor::Outcome PairEditor::edit(const EditTask& task, const Settings& settings, FootLocks& locks) {

@@ -5,7 +5,9 @@
 #include <exception>
 
 #include "core/synthesis/frame_pipeline.hpp"
+#include "core/synthesis/frame_room.hpp"
 #include "core/synthesis/role_views.hpp"
+#include "core/synthesis/settings_check.hpp"
 #include "core/synthesis/synthesizer_state.hpp"
 
 namespace abrazo {
@@ -33,10 +35,10 @@ Result<std::vector<int>> selectable_pairs(const MotionLibrary& library,
   return pairs;
 }
 
-std::string first_joint_without_position(const Pose& pose) {
+std::string_view first_joint_without_position(const Pose& pose) {
   int joint = 0;
   while (joint + 1 < joint_count && pose.row(joint).allFinite()) ++joint;
-  return std::string(joint_names[static_cast<std::size_t>(joint)]);
+  return joint_names[static_cast<std::size_t>(joint)];
 }
 
 }  // namespace
@@ -44,6 +46,7 @@ std::string first_joint_without_position(const Pose& pose) {
 struct PartnerSynthesizer::State {
   std::shared_ptr<const RoleViews> views;
   Settings settings;
+  std::string unusable;  ///< which setting no step can be solved with; empty when all can be used
   std::optional<Body> user_body;
   std::optional<int> pinned;
   std::shared_ptr<const Vetoes> vetoes = std::make_shared<const Vetoes>();
@@ -53,6 +56,12 @@ struct PartnerSynthesizer::State {
   std::array<std::unique_ptr<FramePipeline>, 2> pipelines;
   double unsolved_s = 0;  ///< since the last frame that was solved
   FrameResult shown;      ///< of a passive user, in the order active, passive
+
+  void set_settings(const Settings& changed) {
+    settings = changed;
+    const Status usable = check_settings(changed);
+    unusable = usable ? std::string() : usable.error().text();
+  }
 
   bool user_is_passive() const { return settings.user_role == UserRole::Passive; }
 
@@ -83,7 +92,8 @@ Result<std::unique_ptr<PartnerSynthesizer>> PartnerSynthesizer::create(
   if (!pairs) return pairs.error();
   auto state = std::make_unique<State>();
   state->views = std::make_shared<const RoleViews>(std::move(library), std::move(*pairs));
-  state->settings = settings;
+  state->set_settings(settings);
+  reserve_room(state->shown);
   state->pipeline();
   return std::unique_ptr<PartnerSynthesizer>(new PartnerSynthesizer(std::move(state)));
 }
@@ -99,8 +109,10 @@ const FrameResult& PartnerSynthesizer::step(const Pose& user, Duration elapsed) 
   const bool starts = !(elapsed.count() > 0) || since_solved_s > tracking_loss_s;
   state_->unsolved_s = since_solved_s;
   try {
-    if (!user.allFinite()) {
-      pipeline.refuse("the user's pose has no finite position for " + first_joint_without_position(user));
+    if (!state_->unusable.empty()) {
+      pipeline.refuse(state_->unusable);
+    } else if (!user.allFinite()) {
+      pipeline.refuse("the user's pose has no finite position for ", first_joint_without_position(user));
     } else {
       if (starts) pipeline.forget();
       pipeline.solve(user, starts ? 0.0 : since_solved_s);
@@ -116,7 +128,7 @@ const FrameResult& PartnerSynthesizer::step(const Pose& user, Duration elapsed) 
 
 void PartnerSynthesizer::set_settings(const Settings& settings) {
   const UserRole before = state_->settings.user_role;
-  state_->settings = settings;
+  state_->set_settings(settings);
   if (settings.user_role != before) state_->pipeline().take_over(state_->pipeline_of(before).memory());
   state_->pipeline().set_settings(settings);
 }

@@ -6,8 +6,10 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "core/base/json_nesting.hpp"
 #include "core/base/json_text.hpp"
 #include "core/base/text.hpp"
+#include "core/synthesis/settings_check.hpp"
 
 namespace abrazo {
 
@@ -241,6 +243,16 @@ Status set_setting(Settings& settings, std::string_view key, std::string_view te
   return set_checked(settings, *found, value.value_or(NAN), text);
 }
 
+Status check_settings(const Settings& settings) {
+  Settings checked;
+  for (const Entry& e : entries()) {
+    const double value = e.get(settings);
+    const Status fits = set_checked(checked, e, value, exact_text(value));
+    if (!fits) return fits;
+  }
+  return Done{};
+}
+
 std::string settings_json(const Settings& settings) {
   JsonText json;
   json.begin_object();
@@ -258,6 +270,7 @@ std::string settings_json(const Settings& settings) {
 }
 
 Result<Settings> parse_settings(std::string_view json, const Settings& start, std::string_view where) {
+  if (nests_too_deep(json)) return Error{too_deep_words, std::string(where)};
   const nlohmann::json parsed = nlohmann::json::parse(json, nullptr, false);
   if (!parsed.is_object())
     return Error{"an object of settings is expected, as in {\"alpha\": 0.5}", std::string(where)};

@@ -62,7 +62,14 @@ struct Signature {
   const char* what;
 };
 constexpr std::string_view sound = "holds sound and no pictures; choose the file with the pictures";
-constexpr std::array<Signature, 12> signatures = {{
+constexpr std::string_view others =
+    "is a list of other files or addresses, which are not opened; choose the video itself";
+constexpr std::array<Signature, 17> signatures = {{
+    {0, "#EXTM3U", others.data()},
+    {0, "ffconcat", others.data()},
+    {0, "v=0", others.data()},
+    {0, "<?xml", others.data()},
+    {0, "<MPD", others.data()},
     {8, "WAVE", sound.data()},
     {0, "ID3", sound.data()},
     {0, "fLaC", sound.data()},
@@ -86,12 +93,22 @@ bool is_text(std::string_view bytes) {
   return true;
 }
 
+constexpr std::size_t looked_at = 512;
+
 }  // namespace
+
+bool is_text_file(const std::filesystem::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  const std::string head = bytes_at(stream, 0, looked_at);
+  return is_text(head) && !head.starts_with("YUV4MPEG2");
+}
 
 std::string why_no_video(const std::filesystem::path& file) {
   std::error_code failure;
   if (!std::filesystem::exists(file, failure)) return "does not exist; check the path";
   if (std::filesystem::is_directory(file, failure)) return "is a folder; choose a video file in it";
+  if (!std::filesystem::is_regular_file(file, failure))
+    return "cannot be read: it is a device or a pipe, no file";
   const std::uint64_t size = std::filesystem::file_size(file, failure);
   std::ifstream stream(file, std::ios::binary);
   if (failure || !stream) return "cannot be read; check its permissions";

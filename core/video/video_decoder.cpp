@@ -5,7 +5,7 @@
 #include <mutex>
 #include <thread>
 
-#include "core/video/picture_stream.hpp"
+#include "core/video/video_codec.hpp"
 #include "core/video/video_reader.hpp"
 
 namespace abrazo {
@@ -19,7 +19,7 @@ class VideoDecoder::Work {
  public:
   Work(std::filesystem::path file, std::function<void()> notify)
       : file_(std::move(file)), notify_(std::move(notify)) {
-    PictureStream::silence_backend();
+    silence_video_codec();
     thread_ = std::thread([this] { run(); });
   }
 

@@ -8,8 +8,8 @@
 
 #include "core/video/file_kind.hpp"
 #include "core/video/frame_cache.hpp"
-#include "core/video/picture_stream.hpp"
 #include "core/video/picture_times.hpp"
+#include "core/video/video_codec.hpp"
 
 namespace abrazo {
 namespace {
@@ -30,7 +30,7 @@ Error cancelled(const std::string& file) {
 
 struct VideoReader::State {
   VideoFacts facts;
-  PictureStream stream;
+  std::unique_ptr<PictureStream> stream;
   std::vector<double> stamps_ms;
   std::vector<std::uint64_t> witnesses;  ///< of the pictures 0, 8, 16, ... when read from the beginning
   int stamped = 0;                       ///< so many have the file's own time
@@ -53,21 +53,21 @@ struct VideoReader::State {
 
 Status VideoReader::State::measure(const Progress& progress) {
   PictureTimes times;
-  times.nominal_hz = stream.nominal_hz();
-  times.promised = stream.promised();
-  while (static_cast<int>(times.stamps_ms.size()) < most_pictures && stream.next()) {
+  times.nominal_hz = stream->nominal_hz();
+  times.promised = stream->promised();
+  while (static_cast<int>(times.stamps_ms.size()) < most_pictures && stream->next()) {
     const int index = static_cast<int>(times.stamps_ms.size());
-    times.stamps_ms.push_back(stream.stamp_ms());
-    if (index % witness_step == 0) witnesses.push_back(stream.fingerprint());
+    times.stamps_ms.push_back(stream->stamp_ms());
+    if (index % witness_step == 0) witnesses.push_back(stream->fingerprint());
     if (index == 0) {
-      const cv::Mat first = stream.picture();
-      if (first.empty()) break;
-      facts.width = first.cols;
-      facts.height = first.rows;
-      if (static_cast<double>(first.cols) * first.rows > most_pixels)
-        return Error{
-            fmt::format("its pictures are {} x {}; at most 8192 x 8192 can be shown", first.cols, first.rows),
-            facts.file};
+      const DecodedPicture first = stream->picture();
+      if (first.rgb.empty()) break;
+      facts.width = first.width;
+      facts.height = first.height;
+      if (static_cast<double>(first.width) * first.height > most_pixels)
+        return Error{fmt::format("its pictures are {} x {}; at most 8192 x 8192 can be shown", first.width,
+                                 first.height),
+                     facts.file};
     }
     const double fraction = times.promised > 0 ? std::min(1.0, (index + 1.0) / times.promised) : 0;
     if (!report(progress, fraction, "reading the times of the pictures")) return cancelled(facts.file);
@@ -85,13 +85,17 @@ Status VideoReader::State::measure(const Progress& progress) {
 Result<VideoReader> VideoReader::open(const std::filesystem::path& file, const Progress& progress) {
   auto state = std::make_unique<State>();
   state->facts.file = file.string();
+  const auto codec = video_codec();
+  if (!codec) return codec.error();
+  state->stream = (*codec)->stream();
   std::error_code failure;
   if (!std::filesystem::is_regular_file(file, failure) || std::filesystem::file_size(file, failure) == 0 ||
-      !state->stream.open(file))
+      is_text_file(file) ||
+      !state->stream->open(std::filesystem::absolute(file)))  // never a protocol, whatever it looks like
     return Error{why_no_video(file), file.string()};
-  state->facts.codec = state->stream.codec();
-  state->facts.rotation_deg = state->stream.rotation_deg();
-  if (const double aspect = state->stream.pixel_aspect(); std::abs(aspect - 1) > 1e-3)
+  state->facts.codec = state->stream->codec();
+  state->facts.rotation_deg = state->stream->rotation_deg();
+  if (const double aspect = state->stream->pixel_aspect(); std::abs(aspect - 1) > 1e-3)
     state->facts.warnings.push_back(
         fmt::format("its pixels are {:.4g} times as wide as high; they are shown square", aspect));
   if (const Status measured = state->measure(progress); !measured) return measured.error();
@@ -102,15 +106,15 @@ Result<VideoReader> VideoReader::open(const std::filesystem::path& file, const P
 
 bool VideoReader::State::check_witness() {
   if (is_verified || position % witness_step != 0) return true;
-  is_verified = stream.fingerprint() == witnesses[static_cast<std::size_t>(position / witness_step)];
+  is_verified = stream->fingerprint() == witnesses[static_cast<std::size_t>(position / witness_step)];
   return is_verified;
 }
 
 bool VideoReader::State::forward_to(int index, int keep_from, const Progress& progress) {
   while (position < index) {
-    if (!report(progress, 0, "decoding") || !stream.next()) return false;
+    if (!report(progress, 0, "decoding") || !stream->next()) return false;
     ++position;
-    if (can_jump && position < stamped && stream.stamp_ms() != stamps_ms[static_cast<std::size_t>(position)])
+    if (can_jump && position < stamped && stream->stamp_ms() != stamps_ms[static_cast<std::size_t>(position)])
       return false;
     if (!check_witness()) return false;
     if (!is_verified || position < keep_from || cache.holds(position)) continue;
@@ -124,8 +128,8 @@ bool VideoReader::State::land_before(int index, double earlier_s) {
   const int witness = index / witness_step * witness_step;
   position = unknown;
   const double wanted_s = (stamps_ms[static_cast<std::size_t>(witness)] - stamps_ms[0]) / 1000 - earlier_s;
-  if (!stream.jump(wanted_s)) return false;
-  const double stamp_ms = stream.stamp_ms();
+  if (!stream->jump(wanted_s)) return false;
+  const double stamp_ms = stream->stamp_ms();
   const auto found = std::lower_bound(stamps_ms.begin(), stamps_ms.end(), stamp_ms);
   if (found == stamps_ms.end() || *found != stamp_ms) return false;
   const int landed = static_cast<int>(found - stamps_ms.begin());
@@ -138,7 +142,7 @@ bool VideoReader::State::land_before(int index, double earlier_s) {
 bool VideoReader::State::begin_again() {
   position = -1;
   is_verified = true;
-  return stream.restart();
+  return stream->restart();
 }
 
 bool VideoReader::State::come_to(int index, int keep_from, const Progress& progress) {
@@ -156,18 +160,18 @@ bool VideoReader::State::come_to(int index, int keep_from, const Progress& progr
 }
 
 Result<VideoFramePtr> VideoReader::State::current() const {
-  const cv::Mat rgb = stream.picture();
-  if (rgb.cols != facts.width || rgb.rows != facts.height)
+  DecodedPicture picture = stream->picture();
+  if (picture.width != facts.width || picture.height != facts.height)
     return Error{fmt::format("picture {} is {} x {}, the first {} x {}; a video whose size changes cannot be "
                              "shown from there on",
-                             position, rgb.cols, rgb.rows, facts.width, facts.height),
+                             position, picture.width, picture.height, facts.width, facts.height),
                  facts.file};
   auto frame = std::make_shared<VideoFrame>();
   frame->index = position;
   frame->time_s = facts.times_s[static_cast<std::size_t>(position)];
-  frame->width = rgb.cols;
-  frame->height = rgb.rows;
-  frame->rgb.assign(rgb.datastart, rgb.dataend);  // what was converted has no padding
+  frame->width = picture.width;
+  frame->height = picture.height;
+  frame->rgb = std::move(picture.rgb);
   return VideoFramePtr(std::move(frame));
 }
 

@@ -1,24 +1,25 @@
 #include "core/video/video_writer.hpp"
 
-#include <opencv2/core.hpp>
-#include <opencv2/imgproc.hpp>
-#include <opencv2/videoio.hpp>
+#include <unistd.h>
+
 #include <string>
 #include <system_error>
+
+#include "core/video/video_codec.hpp"
 
 namespace abrazo {
 
 struct VideoWriter::State {
   std::filesystem::path target;
   std::filesystem::path partial;  ///< ends in the target's extension: OpenCV chooses the container by it
-  cv::VideoWriter video;
-  cv::Mat bgr;
+  const VideoCodec* codec = nullptr;
+  std::unique_ptr<PictureSink> video;
   int width = 0;
   int height = 0;
   int frames = 0;
 
   ~State() {
-    video.release();
+    video->close();
     std::error_code ignored;
     std::filesystem::remove(partial, ignored);
   }
@@ -34,14 +35,20 @@ Result<VideoWriter> VideoWriter::open(const std::filesystem::path& file, int wid
     return Error{"a video needs an even size and a rate above 0; found " + std::to_string(width) + " x " +
                      std::to_string(height) + " at " + std::to_string(fps) + " Hz",
                  file.string()};
+  const auto codec = video_codec();
+  if (!codec) return codec.error();
   auto state = std::make_unique<State>();
-  state->target = file;
-  state->partial = file.parent_path() / (file.stem().string() + ".part" + file.extension().string());
+  state->codec = *codec;
+  state->video = (*codec)->sink();
+  // Absolute, so that no name is taken for the address of a server.
+  std::error_code failure;
+  state->target = std::filesystem::absolute(file, failure);
+  state->partial = state->target.parent_path() /
+                   (file.stem().string() + ".part-" + std::to_string(::getpid()) + file.extension().string());
+  std::filesystem::remove(state->partial, failure);  // a link would be written through
   state->width = width;
   state->height = height;
-  state->video.open(state->partial.string(), cv::VideoWriter::fourcc('m', 'p', '4', 'v'), fps,
-                    cv::Size(width, height));
-  if (!state->video.isOpened())
+  if (!state->video->open(state->partial, width, height, fps))
     return Error{
         "cannot be written as MPEG-4 video; check that the folder exists and that the name ends in .mp4",
         file.string()};
@@ -55,11 +62,7 @@ Status VideoWriter::add(std::span<const std::uint8_t> rgb, std::size_t stride) {
     return Error{"a picture of " + std::to_string(rgb.size()) + " bytes does not fill " +
                      std::to_string(state_->width) + " x " + std::to_string(state_->height) + " pixels",
                  state_->target.string()};
-  // OpenCV has no const view; the picture is only read.
-  const cv::Mat picture(state_->height, state_->width, CV_8UC3, const_cast<std::uint8_t*>(rgb.data()),
-                        stride);
-  cv::cvtColor(picture, state_->bgr, cv::COLOR_RGB2BGR);
-  state_->video.write(state_->bgr);
+  state_->video->add(rgb.data(), stride);
   ++state_->frames;
   return Done{};
 }
@@ -69,10 +72,8 @@ int VideoWriter::frames() const {
 }
 
 Status VideoWriter::finish() {
-  state_->video.release();
-  cv::VideoCapture back(state_->partial.string());
-  const int found = back.isOpened() ? static_cast<int>(back.get(cv::CAP_PROP_FRAME_COUNT)) : 0;
-  back.release();
+  state_->video->close();
+  const int found = state_->codec->pictures_in(state_->partial);
   if (found != state_->frames)
     return Error{"the video came out with " + std::to_string(found) + " of " +
                      std::to_string(state_->frames) + " pictures; check that the disk is not full",

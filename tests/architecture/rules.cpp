@@ -53,9 +53,8 @@ struct ThirdParty {
 };
 
 constexpr std::array third_parties = {
-    ThirdParty{"TetGen", "^tetgen\\.h$", "core/mesh/tetrahedralize.cpp"},
-    ThirdParty{"FLANN", "^flann/", "core/library/pose_index.cpp"},
-    ThirdParty{"HDF5", "^(hdf5|H5)", "core/library/motion_library_file.cpp"},
+    ThirdParty{"CGAL", "^CGAL/", "core/mesh/tetrahedralize.cpp"},
+    ThirdParty{"HDF5", "^(hdf5|H5)", "core/library/hdf5_file.cpp"},
     ThirdParty{"OpenCV", "^opencv", "core/video/"},
     ThirdParty{"SQLite", "^sqlite3", ""},
     ThirdParty{"liblo", "^lo/", ""},

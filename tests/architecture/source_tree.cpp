@@ -13,7 +13,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array folders = {"core", "widgets", "app", "resources", "tests", "data", "docs", ".ci"};
+constexpr std::array folders = {"core", "widgets", "app",   "resources", "tests",   "data",
+                                "docs", ".ci",     "cmake", "packaging", "examples"};
 
 void add_if_text(std::vector<SourceFile>& files, const fs::path& root, const fs::path& path) {
   std::ifstream stream(path, std::ios::binary);

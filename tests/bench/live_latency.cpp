@@ -45,6 +45,7 @@ struct Options {
   std::vector<double> rates = {60, 120, 240};
   double seconds = 20;
   std::vector<std::string> words;
+  bool json = false;
 };
 
 /// A frame by the time that stands in it and the time at which its last packet passed.
@@ -183,7 +184,20 @@ double load_of_machine() {
   return load;
 }
 
-void print_row(double rate_hz, const Latencies& found, const std::string& rest) {
+void print_row(const Options& options, double rate_hz, const Latencies& found, const std::string& rest) {
+  if (options.json) {
+    fmt::print("{}\n", nlohmann::json{{"rate_hz", rate_hz},
+                                      {"p50", percentile(found.ms, 0.5)},
+                                      {"p95", percentile(found.ms, 0.95)},
+                                      {"p99", percentile(found.ms, 0.99)},
+                                      {"max", percentile(found.ms, 1)},
+                                      {"sent", found.sent},
+                                      {"answered", found.answered},
+                                      {"rest", rest}}
+                           .dump());
+    std::fflush(stdout);
+    return;
+  }
   fmt::print("{:>5.0f}  {:>7.2f} {:>7.2f} {:>7.2f} {:>7.2f}  {:>7} {:>8}  {}  load {:.1f}\n", rate_hz,
              percentile(found.ms, 0.5), percentile(found.ms, 0.95), percentile(found.ms, 0.99),
              percentile(found.ms, 1), found.sent, found.answered, rest, load_of_machine());
@@ -221,7 +235,7 @@ void measure_running(const Options& options, const Clip& clip, double rate_hz) {
   const auto sent =
       send(options, at_rate(clip, rate_hz), rate_hz, {*resolve_host(uri.host), uri.port}, clock);
   const Latencies found = matched(sent, answers.taken(), 1 / rate_hz);
-  print_row(rate_hz, found, fmt::format("not fetched here {}", answers.overflowed()));
+  print_row(options, rate_hz, found, fmt::format("not fetched here {}", answers.overflowed()));
 }
 
 /// `abrazo live`, started and ended here.
@@ -244,7 +258,8 @@ void measure_child(const Options& options, const Clip& clip, double rate_hz) {
   const test::Outcome outcome = live.wait();
   const auto taken = answers.taken();
   // Poses held after the last frame are no answers of the program's count of solved ones.
-  print_row(rate_hz, matched(sent, taken, 1 / rate_hz), account_of(outcome.out, sent.size(), taken.size()));
+  print_row(options, rate_hz, matched(sent, taken, 1 / rate_hz),
+            account_of(outcome.out, sent.size(), taken.size()));
 }
 
 }  // namespace
@@ -258,6 +273,7 @@ int main(int argc, char** argv) {
   app.add_option("--back", options.back, "and sends its partner to this port");
   app.add_option("--rate", options.rates, "frames a second; may be repeated")->capture_default_str();
   app.add_option("--seconds", options.seconds, "for each rate")->capture_default_str();
+  app.add_flag("--json", options.json, "one object a line in place of the table [ms]");
   app.add_option("words", options.words, "further words for abrazo live, behind --");
   CLI11_PARSE(app, argc, argv);
   if (options.library.empty() == options.to.empty() || options.to.empty() != (options.back == 0)) {
@@ -269,7 +285,7 @@ int main(int argc, char** argv) {
     fmt::print(stderr, "{}\n", clips.error().text());
     return 1;
   }
-  fmt::print("   Hz      p50     p95     p99     max ms   frames answered\n");
+  if (!options.json) fmt::print("   Hz      p50     p95     p99     max ms   frames answered\n");
   try {
     for (const double rate_hz : options.rates) {
       if (options.to.empty())

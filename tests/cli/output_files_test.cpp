@@ -7,6 +7,11 @@ using ::testing::ElementsAre;
 
 class OutputFiles : public CommandLineTest {
  protected:
+  /// As on a disk on which no file grows beyond 4 kB.
+  Outcome run_on_a_full_disk(const std::string& line) const {
+    const std::string limited = "ulimit -f 8; exec " ABRAZO_PROGRAM " " + line;
+    return RunningCommand({"/bin/sh", "-c", limited}, folder()).wait();
+  }
   /// Commands that write a file, but for its name.
   static std::vector<std::string> writers() {
     const std::string synth = "synth --library demo.h5 --input demo/salsa_01_a.bvh ";
@@ -39,6 +44,31 @@ TEST_F(OutputFiles, AFolderThatTakesNoFilesIsSaid) {
   make_library();
   for (const std::string& writer : writers())
     expect_failure(run(writer + "/proc/out.csv"), "/proc/out.csv: cannot");
+}
+
+TEST_F(OutputFiles, OnAFullDiskWhatStoodThereStaysAndNothingHalfDoneIsLeft) {
+  make_library();
+  write("out.csv", "mine");
+  for (const std::string& writer : writers()) {
+    expect_failure(run_on_a_full_disk(writer + "out.csv"), "full");
+    EXPECT_EQ(read("out.csv"), "mine") << writer;
+    EXPECT_THAT(names(), ElementsAre("demo", "demo.h5", "out.csv")) << writer;
+  }
+}
+
+TEST_F(OutputFiles, ARecordingOnAFullDiskSaysSoAndKeepsWhatWasCommitted) {
+  make_library();
+  const std::string live =
+      "live --library demo.h5 --listen clip:demo/salsa_01_a.bvh --record s.abrazo --seconds ";
+  ASSERT_EQ(run(live + "0.3").status, 0);
+  const std::string before = run("session info s.abrazo --json").out;
+  const std::string limit =
+      "ulimit -f " + std::to_string(std::filesystem::file_size(path("s.abrazo")) / 512 + 8);
+  const Outcome full =
+      RunningCommand({"/bin/sh", "-c", limit + "; exec " ABRAZO_PROGRAM " " + live + "4"}, folder()).wait();
+  EXPECT_EQ(full.status, 1) << full.err;
+  EXPECT_THAT(full.err, ::testing::HasSubstr("full"));
+  EXPECT_EQ(run("session info s.abrazo").status, 0) << "what was committed opens";
 }
 
 TEST_F(OutputFiles, ADeviceIsNotReplaced) {

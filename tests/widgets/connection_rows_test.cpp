@@ -43,7 +43,7 @@ StreamAddress address(Scheme scheme, const char* host, int port) {
 }
 
 TEST(StreamAddress, FieldsMakeTheUriAndEmptyOnesTheUsualValues) {
-  EXPECT_EQ(uri_of({}), "vmc://0.0.0.0:39539");
+  EXPECT_EQ(uri_of({}), "vmc://127.0.0.1:39539") << "nobody else is heard unless one says so";
   EXPECT_EQ(uri_of(address(Scheme::Xsens, "10.0.0.2", 9764)), "xsens://10.0.0.2:9764");
   StreamAddress motive = address(Scheme::NatNet, "motive", 0);
   motive.group = "239.255.42.99";
@@ -70,6 +70,15 @@ TEST(StreamAddress, WhatAnOptionMayNotHaveInAUriIsWrittenSoThatItReadsBack) {
   EXPECT_EQ(back->options.at("performer"), "Ana & Bo 100%");
 }
 
+TEST(StreamAddress, SaysWhoWillBeHeardBeforeOneConnects) {
+  EXPECT_EQ(reach_of({}), "Listens on this machine only (127.0.0.1:39539); 0.0.0.0 is every network");
+  EXPECT_EQ(reach_of(address(Scheme::Xsens, "0.0.0.0", 9764)), "Listens on every network (0.0.0.0:9764)");
+  EXPECT_EQ(reach_of(address(Scheme::Vmc, "10.0.0.2", 0)), "Listens on the network of 10.0.0.2 (10.0.0.2:39539)");
+  EXPECT_EQ(reach_of(address(Scheme::NatNet, "10.0.0.9", 0)),
+            "Asks Motive at 10.0.0.9:1510; listens on the network that leads there");
+  EXPECT_EQ(reach_of(address(Scheme::Clip, "", 0)), "");
+}
+
 TEST(StreamAddress, NonsenseIsAnError) {
   EXPECT_FALSE(address_of("osc://here"));
   EXPECT_FALSE(address_of("vmc://0.0.0.0:99999"));
@@ -78,7 +87,9 @@ TEST(StreamAddress, NonsenseIsAnError) {
 TEST(StreamWords, EachStateHasAWordAndAMarkOfItsOwn) {
   StreamHealth health = receiving();
   EXPECT_EQ(headline_of(&health).mark, StreamMark::Good);
-  EXPECT_EQ(headline_of(&health).detail, "vmc://0.0.0.0:39539") << "the same address is not said twice";
+  EXPECT_EQ(headline_of(&health).detail, "vmc on every network (0.0.0.0:39539)");
+  health.listening = "127.0.0.1:39539";
+  EXPECT_EQ(headline_of(&health).detail, "vmc on this machine only (127.0.0.1:39539)");
   health.state = StreamHealth::State::Waiting;
   EXPECT_EQ(headline_of(&health).mark, StreamMark::Waiting);
   health.state = StreamHealth::State::Stalled;

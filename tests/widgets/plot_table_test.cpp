@@ -105,6 +105,46 @@ TEST(SampleTable, GapsBreakTheLine) {
   }
 }
 
+TEST(SampleTable, OfOlderRowsFewRemainAndNoSpikeIsLost) {
+  constexpr std::uint64_t rows = 60'000, spike = 12'345, dip = 20'011;
+  SampleTable table;
+  for (std::uint64_t i = 0; i < rows; ++i) {
+    const double value = i == spike ? 9 : i == dip ? -9 : std::sin(static_cast<double>(i) / 40);
+    table.append(row(i, static_cast<double>(i) / 100, value));
+    if (i % 100 == 0) table.thin_older(10'000, 4'000);
+  }
+  table.thin_older(10'000, 4'000);
+  EXPECT_LE(table.rows().size(), 10'000U + 4'000U + 8'192U);
+  EXPECT_GT(table.thinned(), 1'000U);
+  for (std::size_t r = 1; r < table.rows().size(); ++r)
+    ASSERT_LT(table.rows()[r - 1].index, table.rows()[r].index);
+  for (std::uint64_t i = rows - 10'000; i < rows; ++i)
+    ASSERT_EQ(table.at(static_cast<double>(i) / 100)->index, i) << "the newest stay";
+  const auto line = table.line(drawn, 0, 600, 50);
+  EXPECT_EQ(largest(line), 9);
+  EXPECT_EQ(std::ranges::min(line, {}, &SampleTable::Point::value).value, -9);
+  const auto at = std::ranges::max(line, {}, &SampleTable::Point::value).time_s;
+  EXPECT_NEAR(at, spike / 100.0, 0.64) << "as far apart as rows are then";
+  table.drop_before(400);
+  EXPECT_EQ(table.rows().front().time_s, table.at(400.64)->time_s) << "the oldest go first";
+  EXPECT_LT(largest(table.line(drawn, 400, 600, 50)), 1.001);
+}
+
+TEST(SampleTable, AnHourAgoIsAsEvenAsTenMinutesAgo) {
+  SampleTable table;
+  for (std::uint64_t i = 0; i < 400'000; ++i) {
+    table.append(row(i, static_cast<double>(i) / 100, 0));
+    table.thin_older(10'000, 4'000);
+  }
+  std::uint64_t longest = 0, shortest = 1'000'000;
+  for (std::size_t r = 1; r < table.thinned(); ++r) {
+    const std::uint64_t step = table.rows()[r].index - table.rows()[r - 1].index;
+    longest = std::max(longest, step);
+    shortest = std::min(shortest, step);
+  }
+  EXPECT_EQ(longest, shortest);
+}
+
 TEST(SampleTable, SaysWhichRowIsShownAtATime) {
   const SampleTable table = waves(10);
   EXPECT_EQ(table.at(-1), nullptr);

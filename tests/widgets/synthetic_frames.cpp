@@ -47,8 +47,8 @@ std::shared_ptr<const MotionLibrary> two_take_library() {
   body.body = body_of(standing_pose());
   body.capsule_radii = generic_capsule_radii();
   columns.bodies = {body};
-  columns.edge_offsets = {0};
-  columns.tetrahedron_offsets = {0};
+  columns.edge_offsets = std::vector<std::uint64_t>{0};
+  columns.tetrahedron_offsets = std::vector<std::uint64_t>{0};
   add_take(columns, "salsa_01", "turn");
   add_take(columns, "salsa_02", "open_hold");
   return std::make_shared<const MotionLibrary>(std::move(columns));

@@ -67,6 +67,33 @@ TEST(TimelineTracks, KnowsThePairOfAnyTime) {
   EXPECT_EQ(tracks.pair_at(-1), -1);
 }
 
+TEST(TimelineTracks, OfHoursItKeepsTheLanesWholeAndTheCurvesWithTheirExtremes) {
+  constexpr int frames = 60'000, spike = 9'876;
+  TimelineTracks tracks;
+  for (int i = 0; i < frames; ++i) {
+    tracks.append({.time_s = 0.01 * i,
+                   .pair = i,
+                   .take = i / 1000,
+                   .label = "turn",
+                   .source_changed = false,
+                   .leader = Leader::User,
+                   .cost = i == spike ? 5.0 : 1 + 0.001 * (i % 7),
+                   .energy = 0.1});
+    tracks.thin_older(10'000, 4'000);
+  }
+  EXPECT_EQ(tracks.sources().size(), 60u);
+  EXPECT_LE(tracks.costs().size(), 10'000u + 4'000u + 8'192u);
+  const auto columns = tracks.costs().columns(0, 600, 6);
+  EXPECT_EQ(columns[0].most, 5.0F);
+  for (const auto& column : columns) EXPECT_EQ(column.least, 1.0F);
+  EXPECT_EQ(tracks.pair_at(0.01 * (frames - 10'000) + 1e-6), frames - 10'000) << "the newest stay";
+  EXPECT_NEAR(tracks.pair_at(100.004), 10'000, 64) << "of older ones one nearby";
+  tracks.drop_before(300);
+  EXPECT_EQ(tracks.pair_at(200), -1);
+  EXPECT_NEAR(tracks.pair_at(400.004), 40'000, 64);
+  EXPECT_EQ(tracks.costs().columns(0, 600, 1)[0].most, 1.006F);
+}
+
 TEST(TimelineTracks, FindsTheEdgesOfMoves) {
   const TimelineTracks tracks = ten_frames();
   EXPECT_NEAR(*tracks.edge_after(0), 0.6, 1e-12);

@@ -20,7 +20,7 @@ std::shared_ptr<const MotionLibrary> library() {
 
 Settings slow_settings() {
   Settings settings = *preset("responsive");
-  settings.velocity_weight = 5;
+  settings.velocity_weight = 2;
   return settings;
 }
 

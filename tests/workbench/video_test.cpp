@@ -90,7 +90,7 @@ class Video : public DemoWindow {
 TEST_F(Video, OpensBesideTheSessionAndShowsItsPanel) {
   open();
   EXPECT_TRUE(window().panels().isWanted("video"));
-  EXPECT_TRUE(panel().facts().contains("640 × 360")) << panel().facts().toStdString();
+  EXPECT_TRUE(until([] { return panel().facts().contains("640 × 360"); })) << panel().facts().toStdString();
   EXPECT_TRUE(window().session()) << "what was open goes on";
 }
 

@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/common/plain_text.hpp"
 #include "widgets/common/section_header.hpp"
 
 namespace abrazo::widgets {
@@ -128,7 +129,7 @@ void SuggestionSection::showSuggestions(const Annotations& annotations) {
   for (const SuggestionRow& row : m_rows) {
     auto* item = new QListWidgetItem(text(words_of(row)), m_list);
     item->setData(id_role, row.id);
-    item->setToolTip(text(row.tier_name + ": " + row.reason));
+    item->setToolTip(plain_tip(text(row.tier_name + ": " + row.reason)));
   }
   const int again = row_of(m_rows, id), last = m_list->count() - 1;
   // What was decided is gone: the one that took its place is next.

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/common/plain_text.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/common/value_look.hpp"
 
@@ -102,7 +103,7 @@ void ValuePicker::fill(const QString& typed) {
     auto* item = new QListWidgetItem(QIcon(swatch(value_colour(m_palette, m_question.tier, entry.value), 2)),
                                      key + words, m_list);
     item->setData(value_role, value);
-    item->setToolTip(QString::fromStdString(entry.description));
+    item->setToolTip(plain_tip(QString::fromStdString(entry.description)));
     item->setSizeHint({width_px - 30, row_px});
     if (value == m_question.start) m_list->setCurrentItem(item);
   }

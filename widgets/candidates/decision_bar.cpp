@@ -5,6 +5,7 @@
 #include <QToolButton>
 
 #include "widgets/candidates/pin_mark.hpp"
+#include "widgets/common/plain_text.hpp"
 #include "widgets/common/theme.hpp"
 
 namespace abrazo::widgets {
@@ -91,7 +92,7 @@ void DecisionBar::makeButtons() {
     const QString lift = decision.kind == Decision::Kind::Pin     ? "Let the pinned pair go: " + what
                          : decision.kind == Decision::Kind::Meant ? "Take it back, " + what
                                                                   : "Lift the veto: " + what;
-    button->setToolTip(lift);
+    button->setToolTip(plain_tip(lift));
     button->setAccessibleName(lift);
     connect(button, &QToolButton::clicked, this, [this, decision] { emit lifted(decision); });
     button->show();

@@ -106,16 +106,8 @@ QIcon icon(Icon which, const QColor& colour) {
   return result;
 }
 
-QIcon program_icon(const QColor& leader, const QColor& follower) {
-  QPixmap pixmap(64, 64);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(leader, 9, Qt::SolidLine, Qt::RoundCap));
-  painter.drawArc(QRectF(8, 14, 36, 40), 50 * 16, 230 * 16);
-  painter.setPen(QPen(follower, 9, Qt::SolidLine, Qt::RoundCap));
-  painter.drawArc(QRectF(20, 10, 36, 40), 230 * 16, 230 * 16);
-  return QIcon(pixmap);
+QIcon program_icon() {
+  return QIcon(":/abrazo/icons/abrazo.svg");
 }
 
 }  // namespace abrazo::widgets

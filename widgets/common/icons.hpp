@@ -25,7 +25,7 @@ enum class Icon {
 /// A single-weight line icon on a 16 px grid, sharp at 1x and 2x.
 QIcon icon(Icon which, const QColor& colour);
 
-/// The program's mark: two arcs that embrace.
-QIcon program_icon(const QColor& leader, const QColor& follower);
+/// The program's mark, as on the desktop.
+QIcon program_icon();
 
 }  // namespace abrazo::widgets

@@ -102,8 +102,11 @@ QString style_sheet(const Palette& p) {
 
 void apply_theme(QApplication& application, const Palette& p) {
   load_resources();
-  application.setStyle(QStyleFactory::create("Fusion"));
-  application.setFont(interface_font());
+  // Each of these goes through every widget there is; only colours change later.
+  if (application.styleSheet().isEmpty()) {
+    application.setStyle(QStyleFactory::create("Fusion"));
+    application.setFont(interface_font());
+  }
   QPalette colours;
   colours.setColor(QPalette::Window, p.window);
   colours.setColor(QPalette::Base, p.panel);

@@ -2,6 +2,7 @@
 
 #include <QPainter>
 
+#include "widgets/common/plain_text.hpp"
 #include "widgets/library/take_picture.hpp"
 
 namespace abrazo::widgets {
@@ -111,16 +112,16 @@ QVariant TakeModel::data(const QModelIndex& index, int role) const {
   const double share = m_coverage.share_selected(about.take);
   QStringList labels;
   for (const std::string& label : about.labels) labels << QString::fromStdString(label).replace('_', ' ');
-  return QString(
-             "%1: %2 frames at %3 fps, %4\nMoves: %5\nThis session selected %6 of its frames (%7 %), %8 "
-             "times in all")
-      .arg(QString::fromStdString(about.name))
-      .arg(about.frames)
-      .arg(about.fps, 0, 'g', 4)
-      .arg(QString::fromStdString(about.leader), labels.isEmpty() ? "no labels" : labels.join(", "))
-      .arg(qRound(share * about.frames))
-      .arg(100 * share, 0, 'f', 1)
-      .arg(m_coverage.times_selected(about.take));
+  return plain_tip(
+      QString("%1: %2 frames at %3 fps, %4\nMoves: %5\nThis session selected %6 of its frames (%7 %), %8 "
+              "times in all")
+          .arg(QString::fromStdString(about.name))
+          .arg(about.frames)
+          .arg(about.fps, 0, 'g', 4)
+          .arg(QString::fromStdString(about.leader), labels.isEmpty() ? "no labels" : labels.join(", "))
+          .arg(qRound(share * about.frames))
+          .arg(100 * share, 0, 'f', 1)
+          .arg(m_coverage.times_selected(about.take)));
 }
 
 TakeFilter::TakeFilter(TakeModel* model, QObject* parent) : QSortFilterProxyModel(parent), m_model(model) {

@@ -14,6 +14,9 @@
 namespace abrazo::widgets {
 namespace {
 
+constexpr std::size_t newest_kept = 40'000;  // rows: five minutes and a half at 120 Hz
+constexpr std::size_t older_kept = 40'000;
+
 QString text(std::string_view utf8) {
   return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
 }
@@ -42,7 +45,30 @@ struct PlotPanel::Parts {
   Palette palette = palette_of(Theme::Dark);
   std::uint64_t next_index = 0;
   std::optional<double> pointer_s;
+  std::pair<std::uint64_t, SeriesValues> read_again{~std::uint64_t{0},
+                                                    {}};  ///< of this frame, from the history
+
+  const SeriesValues* values_of(const FrameSnapshot& frame, const FrameHistory& history);
 };
+
+/// Its row's; where rows were thinned, and hold what is most and least around, those of the frame itself.
+const SeriesValues* PlotPanel::Parts::values_of(const FrameSnapshot& frame, const FrameHistory& history) {
+  const bool is_thinned = table.thinned() > 0 && frame.time_s < table.rows()[table.thinned()].time_s;
+  if (!is_thinned) {
+    const SampleTable::Row* row = table.at(frame.time_s);
+    return row ? &row->values : nullptr;
+  }
+  if (read_again.first == frame.index) return &read_again.second;
+  SeriesReader here;
+  SelectionReader of_selection(selection);
+  if (const auto before = history.stepped(frame.time_s, -1)) {
+    here.read(*before);
+    of_selection.read(*before, read_again.second);
+  }
+  read_again = {frame.index, here.read(frame)};
+  of_selection.read(frame, read_again.second);
+  return &read_again.second;
+}
 
 PlotPanel::PlotPanel(QWidget* parent) : QWidget(parent), m_parts(std::make_unique<Parts>()) {
   setAccessibleName("Plots");
@@ -232,10 +258,11 @@ void PlotPanel::refresh(const FrameHistory& history, const Playback& playback,
   }
   readSelection(history);
   p.table.drop_before(playback.first_s);
+  p.table.thin_older(newest_kept, older_kept);
   p.playback = playback;
   p.window.show(playback);
-  const SampleTable::Row* row = shown ? p.table.at(shown->time_s) : nullptr;
-  for (PlotPane* pane : p.panes) pane->showValues(row ? &row->values : nullptr);
+  const SeriesValues* values = shown ? p.values_of(*shown, history) : nullptr;
+  for (PlotPane* pane : p.panes) pane->showValues(values);
   draw();
 }
 
@@ -245,6 +272,7 @@ void PlotPanel::showSelection(const Selection& selection) {
   const PaneArrangement panes = arrangement();
   const PaneSeries usual = series_of(selection);
   if (selection.kind != p.selection.kind) p.selected = usual;
+  p.read_again.first = ~std::uint64_t{0};
   p.selection = selection;
   p.selection_reader = SelectionReader(selection);
   p.unread_before = p.next_index;

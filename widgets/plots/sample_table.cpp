@@ -111,11 +111,65 @@ void SampleTable::drop_before(double time_s) {
   while (!rows_.empty() && rows_.front().time_s < time_s) {
     rows_.pop_front();
     ++dropped_;
+    older_ -= older_ > 0;
   }
   while (!blocks_.empty() && dropped_blocks_ * block_rows < dropped_) {
     blocks_.pop_front();
     ++dropped_blocks_;
   }
+}
+
+void SampleTable::thin_older(std::size_t newest, std::size_t most_older) {
+  constexpr std::size_t at_once = 8192;  // moving rows together costs the same for one and for many
+  bool has_thinned = false;
+  while (rows_.size() >= older_ + newest + at_once) {
+    std::size_t more = at_once;
+    for (int halved = 0; halved < level_; ++halved) more = halve(older_, more);
+    older_ += more;
+    if (older_ > most_older) {
+      older_ = halve(0, older_);
+      ++level_;
+    }
+    has_thinned = level_ > 0;
+  }
+  if (has_thinned) gather_blocks();
+}
+
+/// @return how many rows are left of `count`
+std::size_t SampleTable::halve(std::size_t first, std::size_t count) {
+  std::size_t to = first;
+  for (std::size_t from = first; from < first + count;) {
+    const std::size_t group = std::min<std::size_t>(4, first + count - from);
+    if (group < 4) {  // a rest stays as it is
+      for (std::size_t i = 0; i < group; ++i) rows_[to++] = rows_[from++];
+      continue;
+    }
+    Row former = rows_[from], latter = rows_[from + 2];
+    for (std::size_t s = 0; s < series_count; ++s) {
+      std::size_t least = from, largest = from;
+      for (std::size_t row = from; row < from + group; ++row) {
+        const double here = rows_[row].values[s];
+        if (!std::isfinite(here)) continue;
+        if (!(here >= rows_[least].values[s])) least = row;
+        if (!(here <= rows_[largest].values[s])) largest = row;
+      }
+      former.values[s] = rows_[std::min(least, largest)].values[s];
+      latter.values[s] = rows_[std::max(least, largest)].values[s];
+    }
+    from += group;
+    rows_[to++] = former;
+    rows_[to++] = latter;
+  }
+  rows_.erase(rows_.begin() + static_cast<std::ptrdiff_t>(to),
+              rows_.begin() + static_cast<std::ptrdiff_t>(first + count));
+  return to - first;
+}
+
+void SampleTable::gather_blocks() {
+  dropped_ = dropped_blocks_ = 0;
+  blocks_.clear();
+  for (std::size_t first = 0; first + block_rows <= rows_.size(); first += block_rows)
+    blocks_.push_back(extremes_of(first));
 }
 
 void SampleTable::clear() {

@@ -34,6 +34,12 @@ class SampleTable {
   /// After rows were rewritten: the extremes of all that has changed.
   void refresh_extremes(std::uint64_t first_frame, std::uint64_t last_frame);
   void drop_before(double time_s);
+  /// So that hours do not fill the memory: the newest rows stay as they are, those before become at most
+  /// `most_older` and stand evenly. Of each four two remain, with the least and the largest value of every
+  /// series in the order they came, so that no spike is lost. To be called now and then.
+  void thin_older(std::size_t newest, std::size_t most_older);
+  /// Rows at the beginning that were thinned: their values are extremes around their frame, not its own.
+  std::size_t thinned() const { return level_ > 0 ? older_ : 0; }
   void clear();
   const std::deque<Row>& rows() const { return rows_; }
 
@@ -59,6 +65,8 @@ class SampleTable {
   };
   Reach reach(double from_s, double to_s) const;
   Block extremes_of(std::size_t first_row) const;
+  std::size_t halve(std::size_t first, std::size_t count);
+  void gather_blocks();
   std::optional<std::size_t> row_of(std::uint64_t frame) const;
   double value(std::size_t row, Series series) const;
 
@@ -66,6 +74,8 @@ class SampleTable {
   std::size_t dropped_ = 0;   ///< rows so far; row r of the session is rows_[r - dropped_]
   std::deque<Block> blocks_;  ///< block b: rows [64 b, 64 b + 64) of the session
   std::size_t dropped_blocks_ = 0;
+  std::size_t older_ = 0;  ///< rows at the beginning that stand apart from the newest
+  int level_ = 0;          ///< so often they were halved
 };
 
 /// Every row in [from, to] with every series: the header carries the units, numbers read back to the same

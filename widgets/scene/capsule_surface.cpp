@@ -72,23 +72,23 @@ CapsuleSurface::CapsuleSurface(const std::array<double, bone_count>& radii) {
   }
 }
 
-/// Calls emit(end or shaft point of the axis, unit direction outwards, radius) for every surface point in
+/// Calls put(end or shaft point of the axis, unit direction outwards, radius) for every surface point in
 /// order.
-template <typename Emit>
-void CapsuleSurface::visit(const Pose& pose, Emit emit) const {
+template <typename Put>
+void CapsuleSurface::visit(const Pose& pose, Put put) const {
   for (const BoneCapsule& capsule : bones_) {
     const Vec3 from = pose.row(capsule.from), to = pose.row(capsule.to);
     Vec3 axis = to - from;
     axis = axis.norm() > 1e-9 ? axis.normalized() : Vec3::UnitY();
     const Vec3 side = (std::abs(axis.y()) < 0.9 ? Vec3::UnitY() : Vec3::UnitX()).cross(axis).normalized();
     const Vec3 other = axis.cross(side);
-    emit(from, -axis, capsule.radius);
+    put(from, -axis, capsule.radius);
     for (const Ring& ring : the_rings) {
       const Vec3 centre = from + ring.along * (to - from);
       for (const auto& [c, s] : the_circle)
-        emit(centre, ring.width * (c * side + s * other) + ring.beyond * axis, capsule.radius);
+        put(centre, ring.width * (c * side + s * other) + ring.beyond * axis, capsule.radius);
     }
-    emit(to, axis, capsule.radius);
+    put(to, axis, capsule.radius);
   }
 }
 

@@ -37,8 +37,8 @@ class CapsuleSurface {
     int from, to;
     double radius;
   };
-  template <typename Emit>
-  void visit(const Pose& pose, Emit emit) const;
+  template <typename Put>
+  void visit(const Pose& pose, Put put) const;
 
   std::vector<BoneCapsule> bones_;
   std::vector<std::array<std::int64_t, 3>> triangles_;

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QStackedWidget>
 
+#include "widgets/common/plain_text.hpp"
 #include "widgets/common/theme.hpp"
 
 namespace abrazo::widgets {
@@ -207,11 +208,9 @@ void AddressForm::showScheme(StreamUri::Scheme scheme) {
 
 void AddressForm::showComplaint(const QString& words) {
   m_wrong = words;
-  const std::string_view help = info_of(m_address.scheme).host_help;
-  const QString note =
-      words.isEmpty() ? QString::fromUtf8(help.data(), static_cast<int>(help.size())) : words;
+  const QString note = words.isEmpty() ? QString::fromStdString(reach_of(m_address)) : words;
   m_note->setText(note);
-  m_note->setToolTip(note);
+  m_note->setToolTip(plain_tip(note));
   m_note->setAccessibleName(words.isEmpty() ? "What the address means" : "What is wrong with the address");
   m_note->setStyleSheet(words.isEmpty() ? QString() : QString("color: %1").arg(m_palette.warning.name()));
 }

@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/common/plain_text.hpp"
 #include "widgets/common/section_header.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/stream/address_form.hpp"
@@ -190,7 +191,7 @@ void ConnectionPanel::showHealth(const StreamHealth* health) {
   const QString said = said_of(m_health);
   if (said != m_said->text()) {
     m_said->setText(said);
-    m_said->setToolTip(said);
+    m_said->setToolTip(plain_tip(said));
   }
   m_copy->setEnabled(m_connected);
   showPerformers();

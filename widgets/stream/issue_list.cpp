@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <set>
 
+#include "widgets/common/plain_text.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/stream/stream_sign.hpp"
 #include "widgets/stream/stream_words.hpp"
@@ -100,13 +101,13 @@ void IssueList::showDiagnosis(const StreamDiagnosis& diagnosis) {
   item.setText(0, words(diagnosis.text));
   item.setIcon(0, signOf(diagnosis.severity));
   item.setData(0, Qt::AccessibleTextRole, severity + ": " + words(diagnosis.text));
-  item.setToolTip(0, severity + ", " + words(diagnosis.kind));
+  item.setToolTip(0, plain_tip(severity + ", " + words(diagnosis.kind)));
 }
 
 void IssueList::showIssue(const IssueCount& issue) {
   QTreeWidgetItem& item = itemOf("issue " + words(issue.kind));
   item.setText(0, words(count_text(issue.count)) + " × " + words(issue.kind));
-  item.setToolTip(0, words(issue.latest));
+  item.setToolTip(0, plain_tip(words(issue.latest)));
   if (item.childCount() == 0) {
     auto* latest = new QTreeWidgetItem(&item);
     latest->setForeground(0, m_palette.secondary);

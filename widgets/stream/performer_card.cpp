@@ -5,6 +5,7 @@
 #include <QToolButton>
 #include <QVariant>
 
+#include "widgets/common/plain_text.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/stream/figure_grid.hpp"
 #include "widgets/stream/stream_sign.hpp"
@@ -64,8 +65,8 @@ void PerformerCard::show(const PerformerHealth& performer, PerformerPart part) {
   const QString name = QString::fromStdString(performer.performer);
   setAccessibleName("Performer " + name);
   setAccessibleDescription(performer.tracked ? "tracked" : "tracking lost");
-  setToolTip(name + (performer.tracked ? ": tracked\n" : ": tracking lost\n") +
-             QString::fromStdString(body_line(performer) + "\n" + estimated_line(performer)));
+  setToolTip(plain_tip(name + (performer.tracked ? ": tracked\n" : ": tracking lost\n") +
+                       QString::fromStdString(body_line(performer) + "\n" + estimated_line(performer))));
   m_user->setChecked(part == PerformerPart::User);
   m_user->setAccessibleName(name + " plays the user");
   m_second->setChecked(part == PerformerPart::Second);

@@ -10,6 +10,7 @@
 #include <QToolButton>
 
 #include "widgets/common/icons.hpp"
+#include "widgets/common/plain_text.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/stream/stream_sign.hpp"
@@ -40,7 +41,7 @@ class SinkCard : public QWidget {
     setAccessibleName(what);
     setAccessibleDescription(figures());
     const std::string& failure = row.health.latest_failure;
-    setToolTip(what + (failure.empty() ? QString() : "\n" + QString::fromStdString(failure)));
+    setToolTip(plain_tip(what + (failure.empty() ? QString() : "\n" + QString::fromStdString(failure))));
     update();
   }
 

@@ -22,10 +22,11 @@ std::string encoded(std::string_view text) {
 
 const SchemeInfo& info_of(StreamUri::Scheme scheme) {
   static constexpr std::array<SchemeInfo, 4> infos = {
-      {{"vmc", "VMC", "0.0.0.0", 39539, "Address that this machine listens on; 0.0.0.0 is every network"},
+      {{"vmc", "VMC", "127.0.0.1", 39539,
+        "Address that this machine listens on: 127.0.0.1 hears this machine only, 0.0.0.0 every network"},
        {"natnet", "NatNet (Motive)", "127.0.0.1", 1510, "Address of the machine that runs Motive"},
-       {"xsens", "Xsens MVN", "0.0.0.0", 9763,
-        "Address that this machine listens on; 0.0.0.0 is every network"},
+       {"xsens", "Xsens MVN", "127.0.0.1", 9763,
+        "Address that this machine listens on: 127.0.0.1 hears this machine only, 0.0.0.0 every network"},
        {"clip", "Clip, replayed", "", 0, ""}}};
   return infos[static_cast<std::size_t>(scheme)];
 }
@@ -47,6 +48,19 @@ std::string uri_of(const StreamAddress& address) {
     before = '&';
   }
   return uri;
+}
+
+std::string reach_of(const StreamAddress& address) {
+  const SchemeInfo& info = info_of(address.scheme);
+  if (address.scheme == StreamUri::Scheme::Clip) return {};
+  const std::string host = address.host.empty() ? std::string(info.host) : address.host;
+  const std::string place = host + ":" + std::to_string(address.port == 0 ? info.port : address.port);
+  const bool is_everywhere = host == "0.0.0.0" || host == "*";
+  if (address.scheme == StreamUri::Scheme::NatNet)
+    return is_everywhere ? "Asks no server; listens " + listening_words("0.0.0.0:1511")
+                         : "Asks Motive at " + place + "; listens on the network that leads there";
+  const std::string words = "Listens " + listening_words(place);
+  return host.starts_with("127.") || host == "localhost" ? words + "; 0.0.0.0 is every network" : words;
 }
 
 Result<StreamAddress> address_of(std::string_view text) {

@@ -2,6 +2,7 @@
 
 #include <QPainter>
 
+#include "widgets/common/plain_text.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/stream/stream_sign.hpp"
 
@@ -21,8 +22,8 @@ void StreamHead::setColours(const Palette& palette) {
 void StreamHead::show(const StreamHeadline& headline) {
   m_headline = headline;
   const QString words = QString::fromStdString(headline.word + ", " + headline.detail);
-  if (words == toolTip()) return;
-  setToolTip(words);
+  if (words == accessibleDescription()) return;
+  setToolTip(plain_tip(words));
   setAccessibleDescription(words);
   update();
 }

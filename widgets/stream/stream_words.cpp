@@ -4,6 +4,8 @@
 #include <array>
 #include <cstdio>
 
+#include "core/stream/stream_uri.hpp"
+
 namespace abrazo::widgets {
 namespace {
 
@@ -48,10 +50,9 @@ const char* word_of(StreamDiagnosis::Severity severity) {
 
 StreamHeadline headline_of(const StreamHealth* health) {
   if (!health) return {StreamMark::Off, "not connected", "The clip stands in for the user"};
-  const std::string detail =
-      health->uri + (health->listening.empty() || health->uri.find(health->listening) != std::string::npos
-                         ? ""
-                         : " · " + health->listening);
+  const std::string detail = health->listening.empty() ? health->uri
+                                                       : health->uri.substr(0, health->uri.find(':')) + " " +
+                                                             listening_words(health->listening);
   switch (health->state) {
     case StreamHealth::State::Waiting:
       return {StreamMark::Waiting, "waiting for the first packet", detail};
@@ -148,7 +149,7 @@ bool has_unknown_packets(const StreamHealth& health) {
 
 std::string report_of(const StreamHealth& health) {
   const StreamHeadline head = headline_of(&health);
-  std::string text = head.detail + ": " + head.word + "\n";
+  std::string text = health.uri + ", " + head.detail + ": " + head.word + "\n";
   const auto add = [&text](const std::string& name, const std::string& value) {
     if (!value.empty()) text += name + ": " + value + "\n";
   };

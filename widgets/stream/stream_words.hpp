@@ -16,7 +16,7 @@ enum class StreamMark { Off, Waiting, Good, Warning, Bad };
 struct StreamHeadline {
   StreamMark mark = StreamMark::Off;
   std::string word;    ///< "receiving"
-  std::string detail;  ///< "vmc://0.0.0.0:39539"
+  std::string detail;  ///< "vmc on this machine only (127.0.0.1:39539)"
 };
 /// @param health  null when nothing is connected
 StreamHeadline headline_of(const StreamHealth* health);

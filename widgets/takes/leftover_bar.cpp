@@ -1,5 +1,7 @@
 #include "widgets/takes/leftover_bar.hpp"
 
+#include "widgets/common/plain_text.hpp"
+
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
@@ -55,7 +57,7 @@ void LeftoverBar::showFirst() {
   if (m_sessions.empty()) return;
   const QString more = m_sessions.size() > 1 ? QString("   (1 of %1)").arg(m_sessions.size()) : QString();
   m_text->setText(m_sessions.front().words + more);
-  m_text->setToolTip(m_sessions.front().file);
+  m_text->setToolTip(plain_tip(m_sessions.front().file));
 }
 
 QString LeftoverBar::text() const {

@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "widgets/common/plain_text.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/takes/take_name.hpp"
@@ -242,7 +243,7 @@ void TakePanel::showStatus(const RecordingStatus& status) {
   const QString file = QString::fromStdString(status.file);
   m_file->setVisible(!file.isEmpty());
   m_file->setText(QFileInfo(file).fileName());
-  m_file->setToolTip(file);
+  m_file->setToolTip(plain_tip(file));
   showNext();
 }
 

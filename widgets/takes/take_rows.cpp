@@ -7,6 +7,7 @@
 #include <QPainter>
 #include <QStyledItemDelegate>
 
+#include "widgets/common/plain_text.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 
@@ -146,7 +147,7 @@ void TakeRows::setTakes(const RecordedTakes& takes) {
     shown->setData(facts_role, facts_of(take));
     shown->setData(Qt::AccessibleTextRole, text(take.name) + ", " + shown->data(length_role).toString() +
                                                ", " + shown->data(facts_role).toString());
-    shown->setToolTip(shown->data(facts_role).toString() + "\nDouble click goes there");
+    shown->setToolTip(plain_tip(shown->data(facts_role).toString() + "\nDouble click goes there"));
   }
   setCurrentTake(chosen);
 }

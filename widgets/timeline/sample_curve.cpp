@@ -27,6 +27,48 @@ void SampleCurve::append(double time_s, double value) {
   samples_.push_back({time_s, small});
 }
 
+void SampleCurve::thin_older(std::size_t newest, std::size_t most_older) {
+  constexpr std::size_t at_once = 8192;  // moving samples together costs the same for one and for many
+  bool has_thinned = false;
+  while (samples_.size() >= older_ + newest + at_once) {
+    std::size_t more = at_once;
+    for (int halved = 0; halved < level_; ++halved) more = halve(older_, more);
+    older_ += more;
+    if (older_ > most_older) {
+      older_ = halve(0, older_);
+      ++level_;
+    }
+    has_thinned = level_ > 0;
+  }
+  if (!has_thinned) return;
+  blocks_.clear();
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    if (i % block_size == 0) blocks_.push_back(nothing);
+    include(blocks_.back(), {samples_[i].value, samples_[i].value});
+  }
+}
+
+/// What is given up goes with it. @return how many samples are left of `count`
+std::size_t SampleCurve::halve(std::size_t first, std::size_t count) {
+  const auto by_value = [](const Sample& a, const Sample& b) { return a.value < b.value; };
+  std::size_t to = first;
+  const std::size_t given_up = std::min(begin_, first + count);
+  const std::size_t begin = std::max(first, given_up);
+  begin_ -= begin - first;
+  for (std::size_t from = begin; from < first + count; from += 4) {
+    const auto group = samples_.begin() + static_cast<std::ptrdiff_t>(from);
+    const auto end = group + static_cast<std::ptrdiff_t>(std::min<std::size_t>(4, first + count - from));
+    auto [least, largest] = std::minmax_element(group, end, by_value);
+    if (largest->time_s < least->time_s) std::swap(least, largest);
+    const Sample former = *least, latter = *largest;
+    samples_[to++] = former;
+    if (latter.time_s != former.time_s) samples_[to++] = latter;
+  }
+  samples_.erase(samples_.begin() + static_cast<std::ptrdiff_t>(to),
+                 samples_.begin() + static_cast<std::ptrdiff_t>(first + count));
+  return to - first;
+}
+
 void SampleCurve::drop_before(double time_s) {
   begin_ = position(time_s);
   if (2 * begin_ < samples_.size()) return;
@@ -35,6 +77,7 @@ void SampleCurve::drop_before(double time_s) {
   samples_.erase(samples_.begin(), samples_.begin() + samples);
   blocks_.erase(blocks_.begin(), blocks_.begin() + blocks);
   begin_ -= static_cast<std::size_t>(samples);
+  older_ -= std::min(older_, static_cast<std::size_t>(samples));
 }
 
 void SampleCurve::clear() {

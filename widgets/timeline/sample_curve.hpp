@@ -17,6 +17,9 @@ class SampleCurve {
   /// Times ascend. A value that is not finite is left out.
   void append(double time_s, double value);
   void drop_before(double time_s);
+  /// So that hours do not fill the memory: the newest samples stay as they are, those before become at most
+  /// `most_older`. Of each four the least and the largest remain. To be called now and then.
+  void thin_older(std::size_t newest, std::size_t most_older);
   void clear();
 
   std::size_t size() const { return samples_.size() - begin_; }
@@ -30,12 +33,15 @@ class SampleCurve {
     float value = 0;
   };
   std::size_t position(double time_s) const;
+  std::size_t halve(std::size_t first, std::size_t count);
   Extent extent(std::size_t first, std::size_t last) const;
 
   static constexpr std::size_t block_size = 32;
   std::vector<Sample> samples_;
   std::vector<Extent> blocks_;  ///< of block_size samples each
   std::size_t begin_ = 0;       ///< samples before are given up
+  std::size_t older_ = 0;       ///< samples at the beginning that stand apart from the newest
+  int level_ = 0;               ///< so often they were halved
 };
 
 inline bool is_empty(const SampleCurve::Extent& column) {

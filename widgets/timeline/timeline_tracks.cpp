@@ -54,9 +54,31 @@ void TimelineTracks::drop_before(double time_s) {
     while (!lane->empty() && lane->front().to_s < time_s) lane->pop_front();
     if (!lane->empty()) lane->front().from_s = std::max(lane->front().from_s, time_s);
   }
-  while (!pairs_.empty() && pairs_.front().time_s < time_s) pairs_.pop_front();
+  while (!pairs_.empty() && pairs_.front().time_s < time_s) {
+    pairs_.pop_front();
+    older_pairs_ -= older_pairs_ > 0;
+  }
   costs_.drop_before(time_s);
   energies_.drop_before(time_s);
+}
+
+void TimelineTracks::thin_older(std::size_t newest, std::size_t most_older) {
+  constexpr std::size_t at_once = 8192;
+  costs_.thin_older(newest, most_older);
+  energies_.thin_older(newest, most_older);
+  const auto thin = [this](std::size_t first, std::size_t count, std::size_t step) {
+    std::size_t to = first;
+    for (std::size_t from = first; from < first + count; from += step) pairs_[to++] = pairs_[from];
+    pairs_.erase(pairs_.begin() + static_cast<std::ptrdiff_t>(to),
+                 pairs_.begin() + static_cast<std::ptrdiff_t>(first + count));
+    return to - first;
+  };
+  while (pairs_.size() >= older_pairs_ + newest + at_once) {
+    older_pairs_ += thin(older_pairs_, at_once, std::size_t{1} << pairs_level_);
+    if (older_pairs_ <= most_older) continue;
+    older_pairs_ = thin(0, older_pairs_, 2);
+    ++pairs_level_;
+  }
 }
 
 void TimelineTracks::clear() {
@@ -68,7 +90,8 @@ int TimelineTracks::pair_at(double time_s) const {
                                       [](double t, const Selection& chosen) { return t < chosen.time_s; });
   if (after == pairs_.begin()) return -1;
   const Selection& here = *std::prev(after);
-  return time_s - here.time_s < longest_gap_s() ? here.pair : -1;
+  const double apart_s = older_pairs_ > 1 ? pairs_[1].time_s - pairs_[0].time_s : 0;
+  return time_s - here.time_s < std::max(longest_gap_s(), 2 * apart_s) ? here.pair : -1;
 }
 
 std::optional<double> TimelineTracks::edge_before(double time_s) const {

@@ -41,6 +41,9 @@ class TimelineTracks {
   /// Rows come in ascending time.
   void append(const TrackRow& row);
   void drop_before(double time_s);
+  /// So that hours do not fill the memory: curves as in SampleCurve; of the pairs of older frames every other
+  /// is left out, as often as needed. Lanes keep all their intervals.
+  void thin_older(std::size_t newest, std::size_t most_older);
   void clear();
 
   const Lane& sources() const { return sources_; }  ///< a jump within a take begins an interval, too
@@ -71,7 +74,9 @@ class TimelineTracks {
   Lane sources_, moves_, leaders_, user_roles_;
   double left_out_s_ = 0;  ///< most there was
   SampleCurve costs_, energies_;
-  std::deque<Selection> pairs_;  ///< of every frame
+  std::deque<Selection> pairs_;  ///< of every frame, but for older ones
+  std::size_t older_pairs_ = 0;
+  int pairs_level_ = 0;  ///< so often the older ones were halved
   std::vector<std::string> labels_;
 };
 

@@ -16,6 +16,8 @@ namespace {
 
 constexpr int names_width = 104;
 constexpr int right_margin = 16;
+constexpr std::size_t newest_kept = 40'000;  // five minutes and a half at 120 Hz
+constexpr std::size_t older_kept = 40'000;
 
 /// Of a frame that may have been solved with another library; only what is shown of it is translated.
 /// @param dt_s  since the step before, for the weight of its rate
@@ -152,6 +154,7 @@ void TimelineView::refresh(const FrameHistory& history, const Playback& playback
   m_content.memory_first_s = memory_first_s;
   for (const FrameSnapshotPtr& frame : history.since(m_nextIndex)) take(*frame);
   m_content.tracks.drop_before(playback.first_s);
+  m_content.tracks.thin_older(newest_kept, older_kept);
   m_content.settings.evict_before(playback.first_s);
   place(playback);
   if (known_until <= shown_until) redraw();  // what is new is in view

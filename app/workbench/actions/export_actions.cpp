@@ -4,6 +4,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
+#include <QRegularExpression>
 #include <QSettings>
 #include <array>
 
@@ -27,7 +28,9 @@ QString proposed_name(const ExportRequest& request) {
                      : !request.library_take.isEmpty()
                          ? request.library_take
                          : names.at(static_cast<std::size_t>(request.wish.content));
-  return of + "-" + QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss") +
+  // A take's name may have been chosen by somebody else to lead to another folder.
+  return QString(of).replace(QRegularExpression("[/\\\\:\\x00-\\x1f]"), "_") + "-" +
+         QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss") +
          QString::fromStdString(request.wish.output);
 }
 

@@ -6,6 +6,7 @@
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/recent_files.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/common/plain_text.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -17,7 +18,7 @@ void fill(MainWindow& window, QMenu& menu) {
     const bool is_missing = !missing_of(entry).isEmpty();
     QAction* action = menu.addAction(label_of(entry, entries).replace('&', "&&") +
                                      (is_missing ? "  (not there any more)" : ""));
-    action->setToolTip(files_of(entry).join("\n"));
+    action->setToolTip(widgets::plain_tip(files_of(entry).join("\n")));
     QObject::connect(action, &QAction::triggered, &window, [&window, entry] { open_recent(window, entry); });
   }
   if (entries.isEmpty()) menu.addAction("Nothing was opened yet")->setEnabled(false);

@@ -121,9 +121,9 @@ void render_range(MainWindow& window, const RangeRequest& request) {
 
 void add_recording_actions(MainWindow& window) {
   auto* mark = new QLabel(&window);
+  mark->setTextFormat(Qt::RichText), mark->hide();
   mark->setAccessibleName("Recording");
   mark->setContentsMargins(8, 0, 12, 0);
-  mark->hide();
   window.statusBar()->addPermanentWidget(mark);
   const Film view = make_film(window, "Record view…", [&window] { return window.scene().grab().toImage(); });
   const Film whole = make_film(window, "Record window…", [&window] { return window.grab().toImage(); });

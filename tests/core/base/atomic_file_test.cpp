@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <fstream>
@@ -99,6 +100,16 @@ TEST_F(AtomicFileTest, NamesTheFileThatCannotBeWrittenOrRead) {
   EXPECT_THAT(read_whole_file(folder_ / "absent.csv").error().message,
               testing::HasSubstr("cannot be opened"));
   EXPECT_THAT(read_whole_file(folder_).error().message, testing::HasSubstr("is a folder"));
+}
+
+TEST_F(AtomicFileTest, APipeADeviceOrAGiantIsRefusedBeforeAnythingIsRead) {
+  ASSERT_EQ(mkfifo((folder_ / "pipe").c_str(), 0600), 0);
+  for (const fs::path& path : {folder_ / "pipe", fs::path("/dev/zero")})
+    EXPECT_THAT(read_whole_file(path).error().message, testing::HasSubstr("is a device or a pipe")) << path;
+  ASSERT_TRUE(write_whole_file(folder_ / "giant.bvh", "HIERARCHY"));
+  fs::resize_file(folder_ / "giant.bvh", std::uintmax_t{1} << 40);  // sparse: it takes no room
+  EXPECT_THAT(read_whole_file(folder_ / "giant.bvh").error().text(),
+              testing::AllOf(testing::HasSubstr("giant.bvh"), testing::HasSubstr("1048576 MB large")));
 }
 
 }  // namespace

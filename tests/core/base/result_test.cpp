@@ -36,5 +36,12 @@ TEST(Error, IsOnlyItsMessageWhenThereIsNoPlace) {
   EXPECT_EQ((Error{"no clip", ""}).text(), "no clip");
 }
 
+TEST(Error, ShowsNothingThatSteersATerminal) {
+  const Error error{"two joints are named '\x1b[2Jhip\x07\x7f', expected:\n\tone", "\rÜbung.bvh:3"};
+  EXPECT_EQ(error.text(),
+            "?Übung.bvh:3: two joints are named '?[2Jhip?"
+            "?', expected:\n\tone");
+}
+
 }  // namespace
 }  // namespace abrazo

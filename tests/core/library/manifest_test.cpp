@@ -148,6 +148,18 @@ INSTANTIATE_TEST_SUITE_P(
             "data/manifest.json: takes[0].roles[1]", "before the one above it ends (9)"}),
     [](const auto& test) { return test.param.what; });
 
+TEST(Manifest, ANumberThatNoDoubleHoldsIsRefusedWhereverItStands) {
+  EXPECT_THAT(refusal(manifest_of(take_with(R"("fps": 1e999)"))).text(),
+              HasSubstr("a number that is too large"));
+  EXPECT_THAT(refusal(R"({"unused": -31e308})").text(), HasSubstr("a number that is too large"));
+}
+
+TEST(Manifest, BracketsThatWouldTakeTheWholeStackAreRefused) {
+  const std::string deep = std::string(1'000'000, '[') + std::string(1'000'000, ']');
+  EXPECT_THAT(refusal(manifest_of(take_with("\"fps\": " + deep))).text(),
+              HasSubstr("100 deep inside each other"));
+}
+
 TEST(Manifest, SaysWhichFileCannotBeOpened) {
   const auto manifest = read_manifest("no/such/manifest.json");
   ASSERT_FALSE(manifest.ok());

@@ -10,6 +10,7 @@
 #include "core/base/atomic_file.hpp"
 #include "core/library/motion_library_builder.hpp"
 #include "tests/core/library/synthetic_takes.hpp"
+#include "tests/support/broken_world.hpp"
 
 namespace abrazo {
 namespace {
@@ -295,6 +296,98 @@ TEST_F(MotionLibraryFile, RefusesTakesBodiesAndRolesThatDoNotExist) {
 TEST_F(MotionLibraryFile, RefusesPositionsThatAreNotFinite) {
   poke("pairs/pose", {4, 7, 1}, std::numeric_limits<double>::quiet_NaN());
   expect_refused("a position is not a finite number");
+}
+
+// What a stranger's file must not make the program read.
+
+TEST_F(MotionLibraryFile, ALinkToAnotherFileIsNotFollowed) {
+  const fs::path other = folder / "other.h5";
+  fs::copy_file(file, other);
+  remove("pairs/pose");
+  const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  H5Lcreate_external(other.c_str(), "/pairs/pose", id, "/pairs/pose", H5P_DEFAULT, H5P_DEFAULT);
+  H5Fclose(id);
+  expect_refused("pairs/pose is a link to another place");
+}
+
+TEST_F(MotionLibraryFile, NorIsOneThatAGroupHidesBehind) {
+  const fs::path other = folder / "other.h5";
+  fs::copy_file(file, other);
+  remove("meshes");
+  const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  H5Lcreate_external(other.c_str(), "/meshes", id, "/meshes", H5P_DEFAULT, H5P_DEFAULT);
+  H5Fclose(id);
+  expect_refused("meshes is a link to another place");
+}
+
+TEST_F(MotionLibraryFile, ASoftLinkIsNotFollowed) {
+  remove("pairs/features");
+  const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  H5Lcreate_soft("/pairs/features", id, "/pairs/features", H5P_DEFAULT, H5P_DEFAULT);
+  H5Fclose(id);
+  expect_refused("pairs/features is a link to another place");
+}
+
+TEST_F(MotionLibraryFile, NumbersThatLieInAnotherFileAreNotRead) {
+  const auto pairs = static_cast<hsize_t>(library.pair_count());
+  const std::vector<hsize_t> shape{pairs, pair_vertex_count, 3};
+  const fs::path secret = folder / "secret";
+  ASSERT_TRUE(write_whole_file(secret, std::string(pairs * pair_vertex_count * 3 * sizeof(double), 'x')));
+  remove("pairs/pose");
+  const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const hid_t space = H5Screate_simple(3, shape.data(), nullptr);
+  const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+  H5Pset_external(creation, secret.c_str(), 0, H5F_UNLIMITED);
+  const hid_t set = H5Dcreate2(id, "/pairs/pose", H5T_IEEE_F64LE, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+  ASSERT_GE(set, 0);
+  H5Dclose(set);
+  H5Pclose(creation);
+  H5Sclose(space);
+  H5Fclose(id);
+  expect_refused("pairs/pose is kept in other files");
+}
+
+TEST_F(MotionLibraryFile, ATableMadeOfOtherFilesTablesIsNotRead) {
+  const fs::path other = folder / "other.h5";
+  fs::copy_file(file, other);
+  const auto pairs = static_cast<hsize_t>(library.pair_count());
+  const std::vector<hsize_t> shape{pairs, pair_vertex_count, 3};
+  remove("pairs/pose");
+  const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const hid_t space = H5Screate_simple(3, shape.data(), nullptr);
+  const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+  H5Pset_virtual(creation, space, other.c_str(), "/pairs/pose", space);
+  const hid_t set = H5Dcreate2(id, "/pairs/pose", H5T_IEEE_F64LE, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+  ASSERT_GE(set, 0);
+  H5Dclose(set);
+  H5Pclose(creation);
+  H5Sclose(space);
+  H5Fclose(id);
+  expect_refused("pairs/pose is kept in other files");
+}
+
+TEST_F(MotionLibraryFile, OnAFullDiskTheOldFileStaysWhole) {
+  {
+    const test::LimitedFiles full(4096);
+    const Status written = write_library(library, file);
+    ASSERT_FALSE(written);
+    EXPECT_THAT(written.error().text(), AllOf(HasSubstr("library.h5"), HasSubstr("full")));
+  }
+  EXPECT_TRUE(read_library(file).ok());
+  EXPECT_EQ(std::distance(fs::directory_iterator(folder), fs::directory_iterator()), 1)
+      << "nothing half done is left";
+  EXPECT_TRUE(write_library(library, file).ok()) << "and with space again it works";
+}
+
+TEST_F(MotionLibraryFile, OnceReadItsFileMayBeReplacedCutShortOrDeleted) {
+  const auto read = read_library(file);
+  ASSERT_TRUE(read.ok());
+  fs::resize_file(file, 100);
+  EXPECT_EQ(read->pose(3), library.pose(3));
+  ASSERT_TRUE(write_whole_file(file, "no library"));
+  EXPECT_EQ(read->pose(5), library.pose(5));
+  fs::remove(file);
+  for (int pair = 0; pair < library.pair_count(); ++pair) EXPECT_EQ(read->pose(pair), library.pose(pair));
 }
 
 }  // namespace

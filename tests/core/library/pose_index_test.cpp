@@ -123,6 +123,68 @@ TEST(PoseIndex, FindsNothingWhenAllIsLeftOutAndFewerWhenFewAreLeft) {
   EXPECT_EQ(matches[0].pair, 9);
 }
 
+TEST(PoseIndex, FindsWhatBruteForceFindsAmongManyThatStandVeryClose) {
+  // Frames of slow dances: distances far below what single precision tells apart at this offset.
+  auto all = random_features(4000, 21);
+  for (Features& features : all) features = 1e-9 * features + Features::Constant(3);
+  const auto pairs = numbers_to(4000);
+  const PoseIndex index(all, pairs);
+  std::vector<PoseMatch> matches;
+  for (int q = 0; q < 50; ++q) {
+    const Features query = all[static_cast<std::size_t>(q * 71)] + Features::Constant(1e-10);
+    index.nearest(query, 10, matches);
+    ASSERT_EQ(distances_of(matches), brute_force(all, pairs, query, 10));
+  }
+}
+
+TEST(PoseIndex, FindsWhatBruteForceFindsWhenNumbersAreNoLengthsOfABody) {
+  for (const double scale : {1e-200, 1e-30, 1e10, 1e25, 1e100, 1e300}) {
+    auto all = random_features(700, 22);
+    for (Features& features : all) features *= scale;
+    const auto pairs = numbers_to(700);
+    const PoseIndex index(all, pairs);
+    std::vector<PoseMatch> matches;
+    for (const double query_scale : {0.0, scale, 1e-5 * scale, 1e12})
+      for (const Features& direction : random_features(5, 23)) {
+        const Features query = query_scale * direction;
+        index.nearest(query, 10, matches);
+        ASSERT_EQ(distances_of(matches), brute_force(all, pairs, query, 10)) << scale << ' ' << query_scale;
+      }
+  }
+}
+
+TEST(PoseIndex, FindsWhatBruteForceFindsWhateverTheirNumber) {
+  for (const int count : {1, 2, 15, 16, 17, 31, 32, 33, 47, 48, 49, 100, 255, 256, 257}) {
+    const auto all = random_features(count, 24);
+    const auto pairs = numbers_to(count);
+    const PoseIndex index(all, pairs);
+    std::vector<PoseMatch> matches;
+    for (const Features& query : random_features(20, 25)) {
+      index.nearest(query, 7, matches);
+      ASSERT_EQ(distances_of(matches), brute_force(all, pairs, query, 7)) << count;
+    }
+  }
+}
+
+TEST(PoseIndex, TheSameForEveryOrderOfThePairs) {
+  auto all = random_features(2000, 26);
+  for (std::size_t i = 0; i < 1000; ++i) all[i + 1000] = all[i];  // ties
+  auto order = numbers_to(2000);
+  const PoseIndex one(all, order);
+  std::shuffle(order.begin(), order.end(), std::mt19937(27));
+  const PoseIndex other(all, order);
+  std::vector<PoseMatch> a, b;
+  for (const Features& query : random_features(100, 28)) {
+    one.nearest(query, 11, a);
+    other.nearest(query, 11, b);
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      ASSERT_EQ(a[i].pair, b[i].pair);
+      ASSERT_EQ(a[i].distance, b[i].distance);
+    }
+  }
+}
+
 TEST(PoseIndex, FindsAPoseItself) {
   const auto all = random_features(200, 6);
   const PoseIndex index(all, numbers_to(200));

@@ -2,8 +2,15 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <limits>
 #include <random>
-#include <set>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <vector>
 
 #include "core/mesh/interaction_mesh.hpp"
 #include "core/motion/joint_set.hpp"
@@ -56,6 +63,69 @@ TEST(Tetrahedralize, NoJointLiesInsideTheCircumsphereOfATetrahedron) {
             << "vertex " << v << " seed " << seed;
     }
   }
+}
+
+/// Four joints of each, as letters: a-z for vertices 0 to 25, A-X for the rest.
+std::vector<std::string> in_letters(const InteractionMesh& mesh) {
+  std::vector<std::string> words;
+  for (MeshTetrahedron tetrahedron : mesh.tetrahedra) {
+    std::sort(tetrahedron.begin(), tetrahedron.end());
+    std::string word;
+    for (const int v : tetrahedron) word += static_cast<char>(v < 26 ? 'a' + v : 'A' + v - 26);
+    words.push_back(word);
+  }
+  std::sort(words.begin(), words.end(), [](const std::string& a, const std::string& b) {
+    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) {
+      return (x < 'a' ? x + 256 : x) < (y < 'a' ? y + 256 : y);
+    });
+  });
+  return words;
+}
+
+TEST(Tetrahedralize, FindsTheTetrahedraThatTetGenFinds) {
+  // Points in general position have one Delaunay tetrahedralisation. One line per seed, written by a program
+  // that calls TetGen 1.5 on the same points about their mean.
+  std::ifstream file(ABRAZO_FIXTURES "/mesh/tetgen_of_shaken_pairs.txt");
+  unsigned seed = 0;
+  for (std::string line; std::getline(file, line); ++seed) {
+    std::istringstream words(line);
+    const std::vector<std::string> wanted{std::istream_iterator<std::string>(words), {}};
+    EXPECT_EQ(in_letters(tetrahedralize(shaken_pair(seed))), wanted) << "seed " << seed;
+  }
+  EXPECT_EQ(seed, 12U);
+}
+
+TEST(Tetrahedralize, EveryTetrahedronHasVolumeAndTheSameTurn) {
+  const PairPose pair = shaken_pair(13);
+  const InteractionMesh mesh = tetrahedralize(pair);
+  const double sign = six_volumes(pair, mesh.tetrahedra.front()) > 0 ? 1 : -1;
+  for (const MeshTetrahedron& t : mesh.tetrahedra) EXPECT_GT(sign * six_volumes(pair, t), 0);
+  EXPECT_TRUE(std::is_sorted(mesh.tetrahedra.begin(), mesh.tetrahedra.end()))
+      << "the order must not depend on how they were found";
+}
+
+TEST(Tetrahedralize, ThreadsDoNotDisturbOneAnother) {
+  constexpr int pairs = 40;
+  std::vector<InteractionMesh> alone(pairs), together(pairs);
+  for (int i = 0; i < pairs; ++i) alone[static_cast<std::size_t>(i)] = tetrahedralize(shaken_pair(100U + i));
+  {
+    std::vector<std::jthread> threads;
+    for (int first = 0; first < 4; ++first)
+      threads.emplace_back([&together, first] {
+        for (int i = first; i < pairs; i += 4)
+          together[static_cast<std::size_t>(i)] = tetrahedralize(shaken_pair(100U + i));
+      });
+  }
+  for (std::size_t i = 0; i < alone.size(); ++i) {
+    EXPECT_EQ(together[i].tetrahedra, alone[i].tetrahedra);
+    EXPECT_EQ(together[i].edges, alone[i].edges);
+  }
+}
+
+TEST(Tetrahedralize, RefusesAJointThatIsNowhere) {
+  PairPose pair = shaken_pair(1);
+  pair(17, 1) = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(tetrahedralize(pair), std::invalid_argument);
 }
 
 TEST(Tetrahedralize, TetrahedraFillTheConvexHullWithoutOverlap) {

@@ -71,6 +71,24 @@ TEST_F(RecordedFramesTest, ALongRangeIsThinnedEvenly) {
   EXPECT_TRUE(frames->between(100000, 200000, 1000).empty());
 }
 
+TEST_F(RecordedFramesTest, AnOverviewIsReadOnceForAllWhoAsk) {
+  record(2);
+  const auto frames = *RecordedFrames::open(path, test::session_library());
+  const std::uint64_t last = kept().back()->index;
+  const auto first = frames->between(0, last, 20);
+  ASSERT_EQ(first.size(), 20U);
+  EXPECT_EQ(frames->between(0, last, 20), first) << "the same frames, not read again";
+  EXPECT_EQ(frames->between(0, last, 10).size(), 10U);
+  EXPECT_EQ(frames->between(5, last, 20).front()->index, 5U);
+  EXPECT_EQ(frames->between(0, last - 5, 20).back()->index, last - 5);
+  const auto whole = frames->between(0, last, 20);
+  frames->add_library(test::session_library());
+  EXPECT_NE(frames->between(0, last, 20), whole) << "what the library says of them may be something else";
+  session->run_until(3);
+  ASSERT_TRUE(session->keeper->recorder->flush());
+  EXPECT_EQ(frames->between(0, kept().back()->index, 20).back()->index, kept().back()->index);
+}
+
 TEST_F(RecordedFramesTest, SeeWhatIsRecordedMeanwhile) {
   record(1);
   const auto frames = *RecordedFrames::open(path);

@@ -29,7 +29,21 @@ TEST(StreamUri, TakesTheUsualPortOfTheProtocol) {
   EXPECT_EQ(parse_stream_uri("vmc://localhost")->port, 39539);
   EXPECT_EQ(parse_stream_uri("natnet://motive-pc?multicast=239.255.42.99")->port, 1510);
   EXPECT_EQ(parse_stream_uri("xsens://0.0.0.0")->port, 9763);
-  EXPECT_EQ(parse_stream_uri("vmc://:39540")->host, "0.0.0.0") << "no host listens on every interface";
+}
+
+TEST(StreamUri, MeansThisMachineUnlessItNamesAnotherAddress) {
+  for (const char* scheme : {"vmc", "natnet", "xsens"})
+    EXPECT_EQ(parse_stream_uri(std::string(scheme) + "://:39540")->host, "127.0.0.1");
+  EXPECT_EQ(parse_stream_uri("vmc://*:39540")->host, "0.0.0.0") << "every network is somebody's choice";
+}
+
+TEST(StreamUri, SaysWhoReachesAPlaceThatIsListenedAt) {
+  EXPECT_EQ(listening_words("127.0.0.1:39539"), "on this machine only (127.0.0.1:39539)");
+  EXPECT_EQ(listening_words("localhost:39539"), "on this machine only (localhost:39539)");
+  EXPECT_EQ(listening_words("0.0.0.0:39539"), "on every network (0.0.0.0:39539)");
+  EXPECT_EQ(listening_words("192.168.1.7:39539"), "on the network of 192.168.1.7 (192.168.1.7:39539)");
+  EXPECT_EQ(listening_words("10.0.0.2:5000 and multicast 239.255.42.99:1511"),
+            "on the network of 10.0.0.2 (10.0.0.2:5000 and multicast 239.255.42.99:1511)");
 }
 
 TEST(StreamUri, OfAClipIsAFileWithAnyCharacter) {

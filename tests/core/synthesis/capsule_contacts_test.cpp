@@ -104,7 +104,7 @@ TEST(CapsuleContacts, ACapsuleThatWentThroughIsPushedBackToItsSide) {
   std::vector<ConstraintRow> rows;
   capsules.add_rows(through, rows);
   ASSERT_EQ(rows.size(), 1U);
-  EXPECT_LT(rows[0].coefficients[0].z() + rows[0].coefficients[1].z(), 0)
+  EXPECT_LT(rows[0].coefficient(0).z() + rows[0].coefficient(1).z(), 0)
       << "the active body belongs on the -Z side";
 }
 

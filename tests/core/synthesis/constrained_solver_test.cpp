@@ -44,8 +44,7 @@ Eigen::MatrixXd dense_rows(const std::vector<ConstraintRow>& rows, Eigen::Vector
     targets(r) = row.target;
     for (int i = 0; i < row.count; ++i)
       for (int axis = 0; axis < 3; ++axis)
-        h(r, 3 * row.vertices[static_cast<std::size_t>(i)] + axis) +=
-            row.coefficients[static_cast<std::size_t>(i)](axis);
+        h(r, 3 * row.vertices[static_cast<std::size_t>(i)] + axis) += row.coefficient(i)(axis);
   }
   return h;
 }
@@ -134,7 +133,8 @@ TEST(ConstrainedSolver, AnInequalityThatHoldsAnywayChangesNothing) {
   floor.inequality = true;
   floor.count = 1;
   floor.vertices[0] = 40;
-  floor.coefficients[0] = Vec3::UnitY();
+  floor.weights[0] = 1;
+  floor.direction = Vec3::UnitY();
   floor.target = without(40, 1) - 0.5;
   problem.rows.push_back(floor);
   EXPECT_EQ(solved(problem), without);
@@ -147,7 +147,8 @@ TEST(ConstrainedSolver, AViolatedInequalityBindsExactlyAndPushesOnly) {
   lift.inequality = true;
   lift.count = 1;
   lift.vertices[0] = 40;
-  lift.coefficients[0] = Vec3::UnitY();
+  lift.weights[0] = 1;
+  lift.direction = Vec3::UnitY();
   lift.target = without(40, 1) + 0.05;
   problem.rows.push_back(lift);
   ConstrainedSolver solver;
@@ -166,7 +167,8 @@ TEST(ConstrainedSolver, AWrongGuessOfABindingInequalityIsDropped) {
   row.inequality = true;
   row.count = 1;
   row.vertices[0] = 40;
-  row.coefficients[0] = Vec3::UnitY();
+  row.weights[0] = 1;
+  row.direction = Vec3::UnitY();
   row.target = without(40, 1) - 0.2;
   problem.rows.push_back(row);
   ConstrainedSolver solver;

@@ -24,7 +24,7 @@ TEST(BoneRows, HoldAtTheIterateAndHaveItsDistanceGradient) {
       moved(lengths[n].a, axis) += h;
       const double slope =
           ((moved.row(lengths[n].a) - moved.row(lengths[n].b)).norm() - lengths[n].length_m) / h;
-      EXPECT_NEAR(rows[n].coefficients[0](axis), slope, 1e-4);
+      EXPECT_NEAR(rows[n].coefficient(0)(axis), slope, 1e-4);
     }
   }
 }
@@ -51,8 +51,8 @@ TEST(BoneRows, AVanishedBoneTakesItsDirectionFromTheReference) {
   collapsed.row(joints::LeftHand) = collapsed.row(joints::LeftWrist);
   std::vector<ConstraintRow> rows;
   add_bone_rows(collapsed, reference, rigid_distances(reference), rows);
-  for (const ConstraintRow& row : rows) EXPECT_TRUE(row.coefficients[0].allFinite());
-  EXPECT_NEAR(rows[joints::LeftHand - 1].coefficients[0].norm(), 1, 1e-9);
+  for (const ConstraintRow& row : rows) EXPECT_TRUE(row.coefficient(0).allFinite());
+  EXPECT_NEAR(rows[joints::LeftHand - 1].coefficient(0).norm(), 1, 1e-9);
 }
 
 TEST(BoneLengthError, IsTheLargestRelativeDifference) {

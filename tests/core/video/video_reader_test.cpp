@@ -218,6 +218,31 @@ TEST(PictureTimes, AreBelievedOverTheHeadersRate) {
   EXPECT_THAT(facts.warnings, Contains(HasSubstr("its header says 30 Hz, most pictures follow at 25 Hz")));
 }
 
+// What a stranger's file must not make the program open.
+TEST_F(VideoFile, AListOfOtherFilesOrAddressesIsRefusedAndNothingOfItIsOpened) {
+  ASSERT_TRUE(write_coded_video(at("other.mp4"), "mp4v", 20, 25));
+  const std::string other = at("other.mp4").string();
+  for (const std::string& list :
+       {"#EXTM3U\n#EXT-X-TARGETDURATION:1\n#EXTINF:1,\n" + other + "\n#EXT-X-ENDLIST\n",
+        "ffconcat version 1.0\nfile '" + other + "'\n",
+        std::string("#EXTM3U\n#EXTINF:1,\nhttp://127.0.0.1:9/x.ts\n"),
+        std::string(
+            "v=0\r\no=- 0 0 IN IP4 127.0.0.1\r\ns=x\r\nc=IN IP4 127.0.0.1\r\nm=video 5004 RTP/AVP 96\r\n"),
+        std::string("<?xml version=\"1.0\"?><MPD profiles=\"urn:mpeg:dash:profile:full:2011\"></MPD>")})
+    for (const char* name : {"a.mp4", "a.m3u8", "a.ffconcat", "a.sdp", "a.mpd"})
+      EXPECT_THAT(refusal(written(name, list)), HasSubstr("list of other files or addresses"))
+          << name << list;
+}
+
+TEST_F(VideoFile, AnAddressIsNoFile) {
+  for (const char* name :
+       {"http://127.0.0.1:9/a.mp4", "concat:/etc/passwd|/etc/group", "pipe:0", "file:///etc/passwd",
+        "subfile,,start,0,end,9,,:/etc/passwd", "/dev/zero", "img_%03d.png"})
+    EXPECT_THAT(refusal(name), testing::AnyOf(HasSubstr("does not exist"), HasSubstr("is not a video"),
+                                              HasSubstr("cannot be read"), HasSubstr("is empty")))
+        << name;
+}
+
 TEST(PictureTimes, ThatGoBackAreReplacedByTheNominalRateWithAWarning) {
   VideoFacts facts;
   add_times(facts, {{0, 40, 20, 60}, 50, 4});

@@ -1,0 +1,42 @@
+# What the engine links, named once: the build reads this file, and so does find_package(abrazo), which has a copy beside its
+# configuration. A program that links the engine needs these libraries and not their headers; Eigen is the exception.
+#   package: NAME[|VERSION[|more words]]=Debian package       found by find_package
+#   library: NAME=file's name=Debian package                  found by find_library, linked as abrazo::NAME
+set(abrazo_engine_packages
+  "Eigen3|3.4|NO_MODULE=libeigen3-dev" "Threads=libc6-dev" "fmt=libfmt-dev" "SQLite3|3.40=libsqlite3-dev" "pugixml=libpugixml-dev")
+set(abrazo_engine_libraries
+  # The serial HDF5 by name: VTK, OpenCV and GDAL load it too, and two variants in one process corrupt each other.
+  "hdf5=hdf5_serial=libhdf5-dev"
+  "lo=lo=liblo-dev"
+  "tinygltf=tinygltf=libtinygltf-dev"
+  "assimp=assimp=libassimp-dev")
+
+# abrazo_find_engine_libraries(MISSING): makes a target of every library; MISSING is what is not there, and how to get it.
+macro(abrazo_find_engine_libraries missing)
+  set(${missing} "")
+  foreach(abrazo_entry IN LISTS abrazo_engine_packages)
+    string(REPLACE "=" ";" abrazo_entry "${abrazo_entry}")
+    list(GET abrazo_entry 0 abrazo_words)
+    list(GET abrazo_entry 1 abrazo_debian)
+    string(REPLACE "|" ";" abrazo_words "${abrazo_words}")
+    list(GET abrazo_words 0 abrazo_name)
+    find_package(${abrazo_words} QUIET)
+    if(NOT ${abrazo_name}_FOUND)
+      string(APPEND ${missing} " ${abrazo_name} (in Debian: ${abrazo_debian})")
+    endif()
+  endforeach()
+  foreach(abrazo_entry IN LISTS abrazo_engine_libraries)
+    string(REPLACE "=" ";" abrazo_entry "${abrazo_entry}")
+    list(GET abrazo_entry 0 abrazo_name)
+    list(GET abrazo_entry 1 abrazo_file)
+    list(GET abrazo_entry 2 abrazo_debian)
+    find_library(ABRAZO_LIBRARY_${abrazo_name} ${abrazo_file})
+    mark_as_advanced(ABRAZO_LIBRARY_${abrazo_name})
+    if(NOT ABRAZO_LIBRARY_${abrazo_name})
+      string(APPEND ${missing} " ${abrazo_name} (in Debian: ${abrazo_debian})")
+    elseif(NOT TARGET abrazo::${abrazo_name})
+      add_library(abrazo::${abrazo_name} UNKNOWN IMPORTED)
+      set_target_properties(abrazo::${abrazo_name} PROPERTIES IMPORTED_LOCATION "${ABRAZO_LIBRARY_${abrazo_name}}")
+    endif()
+  endforeach()
+endmacro()

@@ -1,0 +1,47 @@
+# Read by cpack when the files of both packages are in place: what Debian's policy wants of them.
+function(run)
+  execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
+endfunction()
+
+set(programs ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/programs/usr)
+set(development ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/development/usr)
+
+file(GLOB_RECURSE binaries ${programs}/bin/* ${programs}/lib/*.so)
+run(strip --remove-section=.comment --remove-section=.note ${binaries})
+file(GLOB_RECURSE archives ${development}/lib/*.a)
+run(strip --strip-debug --remove-section=.comment --remove-section=.note --enable-deterministic-archives ${archives})
+
+file(GLOB pages ${programs}/share/man/man1/*.1)
+run(gzip -9n ${pages})
+
+# Every row of the first table in copyright.in but Boost, which asks for no notice in programs.
+file(READ ${programs}/share/doc/abrazo/copyright licences)
+string(REGEX REPLACE ".*Code of others inside(.*)Loaded by the programs.*" "\\1" inside "${licences}")
+string(REGEX MATCHALL "[a-z0-9.+-]+-dev" inside "${inside}")
+list(REMOVE_ITEM inside libboost-dev)
+foreach(package IN LISTS inside)
+  if(NOT EXISTS ${programs}/share/doc/abrazo/third-party/${package}.txt)
+    message(FATAL_ERROR "The copyright notice of ${package} is missing. It is compiled in, so it has to be passed on: "
+                        "name it in packaging/programs.cmake, and see that /usr/share/doc/${package}/copyright is there")
+  endif()
+endforeach()
+
+# A package of one's own has Debian's list of changes; the real one is CHANGELOG.md.
+string(TIMESTAMP day "%a, %d %b %Y %H:%M:%S +0000" UTC)
+foreach(package abrazo abrazo-dev)
+  set(doc ${programs}/share/doc/${package})
+  if(package STREQUAL "abrazo-dev")
+    set(doc ${development}/share/doc/${package})
+    file(COPY ${programs}/share/doc/abrazo/copyright ${programs}/share/doc/abrazo/third-party DESTINATION ${doc})
+  endif()
+  file(WRITE ${doc}/changelog "${CPACK_PACKAGE_NAME} (${CPACK_PACKAGE_VERSION}) bookworm; urgency=medium
+
+  * Version ${CPACK_PACKAGE_VERSION}: see /usr/share/doc/abrazo/CHANGELOG.md in the package abrazo.
+
+ -- ${CPACK_PACKAGE_CONTACT}  ${day}
+")
+  run(gzip -9n ${doc}/changelog)
+endforeach()
+
+run(chmod -R u=rwX,go=rX ${CPACK_TEMPORARY_INSTALL_DIRECTORY})
+run(find ${CPACK_TEMPORARY_INSTALL_DIRECTORY} -exec touch --no-dereference --date=@$ENV{SOURCE_DATE_EPOCH} {} +)

@@ -1,0 +1,21 @@
+# What a desktop knows the workbench by: entry, icon, the type of session files, and the description for software centres.
+add_executable(draw_icon EXCLUDE_FROM_ALL icon/draw_icon.cpp)
+target_link_libraries(draw_icon PRIVATE abrazo_policy Qt5::Svg)
+
+set(drawing ${PROJECT_SOURCE_DIR}/resources/icons/abrazo.svg)
+set(words)
+set(pictures)
+foreach(size 16 24 32 48 64 128 256)
+  set(picture ${CMAKE_CURRENT_BINARY_DIR}/icons/${size}x${size}/apps/abrazo.png)
+  file(MAKE_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/icons/${size}x${size}/apps)
+  list(APPEND words ${picture} ${size})
+  list(APPEND pictures ${picture})
+endforeach()
+add_custom_command(OUTPUT ${pictures} COMMAND draw_icon ${drawing} ${words} DEPENDS draw_icon ${drawing} VERBATIM)
+add_custom_target(abrazo_icons ALL DEPENDS ${pictures})
+
+install(DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}/icons/ DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor COMPONENT programs)
+install(FILES ${drawing} DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps COMPONENT programs)
+install(FILES desktop/abrazo.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT programs)
+install(FILES desktop/abrazo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages COMPONENT programs)
+install(FILES desktop/abrazo.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo COMPONENT programs)

@@ -1,0 +1,14 @@
+#pragma once
+
+// core/synthesis/frame_pipeline.hpp as RecordingPipeline.
+#include "core/library/motion_library.hpp"
+#include "core/synthesis/partner_synthesizer.hpp"
+#include "tests/bench/recording_names.hpp"
+// clang-format off
+#include "core/synthesis/frame_pipeline.hpp"
+// clang-format on
+
+#undef ConstrainedSolver
+#undef PairEditor
+#undef FramePipeline
+#undef exchange_roles

@@ -1,0 +1,12 @@
+#pragma once
+
+#include <vector>
+
+#include "core/mesh/interaction_mesh.hpp"
+
+namespace abrazo::bench {
+
+/// TetGen's Delaunay tetrahedra of a pair, without what ours does for degenerate poses. One call at a time.
+std::vector<MeshTetrahedron> tetgen_tetrahedra(const PairPose& pose);
+
+}  // namespace abrazo::bench

@@ -1,0 +1,163 @@
+// Session files that somebody made to harm, and what lies beside them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <fstream>
+
+#include "core/base/atomic_file.hpp"
+#include "core/session/project.hpp"
+#include "core/session/session_database.hpp"
+#include "core/session/session_edit.hpp"
+#include "core/session/session_file.hpp"
+#include "tests/core/session/recorded_session.hpp"
+
+namespace abrazo {
+namespace {
+
+using testing::HasSubstr;
+
+/// A recorded session that statements of its maker can be added to.
+class HostileSession : public testing::Test, protected test::TemporaryFolder {
+ protected:
+  HostileSession() {
+    test::DrivenSession session;
+    session.keeper->recorder = *Recorder::open(path_, test::session_facts());
+    session.run_until(0.3);
+    EXPECT_TRUE(session.keeper->recorder->finish());
+  }
+  /// As its maker would: with a database that is not held back by anything.
+  void run(const std::string& sql) {
+    const std::string command = "sqlite3 '" + path_ + "' \"" + sql + "\"";
+    ASSERT_EQ(std::system(command.c_str()), 0) << command;
+  }
+  /// All the ways in which a session is opened.
+  void expect_refused(const std::string& why) {
+    const std::string before = *read_whole_file(path_);
+    const auto file = SessionFile::open(path_);
+    ASSERT_FALSE(file);
+    EXPECT_THAT(file.error().text(), AllOf(HasSubstr("s.abrazo"), HasSubstr(why)));
+    for (const Status& status :
+         {Status(Recorder::open(path_, test::session_facts()) ? Status(Done{}) : Status(Error{"", ""})),
+          save_project(path_, Project{}), edit_session_takes(path_, {{"take 1", "x"}}),
+          copy_session(path_, TemporaryFolder::file("copy.abrazo")),
+          load_project(path_) ? Status(Done{}) : Status(Error{"", ""})})
+      EXPECT_FALSE(status);
+    EXPECT_EQ(*read_whole_file(path_), before) << "it is left as it is";
+  }
+
+  const std::string path_ = TemporaryFolder::file("s.abrazo");
+};
+
+TEST_F(HostileSession, ATriggerIsRefused) {
+  run("CREATE TRIGGER evil AFTER INSERT ON frames BEGIN DELETE FROM poses; END");
+  expect_refused("a trigger 'evil'");
+}
+
+TEST_F(HostileSession, AViewInPlaceOfATableIsRefused) {
+  // Reading it would never end.
+  run("DROP TABLE markers; CREATE VIEW markers AS WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 "
+      "FROM n) "
+      "SELECT i AS id, 1 AS run, 1.0 AS time_s, 'x' AS name FROM n");
+  expect_refused("a view in place of its table 'markers'");
+}
+
+TEST_F(HostileSession, AVirtualTableInPlaceOfATableIsRefused) {
+  run("DROP TABLE view_state; CREATE VIRTUAL TABLE view_state USING fts5(key, value)");
+  expect_refused("a virtual table in place of its table 'view_state'");
+}
+
+TEST_F(HostileSession, AViewThatTheProgramNeverMadeIsNeverRead) {
+  run("DROP VIEW sources; CREATE VIEW sources AS WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 "
+      "FROM n) "
+      "SELECT i AS frame, 1.0 AS time_s, 'x' AS take, 1 AS take_frame, 0 AS swapped, '' AS label FROM n");
+  const auto file = SessionFile::open(path_);
+  ASSERT_TRUE(file) << file.error().text();
+  std::size_t sources = 0;
+  ASSERT_TRUE((*file)->each_source(-1e9, 1e9, [&](const SessionSource&) -> Status {
+    ++sources;
+    return Done{};
+  }));
+  EXPECT_EQ(sources, (*file)->contents().frames);
+}
+
+TEST_F(HostileSession, ViewsAndTablesOfSomebodysOwnDoNoHarm) {
+  run("CREATE VIEW mine AS SELECT count(*) FROM frames; CREATE TABLE notes (text TEXT); CREATE INDEX i ON "
+      "poses (time_s)");
+  EXPECT_TRUE(SessionFile::open(path_));
+  EXPECT_TRUE(save_project(path_, Project{}));
+}
+
+TEST_F(HostileSession, IsReadWithoutBeingAbleToWrite) {
+  auto database = SessionDatabase::open(path_, SessionDatabase::Access::Read);
+  ASSERT_TRUE(database);
+  EXPECT_FALSE(database->execute("DELETE FROM frames"));
+  EXPECT_FALSE(
+      database->execute("ATTACH '" + TemporaryFolder::file("other.db") + "' AS o; CREATE TABLE o.t (x)"));
+  EXPECT_FALSE(std::filesystem::exists(TemporaryFolder::file("other.db")) &&
+               std::filesystem::file_size(TemporaryFolder::file("other.db")) > 0);
+}
+
+TEST_F(HostileSession, LoadsNoExtension) {
+  auto database = SessionDatabase::open(path_, SessionDatabase::Access::Read);
+  EXPECT_FALSE(database->execute("SELECT load_extension('/nowhere/evil.so')"));
+  const auto value = database->integer("SELECT length(zeroblob(300000000))");
+  EXPECT_FALSE(value) << "a value larger than any of ours is refused before there is room made for it";
+}
+
+/// The end of a rollback journal that names another journal, as SQLite's file format describes it.
+std::string journal_that_names(const std::string& victim) {
+  const auto number = [](std::uint32_t value) {
+    std::string bytes;
+    for (int shift = 24; shift >= 0; shift -= 8) bytes += static_cast<char>(value >> shift & 0xff);
+    return bytes;
+  };
+  const std::string magic("\xd9\xd5\x05\xf9\x20\xa1\x63\xd7", 8);
+  std::uint32_t sum = 0;
+  for (const char c : victim) sum += static_cast<unsigned char>(c);
+  const std::uint32_t page_bytes = 16384, sector = 512;
+  std::string journal = magic + number(0) + number(1) + number(1) + number(sector) + number(page_bytes);
+  journal.resize(sector, '\0');
+  journal += number(0x40000000 / page_bytes + 1) + victim +
+             number(static_cast<std::uint32_t>(victim.size())) + number(sum) + magic;
+  return journal;
+}
+
+TEST_F(HostileSession, AJournalBesideItThatWouldDeleteAnotherFileIsRefused) {
+  const std::string victim = TemporaryFolder::file("thesis.tex");
+  ASSERT_TRUE(write_whole_file(victim, "three years"));
+  ASSERT_TRUE(write_whole_file(path_ + "-journal", journal_that_names(victim)));
+  const auto file = SessionFile::open(path_);
+  ASSERT_FALSE(file);
+  EXPECT_THAT(file.error().text(), HasSubstr("Move 's.abrazo-journal' away"));
+  EXPECT_FALSE(Recorder::open(path_, test::session_facts()));
+  EXPECT_FALSE(save_project(path_, Project{}));
+  EXPECT_EQ(*read_whole_file(victim), "three years");
+}
+
+TEST_F(HostileSession, AnOrdinaryJournalIsStillPlayedBack) {
+  ASSERT_TRUE(write_whole_file(path_ + "-journal", std::string(512, '\0')));
+  EXPECT_TRUE(SessionFile::open(path_));
+}
+
+TEST_F(HostileSession, ALinkInPlaceOfItsLogIsNotWrittenThrough) {
+  const std::string victim = TemporaryFolder::file("thesis.tex");
+  ASSERT_TRUE(write_whole_file(victim, "three years"));
+  std::filesystem::create_symlink(victim, path_ + "-wal");
+  (void)Recorder::open(path_, test::session_facts());
+  (void)save_project(path_, Project{});
+  EXPECT_EQ(*read_whole_file(victim), "three years");
+}
+
+TEST_F(HostileSession, ALinkWhereACopyIsWrittenIsReplacedAndNotFollowed) {
+  const std::string victim = TemporaryFolder::file("thesis.tex"), copy = TemporaryFolder::file("copy.abrazo");
+  ASSERT_TRUE(write_whole_file(victim, "three years"));
+  const std::filesystem::path meanwhile = AtomicFile(copy).partial();
+  std::filesystem::create_symlink(victim, meanwhile);
+  EXPECT_TRUE(copy_session(path_, copy));
+  EXPECT_TRUE(SessionFile::open(copy));
+  EXPECT_EQ(*read_whole_file(victim), "three years");
+}
+
+}  // namespace
+}  // namespace abrazo

@@ -1,0 +1,204 @@
+// Who is heard, and what happens when the network goes away.
+#include <arpa/inet.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <net/if.h>
+#include <netinet/in.h>
+#include <sched.h>
+#include <sys/ioctl.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstring>
+#include <functional>
+#include <iostream>
+
+#include "core/stream/pose_sink.hpp"
+#include "core/stream/stream_receiver.hpp"
+#include "core/stream/stream_sockets.hpp"
+#include "tests/support/bodies.hpp"
+
+namespace abrazo {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+std::string listening_at(const std::string& uri) {
+  const auto receiver = StreamReceiver::open(*parse_stream_uri(uri), SessionClock());
+  return receiver ? (*receiver)->health().listening : receiver.error().text();
+}
+
+TEST(Loopback, IsWhereAStreamIsHeardUnlessAnotherAddressIsNamed) {
+  for (const std::string scheme : {"vmc", "xsens"}) {
+    EXPECT_THAT(listening_at(scheme + "://:0"), StartsWith("127.0.0.1:"));
+    EXPECT_THAT(listening_at(scheme + "://*:0"), StartsWith("0.0.0.0:"));
+    EXPECT_THAT(listening_at(scheme + "://0.0.0.0:0"), StartsWith("0.0.0.0:"));
+  }
+  EXPECT_THAT(listening_at("natnet://"), StartsWith("127.0.0.1:"))
+      << "answers of a server on this machine come from this machine";
+}
+
+TEST(Loopback, APacketToAnotherAddressOfThisMachineIsNotHeard) {
+  auto sockets = *StreamSockets::open(*parse_stream_uri("vmc://:0"));
+  UdpSocket sender = *UdpSocket::bind({0x7F000001, 0});
+  const std::vector<std::uint8_t> bytes{1, 2, 3};
+  // 127.0.0.2 is this machine too, and would be heard by a socket that hears every address.
+  ASSERT_TRUE(sender.send({0x7F000002, sockets.local().port}, bytes));
+  ASSERT_TRUE(sender.send(sockets.local(), bytes));
+  int heard = 0;
+  while (heard == 0) {
+    ASSERT_TRUE(sockets.wait(10'000));
+    ASSERT_TRUE(sockets.receive(SessionClock(), [&](const Datagram&, bool) { ++heard; }));
+  }
+  EXPECT_EQ(heard, 1);
+}
+
+TEST(Loopback, AServerOfOthersIsAnsweredOnItsOwnNetworkOnly) {
+  auto sink = PoseSink::open(*parse_stream_uri("natnet://"), body_of(test::standing_pose()), "partner");
+  ASSERT_TRUE(sink) << sink.error().text();
+  // Port 1510 of every other address of this machine is free for others.
+  EXPECT_TRUE(UdpSocket::bind({0x7F000002, 1510}));
+}
+
+// ---- a network of our own, that can be switched off ----
+
+bool ask_of_loopback(unsigned long what, ifreq& request) {
+  const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  std::strcpy(request.ifr_name, "lo");
+  const bool done = ::ioctl(socket, what, &request) == 0;
+  ::close(socket);
+  return done;
+}
+
+bool switch_loopback_on() {
+  ifreq request{};
+  if (!ask_of_loopback(SIOCGIFFLAGS, request)) return false;
+  request.ifr_flags = static_cast<short>(request.ifr_flags | IFF_UP);
+  return ask_of_loopback(SIOCSIFFLAGS, request);
+}
+
+/// Without one there is no way to 127.0.0.1, as when a cable is pulled.
+bool set_loopback_address(std::uint32_t address) {
+  sockaddr_in system{};
+  system.sin_family = AF_INET;
+  system.sin_addr.s_addr = htonl(address);
+  ifreq request{};
+  std::memcpy(&request.ifr_addr, &system, sizeof system);
+  return ask_of_loopback(SIOCSIFADDR, request);
+}
+bool pull_the_cable() {
+  return set_loopback_address(0);
+}
+bool plug_it_in() {
+  return set_loopback_address(0x7F000001);
+}
+
+constexpr int not_allowed = 77;
+
+/// Runs it in a process that has a network of its own. @return its exit status
+int in_own_network(const std::function<bool()>& body) {
+  const pid_t child = ::fork();
+  if (child == 0) {
+    if (::unshare(CLONE_NEWUSER | CLONE_NEWNET) != 0 || !switch_loopback_on()) ::_exit(not_allowed);
+    const bool good = body();
+    std::cerr.flush();
+    ::_exit(good && !testing::Test::HasFailure() ? 0 : 1);
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128;
+}
+
+#define RUN_IN_OWN_NETWORK(...)                                                             \
+  const int status = in_own_network(__VA_ARGS__);                                           \
+  if (status == not_allowed) GTEST_SKIP() << "this user may not have a network of its own"; \
+  EXPECT_EQ(status, 0)
+
+TEST(NetworkGone, ASinkCountsWhatIsNotTakenAndGoesOnWhenTheNetworkIsBack) {
+  RUN_IN_OWN_NETWORK([] {
+    UdpSocket receiver = *UdpSocket::bind({0x7F000001, 0});
+    auto sink = PoseSink::open(*parse_stream_uri("vmc://" + receiver.local().text()),
+                               body_of(test::standing_pose()), "partner");
+    (*sink)->send({test::standing_pose(), 0, true});
+    EXPECT_EQ((*sink)->health().failures, 0U);
+    EXPECT_TRUE(pull_the_cable());
+    (*sink)->send({test::standing_pose(), 0.01, true});
+    const SinkHealth gone = (*sink)->health();
+    EXPECT_GT(gone.failures, 0U);
+    EXPECT_THAT(gone.latest_failure, HasSubstr("is the network connected?"));
+    EXPECT_TRUE(plug_it_in());
+    (*sink)->send({test::standing_pose(), 0.02, true});
+    EXPECT_EQ((*sink)->health().failures, gone.failures);
+    EXPECT_GT((*sink)->health().packets, gone.packets);
+    return true;
+  });
+}
+
+TEST(NetworkGone, AReceiverHearsAgainWhenTheNetworkIsBack) {
+  RUN_IN_OWN_NETWORK([] {
+    auto sockets = *StreamSockets::open(*parse_stream_uri("vmc://:0"));
+    UdpSocket sender = *UdpSocket::bind({0x7F000001, 0});
+    EXPECT_TRUE(pull_the_cable());
+    EXPECT_FALSE(sender.send(sockets.local(), std::vector<std::uint8_t>{1}));
+    EXPECT_TRUE(sockets.receive(SessionClock(), [](const Datagram&, bool) {})) << "silence is no failure";
+    EXPECT_TRUE(plug_it_in());
+    EXPECT_TRUE(sender.send(sockets.local(), std::vector<std::uint8_t>{2}));
+    int heard = 0;
+    EXPECT_TRUE(sockets.wait(10'000));
+    EXPECT_TRUE(sockets.receive(SessionClock(), [&](const Datagram& one, bool) { heard += one.bytes[0]; }));
+    EXPECT_EQ(heard, 2);
+    return true;
+  });
+}
+
+TEST(NetworkGone, AServerThatNoNetworkLeadsToIsSaid) {
+  RUN_IN_OWN_NETWORK([] {
+    const auto sockets = StreamSockets::open(*parse_stream_uri("natnet://192.0.2.1"));
+    EXPECT_FALSE(sockets);
+    EXPECT_THAT(sockets ? "" : sockets.error().text(), HasSubstr("is the network connected?"));
+    return true;
+  });
+}
+
+TEST(Multicast, OnlyWhatIsSentToTheGroupIsHeardAtItsPort) {
+  RUN_IN_OWN_NETWORK([] {
+    auto sockets = *StreamSockets::open(*parse_stream_uri("natnet://127.0.0.1"));
+    const Endpoint group{0xEFFF2A63, 1511};
+    const Status joined = sockets.join(group);
+    EXPECT_TRUE(joined) << joined.error().text();
+    UdpSocket sender = *UdpSocket::bind({0x7F000001, 0});
+    EXPECT_TRUE(sender.send_through(0x7F000001));
+    (void)sender.send({0x7F000001, 1511}, std::vector<std::uint8_t>{1});  // past the group
+    EXPECT_TRUE(sender.send(group, std::vector<std::uint8_t>{2}));
+    int heard = 0;
+    EXPECT_TRUE(sockets.wait(10'000));
+    EXPECT_TRUE(sockets.receive(SessionClock(), [&](const Datagram& one, bool) { heard += one.bytes[0]; }));
+    EXPECT_EQ(heard, 2);
+    EXPECT_THAT(sockets.listening(), HasSubstr(" and multicast 239.255.42.99:1511"));
+    return true;
+  });
+}
+
+TEST(Multicast, AGroupIsHeardWithoutAServer) {
+  RUN_IN_OWN_NETWORK([] {
+    auto opened =
+        StreamSockets::open(*parse_stream_uri("natnet://*?multicast=239.255.42.99&interface=127.0.0.1"));
+    EXPECT_TRUE(opened);
+    const Endpoint group{0xEFFF2A63, 1511};
+    const Status joined = opened->join(group);
+    EXPECT_TRUE(joined) << joined.error().text();
+    UdpSocket sender = *UdpSocket::bind({0x7F000001, 0});
+    EXPECT_TRUE(sender.send_through(0x7F000001));
+    EXPECT_TRUE(sender.send(group, std::vector<std::uint8_t>{2}));
+    int heard = 0;
+    EXPECT_TRUE(opened->wait(10'000));
+    EXPECT_TRUE(opened->receive(SessionClock(), [&](const Datagram&, bool) { ++heard; }));
+    EXPECT_EQ(heard, 1);
+    return true;
+  });
+}
+
+}  // namespace
+}  // namespace abrazo

@@ -1,0 +1,8 @@
+#include "core/motion/assimp_scene.hpp"
+#include "tests/fuzz/fuzz_target.hpp"
+
+namespace fuzz = abrazo::fuzz;
+
+ABRAZO_FUZZ_TARGET(glb)(fuzz::Bytes bytes) {
+  fuzz::expect_motions(abrazo::read_scene(fuzz::text_of(bytes), abrazo::MotionFormat::Gltf, "input.glb"));
+}

@@ -1,0 +1,163 @@
+// The workbench ends while it records: its display is gone (the X server was killed, a remote desktop cut
+// off), or the system tells it to.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <QDir>
+#include <QTemporaryDir>
+#include <cstdio>
+#include <functional>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include "app/workbench/autosave.hpp"
+#include "app/workbench/session_places.hpp"
+#include "core/session/session_file.hpp"
+
+namespace abrazo::app {
+namespace {
+
+/// A program of its own whose standard output is read; ended at the latest when it goes out of scope.
+class Process {
+ public:
+  explicit Process(const std::function<void()>& become) {
+    int ends[2];
+    EXPECT_EQ(pipe2(ends, O_CLOEXEC), 0);
+    pid_ = fork();
+    if (pid_ == 0) {
+      dup2(ends[1], STDOUT_FILENO);
+      become();
+      _exit(127);
+    }
+    close(ends[1]);
+    said_ = fdopen(ends[0], "r");
+  }
+  ~Process() {
+    end(SIGKILL);
+    std::fclose(said_);
+  }
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  /// Empty at the end.
+  std::string line() {
+    char text[1024];
+    return std::fgets(text, sizeof text, said_) ? text : "";
+  }
+  /// @return how it ended, as waitpid says it
+  int wait() {
+    int status = 0;
+    if (pid_ > 0) waitpid(pid_, &status, 0);
+    pid_ = -1;
+    return status;
+  }
+  void tell(int signal) const {
+    if (pid_ > 0) kill(pid_, signal);
+  }
+  void end(int signal) {
+    if (pid_ <= 0) return;
+    kill(pid_, signal);
+    wait();
+  }
+
+ private:
+  pid_t pid_ = -1;
+  std::FILE* said_ = nullptr;
+};
+
+/// The workbench on a display of its own while it records, with a marker that was autosaved.
+class RecordingWorkbench : public testing::Test {
+ protected:
+  RecordingWorkbench()
+      : display_([] {
+          execlp("Xvfb", "Xvfb", "-displayfd", "1", "-screen", "0", "1280x800x24", "-nolisten", "tcp",
+                 nullptr);
+        }) {
+    qputenv("ABRAZO_HOME", home_.path().toUtf8());
+  }
+  void SetUp() override {
+    const std::string number = display_.line();
+    if (number.empty()) GTEST_SKIP() << "needs Xvfb";
+    workbench_.emplace([&number] {
+      setenv("DISPLAY", (":" + number.substr(0, number.find('\n'))).c_str(), 1);
+      setenv("QT_QPA_PLATFORM", "xcb", 1);
+      execl(ABRAZO_DISPLAY_VICTIM, ABRAZO_DISPLAY_VICTIM, nullptr);
+    });
+    // Autosaving takes its time; the lines come every 50 ms.
+    for (int lines = 0; lines < 1200 && (solved_s_ - first_s_ < 3 || !is_kept()); ++lines)
+      ASSERT_TRUE(read_line());
+    ASSERT_FALSE(file_.empty());
+    ASSERT_TRUE(is_kept()) << "the marker was not autosaved";
+  }
+  bool is_kept() const { return !QDir(autosaves()).entryList({"*.abrazo"}, QDir::Files).isEmpty(); }
+  QString autosaves() const { return home_.path() + "/autosave"; }
+  /// @return whether there was one
+  bool read_line() {
+    const std::string line = workbench_->line();
+    if (line.starts_with("recording "))
+      file_ = line.substr(10, line.size() - 11);
+    else
+      std::istringstream(line) >> solved_s_;
+    if (first_s_ < 0 && solved_s_ > 0) first_s_ = solved_s_;
+    return !line.empty();
+  }
+  /// How it ended, as waitpid says it.
+  int end_of_the_workbench() {
+    while (read_line()) continue;
+    return workbench_->wait();
+  }
+  void expect_the_marker_is_offered() const {
+    EXPECT_EQ(Autosave::leftBehind(autosaves()).size(), 1);
+    EXPECT_TRUE(words_of_autosave(Autosave::leftBehind(autosaves()).value(0)).contains("1 marker"));
+  }
+  /// That it is readable throughout, and until when it goes [s].
+  void expect_whole_recording(double until_s) const {
+    const auto session = SessionFile::open(file_);
+    ASSERT_TRUE(session) << session.error().text();
+    double last_s = 0;
+    std::uint64_t frames = 0;
+    const auto pass = (*session)->each_frame(-1e9, 1e9, [&](const FrameSnapshot& frame) -> Status {
+      last_s = frame.time_s;
+      ++frames;
+      return Done{};
+    });
+    ASSERT_TRUE(pass);
+    EXPECT_EQ(pass->damaged, 0U) << pass->damage;
+    EXPECT_GT(frames, 30U);
+    EXPECT_GE(last_s, until_s);
+    std::printf("solved until %.3f s, on disk until %.3f s, %llu frames\n", solved_s_, last_s,
+                static_cast<unsigned long long>(frames));
+  }
+
+  const QTemporaryDir home_;
+  Process display_;
+  std::optional<Process> workbench_;
+  std::string file_;
+  double solved_s_ = 0, first_s_ = -1;
+};
+
+TEST_F(RecordingWorkbench, WhoseDisplayIsLostLeavesAWholeRecordingAndTheNextStartOffersItAndTheChanges) {
+  display_.end(SIGKILL);
+  const int status = end_of_the_workbench();
+  EXPECT_TRUE(WIFEXITED(status)) << "it crashed with signal " << WTERMSIG(status);
+  EXPECT_EQ(unclosed_sessions(sessions_folder()), QStringList{QString::fromStdString(file_)});
+  expect_the_marker_is_offered();
+  expect_whole_recording(solved_s_ - 0.5);
+}
+
+TEST_F(RecordingWorkbench, ThatIsToldToEndClosesTheRecordingAndKeepsTheChanges) {
+  workbench_->tell(SIGTERM);
+  const int status = end_of_the_workbench();
+  EXPECT_TRUE(WIFEXITED(status) && WEXITSTATUS(status) == 0) << status;
+  EXPECT_EQ(unclosed_sessions(sessions_folder()), QStringList())
+      << "it was closed, nothing is to be recovered";
+  expect_the_marker_is_offered();
+  expect_whole_recording(solved_s_);
+}
+
+}  // namespace
+}  // namespace abrazo::app

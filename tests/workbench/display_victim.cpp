@@ -1,0 +1,68 @@
+// display_victim: the workbench records its demo, with a marker that was not saved, until its display is
+// gone or it is told to end. Says on standard output "recording FILE", then every 50 ms "TIME MONOTONIC":
+// session time of the newest frame that was solved, and when it was looked at [s].
+#include <QAction>
+#include <QApplication>
+#include <QTimer>
+#include <chrono>
+#include <cstdio>
+
+#include "app/workbench/actions/actions.hpp"
+#include "app/workbench/live_session.hpp"
+#include "app/workbench/main_window.hpp"
+#include "app/workbench/project_desk.hpp"
+#include "app/workbench/take_desk.hpp"
+#include "app/workbench/termination.hpp"
+#include "widgets/scene/scene_view.hpp"
+
+using namespace abrazo;
+
+namespace {
+
+double monotonic_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+QAction* action_of(app::MainWindow& window, const QString& text) {
+  for (QAction* action : window.actions())
+    if (action->text() == text) return action;
+  return nullptr;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  widgets::SceneView::prepareApplication();
+  QApplication application(argc, argv);
+  app::UserSettings remembered;
+  app::MainWindow window(remembered);
+  window.setTheme(widgets::Theme::Dark);
+  window.resize(1000, 700);
+  app::add_all_actions(window);
+  window.findChild<app::ProjectDesk*>()->setAsks(true);
+  const app::Termination termination;
+  app::close_when_told(window, termination);
+  window.show();
+  window.openDemo();
+  auto* takes = window.findChild<app::TakeDesk*>();
+  bool is_recording = false;
+  QTimer look;
+  QObject::connect(&look, &QTimer::timeout, [&] {
+    auto* session = window.session();
+    if (!session || !window.ticker().shown()) return;
+    if (!is_recording) {
+      is_recording = true;
+      takes->toggle();
+      if (QAction* mark = action_of(window, "Marker")) mark->trigger();
+      return;
+    }
+    const auto recorder = session->engine().recorder();
+    if (!recorder || recorder->state().frames == 0) return;
+    static const bool said = std::printf("recording %s\n", recorder->state().path.c_str()) > 0;
+    const auto newest = session->engine().latest().newest();
+    if (said && newest) std::printf("%.6f %.6f\n", newest->time_s, monotonic_s());
+    std::fflush(stdout);
+  });
+  look.start(50);
+  return QApplication::exec();
+}
