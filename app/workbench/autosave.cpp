@@ -72,6 +72,13 @@ void Autosave::drop() {
   if (!m_job) finish();
 }
 
+void Autosave::leave(const Project& project, const QString& session_file) {
+  m_job.reset();  // waits for a write under way
+  keep(project, session_file);
+  m_job.reset();
+  m_lock.reset();
+}
+
 void Autosave::finish() {
   m_job.reset();  // waits for a write under way
   m_kept.reset();

@@ -27,6 +27,8 @@ class Autosave : public QObject {
   void keep(const Project& project, const QString& session_file);
   /// What was kept is saved, or not wanted any more.
   void drop();
+  /// As keep(), at once; the file stays behind for the next start to offer.
+  void leave(const Project& project, const QString& session_file);
   bool isBusy() const { return m_job != nullptr; }
   const QString& file() const { return m_file; }
 

@@ -94,6 +94,12 @@ void ProjectDesk::setAsks(bool on) {
   m_asks = on;
 }
 
+void ProjectDesk::leaveChanges() {
+  refresh();
+  if (m_asks && m_isModified) m_autosave.leave(current(), file());
+  m_asks = false;
+}
+
 QString ProjectDesk::file() const {
   return m_takes.file();
 }

@@ -63,9 +63,7 @@ Termination::~Termination() {
 
 void close_when_told(MainWindow& window, const Termination& termination) {
   QObject::connect(&termination, &Termination::requested, &window, [&window] {
-    auto* project = window.findChild<ProjectDesk*>();
-    project->refresh();  // the newest changes are kept, too
-    project->setAsks(false);
+    window.findChild<ProjectDesk*>()->leaveChanges();
     window.close();
     QApplication::quit();
   });

@@ -28,9 +28,11 @@ int main(int argc, char** argv) {
   abrazo::PartnerSynthesizer& synthesizer = **partner;
   synthesizer.set_user_body(abrazo::body_of(dancer.poses));  // without it the first pose is measured
 
-  const abrazo::Duration elapsed(1.0 / dancer.fps);
-  for (const abrazo::Pose& pose : dancer.poses) {
-    const abrazo::FrameResult& answer = synthesizer.step(pose, elapsed);
+  double before_s = 0;
+  for (std::size_t frame = 0; frame < dancer.poses.size(); ++frame) {
+    const double now_s = static_cast<double>(frame) / dancer.fps;  // live: your clock
+    const auto& answer = synthesizer.step(dancer.poses[frame], abrazo::Duration(now_s - before_s));
+    before_s = now_s;
     if (answer.status == abrazo::StepStatus::Failed) return fail({answer.message, argv[2]});
     const auto root = answer.passive().row(0);  // [m], Y up; joint 0 of 25
     std::printf("%.17g %.17g %.17g\n", root.x(), root.y(), root.z());

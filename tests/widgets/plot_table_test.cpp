@@ -126,7 +126,8 @@ TEST(SampleTable, OfOlderRowsFewRemainAndNoSpikeIsLost) {
   const auto at = std::ranges::max(line, {}, &SampleTable::Point::value).time_s;
   EXPECT_NEAR(at, spike / 100.0, 0.64) << "as far apart as rows are then";
   table.drop_before(400);
-  EXPECT_EQ(table.rows().front().time_s, table.at(400.64)->time_s) << "the oldest go first";
+  EXPECT_GE(table.rows().front().time_s, 400) << "the oldest go first";
+  EXPECT_LT(table.rows().front().time_s, 400.64) << "and no more of them";
   EXPECT_LT(largest(table.line(drawn, 400, 600, 50)), 1.001);
 }
 

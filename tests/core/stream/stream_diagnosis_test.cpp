@@ -56,7 +56,8 @@ TEST(StreamDiagnosis, SilenceIsExplainedByWhereItIsListenedTo) {
   seen.uri = *parse_stream_uri("vmc://0.0.0.0:39539");
   EXPECT_THAT(texts(seen), AllOf(HasSubstr("no-packets: no packet for 3 s"), HasSubstr("firewall")));
   seen.uri = *parse_stream_uri("vmc://127.0.0.1:39539");
-  EXPECT_THAT(texts(seen), HasSubstr("listen on 0.0.0.0:39539 when it runs on another machine"));
+  EXPECT_THAT(texts(seen),
+              HasSubstr("listen on 0.0.0.0:39539 (every network) when it runs on another machine"));
   seen.uri = *parse_stream_uri("natnet://10.0.0.9?multicast=239.255.42.99");
   EXPECT_THAT(texts(seen), AllOf(HasSubstr("10.0.0.9 does not answer on port 1510"), HasSubstr("loopback"),
                                  HasSubstr("multicast-silent"), HasSubstr("interface=ADDRESS")));
