@@ -279,7 +279,9 @@ TEST_F(LiveCommand, CtrlCEndsTheRecordingWhole) {
   EXPECT_FALSE(contents.takes[0].interrupted);
   EXPECT_EQ(contents.takes[0].last_frame, contents.last_frame);
   ASSERT_THAT(contents.performers, SizeIs(1));
-  EXPECT_EQ(contents.performers[0].poses, said["stream"]["performers"][0]["frames"].get<std::uint64_t>());
+  // One more may come in between the end of the recording and that of listening.
+  const auto came = said["stream"]["performers"][0]["frames"].get<std::uint64_t>();
+  EXPECT_THAT(contents.performers[0].poses, ::testing::AnyOf(came, came - 1));
   ASSERT_THAT(contents.inputs, SizeIs(1));
   EXPECT_EQ(contents.inputs[0].text, uri_of("vmc", listen_port));
 }
