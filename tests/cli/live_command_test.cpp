@@ -279,7 +279,8 @@ TEST_F(LiveCommand, CtrlCEndsTheRecordingWhole) {
   EXPECT_FALSE(contents.takes[0].interrupted);
   EXPECT_EQ(contents.takes[0].last_frame, contents.last_frame);
   ASSERT_THAT(contents.performers, SizeIs(1));
-  // One more may come in between the end of the recording and that of listening.
+  // The port is open a moment before the recording listens to it: where the machine is busy the first pose
+  // may go by.
   const auto came = said["stream"]["performers"][0]["frames"].get<std::uint64_t>();
   EXPECT_THAT(contents.performers[0].poses, ::testing::AnyOf(came, came - 1));
   ASSERT_THAT(contents.inputs, SizeIs(1));

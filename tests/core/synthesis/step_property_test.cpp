@@ -259,8 +259,7 @@ TEST(StepProperty, AKilometreAwayTheSameHappensThere) {
       const FrameResult& one = here->step(user, step_time);
       const FrameResult& other = there->step(user.rowwise() + way, step_time);
       RC_ASSERT(one.status == other.status);
-      // A coordinate of a kilometre is rounded by 1e-13 m, which constraints that nearly contradict multiply.
-      RC_ASSERT((one.result - (other.result.rowwise() - way)).cwiseAbs().maxCoeff() < 1e-5);
+      RC_ASSERT((one.result - (other.result.rowwise() - way)).cwiseAbs().maxCoeff() < 1e-6);
     }
   });
 }
