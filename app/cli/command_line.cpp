@@ -21,23 +21,30 @@ void fail(CommandLine& line, const Error& error) {
 void warn(CommandLine& line, std::string_view text) {
   if (line.quiet) return;
   clear_progress(line);
-  fmt::print(stderr, "abrazo: warning: {}\n", printable(text));
+  fmt::print(stderr, "abrazo: warning: {}\n", printable_line(text));
 }
 
 void note(CommandLine& line, std::string_view text) {
   if (line.quiet) return;
   clear_progress(line);
-  fmt::print(stderr, "abrazo: {}\n", printable(text));
+  fmt::print(stderr, "abrazo: {}\n", printable_line(text));
 }
 
 void answer(CommandLine& line, std::string_view text) {
   clear_progress(line);
-  fmt::print("{}", ::isatty(STDOUT_FILENO) == 0 ? std::string(text) : printable(text));
+  fmt::print("{}", printable(text));
+}
+
+void answer_json(CommandLine& line, std::string_view json) {
+  clear_progress(line);
+  // JSON escapes neither DEL nor what begins at U+0080, which programs must get as they are.
+  fmt::print("{}{}", ::isatty(STDOUT_FILENO) == 0 ? std::string(json) : printable(json),
+             json.ends_with('\n') ? "" : "\n");
 }
 
 void show_state(CommandLine& line, std::string_view text) {
   if (line.quiet || ::isatty(STDERR_FILENO) == 0) return;
-  fmt::print(stderr, "\r\033[K{}", text);
+  fmt::print(stderr, "\r\033[K{}", printable_line(text));
   std::fflush(stderr);
   line.progress_visible = true;
 }
@@ -85,7 +92,7 @@ std::string usage_message(const CLI::App* app, const CLI::Error& refusal) {
     what = unknown.empty() ? "a command is missing; there are " + names
                            : "'" + unknown.front() + "' is not known here; the commands are " + names;
   }
-  return fmt::format("abrazo: {}; see {} --help\n", what, command);
+  return printable_line(fmt::format("abrazo: {}; see {} --help", what, command)) + "\n";
 }
 
 }  // namespace abrazo::app

@@ -27,8 +27,11 @@ void warn(CommandLine& line, std::string_view text);
 /// What is going on, as a line on stderr; nothing with --quiet.
 void note(CommandLine& line, std::string_view text);
 
-/// The command's answer, on stdout.
+/// The command's answer to a person, on stdout; control characters become '?' (see TextLines for names).
 void answer(CommandLine& line, std::string_view text);
+
+/// The command's answer to a program, on stdout: one JSON object and a line end.
+void answer_json(CommandLine& line, std::string_view json);
 
 /// How something that goes on without an end is doing: takes the place of the progress line before, on
 /// stderr when that is a terminal and --quiet was not given.

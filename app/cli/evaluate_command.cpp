@@ -107,7 +107,7 @@ Status run_evaluate(CommandLine& line, const EvaluateArguments& arguments) {
     return written;
   if (const Status written = write_whole_file(folder / "report.json", json + "\n"); !written) return written;
   if (arguments.json)
-    answer(line, json + "\n");
+    answer_json(line, json);
   else if (!line.quiet)
     answer(line, summary(*evaluation, folder));
   return Done{};

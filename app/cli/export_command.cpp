@@ -6,6 +6,7 @@
 
 #include "app/cli/command_line.hpp"
 #include "app/cli/motion_reading.hpp"
+#include "app/cli/text_lines.hpp"
 #include "core/base/json_text.hpp"
 #include "core/base/output_file.hpp"
 #include "core/session/exporting.hpp"
@@ -72,12 +73,12 @@ void tell(CommandLine& line, const ExportWords& words, ExportReport& exported) {
     json.end_array().key("files").begin_array();
     for (const std::string& path : exported.files) json.value(path);
     json.end_array();
-    answer(line, json.take() + "," + exported.figures.take() + "}\n");
+    answer_json(line, json.take() + "," + exported.figures.take() + "}");
   } else if (!line.quiet) {
-    const std::string& name = exported.files.back();
-    answer(line,
-           fmt::format("{}: {}{}\n", name, exported.text,
-                       exported.files.size() > 1 ? fmt::format(", {} files", exported.files.size()) : ""));
+    TextLines text;
+    text.add("{}: {}{}", exported.files.back(), exported.text,
+             exported.files.size() > 1 ? fmt::format(", {} files", exported.files.size()) : "");
+    answer(line, text.take());
   }
 }
 

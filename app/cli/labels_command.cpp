@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/text_lines.hpp"
 #include "core/annotation/annotations.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/json_text.hpp"
@@ -70,32 +71,36 @@ std::string info_json(const TierDocument& document) {
   }
   json.end_array().key("warnings").begin_array();
   for (const std::string& warning : document.warnings) json.value(warning);
-  return json.end_array().end_object().take() + "\n";
+  return json.end_array().end_object().take();
 }
 
 std::string info_text(const TierDocument& document) {
-  std::string text;
+  TextLines text;
   for (const Tier& tier : document.tiers) {
-    text += fmt::format("{} ({}): {} intervals", tier.name, text_of(tier.kind), tier.intervals.size());
-    if (!tier.intervals.empty())
-      text += fmt::format(" from {:.3f} to {:.3f} s, {:.3f} s annotated", tier.intervals.front().start_s,
+    const std::string extent =
+        tier.intervals.empty()
+            ? std::string()
+            : fmt::format(" from {:.3f} to {:.3f} s, {:.3f} s annotated", tier.intervals.front().start_s,
                           tier.intervals.back().end_s, annotated_s(tier));
-    text += '\n';
+    text.add("{} ({}): {} intervals{}", tier.name, text_of(tier.kind), tier.intervals.size(), extent);
     for (const std::string& value : values_of(tier.intervals)) {
       Tier only{tier.name, {}};
       for (const TierInterval& one : tier.intervals)
         if (one.value == value) only.intervals.push_back(one);
-      text += fmt::format("  {:<20} {:4} {:9.3f} s\n", value.empty() ? "(nothing)" : value,
-                          only.intervals.size(), annotated_s(only));
+      text.add("  {:<20} {:4} {:9.3f} s", value.empty() ? "(nothing)" : value, only.intervals.size(),
+               annotated_s(only));
     }
   }
-  return text.empty() ? "no tiers\n" : text;
+  return document.tiers.empty() ? "no tiers\n" : text.take();
 }
 
 Status run_info(CommandLine& line, const LabelWords& words) {
   const auto document = read(line, words);
   if (!document) return document.error();
-  answer(line, words.json ? info_json(*document) : info_text(*document));
+  if (words.json)
+    answer_json(line, info_json(*document));
+  else
+    answer(line, info_text(*document));
   return Done{};
 }
 
@@ -110,7 +115,7 @@ Result<std::vector<Tier>> chosen(std::vector<Tier> tiers, const LabelWords& word
         std::find_if(tiers.begin(), tiers.end(), [&](const Tier& tier) { return tier.name == name; });
     if (found == tiers.end()) {
       std::string names;
-      for (const Tier& tier : tiers) names += (names.empty() ? "" : ", ") + tier.name;
+      for (const Tier& tier : tiers) names += (names.empty() ? "" : ", ") + printable_line(tier.name);
       return Error{"has no tier " + in_quotes(name) + "; it has " + names, words.file};
     }
     kept.push_back(*found);
@@ -185,7 +190,7 @@ std::string problems_json(const Annotations& annotations, const std::vector<Anno
     json.key("start_s").value(problem.start_s).key("end_s").value(problem.end_s);
     json.key("text").value(problem.text).end_object();
   }
-  return json.end_array().end_object().take() + "\n";
+  return json.end_array().end_object().take();
 }
 
 Status run_check(CommandLine& line, const LabelWords& words) {
@@ -196,9 +201,12 @@ Status run_check(CommandLine& line, const LabelWords& words) {
   const auto annotations = annotations_of(document->tiers);
   if (!annotations) return Error{annotations.error().text(), words.file};
   const auto problems = problems_of(*annotations, range_of(document->tiers), words.reading.fps);
-  std::string text;
-  for (const AnnotationProblem& problem : problems) text += problem.text + "\n";
-  answer(line, words.json ? problems_json(*annotations, problems) : text);
+  TextLines text;
+  for (const AnnotationProblem& problem : problems) text.add("{}", problem.text);
+  if (words.json)
+    answer_json(line, problems_json(*annotations, problems));
+  else
+    answer(line, text.take());
   if (problems.empty()) return Done{};
   return Error{fmt::format("has {} {}", problems.size(), problems.size() == 1 ? "problem" : "problems"),
                words.file};

@@ -260,7 +260,10 @@ Status run_live(CommandLine& line, const LiveOptions& options) {
   end.seconds = engine.clock().now_s() - start_s;
   const Status written = end_session(line, engine, *clip, end);
   engine.push(DetachListener{live});
-  answer(line, options.json ? live->json(end) : line.quiet ? std::string() : live->text(end));
+  if (options.json)
+    answer_json(line, live->json(end));
+  else if (!line.quiet)
+    answer(line, live->text(end));
   if (!written) return written;
   return live->frames() > 0 ? Status(Done{}) : no_pose(end, plan->listen);
 }

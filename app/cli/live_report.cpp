@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <span>
+#include <utility>
 
+#include "app/cli/text_lines.hpp"
 #include "core/session/latency.hpp"
 #include "core/stream/stream_uri.hpp"
 
@@ -37,20 +40,23 @@ Json latency_json(const LatencyBreakdown& latency) {
           {"in_to_result", stage_json(latency.packet_to_result)}};
 }
 
-std::string row(std::string_view name, const StageLatency& stage) {
-  if (stage.frames == 0) return {};
-  return fmt::format("  {:<26}{:>8.2f}{:>8.2f}{:>8.2f}{:>8.2f}\n", name, stage.p50_ms, stage.p95_ms,
-                     stage.p99_ms, stage.max_ms);
-}
-
-std::string latency_text(const LatencyBreakdown& latency) {
-  const std::string rows =
-      row("between poses", latency.arrival_interval) + row("assembly", latency.assembly) +
-      row("wait", latency.wait) + row("solve", latency.solve) + row("send", latency.send) +
-      (latency.packet_to_packet.frames > 0 ? row("packet in to packet out", latency.packet_to_packet)
-                                           : row("packet in to partner's pose", latency.packet_to_result));
-  if (rows.empty()) return {};
-  return fmt::format("  {:<26}{:>8}{:>8}{:>8}{:>8}\n", "ms", "p50", "p95", "p99", "max") + rows;
+void add_latency(TextLines& text, const LatencyBreakdown& latency) {
+  const bool was_sent = latency.packet_to_packet.frames > 0;
+  const std::pair<std::string_view, const StageLatency&> rows[] = {
+      {"between poses", latency.arrival_interval},
+      {"assembly", latency.assembly},
+      {"wait", latency.wait},
+      {"solve", latency.solve},
+      {"send", latency.send},
+      {was_sent ? "packet in to packet out" : "packet in to partner's pose",
+       was_sent ? latency.packet_to_packet : latency.packet_to_result}};
+  const auto is_empty = [](const auto& row) { return row.second.frames == 0; };
+  if (std::all_of(std::begin(rows), std::end(rows), is_empty)) return;
+  text.add("  {:<26}{:>8}{:>8}{:>8}{:>8}", "ms", "p50", "p95", "p99", "max");
+  for (const auto& [name, stage] : rows)
+    if (stage.frames > 0)
+      text.add("  {:<26}{:>8.2f}{:>8.2f}{:>8.2f}{:>8.2f}", name, stage.p50_ms, stage.p95_ms, stage.p99_ms,
+               stage.max_ms);
 }
 
 std::string_view word_of(StreamDiagnosis::Severity severity) {
@@ -122,16 +128,14 @@ Json stream_json(const StreamHealth& stream) {
   return json;
 }
 
-std::string stream_text(const StreamHealth& stream) {
-  std::string text = fmt::format("listening {}: {} packets, {} with something wrong, {} not fetched in time\n",
-                                 listening_words(stream.listening), stream.packets,
-                                 stream.packets_with_issues, stream.overflowed);
+void add_stream(TextLines& text, const StreamHealth& stream) {
+  text.add("listening {}: {} packets, {} with something wrong, {} not fetched in time",
+           listening_words(stream.listening), stream.packets, stream.packets_with_issues, stream.overflowed);
   for (const PerformerHealth& performer : stream.performers)
-    text += fmt::format("  {}: {} frames, {} lost, {} late, {} gave no pose\n", performer.performer,
-                        performer.frames, performer.lost, performer.late, performer.unusable);
+    text.add("  {}: {} frames, {} lost, {} late, {} gave no pose", performer.performer, performer.frames,
+             performer.lost, performer.late, performer.unusable);
   for (const IssueCount& issue : stream.issues)
-    text += fmt::format("  {} x {}: {}\n", issue.count, issue.kind, issue.latest);
-  return text;
+    text.add("  {} x {}: {}", issue.count, issue.kind, issue.latest);
 }
 
 Json diagnosis_json(const LiveEnd::Diagnosis& seen) {
@@ -142,9 +146,9 @@ Json diagnosis_json(const LiveEnd::Diagnosis& seen) {
           {"text", seen.newest.text}};
 }
 
-std::string diagnosis_text(const LiveEnd::Diagnosis& seen) {
-  return fmt::format("  {:.0f} to {:.0f} s, {}: {}\n", seen.first_s, seen.last_s,
-                     word_of(seen.newest.severity), seen.newest.text);
+void add_diagnosis(TextLines& text, const LiveEnd::Diagnosis& seen) {
+  text.add("  {:.0f} to {:.0f} s, {}: {}", seen.first_s, seen.last_s, word_of(seen.newest.severity),
+           seen.newest.text);
 }
 
 Json sink_json(const SinkHealth& sink) {
@@ -157,11 +161,10 @@ Json sink_json(const SinkHealth& sink) {
           {"latest_failure", sink.latest_failure}};
 }
 
-std::string sink_text(const SinkHealth& sink) {
-  return fmt::format(
-      "{} to {}: {} frames in {} packets{}\n", sink.character, sink.uri, sink.frames, sink.packets,
-      sink.failures == 0 ? std::string()
-                         : fmt::format(", {} refused ({})", sink.failures, sink.latest_failure));
+void add_sink(TextLines& text, const SinkHealth& sink) {
+  text.add("{} to {}: {} frames in {} packets{}", sink.character, sink.uri, sink.frames, sink.packets,
+           sink.failures == 0 ? std::string()
+                              : fmt::format(", {} refused ({})", sink.failures, sink.latest_failure));
 }
 
 Json recording_json(const Recorder::State& state) {
@@ -169,10 +172,10 @@ Json recording_json(const Recorder::State& state) {
           {"bytes", state.bytes}, {"lost", state.lost},     {"failure", state.failure}};
 }
 
-std::string recording_text(const Recorder::State& state) {
-  return fmt::format("{}: {} frames and {} poses, {:.1f} MB, {} lost{}\n", state.path, state.frames,
-                     state.poses, 1e-6 * static_cast<double>(state.bytes), state.lost,
-                     state.failure.empty() ? "" : " (" + state.failure + ")");
+void add_recording(TextLines& text, const Recorder::State& state) {
+  text.add("{}: {} frames and {} poses, {:.1f} MB, {} lost{}", state.path, state.frames, state.poses,
+           1e-6 * static_cast<double>(state.bytes), state.lost,
+           state.failure.empty() ? "" : " (" + state.failure + ")");
 }
 
 }  // namespace
@@ -206,16 +209,16 @@ std::string LiveReport::line(double now_s) const {
 
 std::string LiveReport::text(const LiveEnd& end) const {
   const std::scoped_lock lock(mutex_);
-  std::string text =
-      fmt::format("{} frames in {:.1f} s; {} relaxed, {} failed, {} changes of source, {} poses replaced\n",
-                  frame_times_.size(), end.seconds, relaxed_, failed_, source_changes_, dropped_inputs_);
-  if (!latest_failure_.empty()) text += "  the newest failure: " + latest_failure_ + "\n";
-  text += latency_text(latency_of(frame_times_));
-  if (end.stream) text += stream_text(*end.stream);
-  for (const LiveEnd::Diagnosis& diagnosis : end.diagnoses) text += diagnosis_text(diagnosis);
-  for (const SinkHealth& sink : end.sinks) text += sink_text(sink);
-  if (end.recording) text += recording_text(*end.recording);
-  return text;
+  TextLines text;
+  text.add("{} frames in {:.1f} s; {} relaxed, {} failed, {} changes of source, {} poses replaced",
+           frame_times_.size(), end.seconds, relaxed_, failed_, source_changes_, dropped_inputs_);
+  if (!latest_failure_.empty()) text.add("  the newest failure: {}", latest_failure_);
+  add_latency(text, latency_of(frame_times_));
+  if (end.stream) add_stream(text, *end.stream);
+  for (const LiveEnd::Diagnosis& diagnosis : end.diagnoses) add_diagnosis(text, diagnosis);
+  for (const SinkHealth& sink : end.sinks) add_sink(text, sink);
+  if (end.recording) add_recording(text, *end.recording);
+  return text.take();
 }
 
 std::string LiveReport::json(const LiveEnd& end) const {
@@ -235,7 +238,7 @@ std::string LiveReport::json(const LiveEnd& end) const {
   for (const LiveEnd::Diagnosis& diagnosis : end.diagnoses)
     json["diagnoses"].push_back(diagnosis_json(diagnosis));
   for (const SinkHealth& sink : end.sinks) json["sinks"].push_back(sink_json(sink));
-  return json.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(-1, ' ', false, Json::error_handler_t::replace);
 }
 
 }  // namespace abrazo::app

@@ -1,7 +1,6 @@
 #include <fmt/core.h>
 
 #include <cerrno>
-#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <exception>
@@ -9,6 +8,7 @@
 
 #include "app/cli/command_line.hpp"
 #include "app/cli/interruption.hpp"
+#include "core/base/file_limit.hpp"
 #include "core/base/version.hpp"
 
 int main(int argc, char** argv) {
@@ -35,7 +35,7 @@ int main(int argc, char** argv) {
   app::add_suggest_command(line);
   app::add_session_command(line);
   app::note_interruptions();
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may grow no further is an error like a full disk
+  take_file_limit_for_full_disk();
   try {
     line.app.parse(argc, argv);
   } catch (const CLI::ParseError& refusal) {

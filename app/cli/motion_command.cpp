@@ -8,6 +8,7 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/interruption.hpp"
 #include "app/cli/motion_reading.hpp"
+#include "app/cli/text_lines.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/json_text.hpp"
 #include "core/base/output_file.hpp"
@@ -38,21 +39,20 @@ const char* guess_mark(bool guessed) {
   return guessed ? " (guessed)" : "";
 }
 
-void print_performer(const ImportedClip& imported) {
+void add_performer(TextLines& text, const ImportedClip& imported) {
   const ImportReport& report = imported.report;
-  fmt::print("{}\n", imported.clip.name);
-  fmt::print("  frames   {} ({:.2f} s)\n", imported.clip.poses.size(), imported.clip.duration_s());
-  fmt::print("  fps      {}{}\n", exact_text(report.fps), guess_mark(report.fps_guessed));
-  fmt::print("  joints   {} by the joint map '{}'\n", joint_count, report.joint_map);
-  fmt::print("  unit     {} m{}\n", exact_text(report.metres_per_unit), guess_mark(report.unit_guessed));
-  fmt::print("  up       {}{}\n", report.up_axis == UpAxis::Z ? 'z' : 'y',
-             guess_mark(report.up_axis_guessed));
-  fmt::print("  height   {:.3f} m to the head joint\n", report.height_m);
-  fmt::print("  floor    toe bases rest at {:.3f} m{}\n", report.floor_y_m,
-             report.floor_shift_m == 0 ? "" : fmt::format("; moved by {:.3f} m", report.floor_shift_m));
+  text.add("{}", imported.clip.name);
+  text.add("  frames   {} ({:.2f} s)", imported.clip.poses.size(), imported.clip.duration_s());
+  text.add("  fps      {}{}", exact_text(report.fps), guess_mark(report.fps_guessed));
+  text.add("  joints   {} by the joint map '{}'", joint_count, report.joint_map);
+  text.add("  unit     {} m{}", exact_text(report.metres_per_unit), guess_mark(report.unit_guessed));
+  text.add("  up       {}{}", report.up_axis == UpAxis::Z ? 'z' : 'y', guess_mark(report.up_axis_guessed));
+  text.add("  height   {:.3f} m to the head joint", report.height_m);
+  text.add("  floor    toe bases rest at {:.3f} m{}", report.floor_y_m,
+           report.floor_shift_m == 0 ? "" : fmt::format("; moved by {:.3f} m", report.floor_shift_m));
   for (const ImportWarning& warning : report.warnings)
-    fmt::print("  warning  {}{}: {}\n", warning.kind,
-               warning.line > 0 ? fmt::format(" (line {})", warning.line) : "", warning.detail);
+    text.add("  warning  {}{}: {}", warning.kind,
+             warning.line > 0 ? fmt::format(" (line {})", warning.line) : "", warning.detail);
 }
 
 /// The fields of one performer, into an object that is open.
@@ -89,8 +89,9 @@ void run_info(CommandLine& line, const MotionWords& words) {
   const Result<std::vector<ImportedClip>> clips = read_performers(words.reading);
   if (!clips) return fail(line, clips.error());
   if (!words.json) {
-    for (const ImportedClip& imported : *clips) print_performer(imported);
-    return;
+    TextLines text;
+    for (const ImportedClip& imported : *clips) add_performer(text, imported);
+    return answer(line, text.take());
   }
   // The fields of the first performer stand at the top; all performers stand in the list.
   JsonText json;
@@ -108,7 +109,7 @@ void run_info(CommandLine& line, const MotionWords& words) {
   }
   json.end_array();
   json.end_object();
-  fmt::print("{}\n", json.text());
+  answer_json(line, json.text());
 }
 
 void run_positions(CommandLine& line, const MotionWords& words) {

@@ -52,8 +52,9 @@ Sent play(CommandLine& line, const SendOptions& options, ClipSource& source, Pos
   std::uint64_t frames = 0;
   while (!interrupted()) {
     const double now_s = clock.now_s();
-    if (stop_s > 0 && now_s >= stop_s) break;
-    if (const auto pose = source.poll(now_s)) {
+    const bool is_over = stop_s > 0 && now_s >= stop_s;
+    // Who wakes up late for the last pose sends it all the same.
+    if (const auto pose = source.poll(is_over ? stop_s - 0.5 / source.rate_hz() : now_s)) {
       sink.send({pose->pose, pose->time_s, true});
       sent.latest_s = std::max(sent.latest_s, clock.now_s() - pose->time_s);
       sent.skipped = pose->dropped;
@@ -61,6 +62,7 @@ Sent play(CommandLine& line, const SendOptions& options, ClipSource& source, Pos
         report(progress, stop_s > 0 ? now_s / stop_s : 0,
                fmt::format("sending to {}, {:.0f} s", options.to, now_s));
     }
+    if (is_over) break;
     std::this_thread::sleep_until(clock.at(std::min(source.next_due_s(), now_s + longest_sleep_s)));
   }
   sent.seconds = clock.now_s();
@@ -68,22 +70,28 @@ Sent play(CommandLine& line, const SendOptions& options, ClipSource& source, Pos
   return sent;
 }
 
+double sent_rate_hz(const Sent& sent, const SinkHealth& health) {
+  return sent.seconds > 0 ? static_cast<double>(health.frames) / sent.seconds : 0;
+}
+
 std::string summary(const SendOptions& options, const Sent& sent, const SinkHealth& health) {
-  const double rate_hz = sent.seconds > 0 ? static_cast<double>(health.frames) / sent.seconds : 0;
-  if (!options.json)
-    return fmt::format("{} frames in {} packets ({:.1f} a second) to {}; {} left out, {} refused\n",
-                       health.frames, health.packets, rate_hz, options.to, sent.skipped, health.failures);
+  return fmt::format("{} frames in {} packets ({:.1f} a second) to {}; {} left out, {} refused\n",
+                     health.frames, health.packets, sent_rate_hz(sent, health), options.to, sent.skipped,
+                     health.failures);
+}
+
+std::string summary_json(const SendOptions& options, const Sent& sent, const SinkHealth& health) {
   const nlohmann::ordered_json json = {{"to", options.to},
                                        {"seconds", sent.seconds},
                                        {"frames", health.frames},
-                                       {"rate_hz", rate_hz},
+                                       {"rate_hz", sent_rate_hz(sent, health)},
                                        {"packets", health.packets},
                                        {"bytes", health.bytes},
                                        {"skipped", sent.skipped},
                                        {"latest_ms", 1000 * sent.latest_s},
                                        {"failures", health.failures},
                                        {"latest_failure", health.latest_failure}};
-  return json.dump() + "\n";
+  return json.dump();
 }
 
 Status run_send(CommandLine& line, const SendOptions& options) {
@@ -100,7 +108,10 @@ Status run_send(CommandLine& line, const SendOptions& options) {
   ClipSource source(std::move(clip), rate_hz, options.loop);
   const Sent sent = play(line, options, source, **sink);
   const SinkHealth health = (*sink)->health();
-  answer(line, options.json || !line.quiet ? summary(options, sent, health) : std::string());
+  if (options.json)
+    answer_json(line, summary_json(options, sent, health));
+  else if (!line.quiet)
+    answer(line, summary(options, sent, health));
   // UDP tells of a receiver that is not there only now and then; all refused means nobody ever was.
   if (health.packets == 0 && health.failures > 0)
     return Error{"nothing could be sent: " + health.latest_failure, options.to};

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/text_lines.hpp"
 #include "core/base/json_text.hpp"
 #include "core/session/project.hpp"
 #include "core/session/session_file.hpp"
@@ -66,33 +67,33 @@ std::string name_of(const std::string& subject) {
 std::string as_text(const About& about) {
   const SessionContents& contents = about.file->contents();
   const Project& project = about.reading.project;
-  std::string text = fmt::format("{}\n  version    {}{}\n", about.file->path(), about.reading.version,
-                                 about.file->is_being_recorded() ? ", is being recorded" : "");
+  TextLines text;
+  text.add("{}", about.file->path());
+  text.add("  version    {}{}", about.reading.version,
+           about.file->is_being_recorded() ? ", is being recorded" : "");
   if (const std::string migration = migration_text(about.reading.version); !migration.empty())
-    text += fmt::format("  migration  {}\n", migration);
-  text += fmt::format("  saved      {}\n",
-                      about.reading.is_saved ? about.reading.saved_at : "never as a project");
-  text += fmt::format("  recorded   {} frames, {:.3f} s, in {} part(s)\n", contents.frames,
-                      contents.last_s - contents.first_s, contents.runs.size());
+    text.add("  migration  {}", migration);
+  text.add("  saved      {}", about.reading.is_saved ? about.reading.saved_at : "never as a project");
+  text.add("  recorded   {} frames, {:.3f} s, in {} part(s)", contents.frames,
+           contents.last_s - contents.first_s, contents.runs.size());
   for (const SessionTake& take : contents.takes)
-    text += fmt::format("  take       {}, {:.3f} to {:.3f} s, frames {} to {}{}\n", take.name, take.start_s,
-                        take.end_s, take.first_frame, take.last_frame, take.interrupted ? ", not ended" : "");
-  text += fmt::format("  markers    {}\n", project.markers.all().size());
+    text.add("  take       {}, {:.3f} to {:.3f} s, frames {} to {}{}", take.name, take.start_s, take.end_s,
+             take.first_frame, take.last_frame, take.interrupted ? ", not ended" : "");
+  text.add("  markers    {}", project.markers.all().size());
   for (const auto& [subject, annotations] : project.annotations) {
-    text += fmt::format("  annotated  {}: {} in {} tiers", name_of(subject), count_of(annotations),
-                        annotations.tiers().size());
     const std::size_t suggested = annotations.suggestions().size();
-    text += suggested > 0 ? fmt::format(", {} suggested\n", suggested) : "\n";
+    text.add("  annotated  {}: {} in {} tiers{}", name_of(subject), count_of(annotations),
+             annotations.tiers().size(),
+             suggested > 0 ? fmt::format(", {} suggested", suggested) : std::string());
   }
   for (std::size_t i = 0; i < about.found.size(); ++i) {
     const FoundData& found = about.found[i];
-    text += fmt::format("  {:<10} {}: {}\n", text_of(project.data[i].use), state_text(found.state),
-                        found.path.empty() ? fmt::format("{}", fmt::join(found.looked, ", ")) : found.path);
+    text.add("  {:<10} {}: {}", text_of(project.data[i].use), state_text(found.state),
+             found.path.empty() ? fmt::format("{}", fmt::join(found.looked, ", ")) : found.path);
   }
-  for (const std::string& sentence : about.file->recovery())
-    text += fmt::format("  note       {}\n", sentence);
-  for (const std::string& sentence : about.reading.damage) text += fmt::format("  damaged    {}\n", sentence);
-  return text;
+  for (const std::string& sentence : about.file->recovery()) text.add("  note       {}", sentence);
+  for (const std::string& sentence : about.reading.damage) text.add("  damaged    {}", sentence);
+  return text.take();
 }
 
 void write_takes(JsonText& json, const SessionContents& contents) {
@@ -169,13 +170,16 @@ std::string as_json(const About& about) {
   json.key("damaged_rows").value(static_cast<long long>(about.reading.damaged)).key("notes").begin_array();
   for (const std::string& sentence : about.file->recovery()) json.value(sentence);
   for (const std::string& sentence : about.reading.damage) json.value(sentence);
-  return json.end_array().end_object().take() + "\n";
+  return json.end_array().end_object().take();
 }
 
 void run_info(CommandLine& line, const InfoArguments& arguments) {
   const auto about = look_into(arguments.session);
   if (!about) return fail(line, about.error());
-  answer(line, arguments.json ? as_json(*about) : as_text(*about));
+  if (arguments.json)
+    answer_json(line, as_json(*about));
+  else
+    answer(line, as_text(*about));
 }
 
 void run_migrate(CommandLine& line, const std::string& session) {

@@ -5,6 +5,7 @@
 
 #include "app/cli/command_line.hpp"
 #include "app/cli/report_folder.hpp"
+#include "app/cli/text_lines.hpp"
 #include "core/annotation/suggestions.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/json_text.hpp"
@@ -58,16 +59,16 @@ std::string suggestions_json(const std::string& take, const SuggestedTiers& tier
     }
     json.end_array();
   }
-  return json.end_object().take() + "\n";
+  return json.end_object().take();
 }
 
 std::string suggestions_text(const SuggestedTiers& tiers) {
-  std::string text;
+  TextLines text;
   for (const auto* list : {&tiers.roles, &tiers.moves})
     for (const Suggestion& one : *list)
-      text += fmt::format("{:8.2f} {:8.2f} s  {:<18} {:3.0f} %  {}\n", one.start_s, one.end_s, one.value,
-                          100 * one.confidence, one.reason);
-  return text.empty() ? "nothing to suggest\n" : text;
+      text.add("{:8.2f} {:8.2f} s  {:<18} {:3.0f} %  {}", one.start_s, one.end_s, one.value,
+               100 * one.confidence, one.reason);
+  return tiers.roles.empty() && tiers.moves.empty() ? "nothing to suggest\n" : text.take();
 }
 
 Status write_tier_file(CommandLine& line, const SuggestArguments& arguments, const SuggestedTiers& tiers,
@@ -93,7 +94,8 @@ Status propose(CommandLine& line, const SuggestArguments& arguments) {
   const int take = library->find_take(arguments.take);
   if (take < 0) {
     std::string names;
-    for (const LibraryTake& of : library->takes()) names += (names.empty() ? "" : ", ") + of.name;
+    for (const LibraryTake& of : library->takes())
+      names += (names.empty() ? "" : ", ") + printable_line(of.name);
     return Error{fmt::format("has no take \"{}\"; it has {}", arguments.take, names), arguments.source};
   }
   const auto tiers = suggest_annotations(*library, {.take = arguments.take}, part(progress, 0.4, 1));
@@ -104,7 +106,7 @@ Status propose(CommandLine& line, const SuggestArguments& arguments) {
   }
   clear_progress(line);
   if (arguments.json)
-    answer(line, suggestions_json(arguments.take, *tiers));
+    answer_json(line, suggestions_json(arguments.take, *tiers));
   else if (!line.quiet)
     answer(line, suggestions_text(*tiers));
   return Done{};
@@ -128,7 +130,7 @@ Status measure(CommandLine& line, const SuggestArguments& arguments) {
   }
   clear_progress(line);
   if (arguments.json)
-    answer(line, json);
+    answer_json(line, json);
   else if (!line.quiet)
     answer(line, suggestion_summary(*agreement));
   return Done{};

@@ -63,7 +63,7 @@ std::string missing_json(const SweepOutcome& outcome) {
   JsonText json;
   json.begin_object().key("shards").value(outcome.shard_count).key("missing").begin_array();
   for (const int index : outcome.missing) json.value(index);
-  return json.end_array().end_object().take() + "\n";
+  return json.end_array().end_object().take();
 }
 
 std::string summary(const SweepOutcome& outcome, const std::string& folder) {
@@ -85,7 +85,7 @@ Status run_sweep_command(CommandLine& line, const SweepArguments& arguments) {
   const auto outcome = run(line, arguments);
   if (!outcome) return outcome.error();
   if (arguments.json)
-    answer(line, outcome->missing.empty() ? sweep_json(*outcome) : missing_json(*outcome));
+    answer_json(line, outcome->missing.empty() ? sweep_json(*outcome) : missing_json(*outcome));
   else if (!line.quiet)
     answer(line, summary(*outcome, arguments.report));
   return Done{};

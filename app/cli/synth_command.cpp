@@ -108,7 +108,7 @@ Status run_synth(CommandLine& line, const SynthOptions& options) {
   if (auto damage = library->damage()) return *damage;
   if (const Status written = write_outputs(options, run); !written) return written;
   if (options.json)
-    answer(line, run.summary.json(rate) + "\n");
+    answer_json(line, run.summary.json(rate));
   else if (!line.quiet)
     answer(line, run.summary.text(rate));
   return Done{};

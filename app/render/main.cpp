@@ -9,7 +9,9 @@
 #include "app/cli/interruption.hpp"
 #include "app/render/frame_source.hpp"
 #include "app/render/rendering.hpp"
+#include "core/base/file_limit.hpp"
 #include "core/base/output_file.hpp"
+#include "core/base/printable.hpp"
 #include "core/base/version.hpp"
 #include "widgets/scene/scene_view.hpp"
 
@@ -17,7 +19,7 @@ namespace abrazo::app {
 namespace {
 
 void pass_on_fatal_only(QtMsgType type, const QMessageLogContext&, const QString& text) {
-  if (type == QtFatalMsg) std::fprintf(stderr, "abrazo: %s\n", text.toUtf8().constData());
+  if (type == QtFatalMsg) std::fprintf(stderr, "abrazo: %s\n", printable(text.toStdString()).c_str());
 }
 
 Status run(CommandLine& line, const RenderOptions& options) {
@@ -54,6 +56,7 @@ int main(int argc, char** argv) {
     return line.app.exit(refusal) != 0 ? 2 : 0;
   }
   app::note_interruptions();
+  take_file_limit_for_full_disk();
   qInstallMessageHandler(app::pass_on_fatal_only);
   widgets::SceneView::prepareApplication();
   QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);

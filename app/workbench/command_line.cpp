@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
+#include "core/base/printable.hpp"
 #include "core/base/text.hpp"
 #include "core/base/version.hpp"
 #include "core/stream/stream_uri.hpp"
@@ -66,7 +67,7 @@ std::variant<CommandLine, ExitStatus> parse_command_line(int argc, char** argv) 
   parser.add_option("--size", size, "size of the window, such as 1600x1000")
       ->check([&asked](const std::string& text) { return read_size(text, asked.size); });
   parser.failure_message([](const CLI::App*, const CLI::Error& error) {
-    return "abrazo-workbench: " + std::string(error.what()) + "; see abrazo-workbench --help\n";
+    return "abrazo-workbench: " + printable_line(error.what()) + "; see abrazo-workbench --help\n";
   });
   try {
     parser.parse(argc, argv);

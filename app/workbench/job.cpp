@@ -1,8 +1,28 @@
 #include "app/workbench/job.hpp"
 
 #include <QMetaObject>
+#include <exception>
+#include <new>
+#include <utility>
 
 namespace abrazo::app {
+
+namespace {
+
+std::function<void(const QString&)>& told() {
+  static std::function<void(const QString&)> to;
+  return to;
+}
+
+void tell(const QString& failure) {
+  if (told()) told()(failure);
+}
+
+}  // namespace
+
+void Job::tellFailures(std::function<void(const QString&)> to) {
+  told() = std::move(to);
+}
 
 Job::Job(Work work, QObject* parent) : QObject(parent) {
   m_thread = std::jthread([this, work = std::move(work)] {
@@ -11,7 +31,16 @@ Job::Job(Work work, QObject* parent) : QObject(parent) {
       QMetaObject::invokeMethod(this, [this, fraction, text] { emit progressed(fraction, text); });
       return !m_cancelled;
     };
-    Finish finish = work(progress);
+    Finish finish;
+    try {
+      finish = work(progress);
+    } catch (const std::bad_alloc&) {
+      finish = [] {
+        tell("There is not enough memory for it; close other programs, or give less to do at once.");
+      };
+    } catch (const std::exception& failure) {
+      finish = [text = QString::fromUtf8(failure.what())] { tell(text); };
+    }
     QMetaObject::invokeMethod(
         this,
         [this, finish = std::move(finish)] {

@@ -21,6 +21,9 @@ class Job : public QObject {
   Job(Work work, QObject* parent = nullptr);
   ~Job() override;
   void cancel() { m_cancelled = true; }
+  /// Where failures are told that the work of a job did not expect, a lack of memory above all: on the thread
+  /// the job lives in, in place of what it would have returned.
+  static void tellFailures(std::function<void(const QString&)> to);
   /// Gives up a job without waiting: it goes when its work has noticed, at the latest with `owner`.
   static void retire(std::unique_ptr<Job> job, QObject* owner);
 

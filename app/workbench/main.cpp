@@ -1,6 +1,5 @@
 #include <QApplication>
 #include <clocale>
-#include <csignal>
 #include <cstdio>
 #include <future>
 #include <memory>
@@ -18,6 +17,7 @@
 #include "app/workbench/unattended.hpp"
 #include "app/workbench/user_settings.hpp"
 #include "core/base/atomic_file.hpp"
+#include "core/base/file_limit.hpp"
 #include "widgets/common/icons.hpp"
 #include "widgets/common/plain_text.hpp"
 #include "widgets/scene/scene_view.hpp"
@@ -91,7 +91,7 @@ int main(int argc, char** argv) {
   const QStringList files = asked_files(asked);
   app::MainWindow::MakeMaterial dance;
   if (files.isEmpty() || asked.demo) dance = dance_begun_early();
-  std::signal(SIGXFSZ, SIG_IGN);  // a file that may grow no further is an error like a full disk
+  take_file_limit_for_full_disk();
   set_up_toolkit();
   QApplication application(argc, argv);
   widgets::PlainTextLabels plain_labels;

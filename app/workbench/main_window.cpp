@@ -9,6 +9,7 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
+#include <QPointer>
 #include <QSplitter>
 #include <QStatusBar>
 #include <QUrl>
@@ -103,6 +104,9 @@ QWidget* MainWindow::makeCentre() {
   auto* box = new QWidget(m_panels);
   auto* column = columnIn(box);
   m_messages = new widgets::MessageBar(box);
+  Job::tellFailures([to = QPointer(m_messages)](const QString& failure) {
+    if (to) to->showError(failure);
+  });
   m_selection = new widgets::SelectionModel(this);
   m_scene = new widgets::SceneView(box);
   column->addWidget(m_messages);

@@ -6,7 +6,9 @@
 #include <QTabBar>
 #include <algorithm>
 
+#include "app/workbench/dock_state.hpp"
 #include "app/workbench/panel_title.hpp"
+#include "app/workbench/window_place.hpp"
 #include "widgets/common/section_header.hpp"
 
 namespace abrazo::app {
@@ -233,7 +235,8 @@ WindowLayout PanelArea::state() const {
 }
 
 bool PanelArea::setState(const WindowLayout& layout) {
-  if (!restoreState(layout.docks, layout_version)) return false;
+  if (!is_dock_state(layout.docks, layout_version) || !restoreState(layout.docks, layout_version))
+    return false;
   m_hasSizes = true;
   m_wishes = layout.sides;
   for (Panel& panel : m_panels) {

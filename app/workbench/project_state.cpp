@@ -1,16 +1,12 @@
 #include "app/workbench/project_state.hpp"
 
 #include <QFile>
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 #include "app/workbench/annotation_desk.hpp"
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/own_presets.hpp"
+#include "app/workbench/remembered_view.hpp"
 #include "app/workbench/video_desk.hpp"
 #include "app/workbench/window_layout.hpp"
 #include "core/base/text.hpp"
@@ -74,28 +70,6 @@ std::string presets_of(const MainWindow& window) {
   return file.open(QIODevice::ReadOnly) ? file.readAll().toStdString() : std::string();
 }
 
-std::string text_of(const Markers& markers) {
-  QJsonArray list;
-  for (const Marker& marker : markers.all())
-    list.append(QJsonObject{
-        {"id", marker.id}, {"time_s", marker.time_s}, {"name", QString::fromStdString(marker.name)}});
-  return QJsonDocument(list).toJson(QJsonDocument::Compact).toStdString();
-}
-
-/// What is no marker is left out.
-Markers markers_of(const std::string& text) {
-  std::vector<Marker> markers;
-  int last_id = 0;
-  for (const QJsonValue& each : QJsonDocument::fromJson(QByteArray::fromStdString(text)).array()) {
-    const double time_s = each["time_s"].toDouble(std::nan(""));
-    if (!std::isfinite(time_s)) continue;
-    const int id = std::clamp(each["id"].toInt(), 0, 1'000'000'000);
-    markers.push_back({id, time_s, each["name"].toString().toStdString()});
-    last_id = std::max(last_id, id);
-  }
-  return Markers::restored(std::move(markers), last_id + 1);
-}
-
 void add_take_markers(const AnnotationDesk& desk, Project& project) {
   for (const auto& [take, markers] : desk.takeMarkers())
     project.view[std::string(markers_key) + take] = text_of(markers);
@@ -121,10 +95,7 @@ void add_view(MainWindow& window, Project& project) {
   view["lanes"] = window.timeline().lanes().text();
   view["plots"] = widgets::text_of(window.plots().arrangement());
   view["scene"] = widgets::text_of({scene.visibility(), scene.scalar(), scene.options()}).toStdString();
-  view["camera"] = QString("%1 %2")
-                       .arg(scene.camera().azimuth_rad, 0, 'g', 17)
-                       .arg(scene.camera().elevation_rad, 0, 'g', 17)
-                       .toStdString();
+  view["camera"] = text_of(CameraTurn{scene.camera().azimuth_rad, scene.camera().elevation_rad});
   view["cursor_s"] = QString::number(window.ticker().playback().cursor_s, 'g', 17).toStdString();
 }
 
@@ -149,10 +120,8 @@ void show_view(MainWindow& window, const std::map<std::string, std::string>& vie
     window.scene().setScalar(memory.scalar);
     window.scene().setOptions(memory.options);
   }
-  bool is_azimuth = false, is_elevation = false;
-  const double azimuth = text("camera").section(' ', 0, 0).toDouble(&is_azimuth);
-  const double elevation = text("camera").section(' ', 1, 1).toDouble(&is_elevation);
-  if (is_azimuth && is_elevation) window.scene().lookFrom(azimuth, elevation);
+  if (const auto turn = camera_turn_of(text("camera").toStdString()))
+    window.scene().lookFrom(turn->azimuth_rad, turn->elevation_rad);
 }
 
 void show_decisions(MainWindow& window, const Decisions& decisions) {

@@ -10,6 +10,7 @@
 #include "app/workbench/responsiveness.hpp"
 #include "app/workbench/start_times.hpp"
 #include "core/base/atomic_file.hpp"
+#include "core/base/printable.hpp"
 #include "core/motion/bvh.hpp"
 #include "widgets/scene/scene_view.hpp"
 
@@ -126,7 +127,8 @@ void Unattended::quit(const QString& failure) {
   if (m_done) return;
   m_done = true;
   m_pictures.stop();
-  if (!failure.isEmpty()) std::fprintf(stderr, "abrazo-workbench: %s\n", failure.toUtf8().constData());
+  if (!failure.isEmpty())
+    std::fprintf(stderr, "abrazo-workbench: %s\n", printable(failure.toStdString()).c_str());
   std::fflush(stdout);
   // What fails at once does so before the event loop runs, which nothing ends then.
   QTimer::singleShot(0, qApp, [code = failure.isEmpty() ? 0 : 1] { QApplication::exit(code); });

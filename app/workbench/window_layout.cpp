@@ -1,18 +1,15 @@
 #include "app/workbench/window_layout.hpp"
 
-#include <QGuiApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QScreen>
-#include <QWidget>
 #include <algorithm>
 
 namespace abrazo::app {
 namespace {
 
 constexpr const char* version_key = "abrazo_layout";
-constexpr int least_to_hold = 48;  // pixels of a window's head that suffice to move it
+constexpr int tallest_px = 1 << 14;  // a sum of heights stays a number
 
 QJsonValue text_of(const std::optional<bool>& wish) {
   return wish ? QJsonValue(*wish) : QJsonValue();
@@ -55,22 +52,8 @@ Result<WindowLayout> parse_layout(const QByteArray& text, const std::string& fil
   layout.shown = names_of(object.value("shown"));
   layout.sides = {wish_of(object.value("left")), wish_of(object.value("right")),
                   wish_of(object.value("below"))};
-  layout.timeline_height = std::max(0, object.value("timeline_height").toInt());
+  layout.timeline_height = std::clamp(object.value("timeline_height").toInt(), 0, tallest_px);
   return layout;
-}
-
-void bring_onto_screen(QWidget& window) {
-  const QRect frame = window.frameGeometry();
-  const QRect head(frame.topLeft(), QSize(frame.width(), least_to_hold));
-  const auto reaches = [&](const QScreen* screen) {
-    const QRect seen = screen->availableGeometry().intersected(head);
-    return seen.width() >= least_to_hold && seen.height() >= least_to_hold / 3;
-  };
-  const QList<QScreen*> screens = QGuiApplication::screens();
-  if (screens.isEmpty() || std::ranges::any_of(screens, reaches)) return;
-  const QRect room = screens.front()->availableGeometry();
-  window.resize(window.size().boundedTo(room.size()));
-  window.move(room.center() - window.rect().center());
 }
 
 }  // namespace abrazo::app

@@ -7,8 +7,6 @@
 #include "app/workbench/panel_plan.hpp"
 #include "core/base/result.hpp"
 
-class QWidget;
-
 namespace abrazo::app {
 
 /// Changes when panels or their places change so that older files would come out wrong.
@@ -29,8 +27,5 @@ QByteArray text_of(const WindowLayout& layout);
 /// @param file  where the text is from, for the message
 /// @return an error where it is no layout, or one of another version
 Result<WindowLayout> parse_layout(const QByteArray& text, const std::string& file);
-
-/// Moves a window whose head could not be reached with the pointer to the middle of a screen.
-void bring_onto_screen(QWidget& window);
 
 }  // namespace abrazo::app

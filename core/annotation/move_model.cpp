@@ -75,7 +75,7 @@ TilingScores MoveModel::evidence(const std::array<MotionChannels, 2>& channels,
         forest_->shares(row.data(), unseen, shares.data());
         for (std::size_t label = 0; label < none; ++label)
           scores.segment(at, length, static_cast<int>(label) * roles + role) =
-              log_odds(shares[label], shares[none]);
+              log_odds(static_cast<double>(shares[label]), static_cast<double>(shares[none]));
       }
   }
   return scores;

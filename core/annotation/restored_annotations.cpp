@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 #include <utility>
 
@@ -34,7 +35,7 @@ Status check_tier(const AnnotationTier& tier, Seen& seen) {
   if (Status fresh = seen.take_id(tier.id, name); !fresh) return fresh;
   if (tier.name.empty()) return Error{"a tier has no name", {}};
   if (!seen.names.insert(tier.name).second) return Error{name + " is there twice", {}};
-  double free_s = -HUGE_VAL;
+  double free_s = -std::numeric_limits<double>::infinity();
   for (const Annotation& one : tier.annotations) {
     const std::string what = "'" + one.value + "' of " + name;
     if (Status fresh = seen.take_id(one.id, what); !fresh) return fresh;

@@ -145,7 +145,8 @@ std::string role_words(const CoupleMotion& motion, const std::array<MotionChanne
   Remarks remarks;
   const MotionChannels& order = channels[static_cast<std::size_t>(active)];
   const char *me = active == 0 ? "A" : "B", *other = active == 0 ? "B" : "A";
-  const double lead = order.values.middleRows(begin, end - begin).rightCols(lead_channel_count).mean();
+  const auto lead =
+      static_cast<double>(order.values.middleRows(begin, end - begin).rightCols(lead_channel_count).mean());
   if (lead >= lead_worth_saying) remarks.add(fmt::format("{} moves first more often than {}", me, other));
   if (lead <= -lead_worth_saying)
     remarks.add(fmt::format("although {} moves first more often than {}", other, me));

@@ -77,6 +77,7 @@ Result<SuggestedTiers> suggest_annotations(const MotionLibrary& library, const S
     if (request.moves && labelled.has_labels) wording.add_move(tiers.moves, move);
     if (request.roles && labelled.has_roles) wording.add_role(tiers.roles, move);
   }
+  if (const auto damage = library.damage()) return *damage;  // stand-ins were learnt from
   return tiers;
 }
 

@@ -5,7 +5,7 @@
 namespace abrazo {
 
 std::string Error::text() const {
-  return printable(where.empty() ? message : where + ": " + message);
+  return (where.empty() ? std::string() : printable_line(where) + ": ") + printable(message);
 }
 
 }  // namespace abrazo

@@ -1,7 +1,6 @@
 #include "core/base/mapped_file.hpp"
 
 #include <fcntl.h>
-#include <signal.h>
 #include <sys/mman.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -9,6 +8,7 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstdint>
 #include <cstring>
 #include <mutex>
@@ -30,13 +30,18 @@ std::array<Watch, most_mappings> watches;
 std::uintptr_t page_bytes = 4096;
 struct sigaction handler_before;
 
-/// Puts a page of zeros where the file's page is gone, so that the interrupted read goes on.
+/// Puts zeros where the file's page is gone, so that the interrupted read goes on; and behind it, where
+/// nobody relies on anything any more: pages that are replaced one by one would be mappings of their own, of
+/// which the kernel allows some ten thousand.
 bool replace_lost_page(std::uintptr_t address) {
   for (Watch& watch : watches) {
     if (address < watch.begin || address >= watch.end) continue;
     watch.lost_pages = true;
-    void* page = reinterpret_cast<void*>(address / page_bytes * page_bytes);
-    return mmap(page, page_bytes, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_FIXED, -1, 0) == page;
+    const std::uintptr_t first = address / page_bytes * page_bytes;
+    void* const page =
+        reinterpret_cast<void*>(first);  // NOLINT(performance-no-int-to-ptr): as the kernel has it
+    return mmap(page, watch.end - first, PROT_READ, MAP_PRIVATE | MAP_ANONYMOUS | MAP_NORESERVE | MAP_FIXED,
+                -1, 0) == page;
   }
   return false;
 }

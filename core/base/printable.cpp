@@ -2,13 +2,43 @@
 
 namespace abrazo {
 
-std::string printable(std::string_view text) {
-  std::string shown(text);
-  for (char& c : shown) {
-    const auto byte = static_cast<unsigned char>(c);
-    if ((byte < 0x20 && c != '\n' && c != '\t') || byte == 0x7f) c = '?';
+namespace {
+
+bool is_control(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  return byte < 0x20 || byte == 0x7f;
+}
+
+/// U+0080 to U+009F, which some terminals obey like the escape sequences they stand for.
+bool is_control_of_two_bytes(std::string_view text) {
+  return text.size() >= 2 && text[0] == '\xC2' && static_cast<unsigned char>(text[1]) >= 0x80 &&
+         static_cast<unsigned char>(text[1]) < 0xA0;
+}
+
+std::string without_controls(std::string_view text, std::string_view but_for) {
+  std::string shown;
+  shown.reserve(text.size());
+  for (; !text.empty(); text.remove_prefix(1)) {
+    if (is_control_of_two_bytes(text)) {
+      text.remove_prefix(1);
+      shown += '?';
+    } else if (is_control(text.front()) && but_for.find(text.front()) == std::string_view::npos) {
+      shown += '?';
+    } else {
+      shown += text.front();
+    }
   }
   return shown;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+  return without_controls(text, "\n\t");
+}
+
+std::string printable_line(std::string_view text) {
+  return without_controls(text, "");
 }
 
 }  // namespace abrazo

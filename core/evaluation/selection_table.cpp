@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <random>
 
@@ -28,7 +29,8 @@ struct TakeQueries {
 /// The two pairs whose active pose is nearest to the query's, by comparing with all (M_B with the pose term).
 struct BestTwo {
   std::array<int, 2> pair{-1, -1};
-  std::array<double, 2> cost{INFINITY, INFINITY};
+  std::array<double, 2> cost{std::numeric_limits<double>::infinity(),
+                             std::numeric_limits<double>::infinity()};
 
   void consider(int candidate, double c) {
     if (c < cost[0]) {
@@ -78,7 +80,7 @@ Result<std::vector<TakeQueries>> draw_queries(const std::vector<const PairedTake
 void count_recall(const SelectionQuery& query, const BestTwo& best, const MotionLibrary& library,
                   const std::vector<Candidate>& candidates, RecallCount& count) {
   bool has_best = false, has_second = false;
-  double nearest = INFINITY;
+  double nearest = std::numeric_limits<double>::infinity();
   for (const Candidate& candidate : candidates) {
     // Poses may be equal to the bit (a held frame): any of them is the best.
     const double cost = pose_term(query, library, candidate.pair);

@@ -4,6 +4,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "core/base/statistics.hpp"
@@ -19,7 +20,6 @@ namespace {
 constexpr std::array<int, 6> usual_sizes = {7'500, 15'000, 30'000, 100'000, 300'000, 1'000'000};
 constexpr int query_count = 200;
 constexpr double compared_pairs = 6e6;  ///< by brute force for each size, in whole queries, at least 5
-constexpr int neighbours = 10;
 
 /// Pairs without meshes, as many as wanted: those of a library in random order, then generated dances. All
 /// count as frames of one long take: only the poses matter here.
@@ -113,7 +113,7 @@ double brute_us(const MotionLibrary& library, const std::vector<int>& pairs,
   const auto wanted = static_cast<std::size_t>(std::clamp(compared_pairs / static_cast<double>(pairs.size()),
                                                           5.0, static_cast<double>(queries.size())));
   std::vector<double> times_us;
-  double cheapest = INFINITY;
+  double cheapest = std::numeric_limits<double>::infinity();
   for (std::size_t q = 0; q < std::min(wanted, queries.size()); ++q) {
     const auto begin = std::chrono::steady_clock::now();
     for (const int pair : pairs)

@@ -136,7 +136,7 @@ FeatureTree::Point FeatureTree::on_axes(const Features& features) const {
 double FeatureTree::slack_for(const Features& query) const {
   // Each coordinate of both points was rounded to 24 bits, and turned with errors of the double's.
   const double largest = std::max(extent_m_, (query - centre_).cwiseAbs().sum());
-  constexpr double rounding = std::numeric_limits<float>::epsilon();
+  constexpr auto rounding = static_cast<double>(std::numeric_limits<float>::epsilon());
   return 4 * std::sqrt(15.0) * rounding * largest;
 }
 

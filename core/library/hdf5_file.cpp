@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 #include <hdf5.h>
+#include <sys/stat.h>
 
 #include <algorithm>
 #include <cstring>
@@ -102,14 +103,15 @@ Hdf5Handle create(const fs::path& path) {
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose};
 }
 
-Hdf5Handle open(const fs::path& path) {
-  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
-  H5Pset_file_locking(access.id(), false, true);  // only read, and also from disks that know no locks
-  if (H5Fis_hdf5(path.c_str()) <= 0)
-    problem("is not an HDF5 file; give a library that `abrazo library build` wrote");
-  Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose);
-  if (!file.ok()) problem("is cut short or damaged; copy or build it again");
-  return file;
+/// HDF5 1.10 ends the program where a description is said to be shared and the file has no place for shared
+/// ones.
+void refuse_shared_descriptions(const Hdf5Handle& file, const std::string& path) {
+  H5O_info_t object;
+  if (H5Oget_info_by_name2(file.id(), path.c_str(), &object, H5O_INFO_HDR, H5P_DEFAULT) < 0)
+    problem("{} is damaged; build the library again", path);
+  if (object.hdr.mesg.shared != 0)
+    problem("{} has parts of its description elsewhere; a library holds its own tables: build it again",
+            path);
 }
 
 /// A link could lead to any file of the user's. Groups on the way are looked at first: asking for what lies
@@ -122,7 +124,19 @@ void refuse_links(const Hdf5Handle& file, std::string_view path) {
     if (H5Lget_info(file.id(), part.c_str(), &link, H5P_DEFAULT) < 0) return;  // missing: told by who opens
     if (link.type != H5L_TYPE_HARD)
       problem("{} is a link to another place; a library holds its own tables: build it again", part);
+    refuse_shared_descriptions(file, part);
   }
+}
+
+Hdf5Handle open(const fs::path& path) {
+  const Hdf5Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
+  H5Pset_file_locking(access.id(), false, true);  // only read, and also from disks that know no locks
+  if (H5Fis_hdf5(path.c_str()) <= 0)
+    problem("is not an HDF5 file; give a library that `abrazo library build` wrote");
+  Hdf5Handle file(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose);
+  if (!file.ok()) problem("is cut short or damaged; copy or build it again");
+  refuse_shared_descriptions(file, "/");
+  return file;
 }
 
 std::size_t text_size(const Hdf5Handle& stored, const char* name) {
@@ -132,6 +146,27 @@ std::size_t text_size(const Hdf5Handle& stored, const char* name) {
   if (bytes > longest_text)
     problem("{} holds text of {} bytes; at most {} are allowed", name, bytes, longest_text);
   return bytes;
+}
+
+/// Of the file that a table is in, as the operating system has it: the file's own words are not to be
+/// trusted.
+std::uint64_t bytes_of_file(const Hdf5Handle& set) {
+  const Hdf5Handle file(H5Iget_file_id(set.id()), H5Fclose);
+  void* descriptor = nullptr;
+  struct stat status = {};
+  if (H5Fget_vfd_handle(file.id(), H5P_DEFAULT, &descriptor) < 0 || descriptor == nullptr ||
+      fstat(*static_cast<const int*>(descriptor), &status) != 0)
+    return 0;
+  return static_cast<std::uint64_t>(std::max<off_t>(0, status.st_size));
+}
+
+/// What the table takes in the file; at most what the file has.
+std::uint64_t bytes_stored(const Hdf5Handle& set, const char* path) {
+  const std::uint64_t claimed = H5Dget_storage_size(set.id()), there = bytes_of_file(set);
+  if (claimed > there)
+    problem("{} claims {} bytes but the file has {}; it is cut short or damaged, copy or build it again",
+            path, claimed, there);
+  return claimed;
 }
 
 /// Number of rows, after making sure that they have the wanted shape and are in the file: nothing is
@@ -145,7 +180,9 @@ std::uint64_t checked_rows(const Hdf5Handle& set, const Hdf5Handle& stored, cons
   if (!fits)
     problem("{} is {}, expected {}", path, found.empty() ? "one value" : shape_text(found),
             shape_text(wanted));
-  const std::uint64_t values = H5Dget_storage_size(set.id()) / H5Tget_size(stored.id());
+  const std::size_t bytes = H5Tget_size(stored.id());
+  if (bytes == 0) problem("{} holds numbers of no size; the file is damaged, copy or build it again", path);
+  const std::uint64_t values = bytes_stored(set, path) / bytes;
   const std::uint64_t values_of_row = item_count(found) / std::max<std::uint64_t>(1, found[0]);
   if (values / std::max<std::uint64_t>(1, values_of_row) < found[0])
     problem("{} says it is {} but the file holds only {} values of it", path, shape_text(found), values);
@@ -299,7 +336,7 @@ const void* Hdf5Reader::place_in(const MappedFile& mapping, const Table& table, 
   if (H5Tequal(stored.id(), in_file(table.number)) <= 0 ||
       H5Tequal(stored.id(), in_memory(table.number)) <= 0)
     return nullptr;
-  const haddr_t offset = H5Dget_offset(table.set.id());  // undefined for chunks, and so for compression
+  const haddr_t offset = H5Dget_offset(table.set.id());  // undefined for chunks
   if (offset == HADDR_UNDEF || offset % alignment != 0 || table.rows == 0) return nullptr;
   const std::span<const std::byte> bytes = mapping.bytes();
   if (offset > bytes.size() || (bytes.size() - offset) / row_bytes < table.rows) return nullptr;
@@ -307,7 +344,7 @@ const void* Hdf5Reader::place_in(const MappedFile& mapping, const Table& table, 
 }
 
 std::uint64_t Hdf5Reader::stored_bytes(const char* path) const {
-  return H5Dget_storage_size(open_set(path).id());
+  return bytes_stored(open_set(path), path);
 }
 
 std::shared_ptr<const MappedFile> Hdf5Reader::mapping() const {

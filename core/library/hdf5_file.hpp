@@ -104,7 +104,8 @@ class Hdf5Writer {
 };
 
 /// Reads tables of a file that anyone may have written or damaged: shapes, kinds of numbers and what is
-/// really in the file are checked before anything is allocated.
+/// really in the file are checked before anything is allocated. No table takes more memory than the file has
+/// bytes (times eight, where a file stores small numbers that memory holds as large ones).
 class Hdf5Reader {
  public:
   explicit Hdf5Reader(const std::filesystem::path& path);
@@ -134,7 +135,7 @@ class Hdf5Reader {
   std::vector<std::string> texts(const char* path, std::uint64_t size) const;
 
   /// The same as `rows`, as a view of the mapped file; read into memory where the file does not hold it as
-  /// memory would: compressed, in other numbers, or at an odd place.
+  /// memory would: in chunks, in other numbers, or at an odd place.
   /// @param mapping  null = read
   template <typename Number, typename Row>
   Column<Row> mapped_rows(const char* path, const Hdf5Shape& shape,

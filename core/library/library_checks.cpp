@@ -34,11 +34,11 @@ auto order_of(const PairSource& source) {
 }
 
 bool is_plausible(const LibraryBody& body) {
-  const auto length = [](double l) { return std::isfinite(l) && l >= 0; };
+  const auto length = [](double l) { return l >= 0 && l < farthest_m; };
   return std::all_of(body.body.bone_lengths.begin(), body.body.bone_lengths.end(), length) &&
          std::all_of(body.body.pseudo_lengths.begin(), body.body.pseudo_lengths.end(), length) &&
          std::all_of(body.capsule_radii.begin(), body.capsule_radii.end(), length) &&
-         std::isfinite(body.body.toe_rest_height);
+         std::abs(body.body.toe_rest_height) < farthest_m;
 }
 
 template <typename Interval>
@@ -54,7 +54,7 @@ void check_takes(const LibraryColumns& columns) {
             "a take names a body that does not exist");
     require(in_order(take.roles) && in_order(take.labels),
             "roles or labels of a take overlap or are out of order");
-    require(take.fps > 0 && take.frames >= 0 && take.frame_stride >= 1,
+    require(take.fps > 0 && std::isfinite(take.fps) && take.frames >= 0 && take.frame_stride >= 1,
             "a take has no frame rate, frames or stride");
   }
 }
@@ -70,17 +70,25 @@ void check_sources(const LibraryColumns& columns) {
   }
 }
 
+/// Sums of squares are NaN or infinite where one of the numbers is.
+template <typename Positions>
+bool is_nearer(const Positions& positions, double reach_m) {
+  return positions.squaredNorm() < reach_m * reach_m;
+}
+
 void check_positions(const LibraryColumns& columns) {
   const std::size_t pairs = columns.sources.size();
+  // About the other body's root a pair may lie up to eight times as far.
+  const double reach_m = columns.roles_exchanged ? 10 * farthest_m : farthest_m;
   require((columns.poses.is_view() ||
-           all_rows(pairs, [&](std::size_t pair) { return is_finite(columns.poses[pair]); })) &&
-              all_rows(pairs, [&](std::size_t pair) { return columns.features[pair].allFinite(); }),
-          "a position is not a finite number");
+           all_rows(pairs, [&](std::size_t pair) { return is_nearer(columns.poses[pair], reach_m); })) &&
+              all_rows(pairs, [&](std::size_t pair) { return is_nearer(columns.features[pair], reach_m); }),
+          "a position is not a finite number, or too large for one in metres");
   require(std::all_of(columns.roots.begin(), columns.roots.end(),
-                      [](const RootFrame& root) {
-                        return root.position.allFinite() && std::isfinite(root.heading_rad);
+                      [&](const RootFrame& root) {
+                        return is_nearer(root.position, reach_m) && std::isfinite(root.heading_rad);
                       }),
-          "a root is not finite");
+          "a root is not finite, or too far away");
 }
 
 void check_offsets(const Column<std::uint64_t>& offsets, std::size_t pairs, std::size_t total,
@@ -125,9 +133,8 @@ void check_meshes(const LibraryColumns& columns) {
 
 }  // namespace
 
-bool is_finite(const PairPose& pose) {
-  // Nothing times infinity or NaN is nothing; a sum is what the processor does four at a time.
-  return (pose.array() * 0.0).sum() == 0.0;
+bool is_within_reach(const PairPose& pose) {
+  return is_nearer(pose, farthest_m);
 }
 
 bool is_in_order(std::span<const MeshEdge> edges) {

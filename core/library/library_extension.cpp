@@ -69,6 +69,7 @@ Result<MotionLibrary> extend_library(const MotionLibrary& library, PairedTake ta
   columns.takes.push_back(std::move(entry));
   columns.rate_hz = std::max(columns.rate_hz, added.rate_hz);
   append_pairs(columns, added);
+  if (const auto damage = library.damage()) return *damage;  // a mapped one may have been read as zeros
   return MotionLibrary(std::move(columns));
 }
 

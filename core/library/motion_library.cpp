@@ -60,7 +60,7 @@ const PairPose& MotionLibrary::guarded_pose(int pair) const {
 }
 
 std::optional<Error> MotionLibrary::damage() const {
-  return guard_ ? guard_->damage(columns_.name) : std::nullopt;
+  return guard_ ? guard_->damage(columns_.name) : columns_.damage;
 }
 
 const LibraryBody& MotionLibrary::active_body(int pair) const {

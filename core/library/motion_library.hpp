@@ -66,6 +66,7 @@ struct LibraryColumns {
   Column<MeshTetrahedron> tetrahedra;
   std::vector<std::uint8_t> mesh_quality;     ///< InteractionMesh::Quality
   std::shared_ptr<const MappedFile> mapping;  ///< what columns are views of; null when all is in memory
+  std::optional<Error> damage;                ///< of the mapped library that these were copied from
 };
 
 /// Recorded pairs, normalised, with their features and interaction meshes (paper 3.2). Immutable; shared
@@ -92,8 +93,11 @@ class MotionLibrary {
   std::span<const MeshEdge> edges(int pair) const;
   std::span<const MeshTetrahedron> tetrahedra(int pair) const;
 
-  /// What is wrong with the file under a mapped library: changed since, or a pair in it is damaged.
+  /// What is wrong with the file under a mapped library: changed since, or a pair in it is damaged. Of a copy
+  /// with roles exchanged: what was wrong when it was made.
   std::optional<Error> damage() const;
+  /// Poses and meshes are pages of a file.
+  bool is_mapped() const { return guard_ != nullptr; }
 
   const LibraryTake& take_of(int pair) const { return columns_.takes[source(pair).take]; }
   const LibraryBody& active_body(int pair) const;

@@ -17,6 +17,8 @@ namespace abrazo {
 
 namespace {
 
+constexpr double farthest_capture_m = 1e6;  // of a body; a pair of two is then well within farthest_m
+
 Error cancelled() {
   return {"cancelled", ""};
 }
@@ -26,10 +28,16 @@ Error cancelled() {
 std::optional<Error> check_frames(const Clip& clip, const std::string& where) {
   for (std::size_t frame = 0; frame < clip.poses.size(); ++frame)
     for (int joint = 0; joint < joint_count; ++joint)
-      if (!clip.poses[frame].row(joint).allFinite())
+      if (const auto position = clip.poses[frame].row(joint); !position.allFinite())
         return Error{
             fmt::format("the position of {} at frame {} is not a finite number; repair or cut the frame",
                         joint_names[static_cast<std::size_t>(joint)], frame),
+            where};
+      else if (position.squaredNorm() > farthest_capture_m * farthest_capture_m)
+        return Error{
+            fmt::format("{} at frame {} is more than {:.0f} km from the origin; check the unit "
+                        "(metres_per_unit), or cut the frame",
+                        joint_names[static_cast<std::size_t>(joint)], frame, farthest_capture_m / 1000),
             where};
   return std::nullopt;
 }

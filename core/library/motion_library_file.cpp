@@ -5,6 +5,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <new>
 #include <optional>
 #include <stdexcept>
 
@@ -22,7 +23,11 @@ namespace fs = std::filesystem;
 std::optional<Error> openable(const fs::path& file, std::ios::openmode mode, const char* what,
                               const fs::path& shown) {
   std::error_code ignored;
-  if (fs::is_directory(file, ignored)) return Error{"is a folder; name a file", shown.string()};
+  const fs::file_status status = fs::status(file, ignored);
+  if (fs::is_directory(status)) return Error{"is a folder; name a file", shown.string()};
+  // Opening a pipe would wait for whoever writes to it.
+  if (fs::exists(status) && !fs::is_regular_file(status))
+    return Error{"is a pipe or a device; name a file", shown.string()};
   if (std::fstream(file, mode | std::ios::binary)) return std::nullopt;
   return Error{fmt::format("{}: {}", what, std::strerror(errno)), shown.string()};
 }
@@ -54,6 +59,7 @@ Status write_library(const MotionLibrary& library, const fs::path& file, const P
     write_pairs(writer, library.columns());
     writer.close();
   } catch (const Hdf5Problem& failure) {
+    if (const auto damage = library.damage()) return *damage;  // what was to be written is gone
     return Error{failure.what(), file.string()};
   }
   if (const auto damage = library.damage()) return *damage;  // a mapped one may have been read as zeros
@@ -75,6 +81,10 @@ Result<MotionLibrary> read_library(const fs::path& file, const LibraryReading& r
   } catch (const std::invalid_argument& failure) {
     return Error{std::string("does not fit together: ") + failure.what() + "; build the library again",
                  file.string()};
+  } catch (const std::bad_alloc&) {
+    return Error{
+        "does not fit into the memory that is left; close other programs, or build a smaller library",
+        file.string()};
   }
 }
 

@@ -59,7 +59,8 @@ MotionLibrary with_roles_exchanged(const MotionLibrary& library) {
     columns.poses[row] = exchanged;
     columns.features[row] = pose_features(exchanged.topRows<joint_count>());
   }
-  columns.mapping.reset();  // everything is in memory now; what was damaged on the way, `library` says
+  columns.mapping.reset();  // everything is in memory now
+  columns.damage = library.damage();
   return MotionLibrary(std::move(columns));
 }
 

@@ -31,14 +31,14 @@ RowGuard::RowGuard(const LibraryColumns& columns)
   const auto tetrahedra = row(columns.tetrahedra, columns.tetrahedron_offsets, 0, most_tetrahedra);
   if (edges) first_edges_.assign(edges->begin(), edges->end());
   if (tetrahedra) first_tetrahedra_.assign(tetrahedra->begin(), tetrahedra->end());
-  if (!edges || !tetrahedra || !is_finite(first_pose_) || !is_in_order(first_edges_) ||
+  if (!edges || !tetrahedra || !is_within_reach(first_pose_) || !is_in_order(first_edges_) ||
       !names_vertices(first_tetrahedra_) || mapping_->lost_pages())
     throw std::invalid_argument("the first pair's pose or mesh is damaged");
 }
 
 const PairPose& RowGuard::pose(const LibraryColumns& columns, int pair) const {
   const PairPose& found = columns.poses[static_cast<std::size_t>(pair)];
-  if (is_finite(found) && !mapping_->lost_pages()) return found;
+  if (is_within_reach(found) && !mapping_->lost_pages()) return found;
   remember(pair);
   return first_pose_;
 }

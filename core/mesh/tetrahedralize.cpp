@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <stdexcept>
 
@@ -132,7 +133,7 @@ void add_nearest_neighbours(const PairPose& pair, EdgeSet& edges) {
     std::array<std::pair<double, int>, pair_vertex_count> others;
     for (int other = 0; other < pair_vertex_count; ++other)
       others[static_cast<std::size_t>(other)] = {(pair.row(v) - pair.row(other)).squaredNorm(), other};
-    others[static_cast<std::size_t>(v)].first = INFINITY;
+    others[static_cast<std::size_t>(v)].first = std::numeric_limits<double>::infinity();
     std::partial_sort(others.begin(), others.begin() + fallback_neighbours, others.end());
     for (int n = 0; n < fallback_neighbours; ++n) edges.add(v, others[static_cast<std::size_t>(n)].second);
   }

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/base/json_text.hpp"
+#include "core/base/printable.hpp"
 #include "core/base/statistics.hpp"
 #include "core/metrics/partner_error.hpp"
 
@@ -58,7 +59,7 @@ std::string RunSummary::text(double step_rate_hz) const {
   const auto line = [&](std::string_view what, const std::string& value) {
     text += fmt::format("{:<34}{}\n", what, value);
   };
-  line("library", fmt::format("{}, {} pairs", library_.name(), library_.pair_count()));
+  line("library", fmt::format("{}, {} pairs", printable_line(library_.name()), library_.pair_count()));
   line("steps",
        fmt::format("{} at {:.4g} Hz, {} relaxed, {} failed", f.frames, step_rate_hz, f.relaxed, f.failed));
   line("whole step, p50 / p99",

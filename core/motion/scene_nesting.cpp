@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "core/base/text.hpp"
+#include "core/motion/xml_tags.hpp"
 
 namespace abrazo {
 
@@ -77,42 +78,16 @@ std::size_t nesting_of_fbx_binary(std::string_view bytes) {
   return greatest;
 }
 
-/// Past what a mark leads in up to its end; the end of the text where it has none.
-std::size_t behind(std::string_view text, std::string_view mark, std::size_t from) {
-  const std::size_t found = text.find(mark, from);
-  return found == std::string_view::npos ? text.size() : found + mark.size();
-}
-
-/// Where a tag ends: a '>' outside of quotes.
-std::size_t end_of_tag(std::string_view xml, std::size_t at) {
-  while (at < xml.size() && xml[at] != '>') {
-    if (xml[at] == '"' || xml[at] == '\'') at = std::min(xml.find(xml[at], at + 1), xml.size() - 1);
-    ++at;
-  }
-  return at;
-}
-
 std::size_t nesting_of_xml(std::string_view xml) {
   std::size_t depth = 0, greatest = 0;
-  for (std::size_t at = xml.find('<'); at < xml.size(); at = xml.find('<', at)) {
-    const std::string_view rest = xml.substr(at);
-    if (rest.starts_with("<!--")) {
-      at = behind(xml, "-->", at + 4);
-    } else if (rest.starts_with("<![CDATA[")) {
-      at = behind(xml, "]]>", at + 9);
-    } else if (rest.starts_with("<?")) {
-      at = behind(xml, "?>", at + 2);
-    } else if (rest.starts_with("<!")) {
-      at += 2;
-    } else if (rest.starts_with("</")) {
+  each_xml_tag(xml, [&](const XmlTag& tag) {
+    if (tag.closes) {
       if (depth > 0) --depth;
-      at = behind(xml, ">", at);
     } else {
-      greatest = std::max(greatest, ++depth);
-      at = end_of_tag(xml, at);
-      if (at < xml.size() && xml[at - 1] == '/') --depth;
+      greatest = std::max(greatest, depth + 1);
+      if (!tag.is_empty) ++depth;
     }
-  }
+  });
   return greatest;
 }
 

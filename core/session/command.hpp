@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <variant>
 
 #include "core/selection/vetoes.hpp"
@@ -48,6 +49,7 @@ struct SetInputSpeed {
 /// thread.
 struct ReplaceSource {
   std::shared_ptr<PoseSource> source;
+  std::shared_ptr<const std::string> input = nullptr;  ///< FrameSnapshot::input of its frames
 };
 /// Another library (a take was added): settings and decisions stay, those on pairs and takes that the new one
 /// does not have fall away.

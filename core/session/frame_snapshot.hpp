@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <string>
 
 #include "core/synthesis/frame_result.hpp"
 #include "core/synthesis/settings.hpp"
@@ -37,6 +38,8 @@ struct FrameSnapshot {
   std::shared_ptr<const Decisions> decisions;  ///< under which it was solved; null where none were made
   /// That it was solved with, whose pairs the candidates are; null where it is no longer known.
   std::shared_ptr<const MotionLibrary> library;
+  /// The name of its input in a recording: URI or clip; null where only who records knows it.
+  std::shared_ptr<const std::string> input;
   FrameTimes times;
   double input_rate_hz = 0;          ///< measured
   std::uint64_t dropped_inputs = 0;  ///< poses that a newer one replaced before they were solved

@@ -112,6 +112,7 @@ void LiveLoop::solve(const SourcePose& input, double now_s) {
   snapshot->before = state_if_due();
   snapshot->decisions = steering_.decisions();
   snapshot->library = synthesizer.shared_library();
+  snapshot->input = input_;
   snapshot->input_rate_hz = smoothed_interval_s_ > 0 ? 1.0 / smoothed_interval_s_ : source_->rate_hz();
   snapshot->dropped_inputs = dropped_before_ + dropped_now_;
   snapshot->result = synthesizer.step(input.pose, Duration(snapshot->elapsed_s));
@@ -161,10 +162,11 @@ void LiveLoop::wait_for_pose(double now_s) {
   if (is_lost_) output_.hold(now_s);
 }
 
-void LiveLoop::replace_source(std::shared_ptr<PoseSource> source, double now_s) {
-  if (!source || source == source_) return;
+void LiveLoop::replace_source(const ReplaceSource& replacement, double now_s) {
+  if (!replacement.source || replacement.source == source_) return;
   source_->on_arrival([] {});
-  source_ = std::move(source);
+  source_ = replacement.source;
+  input_ = replacement.input;
   dropped_before_ += dropped_now_;
   dropped_now_ = 0;
   is_first_of_source_ = true;
@@ -202,7 +204,7 @@ void LiveLoop::apply(const Command& command, double now_s) {
         } else if constexpr (std::is_same_v<Wish, SetInputSpeed>) {
           if (replay) replay->set_speed(wish.factor, now_s);
         } else if constexpr (std::is_same_v<Wish, ReplaceSource>) {
-          replace_source(wish.source, now_s);
+          replace_source(wish, now_s);
         } else if constexpr (std::is_same_v<Wish, ReplaceSynthesizer>) {
           if (wish.synthesizer) steering_.replace(wish.synthesizer);
         } else if constexpr (std::is_same_v<Wish, AttachListener>) {
@@ -249,6 +251,7 @@ void LiveLoop::publish_failure(const std::string& why, double now_s) {
   snapshot->elapsed_s = -1;
   snapshot->before = nullptr;
   snapshot->decisions = steering_.decisions();
+  snapshot->input = input_;
   snapshot->times = {};
   snapshot->result.status = StepStatus::Failed;
   snapshot->result.message = why;

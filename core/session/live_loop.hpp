@@ -41,7 +41,7 @@ class LiveLoop {
 
  private:
   void apply(const Command& command, double now_s);
-  void replace_source(std::shared_ptr<PoseSource> source, double now_s);
+  void replace_source(const ReplaceSource& replacement, double now_s);
   void listen_to_source();
   void take_measures();
   void solve(const SourcePose& input, double now_s);
@@ -55,6 +55,7 @@ class LiveLoop {
 
   Steering steering_;
   std::shared_ptr<PoseSource> source_;
+  std::shared_ptr<const std::string> input_;  ///< the source's name in a recording
   CommandQueue& commands_;
   FrameHistory& history_;
   LatestSlot<FrameSnapshot>& latest_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "core/base/text.hpp"
 
@@ -43,8 +44,9 @@ Markers Markers::restored(std::vector<Marker> markers, int next_id) {
   Markers restored;
   restored.next_id_ = std::max(1, next_id);
   for (const Marker& marker : markers) restored.next_id_ = std::max(restored.next_id_, marker.id + 1);
+  std::set<int> taken;
   for (Marker& marker : markers) {
-    if (marker.id < 1 || restored.find(marker.id)) marker.id = restored.next_id_++;
+    if (marker.id < 1 || !taken.insert(marker.id).second) marker.id = restored.next_id_++;
     restored.markers_.push_back(std::move(marker));
   }
   restored.sort();

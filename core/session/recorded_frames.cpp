@@ -113,6 +113,11 @@ class FileFrames : public RecordedFrames {
     overview_ = {};
   }
 
+  void set_library(std::int64_t row, Library library) override {
+    const std::scoped_lock lock(mutex_);
+    by_row_[row] = std::move(library);
+  }
+
   Span span() const override {
     // Whoever only wants to know how far it goes does not wait for somebody who reads a long range.
     const std::unique_lock reading(mutex_, std::try_to_lock);
@@ -298,6 +303,7 @@ class FileFrames : public RecordedFrames {
 
   /// Of the libraries that are at hand the one that a row of the file means; null when it is not among them.
   Library library_of(std::int64_t id) const {
+    if (const auto meant = by_row_.find(id); meant != by_row_.end()) return meant->second;
     if (const auto known = by_id_.find(id); known != by_id_.end()) return known->second;
     auto row = database_->prepare("SELECT fingerprint, pairs FROM libraries WHERE id = ?");
     Library found;
@@ -322,6 +328,7 @@ class FileFrames : public RecordedFrames {
   mutable FrameCache cache_;
   mutable Overview overview_;
   std::unordered_map<std::string, Library> libraries_;  ///< by fingerprint
+  std::unordered_map<std::int64_t, Library> by_row_;    ///< that were said
   mutable std::unordered_map<std::int64_t, Library> by_id_;
   mutable std::uint64_t damaged_ = 0;
   mutable std::string damage_;
@@ -336,15 +343,14 @@ class FileFrames : public RecordedFrames {
 
 Result<std::shared_ptr<RecordedFrames>> RecordedFrames::open(const std::string& path,
                                                              std::shared_ptr<const MotionLibrary> library) {
-  return open(path, std::move(library), Origin{});
+  auto frames = open(path, Origin{});
+  if (frames) (*frames)->add_library(std::move(library));
+  return frames;
 }
 
-Result<std::shared_ptr<RecordedFrames>> RecordedFrames::open(const std::string& path,
-                                                             std::shared_ptr<const MotionLibrary> library,
-                                                             const Origin& origin) {
+Result<std::shared_ptr<RecordedFrames>> RecordedFrames::open(const std::string& path, const Origin& origin) {
   auto frames = std::make_shared<FileFrames>(path, origin);
   if (const Status connected = frames->connect(); !connected) return connected.error();
-  frames->add_library(std::move(library));
   return std::shared_ptr<RecordedFrames>(std::move(frames));
 }
 

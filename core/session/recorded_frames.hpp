@@ -28,12 +28,12 @@ class RecordedFrames : public FrameStore {
     std::uint64_t offset_frames = 0;
     std::uint64_t first_frame = 0;  ///< in the file
   };
-  static Result<std::shared_ptr<RecordedFrames>> open(const std::string& path,
-                                                      std::shared_ptr<const MotionLibrary> library,
-                                                      const Origin& origin);
+  static Result<std::shared_ptr<RecordedFrames>> open(const std::string& path, const Origin& origin);
 
-  /// Another library that frames were solved with.
+  /// Another library that frames were solved with. Goes through all of it: a million pairs take seconds.
   virtual void add_library(std::shared_ptr<const MotionLibrary> library) = 0;
+  /// The library that a row of the file means, said by who writes it.
+  virtual void set_library(std::int64_t row, std::shared_ptr<const MotionLibrary> library) = 0;
 
   /// Runs something while there is no connection to the file, so that it can become one file; who reads
   /// meanwhile waits.

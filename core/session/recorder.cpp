@@ -6,12 +6,15 @@
 #include <condition_variable>
 #include <deque>
 #include <exception>
+#include <future>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <utility>
 #include <variant>
 
 #include "core/base/wake_up.hpp"
+#include "core/session/library_fingerprints.hpp"
 #include "core/session/recorded_frames.hpp"
 #include "core/session/session_writer.hpp"
 
@@ -33,22 +36,27 @@ struct EditTakes {
   TakeEdits edits;
 };
 using ProjectPtr = std::shared_ptr<const Project>;
-struct SetInput {
-  std::string input;
-};
 struct SetLibraryPath {
   std::shared_ptr<const MotionLibrary> library;
   std::string path;
 };
-using Item = std::variant<FrameSnapshotPtr, ReceivedPose, BeginTake, EndTake, Markers, SetInput,
-                          SetLibraryPath, ProjectPtr, EditTakes>;
+struct SetFingerprint {
+  std::int64_t library_row = 0;
+  std::string fingerprint;
+};
+using Item = std::variant<FrameSnapshotPtr, ReceivedPose, BeginTake, EndTake, Markers, SetLibraryPath,
+                          SetFingerprint, ProjectPtr, EditTakes>;
 
 /// One thread owns the writer; the others leave what is to be written in a queue.
 class FileRecorder : public Recorder {
  public:
   FileRecorder(std::unique_ptr<SessionWriter> writer, std::shared_ptr<RecordedFrames> store,
-               const RecorderOptions& options, const std::string& path)
-      : options_(options), writer_(std::move(writer)), store_(std::move(store)) {
+               std::shared_ptr<LibraryFingerprints> fingerprints, const RecorderOptions& options,
+               const std::string& path)
+      : options_(options),
+        fingerprints_(std::move(fingerprints)),
+        writer_(std::move(writer)),
+        store_(std::move(store)) {
     state_.path = path;
     state_.bytes = writer_->bytes();
     thread_ = std::thread([this] { run(); });
@@ -98,11 +106,6 @@ class FileRecorder : public Recorder {
   void edit_takes(const TakeEdits& edits) override {
     const std::scoped_lock lock(mutex_);
     push(EditTakes{edits});
-  }
-
-  void set_input(const std::string& input) override {
-    const std::scoped_lock lock(mutex_);
-    push(SetInput{input});
   }
 
   void set_library_path(const std::shared_ptr<const MotionLibrary>& library,
@@ -168,8 +171,10 @@ class FileRecorder : public Recorder {
       if (!stopping)
         wake_.wait_until(Steady::now() + std::chrono::duration_cast<Steady::duration>(Seconds(wait_s)));
       std::uint64_t lost = 0;
+      std::deque<Item> known = known_fingerprints(false);
       {
         const std::scoped_lock lock(mutex_);
+        for (Item& item : known) push(std::move(item));
         if (batch.empty()) oldest_in_batch_ = oldest_in_queue_;
         oldest_in_queue_ = Steady::time_point::max();
         for (Item& item : queue_) batch.push_back(std::move(item));
@@ -181,7 +186,34 @@ class FileRecorder : public Recorder {
       settle(batch, written);
       if (stopping && has_ended()) break;
     }
+    write_last_fingerprints();
     close(batch);
+  }
+
+  /// Of the rows that lack theirs.
+  std::deque<Item> known_fingerprints(bool wait) {
+    std::deque<Item> known;
+    std::erase_if(unknown_, [&](const Unknown& one) {
+      if (!wait && one.fingerprint.wait_for(Seconds(0)) != std::future_status::ready) return false;
+      // Without one a library is known by its number of pairs.
+      if (const std::string& fingerprint = one.fingerprint.get(); !fingerprint.empty())
+        known.emplace_back(SetFingerprint{one.library_row, fingerprint});
+      return true;
+    });
+    return known;
+  }
+
+  /// Frames wait for it no longer: all are on disk.
+  void write_last_fingerprints() {
+    if (failed_ || unknown_.empty()) return;
+    std::deque<Item> known = known_fingerprints(true);
+    std::uint64_t lost = 0;
+    {
+      const std::scoped_lock lock(mutex_);
+      lost = state_.lost;
+    }
+    const Status written = write(known, lost);
+    settle(known, written);
   }
 
   /// What came in since the last batch is still written, unless the disk refuses.
@@ -222,7 +254,7 @@ class FileRecorder : public Recorder {
       written_ += batch.size();
       done.swap(batch);
       oldest_in_batch_ = Steady::time_point::max();
-      if (failed_ || done.size() > 0) state_.failure.clear();
+      if (failed_ || !done.empty()) state_.failure.clear();
       failed_ = false;
       // Seen also while nothing comes in, and over once the file is back.
       if (!misplaced.empty() || state_.failure == misplaced_) state_.failure = misplaced;
@@ -271,8 +303,9 @@ class FileRecorder : public Recorder {
  public:
   // What is done with each kind of item; called by std::visit on the writing thread.
   Status operator()(const FrameSnapshotPtr& frame) {
-    if (frame->library && frame->library != library_) store_->add_library(library_ = frame->library);
-    return writer_->write(*frame);
+    const Status written = writer_->write(*frame);
+    if (written && writer_->library_row() != library_row_) note_library();
+    return written;
   }
   Status operator()(const ReceivedPose& pose) { return writer_->write(pose); }
   Status operator()(const Markers& markers) { return writer_->write(markers); }
@@ -283,22 +316,37 @@ class FileRecorder : public Recorder {
     writer_->begin_take(take.name);
     return Done{};
   }
-  Status operator()(const SetInput& input) {
-    writer_->set_input(input.input);
-    return Done{};
-  }
   Status operator()(const SetLibraryPath& path) {
     writer_->set_library_path(path.library, path.path);
     return Done{};
   }
+  Status operator()(const SetFingerprint& known) {
+    return writer_->set_fingerprint(known.library_row, known.fingerprint);
+  }
 
  private:
+  /// Before a frame of it can be read: it is not committed yet.
+  void note_library() {
+    library_row_ = writer_->library_row();
+    if (!library_row_ || !writer_->library()) return;
+    store_->set_library(*library_row_, writer_->library());
+    unknown_.push_back({*library_row_, fingerprints_->of(writer_->library())});
+  }
+
+  /// A row whose library's fingerprint is not known yet.
+  struct Unknown {
+    std::int64_t library_row = 0;
+    std::shared_future<std::string> fingerprint;
+  };
+
   const RecorderOptions options_;
+  const std::shared_ptr<LibraryFingerprints> fingerprints_;
   std::unique_ptr<SessionWriter> writer_;  ///< of the thread
   std::shared_ptr<RecordedFrames> store_;
-  std::string misplaced_;                         ///< of the thread: said at the last write
-  bool failed_ = false;                           ///< of the thread: the last attempt to write
-  std::shared_ptr<const MotionLibrary> library_;  ///< of the thread: of the newest frame
+  std::string misplaced_;                    ///< of the thread: said at the last write
+  bool failed_ = false;                      ///< of the thread: the last attempt to write
+  std::optional<std::int64_t> library_row_;  ///< of the thread: of the newest frame
+  std::vector<Unknown> unknown_;             ///< of the thread
 
   WakeUp wake_;
   mutable std::mutex mutex_;
@@ -322,10 +370,11 @@ Result<std::shared_ptr<Recorder>> Recorder::open(const std::string& path, const 
                                                  const RecorderOptions& options) {
   auto writer = SessionWriter::open(path, facts, options);
   if (!writer) return writer.error();
-  auto store = RecordedFrames::open(path, facts.library, (*writer)->origin());
+  auto store = RecordedFrames::open(path, (*writer)->origin());
   if (!store) return store.error();
-  return std::shared_ptr<Recorder>(
-      std::make_shared<FileRecorder>(std::move(*writer), std::move(*store), options, path));
+  auto fingerprints = facts.fingerprints ? facts.fingerprints : std::make_shared<LibraryFingerprints>();
+  return std::shared_ptr<Recorder>(std::make_shared<FileRecorder>(std::move(*writer), std::move(*store),
+                                                                  std::move(fingerprints), options, path));
 }
 
 }  // namespace abrazo

@@ -15,6 +15,7 @@
 
 namespace abrazo {
 
+class LibraryFingerprints;
 struct Project;
 
 /// What a recording says of where it came from; kept in the session file.
@@ -22,7 +23,7 @@ struct RecordingFacts {
   std::string library_path;  ///< as it was opened; the file keeps it relative to itself where it can
   std::string library_name;
   std::uint64_t library_pairs = 0;
-  std::string input;  ///< URI or clip
+  std::string input;  ///< URI or clip; frames that name an input of their own go before it
   /// The library itself when it is at hand: its pairs get their take, frame and label in the file, and a
   /// changed one is noticed when the file is opened. Frames that name a library of their own go before it.
   std::shared_ptr<const MotionLibrary> library;
@@ -30,6 +31,9 @@ struct RecordingFacts {
   /// The session's times and indices are those of the file, in which it goes on: it was opened from there, or
   /// has recorded into it before. Otherwise they are put behind what the file has.
   bool has_times_of_file = false;
+  /// Shared by the recordings of a session, so that none goes through a library that another knows; null =
+  /// one of its own.
+  std::shared_ptr<LibraryFingerprints> fingerprints = nullptr;
 };
 
 /// How much waits in memory and for how long.
@@ -64,8 +68,6 @@ class Recorder : public FrameListener {
   virtual void save_project(std::shared_ptr<const Project> project) = 0;
   /// Takes of the file, also of its runs before, by the names they have when this is written.
   virtual void edit_takes(const TakeEdits& edits) = 0;
-  /// The frames that follow have another input: URI or clip.
-  virtual void set_input(const std::string& input) = 0;
   /// Where a library can be opened again that frames will name, other than that of RecordingFacts.
   virtual void set_library_path(const std::shared_ptr<const MotionLibrary>& library,
                                 const std::string& path) = 0;
@@ -87,7 +89,8 @@ class Recorder : public FrameListener {
 
   /// Waits till all that was handed over is on disk. @return why it is not
   virtual Status flush() = 0;
-  /// Waits till all is on disk and closes the file. @return what went wrong
+  /// Waits till all is on disk, with the fingerprint of the library, and closes the file. @return what went
+  /// wrong
   virtual Status finish() = 0;
 };
 

@@ -8,6 +8,7 @@
 
 #include "core/motion/import_clip.hpp"
 #include "core/session/joined_stores.hpp"
+#include "core/session/library_fingerprints.hpp"
 #include "core/session/listener_gate.hpp"
 #include "core/session/solver_thread.hpp"
 #include "core/stream/clip_source.hpp"
@@ -83,32 +84,32 @@ struct SessionEngine::Parts {
     prepare_roles();
   }
 
-  /// Whatever role the user takes later, the library is seen from there already.
-  void prepare_roles() {
-    preparing = std::jthread([views = views, first = role] {
-      views->of(first);
-      views->of(other(first));
-    });
+  /// Whatever role the user takes later, the library is seen from there already; unless that takes the memory
+  /// of a library that was too large to be read.
+  void prepare_roles() const {
+    for (const UserRole each : {role, other(role)})
+      if (!views->is_costly(each)) views->prepare(each);
   }
 
-  /// From the next frame on; returns when the solver thread has nothing of the lent source before any more,
-  /// which takes a step at most: then its port is free.
-  void play(std::unique_ptr<PoseSource> source) {
-    std::shared_ptr<PoseSource> next = own_source;
+  /// From the next frame on, which a recording has as of this input; returns when the solver thread has
+  /// nothing of the lent source before any more, which takes a step at most: then its port is free.
+  /// @param source  null = our own
+  void play(std::unique_ptr<PoseSource> source, const std::string& input = {}) {
+    ReplaceSource next{own_source};
     std::future<void> returned;
     if (source) {
       auto lent = std::make_shared<LentSource>(std::move(source));
       returned = lent->returned();
-      next = std::shared_ptr<PoseSource>(lent, lent->get());
+      next = {std::shared_ptr<PoseSource>(lent, lent->get()), std::make_shared<const std::string>(input)};
     }
-    commands.push(ReplaceSource{std::move(next)});
+    commands.push(std::move(next));
     if (lent_source.valid()) lent_source.wait();
     lent_source = std::move(returned);
   }
 
-  void record_poses() {
-    if (!recorder || !receiver || poses_listener) return;
-    poses_listener = receiver->listen([to = recorder](const ReceivedPose& pose) { to->pose_received(pose); });
+  void record_poses_of(StreamReceiver& from) {
+    if (recorder)
+      poses_listener = from.listen([to = recorder](const ReceivedPose& pose) { to->pose_received(pose); });
   }
   void stop_recording_poses() {
     if (receiver && poses_listener) receiver->unlisten(*poses_listener);
@@ -127,7 +128,7 @@ struct SessionEngine::Parts {
   FrameHistory history;
   LatestSlot<FrameSnapshot> latest;
   std::shared_ptr<PoseSource> own_source;  ///< of the constructor; belongs to the solver thread
-  std::string own_input;                   ///< its name in a recording
+  std::string own_input;                   ///< its name in a recording, which only the caller knows
   std::shared_ptr<const RoleViews> views;
   UserRole role;  ///< that was asked for last
 
@@ -135,6 +136,7 @@ struct SessionEngine::Parts {
   std::future<void> lent_source;  ///< when the source that plays was taken back; invalid: it is our own
   std::optional<int> poses_listener;
   std::shared_ptr<Recorder> recorder;
+  std::shared_ptr<LibraryFingerprints> fingerprints = std::make_shared<LibraryFingerprints>();
   std::shared_ptr<ListenerGate> gate;
   struct Sending {
     std::string uri;
@@ -142,7 +144,6 @@ struct SessionEngine::Parts {
   };
   std::vector<Sending> sending;
 
-  std::jthread preparing;
   SolverThread solver;  // last in, first out
 };
 
@@ -204,31 +205,32 @@ Status SessionEngine::receive(const StreamUri& uri, const std::string& performer
     auto clip = open_clip(uri, performer);
     if (!clip) return clip.error();
     stop_receiving();
-    parts_->play(std::move(*clip));
-    if (parts_->recorder) parts_->recorder->set_input(uri.text);
+    parts_->play(std::move(*clip), uri.text);
     return Done{};
   }
   // The same port again: it has to be free first.
   if (parts_->receiver && parts_->receiver->uri().port == uri.port) stop_receiving();
-  auto opened = parts_->openers.receiver(uri, parts_->clock, options);
+  StreamReceiverOptions recorded = options;
+  recorded.prepare = [&](StreamReceiver& receiver) {
+    if (options.prepare) options.prepare(receiver);
+    parts_->stop_recording_poses();
+    parts_->record_poses_of(receiver);
+  };
+  auto opened = parts_->openers.receiver(uri, parts_->clock, recorded);
   if (!opened) return opened.error();
-  parts_->play((*opened)->source(performer));
-  parts_->stop_recording_poses();
+  parts_->play((*opened)->source(performer), uri.text);
   parts_->receiver = std::move(*opened);
-  if (parts_->recorder) parts_->recorder->set_input(uri.text);
-  parts_->record_poses();
   return Done{};
 }
 
 void SessionEngine::follow_performer(const std::string& performer) {
-  if (parts_->receiver) parts_->play(parts_->receiver->source(performer));
+  if (parts_->receiver) parts_->play(parts_->receiver->source(performer), parts_->receiver->uri().text);
 }
 
 void SessionEngine::stop_receiving() {
   parts_->play(nullptr);
   parts_->stop_recording_poses();
   parts_->receiver.reset();
-  if (parts_->recorder) parts_->recorder->set_input(parts_->own_input);
 }
 
 std::shared_ptr<StreamReceiver> SessionEngine::receiver() const {
@@ -273,15 +275,16 @@ Status SessionEngine::record(const std::string& path, const RecordingFacts& fact
     return Error{"is being recorded already; stop that first", parts_->recorder->state().path};
   RecordingFacts complete = facts;
   if (!complete.library) complete.library = parts_->views->library();
+  if (!parts_->lent_source.valid()) parts_->own_input = facts.input;
+  complete.input = parts_->own_input;  // frames of a lent source say what theirs is
+  complete.fingerprints = parts_->fingerprints;
   auto opened = parts_->openers.recorder(path, complete);
   if (!opened) return opened.error();
   parts_->recorder = std::move(*opened);
-  // What plays without a stream is known to the caller only.
-  if (!parts_->receiver) parts_->own_input = complete.input;
   parts_->gate = std::make_shared<ListenerGate>(parts_->recorder);
   parts_->history.set_store(joined_stores(parts_->history.store(), parts_->recorder->store()));
   push(AttachListener{parts_->gate});
-  parts_->record_poses();
+  if (parts_->receiver) parts_->record_poses_of(*parts_->receiver);
   return Done{};
 }
 

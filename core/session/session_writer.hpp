@@ -35,8 +35,13 @@ class SessionWriter {
   /// In place of the project that the file has. Its markers are in the session's time.
   Status write(const Project& project);
   Status edit_takes(const TakeEdits& edits);
-  void set_input(const std::string& input);
   void set_library_path(const std::shared_ptr<const MotionLibrary>& library, const std::string& path);
+
+  /// The row of the library that the newest frame was solved with, and the library where it is at hand.
+  std::optional<std::int64_t> library_row() const { return memory_.library_id; }
+  const std::shared_ptr<const MotionLibrary>& library() const { return memory_.library; }
+  /// Rows are written without it: it is known later than the first frame.
+  Status set_fingerprint(std::int64_t library_row, const std::string& fingerprint);
 
   /// To be called before the first `write` after a commit. @return why nothing can be written now: another
   /// program writes in the file
@@ -84,13 +89,16 @@ class SessionWriter {
   Status begin_run();
   Status close_open_takes();
   Status prepare_statements();
-  Status note_input(std::int64_t frame);
+  Status note_input(const FrameSnapshot& frame, std::int64_t index);
   Status note_library(const FrameSnapshot& frame, std::int64_t index);
   Status note_pairs(const FrameSnapshot& frame);
   Status note_settings(const FrameSnapshot& frame, std::int64_t index, double time_s);
   Status note_take(std::int64_t index, double time_s);
   Result<std::int64_t> performer_id(const std::string& name);
+  bool has_own_log() const;
+  void remove_own_log();
   Status write_again();
+  Status close_database(WatchedFile::State place);
   Status keep_fault(SessionStatement& statement);
   Status keep_fault(Status status);
 
@@ -103,7 +111,8 @@ class SessionWriter {
   bool is_open_ = true;  ///< a transaction
   SessionDatabase database_;
   WatchedFile file_;
-  std::unique_ptr<Statements> statements_;  // after the database: gone before it
+  std::optional<WatchedFile> log_, log_index_;  ///< those that this connection made or found
+  std::unique_ptr<Statements> statements_;      // after the database: gone before it
 
  public:
   ~SessionWriter();

@@ -1,5 +1,6 @@
 #include "core/session/steering.hpp"
 
+#include <stdexcept>
 #include <utility>
 
 #include "core/synthesis/synthesizer_state.hpp"
@@ -56,7 +57,21 @@ void Steering::set_settings(const Settings& settings) {
     role_switch_.control(RoleControl::Hand, settings.user_role);
   else
     wanted.user_role = role_switch_.role();
+  if (wanted.user_role != synthesizer_->settings().user_role && !can_take(wanted.user_role))
+    wanted.user_role = synthesizer_->settings().user_role;  // changes before a later step
   synthesizer_->set_settings(wanted);
+}
+
+/// A view that is made in memory first is waited for between steps, not in one.
+bool Steering::can_take(UserRole role) {
+  const RoleViews& views = *synthesizer_->views();
+  if (!views.is_costly(role) || views.is_ready(role)) return true;
+  if (const auto trouble = views.trouble(role)) {
+    role_switch_.control(current_.role_control, synthesizer_->settings().user_role);
+    throw std::runtime_error("the role stays: " + trouble->message);
+  }
+  views.prepare(role);
+  return false;
 }
 
 void Steering::decide(const Decisions& decisions) {
@@ -117,7 +132,7 @@ bool Steering::before_step(double now_s) {
     mean(std::nullopt);
     changed = true;
   }
-  if (synthesizer_->settings().user_role != role_switch_.role()) {
+  if (synthesizer_->settings().user_role != role_switch_.role() && can_take(role_switch_.role())) {
     Settings settings = synthesizer_->settings();
     settings.user_role = role_switch_.role();
     synthesizer_->set_settings(settings);

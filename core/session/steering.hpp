@@ -37,6 +37,7 @@ class Steering {
   const std::shared_ptr<const Decisions>& decisions() const { return decisions_; }
 
  private:
+  bool can_take(UserRole role);
   void decide(const Decisions& decisions);
   bool is_over(const MeantMove& move, double now_s) const;
   void watch_move(const FrameResult& result);

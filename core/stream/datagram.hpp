@@ -13,8 +13,8 @@ struct Endpoint {
   std::uint32_t address = 0;  ///< host byte order; 0 = any
   std::uint16_t port = 0;
 
-  std::string text() const;  ///< "192.168.1.7:39539"
-  auto operator<=>(const Endpoint&) const = default;
+  std::string text() const;                           ///< "192.168.1.7:39539"
+  auto operator<=>(const Endpoint&) const = default;  // NOLINT(modernize-use-nullptr): the check errs
 };
 
 /// One UDP packet as it came.

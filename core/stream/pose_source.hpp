@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <functional>
 #include <optional>
+#include <utility>
 
 #include "core/base/positions.hpp"
 #include "core/motion/body.hpp"
@@ -45,7 +46,7 @@ class PoseSource {
   /// Null for a device.
   virtual ReplayControl* replay() { return nullptr; }
   /// Called from another thread whenever a pose came in, so that nobody need poll in between.
-  virtual void on_arrival(std::function<void()> /*called*/) {}
+  virtual void on_arrival(std::function<void()> called) { static_cast<void>(std::move(called)); }
 };
 
 }  // namespace abrazo

@@ -74,7 +74,20 @@ class Advice {
   std::vector<StreamDiagnosis> list_;
 };
 
+void look_for_lost_address(const StreamObservation& seen, Advice& advice) {
+  const std::string lost = "this machine no longer has the address " + seen.lost_address;
+  if (seen.uri.scheme == Scheme::NatNet)
+    advice.add(Severity::Error, "address-gone",
+               lost + ", which interface= names: name the one it has now, or leave interface= out");
+  else
+    advice.add(Severity::Error, "address-gone",
+               lost + ", which is listened at: listen on the one it has now, or on 0.0.0.0:" +
+                   std::to_string(seen.uri.port) +
+                   " (every network). When it has the address again, it goes on by itself");
+}
+
 void look_for_silence(const StreamObservation& seen, Advice& advice) {
+  if (!seen.lost_address.empty()) return look_for_lost_address(seen, advice);
   const bool never = seen.last_packet_s < 0;
   const double silence_s = seen.now_s - (never ? seen.opened_s : seen.last_packet_s);
   if (!never) {
@@ -98,8 +111,8 @@ void look_for_silence(const StreamObservation& seen, Advice& advice) {
   else if (only_here)
     advice.add(Severity::Error, "no-packets",
                since + "only packets of this machine are taken at " + seen.uri.host +
-                   ". Have the sender send to " + seen.uri.host + ":" + port + ", or listen on 0.0.0.0:" +
-                   port + " (every network) when it runs on another machine");
+                   ". Have the sender send to " + seen.uri.host + ":" + port +
+                   ", or listen on 0.0.0.0:" + port + " (every network) when it runs on another machine");
   else
     advice.add(Severity::Error, "no-packets",
                since + "have the sender send to the address of this machine, port " + port + "; let UDP " +

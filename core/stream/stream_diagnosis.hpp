@@ -45,6 +45,7 @@ struct StreamObservation {
   std::vector<std::string> recent_senders;  ///< that sent something within the last two seconds
   std::string failure;                      ///< why the socket does not work any longer
   std::string group_failure;                ///< why a multicast group could not be joined
+  std::string lost_address;                 ///< that is listened at and that this machine has no longer
   std::string latest_issue;                 ///< text of the newest issue of the decoder
   std::string unreadable;                   ///< why the newest packet that could not be read could not
   std::vector<PerformerObservation> performers;

@@ -239,6 +239,7 @@ StreamObservation StreamPipeline::observe(double now_s) const {
     if (now_s - last_s <= sender_is_recent_s) seen.recent_senders.push_back(sender.text());
   seen.failure = failure_;
   seen.group_failure = group_failure_;
+  seen.lost_address = lost_address_;
   seen.latest_issue = latest_issue_;
   seen.unreadable = unreadable_;
   for (const auto& stream : streams_) seen.performers.push_back(stream->observe(now_s));

@@ -39,6 +39,8 @@ class StreamPipeline {
   void note_overflow(std::uint64_t total, double now_s);
   void note_failure(const std::string& text) { failure_ = text; }
   void note_group_failure(const std::string& text) { group_failure_ = text; }
+  /// That is listened at and that this machine has no longer; empty when it has it again.
+  void note_lost_address(const std::string& address) { lost_address_ = address; }
   void note_issue(const StreamIssue& issue);
   void note_listening(const std::string& text) { listening_ = text; }
 
@@ -68,7 +70,7 @@ class StreamPipeline {
   RecentCount recent_packets_, recent_unknown_, recent_overflow_;
   std::size_t first_bytes_count_ = 0, unknown_size_ = 0;
   double last_frame_s_ = -1, last_understood_s_ = -1;
-  std::string listening_, failure_, group_failure_, latest_issue_, unreadable_;
+  std::string listening_, failure_, group_failure_, lost_address_, latest_issue_, unreadable_;
 };
 
 }  // namespace abrazo

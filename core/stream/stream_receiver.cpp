@@ -15,6 +15,7 @@ namespace {
 
 /// Short enough for the decoders' silences (8 ms) to be noticed in time.
 constexpr int longest_sleep_ms = 4;
+constexpr double between_network_looks_s = 1;
 
 /// Functions to be called, with numbers to take them away by. When `remove` has returned, none is running.
 template <typename... Arguments>
@@ -45,6 +46,7 @@ struct SharedStream {
   SharedStream(StreamPipeline stream, SessionClock session_clock)
       : pipeline(std::move(stream)), clock(session_clock) {}
   mutable std::mutex mutex;
+  std::mutex handing_out;   ///< from when a pose is counted until all who listen have it; before `mutex`
   StreamPipeline pipeline;  ///< guarded by `mutex`
   SessionClock clock;
   Listeners<const ReceivedPose&> taps;
@@ -96,17 +98,19 @@ class LiveSource : public PoseSource {
 class UdpStreamReceiver : public StreamReceiver {
  public:
   UdpStreamReceiver(StreamUri uri, StreamSockets sockets, std::shared_ptr<SharedStream> stream)
-      : uri_(std::move(uri)),
-        sockets_(std::move(sockets)),
-        stream_(std::move(stream)),
-        thread_([this](const std::stop_token& stop) { run(stop); }) {}
+      : uri_(std::move(uri)), sockets_(std::move(sockets)), stream_(std::move(stream)) {}
   ~UdpStreamReceiver() override {
     thread_.request_stop();
     sockets_.wake();
-    thread_.join();
+    if (thread_.joinable()) thread_.join();
   }
   UdpStreamReceiver(const UdpStreamReceiver&) = delete;
   UdpStreamReceiver& operator=(const UdpStreamReceiver&) = delete;
+
+  /// What has come to the port meanwhile is taken first.
+  void start() {
+    thread_ = std::jthread([this](const std::stop_token& stop) { run(stop); });
+  }
 
   const StreamUri& uri() const override { return uri_; }
   StreamHealth health() const override {
@@ -123,7 +127,10 @@ class UdpStreamReceiver : public StreamReceiver {
   int listen(std::function<void(const ReceivedPose&)> listener) override {
     return stream_->taps.add(std::move(listener));
   }
-  void unlisten(int number) override { stream_->taps.remove(number); }
+  void unlisten(int number) override {
+    const std::scoped_lock handing_out(stream_->handing_out);
+    stream_->taps.remove(number);
+  }
   void set_delay(double delay_s) override {
     const std::scoped_lock lock(stream_->mutex);
     stream_->pipeline.set_delay(delay_s);
@@ -142,12 +149,14 @@ class UdpStreamReceiver : public StreamReceiver {
   void run(const std::stop_token& stop);
   void take_packets();
   void pass_time();
+  void look_at_network();
   void hand_out(StreamPipeline::Output& output);
 
   StreamUri uri_;
   StreamSockets sockets_;  ///< used by the thread, but for `wake`
   std::shared_ptr<SharedStream> stream_;
   bool is_broken_ = false;
+  double looked_at_network_s_ = 0;
   std::jthread thread_;  // after what it uses
 };
 
@@ -170,6 +179,7 @@ void UdpStreamReceiver::run(const std::stop_token& stop) {
 void UdpStreamReceiver::take_packets() {
   const Status received = sockets_.receive(stream_->clock, [this](const Datagram& datagram, bool truncated) {
     StreamPipeline::Output output;
+    const std::scoped_lock handing_out(stream_->handing_out);
     {
       const std::scoped_lock lock(stream_->mutex);
       stream_->pipeline.take(datagram, stream_->clock.now_s(), output, truncated);
@@ -184,17 +194,29 @@ void UdpStreamReceiver::take_packets() {
 
 void UdpStreamReceiver::pass_time() {
   StreamPipeline::Output output;
+  const std::scoped_lock handing_out(stream_->handing_out);
   {
     const std::scoped_lock lock(stream_->mutex);
     stream_->pipeline.pass_time(stream_->clock.now_s(), output);
     stream_->pipeline.note_overflow(sockets_.overflowed(), stream_->clock.now_s());
     if (const auto group = stream_->pipeline.wanted_group()) {
-      if (const Status joined = sockets_.join(*group); !joined)
-        stream_->pipeline.note_group_failure(joined.error().text());
+      const Status joined = sockets_.join(*group);
+      stream_->pipeline.note_group_failure(joined ? std::string() : joined.error().text());
       stream_->pipeline.note_listening(sockets_.listening());
     }
   }
   hand_out(output);
+  if (const double now_s = stream_->clock.now_s(); now_s - looked_at_network_s_ >= between_network_looks_s) {
+    looked_at_network_s_ = now_s;
+    look_at_network();
+  }
+}
+
+void UdpStreamReceiver::look_at_network() {
+  const std::string listening = sockets_.listening(), lost = sockets_.lost_address();
+  const std::scoped_lock lock(stream_->mutex);
+  stream_->pipeline.note_listening(listening);
+  stream_->pipeline.note_lost_address(lost);
 }
 
 void UdpStreamReceiver::hand_out(StreamPipeline::Output& output) {
@@ -227,8 +249,10 @@ Result<std::shared_ptr<StreamReceiver>> StreamReceiver::open(const StreamUri& ur
   auto stream = std::make_shared<SharedStream>(
       StreamPipeline(std::move(decoder), uri, std::move(*performer), clock.now_s()), clock);
   stream->pipeline.note_listening(sockets->listening());
-  return std::shared_ptr<StreamReceiver>(
-      std::make_shared<UdpStreamReceiver>(uri, std::move(*sockets), std::move(stream)));
+  auto receiver = std::make_shared<UdpStreamReceiver>(uri, std::move(*sockets), std::move(stream));
+  if (options.prepare) options.prepare(*receiver);
+  receiver->start();
+  return std::shared_ptr<StreamReceiver>(std::move(receiver));
 }
 
 }  // namespace abrazo

@@ -15,11 +15,15 @@
 namespace abrazo {
 
 class StreamDecoder;
+class StreamReceiver;
 
 struct StreamReceiverOptions {
   double delay_s = 0;  ///< of the jitter buffer: poses are given out so long after they were due
   std::optional<JointMap> joint_map;  ///< nothing = the built-in one that fits
   double tracking_loss_s = 0.25;      ///< without a pose for so long, tracking counts as lost
+  /// Called with the receiver when its port is open and before it takes the first packet: who listens from
+  /// here on misses nothing.
+  std::function<void(StreamReceiver&)> prepare = {};
 };
 
 /// A pose of one of a stream's performers, in 25 joints.
@@ -52,6 +56,7 @@ class StreamReceiver {
   /// Every pose of every performer, before the jitter buffer, as it comes; called from the receiving thread.
   /// @return number to take the listener away with
   virtual int listen(std::function<void(const ReceivedPose&)> listener) = 0;
+  /// The listener has heard whatever health() counted before; it hears nothing after. Not from a listener.
   virtual void unlisten(int number) = 0;
 
   virtual void set_delay(double delay_s) = 0;

@@ -12,10 +12,12 @@ constexpr std::uint16_t natnet_data_port = 1511, natnet_command_port = 1510;
 
 }  // namespace
 
-StreamSockets::StreamSockets(UdpSocket main, Endpoint peer, std::uint32_t interface_address)
+StreamSockets::StreamSockets(UdpSocket main, Endpoint peer, std::uint32_t interface_address,
+                             bool follows_network)
     : main_(std::move(main)),
       peer_(peer),
       interface_address_(interface_address),
+      follows_network_(follows_network),
       wait_(std::make_unique<SocketWait>()),
       buffer_(largest_packet) {}
 
@@ -30,7 +32,8 @@ Result<StreamSockets> StreamSockets::open(const StreamUri& uri) {
   }
   const Endpoint written{*host, uri.port};
   const bool talks_to_server = uri.scheme == StreamUri::Scheme::NatNet && written.address != 0;
-  if (talks_to_server && interface_address == 0) interface_address = address_towards(written);
+  const bool follows_network = talks_to_server && interface_address == 0;
+  if (follows_network) interface_address = address_towards(written);
   if (talks_to_server && interface_address == 0)
     return Error{"there is no way to that address; is the network connected?", uri.text};
   Endpoint local = written;
@@ -42,7 +45,8 @@ Result<StreamSockets> StreamSockets::open(const StreamUri& uri) {
   const bool is_shared = uri.scheme == StreamUri::Scheme::NatNet && !talks_to_server;
   Result<UdpSocket> socket = UdpSocket::bind(local, is_shared);
   if (!socket) return socket.error();
-  return StreamSockets(std::move(*socket), talks_to_server ? written : Endpoint{}, interface_address);
+  return StreamSockets(std::move(*socket), talks_to_server ? written : Endpoint{}, interface_address,
+                       follows_network);
 }
 
 bool StreamSockets::wait(int at_most_ms) {
@@ -68,19 +72,33 @@ Status StreamSockets::reply(const OutgoingDatagram& datagram) {
   if (to.address == 0) to.address = peer_.address;
   if (to.port == 0) to.port = peer_.port;
   if (to.address == 0) return Done{};  // nobody to answer: the URI names no server
+  if (follows_network_)
+    if (Status followed = follow_network(); !followed) return followed;
   return main_.send(to, datagram.bytes);
 }
 
+/// After a new lease, or in another Wi-Fi, the socket would be at an address that nothing goes out from.
+Status StreamSockets::follow_network() {
+  auto moved = socket_towards(peer_, main_.local());
+  if (!moved) return moved.error();
+  if (!*moved) return Done{};
+  overflowed_before_ = overflowed();
+  main_ = std::move(**moved);
+  interface_address_ = main_.local().address;
+  group_socket_.reset();
+  group_ = {};
+  return Done{};
+}
+
 Status StreamSockets::join(const Endpoint& group) {
-  if (group_ == group) return Done{};
+  if (group_ == group) return joined_;
   group_ = group;
   group_socket_.reset();
   // Bound to the group and not to every address: nothing else that is sent to the port comes in.
   Result<UdpSocket> socket = UdpSocket::bind(group, true);
-  if (!socket) return socket.error();
-  if (Status joined = socket->join(group.address, interface_address_); !joined) return joined;
-  group_socket_.emplace(std::move(*socket));
-  return Done{};
+  joined_ = socket ? socket->join(group.address, interface_address_) : Status(socket.error());
+  if (joined_) group_socket_.emplace(std::move(*socket));
+  return joined_;
 }
 
 std::string StreamSockets::listening() const {
@@ -89,8 +107,15 @@ std::string StreamSockets::listening() const {
   return text;
 }
 
+std::string StreamSockets::lost_address() const {
+  const Endpoint local = main_.local();
+  if (follows_network_ || has_address(local.address)) return {};
+  const std::string text = local.text();
+  return text.substr(0, text.find(':'));
+}
+
 std::uint64_t StreamSockets::overflowed() const {
-  return main_.overflowed() + (group_socket_ ? group_socket_->overflowed() : 0);
+  return overflowed_before_ + main_.overflowed() + (group_socket_ ? group_socket_->overflowed() : 0);
 }
 
 }  // namespace abrazo

@@ -16,7 +16,8 @@ namespace abrazo {
 struct StreamUri {
   enum class Scheme { Vmc, NatNet, Xsens, Clip };
   Scheme scheme = Scheme::Vmc;
-  std::string host;        ///< name or address; this machine where none was written, "0.0.0.0" for "*": every network
+  /// Name or address: this machine's where none was written, "0.0.0.0" (every network) for "*".
+  std::string host;
   std::uint16_t port = 0;  ///< the protocol's usual one where none was written
   std::string file;        ///< of a clip
   std::map<std::string, std::string, std::less<>> options;
@@ -27,8 +28,9 @@ struct StreamUri {
 
 Result<StreamUri> parse_stream_uri(std::string_view text);
 
-/// Who reaches a place that is listened at, such as "0.0.0.0:39539": "on this machine only (127.0.0.1:39539)",
-/// "on every network (0.0.0.0:39539)" or "on the network of 192.168.1.7 (192.168.1.7:39539)".
+/// Who reaches a place that is listened at, such as "0.0.0.0:39539": "on this machine only
+/// (127.0.0.1:39539)", "on every network (0.0.0.0:39539)" or "on the network of 192.168.1.7
+/// (192.168.1.7:39539)".
 std::string listening_words(std::string_view place);
 
 enum class StreamDirection { Listen, Send };

@@ -135,6 +135,7 @@ std::uint32_t address_towards(const Endpoint& peer) {
   // Connecting a UDP socket sends nothing; it only makes the system choose the way.
   const int probe = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   if (probe < 0) return 0;
+  set_option(probe, SOL_SOCKET, SO_BROADCAST, 1);  // or there is no way to a broadcast address
   sockaddr_in address = to_system(peer);
   sockaddr_in own{};
   socklen_t size = sizeof own;
@@ -267,6 +268,22 @@ Status UdpSocket::send(const Endpoint& to, std::span<const std::uint8_t> bytes) 
     return Error{"there is no way to that address; is the network connected?", to.text()};
   if (size < 0 && errno == EMSGSIZE) return Error{"a packet is too large for the network", to.text()};
   return Error{"sending failed: " + reason(), to.text()};
+}
+
+bool has_address(std::uint32_t address) {
+  const int probe = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  const bool is_missing = probe >= 0 && !bind_to(probe, {address, 0}) && errno == EADDRNOTAVAIL;
+  if (probe >= 0) ::close(probe);
+  return !is_missing;
+}
+
+Result<std::optional<UdpSocket>> socket_towards(const Endpoint& peer, const Endpoint& before) {
+  const std::uint32_t own = address_towards(peer);
+  if (own == 0 || own == before.address) return std::optional<UdpSocket>();
+  auto socket = UdpSocket::bind({own, before.port});
+  if (!socket && before.port != 0) socket = UdpSocket::bind({own, 0});
+  if (!socket) return socket.error();
+  return std::optional<UdpSocket>(std::move(*socket));
 }
 
 SocketWait::SocketWait() : event_(::eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {}

@@ -66,6 +66,15 @@ class UdpSocket {
   ArrivalClock arrivals_;
 };
 
+/// Whether a network of this machine has the address; 0 stands for every one.
+bool has_address(std::uint32_t address);
+
+/// Of whoever talks to a peer: a socket at this machine's address on the network that leads there now, and on
+/// no other network; at the port it had where that is free.
+/// @param before  where its socket is; none yet: address 0
+/// @return nothing when that is still right, or no network leads there
+Result<std::optional<UdpSocket>> socket_towards(const Endpoint& peer, const Endpoint& before);
+
 /// Sleeps until one of some sockets has a packet, or until it is woken.
 class SocketWait {
  public:

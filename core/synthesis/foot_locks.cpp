@@ -51,6 +51,11 @@ void FootLocks::add_rows(int bodies, std::vector<ConstraintRow>& rows) const {
   }
 }
 
+int FootLocks::held(int bodies) const {
+  return static_cast<int>(
+      std::count_if(feet_.begin(), feet_.begin() + 2 * bodies, [](const Foot& foot) { return foot.locked; }));
+}
+
 void FootLocks::release(int bodies) {
   for (std::size_t f = static_cast<std::size_t>(2 * bodies); f < feet_.size(); ++f) feet_[f].locked = false;
 }

@@ -36,6 +36,9 @@ class FootLocks {
   /// Rows of the feet that are held. @param bodies  which: 0 none, 1 active only, 2 both
   void add_rows(int bodies, std::vector<ConstraintRow>& rows) const;
 
+  /// How many feet are held.
+  int held(int bodies) const;
+
   /// Forgets the locks of bodies beyond the first `bodies`: they could not be kept.
   void release(int bodies);
 

@@ -6,6 +6,7 @@
 
 #include "core/mesh/capsules.hpp"
 #include "core/synthesis/frame_room.hpp"
+#include "core/synthesis/rigid_lengths.hpp"
 
 namespace abrazo {
 
@@ -259,6 +260,7 @@ RigidDistances FramePipeline::wanted_lengths() const {
     const double recorded = recorded_passive.pseudo_lengths[p];
     if (recorded > same_length) wanted[per_body + at].length_m *= passive.pseudo_lengths[p] / recorded;
   }
+  make_lengths_fit(with_query, wanted);
   return wanted;
 }
 

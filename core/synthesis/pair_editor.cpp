@@ -1,6 +1,7 @@
 #include "core/synthesis/pair_editor.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include "core/synthesis/frame_room.hpp"
 
@@ -50,10 +51,11 @@ PairEditor::Outcome PairEditor::edit(const EditTask& task, const Settings& setti
   }
   if (!solver_.set_energy(energy)) return {};
 
+  std::optional<Relaxation> tried;
   for (const auto relaxation : {Relaxation::None, Relaxation::PassiveFeet, Relaxation::Feet,
                                 Relaxation::Capsules, Relaxation::Everything}) {
-    const bool changes_something = relaxation != Relaxation::PassiveFeet && relaxation != Relaxation::Feet;
-    if (!changes_something && locked_bodies(settings, Relaxation::None) == 0) continue;
+    if (tried && !lets_more_go(settings, locks, *tried, relaxation)) continue;
+    tried = relaxation;
     if (!morph(settings, locks, relaxation)) continue;
     if (locks.drift(locked_bodies(settings, relaxation), result()) > drift_limit_m) continue;
     locks.release(locked_bodies(settings, relaxation));
@@ -62,7 +64,16 @@ PairEditor::Outcome PairEditor::edit(const EditTask& task, const Settings& setti
   return {};
 }
 
+/// Without the rows that it lets go, the same would be calculated again.
+bool PairEditor::lets_more_go(const Settings& settings, const FootLocks& locks, Relaxation tried,
+                              Relaxation next) const {
+  if (next == Relaxation::Everything) return true;
+  if (next == Relaxation::Capsules && met_capsules_) return true;
+  return locks.held(locked_bodies(settings, next)) < locks.held(locked_bodies(settings, tried));
+}
+
 bool PairEditor::morph(const Settings& settings, const FootLocks& locks, Relaxation relaxation) {
+  met_capsules_ = false;
   steps_.clear();
   active_rows_.clear();
   rows_.clear();
@@ -131,6 +142,7 @@ void PairEditor::build_rows(const Settings& settings, const FootLocks& locks, Re
   const std::size_t lasting_rows = rows_.size();
   if (settings.collisions && relaxation < Relaxation::Capsules) contacts_.add_rows(iterate_, rows_);
   // Capsule rows are found anew in every step, so the guess of what binds is only kept for the others.
+  met_capsules_ |= rows_.size() > lasting_rows;
   active_rows_.resize(lasting_rows, 0);
   active_rows_.resize(rows_.size(), 0);
   for (std::size_t r = lasting_rows; r < rows_.size(); ++r)

@@ -52,6 +52,8 @@ class PairEditor {
   const EditTask& task() const { return task_; }
 
  private:
+  bool lets_more_go(const Settings& settings, const FootLocks& locks, Relaxation tried,
+                    Relaxation next) const;
   bool morph(const Settings& settings, const FootLocks& locks, Relaxation relaxation);
   bool solve_step(const Settings& settings, const FootLocks& locks, Relaxation relaxation, double fraction);
   bool project_step(const Settings& settings, const FootLocks& locks, Relaxation relaxation);
@@ -72,6 +74,7 @@ class PairEditor {
   std::vector<char> active_rows_;
   std::vector<PairPose> steps_;
   PairPose iterate_;
+  bool met_capsules_ = false;  ///< in the steps of the last morph
 };
 
 }  // namespace abrazo

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <stdexcept>
 
 #include "core/synthesis/frame_pipeline.hpp"
 #include "core/synthesis/frame_room.hpp"
@@ -94,7 +95,11 @@ Result<std::unique_ptr<PartnerSynthesizer>> PartnerSynthesizer::create(
   state->views = std::make_shared<const RoleViews>(std::move(library), std::move(*pairs));
   state->set_settings(settings);
   reserve_room(state->shown);
-  state->pipeline();
+  try {
+    state->pipeline();
+  } catch (const std::runtime_error& failure) {
+    return Error{failure.what(), state->views->library()->name()};
+  }
   return std::unique_ptr<PartnerSynthesizer>(new PartnerSynthesizer(std::move(state)));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -240,7 +241,7 @@ Status set_setting(Settings& settings, std::string_view key, std::string_view te
     return Done{};
   }
   const auto value = parse_number(text);
-  return set_checked(settings, *found, value.value_or(NAN), text);
+  return set_checked(settings, *found, value.value_or(std::numeric_limits<double>::quiet_NaN()), text);
 }
 
 Status check_settings(const Settings& settings) {

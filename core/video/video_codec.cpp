@@ -2,7 +2,6 @@
 
 #include <dlfcn.h>
 
-#include <array>
 #include <cstdlib>
 
 namespace abrazo {
@@ -12,18 +11,16 @@ namespace {
 constexpr const char* module_name = "libabrazo-video.so";
 constexpr const char* entry_point = "abrazo_video_codec";
 
-/// Beside the program, as it is built, or where it is installed; nowhere that others may write to.
-std::array<std::filesystem::path, 2> places() {
-  std::error_code trouble;
-  const auto folder = std::filesystem::read_symlink("/proc/self/exe", trouble).parent_path();
-  return {folder / module_name, folder / ABRAZO_MODULES_FROM_PROGRAMS / module_name};
-}
-
 Result<const VideoCodec*> load() {
   silence_video_codec();
+  std::error_code trouble;
+  const std::filesystem::path program = std::filesystem::read_symlink("/proc/self/exe", trouble);
+  if (trouble)
+    return Error{"videos cannot be read or written, since the program does not find its own place (" +
+                     trouble.message() + "); mount /proc",
+                 "/proc/self/exe"};
   std::string looked;
-  for (const std::filesystem::path& place : places()) {
-    std::error_code trouble;
+  for (const std::filesystem::path& place : video_codec_places(program)) {
     looked += (looked.empty() ? "" : ", ") + place.lexically_normal().string();
     if (!std::filesystem::exists(place, trouble)) continue;
     void* module = dlopen(place.c_str(), RTLD_NOW | RTLD_LOCAL);
@@ -41,6 +38,12 @@ Result<const VideoCodec*> load() {
 }
 
 }  // namespace
+
+std::vector<std::filesystem::path> video_codec_places(const std::filesystem::path& program) {
+  if (!program.is_absolute()) return {};
+  const std::filesystem::path folder = program.parent_path();
+  return {folder / module_name, folder / ABRAZO_MODULES_FROM_PROGRAMS / module_name};
+}
 
 Result<const VideoCodec*> video_codec() {
   static const Result<const VideoCodec*> codec = load();

@@ -72,6 +72,11 @@ class VideoCodec {
 /// Loads the module at the first call, and stays. The error says where it was looked for.
 Result<const VideoCodec*> video_codec();
 
+/// Where it is looked for: beside the program, as it is built, and where it is installed; nowhere that others
+/// may write to. A relative path would be one in whatever folder the program was started from.
+/// @param program  its own file, absolute; where that is not known there is no place
+std::vector<std::filesystem::path> video_codec_places(const std::filesystem::path& program);
+
 /// Keeps what decodes from writing to the console. It changes the environment: to be called before threads
 /// start that open videos; video_codec() calls it as well.
 void silence_video_codec();

@@ -254,7 +254,7 @@ void measure_child(const Options& options, const Clip& clip, double rate_hz) {
   while (!live.finished() && !test::is_open(port)) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   if (live.finished()) throw std::runtime_error(live.wait().err);
   const auto sent = send(options, at_rate(clip, rate_hz), rate_hz, {this_machine, port}, clock);
-  live.signal(SIGINT);
+  live.signal(SIGTERM);  // what a shell starts in the background has been told to ignore SIGINT
   const test::Outcome outcome = live.wait();
   const auto taken = answers.taken();
   // Poses held after the last frame are no answers of the program's count of solved ones.

@@ -87,6 +87,16 @@ void CommandLineTest::expect_wrong_usage(const Outcome& outcome, const std::stri
   EXPECT_THAT(sentences[0], AllOf(StartsWith("abrazo: "), HasSubstr(part), EndsWith("--help")));
 }
 
+const std::string CommandLineTest::hostile_name =
+    "name\x1b[2J\x7f\xC2\x9B"
+    "31m\nFORGED";
+
+void CommandLineTest::expect_harmless(const std::string& text) {
+  EXPECT_THAT(text, HasSubstr("name?[2J??31m?FORGED"));
+  for (const char c : text) EXPECT_TRUE(static_cast<unsigned char>(c) >= 0x20 || c == '\n') << text;
+  EXPECT_THAT(text, AllOf(Not(HasSubstr("\x7f")), Not(HasSubstr("\xC2\x9B")), Not(HasSubstr("\nFORGED"))));
+}
+
 double Table::at(std::size_t row, const std::string& column) const {
   const auto found = std::find(columns.begin(), columns.end(), column);
   if (found == columns.end()) throw std::out_of_range("no column " + column);

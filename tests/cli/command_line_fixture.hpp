@@ -38,6 +38,12 @@ class CommandLineTest : public ::testing::Test {
   /// The same with exit status 2, and the help to read is named.
   static void expect_wrong_usage(const Outcome& outcome, const std::string& part);
 
+  /// A name as a stranger's file may have it: one that clears the terminal, colours it, and tells of "FORGED"
+  /// on a line of its own.
+  static const std::string hostile_name;
+  /// That name is shown, and does none of this.
+  static void expect_harmless(const std::string& text);
+
  private:
   std::filesystem::path folder_;
 };

@@ -27,6 +27,18 @@ TEST_F(LabelsCommand, InfoSaysHowLongEachValueLasts) {
   EXPECT_EQ(info["tiers"][1]["annotated_s"], 3);
 }
 
+TEST_F(LabelsCommand, NamesInALabelFileNeitherSteerATerminalNorPassForLinesOfTheAnswer) {
+  const nlohmann::json moves = {{"name", hostile_name},
+                                {"kind", "move"},
+                                {"intervals",
+                                 {{{"start_s", 0}, {"end_s", 1}, {"value", hostile_name}},
+                                  {{"start_s", 2}, {"end_s", 3}, {"value", "basic"}}}}};
+  write("moves.json", nlohmann::json{{"tiers", {moves}}}.dump());
+  expect_harmless(run("labels info moves.json").out);
+  expect_harmless(run("labels check moves.json").out);
+  expect_harmless(run("labels convert moves.json -o x.srt --tier other").err);
+}
+
 TEST_F(LabelsCommand, ConvertComesBackToTheSameLabelFile) {
   for (const char* format : {"x.eaf", "x.json", "x.vtt", "x.srt", "x.csv"}) {
     const bool keeps_remarks = std::string(format) != "x.vtt" && std::string(format) != "x.srt";

@@ -124,5 +124,33 @@ TEST_F(LibraryCommand, LabelsThatOverlapOrRunBackwardsAreRefusedWithTheLine) {
   EXPECT_EQ(build_with_labels("t,0,10,turn\nt,10,15,hold\n").status, 0);
 }
 
+TEST_F(LibraryCommand, NamesInALibraryNeitherSteerATerminalNorPassForLinesOfTheAnswer) {
+  make_demo();
+  const std::string salsa = path("demo/salsa_01_").string();
+  const nlohmann::json take = {{"name", hostile_name},
+                               {"metres_per_unit", 1},
+                               {"labels", "moves.json"},
+                               {"a", {{"motion", salsa + "a.bvh"}}},
+                               {"b", {{"motion", salsa + "b.bvh"}}}};
+  write("moves.json",
+        nlohmann::json{{"tiers",
+                        {{{"name", "move"},
+                          {"kind", "move"},
+                          {"intervals", {{{"start_s", 0}, {"end_s", 5}, {"value", hostile_name}}}}}}}}
+            .dump());
+  write("m.json", nlohmann::json{{"name", hostile_name}, {"takes", {take}}}.dump());
+  const Outcome built = run("library build m.json -o t.h5 --rate 5");
+  ASSERT_EQ(built.status, 0) << built.err;
+  const Outcome info = run("library info t.h5");
+  expect_harmless(info.out);
+  EXPECT_THAT(info.out, HasSubstr("label name?"));
+  expect_harmless(run({"library", "pair", "t.h5", hostile_name, "0"}).out);
+  expect_harmless(run({"library", "pair", "t.h5", "other", "0"}).err);
+  expect_harmless(run({"library", "pair", "t.h5", hostile_name, "99999"}).err);
+  expect_harmless(run("suggest t.h5 --take other").err);
+  // Programs get the name as it is.
+  EXPECT_EQ(nlohmann::json::parse(run("library info t.h5 --json").out)["takes"][0]["name"], hostile_name);
+}
+
 }  // namespace
 }  // namespace abrazo::test

@@ -86,7 +86,9 @@ TEST_P(LiveLink, WhatAbrazoSendsDrivesThePartner) {
   EXPECT_GT(said["packets"], 0);
   const auto seen = statistics();
   EXPECT_GT(seen["frames"], 30);
-  EXPECT_EQ(seen["failed"].get<int>(), seen["stream"]["performers"][0]["interruptions"].get<int>());
+  // Every loss of tracking is one failed frame: those that ended, and maybe the sender's end.
+  const int interruptions = seen["stream"]["performers"][0]["interruptions"];
+  EXPECT_THAT(seen["failed"].get<int>(), AnyOf(interruptions, interruptions + 1));
   EXPECT_EQ(seen["stream"]["performers"][0]["lost"], 0);
   EXPECT_EQ(seen["stream"]["performers"][0]["restarts"], 0);
   for (const auto& issue : seen["stream"]["issues"]) {
@@ -279,10 +281,7 @@ TEST_F(LiveCommand, CtrlCEndsTheRecordingWhole) {
   EXPECT_FALSE(contents.takes[0].interrupted);
   EXPECT_EQ(contents.takes[0].last_frame, contents.last_frame);
   ASSERT_THAT(contents.performers, SizeIs(1));
-  // The port is open a moment before the recording listens to it: where the machine is busy the first pose
-  // may go by.
-  const auto came = said["stream"]["performers"][0]["frames"].get<std::uint64_t>();
-  EXPECT_THAT(contents.performers[0].poses, ::testing::AnyOf(came, came - 1));
+  EXPECT_EQ(contents.performers[0].poses, said["stream"]["performers"][0]["frames"].get<std::uint64_t>());
   ASSERT_THAT(contents.inputs, SizeIs(1));
   EXPECT_EQ(contents.inputs[0].text, uri_of("vmc", listen_port));
 }

@@ -29,6 +29,16 @@ TEST_F(MotionCommand, InfoIsOneJsonObject) {
   EXPECT_THAT(info["warnings"], SizeIs(1));
 }
 
+TEST_F(MotionCommand, NamesInAMotionNeitherSteerATerminalNorPassForLinesOfTheAnswer) {
+  make_demo();
+  write(hostile_name + ".csv", [&] {
+    run("motion convert demo/salsa_01_a.bvh -o plain.csv");
+    return read("plain.csv");
+  }());
+  expect_harmless(run({"motion", "info", hostile_name + ".csv"}).out);
+  expect_harmless(run({"motion", "positions", hostile_name + ".csv", "-o", "x.csv", "--performer", "3"}).err);
+}
+
 TEST_F(MotionCommand, WhatIsGivenIsNotGuessed) {
   make_demo();
   const auto info = nlohmann::json::parse(

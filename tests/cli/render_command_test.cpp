@@ -94,6 +94,27 @@ TEST_F(RenderCommand, KeepsAnOlderSeriesWhenTheNewOneFails) {
   EXPECT_EQ(std::distance(std::filesystem::directory_iterator(path("s")), {}), 3);
 }
 
+/// Called by itself: what `abrazo render` starts has taken over what that does with the signal.
+TEST_F(RenderCommand, OnAFullDiskTheProgramThatDrawsSaysSoAndLeavesNothing) {
+  const auto shell = [&](const std::string& line) {
+    return RunningCommand({"/bin/sh", "-c", line}, folder()).wait();
+  };
+  if (shell("command -v Xvfb").status != 0) GTEST_SKIP() << "there is no Xvfb to draw on";
+  make_trace();
+  write("a.png", "mine");
+  // The server itself chooses a number that is free, which xvfb-run does not manage beside others.
+  const Outcome full = shell(
+      "mkfifo display; Xvfb -displayfd 3 -nolisten tcp 3>display 2>&1 & server=$!; read number <display; "
+      "rm display; export DISPLAY=:$number QT_QPA_PLATFORM=xcb; "
+      "/bin/sh -c 'ulimit -f 8; exec " ABRAZO_RENDERER
+      " T.jsonl -o a.png --size 320x240'; "
+      "status=$?; kill $server; wait $server; exit $status");
+  EXPECT_EQ(full.status, 1);
+  EXPECT_THAT(full.err, HasSubstr("the disk full?"));
+  EXPECT_EQ(read("a.png"), "mine");
+  EXPECT_THAT(names(), ElementsAre("T.jsonl", "a.png", "all.jsonl", "demo", "demo.h5", "out.bvh"));
+}
+
 TEST_F(RenderCommand, LeavesNothingWhenItIsStopped) {
   make_trace();
   std::filesystem::create_directory(path("film"));

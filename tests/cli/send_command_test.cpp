@@ -24,7 +24,7 @@ std::vector<std::string> addresses_of(const Bytes& packet) {
 }
 
 TEST_F(SendCommand, AClipGoesOutOnceAtItsRateAndIsSummedUp) {
-  RunningCommand command({ABRAZO_PROGRAM, "send", "demo/salsa_01_a.bvh", "--fps", "600", "--json", "--to",
+  RunningCommand command({ABRAZO_PROGRAM, "send", "demo/salsa_01_a.bvh", "--fps", "150", "--json", "--to",
                           uri_of("vmc", receiver.port())},
                          folder());
   ASSERT_TRUE(wait_until([&] {
@@ -39,6 +39,22 @@ TEST_F(SendCommand, AClipGoesOutOnceAtItsRateAndIsSummedUp) {
       << "what is late gives way to the newest";
   EXPECT_EQ(said["failures"], 0);
   EXPECT_THAT(receiver.packets(), SizeIs(said["packets"].get<std::size_t>()));
+}
+
+TEST_F(SendCommand, HeldUpTillAfterTheEndItSendsTheLastPoseAndCountsTheOthers) {
+  RunningCommand command({ABRAZO_PROGRAM, "send", "demo/salsa_01_a.bvh", "--fps", "600", "--json", "--to",
+                          uri_of("vmc", receiver.port())},
+                         folder());
+  ASSERT_TRUE(wait_until([&] { return !receiver.packets().empty(); }));
+  command.signal(SIGSTOP);
+  std::this_thread::sleep_for(std::chrono::seconds(2));  // the clip is over
+  command.signal(SIGCONT);
+  const Outcome outcome = command.wait();
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  const auto said = nlohmann::json::parse(outcome.out);
+  const auto info = nlohmann::json::parse(run("motion info demo/salsa_01_a.bvh --json").out);
+  EXPECT_GT(said["skipped"], 0);
+  EXPECT_EQ(said["frames"].get<int>() + said["skipped"].get<int>(), info["frames"].get<int>());
 }
 
 TEST_F(SendCommand, TheFramingIsTheOneAskedFor) {

@@ -56,6 +56,15 @@ TEST_F(SessionCommand, TellsWhereTheDataIsAndWhatIsMissing) {
   EXPECT_THAT(run("session info s.abrazo").out, HasSubstr("missing: "));
 }
 
+TEST_F(SessionCommand, NamesInASessionNeitherSteerATerminalNorPassForLinesOfTheAnswer) {
+  Project project;
+  project.annotations[hostile_name];
+  project.data.push_back(DataReference{});
+  project.data[0].relative_path = hostile_name;
+  ASSERT_TRUE(save_project(path("s.abrazo"), project));
+  expect_harmless(run("session info s.abrazo").out);
+}
+
 TEST_F(SessionCommand, RefusesWhatIsNoneWithOneSentence) {
   write("notes.txt",
         "This is a letter, and much longer than the head of a database would have to be for it.");

@@ -28,6 +28,8 @@
 #include "tests/fuzz/session_template.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
+#include "widgets/plots/pane_arrangement.hpp"
+#include "widgets/timeline/timeline_lanes.hpp"
 
 namespace abrazo::fuzz {
 namespace {
@@ -299,6 +301,33 @@ void write_json() {
         "1:02:03", "00:00:11:15", "+250 ms", "alpha=0:1:5", "velocity-weight=log:0.01:1:5",
         "edge-weights=inverse,uniform", "2/8", "3.1", "239.255.42.99", "joint-map"})
     seed("words", fmt::format("{:016x}", std::hash<std::string_view>()(words)), words);
+  for (const char* word : {"29.97", "1280x720", "30,-15", "front", "frame_%05d.png", "film.mp4", "1.80,1.66"})
+    seed("options", fmt::format("{:016x}", std::hash<std::string_view>()(word)), word);
+}
+
+/// What a session remembers of the view.
+void write_views() {
+  seed("view_text", "usual_panes", widgets::text_of(widgets::default_arrangement()));
+  std::string all;
+  for (const widgets::SeriesInfo& info : widgets::all_series()) all += std::string(info.key) + ";";
+  seed("view_text", "all_series", all);
+  widgets::TimelineLanes lanes;
+  for (const char* tier : {"notes", "left|right", "50 %"}) lanes.set_tier_shown(tier, false);
+  seed("view_text", "lanes", lanes.text());
+  seed(
+      "view_json", "layout.json",
+      R"({"abrazo_layout":1,"docks":"AAAA/wAAAAD9","known":["scene","plots"],"shown":["plots"],"left":true,"right":null,)"
+      R"("below":false,"timeline_height":230})");
+  seed(
+      "view_json", "markers.json",
+      R"([{"id":1,"time_s":0.5,"name":"clap"},{"id":1,"time_s":-1e300},{"id":2147483647,"time_s":2,"name":"\ud800"}])");
+  seed(
+      "view_json", "scene.json",
+      R"({"shown":{"user":true,"trails":false},"colour_by":"weight","shortest_edge_m":0.1,"longest_edge_m":2.5,"apart":1,)"
+      R"("trail_s":3,"map":"cividis","logarithmic":true,"parallel":false,"mouse":"maya","reference_beside":true})");
+  seed("view_json", "camera", "3.5 -0.12");
+  seed("view_json", "no_camera", "nan inf");
+  seed("view_json", "deep", std::string(30'000, '['));
 }
 
 // ---- streams ----
@@ -349,7 +378,7 @@ void write_databases() {
   std::vector<PairedTake> takes{test::swinging_take("first", 4, 1)};
   const fs::path file = root / "library.h5";
   expect(write_library(*build_library("small", std::move(takes), {}, {}), file).ok(), "no library");
-  seed("library", "four_pairs.h5", content_of(file));
+  for (const char* target : {"library", "mapped_library"}) seed(target, "four_pairs.h5", content_of(file));
   fs::remove(file);
   seed("session_file", "whole.abrazo", session_template());
   seed("session_file", "version_1.abrazo", content_of("tests/fixtures/session/version_1.abrazo"));
@@ -369,6 +398,7 @@ void write_all() {
   write_scenes();
   write_labels();
   write_json();
+  write_views();
   write_streams();
   write_databases();
   for (const char* format : {"bvh", "c3d", "trc", "point_csv", "amc", "asf"})

@@ -118,6 +118,9 @@ TEST(TakeCoverage, IsTheShareOfFramesWithANearPair) {
   for (int i = 0; i < 4; ++i) coverage.append(frame_with(static_cast<std::uint64_t>(i), 0, 0.1 * i));
   EXPECT_DOUBLE_EQ(*coverage.share_within(0.15), 0.5) << "of the nearest candidate, not of the winner";
   EXPECT_EQ(coverage.user_frames(), 4);
+  coverage.append(frame_with(4, 0, 1e9));
+  EXPECT_DOUBLE_EQ(*coverage.share_within(3.9), 0.8) << "a distance beyond all is counted too";
+  EXPECT_DOUBLE_EQ(*coverage.share_within(0.1), 0.2) << "closer, not as close";
 }
 
 TEST(TakeCoverage, ReadsEachFrameOfAHistoryOnce) {

@@ -178,6 +178,43 @@ TEST_F(Plots, PanesAreAddedMovedAndRemoved) {
   EXPECT_EQ(panel.paneCount(), 1) << "the last one stays";
 }
 
+/// So many frames that those of the beginning are thinned, all with this energy.
+void show_a_long_session(PlotPanel& panel, double energy) {
+  FrameHistory history;
+  Playback playback;
+  std::vector<FrameSnapshotPtr> some;
+  for (std::uint64_t index = 0; index < 100'000; ++index) {
+    auto frame = std::make_shared<FrameSnapshot>();
+    frame->index = index;
+    frame->time_s = static_cast<double>(index) / 120;
+    frame->result.status = StepStatus::Ok;
+    frame->result.energy.deformation = energy;
+    history.append(std::move(frame));
+    if (history.span().frames < 10'000) continue;
+    playback.extend(0, history.span().last_s);
+    panel.refresh(history, playback, history.at(history.span().last_s));
+    history.clear();
+  }
+}
+
+TEST_F(Plots, ANewSessionShowsNoValueOfTheFrameOfThatIndexInTheOneBefore) {
+  const auto energy_in_frame_ten = [this](double energy) {
+    panel.clear();
+    show_a_long_session(panel, energy);
+    auto tenth = std::make_shared<FrameSnapshot>();
+    tenth->index = 10;
+    tenth->time_s = 10.0 / 120;
+    tenth->result.status = StepStatus::Ok;
+    tenth->result.energy.deformation = energy;
+    Playback parked;
+    parked.extend(0, 100'000 / 120.0);
+    panel.refresh(FrameHistory(), parked, tenth);
+    return panel.pane(0).shownValues().value()[static_cast<std::size_t>(Series::DeformationEnergy)];
+  };
+  EXPECT_EQ(energy_in_frame_ten(1), 1);
+  EXPECT_EQ(energy_in_frame_ten(2), 2);
+}
+
 TEST_F(Plots, APaneTakesSeriesOfItsUnitOnly) {
   EXPECT_TRUE(panel.setShown(1, Series::HoldChange, true));
   EXPECT_FALSE(panel.setShown(1, Series::SolveTime, true));

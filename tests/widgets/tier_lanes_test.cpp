@@ -64,6 +64,23 @@ TEST(TimelineLanes, AHiddenTierStaysSoByItsNameAndIsRemembered) {
   EXPECT_TRUE(again.is_shown(TimelineLane::Moves)) << "another name";
 }
 
+TEST(TimelineLanes, AreRememberedWhateverTheTierIsCalled) {
+  TimelineLanes lanes;
+  lanes.set_tier_shown("left|right", false);
+  lanes.set_tier_shown("50 %7C", false);
+  TimelineLanes again;
+  again.set_text(lanes.text());
+  EXPECT_FALSE(again.is_shown(TierLane{1, "left|right"}));
+  EXPECT_FALSE(again.is_shown(TierLane{2, "50 %7C"}));
+  EXPECT_TRUE(again.is_shown(TierLane{3, "right"}));
+}
+
+TEST(TimelineLanes, OfAnEarlierVersionMayHaveAPercentSign) {
+  TimelineLanes lanes;
+  lanes.set_text("Source|50% speed");
+  EXPECT_FALSE(lanes.is_shown(TierLane{1, "50% speed"}));
+}
+
 TEST(TimelineLanes, WhatWasRememberedBeforeThereWereTiersStillCounts) {
   TimelineLanes lanes;
   lanes.set_text("Source Energy");

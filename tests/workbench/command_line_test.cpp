@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <random>
+
 namespace abrazo::app {
 namespace {
 
@@ -54,6 +57,39 @@ TEST(CommandLine, AStreamToFollowAndPlacesToSendToAreUris) {
 TEST(CommandLine, TakesARecordedSession) {
   const auto result = parsed({"--session", "a.abrazo"});
   EXPECT_EQ(std::get<CommandLine>(result).session, "a.abrazo");
+}
+
+TEST(CommandLine, WhateverIsSaidOfTheSizeIsASizeOrRefusedInOneLine) {
+  std::mt19937 random(20261122);
+  const std::string letters = "0123456789x16384.-+ e\n\x1b\x7f,X";
+  int taken = 0;
+  for (int round = 0; round < 3000; ++round) {
+    std::string word = round % 2 == 0
+                           ? std::to_string(640 + random() % 17'000) + "x" + std::to_string(random() % 17'000)
+                           : std::string();
+    for (auto length = random() % (round % 4 == 0 ? 1 : 7); length > 0; --length)
+      word += letters[random() % letters.size()];
+    testing::internal::CaptureStderr();
+    const auto result = parsed({"--size=" + word});
+    const std::string said = testing::internal::GetCapturedStderr();
+    if (const auto* asked = std::get_if<CommandLine>(&result)) {
+      ++taken;
+      EXPECT_TRUE(asked->size.width() >= 640 && asked->size.width() <= 16384) << word;
+      EXPECT_TRUE(asked->size.height() >= 400 && asked->size.height() <= 16384) << word;
+      continue;
+    }
+    EXPECT_EQ(std::get<ExitStatus>(result).code, 2) << word;
+    EXPECT_EQ(std::count_if(said.begin(), said.end(), [](char c) { return c > 0 && c < 0x20; }), 1) << said;
+    EXPECT_EQ(said.find('\x7f'), std::string::npos) << said;
+  }
+  EXPECT_GT(taken, 100) << "the words were too odd";
+}
+
+TEST(CommandLine, AWordThatIsNotExpectedDoesNotSteerTheTerminal) {
+  testing::internal::CaptureStderr();
+  EXPECT_EQ(exit_code({"--theme=\x1b[2J\nFORGED"}), 2);
+  const std::string said = testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("?[2J?FORGED"), std::string::npos) << said;
 }
 
 }  // namespace

@@ -8,11 +8,16 @@
 #include <QSplitter>
 #include <QTemporaryDir>
 #include <QTest>
+#include <numbers>
+#include <random>
 
 #include "app/workbench/actions/actions.hpp"
+#include "app/workbench/dock_state.hpp"
 #include "app/workbench/layouts.hpp"
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/panel_area.hpp"
+#include "app/workbench/remembered_view.hpp"
+#include "app/workbench/window_place.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/scene/scene_view.hpp"
 
@@ -122,6 +127,96 @@ TEST_F(Layout, ABrokenOrForeignArrangementIsToldAndTheUsualOneIsShown) {
   }
 }
 
+/// A few bytes of the text are others, gone, or there twice.
+QByteArray changed(QByteArray bytes, std::mt19937& random) {
+  for (auto changes = 1 + random() % 6; changes > 0 && !bytes.isEmpty(); --changes) {
+    const int at = static_cast<int>(random() % static_cast<unsigned>(bytes.size()));
+    const int length = static_cast<int>(random() % 9);
+    switch (random() % 5) {
+      case 0:
+        bytes[at] = static_cast<char>(random());
+        break;
+      case 1:
+        bytes[at] = static_cast<char>(bytes[at] ^ (1 << random() % 8));
+        break;
+      case 2:
+        bytes.remove(at, length);
+        break;
+      case 3:
+        bytes.insert(at, bytes.mid(at, length));
+        break;
+      default:
+        bytes.replace(at, 4, QByteArray(4, random() % 2 ? '\xff' : '\x7f'));
+        break;
+    }
+  }
+  return bytes;
+}
+
+TEST_F(Layout, EveryArrangementThatTheWindowWritesIsOne) {
+  const auto expect_one = [](const char* what) {
+    EXPECT_TRUE(is_dock_state(s_window->layoutOfPanels().docks, layout_version)) << what;
+  };
+  expect_one("usual");
+  panel("settings").setFloating(true);
+  expect_one("floating");
+  area().tabifyDockWidget(&panel("scene"), &panel("library"));
+  expect_one("tabs");
+  area().splitDockWidget(&panel("plots"), &panel("candidates"), Qt::Horizontal);
+  expect_one("nested");
+  for (const QDockWidget* each : area().panels()) area().want(each->objectName(), false);
+  expect_one("all hidden");
+  s_window->resize(640, 400);
+  QTest::qWait(20);
+  expect_one("small");
+}
+
+/// Qt would write to the docks with this number.
+TEST_F(Layout, ADockAreaThatThereIsNotIsRefused) {
+  WindowLayout layout = s_window->layoutOfPanels();
+  ASSERT_EQ(layout.docks[8], '\xfd') << "the mark of dock areas; then how many, then the number of the first";
+  layout.docks.replace(13, 4, "\x40\x00\x00\x00", 4);
+  EXPECT_FALSE(s_window->setLayoutOfPanels(layout));
+  layout = s_window->layoutOfPanels();
+  EXPECT_FALSE(is_dock_state(layout.docks, layout_version + 1));
+  EXPECT_FALSE(is_dock_state(layout.docks + "x", layout_version));
+  EXPECT_FALSE(is_dock_state(layout.docks.chopped(1), layout_version));
+  EXPECT_FALSE(is_dock_state({}, layout_version));
+}
+
+TEST_F(Layout, WhateverAFileSaysOfThePanelsTheWindowStaysUsable) {
+  const auto shown = [] {
+    QStringList names;
+    for (const QDockWidget* each : area().panels())
+      if (each->isVisible()) names << each->objectName();
+    return names;
+  };
+  const QStringList usual = shown();
+  std::mt19937 random(20261122);
+  panel("settings").setFloating(true);
+  const WindowLayout layout = s_window->layoutOfPanels();
+  int taken = 0;
+  for (int round = 0; round < 200; ++round) {
+    WindowLayout other = layout;
+    if (round % 2 == 0)
+      other.docks = changed(layout.docks, random);
+    else if (const auto read = parse_layout(changed(text_of(layout), random), "a.json"))
+      other = *read;
+    const QSize before = s_window->size();
+    taken += s_window->setLayoutOfPanels(other);
+    QTest::qWait(0);
+    EXPECT_EQ(s_window->size(), before) << round;
+    for (const QDockWidget* each : area().panels())
+      EXPECT_TRUE(each->isFloating() ||
+                  area().dockWidgetArea(const_cast<QDockWidget*>(each)) != Qt::NoDockWidgetArea)
+          << round << each->objectName().toStdString();
+  }
+  EXPECT_GT(taken, 20) << "the files were too odd";
+  s_window->resetLayout();
+  QTest::qWait(20);
+  EXPECT_EQ(shown(), usual);
+}
+
 TEST_F(Layout, APanelThatALayoutDoesNotKnowStandsInItsUsualPlace) {
   WindowLayout older = s_window->layoutOfPanels();
   older.known.removeAll("plots");
@@ -215,6 +310,35 @@ TEST(WindowLayout, IsTheSameAfterWritingAndReading) {
   const auto read = parse_layout(text_of(layout), "a.json");
   ASSERT_TRUE(read);
   EXPECT_EQ(*read, layout);
+}
+
+TEST(WindowLayout, ATimelineIsNoHigherThanAnyScreen) {
+  const auto read = parse_layout("{\"abrazo_layout\": 1, \"timeline_height\": 2147483647}", "a.json");
+  ASSERT_TRUE(read);
+  EXPECT_LT(read->timeline_height, 20'000);
+}
+
+TEST(RememberedView, ACameraComesBackAndWhatIsNoneDoesNot) {
+  const auto turn = camera_turn_of(text_of(CameraTurn{-3, 1.5}));
+  ASSERT_TRUE(turn);
+  EXPECT_EQ(turn->azimuth_rad, -3);
+  EXPECT_EQ(turn->elevation_rad, 1.5);
+  EXPECT_NEAR(camera_turn_of("7 0")->azimuth_rad, 7 - 2 * std::numbers::pi, 1e-12) << "the same direction";
+  for (const char* none : {"", "1", "1 2 3", "nan 0", "0 nan", "inf 0", "0 2", "0 -inf", "north 0"})
+    EXPECT_FALSE(camera_turn_of(none)) << none;
+}
+
+TEST(RememberedView, MarkersComeBackAndWhatIsNoneIsLeftOut) {
+  Markers markers;
+  markers.add(2, "turn");
+  markers.add(1);
+  EXPECT_EQ(markers_of(text_of(markers)), markers);
+  const Markers odd = markers_of(
+      R"([{"id":5,"time_s":1},{"id":5,"time_s":2},{"id":-3,"time_s":0.5},{"id":9},3,{"time_s":"late"}])");
+  ASSERT_EQ(odd.all().size(), 3U);
+  EXPECT_EQ(odd.all()[1].id, 5);
+  EXPECT_NE(odd.all()[2].id, 5) << "no id is there twice";
+  EXPECT_TRUE(markers_of("no markers").empty());
 }
 
 }  // namespace

@@ -1,6 +1,5 @@
 #include "widgets/annotation/value_picker.hpp"
 
-#include <QApplication>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -8,6 +7,7 @@
 #include <QPainter>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <utility>
 
 #include "widgets/common/plain_text.hpp"
 #include "widgets/common/theme.hpp"
@@ -38,50 +38,29 @@ ValuePicker* ValuePicker::open(QWidget& widget, const QPoint& below, const Quest
   QWidget& window = *widget.window();
   for (auto* other : window.findChildren<ValuePicker*>()) delete other;
   auto* picker = new ValuePicker(window, question, palette, std::move(take));
-  picker->m_corner = widget.mapTo(&window, below);
-  picker->settle();
-  picker->show();
-  picker->raise();
-  picker->m_field->setFocus(Qt::PopupFocusReason);
-  picker->m_field->selectAll();
+  picker->openAt(widget.mapTo(&window, below));
   return picker;
 }
 
 ValuePicker::ValuePicker(QWidget& window, const Question& question, const Palette& palette, Take take)
-    : QFrame(&window),
+    : EntryFrame(window, question.prompt, question.start, std::move(take)),
       m_question(question),
-      m_palette(palette),
-      m_take(std::move(take)),
-      m_before(QApplication::focusWidget()) {
-  setObjectName("valuePicker");
-  setStyleSheet(
-      "#valuePicker { background: palette(window); border: 1px solid palette(highlight); border-radius: 6px; "
-      "}");
-  setAttribute(Qt::WA_StyledBackground);
+      m_palette(palette) {
   setFixedWidth(width_px);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(10, 8, 10, 8);
-  column->setSpacing(6);
-  auto* title = new QLabel(question.prompt, this);
-  title->setObjectName("secondary");
-  title->setFont(interface_font(12));
-  m_field = new QLineEdit(question.start, this);
-  m_field->setAccessibleName(question.prompt);
+  title().setFont(interface_font(12));
   m_list = new QListWidget(this);
   m_list->setAccessibleName("Values of " + QString::fromStdString(question.tier.name));
   m_list->setFocusPolicy(Qt::NoFocus);
   m_list->setFrameShape(QFrame::NoFrame);
   m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  m_complaint = new QLabel(this);
-  m_complaint->setWordWrap(true);
-  m_complaint->hide();
   m_hint = new QLabel("A key takes it, Return what is marked, Esc leaves it", this);
   m_hint->setObjectName("secondary");
   m_hint->setFont(interface_font(11));
-  for (QWidget* part : std::initializer_list<QWidget*>{title, m_field, m_list, m_complaint, m_hint})
-    column->addWidget(part);
-  m_field->installEventFilter(this);
-  connect(m_field, &QLineEdit::textEdited, this, [this](const QString& typed) {
+  auto* column = static_cast<QVBoxLayout*>(layout());
+  column->setContentsMargins(10, 8, 10, 8);
+  column->insertWidget(column->indexOf(&field()) + 1, m_list);
+  column->addWidget(m_hint);
+  connect(&field(), &QLineEdit::textEdited, this, [this](const QString& typed) {
     m_untouched = false;
     fill(typed);
   });
@@ -117,11 +96,7 @@ void ValuePicker::fill(const QString& typed) {
 
 QString ValuePicker::value() const {
   const QListWidgetItem* marked = m_list->isHidden() ? nullptr : m_list->currentItem();
-  return marked ? marked->data(value_role).toString() : m_field->text().trimmed();
-}
-
-QString ValuePicker::complaint() const {
-  return m_complaint->text();
+  return marked ? marked->data(value_role).toString() : field().text().trimmed();
 }
 
 /// Below its corner, or above where there is no room; inside the window.
@@ -130,62 +105,26 @@ void ValuePicker::settle() {
   layout()->activate();
   resize(width_px, layout()->hasHeightForWidth() ? layout()->totalHeightForWidth(width_px)
                                                  : layout()->sizeHint().height());
-  const QSize room = parentWidget()->size();
-  const int x = std::clamp(m_corner.x(), margin, std::max(margin, room.width() - width() - margin));
-  const bool fits = m_corner.y() + height() + margin <= room.height();
-  const int y = fits ? m_corner.y() : std::max(margin, m_corner.y() - height() - 6);
-  move(x, std::clamp(y, margin, std::max(margin, room.height() - height() - margin)));
+  const bool fits = corner().y() + height() + margin <= parentWidget()->height();
+  moveInside(fits ? corner() : corner() - QPoint(0, height() + 6));
 }
 
-void ValuePicker::take(const QString& value) {
-  const QPointer<ValuePicker> self(this);  // what takes it may open another
-  const QString complaint = m_take(value);
-  if (!self) return;
-  if (complaint.isEmpty()) return leave();
-  m_complaint->setText(complaint);
-  m_complaint->show();
-  m_field->selectAll();
-  settle();
+bool ValuePicker::press(const QKeyEvent& key) {
+  if (EntryFrame::press(key) || moveOrPick(key)) return true;
+  m_untouched = false;
+  return false;
 }
 
-void ValuePicker::leave() {
-  m_field->removeEventFilter(this);
-  hide();
-  if (m_before && m_before->isVisible()) m_before->setFocus(Qt::PopupFocusReason);
-  deleteLater();
-}
-
-bool ValuePicker::press(int key, const QString& text) {
-  if (key == Qt::Key_Escape) return leave(), true;
-  if (key == Qt::Key_Return || key == Qt::Key_Enter) return take(value()), true;
-  if (key == Qt::Key_Down || key == Qt::Key_Up) {
-    const int count = m_list->count(), step = key == Qt::Key_Down ? 1 : -1;
+bool ValuePicker::moveOrPick(const QKeyEvent& key) {
+  if (key.key() == Qt::Key_Down || key.key() == Qt::Key_Up) {
+    const int count = m_list->count(), step = key.key() == Qt::Key_Down ? 1 : -1;
     if (count > 0) m_list->setCurrentRow((std::max(m_list->currentRow(), 0) + step + count) % count);
     return true;
   }
-  if (!m_untouched || text.size() != 1) return false;
-  const VocabularyEntry* entry = m_question.tier.entry_of_key(text.at(0).toLatin1());
+  if (!m_untouched || key.text().size() != 1) return false;
+  const VocabularyEntry* entry = m_question.tier.entry_of_key(key.text().at(0).toLatin1());
   if (entry) take(QString::fromStdString(entry->value));
   return entry != nullptr;
-}
-
-bool ValuePicker::eventFilter(QObject* watched, QEvent* event) {
-  if (event->type() == QEvent::ShortcutOverride) {
-    event->accept();  // what is typed here is no command of the window
-    return true;
-  }
-  if (event->type() == QEvent::KeyPress) {
-    const auto* pressed = static_cast<QKeyEvent*>(event);
-    if (press(pressed->key(), pressed->text())) return true;
-    m_untouched = false;
-  }
-  if (event->type() == QEvent::FocusOut && isVisible() &&
-      static_cast<QFocusEvent*>(event)->reason() != Qt::PopupFocusReason &&
-      static_cast<QFocusEvent*>(event)->reason() != Qt::ActiveWindowFocusReason) {
-    m_before = nullptr;  // somebody went elsewhere on purpose
-    leave();
-  }
-  return QFrame::eventFilter(watched, event);
 }
 
 }  // namespace abrazo::widgets

@@ -1,16 +1,26 @@
 #include "widgets/library/take_coverage.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <numeric>
 
 #include "core/session/frame_in_library.hpp"
 
 namespace abrazo::widgets {
 
+namespace {
+
+constexpr double per_metre = 1000;
+constexpr std::size_t most_millimetres = 4000;
+
+}  // namespace
+
 void TakeCoverage::begin(std::shared_ptr<const MotionLibrary> library) {
   library_ = std::move(library);
   takes_.clear();
-  distances_.clear();
+  distances_.assign(most_millimetres + 1, 0);
+  user_frames_ = 0;
   next_index_ = 0;
   if (!library_) return;
   for (const LibraryTake& take : library_->takes()) {
@@ -26,7 +36,10 @@ void TakeCoverage::append(const FrameSnapshot& frame) {
   double nearest = std::numeric_limits<double>::infinity();
   for (const Candidate& candidate : result.candidates)
     nearest = std::min(nearest, candidate.feature_distance);
-  if (!result.candidates.empty()) distances_.push_back(static_cast<float>(nearest));
+  if (!result.candidates.empty() && library_) {
+    ++distances_[static_cast<std::size_t>(std::min(double{most_millimetres}, nearest * per_metre))];
+    ++user_frames_;
+  }
   const int pair = selected_pair(frame, library_);
   if (!library_ || pair < 0 || pair >= library_->pair_count()) return;
   const PairSource& source = library_->source(pair);
@@ -63,10 +76,11 @@ std::vector<int> TakeCoverage::heat(int take, int parts) const {
 }
 
 std::optional<double> TakeCoverage::share_within(double distance_m) const {
-  if (distances_.empty()) return std::nullopt;
-  const auto near = std::count_if(distances_.begin(), distances_.end(),
-                                  [&](float distance) { return static_cast<double>(distance) < distance_m; });
-  return static_cast<double>(near) / static_cast<double>(distances_.size());
+  if (user_frames_ == 0) return std::nullopt;
+  const auto end = static_cast<std::ptrdiff_t>(
+      std::clamp(std::round(distance_m * per_metre), 0.0, double{most_millimetres}));
+  const auto near = std::accumulate(distances_.begin(), distances_.begin() + end, std::uint64_t{0});
+  return static_cast<double>(near) / static_cast<double>(user_frames_);
 }
 
 }  // namespace abrazo::widgets

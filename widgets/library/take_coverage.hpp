@@ -27,9 +27,9 @@ class TakeCoverage {
   /// How often each part of the take was selected, the take cut into `parts` equal ones.
   std::vector<int> heat(int take, int parts) const;
 
-  int user_frames() const { return static_cast<int>(distances_.size()); }
-  /// Share of the user's frames whose nearest pair is closer than `distance_m` in feature space [0, 1];
-  /// nothing before there are frames.
+  int user_frames() const { return static_cast<int>(user_frames_); }
+  /// Share of the user's frames whose nearest pair is closer than `distance_m` in feature space [0, 1], to
+  /// the millimetre and up to four metres; nothing before there are frames.
   std::optional<double> share_within(double distance_m) const;
 
  private:
@@ -42,7 +42,9 @@ class TakeCoverage {
   };
   std::shared_ptr<const MotionLibrary> library_;
   std::vector<Take> takes_;
-  std::vector<float> distances_;  ///< of the nearest pair, per user frame [m]
+  std::vector<std::uint32_t>
+      distances_;  ///< user frames by the millimetres to their nearest pair; the last: more
+  std::uint64_t user_frames_ = 0;
   std::uint64_t next_index_ = 0;
 };
 

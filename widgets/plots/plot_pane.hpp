@@ -44,6 +44,7 @@ class PlotPane : public QWidget {
 
   /// Values in the head; null shows none.
   void showValues(const SeriesValues* values);
+  const std::optional<SeriesValues>& shownValues() const { return m_values; }
   void draw(const SampleTable& table, const PlotView& view);
   void forgetRange();
   double xOf(double time_s) const;

@@ -45,8 +45,8 @@ struct PlotPanel::Parts {
   Palette palette = palette_of(Theme::Dark);
   std::uint64_t next_index = 0;
   std::optional<double> pointer_s;
-  std::pair<std::uint64_t, SeriesValues> read_again{~std::uint64_t{0},
-                                                    {}};  ///< of this frame, from the history
+  static constexpr std::uint64_t no_frame = ~std::uint64_t{0};
+  std::pair<std::uint64_t, SeriesValues> read_again{no_frame, {}};  ///< of this frame, from the history
 
   const SeriesValues* values_of(const FrameSnapshot& frame, const FrameHistory& history);
 };
@@ -120,6 +120,7 @@ void PlotPanel::clear() {
   m_parts->reader = {};
   m_parts->selection_reader = SelectionReader(m_parts->selection);
   m_parts->unread_before = 0;
+  m_parts->read_again.first = Parts::no_frame;
   m_parts->playback = {};
   m_parts->window.attach();
   for (PlotPane* pane : m_parts->panes) pane->forgetRange();
@@ -272,7 +273,7 @@ void PlotPanel::showSelection(const Selection& selection) {
   const PaneArrangement panes = arrangement();
   const PaneSeries usual = series_of(selection);
   if (selection.kind != p.selection.kind) p.selected = usual;
-  p.read_again.first = ~std::uint64_t{0};
+  p.read_again.first = Parts::no_frame;
   p.selection = selection;
   p.selection_reader = SelectionReader(selection);
   p.unread_before = p.next_index;

@@ -1,10 +1,10 @@
 #include "widgets/takes/leftover_bar.hpp"
 
-#include "widgets/common/plain_text.hpp"
-
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
+
+#include "widgets/common/plain_text.hpp"
 
 namespace abrazo::widgets {
 

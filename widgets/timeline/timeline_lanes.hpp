@@ -137,12 +137,13 @@ class TimelineLanes {
   }
 
   /// "Source Moves|notes": names of the shown computed lanes and of the hidden tiers, to be remembered; and
-  /// back. Names of computed lanes that it does not know are passed over.
+  /// back. Names of computed lanes that it does not know are passed over. In a tier's name '|' is "%7C" and
+  /// '%' is "%25".
   std::string text() const {
     std::string names;
     for (std::size_t lane = 0; lane < shown_.size(); ++lane)
       if (shown_[lane]) names += (names.empty() ? "" : " ") + std::string(timeline_lane_infos[lane].name);
-    for (const std::string& hidden : hidden_) names += "|" + hidden;
+    for (const std::string& hidden : hidden_) names += "|" + in_list(hidden);
     return names;
   }
   void set_text(std::string_view names) {
@@ -153,13 +154,29 @@ class TimelineLanes {
     for (std::size_t bar = names.find('|'); bar != std::string_view::npos;) {
       const std::size_t next = names.find('|', bar + 1);
       const std::size_t length = next == std::string_view::npos ? next : next - bar - 1;
-      hidden_.emplace(names.substr(bar + 1, length));
+      hidden_.insert(from_list(names.substr(bar + 1, length)));
       bar = next;
     }
     scroll_to(scroll_px_);
   }
 
  private:
+  static std::string in_list(std::string_view name) {
+    std::string listed;
+    for (const char c : name) listed += c == '|' ? "%7C" : c == '%' ? "%25" : std::string(1, c);
+    return listed;
+  }
+  static std::string from_list(std::string_view listed) {
+    std::string name;
+    for (; !listed.empty(); listed.remove_prefix(1)) {
+      const bool is_bar = listed.starts_with("%7C");
+      const bool is_spelled = is_bar || listed.starts_with("%25");
+      name += is_bar ? '|' : listed.front();
+      if (is_spelled) listed.remove_prefix(2);
+    }
+    return name;
+  }
+
   double computed_px() const {
     double sum = 0;
     for (int lane = 0; lane < timeline_lane_count; ++lane)

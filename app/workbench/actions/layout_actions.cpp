@@ -8,6 +8,7 @@
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/panel_area.hpp"
 #include "app/workbench/panel_focus.hpp"
+#include "app/workbench/window_place.hpp"
 #include "widgets/common/message_log.hpp"
 
 namespace abrazo::app {

@@ -105,8 +105,7 @@ void open_dialog(MainWindow& window, RenderDialog& dialog) {
 }  // namespace
 
 void start_recording(MainWindow& window, ViewRecording& recording, const QString& file) {
-  const QString trouble = recording.start(file);
-  if (!trouble.isEmpty()) window.messages().showError(trouble);
+  if (const QString trouble = recording.start(file); !trouble.isEmpty()) window.messages().showError(trouble);
 }
 
 void render_range(MainWindow& window, const RangeRequest& request) {
@@ -121,7 +120,8 @@ void render_range(MainWindow& window, const RangeRequest& request) {
 
 void add_recording_actions(MainWindow& window) {
   auto* mark = new QLabel(&window);
-  mark->setTextFormat(Qt::RichText), mark->hide();
+  mark->setTextFormat(Qt::RichText);
+  mark->hide();
   mark->setAccessibleName("Recording");
   mark->setContentsMargins(8, 0, 12, 0);
   window.statusBar()->addPermanentWidget(mark);

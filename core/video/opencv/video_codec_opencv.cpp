@@ -147,7 +147,8 @@ class OpenCvSink final : public PictureSink {
  public:
   bool open(const std::filesystem::path& file, int width, int height, double fps) override {
     width_ = width, height_ = height;
-    video_.open(file.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('m', 'p', '4', 'v'), fps, cv::Size(width, height));
+    video_.open(file.string(), cv::CAP_FFMPEG, cv::VideoWriter::fourcc('m', 'p', '4', 'v'), fps,
+                cv::Size(width, height));
     return video_.isOpened();
   }
   void add(const std::uint8_t* rgb, std::size_t stride) override {

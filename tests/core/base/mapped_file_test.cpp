@@ -45,6 +45,13 @@ class MappedFileTest : public testing::Test {
                        [&](std::byte b) { return b == static_cast<std::byte>(byte); });
   }
 
+  static std::size_t mappings() {
+    std::ifstream maps("/proc/self/maps");
+    std::size_t count = 0;
+    for (std::string line; std::getline(maps, line);) ++count;
+    return count;
+  }
+
   const fs::path file;
 };
 
@@ -54,6 +61,18 @@ TEST_F(MappedFileTest, ShowsTheBytesOfTheFileAfterItsDescriptorIsClosed) {
   EXPECT_TRUE(holds(*mapped, 0, 4 * page, 'x'));
   EXPECT_FALSE(mapped->lost_pages());
   EXPECT_FALSE(mapped->was_changed());
+}
+
+TEST_F(MappedFileTest, HoweverManyPagesAreGoneTheyAreNotManyMappings) {
+  // The kernel allows a program some 65 000; every second of these would be one of its own.
+  constexpr std::size_t pages = 2000;
+  fs::resize_file(file, pages * page);
+  const auto mapped = map(file);
+  fs::resize_file(file, 0);
+  const std::size_t before = mappings();
+  for (std::size_t at = pages; at > 0; at -= 2)
+    EXPECT_TRUE(holds(*mapped, (at - 1) * page, at * page - 1, 0));
+  EXPECT_LT(mappings(), before + 5);
 }
 
 TEST_F(MappedFileTest, PagesCutFromUnderItReadAsZerosAndItSaysSo) {

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/annotation/suggestions.hpp"
+#include "core/library/library_extension.hpp"
 #include "core/library/motion_library_builder.hpp"
 #include "core/library/motion_library_file.hpp"
 #include "tests/core/library/synthetic_takes.hpp"
@@ -251,10 +253,33 @@ TEST_F(MappedLibrary, ExchangingTheRolesOfADamagedOneGoesOnAndItSaysSo) {
   const MotionLibrary library = mapped();
   const MotionLibrary exchanged = with_roles_exchanged(library), wanted = with_roles_exchanged(dance());
   EXPECT_TRUE(library.damage());
+  EXPECT_TRUE(exchanged.damage()) << "what was copied stays as it was then";
   EXPECT_TRUE(std::ranges::equal(exchanged.edges(4), wanted.edges(0)));
   EXPECT_TRUE(std::ranges::equal(exchanged.edges(5), wanted.edges(5)));
   EXPECT_TRUE(exchanged.pose(7).allFinite());
   EXPECT_EQ(exchanged.pose(8), wanted.pose(8));
+}
+
+TEST_F(MappedLibrary, ADamagedOneIsNotExtended) {
+  const MotionLibrary library = mapped();
+  ASSERT_TRUE(extend_library(library, test::circling_take("third", 40), {}, {})) << "a whole one is";
+  fs::resize_file(file, 4096);
+  const auto extended = extend_library(library, test::circling_take("third", 40), {}, {});
+  ASSERT_FALSE(extended.ok());
+  EXPECT_THAT(extended.error().text(), HasSubstr("was cut short while in use"));
+}
+
+TEST_F(MappedLibrary, OfADamagedOneNothingIsSuggested) {
+  PairedTake labelled = test::circling_take("first", 300), other = test::circling_take("second", 90, 0.6, 2);
+  for (int begin = 0; begin < 300; begin += 60)
+    labelled.labels.push_back({begin, begin + 60, begin % 120 == 0 ? "turn" : "step", "", ""});
+  ASSERT_TRUE(write_library(*build_library("dance", {labelled, other}, {}, {}), file).ok());
+  ASSERT_TRUE(suggest_annotations(mapped(), {.take = "second"}, {})) << "of a whole one there is";
+  const MotionLibrary library = mapped();
+  fs::resize_file(file, 4096);
+  const auto suggested = suggest_annotations(library, {.take = "second"}, {});
+  ASSERT_FALSE(suggested.ok());
+  EXPECT_THAT(suggested.error().text(), HasSubstr("was cut short while in use"));
 }
 
 TEST_F(MappedLibrary, CanBeWrittenOverItsOwnFile) {

@@ -163,6 +163,13 @@ TEST(MotionLibraryBuilder, SaysWhichJointOfWhichFrameIsNotANumber) {
               HasSubstr("take t/b: the position of head at frame 3 is not a finite number"));
 }
 
+TEST(MotionLibraryBuilder, SaysWhichJointOfWhichFrameIsTooFarAway) {
+  PairedTake take = circling_take("t", 5);
+  take.b.poses[3](joints::Head, 1) = 2e6;
+  EXPECT_THAT(refusal({take}).text(),
+              HasSubstr("take t/b: head at frame 3 is more than 1000 km from the origin; check the unit"));
+}
+
 TEST(MotionLibraryBuilder, RefusesTakesThatAreTooShortOrUneven) {
   EXPECT_THAT(refusal({circling_take("t", 1)}).text(), HasSubstr("take t: has 1 frames; at least 2"));
   PairedTake uneven = circling_take("t", 5);

@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <hdf5.h>
+#include <sys/stat.h>
 
+#include <cstring>
 #include <fstream>
+#include <iterator>
 #include <limits>
 
 #include "core/base/atomic_file.hpp"
@@ -78,6 +81,23 @@ class MotionLibraryFile : public testing::Test {
     H5Fclose(id);
   }
   /// Changes the value at one place of a dataset.
+  /// Every place in the file that holds one number, of 8 bytes, holds the other. @return how many
+  int replace_numbers(std::uint64_t from, std::uint64_t to) const {
+    std::ifstream in(file, std::ios::binary);
+    std::string bytes{std::istreambuf_iterator<char>(in), {}};
+    in.close();
+    std::string number(8, '\0'), other(8, '\0');
+    std::memcpy(number.data(), &from, 8);
+    std::memcpy(other.data(), &to, 8);
+    int count = 0;
+    for (std::size_t at = bytes.find(number); at != std::string::npos; at = bytes.find(number, at + 8)) {
+      bytes.replace(at, 8, other);
+      ++count;
+    }
+    std::ofstream(file, std::ios::binary | std::ios::trunc) << bytes;
+    return count;
+  }
+
   void poke(const char* path, const std::vector<hsize_t>& at, double value) const {
     const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
     const hid_t set = H5Dopen2(id, path, H5P_DEFAULT);
@@ -264,6 +284,21 @@ TEST_F(MotionLibraryFile, RefusesImpossibleSizesBeforeAllocating) {
   expect_refused("meshes/tetrahedra says it is 17592186044416 x 4 but the file holds only 0 values of it");
 }
 
+TEST_F(MotionLibraryFile, RefusesSizesThatAFileOnlyClaimsBeforeAllocating) {
+  // 2 TiB of edges: shape and length of the table say so, and some kilobytes are there.
+  const std::uint64_t rows = library.columns().edges.size();
+  constexpr std::uint64_t claimed = std::uint64_t{1} << 40;
+  EXPECT_GT(replace_numbers(rows, claimed), 0) << "the shape";
+  EXPECT_GT(replace_numbers(2 * rows, 2 * claimed), 0) << "the length";
+  expect_refused("meshes/edges claims 2199023255552 bytes but the file has ");
+}
+
+TEST_F(MotionLibraryFile, RefusesAPipeInsteadOfWaitingForItsWriter) {
+  fs::remove(file);
+  ASSERT_EQ(mkfifo(file.c_str(), 0600), 0);
+  expect_refused("is a pipe or a device; name a file");
+}
+
 TEST_F(MotionLibraryFile, RefusesOffsetsThatDescend) {
   poke("meshes/edge_offset", {3}, 0);
   expect_refused("does not fit together: edge offsets are not ascending");
@@ -318,6 +353,20 @@ TEST_F(MotionLibraryFile, NorIsOneThatAGroupHidesBehind) {
   H5Lcreate_external(other.c_str(), "/meshes", id, "/meshes", H5P_DEFAULT, H5P_DEFAULT);
   H5Fclose(id);
   expect_refused("meshes is a link to another place");
+}
+
+TEST_F(MotionLibraryFile, NorIsADescriptionThatStandsElsewhere) {
+  remove("bodies/bone_lengths");
+  const hid_t id = H5Fopen(file.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+  const hid_t type = H5Tcopy(H5T_IEEE_F64LE);
+  H5Tcommit2(id, "/a type", type, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  const std::array<hsize_t, 2> sizes = {2, 24};
+  const hid_t space = H5Screate_simple(2, sizes.data(), nullptr);
+  H5Dclose(H5Dcreate2(id, "/bodies/bone_lengths", type, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT));
+  H5Sclose(space);
+  H5Tclose(type);
+  H5Fclose(id);
+  expect_refused("bodies/bone_lengths has parts of its description elsewhere");
 }
 
 TEST_F(MotionLibraryFile, ASoftLinkIsNotFollowed) {

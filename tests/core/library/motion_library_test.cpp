@@ -137,7 +137,15 @@ TEST_F(BrokenColumns, OffsetsThatDescendAreRefused) {
 }
 TEST_F(BrokenColumns, PositionsThatAreNoNumbersAreRefused) {
   columns.poses[3](7, 1) = std::numeric_limits<double>::infinity();
-  expect_refused("a position is not a finite number");
+  expect_refused("a position is not a finite number, or too large for one in metres");
+}
+TEST_F(BrokenColumns, PositionsWhoseSquaresAreNoNumbersAreRefused) {
+  columns.poses[3](7, 1) = 1e200;
+  expect_refused("a position is not a finite number, or too large for one in metres");
+}
+TEST_F(BrokenColumns, ATakeOfAnInfiniteRateIsRefused) {
+  columns.takes[0].fps = std::numeric_limits<double>::infinity();
+  expect_refused("a take has no frame rate, frames or stride");
 }
 TEST_F(BrokenColumns, NothingAtAllIsRefused) {
   columns = {};
@@ -160,8 +168,10 @@ TEST(MotionLibrary, RefusesAMeshWithAnEdgeTwice) {
 
 TEST(MotionLibrary, RefusesABodyWithoutLengths) {
   LibraryColumns columns = switching_library().columns();
-  columns.bodies[0].body.bone_lengths[5] = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_THROW(MotionLibrary{columns}, std::invalid_argument);
+  for (const double length : {std::numeric_limits<double>::quiet_NaN(), -0.1, 1e200}) {
+    columns.bodies[0].body.bone_lengths[5] = length;
+    EXPECT_THROW(MotionLibrary{columns}, std::invalid_argument) << length;
+  }
 }
 
 }  // namespace

@@ -2,8 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
+#include <thread>
 
 #include "core/base/atomic_file.hpp"
 #include "core/library/motion_library_file.hpp"
@@ -52,6 +54,19 @@ class MappedLibrary : public testing::Test, protected test::TemporaryFolder {
   const std::string file_ = TemporaryFolder::file("dance.h5");
   test::DrivenSession session_;
 };
+
+TEST_F(MappedLibrary, IsCopiedForAPassiveUserWhileTheSessionGoesOn) {
+  session_.run_until(0.5);
+  Settings passive = newest().settings;
+  passive.user_role = UserRole::Passive;
+  session_.commands.push(SetSettings{passive});
+  for (int i = 0; i < 20000 && newest().settings.user_role == UserRole::Active; ++i) {
+    session_.run_until(session_.now_s + 1.0 / 60);
+    EXPECT_NE(newest().result.status, StepStatus::Failed) << newest().result.message;
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  }
+  EXPECT_EQ(newest().settings.user_role, UserRole::Passive);
+}
 
 TEST_F(MappedLibrary, ThatIsReplacedByAnotherLeavesTheSessionAsItWas) {
   session_.run_until(0.5);

@@ -176,6 +176,16 @@ TEST_F(LiveCommands, AnotherSourceIsAnotherUserWhoStartsAnew) {
   EXPECT_EQ(newest().index, 10U);
 }
 
+TEST_F(LiveCommands, FramesHaveTheNameOfTheirSourceAlsoWhenItGivesNoPose) {
+  dance(1);
+  EXPECT_EQ(newest().input, nullptr);
+  const auto name = std::make_shared<const std::string>("vmc://127.0.0.1:39539");
+  commands.push(ReplaceSource{std::make_shared<FakeDevice>(), name});
+  wait(0.5);
+  EXPECT_EQ(newest().result.status, StepStatus::Failed);
+  EXPECT_EQ(newest().input, name);
+}
+
 TEST_F(LiveCommands, MeasuresThatASourceLearnsLaterAreTakenOver) {
   dance(3);
   Body body = body_of(std::span(user.poses));

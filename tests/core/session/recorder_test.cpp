@@ -3,8 +3,11 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <future>
 #include <thread>
 
+#include "core/session/library_fingerprints.hpp"
 #include "core/session/session_database.hpp"
 #include "core/session/session_file.hpp"
 #include "core/synthesis/synthesizer_state.hpp"
@@ -110,7 +113,8 @@ TEST(Recorder, AFinishedRecordingIsOneFile) {
 TEST(Recorder, SaysWhereTheSessionCameFrom) {
   Recorded session;
   session.run_until(0.3);
-  session.recorder().set_input("vmc://0.0.0.0:39539");
+  session.commands.push(ReplaceSource{std::make_shared<ClipSource>(test::swinging_take("other", 200, 9).a),
+                                      std::make_shared<const std::string>("vmc://0.0.0.0:39539")});
   session.run_until(0.6);
   ASSERT_TRUE(session.recorder().finish());
   const SessionContents contents = opened(session.path)->contents();
@@ -120,8 +124,81 @@ TEST(Recorder, SaysWhereTheSessionCameFrom) {
   ASSERT_EQ(contents.inputs.size(), 2U);
   EXPECT_EQ(contents.inputs[0].text, "clip:user.bvh");
   EXPECT_EQ(contents.inputs[1].text, "vmc://0.0.0.0:39539");
-  EXPECT_GT(contents.inputs[1].first_frame, contents.inputs[0].first_frame);
+  EXPECT_EQ(contents.inputs[0].first_frame, 0U);
+  const auto& frames = session.keeper->frames;
+  const auto first = std::find_if(frames.begin(), frames.end(), [](const auto& one) { return one->input; });
+  ASSERT_NE(first, frames.end());
+  EXPECT_EQ(contents.inputs[1].first_frame, (*first)->index);
   EXPECT_THAT(contents.program, HasSubstr("abrazo"));
+}
+
+/// A fingerprint that takes until it is released, or so long that a test which waits for it is no fun.
+struct SlowFingerprint {
+  std::shared_ptr<LibraryFingerprints> shared =
+      std::make_shared<LibraryFingerprints>([this](const MotionLibrary&) {
+        ++calls;
+        released.get_future().wait_for(std::chrono::seconds(20));
+        is_done = true;
+        return std::string("0123456789abcdef");
+      });
+  RecordingFacts facts() const {
+    RecordingFacts facts = test::session_facts();
+    facts.fingerprints = shared;
+    return facts;
+  }
+  std::promise<void> released;
+  std::atomic<int> calls = 0;
+  std::atomic<bool> is_done = false;
+};
+
+TEST(Recorder, NobodyWaitsForTheFingerprintOfALargeLibraryUntilTheEnd) {
+  const test::TemporaryFolder folder;
+  const std::string path = folder.file("s.abrazo");
+  SlowFingerprint fingerprint;
+  test::DrivenSession session;
+  session.keeper->recorder = *Recorder::open(path, fingerprint.facts());
+  session.run_until(1);
+  ASSERT_TRUE(session.keeper->recorder->flush());
+  EXPECT_EQ(session.keeper->recorder->state().frames, session.keeper->frames.size());
+  EXPECT_EQ(opened(path)->contents().libraries.at(0).fingerprint, "");
+  const FrameSnapshotPtr read = session.keeper->recorder->store()->frame(20);
+  EXPECT_EQ(read->library, test::session_library());
+  EXPECT_EQ(read->result.edges, session.keeper->frames[20]->result.edges) << "which only the library has";
+  EXPECT_FALSE(fingerprint.is_done);
+  fingerprint.released.set_value();
+  ASSERT_TRUE(session.keeper->recorder->finish());
+  EXPECT_EQ(opened(path)->contents().libraries.at(0).fingerprint, "0123456789abcdef");
+}
+
+TEST(Recorder, TheRecordingsOfASessionGoThroughItsLibraryOnce) {
+  const test::TemporaryFolder folder;
+  SlowFingerprint fingerprint;
+  fingerprint.released.set_value();
+  for (const std::string name : {"a.abrazo", "b.abrazo"}) {
+    test::DrivenSession session;
+    session.keeper->recorder = *Recorder::open(folder.file(name), fingerprint.facts());
+    session.run_until(0.2);
+    ASSERT_TRUE(session.keeper->recorder->finish());
+    EXPECT_EQ(opened(folder.file(name))->contents().libraries.at(0).fingerprint, "0123456789abcdef");
+  }
+  EXPECT_EQ(fingerprint.calls, 1);
+}
+
+TEST(LibraryFingerprints, KeepNoLibrary) {
+  LibraryFingerprints fingerprints;
+  auto library = std::make_shared<const MotionLibrary>(*test::session_library());
+  const std::weak_ptr<const MotionLibrary> gone = library;
+  const auto fingerprint = fingerprints.of(library);
+  EXPECT_EQ(fingerprint.get(), library_fingerprint(*test::session_library()));
+  library.reset();
+  EXPECT_TRUE(gone.expired());
+}
+
+TEST(LibraryFingerprints, OfADamagedLibraryThereIsNone) {
+  LibraryColumns columns = test::session_library()->columns();
+  columns.damage = Error{"the file was cut short", "small"};
+  LibraryFingerprints fingerprints;
+  EXPECT_EQ(fingerprints.of(std::make_shared<const MotionLibrary>(std::move(columns))).get(), "");
 }
 
 TEST(Recorder, SettingsAndDecisionsAreKeptWhereTheyChange) {

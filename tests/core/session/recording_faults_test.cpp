@@ -51,6 +51,29 @@ void expect_all(const std::vector<std::uint64_t>& frames, std::size_t count) {
   for (std::size_t i = 0; i < count; ++i) EXPECT_EQ(frames[i], i);
 }
 
+/// With its log and the log's index, as a file manager takes them.
+template <typename Take>
+void take_all_of(const std::string& path, const Take& take) {
+  for (const char* end : {"", "-wal", "-shm"}) take(path + end, end);
+}
+
+/// A session of another program, open, whose rows are committed to its log and nowhere else yet.
+struct LiveSessionOfOthers {
+  explicit LiveSessionOfOthers(const std::string& path)
+      : database(*SessionDatabase::open(path, SessionDatabase::Access::Create)) {
+    EXPECT_EQ(database.text("PRAGMA journal_mode=WAL")->value_or(""), "wal");
+    EXPECT_TRUE(database.execute("CREATE TABLE theirs (row); INSERT INTO theirs VALUES (1), (2), (3)"));
+  }
+  /// As whoever opens the file sees them.
+  std::int64_t rows() const {
+    auto reader = *SessionDatabase::open(database.path(), SessionDatabase::Access::Read);
+    const auto count = reader.integer("SELECT count(*) FROM theirs");
+    EXPECT_TRUE(count) << count.error().text();
+    return count ? count->value_or(-1) : -1;
+  }
+  SessionDatabase database;
+};
+
 class RecordingFaults : public testing::Test, protected test::TemporaryFolder {};
 
 TEST_F(RecordingFaults, WhenTheDiskIsFullTheSessionGoesOnAndWithSpaceAgainNothingIsMissing) {
@@ -151,6 +174,52 @@ TEST_F(RecordingFaults, ADeletedFileWhoseNameIsTakenIsWrittenBesideIt) {
   EXPECT_EQ(*read_whole_file(path), "somebody else's");
   for (const auto& entry : fs::directory_iterator(fs::path(path).parent_path()))
     if (entry.path() != path) expect_all(frames_in(entry.path().string()), session.solved());
+}
+
+TEST_F(RecordingFaults, TheLogOfASessionThatTookADeletedFilesNameIsLeftAlone) {
+  const std::string path = file("s.abrazo");
+  Recorded session(path);
+  session.run_until(0.5);
+  ASSERT_TRUE(session.recorder().flush());
+  take_all_of(path, [](const std::string& name, const char*) { fs::remove(name); });
+  const LiveSessionOfOthers others(path);
+  session.run_until(0.8);
+  const Status finished = session.recorder().finish();
+  ASSERT_FALSE(finished);
+  EXPECT_THAT(finished.error().message, HasSubstr("s-deleted-"));
+  EXPECT_EQ(others.rows(), 3);
+  for (const auto& entry : fs::directory_iterator(fs::path(path).parent_path()))
+    if (entry.path().string().find("-deleted-") != std::string::npos)
+      expect_all(frames_in(entry.path().string()), session.solved());
+}
+
+TEST_F(RecordingFaults, TheLogOfASessionThatTookAMovedFilesNameIsLeftAlone) {
+  const std::string path = file("s.abrazo"), moved = file("moved.abrazo");
+  Recorded session(path);
+  session.run_until(0.5);
+  ASSERT_TRUE(session.recorder().flush());
+  take_all_of(path, [&](const std::string& name, const char* end) { fs::rename(name, moved + end); });
+  const LiveSessionOfOthers others(path);
+  session.run_until(0.8);
+  const Status finished = session.recorder().finish();
+  ASSERT_FALSE(finished);
+  EXPECT_THAT(finished.error().message, HasSubstr("whole, under its new name"));
+  EXPECT_EQ(others.rows(), 3);
+  expect_all(frames_in(moved), session.solved());
+}
+
+TEST_F(RecordingFaults, ADeletedFileIsNotWrittenAgainBesideALogThatIsNotItsOwn) {
+  const std::string path = file("s.abrazo");
+  Recorded session(path);
+  session.run_until(0.5);
+  ASSERT_TRUE(session.recorder().flush());
+  take_all_of(path, [](const std::string& name, const char*) { fs::remove(name); });
+  ASSERT_TRUE(write_whole_file(path + "-wal", "somebody else's"));
+  const Status finished = session.recorder().finish();
+  ASSERT_FALSE(finished);
+  EXPECT_THAT(finished.error().message, HasSubstr("s-deleted-"));
+  EXPECT_FALSE(fs::exists(path));
+  EXPECT_EQ(*read_whole_file(path + "-wal"), "somebody else's");
 }
 
 TEST_F(RecordingFaults, AFileThatIsRenamedWhileItIsRecordedIsSaidAndIsWholeUnderItsNewName) {

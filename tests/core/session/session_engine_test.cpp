@@ -67,7 +67,6 @@ class FakeRecorder : public Recorder {
   void set_markers(const Markers&) override {}
   void save_project(std::shared_ptr<const Project>) override {}
   void edit_takes(const TakeEdits&) override {}
-  void set_input(const std::string&) override {}
   void set_library_path(const std::shared_ptr<const MotionLibrary>&, const std::string&) override {}
   State state() const override {
     State state;
@@ -95,9 +94,11 @@ class Engine : public testing::Test {
   SessionOpeners openers() {
     SessionOpeners fakes;
     fakes.receiver = [this](const StreamUri& uri, const SessionClock&,
-                            const StreamReceiverOptions&) -> Result<std::shared_ptr<StreamReceiver>> {
+                            const StreamReceiverOptions& options) -> Result<std::shared_ptr<StreamReceiver>> {
       if (uri.port == 1) return Error{"the port is taken", uri.text};
       receiver = std::make_shared<FakeReceiver>(uri, device);
+      if (options.prepare) options.prepare(*receiver);
+      if (while_opening) while_opening();
       return std::shared_ptr<StreamReceiver>(receiver);
     };
     fakes.sink = [this](const StreamUri& uri, const Body& body,
@@ -127,12 +128,15 @@ class Engine : public testing::Test {
       return newest && newest->input_frame >= 0;
     });
   }
+  void a_pose_arrives() {
+    SourcePose pose;
+    pose.pose = test::swinging_take("user", 2, 4).a.poses[0];
+    pose.time_s = pose.arrived_s = pose.assembled_s = engine.clock().now_s();
+    device->arrive(pose);
+  }
   bool runs_on_the_device() {
     return eventually([&] {
-      SourcePose pose;
-      pose.pose = test::swinging_take("user", 2, 4).a.poses[0];
-      pose.time_s = pose.arrived_s = pose.assembled_s = engine.clock().now_s();
-      device->arrive(pose);
+      a_pose_arrives();
       const FrameSnapshotPtr newest = engine.latest().newest();
       return newest && newest->times.arrived_s >= 0;
     });
@@ -140,6 +144,7 @@ class Engine : public testing::Test {
 
   std::shared_ptr<FakeDevice> device = std::make_shared<FakeDevice>();
   std::shared_ptr<FakeReceiver> receiver;
+  std::function<void()> while_opening;  ///< between who listens and who plays
   std::shared_ptr<FakeRecorder> recorder = std::make_shared<FakeRecorder>();
   FakeSink* sink = nullptr;
   std::string opened_character;
@@ -207,7 +212,10 @@ TEST_F(Engine, ARecordingHasEveryFrameAndPoseBetweenItsBeginningAndItsEnd) {
   EXPECT_FALSE(engine.record("T.abrazo", {}));
   ASSERT_TRUE(runs_on_the_device());
   receiver->listeners.front()(ReceivedPose{});
-  ASSERT_TRUE(eventually([&] { return recorder->frames.frames().size() > 2; }));
+  ASSERT_TRUE(eventually([&] {
+    a_pose_arrives();  // frames follow poses, and the first few may be solved as one
+    return recorder->frames.frames().size() > 2;
+  }));
   recorder->finish_with = Error{"the disk is full", "S.abrazo"};
   EXPECT_FALSE(engine.stop_recording());
   EXPECT_TRUE(recorder->finished);
@@ -227,6 +235,49 @@ TEST_F(Engine, ALaterStreamIsRecordedToo) {
   receiver->listeners.front()(ReceivedPose{});
   EXPECT_EQ(recorder->poses.size(), 1U);
   EXPECT_TRUE(engine.stop_recording());
+}
+
+TEST_F(Engine, EveryFrameKnowsTheInputItCameFromAlsoWhileAStreamIsOpened) {
+  RecordingFacts facts;
+  facts.input = "clip:own";
+  ASSERT_TRUE(engine.record("S.abrazo", facts));
+  EXPECT_EQ(recorded_facts.input, "clip:own");
+  const auto recorded = [&] { return recorder->frames.frames().size(); };
+  while_opening = [&] {
+    const std::size_t before = recorded();
+    EXPECT_TRUE(eventually([&] { return recorded() > before + 3; }));
+  };
+  ASSERT_TRUE(engine.receive(uri(39539)));
+  ASSERT_TRUE(runs_on_the_device());
+  engine.stop_receiving();
+  ASSERT_TRUE(runs_on_the_clip());
+  ASSERT_TRUE(engine.stop_recording());
+  std::size_t of_clip = 0, of_stream = 0;
+  for (const FrameSnapshotPtr& frame : recorder->frames.frames()) {
+    if (frame->elapsed_s < 0) continue;  // no pose came in time; what it shows is from before
+    const bool is_of_clip = frame->input_frame >= 0;
+    ++(is_of_clip ? of_clip : of_stream);
+    EXPECT_EQ(frame->input ? *frame->input : "", is_of_clip ? "" : "vmc://127.0.0.1:39539");
+  }
+  EXPECT_GT(of_clip, 3U);
+  EXPECT_GT(of_stream, 0U);
+}
+
+TEST_F(Engine, ARecordingThatBeginsWithAStreamDoesNotTakeItsNameForTheClips) {
+  ASSERT_TRUE(engine.receive(uri(39539)));
+  RecordingFacts facts;
+  facts.input = "vmc://127.0.0.1:39539";
+  ASSERT_TRUE(engine.record("S.abrazo", facts));
+  EXPECT_EQ(recorded_facts.input, "") << "frames without a name are the clip's, which nobody has named";
+}
+
+TEST_F(Engine, ItsRecordingsShareTheFingerprintsOfLibraries) {
+  ASSERT_TRUE(engine.record("S.abrazo", {}));
+  const auto shared = recorded_facts.fingerprints;
+  ASSERT_TRUE(engine.stop_recording());
+  ASSERT_TRUE(engine.record("S.abrazo", {}));
+  EXPECT_NE(shared, nullptr);
+  EXPECT_EQ(recorded_facts.fingerprints, shared);
 }
 
 TEST_F(Engine, AMoveThatIsNotThereIsRefusedWithThoseThatAre) {

@@ -52,7 +52,6 @@ class Onlooker {
  public:
   explicit Onlooker(const SessionEngine& engine)
       : thread_([this, &history = engine.history(), &latest = engine.latest()](const std::stop_token& stop) {
-          std::uint64_t version = 0;
           double sum = 0;
           while (!stop.stop_requested()) {
             if (const FrameSnapshotPtr newest = latest.newest()) sum += newest->result.energy.deformation;
@@ -62,7 +61,6 @@ class Onlooker {
               ++looked_;
             }
             if (const FrameSnapshotPtr frame = history.at(span.first_s)) sum += frame->time_s;
-            (void)++version;
           }
           EXPECT_EQ(sum, sum);
         }) {}
@@ -77,7 +75,7 @@ Status export_what_there_is(const SessionEngine& engine, const std::string& outp
   RunningExport running;
   running.name = "session";
   running.frames = engine.history().stretch(-1, 1e9);
-  if (running.frames.empty()) return Done{};
+  if (running.frames.size() < 2) return Done{};  // a single one has no rate
   running.library = test::session_library();
   running.library_name = "small";
   running.input = "user";
@@ -117,7 +115,10 @@ TEST(SessionUnderLoad, EverythingAtOnceLeavesAWholeRecordingAndALiveSession) {
     ASSERT_TRUE(engine.send(*parse_stream_uri("vmc://127.0.0.1:9"), Character::Partner));
     engine.recorder()->begin_take("take " + std::to_string(round));
     std::jthread exporting([&engine, output = folder.file("motion.bvh")] {
-      for (int i = 0; i < 3; ++i) EXPECT_TRUE(export_what_there_is(engine, output));
+      for (int i = 0; i < 3; ++i) {
+        const Status exported = export_what_there_is(engine, output);
+        EXPECT_TRUE(exported) << exported.error().text();
+      }
     });
     for (int i = 0; !ana.done() || !ben.done(); ++i) {
       Settings settings = *preset(i % 2 ? "responsive" : "paper");

@@ -2,7 +2,9 @@
 #include <arpa/inet.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <net/ethernet.h>
 #include <net/if.h>
+#include <net/route.h>
 #include <netinet/in.h>
 #include <sched.h>
 #include <sys/ioctl.h>
@@ -10,9 +12,14 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <array>
+#include <chrono>
 #include <cstring>
+#include <fstream>
 #include <functional>
 #include <iostream>
+#include <set>
+#include <thread>
 
 #include "core/stream/pose_sink.hpp"
 #include "core/stream/stream_receiver.hpp"
@@ -22,7 +29,9 @@
 namespace abrazo {
 namespace {
 
+using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 std::string listening_at(const std::string& uri) {
@@ -95,6 +104,55 @@ bool plug_it_in() {
   return set_loopback_address(0x7F000001);
 }
 
+/// Everything leads through a network in which this machine has the address, and no other: a new lease,
+/// another Wi-Fi.
+bool be_at(std::uint32_t address) {
+  if (!pull_the_cable() || !set_loopback_address(address)) return false;
+  std::string device = "lo";
+  rtentry route{};
+  route.rt_dst.sa_family = route.rt_genmask.sa_family = AF_INET;
+  route.rt_flags = RTF_UP;
+  route.rt_dev = device.data();
+  const int socket = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
+  const bool done = ::ioctl(socket, SIOCADDRT, &route) == 0;
+  ::close(socket);
+  return done;
+}
+constexpr std::uint32_t at_home = 0x0A000005, in_the_studio = 0x0B000006;  // 10.0.0.5, 11.0.0.6
+
+/// Sees every packet that goes out.
+class PacketTap {
+ public:
+  PacketTap() : socket_(::socket(AF_PACKET, SOCK_DGRAM | SOCK_CLOEXEC | SOCK_NONBLOCK, htons(ETH_P_IP))) {}
+  ~PacketTap() { ::close(socket_); }
+  PacketTap(const PacketTap&) = delete;
+  PacketTap& operator=(const PacketTap&) = delete;
+
+  /// Where the packets since the last call came from.
+  std::set<std::uint32_t> sources() const {
+    std::set<std::uint32_t> seen;
+    std::array<std::uint8_t, 2048> packet{};
+    while (::recv(socket_, packet.data(), packet.size(), 0) >= 20) {
+      std::uint32_t address = 0;
+      std::memcpy(&address, packet.data() + 12, sizeof address);
+      seen.insert(ntohl(address));
+    }
+    return seen;
+  }
+
+ private:
+  int socket_;
+};
+
+/// UDP sockets of this network that are bound.
+int bound_sockets() {
+  std::ifstream table("/proc/thread-self/net/udp");
+  std::string line;
+  int lines = -1;  // the heading
+  while (std::getline(table, line)) ++lines;
+  return lines;
+}
+
 constexpr int not_allowed = 77;
 
 /// Runs it in a process that has a network of its own. @return its exit status
@@ -158,6 +216,91 @@ TEST(NetworkGone, AServerThatNoNetworkLeadsToIsSaid) {
     const auto sockets = StreamSockets::open(*parse_stream_uri("natnet://192.0.2.1"));
     EXPECT_FALSE(sockets);
     EXPECT_THAT(sockets ? "" : sockets.error().text(), HasSubstr("is the network connected?"));
+    return true;
+  });
+}
+
+TEST(NetworkGone, ASinkGoesOnFromTheAddressThatTheMachineHasThen) {
+  RUN_IN_OWN_NETWORK([] {
+    for (const std::string scheme : {"vmc://192.0.2.1:39540", "natnet://192.0.2.1:1510"}) {
+      EXPECT_TRUE(be_at(at_home));
+      auto sink = *PoseSink::open(*parse_stream_uri(scheme), body_of(test::standing_pose()), "partner");
+      const PacketTap tap;
+      sink->send({test::standing_pose(), 0, true});
+      EXPECT_THAT(tap.sources(), ElementsAre(at_home)) << scheme;
+      EXPECT_TRUE(be_at(in_the_studio));
+      sink->send({test::standing_pose(), 0.01, true});
+      EXPECT_THAT(tap.sources(), ElementsAre(in_the_studio)) << scheme;
+      EXPECT_EQ(sink->health().failures, 0U) << sink->health().latest_failure;
+    }
+    return true;
+  });
+}
+
+TEST(NetworkGone, ASinkWithoutAWayToItsReceiverIsHeardNowhereUntilThereIsOne) {
+  RUN_IN_OWN_NETWORK([] {
+    EXPECT_TRUE(pull_the_cable());
+    auto sink = PoseSink::open(*parse_stream_uri("natnet://192.0.2.1:1510"), body_of(test::standing_pose()),
+                               "partner");
+    EXPECT_TRUE(sink);
+    EXPECT_EQ(bound_sockets(), 0) << "a socket that every network reaches";
+    (*sink)->send({test::standing_pose(), 0, true});
+    EXPECT_THAT((*sink)->health().latest_failure, HasSubstr("is the network connected?"));
+    EXPECT_TRUE(be_at(at_home));
+    const PacketTap tap;
+    (*sink)->send({test::standing_pose(), 0.01, true});
+    EXPECT_THAT(tap.sources(), ElementsAre(at_home));
+    return true;
+  });
+}
+
+TEST(NetworkGone, AReceiverTalksToItsServerFromTheAddressThatTheMachineHasThen) {
+  RUN_IN_OWN_NETWORK([] {
+    EXPECT_TRUE(be_at(at_home));
+    auto sockets = *StreamSockets::open(*parse_stream_uri("natnet://192.0.2.1"));
+    EXPECT_TRUE(sockets.join({0xEFFF2A63, 1511}));
+    EXPECT_TRUE(be_at(in_the_studio));
+    const PacketTap tap;
+    const Status sent = sockets.reply({{}, {1, 2, 3}});
+    EXPECT_TRUE(sent) << sent.error().text();
+    EXPECT_THAT(tap.sources(), ElementsAre(in_the_studio));
+    EXPECT_EQ(sockets.local().address, in_the_studio);
+    EXPECT_THAT(sockets.listening(), Not(HasSubstr("multicast"))) << "it was joined on the network before";
+    EXPECT_TRUE(sockets.join({0xEFFF2A63, 1511}));
+    EXPECT_THAT(sockets.listening(), HasSubstr("multicast"));
+    return true;
+  });
+}
+
+TEST(NetworkGone, AReceiverStaysAtTheInterfaceThatWasNamed) {
+  RUN_IN_OWN_NETWORK([] {
+    EXPECT_TRUE(be_at(at_home));
+    auto sockets = *StreamSockets::open(*parse_stream_uri("natnet://192.0.2.1?interface=10.0.0.5"));
+    EXPECT_TRUE(be_at(in_the_studio));
+    EXPECT_FALSE(sockets.reply({{}, {1, 2, 3}}));
+    EXPECT_EQ(sockets.local().address, at_home);
+    return true;
+  });
+}
+
+TEST(NetworkGone, ThatTheMachineLostTheAddressWhichIsListenedAtIsSaid) {
+  RUN_IN_OWN_NETWORK([] {
+    EXPECT_TRUE(be_at(at_home));
+    const auto receiver = *StreamReceiver::open(*parse_stream_uri("vmc://10.0.0.5:0"), SessionClock());
+    const auto is_said = [&] {
+      const auto diagnoses = receiver->health().diagnoses;
+      return !diagnoses.empty() && diagnoses.front().kind == "address-gone";
+    };
+    const auto becomes = [&](bool said) {
+      const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+      while (is_said() != said && std::chrono::steady_clock::now() < until) std::this_thread::yield();
+      return is_said() == said;
+    };
+    EXPECT_FALSE(is_said());
+    EXPECT_TRUE(be_at(in_the_studio));
+    EXPECT_TRUE(becomes(true));
+    EXPECT_TRUE(be_at(at_home));
+    EXPECT_TRUE(becomes(false));
     return true;
   });
 }

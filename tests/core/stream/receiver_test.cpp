@@ -43,16 +43,18 @@ class Heard {
 /// A receiver on a free port of this machine and a socket that sends to it.
 class LoopbackReceiver : public testing::Test {
  protected:
-  LoopbackReceiver() {
-    auto opened = StreamReceiver::open(*parse_stream_uri("vmc://127.0.0.1:0"), clock_, {},
-                                       std::make_unique<PlainDecoder>());
+  LoopbackReceiver() { listen_with(std::make_unique<PlainDecoder>()); }
+  ~LoopbackReceiver() override { receiver_->unlisten(listener_); }
+
+  void listen_with(std::unique_ptr<StreamDecoder> decoder) {
+    auto opened =
+        StreamReceiver::open(*parse_stream_uri("vmc://127.0.0.1:0"), clock_, {}, std::move(decoder));
     if (!opened) throw std::runtime_error(opened.error().text());
     receiver_ = *opened;
     listener_ = receiver_->listen([this](const ReceivedPose& pose) { heard_.add(pose); });
     const std::string at = receiver_->health().listening;
     port_ = static_cast<std::uint16_t>(std::stoi(at.substr(at.find(':') + 1)));
   }
-  ~LoopbackReceiver() override { receiver_->unlisten(listener_); }
 
   void send(const PlainFrame& frame) { send_bytes(plain_packet(frame)); }
   void send_bytes(const std::vector<std::uint8_t>& bytes) {
@@ -67,6 +69,48 @@ class LoopbackReceiver : public testing::Test {
   std::uint16_t port_ = 0;
   int listener_ = 0;
 };
+
+TEST_F(LoopbackReceiver, WhoListensBeforeItBeginsHearsTheFirstPoseToo) {
+  Heard heard;
+  StreamReceiverOptions options;
+  options.prepare = [&](StreamReceiver& receiver) {
+    const std::string at = receiver.health().listening;
+    const auto port = static_cast<std::uint16_t>(std::stoi(at.substr(at.find(':') + 1)));
+    ASSERT_TRUE(sender_.send({0x7F000001, port}, plain_packet({"Ana", 1, 0.5, test::standing_pose()})));
+    std::this_thread::sleep_for(std::chrono::milliseconds(20));  // a receiver that runs takes it now
+    receiver.listen([&](const ReceivedPose& pose) { heard.add(pose); });
+  };
+  const auto opened = StreamReceiver::open(*parse_stream_uri("vmc://127.0.0.1:0"), clock_, options,
+                                           std::make_unique<PlainDecoder>());
+  ASSERT_TRUE(opened) << opened.error().text();
+  EXPECT_EQ(heard.wait_for(1).size(), 1U);
+}
+
+/// Has so much to answer to each packet that a pose is counted long before it is handed out.
+class TalkativeDecoder : public PlainDecoder {
+ public:
+  void take(const Datagram& datagram, Decoded& out) override {
+    PlainDecoder::take(datagram, out);
+    const std::vector<std::uint8_t> bytes(10);
+    for (int i = 0; i < 2000; ++i) out.replies.push_back({datagram.from, bytes});
+  }
+};
+
+TEST_F(LoopbackReceiver, WhatWasCountedHasBeenHeardByWhoStopsListening) {
+  listen_with(std::make_unique<TalkativeDecoder>());
+  for (std::uint64_t i = 0; i < 20; ++i) {
+    std::atomic<int> heard = 0;
+    const int number = receiver_->listen([&](const ReceivedPose&) { ++heard; });
+    send({"Ana", static_cast<std::int64_t>(i), {}, test::standing_pose()});
+    const auto counted = [&] {
+      const StreamHealth health = receiver_->health();
+      return !health.performers.empty() && health.performers[0].frames == i + 1;
+    };
+    while (!counted()) std::this_thread::yield();
+    receiver_->unlisten(number);
+    ASSERT_EQ(heard, 1) << "pose " << i;
+  }
+}
 
 TEST_F(LoopbackReceiver, GivesThePoseOfAPacketFromTheNetwork) {
   const auto source = receiver_->source();

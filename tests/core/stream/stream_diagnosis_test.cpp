@@ -72,6 +72,16 @@ TEST(StreamDiagnosis, AStreamThatStoppedIsAnError) {
   EXPECT_EQ(diagnose(seen).front().severity, Severity::Error);
 }
 
+TEST(StreamDiagnosis, AnAddressThatThisMachineLostExplainsTheSilence) {
+  StreamObservation seen = healthy("vmc://10.0.0.5:39539");
+  seen.last_packet_s = 50;
+  seen.lost_address = "10.0.0.5";
+  EXPECT_THAT(texts(seen), AllOf(HasSubstr("address-gone: this machine no longer has the address 10.0.0.5"),
+                                 HasSubstr("0.0.0.0:39539"), Not(HasSubstr("stalled"))));
+  seen.uri = *parse_stream_uri("natnet://10.0.0.9?interface=10.0.0.5");
+  EXPECT_THAT(texts(seen), HasSubstr("or leave interface= out"));
+}
+
 TEST(StreamDiagnosis, NamesTheProtocolThatComesInstead) {
   StreamObservation seen = healthy();
   seen.performers.clear();

@@ -67,6 +67,24 @@ TEST(PartnerSynthesizer, EveryFrameKeepsBonesAndLocks) {
   }
 }
 
+TEST(PartnerSynthesizer, CollisionsThatContradictTheBonesAreLetGoAndTheFloorIsKept) {
+  // Two people who stand in each other's arms, and a user whose joints are not where any body has them.
+  std::vector<PairedTake> takes;
+  takes.push_back(test::swinging_take("close", 120, 1, 0.35));
+  auto synthesizer = std::move(*PartnerSynthesizer::create(
+      std::make_shared<const MotionLibrary>(std::move(*build_library("close", std::move(takes), {}, {}))),
+      *preset("responsive")));
+  synthesizer->set_user_body(body_of(test::standing_pose()));
+  std::mt19937 random(7);
+  int let_go = 0;
+  for (const Pose& pose : test::swinging_take("user", 200, 17).a.poses) {
+    const FrameResult& result = synthesizer->step(test::shaken(pose, 0.4, random), Duration(1.0 / 60));
+    EXPECT_NE(result.message, "only bone lengths were kept");
+    let_go += result.message == "foot locks and collisions were let go";
+  }
+  EXPECT_GT(let_go, 0) << "the case must contradict itself to test anything";
+}
+
 TEST(PartnerSynthesizer, EqualInputGivesTheSameBits) {
   const Clip user = test::swinging_take("user", 120, 23).a;
   const auto trace_of = [&] {

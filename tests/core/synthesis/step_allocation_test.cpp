@@ -130,7 +130,7 @@ TEST(StepAllocation, DoesNotHappenWhenBodiesCollideAndConstraintsAreLetGo) {
   std::size_t not_ok = 0;
   const std::vector<Pose> user = dancing_user();
   for (std::size_t frame = 0; frame < user.size(); ++frame) {
-    const Pose pose = frame % 3 == 0 ? test::shaken(user[frame], 0.15, random) : user[frame];
+    const Pose pose = frame % 3 == 0 ? test::shaken(user[frame], 0.4, random) : user[frame];
     const std::size_t before = test::allocations();
     const FrameResult& result = synthesizer->step(pose, step_time);
     sum += test::allocations() - before;

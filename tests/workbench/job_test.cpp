@@ -1,0 +1,52 @@
+#include "app/workbench/job.hpp"
+
+#include <gtest/gtest.h>
+
+#include <QStringList>
+#include <new>
+#include <stdexcept>
+
+#include "tests/workbench/until.hpp"
+
+namespace abrazo::app {
+namespace {
+
+/// What is told of a job whose work throws this; "(finished)" once it is over.
+template <typename Thrown>
+QStringList told_of(const Thrown& thrown) {
+  QStringList told;
+  Job::tellFailures([&](const QString& failure) { told << failure; });
+  Job job([&](const Progress&) -> Job::Finish { throw thrown; });
+  QObject::connect(&job, &Job::finished, [&] { told << "(finished)"; });
+  until([&] { return told.contains("(finished)"); });
+  Job::tellFailures({});
+  return told;
+}
+
+TEST(Job, ThatLacksMemorySaysSoAndTheProgramGoesOn) {
+  const QStringList told = told_of(std::bad_alloc());
+  ASSERT_EQ(told.size(), 2);
+  EXPECT_TRUE(told[0].contains("not enough memory")) << told[0].toStdString();
+  EXPECT_EQ(told[1], "(finished)");
+}
+
+TEST(Job, ThatFailsUnexpectedlySaysHow) {
+  const QStringList told = told_of(std::runtime_error("the table has no rows"));
+  ASSERT_EQ(told.size(), 2);
+  EXPECT_EQ(told[0], "the table has no rows");
+}
+
+TEST(Job, ThatWasCancelledSaysNothingMore) {
+  QStringList told;
+  Job::tellFailures([&](const QString& failure) { told << failure; });
+  bool is_over = false;
+  Job job([&](const Progress&) -> Job::Finish { throw std::runtime_error("too late"); });
+  job.cancel();
+  QObject::connect(&job, &Job::finished, [&] { is_over = true; });
+  EXPECT_TRUE(until([&] { return is_over; }));
+  EXPECT_TRUE(told.empty());
+  Job::tellFailures({});
+}
+
+}  // namespace
+}  // namespace abrazo::app
