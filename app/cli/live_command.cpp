@@ -17,6 +17,7 @@
 #include "core/session/session_file.hpp"
 #include "core/stream/clip_source.hpp"
 #include "core/stream/silent_source.hpp"
+#include "core/synthesis/role_views.hpp"
 
 namespace abrazo::app {
 
@@ -233,6 +234,20 @@ Error no_pose(const LiveEnd& end, const StreamUri& uri) {
   return {"no pose came in", uri.text};
 }
 
+/// A session would select by Eq. 7 until the library is learned; nobody waits yet, so it is done before.
+Status learn(CommandLine& line, const PartnerSynthesizer& synthesizer, const Settings& settings) {
+  if (settings.selection != SelectionMethod::Filter) return Done{};
+  show_state(line, "learning the library");
+  try {
+    synthesizer.views()->intent(settings.user_role);
+  } catch (const std::runtime_error& failure) {
+    clear_progress(line);
+    return Error{failure.what(), synthesizer.library().name()};
+  }
+  clear_progress(line);
+  return Done{};
+}
+
 Status run_live(CommandLine& line, const LiveOptions& options) {
   const auto plan = plan_of(options);
   if (!plan) return plan.error();
@@ -243,6 +258,8 @@ Status run_live(CommandLine& line, const LiveOptions& options) {
   if (!clip) return clip.error();
   auto synthesizer = PartnerSynthesizer::create(library, plan->settings, options.excluded);
   if (!synthesizer) return synthesizer.error();
+
+  if (const Status learned = learn(line, **synthesizer, plan->settings); !learned) return learned;
 
   SessionEngine engine(std::move(*synthesizer), std::make_shared<SilentSource>());
   const auto live = std::make_shared<LiveReport>();

@@ -143,6 +143,7 @@ void add_render_options(CLI::App& command, RenderOptions& options) {
   };
   add_switch("--mesh", options.mesh, "the interaction mesh");
   add_switch("--user", options.user, "the user's skeleton");
+  add_switch("--ahead", options.ahead, "session: where the partner goes next if the recording goes on");
   add_switch("--captions", options.captions, "frame, time and source written into the picture");
   command.add_option("--library", options.library, "session: the library, when it is not where it was")
       ->type_name("LIB");
@@ -162,6 +163,8 @@ std::vector<std::string> words_of(const RenderOptions& options) {
                                     options.mesh,
                                     "--user",
                                     options.user,
+                                    "--ahead",
+                                    options.ahead,
                                     "--captions",
                                     options.captions};
   if (options.from_s) words.push_back("--from=" + exact_text(*options.from_s));

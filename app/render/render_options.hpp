@@ -19,7 +19,7 @@ struct RenderOptions {
   double rate_hz = 30;
   std::string camera = "follow";
   std::string theme = "dark";
-  std::string mesh = "on", user = "on", captions = "off";
+  std::string mesh = "on", user = "on", ahead = "off", captions = "off";
 };
 
 /// Declares them for a command.

@@ -102,6 +102,7 @@ widgets::ScenePictures::Look look_of(const FrameSource& source, const RenderOpti
     for (const auto part : {widgets::ScenePart::MeshBetween, widgets::ScenePart::MeshWithin})
       show(part, false);
   if (options.user == "off") show(widgets::ScenePart::User, false);
+  show(widgets::ScenePart::LookAhead, options.ahead == "on");
   std::optional<ViewDirection> direction;
   view_direction(options.camera, direction);
   constexpr double rad = std::numbers::pi / 180;

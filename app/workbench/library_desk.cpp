@@ -32,6 +32,9 @@ void LibraryDesk::connectBrowser() {
   connect(&m_window.takes(), &TakeList::recordedShown, this, &LibraryDesk::showRecorded);
   connect(&m_window.takes(), &TakeList::danceRequested, this, &LibraryDesk::danceWith);
   connect(&m_window.takes(), &TakeList::vetoRequested, this, &LibraryDesk::toggleVeto);
+  // With each picture of the scene, unlike the marks: light that moves is what it is about.
+  connect(&m_window.ticker(), &FrameTicker::frameReady, this,
+          [this](const FrameSnapshotPtr& frame) { m_window.takes().setBelief(frame->result.intent); });
   connect(&m_window.candidates(), &widgets::CandidateTable::jumpRequested, &m_window.takes(),
           &TakeList::showPlace);
 }

@@ -65,10 +65,13 @@ Result<Span> parse_span(std::string_view text, std::string_view whole) {
 
 Result<std::vector<std::string>> spread(const SettingInfo& info, std::string_view text,
                                         std::string_view whole) {
-  if (info.kind == SettingInfo::Kind::Flag || info.kind == SettingInfo::Kind::Choice)
-    return Error{fmt::format("{0} has no numbers to count through; name its values, as in {0}={1}", info.key,
-                             info.kind == SettingInfo::Kind::Flag ? "off,on" : "inverse,uniform"),
-                 std::string(whole)};
+  if (info.kind == SettingInfo::Kind::Flag || info.kind == SettingInfo::Kind::Choice) {
+    std::string values = info.kind == SettingInfo::Kind::Flag ? "off,on" : std::string(info.choices);
+    std::replace(values.begin(), values.end(), '|', ',');
+    return Error{
+        fmt::format("{0} has no numbers to count through; name its values, as in {0}={1}", info.key, values),
+        std::string(whole)};
+  }
   const auto span = parse_span(text, whole);
   if (!span) return span.error();
   std::vector<std::string> values;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 namespace abrazo {
 
 /// Eq. 7 term by term [m^2].
@@ -10,12 +12,28 @@ struct CostBreakdown {
   double total = 0;             ///< pose + alpha (temporal_active + temporal_passive)
 };
 
+/// What the selection `filter` expects of a recorded pair, term by term [m]; weights are in the terms.
+struct IntentCost {
+  double partner = 0;  ///< expected mean joint distance between its partner and the one the user means
+  double leader = 0;   ///< w_l (1 - kernel): the user's last two seconds beside those before this pair
+  double move = 0;     ///< w_m (1 - P(its label))
+  double meant = 0;    ///< w_p when a person named another label or take
+  double change = 0;   ///< the switch margin, when it does not continue the current source
+  double total = 0;    ///< their sum
+};
+
 /// A recorded pair that was considered for a frame.
 struct Candidate {
   int pair = -1;                ///< in the library
   double feature_distance = 0;  ///< Euclidean [m]
   bool continuation = false;  ///< joined because it continues the current source, not as a nearest neighbour
   CostBreakdown cost;
+  std::optional<IntentCost> intent = {};  ///< with the selection `filter`, which decides by its total
 };
+
+/// What decides between candidates of one frame: the less the better. [m^2] by Eq. 7, [m] of `filter`.
+inline double deciding_cost(const Candidate& candidate) {
+  return candidate.intent ? candidate.intent->total : candidate.cost.total;
+}
 
 }  // namespace abrazo

@@ -6,8 +6,7 @@
 #include "core/library/motion_library.hpp"
 #include "core/library/pose_index.hpp"
 #include "core/selection/candidate.hpp"
-#include "core/selection/meant_pairs.hpp"
-#include "core/selection/vetoes.hpp"
+#include "core/selection/selectable_pairs.hpp"
 
 namespace abrazo {
 
@@ -37,33 +36,19 @@ class PairSelector {
   /// @return index of the cheapest; -1 when there are none
   int select(const SelectionQuery& query, std::vector<Candidate>& candidates);
 
-  /// Leaves these out from the next call on; the pairs given to the constructor stay the most there can be.
-  /// The index stays as it is, so that a change never holds up the steps.
-  void set_vetoes(const Vetoes& vetoes);
+  /// Leaves these out from the next call on; in place of the vetoes before. The index stays as it is, so
+  /// that a change never holds up the steps.
+  void set_vetoes(const Vetoes& vetoes) { pairs_.set_vetoes(vetoes); }
 
   /// From the next call on only these, as long as one of them may be selected; otherwise as if none were
   /// meant.
-  void set_meant(const std::optional<MeantPairs>& meant);
+  void set_meant(const std::optional<MeantPairs>& meant) { pairs_.set_meant(meant); }
 
-  /// Given to the constructor, vetoed or not.
-  bool is_selectable(int pair) const { return selectable_[static_cast<std::size_t>(pair)]; }
-  bool is_vetoed(int pair) const { return vetoed_[static_cast<std::size_t>(pair)]; }
-  /// Vetoed, or not what is meant.
-  bool is_left_out(int pair) const { return left_out_[static_cast<std::size_t>(pair)]; }
-  /// Nothing is left because of the vetoes.
-  bool all_vetoed() const { return !pairs_.empty() && veto_count_ == pairs_.size(); }
+  const SelectablePairs& pairs() const { return pairs_; }
 
  private:
-  void leave_out();
-
   std::shared_ptr<const MotionLibrary> library_;
-  std::vector<int> pairs_;
-  std::vector<bool> selectable_;
-  std::vector<bool> vetoed_;
-  std::size_t veto_count_ = 0;  ///< of those that are selectable
-  std::optional<MeantPairs> meant_;
-  std::vector<bool> left_out_;              ///< by vetoes and by what is meant
-  bool leaves_out_ = false;                 ///< at least one
+  SelectablePairs pairs_;
   std::shared_ptr<const PoseIndex> index_;  ///< over those that are selectable
   std::vector<PoseMatch> matches_;          ///< kept between calls so that a query does not allocate
 };

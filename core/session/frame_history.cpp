@@ -62,10 +62,10 @@ std::pair<std::uint64_t, std::uint64_t> stored_between(const FrameStore& store, 
 
 std::size_t size_of(const FrameSnapshot& frame) {
   const FrameResult& r = frame.result;
-  return sizeof(FrameSnapshot) + bytes_of(r.candidates) + bytes_of(r.edges) + bytes_of(r.tetrahedra) +
-         bytes_of(r.edge_weights) + bytes_of(r.edge_residuals_m) + bytes_of(r.morph_steps) +
-         bytes_of(r.foot_locks) + bytes_of(r.collisions) + r.message.capacity() +
-         (frame.before ? sizeof(SynthesizerState) : 0);
+  return sizeof(FrameSnapshot) + bytes_of(r.candidates) + bytes_of(r.intent.belief) +
+         bytes_of(r.intent.moves) + bytes_of(r.edges) + bytes_of(r.tetrahedra) + bytes_of(r.edge_weights) +
+         bytes_of(r.edge_residuals_m) + bytes_of(r.morph_steps) + bytes_of(r.foot_locks) +
+         bytes_of(r.collisions) + r.message.capacity() + (frame.before ? sizeof(SynthesizerState) : 0);
 }
 
 FrameHistory::FrameHistory(std::size_t max_bytes) : max_bytes_(max_bytes) {}

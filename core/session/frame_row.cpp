@@ -13,6 +13,9 @@ namespace {
 
 constexpr std::size_t pose_size = joint_count * 3 * sizeof(double);
 constexpr std::size_t candidate_size = 48;
+// Bits of a candidate's flags.
+constexpr int continues = 1;
+constexpr int has_intent = 2;  ///< its terms follow those of Eq. 7
 constexpr std::size_t contact_size = 20;
 
 FrameRow::Blob candidate_bytes(const std::vector<Candidate>& candidates) {
@@ -20,29 +23,39 @@ FrameRow::Blob candidate_bytes(const std::vector<Candidate>& candidates) {
   out.reserve(candidates.size() * candidate_size);
   for (const Candidate& candidate : candidates) {
     out.small_integer(candidate.pair);
-    out.small_integer(candidate.continuation ? 1 : 0);
+    out.small_integer((candidate.continuation ? continues : 0) | (candidate.intent ? has_intent : 0));
     out.real(candidate.feature_distance);
     out.real(candidate.cost.pose);
     out.real(candidate.cost.temporal_active);
     out.real(candidate.cost.temporal_passive);
     out.real(candidate.cost.total);
+    if (const auto& intent = candidate.intent)
+      for (const double term : {intent->partner, intent->leader, intent->move, intent->meant, intent->change})
+        out.real(term);
   }
   return out.take();
 }
 
-std::vector<Candidate> read_candidates(const FrameRow::Blob& bytes) {
+/// @return false when the bytes do not end with a candidate
+bool read_candidates(const FrameRow::Blob& bytes, std::vector<Candidate>& candidates) {
   BlobReader in(bytes);
-  std::vector<Candidate> candidates(bytes.size() / candidate_size);
-  for (Candidate& candidate : candidates) {
+  candidates.reserve(bytes.size() / candidate_size);
+  while (in.left() >= candidate_size) {
+    Candidate& candidate = candidates.emplace_back();
     candidate.pair = in.small_integer();
-    candidate.continuation = in.small_integer() != 0;
+    const int flags = in.small_integer();
+    candidate.continuation = (flags & continues) != 0;
     candidate.feature_distance = in.real();
     candidate.cost.pose = in.real();
     candidate.cost.temporal_active = in.real();
     candidate.cost.temporal_passive = in.real();
     candidate.cost.total = in.real();
+    if (!(flags & has_intent)) continue;
+    IntentCost& intent = candidate.intent.emplace();
+    for (double* term : {&intent.partner, &intent.leader, &intent.move, &intent.meant, &intent.change})
+      intent.total += * term = in.real();
   }
-  return candidates;
+  return in.is_done();
 }
 
 FrameRow::Blob contact_bytes(const std::vector<CapsuleContact>& contacts) {
@@ -239,11 +252,11 @@ Result<std::shared_ptr<FrameSnapshot>> frame_of(const FrameRow& row) {
   BlobReader root(row.query_root);
   root.matrix(result.query_root.position);
   result.query_root.heading_rad = root.real();
-  if (!root.is_done() || row.candidates.size() % candidate_size || row.collisions.size() % contact_size)
+  if (!root.is_done() || !read_candidates(row.candidates, result.candidates) ||
+      row.collisions.size() % contact_size)
     return broken;
   result.query_normalized = to_normalized(result.query_world, result.query_root);
   result.features = pose_features(result.query_normalized);
-  result.candidates = read_candidates(row.candidates);
   auto contacts = read_contacts(row.collisions);
   if (!contacts || row.selected >= static_cast<std::int64_t>(result.candidates.size()) || row.selected < -1)
     return broken;

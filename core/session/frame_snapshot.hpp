@@ -41,7 +41,9 @@ struct FrameSnapshot {
   /// The name of its input in a recording: URI or clip; null where only who records knows it.
   std::shared_ptr<const std::string> input;
   FrameTimes times;
-  double input_rate_hz = 0;          ///< measured
+  double input_rate_hz = 0;  ///< measured
+  /// The selection that was asked for still learns the library; Eq. 7 selected. Not recorded.
+  bool is_learning = false;
   std::uint64_t dropped_inputs = 0;  ///< poses that a newer one replaced before they were solved
 };
 

@@ -108,6 +108,7 @@ void LiveLoop::solve(const SourcePose& input, double now_s) {
   snapshot->input_frame = input.frame;
   snapshot->user = input.pose;
   snapshot->settings = synthesizer.settings();
+  snapshot->is_learning = steering_.is_learning();
   snapshot->elapsed_s = elapsed > 0 ? elapsed : 0.0;  // not so for a time that is not a number
   snapshot->before = state_if_due();
   snapshot->decisions = steering_.decisions();

@@ -3,6 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/synthesis/role_views.hpp"
 #include "core/synthesis/synthesizer_state.hpp"
 
 namespace abrazo {
@@ -48,10 +49,14 @@ Decisions carried_over(const Decisions& decisions, const MotionLibrary& from, co
 Steering::Steering(std::shared_ptr<PartnerSynthesizer> synthesizer)
     : synthesizer_(std::move(synthesizer)),
       asked_role_(synthesizer_->settings().user_role),
-      role_switch_(synthesizer_->views(), asked_role_) {}
+      asked_selection_(synthesizer_->settings().selection),
+      role_switch_(synthesizer_->views(), asked_role_) {
+  apply(synthesizer_->settings());
+}
 
 void Steering::set_settings(const Settings& settings) {
   asked_role_ = settings.user_role;
+  asked_selection_ = settings.selection;
   Settings wanted = settings;
   if (current_.role_control == RoleControl::Hand)
     role_switch_.control(RoleControl::Hand, settings.user_role);
@@ -59,7 +64,27 @@ void Steering::set_settings(const Settings& settings) {
     wanted.user_role = role_switch_.role();
   if (wanted.user_role != synthesizer_->settings().user_role && !can_take(wanted.user_role))
     wanted.user_role = synthesizer_->settings().user_role;  // changes before a later step
+  apply(wanted);
+}
+
+/// The only way settings reach the synthesizer: with a selection that need not be waited for.
+void Steering::apply(Settings wanted) {
+  wanted.selection = possible_selection(wanted.user_role);
   synthesizer_->set_settings(wanted);
+}
+
+/// What the selection `filter` learns first is learned beside the steps, not in one.
+SelectionMethod Steering::possible_selection(UserRole role) {
+  if (asked_selection_ == SelectionMethod::Paper) return SelectionMethod::Paper;
+  const RoleViews& views = *synthesizer_->views();
+  if (views.is_intent_ready(role)) return SelectionMethod::Filter;
+  if (const auto trouble = views.intent_trouble(role)) {
+    asked_selection_ = SelectionMethod::Paper;
+    throw std::runtime_error("Eq. 7 goes on selecting: the library could not be learned, " +
+                             trouble->message);
+  }
+  views.prepare_intent(role);
+  return SelectionMethod::Paper;
 }
 
 /// A view that is made in memory first is waited for between steps, not in one.
@@ -106,13 +131,19 @@ void Steering::control_role(RoleControl by) {
   Decisions wanted = current_;
   wanted.role_control = by;
   decide(wanted);
-  role_switch_.control(by, by == RoleControl::Hand ? asked_role_ : synthesizer_->settings().user_role);
+  const UserRole role = synthesizer_->settings().user_role;
+  role_switch_.control(by, by == RoleControl::Hand ? asked_role_ : role);
+  // A role that changes by itself should not find its view unlearned.
+  const UserRole other = role == UserRole::Active ? UserRole::Passive : UserRole::Active;
+  if (by != RoleControl::Hand && asked_selection_ == SelectionMethod::Filter &&
+      !synthesizer_->views()->is_costly(other))
+    synthesizer_->views()->prepare_intent(other);
 }
 
 void Steering::replace(std::shared_ptr<PartnerSynthesizer> synthesizer) {
   const std::shared_ptr<PartnerSynthesizer> before = std::exchange(synthesizer_, std::move(synthesizer));
   decide(carried_over(current_, before->library(), synthesizer_->library()));
-  synthesizer_->set_settings(before->settings());
+  apply(before->settings());
   synthesizer_->pin_pair(current_.pinned);
   synthesizer_->set_vetoes(current_.vetoes);
   synthesizer_->set_meant(pairs_of(current_.meant));
@@ -135,7 +166,11 @@ bool Steering::before_step(double now_s) {
   if (synthesizer_->settings().user_role != role_switch_.role() && can_take(role_switch_.role())) {
     Settings settings = synthesizer_->settings();
     settings.user_role = role_switch_.role();
-    synthesizer_->set_settings(settings);
+    apply(settings);
+    changed = true;
+  }
+  if (is_learning() && possible_selection(synthesizer_->settings().user_role) == asked_selection_) {
+    apply(synthesizer_->settings());
     changed = true;
   }
   return changed;

@@ -33,11 +33,16 @@ class Steering {
   /// After a step, as `PartnerSynthesizer::step` was given it.
   void after_step(const FrameResult& result, const Pose& user, double time_s);
 
+  /// The selection that was asked for waits until it has learned the library; Eq. 7 selects meanwhile.
+  bool is_learning() const { return asked_selection_ != synthesizer_->settings().selection; }
+
   /// Under which the next step is solved; null while there are none.
   const std::shared_ptr<const Decisions>& decisions() const { return decisions_; }
 
  private:
   bool can_take(UserRole role);
+  void apply(Settings wanted);
+  SelectionMethod possible_selection(UserRole role);
   void decide(const Decisions& decisions);
   bool is_over(const MeantMove& move, double now_s) const;
   void watch_move(const FrameResult& result);
@@ -45,7 +50,8 @@ class Steering {
   std::shared_ptr<PartnerSynthesizer> synthesizer_;
   Decisions current_;
   std::shared_ptr<const Decisions> decisions_;
-  UserRole asked_role_;  ///< by the hand
+  UserRole asked_role_;              ///< by the hand
+  SelectionMethod asked_selection_;  ///< by the hand
   RoleSwitch role_switch_;
   int followed_pair_ = -1;  ///< of the move that is meant
   bool move_is_done_ = false;

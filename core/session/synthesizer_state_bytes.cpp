@@ -1,6 +1,7 @@
 #include "core/session/synthesizer_state_bytes.hpp"
 
 #include <algorithm>
+#include <bit>
 
 #include "core/session/blob_bytes.hpp"
 
@@ -8,7 +9,8 @@ namespace abrazo {
 
 namespace {
 
-constexpr std::uint8_t format_version = 1;
+constexpr std::uint8_t format_version = 2;
+constexpr std::uint8_t without_history = 1;  ///< was written before there was one
 
 void write(BlobWriter& out, const Body& body) {
   const auto& [bone_lengths, pseudo_lengths, toe_rest_height] = body;
@@ -68,11 +70,49 @@ FootLocks read_locks(BlobReader& in) {
   return {feet, released};
 }
 
+void write(BlobWriter& out, const MotionHistory::Kept& kept) {
+  out.number(std::bit_cast<std::uint32_t>(kept.since_s));
+  for (const float x : kept.positions) out.number(std::bit_cast<std::uint32_t>(x));
+}
+
+MotionHistory::Kept read_kept(BlobReader& in) {
+  MotionHistory::Kept kept;
+  kept.since_s = std::bit_cast<float>(in.number<std::uint32_t>());
+  for (float& x : kept.positions) x = std::bit_cast<float>(in.number<std::uint32_t>());
+  return kept;
+}
+
+void write(BlobWriter& out, const MotionHistory& history) {
+  out.byte(static_cast<std::uint8_t>(history.size()));
+  if (history.is_empty()) return;
+  out.matrix(history.origin());
+  out.matrix(history.root().position);
+  out.real(history.root().heading_rad);
+  for (std::size_t i = 0; i < history.size(); ++i) write(out, history.kept(i));
+  write(out, history.newest());
+}
+
+/// @return whether it can be a history
+bool read(BlobReader& in, MotionHistory& history) {
+  const std::size_t size = in.byte();
+  if (size == 0) return true;
+  if (size > MotionHistory::most_samples) return false;
+  Vec3 origin;
+  RootFrame root;
+  in.matrix(origin);
+  in.matrix(root.position);
+  root.heading_rad = in.real();
+  std::vector<MotionHistory::Kept> kept(size);
+  for (MotionHistory::Kept& one : kept) one = read_kept(in);
+  const MotionHistory::Kept newest = read_kept(in);
+  return history.restore(origin, root, kept, newest);
+}
+
 // The names stand for the fields: a field that is added to a struct stops these lines from compiling, and is
 // then written and read below under a new version.
 void write(BlobWriter& out, const FrameMemory& memory) {
   const auto& [frames_since_reset, previous, before_previous, previous_dt_s, previous_query, previous_heading,
-               current_pair, has_good_result, locks, transition, user_body] = memory;
+               current_pair, has_good_result, locks, transition, history, user_body] = memory;
   out.small_integer(frames_since_reset);
   out.matrix(previous);
   out.matrix(before_previous);
@@ -85,11 +125,12 @@ void write(BlobWriter& out, const FrameMemory& memory) {
   write(out, locks);
   out.matrix(transition.offset());
   out.matrix(transition.velocity());
+  write(out, history);
   write(out, user_body);
 }
 
-FrameMemory read_memory(BlobReader& in) {
-  FrameMemory memory;
+/// @return whether its history can be one
+bool read(BlobReader& in, std::uint8_t version, FrameMemory& memory) {
   memory.frames_since_reset = in.small_integer();
   in.matrix(memory.previous);
   in.matrix(memory.before_previous);
@@ -103,8 +144,9 @@ FrameMemory read_memory(BlobReader& in) {
   in.matrix(offset);
   in.matrix(velocity);
   memory.transition = Transition(offset, velocity);
+  const bool has_history = version == without_history || read(in, memory.history);
   memory.user_body = read_optional_body(in);
-  return memory;
+  return has_history;
 }
 
 void write(BlobWriter& out, const Vetoes& vetoes) {
@@ -132,7 +174,7 @@ std::shared_ptr<const Vetoes> read_vetoes(BlobReader& in) {
 std::vector<std::uint8_t> synthesizer_state_bytes(const SynthesizerState& state) {
   const auto& [user_role, memory, user_body, pinned, vetoes, meant, unsolved_s] = state;
   BlobWriter out;
-  out.reserve(5632);
+  out.reserve(26624);
   out.byte(format_version);
   out.byte(user_role == UserRole::Passive ? 1 : 0);
   write(out, memory);
@@ -153,13 +195,14 @@ std::vector<std::uint8_t> synthesizer_state_bytes(const SynthesizerState& state)
 Result<SynthesizerState> parse_synthesizer_state(std::span<const std::uint8_t> bytes) {
   BlobReader in(bytes);
   const std::uint8_t version = in.byte();
-  if (version != format_version)
+  if (version != format_version && version != without_history)
     return Error{"the solver's state is of version " + std::to_string(version) +
-                     "; this program reads version " + std::to_string(format_version),
+                     "; this program reads versions up to " + std::to_string(format_version),
                  {}};
   SynthesizerState state;
   state.user_role = in.byte() == 0 ? UserRole::Active : UserRole::Passive;
-  state.memory = read_memory(in);
+  if (!read(in, version, state.memory))
+    return Error{"the user's last two seconds in the solver's state are damaged", {}};
   state.user_body = read_optional_body(in);
   if (in.flag()) state.pinned = in.small_integer();
   state.vetoes = read_vetoes(in);

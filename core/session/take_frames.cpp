@@ -129,7 +129,7 @@ FrameSnapshotPtr LibraryTakeFrames::make(std::size_t place) const {
   }
   result.edge_weights = inverse_edge_weights(result.edges, result.selected_pair);
   result.edge_residuals_m.assign(result.edges.size(), 0.0);
-  result.candidates.push_back({pair, 0, false, {}});
+  result.candidates.push_back({pair, 0, false, {}, {}});
   result.selected = 0;
   result.status = StepStatus::Ok;
   result.message.clear();

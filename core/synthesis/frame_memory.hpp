@@ -3,12 +3,13 @@
 #include <optional>
 
 #include "core/motion/body.hpp"
+#include "core/selection/motion_history.hpp"
 #include "core/synthesis/foot_locks.hpp"
 #include "core/synthesis/transition.hpp"
 
 namespace abrazo {
 
-/// What a frame needs of those before it, as one value; some 4.5 kB without a pointer. World space, metres.
+/// What a frame needs of those before it, as one value; some 24 kB without a pointer. World space, metres.
 struct FrameMemory {
   int frames_since_reset = 0;
   PairPose previous = PairPose::Zero();         ///< V'_{i-1}
@@ -20,6 +21,7 @@ struct FrameMemory {
   bool has_good_result = false;  ///< `previous` is what is held after a failure
   FootLocks locks;
   Transition transition;
+  MotionHistory history;          ///< q'_in of the last two seconds
   std::optional<Body> user_body;  ///< given, or measured on the first pose that can be a person's
 };
 

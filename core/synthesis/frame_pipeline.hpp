@@ -8,6 +8,7 @@
 
 #include "core/library/motion_library.hpp"
 #include "core/retarget/body_retargeter.hpp"
+#include "core/selection/intent_selector.hpp"
 #include "core/selection/pair_selector.hpp"
 #include "core/synthesis/frame_memory.hpp"
 #include "core/synthesis/frame_result.hpp"
@@ -35,6 +36,9 @@ class FramePipeline {
   void set_settings(const Settings& settings) { settings_ = settings; }
   /// Nothing: measured on the next pose that can be a person's.
   void set_user_body(const std::optional<Body>& body);
+  /// What the selection `filter` selects by; without it Eq. 7 does. A shared one is prepared by RoleViews.
+  void set_intent(std::shared_ptr<const IntentModel> model);
+  bool has_intent() const { return intent_.has_value(); }
   void pin_pair(std::optional<int> pair) { pinned_ = pair; }
   void set_vetoes(const Vetoes& vetoes) { selector_.set_vetoes(vetoes); }
   void set_meant(const std::optional<MeantPairs>& meant) { selector_.set_meant(meant); }
@@ -54,6 +58,8 @@ class FramePipeline {
   bool measure(const Pose& user);
   void retarget(const Pose& user);
   bool select(double dt_s);
+  SelectionQuery query_of(double dt_s) const;
+  bool selects_by_intent() const { return settings_.selection == SelectionMethod::Filter && intent_; }
   void select_pinned(const SelectionQuery& query);
   void follow_source(double dt_s);
   void glide_from_continued(int pair, double dt_s);
@@ -72,12 +78,14 @@ class FramePipeline {
   std::shared_ptr<const MotionLibrary> library_;
   Settings settings_;
   PairSelector selector_;
+  std::optional<IntentSelector> intent_;
   PairEditor editor_;
   std::optional<BodyRetargeter> retargeter_;
   bool retargeter_scales_path_ = true;
   std::optional<int> pinned_;
 
   FrameMemory memory_;
+  MotionHistory history_;  ///< memory_'s with this frame, which is remembered when the frame was solved
 
   FrameResult out_;
 };

@@ -7,6 +7,7 @@
 #include "core/library/normalization.hpp"
 #include "core/mesh/interaction_mesh.hpp"
 #include "core/selection/candidate.hpp"
+#include "core/selection/frame_intent.hpp"
 
 namespace abrazo {
 
@@ -60,6 +61,8 @@ struct FrameResult {
   int selected = -1;                  ///< index into candidates; -1 when nothing could be selected
   bool source_changed =
       false;  ///< not the same take within 0 to 3 times the expected pace of the previous one
+
+  FrameIntent intent;  ///< with the selection `filter`
 
   PairPose selected_pair = PairPose::Zero();  ///< q''_sel: what was edited
   std::vector<MeshEdge> edges;

@@ -80,6 +80,12 @@ struct PartnerSynthesizer::State {
   }
   FramePipeline& pipeline() { return pipeline_of(settings.user_role); }
 
+  void learn_intent() {
+    const auto& model = views->intent(settings.user_role);
+    pipeline().set_intent(model);
+    reserve_room(shown.intent, *model);
+  }
+
   void for_each_pipeline(const auto& change) {
     for (const auto& pipeline : pipelines)
       if (pipeline) change(*pipeline);
@@ -92,7 +98,7 @@ Result<std::unique_ptr<PartnerSynthesizer>> PartnerSynthesizer::create(
   auto pairs = selectable_pairs(*library, excluded_takes);
   if (!pairs) return pairs.error();
   auto state = std::make_unique<State>();
-  state->views = std::make_shared<const RoleViews>(std::move(library), std::move(*pairs));
+  state->views = RoleViews::shared(std::move(library), std::move(*pairs));
   state->set_settings(settings);
   reserve_room(state->shown);
   try {
@@ -120,6 +126,8 @@ const FrameResult& PartnerSynthesizer::step(const Pose& user, Duration elapsed) 
       pipeline.refuse("the user's pose has no finite position for ", first_joint_without_position(user));
     } else {
       if (starts) pipeline.forget();
+      if (state_->settings.selection == SelectionMethod::Filter && !pipeline.has_intent())
+        state_->learn_intent();
       pipeline.solve(user, starts ? 0.0 : since_solved_s);
       if (pipeline.result().status != StepStatus::Failed) state_->unsolved_s = 0;
     }

@@ -39,9 +39,10 @@ class PartnerSynthesizer {
   /// @return         valid until the next call
   const FrameResult& step(const Pose& user, Duration elapsed);
 
-  /// Applies from the next step on; state is kept. When the user's role changes, both bodies go on from where
-  /// they are, the partner as at a change of source. The first change makes the other role's view of the
-  /// library unless `views` was asked for it before.
+  /// Applies from the next step on; state is kept. With the selection `filter` the first step learns from
+  /// the library, for a second or more, unless `views` was asked for that before. When the user's role
+  /// changes, both bodies go on from where they are, the partner as at a change of source. The first change
+  /// makes the other role's view of the library unless `views` was asked for it before.
   void set_settings(const Settings& settings);
   const Settings& settings() const;
 

@@ -2,10 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <exception>
-#include <new>
+#include <mutex>
 #include <stdexcept>
-#include <utility>
 
 #include "core/library/motion_library_file.hpp"
 
@@ -20,18 +18,33 @@ constexpr std::uint64_t spare_bytes = 256 << 20;  ///< that other programs and w
 
 RoleViews::RoleViews(std::shared_ptr<const MotionLibrary> library, std::vector<int> pairs,
                      std::uint64_t (*memory_left)())
-    : library_(std::move(library)), pairs_(std::move(pairs)), memory_left_(memory_left) {}
+    : library_(std::move(library)),
+      pairs_(std::move(pairs)),
+      memory_left_(memory_left),
+      views_{MadeOnce<View>([this](const Progress&) { return made(UserRole::Active); }),
+             MadeOnce<View>([this](const Progress&) { return made(UserRole::Passive); })},
+      intents_{MadeOnce<LearnedIntent>([this](const Progress& progress) {
+                 return IntentModel::learn(of(UserRole::Active).library, pairs_, progress);
+               }),
+               MadeOnce<LearnedIntent>([this](const Progress& progress) {
+                 return IntentModel::learn(of(UserRole::Passive).library, pairs_, progress);
+               })} {}
+
+std::shared_ptr<const RoleViews> RoleViews::shared(std::shared_ptr<const MotionLibrary> library,
+                                                   std::vector<int> pairs) {
+  static std::mutex guard;
+  static std::vector<std::weak_ptr<const RoleViews>> in_use;
+  const std::scoped_lock lock(guard);
+  std::erase_if(in_use, [](const auto& views) { return views.expired(); });
+  for (const auto& views : in_use)
+    if (auto known = views.lock(); known && known->library_ == library && known->pairs_ == pairs)
+      return known;
+  auto made = std::make_shared<const RoleViews>(std::move(library), std::move(pairs));
+  in_use.push_back(made);
+  return made;
+}
 
 RoleViews::~RoleViews() = default;
-
-const RoleViews::View& RoleViews::of(UserRole role) const {
-  const std::size_t at = number(role);
-  std::call_once(once_[at], [&] {
-    views_[at] = made(role);
-    ready_[at] = true;
-  });
-  return views_[at];
-}
 
 RoleViews::View RoleViews::made(UserRole role) const {
   // Memory that is not there is given all the same, and whoever fills it is killed later.
@@ -50,29 +63,9 @@ RoleViews::View RoleViews::made(UserRole role) const {
   return view;
 }
 
-void RoleViews::prepare(UserRole role) const {
-  const std::size_t at = number(role);
-  const std::scoped_lock lock(preparing_);
-  if (ready_[at] || is_preparing_[at]) return;
-  is_preparing_[at] = true;
-  workers_[at] = std::jthread([this, role, at] {
-    std::optional<Error> trouble;
-    try {
-      of(role);
-    } catch (const std::bad_alloc&) {
-      trouble = Error{"there is not enough memory for the library with roles exchanged", library_->name()};
-    } catch (const std::exception& failure) {
-      trouble = Error{failure.what(), library_->name()};
-    }
-    const std::scoped_lock done(preparing_);
-    troubles_[at] = std::move(trouble);
-    is_preparing_[at] = false;
-  });
-}
-
-std::optional<Error> RoleViews::trouble(UserRole role) const {
-  const std::scoped_lock lock(preparing_);
-  return std::exchange(troubles_[number(role)], std::nullopt);
+std::optional<Error> RoleViews::told(const std::optional<std::string>& trouble) const {
+  if (!trouble) return std::nullopt;
+  return Error{*trouble, library_->name()};
 }
 
 }  // namespace abrazo

@@ -1,24 +1,25 @@
 #pragma once
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <memory>
-#include <mutex>
 #include <optional>
-#include <thread>
 #include <vector>
 
 #include "core/base/available_memory.hpp"
+#include "core/base/made_once.hpp"
+#include "core/base/result.hpp"
 #include "core/library/motion_library.hpp"
 #include "core/library/pose_index.hpp"
+#include "core/selection/intent_model.hpp"
 #include "core/synthesis/settings.hpp"
 
 namespace abrazo {
 
 /// A library as the user of each role sees it: for a passive user the roles are exchanged (pair numbers
-/// stay). A view is made once, by whoever first asks for it, and shared by all that solve with the library.
-/// Safe to call from any thread: prepare it on one, and another need not wait.
+/// stay), and what the selection `filter` learns of it. Each is made once, by whoever first asks for it, and
+/// shared by all that solve with the library. Safe to call from any thread: prepare it on one, and another
+/// need not wait.
 class RoleViews {
  public:
   struct View {
@@ -31,6 +32,11 @@ class RoleViews {
   RoleViews(std::shared_ptr<const MotionLibrary> library, std::vector<int> pairs,
             std::uint64_t (*memory_left)() = available_memory_bytes);
 
+  /// Those that others solve with at present, or new ones: what is prepared for a session serves its
+  /// comparisons and what is solved again.
+  static std::shared_ptr<const RoleViews> shared(std::shared_ptr<const MotionLibrary> library,
+                                                 std::vector<int> pairs);
+
   /// Ends what prepare() began; waits for what it cannot interrupt.
   ~RoleViews();
   RoleViews(const RoleViews&) = delete;
@@ -39,34 +45,41 @@ class RoleViews {
   /// Made now when nobody did; waits when another thread is at it (some 10 us a pair).
   /// @throws std::runtime_error when the memory that is left does not hold a mapped library with its roles
   /// exchanged; the next call tries again
-  const View& of(UserRole role) const;
+  const View& of(UserRole role) const { return views_[number(role)].get(); }
   /// `of` would return at once.
-  bool is_ready(UserRole role) const { return ready_[number(role)]; }
+  bool is_ready(UserRole role) const { return views_[number(role)].is_ready(); }
   /// Has it made on a thread of its own, unless that was done. @see trouble
-  void prepare(UserRole role) const;
+  void prepare(UserRole role) const { views_[number(role)].prepare(); }
   /// Why prepare() could not make it; said once, and prepare() may then be asked again.
-  std::optional<Error> trouble(UserRole role) const;
+  std::optional<Error> trouble(UserRole role) const { return told(views_[number(role)].trouble()); }
   /// A view of this role needs so much memory that it should be made for who asks for it only: of a mapped
   /// library the whole, exchanged.
   bool is_costly(UserRole role) const { return role == UserRole::Passive && library_->is_mapped(); }
+
+  /// What is learned of the view for the selection `filter`; takes a second or more. The same as the four
+  /// above.
+  const std::shared_ptr<const IntentModel>& intent(UserRole role) const {
+    return intents_[number(role)].get();
+  }
+  bool is_intent_ready(UserRole role) const { return intents_[number(role)].is_ready(); }
+  void prepare_intent(UserRole role) const { intents_[number(role)].prepare(); }
+  std::optional<Error> intent_trouble(UserRole role) const { return told(intents_[number(role)].trouble()); }
 
   const std::shared_ptr<const MotionLibrary>& library() const { return library_; }
   const std::vector<int>& pairs() const { return pairs_; }
 
  private:
+  using LearnedIntent = std::shared_ptr<const IntentModel>;
+
   static std::size_t number(UserRole role) { return role == UserRole::Passive ? 1 : 0; }
   View made(UserRole role) const;
+  std::optional<Error> told(const std::optional<std::string>& trouble) const;
 
   std::shared_ptr<const MotionLibrary> library_;
   std::vector<int> pairs_;
-  mutable std::array<View, 2> views_;
-  mutable std::array<std::once_flag, 2> once_;
-  mutable std::array<std::atomic<bool>, 2> ready_{};
   std::uint64_t (*memory_left_)();
-  mutable std::mutex preparing_;
-  mutable std::array<std::optional<Error>, 2> troubles_;  ///< guarded by `preparing_`
-  mutable std::array<bool, 2> is_preparing_{};            ///< guarded by `preparing_`
-  mutable std::array<std::jthread, 2> workers_;           ///< guarded by `preparing_`; last: joined first
+  std::array<MadeOnce<View>, 2> views_;
+  std::array<MadeOnce<LearnedIntent>, 2> intents_;  ///< last: they end first
 };
 
 }  // namespace abrazo

@@ -38,6 +38,13 @@ Entry entry(const SettingInfo& info, T Settings::*member) {
 
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all = {
+      entry({"selection", "", "method", "Selection", "", Kind::Choice, 0, 1, false, "paper|filter",
+             "How a recorded pair is chosen.\n"
+             "  paper: the cheapest of the k nearest poses by Eq. 7\n"
+             "  filter: the pair whose partner is expected to be nearest to the one the user means, by the "
+             "user's last two seconds; learned from the library in a second or more\n"
+             "Paper 3.3.2-3.3.3: paper."},
+            &Settings::selection),
       entry({"alpha", "\u03b1", "temporal smoothness", "Selection", "", Kind::Real, 0, 5, false, "",
              "Weight of temporal coherence when a recorded pair is chosen.\n"
              "  cost = \u03a3|p_in \u2212 p_A|\u00b2 + \u03b1 (\u03a3|s_{A,i*} \u2212 q\u2033_A|\u00b2 + "
@@ -57,6 +64,26 @@ const std::vector<Entry>& entries() {
              "always a choice.\n"
              "Not in the paper: 0."},
             &Settings::continuations),
+      entry({"switch-margin", "", "switch margin", "Selection", "m", Kind::Real, 0, 0.5, false, "",
+             "What another source must be better by than going on with the current one. Higher: fewer "
+             "changes of source, later ones.\n"
+             "Not in the paper; of the method filter."},
+            &Settings::switch_margin),
+      entry({"leader-weight", "w_l", "leader weight", "Selection", "m", Kind::Real, 0, 2, false, "",
+             "Cost of a pair whose recorded leader did not move as the user did.\n"
+             "  w_l (1 \u2212 k(user's last 2 s, leader's 2 s before the pair))\n"
+             "Not in the paper; of the method filter."},
+            &Settings::leader_weight),
+      entry({"move-weight", "w_m", "move weight", "Selection", "m", Kind::Real, 0, 2, false, "",
+             "Cost of a pair whose label is unlikely after what the user did.\n"
+             "  w_m (1 \u2212 P(label))\n"
+             "Not in the paper; of the method filter. Nothing in a library without labels."},
+            &Settings::move_weight),
+      entry({"meant-weight", "w_p", "named-move weight", "Selection", "m", Kind::Real, 0, 2, false, "",
+             "Cost of a pair that is not of the label or take that a person named. Higher: what is named "
+             "counts more than what is seen.\n"
+             "Not in the paper; of the method filter. By Eq. 7 only what is named is compared."},
+            &Settings::meant_weight),
       entry({"user-role", "", "user's role", "Selection", "", Kind::Choice, 0, 1, false, "active|passive",
              "Whether the person leads (Role_A) or the partner does (Role_S). Both bodies go on "
              "from where they are.\n"
@@ -179,6 +206,7 @@ Result<Settings> preset(std::string_view name) {
     return settings;
   }
   if (name == "responsive") {
+    settings.selection = SelectionMethod::Filter;
     settings.step_rate_hz = 0;
     settings.alpha = 0.1;
     settings.velocity_weight = 0.05;
@@ -209,6 +237,16 @@ std::span<const SettingInfo> all_settings() {
 const SettingInfo* find_setting(std::string_view key) {
   const Entry* found = find_entry(key);
   return found ? &found->info : nullptr;
+}
+
+bool applies(const Settings& settings, std::string_view key) {
+  constexpr std::array<std::string_view, 2> of_paper = {"alpha", "continuations"};
+  constexpr std::array<std::string_view, 4> of_filter = {"switch-margin", "leader-weight", "move-weight",
+                                                         "meant-weight"};
+  const auto is_of = [key](const auto& keys) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+  };
+  return settings.selection == SelectionMethod::Filter ? !is_of(of_paper) : !is_of(of_filter);
 }
 
 double setting_number(const Settings& settings, std::string_view key) {

@@ -12,10 +12,12 @@ namespace abrazo {
 
 enum class VelocityForm { Velocity, Predicted };
 enum class UserRole { Active, Passive };
+enum class SelectionMethod { Paper, Filter };
 
 /// Everything that can be tuned, as one value. Weights of energies are those at 15 steps per second; at other
 /// rates `velocity_weight_at` gives the weight with the same time constant.
 struct Settings {
+  SelectionMethod selection = SelectionMethod::Paper;
   double alpha = 0.5;            ///< weight of the temporal terms in Eq. 7
   double velocity_weight = 0.2;  ///< w_Delta of Eq. 11, at 15 Hz
   VelocityForm velocity_form = VelocityForm::Velocity;
@@ -29,6 +31,12 @@ struct Settings {
   bool collisions = true;
   bool foot_locks = true;
   UserRole user_role = UserRole::Active;
+
+  // Of the selection `filter` [m]: see IntentCost.
+  double switch_margin = 0.03;  ///< what another source must be better by
+  double leader_weight = 0.2;   ///< w_l
+  double move_weight = 0.1;     ///< w_m
+  double meant_weight = 0.2;    ///< w_p
 
   int continuations = 0;  ///< next recorded frames of the current source that join the candidates
   double transition_half_life_s =
@@ -67,6 +75,8 @@ struct SettingInfo {
 /// In the order in which they are shown.
 std::span<const SettingInfo> all_settings();
 const SettingInfo* find_setting(std::string_view key);
+/// Whether a setting counts with the method of selection that is set; most do with both.
+bool applies(const Settings& settings, std::string_view key);
 
 /// A setting by key as text ("0.5", "on", "inverse-mean"). The key must exist.
 std::string setting_text(const Settings& settings, std::string_view key);

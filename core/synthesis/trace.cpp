@@ -2,6 +2,7 @@
 
 #include "core/base/version.hpp"
 #include "core/motion/joint_set.hpp"
+#include "core/selection/intent_model.hpp"
 
 namespace abrazo {
 
@@ -35,9 +36,41 @@ void write_candidates(JsonText& json, const FrameResult& frame, const MotionLibr
     json.key("temporal_active").value(candidate.cost.temporal_active);
     json.key("temporal_passive").value(candidate.cost.temporal_passive);
     json.key("total").value(candidate.cost.total);
-    json.end_object().end_object();
+    json.end_object();
+    if (const auto& intent = candidate.intent) {
+      json.key("intent").begin_object();
+      json.key("partner").value(intent->partner);
+      json.key("leader").value(intent->leader);
+      json.key("move").value(intent->move);
+      json.key("meant").value(intent->meant);
+      json.key("change").value(intent->change);
+      json.key("total").value(intent->total);
+      json.end_object();
+    }
+    json.end_object();
   }
   json.end_array();
+}
+
+/// Moves and what would have gone on; the belief is a picture's matter and large.
+void write_intent(JsonText& json, const FrameIntent& intent, const MotionLibrary& library) {
+  json.key("intent").begin_object();
+  json.key("moves").begin_object();
+  for (std::size_t m = 0; m < intent.moves.size(); ++m)
+    json.key(intent.model->labels()[m]).value(static_cast<double>(intent.moves[m]));
+  json.end_object();
+  json.key("continued");
+  if (intent.continued < 0) {
+    json.null();
+  } else {
+    const PairSource& source = library.source(intent.continued);
+    json.begin_object();
+    json.key("take").value(library.take_of(intent.continued).name);
+    json.key("frame").value(static_cast<int>(source.frame));
+    json.key("swapped").value(source.swapped);
+    json.end_object();
+  }
+  json.end_object();
 }
 
 void write_contacts(JsonText& json, const FrameResult& frame) {
@@ -107,6 +140,7 @@ std::string trace_frame_line(const FrameResult& frame, const MotionLibrary& libr
   for (const double feature : frame.features) json.value(feature);
   json.end_array().end_object();
   write_candidates(json, frame, library);
+  if (frame.intent.model) write_intent(json, frame.intent, library);
   json.key("selected").value(frame.selected);
   json.key("source_changed").value(frame.source_changed);
   json.key("selected_pair").begin_object();

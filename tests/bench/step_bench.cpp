@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <ctime>
 
@@ -66,11 +67,10 @@ void report(benchmark::State& state, const Steps& steps) {
 }
 
 /// One iteration is one run over the user's clip, at most `ABRAZO_BENCH_FRAMES` steps.
-void run(benchmark::State& state, std::string_view preset_name, double rate_hz) {
+void run(benchmark::State& state, const Settings& settings, double rate_hz) {
   const auto poses = user_at_rate(rate_hz);
   const auto most = static_cast<std::size_t>(number_from_environment("ABRAZO_BENCH_FRAMES", 1200));
-  auto synthesizer =
-      PartnerSynthesizer::create(bench_data().library, *preset(preset_name), bench_data().excluded);
+  auto synthesizer = PartnerSynthesizer::create(bench_data().library, settings, bench_data().excluded);
   if (!synthesizer) return state.SkipWithError(synthesizer.error().text().c_str());
   (*synthesizer)->set_user_body(body_of(bench_data().user.poses));
   Steps steps;
@@ -95,10 +95,15 @@ void run(benchmark::State& state, std::string_view preset_name, double rate_hz) 
 }  // namespace
 
 int main(int argc, char** argv) {
-  for (const std::string_view name : preset_names)
+  Settings by_pose = *preset("responsive");
+  by_pose.selection = SelectionMethod::Paper;
+  const std::array<std::pair<std::string_view, Settings>, 3> runs = {
+      {{"paper", *preset("paper")}, {"responsive", *preset("responsive")}, {"responsive by Eq. 7", by_pose}}};
+  for (const auto& [name, settings] : runs)
     for (const int rate_hz : {15, 60, 120})
-      benchmark::RegisterBenchmark(fmt::format("step/{}/{} Hz", name, rate_hz).c_str(),
-                                   [name, rate_hz](benchmark::State& state) { run(state, name, rate_hz); })
+      benchmark::RegisterBenchmark(
+          fmt::format("step/{}/{} Hz", name, rate_hz).c_str(),
+          [settings = settings, rate_hz](benchmark::State& state) { run(state, settings, rate_hz); })
           ->UseManualTime()
           ->Iterations(1)
           ->Unit(benchmark::kMillisecond);

@@ -4,14 +4,23 @@
 #include <gtest/gtest.h>
 
 #include "tests/widgets/synthetic_frames.hpp"
+#include "widgets/candidates/candidate_order.hpp"
 
 namespace abrazo::widgets {
 namespace {
 
-using testing::HasSubstr;
-
 std::vector<CandidateRow> rows() {
   return candidate_rows(*test::synthetic_frame(0, 0), *test::two_take_library());
+}
+
+std::vector<CandidateRow> filter_rows() {
+  return candidate_rows(*test::filtered_frame(0, 0), *test::two_take_library());
+}
+
+double sum(const CandidateRow& row) {
+  double all = 0;
+  for (const double term : row.terms) all += term;
+  return all;
 }
 
 TEST(CandidateRows, ComeCheapestFirst) {
@@ -21,7 +30,97 @@ TEST(CandidateRows, ComeCheapestFirst) {
 }
 
 TEST(CandidateRows, PartsAddUpToTheTotal) {
-  for (const CandidateRow& row : rows()) EXPECT_NEAR(row.pose + row.active + row.passive, row.total, 1e-12);
+  for (const CandidateRow& row : rows()) EXPECT_NEAR(sum(row), row.total, 1e-12);
+  for (const CandidateRow& row : filter_rows()) EXPECT_NEAR(sum(row), row.total, 1e-12);
+}
+
+TEST(CandidateRows, SpeakTheTermsOfEquation7) {
+  const CandidateRow first = rows()[0];
+  EXPECT_EQ(first.method, SelectionMethod::Paper);
+  EXPECT_DOUBLE_EQ(value_of(first, CostTerm::Pose), 0.1);
+  EXPECT_DOUBLE_EQ(value_of(first, CostTerm::Active), 0.5 * 0.02) << "times alpha";
+  EXPECT_DOUBLE_EQ(value_of(first, CostTerm::Passive), 0.5 * 0.04);
+  EXPECT_EQ(value_of(first, CostTerm::Partner), 0) << "no term of it";
+  EXPECT_FALSE(first.goes_on);
+}
+
+TEST(CandidateRows, SpeakTheTermsOfTheFilterWhereItDecided) {
+  const CandidateRow second = filter_rows()[1];
+  EXPECT_EQ(second.method, SelectionMethod::Filter);
+  EXPECT_DOUBLE_EQ(value_of(second, CostTerm::Partner), 0.09);
+  EXPECT_DOUBLE_EQ(value_of(second, CostTerm::Leader), 0.05);
+  EXPECT_DOUBLE_EQ(value_of(second, CostTerm::Move), 0.03);
+  EXPECT_EQ(value_of(second, CostTerm::Meant), 0);
+  EXPECT_DOUBLE_EQ(value_of(second, CostTerm::Change), 0.03);
+  EXPECT_DOUBLE_EQ(second.total, 0.20);
+  EXPECT_NEAR(second.equation_7, 0.12 + 0.5 * (0.02 + 0.09), 1e-12) << "still told";
+}
+
+TEST(CandidateRows, MarkTheOneThatGoesOnWithTheSource) {
+  const auto found = filter_rows();
+  EXPECT_TRUE(found[0].goes_on);
+  for (std::size_t i = 1; i < found.size(); ++i) EXPECT_FALSE(found[i].goes_on) << i;
+}
+
+TEST(CandidateRows, SpeakOfEquation7WhenACandidateLacksTheCostOfTheFilter) {
+  FrameSnapshot frame = *test::filtered_frame(0, 0);
+  frame.result.candidates[3].intent.reset();
+  for (const CandidateRow& row : candidate_rows(frame, *test::two_take_library()))
+    EXPECT_EQ(row.method, SelectionMethod::Paper);
+}
+
+TEST(CandidateRows, ThatAreNotMeantAreOutByEquation7AndDearerWithTheFilter) {
+  CandidateRow row = rows()[0];
+  row.not_meant = true;
+  EXPECT_TRUE(row.is_out());
+  row = filter_rows()[0];
+  row.not_meant = true;
+  EXPECT_FALSE(row.is_out());
+  row.vetoed = true;
+  EXPECT_TRUE(row.is_out());
+}
+
+TEST(DecidingMethod, IsThatOfTheCandidatesAndUnknownWithoutAny) {
+  EXPECT_EQ(deciding_method(test::synthetic_frame(0, 0)->result), SelectionMethod::Paper);
+  EXPECT_EQ(deciding_method(test::filtered_frame(0, 0)->result), SelectionMethod::Filter);
+  EXPECT_FALSE(deciding_method(FrameResult{}));
+}
+
+TEST(CostTerms, EachHaveTheirPlaceAndColumnInOneMethod) {
+  for (const SelectionMethod method : {SelectionMethod::Paper, SelectionMethod::Filter}) {
+    const auto terms = cost_terms(method).terms;
+    ASSERT_LE(terms.size(), most_cost_terms);
+    for (std::size_t i = 0; i < terms.size(); ++i) {
+      EXPECT_EQ(place_of(terms[i].term, method), i);
+      EXPECT_EQ(&info_of(terms[i].term), &terms[i]);
+      EXPECT_EQ(term_of(column_of(terms[i].term)), terms[i].term);
+      EXPECT_EQ(column_title(column_of(terms[i].term)), terms[i].title);
+      EXPECT_THAT(candidate_columns(method), testing::Contains(column_of(terms[i].term)));
+    }
+  }
+  EXPECT_FALSE(place_of(CostTerm::Pose, SelectionMethod::Filter));
+}
+
+TEST(CandidateOrder, GoesByRankWhereItsColumnIsOneOfTheOtherMethod) {
+  const CandidateOrder by_partner{CandidateColumn::Partner, true};
+  EXPECT_EQ(order_within(by_partner, SelectionMethod::Filter), by_partner);
+  EXPECT_EQ(order_within(by_partner, SelectionMethod::Paper), CandidateOrder{});
+  const CandidateOrder by_distance{CandidateColumn::Distance, true};
+  EXPECT_EQ(order_within(by_distance, SelectionMethod::Paper), by_distance) << "that both have";
+}
+
+TEST(CandidateOrder, SortsByEveryTermOfTheFilter) {
+  auto found = filter_rows();
+  sort_rows(found, {CandidateColumn::Leader, false});
+  EXPECT_EQ(found.front().rank, 2);
+  sort_rows(found, {CandidateColumn::Change, true});
+  EXPECT_EQ(found.back().rank, 1) << "only the first is no change";
+}
+
+TEST(CandidateOrder, ShowsFiguresOfTheFilterInMetres) {
+  EXPECT_EQ(figure_unit(rows()[0], CandidateColumn::Total), "");
+  EXPECT_EQ(figure_unit(rows()[0], CandidateColumn::Distance), " m");
+  EXPECT_EQ(figure_unit(filter_rows()[0], CandidateColumn::Total), " m");
 }
 
 TEST(CandidateRows, NameTheirSourceAndMove) {
@@ -33,30 +132,14 @@ TEST(CandidateRows, NameTheirSourceAndMove) {
 
 TEST(CandidateRows, BarsEndWhereTheirPartsDo) {
   CandidateRow row;
-  row.pose = 1, row.active = 0.5, row.passive = 0.5, row.total = 2;
-  const BarEnds ends = bar_ends(row, 4);
-  EXPECT_DOUBLE_EQ(ends.pose, 0.25);
-  EXPECT_DOUBLE_EQ(ends.active, 0.375);
-  EXPECT_DOUBLE_EQ(ends.passive, 0.5);
-  EXPECT_DOUBLE_EQ(bar_ends(row, 0).passive, 0);
-}
-
-TEST(CandidateRows, SayTheMarginAndTheTermThatDecidedIt) {
-  // The second costs 0.02 more in pose and 0.5 x 0.05 more for the follower.
-  EXPECT_THAT(winning_reason(rows()), HasSubstr("Winner by 0.045"));
-  EXPECT_THAT(winning_reason(rows()), HasSubstr("follower"));
-}
-
-TEST(CandidateRows, SayWhenTheSelectedIsNotTheCheapest) {
-  auto found = rows();
-  found[0].selected = false;
-  found[2].selected = true;
-  EXPECT_THAT(winning_reason(found), HasSubstr("Not the cheapest"));
-}
-
-TEST(CandidateRows, SayWhenThereIsNothingToCompare) {
-  EXPECT_EQ(winning_reason({}), "No candidate");
-  EXPECT_EQ(winning_reason({rows()[0]}), "The only candidate");
+  row.terms = {1, 0.5, 0.5};
+  row.total = 2;
+  const auto ends = bar_ends(row, 4);
+  EXPECT_DOUBLE_EQ(ends[0], 0.25);
+  EXPECT_DOUBLE_EQ(ends[1], 0.375);
+  EXPECT_DOUBLE_EQ(ends[2], 0.5);
+  EXPECT_DOUBLE_EQ(ends[4], 0.5) << "terms that there are not take no room";
+  EXPECT_DOUBLE_EQ(bar_ends(row, 0)[2], 0);
 }
 
 }  // namespace

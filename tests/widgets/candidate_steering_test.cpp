@@ -101,7 +101,7 @@ TEST(Steering, ManyVetoedPairsAreOneDecision) {
 
 TEST(CandidateOrder, SortsByAnyColumnAndTiesStandByRank) {
   auto found = rows();
-  found[0].pose = 9, found[1].active = 9, found[2].passive = 9, found[3].total = 9;
+  found[0].terms[0] = 9, found[1].terms[1] = 9, found[2].terms[2] = 9, found[3].total = 9;
   found[4].feature_distance = 9;
   const auto last_by = [&](CandidateColumn column) {
     auto sorted = found;

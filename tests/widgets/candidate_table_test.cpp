@@ -4,6 +4,8 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QMenu>
+#include <QScrollArea>
+#include <QScrollBar>
 #include <QTest>
 #include <QToolButton>
 
@@ -19,6 +21,7 @@
 namespace abrazo::widgets {
 namespace {
 
+using test::filtered_frame;
 using test::picture_of;
 using test::pixels_like;
 using test::synthetic_frame;
@@ -144,16 +147,115 @@ TEST(CandidateTable, SortsByAClickOnAColumn) {
 
 TEST(CandidateHeader, HasRoomForItsColumnsInEveryWidthOfThePanel) {
   CandidateHeader header;
-  for (const int width : {300, 340, 406}) {
-    header.resize(width, header.height());
-    double right = 0;
-    for (const CandidateColumn column : candidate_columns) {
-      if (column == CandidateColumn::Total || column == CandidateColumn::Distance) continue;
-      const QRectF area = header.area(column);
-      EXPECT_GE(area.left(), right - 0.5) << width << " px, " << column_title(column);
-      right = area.right();
+  for (const SelectionMethod method : {SelectionMethod::Paper, SelectionMethod::Filter}) {
+    header.setMethod(method);
+    for (const int width : {300, 340, 406, 420, 700}) {
+      header.resize(width, header.height());
+      double right = 0;
+      for (const CandidateColumn column : candidate_columns(method)) {
+        if (column == CandidateColumn::Total || column == CandidateColumn::Distance) continue;
+        const QRectF area = header.area(column);
+        EXPECT_GE(area.left(), right - 0.5) << width << " px, " << column_title(column);
+        right = area.right();
+      }
+      EXPECT_LE(right, header.area(CandidateColumn::Total).left() + 0.5) << width << " px";
     }
-    EXPECT_LE(right, header.area(CandidateColumn::Total).left() + 0.5) << width << " px";
+  }
+}
+
+TEST(CandidateTable, SpeaksTheTermsOfTheMethodThatDecidedTheShownFrame) {
+  Table t;
+  auto* header = t.table.findChild<CandidateHeader*>();
+  t.table.showFrame(filtered_frame(1, 0.03));
+  EXPECT_EQ(t.table.reason(), QString("Goes on: #2 is 0.020 m better, less than the margin"));
+  EXPECT_TRUE(header->area(CandidateColumn::Pose).isEmpty());
+  EXPECT_FALSE(header->area(CandidateColumn::Partner).isEmpty());
+  QTest::keyClick(t.list, Qt::Key_Down);
+  EXPECT_EQ(t.list->accessibleDescription(),
+            QString("Rank 1 of 5, salsa_01 frame 0, turn, total cost 0.190 m, selected, goes on"));
+  t.table.showFrame(synthetic_frame(2, 0.06));
+  EXPECT_TRUE(t.table.reason().startsWith("Winner by"));
+  EXPECT_TRUE(header->area(CandidateColumn::Partner).isEmpty());
+}
+
+TEST(CandidateTable, StaysWithTheMethodOverAFrameWithoutCandidates) {
+  Table t;
+  t.table.showFrame(filtered_frame(1, 0.03));
+  auto failed = std::make_shared<FrameSnapshot>(*filtered_frame(2, 0.06));
+  failed->result.candidates.clear();
+  failed->result.selected = -1;
+  t.table.showFrame(failed);
+  EXPECT_FALSE(t.table.findChild<CandidateHeader*>()->area(CandidateColumn::Partner).isEmpty());
+}
+
+TEST(CandidateTable, KeepsTheSortingAndTheScrollWhenTheMethodChanges) {
+  Table t;
+  t.table.showMap(false);
+  (void)picture_of(t.table);
+  t.table.resize(406, 190);
+  (void)picture_of(t.table);
+  auto* scroll = t.table.findChild<QScrollArea*>()->verticalScrollBar();
+  t.table.sortBy(CandidateColumn::Distance);
+  t.table.sortBy(CandidateColumn::Distance);
+  scroll->setValue(scroll->maximum());
+  const int before = scroll->value();
+  EXPECT_GT(before, 0);
+  t.table.showFrame(filtered_frame(1, 0.03));
+  (void)picture_of(t.table);
+  EXPECT_EQ(t.list->rows().front().candidate, 4) << "both have distances";
+  EXPECT_EQ(scroll->value(), before);
+  t.table.sortBy(CandidateColumn::Leader);
+  EXPECT_EQ(t.list->rows().front().candidate, 1);
+  t.table.showFrame(synthetic_frame(2, 0.06));
+  EXPECT_EQ(t.list->rows().front().rank, 1) << "by rank where there is no such column";
+  t.table.showFrame(filtered_frame(3, 0.09));
+  EXPECT_EQ(t.list->rows().front().candidate, 1) << "as it was asked for";
+}
+
+TEST(CandidateTable, SaysQuietlyThatTheMethodIsStillBeingLearned) {
+  Table t;
+  EXPECT_EQ(t.table.belief(), QString());
+  auto learning = std::make_shared<FrameSnapshot>(*synthetic_frame(1, 0.03));
+  learning->is_learning = true;
+  t.table.showFrame(learning);
+  EXPECT_EQ(t.table.belief(), QString("Learning the library; Eq. 7 selects meanwhile"));
+  EXPECT_TRUE(t.table.reason().startsWith("Winner by"));
+  t.table.showFrame(filtered_frame(2, 0.06));
+  EXPECT_EQ(t.table.belief(), QString()) << "of a frame from a file nobody knows the moves";
+}
+
+TEST(CandidateTable, MenuOffersTheColumnsOfTheMethod) {
+  Table t;
+  t.table.showFrame(filtered_frame(1, 0.03));
+  QContextMenuEvent event(QContextMenuEvent::Mouse, {80, 30}, t.list->mapToGlobal(QPoint(80, 30)));
+  QApplication::sendEvent(t.list, &event);
+  QStringList offered;
+  for (const QMenu* menu : t.table.findChildren<QMenu*>())
+    if (menu->title() == "Sort by")
+      for (const QAction* action : menu->actions()) offered << action->text();
+  EXPECT_TRUE(offered.contains("expected distance of the partner")) << offered.join(", ").toStdString();
+  EXPECT_FALSE(offered.contains("pose cost"));
+  t.table.findChild<QMenu*>()->close();
+}
+
+TEST(CandidateTable, PaintsTheTermsOfTheFilterAndMarksWhatGoesOn) {
+  auto without = std::make_shared<FrameSnapshot>(*filtered_frame(1, 0.03));
+  without->result.candidates[0].continuation = false;
+  without->result.intent.continued = -1;
+  for (const Theme theme : {Theme::Dark, Theme::Light}) {
+    Table t(theme);
+    const Palette& colours = palette_of(theme);
+    t.table.showFrame(without);
+    const QImage plain = picture_of(*t.list);
+    t.table.showFrame(filtered_frame(1, 0.03));
+    const QImage picture = picture_of(*t.list);
+    for (const CostTerm term : {CostTerm::Partner, CostTerm::Leader, CostTerm::Move, CostTerm::Change})
+      EXPECT_GT(pixels_like(picture, colour_of(term, colours), 8), 100) << info_of(term).name;
+    const QRect names(50, 0, 134, CandidateList::row_height);
+    EXPECT_GT(test::difference(picture.copy(names), plain.copy(names)), 0.003) << "the arrow";
+    EXPECT_EQ(test::difference(picture.copy(names.translated(0, CandidateList::row_height)),
+                               plain.copy(names.translated(0, CandidateList::row_height))),
+              0);
   }
 }
 

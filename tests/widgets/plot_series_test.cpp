@@ -71,9 +71,9 @@ TEST(PlotSeries, ReadResidualsInPercentAndMillimetres) {
 TEST(PlotSeries, ReadTheWinnersCostAndItsMarginToTheCheapestOther) {
   FrameSnapshot frame = frame_at(0, 0);
   frame.settings.alpha = 0.5;
-  frame.result.candidates = {{0, 0.1, false, {0.3, 0, 0, 0.30}},
-                             {1, 0.2, false, {0.10, 0.04, 0.06, 0.15}},
-                             {2, 0.3, false, {0.2, 0, 0, 0.21}}};
+  frame.result.candidates = {{0, 0.1, false, {0.3, 0, 0, 0.30}, {}},
+                             {1, 0.2, false, {0.10, 0.04, 0.06, 0.15}, {}},
+                             {2, 0.3, false, {0.2, 0, 0, 0.21}, {}}};
   frame.result.selected = 1;
   const SeriesValues values = SeriesReader().read(frame);
   EXPECT_DOUBLE_EQ(of(values, Series::PoseCost), 0.10);
@@ -86,6 +86,26 @@ TEST(PlotSeries, ReadTheWinnersCostAndItsMarginToTheCheapestOther) {
   frame.result.candidates.resize(1);
   frame.result.selected = 0;
   EXPECT_TRUE(std::isnan(of(SeriesReader().read(frame), Series::CostMargin))) << "no runner-up";
+}
+
+TEST(PlotSeries, ReadTheTermsOfTheFilterBesideEquation7) {
+  const SeriesValues values = SeriesReader().read(*test::filtered_frame(0, 0));
+  EXPECT_DOUBLE_EQ(of(values, Series::ExpectedPartner), 0.10);
+  EXPECT_DOUBLE_EQ(of(values, Series::LeaderMotion), 0.06);
+  EXPECT_DOUBLE_EQ(of(values, Series::UnlikelyMove), 0.03);
+  EXPECT_DOUBLE_EQ(of(values, Series::NotMeant), 0);
+  EXPECT_DOUBLE_EQ(of(values, Series::ChangeOfSource), 0);
+  EXPECT_DOUBLE_EQ(of(values, Series::FilterCost), 0.19);
+  EXPECT_NEAR(of(values, Series::FilterMargin), 0.01, 1e-12);
+  EXPECT_DOUBLE_EQ(of(values, Series::PoseCost), 0.1) << "of the same winner";
+}
+
+TEST(PlotSeries, HaveNoTermsOfTheFilterWhereEquation7Decided) {
+  const SeriesValues values = SeriesReader().read(frame_at(0, 0));
+  for (const Series series :
+       {Series::ExpectedPartner, Series::LeaderMotion, Series::UnlikelyMove, Series::NotMeant,
+        Series::ChangeOfSource, Series::FilterCost, Series::FilterMargin})
+    EXPECT_TRUE(std::isnan(of(values, series))) << info_of(series).key;
 }
 
 TEST(PlotSeries, ReadTimingsInMillisecondsAlsoOfAFailedStep) {

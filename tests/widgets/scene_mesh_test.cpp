@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "tests/widgets/synthetic_frames.hpp"
+#include "widgets/scene/ahead_lines.hpp"
 #include "widgets/scene/joint_trails.hpp"
 #include "widgets/scene/mesh_cells.hpp"
 #include "widgets/scene/mesh_filter.hpp"
@@ -250,6 +251,27 @@ TEST(JointTrails, BeginAnewWhenTheCursorWasMoved) {
   EXPECT_EQ(trails.size(), 2U) << "the same frame shown again";
   trails.add(9, corner_pair(1));
   EXPECT_EQ(trails.size(), 1U) << "far on";
+}
+
+TEST(AheadLines, FadeTowardsTheEndOfTheirSecond) {
+  std::vector<Pose> poses;
+  for (int i = 0; i <= 20; ++i) poses.push_back(Pose::Constant(0.01 * i));
+  const auto ahead = ahead_lines(poses, joint_count);
+  ASSERT_EQ(ahead.lines.size(), 6U * 20) << "root, head, hands and feet";
+  EXPECT_EQ(ahead.xyz.size(), 6U * 21 * 3);
+  EXPECT_EQ(ahead.lines.front(), (std::array<int, 2>{0, 1})) << "it begins at the body";
+  EXPECT_EQ(ahead.age.front(), 0);
+  EXPECT_NEAR(ahead.age.back(), 0.95, 1e-12) << "its last step is hardly seen";
+  EXPECT_EQ(ahead.vertex.front(), joint_count + joints::Root);
+  EXPECT_EQ(ahead.vertex.back(), joint_count + joints::right_toe_base);
+}
+
+TEST(AheadLines, OfATakeThatEndsAreShortAndOfNoneNone) {
+  const std::vector<Pose> poses(3, Pose::Zero());
+  EXPECT_EQ(ahead_lines(poses, 0).lines.size(), 6U * 2);
+  EXPECT_NEAR(ahead_lines(poses, 0).age.back(), ahead_step_s, 1e-12) << "they stop where they are bright";
+  EXPECT_TRUE(ahead_lines(std::span(poses).first(1), 0).lines.empty());
+  EXPECT_TRUE(ahead_lines({}, 0).lines.empty());
 }
 
 }  // namespace

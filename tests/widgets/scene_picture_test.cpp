@@ -2,17 +2,20 @@
 #include <gtest/gtest.h>
 
 #include <QDoubleSpinBox>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
 #include <QToolButton>
+#include <QToolTip>
 #include <QWheelEvent>
 #include <functional>
 
 #include "core/motion/joint_set.hpp"
 #include "core/session/frame_history.hpp"
+#include "tests/support/libraries.hpp"
 #include "tests/widgets/pictures.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
 #include "widgets/scene/morph_strip.hpp"
@@ -421,6 +424,49 @@ TEST(SceneView, FillsTrailsFromThePastAfterTheCursorWasMoved) {
   EXPECT_GT(pixels_of_hue(middle_of(picture_of(scene.view)), dark().passive), alone + 20);
 }
 
+/// A user who moves as somebody recorded, answered by that recorded pair.
+FrameSnapshotPtr recorded_frame(const MotionLibrary& library, int pair, std::uint64_t index) {
+  auto frame = std::make_shared<FrameSnapshot>(*synthetic_frame(index, 0.05));
+  FrameResult& result = frame->result;
+  result.query_root = library.root(pair);
+  result.selected_pair = result.result = library.pair_in_world(pair, result.query_root);
+  result.query_world = frame->user = result.active();
+  result.candidates[0].pair = pair;
+  return frame;
+}
+
+TEST(SceneView, DrawsWhereThePartnerGoesNextInThePartnersColour) {
+  const auto library = test::small_library();
+  Scene scene({ScenePart::LookAhead});
+  scene.view.setLibrary(library);
+  PartCounts counts{};
+  QObject::connect(&scene.view, &SceneView::countsChanged, [&counts](const PartCounts& c) { counts = c; });
+  const auto shown_ms = [&counts] { return counts[static_cast<std::size_t>(ScenePart::LookAhead)]; };
+  const auto pixels = [&] { return pixels_of_hue(middle_of(picture_of(scene.view)), dark().passive); };
+
+  scene.view.showFrame(recorded_frame(*library, library->find_pair("first", 30, false), 4));
+  EXPECT_EQ(shown_ms(), 1000);
+  const int whole = pixels();
+  EXPECT_GT(whole, 60);
+  EXPECT_LT(pixels_of_hue(middle_of(picture_of(scene.view)), dark().active), 20) << "not of the user";
+
+  scene.view.showFrame(recorded_frame(*library, library->find_pair("first", 179 - 12, false), 5));
+  EXPECT_EQ(shown_ms(), 200) << "the take ends";
+  EXPECT_LT(pixels(), whole);
+
+  auto failed = std::make_shared<FrameSnapshot>(*synthetic_frame(6, 0.1));
+  failed->result.status = StepStatus::Failed;
+  scene.view.showFrame(failed);
+  EXPECT_LT(pixels(), 5);
+
+  auto passive_user = std::make_shared<FrameSnapshot>(*recorded_frame(*library, 30, 7));
+  passive_user->settings.user_role = UserRole::Passive;
+  passive_user->result.query_world = passive_user->result.passive();
+  passive_user->result.query_root = root_frame(passive_user->result.query_world);
+  scene.view.showFrame(passive_user);
+  EXPECT_GT(pixels_of_hue(middle_of(picture_of(scene.view)), dark().active), 60) << "the partner leads";
+}
+
 TEST(SceneView, IsolatesAndHidesTheSelection) {
   Scene scene({ScenePart::MeshBetween, ScenePart::MeshWithin});
   const QImage all = picture_of(scene.view);
@@ -577,6 +623,19 @@ TEST(SceneTree, IsWorkedByKeysAndSaysTheRow) {
   EXPECT_FALSE(asked[static_cast<std::size_t>(ScenePart::Leader)]);
   QTest::keyClick(&tree.list(), Qt::Key_Plus);
   EXPECT_EQ(tree.list().rows().size(), part_rows().size() + joint_count);
+}
+
+TEST(SceneTree, ExplainsTheRowUnderThePointer) {
+  SceneTree tree;
+  tree.resize(260, 500);
+  tree.show();
+  const auto& rows = tree.list().rows();
+  const auto row = std::ranges::find(rows, std::string("Look-ahead"), &TreeRow::name) - rows.begin();
+  const QPoint at(60, static_cast<int>(row) * SceneTreeList::row_height + 11);
+  QHelpEvent help(QEvent::ToolTip, at, tree.list().mapToGlobal(at));
+  QApplication::sendEvent(&tree.list(), &help);
+  EXPECT_TRUE(QToolTip::text().contains("next second")) << QToolTip::text().toStdString();
+  QToolTip::hideText();
 }
 
 TEST(SceneTree, AsksToHideWhatIsClicked) {

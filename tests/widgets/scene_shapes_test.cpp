@@ -186,6 +186,7 @@ TEST(TreeRows, AreFoundByPartsOfTheirNamesWhateverTheCase) {
   EXPECT_THAT(names(tree_rows({}, "LHAND")), ::testing::ElementsAre("leader lhand", "follower lhand"));
   EXPECT_THAT(names(tree_rows({}, "follower rha")), ::testing::ElementsAre("follower rhand"));
   EXPECT_THAT(names(tree_rows({}, "tetra")), ::testing::ElementsAre("tetrahedra"));
+  EXPECT_THAT(names(tree_rows({}, "ahead")), ::testing::ElementsAre("Look-ahead"));
   EXPECT_THAT(names(tree_rows({}, "nothing like it")), ::testing::IsEmpty());
 }
 
@@ -200,9 +201,14 @@ TEST(TreeRows, OfTheFirstNineEachSwitchesItsOwnParts) {
   EXPECT_EQ(toggled(result, visible), default_visibility);
 }
 
+TEST(TreeRows, SayWhatTheyAre) {
+  for (const TreeRow& row : part_rows()) EXPECT_FALSE(row.tip.empty()) << row.name;
+}
+
 TEST(SceneMemory, ReadsBackWhatItWrote) {
   SceneMemory memory;
   memory.visibility[static_cast<std::size_t>(ScenePart::Trails)] = true;
+  memory.visibility[static_cast<std::size_t>(ScenePart::LookAhead)] = false;
   memory.scalar = MeshScalar::LengthChange;
   memory.options.longest_m = 0.8;
   memory.options.trail_s = 4;

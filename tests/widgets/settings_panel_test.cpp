@@ -221,6 +221,22 @@ TEST(SettingsPanel, AStarMarksThePresetAndTheRowThatWereChanged) {
   EXPECT_EQ(p.panel.presets().findChildren<QToolButton*>().front()->text(), "paper *");
 }
 
+TEST(SettingsPanel, GreysWhatDoesNotCountWithTheMethodOfSelectionAndSaysWhoseItIs) {
+  ShownPanel p;
+  EXPECT_TRUE(p.slider("alpha").isEnabled());
+  EXPECT_FALSE(p.slider("switch-margin").isEnabled());
+  EXPECT_TRUE(p.row("switch-margin").toolTip().contains("Only with the method filter"));
+  QTest::keyClick(p.row("selection").findChild<QComboBox*>(), Qt::Key_Down);
+  EXPECT_EQ(p.panel.settings().selection, SelectionMethod::Filter);
+  EXPECT_TRUE(p.slider("switch-margin").isEnabled());
+  EXPECT_FALSE(p.row("switch-margin").toolTip().contains("Only with"));
+  EXPECT_FALSE(p.field("alpha").isEnabled());
+  EXPECT_TRUE(p.row("alpha").toolTip().contains("Only with the method paper"));
+  EXPECT_TRUE(p.slider("neighbours").isEnabled()) << "both have it";
+  p.undo.undo();
+  EXPECT_TRUE(p.slider("alpha").isEnabled());
+}
+
 TEST(SettingsPanel, TheFilterLeavesTheRowsWithItsWords) {
   ShownPanel p;
   p.panel.filter("foot");

@@ -95,4 +95,19 @@ FrameSnapshotPtr synthetic_frame(std::uint64_t index, double time_s) {
   return frame;
 }
 
+FrameSnapshotPtr filtered_frame(std::uint64_t index, double time_s) {
+  auto frame = std::make_shared<FrameSnapshot>(*synthetic_frame(index, time_s));
+  frame->settings.selection = SelectionMethod::Filter;
+  constexpr std::array<IntentCost, 5> costs = {{{0.10, 0.06, 0.03, 0, 0, 0.19},
+                                                {0.09, 0.05, 0.03, 0, 0.03, 0.20},
+                                                {0.12, 0.08, 0.03, 0, 0.03, 0.26},
+                                                {0.16, 0.10, 0.03, 0, 0.03, 0.32},
+                                                {0.20, 0.14, 0.09, 0, 0.03, 0.46}}};
+  for (std::size_t c = 0; c < costs.size(); ++c) frame->result.candidates[c].intent = costs[c];
+  frame->result.candidates[0].continuation = true;
+  frame->result.intent.continued = 0;
+  frame->result.intent.moves = {0.1F, 0.9F};
+  return frame;
+}
+
 }  // namespace abrazo::test

@@ -2,12 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <QAccessible>
+#include <QHelpEvent>
 #include <QLineEdit>
 #include <QScrollBar>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
+#include <QToolTip>
+#include <numeric>
 
+#include "tests/support/libraries.hpp"
 #include "tests/widgets/pictures.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
 #include "widgets/library/take_delegate.hpp"
@@ -26,13 +30,24 @@ using test::synthetic_frame;
 using test::two_take_library;
 
 /// The same two takes over and over under other names; only the first two have pairs.
-std::shared_ptr<const MotionLibrary> thousand_takes() {
-  LibraryColumns columns = two_take_library()->columns();
+std::shared_ptr<const MotionLibrary> thousand_takes(const MotionLibrary& library = *two_take_library()) {
+  LibraryColumns columns = library.columns();
   for (int i = 2; i < 1000; ++i) {
     columns.takes.push_back(columns.takes[static_cast<std::size_t>(i % 2)]);
     columns.takes.back().name = "take_" + std::to_string(i);
   }
   return std::make_shared<const MotionLibrary>(std::move(columns));
+}
+
+/// A frame whose solver believes in one take of a library and in nothing else.
+FrameIntent belief_in(const std::shared_ptr<const MotionLibrary>& library, std::uint32_t take) {
+  std::vector<int> pairs(static_cast<std::size_t>(library->pair_count()));
+  std::iota(pairs.begin(), pairs.end(), 0);
+  FrameIntent intent;
+  intent.model = IntentModel::learn(library, pairs);
+  for (const BeliefBlock& block : intent.model->blocks())
+    intent.belief.push_back(block.take == take ? 255 : 0);
+  return intent;
 }
 
 class Browser : public testing::Test {
@@ -197,6 +212,61 @@ TEST_F(Browser, OfAThousandTakesMakesOnlyThePicturesThatAreSeen) {
   EXPECT_LT(list.model().picturesMade(), 40);
   list.findChild<QLineEdit*>()->setText("take_99");
   EXPECT_EQ(list.view().model()->rowCount(), 19) << "99, 199 to 899, 990 to 999";
+}
+
+TEST_F(Browser, DrawsBeliefAsLightBelowTheMovesOfItsTake) {
+  const auto library = test::small_library();
+  open(library);
+  const FrameIntent intent = belief_in(library, 1);
+  const auto light = [&](int row) {
+    const QRect place = list.view().visualRect(list.view().model()->index(row, 0));
+    const QImage below = picture_of(list.view()).copy(place).copy(0, 54, place.width(), 6);
+    return pixels_of_hue(below, palette_of(Theme::Dark).accent);
+  };
+  EXPECT_EQ(light(0) + light(1), 0);
+  list.setBelief(intent);
+  EXPECT_EQ(light(0), 0);
+  EXPECT_GT(light(1), 300);
+  list.setBelief({});
+  EXPECT_EQ(light(1), 0) << "the paper's method believes nothing";
+}
+
+TEST_F(Browser, SaysWhatTheLightIsAndHowStrong) {
+  const auto library = test::small_library();
+  open(library);
+  const auto tip = [&](int row) {
+    return list.view().model()->index(row, 0).data(Qt::ToolTipRole).toString();
+  };
+  EXPECT_FALSE(tip(1).contains("belief"));
+  list.setBelief(belief_in(library, 1));
+  EXPECT_TRUE(tip(1).contains("Brightest in this take: 100 %")) << tip(1).toStdString();
+  EXPECT_TRUE(tip(0).contains("None in this take")) << tip(0).toStdString();
+  EXPECT_TRUE(list.view()
+                  .model()
+                  ->index(1, 0)
+                  .data(Qt::AccessibleTextRole)
+                  .toString()
+                  .contains("belief 100 percent"));
+  const QPoint at = on_strip(1, 0.5);
+  QHelpEvent help(QEvent::ToolTip, at, list.view().viewport()->mapToGlobal(at));
+  QApplication::sendEvent(list.view().viewport(), &help);
+  EXPECT_TRUE(QToolTip::text().contains(": 100 %. Brightest")) << QToolTip::text().toStdString();
+  QToolTip::hideText();
+}
+
+TEST_F(Browser, OfBeliefDrawsOnlyWhatChangesAndScrollsNowhere) {
+  const auto library = thousand_takes(*test::small_library());
+  open(library);
+  QScrollBar* bar = list.view().verticalScrollBar();
+  bar->setValue(bar->maximum() / 2);
+  const int before = bar->value();
+  const QSignalSpy drawn(&list.model(), &QAbstractItemModel::dataChanged);
+  FrameIntent intent = belief_in(library, 0);
+  list.setBelief(intent);
+  EXPECT_EQ(drawn.count(), 1);
+  list.setBelief(intent);
+  EXPECT_EQ(drawn.count(), 1) << "nothing changed";
+  EXPECT_EQ(bar->value(), before);
 }
 
 TEST_F(Browser, WithoutALibrarySaysHowToGetOne) {

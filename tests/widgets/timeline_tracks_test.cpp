@@ -141,6 +141,21 @@ TEST(TimelineTracks, RowsThatWereLeftOutEndNoInterval) {
   EXPECT_DOUBLE_EQ(tracks.longest_gap_s(), 3);
 }
 
+TEST(TimelineTracks, KnowWhichMethodACostIsOf) {
+  TimelineTracks tracks;
+  for (int i = 0; i < 6; ++i) {
+    TrackRow row;
+    row.time_s = 0.1 * i;
+    row.take = 0;
+    row.is_of_filter = i >= 3;
+    tracks.append(row);
+  }
+  EXPECT_FALSE(tracks.is_of_filter_at(0.2));
+  EXPECT_TRUE(tracks.is_of_filter_at(0.35));
+  EXPECT_TRUE(tracks.is_of_filter_at(0.5)) << "also at the newest";
+  EXPECT_FALSE(TimelineTracks().is_of_filter_at(0));
+}
+
 TEST(TimelineTracks, KeepTheRoleThatTheUserWasGiven) {
   TimelineTracks tracks;
   for (int i = 0; i < 6; ++i) {

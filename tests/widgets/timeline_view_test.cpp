@@ -293,6 +293,9 @@ TEST_F(Timeline, TellsTheFactsOfAPlace) {
   EXPECT_TRUE(facts(TimelineLane::Role, 4).contains("user leads, as the recording is annotated"));
   EXPECT_TRUE(facts(TimelineLane::Cost, 4).contains("cost 0.25 m²"));
   EXPECT_TRUE(facts(TimelineLane::Source, 30).isEmpty());
+  for (int i = 100; i < 110; ++i)
+    content.tracks.append({0.1 * i, 2, 0, "turn", false, Leader::User, 0.15, 0.01, true, 0, true});
+  EXPECT_TRUE(facts(TimelineLane::Cost, 10.5).contains("cost 0.15 m<"));
   auto before = *synthetic_frame(0, 1), after = *synthetic_frame(1, 2);
   after.settings.alpha = 0.3;
   content.settings.append(before);

@@ -13,10 +13,14 @@ namespace {
 
 constexpr int head_height = 20;
 constexpr int arrow_room = 9;
+constexpr int swatch = 8;  ///< px
+
+QString text(std::string_view utf8) {
+  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
+}
 
 QString title(CandidateColumn column) {
-  const std::string_view words = column_title(column);
-  return QString::fromUtf8(words.data(), static_cast<int>(words.size()));
+  return text(column_title(column));
 }
 
 }  // namespace
@@ -25,9 +29,11 @@ CandidateHeader::CandidateHeader(QWidget* parent) : QWidget(parent), m_palette(p
   setFixedHeight(head_height);
   setFont(interface_font(11));
   setAccessibleName("Columns of the candidates");
+  setAccessibleDescription("Sorted by rank");
 }
 
 void CandidateHeader::setOrder(const CandidateOrder& order) {
+  if (order == m_order) return;
   m_order = order;
   setAccessibleDescription("Sorted by " + title(order.column) + (order.descending ? ", descending" : ""));
   update();
@@ -38,7 +44,17 @@ void CandidateHeader::setColours(const Palette& palette) {
   update();
 }
 
-QString CandidateHeader::name(CandidateColumn column, bool brief) {
+void CandidateHeader::setMethod(SelectionMethod method) {
+  m_method = method;
+  update();
+}
+
+/// Empty where a swatch stands for the term.
+QString CandidateHeader::name(CandidateColumn column, Fit fit) {
+  if (const auto term = term_of(column)) {
+    const CostTermInfo& info = info_of(*term);
+    return fit == Fit::Swatches ? QString() : text(fit == Fit::Brief ? info.brief : info.name);
+  }
   switch (column) {
     case CandidateColumn::Rank:
       return "#";
@@ -46,46 +62,47 @@ QString CandidateHeader::name(CandidateColumn column, bool brief) {
       return "take";
     case CandidateColumn::Label:
       return "move";
-    case CandidateColumn::Pose:
-      return "pose";
-    case CandidateColumn::Active:
-      return brief ? "lead." : "leader";
-    case CandidateColumn::Passive:
-      return brief ? "foll." : "follower";
-    case CandidateColumn::Total:
-      return "total";
     case CandidateColumn::Distance:
       return "dist.";
+    default:
+      return "total";
   }
-  return {};
+}
+
+double CandidateHeader::widthOf(CandidateColumn column, Fit fit) const {
+  const QString words = name(column, fit);
+  return arrow_room + (words.isEmpty() ? swatch : QFontMetricsF(font()).horizontalAdvance(words));
+}
+
+/// The distance gives way to names that are at least brief.
+CandidateHeader::Fit CandidateHeader::fitOfTerms(double until_distance, double until_total) const {
+  const auto right = [this](Fit fit) {
+    double end = CandidateLayout{width()}.barsLeft();
+    for (const CostTermInfo& info : cost_terms(m_method).terms) end += widthOf(column_of(info.term), fit);
+    return end;
+  };
+  if (right(Fit::Names) <= until_distance) return Fit::Names;
+  return right(Fit::Brief) <= until_total ? Fit::Brief : Fit::Swatches;
 }
 
 std::vector<CandidateHeader::Head> CandidateHeader::heads() const {
-  const CandidateLayout layout{width()};
-  const QFontMetricsF metrics(font());
-  const auto wide = [&](CandidateColumn column, bool brief) {
-    return metrics.horizontalAdvance(name(column, brief)) + arrow_room;
-  };
   std::vector<Head> heads;
-  const auto put = [&](CandidateColumn column, double left, bool brief) {
-    heads.push_back({column, name(column, brief), QRectF(left, 0, wide(column, brief), head_height)});
-    return left + wide(column, brief);
+  const auto put = [&](CandidateColumn column, double left, Fit fit = Fit::Names) {
+    const QRectF area(left, 0, widthOf(column, fit), head_height);
+    heads.push_back({column, name(column, fit), area});
+    return area.right();
   };
-  put(CandidateColumn::Rank, CandidateLayout::gutter + 7, false);
-  const double after = put(CandidateColumn::Source, CandidateLayout::name_left, false);
-  put(CandidateColumn::Label, after + 6, false);
+  put(CandidateColumn::Rank, CandidateLayout::gutter + 7);
+  const double after = put(CandidateColumn::Source, CandidateLayout::name_left);
+  put(CandidateColumn::Label, after + 6);
   const double right = width() - CandidateLayout::margin + arrow_room;
-  const double total = right - wide(CandidateColumn::Total, false);
-  const double distance = total - wide(CandidateColumn::Distance, false);
-  constexpr std::array<CandidateColumn, 3> terms = {CandidateColumn::Pose, CandidateColumn::Active,
-                                                    CandidateColumn::Passive};
-  double needed = 0;
-  for (const CandidateColumn term : terms) needed += wide(term, false);
-  const bool brief = layout.barsLeft() + needed > distance;
-  double left = layout.barsLeft();
-  for (const CandidateColumn term : terms) left = put(term, left, brief);
-  if (left <= distance) put(CandidateColumn::Distance, distance, false);
-  put(CandidateColumn::Total, total, false);
+  const double total = right - widthOf(CandidateColumn::Total, Fit::Names);
+  const double distance = total - widthOf(CandidateColumn::Distance, Fit::Names);
+  const Fit fit = fitOfTerms(distance, total);
+  double left = CandidateLayout{width()}.barsLeft();
+  for (const CostTermInfo& info : cost_terms(m_method).terms) left = put(column_of(info.term), left, fit);
+  if (left <= distance) put(CandidateColumn::Distance, distance);
+  put(CandidateColumn::Total, total);
   return heads;
 }
 
@@ -103,6 +120,9 @@ void CandidateHeader::paintEvent(QPaintEvent*) {
     const bool sorted = head.column == m_order.column;
     painter.setPen(sorted ? m_palette.text : m_palette.secondary);
     painter.drawText(head.area, Qt::AlignVCenter | Qt::AlignLeft, head.name);
+    if (const auto term = term_of(head.column); term && head.name.isEmpty())
+      painter.fillRect(QRectF(head.area.left(), head.area.center().y() - 0.5 * swatch, swatch, swatch),
+                       colour_of(*term, m_palette));
     if (!sorted) continue;
     const double x = head.area.right() - arrow_room + 5, y = head.area.center().y() + 0.5;
     const double up = m_order.descending ? -1 : 1;

@@ -14,6 +14,8 @@ class CandidateHeader : public QWidget {
  public:
   explicit CandidateHeader(QWidget* parent = nullptr);
   void setOrder(const CandidateOrder& order);
+  /// The columns are those of its terms.
+  void setMethod(SelectionMethod method);
   void setColours(const Palette& palette);
   /// Where a column's head is; empty when there is no room for it.
   QRectF area(CandidateColumn column) const;
@@ -32,9 +34,14 @@ class CandidateHeader : public QWidget {
     QString name;
     QRectF area;
   };
+  /// How much is said of each term, by the room there is.
+  enum class Fit { Names, Brief, Swatches };
   std::vector<Head> heads() const;
-  static QString name(CandidateColumn column, bool brief);
+  double widthOf(CandidateColumn column, Fit fit) const;
+  Fit fitOfTerms(double until_distance, double until_total) const;
+  static QString name(CandidateColumn column, Fit fit);
 
+  SelectionMethod m_method = SelectionMethod::Paper;
   CandidateOrder m_order;
   Palette m_palette;
 };

@@ -10,19 +10,19 @@
 #include "widgets/candidates/pin_mark.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
+#include "widgets/common/typeset.hpp"
 
 namespace abrazo::widgets {
 namespace {
 
 constexpr double vetoed_opacity = 0.4;
 
-QString text(const std::string& utf8) {
-  return QString::fromStdString(utf8);
+QString text(std::string_view utf8) {
+  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
 }
 
 QString figure(const CandidateRow& row, CandidateColumn column) {
-  const QString unit = column == CandidateColumn::Distance ? " m" : "";
-  return QString::number(shown_figure(row, column), 'f', 3) + unit;
+  return QString::number(shown_figure(row, column), 'f', 3) + text(figure_unit(row, column));
 }
 
 }  // namespace
@@ -39,6 +39,7 @@ void CandidateList::setColours(const Palette& palette) {
 }
 
 void CandidateList::setRows(std::vector<CandidateRow> rows, CandidateColumn figure) {
+  const bool other_unit = !rows.empty() && (m_rows.empty() || rows.front().method != m_rows.front().method);
   m_rows = std::move(rows);
   m_figure = figure;
   const int wanted = row_height * std::max<int>(static_cast<int>(m_rows.size()), 1);
@@ -46,7 +47,7 @@ void CandidateList::setRows(std::vector<CandidateRow> rows, CandidateColumn figu
   double largest = 0;
   for (const CandidateRow& row : m_rows) largest = std::max(largest, row.total);
   // Grows at once and shrinks slowly: bars that rescale with every frame cannot be read.
-  m_fullBar = largest > m_fullBar ? largest : std::max(largest, 0.88 * m_fullBar);
+  m_fullBar = other_unit || largest > m_fullBar ? largest : std::max(largest, 0.88 * m_fullBar);
   if (m_hovered >= static_cast<int>(m_rows.size())) m_hovered = -1;
   if (m_currentPair >= 0) {
     m_current = rowOf(m_currentPair);
@@ -121,8 +122,9 @@ void CandidateList::describe() {
                       .arg(text(row->take))
                       .arg(row->frame)
                       .arg(row->label.empty() ? "no label" : text(row->label))
-                      .arg(row->total, 0, 'f', 3);
+                      .arg(figure(*row, CandidateColumn::Total));
   if (row->selected) words += ", selected";
+  if (row->goes_on) words += ", goes on";
   if (row->pinned) words += ", pinned";
   if (row->vetoed) words += ", vetoed";
   if (row->not_meant) words += ", not what is meant";
@@ -152,7 +154,7 @@ void CandidateList::paintRow(QPainter& painter, int index) const {
   paintBackground(painter, index, line);
   painter.setFont(interface_font(13));
   paintMarks(painter, index, line);
-  painter.setOpacity(row.vetoed || row.not_meant ? vetoed_opacity : 1);
+  painter.setOpacity(row.is_out() ? vetoed_opacity : 1);
   paintName(painter, row, line);
   paintBar(painter, index);
   painter.setPen(m_palette.text);
@@ -210,41 +212,48 @@ void CandidateList::paintName(QPainter& painter, const CandidateRow& row, const 
   const double after = CandidateLayout::name_left + painter.fontMetrics().horizontalAdvance(name) + 5;
   painter.setPen(m_palette.secondary);
   draw_tabular(painter, QRectF(after, line.top(), number_width + 2, row_height), Qt::AlignLeft, number);
+  if (row.goes_on)
+    draw_goes_on(painter, QPointF(after + number_width + 8, line.center().y()), m_palette.text);
   painter.setFont(interface_font(13));
 }
 
 void CandidateList::paintBar(QPainter& painter, int index) const {
   const QRectF area = barArea(index);
-  const BarEnds ends = bar_ends(m_rows[static_cast<std::size_t>(index)], m_fullBar);
-  const auto part = [&](double from, double to, const QColor& colour) {
+  const CandidateRow& row = m_rows[static_cast<std::size_t>(index)];
+  const auto terms = cost_terms(row.method).terms;
+  const auto ends = bar_ends(row, m_fullBar);
+  double from = 0;
+  for (std::size_t i = 0; i < terms.size(); from = ends[i++])
     painter.fillRect(
-        QRectF(area.left() + from * area.width(), area.top(), (to - from) * area.width(), area.height()),
-        colour);
-  };
-  part(0, ends.pose, m_palette.user);
-  part(ends.pose, ends.active, m_palette.active);
-  part(ends.active, ends.passive, m_palette.passive);
+        QRectF(area.left() + from * area.width(), area.top(), (ends[i] - from) * area.width(), area.height()),
+        colour_of(terms[i].term, m_palette));
 }
 
 QString CandidateList::tip(const CandidateRow& row) const {
-  const auto line = [](const char* name, double value, const char* unit) {
+  const auto line = [](std::string_view name, double value, std::string_view unit) {
     return QString("<tr><td>%1&nbsp;&nbsp;</td><td align=right>%2 %3</td></tr>")
-        .arg(name)
+        .arg(text(typeset(name)))
         .arg(value, 0, 'f', 4)
-        .arg(unit);
+        .arg(text(unit));
   };
-  QString tip = QString("<b>%1 · %2</b>%3<br>%4%5%6<table>")
+  QString tip = QString("<b>%1 · %2</b>%3<br>%4%5%6%7<table>")
                     .arg(text(row.take).toHtmlEscaped())
                     .arg(row.frame)
                     .arg(row.swapped ? " (roles swapped)" : "")
                     .arg(row.label.empty() ? "no label" : text(row.label).toHtmlEscaped())
+                    .arg(row.goes_on ? " · goes on with the source" : "")
                     .arg(row.pinned ? " · pinned" : "")
-                    .arg(row.vetoed      ? " · vetoed"
-                         : row.not_meant ? " · out: another move is meant"
-                                         : "");
-  tip += line("pose", row.pose, "m²") + line("α · temporal leader", row.active, "m²") +
-         line("α · temporal follower", row.passive, "m²") + line("total (Eq. 7)", row.total, "m²") +
-         line("feature distance", row.feature_distance, "m");
+                    .arg(row.vetoed       ? " · vetoed"
+                         : !row.not_meant ? ""
+                         : row.is_out()   ? " · out: another move is meant"
+                                          : " · another move is meant");
+  const CostTerms& decides = cost_terms(row.method);
+  for (const CostTermInfo& info : decides.terms)
+    tip += line(info.weighed, value_of(row, info.term), decides.unit);
+  tip += line(decides.total, row.total, decides.unit);
+  if (row.method == SelectionMethod::Filter)
+    tip += line("Eq. 7, which does not decide", row.equation_7, "m²");
+  tip += line("feature distance", row.feature_distance, "m");
   return tip + "</table>";
 }
 

@@ -1,11 +1,19 @@
 #include "widgets/candidates/candidate_order.hpp"
 
 #include <algorithm>
+#include <array>
 #include <compare>
 #include <tuple>
 
 namespace abrazo::widgets {
 namespace {
+
+using enum CandidateColumn;
+
+constexpr std::array<CandidateColumn, 8> paper_columns = {Rank,   Source,  Label, Pose,
+                                                          Active, Passive, Total, Distance};
+constexpr std::array<CandidateColumn, 10> filter_columns = {Rank, Source, Label,  Partner, Leader,
+                                                            Move, Meant,  Change, Total,   Distance};
 
 /// Negative, zero or positive, as strcmp.
 int compare(const CandidateRow& a, const CandidateRow& b, CandidateColumn column) {
@@ -13,11 +21,11 @@ int compare(const CandidateRow& a, const CandidateRow& b, CandidateColumn column
     return std::is_lt(order) ? -1 : std::is_gt(order) ? 1 : 0;
   };
   switch (column) {
-    case CandidateColumn::Rank:
+    case Rank:
       return a.rank - b.rank;
-    case CandidateColumn::Source:
+    case Source:
       return sign(std::tie(a.take, a.frame, a.swapped) <=> std::tie(b.take, b.frame, b.swapped));
-    case CandidateColumn::Label:
+    case Label:
       return sign(a.label <=> b.label);
     default:
       return sign(shown_figure(a, column) <=> shown_figure(b, column));
@@ -26,20 +34,42 @@ int compare(const CandidateRow& a, const CandidateRow& b, CandidateColumn column
 
 }  // namespace
 
+std::span<const CandidateColumn> candidate_columns(SelectionMethod method) {
+  if (method == SelectionMethod::Filter) return filter_columns;
+  return paper_columns;
+}
+
+std::optional<CostTerm> term_of(CandidateColumn column) {
+  if (column < Pose || column > Change) return std::nullopt;
+  return static_cast<CostTerm>(static_cast<int>(column) - static_cast<int>(Pose));
+}
+
+CandidateColumn column_of(CostTerm term) {
+  return static_cast<CandidateColumn>(static_cast<int>(term) + static_cast<int>(Pose));
+}
+
 std::string_view column_title(CandidateColumn column) {
-  static constexpr std::array<std::string_view, 8> titles = {"rank",
-                                                             "take and frame",
-                                                             "move",
-                                                             "pose cost",
-                                                             "temporal cost of the leader",
-                                                             "temporal cost of the follower",
-                                                             "total cost",
-                                                             "feature distance"};
-  return titles[static_cast<std::size_t>(column)];
+  if (const auto term = term_of(column)) return info_of(*term).title;
+  switch (column) {
+    case Rank:
+      return "rank";
+    case Source:
+      return "take and frame";
+    case Label:
+      return "move";
+    case Distance:
+      return "feature distance";
+    default:
+      return "total cost";
+  }
 }
 
 CandidateOrder order_after_click(const CandidateOrder& order, CandidateColumn column) {
   return {column, order.column == column && !order.descending};
+}
+
+CandidateOrder order_within(const CandidateOrder& order, SelectionMethod method) {
+  return std::ranges::count(candidate_columns(method), order.column) > 0 ? order : CandidateOrder{};
 }
 
 void sort_rows(std::vector<CandidateRow>& rows, const CandidateOrder& order) {
@@ -51,18 +81,12 @@ void sort_rows(std::vector<CandidateRow>& rows, const CandidateOrder& order) {
 }
 
 double shown_figure(const CandidateRow& row, CandidateColumn column) {
-  switch (column) {
-    case CandidateColumn::Pose:
-      return row.pose;
-    case CandidateColumn::Active:
-      return row.active;
-    case CandidateColumn::Passive:
-      return row.passive;
-    case CandidateColumn::Distance:
-      return row.feature_distance;
-    default:
-      return row.total;
-  }
+  if (const auto term = term_of(column)) return value_of(row, *term);
+  return column == Distance ? row.feature_distance : row.total;
+}
+
+std::string_view figure_unit(const CandidateRow& row, CandidateColumn column) {
+  return column == Distance || row.method == SelectionMethod::Filter ? " m" : "";
 }
 
 }  // namespace abrazo::widgets

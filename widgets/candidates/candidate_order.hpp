@@ -1,6 +1,7 @@
 #pragma once
 
-#include <array>
+#include <optional>
+#include <span>
 #include <string_view>
 #include <vector>
 
@@ -8,12 +9,29 @@
 
 namespace abrazo::widgets {
 
-/// What the table can be sorted by.
-enum class CandidateColumn { Rank, Source, Label, Pose, Active, Passive, Total, Distance };
+/// What the table can be sorted by. Which terms there are depends on the method that decided.
+enum class CandidateColumn {
+  Rank,
+  Source,
+  Label,
+  Pose,
+  Active,
+  Passive,
+  Partner,
+  Leader,
+  Move,
+  Meant,
+  Change,
+  Total,
+  Distance
+};
 
-inline constexpr std::array<CandidateColumn, 8> candidate_columns = {
-    CandidateColumn::Rank,   CandidateColumn::Source,  CandidateColumn::Label, CandidateColumn::Pose,
-    CandidateColumn::Active, CandidateColumn::Passive, CandidateColumn::Total, CandidateColumn::Distance};
+/// From left to right; the total and the distance are last.
+std::span<const CandidateColumn> candidate_columns(SelectionMethod method);
+
+/// The term that a column shows; nothing for the others.
+std::optional<CostTerm> term_of(CandidateColumn column);
+CandidateColumn column_of(CostTerm term);
 
 /// "rank", "take and frame", "temporal cost of the leader", ...
 std::string_view column_title(CandidateColumn column);
@@ -27,11 +45,15 @@ struct CandidateOrder {
 /// A column that is asked for again turns around; another one starts ascending.
 CandidateOrder order_after_click(const CandidateOrder& order, CandidateColumn column);
 
+/// What of an order can be done where this method decided: by rank when its column is one of another method.
+CandidateOrder order_within(const CandidateOrder& order, SelectionMethod method);
+
 /// Ties stand by rank, whichever way the column goes.
 void sort_rows(std::vector<CandidateRow>& rows, const CandidateOrder& order);
 
-/// The figure at the end of a row: that of the sorted column if it is one, else the total. Costs [m^2], the
-/// distance [m].
+/// The figure at the end of a row: that of the sorted column if it is one, else the total.
 double shown_figure(const CandidateRow& row, CandidateColumn column);
+/// " m", or nothing where all figures of the table are in m^2.
+std::string_view figure_unit(const CandidateRow& row, CandidateColumn column);
 
 }  // namespace abrazo::widgets

@@ -1,14 +1,16 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
 #include "core/library/motion_library.hpp"
 #include "core/session/frame_snapshot.hpp"
+#include "widgets/candidates/cost_terms.hpp"
 
 namespace abrazo::widgets {
 
-/// One candidate as the table shows it: the cost of Eq. 7 as three parts that add up to the total [m^2].
+/// One candidate as the table shows it: what it costs by the method that decided, in parts that add up.
 struct CandidateRow {
   int candidate = -1;  ///< index into FrameResult::candidates
   int pair = -1;
@@ -18,29 +20,28 @@ struct CandidateRow {
   int frame = 0;
   bool swapped = false;
   std::string label;
-  double pose = 0;
-  double active = 0;   ///< alpha times the temporal cost of the active character
-  double passive = 0;  ///< alpha times that of the passive character
-  double total = 0;
-  double feature_distance = 0;  ///< [m]
+  SelectionMethod method = SelectionMethod::Paper;
+  std::array<double, most_cost_terms> terms{};  ///< weighed, in the order of cost_terms(method)
+  double total = 0;                             ///< [m^2] by Eq. 7, [m] of `filter`
+  double equation_7 = 0;                        ///< its total, also where it does not decide [m^2]
+  double feature_distance = 0;                  ///< [m]
   bool selected = false;
+  bool goes_on = false;  ///< continues the source of the frame before; only told with `filter`
   bool pinned = false;
   bool vetoed = false;     ///< by itself, its take or its label
   bool not_meant = false;  ///< another move is meant
+
+  /// Cannot be selected. Eq. 7 compares only what is meant; with `filter` the others cost more.
+  bool is_out() const { return vetoed || (not_meant && method == SelectionMethod::Paper); }
 };
 
 /// Cheapest first; ties keep the order of their feature distance.
 std::vector<CandidateRow> candidate_rows(const FrameSnapshot& frame, const MotionLibrary& library);
 
-/// Where the parts of a bar end, in [0, 1] of the width that `largest_total` takes.
-struct BarEnds {
-  double pose, active, passive;
-};
-BarEnds bar_ends(const CandidateRow& row, double largest_total);
+/// The value of a term; 0 when the row's method does not have it.
+double value_of(const CandidateRow& row, CostTerm term);
 
-/// Of the cheapest-first order. "Winner by 0.024 — less temporal cost of the follower": the margin to the
-/// runner-up and the term that decided it. Says so when the winner is not the cheapest (a pinned pair), or
-/// when there is nothing to compare with.
-std::string winning_reason(const std::vector<CandidateRow>& rows);
+/// Where the parts of a bar end, in [0, 1] of the width that `largest_total` takes.
+std::array<double, most_cost_terms> bar_ends(const CandidateRow& row, double largest_total);
 
 }  // namespace abrazo::widgets

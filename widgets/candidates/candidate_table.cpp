@@ -1,6 +1,6 @@
 #include "widgets/candidates/candidate_table.hpp"
 
-#include <QHBoxLayout>
+#include <QGridLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QScrollArea>
@@ -8,18 +8,21 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/selection/intent_model.hpp"
 #include "widgets/candidates/candidate_header.hpp"
 #include "widgets/candidates/candidate_list.hpp"
 #include "widgets/candidates/decision_bar.hpp"
 #include "widgets/candidates/feature_map.hpp"
+#include "widgets/candidates/winning_reason.hpp"
+#include "widgets/common/plain_text.hpp"
 #include "widgets/common/section_header.hpp"
 #include "widgets/common/theme.hpp"
 
 namespace abrazo::widgets {
 namespace {
 
-QString text(const std::string& utf8) {
-  return QString::fromStdString(utf8);
+QString text(std::string_view utf8) {
+  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
 }
 
 /// "take salsa_02", "all turn": what a veto of that reach is about.
@@ -50,6 +53,7 @@ CandidateTable::CandidateTable(QWidget* parent)
       m_scroll(new QScrollArea(this)),
       m_decisions(new DecisionBar(this)),
       m_reason(new QLabel(this)),
+      m_belief(new QLabel(this)),
       m_mapButton(new QToolButton(this)),
       m_map(new FeatureMap(this)) {
   arrange();
@@ -80,8 +84,9 @@ void CandidateTable::arrange() {
 
 QWidget* CandidateTable::makeFoot() {
   auto* foot = new QWidget(this);
-  auto* row = new QHBoxLayout(foot);
-  row->setContentsMargins(12, 4, 12, 6);
+  m_foot = new QGridLayout(foot);
+  m_foot->setContentsMargins(12, 4, 12, 6);
+  m_foot->setVerticalSpacing(0);
   m_reason->setObjectName("secondary");
   m_reason->setFont(interface_font(12));
   m_reason->setWordWrap(true);
@@ -94,8 +99,15 @@ QWidget* CandidateTable::makeFoot() {
   m_mapButton->setFocusPolicy(Qt::TabFocus);
   m_mapButton->setToolTip("The candidates among all pairs of the library, in feature space");
   m_mapButton->setAccessibleName("Show the feature-space neighbourhood");
-  row->addWidget(m_reason, 1);
-  row->addWidget(m_mapButton, 0, Qt::AlignTop);
+  m_belief->setObjectName("secondary");
+  m_belief->setFont(interface_font(12));
+  m_belief->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // elided, not a reason to be wider
+  m_belief->setTextFormat(Qt::PlainText);                             // labels are what people typed
+  m_belief->hide();
+  m_foot->addWidget(m_reason, 0, 0);
+  m_foot->addWidget(m_mapButton, 0, 1, Qt::AlignTop);
+  m_foot->addWidget(m_belief, 1, 0);
+  m_foot->setColumnStretch(0, 1);
   return foot;
 }
 
@@ -145,9 +157,9 @@ void CandidateTable::setLibrary(std::shared_ptr<const MotionLibrary> library) {
 }
 
 void CandidateTable::setColours(const Palette& palette) {
+  m_palette = palette;
   m_header->setColours(palette);
-  m_header->setKeys(
-      {{"pose", palette.user}, {"temporal leader", palette.active, "leader"}, {"follower", palette.passive}});
+  showKeys();
   m_columns->setColours(palette);
   m_list->setColours(palette);
   m_decisions->setColours(palette);
@@ -156,8 +168,45 @@ void CandidateTable::setColours(const Palette& palette) {
 
 void CandidateTable::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
+  showBelief();
+}
+
+/// The height does not follow the words: those of every frame are others. The map's button stands beside the
+/// belief where there is one, because the reasons of the filter are longer.
+void CandidateTable::arrangeFoot(bool has_belief) {
   constexpr int one_line = 24, two_lines = 40, narrow = 400;
   m_reason->setFixedHeight(width() < narrow ? two_lines : one_line);
+  if (has_belief == m_belief->isVisibleTo(this)) return;
+  m_foot->addWidget(m_reason, 0, 0, 1, has_belief ? 2 : 1);
+  m_foot->addWidget(m_mapButton, has_belief ? 1 : 0, 1, Qt::AlignTop);
+  m_belief->setVisible(has_belief);
+}
+
+void CandidateTable::showKeys() {
+  std::vector<SectionHeader::Key> keys;
+  for (const CostTermInfo& info : cost_terms(m_method).terms)
+    keys.push_back({text(info.key), colour_of(info.term, m_palette), text(info.brief_key)});
+  m_header->setKeys(std::move(keys));
+}
+
+void CandidateTable::showMethod(SelectionMethod method) {
+  if (method == m_method) return;
+  m_method = method;
+  m_columns->setMethod(method);
+  showKeys();
+}
+
+void CandidateTable::showBelief() {
+  const bool is_learning = m_frame && m_frame->is_learning;
+  m_beliefWords.clear();
+  if (is_learning)
+    m_beliefWords = "Learning the library; Eq. 7 selects meanwhile";
+  else if (m_frame && m_frame->result.intent.model)
+    m_beliefWords = text(likely_moves(m_frame->result.intent.model->labels(), m_frame->result.intent.moves));
+  arrangeFoot(is_learning || m_method == SelectionMethod::Filter);
+  const int room = width() - 36 - m_mapButton->sizeHint().width();
+  m_belief->setText(QFontMetrics(m_belief->font()).elidedText(m_beliefWords, Qt::ElideRight, room));
+  m_belief->setToolTip(m_beliefWords == m_belief->text() ? QString() : plain_tip(m_beliefWords));
 }
 
 const std::vector<CandidateRow>& CandidateTable::rows() const {
@@ -171,8 +220,10 @@ void CandidateTable::showFrame(const FrameSnapshotPtr& frame) {
   if (!frame || !m_library) return;
   m_frame = frame;
   m_ranked = candidate_rows(*frame, *m_library);
-  m_reason->setText(text(winning_reason(m_ranked)));
+  showMethod(deciding_method(frame->result).value_or(m_method));
   showRows();
+  m_reason->setText(text(winning_reason(m_ranked, frame->result.intent)));
+  showBelief();
 }
 
 void CandidateTable::mark(CandidateRow& row) const {
@@ -184,9 +235,11 @@ void CandidateTable::mark(CandidateRow& row) const {
 void CandidateTable::showRows() {
   for (CandidateRow& row : m_ranked) mark(row);
   if (m_frame && m_map->isVisible()) m_map->setFrame(*m_frame, m_ranked);
+  const CandidateOrder order = order_within(m_order, m_method);
+  m_columns->setOrder(order);
   std::vector<CandidateRow> shown = m_ranked;
-  sort_rows(shown, m_order);
-  m_list->setRows(std::move(shown), m_order.column);
+  sort_rows(shown, order);
+  m_list->setRows(std::move(shown), order.column);
   keepSelectedRow();
 }
 
@@ -201,8 +254,7 @@ void CandidateTable::showPath(const FrameHistory& history, double until_s) {
 }
 
 void CandidateTable::sortBy(CandidateColumn column) {
-  m_order = order_after_click(m_order, column);
-  m_columns->setOrder(m_order);
+  m_order = order_after_click(order_within(m_order, m_method), column);
   showRows();
 }
 
@@ -278,11 +330,10 @@ void CandidateTable::liftAll() {
 
 void CandidateTable::addSorting(QMenu& menu) {
   QMenu* sorting = menu.addMenu("Sort by");
-  for (const CandidateColumn column : candidate_columns) {
-    const std::string_view title = column_title(column);
-    QAction* action = sorting->addAction(QString::fromUtf8(title.data(), static_cast<int>(title.size())));
+  for (const CandidateColumn column : candidate_columns(m_method)) {
+    QAction* action = sorting->addAction(text(column_title(column)));
     action->setCheckable(true);
-    action->setChecked(column == m_order.column);
+    action->setChecked(column == order_within(m_order, m_method).column);
     connect(action, &QAction::triggered, this, [this, column] { sortBy(column); });
   }
 }

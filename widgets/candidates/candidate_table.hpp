@@ -13,6 +13,7 @@
 #include "widgets/common/palette.hpp"
 #include "widgets/common/selection_model.hpp"
 
+class QGridLayout;
 class QLabel;
 class QMenu;
 class QScrollArea;
@@ -39,7 +40,10 @@ class CandidateTable : public QWidget {
   /// As they are shown, in the order of the sorted column.
   const std::vector<CandidateRow>& rows() const;
   QString reason() const;
+  /// The line below it: what is believed of the user's move, or that this is still being learned.
+  const QString& belief() const { return m_beliefWords; }
   const Steering& steering() const { return m_steering; }
+  /// As it was asked for. A column that the shown frame's method does not have waits for its method.
   const CandidateOrder& order() const { return m_order; }
 
  public slots:
@@ -76,6 +80,10 @@ class CandidateTable : public QWidget {
   void connectParts();
   QWidget* makeFoot();
   void showRows();
+  void showMethod(SelectionMethod method);
+  void showKeys();
+  void showBelief();
+  void arrangeFoot(bool has_belief);
   void keepSelectedRow();
   void mark(CandidateRow& row) const;
   const CandidateRow* chosen() const;
@@ -93,13 +101,18 @@ class CandidateTable : public QWidget {
   QScrollArea* m_scroll;
   DecisionBar* m_decisions;
   QLabel* m_reason;
+  QLabel* m_belief;
   QToolButton* m_mapButton;
+  QGridLayout* m_foot = nullptr;  ///< reason, belief and the map's button
   FeatureMap* m_map;
   std::shared_ptr<const MotionLibrary> m_library;
   FrameSnapshotPtr m_frame;
   std::vector<CandidateRow> m_ranked;  ///< of the shown frame, cheapest first
   Steering m_steering;
   CandidateOrder m_order;
+  SelectionMethod m_method = SelectionMethod::Paper;  ///< that decided in the shown frame
+  QString m_beliefWords;
+  Palette m_palette;
 };
 
 }  // namespace abrazo::widgets

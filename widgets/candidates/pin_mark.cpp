@@ -34,4 +34,14 @@ void draw_meant(QPainter& painter, const QPointF& middle, const QColor& colour, 
   painter.restore();
 }
 
+void draw_goes_on(QPainter& painter, const QPointF& middle, const QColor& colour) {
+  painter.save();
+  painter.setPen(QPen(colour, 1.3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawLine(middle + QPointF(-4, 0), middle + QPointF(3.6, 0));
+  painter.drawPolyline(
+      QPolygonF({middle + QPointF(0.8, -3), middle + QPointF(4, 0), middle + QPointF(0.8, 3)}));
+  painter.restore();
+}
+
 }  // namespace abrazo::widgets

@@ -8,7 +8,8 @@
 
 namespace abrazo::widgets {
 
-/// Head of a panel: 11 px capitals, with a colour key at the right where the panel needs one.
+/// Head of a panel: 11 px capitals, with a colour key at the right where the panel needs one and has the
+/// room.
 class SectionHeader : public QWidget {
   Q_OBJECT
  public:
@@ -30,6 +31,7 @@ class SectionHeader : public QWidget {
 
  private:
   QString nameOf(const Key& key, bool brief) const;
+  int widthOf(const QFontMetrics& metrics, bool brief) const;
 
   QString m_title;
   std::vector<Key> m_keys;

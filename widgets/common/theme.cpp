@@ -118,8 +118,8 @@ void apply_theme(QApplication& application, const Palette& p) {
   colours.setColor(QPalette::ToolTipBase, p.window);
   colours.setColor(QPalette::Highlight, p.accent);
   colours.setColor(QPalette::HighlightedText, Qt::white);
-  colours.setColor(QPalette::Disabled, QPalette::Text, p.secondary);
-  colours.setColor(QPalette::Disabled, QPalette::ButtonText, p.secondary);
+  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+    colours.setColor(QPalette::Disabled, role, p.secondary);
   application.setPalette(colours);
   application.setStyleSheet(style_sheet(p));
 }

@@ -67,7 +67,9 @@ void ValueSlider::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
   constexpr double y = 8;
-  const QColor filled = m_palette.dark ? m_palette.active : m_palette.accent;
+  const QColor filled = !isEnabled()     ? mixed(m_palette.secondary, m_palette.panel, 0.5)
+                        : m_palette.dark ? m_palette.active
+                                         : m_palette.accent;
   painter.setPen(Qt::NoPen);
   painter.setBrush(m_palette.dark ? m_palette.border.lighter(125) : m_palette.border);
   painter.drawRoundedRect(QRectF(0, y - 1.75, width(), 3.5), 1.75, 1.75);
@@ -82,7 +84,7 @@ void ValueSlider::paintEvent(QPaintEvent*) {
     painter.drawEllipse(QPointF(xOf(m_place), y), handle_radius + 1.5, handle_radius + 1.5);
   }
   painter.setPen(QPen(hasFocus() ? m_palette.text : filled, 2));
-  painter.setBrush(m_palette.dark ? m_palette.text : QColor(Qt::white));
+  painter.setBrush(!isEnabled() ? m_palette.panel : m_palette.dark ? m_palette.text : QColor(Qt::white));
   painter.drawEllipse(QPointF(xOf(m_place), y), handle_radius - 1, handle_radius - 1);
   if (!m_marked) return;
   // A triangle under the track, so that it differs from the tick by shape as well.

@@ -1,9 +1,14 @@
 #include "widgets/library/take_delegate.hpp"
 
+#include <QAbstractItemView>
+#include <QHelpEvent>
+#include <QImage>
 #include <QPainter>
+#include <QToolTip>
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/common/plain_text.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/library/take_model.hpp"
@@ -14,6 +19,7 @@ namespace {
 constexpr int words_left = 56, right_margin = 12;
 constexpr int strip_top = 40, strip_height = 7;
 constexpr int role_height = 2, heat_height = 4;
+constexpr int belief_top = 9, belief_height = 3, halo = 2;  ///< below the strip, in which the bars come first
 
 /// As much as there is room for; the moves are also in the strip.
 QString facts(const TakeRow& row, const QFont& font, double room) {
@@ -69,6 +75,7 @@ void TakeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
   painter->setRenderHint(QPainter::Antialiasing, false);
   paintStrip(*painter, strip, take);
   paintHeat(*painter, strip, take);
+  paintBelief(*painter, strip, take);
   paintMarks(*painter, strip, take);
   painter->restore();
 }
@@ -147,6 +154,37 @@ void TakeDelegate::paintHeat(QPainter& painter, const QRect& strip, int take) co
         QRectF(strip.left() + 2.0 * static_cast<double>(i), top + heat_height - height, 2, height + 1),
         m_palette.warning);
   }
+}
+
+/// A band of light, the stronger the likelier, with a faint halo that makes it seen among the bars.
+void TakeDelegate::paintBelief(QPainter& painter, const QRect& strip, int take) const {
+  const auto light = m_model.belief().along(take);
+  if (std::all_of(light.begin(), light.end(), [](std::uint8_t level) { return level == 0; })) return;
+  const QColor colour = m_palette.dark ? m_palette.accent.lighter(150) : m_palette.accent;
+  QImage band(TakeBelief::parts, 1, QImage::Format_ARGB32_Premultiplied);
+  for (int part = 0; part < TakeBelief::parts; ++part) {
+    QColor here = colour;
+    here.setAlphaF(light[static_cast<std::size_t>(part)] / double{TakeBelief::levels});
+    band.setPixelColor(part, 0, here);
+  }
+  const QRect place(strip.left(), strip.bottom() + belief_top, strip.width(), belief_height);
+  painter.setRenderHint(QPainter::SmoothPixmapTransform);
+  painter.setOpacity(0.3);
+  painter.drawImage(place.adjusted(0, -halo, 0, halo), band);
+  painter.setOpacity(1);
+  painter.drawImage(place, band);
+}
+
+bool TakeDelegate::helpEvent(QHelpEvent* event, QAbstractItemView* view, const QStyleOptionViewItem& option,
+                             const QModelIndex& index) {
+  const int take = m_filter.takeAt(index);
+  const QRect strip = take_strip(option.rect).adjusted(0, -4, 0, belief_top + belief_height + halo);
+  if (event->type() != QEvent::ToolTip || take < 0 || !strip.contains(event->pos()) ||
+      !m_model.belief().is_any())
+    return QStyledItemDelegate::helpEvent(event, view, option, index);
+  const int frame = frame_at(option.rect, event->pos().x(), m_model.row(take).frames);
+  QToolTip::showText(event->globalPos(), plain_tip(m_model.beliefText(take, frame)), view);
+  return true;
 }
 
 void TakeDelegate::paintMarks(QPainter& painter, const QRect& strip, int take) const {

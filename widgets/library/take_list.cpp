@@ -172,6 +172,10 @@ void TakeList::setUsersTake(const std::string& take) {
   showFoot();
 }
 
+void TakeList::setBelief(const FrameIntent& intent) {
+  m_model->setBelief(intent);
+}
+
 void TakeList::refresh(const FrameHistory& history) {
   if (!m_model->coverage().append_new(history)) return;
   m_model->coverageChanged();
@@ -278,13 +282,14 @@ void TakeList::showFoot() {
   m_coverage->setText(any ? coverageText() : QString());
   m_coverage->setVisible(any);
   m_coverage->setToolTip(
-      QString("The share of the user's frames whose nearest recorded pair is closer in feature space than "
-              "%1: the "
-              "library's own typical neighbour distance, the median distance of its pairs to the nearest "
-              "that is not "
-              "within a second of them in the same take.\nIn a row: the bars below the moves show which "
-              "parts of a "
-              "take this session selected, the figure how often.")
+      QString(
+          "The share of the user's frames whose nearest recorded pair is closer in feature space than %1: "
+          "the library's own typical neighbour distance, the median distance of its pairs to the nearest "
+          "that is not within a second of them in the same take.\n"
+          "In a row: the bars below the moves show which parts of a take this session selected, the figure "
+          "how often. The light below the bars is belief, with the selection “filter”: where the user's "
+          "last two seconds say that the partner comes from next; full light is the likeliest place of the "
+          "library.")
           .arg(m_typical_m ? QString::number(*m_typical_m, 'f', 3) + " m" : "the typical distance"));
 }
 

@@ -52,6 +52,8 @@ class TakeList : public QWidget {
   void setVetoedTakes(const std::set<std::string>& takes);
   /// The take that plays the user and therefore is not selected from; empty for none.
   void setUsersTake(const std::string& take);
+  /// What the solver of the shown frame expects next; scrolls to nothing.
+  void setBelief(const abrazo::FrameIntent& intent);
   /// What is new in the session.
   void refresh(const abrazo::FrameHistory& history);
   /// How near the library's own pairs lie to one another [m]; nothing while that is not known.

@@ -9,6 +9,7 @@ namespace abrazo::widgets {
 namespace {
 
 constexpr int picture_side = 34;
+constexpr std::size_t many_takes = 32;  ///< more than a list shows: telling of all at once costs less
 
 }  // namespace
 
@@ -20,6 +21,9 @@ void TakeModel::setLibrary(std::shared_ptr<const MotionLibrary> library) {
   m_rows = m_library ? take_rows(*m_library) : std::vector<TakeRow>();
   m_pairs = m_library ? PairsOfTakes(*m_library) : PairsOfTakes();
   m_coverage.begin(m_library);
+  m_belief = {};
+  m_belief.begin({}, m_library ? m_library->takes() : std::vector<LibraryTake>());
+  m_model.reset();
   m_pictures.clear();
   m_users.clear();
   m_source_take = m_cursor_take = -1;
@@ -66,6 +70,33 @@ void TakeModel::setCursor(int take, int frame) {
   changed(take);
 }
 
+void TakeModel::setBelief(const FrameIntent& intent) {
+  if (!m_library) return;
+  if (intent.model != m_model) {
+    m_model = intent.model;
+    m_belief.begin(m_model ? std::span(m_model->blocks()) : std::span<const BeliefBlock>(),
+                   m_library->takes());
+  }
+  const std::vector<int>& takes = m_belief.show(intent.belief);
+  if (takes.size() > many_takes) return coverageChanged();
+  for (const int take : takes) changed(take);
+}
+
+QString TakeModel::beliefText(int take, std::optional<int> frame) const {
+  if (!m_belief.is_any()) return {};
+  const auto percent = [](double belief) { return QString("%1 %").arg(qRound(100 * belief)); };
+  const TakeBelief::Peak peak = m_belief.peak(take);
+  QString words =
+      "Light below the moves: belief, where the user's last two seconds say that the partner comes from "
+      "next. ";
+  if (frame) words += QString("At frame %1: %2. ").arg(*frame).arg(percent(m_belief.at(take, *frame)));
+  if (peak.belief == 0) return words + "None in this take";
+  return words +
+         QString("Brightest in this take: %1, at frame %2; 100 % is the likeliest place of the library")
+             .arg(percent(peak.belief))
+             .arg(peak.frame);
+}
+
 /// Both bodies of the take's middle pair.
 QPixmap TakeModel::picture(int take, double pixel_ratio) const {
   const auto known = m_pictures.find(take);
@@ -100,6 +131,8 @@ QString TakeModel::spoken(const TakeRow& row) const {
   if (isUsers(row.take)) words += ", plays the user";
   if (isVetoed(row.take)) words += ", vetoed";
   if (row.take == m_source_take) words += ", shown now";
+  if (m_belief.is_any())
+    words += QString(", belief %1 percent").arg(qRound(100 * m_belief.peak(row.take).belief));
   return words;
 }
 
@@ -112,6 +145,7 @@ QVariant TakeModel::data(const QModelIndex& index, int role) const {
   const double share = m_coverage.share_selected(about.take);
   QStringList labels;
   for (const std::string& label : about.labels) labels << QString::fromStdString(label).replace('_', ' ');
+  const QString belief = beliefText(about.take);
   return plain_tip(
       QString("%1: %2 frames at %3 fps, %4\nMoves: %5\nThis session selected %6 of its frames (%7 %), %8 "
               "times in all")
@@ -121,7 +155,8 @@ QVariant TakeModel::data(const QModelIndex& index, int role) const {
           .arg(QString::fromStdString(about.leader), labels.isEmpty() ? "no labels" : labels.join(", "))
           .arg(qRound(share * about.frames))
           .arg(100 * share, 0, 'f', 1)
-          .arg(m_coverage.times_selected(about.take)));
+          .arg(m_coverage.times_selected(about.take)) +
+      (belief.isEmpty() ? QString() : "\n" + belief));
 }
 
 TakeFilter::TakeFilter(TakeModel* model, QObject* parent) : QSortFilterProxyModel(parent), m_model(model) {

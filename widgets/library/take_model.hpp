@@ -5,11 +5,13 @@
 #include <QSortFilterProxyModel>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <string>
 #include <vector>
 
 #include "widgets/common/palette.hpp"
+#include "widgets/library/take_belief.hpp"
 #include "widgets/library/take_coverage.hpp"
 #include "widgets/library/take_rows.hpp"
 
@@ -27,6 +29,7 @@ class TakeModel : public QAbstractListModel {
   const PairsOfTakes& pairs() const { return m_pairs; }
   TakeCoverage& coverage() { return m_coverage; }
   const TakeCoverage& coverage() const { return m_coverage; }
+  const TakeBelief& belief() const { return m_belief; }
 
   /// Names of takes that are not selected from: by a person's veto, or because one plays the user.
   void setVetoed(const std::set<std::string>& takes);
@@ -42,7 +45,11 @@ class TakeModel : public QAbstractListModel {
   int cursorTake() const { return m_cursor_take; }
   int cursorFrame() const { return m_cursor_frame; }
   void coverageChanged();
+  /// What the shown frame's solver expects; only takes that look different then are drawn anew.
+  void setBelief(const FrameIntent& intent);
 
+  /// What the belief in a take is, in words, and at a frame of it; empty while nothing is believed.
+  QString beliefText(int take, std::optional<int> frame = {}) const;
   QPixmap picture(int take, double pixel_ratio) const;
   int picturesMade() const { return static_cast<int>(m_pictures.size()); }
 
@@ -57,6 +64,8 @@ class TakeModel : public QAbstractListModel {
   std::vector<TakeRow> m_rows;
   PairsOfTakes m_pairs;
   TakeCoverage m_coverage;
+  TakeBelief m_belief;
+  std::shared_ptr<const IntentModel> m_model;  ///< whose blocks the belief is of
   Palette m_palette;
   std::set<std::string> m_vetoed;
   std::string m_users;

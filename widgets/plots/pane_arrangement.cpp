@@ -69,6 +69,8 @@ PaneSeries usual_series(std::string_view group) {
   if (group == "Residuals") return {FootLock, ExcessPenetration};
   if (group == "Selected edge") return {EdgeLength, EdgeReference};
   if (group == "Cost") return {PoseCost, LeaderCost, FollowerCost};
+  if (group == "Cost of the filter")
+    return {ExpectedPartner, LeaderMotion, UnlikelyMove, NotMeant, ChangeOfSource};
   return series_of_group(group);
 }
 

@@ -30,6 +30,20 @@ QColor colour_of(Series series, const Palette& p) {
       return p.text;
     case Series::CostMargin:
       return p.residual_penetration;
+    case Series::ExpectedPartner:
+      return p.passive;
+    case Series::LeaderMotion:
+      return p.active;
+    case Series::UnlikelyMove:
+      return p.residual_penetration;
+    case Series::NotMeant:
+      return p.warning;
+    case Series::ChangeOfSource:
+      return p.user;
+    case Series::FilterCost:
+      return p.text;
+    case Series::FilterMargin:
+      return p.energy_velocity;
     case Series::RetargetTime:
       return p.user;
     case Series::SelectTime:
@@ -71,7 +85,8 @@ QColor colour_of(Series series, const Palette& p) {
 }
 
 bool is_dashed(Series series) {
-  return series == Series::TotalCost || series == Series::TotalTime || series == Series::EdgeReference;
+  return series == Series::TotalCost || series == Series::FilterCost || series == Series::TotalTime ||
+         series == Series::EdgeReference;
 }
 
 }  // namespace abrazo::widgets

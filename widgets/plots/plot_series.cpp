@@ -34,20 +34,39 @@ void read_residuals(const FrameResidual& residual, SeriesValues& values) {
   at(values, Series::MorphRms) = mm_per_m * residual.morph_rms_m;
 }
 
+void read_filter_cost(const IntentCost& cost, SeriesValues& values) {
+  at(values, Series::ExpectedPartner) = cost.partner;
+  at(values, Series::LeaderMotion) = cost.leader;
+  at(values, Series::UnlikelyMove) = cost.move;
+  at(values, Series::NotMeant) = cost.meant;
+  at(values, Series::ChangeOfSource) = cost.change;
+  at(values, Series::FilterCost) = cost.total;
+}
+
+/// How much dearer the cheapest of the others is; NaN without one.
+/// @param total  of a candidate; NaN where it has none
+template <typename Total>
+double margin(const FrameResult& result, std::size_t selected, Total total) {
+  double second = none;
+  for (std::size_t c = 0; c < result.candidates.size(); ++c)
+    if (c != selected) second = std::fmin(second, total(result.candidates[c]));
+  return second - total(result.candidates[selected]);
+}
+
 void read_costs(const FrameSnapshot& frame, SeriesValues& values) {
   const FrameResult& result = frame.result;
   if (result.selected < 0 || static_cast<std::size_t>(result.selected) >= result.candidates.size()) return;
   const auto selected = static_cast<std::size_t>(result.selected);
-  const CostBreakdown& cost = result.candidates[selected].cost;
-  at(values, Series::PoseCost) = cost.pose;
-  at(values, Series::LeaderCost) = frame.settings.alpha * cost.temporal_active;
-  at(values, Series::FollowerCost) = frame.settings.alpha * cost.temporal_passive;
-  at(values, Series::TotalCost) = cost.total;
-  if (result.candidates.size() < 2) return;
-  double second = std::numeric_limits<double>::infinity();
-  for (std::size_t c = 0; c < result.candidates.size(); ++c)
-    if (c != selected) second = std::min(second, result.candidates[c].cost.total);
-  at(values, Series::CostMargin) = second - cost.total;
+  const Candidate& winner = result.candidates[selected];
+  at(values, Series::PoseCost) = winner.cost.pose;
+  at(values, Series::LeaderCost) = frame.settings.alpha * winner.cost.temporal_active;
+  at(values, Series::FollowerCost) = frame.settings.alpha * winner.cost.temporal_passive;
+  at(values, Series::TotalCost) = winner.cost.total;
+  at(values, Series::CostMargin) = margin(result, selected, [](const Candidate& c) { return c.cost.total; });
+  if (!winner.intent) return;
+  read_filter_cost(*winner.intent, values);
+  at(values, Series::FilterMargin) =
+      margin(result, selected, [](const Candidate& c) { return c.intent ? c.intent->total : none; });
 }
 
 double mean_joint_distance(const Pose& a, const Pose& b) {
@@ -98,6 +117,21 @@ const std::array<SeriesInfo, series_count>& all_series() {
        "of the winner, times α"},
       {TotalCost, "cost.total", "Cost", "total cost", "total", "m²", 3, "of the winner, Eq. 7"},
       {CostMargin, "cost.margin", "Cost", "margin to the runner-up", "margin", "m²", 3,
+       "how much dearer the cheapest of the others is; below 0 when that one would have been cheaper"},
+      {ExpectedPartner, "filter.partner", "Cost of the filter", "expected partner distance", "partner", "m",
+       3, "of the winner: expected mean joint distance of its partner from the one the user means"},
+      {LeaderMotion, "filter.leader", "Cost of the filter", "motion of the leader", "leader", "m", 3,
+       "of the winner: w_l (1 − k), the user's last 2 s beside those before the pair"},
+      {UnlikelyMove, "filter.move", "Cost of the filter", "unlikely move", "move", "m", 3,
+       "of the winner: w_m (1 − P(its label))"},
+      {NotMeant, "filter.meant", "Cost of the filter", "not what is meant", "meant", "m", 3,
+       "of the winner: w_p when a person named another move"},
+      {ChangeOfSource, "filter.change", "Cost of the filter", "change of source", "change", "m", 3,
+       "of the winner: the margin when it does not go on with the source"},
+      {FilterCost, "filter.total", "Cost of the filter", "total of the filter", "total", "m", 3,
+       "of the winner: what the selection filter decides by"},
+      {FilterMargin, "filter.margin", "Cost of the filter", "margin of the filter to the runner-up", "margin",
+       "m", 3,
        "how much dearer the cheapest of the others is; below 0 when that one would have been cheaper"},
       {RetargetTime, "time.retarget", "Step time", "retarget", "retarget", "ms", 3, "user onto the body"},
       {SelectTime, "time.select", "Step time", "select", "select", "ms", 3, "neighbours and their costs"},

@@ -26,6 +26,13 @@ enum class Series : std::uint8_t {
   FollowerCost,
   TotalCost,
   CostMargin,
+  ExpectedPartner,
+  LeaderMotion,
+  UnlikelyMove,
+  NotMeant,
+  ChangeOfSource,
+  FilterCost,
+  FilterMargin,
   RetargetTime,
   SelectTime,
   MeshTime,
@@ -46,7 +53,7 @@ enum class Series : std::uint8_t {
   EdgeWeight,
   CellRatio
 };
-inline constexpr std::size_t series_count = 31;
+inline constexpr std::size_t series_count = 38;
 
 struct SeriesInfo {
   Series series;

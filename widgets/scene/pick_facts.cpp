@@ -56,6 +56,22 @@ PickText describe_joints(const FrameSnapshot& frame, const Selection& item) {
   return told;
 }
 
+std::string cost_line(const CostBreakdown& cost, double alpha) {
+  return text("cost %.3f m² = pose %.3f + %.2f (%.3f + %.3f)", cost.total, cost.pose, alpha,
+              cost.temporal_active, cost.temporal_passive);
+}
+
+/// Two lines: one would make the card wider than what it is about.
+void add_filter_cost(PickText& told, const IntentCost& cost) {
+  told.lines.push_back(
+      text("cost %.3f m = partner %.3f + leader %.3f", cost.total, cost.partner, cost.leader));
+  std::string rest;
+  for (const auto& [name, value] :
+       {std::pair{"move", cost.move}, {"meant", cost.meant}, {"change", cost.change}})
+    if (value != 0) rest += text("%s+ %s %.3f", rest.empty() ? "" : " ", name, value);
+  if (!rest.empty()) told.lines.push_back(std::move(rest));
+}
+
 PickText describe_candidate(const FrameSnapshot& frame, int pair, const MotionLibrary* library) {
   PickText told{text("pair %d", pair), {}};
   if (library && pair >= 0 && pair < library->pair_count()) {
@@ -68,15 +84,20 @@ PickText describe_candidate(const FrameSnapshot& frame, int pair, const MotionLi
     return told;
   }
   const Candidate& candidate = frame.result.candidates[*place];
-  const CostBreakdown& cost = candidate.cost;
-  const auto cheaper = std::ranges::count_if(
-      frame.result.candidates, [&cost](const Candidate& other) { return other.cost.total < cost.total; });
+  const auto cheaper = std::ranges::count_if(frame.result.candidates, [&candidate](const Candidate& other) {
+    return deciding_cost(other) < deciding_cost(candidate);
+  });
   const bool is_used =
       frame.result.selected >= 0 && *place == static_cast<std::size_t>(frame.result.selected);
-  told.lines.push_back(text("rank %d of %zu%s", static_cast<int>(cheaper) + 1, frame.result.candidates.size(),
-                            is_used ? ", selected" : ""));
-  told.lines.push_back(text("cost %.3f m² = pose %.3f + %.2f (%.3f + %.3f)", cost.total, cost.pose,
-                            frame.settings.alpha, cost.temporal_active, cost.temporal_passive));
+  const bool goes_on =
+      candidate.intent && (candidate.continuation || candidate.pair == frame.result.intent.continued);
+  told.lines.push_back(text("rank %d of %zu%s%s", static_cast<int>(cheaper) + 1,
+                            frame.result.candidates.size(), is_used ? ", selected" : "",
+                            goes_on ? ", goes on" : ""));
+  if (candidate.intent)
+    add_filter_cost(told, *candidate.intent);
+  else
+    told.lines.push_back(cost_line(candidate.cost, frame.settings.alpha));
   return told;
 }
 

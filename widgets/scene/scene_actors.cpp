@@ -7,6 +7,7 @@
 
 #include "core/mesh/capsules.hpp"
 #include "core/motion/joint_set.hpp"
+#include "widgets/scene/ahead_lines.hpp"
 #include "widgets/scene/body_light.hpp"
 
 namespace abrazo::widgets {
@@ -63,8 +64,8 @@ void SceneActors::addTo(vtkRenderer* solid, vtkRenderer* in_front, vtkRenderer* 
   m_follower.addTo(solid);
   m_locks.addTo(solid);
   m_mesh.addTo(solid, in_front);
-  for (LineSet* lines : {&m_trail_lines, &m_morph, &m_user, &m_selected[0], &m_selected[1], &m_bones[0],
-                         &m_bones[1], &m_candidate[0], &m_candidate[1], &m_joint_rims})
+  for (LineSet* lines : {&m_trail_lines, &m_ahead_lines, &m_morph, &m_user, &m_selected[0], &m_selected[1],
+                         &m_bones[0], &m_bones[1], &m_candidate[0], &m_candidate[1], &m_joint_rims})
     lines->addTo(in_front);
   m_joints.addTo(topmost);
   m_contacts.addTo(in_front, topmost);
@@ -91,6 +92,7 @@ void SceneActors::setColours(const Palette& palette, double pixel_ratio) {
   style(m_morph, palette.text, 1.2, 1);
   style(m_locks, palette.good, 2.2, 1);
   style(m_trail_lines, palette.text, 2, 1);
+  style(m_ahead_lines, palette.text, 1.5, 1);
   style(m_joint_rims, QColor("#14171c"), 7, 1);
   style(m_joints, Qt::white, 4.6, 1);
   m_mesh.setColours(palette, pixel_ratio);
@@ -120,6 +122,7 @@ void SceneActors::setVisibility(const PartVisibility& visibility) {
   m_mesh.setVisibility(visibility);
   m_morph.setVisible(shown(ScenePart::MorphSteps));
   m_trail_lines.setVisible(shown(ScenePart::Trails));
+  m_ahead_lines.setVisible(shown(ScenePart::LookAhead));
   m_locks.setVisible(shown(ScenePart::FootLocks));
   m_contacts.setVisible(shown(ScenePart::Contacts), shown(ScenePart::Touches));
   m_joints.setVisible(shown(ScenePart::Joints));
@@ -200,17 +203,29 @@ void SceneActors::showMorphSteps(const FrameResult& result) {
 }
 
 void SceneActors::showTrails() {
-  const JointTrails::Lines trail = m_trails.lines_of(m_trail_joints);
+  constexpr double strength = 0.92;
+  drawTrails(m_trails.lines_of(m_trail_joints), m_trail_lines, strength);
+}
+
+void SceneActors::showAhead(std::span<const Pose> poses, int first_vertex) {
+  constexpr double strength = 0.7;  // less than what was: it is a guess
+  drawTrails(ahead_lines(poses, first_vertex), m_ahead_lines, strength);
+  const double seconds = poses.empty() ? 0 : static_cast<double>(poses.size() - 1) * ahead_step_s;
+  m_counts[static_cast<std::size_t>(ScenePart::LookAhead)] = static_cast<int>(std::lround(1000 * seconds));
+}
+
+/// In the colours of the bodies, fading with age.
+void SceneActors::drawTrails(const JointTrails::Lines& trails, LineSet& lines, double strength) {
   std::vector<Rgba> colours;
-  for (std::size_t l = 0; l < trail.lines.size(); ++l) {
-    const QColor& colour = trail.vertex[l] < joint_count ? m_palette.active : m_palette.passive;
+  for (std::size_t l = 0; l < trails.lines.size(); ++l) {
+    const QColor& colour = trails.vertex[l] < joint_count ? m_palette.active : m_palette.passive;
     colours.push_back({static_cast<unsigned char>(colour.red()), static_cast<unsigned char>(colour.green()),
                        static_cast<unsigned char>(colour.blue()),
-                       static_cast<unsigned char>(std::lround(235 * (1 - trail.age[l])))});
+                       static_cast<unsigned char>(std::lround(255 * strength * (1 - trails.age[l])))});
   }
-  m_trail_lines.setPoints(trail.xyz);
-  m_trail_lines.setLines(trail.lines);
-  m_trail_lines.setCellColours(colours);
+  lines.setPoints(trails.xyz);
+  lines.setLines(trails.lines);
+  lines.setCellColours(colours);
 }
 
 void SceneActors::showFootLocks(const FrameResult& result) {

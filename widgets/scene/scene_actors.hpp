@@ -3,6 +3,7 @@
 #include <array>
 #include <memory>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/session/frame_snapshot.hpp"
@@ -41,6 +42,9 @@ class SceneActors {
   void setTrailJoints(const std::vector<int>& vertices) { m_trail_joints = vertices; }
   JointTrails& trails() { return m_trails; }
   void showTrails();
+  /// The partner's next moments, the first as it is shown; empty for none. @see look_ahead
+  /// @param first_vertex  of the partner in the pair
+  void showAhead(std::span<const Pose> poses, int first_vertex);
   /// The selected pair's own mesh a second time, moved by an offset; zero for not at all.
   void setReferenceOffset(const Vec3& offset);
   void showReference(const FrameResult& result) { m_reference.show(result, m_mesh, m_reference_offset); }
@@ -53,6 +57,7 @@ class SceneActors {
   void showMorphSteps(const FrameResult& result);
   void showFootLocks(const FrameResult& result);
   void showShadows(const FrameResult& result);
+  void drawTrails(const JointTrails::Lines& trails, LineSet& lines, double strength);
 
   Palette m_palette;
   PartVisibility m_visibility = default_visibility;
@@ -64,7 +69,7 @@ class SceneActors {
   LineSet m_user;
   std::array<LineSet, 2> m_selected, m_candidate, m_bones;
   MeshActors m_mesh;
-  LineSet m_morph, m_locks, m_trail_lines;
+  LineSet m_morph, m_locks, m_trail_lines, m_ahead_lines;
   JointTrails m_trails;
   std::vector<int> m_trail_joints;
   LineSet m_joint_rims, m_joints;

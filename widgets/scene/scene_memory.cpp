@@ -12,7 +12,7 @@ namespace {
 constexpr std::array<const char*, scene_part_count> part_names = {
     "user",       "leader",      "follower", "selected_pair", "mesh_between", "mesh_within",
     "tetrahedra", "morph_steps", "bones",    "joints",        "foot_locks",   "collisions",
-    "contacts",   "trails",      "floor",    "comparison"};
+    "contacts",   "trails",      "floor",    "comparison",    "look_ahead"};
 static_assert(part_names.back() != nullptr, "a part without a name is not remembered");
 constexpr std::array<const char*, mesh_scalar_count> scalar_names = {"residual", "weight", "length_change",
                                                                      "energy"};

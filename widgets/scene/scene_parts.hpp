@@ -23,6 +23,7 @@ enum class ScenePart {
   Trails,
   Floor,
   Comparison,  ///< bodies of another run
+  LookAhead,   ///< where the partner goes next if the recording goes on
   Count
 };
 

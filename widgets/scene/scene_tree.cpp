@@ -1,13 +1,16 @@
 #include "widgets/scene/scene_tree.hpp"
 
+#include <QHelpEvent>
 #include <QKeyEvent>
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QPainter>
 #include <QScrollArea>
+#include <QToolTip>
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/common/plain_text.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 
@@ -146,6 +149,9 @@ QString SceneTreeList::note(const TreeRow& row) const {
   if (row.name == "Interaction mesh")
     return QString("%1 edges").arg(count(ScenePart::MeshBetween) + count(ScenePart::MeshWithin));
   if (row.name == "Comparison") return "A and B";
+  if (row.name == "Look-ahead")
+    return is_on(row, m_visibility) ? QString("%1 s").arg(count(ScenePart::LookAhead) / 1000.0, 0, 'f', 1)
+                                    : QString();
   if (row.parts.size() != 1 || row.parts[0] == ScenePart::Floor) return {};
   return QString::number(count(row.parts[0]));
 }
@@ -273,6 +279,15 @@ void SceneTreeList::focusInEvent(QFocusEvent* event) {
 void SceneTreeList::focusOutEvent(QFocusEvent* event) {
   QWidget::focusOutEvent(event);
   update();
+}
+
+bool SceneTreeList::event(QEvent* event) {
+  if (event->type() != QEvent::ToolTip) return QWidget::event(event);
+  const auto* help = static_cast<QHelpEvent*>(event);
+  const int row = rowAt(help->y());
+  const QString tip = row < 0 ? QString() : text(m_rows[static_cast<std::size_t>(row)].tip);
+  tip.isEmpty() ? QToolTip::hideText() : QToolTip::showText(help->globalPos(), plain_tip(tip), this);
+  return true;
 }
 
 void SceneTreeList::leaveEvent(QEvent*) {

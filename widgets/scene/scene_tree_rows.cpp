@@ -21,7 +21,7 @@ void add_joints(std::vector<TreeRow>& rows, const TreeRow& character, std::strin
     const std::string name(joint_names[static_cast<std::size_t>(joint)]);
     // "leader lhand" finds it, too.
     if (!contains(vertex_name(vertex), filter)) continue;
-    rows.push_back({filter.empty() ? name : vertex_name(vertex), character.depth + 1, {}, vertex, -1});
+    rows.push_back({filter.empty() ? name : vertex_name(vertex), character.depth + 1, {}, {}, vertex, -1});
   }
 }
 
@@ -30,25 +30,36 @@ void add_joints(std::vector<TreeRow>& rows, const TreeRow& character, std::strin
 const std::vector<TreeRow>& part_rows() {
   using P = ScenePart;
   static const std::vector<TreeRow> all = {
-      {"User", 0, {P::User}},
-      {"Result", 0, {P::Leader, P::Follower}},
-      {"Leader", 1, {P::Leader}, -1, 0},
-      {"Follower", 1, {P::Follower}, -1, 1},
-      {"Selected pair", 0, {P::SelectedPair}},
-      {"Interaction mesh", 0, {P::MeshBetween, P::MeshWithin}},
-      {"between bodies", 1, {P::MeshBetween}},
-      {"within bodies", 1, {P::MeshWithin}},
-      {"tetrahedra", 1, {P::Tetrahedra}},
-      {"Constraints", 0, {P::Bones, P::FootLocks, P::Contacts, P::Touches}},
-      {"bones", 1, {P::Bones}},
-      {"foot locks", 1, {P::FootLocks}},
-      {"collisions", 1, {P::Contacts}},
-      {"contacts", 1, {P::Touches}},
-      {"Joints", 0, {P::Joints}},
-      {"Comparison", 0, {P::Comparison}},
-      {"Morph steps", 0, {P::MorphSteps}},
-      {"Trails", 0, {P::Trails}},
-      {"Floor", 0, {P::Floor}}};
+      {"User", 0, {P::User}, "The motion as it came in"},
+      {"Result", 0, {P::Leader, P::Follower}, "Both characters as they were solved"},
+      {"Leader", 1, {P::Leader}, "The active character", -1, 0},
+      {"Follower", 1, {P::Follower}, "The passive character", -1, 1},
+      {"Selected pair", 0, {P::SelectedPair}, "The recorded pair that was selected, where the user is"},
+      {"Interaction mesh", 0, {P::MeshBetween, P::MeshWithin}, "What ties nearby joints together"},
+      {"between bodies", 1, {P::MeshBetween}, "Edges of the interaction mesh from one body to the other"},
+      {"within bodies", 1, {P::MeshWithin}, "Edges of the interaction mesh within a body"},
+      {"tetrahedra",
+       1,
+       {P::Tetrahedra},
+       "Cells of the interaction mesh, coloured by how their volume changed"},
+      {"Constraints", 0, {P::Bones, P::FootLocks, P::Contacts, P::Touches}, "What the solver keeps"},
+      {"bones", 1, {P::Bones}, "Lengths that are kept"},
+      {"foot locks", 1, {P::FootLocks}, "A ring for each foot that is held to the floor"},
+      {"collisions", 1, {P::Contacts}, "Limbs of the two bodies that overlap"},
+      {"contacts", 1, {P::Touches}, "Hands that hold one another, feet on the floor"},
+      {"Joints", 0, {P::Joints}, "The 25 joints of each character"},
+      {"Comparison", 0, {P::Comparison}, "The bodies of runs A and B"},
+      {"Morph steps", 0, {P::MorphSteps}, "The poses on the way from the selected pair to the result"},
+      {"Trails",
+       0,
+       {P::Trails},
+       "Where the selected joints were in the last moments; the hands while none is selected"},
+      {"Look-ahead",
+       0,
+       {P::LookAhead},
+       "Where root, head, hands and feet of the partner go in the next second, if the recording goes on "
+       "after the selected pair. Shorter where its take ends"},
+      {"Floor", 0, {P::Floor}, "The floor; its stronger lines are a metre apart"}};
   return all;
 }
 

@@ -15,6 +15,7 @@ struct TreeRow {
   std::string name;
   int depth = 0;
   std::vector<ScenePart> parts;  ///< what its dot switches; a group switches all of its own; a joint has none
+  std::string tip;               ///< what it is; a joint has none
   int vertex = -1;               ///< of a joint
   int character = -1;            ///< 0 leader, 1 follower: can be opened
 };

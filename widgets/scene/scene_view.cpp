@@ -5,6 +5,8 @@
 #include <QVBoxLayout>
 #include <cmath>
 
+#include "core/synthesis/look_ahead.hpp"
+#include "widgets/scene/ahead_lines.hpp"
 #include "widgets/scene/morph_step.hpp"
 #include "widgets/scene/scene_view_parts.hpp"
 
@@ -177,12 +179,23 @@ void SceneView::refresh() {
     followPair();
     p.actors.show(*p.shown, p.look());
     showGhost();
+    showAhead();
     placeReference();
     p.picker.show(*p.shown);
     updateFacts();
     if (p.actors.counts() != p.counts) emit countsChanged(p.counts = p.actors.counts());
   }
   render();
+}
+
+/// The selected pair goes on from the frame that is shown.
+void SceneView::showAhead() {
+  Parts& p = *m_parts;
+  if (!p.shows(ScenePart::LookAhead)) return;
+  const FrameResult& result = p.shown->result;
+  std::vector<Pose> ahead;
+  if (p.library) ahead = look_ahead(result, *p.library, p.shown->settings.user_role, ahead_s, ahead_step_s);
+  p.actors.showAhead(ahead, partner_row(result));
 }
 
 void SceneView::updateFacts() {

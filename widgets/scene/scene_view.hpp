@@ -121,6 +121,7 @@ class SceneView : public QWidget {
   void goTo(const OrbitCamera& view);
   void showGhost();
   void placeReference();
+  void showAhead();
   void placeTags();
 
   struct Parts;

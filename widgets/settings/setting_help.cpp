@@ -66,6 +66,14 @@ std::string setting_description(const SettingInfo& info) {
   return text + "Range " + value_range(info) + ", default " + preset_values(info);
 }
 
+std::string inapplicable_note(const Settings& settings) {
+  Settings other = settings;
+  const bool is_paper = settings.selection == SelectionMethod::Paper;
+  other.selection = is_paper ? SelectionMethod::Filter : SelectionMethod::Paper;
+  return "<div style='margin-top: 6px'><b>Only with the method " + setting_text(other, "selection") +
+         "</b>; it is " + setting_text(settings, "selection") + " now</div>";
+}
+
 bool matches(const SettingInfo& info, std::string_view wanted) {
   std::string where;
   for (const std::string_view part : {info.key, info.symbol, info.title, info.group, info.help})

@@ -164,7 +164,8 @@ void SettingRow::contextMenuEvent(QContextMenuEvent* event) {
   QMenu menu(this);
   menu.addAction("Default (" + m_defaultText + ")", this, [this] { emit changed(key(), m_defaultText, 0); })
       ->setEnabled(m_changed);
-  menu.addAction("Sweep this setting\u2026", this, [this] { emit sweepRequested(key()); });
+  menu.addAction("Sweep this setting\u2026", this, [this] { emit sweepRequested(key()); })
+      ->setEnabled(m_applies);
   menu.exec(event->globalPos());
 }
 
@@ -190,6 +191,16 @@ void SettingRow::showTitle(bool changed, const QString& of_frame) {
   if (m_title->text() != words) m_title->setText(words);
 }
 
+/// The row itself stays enabled: its tooltip and menu are needed.
+void SettingRow::showApplies(const Settings& settings) {
+  if (applies(settings, m_info.key) == m_applies) return;
+  m_applies = !m_applies;
+  for (QWidget* part : std::initializer_list<QWidget*>{m_title, m_slider, m_value, m_toggle, m_choice})
+    if (part) part->setEnabled(m_applies);
+  setToolTip(
+      QString::fromStdString(setting_tooltip(m_info) + (m_applies ? "" : inapplicable_note(settings))));
+}
+
 void SettingRow::show(const Settings& settings, const Settings& defaults, const Settings* of_frame) {
   m_number = setting_number(settings, m_info.key);
   const double usual = setting_number(defaults, m_info.key);
@@ -199,6 +210,7 @@ void SettingRow::show(const Settings& settings, const Settings& defaults, const 
   QString then_text;
   if (differs) then_text = m_slider ? valueText(then) : text(setting_text(*of_frame, m_info.key));
   m_changed = m_number != usual;
+  showApplies(settings);
   showTitle(m_changed, then_text);
   if (m_toggle) m_toggle->setOn(m_number > 0.5);
   if (m_choice) m_choice->setCurrentIndex(static_cast<int>(m_number));

@@ -16,7 +16,8 @@ class Toggle;
 class ValueSlider;
 
 /// One setting: its symbol and title, its value to type into, and a slider, switch or list according to its
-/// kind. A star says that it is not the preset's.
+/// kind. A star says that it is not the preset's. One that does not count with the method of selection that
+/// is set is greyed and says whose it is.
 class SettingRow : public QWidget {
   Q_OBJECT
  public:
@@ -43,6 +44,7 @@ class SettingRow : public QWidget {
   void connectField();
   void name(QWidget& control) const;
   void showTitle(bool changed, const QString& of_frame);
+  void showApplies(const Settings& settings);
   QString valueText(double number) const;
   QString key() const;
 
@@ -56,6 +58,7 @@ class SettingRow : public QWidget {
   double m_number = 0;  ///< as shown
   QString m_defaultText;
   bool m_changed = false;  ///< not the preset's value
+  bool m_applies = true;
   QColor m_mark;
 };
 

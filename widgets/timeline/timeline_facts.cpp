@@ -43,13 +43,14 @@ QString source_facts(const TimelineContent& content, double time_s) {
   return facts;
 }
 
-QString figure_facts(const SampleCurve& curve, double time_s, double around_s, const char* name) {
+QString figure_facts(const SampleCurve& curve, double time_s, double around_s, const char* name,
+                     const char* unit) {
   const auto here = curve.columns(time_s - around_s, time_s + around_s, 1).front();
   if (is_empty(here)) return {};
   const bool one = here.most - here.least <= 1e-4F * std::abs(here.most);
   const auto figure = [](float value) { return QString::number(static_cast<double>(value), 'g', 3); };
-  return QString("<br>%1 %2 m²")
-      .arg(name, one ? figure(here.most) : figure(here.least) + " to " + figure(here.most));
+  return QString("<br>%1 %2 %3")
+      .arg(name, one ? figure(here.most) : figure(here.least) + " to " + figure(here.most), unit);
 }
 
 QString settings_facts(const TimelineContent& content, double x_px) {
@@ -116,9 +117,10 @@ QString facts_at(const TimelineContent& content, const QPointF& place) {
   if (facts.isEmpty()) return {};
   const double around_s = std::max(axis.seconds_per_pixel(), 0.01);
   if (on_lane && lane == TimelineLane::Cost)
-    facts += figure_facts(content.tracks.costs(), time_s, around_s, "cost");
+    facts += figure_facts(content.tracks.costs(), time_s, around_s, "cost",
+                          content.tracks.is_of_filter_at(time_s) ? "m" : "m²");
   if (on_lane && lane == TimelineLane::Energy)
-    facts += figure_facts(content.tracks.energies(), time_s, around_s, "energy");
+    facts += figure_facts(content.tracks.energies(), time_s, around_s, "energy", "m²");
   if (time_s < content.memory_first_s && !content.lanes.is_of_take()) facts += "<br><i>on disk</i>";
   return facts + "<br>" + clock_at(time_s);
 }

@@ -32,6 +32,7 @@ void TimelineTracks::append(const TrackRow& row) {
   extend(user_roles_, row.time_s, row.user_is_active ? 1 : 0);
   pairs_.push_back({row.time_s, row.pair});
   if (row.take < 0) return;
+  extend(filters_, row.time_s, row.is_of_filter ? 1 : 0);
   costs_.append(row.time_s, row.cost);
   energies_.append(row.time_s, row.energy);
 }
@@ -50,7 +51,7 @@ int TimelineTracks::label_key(std::string_view label) {
 }
 
 void TimelineTracks::drop_before(double time_s) {
-  for (Lane* lane : {&sources_, &moves_, &leaders_, &user_roles_}) {
+  for (Lane* lane : {&sources_, &moves_, &leaders_, &user_roles_, &filters_}) {
     while (!lane->empty() && lane->front().to_s < time_s) lane->pop_front();
     if (!lane->empty()) lane->front().from_s = std::max(lane->front().from_s, time_s);
   }
@@ -92,6 +93,12 @@ int TimelineTracks::pair_at(double time_s) const {
   const Selection& here = *std::prev(after);
   const double apart_s = older_pairs_ > 1 ? pairs_[1].time_s - pairs_[0].time_s : 0;
   return time_s - here.time_s < std::max(longest_gap_s(), 2 * apart_s) ? here.pair : -1;
+}
+
+bool TimelineTracks::is_of_filter_at(double time_s) const {
+  const auto after = std::upper_bound(filters_.begin(), filters_.end(), time_s,
+                                      [](double t, const Interval& interval) { return t < interval.from_s; });
+  return after != filters_.begin() && std::prev(after)->key == 1;
 }
 
 std::optional<double> TimelineTracks::edge_before(double time_s) const {

@@ -162,7 +162,7 @@ TEST(PairSelector, WithoutVetoedPairsTheNextNearestTakeTheirPlaces) {
   selector.select(query, before);
   selector.set_vetoes({{before[0].pair, before[4].pair, before[9].pair}, {}, {}});
   selector.select(query, after);
-  std::erase_if(brute, [&](const Candidate& c) { return selector.is_vetoed(c.pair); });
+  std::erase_if(brute, [&](const Candidate& c) { return selector.pairs().is_vetoed(c.pair); });
   ASSERT_EQ(after.size(), 10U);
   for (std::size_t c = 0; c < after.size(); ++c) EXPECT_EQ(after[c].pair, brute[c].pair);
 }
@@ -215,11 +215,11 @@ TEST(PairSelector, WithEverythingVetoedThereIsNothingToSelectUntilAVetoIsLifted)
   query.continuations = 3;
   std::vector<Candidate> candidates;
   selector.set_vetoes({{}, {"first", "second"}, {}});
-  EXPECT_TRUE(selector.all_vetoed());
+  EXPECT_TRUE(selector.pairs().all_vetoed());
   EXPECT_EQ(selector.select(query, candidates), -1);
   EXPECT_TRUE(candidates.empty());
   selector.set_vetoes({});
-  EXPECT_FALSE(selector.all_vetoed());
+  EXPECT_FALSE(selector.pairs().all_vetoed());
   EXPECT_GE(selector.select(query, candidates), 0);
 }
 

@@ -10,6 +10,7 @@
 #include "core/base/atomic_file.hpp"
 #include "core/library/motion_library_file.hpp"
 #include "tests/core/session/recorded_session.hpp"
+#include "tests/support/settings.hpp"
 
 namespace abrazo {
 namespace {
@@ -30,7 +31,7 @@ class MappedLibrary : public testing::Test, protected test::TemporaryFolder {
     ASSERT_TRUE(library) << library.error().text();
     auto shared = std::make_shared<const MotionLibrary>(std::move(*library));
     EXPECT_EQ(shared->columns().mapping != nullptr, largest_in_memory_bytes == 0);
-    auto synthesizer = PartnerSynthesizer::create(shared, *preset("responsive"));
+    auto synthesizer = PartnerSynthesizer::create(shared, test::responsive_by_pose());
     ASSERT_TRUE(synthesizer);
     session_.commands.push(ReplaceSynthesizer{std::move(*synthesizer)});
   }

@@ -9,6 +9,7 @@
 #include "core/synthesis/synthesizer_state.hpp"
 #include "tests/core/session/fakes.hpp"
 #include "tests/support/bodies.hpp"
+#include "tests/support/settings.hpp"
 
 namespace abrazo {
 namespace {
@@ -103,7 +104,7 @@ TEST_F(LiveCommands, SinksGetTheCharacterTheyWereAttachedFor) {
   EXPECT_EQ(partner->sent().back().pose, Pose(newest().result.passive()));
   EXPECT_EQ(user_sink->sent().back().pose, Pose(newest().result.active()));
   EXPECT_TRUE(partner->sent().back().tracked);
-  Settings passive = *preset("responsive");
+  Settings passive = test::responsive_by_pose();
   passive.user_role = UserRole::Passive;
   commands.push(SetSettings{passive});
   dance(1);
@@ -255,7 +256,8 @@ TEST_F(LiveCommands, AnotherLibraryKeepsSettingsAndTheDecisionsThatItKnows) {
   const auto before = std::make_shared<FrameSnapshot>(newest());
   // The same takes in another order.
   const auto reordered = small_library_reordered();
-  commands.push(ReplaceSynthesizer{std::move(*PartnerSynthesizer::create(reordered, *preset("responsive")))});
+  commands.push(
+      ReplaceSynthesizer{std::move(*PartnerSynthesizer::create(reordered, test::responsive_by_pose()))});
   dance(1);
   EXPECT_EQ(newest().library, reordered);
   EXPECT_EQ(newest().settings, settings);

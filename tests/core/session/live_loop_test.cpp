@@ -7,6 +7,7 @@
 #include "core/session/solver_thread.hpp"
 #include "core/stream/clip_source.hpp"
 #include "tests/support/libraries.hpp"
+#include "tests/support/settings.hpp"
 
 namespace abrazo {
 namespace {
@@ -29,7 +30,7 @@ void run_for(LiveLoop& loop, double from_s, double to_s) {
 
 TEST(LiveLoop, SolvesEveryPoseOfTheInputAndKeepsEachFrame) {
   Live live;
-  const auto loop = live.loop(*preset("responsive"));
+  const auto loop = live.loop(test::responsive_by_pose());
   run_for(*loop, 0, 1.0 - 1e-3);
   const auto frames = live.history.since(0);
   ASSERT_EQ(frames.size(), 60U);
@@ -61,7 +62,7 @@ TEST(LiveLoop, SettingsActOnTheRunningSolverAndAreRecorded) {
 
 TEST(LiveLoop, APausedInputStaysAndTheSolverGoesOn) {
   Live live;
-  const auto loop = live.loop(*preset("responsive"));
+  const auto loop = live.loop(test::responsive_by_pose());
   run_for(*loop, 0, 0.5);
   live.commands.push(PauseInput{true});
   run_for(*loop, 0.5, 1.0);
@@ -89,7 +90,7 @@ TEST(LiveLoop, VetoesActBetweenTwoFramesAndOutliveSettings) {
   const auto library = test::small_library();
   run_for(*loop, 0, 0.5);
   live.commands.push(SetVetoes{{{}, {"first"}, {}}});
-  live.commands.push(SetSettings{*preset("responsive")});
+  live.commands.push(SetSettings{test::responsive_by_pose()});
   run_for(*loop, 0.5, 1.0);
   for (const FrameSnapshotPtr& frame : live.history.range(0.55, 1.0))
     for (const Candidate& candidate : frame->result.candidates)
@@ -115,7 +116,7 @@ TEST(LiveLoop, AFailureBecomesASnapshotWithItsText) {
 TEST(SolverThread, PublishesWhileAnotherThreadReadsAndStopsWhenDestroyed) {
   Live live;
   {
-    const SolverThread thread(live.loop(*preset("responsive")));
+    const SolverThread thread(live.loop(test::responsive_by_pose()));
     while (live.history.span().frames < 5) {
       const FrameSnapshotPtr newest = live.latest.newest();
       EXPECT_TRUE(!newest || newest->result.result.allFinite());

@@ -8,6 +8,7 @@
 #include "core/stream/clip_source.hpp"
 #include "core/synthesis/trace.hpp"
 #include "tests/support/libraries.hpp"
+#include "tests/support/settings.hpp"
 
 namespace abrazo {
 namespace {
@@ -26,7 +27,7 @@ std::string content(const FrameResult& result) {
 
 std::unique_ptr<LiveLoop> responsive_loop(CommandQueue& commands, FrameHistory& history,
                                           LatestSlot<FrameSnapshot>& latest) {
-  auto synthesizer = std::move(*PartnerSynthesizer::create(library(), *preset("responsive")));
+  auto synthesizer = std::move(*PartnerSynthesizer::create(library(), test::responsive_by_pose()));
   auto source = std::make_unique<ClipSource>(test::swinging_take("user", 300, 4).a);
   return std::make_unique<LiveLoop>(std::move(synthesizer), std::move(source), commands, history, latest);
 }
@@ -123,7 +124,7 @@ TEST_F(Recording, AStepThatFailedIsFailedAgainAndAFrameWithoutAStepIsPassedOver)
 
 TEST_F(Recording, OtherSettingsGiveAnotherPartnerFromTheSameStart) {
   run_until(2);
-  Settings other = *preset("responsive");
+  Settings other = test::responsive_by_pose();
   other.velocity_weight = 5;
   other.transition_half_life_s = 0;
   const auto solved = solved_again(1, 1.5, other);

@@ -13,6 +13,7 @@
 #include "core/session/recorder.hpp"
 #include "core/stream/clip_source.hpp"
 #include "tests/support/libraries.hpp"
+#include "tests/support/settings.hpp"
 
 namespace abrazo::test {
 
@@ -74,7 +75,7 @@ struct DrivenSession {
   }
 
   std::unique_ptr<LiveLoop> make_loop() {
-    auto synthesizer = std::move(*PartnerSynthesizer::create(session_library(), *preset("responsive")));
+    auto synthesizer = std::move(*PartnerSynthesizer::create(session_library(), responsive_by_pose()));
     auto source = std::make_unique<ClipSource>(swinging_take("user", 300, 4).a);
     return std::make_unique<LiveLoop>(std::move(synthesizer), std::move(source), commands, history, latest);
   }

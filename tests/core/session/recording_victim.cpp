@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "tests/core/session/recorded_session.hpp"
+#include "tests/support/settings.hpp"
 
 namespace {
 
@@ -43,7 +44,8 @@ int main(int argc, char** argv) {
   CommandQueue commands;
   FrameHistory history;
   LatestSlot<FrameSnapshot> latest;
-  auto synthesizer = std::move(*PartnerSynthesizer::create(test::session_library(), *preset("responsive")));
+  auto synthesizer =
+      std::move(*PartnerSynthesizer::create(test::session_library(), test::responsive_by_pose()));
   Clip clip = test::swinging_take("user", 600, 4).a;
   clip.fps = 120;
   LiveLoop loop(std::move(synthesizer), std::make_unique<ClipSource>(clip, 120), commands, history, latest);

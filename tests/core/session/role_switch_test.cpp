@@ -8,6 +8,7 @@
 #include "core/stream/clip_source.hpp"
 #include "core/synthesis/synthesizer_state.hpp"
 #include "tests/support/libraries.hpp"
+#include "tests/support/settings.hpp"
 
 namespace abrazo {
 namespace {
@@ -48,7 +49,7 @@ std::shared_ptr<const RoleViews> views_of(const std::shared_ptr<const MotionLibr
 
 struct Live {
   explicit Live(const std::shared_ptr<const MotionLibrary>& library, Clip user,
-                const Settings& settings = *preset("responsive"))
+                const Settings& settings = test::responsive_by_pose())
       : loop(std::move(*PartnerSynthesizer::create(library, settings)),
              std::make_shared<ClipSource>(std::move(user)), commands, history, latest) {}
   void run_until(double to_s) {
@@ -109,7 +110,7 @@ TEST(ChangeOfRole, TheUserStaysAndThePartnerJumpsNoMoreThanAtAChangeOfSource) {
 TEST(ChangeOfRole, KeepsWhatCameBefore) {
   Live live(annotated(), equal_take("user", 240, 4).a);
   live.run_until(1);
-  Settings passive = *preset("responsive");
+  Settings passive = test::responsive_by_pose();
   passive.user_role = UserRole::Passive;
   live.commands.push(SetSettings{passive});
   live.run_until(1.01);
@@ -135,7 +136,7 @@ TEST(RoleByLibrary, FollowsThePerformerWhomTheUserPlays) {
 
 TEST(RoleByLibrary, OfTheOtherPerformerItIsTheOtherWayRound) {
   const auto library = library_of({exchanging_take()});
-  Settings settings = *preset("responsive");
+  Settings settings = test::responsive_by_pose();
   settings.user_role = UserRole::Passive;
   Live live(library, exchanging_take().b, settings);
   live.commands.push(SetRoleControl{RoleControl::Library});
@@ -151,7 +152,7 @@ TEST(RoleByLibrary, TheHandTakesOverAgain) {
   live.run_until(2.5);
   ASSERT_EQ(live.latest.newest()->settings.user_role, UserRole::Passive);
   // The panel's role says active; it counts as soon as the hand decides.
-  live.commands.push(SetSettings{*preset("responsive")});
+  live.commands.push(SetSettings{test::responsive_by_pose()});
   live.run_until(2.7);
   EXPECT_EQ(live.latest.newest()->settings.user_role, UserRole::Passive);
   live.commands.push(SetRoleControl{RoleControl::Hand});

@@ -6,6 +6,7 @@
 
 #include "core/stream/clip_source.hpp"
 #include "tests/core/session/fakes.hpp"
+#include "tests/support/settings.hpp"
 
 namespace abrazo {
 namespace {
@@ -89,7 +90,7 @@ class FakeRecorder : public Recorder {
 class Engine : public testing::Test {
  protected:
   static std::unique_ptr<PartnerSynthesizer> synthesizer() {
-    return std::move(*PartnerSynthesizer::create(test::small_library(), *preset("responsive")));
+    return std::move(*PartnerSynthesizer::create(test::small_library(), test::responsive_by_pose()));
   }
   SessionOpeners openers() {
     SessionOpeners fakes;

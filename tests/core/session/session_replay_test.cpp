@@ -5,6 +5,7 @@
 
 #include "core/synthesis/trace.hpp"
 #include "tests/core/session/recorded_session.hpp"
+#include "tests/support/settings.hpp"
 
 namespace abrazo {
 namespace {
@@ -30,7 +31,7 @@ struct Eventful : test::TemporaryFolder, test::DrivenSession {
     settings.alpha = 1.0 / 3;
     commands.push(SetSettings{settings});
     run_until(1.4);
-    settings = *preset("responsive");
+    settings = test::responsive_by_pose();
     settings.user_role = UserRole::Passive;
     commands.push(SetSettings{settings});
     run_until(1.8);

@@ -14,6 +14,7 @@
 #include "core/stream/udp_socket.hpp"
 #include "core/stream/vmc_encoder.hpp"
 #include "tests/core/session/recorded_session.hpp"
+#include "tests/support/settings.hpp"
 
 namespace abrazo {
 namespace {
@@ -95,7 +96,7 @@ std::uint16_t port_of(const StreamReceiver& receiver) {
 }
 
 std::unique_ptr<PartnerSynthesizer> another_synthesizer(int round) {
-  Settings settings = *preset("responsive");
+  Settings settings = test::responsive_by_pose();
   settings.neighbours = 2 + round;
   return std::move(*PartnerSynthesizer::create(test::session_library(), settings));
 }

@@ -6,6 +6,7 @@
 #include "core/session/live_loop.hpp"
 #include "core/stream/clip_source.hpp"
 #include "tests/support/libraries.hpp"
+#include "tests/support/settings.hpp"
 
 namespace abrazo {
 namespace {
@@ -143,12 +144,14 @@ struct Session {
 
 TEST(SettingsTrack, WithTheInputsSolvesASessionAgainToTheBit) {
   Session session;
-  Settings changed = *preset("responsive");
+  Settings changed = test::responsive_by_pose();
   changed.alpha = 0.8;
   Settings slower = *preset("paper");
   slower.step_rate_hz = 30;
   slower.foot_locks = false;
-  session.run({{0, *preset("responsive")}, {0.4, changed}, {0.9, slower}, {1.3, *preset("responsive")}}, 1.9);
+  session.run(
+      {{0, test::responsive_by_pose()}, {0.4, changed}, {0.9, slower}, {1.3, test::responsive_by_pose()}},
+      1.9);
   const auto frames = session.history.since(0);
   ASSERT_GT(frames.size(), 80U);
   ASSERT_EQ(session.track.changes().size(), 3U);

@@ -52,9 +52,72 @@ TEST(SynthesizerStateBytes, ASolverGoesOnFromThemAsIfNothingHadBeen) {
   }
 }
 
+/// Where the number of kept poses is: what is before it does not depend on the history.
+std::size_t place_of_history(const SynthesizerState& state) {
+  SynthesizerState without = state;
+  without.memory.history.clear();
+  const auto bytes = synthesizer_state_bytes(state), shorter = synthesizer_state_bytes(without);
+  return static_cast<std::size_t>(std::mismatch(shorter.begin(), shorter.end(), bytes.begin()).first -
+                                  shorter.begin());
+}
+
+TEST(SynthesizerStateBytes, HoldTheUsersLastTwoSeconds) {
+  const SynthesizerState state = used_state();
+  const MotionHistory& history = state.memory.history;
+  ASSERT_GT(history.size(), 40U);
+  const auto read = parse_synthesizer_state(synthesizer_state_bytes(state));
+  ASSERT_TRUE(read) << read.error().text();
+  ASSERT_EQ(read->memory.history.size(), history.size());
+  for (const double lag_s : {0.0, 0.1, 1.0, 2.0}) {
+    MotionHistory::Sample written, back;
+    history.sample(lag_s, written);
+    read->memory.history.sample(lag_s, back);
+    EXPECT_EQ(back, written) << lag_s;
+  }
+}
+
+TEST(SynthesizerStateBytes, OfTheVersionBeforeThereWasAHistoryAreReadWithoutOne) {
+  SynthesizerState state = used_state();
+  const std::size_t history = place_of_history(state);
+  state.memory.history.clear();
+  auto old = synthesizer_state_bytes(state);
+  old.erase(old.begin() + static_cast<std::ptrdiff_t>(history));  // the number of poses, 0
+  old[0] = 1;
+  const auto read = parse_synthesizer_state(old);
+  ASSERT_TRUE(read) << read.error().text();
+  EXPECT_TRUE(read->memory.history.is_empty());
+  EXPECT_EQ(synthesizer_state_bytes(*read), synthesizer_state_bytes(state)) << "the rest is the same";
+  auto solver = std::move(*PartnerSynthesizer::create(test::session_library(), *preset("responsive")));
+  solver->restore(*read);
+  EXPECT_NE(solver->step(test::swinging_take("user", 2, 4).a.poses[0], Duration(1.0 / 60)).status,
+            StepStatus::Failed);
+}
+
+TEST(SynthesizerStateBytes, ADamagedHistoryIsRefused) {
+  const SynthesizerState state = used_state();
+  const auto bytes = synthesizer_state_bytes(state);
+  const std::size_t history = place_of_history(state);
+  constexpr std::size_t frames = 1 + 7 * sizeof(double);  // number of poses, origin, root, heading
+  const auto with = [&](std::size_t at, std::initializer_list<std::uint8_t> written) {
+    auto damaged = bytes;
+    std::copy(written.begin(), written.end(), damaged.begin() + static_cast<std::ptrdiff_t>(history + at));
+    return parse_synthesizer_state(damaged);
+  };
+  ASSERT_TRUE(with(0, {static_cast<std::uint8_t>(state.memory.history.size())}));
+  for (const auto& [what, read] :
+       {std::pair{"more poses than there can be", with(0, {0xff})},
+        std::pair{"an origin that is no place", with(1, {0, 0, 0, 0, 0, 0, 0xf0, 0x7f})},
+        std::pair{"time that runs backwards", with(frames, {0, 0, 0x80, 0xbf})},
+        std::pair{"a joint nowhere", with(frames + 4, {0, 0, 0xc0, 0x7f})},
+        std::pair{"a joint at infinity", with(frames + 304 * 20 + 60, {0, 0, 0x80, 0x7f})}}) {
+    ASSERT_FALSE(read) << what;
+    EXPECT_THAT(read.error().message, testing::HasSubstr("last two seconds")) << what;
+  }
+}
+
 TEST(SynthesizerStateBytes, ThatAreCutShortTooLongOrOfAnotherVersionAreRefused) {
   const auto bytes = synthesizer_state_bytes(used_state());
-  for (std::size_t size = 0; size < bytes.size(); size += 7)
+  for (std::size_t size = 0; size < bytes.size(); size += 23)
     EXPECT_FALSE(parse_synthesizer_state(std::span(bytes).first(size))) << size;
   auto longer = bytes;
   longer.push_back(0);
@@ -66,7 +129,9 @@ TEST(SynthesizerStateBytes, ThatAreCutShortTooLongOrOfAnotherVersionAreRefused) 
 
 TEST(SynthesizerStateBytes, ImpossibleCountsEndWithTheBytes) {
   auto bytes = synthesizer_state_bytes(used_state());
+  const std::size_t history = place_of_history(used_state());
   for (std::size_t at = 0; at < bytes.size(); ++at) {
+    if (at > history + 400 && at + 1500 < bytes.size()) continue;  // one pose after the other
     auto changed = bytes;
     changed[at] = 0xff;
     (void)parse_synthesizer_state(changed);  // neither crashes nor takes all the memory

@@ -9,6 +9,7 @@
 #include "core/metrics/run_summary.hpp"
 #include "core/synthesis/clip_synthesis.hpp"
 #include "tests/support/captured_data.hpp"
+#include "tests/support/settings.hpp"
 
 namespace abrazo {
 namespace {
@@ -84,7 +85,7 @@ TEST_F(CapturedSalsa, DancersWhoTakeTurnsAsPartnersFitOneBody) {
   takes.push_back(captured_take(data, "05"));
   auto both =
       std::make_shared<const MotionLibrary>(std::move(*build_library("both", std::move(takes), {}, {})));
-  auto synthesizer = std::move(*PartnerSynthesizer::create(both, *preset("responsive")));
+  auto synthesizer = std::move(*PartnerSynthesizer::create(both, test::responsive_by_pose()));
   const Clip leader = captured_take(data, "03").a;
   std::size_t of_the_other_dancer = 0;
   for (std::size_t frame = 0; frame < leader.poses.size(); ++frame) {

@@ -9,6 +9,7 @@ namespace {
 
 TEST(Settings, ThePaperPresetIsThePapersLetter) {
   const Settings paper = *preset("paper");
+  EXPECT_EQ(paper.selection, SelectionMethod::Paper);
   EXPECT_EQ(paper.alpha, 0.5);
   EXPECT_EQ(paper.velocity_weight, 0.2);
   EXPECT_EQ(paper.velocity_form, VelocityForm::Velocity);
@@ -43,6 +44,11 @@ TEST(Settings, JsonRoundTrips) {
   settings.alpha = 0.1234567890123;
   settings.edge_weights = EdgeWeights::InverseMean;
   settings.collisions = false;
+  settings.selection = SelectionMethod::Filter;
+  settings.switch_margin = 0.0625;
+  settings.leader_weight = 1.0 / 3;
+  settings.move_weight = 0;
+  settings.meant_weight = 2;
   const auto back = parse_settings(settings_json(settings), Settings{}, "settings.json");
   ASSERT_TRUE(back.ok());
   EXPECT_EQ(*back, settings);
@@ -51,7 +57,8 @@ TEST(Settings, JsonRoundTrips) {
 TEST(Settings, TheContractsKeysExist) {
   for (const auto key :
        {"alpha", "velocity-weight", "velocity-form", "morph-weight", "morph-steps", "projection-steps",
-        "neighbours", "edge-weights", "step-rate", "collisions", "foot-locks", "user-role"})
+        "neighbours", "edge-weights", "step-rate", "collisions", "foot-locks", "user-role", "selection",
+        "switch-margin", "leader-weight", "move-weight", "meant-weight"})
     EXPECT_NE(find_setting(key), nullptr) << key;
 }
 
@@ -66,12 +73,43 @@ TEST(Settings, WrongValuesAreRefusedWithTheRangeAndChangeNothing) {
            {"neighbours", "10.5", "whole number"},
            {"neighbours", "201", "from 1 to 200"},
            {"collisions", "yes", "on or off"},
+           {"selection", "eq7", "paper|filter"},
+           {"switch-margin", "0.51", "from 0 to 0.5"},
+           {"switch-margin", "-0.01", "from 0 to 0.5"},
+           {"leader-weight", "2.1", "from 0 to 2"},
+           {"move-weight", "inf", "from 0 to 2"},
+           {"meant-weight", "-1", "from 0 to 2"},
            {"edge-weights", "cubic", "inverse|inverse-mean|uniform"}}) {
     const Status set = set_setting(settings, key, text);
     ASSERT_FALSE(set.ok()) << key << '=' << text;
     EXPECT_NE(set.error().text().find(hint), std::string::npos) << set.error().text();
   }
   EXPECT_EQ(settings, Settings{});
+}
+
+TEST(Settings, TheMethodOfSelectionIsSaidByName) {
+  Settings settings;
+  EXPECT_EQ(setting_text(settings, "selection"), "paper");
+  EXPECT_EQ(preset("responsive")->selection, SelectionMethod::Filter);
+  ASSERT_TRUE(set_setting(settings, "selection", "filter").ok());
+  EXPECT_EQ(settings.selection, SelectionMethod::Filter);
+  const auto read =
+      parse_settings(R"({"selection": "filter", "switch-margin": 0.05})", Settings{}, "mine.json");
+  ASSERT_TRUE(read.ok());
+  EXPECT_EQ(read->selection, SelectionMethod::Filter);
+  EXPECT_EQ(read->switch_margin, 0.05);
+}
+
+TEST(Settings, EachMethodOfSelectionHasItsOwnWeightsAndTheRestIsOfBoth) {
+  Settings paper, filter;
+  filter.selection = SelectionMethod::Filter;
+  for (const SettingInfo& info : all_settings()) {
+    const bool of_paper = info.key == "alpha" || info.key == "continuations";
+    const bool of_filter = info.key == "switch-margin" || info.key == "leader-weight" ||
+                           info.key == "move-weight" || info.key == "meant-weight";
+    EXPECT_EQ(applies(paper, info.key), !of_filter) << info.key;
+    EXPECT_EQ(applies(filter, info.key), !of_paper) << info.key;
+  }
 }
 
 TEST(Settings, AnUnknownKeyInAFileIsAnError) {

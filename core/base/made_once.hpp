@@ -1,0 +1,88 @@
+#pragma once
+
+#include <atomic>
+#include <exception>
+#include <functional>
+#include <mutex>
+#include <new>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "core/base/progress.hpp"
+
+namespace abrazo {
+
+/// A value that takes long to make, made once by whoever first asks for it and shared by all. Safe to call
+/// from any thread: prepare it on one, and another need not wait.
+template <typename T>
+class MadeOnce {
+ public:
+  /// @param make  may throw; then nothing is made and the next call tries again. When progress says stop, its
+  /// value is dropped.
+  explicit MadeOnce(std::function<T(const Progress&)> make) : make_(std::move(make)) {}
+
+  /// Ends what prepare() began; waits for what cannot be interrupted.
+  ~MadeOnce() {
+    stop_ = true;
+    if (worker_.joinable()) worker_.join();
+  }
+  MadeOnce(const MadeOnce&) = delete;
+  MadeOnce& operator=(const MadeOnce&) = delete;
+
+  /// Made now when nobody did; waits when another thread is at it. Rethrows what making throws.
+  const T& get() const {
+    std::call_once(once_, [&] {
+      value_ = make_([&](double, std::string_view) { return !stop_; });
+      if (stop_) throw std::runtime_error("it was stopped");
+      ready_ = true;
+    });
+    return value_;
+  }
+  /// `get` would return at once.
+  bool is_ready() const { return ready_; }
+
+  /// Has it made on a thread of its own, unless that was done. @see trouble
+  void prepare() const {
+    const std::scoped_lock lock(preparing_);
+    if (ready_ || is_preparing_ || stop_) return;
+    worker_ = std::jthread([this] {
+      std::optional<std::string> trouble;
+      try {
+        get();
+      } catch (const std::bad_alloc&) {
+        trouble = "there is not enough memory for it";
+      } catch (const std::exception& failure) {
+        trouble = failure.what();
+      }
+      const std::scoped_lock done(preparing_);
+      trouble_ = std::move(trouble);
+      is_preparing_ = false;
+    });
+    is_preparing_ = true;  // not when there was no thread to be had
+  }
+  bool is_preparing() const {
+    const std::scoped_lock lock(preparing_);
+    return is_preparing_;
+  }
+  /// Why prepare() could not make it; said once, and prepare() may then be asked again.
+  std::optional<std::string> trouble() const {
+    const std::scoped_lock lock(preparing_);
+    return std::exchange(trouble_, std::nullopt);
+  }
+
+ private:
+  std::function<T(const Progress&)> make_;
+  mutable T value_{};
+  mutable std::once_flag once_;
+  mutable std::atomic<bool> ready_ = false;
+  std::atomic<bool> stop_ = false;
+  mutable std::mutex preparing_;
+  mutable std::optional<std::string> trouble_;  ///< guarded by `preparing_`
+  mutable bool is_preparing_ = false;           ///< guarded by `preparing_`
+  mutable std::jthread worker_;                 ///< guarded by `preparing_`
+};
+
+}  // namespace abrazo

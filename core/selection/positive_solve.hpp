@@ -1,0 +1,15 @@
+#pragma once
+
+#include <Eigen/Core>
+
+#include "core/base/progress.hpp"
+
+namespace abrazo {
+
+/// Solves A X = B in place for a symmetric positive definite A, by blocks on every core.
+/// @param a  n x n, its lower triangle; becomes L with L L^T = A
+/// @param b  n x m; becomes X
+/// @return false when progress asked to stop. @throws std::runtime_error when A is not positive definite
+bool solve_positive(Eigen::MatrixXd& a, Eigen::MatrixXd& b, const Progress& progress = {});
+
+}  // namespace abrazo

@@ -1,0 +1,264 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <thread>
+
+#include "core/selection/intent_model.hpp"
+#include "core/session/session_replay.hpp"
+#include "core/session/steering.hpp"
+#include "core/synthesis/role_views.hpp"
+#include "core/synthesis/trace.hpp"
+#include "tests/core/session/recorded_session.hpp"
+#include "tests/core/session/refused_memory.hpp"
+#include "tests/support/settings.hpp"
+
+namespace abrazo {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr Duration step_time(1.0 / 60);
+
+constexpr auto filter = test::responsive_by_intent;
+constexpr auto equation_7 = test::responsive_by_pose;
+
+std::shared_ptr<PartnerSynthesizer> synthesizer_with(const Settings& settings) {
+  return std::move(*PartnerSynthesizer::create(test::session_library(), settings));
+}
+
+bool becomes_ready(const PartnerSynthesizer& synthesizer, UserRole role = UserRole::Active) {
+  for (int i = 0; i < 20000 && !synthesizer.views()->is_intent_ready(role); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  return synthesizer.views()->is_intent_ready(role);
+}
+
+const Clip& user() {
+  static const Clip clip = test::swinging_take("user", 300, 4).a;
+  return clip;
+}
+
+bool selects_by_intent(const FrameResult& frame) {
+  return frame.intent.model && frame.candidates.front().intent;
+}
+
+/// Somebody who steers, and the steps between.
+struct Steered {
+  explicit Steered(const Settings& settings = equation_7()) : steering(synthesizer_with(settings)) {}
+  const FrameResult& step() {
+    changed = steering.before_step(static_cast<double>(steps) / 60);
+    return steering.synthesizer().step(user().poses[steps++ % user().poses.size()], step_time);
+  }
+  Steering steering;
+  std::size_t steps = 0;
+  bool changed = false;
+};
+
+TEST(LearnedSelection, EquationSevenSelectsUntilTheLibraryIsLearned) {
+  Steered session;
+  EXPECT_FALSE(session.steering.is_learning());
+  session.steering.set_settings(filter());
+  EXPECT_TRUE(session.steering.is_learning());
+  EXPECT_EQ(session.steering.synthesizer().settings().selection, SelectionMethod::Paper);
+  EXPECT_FALSE(selects_by_intent(session.steering.synthesizer().step(user().poses[0], step_time)));
+  ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
+  EXPECT_TRUE(selects_by_intent(session.step()));
+  EXPECT_TRUE(session.changed) << "the change is told";
+  EXPECT_FALSE(session.steering.is_learning());
+  EXPECT_EQ(session.steering.synthesizer().settings(), filter());
+  session.step();
+  EXPECT_FALSE(session.changed);
+}
+
+TEST(LearnedSelection, OneThatIsAskedForFromTheStartIsLearnedBesideTheStepsToo) {
+  Steered session(filter());
+  EXPECT_TRUE(session.steering.is_learning());
+  EXPECT_EQ(session.steering.synthesizer().settings().selection, SelectionMethod::Paper);
+  ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
+  EXPECT_TRUE(selects_by_intent(session.step()));
+}
+
+TEST(LearnedSelection, WhatIsSetMeanwhileStays) {
+  Steered session;
+  session.steering.set_settings(filter());
+  Settings later = filter();
+  later.neighbours = 7;
+  later.leader_weight = 0.75;
+  session.steering.set_settings(later);
+  ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
+  session.step();
+  EXPECT_EQ(session.steering.synthesizer().settings(), later);
+}
+
+TEST(LearnedSelection, TakenBackMeanwhileItDoesNotComeAfterAll) {
+  Steered session;
+  session.steering.set_settings(filter());
+  session.steering.set_settings(equation_7());
+  EXPECT_FALSE(session.steering.is_learning());
+  ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
+  EXPECT_FALSE(selects_by_intent(session.step()));
+  session.steering.set_settings(filter());
+  EXPECT_FALSE(session.steering.is_learning()) << "it was learned";
+  EXPECT_TRUE(selects_by_intent(session.step()));
+}
+
+TEST(LearnedSelection, AnotherRoleIsLearnedWhenItIsTaken) {
+  Steered session;
+  session.steering.set_settings(filter());
+  ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
+  session.step();
+  Settings passive = filter();
+  passive.user_role = UserRole::Passive;
+  session.steering.set_settings(passive);
+  EXPECT_TRUE(session.steering.is_learning());
+  EXPECT_FALSE(selects_by_intent(session.steering.synthesizer().step(user().poses[1], step_time)));
+  ASSERT_TRUE(becomes_ready(session.steering.synthesizer(), UserRole::Passive));
+  EXPECT_TRUE(selects_by_intent(session.step()));
+  EXPECT_EQ(session.steering.synthesizer().settings(), passive);
+}
+
+TEST(LearnedSelection, AnotherLibraryIsLearnedAnew) {
+  Steered session;
+  session.steering.set_settings(filter());
+  ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
+  EXPECT_TRUE(selects_by_intent(session.step()));
+  const auto other = synthesizer_with(*preset("paper"));
+  session.steering.replace(other);
+  EXPECT_TRUE(session.steering.is_learning());
+  EXPECT_FALSE(selects_by_intent(other->step(user().poses[2], step_time)));
+  ASSERT_TRUE(becomes_ready(*other));
+  EXPECT_TRUE(selects_by_intent(session.step()));
+  EXPECT_EQ(other->settings(), filter());
+}
+
+TEST(LearnedSelection, ThatCannotBeLearnedSaysWhyOnceAndEquationSevenStays) {
+  Steered session;
+  session.step();
+  test::refuse_memory(20'000);  // no step takes so much at once
+  session.steering.set_settings(filter());
+  std::string said;
+  for (int i = 0; i < 20000 && said.empty(); ++i) try {
+      EXPECT_FALSE(selects_by_intent(session.step()));
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    } catch (const std::exception& failure) {
+      said = failure.what();
+    }
+  test::give_memory_again();
+  EXPECT_THAT(said, HasSubstr("Eq. 7 goes on selecting"));
+  EXPECT_THAT(said, HasSubstr("not enough memory"));
+  EXPECT_FALSE(session.steering.is_learning());
+  for (int frame = 0; frame < 5; ++frame) EXPECT_FALSE(selects_by_intent(session.step()));
+  session.steering.set_settings(filter());
+  EXPECT_TRUE(session.steering.is_learning()) << "asked for again it is tried again";
+  ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
+  EXPECT_TRUE(selects_by_intent(session.step()));
+}
+
+/// A session that is recorded: Eq. 7, the filter while it learns and afterwards, a passive user, Eq. 7 again.
+struct RecordedSession : test::TemporaryFolder, test::DrivenSession {
+  RecordedSession() : path(file("s.abrazo")) {
+    loop = std::make_unique<LiveLoop>(synthesizer, std::make_unique<ClipSource>(user()), commands, history,
+                                      latest);
+    keeper->recorder = *Recorder::open(path, test::session_facts());
+    run_until(0.3);
+    commands.push(SetSettings{filter()});
+    run_until(0.35);
+    EXPECT_TRUE(becomes_ready(*synthesizer));
+    run_until(1.2);
+    commands.push(SetVetoes{{{}, {"first"}, {}}});
+    run_until(1.5);
+    commands.push(MeanMove{MeantMove{"turn", std::nullopt}});
+    Settings settings = filter();
+    settings.user_role = UserRole::Passive;
+    settings.switch_margin = 0.07;
+    commands.push(SetSettings{settings});
+    run_until(1.6);
+    EXPECT_TRUE(becomes_ready(*synthesizer, UserRole::Passive));
+    run_until(2.4);
+    commands.push(SetSettings{equation_7()});
+    run_until(2.6);
+    commands.push(SetSettings{filter()});
+    run_until(3.2);
+    EXPECT_TRUE(keeper->recorder->finish());
+  }
+  std::shared_ptr<PartnerSynthesizer> synthesizer = synthesizer_with(equation_7());
+  std::string path;
+};
+
+std::string trace_line(const FrameSnapshot& frame) {
+  FrameResult timeless = frame.result;
+  timeless.timing = {};
+  return trace_frame_line(timeless, *test::session_library(), frame.input_frame, frame.time_s);
+}
+
+TEST(LearnedSelection, FramesSayThatTheLibraryIsStillLearned) {
+  const RecordedSession session;
+  int learning = 0, by_intent = 0;
+  for (const FrameSnapshotPtr& frame : session.keeper->frames) {
+    const bool filters = frame->settings.selection == SelectionMethod::Filter;
+    EXPECT_EQ(selects_by_intent(frame->result), filters) << frame->index;
+    EXPECT_FALSE(filters && frame->is_learning) << frame->index;
+    if (frame->time_s < 0.3 || (frame->time_s > 2.42 && frame->time_s < 2.6)) {
+      EXPECT_FALSE(frame->is_learning) << "Eq. 7 was asked for";
+    }
+    learning += frame->is_learning;
+    by_intent += filters;
+  }
+  EXPECT_GT(learning, 0);
+  EXPECT_GT(by_intent, 100);
+}
+
+TEST(LearnedSelection, TheTermsOfEveryCandidateAreRecordedWithTheSameBits) {
+  const RecordedSession session;
+  const auto file = SessionFile::open(session.path);
+  ASSERT_TRUE(file) << file.error().text();
+  std::size_t next = 0, with_terms = 0;
+  const auto pass = (*file)->each_frame(-1e9, 1e9, [&](const FrameSnapshot& read) -> Status {
+    const FrameResult& solved = session.keeper->frames.at(next++)->result;
+    EXPECT_EQ(read.settings, session.keeper->frames[next - 1]->settings);
+    EXPECT_EQ(read.result.candidates.size(), solved.candidates.size());
+    for (std::size_t c = 0; c < solved.candidates.size(); ++c) {
+      const Candidate &a = read.result.candidates.at(c), &b = solved.candidates[c];
+      EXPECT_EQ(a.pair, b.pair);
+      EXPECT_EQ(a.continuation, b.continuation);
+      EXPECT_EQ(a.cost.total, b.cost.total);
+      EXPECT_EQ(a.intent.has_value(), b.intent.has_value());
+      if (!a.intent || !b.intent) continue;
+      ++with_terms;
+      EXPECT_EQ(a.intent->partner, b.intent->partner);
+      EXPECT_EQ(a.intent->leader, b.intent->leader);
+      EXPECT_EQ(a.intent->move, b.intent->move);
+      EXPECT_EQ(a.intent->meant, b.intent->meant);
+      EXPECT_EQ(a.intent->change, b.intent->change);
+      EXPECT_EQ(a.intent->total, b.intent->total);
+    }
+    return Done{};
+  });
+  ASSERT_TRUE(pass);
+  EXPECT_EQ(pass->damaged, 0U) << pass->damage;
+  EXPECT_EQ(next, session.keeper->frames.size());
+  EXPECT_GT(with_terms, 500U);
+}
+
+TEST(LearnedSelection, ASessionIsSolvedAgainToTheSameBits) {
+  const RecordedSession session;
+  const auto file = SessionFile::open(session.path);
+  ASSERT_TRUE(file) << file.error().text();
+  for (const auto& [from_s, to_s] : {std::pair{-1e9, 1e9}, std::pair{0.9, 2.0}, std::pair{2.8, 3.1}}) {
+    std::size_t frames = 0;
+    const auto replay = re_solve_session(
+        **file, test::session_library(), from_s, to_s, [&](const FrameSnapshot& frame) -> Status {
+          const FrameSnapshot& recorded = *session.keeper->frames.at(frame.index);
+          EXPECT_EQ(trace_line(frame), trace_line(recorded)) << "frame " << frame.index;
+          EXPECT_EQ(frame.result.intent.belief, recorded.result.intent.belief);
+          ++frames;
+          return Done{};
+        });
+    ASSERT_TRUE(replay) << replay.error().text();
+    EXPECT_EQ(replay->differ, 0U);
+    EXPECT_GT(frames, 15U);
+  }
+}
+
+}  // namespace
+}  // namespace abrazo

@@ -1,0 +1,83 @@
+#include "widgets/candidates/cost_terms.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "widgets/common/palette.hpp"
+
+namespace abrazo::widgets {
+namespace {
+
+using enum CostTerm;
+
+constexpr std::array<CostTermInfo, 3> paper_terms = {{
+    {Pose, "pose", "pose", "pose", "pose", "pose cost", "pose", "nearer to the user's pose"},
+    {Active, "leader", "lead.", "temporal leader", "leader", "temporal cost of the leader",
+     "α · temporal leader", "less temporal cost of the leader"},
+    {Passive, "follower", "foll.", "follower", "follower", "temporal cost of the follower",
+     "α · temporal follower", "less temporal cost of the follower"},
+}};
+
+constexpr std::array<CostTermInfo, most_cost_terms> filter_terms = {{
+    {Partner, "partner", "part.", "partner", "part.", "expected distance of the partner",
+     "expected distance of the partner", "partner expected nearer"},
+    {Leader, "leader", "lead.", "leader", "lead.", "motion of the leader", "w_l · other motion of the leader",
+     "motion of the leader"},
+    {Move, "move", "move", "move", "move", "unlikely move", "w_m · unlikely move", "likelier move"},
+    {Meant, "meant", "meant", "meant", "meant", "not what is meant", "w_p · not what is meant",
+     "what is meant"},
+    {Change, "change", "chg.", "change", "chg.", "change of source", "margin for a change of source",
+     "it goes on"},
+}};
+
+constexpr std::array<CostTerms, 2> of_methods = {{
+    {paper_terms, "total (Eq. 7)", "m²"},
+    {filter_terms, "total (filter)", "m"},
+}};
+
+}  // namespace
+
+const CostTerms& cost_terms(SelectionMethod method) {
+  return of_methods[static_cast<std::size_t>(method)];
+}
+
+const CostTermInfo& info_of(CostTerm term) {
+  const auto place = place_of(term, SelectionMethod::Paper);
+  return place ? paper_terms[*place] : filter_terms[*place_of(term, SelectionMethod::Filter)];
+}
+
+std::optional<std::size_t> place_of(CostTerm term, SelectionMethod method) {
+  const auto terms = cost_terms(method).terms;
+  const auto found = std::ranges::find(terms, term, &CostTermInfo::term);
+  if (found == terms.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - terms.begin());
+}
+
+QColor colour_of(CostTerm term, const Palette& palette) {
+  switch (term) {
+    case Pose:
+    case Change:
+      return palette.user;
+    case Active:
+    case Leader:
+      return palette.active;
+    case Passive:
+    case Partner:
+      return palette.passive;
+    case Move:
+      return palette.residual_penetration;
+    case Meant:
+      return palette.warning;
+  }
+  return palette.text;
+}
+
+std::optional<SelectionMethod> deciding_method(const FrameResult& result) {
+  if (result.candidates.empty()) return std::nullopt;
+  // A file may say what it likes; where one of them lacks the filter's cost, Eq. 7 is what all have.
+  const bool all =
+      std::ranges::all_of(result.candidates, [](const Candidate& c) { return c.intent.has_value(); });
+  return all ? SelectionMethod::Filter : SelectionMethod::Paper;
+}
+
+}  // namespace abrazo::widgets

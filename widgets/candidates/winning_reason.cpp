@@ -1,0 +1,116 @@
+#include "widgets/candidates/winning_reason.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <functional>
+
+namespace abrazo::widgets {
+namespace {
+
+constexpr double least_shown = 5e-5;  ///< what is less than that is no difference
+
+/// Three decimals, four where that would read 0.000.
+std::string figure(double value) {
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), value != 0 && value < 0.0005 ? "%.4f" : "%.3f", value);
+  return text.data();
+}
+
+/// How much less a row costs than another in the term in which that is most; the margin, which is about the
+/// source and not about the user, is left out.
+struct Gain {
+  const CostTermInfo* term;
+  double value;
+};
+Gain largest_gain(const CandidateRow& row, const CandidateRow& other) {
+  Gain largest{nullptr, 0};
+  for (const CostTermInfo& info : cost_terms(row.method).terms) {
+    const double gain = value_of(other, info.term) - value_of(row, info.term);
+    if (info.term != CostTerm::Change && gain > largest.value) largest = {&info, gain};
+  }
+  return largest;
+}
+
+std::string because(const Gain& gain) {
+  return gain.term ? " — " + std::string(gain.term->gain) : std::string();
+}
+
+std::string paper_reason(const CandidateRow& winner, const CandidateRow& second) {
+  const Gain gain = largest_gain(winner, second);
+  if (!gain.term || second.total - winner.total < least_shown) return "A tie with the second";
+  return "Winner by " + figure(second.total - winner.total) + because(gain);
+}
+
+/// Of a winner that continues its source: others have to be better by the margin.
+std::string going_on(const CandidateRow& winner, const CandidateRow& second) {
+  const double behind = (winner.total - value_of(winner, CostTerm::Change)) -
+                        (second.total - value_of(second, CostTerm::Change));
+  if (behind >= least_shown) return "Goes on: #2 is " + figure(behind) + " m better, less than the margin";
+  if (behind > -least_shown) return "Goes on: #2 is as good, but would be a change";
+  return "Goes on, " + figure(-behind) + " m better than #2" + because(largest_gain(winner, second));
+}
+
+std::string change(const CandidateRow& winner, const CandidateRow& going_on) {
+  if (going_on.is_out()) return "Change: going on is vetoed";
+  const Gain gain = largest_gain(winner, going_on);
+  if (gain.term && gain.term->term == CostTerm::Partner)
+    return "Change: partner expected " + figure(gain.value) + " m nearer than going on";
+  const double better = going_on.total - winner.total + value_of(winner, CostTerm::Change);
+  return "Change: " + figure(better) + " m better than going on" + because(gain);
+}
+
+std::string filter_reason(const std::vector<CandidateRow>& rows, const FrameIntent& intent) {
+  const CandidateRow& winner = rows.front();
+  const CandidateRow& second = rows[1];
+  if (winner.goes_on) return going_on(winner, second);
+  const auto other = std::ranges::find_if(rows, &CandidateRow::goes_on);
+  if (other != rows.end()) return change(winner, *other);
+  // Only a frame that was solved here knows that there was nothing to go on with.
+  const std::string before = intent.model && intent.continued < 0 ? "No source to go on with. " : "";
+  const double margin = second.total - winner.total;
+  if (margin < least_shown) return before + "A tie with #2";
+  return before + "Margin " + figure(margin) + " m to #2" + because(largest_gain(winner, second));
+}
+
+std::string move_name(std::string label) {
+  if (label.empty()) return "no label";
+  std::ranges::replace(label, '_', ' ');
+  return label;
+}
+
+}  // namespace
+
+std::string winning_reason(const std::vector<CandidateRow>& rows, const FrameIntent& intent) {
+  if (rows.empty()) return "No candidate";
+  const auto winner = std::ranges::find_if(rows, &CandidateRow::selected);
+  if (winner == rows.end()) return "No candidate was selected";
+  if (rows.size() == 1) return "The only candidate";
+  const bool is_filter = winner->method == SelectionMethod::Filter;
+  if (winner != rows.begin())
+    return "Not the cheapest: " + figure(winner->total - rows.front().total) + (is_filter ? " m" : "") +
+           " above it";
+  return is_filter ? filter_reason(rows, intent) : paper_reason(rows[0], rows[1]);
+}
+
+std::string likely_moves(std::span<const std::string> labels, std::span<const float> moves) {
+  constexpr float also_likely = 0.1F;
+  if (labels.size() != moves.size() || labels.empty()) return {};
+  if (labels.size() == 1 && labels.front().empty()) return {};
+  std::vector<std::size_t> order(labels.size());
+  for (std::size_t i = 0; i < order.size(); ++i) order[i] = i;
+  const std::size_t most = std::min<std::size_t>(2, order.size());
+  std::ranges::partial_sort(order, order.begin() + static_cast<std::ptrdiff_t>(most), std::greater<>(),
+                            [&](std::size_t i) { return moves[i]; });
+  std::string words;
+  for (std::size_t i = 0; i < most; ++i) {
+    const float likely = moves[order[i]];
+    if (i > 0 && likely < also_likely) break;
+    std::array<char, 16> percent{};
+    std::snprintf(percent.data(), percent.size(), " %.0f %%", 100.0 * static_cast<double>(likely));
+    words += (i == 0 ? "Likely move: " : ", ") + move_name(labels[order[i]]) + percent.data();
+  }
+  return words;
+}
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "widgets/candidates/candidate_rows.hpp"
+
+namespace abrazo::widgets {
+
+/// Of the cheapest-first order. By Eq. 7: "Winner by 0.024 — less temporal cost of the follower", the margin
+/// to the runner-up and the term that decided it. With `filter`: why the source changed, "Change: partner
+/// expected 0.060 m nearer than going on", or why it did not. Says so when the winner is not the cheapest (a
+/// pinned pair), or when there is nothing to compare with.
+/// @param intent  of the same frame
+std::string winning_reason(const std::vector<CandidateRow>& rows, const FrameIntent& intent = {});
+
+/// "Likely move: cross body 72 %, turn 20 %": the likeliest, and a second that is likely, too. Empty when
+/// nothing is known of moves.
+/// @param moves  P(label), one for each of `labels`
+std::string likely_moves(std::span<const std::string> labels, std::span<const float> moves);
+
+}  // namespace abrazo::widgets
