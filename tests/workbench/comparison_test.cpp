@@ -7,6 +7,7 @@
 #include "core/session/live_loop.hpp"
 #include "core/stream/clip_source.hpp"
 #include "tests/support/libraries.hpp"
+#include "tests/support/settings.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -19,7 +20,7 @@ std::shared_ptr<const MotionLibrary> library() {
 }
 
 Settings slow_settings() {
-  Settings settings = *preset("responsive");
+  Settings settings = test::responsive_by_pose();
   settings.velocity_weight = 2;
   return settings;
 }
@@ -32,7 +33,7 @@ double value(const RunFigures& figures, RunFigure figure) {
 class Recorded : public testing::Test {
  protected:
   Recorded() {
-    auto synthesizer = std::move(*PartnerSynthesizer::create(library(), *preset("responsive")));
+    auto synthesizer = std::move(*PartnerSynthesizer::create(library(), test::responsive_by_pose()));
     auto source = std::make_unique<ClipSource>(test::swinging_take("user", 900, 4).a);
     loop = std::make_unique<LiveLoop>(std::move(synthesizer), std::move(source), commands, history, latest);
   }
@@ -56,7 +57,7 @@ class Recorded : public testing::Test {
 
 TEST_F(Recorded, TwoRunsAreSolvedOverTheSameFrames) {
   run_until(3);
-  const auto result = carried_out({slow_settings(), *preset("responsive"), 1, 2, false});
+  const auto result = carried_out({slow_settings(), test::responsive_by_pose(), 1, 2, false});
   EXPECT_TRUE(result->done);
   EXPECT_EQ(result->fraction, 1);
   EXPECT_EQ(result->steps.size(), history.range(1, 2).size());
@@ -68,7 +69,7 @@ TEST_F(Recorded, TwoRunsAreSolvedOverTheSameFrames) {
 
 TEST_F(Recorded, ARunWithoutSettingsIsAsRecorded) {
   run_until(2);
-  const auto result = carried_out({std::nullopt, *preset("responsive"), 1, 1.5, false});
+  const auto result = carried_out({std::nullopt, test::responsive_by_pose(), 1, 1.5, false});
   for (const ComparedStep& step : result->steps)
     EXPECT_EQ(step.b[static_cast<std::size_t>(StepFigure::PartnerDistance)], 0) << step.time_s;
 }
@@ -171,7 +172,7 @@ CompareSituation parked_at(double time_s, const Settings& recorded) {
 }
 
 TEST(ComparisonPlan, AParkedCursorIsSolvedAgainOnceASettingDiffers) {
-  CompareSituation now = parked_at(20, *preset("responsive"));
+  CompareSituation now = parked_at(20, test::responsive_by_pose());
   EXPECT_FALSE(what_if_task(now, nullptr));
   now.present = slow_settings();
   const auto task = what_if_task(now, nullptr);
@@ -183,7 +184,7 @@ TEST(ComparisonPlan, AParkedCursorIsSolvedAgainOnceASettingDiffers) {
 }
 
 TEST(ComparisonPlan, AFrozenRunIsSolvedAgainToo) {
-  CompareSituation now = parked_at(20, *preset("responsive"));
+  CompareSituation now = parked_at(20, test::responsive_by_pose());
   now.frozen = *preset("paper");
   now.span = WhatIfSpan::Frame;
   const auto task = what_if_task(now, nullptr);
@@ -195,19 +196,19 @@ TEST(ComparisonPlan, AFrozenRunIsSolvedAgainToo) {
 }
 
 TEST(ComparisonPlan, ACursorInsideWhatIsSolvedAsksForNothingNew) {
-  CompareSituation now = parked_at(20, *preset("responsive"));
+  CompareSituation now = parked_at(20, test::responsive_by_pose());
   now.present = slow_settings();
   const auto task = what_if_task(now, nullptr);
-  CompareSituation earlier = parked_at(19, *preset("responsive"));
+  CompareSituation earlier = parked_at(19, test::responsive_by_pose());
   earlier.present = slow_settings();
   EXPECT_EQ(what_if_task(earlier, &*task), task);
-  CompareSituation outside = parked_at(21, *preset("responsive"));
+  CompareSituation outside = parked_at(21, test::responsive_by_pose());
   outside.present = slow_settings();
   EXPECT_NE(what_if_task(outside, &*task), task);
 }
 
 TEST(ComparisonPlan, ARangeNeedsItsMarks) {
-  CompareSituation now = parked_at(20, *preset("responsive"));
+  CompareSituation now = parked_at(20, test::responsive_by_pose());
   now.present = slow_settings();
   now.span = WhatIfSpan::InToOut;
   EXPECT_FALSE(what_if_task(now, nullptr));
@@ -218,7 +219,7 @@ TEST(ComparisonPlan, ARangeNeedsItsMarks) {
 }
 
 TEST(ComparisonPlan, WhileFollowingTheShadowIsTheRunThatLiveDoesNotSolve) {
-  CompareSituation now = parked_at(20, *preset("responsive"));
+  CompareSituation now = parked_at(20, test::responsive_by_pose());
   now.playback.state = Playback::State::Following;
   EXPECT_FALSE(what_if_task(now, nullptr));
   EXPECT_FALSE(shadow_task(now, 20));

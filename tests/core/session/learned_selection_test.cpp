@@ -122,7 +122,8 @@ TEST(LearnedSelection, AnotherLibraryIsLearnedAnew) {
   session.steering.set_settings(filter());
   ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
   EXPECT_TRUE(selects_by_intent(session.step()));
-  const auto other = synthesizer_with(*preset("paper"));
+  const std::shared_ptr<PartnerSynthesizer> other =
+      std::move(*PartnerSynthesizer::create(test::small_library(), *preset("paper")));
   session.steering.replace(other);
   EXPECT_TRUE(session.steering.is_learning());
   EXPECT_FALSE(selects_by_intent(other->step(user().poses[2], step_time)));

@@ -149,7 +149,7 @@ TEST(Project, OfARecordingInWhichNoneWasSavedIsWhatTheRecordingKnows) {
   const auto read = read_project(path);
   ASSERT_TRUE(read) << read.error().text();
   EXPECT_FALSE(read->is_saved);
-  EXPECT_EQ(read->project.settings, *preset("responsive"));
+  EXPECT_EQ(read->project.settings, test::responsive_by_pose());
   EXPECT_EQ(read->project.decisions.pinned, 3);
   EXPECT_EQ(read->project.input, "clip:user.bvh");
   ASSERT_THAT(read->project.data, SizeIs(1));

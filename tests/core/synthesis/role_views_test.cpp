@@ -119,5 +119,29 @@ TEST_F(RoleViewsTest, OfADamagedLibraryTheExchangedOneSaysSoToo) {
   EXPECT_THAT(damage->text(), HasSubstr("was cut short while in use"));
 }
 
+TEST_F(RoleViewsTest, AreOneForAllWhoSolveWithTheSamePairsOfALibrary) {
+  const auto first = std::move(*PartnerSynthesizer::create(in_memory, *preset("paper")));
+  const auto second = std::move(*PartnerSynthesizer::create(in_memory, *preset("responsive")));
+  EXPECT_EQ(first->views(), second->views());
+  first->views()->intent(UserRole::Active);
+  EXPECT_TRUE(second->views()->is_intent_ready(UserRole::Active)) << "learned once";
+
+  const auto without =
+      std::move(*PartnerSynthesizer::create(in_memory, *preset("paper"), {in_memory->takes().front().name}));
+  EXPECT_NE(without->views(), first->views()) << "other pairs may be selected";
+  EXPECT_FALSE(without->views()->is_intent_ready(UserRole::Active));
+  const auto elsewhere = std::move(*PartnerSynthesizer::create(mapped, *preset("paper")));
+  EXPECT_NE(elsewhere->views(), first->views()) << "another library, if an equal one";
+}
+
+TEST_F(RoleViewsTest, AreNotKeptForNobody) {
+  std::weak_ptr<const RoleViews> views;
+  {
+    const auto synthesizer = std::move(*PartnerSynthesizer::create(in_memory, *preset("paper")));
+    views = synthesizer->views();
+  }
+  EXPECT_TRUE(views.expired());
+}
+
 }  // namespace
 }  // namespace abrazo
