@@ -240,6 +240,9 @@ Status learn(CommandLine& line, const PartnerSynthesizer& synthesizer, const Set
   show_state(line, "learning the library");
   try {
     synthesizer.views()->intent(settings.user_role);
+  } catch (const std::bad_alloc&) {
+    clear_progress(line);
+    return Error{"there is not enough memory to learn the library", synthesizer.library().name()};
   } catch (const std::runtime_error& failure) {
     clear_progress(line);
     return Error{failure.what(), synthesizer.library().name()};

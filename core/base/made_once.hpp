@@ -34,11 +34,14 @@ class MadeOnce {
 
   /// Made now when nobody did; waits when another thread is at it. Rethrows what making throws.
   const T& get() const {
-    std::call_once(once_, [&] {
+    if (ready_) return value_;
+    // Not std::call_once: where pthread_once knows nothing of exceptions, a throw would lock it for ever.
+    const std::scoped_lock lock(making_);
+    if (!ready_) {
       value_ = make_([&](double, std::string_view) { return !stop_; });
       if (stop_) throw std::runtime_error("it was stopped");
       ready_ = true;
-    });
+    }
     return value_;
   }
   /// `get` would return at once.
@@ -63,10 +66,6 @@ class MadeOnce {
     });
     is_preparing_ = true;  // not when there was no thread to be had
   }
-  bool is_preparing() const {
-    const std::scoped_lock lock(preparing_);
-    return is_preparing_;
-  }
   /// Why prepare() could not make it; said once, and prepare() may then be asked again.
   std::optional<std::string> trouble() const {
     const std::scoped_lock lock(preparing_);
@@ -75,8 +74,8 @@ class MadeOnce {
 
  private:
   std::function<T(const Progress&)> make_;
-  mutable T value_{};
-  mutable std::once_flag once_;
+  mutable T value_{};  ///< written under `making_`, before `ready_`
+  mutable std::mutex making_;
   mutable std::atomic<bool> ready_ = false;
   std::atomic<bool> stop_ = false;
   mutable std::mutex preparing_;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
+#include <utility>
 
 #include "core/base/parallel.hpp"
 #include "core/selection/history_kernel.hpp"
@@ -29,22 +31,33 @@ double pairs_per_second(const LibraryTake& take) {
   return take.fps / take.frame_stride;
 }
 
+/// Every n-th of many, evenly.
+std::vector<int> at_most(const std::vector<int>& pairs, std::size_t most) {
+  if (pairs.size() <= most) return pairs;
+  std::vector<int> kept;
+  for (std::size_t i = 0; i < most; ++i) kept.push_back(pairs[i * pairs.size() / most]);
+  return kept;
+}
+
 /// Every n-th of the pairs of a take, so that there are some `per_second`, and not more than `most` in all.
+/// The first of every stretch is one of them, and that of every move if it is to be.
 std::vector<int> thinned(const MotionLibrary& library, std::span<const int> pairs, double per_second,
-                         std::size_t most) {
+                         std::size_t most, bool every_move) {
   for (double rate = per_second;; rate *= 0.8) {
     std::vector<int> kept;
+    std::string_view label;
     double due = 0;
     int last = -2;
     for (const int pair : pairs) {
       const double step = std::max(1.0, pairs_per_second(library.take_of(pair)) / rate);
+      const std::string_view label_before = std::exchange(label, library.label(pair));
       due = last >= 0 && library.later_pair(last, 1) == pair ? due - 1 : 0;
       last = pair;
-      if (due >= 0.5) continue;
-      due += step;
+      if (due >= 0.5 && !(every_move && label != label_before)) continue;
+      due = (due >= 0.5 ? 0 : due) + step;
       kept.push_back(pair);
     }
-    if (kept.size() <= most || rate < 1e-3) return kept;
+    if (kept.size() <= most || rate < 0.1) return at_most(kept, most);
   }
 }
 
@@ -111,8 +124,9 @@ void IntentModel::Learned::place_in_blocks() {
     if (!goes_on && before >= 0) end_stretch();
     if (!goes_on || frame >= blocks.back().end_frame) {
       const int begin = goes_on ? blocks.back().end_frame : frame;
-      const int length =
-          std::max(1, static_cast<int>(std::lround(library->take_of(pair).fps / blocks_per_second)));
+      const LibraryTake& take = library->take_of(pair);
+      const int length = std::max(
+          1, static_cast<int>(std::min<double>(std::round(take.fps / blocks_per_second), take.frames)));
       blocks.push_back({source.take, source.swapped, begin, std::max(begin + length, frame + 1)});
     }
     before = pair;
@@ -176,7 +190,7 @@ bool IntentModel::Learned::describe_landings(const Progress& progress) {
 
 std::shared_ptr<const IntentModel> IntentModel::learn(std::shared_ptr<const MotionLibrary> library,
                                                       std::span<const int> pairs, const Progress& progress) {
-  const std::vector<int> examples = thinned(*library, pairs, examples_per_second, most_examples);
+  const std::vector<int> examples = thinned(*library, pairs, examples_per_second, most_examples, false);
   const RecordedMotion recorded(*library);
   Rows motions(static_cast<Eigen::Index>(examples.size()), HistoryKernel::raw_size);
   const bool sampled =
@@ -196,7 +210,7 @@ std::shared_ptr<const IntentModel> IntentModel::learn(std::shared_ptr<const Moti
   learned->labels = labels_of(*library, pairs);
   learned->examples = learned->kernel.to_compare(learned->kernel.describe(motions));
   motions.resize(0, 0);
-  learned->landings = thinned(*library, pairs, landings_per_second, most_landings);
+  learned->landings = thinned(*library, pairs, landings_per_second, most_landings, true);
   learned->place_in_blocks();
   if (!learned->describe_landings(part(progress, 0.1, 0.3))) return nullptr;
   if (!learned->regress(examples, part(progress, 0.3, 1))) return nullptr;

@@ -28,7 +28,10 @@ struct BeliefBlock {
 /// tells it at length, decision 29 what else was tried. Immutable; shared between threads.
 class IntentModel {
  public:
-  /// Some seconds for tens of thousands of pairs, on every core.
+  /// What learning takes while it is at it, for the largest library.
+  static constexpr std::uint64_t most_learning_bytes = std::uint64_t{256} << 20;
+
+  /// About a second for tens of thousands of pairs, on every core.
   /// @param pairs  those that may be selected, ascending; nothing is learned from others
   /// @return null when progress asked to stop
   static std::shared_ptr<const IntentModel> learn(std::shared_ptr<const MotionLibrary> library,

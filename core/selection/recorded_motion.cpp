@@ -30,7 +30,8 @@ void RecordedMotion::sample(int pair, HistoryKernel::Raw& raw) const {
   const int oldest = first_[static_cast<std::size_t>(pair)];
   const RootFrame& root = library_.root(pair);
   for (std::size_t lag = 0; lag < HistoryKernel::lags_s.size(); ++lag) {
-    const double before = HistoryKernel::lags_s[lag] * rate;
+    // Rates are what a file says: what was not recorded is not counted.
+    const double before = std::min<double>(HistoryKernel::lags_s[lag] * rate, pair - oldest);
     const int whole = static_cast<int>(before);
     const int later = std::max(oldest, pair - whole);
     const int earlier = std::max(oldest, later - 1);
@@ -46,8 +47,9 @@ void RecordedMotion::sample(int pair, HistoryKernel::Raw& raw) const {
 }
 
 Pose RecordedMotion::partner_after(int pair, double later_s) const {
+  const double ahead = std::round(later_s * pairs_per_second(library_.take_of(pair)));
   int seen = pair;
-  for (int steps = static_cast<int>(std::lround(later_s * pairs_per_second(library_.take_of(pair))));
+  for (int steps = static_cast<int>(std::min<double>(ahead, library_.pair_count() - 1 - pair));
        steps > 0 && seen == pair; --steps)
     if (const int later = library_.later_pair(pair, steps); later >= 0) seen = later;
   RootFrame above_floor = library_.root(pair);

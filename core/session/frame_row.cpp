@@ -52,8 +52,10 @@ bool read_candidates(const FrameRow::Blob& bytes, std::vector<Candidate>& candid
     candidate.cost.total = in.real();
     if (!(flags & has_intent)) continue;
     IntentCost& intent = candidate.intent.emplace();
-    for (double* term : {&intent.partner, &intent.leader, &intent.move, &intent.meant, &intent.change})
-      intent.total += * term = in.real();
+    for (double* term : {&intent.partner, &intent.leader, &intent.move, &intent.meant, &intent.change}) {
+      *term = in.real();
+      intent.total += *term;
+    }
   }
   return in.is_done();
 }

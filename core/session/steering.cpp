@@ -44,6 +44,10 @@ Decisions carried_over(const Decisions& decisions, const MotionLibrary& from, co
   return carried;
 }
 
+std::size_t number(UserRole role) {
+  return role == UserRole::Passive ? 1 : 0;
+}
+
 }  // namespace
 
 Steering::Steering(std::shared_ptr<PartnerSynthesizer> synthesizer)
@@ -56,6 +60,7 @@ Steering::Steering(std::shared_ptr<PartnerSynthesizer> synthesizer)
 
 void Steering::set_settings(const Settings& settings) {
   asked_role_ = settings.user_role;
+  if (settings.selection != asked_selection_) could_not_learn_ = {};  // asked for again
   asked_selection_ = settings.selection;
   Settings wanted = settings;
   if (current_.role_control == RoleControl::Hand)
@@ -73,18 +78,29 @@ void Steering::apply(Settings wanted) {
   synthesizer_->set_settings(wanted);
 }
 
-/// What the selection `filter` learns first is learned beside the steps, not in one.
+/// What the selection `filter` learns first is learned beside the steps, not in one. Then the other role is
+/// learned too, so that a change of role finds it.
 SelectionMethod Steering::possible_selection(UserRole role) {
-  if (asked_selection_ == SelectionMethod::Paper) return SelectionMethod::Paper;
+  if (asked_selection_ == SelectionMethod::Paper || could_not_learn_[number(role)])
+    return SelectionMethod::Paper;
   const RoleViews& views = *synthesizer_->views();
-  if (views.is_intent_ready(role)) return SelectionMethod::Filter;
-  if (const auto trouble = views.intent_trouble(role)) {
-    asked_selection_ = SelectionMethod::Paper;
-    throw std::runtime_error("Eq. 7 goes on selecting: the library could not be learned, " +
-                             trouble->message);
+  if (views.is_intent_ready(role)) {
+    const UserRole other = role == UserRole::Active ? UserRole::Passive : UserRole::Active;
+    if (!views.is_costly(other) && !could_not_learn_[number(other)]) views.prepare_intent(other);
+    return SelectionMethod::Filter;
   }
-  views.prepare_intent(role);
+  if (const auto trouble = views.intent_trouble(role)) {
+    could_not_learn_[number(role)] = true;
+    untold_ = "Eq. 7 goes on selecting: the library could not be learned, " + trouble->message;
+  } else {
+    views.prepare_intent(role);
+  }
   return SelectionMethod::Paper;
+}
+
+bool Steering::is_learning() const {
+  const Settings& now = synthesizer_->settings();
+  return asked_selection_ != now.selection && !could_not_learn_[number(now.user_role)];
 }
 
 /// A view that is made in memory first is waited for between steps, not in one.
@@ -131,18 +147,13 @@ void Steering::control_role(RoleControl by) {
   Decisions wanted = current_;
   wanted.role_control = by;
   decide(wanted);
-  const UserRole role = synthesizer_->settings().user_role;
-  role_switch_.control(by, by == RoleControl::Hand ? asked_role_ : role);
-  // A role that changes by itself should not find its view unlearned.
-  const UserRole other = role == UserRole::Active ? UserRole::Passive : UserRole::Active;
-  if (by != RoleControl::Hand && asked_selection_ == SelectionMethod::Filter &&
-      !synthesizer_->views()->is_costly(other))
-    synthesizer_->views()->prepare_intent(other);
+  role_switch_.control(by, by == RoleControl::Hand ? asked_role_ : synthesizer_->settings().user_role);
 }
 
 void Steering::replace(std::shared_ptr<PartnerSynthesizer> synthesizer) {
   const std::shared_ptr<PartnerSynthesizer> before = std::exchange(synthesizer_, std::move(synthesizer));
   decide(carried_over(current_, before->library(), synthesizer_->library()));
+  could_not_learn_ = {};
   apply(before->settings());
   synthesizer_->pin_pair(current_.pinned);
   synthesizer_->set_vetoes(current_.vetoes);
@@ -173,6 +184,7 @@ bool Steering::before_step(double now_s) {
     apply(synthesizer_->settings());
     changed = true;
   }
+  if (!untold_.empty()) throw std::runtime_error(std::exchange(untold_, {}));
   return changed;
 }
 
@@ -188,11 +200,15 @@ void Steering::watch_move(const FrameResult& result) {
   if (result.selected < 0) return;
   const MotionLibrary& library = synthesizer_->library();
   const int pair = result.candidates[static_cast<std::size_t>(result.selected)].pair;
+  const MeantMove& meant = *current_.meant;
+  // What is named is evidence to the selection `filter`: another move may be followed meanwhile.
+  const bool is_meant = (!meant.label || library.label(pair) == *meant.label) &&
+                        (!meant.take || library.take_of(pair).name == *meant.take);
   const bool was_followed = followed_pair_ >= 0 && !result.source_changed;
-  followed_pair_ = pair;
+  followed_pair_ = is_meant ? pair : -1;
   if (!was_followed) return;
   const int next = library.later_pair(pair, 1);
-  move_is_done_ = next < 0 || (current_.meant->label && library.label(next) != *current_.meant->label);
+  move_is_done_ = !is_meant || next < 0 || (meant.label && library.label(next) != *meant.label);
 }
 
 }  // namespace abrazo

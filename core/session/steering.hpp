@@ -1,7 +1,9 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "core/session/decisions.hpp"
 #include "core/session/role_switch.hpp"
@@ -34,7 +36,7 @@ class Steering {
   void after_step(const FrameResult& result, const Pose& user, double time_s);
 
   /// The selection that was asked for waits until it has learned the library; Eq. 7 selects meanwhile.
-  bool is_learning() const { return asked_selection_ != synthesizer_->settings().selection; }
+  bool is_learning() const;
 
   /// Under which the next step is solved; null while there are none.
   const std::shared_ptr<const Decisions>& decisions() const { return decisions_; }
@@ -50,8 +52,10 @@ class Steering {
   std::shared_ptr<PartnerSynthesizer> synthesizer_;
   Decisions current_;
   std::shared_ptr<const Decisions> decisions_;
-  UserRole asked_role_;              ///< by the hand
-  SelectionMethod asked_selection_;  ///< by the hand
+  UserRole asked_role_;                    ///< by the hand
+  SelectionMethod asked_selection_;        ///< by the hand
+  std::array<bool, 2> could_not_learn_{};  ///< by role; until it is asked for again
+  std::string untold_;                     ///< why, thrown after the next step's changes
   RoleSwitch role_switch_;
   int followed_pair_ = -1;  ///< of the move that is meant
   bool move_is_done_ = false;

@@ -52,8 +52,11 @@ bool FramePipeline::select(double dt_s) {
   if (selects_by_intent())
     out_.selected = intent_->select(query, history_, selector_.pairs(), weights_of(settings_),
                                     out_.candidates, out_.intent);
-  else
+  // All that may be selected can lie between the pairs that may be changed to.
+  if (out_.selected < 0) {
+    out_.intent.model.reset();
     out_.selected = selector_.select(query, out_.candidates);
+  }
   if (pinned_ && *pinned_ >= 0 && *pinned_ < library_->pair_count() &&
       selector_.pairs().is_selectable(*pinned_))
     select_pinned(query);
@@ -69,7 +72,8 @@ void FramePipeline::select_pinned(const SelectionQuery& query) {
   }
   Candidate candidate;
   if (selects_by_intent()) {
-    candidate = intent_->candidate(*pinned_, query, selector_.pairs(), weights_of(settings_), true);
+    candidate = intent_->candidate(*pinned_, query, selector_.pairs(), weights_of(settings_),
+                                   *pinned_ != memory_.current_pair);
   } else {
     candidate.pair = *pinned_;
     candidate.feature_distance = (library_->features(*pinned_) - out_.features).norm();

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <new>
 #include <stdexcept>
 
 #include "core/synthesis/frame_pipeline.hpp"
@@ -47,7 +48,8 @@ std::string_view first_joint_without_position(const Pose& pose) {
 struct PartnerSynthesizer::State {
   std::shared_ptr<const RoleViews> views;
   Settings settings;
-  std::string unusable;  ///< which setting no step can be solved with; empty when all can be used
+  std::string unlearned;  ///< why the selection `filter` cannot be had; empty when it can
+  std::string unusable;   ///< which setting no step can be solved with; empty when all can be used
   std::optional<Body> user_body;
   std::optional<int> pinned;
   std::shared_ptr<const Vetoes> vetoes = std::make_shared<const Vetoes>();
@@ -60,6 +62,7 @@ struct PartnerSynthesizer::State {
 
   void set_settings(const Settings& changed) {
     settings = changed;
+    unlearned.clear();
     const Status usable = check_settings(changed);
     unusable = usable ? std::string() : usable.error().text();
   }
@@ -80,10 +83,18 @@ struct PartnerSynthesizer::State {
   }
   FramePipeline& pipeline() { return pipeline_of(settings.user_role); }
 
+  /// Tried once: what fails takes long, and steps are many.
   void learn_intent() {
-    const auto& model = views->intent(settings.user_role);
-    pipeline().set_intent(model);
-    reserve_room(shown.intent, *model);
+    if (!unlearned.empty()) return;
+    try {
+      const auto& model = views->intent(settings.user_role);
+      pipeline().set_intent(model);
+      reserve_room(shown.intent, *model);
+    } catch (const std::bad_alloc&) {
+      unlearned = "there is not enough memory to learn the library";
+    } catch (const std::exception& failure) {
+      unlearned = std::string("the library could not be learned: ") + failure.what();
+    }
   }
 
   void for_each_pipeline(const auto& change) {
@@ -128,6 +139,7 @@ const FrameResult& PartnerSynthesizer::step(const Pose& user, Duration elapsed) 
       if (starts) pipeline.forget();
       if (state_->settings.selection == SelectionMethod::Filter && !pipeline.has_intent())
         state_->learn_intent();
+      if (!state_->unlearned.empty()) throw std::runtime_error(state_->unlearned);
       pipeline.solve(user, starts ? 0.0 : since_solved_s);
       if (pipeline.result().status != StepStatus::Failed) state_->unsolved_s = 0;
     }

@@ -23,12 +23,10 @@ RoleViews::RoleViews(std::shared_ptr<const MotionLibrary> library, std::vector<i
       memory_left_(memory_left),
       views_{MadeOnce<View>([this](const Progress&) { return made(UserRole::Active); }),
              MadeOnce<View>([this](const Progress&) { return made(UserRole::Passive); })},
-      intents_{MadeOnce<LearnedIntent>([this](const Progress& progress) {
-                 return IntentModel::learn(of(UserRole::Active).library, pairs_, progress);
-               }),
-               MadeOnce<LearnedIntent>([this](const Progress& progress) {
-                 return IntentModel::learn(of(UserRole::Passive).library, pairs_, progress);
-               })} {}
+      intents_{MadeOnce<LearnedIntent>(
+                   [this](const Progress& progress) { return learned(UserRole::Active, progress); }),
+               MadeOnce<LearnedIntent>(
+                   [this](const Progress& progress) { return learned(UserRole::Passive, progress); })} {}
 
 std::shared_ptr<const RoleViews> RoleViews::shared(std::shared_ptr<const MotionLibrary> library,
                                                    std::vector<int> pairs) {
@@ -61,6 +59,15 @@ RoleViews::View RoleViews::made(UserRole role) const {
                      : library_;
   view.index = std::make_shared<const PoseIndex>(view.library->columns().features, pairs_);
   return view;
+}
+
+RoleViews::LearnedIntent RoleViews::learned(UserRole role, const Progress& progress) const {
+  if (const std::uint64_t left = memory_left_(); left < IntentModel::most_learning_bytes + spare_bytes)
+    throw std::runtime_error(
+        fmt::format("learning it needs {:.1f} GB in memory, and {:.1f} GB are left; close other programs",
+                    static_cast<double>(IntentModel::most_learning_bytes + spare_bytes) / gigabyte,
+                    static_cast<double>(left) / gigabyte));
+  return IntentModel::learn(of(role).library, pairs_, progress);
 }
 
 std::optional<Error> RoleViews::told(const std::optional<std::string>& trouble) const {

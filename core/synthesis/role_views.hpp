@@ -73,6 +73,7 @@ class RoleViews {
 
   static std::size_t number(UserRole role) { return role == UserRole::Passive ? 1 : 0; }
   View made(UserRole role) const;
+  LearnedIntent learned(UserRole role, const Progress& progress) const;
   std::optional<Error> told(const std::optional<std::string>& trouble) const;
 
   std::shared_ptr<const MotionLibrary> library_;

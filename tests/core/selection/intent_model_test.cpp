@@ -268,5 +268,59 @@ TEST(IntentModel, CancelledThereIsNone) {
   }
 }
 
+/// Takes of one pair each.
+Library of_single_pairs(std::size_t count) {
+  const LibraryColumns& from = small()->columns();
+  LibraryColumns columns;
+  columns.bodies = from.bodies;
+  std::vector<RootFrame> roots;
+  std::vector<PairPose> poses;
+  std::vector<Features> features;
+  for (std::size_t i = 0; i < count; ++i) {
+    LibraryTake take;
+    take.name = "take " + std::to_string(i);
+    take.frames = 1;
+    columns.takes.push_back(take);
+    columns.sources.push_back({static_cast<std::uint32_t>(i), 0, false, ActivePerformer::A});
+    const std::size_t pair = i % from.sources.size();
+    roots.push_back(from.roots[pair]);
+    poses.push_back(from.poses[pair]);
+    features.push_back(from.features[pair]);
+  }
+  columns.roots = std::move(roots);
+  columns.poses = std::move(poses);
+  columns.features = std::move(features);
+  columns.edge_offsets = std::vector<std::uint64_t>(count + 1, 0);
+  columns.tetrahedron_offsets = std::vector<std::uint64_t>(count + 1, 0);
+  columns.mesh_quality.assign(count, 0);
+  return std::make_shared<const MotionLibrary>(std::move(columns));
+}
+
+TEST(IntentModel, HoweverManyTakesThereAreExamplesAndLandingsAreBounded) {
+  const Library library = of_single_pairs(17'000);
+  const Model model = IntentModel::learn(library, test::all_pairs(*library));
+  EXPECT_EQ(model->example_count(), 4096);
+  EXPECT_EQ(model->landings().size(), 16'384U);
+}
+
+TEST(IntentModel, ARateThatNobodyRecordsAtIsLearnedAsAnyOther) {
+  LibraryColumns columns = small()->columns();
+  for (LibraryTake& take : columns.takes) take.fps = 1e12;
+  const auto library = std::make_shared<const MotionLibrary>(std::move(columns));
+  const Model model = IntentModel::learn(library, test::all_pairs(*library));
+  Reading reading = read(*model, test::history_at(first_leader(), 100));
+  EXPECT_TRUE(std::isfinite(model->read_pair(50, reading).partner_m));
+}
+
+TEST(IntentModel, EveryMoveCanBeChangedTo) {
+  LibraryColumns columns = small()->columns();
+  columns.takes[0].labels = {{0, 50, "long", "", ""}, {50, 51, "short", "", ""}, {51, 100, "long", "", ""}};
+  const auto library = std::make_shared<const MotionLibrary>(std::move(columns));
+  const Model model = IntentModel::learn(library, test::all_pairs(*library));
+  const auto& landings = model->landings();
+  EXPECT_TRUE(std::any_of(landings.begin(), landings.end(),
+                          [&](int pair) { return library->label(pair) == "short"; }));
+}
+
 }  // namespace
 }  // namespace abrazo

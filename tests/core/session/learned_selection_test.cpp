@@ -102,19 +102,30 @@ TEST(LearnedSelection, TakenBackMeanwhileItDoesNotComeAfterAll) {
   EXPECT_TRUE(selects_by_intent(session.step()));
 }
 
-TEST(LearnedSelection, AnotherRoleIsLearnedWhenItIsTaken) {
+TEST(LearnedSelection, TheOtherRoleIsLearnedBeforeItIsTaken) {
   Steered session;
   session.steering.set_settings(filter());
   ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
   session.step();
+  ASSERT_TRUE(becomes_ready(session.steering.synthesizer(), UserRole::Passive));
   Settings passive = filter();
   passive.user_role = UserRole::Passive;
   session.steering.set_settings(passive);
-  EXPECT_TRUE(session.steering.is_learning());
-  EXPECT_FALSE(selects_by_intent(session.steering.synthesizer().step(user().poses[1], step_time)));
-  ASSERT_TRUE(becomes_ready(session.steering.synthesizer(), UserRole::Passive));
+  EXPECT_FALSE(session.steering.is_learning());
   EXPECT_TRUE(selects_by_intent(session.step()));
   EXPECT_EQ(session.steering.synthesizer().settings(), passive);
+}
+
+TEST(LearnedSelection, ARoleThatIsTakenAtOnceIsWaitedForBesideTheSteps) {
+  Settings passive = filter();
+  passive.user_role = UserRole::Passive;
+  Steered session;
+  session.steering.set_settings(passive);
+  EXPECT_TRUE(session.steering.is_learning());
+  EXPECT_EQ(session.steering.synthesizer().settings().user_role, UserRole::Passive)
+      << "the role is not held up";
+  ASSERT_TRUE(becomes_ready(session.steering.synthesizer(), UserRole::Passive));
+  EXPECT_TRUE(selects_by_intent(session.step()));
 }
 
 TEST(LearnedSelection, AnotherLibraryIsLearnedAnew) {
@@ -149,10 +160,64 @@ TEST(LearnedSelection, ThatCannotBeLearnedSaysWhyOnceAndEquationSevenStays) {
   EXPECT_THAT(said, HasSubstr("not enough memory"));
   EXPECT_FALSE(session.steering.is_learning());
   for (int frame = 0; frame < 5; ++frame) EXPECT_FALSE(selects_by_intent(session.step()));
+  Settings other = filter();
+  other.neighbours = 7;
+  session.steering.set_settings(other);
+  EXPECT_FALSE(session.steering.is_learning()) << "another setting asks for nothing new";
+  EXPECT_EQ(session.steering.synthesizer().settings().neighbours, 7);
+  session.steering.set_settings(equation_7());
   session.steering.set_settings(filter());
   EXPECT_TRUE(session.steering.is_learning()) << "asked for again it is tried again";
   ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
   EXPECT_TRUE(selects_by_intent(session.step()));
+}
+
+TEST(LearnedSelection, WhatIsSteeredMeanwhileHoldsThoughLearningFailed) {
+  Steered session;
+  session.step();
+  session.steering.set_vetoes({{}, {"first"}, {}});
+  test::refuse_memory(20'000);
+  session.steering.set_settings(filter());
+  std::string said;
+  for (int i = 0; i < 20000 && said.empty(); ++i) try {
+      session.step();
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    } catch (const std::exception& failure) {
+      said = failure.what();
+    }
+  test::give_memory_again();
+  ASSERT_THAT(said, HasSubstr("could not be learned"));
+  const FrameResult& result = session.step();
+  const int pair = result.candidates.at(static_cast<std::size_t>(result.selected)).pair;
+  EXPECT_NE(test::session_library()->take_of(pair).name, "first");
+}
+
+TEST(LearnedSelection, AMoveThatIsNotFollowedIsStillMeant) {
+  Steered session(filter());
+  ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
+  Settings settings = filter();
+  settings.meant_weight = 0;  // nobody goes after what is named
+  session.steering.set_settings(settings);
+  const MotionLibrary& library = session.steering.synthesizer().library();
+  const auto label_of = [&](const FrameResult& result) {
+    return std::string(library.label(result.candidates.at(static_cast<std::size_t>(result.selected)).pair));
+  };
+  const std::string followed = label_of(session.step());
+  std::string other;
+  for (int pair = 0; pair < library.pair_count() && (other.empty() || other == followed); ++pair)
+    other = library.label(pair);
+  ASSERT_NE(other, followed);
+  MeantMove move{other, std::nullopt};
+  move.until_done = true;
+  session.steering.mean(move);
+  int steps = 0;
+  for (; steps < 20; ++steps) {
+    const FrameResult& result = session.step();
+    ASSERT_TRUE(session.steering.decisions()) << "taken back after " << steps << " steps";
+    if (label_of(result) == other) break;
+    session.steering.after_step(result, user().poses[0], steps / 60.0);
+  }
+  EXPECT_GT(steps, 2);
 }
 
 /// A session that is recorded: Eq. 7, the filter while it learns and afterwards, a passive user, Eq. 7 again.

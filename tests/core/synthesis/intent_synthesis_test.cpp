@@ -306,5 +306,16 @@ TEST(IntentSynthesis, WhatIsLearnedIsSharedAndPreparedBesideTheSteps) {
   EXPECT_FALSE(views.intent_trouble(UserRole::Active));
 }
 
+TEST(IntentSynthesis, PairsBetweenThoseThatMayBeChangedToAreSelectedWhenNothingElseIsLeft) {
+  const Synthesizer synthesizer = synthesizer_with(filter());
+  const auto& landings = synthesizer->views()->intent(UserRole::Active)->landings();
+  Vetoes vetoes;
+  vetoes.pairs.insert(landings.begin(), landings.end());
+  synthesizer->set_vetoes(vetoes);
+  const FrameResult& result = synthesizer->step(first_take().a.poses[60], Duration(0));
+  ASSERT_NE(result.status, StepStatus::Failed) << result.message;
+  EXPECT_FALSE(vetoes.pairs.contains(result.candidates[static_cast<std::size_t>(result.selected)].pair));
+}
+
 }  // namespace
 }  // namespace abrazo
