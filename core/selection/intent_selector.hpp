@@ -28,7 +28,8 @@ class IntentSelector {
 
   /// Fills `candidates`, ascending in feature distance: the best `query.neighbours` that may be changed to,
   /// those of one moment of a take by their best one, and how the current source is best gone on with. Each
-  /// has its cost by Eq. 7 too.
+  /// has its cost by Eq. 7 too. The choice is exact; of those that cannot win, which are listed (and their
+  /// belief) is decided with the best one's leader term in place of their own.
   /// @param history  of the user, with this frame; not empty
   /// @return index of the chosen one; -1 when everything is vetoed
   int select(const SelectionQuery& query, const MotionHistory& history, const SelectablePairs& selectable,

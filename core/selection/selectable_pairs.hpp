@@ -19,7 +19,8 @@ class SelectablePairs {
 
   /// In place of the vetoes before.
   void set_vetoes(const Vetoes& vetoes);
-  /// Narrows to these, as long as one of them may be selected; otherwise as if none were meant.
+  /// Narrows to these (`left_out`), or has the others told apart (`is_not_meant`), as long as one of them may
+  /// be selected; otherwise as if none were meant.
   void set_meant(const std::optional<MeantPairs>& meant);
 
   const std::vector<int>& pairs() const { return pairs_; }

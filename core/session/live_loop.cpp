@@ -13,7 +13,7 @@ namespace {
 
 constexpr double highest_rate_hz = 120;
 constexpr double interval_smoothing = 0.1;
-/// Solving up to a frame from the last kept state takes a few milliseconds; a state is a sixth of a frame.
+/// Solving up to a frame from the last kept state takes a few milliseconds; a state is as large as a frame.
 constexpr std::uint64_t frames_between_states = 32;
 constexpr double tracking_loss_s = 0.3;
 constexpr double intervals_until_loss = 3;  ///< of a slow source

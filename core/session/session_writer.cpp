@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// A frame with its state is some 9 kB, one without 3.5 kB: four rows to a page, and few that need a second.
+/// A frame is some 4 kB: four rows to a page. Every 32nd has its state, 25 kB, and needs further pages.
 constexpr int page_bytes = 16384;
 /// The log is moved into the file when it has so many bytes: some 40 s.
 constexpr std::int64_t bytes_in_log = 16 << 20;

@@ -10,10 +10,11 @@
 namespace abrazo {
 
 /// A synthesizer's state as bytes that read back to the same bits: a version, then every field in order,
-/// little-endian. Some 5 kB.
+/// little-endian. Some 25 kB.
 std::vector<std::uint8_t> synthesizer_state_bytes(const SynthesizerState& state);
 
-/// Refuses what is of another version, cut short or has bytes left over.
+/// Reads version 1 too, which knew no history. Refuses what is of a later version, cut short or has bytes
+/// left over.
 Result<SynthesizerState> parse_synthesizer_state(std::span<const std::uint8_t> bytes);
 
 }  // namespace abrazo

@@ -64,7 +64,8 @@ class PartnerSynthesizer {
   /// fail and say so.
   void set_vetoes(const Vetoes& vetoes);
 
-  /// Selects only among these from the next step on, while one of them may be selected.
+  /// From the next step on, while one of them may be selected: by Eq. 7 only these are selected, by the
+  /// selection `filter` others cost more.
   void set_meant(const std::optional<MeantPairs>& meant);
 
   /// All that the next step depends on beside settings and input.
