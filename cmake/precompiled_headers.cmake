@@ -4,13 +4,14 @@ set(abrazo_precompiled_core
   <algorithm> <array> <cmath> <cstdint> <filesystem> <functional> <limits> <map> <memory> <optional> <set> <span> <string> <string_view>
   <utility> <vector> <Eigen/Core> <Eigen/Geometry>)
 set(abrazo_precompiled_engine ${abrazo_precompiled_core} <fmt/format.h>)
+set(abrazo_precompiled_cli ${abrazo_precompiled_engine} <CLI/CLI.hpp>)
 set(abrazo_precompiled_qt ${abrazo_precompiled_core} <QAction> <QBoxLayout> <QComboBox> <QKeyEvent> <QLabel> <QLineEdit> <QMenu>
   <QMouseEvent> <QPainter> <QPushButton> <QToolButton> <QWidget>)
 set(abrazo_precompiled_tests ${abrazo_precompiled_core} <gmock/gmock.h> <gtest/gtest.h>)
 set(abrazo_precompiled_gui_tests ${abrazo_precompiled_tests} <QApplication> <QLabel> <QMainWindow> <QMenu> <QMouseEvent> <QPainter>
   <QWidget>)
 
-# abrazo_precompile(TARGET engine|qt|tests|gui_tests): compiles the list for this target.
+# abrazo_precompile(TARGET engine|cli|qt|tests|gui_tests): compiles the list for this target.
 function(abrazo_precompile target list)
   target_precompile_headers(${target} PRIVATE ${abrazo_precompiled_${list}})
 endfunction()

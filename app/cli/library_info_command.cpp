@@ -18,7 +18,7 @@ namespace abrazo::app {
 
 namespace {
 
-struct InfoArguments {
+struct LibraryInfoArguments {
   std::string library;
   bool json = false;
 };
@@ -177,7 +177,7 @@ std::string info_text(const MotionLibrary& library, std::uintmax_t bytes) {
   return text.take();
 }
 
-void run_info(CommandLine& line, const InfoArguments& arguments) {
+void run_info(CommandLine& line, const LibraryInfoArguments& arguments) {
   const auto library = read_library(arguments.library);
   if (!library) return fail(line, library.error());
   const std::uintmax_t bytes = std::filesystem::file_size(arguments.library);
@@ -190,7 +190,7 @@ void run_info(CommandLine& line, const InfoArguments& arguments) {
 }  // namespace
 
 void add_library_info(CLI::App& library, CommandLine& line) {
-  auto arguments = std::make_shared<InfoArguments>();
+  auto arguments = std::make_shared<LibraryInfoArguments>();
   CLI::App* command = library.add_subcommand("info", "say what a motion library holds");
   command->add_option("LIB", arguments->library, "library file")->required()->type_name("");
   command->add_flag("--json", arguments->json, "one JSON object on stdout");

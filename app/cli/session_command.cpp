@@ -17,7 +17,7 @@ namespace abrazo::app {
 
 namespace {
 
-struct InfoArguments {
+struct SessionInfoArguments {
   std::string session;
   bool json = false;
 };
@@ -173,7 +173,7 @@ std::string as_json(const About& about) {
   return json.end_array().end_object().take();
 }
 
-void run_info(CommandLine& line, const InfoArguments& arguments) {
+void run_info(CommandLine& line, const SessionInfoArguments& arguments) {
   const auto about = look_into(arguments.session);
   if (!about) return fail(line, about.error());
   if (arguments.json)
@@ -199,7 +199,7 @@ void add_session_command(CommandLine& line) {
   session->require_subcommand(1);
   CLI::App* info = session->add_subcommand(
       "info", "version, recordings, takes, annotations, and the files it stands on with where they are");
-  const auto arguments = std::make_shared<InfoArguments>();
+  const auto arguments = std::make_shared<SessionInfoArguments>();
   info->add_option("session", arguments->session, "session file")->required()->type_name("S.abrazo");
   info->add_flag("--json", arguments->json, "as one JSON object on stdout");
   info->callback([&line, arguments] { run_info(line, *arguments); });

@@ -1,13 +1,10 @@
 #include "app/workbench/comparison_words.hpp"
 
+#include "app/workbench/range_words.hpp"
 #include "widgets/compare/figure_rows.hpp"
 
 namespace abrazo::app {
 namespace {
-
-QString seconds(double time_s, int decimals = 1) {
-  return QString::number(time_s, 'f', decimals) + " s";
-}
 
 QString line(const Settings& own, const Settings& other) {
   return QString::fromStdString(widgets::settings_line(own, other));
@@ -22,7 +19,7 @@ widgets::CompareSides sides_of(const CompareSituation& now, double frozen_at_s, 
   sides.is_aside = now.is_aside;
   sides.origin_b = is_following ? (now.is_aside ? "tried aside" : "live") : "what if";
   if (now.frozen) {
-    sides.origin_a = now.is_aside ? "live, held" : "frozen at " + seconds(frozen_at_s);
+    sides.origin_a = now.is_aside ? "live, held" : "frozen at " + in_seconds(frozen_at_s, 1);
     sides.settings_a = line(*now.frozen, now.present);
     sides.settings_b = line(now.present, *now.frozen);
   } else if (!is_following && now.shown) {
@@ -46,17 +43,17 @@ QString note_of(const Comparison& comparison) {
   const double length_s = comparison.steps.back().time_s - comparison.steps.front().time_s;
   QString note =
       comparison.steps.size() == 1
-          ? QString("One step, from what the solver knew at %1.").arg(seconds(comparison.task.from_s, 2))
+          ? QString("One step, from what the solver knew at %1.").arg(in_seconds(comparison.task.from_s, 2))
           : QString("%1 steps over %2, from the same start at %3.")
                 .arg(comparison.steps.size())
-                .arg(seconds(length_s), seconds(comparison.task.from_s, 2));
+                .arg(in_seconds(length_s, 1), in_seconds(comparison.task.from_s, 2));
   if (comparison.task.goes_on)
     note = QString("The last %1 with these settings, %2 steps; the runs parted at %3.")
-               .arg(seconds(length_s))
+               .arg(in_seconds(length_s, 1))
                .arg(comparison.steps.size())
-               .arg(seconds(comparison.task.from_s));
+               .arg(in_seconds(comparison.task.from_s, 1));
   if (comparison.is_short) note += " It begins later than asked: older inputs are no longer kept.";
-  if (comparison.done) note += QString(" Solved in %1.").arg(seconds(comparison.solve_s, 2));
+  if (comparison.done) note += QString(" Solved in %1.").arg(in_seconds(comparison.solve_s, 2));
   return note;
 }
 

@@ -13,7 +13,7 @@ constexpr quint8 floating_flag = 2, all_flags = 3;
 
 constexpr int areas = 4, most_items = 64, deepest = 8;
 constexpr int farthest_px = 1 << 16;  // from the middle of the screens; no side is longer
-constexpr int longest_name = 100;
+constexpr int longest_dock_name = 100;
 
 /// Reads piece by piece; once something was wrong everything after it is.
 class DockStateReader {
@@ -89,7 +89,7 @@ class DockStateReader {
   }
   void readPanel() {
     const int bytes =
-        numberWithin(2, 2 * longest_name);  // before the name is read, which would take as much memory
+        numberWithin(2, 2 * longest_dock_name);  // before the name is read, which would take as much memory
     expect(m_isGood && bytes % 2 == 0 && m_stream.skipRawData(bytes) == bytes);
     const quint8 flags = mark();
     expect(flags <= all_flags);

@@ -9,6 +9,8 @@
 #include <QPushButton>
 #include <array>
 
+#include "app/workbench/range_words.hpp"
+
 namespace abrazo::app {
 namespace {
 
@@ -37,14 +39,6 @@ QString words_of(const QString& ending) {
   for (const TypeWords& type : type_words)
     if (ending == type.ending) return type.words;
   return ending;
-}
-
-QString seconds(double s) {
-  return QString::number(s, 'f', 2) + " s";
-}
-
-QString range_words(const QString& name, const Playback::Range& range) {
-  return QString("%1: %2 to %3").arg(name, seconds(range.from_s), seconds(range.to_s));
 }
 
 QString size_words(std::uint64_t bytes) {
@@ -183,7 +177,7 @@ void ExportDialog::sourceChanged() {
     for (const ExportOffer::Stretch& take : m_offer.takes)
       m_part->addItem(range_words("Take " + take.name, take.range), "take " + take.name);
   if (of_session && m_offer.cursor_s)
-    m_part->addItem("The frame shown now: " + seconds(*m_offer.cursor_s), "frame");
+    m_part->addItem("The frame shown now: " + in_seconds(*m_offer.cursor_s), "frame");
   choose(m_part, last);
   m_filling = false;
   settle();

@@ -8,6 +8,7 @@
 #include "app/workbench/main_window.hpp"
 #include "widgets/annotation/value_picker.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/common/utf8.hpp"
 #include "widgets/common/value_look.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 #include "widgets/timeline/transport_bar.hpp"
@@ -20,9 +21,7 @@ using widgets::ValuePicker;
 
 constexpr double same_s = 1e-6;
 
-QString text(const std::string& utf8) {
-  return QString::fromStdString(utf8);
-}
+using widgets::text;
 
 QString span_words(double from_s, double to_s) {
   return QString("%1 to %2 s").arg(from_s, 0, 'f', 2).arg(to_s, 0, 'f', 2);

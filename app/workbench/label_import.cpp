@@ -15,13 +15,12 @@
 #include "app/workbench/annotation_desk.hpp"
 #include "app/workbench/main_window.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/common/utf8.hpp"
 
 namespace abrazo::app {
 namespace {
 
-QString text(const std::string& utf8) {
-  return QString::fromStdString(utf8);
-}
+using widgets::text;
 
 QByteArray head_of(const QString& file) {
   QFile opened(file);

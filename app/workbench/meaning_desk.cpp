@@ -8,6 +8,7 @@
 #include "core/session/frame_in_library.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/common/utf8.hpp"
 #include "widgets/meaning/meaning_popup.hpp"
 #include "widgets/scene/scene_view.hpp"
 
@@ -20,9 +21,7 @@ constexpr int refresh_interval_ms = 300;
 constexpr double answered_within_s = 0.5;  // by then a frame has been solved under what was said
 const QPoint chip_place(12, 46);           // in the scene, below the choice of what colours the mesh
 
-QString text(const std::string& utf8) {
-  return QString::fromStdString(utf8);
-}
+using widgets::text;
 
 }  // namespace
 

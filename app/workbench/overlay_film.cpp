@@ -10,9 +10,9 @@ namespace abrazo::app {
 namespace {
 
 constexpr double plain_height = 540;  // of a picture whose lines are as thick as in the window
-constexpr double longest_gap_s = 0.5;
+constexpr double longest_film_gap_s = 0.5;
 constexpr double opening_share = 0.05;
-constexpr double edge_s = 1e-3;
+constexpr double film_edge_s = 1e-3;
 
 /// The pair at ascending times, between the two frames around each.
 class Moments {
@@ -21,10 +21,10 @@ class Moments {
 
   widgets::VideoOverlay overlay(const OverlayFilm& film, double time_s) {
     while (m_next && m_next->time_s <= time_s + 1e-9) m_now = std::exchange(m_next, m_frames.next());
-    if (!film.camera || !m_now || (!m_next && time_s > m_now->time_s + longest_gap_s)) return {};
+    if (!film.camera || !m_now || (!m_next && time_s > m_now->time_s + longest_film_gap_s)) return {};
     const double gap_s = m_next ? m_next->time_s - m_now->time_s : 0;
     const PairPose pose =
-        gap_s > 0 && gap_s < longest_gap_s
+        gap_s > 0 && gap_s < longest_film_gap_s
             ? widgets::between(m_now->result.result, m_next->result.result, (time_s - m_now->time_s) / gap_s)
             : m_now->result.result;
     return widgets::project_overlay(*film.camera, pose, m_now->result.edges, film.parts);
@@ -40,7 +40,7 @@ QImage image_of(const VideoFrame& picture) {
 }
 
 bool shows(const VideoFacts& facts, double video_s) {
-  return video_s > -edge_s && video_s < facts.duration_s() + edge_s;
+  return video_s > -film_edge_s && video_s < facts.duration_s() + film_edge_s;
 }
 
 }  // namespace

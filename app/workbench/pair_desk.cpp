@@ -15,6 +15,7 @@
 #include "core/library/motion_library_file.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/common/utf8.hpp"
 #include "widgets/library/take_list.hpp"
 #include "widgets/scene/scene_view.hpp"
 #include "widgets/settings/settings_panel.hpp"
@@ -24,9 +25,7 @@
 namespace abrazo::app {
 namespace {
 
-QString text(const std::string& utf8) {
-  return QString::fromStdString(utf8);
-}
+using widgets::text;
 
 std::vector<std::string> names_of(const MotionLibrary& library) {
   std::vector<std::string> names;

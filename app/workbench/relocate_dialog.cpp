@@ -15,7 +15,7 @@
 namespace abrazo::app {
 namespace {
 
-enum Column { File, For, Place };
+enum FileColumn { File, For, Place };
 
 QString name_of(const DataReference& reference) {
   return QFileInfo(QString::fromStdString(reference.absolute_path)).fileName();

@@ -8,19 +8,9 @@
 #include <QLabel>
 #include <QPushButton>
 
+#include "app/workbench/range_words.hpp"
+
 namespace abrazo::app {
-namespace {
-
-QString seconds(double s) {
-  return QString::number(s, 'f', 2) + " s";
-}
-
-QString span_words(const QString& name, const Playback::Range& range) {
-  return QString("%1: %2 to %3").arg(name, seconds(range.from_s), seconds(range.to_s));
-}
-
-}  // namespace
-
 RenderDialog::RenderDialog(QWidget* parent) : QDialog(parent) {
   setObjectName("renderRange");
   setWindowTitle("Render a range as video");
@@ -99,8 +89,8 @@ void RenderDialog::offer(const Playback& playback, const std::optional<Playback:
   m_whole = {playback.first_s, playback.last_s};
   m_range = range.value_or(m_whole);
   m_span->clear();
-  if (range && m_range != m_whole) m_span->addItem(span_words("In to out", m_range));
-  m_span->addItem(span_words("All there is", m_whole));
+  if (range && m_range != m_whole) m_span->addItem(range_words("In to out", m_range));
+  m_span->addItem(range_words("All there is", m_whole));
   m_size->clear();
   const QSize even(view.width() & ~1, view.height() & ~1);
   for (const QSize size : {QSize(1280, 720), QSize(1920, 1080), QSize(3840, 2160), even})
@@ -123,7 +113,7 @@ RangeRequest RenderDialog::request() const {
 void RenderDialog::estimate() {
   const FilmPlan plan = request().plan;
   m_estimate->setText(
-      QString("%1 pictures, %2 of film").arg(plan.pictures()).arg(seconds(plan.pictures() / plan.rate_hz)));
+      QString("%1 pictures, %2 of film").arg(plan.pictures()).arg(in_seconds(plan.pictures() / plan.rate_hz)));
   m_render->setEnabled(plan.pictures() > 1);
 }
 

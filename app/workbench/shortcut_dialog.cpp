@@ -15,7 +15,7 @@
 namespace abrazo::app {
 namespace {
 
-enum Column { Menu, Action, Keys, Usual };
+enum ShortcutColumn { Menu, Action, Keys, Usual };
 constexpr int id_role = Qt::UserRole;
 
 QString shown_keys(const std::vector<std::string>& keys) {

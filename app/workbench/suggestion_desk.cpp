@@ -11,6 +11,7 @@
 #include "widgets/annotation/suggestion_section.hpp"
 #include "widgets/annotation/value_picker.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/common/utf8.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 
 namespace abrazo::app {
@@ -18,9 +19,7 @@ namespace {
 
 using widgets::SuggestionSection;
 
-QString text(const std::string& utf8) {
-  return QString::fromStdString(utf8);
-}
+using widgets::text;
 
 /// The tier that suggestions of a kind go to; made when there is none.
 Result<int> tier_for(Annotations& annotations, TierKind kind) {

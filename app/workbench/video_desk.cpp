@@ -11,6 +11,7 @@
 #include "app/workbench/open_video.hpp"
 #include "app/workbench/panel_area.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/common/utf8.hpp"
 #include "widgets/video/overlay_section.hpp"
 #include "widgets/video/step_bar.hpp"
 #include "widgets/video/sync_section.hpp"
@@ -24,9 +25,7 @@ namespace {
 constexpr double longest_gap_s = 0.5;  // between two frames that poses are interpolated in
 constexpr double edge_s = 0.02;        // so far before and after what was recorded still counts as recorded
 
-QString text(const std::string& utf8) {
-  return QString::fromStdString(utf8);
-}
+using widgets::text;
 
 }  // namespace
 

@@ -11,17 +11,6 @@ namespace abrazo {
 
 namespace {
 
-/// Draws that are the same on every platform (the standard's distributions are not).
-class Draws {
- public:
-  explicit Draws(std::uint64_t seed) : engine_(seed) {}
-  double fraction() { return static_cast<double>(engine_() >> 11U) * 0x1.0p-53; }
-  int below(int count) { return std::min(count - 1, static_cast<int>(fraction() * count)); }
-
- private:
-  std::mt19937_64 engine_;
-};
-
 double square_sum(const std::vector<double>& weights) {
   return std::inner_product(weights.begin(), weights.end(), weights.begin(), 0.0);
 }
@@ -85,6 +74,17 @@ class DecisionForest::Grower {
   }
 
  private:
+  /// Draws that are the same on every platform (the standard's distributions are not).
+  class Draws {
+   public:
+    explicit Draws(std::uint64_t seed) : engine_(seed) {}
+    double fraction() { return static_cast<double>(engine_() >> 11U) * 0x1.0p-53; }
+    int below(int count) { return std::min(count - 1, static_cast<int>(fraction() * count)); }
+
+   private:
+    std::mt19937_64 engine_;
+  };
+
   struct Split {
     int feature = 0;
     float threshold = 0;

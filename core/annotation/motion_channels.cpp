@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "core/base/positions.hpp"
 #include "core/motion/joint_set.hpp"
 
 namespace abrazo {
@@ -17,9 +18,6 @@ constexpr double lead_lag_s = 0.25;      ///< between a movement and the answer 
 constexpr double speed_window_s = 0.10;  ///< speeds are differences over this time
 constexpr double longest_reach_m = 2.5;  ///< farther apart is the same
 
-Vec3 joint(const Pose& pose, int index) {
-  return pose.row(index).transpose();
-}
 double level_norm(const Vec3& v) {
   return std::hypot(v.x(), v.z());
 }
@@ -49,8 +47,8 @@ double speed(const std::vector<Pose>& poses, int joint_index, int frame, int rea
   const int last = static_cast<int>(poses.size()) - 1;
   const int from = std::max(0, frame - reach), to = std::min(last, frame + reach);
   if (from == to) return 0;
-  return (joint(poses[static_cast<std::size_t>(to)], joint_index) -
-          joint(poses[static_cast<std::size_t>(from)], joint_index))
+  return (joint_at(poses[static_cast<std::size_t>(to)], joint_index) -
+          joint_at(poses[static_cast<std::size_t>(from)], joint_index))
              .norm() *
          fps / (to - from);
 }
@@ -58,37 +56,37 @@ double speed(const std::vector<Pose>& poses, int joint_index, int frame, int rea
 double trunk_distance(const Vec3& point, const Pose& body) {
   double nearest = longest_reach_m;
   for (const int spine : {joints::Root, joints::LowerBack, joints::UpperBack, joints::Thorax})
-    nearest = std::min(nearest, (point - joint(body, spine)).norm());
+    nearest = std::min(nearest, (point - joint_at(body, spine)).norm());
   return nearest;
 }
 
 void add_side(Row& row, const Side& side, int frame, int reach, double fps, double facing) {
   const Pose& me = side.mine[static_cast<std::size_t>(frame)];
   const Pose& you = side.yours[static_cast<std::size_t>(frame)];
-  const Vec3 root = joint(me, joints::Root);
+  const Vec3 root = joint_at(me, joints::Root);
   const double heading = side.my_heading[static_cast<std::size_t>(frame)] * 2 * std::numbers::pi;
   const Vec3 forward(std::sin(heading), 0, std::cos(heading));
   row << std::abs(facing);
   for (const int hand : {joints::left_hand, joints::right_hand}) {
-    const Vec3 at = joint(me, hand);
+    const Vec3 at = joint_at(me, hand);
     row << back_distance(at, you);
-    row << std::min(longest_reach_m, (at - joint(you, joints::Head)).norm());
+    row << std::min(longest_reach_m, (at - joint_at(you, joints::Head)).norm());
     row << trunk_distance(at, you);
     row << (at - root).dot(forward);
-    row << at.y() - joint(me, joints::Head).y();
+    row << at.y() - joint_at(me, joints::Head).y();
     row << speed(side.mine, hand, frame, reach, fps);
   }
   double lowest = 10;
   for (const int foot : {joints::left_ankle, joints::right_ankle}) {
-    const Vec3 at = joint(me, foot);
+    const Vec3 at = joint_at(me, foot);
     row << at.y();
     row << trunk_distance(at, you);
     row << speed(side.mine, foot, frame, reach, fps);
     lowest = std::min(lowest, at.y());
   }
   row << root.y() - lowest;
-  row << joint(me, joints::Head).y() - lowest;
-  const Vec3 lean = joint(me, joints::Thorax) - root;
+  row << joint_at(me, joints::Head).y() - lowest;
+  const Vec3 lean = joint_at(me, joints::Thorax) - root;
   row << lean.dot(forward);
   row << lean.dot(forward.cross(Vec3::UnitY()));
   row << speed(side.mine, joints::Root, frame, reach, fps);
@@ -133,7 +131,7 @@ MotionChannels motion_channels(const CoupleMotion& motion, const CoupleGeometry&
   for (int f = 0; f < motion.size(); ++f) {
     const auto i = static_cast<std::size_t>(f);
     Row row(channels.values.row(f));
-    row << std::min(longest_reach_m, level_norm(joint(x[i], joints::Root) - joint(y[i], joints::Root)));
+    row << std::min(longest_reach_m, level_norm(joint_at(x[i], joints::Root) - joint_at(y[i], joints::Root)));
     row << std::abs(std::remainder(heading_x[i] - heading_y[i], 1.0));
     double nearest = far_m;
     for (const HandPair hands : hand_pairs) {
@@ -142,7 +140,7 @@ MotionChannels motion_channels(const CoupleMotion& motion, const CoupleGeometry&
       row << apart;
     }
     row << nearest;
-    row << std::min(longest_reach_m, (joint(x[i], joints::Head) - joint(y[i], joints::Head)).norm());
+    row << std::min(longest_reach_m, (joint_at(x[i], joints::Head) - joint_at(y[i], joints::Head)).norm());
     // n = heading - orb is 0 for the performer at whom the line begins when facing the other, 1/2 for the
     // other.
     const double face_x = std::remainder(channels.n_x[i] - (b_is_active ? 0.5 : 0), 1.0);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/annotation/segment_features.hpp"
+#include "core/base/positions.hpp"
 #include "core/motion/joint_set.hpp"
 
 namespace abrazo {
@@ -19,10 +20,6 @@ constexpr double exchanged = 0.3;      ///< [turns] of the line between the two
 constexpr double apart_m = 1.25;       ///< between the roots
 constexpr double strike_m_per_s = 4;   ///< a hand or foot as fast as this is remarked on
 constexpr double lead_worth_saying = 0.02;
-
-Vec3 joint(const Pose& pose, int index) {
-  return pose.row(index).transpose();
-}
 
 /// Words joined by "; ".
 class Remarks {
@@ -45,7 +42,7 @@ double share_of(int begin, int end, const Holds& holds) {
 double back_share(const std::vector<Pose>& mine, const std::vector<Pose>& yours, int hand, int begin,
                   int end) {
   return share_of(begin, end, [&](std::size_t f) {
-    return back_distance(joint(mine[f], hand), yours[f]) < hand_on_back_m;
+    return back_distance(joint_at(mine[f], hand), yours[f]) < hand_on_back_m;
   });
 }
 
@@ -101,7 +98,7 @@ Strike fastest(const std::vector<Pose>& poses, double fps, int begin, int end) {
   for (const auto& [index, words] : ends)
     for (int f = begin + 1; f < end; ++f) {
       const auto i = static_cast<std::size_t>(f);
-      const double speed = (joint(poses[i], index) - joint(poses[i - 1], index)).norm() * fps;
+      const double speed = (joint_at(poses[i], index) - joint_at(poses[i - 1], index)).norm() * fps;
       if (speed > best.speed) best = {speed, words};
     }
   return best;
@@ -115,7 +112,7 @@ std::string seen_geometry(const CoupleMotion& motion, const CoupleGeometry& geom
   say_holds(remarks, motion, begin, end);
   say_backs(remarks, motion, begin, end);
   const double apart = share_of(begin, end, [&](std::size_t f) {
-    const Vec3 line = joint(motion.a[f], joints::Root) - joint(motion.b[f], joints::Root);
+    const Vec3 line = joint_at(motion.a[f], joints::Root) - joint_at(motion.b[f], joints::Root);
     return std::hypot(line.x(), line.z()) > apart_m;
   });
   if (apart >= worth_saying)

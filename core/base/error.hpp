@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
+#include <string_view>
 
 namespace abrazo {
 
@@ -13,5 +15,8 @@ struct Error {
   /// "where: message", one line.
   std::string text() const;
 };
+
+/// Of a line of a text file, counted from 1.
+Error error_at_line(std::string_view where, std::size_t line, std::string message);
 
 }  // namespace abrazo

@@ -22,4 +22,11 @@ inline double percentile(std::vector<double> values, double fraction) {
   return *nth;
 }
 
+/// The middle value, the upper of two; there has to be one. The values are put into another order.
+inline double upper_median(std::vector<double>& values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 }  // namespace abrazo

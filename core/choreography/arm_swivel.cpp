@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/positions.hpp"
+#include "core/base/rotation.hpp"
 #include "core/choreography/limb_ik.hpp"
 #include "core/choreography/smooth_window.hpp"
 #include "core/motion/joint_set.hpp"
@@ -21,15 +23,11 @@ ArmJoints joints_of(Side side) {
                             : ArmJoints{right_shoulder, right_elbow, right_wrist, right_hand};
 }
 
-Vec3 joint(const Pose& pose, int index) {
-  return pose.row(index).transpose();
-}
-
 /// A direction normal to the limb in each frame that turns about the limb as little as possible, chest space.
 std::vector<Vec3> carried_normals(const std::vector<Vec3>& limbs, const Vec3& first) {
   std::vector<Vec3> normals = {(first - first.dot(limbs[0]) * limbs[0]).normalized()};
   for (std::size_t f = 1; f < limbs.size(); ++f) {
-    const Vec3 carried = Eigen::Quaterniond::FromTwoVectors(limbs[f - 1], limbs[f]) * normals.back();
+    const Vec3 carried = smallest_rotation(limbs[f - 1], limbs[f]) * normals.back();
     normals.push_back((carried - carried.dot(limbs[f]) * limbs[f]).normalized());
   }
   return normals;
@@ -39,12 +37,12 @@ void smooth_wrist(const DancerBody& body, const ArmJoints& arm, int half_width, 
   std::vector<Vec3> along;
   along.reserve(poses.size());
   for (const Pose& pose : poses)
-    along.emplace_back((joint(pose, arm.hand) - joint(pose, arm.wrist)) / body.hand);
+    along.emplace_back((joint_at(pose, arm.hand) - joint_at(pose, arm.wrist)) / body.hand);
   const std::vector<Vec3> smooth = hann_mean(along, half_width);
   for (std::size_t f = 0; f < poses.size(); ++f) {
     const Vec3 hand =
         smooth[f].norm() > 0.1 ? Vec3(body.hand * smooth[f].normalized()) : Vec3(body.hand * along[f]);
-    const Vec3 wrist = within_reach(joint(poses[f], arm.shoulder), joint(poses[f], arm.hand) - hand,
+    const Vec3 wrist = within_reach(joint_at(poses[f], arm.shoulder), joint_at(poses[f], arm.hand) - hand,
                                     body.upper_arm + body.forearm);
     poses[f].row(arm.wrist) = wrist.transpose();
     poses[f].row(arm.hand) = (wrist + hand).transpose();
@@ -63,9 +61,9 @@ void smooth_arm(const DancerBody& body, Side side, const std::vector<Turn>& ches
   std::vector<Vec3> limbs, elbows;
   for (std::size_t f = 0; f < poses.size(); ++f) {
     spaces.push_back(chests[f].matrix());
-    const Vec3 shoulder = joint(poses[f], arm.shoulder);
-    limbs.emplace_back(spaces[f].transpose() * (joint(poses[f], arm.wrist) - shoulder).normalized());
-    elbows.emplace_back(spaces[f].transpose() * (joint(poses[f], arm.elbow) - shoulder));
+    const Vec3 shoulder = joint_at(poses[f], arm.shoulder);
+    limbs.emplace_back(spaces[f].transpose() * (joint_at(poses[f], arm.wrist) - shoulder).normalized());
+    elbows.emplace_back(spaces[f].transpose() * (joint_at(poses[f], arm.elbow) - shoulder));
   }
   const std::vector<Vec3> normals = carried_normals(limbs, elbows[0]);
   std::vector<double> angles;
@@ -77,7 +75,7 @@ void smooth_arm(const DancerBody& body, Side side, const std::vector<Turn>& ches
   angles = hann_mean(angles, half_width);
   for (std::size_t f = 0; f < poses.size(); ++f) {
     const Vec3 aside = std::cos(angles[f]) * normals[f] + std::sin(angles[f]) * limbs[f].cross(normals[f]);
-    poses[f].row(arm.elbow) = middle_joint(joint(poses[f], arm.shoulder), joint(poses[f], arm.wrist),
+    poses[f].row(arm.elbow) = middle_joint(joint_at(poses[f], arm.shoulder), joint_at(poses[f], arm.wrist),
                                            body.upper_arm, body.forearm, spaces[f] * aside)
                                   .transpose();
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/positions.hpp"
 #include "core/choreography/couple_path.hpp"
 #include "core/choreography/smooth_window.hpp"
 #include "core/motion/joint_set.hpp"
@@ -19,10 +20,6 @@ constexpr double behind_toe_base = 0.025;   ///< where a foot carries: towards t
 // the legs half with it and half with the feet.
 constexpr double head_share = 0.068, trunk_share = 0.430, arms_share = 0.094, legs_share = 0.408;
 
-Vec3 level(const Vec3& v) {
-  return {v.x(), 0, v.z()};
-}
-
 /// 1 while the foot stands.
 std::vector<double> standing(const std::vector<FootPosture>& foot, double fps) {
   std::vector<double> stands;
@@ -35,7 +32,7 @@ std::vector<double> standing(const std::vector<FootPosture>& foot, double fps) {
 }
 
 Vec3 carrying_point(const FootPosture& foot) {
-  return level(foot.toe_base - behind_toe_base * forward_of(foot.yaw));
+  return along_floor(foot.toe_base - behind_toe_base * forward_of(foot.yaw));
 }
 
 /// Of the body, the legs drawn from the hips to the feet.
@@ -97,7 +94,7 @@ void balance_trunks(const DancerBody& body, const FeetTrack& feet, double fps, d
   // A trunk that moves by d moves the centre by d times the share that moves with it.
   constexpr double moving_share = head_share + trunk_share + arms_share + 0.64 * legs_share;
   for (std::size_t f = 0; f < trunks.size(); ++f)
-    trunks[f].root += share * (wanted[f] - level(centres[f])) / moving_share;
+    trunks[f].root += share * (wanted[f] - along_floor(centres[f])) / moving_share;
 }
 
 }  // namespace abrazo

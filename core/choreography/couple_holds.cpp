@@ -3,18 +3,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/positions.hpp"
 #include "core/choreography/limb_ik.hpp"
 #include "core/motion/joint_set.hpp"
 
 namespace abrazo {
 namespace {
 
-Vec3 joint(const Pose& pose, int index) {
-  return pose.row(index).transpose();
-}
-Vec3 level(const Vec3& v) {
-  return {v.x(), 0, v.z()};
-}
 int shoulder(Side side) {
   return side == Side::Left ? joints::left_shoulder : joints::right_shoulder;
 }
@@ -23,7 +18,7 @@ int shoulder(Side side) {
 /// forward.
 Vec3 beside(const PlacedDancer& dancer, Side side, const Vec3& share) {
   const Turn upright{.yaw = dancer.chest.yaw};
-  return joint(dancer.pose, joints::Root) +
+  return joint_at(dancer.pose, joints::Root) +
          dancer.body.height * (upright.matrix() * Vec3(sign_of(side) * share.x(), share.y(), share.z()));
 }
 /// Where an unheld hand is carried: it goes round with the steps.
@@ -41,11 +36,11 @@ Vec3 held_hand(const PlacedDancer& dancer, Side side) {
 /// Moved out of the dancer's trunk and head, without a kink: the nearer to the axis, the farther.
 /// @param share  of the way out that is gone
 Vec3 clear_of(const PlacedDancer& dancer, const Vec3& point, double share) {
-  const Vec3 head = joint(dancer.pose, joints::Head), root = joint(dancer.pose, joints::Root);
+  const Vec3 head = joint_at(dancer.pose, joints::Head), root = joint_at(dancer.pose, joints::Root);
   const double up = (point.y() - root.y()) / (head.y() - root.y());
-  const Vec3 axis = level(root + std::clamp(up, 0.0, 1.0) * (head - root));
+  const Vec3 axis = along_floor(root + std::clamp(up, 0.0, 1.0) * (head - root));
   const double fade = 1 - minimum_jerk((up - 1.05) / 0.3);
-  const Vec3 away = level(point) - axis;
+  const Vec3 away = along_floor(point) - axis;
   const double distance = away.norm(), radius = 0.15 * fade * share;
   if (distance < 1e-6) return point;
   return point + away * (std::hypot(distance, radius) / distance - 1);
@@ -55,7 +50,7 @@ Vec3 clear_of(const PlacedDancer& dancer, const Vec3& point, double share) {
 /// @param share  of the way to the front that is gone
 Vec3 in_front_of(const PlacedDancer& dancer, Side side, const Vec3& point, double share) {
   const Vec3 forward = dancer.chest.matrix() * Vec3::UnitZ();
-  const double ahead = (point - joint(dancer.pose, shoulder(side))).dot(forward);
+  const double ahead = (point - joint_at(dancer.pose, shoulder(side))).dot(forward);
   return point + share * 0.5 * (std::hypot(ahead, 0.08) - ahead) * forward;
 }
 
@@ -71,7 +66,7 @@ Vec3 meeting_place(const Grasp& one, const Grasp& two, Vec3 wanted, double raise
     for (const Grasp* grasp : {&one, &two}) {
       const DancerBody& body = grasp->dancer.body;
       const double arm = body.upper_arm + body.forearm + body.hand;
-      const Vec3 base = joint(grasp->dancer.pose, shoulder(grasp->side));
+      const Vec3 base = joint_at(grasp->dancer.pose, shoulder(grasp->side));
       // Softly from some 91 % of the arm on, so that nothing is left to the wrist's own limit.
       wanted = within_reach(base, wanted, 0.985 * arm);
       if (i < 3) wanted = clear_of(grasp->dancer, wanted, 1 - raised);
@@ -152,10 +147,10 @@ CoupleHolds::Controls CoupleHolds::controls(const SalsaPhrase& phrase, int half_
 
 CoupleHolds::Holds CoupleHolds::holds_at(double beat, const Controls& now, const PlacedDancer& leader,
                                          const PlacedDancer& follower) {
-  const Vec3 his_root = level(joint(leader.pose, joints::Root)),
-             her_root = level(joint(follower.pose, joints::Root));
-  const Vec3 her_head = level(joint(follower.pose, joints::Head)),
-             his_head = level(joint(leader.pose, joints::Head));
+  const Vec3 his_root = along_floor(joint_at(leader.pose, joints::Root)),
+             her_root = along_floor(joint_at(follower.pose, joints::Root));
+  const Vec3 her_head = along_floor(joint_at(follower.pose, joints::Head)),
+             his_head = along_floor(joint_at(leader.pose, joints::Head));
   Holds holds;
   holds.ahead = (her_root - his_root).normalized();
   const Vec3 left = Vec3::UnitY().cross(holds.ahead);
@@ -197,13 +192,13 @@ void CoupleHolds::place_arms(double beat, const PlacedDancer& leader, const Plac
   const Vec3 left = Vec3::UnitY().cross(holds.ahead);
   // On the way to her back his hand goes round her side.
   const Vec3 aside = -4 * now[RightClosed] * (1 - now[RightClosed]) * 0.14 * left;
-  const auto hers = [&](int index) { return joint(follower.pose, index); };
+  const auto hers = [&](int index) { return joint_at(follower.pose, index); };
   const Vec3 her_back = 0.35 * hers(joints::UpperBack) + 0.65 * hers(joints::Thorax) +
                         follower.chest.matrix() * Vec3(0.070 * h, 0, -0.035 * h);
   const Vec3 her_waist = 0.5 * (hers(joints::LowerBack) + hers(joints::UpperBack)) +
                          follower.chest.matrix() * Vec3(0.02 * h, 0, -0.07 * h);
   const Vec3 his_shoulder =
-      joint(leader.pose, joints::right_shoulder) + leader.chest.matrix() * Vec3(-0.045, -0.02, 0.045);
+      joint_at(leader.pose, joints::right_shoulder) + leader.chest.matrix() * Vec3(-0.045, -0.02, 0.045);
 
   const double over = now[LeftOverHer] + now[LeftOverHim];
   const auto place = [over](const PlacedDancer& dancer, Side side, const Vec3& hand, const Vec3& pointing) {

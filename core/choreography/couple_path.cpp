@@ -6,11 +6,13 @@
 #include <numbers>
 #include <utility>
 
+#include "core/base/units.hpp"
+
 namespace abrazo {
 namespace {
 
 constexpr int half_beats_per_phrase = 2 * beats_per_phrase;
-constexpr double full_turn = 2 * std::numbers::pi, degree = std::numbers::pi / 180;
+constexpr double full_turn = 2 * std::numbers::pi;
 
 /// A phrase's own value, reached from the previous phrase's over the three beats around the boundary.
 template <typename Member>
@@ -28,7 +30,7 @@ double ramp(double beat, double from, double to) {
 
 /// One turn to the left, made mostly on 5, 6, 7, and wound up a little before.
 double turn(double beat, double delay) {
-  return full_turn * ramp(beat, 2.7 + delay, 7.2 + delay) - 9 * degree * smooth_bump((beat - 1) / 3.5);
+  return full_turn * ramp(beat, 2.7 + delay, 7.2 + delay) - 9 * radians_per_degree * smooth_bump((beat - 1) / 3.5);
 }
 
 // How far she has turned to her left in a cross body lead, as a share of the couple's turn: she goes straight
@@ -81,17 +83,17 @@ CouplePath::Station CouplePath::station(const SalsaPhrase& phrase, double beat, 
     const double side = phrase.figure == WalkToHisLeft ? 1 : -1;
     const bool tandem = phrase.figure == WalkInTandem;
     const double opened = ramp(beat, -0.5, tandem ? 1.7 : 2.0) - ramp(beat, tandem ? 5.7 : 5.4, 7.7);
-    at[LeaderTurn] = tandem ? 0 : side * 80 * degree * opened;
-    at[FollowerTurn] = tandem ? 178 * degree * opened : -side * 80 * degree * opened;
+    at[LeaderTurn] = tandem ? 0 : side * 80 * radians_per_degree * opened;
+    at[FollowerTurn] = tandem ? 178 * radians_per_degree * opened : -side * 80 * radians_per_degree * opened;
     at[Distance] = std::lerp(distance, tandem ? 0.56 : 0.62, opened);
     centre += std::clamp((beat + 0.2) / 7.2, 0.0, 1.0) * walked(phrase);
   }
   if (phrase.figure == InAndOut) {
     const double in = ramp(beat, -0.3, 3.4) - ramp(beat, 4.0, 7.5);
-    const double swung = -104 * degree * in;
+    const double swung = -104 * radians_per_degree * in;
     at[Heading] += swung;
-    at[LeaderTurn] = 80 * degree * in;
-    at[FollowerTurn] = 288 * degree * in;
+    at[LeaderTurn] = 80 * radians_per_degree * in;
+    at[FollowerTurn] = 288 * radians_per_degree * in;
     at[Distance] = std::lerp(distance, 0.50, in);
     // He stays where he is.
     centre += 0.5 * at[Distance] * forward_of(swung) - 0.5 * distance * forward_of(0);

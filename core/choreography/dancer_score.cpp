@@ -5,12 +5,13 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/units.hpp"
+
 namespace abrazo {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr double toe_base_ahead = 0.050;  ///< of the spot, with the weight over the middle of the foot [m]
-constexpr double toe_out = 7 * degree;
+constexpr double toe_out = 7 * radians_per_degree;
 constexpr double swing_beats = 0.90;
 constexpr int controls_per_beat = 4;
 
@@ -185,10 +186,10 @@ DancerScore::Controls DancerScore::controls(const SalsaPhrase& phrase, double be
   // The hip goes forward with its foot, and back when it takes the weight.
   const double stride = std::clamp((left_foot - right_foot).dot(forward) / 0.32, -1.3, 1.3);
   const double sway = 2 * hip_weight - 1;
-  const double twist = hips * degree * (leads ? 13 : 12) * (0.5 * sway - 0.7 * stride);
+  const double twist = hips * radians_per_degree * (leads ? 13 : 12) * (0.5 * sway - 0.7 * stride);
   // The whole body turns a little away from the partner and back with every half of the basic.
   const double swing =
-      hips * degree * (leads ? 10 : -19) *
+      hips * radians_per_degree * (leads ? 10 : -19) *
       (std::sin(std::numbers::pi / 4 * (beat - 0.6)) + 0.8 * std::sin(std::numbers::pi / 2 * (beat - 0.9)));
   const double bounce = std::cos(2 * std::numbers::pi * (beat - 0.15));
   Controls values;
@@ -196,18 +197,18 @@ DancerScore::Controls DancerScore::controls(const SalsaPhrase& phrase, double be
   values[RootY] = body_.standing_root_height(0.935) + (leads ? 0.003 : 0.014) * hips * bounce;
   values[RootZ] = root.z();
   values[PelvisYaw] = at.heading + twist + swing;
-  values[PelvisPitch] = (leads ? 2 : 5) * degree + (leads ? 0.5 : 2.0) * degree * bounce + 0.5 * lean;
-  values[PelvisRoll] = sway * hips * degree * (leads ? 5.5 : 12);
+  values[PelvisPitch] = (leads ? 2 : 5) * radians_per_degree + (leads ? 0.5 : 2.0) * radians_per_degree * bounce + 0.5 * lean;
+  values[PelvisRoll] = sway * hips * radians_per_degree * (leads ? 5.5 : 12);
   values[ChestYaw] = at.heading - 0.8 * twist + 0.6 * swing;
   // His right arm reaches round her.
-  if (leads && phrase.figure == SalsaFigure::ClosedBasic) values[ChestYaw] += 9 * degree;
+  if (leads && phrase.figure == SalsaFigure::ClosedBasic) values[ChestYaw] += 9 * radians_per_degree;
   values[ChestPitch] =
-      (leads ? 4 : 2) * degree - (leads ? 0.5 : 2.0) * degree * bounce + lean - 4 * degree * carried_forward;
-  values[ChestRoll] = -6 * degree * sway * hips - 1.5 * degree;
-  values[HeadPitch] = (leads ? 9 : 2) * degree + 3 * degree * std::sin(0.9 * beat);
+      (leads ? 4 : 2) * radians_per_degree - (leads ? 0.5 : 2.0) * radians_per_degree * bounce + lean - 4 * radians_per_degree * carried_forward;
+  values[ChestRoll] = -6 * radians_per_degree * sway * hips - 1.5 * radians_per_degree;
+  values[HeadPitch] = (leads ? 9 : 2) * radians_per_degree + 3 * radians_per_degree * std::sin(0.9 * beat);
   // Heel of the foot that is left behind without weight.
-  values[LeftHeel] = (1 - weight) * 27 * degree;
-  values[RightHeel] = weight * 27 * degree;
+  values[LeftHeel] = (1 - weight) * 27 * radians_per_degree;
+  values[RightHeel] = weight * 27 * radians_per_degree;
   return values;
 }
 
@@ -225,7 +226,7 @@ TrunkPosture DancerScore::trunk(double beat, double gaze_yaw) const {
   trunk.chest = {now[ChestYaw], now[ChestPitch], now[ChestRoll]};
   // The head turns to the partner as far as a neck does, and comes about with the body when turned away.
   const double aside = std::sin(gaze_yaw - trunk.chest.yaw);
-  trunk.head = {trunk.chest.yaw + 50 * degree * aside, now[HeadPitch], 0.4 * now[ChestRoll]};
+  trunk.head = {trunk.chest.yaw + 50 * radians_per_degree * aside, now[HeadPitch], 0.4 * now[ChestRoll]};
   return trunk;
 }
 

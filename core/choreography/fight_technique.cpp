@@ -3,10 +3,11 @@
 #include <array>
 #include <numbers>
 
+#include "core/base/units.hpp"
+
 namespace abrazo {
 namespace {
 
-constexpr double degree = std::numbers::pi / 180;
 
 /// How often a technique is met by this defence.
 struct Choice {
@@ -38,8 +39,8 @@ Defence draw_defence(Technique against, RandomSource& random) {
 
 TechniqueForm jab() {
   TechniqueForm form{.limb = Side::Left, .hips = TrunkOffsets::Zero(), .shoulders = TrunkOffsets::Zero()};
-  form.hips[Forward] = 0.07, form.hips[PelvisYaw] = -5 * degree, form.hips[RightHeel] = 8 * degree;
-  form.shoulders[ChestYaw] = -14 * degree, form.shoulders[ChestLean] = 4 * degree;
+  form.hips[Forward] = 0.07, form.hips[PelvisYaw] = -5 * radians_per_degree, form.hips[RightHeel] = 8 * radians_per_degree;
+  form.shoulders[ChestYaw] = -14 * radians_per_degree, form.shoulders[ChestLean] = 4 * radians_per_degree;
   form.lead_s = 0.13, form.recovery_s = 0.30;
   form.speed_low = 5.4, form.speed_high = 6.3;
   return form;
@@ -47,47 +48,47 @@ TechniqueForm jab() {
 
 TechniqueForm cross() {
   TechniqueForm form{.limb = Side::Right, .hips = TrunkOffsets::Zero(), .shoulders = TrunkOffsets::Zero()};
-  form.hips[Forward] = 0.09, form.hips[Leftward] = 0.02, form.hips[PelvisYaw] = 42 * degree;
-  form.hips[RightHeel] = 16 * degree;
-  form.shoulders[ChestYaw] = 70 * degree, form.shoulders[ChestLean] = 6 * degree;
+  form.hips[Forward] = 0.09, form.hips[Leftward] = 0.02, form.hips[PelvisYaw] = 42 * radians_per_degree;
+  form.hips[RightHeel] = 16 * radians_per_degree;
+  form.shoulders[ChestYaw] = 70 * radians_per_degree, form.shoulders[ChestLean] = 6 * radians_per_degree;
   form.lead_s = 0.14, form.recovery_s = 0.36;
   form.speed_low = 6.8, form.speed_high = 7.8;
-  form.pivot = Side::Right, form.pivot_yaw = 38 * degree;
+  form.pivot = Side::Right, form.pivot_yaw = 38 * radians_per_degree;
   return form;
 }
 
 TechniqueForm hook() {
   TechniqueForm form{.limb = Side::Left, .hips = TrunkOffsets::Zero(), .shoulders = TrunkOffsets::Zero()};
-  form.hips[Forward] = 0.05, form.hips[PelvisYaw] = -22 * degree, form.hips[LeftHeel] = 14 * degree;
-  form.shoulders[ChestYaw] = -34 * degree, form.shoulders[ChestLean] = 2 * degree;
+  form.hips[Forward] = 0.05, form.hips[PelvisYaw] = -22 * radians_per_degree, form.hips[LeftHeel] = 14 * radians_per_degree;
+  form.shoulders[ChestYaw] = -34 * radians_per_degree, form.shoulders[ChestLean] = 2 * radians_per_degree;
   form.lead_s = 0.24, form.recovery_s = 0.38;
   form.speed_low = 5.4, form.speed_high = 6.4;
   form.stretch = 0.80;
-  form.pivot = Side::Left, form.pivot_yaw = -34 * degree;
+  form.pivot = Side::Left, form.pivot_yaw = -34 * radians_per_degree;
   return form;
 }
 
 TechniqueForm front_kick() {
   TechniqueForm form{.limb = Side::Right, .hips = TrunkOffsets::Zero(), .shoulders = TrunkOffsets::Zero()};
   form.hips[Forward] = 0.16, form.hips[Leftward] = 0.06, form.hips[Upward] = 0.03;
-  form.hips[PelvisYaw] = 34 * degree, form.hips[PelvisLean] = -14 * degree;
-  form.shoulders[ChestYaw] = 26 * degree, form.shoulders[ChestLean] = -22 * degree;
-  form.shoulders[HeadLean] = -6 * degree;
+  form.hips[PelvisYaw] = 34 * radians_per_degree, form.hips[PelvisLean] = -14 * radians_per_degree;
+  form.shoulders[ChestYaw] = 26 * radians_per_degree, form.shoulders[ChestLean] = -22 * radians_per_degree;
+  form.shoulders[HeadLean] = -6 * radians_per_degree;
   form.lead_s = 0.16, form.recovery_s = 0.32;
   form.speed_low = 4.6, form.speed_high = 5.8;
-  form.pivot = Side::Left, form.pivot_yaw = 18 * degree;
+  form.pivot = Side::Left, form.pivot_yaw = 18 * radians_per_degree;
   return form;
 }
 
 TechniqueForm round_kick() {
   TechniqueForm form{.limb = Side::Right, .hips = TrunkOffsets::Zero(), .shoulders = TrunkOffsets::Zero()};
   form.hips[Forward] = 0.17, form.hips[Leftward] = 0.05, form.hips[Upward] = 0.02;
-  form.hips[PelvisYaw] = 98 * degree, form.hips[PelvisLean] = -24 * degree;
-  form.shoulders[ChestYaw] = 74 * degree, form.shoulders[ChestLean] = -26 * degree;
-  form.shoulders[ChestTilt] = 10 * degree, form.shoulders[HeadLean] = -4 * degree;
+  form.hips[PelvisYaw] = 98 * radians_per_degree, form.hips[PelvisLean] = -24 * radians_per_degree;
+  form.shoulders[ChestYaw] = 74 * radians_per_degree, form.shoulders[ChestLean] = -26 * radians_per_degree;
+  form.shoulders[ChestTilt] = 10 * radians_per_degree, form.shoulders[HeadLean] = -4 * radians_per_degree;
   form.lead_s = 0.16, form.recovery_s = 0.34;
   form.speed_low = 5.5, form.speed_high = 6.4;
-  form.pivot = Side::Left, form.pivot_yaw = 72 * degree;
+  form.pivot = Side::Left, form.pivot_yaw = 72 * radians_per_degree;
   return form;
 }
 
@@ -134,41 +135,41 @@ TrunkOffsets trunk_of(Defence defence, Technique against) {
   switch (defence) {
     case Defence::Slip:
       trunk[Leftward] = outside * 0.07, trunk[Upward] = -0.04;
-      trunk[PelvisTilt] = outside * 9 * degree, trunk[ChestTilt] = outside * 23 * degree;
-      trunk[PelvisYaw] = outside * 8 * degree, trunk[ChestYaw] = outside * 20 * degree;
-      trunk[ChestLean] = 7 * degree;
+      trunk[PelvisTilt] = outside * 9 * radians_per_degree, trunk[ChestTilt] = outside * 23 * radians_per_degree;
+      trunk[PelvisYaw] = outside * 8 * radians_per_degree, trunk[ChestYaw] = outside * 20 * radians_per_degree;
+      trunk[ChestLean] = 7 * radians_per_degree;
       break;
     case Defence::Duck:
       trunk[Upward] = -0.25, trunk[Forward] = -0.11, trunk[Leftward] = 0.08;
-      trunk[PelvisLean] = 16 * degree, trunk[ChestLean] = 27 * degree, trunk[HeadLean] = 4 * degree;
-      trunk[ChestTilt] = 6 * degree;
+      trunk[PelvisLean] = 16 * radians_per_degree, trunk[ChestLean] = 27 * radians_per_degree, trunk[HeadLean] = 4 * radians_per_degree;
+      trunk[ChestTilt] = 6 * radians_per_degree;
       break;
     case Defence::LeanBack:
       trunk[Forward] = -0.13, trunk[Upward] = -0.03;
-      trunk[PelvisLean] = -10 * degree, trunk[ChestLean] = -32 * degree, trunk[HeadLean] = -10 * degree;
-      trunk[ChestYaw] = -10 * degree, trunk[LeftHeel] = 6 * degree;
+      trunk[PelvisLean] = -10 * radians_per_degree, trunk[ChestLean] = -32 * radians_per_degree, trunk[HeadLean] = -10 * radians_per_degree;
+      trunk[ChestYaw] = -10 * radians_per_degree, trunk[LeftHeel] = 6 * radians_per_degree;
       break;
     case Defence::StepBack:
-      trunk[Forward] = -0.05, trunk[ChestLean] = 9 * degree, trunk[PelvisLean] = 6 * degree;
+      trunk[Forward] = -0.05, trunk[ChestLean] = 9 * radians_per_degree, trunk[PelvisLean] = 6 * radians_per_degree;
       break;
     case Defence::Parry:
-      trunk[ChestYaw] = 12 * degree, trunk[Forward] = -0.02;
+      trunk[ChestYaw] = 12 * radians_per_degree, trunk[Forward] = -0.02;
       break;
     case Defence::HighGuard:
-      trunk[Upward] = -0.04, trunk[ChestLean] = 5 * degree, trunk[HeadLean] = 5 * degree;
-      trunk[ChestYaw] = against == Technique::Hook ? 10 * degree : -4 * degree;
+      trunk[Upward] = -0.04, trunk[ChestLean] = 5 * radians_per_degree, trunk[HeadLean] = 5 * radians_per_degree;
+      trunk[ChestYaw] = against == Technique::Hook ? 10 * radians_per_degree : -4 * radians_per_degree;
       break;
     case Defence::ParryDown:
-      trunk[Forward] = -0.05, trunk[Upward] = -0.04, trunk[ChestLean] = 7 * degree;
-      trunk[ChestYaw] = -8 * degree;
+      trunk[Forward] = -0.05, trunk[Upward] = -0.04, trunk[ChestLean] = 7 * radians_per_degree;
+      trunk[ChestYaw] = -8 * radians_per_degree;
       break;
     case Defence::ShinCheck:
       // All the weight on the rear leg.
-      trunk[Forward] = -0.24, trunk[Leftward] = -0.11, trunk[PelvisYaw] = 10 * degree;
-      trunk[ChestYaw] = 12 * degree, trunk[ChestLean] = -8 * degree, trunk[RightHeel] = -14 * degree;
+      trunk[Forward] = -0.24, trunk[Leftward] = -0.11, trunk[PelvisYaw] = 10 * radians_per_degree;
+      trunk[ChestYaw] = 12 * radians_per_degree, trunk[ChestLean] = -8 * radians_per_degree, trunk[RightHeel] = -14 * radians_per_degree;
       break;
     case Defence::ArmCheck:
-      trunk[Upward] = -0.03, trunk[ChestTilt] = 7 * degree, trunk[ChestYaw] = 16 * degree;
+      trunk[Upward] = -0.03, trunk[ChestTilt] = 7 * radians_per_degree, trunk[ChestYaw] = 16 * radians_per_degree;
       trunk[Forward] = -0.02;
       break;
   }

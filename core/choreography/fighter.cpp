@@ -6,6 +6,8 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "core/base/positions.hpp"
+#include "core/base/units.hpp"
 #include "core/motion/joint_set.hpp"
 
 namespace abrazo {
@@ -13,7 +15,6 @@ namespace {
 
 using namespace joints;
 
-constexpr double degree = std::numbers::pi / 180;
 constexpr double idle_spacing = 0.45;     ///< [s]
 constexpr double lowered_spacing = 0.02;  ///< [s]
 constexpr double longest_leg = 0.975;     ///< of a standing leg, of its length
@@ -23,9 +24,6 @@ constexpr double shortest_step = 0.24;  ///< [s]
 
 enum IdleChannel { SwayForward, SwayLeft, IdleLean, IdleTilt, IdleYaw, IdleHead, LeftHandX, RightHandX = 9 };
 
-Vec3 row(const Pose& pose, int joint) {
-  return pose.row(joint).transpose();
-}
 Vec3 blend(const Vec3& from, const Vec3& to, double share) {
   return from + share * (to - from);
 }
@@ -53,10 +51,10 @@ SmoothTrack<Value> drift(double seconds, const Value& scale, RandomSource& rando
 
 TrunkOffsets guard_stance() {
   TrunkOffsets guard = TrunkOffsets::Zero();
-  guard[PelvisYaw] = -28 * degree, guard[PelvisLean] = 7 * degree;
-  guard[ChestYaw] = -36 * degree, guard[ChestLean] = 14 * degree;
-  guard[HeadLean] = 14 * degree;
-  guard[LeftHeel] = 5 * degree, guard[RightHeel] = 22 * degree;
+  guard[PelvisYaw] = -28 * radians_per_degree, guard[PelvisLean] = 7 * radians_per_degree;
+  guard[ChestYaw] = -36 * radians_per_degree, guard[ChestLean] = 14 * radians_per_degree;
+  guard[HeadLean] = 14 * radians_per_degree;
+  guard[LeftHeel] = 5 * radians_per_degree, guard[RightHeel] = 22 * radians_per_degree;
   return guard;
 }
 
@@ -93,7 +91,7 @@ Vec3 Fighter::stance_place(const Spot& spot, Side side) const {
 }
 
 double Fighter::stance_yaw(Side side) const {
-  return (side == Side::Left ? -8 : -48) * degree;
+  return (side == Side::Left ? -8 : -48) * radians_per_degree;
 }
 
 double Fighter::free_from(Side side) const {
@@ -174,7 +172,7 @@ TrunkOffsets Fighter::offsets(double time) const {
   // Bouncing on the balls of the feet: the heels give as the knees do.
   const double bounce = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * bounce_hz_ * time + bounce_phase_);
   sum[Upward] -= 0.014 * performance_.amplitude * body_.height / 1.75 * bounce;
-  sum[LeftHeel] += 5 * degree * (1 - bounce), sum[RightHeel] += 5 * degree * (1 - bounce);
+  sum[LeftHeel] += 5 * radians_per_degree * (1 - bounce), sum[RightHeel] += 5 * radians_per_degree * (1 - bounce);
   return sum;
 }
 
@@ -216,7 +214,7 @@ double Fighter::overstretch(double time) const {
   for (const Side side : {Side::Left, Side::Right}) {
     if (airborne(side, time)) continue;
     const Vec3 leg =
-        row(pose, side == Side::Left ? left_hip : right_hip) - ankle_position(body_, foot(side, time, now));
+        joint_at(pose, side == Side::Left ? left_hip : right_hip) - ankle_position(body_, foot(side, time, now));
     const double across = std::hypot(leg.x(), leg.z()), reach = longest_leg * body_.leg();
     most = std::max(most, leg.y() - std::sqrt(std::max(0.0, reach * reach - across * across)));
   }
@@ -268,7 +266,7 @@ void Fighter::place_leg(Side side, double time, const TrunkOffsets& offsets, Pla
   if (move == moves.end()) return abrazo::place_leg(body_, side, standing, pelvis_yaw, placed.pose);
   const Eigen::Matrix3d pelvis = placed.posture.pelvis.matrix();
   const double drawn = move->chamber.at(time), struck = move->strike.at(time);
-  const Vec3 hip = row(placed.pose, side == Side::Left ? left_hip : right_hip);
+  const Vec3 hip = joint_at(placed.pose, side == Side::Left ? left_hip : right_hip);
   LiftedFoot lifted{.hinge = pelvis * move->hinge, .pointed = move->pointed, .share = drawn};
   lifted.ankle = blend(ankle_position(body_, standing), hip + pelvis * move->drawn_up, drawn);
   lifted.ankle = blend(lifted.ankle, move->target, struck) + swing(struck) * move->arc +
@@ -281,7 +279,7 @@ Vec3 Fighter::guard_hand(Side side, const PlacedTrunk& trunk, double heading) co
   const Vec3 place = side == Side::Left ? Vec3(0.085, 0.075, 0.37) : Vec3(-0.085, 0.085, 0.21);
   // The guard goes along with a turn of the shoulders, by half.
   const double yaw = heading + 0.5 * (trunk.posture.chest.yaw - heading - guard_stance()[ChestYaw]);
-  return row(trunk.pose, LowerNeck) + arm * (Turn{.yaw = yaw}.matrix() * place);
+  return joint_at(trunk.pose, LowerNeck) + arm * (Turn{.yaw = yaw}.matrix() * place);
 }
 
 void Fighter::place_arm(Side side, double time, PlacedTrunk& placed) const {

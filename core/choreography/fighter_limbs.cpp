@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/positions.hpp"
 #include "core/choreography/limb_ik.hpp"
 #include "core/choreography/smooth_track.hpp"
 #include "core/motion/joint_set.hpp"
@@ -11,10 +12,6 @@ namespace abrazo {
 namespace {
 
 using namespace joints;
-
-Vec3 row(const Pose& pose, int joint) {
-  return pose.row(joint).transpose();
-}
 
 /// Drawn towards the base where a limb would be longer than it is.
 Vec3 not_beyond(const Vec3& base, const Vec3& end, double length) {
@@ -39,7 +36,7 @@ void place_fist(const DancerBody& body, Side side, const Vec3& hand, const Vec3&
                 Pose& pose) {
   const bool left = side == Side::Left;
   const double straight = body.forearm + body.hand;
-  const Vec3 shoulder = row(pose, left ? left_shoulder : right_shoulder);
+  const Vec3 shoulder = joint_at(pose, left ? left_shoulder : right_shoulder);
   const Vec3 fist = within_reach(shoulder, hand, body.upper_arm + straight);
   const Vec3 pole = chest.matrix() * Vec3(sign_of(side) * elbow.x(), elbow.y(), elbow.z());
   const Vec3 bend = middle_joint(shoulder, fist, body.upper_arm, straight, pole);
@@ -51,7 +48,7 @@ void place_fist(const DancerBody& body, Side side, const Vec3& hand, const Vec3&
 void place_lifted_leg(const DancerBody& body, Side side, const FootPosture& standing, double pelvis_yaw,
                       const LiftedFoot& lifted, Pose& pose) {
   const bool left = side == Side::Left;
-  const Vec3 hip = row(pose, left ? left_hip : right_hip);
+  const Vec3 hip = joint_at(pose, left ? left_hip : right_hip);
   // A foot just lifted may be a little further away than a striking one may be.
   const Vec3 reached = within_reach(hip, lifted.ankle, body.leg());
   const double freely = minimum_jerk(3 * lifted.share);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/positions.hpp"
 #include "core/choreography/limb_ik.hpp"
 #include "core/choreography/smooth_track.hpp"
 #include "core/motion/joint_set.hpp"
@@ -17,10 +18,6 @@ Vec3 mirrored_to(Side side, const Vec3& left) {
 Turn between(const Turn& a, const Turn& b, double share) {
   return {std::lerp(a.yaw, b.yaw, share), std::lerp(a.pitch, b.pitch, share),
           std::lerp(a.roll, b.roll, share)};
-}
-
-Vec3 row(const Pose& pose, int joint) {
-  return pose.row(joint).transpose();
 }
 
 Vec3 facing(double yaw) {
@@ -53,13 +50,13 @@ void place_trunk(const DancerBody& body, const TrunkPosture& trunk, Pose& pose) 
   place(right_hip, trunk.root + pelvis * mirrored_to(Side::Right, body.left_hip));
   const auto up = [](const Turn& turn, double length) -> Vec3 { return turn.matrix() * Vec3(0, length, 0); };
   place(LowerBack, trunk.root + up(between(trunk.pelvis, trunk.chest, 0.2), body.spine[0]));
-  place(UpperBack, row(pose, LowerBack) + up(between(trunk.pelvis, trunk.chest, 0.6), body.spine[1]));
-  place(Thorax, row(pose, UpperBack) + up(trunk.chest, body.spine[2]));
-  place(LowerNeck, row(pose, Thorax) + up(trunk.chest, body.neck[0]));
-  place(UpperNeck, row(pose, LowerNeck) + up(between(trunk.chest, trunk.head, 0.5), body.neck[1]));
-  place(Head, row(pose, UpperNeck) + up(trunk.head, body.neck[2]));
-  place(left_shoulder, row(pose, Thorax) + chest * mirrored_to(Side::Left, body.left_shoulder));
-  place(right_shoulder, row(pose, Thorax) + chest * mirrored_to(Side::Right, body.left_shoulder));
+  place(UpperBack, joint_at(pose, LowerBack) + up(between(trunk.pelvis, trunk.chest, 0.6), body.spine[1]));
+  place(Thorax, joint_at(pose, UpperBack) + up(trunk.chest, body.spine[2]));
+  place(LowerNeck, joint_at(pose, Thorax) + up(trunk.chest, body.neck[0]));
+  place(UpperNeck, joint_at(pose, LowerNeck) + up(between(trunk.chest, trunk.head, 0.5), body.neck[1]));
+  place(Head, joint_at(pose, UpperNeck) + up(trunk.head, body.neck[2]));
+  place(left_shoulder, joint_at(pose, Thorax) + chest * mirrored_to(Side::Left, body.left_shoulder));
+  place(right_shoulder, joint_at(pose, Thorax) + chest * mirrored_to(Side::Right, body.left_shoulder));
 }
 
 Vec3 ankle_position(const DancerBody& body, const FootPosture& foot) {
@@ -70,7 +67,7 @@ Vec3 ankle_position(const DancerBody& body, const FootPosture& foot) {
 void place_leg(const DancerBody& body, Side side, const FootPosture& foot, double pelvis_yaw, Pose& pose) {
   using namespace joints;
   const bool left = side == Side::Left;
-  const Vec3 hip = row(pose, left ? left_hip : right_hip), ankle = ankle_position(body, foot);
+  const Vec3 hip = joint_at(pose, left ? left_hip : right_hip), ankle = ankle_position(body, foot);
   const Vec3 pole = facing(0.5 * (pelvis_yaw + foot.yaw));
   const Vec3 toe_tip = foot.toe_base + Turn{foot.yaw, foot.toe_pitch, 0}.matrix() * Vec3(0, 0, body.toes);
   pose.row(left ? left_knee : right_knee) =
@@ -83,7 +80,7 @@ void place_leg(const DancerBody& body, Side side, const FootPosture& foot, doubl
 void place_arm(const DancerBody& body, Side side, const HandTarget& target, const Turn& chest, Pose& pose) {
   using namespace joints;
   const bool left = side == Side::Left;
-  const Vec3 shoulder = row(pose, left ? left_shoulder : right_shoulder);
+  const Vec3 shoulder = joint_at(pose, left ? left_shoulder : right_shoulder);
   const Vec3 pole = chest.matrix() * elbow_pole(side, target.hand.y() - shoulder.y());
   // First with a straight wrist, to know where the forearm points; then the wrist is bent towards `pointing`.
   const double straight = body.forearm + body.hand;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/base/positions.hpp"
 #include "core/choreography/strike_reach.hpp"
 #include "core/motion/joint_set.hpp"
 
@@ -11,10 +12,6 @@ namespace {
 using namespace joints;
 
 constexpr double thickness = 0.050;  ///< of a fist and a forearm, or two shins, between their axes [m]
-
-Vec3 row(const Pose& pose, int joint) {
-  return pose.row(joint).transpose();
-}
 
 /// What the limbs of both are directed by at the moment of a blow.
 struct Encounter {
@@ -40,8 +37,8 @@ struct Encounter {
 
   Vec3 base() const {
     const bool is_left = form.limb == Side::Left;
-    if (is_kick(blow.attack.technique)) return row(striking.pose, is_left ? left_hip : right_hip);
-    return row(striking.pose, is_left ? left_shoulder : right_shoulder);
+    if (is_kick(blow.attack.technique)) return joint_at(striking.pose, is_left ? left_hip : right_hip);
+    return joint_at(striking.pose, is_left ? left_shoulder : right_shoulder);
   }
   Vec3 aim() const {
     return aim_at(defender, blow.aimed_at, blow.attack, highest_strike(attacker, blow.attack.technique));
@@ -65,8 +62,8 @@ Vec3 at_forearm(const Encounter& e, const Meeting& meeting, double share, const 
   Pose pose = e.defending.pose;
   place_fist(e.defender.body(), meeting.side, meeting.hand, meeting.elbow, e.defending.posture.chest, pose);
   const bool is_left = meeting.side == Side::Left;
-  const Vec3 elbow = row(pose, is_left ? left_elbow : right_elbow),
-             fist = row(pose, is_left ? left_hand : right_hand);
+  const Vec3 elbow = joint_at(pose, is_left ? left_elbow : right_elbow),
+             fist = joint_at(pose, is_left ? left_hand : right_hand);
   const Vec3 along = (fist - elbow).normalized();
   const Vec3 across = incoming - incoming.dot(along) * along;
   return elbow + share * (fist - elbow) + thickness * across.normalized();
@@ -74,7 +71,7 @@ Vec3 at_forearm(const Encounter& e, const Meeting& meeting, double share, const 
 
 Meeting parry(const Encounter& e) {
   // Against a left fist the right hand, from outside; it pushes the blow past the other shoulder.
-  const Vec3 head = row(e.defending.pose, Head);
+  const Vec3 head = joint_at(e.defending.pose, Head);
   const double outside = e.form.limb == Side::Left ? -1 : 1;
   Meeting meeting{.side = e.form.limb == Side::Left ? Side::Right : Side::Left, .elbow = {0.45, -0.85, 0.1}};
   meeting.blow =
@@ -85,7 +82,7 @@ Meeting parry(const Encounter& e) {
 }
 
 Meeting high_guard(const Encounter& e) {
-  const Vec3 head = row(e.defending.pose, Head);
+  const Vec3 head = joint_at(e.defending.pose, Head);
   const double size = e.defender.body().height / 1.75;
   const bool hook = e.blow.attack.technique == Technique::Hook;
   const double outside = e.form.limb == Side::Left ? -1 : 1;
@@ -103,7 +100,7 @@ Meeting high_guard(const Encounter& e) {
 
 Meeting parry_down(const Encounter& e) {
   const double size = e.defender.body().height / 1.75;
-  const Vec3 belly = row(e.defending.pose, LowerBack) + 0.06 * e.towards;
+  const Vec3 belly = joint_at(e.defending.pose, LowerBack) + 0.06 * e.towards;
   Meeting meeting{.side = Side::Left, .elbow = {0.9, -0.15, -0.5}};
   meeting.blow = belly + size * 0.30 * e.towards;
   meeting.hand = meeting.blow + 0.035 * Vec3::UnitY() - 0.035 * e.defender_left - 0.02 * e.towards;
@@ -115,7 +112,7 @@ Meeting arm_check(const Encounter& e) {
   const double size = e.defender.body().height / 1.75;
   Meeting meeting{.side = Side::Left, .elbow = {0.25, -0.95, 0.15}};
   meeting.hand =
-      row(e.defending.pose, Head) + size * (0.13 * e.defender_left + 0.15 * e.towards - 0.03 * Vec3::UnitY());
+      joint_at(e.defending.pose, Head) + size * (0.13 * e.defender_left + 0.15 * e.towards - 0.03 * Vec3::UnitY());
   meeting.blow = at_forearm(e, meeting, 0.30, e.defender_left + 0.5 * e.towards);
   meeting.rebound = 0.10 * e.defender_left + 0.05 * e.towards;
   return meeting;
@@ -124,7 +121,7 @@ Meeting arm_check(const Encounter& e) {
 /// Where the kick ends at the raised shin.
 Vec3 at_shin(const Encounter& e) {
   const Pose pose = e.defender.pose(e.blow.impact);
-  const Vec3 knee = row(pose, left_knee), ankle = row(pose, left_ankle);
+  const Vec3 knee = joint_at(pose, left_knee), ankle = joint_at(pose, left_ankle);
   const Vec3 along = (ankle - knee).normalized();
   const Vec3 incoming = e.defender_left + 0.6 * e.towards;
   return knee + 0.45 * (ankle - knee) + thickness * (incoming - incoming.dot(along) * along).normalized();
@@ -155,15 +152,15 @@ Nearest striking_against(const Encounter& e, Side blocking) {
   const Pose by = e.attacker.pose(e.blow.impact), against = e.defender.pose(e.blow.impact);
   const bool left = blocking == Side::Left;
   const bool shin = e.blow.attack.defence == Defence::ShinCheck;
-  const Vec3 from = row(against, shin ? left_knee : left ? left_elbow : right_elbow);
-  const Vec3 to = row(against, shin ? left_ankle : left ? left_hand : right_hand);
+  const Vec3 from = joint_at(against, shin ? left_knee : left ? left_elbow : right_elbow);
+  const Vec3 to = joint_at(against, shin ? left_ankle : left ? left_hand : right_hand);
   const bool is_left = e.form.limb == Side::Left;
   if (!is_kick(e.blow.attack.technique))
-    return nearest(row(by, is_left ? left_elbow : right_elbow), row(by, is_left ? left_hand : right_hand),
+    return nearest(joint_at(by, is_left ? left_elbow : right_elbow), joint_at(by, is_left ? left_hand : right_hand),
                    from, to);
-  const Vec3 ankle = row(by, is_left ? left_ankle : right_ankle);
-  const Nearest shank = nearest(row(by, is_left ? left_knee : right_knee), ankle, from, to);
-  const Nearest foot = nearest(ankle, row(by, is_left ? left_toe_tip : right_toe_tip), from, to);
+  const Vec3 ankle = joint_at(by, is_left ? left_ankle : right_ankle);
+  const Nearest shank = nearest(joint_at(by, is_left ? left_knee : right_knee), ankle, from, to);
+  const Nearest foot = nearest(ankle, joint_at(by, is_left ? left_toe_tip : right_toe_tip), from, to);
   return shank.gap().norm() < foot.gap().norm() ? shank : foot;
 }
 

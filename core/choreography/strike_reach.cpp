@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/positions.hpp"
 #include "core/motion/joint_set.hpp"
 
 namespace abrazo {
@@ -11,17 +12,13 @@ namespace {
 
 using namespace joints;
 
-Vec3 row(const Pose& pose, int joint) {
-  return pose.row(joint).transpose();
-}
-
 /// The point of the spine at a height; straight below the root for what is lower.
 Vec3 spine_at(const Pose& pose, double height) {
   static constexpr std::array<int, 6> spine = {Root, LowerBack, UpperBack, Thorax, LowerNeck, UpperNeck};
-  Vec3 below = row(pose, Root);
+  Vec3 below = joint_at(pose, Root);
   if (height <= below.y()) return {below.x(), height, below.z()};
   for (const int joint : spine) {
-    const Vec3 above = row(pose, joint);
+    const Vec3 above = joint_at(pose, joint);
     if (above.y() > height) return below + (above - below) * ((height - below.y()) / (above.y() - below.y()));
     below = above;
   }
@@ -39,10 +36,10 @@ Vec3 aim_at(const Fighter& defender, const Spot& spot, const Attack& attack, dou
   const Pose pose = defender.trunk_on(spot, guard_stance()).pose;
   const double h = defender.body().height;
   if (!is_kick(attack.technique)) {
-    const Vec3 chin = row(pose, UpperNeck), head = row(pose, Head);
+    const Vec3 chin = joint_at(pose, UpperNeck), head = joint_at(pose, Head);
     return chin + std::clamp((highest - chin.y()) / (head.y() - chin.y()), 0.2, 1.0) * (head - chin);
   }
-  if (attack.technique == Technique::FrontKick) return row(pose, LowerBack) + 0.06 * forward_of(spot.heading);
+  if (attack.technique == Technique::FrontKick) return joint_at(pose, LowerBack) + 0.06 * forward_of(spot.heading);
   const double height = attack.defence == Defence::ShinCheck  ? 0.42 * h
                         : attack.defence == Defence::ArmCheck ? 0.67 * h
                                                               : 0.74 * h;
@@ -92,7 +89,7 @@ StrikeReach strike_reach(const Fighter& attacker, const Fighter& defender, const
   const DancerBody& body = attacker.body();
   const StrikeTrunk offsets = strike_trunk(attacker, form);
   const PlacedTrunk trunk = attacker.trunk_on({}, guard_stance() + offsets.hips + offsets.shoulders);
-  const Vec3 base = row(trunk.pose, base_joint(form, kick));
+  const Vec3 base = joint_at(trunk.pose, base_joint(form, kick));
   const double limb = kick ? body.leg() : body.upper_arm + body.forearm + body.hand;
   // Less than fully stretched when performed small, or when it ends at a guard.
   const double stretch = form.stretch * (is_block(attack.defence) ? 0.90 : 1);

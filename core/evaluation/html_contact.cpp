@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "core/base/units.hpp"
 #include "core/evaluation/html_sections.hpp"
 #include "core/evaluation/html_text.hpp"
 #include "core/evaluation/svg_plot.hpp"
@@ -7,12 +8,6 @@
 namespace abrazo {
 
 namespace {
-
-constexpr double cm_per_m = 100, ms_per_s = 1000, us_per_ms = 1000;
-
-double ratio(double part, double whole) {
-  return whole > 0 ? part / whole : not_known;
-}
 
 std::string cm_text(double metres) {
   return small_number(metres * cm_per_m, 0.01) + " cm";
@@ -121,7 +116,7 @@ std::vector<std::string> contact_notes(const Evaluation& evaluation) {
       fmt::format("The source changes {} times in 100 steps. A step of the partner is {} in the 99th "
                   "percentile, {} times the captured partner's.",
                   number_text(own.source_changes_per_100), cm_text(own.displacement_p99_m),
-                  number_text(ratio(own.displacement_p99_m, original.displacement_p99_m), 2)));
+                  number_text(share_of(own.displacement_p99_m, original.displacement_p99_m), 2)));
   if (evaluation.settings.velocity_weight > 0)
     notes.push_back(fmt::format(
         "The velocity energy (w_\u0394 = {}) smooths what selection makes jump, at a price: it holds the "

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/units.hpp"
 #include "core/evaluation/html_sections.hpp"
 #include "core/evaluation/html_text.hpp"
 #include "core/evaluation/svg_plot.hpp"
@@ -10,12 +11,6 @@
 namespace abrazo {
 
 namespace {
-
-constexpr double cm_per_m = 100, ms_per_s = 1000;
-
-double share(int part, int total) {
-  return total > 0 ? static_cast<double>(part) / total : not_known;
-}
 
 std::vector<const UserResult*> all_users(const Evaluation& evaluation) {
   std::vector<const UserResult*> users = {&*evaluation.result};
@@ -35,8 +30,8 @@ std::string users_table(const Evaluation& evaluation) {
   for (const UserResult* user : all_users(evaluation)) {
     std::vector<std::string> cells = {user->user};
     if (evaluation.has_moves)
-      cells.insert(cells.end(), {percent_text(share(user->moves.all.successful, user->moves.all.total)),
-                                 percent_text(share(user->moves.all.lenient, user->moves.all.total))});
+      cells.insert(cells.end(), {percent_text(share_of(user->moves.all.successful, user->moves.all.total)),
+                                 percent_text(share_of(user->moves.all.lenient, user->moves.all.total))});
     cells.insert(cells.end(), {number_text(cm_per_m * user->partner.mean_joint_error_m),
                                number_text(ms_per_s * user->partner.lag_s),
                                number_text(cm_per_m * user->partner.continuity.displacement_p99_m)});
@@ -44,8 +39,8 @@ std::string users_table(const Evaluation& evaluation) {
       cells.insert(cells.end(), {number_text(cm_per_m * user->contact.holds.change_mean_m),
                                  small_number(cm_per_m * user->contact.penetration.excess_p99_m, 0.01),
                                  number_text(cm_per_m * user->contact.foot_slide_m_s)});
-    cells.insert(cells.end(), {percent_text(share(user->solve.relaxed, user->solve.steps)),
-                               percent_text(share(user->solve.failed, user->solve.steps))});
+    cells.insert(cells.end(), {percent_text(share_of(user->solve.relaxed, user->solve.steps)),
+                               percent_text(share_of(user->solve.failed, user->solve.steps))});
     html.row(cells, user == &*evaluation.result ? HtmlTable::Row::Baseline : HtmlTable::Row::Own);
   }
   return html.html();

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "core/base/units.hpp"
 #include "core/evaluation/html_paper.hpp"
 #include "core/evaluation/html_sections.hpp"
 #include "core/evaluation/html_text.hpp"
@@ -14,8 +15,6 @@ namespace abrazo {
 namespace {
 
 constexpr int paper_k = 10;
-constexpr double us_per_ms = 1000;
-
 std::string points_text(double difference) {
   return number_text(100 * std::abs(difference), std::abs(difference) < 0.1 ? 2 : 3) + " points";
 }

@@ -9,6 +9,11 @@ namespace abrazo {
 /// Stands for a figure there is none of; shown as a dash.
 inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
+/// A part of a whole; not known where there is no whole.
+inline double share_of(double part, double whole) {
+  return whole > 0 ? part / whole : not_known;
+}
+
 /// Text from outside (names of takes, labels) as it may stand between tags and in attributes of HTML and SVG.
 std::string escaped(std::string_view text);
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "core/base/units.hpp"
 #include "core/evaluation/html_paper.hpp"
 #include "core/evaluation/html_sections.hpp"
 #include "core/evaluation/html_text.hpp"
@@ -10,13 +11,7 @@ namespace abrazo {
 
 namespace {
 
-constexpr double cm_per_m = 100, ms_per_s = 1000;
-
-double ratio(double part, double whole) {
-  return whole > 0 ? part / whole : not_known;
-}
-
-std::string cm_text(double metres) {
+std::string rounded_cm_text(double metres) {
   return number_text(metres * cm_per_m) + " cm";
 }
 
@@ -31,7 +26,7 @@ std::string zmp_table(const ZmpTable& zmp) {
   const auto own = [&](const std::string& name, double original_m, double synthesised_m) {
     html.row({name, number_text(original_m * cm_per_m), number_text(synthesised_m * cm_per_m),
               number_text(original_m / metres_per_asf_unit), number_text(synthesised_m / metres_per_asf_unit),
-              number_text(ratio(synthesised_m, original_m), 4)});
+              number_text(share_of(synthesised_m, original_m), 4)});
   };
   own("both bodies", zmp.original_m, zmp.synthesised_m);
   own("the partner alone", zmp.original_partner_m, zmp.synthesised_partner_m);
@@ -69,12 +64,12 @@ std::vector<std::string> zmp_notes(const Evaluation& evaluation, const ZmpTable&
         fmt::format("{}: the ratio is {} here and {} in the paper; the originals' error is {} ASF units here "
                     "and {} there.",
                     row.motion == "fighting" ? "Fighting" : "Dance",
-                    number_text(ratio(zmp.synthesised_m, zmp.original_m), 3),
+                    number_text(share_of(zmp.synthesised_m, zmp.original_m), 3),
                     number_text(row.synthesised / row.original, 3),
                     number_text(zmp.original_m / metres_per_asf_unit, 2), fixed_text(row.original, 2)));
   }
-  const double partner = ratio(zmp.synthesised_partner_m, zmp.original_partner_m);
-  const double between = ratio(zmp.partner_between_changes_m, zmp.original_between_changes_m);
+  const double partner = share_of(zmp.synthesised_partner_m, zmp.original_partner_m);
+  const double between = share_of(zmp.partner_between_changes_m, zmp.original_between_changes_m);
   if (zmp.between_changes_share > 0 && partner - between > 0.02)
     notes.push_back(
         fmt::format("Jumps from one recorded pair to another have a part in the partner's error: in the "
@@ -124,8 +119,8 @@ std::optional<HtmlSection> zmp_section(const Evaluation& evaluation) {
   const std::string finding = fmt::format(
       "The error of the synthesised motion is {} times that of the original ({} against {}); of the partner "
       "alone {} times. The paper's figures give {} (salsa) and {} (fighting).",
-      number_text(ratio(zmp.synthesised_m, zmp.original_m), 4), cm_text(zmp.synthesised_m),
-      cm_text(zmp.original_m), number_text(ratio(zmp.synthesised_partner_m, zmp.original_partner_m), 4),
+      number_text(share_of(zmp.synthesised_m, zmp.original_m), 4), rounded_cm_text(zmp.synthesised_m),
+      rounded_cm_text(zmp.original_m), number_text(share_of(zmp.synthesised_partner_m, zmp.original_partner_m), 4),
       number_text(paper::table_4[0].synthesised / paper::table_4[0].original, 4),
       number_text(paper::table_4[1].synthesised / paper::table_4[1].original, 4));
   return HtmlSection{"table-4", "Table IV \u2014 zero moment point error (4.5)", "IV \u00b7 ZMP",

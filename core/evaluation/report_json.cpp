@@ -4,14 +4,13 @@
 #include <string_view>
 
 #include "core/base/json_text.hpp"
+#include "core/base/units.hpp"
 #include "core/base/version.hpp"
 #include "core/metrics/zmp.hpp"
 
 namespace abrazo {
 
 namespace {
-
-constexpr double us_per_ms = 1000;
 
 /// An object or array that ends where it leaves scope: nesting in the code is nesting in the file.
 class Object {

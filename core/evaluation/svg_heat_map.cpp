@@ -16,7 +16,7 @@ namespace {
 using Anchor = SvgCanvas::Anchor;
 using Rgb = std::array<int, 3>;
 
-constexpr double margin = 8, text_size = 12, title_size = 13, cell_height = 28;
+constexpr double margin = 8, text_size = 12, heat_map_title_size = 13, cell_height = 28;
 
 // Viridis (van der Walt and Smith, 2015) at 0, 1/8, ... 1.
 constexpr std::array<Rgb, 9> viridis_anchors = {Rgb{68, 1, 84},    Rgb{71, 45, 123},  Rgb{59, 82, 139},
@@ -56,7 +56,7 @@ Layout lay_out(const HeatMap& map) {
   layout.left = margin + 18 + std::min(longest(map.rows), 170.0) + 8;
   layout.cell_width = std::clamp(widest_cell + 12, 40.0, 90.0);
   const bool turned = longest(map.columns) > layout.cell_width - 4;
-  layout.top = margin + title_size + 26 + (turned ? std::min(longest(map.columns), 130.0) : 12) + 6;
+  layout.top = margin + heat_map_title_size + 26 + (turned ? std::min(longest(map.columns), 130.0) : 12) + 6;
   layout.right = layout.left + layout.cell_width * static_cast<double>(map.columns.size());
   layout.bottom = layout.top + cell_height * static_cast<double>(map.rows.size());
   return layout;
@@ -75,7 +75,7 @@ void draw_names(SvgCanvas& canvas, const HeatMap& map, const Layout& layout) {
   for (std::size_t r = 0; r < map.rows.size(); ++r)
     canvas.text(layout.left - 8, layout.top + cell_height * (static_cast<double>(r) + 0.5) + 4,
                 fitted(map.rows[r], 170, text_size), {.anchor = Anchor::End, .size = text_size});
-  canvas.text((layout.left + layout.right) / 2, margin + title_size + 20, map.column_title,
+  canvas.text((layout.left + layout.right) / 2, margin + heat_map_title_size + 20, map.column_title,
               {.anchor = Anchor::Middle, .colour = muted_colour, .size = text_size});
   canvas.text(margin + 10, (layout.top + layout.bottom) / 2, map.row_title,
               {.anchor = Anchor::Middle, .colour = muted_colour, .size = text_size, .upwards = true});
@@ -134,10 +134,10 @@ std::string viridis(double fraction) {
 std::string svg_heat_map(const HeatMap& map) {
   if (map.rows.empty() || map.columns.empty()) return {};
   const Layout layout = lay_out(map);
-  const double width = std::max({layout.right + margin, 2 * margin + text_width(map.title, title_size),
+  const double width = std::max({layout.right + margin, 2 * margin + text_width(map.title, heat_map_title_size),
                                  map.value_title.empty() ? 0.0 : layout.left + 260});
   SvgCanvas canvas(width, layout.bottom + (map.value_title.empty() ? margin : 60), map.title);
-  canvas.text(margin, margin + title_size, map.title, {.size = title_size, .bold = true});
+  canvas.text(margin, margin + heat_map_title_size, map.title, {.size = heat_map_title_size, .bold = true});
   draw_names(canvas, map, layout);
   for (std::size_t r = 0; r < map.cells.size(); ++r)
     for (std::size_t c = 0; c < map.cells[r].size(); ++c)

@@ -5,15 +5,11 @@
 
 #include "core/base/text.hpp"
 #include "core/library/eaf_file.hpp"
+#include "core/library/refusal.hpp"
 
 namespace abrazo {
 
 namespace {
-
-/// Thrown within this file only: reading descends several levels and ends at the first mistake.
-struct Refusal {
-  Error error;
-};
 
 constexpr std::size_t most_tiers = 1000;
 
@@ -139,7 +135,7 @@ EafContents EafReader::contents() {
   return std::move(contents_);
 }
 
-std::string at_line(std::string_view where, std::string_view text, std::ptrdiff_t byte) {
+std::string place_of_byte(std::string_view where, std::string_view text, std::ptrdiff_t byte) {
   const auto end = text.begin() + std::min(byte, static_cast<std::ptrdiff_t>(text.size()));
   return std::string(where) + ":" + std::to_string(1 + std::count(text.begin(), end, '\n'));
 }
@@ -152,7 +148,7 @@ Result<EafContents> parse_eaf(std::string_view text, std::string_view where) {
       text.data(), text.size(), pugi::parse_default | pugi::parse_doctype | pugi::parse_ws_pcdata_single);
   if (!outcome)
     return Error{std::string("is not XML from here on (") + outcome.description() + "); save it anew in ELAN",
-                 at_line(where, text, outcome.offset)};
+                 place_of_byte(where, text, outcome.offset)};
   for (const pugi::xml_node child : document.children())
     if (child.type() == pugi::node_doctype)
       return Error{"has a DOCTYPE, whose entities are not expanded; remove it", std::string(where)};

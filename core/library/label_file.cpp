@@ -16,10 +16,6 @@ struct LabelRow {
   std::size_t line = 0;  ///< 1-based
 };
 
-Error at_line(std::string_view where, std::size_t line, std::string message) {
-  return {std::move(message), fmt::format("{}:{}", where, line)};
-}
-
 bool is_header(const std::vector<std::string>& fields) {
   return fields.size() > 1 && lower_case(fields[0]) == "take" && !parse_integer(fields[1]);
 }
@@ -27,7 +23,7 @@ bool is_header(const std::vector<std::string>& fields) {
 Result<int> parse_frame(std::string_view field, const char* what, std::string_view where, std::size_t line) {
   const auto number = parse_integer(field);
   if (!number || *number < 0 || *number > INT_MAX)
-    return at_line(where, line,
+    return error_at_line(where, line,
                    fmt::format("expected {} as a frame number from 0 on, found \"{}\"", what, field));
   return static_cast<int>(*number);
 }
@@ -39,11 +35,11 @@ Result<LabelInterval> parse_row(const std::vector<std::string>& fields, std::str
   const auto end = parse_frame(fields[2], "end_frame", where, line);
   if (!end) return end.error();
   if (*end <= *start)
-    return at_line(
+    return error_at_line(
         where, line,
         fmt::format("the label ends at frame {}, which is not after its start {}; end is exclusive", *end,
                     *start));
-  if (fields[3].empty()) return at_line(where, line, "the label is empty; name it or leave the line out");
+  if (fields[3].empty()) return error_at_line(where, line, "the label is empty; name it or leave the line out");
   const auto field = [&](std::size_t i) { return i < fields.size() ? fields[i] : std::string(); };
   return LabelInterval{*start, *end, field(3), field(4), field(5)};
 }
@@ -55,7 +51,7 @@ Result<std::vector<LabelInterval>> ordered(std::vector<LabelRow> rows, std::stri
   std::vector<LabelInterval> labels;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (i > 0 && rows[i].interval.start < rows[i - 1].interval.end)
-      return at_line(where, rows[i].line,
+      return error_at_line(where, rows[i].line,
                      fmt::format("frames {}-{} overlap those of line {} (until {}); a frame has one label",
                                  rows[i].interval.start, rows[i].interval.end, rows[i - 1].line,
                                  rows[i - 1].interval.end));
@@ -85,7 +81,7 @@ Result<std::vector<LabelInterval>> parse_labels(std::string_view csv, std::strin
   for (const CsvRow& row : *table) {
     if (&row == &table->front() && is_header(row.fields)) continue;
     if (row.fields.size() < 4)
-      return at_line(
+      return error_at_line(
           where, row.line,
           fmt::format("expected take,start_frame,end_frame,label, found {} fields", row.fields.size()));
     if (row.fields[0] != take) continue;

@@ -29,10 +29,6 @@ bool all_rows(std::size_t count, const Holds& holds) {
   return all;
 }
 
-auto order_of(const PairSource& source) {
-  return std::tuple(source.take, source.swapped, source.frame);
-}
-
 bool is_plausible(const LibraryBody& body) {
   const auto length = [](double l) { return l >= 0 && l < farthest_m; };
   return std::all_of(body.body.bone_lengths.begin(), body.body.bone_lengths.end(), length) &&

@@ -12,19 +12,19 @@ namespace abrazo {
 namespace {
 
 template <typename... Args>
-[[noreturn]] void problem(fmt::format_string<Args...> text, Args&&... args) {
+[[noreturn]] void table_problem(fmt::format_string<Args...> text, Args&&... args) {
   throw Hdf5Problem(fmt::format(text, std::forward<Args>(args)...));
 }
 
 ActivePerformer performer(std::uint32_t code, const char* path) {
   if (code > static_cast<std::uint32_t>(ActivePerformer::Unknown))
-    problem("{} holds {}; expected 0 (a), 1 (b) or 2 (unknown)", path, code);
+    table_problem("{} holds {}; expected 0 (a), 1 (b) or 2 (unknown)", path, code);
   return static_cast<ActivePerformer>(code);
 }
 
 LibraryTake& take_at(LibraryColumns& columns, std::uint32_t take, const char* path) {
   if (take >= columns.takes.size())
-    problem("{} names take {}, there are {}", path, take, columns.takes.size());
+    table_problem("{} names take {}, there are {}", path, take, columns.takes.size());
   return columns.takes[take];
 }
 
@@ -74,7 +74,7 @@ void read_pairs(const Hdf5Reader& reader, LibraryColumns& columns) {
   const std::uint64_t pairs = sources.size();
   columns.sources.reserve(pairs);
   for (const auto& [take, frame, swapped, annotated] : sources) {
-    if (swapped > 1) problem("pairs/source says swapped = {}; expected 0 or 1", swapped);
+    if (swapped > 1) table_problem("pairs/source says swapped = {}; expected 0 or 1", swapped);
     columns.sources.push_back({take, frame, swapped == 1, performer(annotated, "pairs/source")});
   }
   columns.mesh_quality = reader.column<std::uint8_t>("meshes/quality", pairs);
@@ -100,14 +100,14 @@ std::uint64_t bytes_of_pairs(const Hdf5Reader& reader) {
 
 LibraryColumns read_library_tables(const Hdf5Reader& reader, std::uint64_t largest_in_memory_bytes) {
   if (!reader.has_attribute("format"))
-    problem("is HDF5 but not an Abrazo motion library: it has no attribute format");
+    table_problem("is HDF5 but not an Abrazo motion library: it has no attribute format");
   if (reader.text_attribute("format") != library_format_name)
-    problem("is HDF5 but not an Abrazo motion library");
+    table_problem("is HDF5 but not an Abrazo motion library");
   const int found = reader.attribute<int>("format_version");
   if (found > library_format_version)
-    problem("has format version {}, this program reads up to {}; it was written by {}: update this program",
+    table_problem("has format version {}, this program reads up to {}; it was written by {}: update this program",
             found, library_format_version, reader.text_attribute("written_by"));
-  if (found < 1) problem("has format version {}, which never existed", found);
+  if (found < 1) table_problem("has format version {}, which never existed", found);
   LibraryColumns columns;
   columns.name = reader.text_attribute("name");
   columns.rate_hz = reader.attribute<double>("rate_hz");

@@ -10,6 +10,7 @@
 
 #include "core/base/atomic_file.hpp"
 #include "core/base/json_nesting.hpp"
+#include "core/library/refusal.hpp"
 
 namespace abrazo {
 
@@ -18,27 +19,22 @@ namespace {
 using nlohmann::json;
 namespace fs = std::filesystem;
 
-/// Thrown within this file only: parsing descends several levels and ends at the first mistake.
-struct Refusal {
-  Error error;
-};
-
 std::string_view json_type(const json& value) {
   return value.type_name();
 }
 
 /// A JSON value together with the place where it stands, for messages.
-struct Node {
+struct ManifestNode {
   const json& value;
   std::string place;  ///< "manifest.json: takes[3].b"
   std::vector<std::string>& warnings;
 
   [[noreturn]] void refuse(std::string message) const { throw Refusal{{std::move(message), place}}; }
 
-  Node at(const char* key) const {
+  ManifestNode at(const char* key) const {
     return {value.at(key), fmt::format("{}{}{}", place, place.ends_with(": ") ? "" : ".", key), warnings};
   }
-  Node at(std::size_t index) const {
+  ManifestNode at(std::size_t index) const {
     return {value.at(index), fmt::format("{}[{}]", place, index), warnings};
   }
   bool has(const char* key) const { return value.contains(key) && !value.at(key).is_null(); }
@@ -50,7 +46,7 @@ struct Node {
         warnings.push_back(fmt::format("{}: \"{}\" is not read; known here are {}", place_text(), key,
                                        fmt::join(known, ", ")));
   }
-  Node required(const char* key, const char* what) const {
+  ManifestNode required(const char* key, const char* what) const {
     if (!has(key)) refuse(fmt::format("\"{}\" is missing; add {}", key, what));
     return at(key);
   }
@@ -78,7 +74,7 @@ struct Node {
   std::string place_text() const { return place.ends_with(": ") ? place.substr(0, place.size() - 2) : place; }
 };
 
-ActivePerformer parse_performer(const Node& node) {
+ActivePerformer parse_performer(const ManifestNode& node) {
   const std::string text = node.string();
   if (text == "a") return ActivePerformer::A;
   if (text == "b") return ActivePerformer::B;
@@ -86,7 +82,7 @@ ActivePerformer parse_performer(const Node& node) {
   node.refuse(fmt::format("expected \"a\", \"b\" or \"unknown\", found \"{}\"", text));
 }
 
-RoleInterval parse_role(const Node& node) {
+RoleInterval parse_role(const ManifestNode& node) {
   node.expect_object({"start", "end", "active"});
   RoleInterval role;
   role.start = node.required("start", "the first frame").frame();
@@ -98,7 +94,7 @@ RoleInterval parse_role(const Node& node) {
   return role;
 }
 
-std::vector<RoleInterval> parse_roles(const Node& node) {
+std::vector<RoleInterval> parse_roles(const ManifestNode& node) {
   if (node.value.is_string()) {
     const ActivePerformer active = parse_performer(node);
     if (active == ActivePerformer::Unknown) return {};
@@ -108,7 +104,7 @@ std::vector<RoleInterval> parse_roles(const Node& node) {
     node.refuse("expected \"a\", \"b\", \"unknown\" or a list of {\"start\", \"end\", \"active\"}");
   std::vector<RoleInterval> roles;
   for (std::size_t i = 0; i < node.array().size(); ++i) {
-    const Node item = node.at(i);
+    const ManifestNode item = node.at(i);
     roles.push_back(parse_role(item));
     if (i > 0 && roles[i].start < roles[i - 1].end)
       item.refuse(fmt::format(
@@ -119,7 +115,7 @@ std::vector<RoleInterval> parse_roles(const Node& node) {
 }
 
 /// A letter or list as parse_roles has it, or {"tier": ..., "file": ...}.
-void parse_take_roles(const Node& node, const fs::path& folder, Manifest::Take& take) {
+void parse_take_roles(const ManifestNode& node, const fs::path& folder, Manifest::Take& take) {
   if (!node.value.is_object()) {
     take.roles = parse_roles(node);
     return;
@@ -132,7 +128,7 @@ void parse_take_roles(const Node& node, const fs::path& folder, Manifest::Take& 
 }
 
 /// A file, or {"file": ..., "tier": ...}.
-void parse_take_labels(const Node& node, const fs::path& folder, Manifest::Take& take) {
+void parse_take_labels(const ManifestNode& node, const fs::path& folder, Manifest::Take& take) {
   if (!node.value.is_object()) {
     take.labels = folder / node.string();
     return;
@@ -142,7 +138,7 @@ void parse_take_labels(const Node& node, const fs::path& folder, Manifest::Take&
   if (node.has("tier")) take.labels_tier = node.at("tier").string();
 }
 
-UpAxis parse_up_axis(const Node& node) {
+UpAxis parse_up_axis(const ManifestNode& node) {
   const std::string text = node.string();
   if (text == "y") return UpAxis::Y;
   if (text == "z") return UpAxis::Z;
@@ -154,7 +150,7 @@ bool is_builtin_joint_map(const std::string& name) {
   return std::any_of(maps.begin(), maps.end(), [&](const JointMap& map) { return map.name == name; });
 }
 
-Manifest::Performer parse_manifest_performer(const Node& node, const fs::path& folder) {
+Manifest::Performer parse_manifest_performer(const ManifestNode& node, const fs::path& folder) {
   node.expect_object({"motion", "skeleton", "performer", "start", "metres_per_unit", "up_axis", "joint_map"});
   Manifest::Performer performer;
   performer.motion = folder / node.required("motion", "the performer's motion file").string();
@@ -169,7 +165,7 @@ Manifest::Performer parse_manifest_performer(const Node& node, const fs::path& f
   return performer;
 }
 
-Manifest::Take parse_take(const Node& node, const fs::path& folder) {
+Manifest::Take parse_take(const ManifestNode& node, const fs::path& folder) {
   node.expect_object({"name", "fps", "metres_per_unit", "a", "b", "frames", "roles", "labels"});
   Manifest::Take take;
   take.name = node.required("name", "a name that no other take has").string();
@@ -183,11 +179,11 @@ Manifest::Take parse_take(const Node& node, const fs::path& folder) {
   return take;
 }
 
-Manifest parse_root(const Node& root, const fs::path& file) {
+Manifest parse_root(const ManifestNode& root, const fs::path& file) {
   root.expect_object({"name", "takes"});
   Manifest manifest;
   manifest.name = root.has("name") ? root.at("name").string() : file.stem().string();
-  const Node takes = root.required("takes", "a list of takes");
+  const ManifestNode takes = root.required("takes", "a list of takes");
   if (takes.array().empty()) takes.refuse("is empty; name at least one take");
   std::set<std::string> names;
   for (std::size_t i = 0; i < takes.array().size(); ++i) {

@@ -11,10 +11,6 @@ namespace abrazo {
 
 namespace {
 
-auto order_of(const PairSource& source) {
-  return std::tuple(source.take, source.swapped, source.frame);
-}
-
 template <typename Item>
 std::span<const Item> row(const Column<Item>& items, const Column<std::uint64_t>& offsets, int pair) {
   const auto begin = offsets[static_cast<std::size_t>(pair)];

@@ -5,6 +5,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <tuple>
 #include <string_view>
 #include <vector>
 
@@ -25,6 +26,11 @@ struct PairSource {
   ActivePerformer annotated = ActivePerformer::Unknown;  ///< what the take's roles say of this frame
 };
 
+/// Pairs of a library are in this order.
+inline auto order_of(const PairSource& source) {
+  return std::tuple(source.take, source.swapped, source.frame);
+}
+
 /// What the library keeps of a take.
 struct LibraryTake {
   std::string name;
@@ -35,6 +41,8 @@ struct LibraryTake {
   std::uint32_t body_b = 0;
   std::vector<RoleInterval> roles;
   std::vector<LabelInterval> labels;
+
+  double pairs_per_second() const { return fps / frame_stride; }
 };
 
 /// A performer's lengths and the radii of the capsules around their bones.

@@ -34,10 +34,6 @@ int column_of(const std::string& title) {
   return -1;
 }
 
-Error at_line(std::string_view where, std::size_t line, std::string message) {
-  return {std::move(message), fmt::format("{}:{}", where, line)};
-}
-
 Result<Columns> columns_of(const CsvRow& header, std::string_view where, std::vector<std::string>& warnings) {
   Columns columns;
   columns.fill(-1);
@@ -50,7 +46,7 @@ Result<Columns> columns_of(const CsvRow& header, std::string_view where, std::ve
   }
   for (const Column needed : {Start, End, Value})
     if (columns[needed] < 0)
-      return at_line(where, header.line,
+      return error_at_line(where, header.line,
                      "expected the columns tier,start,end,value[,detail,confidence]; one of them is missing");
   return columns;
 }
@@ -58,7 +54,7 @@ Result<Columns> columns_of(const CsvRow& header, std::string_view where, std::ve
 Result<double> seconds(const std::string& field, const char* what, std::string_view where, std::size_t line) {
   const auto number = parse_number(field);
   if (!number || !std::isfinite(*number))
-    return at_line(where, line, fmt::format("expected {} in seconds, found {}", what, in_quotes(field)));
+    return error_at_line(where, line, fmt::format("expected {} in seconds, found {}", what, in_quotes(field)));
   return *number;
 }
 
@@ -78,7 +74,7 @@ Result<TierDocument> parse_exchange(const std::vector<CsvRow>& rows, std::string
   for (std::size_t r = 1; r < rows.size(); ++r) {
     const CsvRow& row = rows[r];
     if (row.fields.size() > rows.front().fields.size() || row.fields.size() < 4)
-      return at_line(where, row.line,
+      return error_at_line(where, row.line,
                      fmt::format("has {} fields, the header {}; put a field with a comma in "
                                  "quotes",
                                  row.fields.size(), rows.front().fields.size()));
@@ -92,10 +88,10 @@ Result<TierDocument> parse_exchange(const std::vector<CsvRow>& rows, std::string
     const auto end_s = seconds(field(End), "the end", where, row.line);
     if (!end_s) return end_s.error();
     if (*end_s <= *start_s)
-      return at_line(where, row.line,
+      return error_at_line(where, row.line,
                      fmt::format("ends at {} s, which is not after its start at {} s; end is exclusive",
                                  *end_s, *start_s));
-    if (field(TierName).empty()) return at_line(where, row.line, "the tier is empty; name it");
+    if (field(TierName).empty()) return error_at_line(where, row.line, "the tier is empty; name it");
     tier_named(document.tiers, places, field(TierName))
         .intervals.push_back({*start_s, *end_s, field(Value), field(Detail), field(Confidence)});
   }

@@ -7,6 +7,7 @@
 
 #include "core/base/json_nesting.hpp"
 #include "core/base/json_text.hpp"
+#include "core/library/refusal.hpp"
 #include "core/library/tier_kind.hpp"
 
 namespace abrazo {
@@ -56,20 +57,15 @@ std::string json_of(std::span<const Tier> tiers, bool with_intervals) {
 
 // ---- reading ----
 
-/// Thrown within this file only: reading descends several levels and ends at the first mistake.
-struct Refusal {
-  Error error;
-};
-
 /// A JSON value together with where it stands.
-struct Node {
+struct TierNode {
   const json& value;
   std::string place;
   std::vector<std::string>& warnings;
 
   [[noreturn]] void refuse(const std::string& message) const { throw Refusal{{message, place}}; }
-  Node at(const char* key) const { return {value.at(key), place + "." + key, warnings}; }
-  Node at(std::size_t i) const { return {value.at(i), fmt::format("{}[{}]", place, i), warnings}; }
+  TierNode at(const char* key) const { return {value.at(key), place + "." + key, warnings}; }
+  TierNode at(std::size_t i) const { return {value.at(i), fmt::format("{}[{}]", place, i), warnings}; }
   bool has(const char* key) const { return value.contains(key) && !value.at(key).is_null(); }
 
   void expect_object(std::initializer_list<std::string_view> known) const {
@@ -79,7 +75,7 @@ struct Node {
         warnings.push_back(
             fmt::format("{}: \"{}\" is not read; known here are {}", place, key, fmt::join(known, ", ")));
   }
-  Node required(const char* key, const char* what) const {
+  TierNode required(const char* key, const char* what) const {
     if (!has(key)) refuse(fmt::format("\"{}\" is missing; add {}", key, what));
     return at(key);
   }
@@ -98,7 +94,7 @@ struct Node {
   }
 };
 
-std::uint32_t parse_colour(const Node& node) {
+std::uint32_t parse_colour(const TierNode& node) {
   const std::string text = node.string();
   const bool is_colour =
       text.size() == 7 && text[0] == '#' &&
@@ -107,14 +103,14 @@ std::uint32_t parse_colour(const Node& node) {
   return static_cast<std::uint32_t>(std::stoul(text.substr(1), nullptr, 16));
 }
 
-char parse_key(const Node& node) {
+char parse_key(const TierNode& node) {
   const std::string text = node.string();
   if (text.size() != 1 || text[0] <= ' ' || text[0] > '~')
     node.refuse("expected one key as \"1\" or \"b\", found \"" + text + "\"");
   return text[0];
 }
 
-VocabularyEntry parse_entry(const Node& node) {
+VocabularyEntry parse_entry(const TierNode& node) {
   if (node.value.is_string()) return {node.string()};
   node.expect_object({"value", "description", "colour", "key"});
   VocabularyEntry entry{node.required("value", "what can be said").string()};
@@ -124,31 +120,31 @@ VocabularyEntry parse_entry(const Node& node) {
   return entry;
 }
 
-TierInterval parse_interval(const Node& node) {
+TierInterval parse_interval(const TierNode& node) {
   node.expect_object({"start_s", "end_s", "value", "detail", "confidence"});
   return {node.required("start_s", "its start in seconds").number(),
           node.required("end_s", "its end in seconds").number(), node.string_or_nothing("value"),
           node.string_or_nothing("detail"), node.string_or_nothing("confidence")};
 }
 
-TierKind parse_kind(const Node& node) {
+TierKind parse_kind(const TierNode& node) {
   const std::string text = node.string();
   if (const auto kind = parse_tier_kind(text)) return *kind;
   node.refuse("expected \"role\", \"move\" or \"note\", found \"" + text + "\"");
 }
 
-Tier parse_tier(const Node& node) {
+Tier parse_tier(const TierNode& node) {
   node.expect_object({"name", "kind", "vocabulary", "intervals"});
   Tier tier;
   tier.name = node.required("name", "a name that no other tier has").string();
   tier.kind = node.has("kind") ? parse_kind(node.at("kind")) : kind_of_name(tier.name);
   if (node.has("vocabulary")) {
-    const Node entries = node.at("vocabulary");
+    const TierNode entries = node.at("vocabulary");
     for (std::size_t i = 0, n = entries.size(); i < n; ++i)
       tier.vocabulary.push_back(parse_entry(entries.at(i)));
   }
   if (node.has("intervals")) {
-    const Node intervals = node.at("intervals");
+    const TierNode intervals = node.at("intervals");
     for (std::size_t i = 0, n = intervals.size(); i < n; ++i)
       tier.intervals.push_back(parse_interval(intervals.at(i)));
   }
@@ -172,12 +168,12 @@ Result<std::vector<Tier>> parse_tiers_json(std::string_view text, std::string_vi
   if (nests_too_deep(text)) return Error{too_deep_words, std::string(where)};
   try {
     const json content = json::parse(text);
-    const Node root{content, std::string(where) + ": ", warnings};
+    const TierNode root{content, std::string(where) + ": ", warnings};
     if (!content.is_object() || !content.contains("tiers"))
       return Error{"has no \"tiers\"; expected {\"tiers\": [{\"name\": ..., \"intervals\": [...]}]}",
                    std::string(where)};
     root.expect_object({"tiers"});
-    const Node list{content.at("tiers"), std::string(where) + ": tiers", warnings};
+    const TierNode list{content.at("tiers"), std::string(where) + ": tiers", warnings};
     std::vector<Tier> tiers;
     for (std::size_t i = 0, n = list.size(); i < n; ++i) tiers.push_back(parse_tier(list.at(i)));
     if (const Status checked = check_tiers(tiers, where); !checked) return checked.error();

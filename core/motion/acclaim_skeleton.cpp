@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/base/text.hpp"
+#include "core/base/units.hpp"
 #include "core/motion/line_reader.hpp"
 
 namespace abrazo {
@@ -20,7 +21,6 @@ Eigen::Matrix3d rotation_of(const Vec3& angles_rad, const RotationOrder& order) 
 
 namespace {
 
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 /// The file as it stands, before bones are put in order: angles still in file units, parents by name.
 struct RawBone {

@@ -13,7 +13,7 @@ namespace {
 
 using namespace joints;
 
-/// Half the width of a body around the bone that ends at a joint, on a person of 1.70 m [m].
+/// Half the width of a body ring_vertices the bone that ends at a joint, on a person of 1.70 m [m].
 struct LimbShape {
   double at_start, at_end;
   double depth = 1;  ///< from front to back, as a share of the width
@@ -62,7 +62,7 @@ LimbShape shape_of(int joint) {
   }
 }
 
-constexpr int around = 14;  ///< vertices of a ring
+constexpr int ring_vertices = 14;  ///< vertices of a ring
 constexpr int cap = 4;      ///< rings from a limb's pole to where its side begins
 
 /// A limb as rings from pole to pole.
@@ -80,9 +80,9 @@ class Limb {
     const auto first = static_cast<std::uint16_t>(surface.vertices.size());
     for (int ring = 0; ring < 2 * cap; ++ring) add_ring(surface, ring, node);
     for (int ring = 0; ring + 1 < 2 * cap; ++ring)
-      for (int i = 0; i < around; ++i) {
-        const int here = ring * around + i, beside = ring * around + (i + 1) % around;
-        for (const int corner : {here, beside, here + around, beside, beside + around, here + around})
+      for (int i = 0; i < ring_vertices; ++i) {
+        const int here = ring * ring_vertices + i, beside = ring * ring_vertices + (i + 1) % ring_vertices;
+        for (const int corner : {here, beside, here + ring_vertices, beside, beside + ring_vertices, here + ring_vertices})
           surface.corners.push_back(static_cast<std::uint16_t>(first + corner));
       }
     add_pole(surface, first, true, node);
@@ -90,15 +90,15 @@ class Limb {
   }
 
  private:
-  /// Half the first rings lie on the ball around the beginning, the others on that around the end.
+  /// Half the first rings lie on the ball ring_vertices the beginning, the others on that ring_vertices the end.
   void add_ring(BodySurface& surface, int ring, int node) const {
     const bool at_start = ring < cap;
     const double quarter = std::numbers::pi / 2;
     const double height = at_start ? quarter * (ring + 1 - cap) / cap : quarter * (ring - cap) / cap;
     const double radius = scale_ * (at_start ? shape_.at_start : shape_.at_end);
     const Vec3 centre = at_start ? from_ : to_;
-    for (int i = 0; i < around; ++i) {
-      const double turn = 2 * std::numbers::pi * i / around;
+    for (int i = 0; i < ring_vertices; ++i) {
+      const double turn = 2 * std::numbers::pi * i / ring_vertices;
       const Vec3 across = std::cos(turn) * side_ + shape_.depth * std::sin(turn) * front_;
       const Vec3 outwards = std::cos(turn) * side_ + std::sin(turn) / shape_.depth * front_;
       surface.vertices.push_back(
@@ -112,10 +112,10 @@ class Limb {
     const double radius = scale_ * (at_start ? shape_.at_start : shape_.at_end);
     surface.vertices.push_back(at_start ? BodySurface::Vertex{from_ - radius * along_, -along_, node}
                                         : BodySurface::Vertex{to_ + radius * along_, along_, node});
-    const int ring = at_start ? 0 : (2 * cap - 1) * around;
-    for (int i = 0; i < around; ++i) {
+    const int ring = at_start ? 0 : (2 * cap - 1) * ring_vertices;
+    for (int i = 0; i < ring_vertices; ++i) {
       const auto here = static_cast<std::uint16_t>(first + ring + i);
-      const auto beside = static_cast<std::uint16_t>(first + ring + (i + 1) % around);
+      const auto beside = static_cast<std::uint16_t>(first + ring + (i + 1) % ring_vertices);
       surface.corners.insert(surface.corners.end(),
                              {pole, at_start ? beside : here, at_start ? here : beside});
     }

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/motion/body_proportions.hpp"
 #include "core/motion/joint_map.hpp"
 
 namespace abrazo {
@@ -44,8 +45,6 @@ void set_both(JointMap& map, int left_joint, const Rules& rules) {
 
 // How far limbs go on beyond the last point of a file that lacks the toe tip or the hand's end; fractions of
 // the part before, as in an average adult.
-constexpr double toe_tip_beyond_foot = 1.35;
-constexpr double hand_beyond_forearm = 1.28;
 constexpr double head_beyond_neck = 2.2;
 constexpr double knuckles_in_hand = 0.5;  // from the wrist to the finger tips
 

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "core/base/text.hpp"
+#include "core/base/units.hpp"
 #include "core/motion/bvh.hpp"
 #include "core/motion/bvh_hierarchy.hpp"
 #include "core/motion/line_reader.hpp"
@@ -15,7 +16,6 @@ namespace abrazo {
 
 namespace {
 
-constexpr double radians_per_degree = std::numbers::pi / 180.0;
 
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\v' || c == '\f';

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <set>
 
+#include "core/base/positions.hpp"
 #include "core/base/text.hpp"
 #include "core/motion/bvh.hpp"
 #include "core/motion/joint_rotations.hpp"
@@ -22,10 +23,6 @@ double end_site_length_m(int joint) {
 }
 
 using Node = JointTree::Node;
-
-Vec3 point(const Pose& pose, int joint) {
-  return pose.row(joint).transpose();
-}
 
 constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
@@ -105,7 +102,7 @@ void append_frame(std::string& text, Performer& performer, std::size_t frame, do
   performer.tree.rotations(pose, 1.0 / performer.clip.fps, performer.world);
   for (std::size_t n = 0; n < nodes.size(); ++n) {
     if (nodes[n].parent < 0) {
-      append_vector(text, point(pose, Root) * units_per_metre);
+      append_vector(text, joint_at(pose, Root) * units_per_metre);
       text += ' ';
     }
     const Rotation local =

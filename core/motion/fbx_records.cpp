@@ -4,15 +4,11 @@
 #include <cctype>
 #include <optional>
 
+#include "core/motion/little_endian.hpp"
+
 namespace abrazo {
 
 namespace {
-
-std::uint64_t little_endian(std::string_view bytes, std::size_t at, std::size_t count) {
-  std::uint64_t value = 0;
-  for (std::size_t i = count; i-- > 0;) value = value << 8U | static_cast<unsigned char>(bytes[at + i]);
-  return value;
-}
 
 /// A number as Assimp takes it: the digits in front.
 std::optional<std::uint64_t> number_in_front(std::string_view word) {

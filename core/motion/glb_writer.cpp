@@ -9,6 +9,7 @@
 #include <set>
 #include <sstream>
 
+#include "core/base/positions.hpp"
 #include "core/base/version.hpp"
 #include "core/motion/body_surface.hpp"
 #include "core/motion/joint_tree.hpp"
@@ -90,10 +91,6 @@ class GltfBuffer {
   tinygltf::Model& model_;
 };
 
-Vec3 point(const Pose& pose, int joint) {
-  return pose.row(joint).transpose();
-}
-
 /// The keys of one node, relative to its parent.
 struct NodeKeys {
   Quaternions rotations;
@@ -108,11 +105,11 @@ void NodeKeys::add(const std::vector<JointTree::Node>& nodes, std::size_t n, con
                    const std::vector<Rotation>& world) {
   const JointTree::Node& node = nodes[n];
   Rotation rotation = world[n];
-  Vec3 translation = point(pose, node.joint);
+  Vec3 translation = joint_at(pose, node.joint);
   if (node.parent >= 0) {
     const auto parent = static_cast<std::size_t>(node.parent);
     rotation = world[parent].transpose() * world[n];
-    translation = world[parent].transpose() * (translation - point(pose, nodes[parent].joint));
+    translation = world[parent].transpose() * (translation - joint_at(pose, nodes[parent].joint));
   }
   // Of the two quaternions of a rotation the one nearer to the key before: readers blend keys as they stand.
   Eigen::Vector4f key = Eigen::Quaterniond(rotation).normalized().coeffs().cast<float>();

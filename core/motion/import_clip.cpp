@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/base/atomic_file.hpp"
+#include "core/base/statistics.hpp"
 #include "core/base/text.hpp"
 #include "core/motion/body.hpp"
 #include "core/motion/marker_gaps.hpp"
@@ -139,12 +140,6 @@ Result<std::vector<Pose>> extract(const NamedMotion& motion, const JointBinding&
   return poses;
 }
 
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 /// The axis the head is along as seen from the feet, median over the frames. Y unless Z is clearly meant.
 UpAxis guess_up_axis(const std::vector<Pose>& poses, ImportReport& report) {
   std::vector<double> values;
@@ -153,7 +148,7 @@ UpAxis guess_up_axis(const std::vector<Pose>& poses, ImportReport& report) {
     values.clear();
     for (const Pose& pose : poses)
       values.push_back(pose(Head, axis) - 0.5 * (pose(left_ankle, axis) + pose(right_ankle, axis)));
-    up[axis] = median(values);
+    up[axis] = upper_median(values);
   }
   const UpAxis guess = up.z() > std::abs(up.y()) ? UpAxis::Z : UpAxis::Y;
   const double along = guess == UpAxis::Z ? up.z() : up.y();

@@ -13,7 +13,7 @@ namespace abrazo {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 class PointIndex {
  public:
@@ -34,7 +34,7 @@ class PointIndex {
   std::map<std::string, int> exact_, plain_;
 };
 
-Result<JointRule> parse_rule(const Json& json, const std::string& where) {
+Result<JointRule> parse_rule(const OrderedJson& json, const std::string& where) {
   JointRule rule;
   if (json.is_string()) {
     rule.terms.push_back({json.get<std::string>(), 1.0});
@@ -54,11 +54,11 @@ Result<JointRule> parse_rule(const Json& json, const std::string& where) {
   return rule;
 }
 
-Result<std::vector<JointRule>> parse_alternatives(const Json& json, const std::string& where) {
+Result<std::vector<JointRule>> parse_alternatives(const OrderedJson& json, const std::string& where) {
   std::vector<JointRule> rules;
-  const Json list = json.is_array() ? json : Json::array({json});
+  const OrderedJson list = json.is_array() ? json : OrderedJson::array({json});
   if (list.empty()) return Error{"the list of alternatives is empty", where};
-  for (const Json& entry : list) {
+  for (const OrderedJson& entry : list) {
     Result<JointRule> rule = parse_rule(entry, where);
     if (!rule) return rule.error();
     rules.push_back(std::move(*rule));
@@ -80,35 +80,35 @@ std::string plain_point_name(std::string_view name) {
 }
 
 std::string joint_map_json(const JointMap& map) {
-  Json joints = Json::object();
+  OrderedJson joints = OrderedJson::object();
   for (std::size_t j = 0; j < joint_count; ++j) {
-    Json alternatives = Json::array();
+    OrderedJson alternatives = OrderedJson::array();
     for (const JointRule& rule : map.rules[j]) {
       if (rule.terms.size() == 1 && rule.terms[0].weight == 1.0) {
         alternatives.push_back(rule.terms[0].point);
         continue;
       }
-      Json weights = Json::object();
+      OrderedJson weights = OrderedJson::object();
       for (const JointRule::Term& term : rule.terms) weights[term.point] = term.weight;
       alternatives.push_back(std::move(weights));
     }
     joints[std::string(joint_names[j])] = alternatives.size() == 1 ? alternatives[0] : alternatives;
   }
-  return Json{{"name", map.name}, {"joints", joints}}.dump(2, ' ', false, Json::error_handler_t::replace) +
+  return OrderedJson{{"name", map.name}, {"joints", joints}}.dump(2, ' ', false, OrderedJson::error_handler_t::replace) +
          "\n";
 }
 
 Result<JointMap> parse_joint_map(std::string_view text, std::string_view where) {
   const std::string file(where);
   if (nests_too_deep(text)) return Error{too_deep_words, file};
-  Json json;
+  OrderedJson json;
   try {
-    json = Json::parse(text);
-  } catch (const Json::parse_error& failure) {
+    json = OrderedJson::parse(text);
+  } catch (const OrderedJson::parse_error& failure) {
     const auto end = text.begin() + static_cast<std::ptrdiff_t>(std::min(failure.byte, text.size()));
     return error_at(where, 1 + static_cast<int>(std::count(text.begin(), end, '\n')),
                     std::string("is not JSON: ") + failure.what());
-  } catch (const Json::exception& failure) {  // a number too large for a double
+  } catch (const OrderedJson::exception& failure) {  // a number too large for a double
     return Error{std::string("cannot be read: ") + failure.what(), file};
   }
   if (!json.is_object() || !json.contains("joints") || !json["joints"].is_object())

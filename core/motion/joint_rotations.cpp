@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/base/positions.hpp"
+#include "core/base/rotation.hpp"
 #include "core/motion/joint_set.hpp"
 
 namespace abrazo {
@@ -12,10 +14,6 @@ namespace {
 
 using Rotation = Eigen::Matrix3d;
 using namespace joints;
-
-Vec3 point(const Pose& pose, int joint) {
-  return pose.row(joint).transpose();
-}
 
 /// Angle about `direction` that leads from one rotation to the other, -pi to pi; both turn the same axis to
 /// `direction`.
@@ -67,18 +65,18 @@ Rotation frame_of(const Vec3& side, const Vec3& up) {
 
 Rotation swing(const Vec3& from, const Vec3& to) {
   if (to.norm() < 1e-9) return Rotation::Identity();
-  return Eigen::Quaterniond::FromTwoVectors(from, to).toRotationMatrix();
+  return smallest_rotation(from, to).toRotationMatrix();
 }
 
 Rotation pelvis_rotation(const Pose& pose, bool flat) {
-  const Vec3 middle = 0.5 * (point(pose, left_hip) + point(pose, right_hip));
-  return frame_of(point(pose, left_hip) - point(pose, right_hip),
-                  point(pose, flat ? LowerBack : Root) - middle);
+  const Vec3 middle = 0.5 * (joint_at(pose, left_hip) + joint_at(pose, right_hip));
+  return frame_of(joint_at(pose, left_hip) - joint_at(pose, right_hip),
+                  joint_at(pose, flat ? LowerBack : Root) - middle);
 }
 
 Rotation chest_rotation(const Pose& pose) {
-  return frame_of(point(pose, LeftClavicle) - point(pose, RightClavicle),
-                  point(pose, Thorax) - point(pose, UpperBack));
+  return frame_of(joint_at(pose, LeftClavicle) - joint_at(pose, RightClavicle),
+                  joint_at(pose, Thorax) - joint_at(pose, UpperBack));
 }
 
 Eigen::Quaterniond TwistFollower::follow(const Vec3& axis, const Vec3& direction,
@@ -86,7 +84,7 @@ Eigen::Quaterniond TwistFollower::follow(const Vec3& axis, const Vec3& direction
                                          double dt_s) {
   Eigen::Quaterniond rotation = start;
   if (last_) {
-    rotation = Eigen::Quaterniond::FromTwoVectors(*last_ * axis, direction) * *last_;
+    rotation = smallest_rotation(*last_ * axis, direction) * *last_;
     double turned = 0;
     for (const Lead& lead : leads) {
       const double most = lead.motion_rad + lead.rate_rad_s * dt_s;

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "core/base/positions.hpp"
+#include "core/base/rotation.hpp"
 #include "core/base/statistics.hpp"
 
 namespace abrazo {
@@ -11,16 +13,12 @@ namespace {
 using Rotation = Eigen::Matrix3d;
 using namespace joints;
 
-Vec3 point(const Pose& pose, int joint) {
-  return pose.row(joint).transpose();
-}
-
 }  // namespace
 
 JointTree::JointTree(const Clip& clip) : body_(body_of(clip.poses)) {
   std::vector<double> heights;
   for (const Pose& pose : clip.poses)
-    heights.push_back((point(pose, Root) - 0.5 * (point(pose, left_hip) + point(pose, right_hip))).norm());
+    heights.push_back((joint_at(pose, Root) - 0.5 * (joint_at(pose, left_hip) + joint_at(pose, right_hip))).norm());
   flat_pelvis_ = percentile(heights, 0.5) < 0.01;
   const auto hip_offset = [&](int hip) {
     Vec3 offset;
@@ -28,7 +26,7 @@ JointTree::JointTree(const Clip& clip) : body_(body_of(clip.poses)) {
       std::vector<double> values;
       for (const Pose& pose : clip.poses)
         values.push_back(
-            (pelvis_rotation(pose, flat_pelvis_).transpose() * (point(pose, hip) - point(pose, Root)))[axis]);
+            (pelvis_rotation(pose, flat_pelvis_).transpose() * (joint_at(pose, hip) - joint_at(pose, Root)))[axis]);
       offset[axis] = percentile(values, 0.5);
     }
     return offset;
@@ -76,7 +74,7 @@ Rotation JointTree::aimed(Bone& bone, const Vec3& rest, const Vec3& towards, dou
   const Vec3 direction = towards.normalized();
   const double moved_rad = std::atan2(bone.direction.cross(direction).norm(), bone.direction.dot(direction));
   bone.direction = direction;
-  const auto smallest = Eigen::Quaterniond::FromTwoVectors(rest, direction);
+  const auto smallest = smallest_rotation(rest, direction);
   return bone.twist.follow(rest, direction, smallest, {{.rotation = smallest, .motion_rad = moved_rad}}, dt_s)
       .toRotationMatrix();
 }
@@ -86,7 +84,7 @@ void JointTree::rotations(const Pose& pose, double dt_s, std::vector<Rotation>& 
   for (std::size_t n = 0; n < nodes_.size(); ++n) {
     const Node& node = nodes_[n];
     if (node.parent < 0) {
-      places_[n] = point(pose, Root);
+      places_[n] = joint_at(pose, Root);
       world[n] = pelvis_rotation(pose, flat_pelvis_);
       continue;
     }
@@ -94,7 +92,7 @@ void JointTree::rotations(const Pose& pose, double dt_s, std::vector<Rotation>& 
     places_[n] = places_[parent] + world[parent] * node.offset;
     world[n] = world[parent];
     if (node.aims_at >= 0) {
-      const Vec3 towards = world[parent].transpose() * (point(pose, node.aims_at) - places_[n]);
+      const Vec3 towards = world[parent].transpose() * (joint_at(pose, node.aims_at) - places_[n]);
       world[n] = world[parent] * aimed(bones_[n], rest_direction(node.aims_at), towards, dt_s);
     } else if (node.joint == Thorax) {
       world[n] = chest_rotation(pose);

@@ -7,7 +7,7 @@
 namespace abrazo {
 
 namespace {
-bool is_blank(char c) {
+bool is_white(char c) {
   return c == ' ' || c == '\t' || c == '\v' || c == '\f' || c == '\r' || c == '\n';
 }
 }  // namespace
@@ -30,9 +30,9 @@ bool LineReader::next(std::string_view& line) {
 
 std::string_view take_word(std::string_view& rest) {
   std::size_t begin = 0;
-  while (begin < rest.size() && is_blank(rest[begin])) ++begin;
+  while (begin < rest.size() && is_white(rest[begin])) ++begin;
   std::size_t end = begin;
-  while (end < rest.size() && !is_blank(rest[end])) ++end;
+  while (end < rest.size() && !is_white(rest[end])) ++end;
   const std::string_view word = rest.substr(begin, end - begin);
   rest.remove_prefix(end);
   return word;

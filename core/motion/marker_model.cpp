@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "core/base/statistics.hpp"
+#include "core/motion/body_proportions.hpp"
 #include "core/motion/joint_map.hpp"
 #include "core/motion/joint_set.hpp"
 #include "core/motion/marker_gaps.hpp"
@@ -24,7 +26,7 @@ constexpr double shoulder_below_acromion =
     0.17;  ///< of the distance of both: Rab et al., Gait Posture 15 (2002) 113
 constexpr double hand_depth_m = 0.0125, foot_depth_m = 0.013;  ///< from the skin to the middle
 constexpr double head_below_band_m = 0.05, head_below_top_m = 0.12;
-constexpr double hand_beyond_forearm = 1.28, toe_tip_of_foot = 0.27, toe_tip_beyond_foot = 1.35;
+constexpr double toe_tip_of_foot = 0.27;
 constexpr double lower_back_share = 0.265, upper_back_share = 0.527,
                  thorax_share = 0.79;  ///< of root to neck
 
@@ -67,12 +69,6 @@ class MarkerSet {
 struct Sizes {
   double pelvis_width = 0, pelvis_depth = 0, leg = 0;
 };
-
-double median(std::vector<double>& values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 /// One frame of markers in metres, and the joints found so far.
 class FrameSolver {
@@ -287,7 +283,7 @@ Sizes sizes_of(const MarkerSet& set, const std::vector<Positions>& frames, doubl
                    (frame.marker(Knee, 0) - frame.marker(Ankle, 0)).norm());
   }
   // The hip is some 8 cm below the marker at the front of the pelvis.
-  return {median(widths), median(depths), median(legs) - 0.08};
+  return {upper_median(widths), upper_median(depths), upper_median(legs) - 0.08};
 }
 
 }  // namespace
@@ -323,7 +319,7 @@ double unit_of_markers(const MarkerModel& model, const NamedMotion& markers) {
     if (std::isfinite(leg)) legs.push_back(leg);
   }
   constexpr double usual_leg_m = 0.90;
-  const double leg = legs.empty() ? usual_leg_m : median(legs);
+  const double leg = legs.empty() ? usual_leg_m : upper_median(legs);
   double best = 1;
   for (const double unit : {1.0, 0.0254, 0.01, 0.001})
     if (std::abs(std::log(leg * unit / usual_leg_m)) < std::abs(std::log(leg * best / usual_leg_m)))

@@ -5,17 +5,12 @@
 #include <vector>
 
 #include "core/base/text.hpp"
+#include "core/motion/little_endian.hpp"
 #include "core/motion/xml_tags.hpp"
 
 namespace abrazo {
 
 namespace {
-
-std::uint64_t little_endian(std::string_view bytes, std::size_t at, std::size_t count) {
-  std::uint64_t value = 0;
-  for (std::size_t i = count; i-- > 0;) value = value << 8U | static_cast<unsigned char>(bytes[at + i]);
-  return value;
-}
 
 /// glTF is JSON; the JSON of a .glb is its first chunk: length at byte 12, content from byte 20 on.
 std::size_t nesting_of_gltf(std::string_view bytes) {

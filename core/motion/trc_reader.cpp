@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t most_markers = 10'000;
 
 /// Of all markers in all frames. Rows may be shorter than their markers, but not all of a file's by far.
-std::size_t most_positions(std::size_t bytes) {
+std::size_t positions_allowed(std::size_t bytes) {
   return std::min<std::size_t>(1'000'000 + 16 * bytes, 400'000'000);
 }
 
@@ -28,7 +28,7 @@ std::vector<std::string_view> fields_of(std::string_view line) {
 class TrcParser {
  public:
   TrcParser(std::string_view text, std::string_view where)
-      : lines_(text), where_(where), most_positions_(most_positions(text.size())) {}
+      : lines_(text), where_(where), most_positions_(positions_allowed(text.size())) {}
   Result<std::vector<NamedMotion>> parse();
 
  private:

@@ -27,10 +27,6 @@ constexpr std::string_view learning = "learning partners";
 
 using Rows = HistoryKernel::Rows;
 
-double pairs_per_second(const LibraryTake& take) {
-  return take.fps / take.frame_stride;
-}
-
 /// Every n-th of many, evenly.
 std::vector<int> at_most(const std::vector<int>& pairs, std::size_t most) {
   if (pairs.size() <= most) return pairs;
@@ -49,7 +45,7 @@ std::vector<int> thinned(const MotionLibrary& library, std::span<const int> pair
     double due = 0;
     int last = -2;
     for (const int pair : pairs) {
-      const double step = std::max(1.0, pairs_per_second(library.take_of(pair)) / rate);
+      const double step = std::max(1.0, library.take_of(pair).pairs_per_second() / rate);
       const std::string_view label_before = std::exchange(label, library.label(pair));
       due = last >= 0 && library.later_pair(last, 1) == pair ? due - 1 : 0;
       last = pair;

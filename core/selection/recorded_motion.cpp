@@ -5,14 +5,6 @@
 
 namespace abrazo {
 
-namespace {
-
-double pairs_per_second(const LibraryTake& take) {
-  return take.fps / take.frame_stride;
-}
-
-}  // namespace
-
 RecordedMotion::RecordedMotion(const MotionLibrary& library)
     : library_(library), first_(static_cast<std::size_t>(library.pair_count())) {
   for (int pair = 0; pair < library.pair_count(); ++pair) {
@@ -26,7 +18,7 @@ Pose RecordedMotion::leader_in_world(int pair) const {
 }
 
 void RecordedMotion::sample(int pair, HistoryKernel::Raw& raw) const {
-  const double rate = pairs_per_second(library_.take_of(pair));
+  const double rate = library_.take_of(pair).pairs_per_second();
   const int oldest = first_[static_cast<std::size_t>(pair)];
   const RootFrame& root = library_.root(pair);
   for (std::size_t lag = 0; lag < HistoryKernel::lags_s.size(); ++lag) {
@@ -47,7 +39,7 @@ void RecordedMotion::sample(int pair, HistoryKernel::Raw& raw) const {
 }
 
 Pose RecordedMotion::partner_after(int pair, double later_s) const {
-  const double ahead = std::round(later_s * pairs_per_second(library_.take_of(pair)));
+  const double ahead = std::round(later_s * library_.take_of(pair).pairs_per_second());
   int seen = pair;
   for (int steps = static_cast<int>(std::min<double>(ahead, library_.pair_count() - 1 - pair));
        steps > 0 && seen == pair; --steps)

@@ -43,7 +43,7 @@ Status check_motion(const ExportWish& wish) {
   return check_clip_file(wish.output, wish.space);
 }
 
-constexpr double highest_rate_hz = 1000;
+constexpr double highest_export_rate_hz = 1000;
 
 // Bytes per frame, measured over generated dances.
 constexpr double bvh_bytes = 885, csv_bytes = 1480, glb_bytes = 620;  // of a body
@@ -72,9 +72,9 @@ Status check_export(const ExportWish& wish) {
   if (!fits)
     return Error{name_of(wish.content) + " cannot be written as this file type; use " + listed(types),
                  wish.output};
-  if (!(wish.rate_hz <= highest_rate_hz))
+  if (!(wish.rate_hz <= highest_export_rate_hz))
     return Error{fmt::format("cannot have {} frames a second; choose a rate of at most {} Hz", wish.rate_hz,
-                             highest_rate_hz),
+                             highest_export_rate_hz),
                  wish.output};
   if (wish.content == ExportContent::Motion) return check_motion(wish);
   if (wish.performer)

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 
+#include "core/base/rotation.hpp"
+
 namespace abrazo {
 
 namespace {
@@ -84,7 +86,7 @@ int HumanoidPose::parent(int bone) const {
 
 HumanoidPoints::World HumanoidPoints::raw_world(const HumanoidPose& pose) const {
   World world;
-  for (int bone = 0; bone < bone_count; ++bone) {
+  for (int bone = 0; bone < humanoid::bone_count; ++bone) {
     const auto b = static_cast<std::size_t>(bone);
     const int above = pose.parent(bone);
     const Rotation turned = above < 0 ? pose.root_rotation : world.rotation[static_cast<std::size_t>(above)];
@@ -105,7 +107,7 @@ void HumanoidPoints::calibrate(const HumanoidPose& t_pose) {
   const Rotation heading = yaw_of(left);
   Rest rest;
   PerBone<Rotation> swings;  // what a T-pose that was not quite one is put right by, per limb
-  for (int bone = 0; bone < bone_count; ++bone) {
+  for (int bone = 0; bone < humanoid::bone_count; ++bone) {
     const auto b = static_cast<std::size_t>(bone);
     const int above = t_pose.parent(bone);
     const auto a = static_cast<std::size_t>(std::max(above, 0));
@@ -121,7 +123,7 @@ void HumanoidPoints::calibrate(const HumanoidPose& t_pose) {
       rest.offset[b] = swings[b] * seen;
     else {
       rest.offset[b] = straight * seen.norm();
-      swings[b] = Rotation::FromTwoVectors(seen, straight);
+      swings[b] = smallest_rotation(seen, straight);
     }
     if (bone == LeftFoot || bone == RightFoot) swings[b] = Rotation::Identity();  // it stands on the floor
     rest.end[b] = t_pose.end[b] ? Vec3(swings[b] * (heading.inverse() * (raw.rotation[b] * *t_pose.end[b])))
@@ -133,7 +135,7 @@ void HumanoidPoints::calibrate(const HumanoidPose& t_pose) {
 HumanoidPoints::World HumanoidPoints::world(const HumanoidPose& pose) const {
   World world = raw_world(pose);
   if (!rest_) return world;
-  for (int bone = 0; bone < bone_count; ++bone) {
+  for (int bone = 0; bone < humanoid::bone_count; ++bone) {
     const auto b = static_cast<std::size_t>(bone);
     world.rotation[b] = world.rotation[b] * rest_->inverse[b];
     const int above = pose.parent(bone);
@@ -182,7 +184,7 @@ Vec3 HumanoidPoints::end_offset(const HumanoidPose& pose, int bone) const {
 
 std::shared_ptr<const std::vector<std::string>> HumanoidPoints::names(const HumanoidPose& pose) {
   std::vector<std::string> names;
-  for (int bone = 0; bone < bone_count; ++bone)
+  for (int bone = 0; bone < humanoid::bone_count; ++bone)
     if (pose.present[static_cast<std::size_t>(bone)]) names.push_back(humanoid_bone_name(bone));
   for (const int bone : ends(pose)) names.push_back(humanoid_bone_name(bone) + "_End");
   if (!names_ || *names_ != names)
@@ -196,7 +198,7 @@ Positions HumanoidPoints::positions(const HumanoidPose& pose) const {
   const auto bones = std::count(pose.present.begin(), pose.present.end(), true);
   Positions points(bones + static_cast<Eigen::Index>(last.size()), 3);
   Eigen::Index row = 0;
-  for (std::size_t b = 0; b < bone_count; ++b)
+  for (std::size_t b = 0; b < humanoid::bone_count; ++b)
     if (pose.present[b]) points.row(row++) = placed.position[b].transpose();
   for (const int bone : last) {
     const auto b = static_cast<std::size_t>(bone);

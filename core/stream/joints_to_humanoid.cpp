@@ -5,6 +5,8 @@
 #include <numbers>
 #include <tuple>
 
+#include "core/base/rotation.hpp"
+
 namespace abrazo {
 
 /// Bones and joints of one arm or leg, from the trunk outwards.
@@ -60,7 +62,7 @@ Rotation with_plane(const Vec3& axis, const Vec3& hinge, const Vec3& along, cons
 Rotation hinged(const Vec3& axis, const Vec3& hinge, const Vec3& along) {
   const double angle = std::atan2(along.dot(hinge.cross(axis)), along.dot(axis));
   const Rotation about_hinge(Eigen::AngleAxisd(angle, hinge));
-  return Rotation::FromTwoVectors(about_hinge * axis, along) * about_hinge;
+  return smallest_rotation(about_hinge * axis, along) * about_hinge;
 }
 
 Vec3 thorax_to_left_shoulder(const Body& body) {
@@ -163,7 +165,7 @@ Rotation JointsToHumanoid::swung(int bone, const Rotation& parent, const Vec3& a
   const Vec3 local = parent.inverse() * towards;
   const double moved = trails_[b] ? angle_between(trails_[b]->upper, local) : 0;
   trails_[b] = Trail{local, local, local};
-  const Rotation smallest = Rotation::FromTwoVectors(axis, local);
+  const Rotation smallest = smallest_rotation(axis, local);
   return parent * twists_[b].follow(axis, local, smallest, {{smallest, 1, follow_rad_s, moved}}, dt_s_);
 }
 
@@ -171,7 +173,7 @@ Rotation JointsToHumanoid::swung(int bone, const Rotation& parent, const Vec3& a
 /// @param hinge  axis about which the next bone bends, T-pose
 Rotation JointsToHumanoid::bent(int bone, const Vec3& axis, const Vec3& hinge, const Trail& now) {
   const auto b = static_cast<std::size_t>(bone);
-  const Rotation smallest = Rotation::FromTwoVectors(axis, now.upper);
+  const Rotation smallest = smallest_rotation(axis, now.upper);
   const auto plane = [&](const Vec3& normal) {
     return normal.norm() > 1e-6 ? with_plane(axis, hinge, now.upper, normal) : smallest;
   };
@@ -182,7 +184,7 @@ Rotation JointsToHumanoid::bent(int bone, const Vec3& axis, const Vec3& hinge, c
   // the limb is.
   double bend_moved = 0, step_moved = 0;
   if (trails_[b]) {
-    const Rotation carried = Rotation::FromTwoVectors(trails_[b]->upper, now.upper);
+    const Rotation carried = smallest_rotation(trails_[b]->upper, now.upper);
     bend_moved = angle_between(carried * trails_[b]->lower, now.lower) / std::max(bend.norm(), full_plane);
     step_moved = angle_between(carried * trails_[b]->foot, now.foot) / std::max(step.norm(), full_plane);
   }
@@ -207,7 +209,7 @@ void JointsToHumanoid::trunk(const Pose& joints) {
                                               {humanoid::Chest, UpperBack, Thorax, 2.0 / 3}}) {
     const Rotation between = hips.slerp(share, chest);
     const Vec3 along = direction(joints, from, to, between * up);
-    place(bone, at(joints, from), Rotation::FromTwoVectors(between * up, along) * between);
+    place(bone, at(joints, from), smallest_rotation(between * up, along) * between);
   }
   place(humanoid::UpperChest, at(joints, Thorax), chest);
   Rotation parent = chest;

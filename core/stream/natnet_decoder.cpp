@@ -21,7 +21,7 @@ struct NatNetOptions {
   std::optional<Endpoint> group;
 };
 
-Result<NatNetOptions> parse_options(const StreamUri& uri) {
+Result<NatNetOptions> parse_natnet_options(const StreamUri& uri) {
   NatNetOptions options;
   const auto wrong = [&](std::string_view key, std::string_view expected) {
     return Error{
@@ -280,7 +280,7 @@ std::vector<std::string> NatNetDecoder::facts() const {
 }  // namespace
 
 Result<std::unique_ptr<StreamDecoder>> make_natnet_decoder(const StreamUri& uri) {
-  Result<NatNetOptions> options = parse_options(uri);
+  Result<NatNetOptions> options = parse_natnet_options(uri);
   if (!options) return options.error();
   const bool knows_host = !uri.host.empty() && uri.host != "0.0.0.0";
   return std::unique_ptr<StreamDecoder>(std::make_unique<NatNetDecoder>(*options, knows_host));

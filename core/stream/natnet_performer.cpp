@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/base/text.hpp"
+#include "core/stream/sent_rotation.hpp"
 
 namespace abrazo {
 
@@ -42,12 +43,6 @@ std::optional<char> clear_axis(const Vec3& v) {
   if (y > 2 * std::max(x, z)) return 'y';
   if (z > 2 * std::max(x, y)) return 'z';
   return std::nullopt;
-}
-
-/// Rotations are sent as four floats; what is far from a unit quaternion is none.
-bool is_rotation(const Eigen::Quaterniond& q) {
-  const double norm = q.norm();
-  return std::isfinite(norm) && norm > 0.5 && norm < 1.5;
 }
 
 std::string how(bool given, std::string_view option) {

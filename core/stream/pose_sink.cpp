@@ -12,7 +12,7 @@ namespace abrazo {
 
 namespace {
 
-constexpr std::uint16_t natnet_data_port = 1511;
+constexpr std::uint16_t natnet_sink_port = 1511;
 constexpr double asker_is_forgotten_s = 10;  ///< who receives frames asks again about once a second
 constexpr std::size_t most_askers = 32;
 constexpr int questions_at_once = 16;
@@ -157,7 +157,7 @@ Result<Outlet> open_server(const StreamUri& uri, std::uint32_t host) {
   if (!through) return through.error();
   if (*through != 0)
     if (const Status chosen = server.socket->send_through(*through); !chosen) return chosen.error();
-  server.receiver = Endpoint{*address, natnet_data_port};
+  server.receiver = Endpoint{*address, natnet_sink_port};
   return server;
 }
 

@@ -14,7 +14,7 @@ namespace abrazo {
 namespace {
 
 constexpr double standing_toe_height_m = 0.04;  ///< toe base of a standing foot, as in the CMU takes
-constexpr double shortest_m = 1.0, tallest_m = 2.3;
+constexpr double shortest_standing_m = 1.0, tallest_standing_m = 2.3;
 constexpr double arm_tolerance_deg = 30, elbow_tolerance_deg = 35, leg_tolerance_deg = 30;
 constexpr double stillness_m = 0.06;
 constexpr double uneven_feet_m = 0.08;
@@ -98,7 +98,7 @@ StreamCalibration calibration_of(std::span<const Pose> poses) {
   if (most_m > stillness_m)
     calibration.doubts.push_back(text("a joint moved by %.2f m meanwhile; stand still", most_m));
   const double height = calibration.body.height();
-  if (height < shortest_m || height > tallest_m)
+  if (height < shortest_standing_m || height > tallest_standing_m)
     calibration.doubts.push_back(text("the body would be %.2f m tall; set the unit of the stream", height));
   return calibration;
 }

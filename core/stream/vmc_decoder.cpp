@@ -12,7 +12,7 @@ namespace abrazo {
 namespace {
 
 /// More senders at once than a stage has people: a program that takes another port for every packet.
-constexpr std::size_t most_senders = 16;
+constexpr std::size_t most_vmc_senders = 16;
 constexpr std::size_t most_issues_per_packet = 32;
 constexpr const char* shared_name = "all senders";
 
@@ -49,10 +49,10 @@ class VmcDecoder : public StreamDecoder {
     const std::string name = splits_by_sender_ ? datagram.from.text() : shared_name;
     for (const auto& performer : performers_)
       if (performer->name() == name) return *performer;
-    if (performers_.size() >= most_senders) {
+    if (performers_.size() >= most_vmc_senders) {
       out.issues.push_back(
           {"many-senders",
-           "more than " + std::to_string(most_senders) +
+           "more than " + std::to_string(most_vmc_senders) +
                " addresses send here; the one silent for longest is forgotten. A program that takes "
                "another port for every packet is one performer with the option split=port"});
       performers_.erase(

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/text.hpp"
+#include "core/stream/sent_rotation.hpp"
 
 namespace abrazo {
 
@@ -17,20 +18,20 @@ enum Segment : int { Pelvis = 0, T8 = 4, Head = 6 };
 
 /// A segment that has nothing behind it. With the scale its last point is known: that whose name holds
 /// `point`.
-struct EndRule {
+struct SegmentEnd {
   int before, last;
   double fraction;
   bool level;
   std::string_view point;
 };
-constexpr std::array<EndRule, 5> end_rules = {EndRule{5, 6, crown_beyond_neck_length, false, "topofhead"},
-                                              EndRule{9, 10, hand_beyond_forearm_length, false, "topofhand"},
-                                              EndRule{13, 14, hand_beyond_forearm_length, false, "topofhand"},
-                                              EndRule{17, 18, toes_beyond_foot_length, true, "toe"},
-                                              EndRule{21, 22, toes_beyond_foot_length, true, "toe"}};
+constexpr std::array<SegmentEnd, 5> segment_ends = {SegmentEnd{5, 6, crown_beyond_neck_length, false, "topofhead"},
+                                              SegmentEnd{9, 10, hand_beyond_forearm_length, false, "topofhand"},
+                                              SegmentEnd{13, 14, hand_beyond_forearm_length, false, "topofhand"},
+                                              SegmentEnd{17, 18, toes_beyond_foot_length, true, "toe"},
+                                              SegmentEnd{21, 22, toes_beyond_foot_length, true, "toe"}};
 
 /// MVN's axes, x forward and z up, to y up and z forward.
-Vec3 z_up_to_y_up(const Vec3& v) {
+Vec3 mvn_to_y_up(const Vec3& v) {
   return {v.y(), v.z(), v.x()};
 }
 
@@ -55,11 +56,6 @@ std::string two_digits(int type) {
   return {static_cast<char>('0' + type / 10 % 10), static_cast<char>('0' + type % 10)};
 }
 
-bool is_rotation(const Eigen::Quaterniond& q) {
-  const double norm = q.norm();
-  return std::isfinite(norm) && norm > 0.5 && norm < 1.5;
-}
-
 /// The rotation in the axes of Y up; not finite where there is none.
 Eigen::Quaterniond turned(const Eigen::Quaterniond& q, const Vec3& vector_part) {
   return {q.w(), vector_part.x(), vector_part.y(), vector_part.z()};
@@ -68,7 +64,7 @@ Eigen::Quaterniond turned(const Eigen::Quaterniond& q, const Vec3& vector_part) 
 std::shared_ptr<const std::vector<std::string>> point_names(bool with_ends) {
   std::vector<std::string> names(xsens_segment_names.begin(), xsens_segment_names.end());
   if (with_ends)
-    for (const EndRule& end : end_rules) names.push_back(names[static_cast<std::size_t>(end.last)] + "_End");
+    for (const SegmentEnd& end : segment_ends) names.push_back(names[static_cast<std::size_t>(end.last)] + "_End");
   return std::make_shared<const std::vector<std::string>>(std::move(names));
 }
 
@@ -110,16 +106,16 @@ void XsensCharacter::take_scale(const XsensScale& scale) {
       for (const char c : name)
         if (c != ' ') plain += c;
       if (lower_case(plain) == lower_case(xsens_segment_names[s]) && origin.allFinite())
-        rest_origins_[s] = unit_of(highest, tallest_m) * z_up_to_y_up(origin);
+        rest_origins_[s] = unit_of(highest, tallest_m) * mvn_to_y_up(origin);
     }
   for (const XsensPoint& point : scale.points)
-    for (std::size_t e = 0; e < end_rules.size(); ++e) {
+    for (std::size_t e = 0; e < segment_ends.size(); ++e) {
       const std::string name = lower_case(point.name);
       const bool is_joint = name.starts_with('j');
-      if (point.segment != end_rules[e].last + 1 || is_joint || !point.offset.allFinite() ||
-          name.find(end_rules[e].point) == std::string::npos)
+      if (point.segment != segment_ends[e].last + 1 || is_joint || !point.offset.allFinite() ||
+          name.find(segment_ends[e].point) == std::string::npos)
         continue;
-      end_offsets_[e] = unit_of(point.offset.norm(), longest_segment_m) * z_up_to_y_up(point.offset);
+      end_offsets_[e] = unit_of(point.offset.norm(), longest_segment_m) * mvn_to_y_up(point.offset);
     }
 }
 
@@ -235,7 +231,7 @@ void XsensCharacter::find_unit(const Poses& poses, std::vector<StreamIssue>& iss
 }
 
 Vec3 XsensCharacter::end_of(const Poses& poses, std::size_t end) const {
-  const EndRule& rule = end_rules[end];
+  const SegmentEnd& rule = segment_ends[end];
   const SegmentPose& last = poses[static_cast<std::size_t>(rule.last)];
   if (end_offsets_[end]) return last.position + last.rotation * *end_offsets_[end];
   return limb_end(poses[static_cast<std::size_t>(rule.before)], last, rule.fraction, rule.level);
@@ -269,8 +265,8 @@ void XsensCharacter::complete(const Partial& sample, double arrived_s, Decoded& 
     if (!up_) up_ = up_of_spine(poses);
     if (up_.value_or('z') == 'z')
       for (SegmentPose& pose : poses) {
-        pose.position = z_up_to_y_up(pose.position);
-        pose.rotation = turned(pose.rotation, z_up_to_y_up(pose.rotation.vec()));
+        pose.position = mvn_to_y_up(pose.position);
+        pose.rotation = turned(pose.rotation, mvn_to_y_up(pose.rotation.vec()));
       }
   }
   find_unit(poses, out.issues);
@@ -287,7 +283,7 @@ void XsensCharacter::complete(const Partial& sample, double arrived_s, Decoded& 
   for (std::size_t s = 0; s < poses.size(); ++s)
     frame.positions.row(static_cast<Eigen::Index>(s)) = poses[s].position.transpose();
   if (has_rotations)
-    for (std::size_t e = 0; e < end_rules.size(); ++e)
+    for (std::size_t e = 0; e < segment_ends.size(); ++e)
       frame.positions.row(static_cast<Eigen::Index>(xsens_segment_count + e)) = end_of(poses, e).transpose();
   frame.counter = steps_.number_of(sample.header.sample);
   frame.sender_time_s = sample.header.time_ms / 1000.0;

@@ -8,7 +8,7 @@ namespace abrazo {
 
 namespace {
 
-Result<XsensConventions> parse_options(const StreamUri& uri) {
+Result<XsensConventions> parse_xsens_options(const StreamUri& uri) {
   XsensConventions conventions;
   if (const std::string units = uri.option("units"); !units.empty()) {
     if (units != "m" && units != "cm")
@@ -120,7 +120,7 @@ std::vector<std::string> XsensDecoder::facts() const {
 }  // namespace
 
 Result<std::unique_ptr<StreamDecoder>> make_xsens_decoder(const StreamUri& uri) {
-  const Result<XsensConventions> conventions = parse_options(uri);
+  const Result<XsensConventions> conventions = parse_xsens_options(uri);
   if (!conventions) return conventions.error();
   return std::unique_ptr<StreamDecoder>(std::make_unique<XsensDecoder>(*conventions));
 }

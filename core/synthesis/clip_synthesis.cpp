@@ -9,12 +9,12 @@
 namespace abrazo {
 
 namespace {
-constexpr double highest_rate_hz = 120;
+constexpr double highest_step_rate_hz = 120;
 constexpr double lowest_rate_hz = 5;  ///< below, every step would come after a tracking loss
 }  // namespace
 
 double clip_step_rate(const Clip& clip, const Settings& settings) {
-  const double wanted = settings.step_rate_hz > 0 ? settings.step_rate_hz : highest_rate_hz;
+  const double wanted = settings.step_rate_hz > 0 ? settings.step_rate_hz : highest_step_rate_hz;
   return std::min(wanted, clip.fps);
 }
 

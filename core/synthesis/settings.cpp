@@ -18,7 +18,7 @@ namespace {
 
 constexpr double reference_rate_hz = 15;
 constexpr double lowest_step_rate_hz = 5;
-constexpr double highest_rate_hz =
+constexpr double highest_weighed_rate_hz =
     240;  ///< poses closer than this are weighed as if they were this far apart
 
 using Kind = SettingInfo::Kind;
@@ -220,7 +220,7 @@ Result<Settings> preset(std::string_view name) {
 
 double velocity_weight_at(const Settings& settings, double dt_s) {
   if (dt_s <= 0) return settings.velocity_weight;
-  const double rate_ratio = std::min(1.0 / dt_s, highest_rate_hz) / reference_rate_hz;
+  const double rate_ratio = std::min(1.0 / dt_s, highest_weighed_rate_hz) / reference_rate_hz;
   return settings.velocity_weight *
          (settings.velocity_form == VelocityForm::Velocity ? rate_ratio : rate_ratio * rate_ratio);
 }

@@ -12,8 +12,8 @@
 namespace abrazo {
 namespace {
 
-constexpr std::uintmax_t most_bytes = 1 << 20;  // a calibration with all its corners is a tenth of it
-constexpr int largest_px = 65536;
+constexpr std::uintmax_t most_calibration_bytes = 1 << 20;  // a calibration with all its corners is a tenth of it
+constexpr int largest_side_px = 65536;
 constexpr std::size_t most_coefficients = 14;
 constexpr std::size_t deepest = 2000;  ///< levels; with all its views a calibration has some hundred brackets
 
@@ -64,7 +64,7 @@ Result<int> pixels(const cv::FileStorage& file, const char* entry, std::size_t i
   if (node.empty() && file["image_size"].isSeq() && file["image_size"].size() == 2)
     node = file["image_size"][static_cast<int>(in_size)];
   const double value = node.isInt() || node.isReal() ? node.real() : 0;
-  if (!(value >= 1) || value > largest_px || value != std::floor(value))
+  if (!(value >= 1) || value > largest_side_px || value != std::floor(value))
     return Error{fmt::format("\"{}\" is missing or no size of a picture; {}", entry, advice), where};
   return static_cast<int>(value);
 }
@@ -140,7 +140,7 @@ Result<CameraIntrinsics> intrinsics_of(const cv::FileStorage& file, const std::s
 Result<CameraIntrinsics> read_intrinsics(const std::filesystem::path& file) {
   std::error_code failure;
   const auto bytes = std::filesystem::file_size(file, failure);
-  if (!failure && bytes > most_bytes)
+  if (!failure && bytes > most_calibration_bytes)
     return Error{fmt::format("has {} bytes; a calibration has less than 1 MB", bytes), file.string()};
   auto text = read_whole_file(file);
   if (!text) return text.error();

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <string>
 
-namespace abrazo::test {
+namespace abrazo::test::rules_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -195,4 +195,4 @@ TEST(ArchitectureRules, CatchAPathOfOneMachine) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::rules_test

@@ -7,7 +7,7 @@
 
 #include "tests/architecture/rules.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::source_tree_test {
 namespace {
 
 const std::vector<SourceFile>& tree() {
@@ -94,4 +94,4 @@ TEST(Architecture, LinksOfDocumentsLeadSomewhere) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::source_tree_test

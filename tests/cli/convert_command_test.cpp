@@ -4,7 +4,7 @@
 
 #include "tests/cli/command_line_fixture.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::convert_command_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -72,4 +72,4 @@ TEST_F(ConvertCommand, WhatCannotBeWrittenIsRefusedBeforeTheWork) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::convert_command_test

@@ -1,6 +1,6 @@
 #include "tests/cli/command_line_fixture.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::demo_command_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -74,4 +74,4 @@ TEST_F(DemoCommand, AnUnknownStyleIsWrongUsage) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::demo_command_test

@@ -2,7 +2,7 @@
 
 #include "tests/cli/command_line_fixture.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::evaluate_command_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -117,4 +117,4 @@ TEST_F(EvaluateCommand, WhatToEvaluateMustBeSaid) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::evaluate_command_test

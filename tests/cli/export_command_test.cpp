@@ -7,7 +7,7 @@
 #include "tests/cli/command_line_fixture.hpp"
 #include "tests/core/session/recorded_session.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::export_command_test {
 namespace {
 
 using ::testing::Contains;
@@ -210,4 +210,4 @@ TEST_F(ExportCommand, QuietSaysNothing) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::export_command_test

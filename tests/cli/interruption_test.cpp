@@ -4,7 +4,7 @@
 
 #include "tests/cli/command_line_fixture.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::interruption_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -75,4 +75,4 @@ TEST_F(Interruption, WhatStoodThereStaysWhenARunIsInterrupted) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::interruption_test

@@ -1,6 +1,6 @@
 #include "tests/cli/command_line_fixture.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::labels_command_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -88,4 +88,4 @@ TEST_F(LabelsCommand, WhatCannotBeDoneIsSaid) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::labels_command_test

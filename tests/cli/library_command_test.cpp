@@ -1,6 +1,6 @@
 #include "tests/cli/command_line_fixture.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::library_command_test {
 namespace {
 
 using ::testing::Contains;
@@ -153,4 +153,4 @@ TEST_F(LibraryCommand, NamesInALibraryNeitherSteerATerminalNorPassForLinesOfTheA
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::library_command_test

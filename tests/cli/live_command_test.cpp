@@ -6,7 +6,7 @@
 #include "core/stream/osc_packet.hpp"
 #include "tests/cli/live_fixture.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::live_command_test {
 namespace {
 
 using ::testing::AnyOf;
@@ -380,4 +380,4 @@ TEST_F(LiveReplay, OfAStreamThatBroke) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::live_command_test

@@ -1,7 +1,7 @@
 #include "tests/cli/command_line_fixture.hpp"
 #include "tests/support/captured_data.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::motion_command_test {
 namespace {
 
 using ::testing::IsEmpty;
@@ -133,4 +133,4 @@ TEST_F(MotionCommand, ACapturedMotionsRateIsMarkedAsGuessed) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::motion_command_test

@@ -1,6 +1,6 @@
 #include "tests/cli/command_line_fixture.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::output_files_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -104,4 +104,4 @@ TEST_F(OutputFiles, AnInputIsNotWrittenOver) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::output_files_test

@@ -10,7 +10,7 @@
 #include "core/base/text.hpp"
 #include "tests/cli/live_fixture.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::real_peers_test {
 namespace {
 
 using ::testing::AnyOf;
@@ -194,4 +194,4 @@ TEST_F(RealPeers, OscdumpReadsThePartnerThatWeSend) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::real_peers_test

@@ -8,7 +8,7 @@
 
 #include "tests/cli/command_line_fixture.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::render_command_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -131,4 +131,4 @@ TEST_F(RenderCommand, LeavesNothingWhenItIsStopped) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::render_command_test

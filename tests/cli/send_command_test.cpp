@@ -3,7 +3,7 @@
 #include "core/stream/osc_packet.hpp"
 #include "tests/cli/live_fixture.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::send_command_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -92,4 +92,4 @@ TEST_F(SendCommand, ALoopGoesOnTillItIsInterrupted) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::send_command_test

@@ -3,7 +3,7 @@
 #include "core/session/project.hpp"
 #include "tests/cli/command_line_fixture.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::session_command_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -75,4 +75,4 @@ TEST_F(SessionCommand, RefusesWhatIsNoneWithOneSentence) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::session_command_test

@@ -7,7 +7,7 @@
 #include "core/synthesis/settings.hpp"
 #include "tests/cli/command_line_fixture.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::settings_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -98,4 +98,4 @@ TEST_F(SettingsOptions, AreInTheGuideWithTheirValues) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::settings_test

@@ -1,6 +1,6 @@
 #include "tests/cli/command_line_fixture.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::suggest_command_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -59,4 +59,4 @@ TEST_F(SuggestCommand, WantsATakeOrAgreement) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::suggest_command_test

@@ -2,7 +2,7 @@
 
 #include "tests/cli/command_line_fixture.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::sweep_command_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -100,4 +100,4 @@ TEST_F(SweepCommand, ATakeThatDoesNotExistIsNamed) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::sweep_command_test

@@ -4,7 +4,7 @@
 #include "tests/cli/command_line_fixture.hpp"
 #include "tests/support/captured_data.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::synth_command_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -157,4 +157,4 @@ TEST_F(SynthCommand, ACapturedFollowerOfAnotherBuildIsAnswered) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::synth_command_test

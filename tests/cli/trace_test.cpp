@@ -1,6 +1,6 @@
 #include "tests/cli/command_line_fixture.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::trace_test {
 namespace {
 
 using ::testing::Each;
@@ -106,4 +106,4 @@ TEST_F(Trace, ItsPosesAreThoseOfTheCsv) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::trace_test

@@ -1,6 +1,6 @@
 #include "tests/cli/command_line_fixture.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::usage_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -102,4 +102,4 @@ TEST_F(Usage, QuietMayStandAnywhereAndLeavesNothingButWhatWasAskedFor) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::usage_test

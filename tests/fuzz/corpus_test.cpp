@@ -7,7 +7,7 @@
 
 #include "tests/fuzz/fuzz_target.hpp"
 
-namespace abrazo::fuzz {
+namespace abrazo::fuzz::corpus_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -70,4 +70,4 @@ TEST(KeptInputs, AreThereAndEveryFolderHasATarget) {
 }
 
 }  // namespace
-}  // namespace abrazo::fuzz
+}  // namespace abrazo::fuzz::corpus_test

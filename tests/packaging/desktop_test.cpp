@@ -8,7 +8,7 @@
 #include "tests/cli/run_command.hpp"
 #include "tests/packaging/installed_files.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::desktop_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -93,4 +93,4 @@ TEST(Desktop, IconHasTheSizesItIsNamedAfter) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::desktop_test

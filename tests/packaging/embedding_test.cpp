@@ -3,7 +3,7 @@
 #include "tests/cli/command_line_fixture.hpp"
 #include "tests/packaging/installed_files.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::embedding_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -88,4 +88,4 @@ TEST_F(Embedding, TheConfigurationNamesNoPlaceOfTheMachineThatBuiltIt) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::embedding_test

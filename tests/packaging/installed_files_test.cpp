@@ -8,7 +8,7 @@
 #include "tests/cli/run_command.hpp"
 #include "tests/packaging/installed_files.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::installed_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -155,4 +155,4 @@ TEST(InstalledHeaders, AreThoseOfTheEngineAndHaveTheirCodeInIt) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::installed_files_test

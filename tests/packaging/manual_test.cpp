@@ -8,7 +8,7 @@
 #include "tests/cli/run_command.hpp"
 #include "tests/packaging/installed_files.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::manual_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -97,4 +97,4 @@ TEST(Manual, IsReadWithoutAWarning) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::manual_test

@@ -13,7 +13,7 @@
 #include "core/mesh/vtu_writer.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::vtu_read_back_test {
 namespace {
 
 /// A pair of the library with its mesh, somewhat moved.
@@ -100,4 +100,4 @@ TEST_F(VtuReadBack, ValuesOfEdgesAndTetrahedraComeBack) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::vtu_read_back_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::body_light_test {
 namespace {
 
 const Vec3 into_the_picture(0, 0, -1);
@@ -36,4 +36,4 @@ TEST(BodyLight, StaysFiniteLookingStraightDown) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::body_light_test

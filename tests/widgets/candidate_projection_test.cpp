@@ -7,7 +7,7 @@
 
 #include "tests/support/libraries.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::candidate_projection_test {
 namespace {
 
 std::vector<Features> spread_features(int count) {
@@ -91,4 +91,4 @@ TEST(PlaneView, OfAPointHasAScaleToo) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::candidate_projection_test

@@ -6,7 +6,7 @@
 #include "tests/widgets/synthetic_frames.hpp"
 #include "widgets/candidates/candidate_order.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::candidate_rows_test {
 namespace {
 
 std::vector<CandidateRow> rows() {
@@ -143,4 +143,4 @@ TEST(CandidateRows, BarsEndWhereTheirPartsDo) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::candidate_rows_test

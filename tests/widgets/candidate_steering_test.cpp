@@ -5,7 +5,7 @@
 #include "tests/widgets/synthetic_frames.hpp"
 #include "widgets/candidates/candidate_order.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::candidate_steering_test {
 namespace {
 
 std::vector<CandidateRow> rows() {
@@ -138,4 +138,4 @@ TEST(CandidateOrder, KeepsTheRankOfTheTotalCostInEveryOrder) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::candidate_steering_test

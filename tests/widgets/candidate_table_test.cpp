@@ -18,7 +18,7 @@
 #include "widgets/candidates/feature_map.hpp"
 #include "widgets/common/theme.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::candidate_table_test {
 namespace {
 
 using test::filtered_frame;
@@ -349,4 +349,4 @@ TEST(FeatureMap, DrawsTheWinnersRingAndTheUserAndLinksWithTheTable) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::candidate_table_test

@@ -13,7 +13,7 @@
 #include "widgets/compare/compare_curve.hpp"
 #include "widgets/compare/figure_table.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::compare_panel_test {
 namespace {
 
 using test::picture_of;
@@ -131,4 +131,4 @@ TEST_F(Compare, EveryControlHasANameAndIsReachedByKeyboard) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::compare_panel_test

@@ -7,7 +7,7 @@
 #include "widgets/compare/figure_rows.hpp"
 #include "widgets/scene/comparison_dashes.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::compare_rows_test {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
@@ -152,4 +152,4 @@ TEST(ComparisonDashes, OnlyJointsThatAreApartAreTied) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::compare_rows_test

@@ -29,7 +29,7 @@
 #include "widgets/stream/stream_head.hpp"
 #include "widgets/stream/stream_sign.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::connection_panel_test {
 namespace {
 
 using test::picture_of;
@@ -375,4 +375,4 @@ TEST(SceneNotice, CoversTheSceneAndLetsThePointerThrough) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::connection_panel_test

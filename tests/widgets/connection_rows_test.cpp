@@ -8,7 +8,7 @@
 #include "widgets/stream/stream_address.hpp"
 #include "widgets/stream/stream_words.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::connection_rows_test {
 namespace {
 
 using Scheme = StreamUri::Scheme;
@@ -233,4 +233,4 @@ TEST(LatencyVerdict, IsOfTheWayWithoutTheDelayThatWasAskedFor) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::connection_rows_test

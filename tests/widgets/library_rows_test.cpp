@@ -6,7 +6,7 @@
 #include "widgets/library/take_coverage.hpp"
 #include "widgets/library/take_rows.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::library_rows_test {
 namespace {
 
 using test::two_take_library;
@@ -162,4 +162,4 @@ TEST(PreviewScale, CountsFramesFromTheFirstOneUsed) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::library_rows_test

@@ -10,7 +10,7 @@
 #include "widgets/meaning/meaning_choice.hpp"
 #include "widgets/meaning/meaning_popup.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::meaning_test {
 namespace {
 
 TEST(MeaningChoice, IsAMoveOrATakeForSoLong) {
@@ -105,4 +105,4 @@ TEST_F(Meaning, RowsAreDrawnWithTheColourOfTheirMove) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::meaning_test

@@ -11,7 +11,7 @@
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/plots/plot_panel.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::picture_test {
 namespace {
 
 using test::difference;
@@ -77,4 +77,4 @@ TEST(PlotPanel, DrawsItsCurvesAndTheCursor) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::picture_test

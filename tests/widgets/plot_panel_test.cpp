@@ -17,7 +17,7 @@
 #include "widgets/plots/plot_menu.hpp"
 #include "widgets/plots/plot_pane.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::plot_panel_test {
 namespace {
 
 using test::picture_of;
@@ -307,4 +307,4 @@ TEST_F(Plots, TheSamplesAreThoseInTheWindow) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::plot_panel_test

@@ -11,7 +11,7 @@
 #include "tests/support/bodies.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::plot_series_test {
 namespace {
 
 using test::facing_pair;
@@ -197,4 +197,4 @@ TEST(PlotSeries, SourceChangesAreThoseOfTheLastHundredSteps) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::plot_series_test

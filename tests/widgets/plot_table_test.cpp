@@ -7,7 +7,7 @@
 
 #include "widgets/plots/sample_table.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::plot_table_test {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -181,4 +181,4 @@ TEST(PlotCsv, HasUnitsInItsHeaderAndNumbersThatReadBackToTheSameBits) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::plot_table_test

@@ -4,7 +4,7 @@
 
 #include "widgets/plots/pane_arrangement.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::plot_window_test {
 namespace {
 
 Playback live(double last_s) {
@@ -138,4 +138,4 @@ TEST(PaneGrid, CollapsesWhereItIsLowAndLeavesOutWhatHasNoRoom) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::plot_window_test

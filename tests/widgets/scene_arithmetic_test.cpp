@@ -17,7 +17,7 @@
 #include "widgets/scene/smoothing_budget.hpp"
 #include "widgets/settings/slider_scale.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::scene_arithmetic_test {
 namespace {
 
 TEST(OrbitCamera, TurnsAboutItsTargetAtTheSameDistance) {
@@ -286,4 +286,4 @@ TEST(Palette, KnowsAMoveHoweverItIsWritten) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::scene_arithmetic_test

@@ -13,7 +13,7 @@
 #include "widgets/scene/mesh_filter.hpp"
 #include "widgets/scene/mesh_scalar.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::scene_mesh_test {
 namespace {
 
 constexpr MeshTetrahedron corner_cell = {0, 1, 2, 30};
@@ -275,4 +275,4 @@ TEST(AheadLines, OfATakeThatEndsAreShortAndOfNoneNone) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::scene_mesh_test

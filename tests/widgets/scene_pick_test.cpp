@@ -10,7 +10,7 @@
 #include "widgets/scene/pointer_moves.hpp"
 #include "widgets/scene/scene_pick.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::scene_pick_test {
 namespace {
 
 constexpr double width = 800, height = 600;
@@ -271,4 +271,4 @@ TEST(PointerMove, FollowsTheHabitsOfEachProgram) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::scene_pick_test

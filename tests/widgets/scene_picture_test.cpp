@@ -25,7 +25,7 @@
 #include "widgets/scene/scene_tree.hpp"
 #include "widgets/scene/scene_view.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::scene_picture_test {
 namespace {
 
 using test::difference;
@@ -651,4 +651,4 @@ TEST(SceneTree, AsksToHideWhatIsClicked) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::scene_picture_test

@@ -14,7 +14,7 @@
 #include "widgets/scene/scene_memory.hpp"
 #include "widgets/scene/scene_tree_rows.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::scene_shapes_test {
 namespace {
 
 using test::synthetic_frame;
@@ -238,4 +238,4 @@ TEST(SceneMemory, IsAsUsualForWhatItDoesNotKnow) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::scene_shapes_test

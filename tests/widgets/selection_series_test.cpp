@@ -9,7 +9,7 @@
 #include "tests/widgets/synthetic_frames.hpp"
 #include "widgets/plots/sample_table.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::selection_series_test {
 namespace {
 
 using test::synthetic_frame;
@@ -124,4 +124,4 @@ TEST(SampleTable, RewritesSeriesOfRowsAndTheirExtremes) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::selection_series_test

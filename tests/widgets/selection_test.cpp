@@ -5,7 +5,7 @@
 
 #include "core/motion/joint_set.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::selection_test {
 namespace {
 
 Selection joints_of(std::initializer_list<std::uint8_t> vertices) {
@@ -61,4 +61,4 @@ TEST(Selection, IsNamedByBodiesAndJoints) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::selection_test

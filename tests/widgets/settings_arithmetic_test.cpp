@@ -8,7 +8,7 @@
 #include "widgets/settings/setting_help.hpp"
 #include "widgets/settings/slider_scale.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::settings_arithmetic_test {
 namespace {
 
 using testing::HasSubstr;
@@ -104,4 +104,4 @@ TEST(PresetChoice, IsTheOneChosenUntilAnotherFits) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::settings_arithmetic_test

@@ -20,7 +20,7 @@
 #include "widgets/settings/setting_row.hpp"
 #include "widgets/settings/toggle.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::settings_panel_test {
 namespace {
 
 struct Panel {
@@ -299,4 +299,4 @@ TEST(SettingsPanel, OwnPresetsCanBeChosenAndAreDefaultsThen) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::settings_panel_test

@@ -9,7 +9,7 @@
 #include <QTest>
 #include <QToolButton>
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::suggestion_section_test {
 namespace {
 
 /// Three suggestions; the second of the take is the surest.
@@ -92,4 +92,4 @@ TEST_F(Section, SaysThatThereIsNothing) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::suggestion_section_test

@@ -4,7 +4,7 @@
 
 #include "widgets/sweep/sweep_request.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::sweep_grid_test {
 namespace {
 
 using State = SweepCell::State;
@@ -115,4 +115,4 @@ TEST(SweepRequest, ProposesARangeAroundThePresentValueWithinTheSettings) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::sweep_grid_test

@@ -13,7 +13,7 @@
 #include "widgets/sweep/heat_map.hpp"
 #include "widgets/sweep/sweep_form.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::sweep_panel_test {
 namespace {
 
 using State = SweepCell::State;
@@ -191,4 +191,4 @@ TEST(SweepPanel, EveryControlOfTheFormHasAName) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::sweep_panel_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::take_belief_test {
 namespace {
 
 using testing::Each;
@@ -107,4 +107,4 @@ TEST_F(Belief, IsNoneOfTakesTheLibraryDoesNotHaveAndOfEmptyBlocks) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::take_belief_test

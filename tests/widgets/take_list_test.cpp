@@ -19,7 +19,7 @@
 #include "widgets/library/take_model.hpp"
 #include "widgets/library/take_view.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::take_list_test {
 namespace {
 
 using test::difference;
@@ -279,4 +279,4 @@ TEST_F(Browser, WithoutALibrarySaysHowToGetOne) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::take_list_test

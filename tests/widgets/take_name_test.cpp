@@ -7,7 +7,7 @@
 #include "widgets/takes/recording_status.hpp"
 #include "widgets/takes/take_sequence.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::take_name_test {
 namespace {
 
 using Phase = TakeSequence::Phase;
@@ -126,4 +126,4 @@ TEST(RecordingStatus, TellsHowTheDiskKeepsUp) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::take_name_test

@@ -15,7 +15,7 @@
 #include "widgets/takes/countdown.hpp"
 #include "widgets/takes/take_rows.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::take_panel_test {
 namespace {
 
 using Phase = TakeSequence::Phase;
@@ -161,4 +161,4 @@ TEST(CountdownOverTheScene, IsLargeAndGoesWhenItIsOver) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::take_panel_test

@@ -5,7 +5,7 @@
 #include "widgets/annotation/problem_fixes.hpp"
 #include "widgets/timeline/tier_drag.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::tier_lanes_test {
 namespace {
 
 using Part = TierHit::Part;
@@ -249,4 +249,4 @@ TEST(ProblemFix, AnEdgeOffTheFramesGoesToTheNearest) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::tier_lanes_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::timeline_axis_test {
 namespace {
 
 TimelineAxis axis() {
@@ -68,4 +68,4 @@ TEST(TimelineAxis, TicksAreRoundAndFarEnoughApart) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::timeline_axis_test

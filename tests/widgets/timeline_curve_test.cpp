@@ -4,7 +4,7 @@
 
 #include "widgets/timeline/sample_curve.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::timeline_curve_test {
 namespace {
 
 double figure(int i) {
@@ -94,4 +94,4 @@ TEST(SampleCurve, ReachesAsHighAsItsColumnsUnlessOneTowers) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::timeline_curve_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::timeline_hit_test {
 namespace {
 
 using Part = TimelineHit::Part;
@@ -90,4 +90,4 @@ TEST(TimelineLanes, AreRememberedByName) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::timeline_hit_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::timeline_tracks_test {
 namespace {
 
 TimelineTracks ten_frames() {
@@ -171,4 +171,4 @@ TEST(TimelineTracks, KeepTheRoleThatTheUserWasGiven) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::timeline_tracks_test

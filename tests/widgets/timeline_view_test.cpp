@@ -14,7 +14,7 @@
 #include "widgets/timeline/timeline_view.hpp"
 #include "widgets/timeline/transport_bar.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::timeline_view_test {
 namespace {
 
 using test::picture_of;
@@ -440,4 +440,4 @@ TEST_F(Timeline, TheUsersRoleHasALaneOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::timeline_view_test

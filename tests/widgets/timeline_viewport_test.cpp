@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::timeline_viewport_test {
 namespace {
 
 using State = Playback::State;
@@ -110,4 +110,4 @@ TEST(TimelineViewport, CannotBeMovedToWhereThereIsNothing) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::timeline_viewport_test

@@ -6,7 +6,7 @@
 #include "widgets/video/video_overlay.hpp"
 #include "widgets/video/video_words.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::video_arithmetic_test {
 namespace {
 
 constexpr PictureSize picture{1280, 720};
@@ -167,4 +167,4 @@ TEST(SyncPoints, ATypedOffsetKeepsTheRateAndATypedRateTheFirstPoint) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::video_arithmetic_test

@@ -5,7 +5,7 @@
 
 #include "tests/widgets/synthetic_frames.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo::widgets::winning_reason_test {
 namespace {
 
 using testing::HasSubstr;
@@ -103,4 +103,4 @@ TEST(LikelyMoves, AreNotToldWhereNothingIsKnownOfThem) {
 }
 
 }  // namespace
-}  // namespace abrazo::widgets
+}  // namespace abrazo::widgets::winning_reason_test

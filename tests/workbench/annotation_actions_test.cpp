@@ -15,7 +15,7 @@
 #include "widgets/library/take_list.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::annotation_actions_test {
 namespace {
 
 using widgets::TimelineView;
@@ -459,4 +459,4 @@ TEST_F(Annotating, TheListOfTakesAsksForATake) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::annotation_actions_test

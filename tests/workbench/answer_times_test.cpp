@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abrazo::app {
+namespace abrazo::app::answer_times_test {
 namespace {
 
 TEST(AnswerTimes, AreZeroBeforeTheFirst) {
@@ -36,4 +36,4 @@ TEST(AnswerTimes, CountWaitsOfASecondAndMoreTogether) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::answer_times_test

@@ -22,7 +22,7 @@
 #include "tests/widgets/pictures.hpp"
 #include "widgets/library/pair_preview.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::build_dialog_test {
 namespace {
 
 using testing::Contains;
@@ -232,4 +232,4 @@ TEST_F(BuildDialogTest, TakesGetTheNamesOfTheirLabels) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::build_dialog_test

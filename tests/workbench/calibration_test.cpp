@@ -3,7 +3,7 @@
 
 #include "app/workbench/calibration_steps.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::calibration_test {
 namespace {
 
 using Stage = CalibrationSteps::Stage;
@@ -101,4 +101,4 @@ TEST_F(Calibration, IsCancelled) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::calibration_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <random>
 
-namespace abrazo::app {
+namespace abrazo::app::command_line_test {
 namespace {
 
 std::variant<CommandLine, ExitStatus> parsed(std::vector<std::string> words) {
@@ -93,4 +93,4 @@ TEST(CommandLine, AWordThatIsNotExpectedDoesNotSteerTheTerminal) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::command_line_test

@@ -15,7 +15,7 @@
 #include "widgets/compare/compare_panel.hpp"
 #include "widgets/settings/settings_panel.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::compare_window_test {
 namespace {
 
 using State = Playback::State;
@@ -158,4 +158,4 @@ TEST_F(CompareInTheWindow, AnotherSessionKeepsAAndStartsItsRunsAnew) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::compare_window_test

@@ -9,7 +9,7 @@
 #include "tests/support/libraries.hpp"
 #include "tests/support/settings.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::comparison_test {
 namespace {
 
 using widgets::WhatIfSpan;
@@ -234,4 +234,4 @@ TEST(ComparisonPlan, WhileFollowingTheShadowIsTheRunThatLiveDoesNotSolve) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::comparison_test

@@ -18,7 +18,7 @@
 #include "app/workbench/session_places.hpp"
 #include "core/session/session_file.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::display_lost_test {
 namespace {
 
 /// A program of its own whose standard output is read; ended at the latest when it goes out of scope.
@@ -160,4 +160,4 @@ TEST_F(RecordingWorkbench, ThatIsToldToEndClosesTheRecordingAndKeepsTheChanges) 
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::display_lost_test

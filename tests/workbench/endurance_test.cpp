@@ -17,7 +17,7 @@
 #include "app/workbench/termination.hpp"
 #include "app/workbench/thread_priorities.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::endurance_test {
 namespace {
 
 using Json = nlohmann::json;
@@ -101,4 +101,4 @@ TEST(StatusLines, OfAWindowWithoutASessionALineIsWholeJson) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::endurance_test

@@ -17,7 +17,7 @@
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/offer_bar.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::export_window_test {
 namespace {
 
 class ExportWindow : public DemoWindow {
@@ -191,4 +191,4 @@ TEST_F(ExportWindow, TheChoicesOfLastTimeComeBack) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::export_window_test

@@ -12,7 +12,7 @@
 #include "app/workbench/scene_picture.hpp"
 #include "widgets/scene/scene_pictures.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::film_test {
 namespace {
 
 TEST(FilmPlan, HasBothEndsAndEqualSteps) {
@@ -118,4 +118,4 @@ TEST(WithoutBackground, FindsColourAndCoverOfWhatStoodOnBlackAndOnWhite) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::film_test

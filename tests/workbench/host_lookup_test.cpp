@@ -10,7 +10,7 @@
 
 #include "tests/workbench/until.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::host_lookup_test {
 namespace {
 
 constexpr std::uint32_t studio = 0x0A000007;  // 10.0.0.7
@@ -122,4 +122,4 @@ TEST(HostLookup, WhatWasCancelledIsNotTold) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::host_lookup_test

@@ -8,7 +8,7 @@
 
 #include "tests/workbench/until.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::job_test {
 namespace {
 
 /// What is told of a job whose work throws this; "(finished)" once it is over.
@@ -49,4 +49,4 @@ TEST(Job, ThatWasCancelledSaysNothingMore) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::job_test

@@ -3,7 +3,7 @@
 #include "app/workbench/panel_area.hpp"
 #include "tests/workbench/key_window.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::key_routing_test {
 namespace {
 
 const ShortcutTable& table() {
@@ -170,4 +170,4 @@ TEST_F(Keymap, EveryKeyOfTheGuideIsThatOfAnActionOrAView) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::key_routing_test

@@ -5,7 +5,7 @@
 #include "tests/workbench/key_window.hpp"
 #include "widgets/meaning/meaning_popup.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::keys_test {
 namespace {
 
 const auto* const one_window = testing::AddGlobalTestEnvironment(new OneWindow);
@@ -343,4 +343,4 @@ INSTANTIATE_TEST_SUITE_P(Keymap, KeyOfTheKeymap, testing::ValuesIn(all_rows()),
                          [](const auto& row) { return std::string(row.param.name); });
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::keys_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace abrazo::app {
+namespace abrazo::app::latency_log_test {
 namespace {
 
 using widgets::LatencyStage;
@@ -66,4 +66,4 @@ TEST_F(LatencyLogTest, IsBounded) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::latency_log_test

@@ -21,7 +21,7 @@
 #include "widgets/common/message_bar.hpp"
 #include "widgets/scene/scene_view.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::layout_test {
 namespace {
 
 /// A window with everything in it and nothing open: enough for what concerns its panels.
@@ -342,4 +342,4 @@ TEST(RememberedView, MarkersComeBackAndWhatIsNoneIsLeftOut) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::layout_test

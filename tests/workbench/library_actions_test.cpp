@@ -21,7 +21,7 @@
 #include "widgets/library/take_model.hpp"
 #include "widgets/scene/scene_view.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::library_actions_test {
 namespace {
 
 /// One window on the generated dance for all tests: opening it takes seconds.
@@ -143,4 +143,4 @@ TEST_F(LibraryActions, AClosedDialogLeavesWhatIsOpen) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::library_actions_test

@@ -10,7 +10,7 @@
 #include "widgets/timeline/timeline_view.hpp"
 #include "widgets/timeline/transport_bar.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::meaning_actions_test {
 namespace {
 
 class MeaningActions : public DemoWindow {
@@ -84,4 +84,4 @@ TEST_F(MeaningActions, WhoDecidesAboutTheRoleIsChosenAndTheHandTakesItBack) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::meaning_actions_test

@@ -7,7 +7,7 @@
 
 #include "core/base/atomic_file.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::own_presets_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -110,4 +110,4 @@ TEST_F(PresetFile, ExportedSettingsComeBackAndSomeKeysAreEnough) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::own_presets_test

@@ -22,7 +22,7 @@
 #include "widgets/library/take_list.hpp"
 #include "widgets/takes/take_panel.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::pair_actions_test {
 namespace {
 
 constexpr int patience_ms = 60'000;
@@ -233,4 +233,4 @@ TEST_F(PairActions, ACountdownThatIsGivenUpLeavesNoPairBehind) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::pair_actions_test

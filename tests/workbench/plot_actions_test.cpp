@@ -11,7 +11,7 @@
 #include "widgets/plots/plot_pane.hpp"
 #include "widgets/plots/plot_panel.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::plot_actions_test {
 namespace {
 
 using widgets::PlotExport;
@@ -87,4 +87,4 @@ TEST_F(PlotActions, EndTakesPlotsAlongThatWereMovedAway) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::plot_actions_test

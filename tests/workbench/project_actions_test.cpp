@@ -22,7 +22,7 @@
 #include "widgets/settings/settings_panel.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::project_actions_test {
 namespace {
 
 class ProjectActions : public DemoWindow {
@@ -350,4 +350,4 @@ TEST_F(Relocation, WithoutThemItSaysWhatWillNotWorkAndOpens) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::project_actions_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/libraries.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::recorded_ghost_test {
 namespace {
 
 /// Distance between the same joints of two frames, both bodies.
@@ -46,4 +46,4 @@ TEST(RecordedGhost, GoesOnAsItWasRecorded) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::recorded_ghost_test

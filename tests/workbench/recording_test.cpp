@@ -23,7 +23,7 @@
 #include "widgets/common/message_bar.hpp"
 #include "widgets/scene/scene_view.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::recording_test {
 namespace {
 
 class Recording : public testing::Test {
@@ -171,4 +171,4 @@ TEST_F(Recording, TheDialogOffersTheRangeTheWholeAndSizes) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::recording_test

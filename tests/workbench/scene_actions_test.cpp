@@ -18,7 +18,7 @@
 #include "widgets/scene/scene_tree.hpp"
 #include "widgets/scene/scene_view.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::scene_actions_test {
 namespace {
 
 using widgets::ScenePart;
@@ -217,4 +217,4 @@ TEST_F(SceneKeys, RememberHowTheSceneIsSetUp) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::scene_actions_test

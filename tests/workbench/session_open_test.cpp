@@ -13,7 +13,7 @@
 #include "widgets/takes/take_panel.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::session_open_test {
 namespace {
 
 /// A second of the generated dance, recorded and opened again.
@@ -127,4 +127,4 @@ TEST(Leftovers, AreOfferedOneAfterTheOther) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::session_open_test

@@ -23,7 +23,7 @@
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/message_log.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::shell_test {
 namespace {
 
 class Shell : public testing::Test {
@@ -207,4 +207,4 @@ TEST(RecentFiles, TenAreKeptAndEqualNamesAreToldApartByTheirFolder) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::shell_test

@@ -1,7 +1,7 @@
 // One's own keys, from the dialog to the next start.
 #include "tests/workbench/key_window.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::shortcut_dialog_test {
 namespace {
 
 const ShortcutTable& table() {
@@ -88,4 +88,4 @@ TEST_F(Editing, TheKeySheetShowsTheKeysAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::shortcut_dialog_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abrazo::app {
+namespace abrazo::app::shortcut_table_test {
 namespace {
 
 using Keys = std::vector<std::string>;
@@ -143,4 +143,4 @@ TEST(ShortcutId, IsMadeOfMenuAndWords) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::shortcut_table_test

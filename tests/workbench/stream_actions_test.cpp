@@ -20,7 +20,7 @@
 #include "widgets/stream/sink_list.hpp"
 #include "widgets/stream/stream_head.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::stream_actions_test {
 namespace {
 
 using widgets::StreamMark;
@@ -198,4 +198,4 @@ TEST_F(StreamActions, AFrameOfThePastTellsItsOwnLatency) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::stream_actions_test

@@ -23,7 +23,7 @@
 #include "widgets/sweep/sweep_form.hpp"
 #include "widgets/sweep/sweep_panel.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::sweep_actions_test {
 namespace {
 
 using widgets::SweepCell;
@@ -177,4 +177,4 @@ TEST_F(SettingsWindow, ASweepIsWrittenAsAPageOrAsJsonByTheFilesEnding) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::sweep_actions_test

@@ -14,7 +14,7 @@
 #include "widgets/timeline/timeline_view.hpp"
 #include "widgets/timeline/transport_bar.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::take_actions_test {
 namespace {
 
 class TakeActions : public DemoWindow {
@@ -184,4 +184,4 @@ TEST_F(TakeActions, AMarkerSetWhileRecordingIsInTheFileOnce) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::take_actions_test

@@ -15,7 +15,7 @@
 #include "widgets/timeline/timeline_view.hpp"
 #include "widgets/timeline/transport_bar.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::timeline_actions_test {
 namespace {
 
 using State = Playback::State;
@@ -261,4 +261,4 @@ TEST_F(TimelineActions, LanesAreRememberedAndZKeysShowAllAndTheRange) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::timeline_actions_test

@@ -18,7 +18,7 @@
 #include "widgets/video/video_panel.hpp"
 #include "widgets/video/video_view.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::video_test {
 namespace {
 
 constexpr double filmed_from_s = 0.5;  // of the session
@@ -329,4 +329,4 @@ TEST_F(Video, ClosingWhileItIsReadIsUndone) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::video_test

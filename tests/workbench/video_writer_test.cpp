@@ -9,7 +9,7 @@
 #include "core/base/atomic_file.hpp"
 #include "tests/support/broken_world.hpp"
 
-namespace abrazo {
+namespace abrazo::video_writer_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -90,4 +90,4 @@ TEST_F(VideoWriterTest, TakesNoNameForTheAddressOfAServer) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::video_writer_test

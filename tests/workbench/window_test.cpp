@@ -19,7 +19,7 @@
 #include "widgets/scene/scene_view.hpp"
 #include "widgets/settings/settings_panel.hpp"
 
-namespace abrazo::app {
+namespace abrazo::app::window_test {
 namespace {
 
 using State = Playback::State;
@@ -307,4 +307,4 @@ TEST_F(Window, APictureOfTheWindowHoldsTheScene) {
 }
 
 }  // namespace
-}  // namespace abrazo::app
+}  // namespace abrazo::app::window_test

@@ -15,26 +15,15 @@
 #include "widgets/annotation/problem_list.hpp"
 #include "widgets/annotation/tier_list.hpp"
 #include "widgets/annotation/vocabulary_editor.hpp"
+#include "widgets/common/chip.hpp"
 #include "widgets/common/theme.hpp"
+#include "widgets/common/utf8.hpp"
 #include "widgets/common/value_look.hpp"
 
 namespace abrazo::widgets {
 namespace {
 
 constexpr int id_role = Qt::UserRole;
-
-QString text(const std::string& utf8) {
-  return QString::fromStdString(utf8);
-}
-
-QToolButton* chip(const QString& text, const QString& tip, QWidget* parent) {
-  auto* button = new QToolButton(parent);
-  button->setObjectName("chip");
-  button->setText(text);
-  button->setToolTip(tip);
-  button->setFocusPolicy(Qt::StrongFocus);
-  return button;
-}
 
 QLabel* caption(const QString& text, QWidget* parent) {
   auto* label = new QLabel(text, parent);

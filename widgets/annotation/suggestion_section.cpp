@@ -10,28 +10,16 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/common/chip.hpp"
 #include "widgets/common/plain_text.hpp"
 #include "widgets/common/section_header.hpp"
+#include "widgets/common/utf8.hpp"
 
 namespace abrazo::widgets {
 namespace {
 
-constexpr int id_role = Qt::UserRole;
+constexpr int suggestion_id_role = Qt::UserRole;
 constexpr int usual_threshold = 80;  ///< per cent
-
-QString text(const std::string& utf8) {
-  return QString::fromStdString(utf8);
-}
-
-QToolButton* chip(const QString& words, const QString& tip, QWidget* parent) {
-  auto* button = new QToolButton(parent);
-  button->setObjectName("chip");
-  button->setText(words);
-  button->setToolTip(tip);
-  button->setAccessibleName(tip);
-  button->setFocusPolicy(Qt::StrongFocus);
-  return button;
-}
 
 }  // namespace
 
@@ -128,7 +116,7 @@ void SuggestionSection::showSuggestions(const Annotations& annotations) {
   m_list->clear();
   for (const SuggestionRow& row : m_rows) {
     auto* item = new QListWidgetItem(text(words_of(row)), m_list);
-    item->setData(id_role, row.id);
+    item->setData(suggestion_id_role, row.id);
     item->setToolTip(plain_tip(text(row.tier_name + ": " + row.reason)));
   }
   const int again = row_of(m_rows, id), last = m_list->count() - 1;
@@ -159,7 +147,7 @@ void SuggestionSection::showProgress(double fraction, const QString& doing) {
 
 int SuggestionSection::current() const {
   const QListWidgetItem* item = m_list->currentItem();
-  return item ? item->data(id_role).toInt() : 0;
+  return item ? item->data(suggestion_id_role).toInt() : 0;
 }
 
 double SuggestionSection::threshold() const {

@@ -7,25 +7,14 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/common/chip.hpp"
+#include "widgets/common/utf8.hpp"
+
 namespace abrazo::widgets {
 namespace {
 
 constexpr int tier_role = Qt::UserRole, name_role = Qt::UserRole + 1;
-constexpr int row_px = 22, most_rows = 6;
-
-QString text(const std::string& utf8) {
-  return QString::fromStdString(utf8);
-}
-
-QToolButton* chip(const QString& text, const QString& tip, QWidget* parent) {
-  auto* button = new QToolButton(parent);
-  button->setObjectName("chip");
-  button->setText(text);
-  button->setToolTip(tip);
-  button->setAccessibleName(tip);
-  button->setFocusPolicy(Qt::StrongFocus);
-  return button;
-}
+constexpr int tier_row_px = 22, most_tier_rows = 6;
 
 QString kind_words(TierKind kind) {
   return kind == TierKind::Role ? "who leads" : kind == TierKind::Move ? "moves" : "notes";
@@ -99,11 +88,11 @@ void TierList::show(const Annotations& annotations, int active, const std::set<s
     item->setFlags(item->flags() | Qt::ItemIsEditable | Qt::ItemIsUserCheckable);
     item->setCheckState(hidden.contains(tier.name) ? Qt::Unchecked : Qt::Checked);
     item->setToolTip(QString("%1, %2 labels").arg(kind_words(tier.kind)).arg(tier.annotations.size()));
-    item->setSizeHint({100, row_px});
+    item->setSizeHint({100, tier_row_px});
     if (tier.id == active) m_list->setCurrentItem(item);
   }
-  const int rows = std::clamp(m_list->count(), 1, most_rows);
-  m_list->setFixedHeight(rows * row_px + 4);
+  const int rows = std::clamp(m_list->count(), 1, most_tier_rows);
+  m_list->setFixedHeight(rows * tier_row_px + 4);
   const int at = m_list->currentRow();
   m_remove->setEnabled(at >= 0);
   m_up->setEnabled(at > 0);

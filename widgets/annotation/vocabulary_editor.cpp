@@ -9,25 +9,13 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/common/chip.hpp"
 #include "widgets/common/theme.hpp"
+#include "widgets/common/utf8.hpp"
 #include "widgets/common/value_look.hpp"
 
 namespace abrazo::widgets {
 namespace {
-
-QString text(const std::string& utf8) {
-  return QString::fromStdString(utf8);
-}
-
-QToolButton* chip(const QString& text, const QString& tip, QWidget* parent) {
-  auto* button = new QToolButton(parent);
-  button->setObjectName("chip");
-  button->setText(text);
-  button->setToolTip(tip);
-  button->setAccessibleName(tip);
-  button->setFocusPolicy(Qt::StrongFocus);
-  return button;
-}
 
 /// The next digit that no value has yet; 0 when all nine are taken.
 char free_key(const std::vector<VocabularyEntry>& vocabulary) {

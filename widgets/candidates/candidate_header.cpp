@@ -7,6 +7,7 @@
 
 #include "widgets/candidates/candidate_list.hpp"
 #include "widgets/common/theme.hpp"
+#include "widgets/common/utf8.hpp"
 
 namespace abrazo::widgets {
 namespace {
@@ -14,10 +15,6 @@ namespace {
 constexpr int head_height = 20;
 constexpr int arrow_room = 9;
 constexpr int swatch = 8;  ///< px
-
-QString text(std::string_view utf8) {
-  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
-}
 
 QString title(CandidateColumn column) {
   return text(column_title(column));

@@ -11,15 +11,12 @@
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/common/typeset.hpp"
+#include "widgets/common/utf8.hpp"
 
 namespace abrazo::widgets {
 namespace {
 
 constexpr double vetoed_opacity = 0.4;
-
-QString text(std::string_view utf8) {
-  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
-}
 
 QString figure(const CandidateRow& row, CandidateColumn column) {
   return QString::number(shown_figure(row, column), 'f', 3) + text(figure_unit(row, column));

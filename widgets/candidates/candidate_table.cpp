@@ -17,13 +17,10 @@
 #include "widgets/common/plain_text.hpp"
 #include "widgets/common/section_header.hpp"
 #include "widgets/common/theme.hpp"
+#include "widgets/common/utf8.hpp"
 
 namespace abrazo::widgets {
 namespace {
-
-QString text(std::string_view utf8) {
-  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
-}
 
 /// "take salsa_02", "all turn": what a veto of that reach is about.
 QString subject(Reach reach, const CandidateRow& row) {

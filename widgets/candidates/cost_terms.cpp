@@ -8,25 +8,24 @@
 namespace abrazo::widgets {
 namespace {
 
-using enum CostTerm;
 
 constexpr std::array<CostTermInfo, 3> paper_terms = {{
-    {Pose, "pose", "pose", "pose", "pose", "pose cost", "pose", "nearer to the user's pose"},
-    {Active, "leader", "lead.", "temporal leader", "leader", "temporal cost of the leader",
+    {CostTerm::Pose, "pose", "pose", "pose", "pose", "pose cost", "pose", "nearer to the user's pose"},
+    {CostTerm::Active, "leader", "lead.", "temporal leader", "leader", "temporal cost of the leader",
      "α · temporal leader", "less temporal cost of the leader"},
-    {Passive, "follower", "foll.", "follower", "follower", "temporal cost of the follower",
+    {CostTerm::Passive, "follower", "foll.", "follower", "follower", "temporal cost of the follower",
      "α · temporal follower", "less temporal cost of the follower"},
 }};
 
 constexpr std::array<CostTermInfo, most_cost_terms> filter_terms = {{
-    {Partner, "partner", "part.", "partner", "part.", "expected distance of the partner",
+    {CostTerm::Partner, "partner", "part.", "partner", "part.", "expected distance of the partner",
      "expected distance of the partner", "partner expected nearer"},
-    {Leader, "leader", "lead.", "leader", "lead.", "motion of the leader", "w_l · other motion of the leader",
+    {CostTerm::Leader, "leader", "lead.", "leader", "lead.", "motion of the leader", "w_l · other motion of the leader",
      "motion of the leader"},
-    {Move, "move", "move", "move", "move", "unlikely move", "w_m · unlikely move", "likelier move"},
-    {Meant, "meant", "meant", "meant", "meant", "not what is meant", "w_p · not what is meant",
+    {CostTerm::Move, "move", "move", "move", "move", "unlikely move", "w_m · unlikely move", "likelier move"},
+    {CostTerm::Meant, "meant", "meant", "meant", "meant", "not what is meant", "w_p · not what is meant",
      "what is meant"},
-    {Change, "change", "chg.", "change", "chg.", "change of source", "margin for a change of source",
+    {CostTerm::Change, "change", "chg.", "change", "chg.", "change of source", "margin for a change of source",
      "it goes on"},
 }};
 
@@ -55,18 +54,18 @@ std::optional<std::size_t> place_of(CostTerm term, SelectionMethod method) {
 
 QColor colour_of(CostTerm term, const Palette& palette) {
   switch (term) {
-    case Pose:
-    case Change:
+    case CostTerm::Pose:
+    case CostTerm::Change:
       return palette.user;
-    case Active:
-    case Leader:
+    case CostTerm::Active:
+    case CostTerm::Leader:
       return palette.active;
-    case Passive:
-    case Partner:
+    case CostTerm::Passive:
+    case CostTerm::Partner:
       return palette.passive;
-    case Move:
+    case CostTerm::Move:
       return palette.residual_penetration;
-    case Meant:
+    case CostTerm::Meant:
       return palette.warning;
   }
   return palette.text;

@@ -13,7 +13,7 @@
 namespace abrazo::widgets {
 namespace {
 
-constexpr double margin = 14;
+constexpr double map_margin = 14;
 constexpr double caught_px = 11;
 constexpr double most_zoom = 16;
 constexpr double longest_bar_px = 70;
@@ -110,7 +110,7 @@ void FeatureMap::setLinked(int candidate) {
 }
 
 PlaneView FeatureMap::view() const {
-  const PlaneView all = PlaneView::fitting(m_cloud->low, m_cloud->high, width(), height(), margin);
+  const PlaneView all = PlaneView::fitting(m_cloud->low, m_cloud->high, width(), height(), map_margin);
   return m_zoom > 1 && m_hasQuery ? all.nearer(m_zoom, m_cloud->projection(m_query)) : all;
 }
 

@@ -28,6 +28,12 @@ class SelectionModel : public QObject {
   Selection m_selection;
 };
 
+/// What a click does with the keys that are held: Ctrl toggles, Shift adds.
+inline SelectionChange selection_change(Qt::KeyboardModifiers keys) {
+  if (keys & Qt::ControlModifier) return SelectionChange::Toggle;
+  return keys & Qt::ShiftModifier ? SelectionChange::Add : SelectionChange::Replace;
+}
+
 }  // namespace abrazo::widgets
 
 Q_DECLARE_METATYPE(abrazo::widgets::Selection)

@@ -1,14 +1,8 @@
 #include "widgets/common/value_look.hpp"
 
+#include "widgets/common/utf8.hpp"
+
 namespace abrazo::widgets {
-namespace {
-
-QString text(std::string_view utf8) {
-  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
-}
-
-}  // namespace
-
 QColor value_colour(const Palette& palette, const AnnotationTier& tier, std::string_view value) {
   const VocabularyEntry* entry = tier.entry(value);
   if (entry && entry->rgb) return QColor::fromRgb(static_cast<QRgb>(*entry->rgb));

@@ -9,15 +9,12 @@
 
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
+#include "widgets/common/utf8.hpp"
 
 namespace abrazo::widgets {
 namespace {
 
-constexpr double margin = 12, top_margin = 4, axis_height = 18;
-
-QString words(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
-}
+constexpr double curve_margin = 12, top_margin = 4, axis_height = 18;
 
 }  // namespace
 
@@ -62,7 +59,7 @@ QString CompareCurve::reading() const {
   const RunFigureInfo& info = info_of(m_figure);
   const auto value = [&](double of_run) {
     return std::isfinite(of_run)
-               ? QString::number(info.scale * of_run, 'f', info.decimals) + " " + words(info.unit)
+               ? QString::number(info.scale * of_run, 'f', info.decimals) + " " + text(info.unit)
                : QString("—");
   };
   const auto place = static_cast<std::size_t>(m_figure);
@@ -72,9 +69,9 @@ QString CompareCurve::reading() const {
 
 CurveScale CompareCurve::scale() const {
   CurveScale scale;
-  scale.left = margin;
+  scale.left = curve_margin;
   scale.top = top_margin + axis_height;
-  scale.width = std::max(1.0, width() - 2 * margin);
+  scale.width = std::max(1.0, width() - 2 * curve_margin);
   scale.height = std::max(1.0, height() - top_margin - 2 * axis_height);
   if (!m_steps.empty()) {
     scale.first_s = m_steps.front().time_s;
@@ -120,7 +117,7 @@ void CompareCurve::paintEvent(QPaintEvent*) {
   }
   const int decimals = at.upper < 1 ? 3 : at.upper < 10 ? 1 : 0;
   draw_tabular(painter, QRectF(at.left, top_margin, at.width, axis_height), Qt::AlignLeft,
-               QString::number(at.upper, 'f', decimals) + " " + words(info.unit));
+               QString::number(at.upper, 'f', decimals) + " " + text(info.unit));
   draw_tabular(painter, QRectF(at.left, top_margin, at.width, axis_height), Qt::AlignRight, reading());
   draw_tabular(painter, QRectF(at.left, area.bottom(), at.width, axis_height), Qt::AlignLeft,
                QString::number(at.first_s, 'f', 1) + " s");

@@ -7,16 +7,13 @@
 
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
+#include "widgets/common/utf8.hpp"
 
 namespace abrazo::widgets {
 namespace {
 
 constexpr int row_height = 20, head_height = 20;
 constexpr double margin = 12;
-
-QString words(const std::string& text) {
-  return QString::fromStdString(text);
-}
 
 /// Right ends of the columns of A, B, B − A and the unit.
 std::array<double, 4> column_ends(double width) {
@@ -53,7 +50,7 @@ QString FigureTable::text() const {
   QString text = "figure\tA\tB\tB-A\tunit\n";
   for (const FigureRow& row : m_rows)
     text +=
-        QStringList{words(row.name), words(row.a), words(row.b), words(row.difference), words(row.unit)}.join(
+        QStringList{widgets::text(row.name), widgets::text(row.a), widgets::text(row.b), widgets::text(row.difference), widgets::text(row.unit)}.join(
             '\t') +
         "\n";
   return text;
@@ -83,14 +80,14 @@ void FigureTable::paintRow(QPainter& painter, const FigureRow& row, const QRectF
   painter.setPen(m_palette.secondary);
   const QRectF name(margin, line.top(), ends[0] - margin - 44, line.height());
   painter.drawText(name, Qt::AlignVCenter | Qt::AlignLeft,
-                   QFontMetricsF(painter.font()).elidedText(words(row.name), Qt::ElideRight, name.width()));
+                   QFontMetricsF(painter.font()).elidedText(widgets::text(row.name), Qt::ElideRight, name.width()));
   const bool a = row.better == Better::A, b = row.better == Better::B;
-  write(ends[0], (a ? "▾ " : "") + words(row.a), a ? m_palette.good : m_palette.text);
-  write(ends[1], (b ? "▾ " : "") + words(row.b), b ? m_palette.good : m_palette.text);
-  write(ends[2], words(row.difference), m_palette.secondary);
+  write(ends[0], (a ? "▾ " : "") + widgets::text(row.a), a ? m_palette.good : m_palette.text);
+  write(ends[1], (b ? "▾ " : "") + widgets::text(row.b), b ? m_palette.good : m_palette.text);
+  write(ends[2], widgets::text(row.difference), m_palette.secondary);
   painter.setPen(m_palette.secondary);
   draw_tabular(painter, QRectF(ends[2] + 6, line.top(), ends[3] - ends[2] - 6, line.height()), Qt::AlignLeft,
-               words(row.unit));
+               widgets::text(row.unit));
 }
 
 bool FigureTable::event(QEvent* event) {
@@ -98,7 +95,7 @@ bool FigureTable::event(QEvent* event) {
   const auto* help = static_cast<QHelpEvent*>(event);
   const int row = (help->y() - head_height) / row_height;
   if (help->y() >= head_height && row < static_cast<int>(m_rows.size()))
-    QToolTip::showText(help->globalPos(), words(m_rows[static_cast<std::size_t>(row)].help), this);
+    QToolTip::showText(help->globalPos(), widgets::text(m_rows[static_cast<std::size_t>(row)].help), this);
   else
     QToolTip::hideText();
   return true;

@@ -9,7 +9,7 @@ namespace abrazo::widgets {
 namespace {
 
 constexpr std::size_t shown_figures = 3;
-constexpr double margin = 12, mark = 18, gap = 10;
+constexpr double card_margin = 12, mark = 18, gap = 10;
 
 }  // namespace
 
@@ -54,7 +54,7 @@ void RunCard::describe() {
 void RunCard::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const QRectF badge(margin, 4.5, mark, mark);
+  const QRectF badge(card_margin, 4.5, mark, mark);
   painter.setPen(QPen(m_letter == "A" ? m_palette.warning : m_palette.text, 1.2,
                       m_letter == "A" ? Qt::DashLine : Qt::SolidLine));
   painter.drawRoundedRect(badge, 4, 4);
@@ -62,7 +62,7 @@ void RunCard::paintEvent(QPaintEvent*) {
   painter.setFont(interface_font(11, QFont::DemiBold));
   painter.drawText(badge, Qt::AlignCenter, m_letter);
   const double left = badge.right() + 8;
-  const QRectF upper(left, 3, width() - left - margin, 21), lower(left, 24, width() - left - margin, 20);
+  const QRectF upper(left, 3, width() - left - card_margin, 21), lower(left, 24, width() - left - card_margin, 20);
   painter.setFont(interface_font(12));
   painter.setPen(m_palette.secondary);
   const double origin = std::min(tabular_width(painter.font(), m_origin) + gap, upper.width());

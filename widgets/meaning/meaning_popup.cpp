@@ -12,16 +12,13 @@
 
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
+#include "widgets/common/utf8.hpp"
 
 namespace abrazo::widgets {
 namespace {
 
 constexpr int row_height = 28, width_px = 360, most_rows = 12;
 constexpr int choice_role = Qt::UserRole;
-
-QString text(const std::string& utf8) {
-  return QString::fromStdString(utf8);
-}
 
 /// Key, colour of the move, name, and how far away: as a number and as a bar.
 class ChoiceLook : public QStyledItemDelegate {

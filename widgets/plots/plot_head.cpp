@@ -6,6 +6,7 @@
 
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
+#include "widgets/common/utf8.hpp"
 #include "widgets/plots/plot_colours.hpp"
 
 namespace abrazo::widgets {
@@ -13,10 +14,6 @@ namespace {
 
 constexpr double left_margin = 12, title_gap = 14, key_gap = 10, name_gap = 5, square = 8, square_gap = 4;
 constexpr double least_mark_room = 14;
-
-QString text(std::string_view utf8) {
-  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
-}
 
 QFont key_font() {
   return interface_font(11);

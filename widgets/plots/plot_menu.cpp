@@ -3,15 +3,12 @@
 #include <QMenu>
 #include <algorithm>
 
+#include "widgets/common/utf8.hpp"
 #include "widgets/plots/plot_pane.hpp"
 #include "widgets/plots/plot_panel.hpp"
 
 namespace abrazo::widgets {
 namespace {
-
-QString text(std::string_view utf8) {
-  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
-}
 
 void add_series(QMenu& menu, PlotPanel& panel, int pane) {
   const PaneSeries shown = panel.pane(pane).series();

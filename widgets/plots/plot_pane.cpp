@@ -10,6 +10,7 @@
 #include <cmath>
 
 #include "widgets/common/theme.hpp"
+#include "widgets/common/utf8.hpp"
 #include "widgets/plots/plot_colours.hpp"
 
 namespace abrazo::widgets {
@@ -21,10 +22,6 @@ constexpr int menu_width = 26;
 constexpr int labelled_height = 84;  // of the curves, from which there is room for times below them
 constexpr double zoom_step = 0.85;
 constexpr double pan_step = 0.2;  // of the span
-
-QString text(std::string_view utf8) {
-  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
-}
 
 /// A value below what matters must not look large: the axis reaches at least this far.
 double least_reach(const PaneSeries& series) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/common/utf8.hpp"
 #include "widgets/plots/plot_colours.hpp"
 #include "widgets/plots/plot_menu.hpp"
 #include "widgets/plots/plot_pane.hpp"
@@ -16,10 +17,6 @@ namespace {
 
 constexpr std::size_t newest_kept = 40'000;  // rows: five minutes and a half at 120 Hz
 constexpr std::size_t older_kept = 40'000;
-
-QString text(std::string_view utf8) {
-  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
-}
 
 /// "leader lhand [mm]"
 std::string title_of(const Selection& selection, const PaneSeries& series) {

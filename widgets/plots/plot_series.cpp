@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/units.hpp"
 #include "core/mesh/capsules.hpp"
 #include "core/motion/joint_set.hpp"
 
@@ -11,11 +12,6 @@ namespace abrazo::widgets {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr double mm_per_m = 1000;
-
-double& at(SeriesValues& values, Series series) {
-  return values[static_cast<std::size_t>(series)];
-}
 
 void read_timings(const StepTiming& timing, SeriesValues& values) {
   constexpr double ms_per_us = 1e-3;

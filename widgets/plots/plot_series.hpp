@@ -73,6 +73,10 @@ std::optional<Series> find_series(std::string_view key);
 /// One value for each series; NaN where a frame has none.
 using SeriesValues = std::array<double, series_count>;
 
+inline double& at(SeriesValues& values, Series series) {
+  return values[static_cast<std::size_t>(series)];
+}
+
 /// Reads the series off frames that come in order. Keeps the little that a series needs of earlier frames.
 /// A failed step has timings only, as in the metrics of a run. What depends on a selection is left out.
 class SeriesReader {

@@ -4,14 +4,11 @@
 #include <array>
 #include <limits>
 
+#include "core/base/units.hpp"
+
 namespace abrazo::widgets {
 namespace {
 
-constexpr double mm_per_m = 1000;
-
-double& at(SeriesValues& values, Series series) {
-  return values[static_cast<std::size_t>(series)];
-}
 
 double length(const PairPose& pair, const Selection& edge) {
   return (pair.row(edge.vertices[0]) - pair.row(edge.vertices[1])).norm();

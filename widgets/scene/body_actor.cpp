@@ -25,28 +25,28 @@ namespace {
 constexpr double outline_m = 0.006;
 
 /// Points, triangles and an actor of one closed surface.
-struct Surface {
-  vtkNew<vtkPoints> points;
-  vtkNew<vtkPolyData> data;
-  vtkNew<vtkPolyDataMapper> mapper;
-  vtkNew<vtkActor> actor;
-
-  Surface() {
-    points->SetDataTypeToFloat();
-    data->SetPoints(points);
-    mapper->SetInputData(data);
-    actor->SetMapper(mapper);
-    actor->GetProperty()->LightingOff();
-  }
-  std::span<float> coordinates() {
-    return {static_cast<float*>(points->GetVoidPointer(0)),
-            static_cast<std::size_t>(3 * points->GetNumberOfPoints())};
-  }
-};
-
 }  // namespace
 
 struct BodyActor::Parts {
+  struct Surface {
+    vtkNew<vtkPoints> points;
+    vtkNew<vtkPolyData> data;
+    vtkNew<vtkPolyDataMapper> mapper;
+    vtkNew<vtkActor> actor;
+
+    Surface() {
+      points->SetDataTypeToFloat();
+      data->SetPoints(points);
+      mapper->SetInputData(data);
+      actor->SetMapper(mapper);
+      actor->GetProperty()->LightingOff();
+    }
+    std::span<float> coordinates() {
+      return {static_cast<float*>(points->GetVoidPointer(0)),
+              static_cast<std::size_t>(3 * points->GetNumberOfPoints())};
+    }
+  };
+
   Outline outline;
   std::optional<CapsuleSurface> shape;
   Surface skin, hull;
@@ -74,7 +74,7 @@ void BodyActor::setRadii(const std::array<double, bone_count>& radii) {
   vtkNew<vtkCellArray> triangles;
   for (const auto& triangle : m_parts->shape->triangles())
     triangles->InsertNextCell({triangle[0], triangle[1], triangle[2]});
-  for (Surface* surface : {&m_parts->skin, &m_parts->hull}) {
+  for (Parts::Surface* surface : {&m_parts->skin, &m_parts->hull}) {
     surface->points->SetNumberOfPoints(m_parts->shape->point_count());
     surface->data->SetPolys(triangles);
   }

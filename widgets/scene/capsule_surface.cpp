@@ -2,11 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <cmath>
+#include <numbers>
 
 namespace abrazo::widgets {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 
 /// A ring of the unit capsule: where its centre is along the bone, how far beyond the end, how wide.
 struct Ring {
@@ -19,13 +19,13 @@ std::array<Ring, CapsuleSurface::rings> unit_rings() {
   std::array<Ring, CapsuleSurface::rings> rings{};
   std::size_t next = 0;
   for (int i = 1; i <= CapsuleSurface::cap_rings; ++i) {
-    const double angle = -pi / 2 + (pi / 2) * i / (CapsuleSurface::cap_rings + 1);
+    const double angle = -std::numbers::pi / 2 + (std::numbers::pi / 2) * i / (CapsuleSurface::cap_rings + 1);
     rings[next++] = {0, std::sin(angle), std::cos(angle)};
   }
   for (int i = 0; i < CapsuleSurface::shaft_rings; ++i)
     rings[next++] = {static_cast<double>(i) / (CapsuleSurface::shaft_rings - 1), 0, 1};
   for (int i = 1; i <= CapsuleSurface::cap_rings; ++i) {
-    const double angle = (pi / 2) * i / (CapsuleSurface::cap_rings + 1);
+    const double angle = (std::numbers::pi / 2) * i / (CapsuleSurface::cap_rings + 1);
     rings[next++] = {1, std::sin(angle), std::cos(angle)};
   }
   return rings;
@@ -36,7 +36,7 @@ const std::array<Ring, CapsuleSurface::rings> the_rings = unit_rings();
 std::array<std::array<double, 2>, CapsuleSurface::segments> circle() {
   std::array<std::array<double, 2>, CapsuleSurface::segments> points{};
   for (std::size_t s = 0; s < points.size(); ++s) {
-    const double angle = 2 * pi * static_cast<double>(s) / CapsuleSurface::segments;
+    const double angle = 2 * std::numbers::pi * static_cast<double>(s) / CapsuleSurface::segments;
     points[s] = {std::cos(angle), std::sin(angle)};
   }
   return points;

@@ -33,22 +33,22 @@ struct Colours {
   }
 };
 
-struct Sheet {
-  vtkNew<vtkPolyData> data;
-  vtkNew<vtkPolyDataMapper> mapper;
-  vtkNew<vtkActor> actor;
-  Sheet() {
-    mapper->SetInputData(data);
-    actor->SetMapper(mapper);
-    actor->ForceOpaqueOn();  // blends all the same, without the costly translucent pass
-    actor->PickableOff();
-    actor->GetProperty()->LightingOff();
-  }
-};
-
 }  // namespace
 
 struct FloorActor::Parts {
+  struct Sheet {
+    vtkNew<vtkPolyData> data;
+    vtkNew<vtkPolyDataMapper> mapper;
+    vtkNew<vtkActor> actor;
+    Sheet() {
+      mapper->SetInputData(data);
+      actor->SetMapper(mapper);
+      actor->ForceOpaqueOn();  // blends all the same, without the costly translucent pass
+      actor->PickableOff();
+      actor->GetProperty()->LightingOff();
+    }
+  };
+
   Sheet grid, shadows;
   QColor colour = Qt::gray;
   bool dark = true;

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "core/motion/joint_set.hpp"
 
 namespace abrazo::widgets {
 namespace {
 
-constexpr double pi = 3.14159265358979323846;
 constexpr double beside_rad = 1.3;  // from the line between the two; a little less than square shows depth
 constexpr double slack_m = 0.25, slack_rad = 0.45;
 constexpr double lost_m = 2.5;  // farther is a jump in time, not a step
@@ -26,8 +26,8 @@ Vec3 middle_of(const PairPose& pair) {
 double nearest_side(const PairPose& pair, double azimuth_rad) {
   const Vec3 apart = (pair.row(joint_count) - pair.row(0)).transpose();
   const double line = std::atan2(apart.x(), apart.z());
-  const double one = std::remainder(line + beside_rad - azimuth_rad, 2 * pi);
-  const double other = std::remainder(line - beside_rad - azimuth_rad, 2 * pi);
+  const double one = std::remainder(line + beside_rad - azimuth_rad, 2 * std::numbers::pi);
+  const double other = std::remainder(line - beside_rad - azimuth_rad, 2 * std::numbers::pi);
   return azimuth_rad + (std::abs(one) <= std::abs(other) ? one : other);
 }
 

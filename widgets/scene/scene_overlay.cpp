@@ -12,7 +12,7 @@
 namespace abrazo::widgets {
 namespace {
 
-QToolButton* chip(const QString& text, const QString& tip, QWidget* parent) {
+QToolButton* overlay_chip(const QString& text, const QString& tip, QWidget* parent) {
   auto* button = new QToolButton(parent);
   button->setObjectName("chip");
   button->setText(text);
@@ -41,7 +41,7 @@ ScalarChips::ScalarChips(QWidget* parent) : QWidget(parent) {
         "weight; "
         "all edges add up to 100 %"}}};
   for (std::size_t s = 0; s < texts.size(); ++s) {
-    m_scalars[s] = chip(texts[s][0], texts[s][1], this);
+    m_scalars[s] = overlay_chip(texts[s][0], texts[s][1], this);
     group->addButton(m_scalars[s]);
     row->addWidget(m_scalars[s]);
     connect(m_scalars[s], &QToolButton::clicked, this,
@@ -49,17 +49,17 @@ ScalarChips::ScalarChips(QWidget* parent) : QWidget(parent) {
   }
   m_scalars[0]->setChecked(true);
   m_cells =
-      chip("Volume ratio",
+      overlay_chip("Volume ratio",
            "Tetrahedra of the mesh, coloured by their volume in the result over that in the selected pair; "
            "magenta with a rim: turned over",
            this);
   row->addWidget(m_cells);
   connect(m_cells, &QToolButton::clicked, this, &ScalarChips::cellsChosen);
-  m_betweenOnly = chip("Inter-body only", "Show only the edges between the two bodies", this);
+  m_betweenOnly = overlay_chip("Inter-body only", "Show only the edges between the two bodies", this);
   row->addWidget(m_betweenOnly);
   connect(m_betweenOnly, &QToolButton::clicked, this, &ScalarChips::betweenOnlyChosen);
   m_filter =
-      chip("Filter…", "Edges by length or of the selection, tetrahedra apart, cutting plane, trails", this);
+      overlay_chip("Filter…", "Edges by length or of the selection, tetrahedra apart, cutting plane, trails", this);
   row->addWidget(m_filter);
   m_options = new SceneOptionsPanel(this);
   connect(m_options, &SceneOptionsPanel::optionsRequested, this, &ScalarChips::optionsRequested);

@@ -11,22 +11,15 @@
 #include <algorithm>
 
 #include "widgets/common/plain_text.hpp"
+#include "widgets/common/selection_model.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
+#include "widgets/common/utf8.hpp"
 
 namespace abrazo::widgets {
 namespace {
 
 constexpr int first_x = 12, indent = 14, arrow_room = 26, least_rows = 6;
-
-QString text(const std::string& utf8) {
-  return QString::fromStdString(utf8);
-}
-
-SelectionChange change_of(Qt::KeyboardModifiers keys) {
-  if (keys & Qt::ControlModifier) return SelectionChange::Toggle;
-  return keys & Qt::ShiftModifier ? SelectionChange::Add : SelectionChange::Replace;
-}
 
 }  // namespace
 
@@ -240,7 +233,7 @@ void SceneTreeList::mousePressEvent(QMouseEvent* event) {
   const int character = m_rows[static_cast<std::size_t>(row)].character;
   if (character >= 0 && m_filter.isEmpty() && event->x() > width() - arrow_room)
     return setOpen(character, !m_open[static_cast<std::size_t>(character)]);
-  act(row, change_of(event->modifiers()));
+  act(row, selection_change(event->modifiers()));
 }
 
 void SceneTreeList::mouseMoveEvent(QMouseEvent* event) {
@@ -259,7 +252,7 @@ void SceneTreeList::keyPressEvent(QKeyEvent* event) {
       return setCurrent(std::min(last, m_current + 1));
     case Qt::Key_Return:
     case Qt::Key_Enter:
-      return act(m_current, change_of(event->modifiers()));
+      return act(m_current, selection_change(event->modifiers()));
     case Qt::Key_Plus:
     case Qt::Key_Minus:
       if (character >= 0) setOpen(character, event->key() == Qt::Key_Plus);

@@ -1,6 +1,7 @@
 #include <QKeyEvent>
 #include <cmath>
 
+#include "widgets/common/selection_model.hpp"
 #include "widgets/scene/pick_facts.hpp"
 #include "widgets/scene/scene_view_parts.hpp"
 
@@ -11,11 +12,6 @@ constexpr double pixels_per_notch = 40;  // of a drag that zooms
 constexpr int one_gesture_ms = 600;      // moves of the hand closer than this are one, for the way back
 constexpr double cut_notch_m = 0.05, cut_radians_per_pixel = 0.0075;
 constexpr double trail_notch = 1.25;
-
-SelectionChange change_of(Qt::KeyboardModifiers keys) {
-  if (keys & Qt::ControlModifier) return SelectionChange::Toggle;
-  return keys & Qt::ShiftModifier ? SelectionChange::Add : SelectionChange::Replace;
-}
 
 }  // namespace
 
@@ -35,7 +31,7 @@ void SceneView::wirePointer() {
   surface.clicked = [this](QPointF place) {
     if (!m_parts->shown) return;
     const Selection item = m_parts->picker.itemAt(place, *m_parts->shown);
-    emit selectionRequested(changed(selection(), item, change_of(m_parts->surface->keys)));
+    emit selectionRequested(changed(selection(), item, selection_change(m_parts->surface->keys)));
   };
 }
 

@@ -4,12 +4,10 @@
 #include <QMenu>
 #include <QToolButton>
 
+#include "widgets/common/utf8.hpp"
+
 namespace abrazo::widgets {
 namespace {
-
-QString text(std::string_view utf8) {
-  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
-}
 
 QToolButton* add_segment(QWidget* bar, QHBoxLayout* row, bool first, bool last) {
   auto* button = new QToolButton(bar);

@@ -11,6 +11,7 @@
 
 #include "core/base/text.hpp"
 #include "widgets/common/typeset.hpp"
+#include "widgets/common/utf8.hpp"
 #include "widgets/common/value_slider.hpp"
 #include "widgets/settings/setting_help.hpp"
 #include "widgets/settings/toggle.hpp"
@@ -19,10 +20,6 @@ namespace abrazo::widgets {
 namespace {
 
 constexpr double lowest_step_rate_hz = 5;  ///< but for 0, the input's own rate
-
-QString text(std::string_view utf8) {
-  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
-}
 
 /// What is typed after a click replaces the value. Escape leaves it as it was.
 class ValueField : public QLineEdit {

@@ -11,16 +11,13 @@
 
 #include "widgets/common/section_header.hpp"
 #include "widgets/common/typeset.hpp"
+#include "widgets/common/utf8.hpp"
 #include "widgets/settings/preset_bar.hpp"
 #include "widgets/settings/setting_help.hpp"
 #include "widgets/settings/setting_row.hpp"
 
 namespace abrazo::widgets {
 namespace {
-
-QString text(std::string_view utf8) {
-  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
-}
 
 /// "α, w_Δ, foot locks": what of a frame's settings is otherwise.
 QString differing(const Settings& of_frame, const Settings& now) {

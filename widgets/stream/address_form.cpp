@@ -11,15 +11,12 @@
 
 #include "widgets/common/plain_text.hpp"
 #include "widgets/common/theme.hpp"
+#include "widgets/common/utf8.hpp"
 
 namespace abrazo::widgets {
 namespace {
 
 enum MorePage { Group, File };
-
-QString words(std::string_view text) {
-  return QString::fromUtf8(text.data(), static_cast<int>(text.size()));
-}
 
 QLineEdit* field(QWidget* parent, const QString& name, const QString& tip) {
   auto* made = new QLineEdit(parent);
@@ -53,7 +50,7 @@ void AddressForm::makeFields() {
   m_scheme->setAccessibleName("Kind of stream");
   for (const auto scheme :
        {StreamUri::Scheme::Vmc, StreamUri::Scheme::NatNet, StreamUri::Scheme::Xsens, StreamUri::Scheme::Clip})
-    m_scheme->addItem(words(info_of(scheme).name));
+    m_scheme->addItem(text(info_of(scheme).name));
   m_host = field(this, "Address", {});
   m_port = field(this, "Port", "UDP port; empty: the protocol's usual one");
   m_port->setValidator(new QIntValidator(1, 65535, m_port));
@@ -199,9 +196,9 @@ void AddressForm::showScheme(StreamUri::Scheme scheme) {
   m_scheme->setCurrentIndex(static_cast<int>(scheme));
   m_host->setEnabled(!is_clip);
   m_port->setEnabled(!is_clip);
-  m_host->setPlaceholderText(words(info.host));
+  m_host->setPlaceholderText(text(info.host));
   m_port->setPlaceholderText(is_clip ? QString() : QString::number(info.port));
-  m_host->setToolTip(words(info.host_help));
+  m_host->setToolTip(text(info.host_help));
   m_more->setCurrentIndex(is_clip ? File : Group);
   m_more->setVisible(is_clip || scheme == StreamUri::Scheme::NatNet);
 }

@@ -13,6 +13,7 @@
 
 #include "widgets/common/plain_text.hpp"
 #include "widgets/common/theme.hpp"
+#include "widgets/common/utf8.hpp"
 #include "widgets/stream/stream_sign.hpp"
 #include "widgets/stream/stream_words.hpp"
 
@@ -37,10 +38,6 @@ class WrappingDelegate : public QStyledItemDelegate {
  private:
   QTreeWidget& m_tree;
 };
-
-QString words(const std::string& text) {
-  return QString::fromStdString(text);
-}
 
 }  // namespace
 
@@ -94,25 +91,25 @@ QTreeWidgetItem& IssueList::itemOf(const QString& key) {
 }
 
 void IssueList::showDiagnosis(const StreamDiagnosis& diagnosis) {
-  QTreeWidgetItem& item = itemOf("diagnosis " + words(diagnosis.kind));
+  QTreeWidgetItem& item = itemOf("diagnosis " + widgets::text(diagnosis.kind));
   const QString severity = diagnosis.severity == StreamDiagnosis::Severity::Error     ? "error"
                            : diagnosis.severity == StreamDiagnosis::Severity::Warning ? "warning"
                                                                                       : "note";
-  item.setText(0, words(diagnosis.text));
+  item.setText(0, widgets::text(diagnosis.text));
   item.setIcon(0, signOf(diagnosis.severity));
-  item.setData(0, Qt::AccessibleTextRole, severity + ": " + words(diagnosis.text));
-  item.setToolTip(0, plain_tip(severity + ", " + words(diagnosis.kind)));
+  item.setData(0, Qt::AccessibleTextRole, severity + ": " + widgets::text(diagnosis.text));
+  item.setToolTip(0, plain_tip(severity + ", " + widgets::text(diagnosis.kind)));
 }
 
 void IssueList::showIssue(const IssueCount& issue) {
-  QTreeWidgetItem& item = itemOf("issue " + words(issue.kind));
-  item.setText(0, words(count_text(issue.count)) + " × " + words(issue.kind));
-  item.setToolTip(0, plain_tip(words(issue.latest)));
+  QTreeWidgetItem& item = itemOf("issue " + widgets::text(issue.kind));
+  item.setText(0, widgets::text(count_text(issue.count)) + " × " + widgets::text(issue.kind));
+  item.setToolTip(0, plain_tip(widgets::text(issue.latest)));
   if (item.childCount() == 0) {
     auto* latest = new QTreeWidgetItem(&item);
     latest->setForeground(0, m_palette.secondary);
   }
-  item.child(0)->setText(0, words(issue.latest));
+  item.child(0)->setText(0, widgets::text(issue.latest));
 }
 
 void IssueList::show(const StreamHealth* health) {
@@ -120,11 +117,11 @@ void IssueList::show(const StreamHealth* health) {
   if (health) {
     for (const StreamDiagnosis& diagnosis : health->diagnoses) {
       showDiagnosis(diagnosis);
-      there.insert("diagnosis " + words(diagnosis.kind));
+      there.insert("diagnosis " + widgets::text(diagnosis.kind));
     }
     for (const IssueCount& issue : health->issues) {
       showIssue(issue);
-      there.insert("issue " + words(issue.kind));
+      there.insert("issue " + widgets::text(issue.kind));
     }
   }
   for (auto item = m_items.begin(); item != m_items.end();) {

@@ -10,7 +10,7 @@
 namespace abrazo::widgets {
 namespace {
 
-constexpr double left = 22, between = 6, right = 10;
+constexpr double left_px = 22, gap_px = 6, right = 10;
 constexpr const char* widest = "0.00 / 0.00 ms";
 
 const char* word_of(LatencyVerdict verdict) {
@@ -62,7 +62,7 @@ QString LatencyButton::words() const {
 QSize LatencyButton::sizeHint() const {
   const double name = tabular_width(interface_font(12), "in → pose"),
                value = tabular_width(interface_font(12, QFont::DemiBold), widest);
-  return {static_cast<int>(std::ceil(left + name + between + value + right)), 22};
+  return {static_cast<int>(std::ceil(left_px + name + gap_px + value + right)), 22};
 }
 
 void LatencyButton::paintEvent(QPaintEvent*) {
@@ -76,7 +76,7 @@ void LatencyButton::paintEvent(QPaintEvent*) {
   draw_sign(painter, {12, height() / 2.0}, mark_of(m_verdict), m_palette);
   painter.setFont(interface_font(12));
   painter.setPen(m_palette.secondary);
-  draw_tabular(painter, QRectF(left, 0, width(), height()), Qt::AlignLeft, m_name);
+  draw_tabular(painter, QRectF(left_px, 0, width(), height()), Qt::AlignLeft, m_name);
   painter.setFont(interface_font(12, QFont::DemiBold));
   painter.setPen(m_palette.text);
   draw_tabular(painter, QRectF(0, 0, width() - right, height()), Qt::AlignRight, m_value);

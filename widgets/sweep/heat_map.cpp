@@ -12,6 +12,7 @@
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/common/typeset.hpp"
+#include "widgets/common/utf8.hpp"
 
 namespace abrazo::widgets {
 namespace {
@@ -19,10 +20,6 @@ namespace {
 using State = SweepCell::State;
 constexpr double left_margin = 76, right_margin = 16, top_margin = 14, name_height = 20, title_height = 20,
                  legend_height = 46;
-
-QString text(const std::string& utf8) {
-  return QString::fromStdString(utf8);
-}
 
 QColor colour_at(double fraction) {
   const auto [red, green, blue] = sweep_colour(fraction);

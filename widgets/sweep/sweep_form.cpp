@@ -10,14 +10,12 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "widgets/common/utf8.hpp"
+
 namespace abrazo::widgets {
 namespace {
 
 constexpr int highest_count = 15;
-
-QString text(std::string_view utf8) {
-  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
-}
 
 /// "temporal smoothness (α)"; a symbol with an index does without it in a plain list.
 QString setting_name(const SettingInfo& info) {

@@ -48,7 +48,7 @@ QLabel* secondary(QWidget* parent) {
   return label;
 }
 
-QToolButton* chip(QWidget* parent, const QString& text, const QString& tip) {
+QToolButton* panel_button(QWidget* parent, const QString& text, const QString& tip) {
   auto* button = new QToolButton(parent);
   button->setObjectName("chip");
   button->setText(text);
@@ -149,8 +149,8 @@ QWidget* TakePanel::makeDisk() {
   m_everything->setToolTip(
       "Every frame from the first on is written, not only takes: nothing is lost, and the timeline reaches "
       "back beyond the memory");
-  m_saveAs = chip(disk, "Save as…", "Copies the whole session to a file of your choice");
-  m_pair = chip(disk, "Record pair…",
+  m_saveAs = panel_button(disk, "Save as…", "Copies the whole session to a file of your choice");
+  m_pair = panel_button(disk, "Record pair…",
                 "Records two streamed performers; at the end they can become a take of the library");
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(6);

@@ -10,6 +10,7 @@
 #include "widgets/common/plain_text.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
+#include "widgets/common/utf8.hpp"
 
 namespace abrazo::widgets {
 namespace {
@@ -17,10 +18,6 @@ namespace {
 constexpr int row_height = 44, side = 12, first_line = 20;
 constexpr int id_role = Qt::UserRole, length_role = Qt::UserRole + 1, facts_role = Qt::UserRole + 2,
               running_role = Qt::UserRole + 3;
-
-QString text(const std::string& utf8) {
-  return QString::fromStdString(utf8);
-}
 
 /// "at 01:23 · 4 180 frames · Ana, Ben"
 QString facts_of(const RecordedTake& take) {

@@ -5,19 +5,16 @@
 #include "core/session/time_place.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
+#include "widgets/common/utf8.hpp"
 #include "widgets/common/value_look.hpp"
 #include "widgets/timeline/timeline_content.hpp"
 
 namespace abrazo::widgets {
 namespace {
 
-constexpr double names_left = 14, text_left = 8;
+constexpr double tier_names_left = 14, text_left = 8;
 constexpr double no_letter_px = 20;
 constexpr int readable = 4;  // fewer letters of a name say nothing
-
-QString text(std::string_view utf8) {
-  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
-}
 
 class TierPainting {
  public:
@@ -35,7 +32,7 @@ class TierPainting {
       }
       p.setFont(interface_font(12, active ? QFont::DemiBold : QFont::Normal));
       p.setPen(active ? colours.text : colours.secondary);
-      const QRectF name = area.adjusted(names_left, 0, -4, 0);
+      const QRectF name = area.adjusted(tier_names_left, 0, -4, 0);
       p.drawText(name, Qt::AlignVCenter,
                  p.fontMetrics().elidedText(text(lane.name), Qt::ElideRight, static_cast<int>(name.width())));
     }

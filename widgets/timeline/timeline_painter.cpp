@@ -8,6 +8,7 @@
 
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
+#include "widgets/common/utf8.hpp"
 #include "widgets/timeline/curve_picture.hpp"
 #include "widgets/timeline/timeline_content.hpp"
 
@@ -16,10 +17,6 @@ namespace {
 
 constexpr double names_left = 14;
 constexpr double tick_apart = 90;
-
-QString text(std::string_view utf8) {
-  return QString::fromUtf8(utf8.data(), static_cast<int>(utf8.size()));
-}
 
 QString tick_text(double time_s, double step_s) {
   if (std::abs(time_s) < 60 && step_s < 60)

@@ -9,6 +9,7 @@
 #include "app/workbench/label_keys.hpp"
 #include "app/workbench/main_window.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/common/utf8.hpp"
 #include "widgets/library/take_list.hpp"
 #include "widgets/timeline/quick_entry.hpp"
 #include "widgets/timeline/timeline_view.hpp"
@@ -16,9 +17,7 @@
 namespace abrazo::app {
 namespace {
 
-QString text(const std::string& utf8) {
-  return QString::fromStdString(utf8);
-}
+using widgets::text;
 
 /// -1 when no take of the library does.
 int take_that_plays_the_user(const Material& material) {

@@ -19,7 +19,7 @@ using widgets::PlotExport;
 using widgets::PlotPanel;
 
 constexpr double picture_scale = 2;  // pixels a point
-constexpr double zoom_step = 0.7;
+constexpr double plot_zoom_step = 0.7;
 
 QString ending_of(PlotExport what) {
   return what == PlotExport::Csv ? "csv" : what == PlotExport::Png ? "png" : "svg";
@@ -92,8 +92,8 @@ void add_plot_actions(MainWindow& window) {
   follow_with(window);
   add_panes(window, menu);
   menu->addSeparator();
-  add_action(window, menu, "Shorter time in the plots", {}, [&plots] { plots.zoom(zoom_step); });
-  add_action(window, menu, "Longer time in the plots", {}, [&plots] { plots.zoom(1 / zoom_step); });
+  add_action(window, menu, "Shorter time in the plots", {}, [&plots] { plots.zoom(plot_zoom_step); });
+  add_action(window, menu, "Longer time in the plots", {}, [&plots] { plots.zoom(1 / plot_zoom_step); });
   add_action(window, menu, "Plots go along again", {}, [&plots] { plots.attach(); });
   menu->addSeparator();
   for (const auto& [name, what] : {std::pair{"Export plot samples (CSV)…", PlotExport::Csv},

@@ -9,7 +9,7 @@
 #include "core/library/motion_library_builder.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::annotated_library_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -215,4 +215,4 @@ TEST(TakeAnnotations, ARoleThatIsNoPerformerIsRefused) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::annotated_library_test

@@ -3,7 +3,7 @@
 
 #include "core/annotation/annotations.hpp"
 
-namespace abrazo {
+namespace abrazo::annotation_problems_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -98,4 +98,4 @@ TEST(Snapping, GoesToFramesOnlyWhereNothingElseIsNear) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::annotation_problems_test

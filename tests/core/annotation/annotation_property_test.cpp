@@ -6,7 +6,7 @@
 
 #include "core/annotation/annotations.hpp"
 
-namespace abrazo {
+namespace abrazo::annotation_property_test {
 namespace {
 
 constexpr Annotations::Range range{0, 20};
@@ -186,4 +186,4 @@ TEST(AnnotationProperty, TheExchangeFormComesBack) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::annotation_property_test

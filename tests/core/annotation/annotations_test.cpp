@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-namespace abrazo {
+namespace abrazo::annotations_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -344,4 +344,4 @@ TEST(AnnotationExchange, TiersThatDoNotHoldTogetherAreRefused) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::annotations_test

@@ -10,7 +10,7 @@
 #include "core/motion/joint_set.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::couple_geometry_test {
 namespace {
 
 constexpr double half_turn = std::numbers::pi;
@@ -143,4 +143,4 @@ TEST(MotionChannels, SeeWhoMovesFirst) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::couple_geometry_test

@@ -8,7 +8,7 @@
 
 #include "core/annotation/confidence_scale.hpp"
 
-namespace abrazo {
+namespace abrazo::decision_forest_test {
 namespace {
 
 /// Class 1 where the first two features have the same sign, which no single feature tells; five more say
@@ -125,4 +125,4 @@ TEST(ConfidenceScale, IsNeverCertain) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::decision_forest_test

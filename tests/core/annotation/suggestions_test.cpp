@@ -13,7 +13,7 @@
 #include "core/library/motion_library_builder.hpp"
 #include "tests/support/captured_data.hpp"
 
-namespace abrazo {
+namespace abrazo::suggestions_test {
 namespace {
 
 MotionLibrary library_of(std::vector<PairedTake> takes) {
@@ -180,4 +180,4 @@ TEST(SuggestionsOfCapturedSalsa, AgreeWithTheLabels) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::suggestions_test

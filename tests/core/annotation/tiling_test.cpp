@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace abrazo {
+namespace abrazo::tiling_test {
 namespace {
 
 /// Every tiling with its score, by trying them all.
@@ -89,4 +89,4 @@ TEST(Tiling, RefusesNoCells) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::tiling_test

@@ -9,7 +9,7 @@
 
 #include "core/base/file_series.hpp"
 
-namespace abrazo {
+namespace abrazo::atomic_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -113,4 +113,4 @@ TEST_F(AtomicFileTest, APipeADeviceOrAGiantIsRefusedBeforeAnythingIsRead) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::atomic_file_test

@@ -5,7 +5,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-namespace abrazo {
+namespace abrazo::json_text_test {
 namespace {
 
 TEST(JsonText, WritesObjectsAndArraysWithCommasWhereTheyBelong) {
@@ -54,4 +54,4 @@ TEST(JsonText, CanBeUsedAgainAfterClear) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::json_text_test

@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-namespace abrazo {
+namespace abrazo::made_once_test {
 namespace {
 
 using Text = MadeOnce<std::string>;
@@ -154,4 +154,4 @@ TEST(MadeOnce, GoneWhileItIsPreparedStopsThat) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::made_once_test

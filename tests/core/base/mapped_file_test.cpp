@@ -14,7 +14,7 @@
 #include <string>
 #include <vector>
 
-namespace abrazo {
+namespace abrazo::mapped_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -162,4 +162,4 @@ TEST_F(MappedFileDeathTest, ABusErrorElsewhereStillEndsTheProgram) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::mapped_file_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abrazo {
+namespace abrazo::printable_test {
 namespace {
 
 TEST(Printable, ShowsWhatWouldSteerATerminalAsAQuestionMark) {
@@ -25,4 +25,4 @@ TEST(Printable, KeepsTheLinesOfATextAndPutsANameOnOne) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::printable_test

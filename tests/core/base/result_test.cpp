@@ -4,7 +4,7 @@
 
 #include <memory>
 
-namespace abrazo {
+namespace abrazo::result_test {
 namespace {
 
 TEST(Result, HoldsAValue) {
@@ -44,4 +44,4 @@ TEST(Error, ShowsNothingThatSteersATerminal) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::result_test

@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-namespace abrazo {
+namespace abrazo::text_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -100,4 +100,4 @@ TEST(Text, AWordInAMessageIsPrintableAndNotLong) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::text_test

@@ -8,7 +8,7 @@
 
 #include "core/base/json_nesting.hpp"
 
-namespace abrazo {
+namespace abrazo::utf8_test {
 namespace {
 
 TEST(Utf8, NamesTheFirstByteThatIsNone) {
@@ -42,4 +42,4 @@ TEST(JsonNesting, IsBoundedBeforeAnythingIsParsed) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::utf8_test

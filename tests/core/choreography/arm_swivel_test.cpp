@@ -10,7 +10,7 @@
 #include "core/motion/body.hpp"
 #include "core/motion/joint_set.hpp"
 
-namespace abrazo {
+namespace abrazo::arm_swivel_test {
 namespace {
 
 constexpr int frames = 60, half_width = 8;
@@ -80,4 +80,4 @@ TEST(ArmSwivel, AnArmThatTurnsWithTheChestIsLeftAsItIs) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::arm_swivel_test

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace abrazo {
+namespace abrazo::balance_test {
 namespace {
 
 constexpr double fps = 60, height_m = 0.95, gravity = 9.81;
@@ -86,4 +86,4 @@ TEST(BalanceTrunks, GoesTheShareOfTheWay) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::balance_test

@@ -8,7 +8,7 @@
 
 #include "core/choreography/dancer_body.hpp"
 
-namespace abrazo {
+namespace abrazo::choreography_options_test {
 namespace {
 
 TEST(ChoreographyOptions, AnExpertIsTheDefault) {
@@ -68,4 +68,4 @@ TEST(DancerBody, LongerArmsAreLongerInEveryPart) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::choreography_options_test

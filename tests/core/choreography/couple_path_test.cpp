@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace abrazo {
+namespace abrazo::couple_path_test {
 namespace {
 
 constexpr double full_turn = 2 * std::numbers::pi;
@@ -88,4 +88,4 @@ TEST(CouplePath, InAWalkSheIsOnHisRightOrOnHisLeftOrInFront) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::couple_path_test

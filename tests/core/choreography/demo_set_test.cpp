@@ -10,7 +10,7 @@
 #include "core/choreography/salsa.hpp"
 #include "core/library/manifest.hpp"
 
-namespace abrazo {
+namespace abrazo::demo_set_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -144,4 +144,4 @@ TEST_F(DemoSet, SaysWhichFolderCannotBeMade) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::demo_set_test

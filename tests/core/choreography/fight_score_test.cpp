@@ -9,7 +9,7 @@
 #include "core/choreography/fight_score.hpp"
 #include "core/motion/joint_set.hpp"
 
-namespace abrazo {
+namespace abrazo::fight_score_test {
 namespace {
 
 Fighter standing(double height = 1.80) {
@@ -130,4 +130,4 @@ TEST(FightScore, BlowsComeAloneAndInCombinations) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::fight_score_test

@@ -17,7 +17,7 @@
 #include "core/motion/body.hpp"
 #include "core/motion/joint_set.hpp"
 
-namespace abrazo {
+namespace abrazo::fight_test {
 namespace {
 
 using namespace joints;
@@ -538,4 +538,4 @@ TEST(Fight, RefusesOptionsThatMakeNoFight) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::fight_test

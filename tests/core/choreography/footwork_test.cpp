@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace abrazo {
+namespace abrazo::footwork_test {
 namespace {
 
 const Vec3 here(0, 0.04, 0), there(0.1, 0.04, 0.3);
@@ -58,4 +58,4 @@ TEST(Footwork, RefusesMovesThatOverlapOrTakeNoTime) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::footwork_test

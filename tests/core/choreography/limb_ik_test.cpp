@@ -5,7 +5,7 @@
 #include <Eigen/Geometry>
 #include <stdexcept>
 
-namespace abrazo {
+namespace abrazo::limb_ik_test {
 namespace {
 
 constexpr double upper = 0.42, lower = 0.40;
@@ -69,4 +69,4 @@ TEST(LimbIk, NearTargetsDoNotFoldTheLimbFlat) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::limb_ik_test

@@ -7,7 +7,7 @@
 #include "core/motion/body.hpp"
 #include "core/motion/joint_set.hpp"
 
-namespace abrazo {
+namespace abrazo::posture_test {
 namespace {
 
 Vec3 joint(const Pose& pose, int index) {
@@ -99,4 +99,4 @@ TEST(Posture, PositiveYawTurnsLeftPitchLeansForwardRollRaisesTheLeftSide) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::posture_test

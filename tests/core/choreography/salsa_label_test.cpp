@@ -12,7 +12,7 @@
 #include "core/choreography/salsa.hpp"
 #include "core/motion/joint_set.hpp"
 
-namespace abrazo {
+namespace abrazo::salsa_label_test {
 namespace {
 
 using namespace joints;
@@ -166,4 +166,4 @@ TEST(SalsaLabels, AreAboutEquallyFrequent) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::salsa_label_test

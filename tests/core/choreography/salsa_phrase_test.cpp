@@ -8,7 +8,7 @@
 
 #include "core/choreography/couple_path.hpp"
 
-namespace abrazo {
+namespace abrazo::salsa_phrase_test {
 namespace {
 
 TEST(SalsaPhrase, EveryMoveComesTwiceInTwelve) {
@@ -72,4 +72,4 @@ TEST(RandomSource, BellHasMeanZeroDeviationOneAndNoTails) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::salsa_phrase_test

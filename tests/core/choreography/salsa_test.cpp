@@ -15,7 +15,7 @@
 #include "core/motion/body.hpp"
 #include "core/motion/joint_set.hpp"
 
-namespace abrazo {
+namespace abrazo::salsa_test {
 namespace {
 
 using namespace joints;
@@ -446,4 +446,4 @@ TEST(Salsa, RefusesOptionsThatMakeNoDance) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::salsa_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abrazo {
+namespace abrazo::smooth_track_test {
 namespace {
 
 TEST(SmoothTrack, FollowsAStraightLineExactly) {
@@ -55,4 +55,4 @@ TEST(SmoothTrack, BumpIsOneInTheMiddleAndNothingOutside) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::smooth_track_test

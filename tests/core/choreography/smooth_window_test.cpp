@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abrazo {
+namespace abrazo::smooth_window_test {
 namespace {
 
 TEST(SmoothWindow, HannWeightsOfThreeAreOneTwoOne) {
@@ -22,4 +22,4 @@ TEST(SmoothWindow, TheMaximumReachesHalfAWidthToEitherSide) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::smooth_window_test

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace abrazo {
+namespace abrazo::wander_test {
 namespace {
 
 constexpr double minute = 60;
@@ -69,4 +69,4 @@ TEST(Wander, TheSameRandomNumbersGiveTheSameWander) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::wander_test

@@ -8,7 +8,7 @@
 #include "evaluation_takes.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::evaluate_test {
 namespace {
 
 using namespace test;
@@ -149,4 +149,4 @@ TEST(Evaluate, RoleChangesNeedBothRoles) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::evaluate_test

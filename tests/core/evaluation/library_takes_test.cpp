@@ -7,7 +7,7 @@
 #include "tests/core/evaluation/evaluation_takes.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::library_takes_test {
 namespace {
 
 double farthest(const Clip& a, const Clip& b) {
@@ -83,4 +83,4 @@ TEST(LibraryTakes, GiveTheFiguresThatTheFilesGive) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::library_takes_test

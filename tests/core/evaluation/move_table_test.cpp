@@ -6,7 +6,7 @@
 #include "evaluation_takes.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::move_table_test {
 namespace {
 
 using namespace test;
@@ -138,4 +138,4 @@ TEST(MoveTable, OfNothingIsEmpty) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::move_table_test

@@ -10,7 +10,7 @@
 #include "core/evaluation/html_sections.hpp"
 #include "tests/core/evaluation/report_example.hpp"
 
-namespace abrazo {
+namespace abrazo::report_html_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -190,4 +190,4 @@ TEST(ShareInterval, IsWilsons) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::report_html_test

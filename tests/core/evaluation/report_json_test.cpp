@@ -8,7 +8,7 @@
 
 #include "tests/core/evaluation/report_example.hpp"
 
-namespace abrazo {
+namespace abrazo::report_json_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -134,4 +134,4 @@ TEST(ReportJson, SaysNullAndNotZeroWhereAFigureIsNotDefined) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::report_json_test

@@ -6,7 +6,7 @@
 #include "core/motion/joint_set.hpp"
 #include "evaluation_takes.hpp"
 
-namespace abrazo {
+namespace abrazo::run_measures_test {
 namespace {
 
 using namespace test;
@@ -126,4 +126,4 @@ TEST(RunMeasures, StepTimesAreThoseOfAllSteps) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::run_measures_test

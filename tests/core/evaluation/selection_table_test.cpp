@@ -8,7 +8,7 @@
 #include "core/evaluation/pose_queries.hpp"
 #include "evaluation_takes.hpp"
 
-namespace abrazo {
+namespace abrazo::selection_table_test {
 namespace {
 
 using namespace test;
@@ -122,4 +122,4 @@ TEST(TimingTable, TimesLibrariesUpToTheSizeAskedForAndSaysWhatWasGenerated) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::selection_table_test

@@ -8,7 +8,7 @@
 #include "core/evaluation/suggestion_report.hpp"
 #include "core/library/motion_library_builder.hpp"
 
-namespace abrazo {
+namespace abrazo::suggestion_agreement_test {
 namespace {
 
 const std::vector<LabelInterval> truth = {{0, 100, "turn", "alt=cross_body_lead", ""},
@@ -87,4 +87,4 @@ TEST(SuggestionAgreement, NeedsTwoLabelledTakes) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::suggestion_agreement_test

@@ -7,7 +7,7 @@
 
 #include "core/evaluation/html_text.hpp"
 
-namespace abrazo {
+namespace abrazo::svg_plot_test {
 namespace {
 
 using ::testing::DoubleNear;
@@ -191,4 +191,4 @@ TEST(Plots, EscapeNamesFromOutside) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::svg_plot_test

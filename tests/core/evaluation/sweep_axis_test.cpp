@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace abrazo {
+namespace abrazo::sweep_axis_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -70,4 +70,4 @@ TEST(SweepAxis, RefusesWhatItCannotRead) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::sweep_axis_test

@@ -12,7 +12,7 @@
 #include "core/evaluation/sweep_report.hpp"
 #include "tests/core/evaluation/report_example.hpp"
 
-namespace abrazo {
+namespace abrazo::sweep_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -385,4 +385,4 @@ TEST(SettingsOptions, GiveTheSettingsBack) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::sweep_test

@@ -6,7 +6,7 @@
 #include "evaluation_takes.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::take_synthesis_test {
 namespace {
 
 using namespace test;
@@ -81,4 +81,4 @@ TEST(TakeSynthesis, ThePartnerOfAPassiveUserIsTheActiveBody) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::take_synthesis_test

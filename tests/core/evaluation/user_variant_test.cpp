@@ -9,7 +9,7 @@
 #include "core/motion/joint_set.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::user_variant_test {
 namespace {
 
 using namespace test;
@@ -96,4 +96,4 @@ TEST(UserVariant, EveryUserOfTheReportHasANameOfItsOwnAndDiffers) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::user_variant_test

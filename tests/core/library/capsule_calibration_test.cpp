@@ -6,7 +6,7 @@
 #include "tests/core/library/synthetic_takes.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::capsule_calibration_test {
 namespace {
 
 CapsuleRadii scaled_generic(const Body& body) {
@@ -110,4 +110,4 @@ TEST(CapsuleCalibration, HoldingHandsDoesNotThinTheArms) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::capsule_calibration_test

@@ -10,7 +10,7 @@
 #include "core/mesh/capsules.hpp"
 #include "tests/support/captured_data.hpp"
 
-namespace abrazo {
+namespace abrazo::captured_library_test {
 namespace {
 
 /// Two of the salsa takes, the leader active.
@@ -121,4 +121,4 @@ TEST(CapturedLibrary, SurvivesTheFile) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::captured_library_test

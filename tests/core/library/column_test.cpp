@@ -5,7 +5,7 @@
 #include <array>
 #include <memory>
 
-namespace abrazo {
+namespace abrazo::column_test {
 namespace {
 
 class ColumnView : public testing::Test {
@@ -60,4 +60,4 @@ TEST(Column, OfItsOwnIsAVector) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::column_test

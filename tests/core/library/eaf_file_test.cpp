@@ -6,7 +6,7 @@
 #include <map>
 #include <pugixml.hpp>
 
-namespace abrazo {
+namespace abrazo::eaf_file_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -124,4 +124,4 @@ TEST(Tier, JsonHasTimesToTheLastBit) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::eaf_file_test

@@ -3,7 +3,7 @@
 
 #include "core/library/tier_file.hpp"
 
-namespace abrazo {
+namespace abrazo::eaf_reader_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -184,4 +184,4 @@ TEST(EafReader, ReadsOtherEncodings) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::eaf_reader_test

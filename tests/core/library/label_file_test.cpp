@@ -3,7 +3,7 @@
 
 #include "core/library/manifest.hpp"
 
-namespace abrazo {
+namespace abrazo::label_file_test {
 namespace {
 
 using testing::HasSubstr;
@@ -86,4 +86,4 @@ TEST(LabelFile, RefusesOverlapsAndNamesBothLines) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::label_file_test

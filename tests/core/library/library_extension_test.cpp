@@ -4,7 +4,7 @@
 
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::library_extension_test {
 namespace {
 
 /// A take of performers whose bones no one else has.
@@ -104,4 +104,4 @@ TEST(LibraryExtension, RefusesATakeOfAKnownNameAndABrokenOne) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::library_extension_test

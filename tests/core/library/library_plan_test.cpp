@@ -10,7 +10,7 @@
 #include "core/motion/bvh.hpp"
 #include "tests/core/library/synthetic_takes.hpp"
 
-namespace abrazo {
+namespace abrazo::library_plan_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -218,4 +218,4 @@ TEST_F(Plan, BothPerformersOfOneFileKeepTheirPlaces) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::library_plan_test

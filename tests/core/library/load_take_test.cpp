@@ -9,7 +9,7 @@
 #include "core/motion/bvh.hpp"
 #include "tests/core/library/synthetic_takes.hpp"
 
-namespace abrazo {
+namespace abrazo::load_take_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -124,4 +124,4 @@ TEST_F(LoadTake, RefusesLabelAndMotionFilesThatAreNotThere) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::load_take_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace abrazo {
+namespace abrazo::manifest_test {
 namespace {
 
 using testing::ElementsAre;
@@ -167,4 +167,4 @@ TEST(Manifest, SaysWhichFileCannotBeOpened) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::manifest_test

@@ -16,7 +16,7 @@
 #include "core/library/motion_library_file.hpp"
 #include "tests/core/library/synthetic_takes.hpp"
 
-namespace abrazo {
+namespace abrazo::mapped_library_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -298,4 +298,4 @@ TEST_F(MappedLibrary, DamagedIsNotWritten) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::mapped_library_test

@@ -10,7 +10,7 @@
 #include "tests/core/library/synthetic_takes.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::motion_library_builder_test {
 namespace {
 
 using test::circling_take;
@@ -215,4 +215,4 @@ TEST(MotionLibraryBuilder, StopsWhenAsked) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::motion_library_builder_test

@@ -15,7 +15,7 @@
 #include "tests/core/library/synthetic_takes.hpp"
 #include "tests/support/broken_world.hpp"
 
-namespace abrazo {
+namespace abrazo::motion_library_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -440,4 +440,4 @@ TEST_F(MotionLibraryFile, OnceReadItsFileMayBeReplacedCutShortOrDeleted) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::motion_library_file_test

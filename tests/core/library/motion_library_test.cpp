@@ -8,7 +8,7 @@
 #include "core/library/motion_library_builder.hpp"
 #include "tests/core/library/synthetic_takes.hpp"
 
-namespace abrazo {
+namespace abrazo::motion_library_test {
 namespace {
 
 using test::circling_take;
@@ -175,4 +175,4 @@ TEST(MotionLibrary, RefusesABodyWithoutLengths) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::motion_library_test

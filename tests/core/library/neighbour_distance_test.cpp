@@ -7,7 +7,7 @@
 #include "core/library/motion_library_builder.hpp"
 #include "tests/core/library/synthetic_takes.hpp"
 
-namespace abrazo {
+namespace abrazo::neighbour_distance_test {
 namespace {
 
 /// A library whose features are made up: frame by frame, take by take.
@@ -46,4 +46,4 @@ TEST(TypicalNeighbourDistance, StopsWhenAsked) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::neighbour_distance_test

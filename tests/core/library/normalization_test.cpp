@@ -9,7 +9,7 @@
 #include "core/motion/joint_set.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::normalization_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -134,4 +134,4 @@ TEST(Normalization, FeaturesAreHeadRightHandLeftHandRightFootLeftFoot) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::normalization_test

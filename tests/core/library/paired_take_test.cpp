@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abrazo {
+namespace abrazo::paired_take_test {
 namespace {
 
 TEST(PairedTake, RolesHoldFromStartUntilJustBeforeEnd) {
@@ -33,4 +33,4 @@ TEST(PairedTake, LabelsHoldFromStartUntilJustBeforeEnd) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::paired_take_test

@@ -8,7 +8,7 @@
 #include "core/library/performer_name.hpp"
 #include "tests/core/library/synthetic_takes.hpp"
 
-namespace abrazo {
+namespace abrazo::pairing_guess_test {
 namespace {
 
 using testing::ElementsAre;
@@ -202,4 +202,4 @@ TEST(GuessLabelledTake, FindsTheNameByItsNumber) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::pairing_guess_test

@@ -9,7 +9,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace abrazo {
+namespace abrazo::pose_index_test {
 namespace {
 
 std::vector<Features> random_features(int count, unsigned seed) {
@@ -248,4 +248,4 @@ TEST(PoseIndex, RefusesWhatCannotBeCompared) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::pose_index_test

@@ -5,7 +5,7 @@
 #include "core/library/motion_library.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::role_exchange_test {
 namespace {
 
 TEST(RoleExchange, TheUsersBodyIsTheRecordedPassiveOne) {
@@ -54,4 +54,4 @@ TEST(RoleExchange, TwiceIsTheLibraryItself) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::role_exchange_test

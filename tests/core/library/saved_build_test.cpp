@@ -9,7 +9,7 @@
 #include "core/motion/bvh.hpp"
 #include "tests/core/library/synthetic_takes.hpp"
 
-namespace abrazo {
+namespace abrazo::saved_build_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -86,4 +86,4 @@ TEST_F(SavedBuild, WithABadPlaceForTheLibraryWritesNoManifestEither) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::saved_build_test

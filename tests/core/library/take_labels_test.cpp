@@ -11,7 +11,7 @@
 #include "core/motion/bvh.hpp"
 #include "tests/core/library/synthetic_takes.hpp"
 
-namespace abrazo {
+namespace abrazo::take_labels_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -148,4 +148,4 @@ TEST_F(ManifestLabels, ThatAreNotThereAreNamed) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::take_labels_test

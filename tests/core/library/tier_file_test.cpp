@@ -8,7 +8,7 @@
 
 #include "core/base/atomic_file.hpp"
 
-namespace abrazo {
+namespace abrazo::tier_file_test {
 namespace {
 
 using ::testing::Contains;
@@ -270,4 +270,4 @@ TEST(TierFile, EveryBeginningOfAFileIsReadOrRefused) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::tier_file_test

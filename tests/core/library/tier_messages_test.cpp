@@ -7,7 +7,7 @@
 #include "core/base/atomic_file.hpp"
 #include "core/library/tier_file.hpp"
 
-namespace abrazo {
+namespace abrazo::tier_messages_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,4 +52,4 @@ TEST(TierMessages, SayWhatAndWhereInOneLine) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::tier_messages_test

@@ -7,7 +7,7 @@
 #include <limits>
 #include <random>
 
-namespace abrazo {
+namespace abrazo::capsules_test {
 namespace {
 
 /// Smallest distance over a grid of both parameters.
@@ -100,4 +100,4 @@ TEST(Capsules, HandsAndForearmsAreFourBones) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::capsules_test

@@ -6,7 +6,7 @@
 #include "core/mesh/laplacian.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::laplacian_test {
 namespace {
 
 struct Case {
@@ -109,4 +109,4 @@ TEST(Laplacian, ARotationIsCharged) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::laplacian_test

@@ -16,7 +16,7 @@
 #include "core/motion/joint_set.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::tetrahedralize_test {
 namespace {
 
 /// Centre and radius of the sphere through four points.
@@ -206,4 +206,4 @@ TEST(Tetrahedralize, AMirroredTPoseIsHandled) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::tetrahedralize_test

@@ -12,7 +12,7 @@
 #include "core/base/text.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::vtu_writer_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -135,4 +135,4 @@ TEST(PvdWriter, ListsTheFilesWithTheirTimes) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::vtu_writer_test

@@ -5,7 +5,7 @@
 #include "core/motion/joint_set.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::body_segments_test {
 namespace {
 
 const BodySegment& named(const std::array<BodySegment, segment_count>& segments, std::string_view name) {
@@ -70,4 +70,4 @@ TEST(BodySegments, CentreOfMassOfAStandingAdultIsALittleAboveTheHips) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::body_segments_test

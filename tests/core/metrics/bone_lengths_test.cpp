@@ -6,7 +6,7 @@
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::bone_lengths_test {
 namespace {
 
 TEST(BoneLengths, OfABodysOwnMotionAreRight) {
@@ -40,4 +40,4 @@ TEST(BoneLengths, OfNothingAreRight) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::bone_lengths_test

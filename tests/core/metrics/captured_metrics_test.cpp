@@ -10,7 +10,7 @@
 #include "core/metrics/zmp.hpp"
 #include "tests/support/captured_data.hpp"
 
-namespace abrazo {
+namespace abrazo::captured_metrics_test {
 namespace {
 
 std::vector<Pose> every_nth(const std::vector<Pose>& poses, std::size_t n) {
@@ -109,4 +109,4 @@ TEST_F(CapturedMetrics, CalibratedCapsulesRarelyPenetrateInTheRecording) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::captured_metrics_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::continuity_test {
 namespace {
 
 Pose at(double x) {
@@ -74,4 +74,4 @@ TEST(Continuity, OfNothingIsNothing) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::continuity_test

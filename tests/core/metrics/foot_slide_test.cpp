@@ -8,7 +8,7 @@
 #include "core/motion/joint_set.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::foot_slide_test {
 namespace {
 
 constexpr double floor_m = 0.04;  ///< where the toe bases of `standing_pose` rest
@@ -104,4 +104,4 @@ TEST(FootSlide, OfNothingIsNothing) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::foot_slide_test

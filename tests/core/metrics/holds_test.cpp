@@ -5,7 +5,7 @@
 #include "core/motion/joint_set.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::holds_test {
 namespace {
 
 /// Hands on the x axis [m]; everything else far away.
@@ -77,4 +77,4 @@ TEST(Holds, OfNobodyAreNone) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::holds_test

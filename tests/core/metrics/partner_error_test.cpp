@@ -9,7 +9,7 @@
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::partner_error_test {
 namespace {
 
 /// Someone who sways, nods and walks, as a function of time.
@@ -99,4 +99,4 @@ TEST(Lag, NeedsMotionsOfOneLength) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::partner_error_test

@@ -5,7 +5,7 @@
 #include "core/motion/joint_set.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::penetration_test {
 namespace {
 
 /// Capsules of 13 cm around heads, nothing else.
@@ -109,4 +109,4 @@ TEST(Penetration, OfNothingIsNothing) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::penetration_test

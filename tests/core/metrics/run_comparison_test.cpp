@@ -9,7 +9,7 @@
 #include "core/motion/joint_set.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::run_comparison_test {
 namespace {
 
 const std::shared_ptr<const MotionLibrary>& library() {
@@ -122,4 +122,4 @@ TEST(RunComparison, EveryFigureHasANameAUnitAndAnExplanation) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::run_comparison_test

@@ -8,7 +8,7 @@
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::run_summary_test {
 namespace {
 
 /// The partner 3 cm behind the selected pair and `along_m` on its way; left hands 10 cm apart in the selected
@@ -102,4 +102,4 @@ TEST_F(ARun, IsWrittenForPeople) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::run_summary_test

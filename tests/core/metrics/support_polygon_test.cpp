@@ -6,7 +6,7 @@
 #include <random>
 #include <stdexcept>
 
-namespace abrazo {
+namespace abrazo::support_polygon_test {
 namespace {
 
 TEST(SupportPolygon, HasTheCornersOfItsPointsCounterClockwise) {
@@ -59,4 +59,4 @@ TEST(SupportPolygon, NeedsAPoint) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::support_polygon_test

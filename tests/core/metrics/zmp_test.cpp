@@ -10,7 +10,7 @@
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::zmp_test {
 namespace {
 
 constexpr double gravity = 9.81;
@@ -221,4 +221,4 @@ TEST(Zmp, RefusesAnImpossibleRateOrWindow) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::zmp_test

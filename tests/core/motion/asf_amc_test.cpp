@@ -9,7 +9,7 @@
 
 #include "tests/core/motion/motion_fixtures.hpp"
 
-namespace abrazo {
+namespace abrazo::asf_amc_test {
 namespace {
 
 using test::expect_near;
@@ -220,4 +220,4 @@ TEST(AsfAmc, SurvivesAnyDamage) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::asf_amc_test

@@ -9,7 +9,7 @@
 #include "core/motion/joint_set.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::body_surface_test {
 namespace {
 
 class BodySurfaceTest : public testing::Test {
@@ -72,4 +72,4 @@ TEST_F(BodySurfaceTest, ItIsAsWideAsAPerson) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::body_surface_test

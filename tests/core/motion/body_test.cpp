@@ -6,7 +6,7 @@
 
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::body_test {
 namespace {
 
 TEST(Body, MeasuresTheBonesOfAPose) {
@@ -37,4 +37,4 @@ TEST(Body, IsAsTallAsAnAdult) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::body_test

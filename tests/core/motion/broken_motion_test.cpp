@@ -8,7 +8,7 @@
 #include "core/motion/import_clip.hpp"
 #include "tests/core/motion/motion_fixtures.hpp"
 
-namespace abrazo {
+namespace abrazo::broken_motion_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -78,4 +78,4 @@ TEST(BrokenMotions, AreAllRefusedOrReadWithAWarning) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::broken_motion_test

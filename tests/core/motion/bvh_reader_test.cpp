@@ -9,7 +9,7 @@
 #include "core/motion/bvh.hpp"
 #include "tests/core/motion/motion_fixtures.hpp"
 
-namespace abrazo {
+namespace abrazo::bvh_reader_test {
 namespace {
 
 using test::expect_near;
@@ -283,4 +283,4 @@ TEST(BvhReader, ReadsSixHundredThousandFramesInTimeThatGrowsWithTheirNumber) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::bvh_reader_test

@@ -13,7 +13,7 @@
 #include "tests/support/bodies.hpp"
 #include "tests/support/captured_data.hpp"
 
-namespace abrazo {
+namespace abrazo::bvh_writer_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -254,4 +254,4 @@ TEST(BvhWriter, GivesCapturedTakesBackWithinAMillimetre) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::bvh_writer_test

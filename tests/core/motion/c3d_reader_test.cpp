@@ -9,7 +9,7 @@
 #include "tests/core/motion/c3d_bytes.hpp"
 #include "tests/core/motion/motion_fixtures.hpp"
 
-namespace abrazo {
+namespace abrazo::c3d_reader_test {
 namespace {
 
 using test::C3dBytesWriter;
@@ -251,4 +251,4 @@ TEST(C3dReader, SurvivesDamagedFiles) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::c3d_reader_test

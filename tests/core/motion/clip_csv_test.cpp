@@ -6,7 +6,7 @@
 #include "core/base/text.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::clip_csv_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -42,4 +42,4 @@ TEST(ClipCsv, RefusesClipsOfDifferentLengths) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::clip_csv_test

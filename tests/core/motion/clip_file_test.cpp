@@ -12,7 +12,7 @@
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::clip_file_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -96,4 +96,4 @@ TEST(ClipFile, WhatATypeCannotHoldIsRefused) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::clip_file_test

@@ -15,7 +15,7 @@
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::glb_writer_test {
 namespace {
 
 using nlohmann::json;
@@ -279,4 +279,4 @@ TEST(GlbWriter, TheSameClipsGiveTheSameBytes) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::glb_writer_test

@@ -9,7 +9,7 @@
 #include "tests/core/motion/motion_fixtures.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::import_clip_test {
 namespace {
 
 using test::has_warning;
@@ -193,4 +193,4 @@ TEST(ImportClip, RefusesOptionsThatMakeNoSense) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::import_clip_test

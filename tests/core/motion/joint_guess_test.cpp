@@ -7,7 +7,7 @@
 #include "tests/core/motion/motion_fixtures.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::joint_guess_test {
 namespace {
 
 /// A standing person whose points are named so that no built-in map fits.
@@ -103,4 +103,4 @@ TEST(JointMaps, AreWrittenAsTheyAreRead) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::joint_guess_test

@@ -6,7 +6,7 @@
 #include "core/motion/bvh.hpp"
 #include "tests/core/motion/motion_fixtures.hpp"
 
-namespace abrazo {
+namespace abrazo::joint_map_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -162,4 +162,4 @@ TEST(JointMap, SaysWhatIsWrongWithAMapItCannotUse) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::joint_map_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abrazo {
+namespace abrazo::joint_set_test {
 namespace {
 
 TEST(JointSet, NamesTheTwentyFiveJointsInTheAgreedOrder) {
@@ -33,4 +33,4 @@ TEST(JointSet, MirrorsEachJointOntoOneOfTheSameKind) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::joint_set_test

@@ -8,7 +8,7 @@
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::joint_tree_test {
 namespace {
 
 /// Largest turn of a node relative to its parent between two frames of a clip [rad].
@@ -84,4 +84,4 @@ TEST(JointTree, ABoneOppositeToItsRestDoesNotFlip) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::joint_tree_test

@@ -8,7 +8,7 @@
 #include "tests/support/bodies.hpp"
 #include "tests/support/captured_data.hpp"
 
-namespace abrazo {
+namespace abrazo::load_motion_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -129,4 +129,4 @@ TEST(LoadMotion, ReadsACapturedTake) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::load_motion_test

@@ -11,7 +11,7 @@
 #include "tests/core/motion/marker_body.hpp"
 #include "tests/core/motion/motion_fixtures.hpp"
 
-namespace abrazo {
+namespace abrazo::marker_model_test {
 namespace {
 
 using test::has_warning;
@@ -182,4 +182,4 @@ TEST(MarkerGaps, DoesWithoutAMarkerThatIsNotNeeded) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::marker_model_test

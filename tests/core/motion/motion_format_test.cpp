@@ -9,7 +9,7 @@
 #include "tests/core/motion/c3d_bytes.hpp"
 #include "tests/core/motion/motion_fixtures.hpp"
 
-namespace abrazo {
+namespace abrazo::motion_format_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -65,4 +65,4 @@ TEST(MotionFormat, GivesFileDialogsEveryExtension) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::motion_format_test

@@ -11,7 +11,7 @@
 #include "tests/core/motion/motion_fixtures.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::point_csv_test {
 namespace {
 
 using test::place;
@@ -194,4 +194,4 @@ TEST(PointCsv, SurvivesDamagedFiles) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::point_csv_test

@@ -9,7 +9,7 @@
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::resample_test {
 namespace {
 
 /// A body that walks along +X at 1 m/s.
@@ -95,4 +95,4 @@ TEST(MedianRate, IsNotMovedByAFewGaps) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::resample_test

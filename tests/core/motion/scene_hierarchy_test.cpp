@@ -9,7 +9,7 @@
 #include "core/motion/fbx_records.hpp"
 #include "core/motion/xml_tags.hpp"
 
-namespace abrazo {
+namespace abrazo::scene_hierarchy_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -140,4 +140,4 @@ TEST(XmlTags, CommentsAndDataAreNone) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::scene_hierarchy_test

@@ -10,7 +10,7 @@
 #include "tests/core/motion/motion_fixtures.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::scene_reader_test {
 namespace {
 
 using test::place;
@@ -176,4 +176,4 @@ TEST(SceneAnimation, SaysWhatIsMissing) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::scene_reader_test

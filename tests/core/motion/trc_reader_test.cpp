@@ -5,7 +5,7 @@
 
 #include "tests/core/motion/motion_fixtures.hpp"
 
-namespace abrazo {
+namespace abrazo::trc_reader_test {
 namespace {
 
 using test::has_warning;
@@ -100,4 +100,4 @@ TEST(TrcReader, SurvivesDamagedFiles) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::trc_reader_test

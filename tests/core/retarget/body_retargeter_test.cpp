@@ -7,7 +7,7 @@
 
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::body_retargeter_test {
 namespace {
 
 using namespace joints;
@@ -126,4 +126,4 @@ TEST(TwoBoneJoint, AnEndOutOfReachIsApproached) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::body_retargeter_test

@@ -7,7 +7,7 @@
 #include "tests/core/selection/user_motions.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::history_kernel_test {
 namespace {
 
 using Rows = HistoryKernel::Rows;
@@ -129,4 +129,4 @@ TEST(HistoryKernel, OfASingleMotionTellsItFromOthers) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::history_kernel_test

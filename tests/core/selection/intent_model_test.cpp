@@ -8,7 +8,7 @@
 #include "tests/core/selection/user_motions.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::intent_model_test {
 namespace {
 
 using Library = std::shared_ptr<const MotionLibrary>;
@@ -323,4 +323,4 @@ TEST(IntentModel, EveryMoveCanBeChangedTo) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::intent_model_test

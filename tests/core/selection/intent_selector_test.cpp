@@ -10,7 +10,7 @@
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::intent_selector_test {
 namespace {
 
 /// A landing is read by one product for all and a pair by itself: float rounding of some squares.
@@ -363,4 +363,4 @@ TEST_F(IntentSelectorTest, KeepsNoStateBetweenFrames) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::intent_selector_test

@@ -8,7 +8,7 @@
 
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::motion_history_test {
 namespace {
 
 using Sample = MotionHistory::Sample;
@@ -209,4 +209,4 @@ TEST(MotionHistory, PartsThatCannotBeAHistoryAreRefusedAndLeaveNone) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::motion_history_test

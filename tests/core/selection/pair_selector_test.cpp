@@ -10,7 +10,7 @@
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::pair_selector_test {
 namespace {
 
 std::vector<int> all_pairs(const MotionLibrary& library) {
@@ -234,4 +234,4 @@ TEST(PairInWorld, KeepsTheRecordedHeightAndTakesTheUsersPlaceAndHeading) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::pair_selector_test

@@ -7,7 +7,7 @@
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::partner_embedding_test {
 namespace {
 
 /// By hand.
@@ -113,4 +113,4 @@ TEST(PartnerEmbedding, OfOnePoseHasNothingToTellApart) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::partner_embedding_test

@@ -5,7 +5,7 @@
 #include <Eigen/Cholesky>
 #include <random>
 
-namespace abrazo {
+namespace abrazo::positive_solve_test {
 namespace {
 
 Eigen::MatrixXd random_matrix(Eigen::Index rows, Eigen::Index columns, std::mt19937& random) {
@@ -81,4 +81,4 @@ TEST(SolvePositive, ProgressGoesUpToTheEnd) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::positive_solve_test

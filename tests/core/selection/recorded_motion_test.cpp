@@ -6,7 +6,7 @@
 #include "tests/core/selection/user_motions.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::recorded_motion_test {
 namespace {
 
 /// B leads in the frames 60 to 119, so what A leads has a gap there.
@@ -100,4 +100,4 @@ TEST(RecordedMotion, WhereARecordingEndsThePartnerIsTheLastThereIs) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::recorded_motion_test

@@ -12,7 +12,7 @@
 #include "tests/core/session/recorded_session.hpp"
 #include "tests/support/settings.hpp"
 
-namespace abrazo {
+namespace abrazo::damaged_library_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -135,4 +135,4 @@ TEST_F(MappedLibrary, ThatIsInMemoryIsNotConcernedByItsFile) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::damaged_library_test

@@ -8,7 +8,7 @@
 
 #include "tests/core/session/recorded_session.hpp"
 
-namespace abrazo {
+namespace abrazo::data_reference_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -120,4 +120,4 @@ TEST_F(DataReferences, OneThatWasPointedOutFindsTheOthersOfTheSameMove) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::data_reference_test

@@ -16,7 +16,7 @@
 #include "core/session/session_export.hpp"
 #include "tests/core/session/recorded_session.hpp"
 
-namespace abrazo {
+namespace abrazo::exporting_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -308,4 +308,4 @@ TEST_F(Exporting, TheEstimateIsNearWhatIsWritten) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::exporting_test

@@ -11,7 +11,7 @@
 #include "core/synthesis/synthesizer_state.hpp"
 #include "tests/core/session/recorded_session.hpp"
 
-namespace abrazo {
+namespace abrazo::foreign_pairs_test {
 namespace {
 
 using testing::HasSubstr;
@@ -97,4 +97,4 @@ TEST_F(ForeignPairs, OfAFrameOfAnUnknownLibraryAreNoneOfThisOne) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::foreign_pairs_test

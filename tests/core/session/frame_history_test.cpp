@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abrazo {
+namespace abrazo::frame_history_test {
 namespace {
 
 FrameSnapshotPtr frame_at(std::uint64_t index, double time_s) {
@@ -62,4 +62,4 @@ TEST(FrameHistory, TheOldestFramesGoFirstAndAreCounted) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::frame_history_test

@@ -7,7 +7,7 @@
 #include "core/session/frame_history.hpp"
 #include "core/session/history_record.hpp"
 
-namespace abrazo {
+namespace abrazo::frame_range_test {
 namespace {
 
 std::shared_ptr<FrameSnapshot> made(std::uint64_t index) {
@@ -146,4 +146,4 @@ TEST(HistoryRecord, CountsTheFramesThatAreLostInWhatIsAskedFor) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::frame_range_test

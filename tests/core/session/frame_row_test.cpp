@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abrazo {
+namespace abrazo::frame_row_test {
 namespace {
 
 /// A frame with candidates of both kinds: such as there are when a pair is pinned, and such as there never
@@ -79,4 +79,4 @@ TEST(FrameRow, CandidatesFromBeforeThereWereTermsAreReadAsTheyWere) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::frame_row_test

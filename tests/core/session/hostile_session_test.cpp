@@ -12,7 +12,7 @@
 #include "core/session/session_file.hpp"
 #include "tests/core/session/recorded_session.hpp"
 
-namespace abrazo {
+namespace abrazo::hostile_session_test {
 namespace {
 
 using testing::HasSubstr;
@@ -160,4 +160,4 @@ TEST_F(HostileSession, ALinkWhereACopyIsWrittenIsReplacedAndNotFollowed) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::hostile_session_test

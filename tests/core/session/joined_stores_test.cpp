@@ -3,7 +3,7 @@
 
 #include "core/session/joined_stores.hpp"
 
-namespace abrazo {
+namespace abrazo::joined_stores_test {
 namespace {
 
 /// Frames [first, last], ten a second.
@@ -106,4 +106,4 @@ TEST(JoinedStores, WithNothingAreTheOther) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::joined_stores_test

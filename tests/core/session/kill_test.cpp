@@ -7,7 +7,7 @@
 #include "tests/core/session/recorded_session.hpp"
 #include "tests/core/session/recording_process.hpp"
 
-namespace abrazo {
+namespace abrazo::kill_test {
 namespace {
 
 class KilledRecording : public testing::TestWithParam<std::size_t> {};
@@ -82,4 +82,4 @@ TEST(SuspendedRecording, GoesOnWithTheNewestPoseAndIsHonestAboutTheGap) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::kill_test

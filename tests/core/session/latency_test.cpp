@@ -4,7 +4,7 @@
 
 #include <vector>
 
-namespace abrazo {
+namespace abrazo::latency_test {
 namespace {
 
 FrameSnapshotPtr frame_at(const FrameTimes& times) {
@@ -48,4 +48,4 @@ TEST(Latency, WhatDidNotHappenDoesNotCount) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::latency_test

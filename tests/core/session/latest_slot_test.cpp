@@ -4,7 +4,7 @@
 
 #include <thread>
 
-namespace abrazo {
+namespace abrazo::latest_slot_test {
 namespace {
 
 TEST(LatestSlot, GivesEachValueOnceToAReader) {
@@ -34,4 +34,4 @@ TEST(LatestSlot, AReaderOnAnotherThreadNeverSeesValuesGoBack) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::latest_slot_test

@@ -13,7 +13,7 @@
 #include "tests/core/session/refused_memory.hpp"
 #include "tests/support/settings.hpp"
 
-namespace abrazo {
+namespace abrazo::learned_selection_test {
 namespace {
 
 using testing::HasSubstr;
@@ -327,4 +327,4 @@ TEST(LearnedSelection, ASessionIsSolvedAgainToTheSameBits) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::learned_selection_test

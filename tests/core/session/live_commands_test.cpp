@@ -11,7 +11,7 @@
 #include "tests/support/bodies.hpp"
 #include "tests/support/settings.hpp"
 
-namespace abrazo {
+namespace abrazo::live_commands_test {
 namespace {
 
 using test::FakeDevice;
@@ -293,4 +293,4 @@ TEST(SolverThreadWakes, ForACommandAndForAPoseAtOnce) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::live_commands_test

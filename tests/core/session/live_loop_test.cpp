@@ -9,7 +9,7 @@
 #include "tests/support/libraries.hpp"
 #include "tests/support/settings.hpp"
 
-namespace abrazo {
+namespace abrazo::live_loop_test {
 namespace {
 
 struct Live {
@@ -131,4 +131,4 @@ TEST(SolverThread, PublishesWhileAnotherThreadReadsAndStopsWhenDestroyed) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::live_loop_test

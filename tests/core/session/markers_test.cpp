@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abrazo {
+namespace abrazo::markers_test {
 namespace {
 
 Markers three() {
@@ -69,4 +69,4 @@ TEST(Markers, AreCalledByTheirNumberWithoutAName) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::markers_test

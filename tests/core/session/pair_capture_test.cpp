@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abrazo {
+namespace abrazo::pair_capture_test {
 namespace {
 
 /// A pose whose every coordinate is its time.
@@ -114,4 +114,4 @@ TEST(PairCapture, PassesOverPosesThatAreNotNewer) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::pair_capture_test

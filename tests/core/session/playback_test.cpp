@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abrazo {
+namespace abrazo::playback_test {
 namespace {
 
 Playback playback(Playback::State state, double cursor_s, double last_s = 10) {
@@ -253,4 +253,4 @@ TEST(Playback, PlayingBackwardsParksAtTheStart) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::playback_test

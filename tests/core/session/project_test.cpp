@@ -17,7 +17,7 @@
 #include "tests/core/session/project_values.hpp"
 #include "tests/core/session/recorded_session.hpp"
 
-namespace abrazo {
+namespace abrazo::project_test {
 namespace {
 
 using testing::ElementsAre;
@@ -415,4 +415,4 @@ TEST(SavingAProject, SaysWhatIsInTheWay) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::project_test

@@ -10,7 +10,7 @@
 #include "tests/support/libraries.hpp"
 #include "tests/support/settings.hpp"
 
-namespace abrazo {
+namespace abrazo::re_solver_test {
 namespace {
 
 std::shared_ptr<const MotionLibrary> library() {
@@ -201,4 +201,4 @@ TEST_F(Recording, StatesAreFewAndCounted) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::re_solver_test

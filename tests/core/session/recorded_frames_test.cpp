@@ -6,7 +6,7 @@
 #include "core/session/re_solver.hpp"
 #include "tests/core/session/recorded_session.hpp"
 
-namespace abrazo {
+namespace abrazo::recorded_frames_test {
 namespace {
 
 /// A recorded session, and what memory had of it.
@@ -165,4 +165,4 @@ TEST_F(RecordedFramesTest, WhatTheyGiveCanBeSolvedAgainToTheSameBits) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::recorded_frames_test

@@ -13,7 +13,7 @@
 #include "core/synthesis/synthesizer_state.hpp"
 #include "tests/core/session/recorded_session.hpp"
 
-namespace abrazo {
+namespace abrazo::recorder_test {
 namespace {
 
 using testing::HasSubstr;
@@ -428,4 +428,4 @@ TEST(Recorder, ThreadsMayHandOverWhileOthersRead) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::recorder_test

@@ -10,7 +10,7 @@
 #include "tests/core/session/recorded_session.hpp"
 #include "tests/support/broken_world.hpp"
 
-namespace abrazo {
+namespace abrazo::recording_faults_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -329,4 +329,4 @@ TEST_F(ProjectFaults, SavingOnADiskThatIsReallyFullLeavesTheOldFileWhole) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::recording_faults_test

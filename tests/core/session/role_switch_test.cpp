@@ -10,7 +10,7 @@
 #include "tests/support/libraries.hpp"
 #include "tests/support/settings.hpp"
 
-namespace abrazo {
+namespace abrazo::role_switch_test {
 namespace {
 
 constexpr double frame_s = 1.0 / 60;
@@ -248,4 +248,4 @@ TEST(SolvedAgain, WithPinsVetoesMeantMovesAndChangesOfRoleTheBitsAreTheSame) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::role_switch_test

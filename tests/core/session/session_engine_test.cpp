@@ -8,7 +8,7 @@
 #include "tests/core/session/fakes.hpp"
 #include "tests/support/settings.hpp"
 
-namespace abrazo {
+namespace abrazo::session_engine_test {
 namespace {
 
 using test::FakeDevice;
@@ -294,4 +294,4 @@ TEST_F(Engine, AMoveThatIsNotThereIsRefusedWithThoseThatAre) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::session_engine_test

@@ -16,7 +16,7 @@
 #include "tests/core/session/recorded_session.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::session_export_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -401,4 +401,4 @@ TEST(SessionTrace, IsThatOfTheLiveSession) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::session_export_test

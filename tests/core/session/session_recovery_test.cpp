@@ -11,7 +11,7 @@
 #include "core/session/session_file.hpp"
 #include "tests/core/session/recorded_session.hpp"
 
-namespace abrazo {
+namespace abrazo::session_recovery_test {
 namespace {
 
 using testing::ElementsAre;
@@ -236,4 +236,4 @@ TEST(SessionLibraryReference, FindsTheLibraryBesideTheSessionAndNoticesAnother) 
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::session_recovery_test

@@ -7,7 +7,7 @@
 #include "tests/core/session/recorded_session.hpp"
 #include "tests/support/settings.hpp"
 
-namespace abrazo {
+namespace abrazo::session_replay_test {
 namespace {
 
 std::string trace_line(const FrameSnapshot& frame) {
@@ -104,4 +104,4 @@ TEST(SessionReplay, CanBeCancelled) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::session_replay_test

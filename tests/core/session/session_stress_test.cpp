@@ -16,7 +16,7 @@
 #include "tests/core/session/recorded_session.hpp"
 #include "tests/support/settings.hpp"
 
-namespace abrazo {
+namespace abrazo::session_stress_test {
 namespace {
 
 constexpr int packets_of_a_sender = 240;
@@ -164,4 +164,4 @@ TEST(SessionUnderLoad, EverythingAtOnceLeavesAWholeRecordingAndALiveSession) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::session_stress_test

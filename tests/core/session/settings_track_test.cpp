@@ -8,7 +8,7 @@
 #include "tests/support/libraries.hpp"
 #include "tests/support/settings.hpp"
 
-namespace abrazo {
+namespace abrazo::settings_track_test {
 namespace {
 
 using testing::ElementsAre;
@@ -170,4 +170,4 @@ TEST(SettingsTrack, WithTheInputsSolvesASessionAgainToTheBit) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::settings_track_test

@@ -7,7 +7,7 @@
 #include "core/synthesis/partner_synthesizer.hpp"
 #include "tests/core/session/recorded_session.hpp"
 
-namespace abrazo {
+namespace abrazo::synthesizer_state_bytes_test {
 namespace {
 
 /// A state in the middle of a session: locks, a transition, a heading.
@@ -153,4 +153,4 @@ TEST(DecisionsJson, ReadsBackWhatWasDecided) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::synthesizer_state_bytes_test

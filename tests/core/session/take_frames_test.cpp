@@ -10,7 +10,7 @@
 #include "core/session/frame_in_library.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::take_frames_test {
 namespace {
 
 using Library = std::shared_ptr<const MotionLibrary>;
@@ -151,4 +151,4 @@ TEST(FrameInLibrary, WhereTheRolesChangedItIsTheFrameWithTheOtherOneActive) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::take_frames_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abrazo {
+namespace abrazo::time_place_test {
 namespace {
 
 using Kind = TimePlace::Kind;
@@ -140,4 +140,4 @@ TEST(TimePlace, WhereThereIsNoFrameTheErrorSaysWhichThereAre) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::time_place_test

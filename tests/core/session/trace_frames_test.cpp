@@ -11,7 +11,7 @@
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::trace_frames_test {
 namespace {
 
 using ::testing::ElementsAre;
@@ -133,4 +133,4 @@ TEST_F(TraceFile, StopsWhenItIsToldTo) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::trace_frames_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abrazo {
+namespace abrazo::arrival_clock_test {
 namespace {
 
 constexpr double tolerance_s = 1e-6;  // of a double that counts seconds since 1970
@@ -52,4 +52,4 @@ TEST(ArrivalClock, TheFirstPacketMayHaveWaitedSomeSecondsAndNoMore) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::arrival_clock_test

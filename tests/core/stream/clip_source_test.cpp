@@ -4,7 +4,7 @@
 
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::clip_source_test {
 namespace {
 
 Clip short_clip(int frames = 60) {
@@ -92,4 +92,4 @@ TEST(ClipSource, AnEmptyClipIsRefused) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::clip_source_test

@@ -9,7 +9,7 @@
 #include "tests/support/bodies.hpp"
 #include "tests/support/captured_data.hpp"
 
-namespace abrazo {
+namespace abrazo::joints_to_humanoid_test {
 namespace {
 
 using Rotation = Eigen::Quaterniond;
@@ -198,4 +198,4 @@ TEST(JointsToHumanoid, TurnsNoBoneFasterThanPositionsDoInCapturedClips) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::joints_to_humanoid_test

@@ -15,7 +15,7 @@
 #include "tests/core/stream/mocap_stream.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::natnet_decoder_test {
 namespace {
 
 using Eigen::Quaterniond;
@@ -487,4 +487,4 @@ TEST(NatNetBoneNames, OfEveryConventionFindTheJoints) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::natnet_decoder_test

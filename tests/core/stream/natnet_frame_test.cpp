@@ -4,7 +4,7 @@
 
 #include "tests/core/stream/mocap_stream.hpp"
 
-namespace abrazo {
+namespace abrazo::natnet_frame_test {
 namespace {
 
 /// One rigid body and one skeleton of one bone, byte by byte as section 5.2 says; the sizes of sections stand
@@ -214,4 +214,4 @@ TEST(NatNetFrame, WhatIsWrittenIsReadAgainInEveryVersion) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::natnet_frame_test

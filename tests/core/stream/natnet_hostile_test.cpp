@@ -6,7 +6,7 @@
 #include "tests/core/stream/mocap_stream.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::natnet_hostile_test {
 namespace {
 
 TEST(NatNetHostile, MutatedPacketsAreIssuesOrFramesButNeverFatal) {
@@ -48,4 +48,4 @@ TEST(NatNetHostile, MutatedQuestionsDoNotHurtTheServer) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::natnet_hostile_test

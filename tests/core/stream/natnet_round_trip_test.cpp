@@ -6,7 +6,7 @@
 #include "tests/core/stream/mocap_stream.hpp"
 #include "tests/support/captured_data.hpp"
 
-namespace abrazo {
+namespace abrazo::natnet_round_trip_test {
 namespace {
 
 using namespace joints;
@@ -73,4 +73,4 @@ TEST(NatNetRoundTrip, AHeldPoseIsSentAsNotTracked) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::natnet_round_trip_test

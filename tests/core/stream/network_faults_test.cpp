@@ -26,7 +26,7 @@
 #include "core/stream/stream_sockets.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::network_faults_test {
 namespace {
 
 using testing::ElementsAre;
@@ -344,4 +344,4 @@ TEST(Multicast, AGroupIsHeardWithoutAServer) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::network_faults_test

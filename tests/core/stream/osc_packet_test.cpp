@@ -10,7 +10,7 @@
 
 #include "tests/core/stream/vmc_packets.hpp"
 
-namespace abrazo {
+namespace abrazo::osc_packet_test {
 namespace {
 
 using test::Bytes;
@@ -268,4 +268,4 @@ TEST(OscPacket, NeverReadsBeyondAPacketHoweverDamaged) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::osc_packet_test

@@ -13,7 +13,7 @@
 #include "tests/core/stream/plain_stream.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::receiver_test {
 namespace {
 
 using test::plain_packet, test::PlainDecoder, test::PlainFrame;
@@ -288,4 +288,4 @@ TEST(PoseSink, MustBeToldWhoReceives) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::receiver_test

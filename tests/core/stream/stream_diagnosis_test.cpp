@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <string_view>
 
-namespace abrazo {
+namespace abrazo::stream_diagnosis_test {
 namespace {
 
 using testing::AllOf, testing::HasSubstr, testing::IsEmpty, testing::Not;
@@ -193,4 +193,4 @@ TEST(StreamDiagnosis, PutsTheWorstFirstAndNamesThePerformerAmongSeveral) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::stream_diagnosis_test

@@ -13,7 +13,7 @@
 
 // What goes wrong between a sender and us, each with the diagnosis it gives. The bytes are those of the
 // encoders, so that a fault is all that is wrong with them.
-namespace abrazo {
+namespace abrazo::stream_faults_test {
 namespace {
 
 using testing::AllOf, testing::AnyOf, testing::Contains, testing::HasSubstr, testing::IsEmpty, testing::Not;
@@ -429,4 +429,4 @@ TEST(StreamFaults, NothingAtAllIsSaidAfterTwoSeconds) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::stream_faults_test

@@ -9,7 +9,7 @@
 #include "tests/core/stream/plain_stream.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::stream_order_property_test {
 namespace {
 
 /// One way of a frame through the network.
@@ -91,4 +91,4 @@ TEST(StreamOrder, NorOneWithTimeAlone) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::stream_order_property_test

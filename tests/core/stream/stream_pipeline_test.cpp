@@ -10,7 +10,7 @@
 #include "tests/core/stream/plain_stream.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::stream_pipeline_test {
 namespace {
 
 using test::performer_frame, test::plain_packet, test::PlainDecoder, test::PlainFrame;
@@ -359,4 +359,4 @@ TEST(StreamPipeline, PerformersAndIssuesOfAHostileSenderAreBounded) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::stream_pipeline_test

@@ -8,7 +8,7 @@
 #include "core/stream/stream_meter.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::stream_timing_test {
 namespace {
 
 using Kind = FrameOrder::Kind;
@@ -286,4 +286,4 @@ TEST(PostureMeter, SeesWhetherThePoseIsFrozenAndWhetherItAlternates) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::stream_timing_test

@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-namespace abrazo {
+namespace abrazo::stream_uri_test {
 namespace {
 
 using testing::HasSubstr;
@@ -90,4 +90,4 @@ TEST(StreamUri, GivesMillisecondsAsSecondsAndRefusesNonsense) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::stream_uri_test

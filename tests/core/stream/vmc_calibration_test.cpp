@@ -5,7 +5,7 @@
 #include "core/motion/joint_set.hpp"
 #include "tests/core/stream/vmc_packets.hpp"
 
-namespace abrazo {
+namespace abrazo::vmc_calibration_test {
 namespace {
 
 using namespace test;
@@ -134,4 +134,4 @@ TEST(VmcCalibration, ConcernsThePerformerItWasAskedFor) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::vmc_calibration_test

@@ -10,7 +10,7 @@
 #include "core/stream/humanoid_bones.hpp"
 #include "tests/core/stream/vmc_packets.hpp"
 
-namespace abrazo {
+namespace abrazo::vmc_decoder_test {
 namespace {
 
 using ::testing::Contains;
@@ -492,4 +492,4 @@ TEST(VmcDecoder, GivesFinitePosesWhateverComes) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::vmc_decoder_test

@@ -9,7 +9,7 @@
 #include "tests/core/stream/vmc_packets.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::vmc_encoder_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -104,4 +104,4 @@ TEST(VmcEncoder, RefusesWhatItCannotSend) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::vmc_encoder_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abrazo {
+namespace abrazo::vmc_framing_test {
 namespace {
 
 using namespace humanoid;
@@ -128,4 +128,4 @@ TEST(VmcFraming, CountsTheBonesThatDidNotCome) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::vmc_framing_test

@@ -8,7 +8,7 @@
 #include "tests/support/bodies.hpp"
 #include "tests/support/captured_data.hpp"
 
-namespace abrazo {
+namespace abrazo::vmc_round_trip_test {
 namespace {
 
 using test::Receiver;
@@ -69,4 +69,4 @@ TEST(VmcRoundTrip, GivesCapturedClipsBack) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::vmc_round_trip_test

@@ -9,7 +9,7 @@
 #include "core/stream/xsens_packet.hpp"
 #include "tests/core/stream/mocap_stream.hpp"
 
-namespace abrazo {
+namespace abrazo::xsens_decoder_test {
 namespace {
 
 using Eigen::Quaterniond;
@@ -377,4 +377,4 @@ TEST(XsensIssues, OptionsThatAreNoneAreErrors) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::xsens_decoder_test

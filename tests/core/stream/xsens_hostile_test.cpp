@@ -5,7 +5,7 @@
 #include "tests/core/stream/mocap_stream.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::xsens_hostile_test {
 namespace {
 
 TEST(XsensHostile, MutatedPacketsAreIssuesOrFramesButNeverFatal) {
@@ -20,4 +20,4 @@ TEST(XsensHostile, MutatedPacketsAreIssuesOrFramesButNeverFatal) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::xsens_hostile_test

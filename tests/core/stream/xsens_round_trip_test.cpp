@@ -6,7 +6,7 @@
 #include "tests/core/stream/mocap_stream.hpp"
 #include "tests/support/captured_data.hpp"
 
-namespace abrazo {
+namespace abrazo::xsens_round_trip_test {
 namespace {
 
 using namespace joints;
@@ -42,4 +42,4 @@ TEST(XsensRoundTrip, GivesACapturedDanceBack) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::xsens_round_trip_test

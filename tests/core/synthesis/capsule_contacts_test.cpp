@@ -5,7 +5,7 @@
 #include "core/mesh/capsules.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::capsule_contacts_test {
 namespace {
 
 constexpr int upper_back_bone = joints::UpperBack - 1;
@@ -109,4 +109,4 @@ TEST(CapsuleContacts, ACapsuleThatWentThroughIsPushedBackToItsSide) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::capsule_contacts_test

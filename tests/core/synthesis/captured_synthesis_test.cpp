@@ -11,7 +11,7 @@
 #include "tests/support/captured_data.hpp"
 #include "tests/support/settings.hpp"
 
-namespace abrazo {
+namespace abrazo::captured_synthesis_test {
 namespace {
 
 constexpr double metres_per_unit = (1 / 0.45) * 2.54 / 100;
@@ -155,4 +155,4 @@ TEST_F(CapturedSalsa, UsersOfOtherSizesAndWithLongArmsKeepHoldingHands) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::captured_synthesis_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::clip_synthesis_test {
 namespace {
 
 std::vector<long long> stepped_frames(const Clip& clip, const Settings& settings) {
@@ -70,4 +70,4 @@ TEST(ClipSynthesis, AClipTooSlowToFollowIsRefused) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::clip_synthesis_test

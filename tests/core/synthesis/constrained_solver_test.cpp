@@ -8,7 +8,7 @@
 #include "core/synthesis/capsule_contacts.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::constrained_solver_test {
 namespace {
 
 constexpr int unknowns = 3 * pair_vertex_count;
@@ -231,4 +231,4 @@ TEST(ConstrainedSolver, ContradictoryRowsGiveAFiniteAnswer) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::constrained_solver_test

@@ -7,7 +7,7 @@
 #include "core/motion/joint_set.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::constraints_test {
 namespace {
 
 TEST(BoneRows, HoldAtTheIterateAndHaveItsDistanceGradient) {
@@ -79,4 +79,4 @@ TEST(FloorRows, AllowWhatTheRecordingDoesItself) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::constraints_test

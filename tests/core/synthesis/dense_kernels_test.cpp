@@ -8,7 +8,7 @@
 #include <random>
 #include <vector>
 
-namespace abrazo {
+namespace abrazo::dense_kernels_test {
 namespace {
 
 /// The way for wide registers where there is one, else the other once more; the choice is put back.
@@ -144,4 +144,4 @@ TEST(DenseKernelWidths, GiveTheSameBitsAtEitherWidth) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::dense_kernels_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::foot_locks_test {
 namespace {
 
 /// All four feet standing where `pair` has them.
@@ -114,4 +114,4 @@ TEST(FootLocks, ReleasedBodiesAreForgotten) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::foot_locks_test

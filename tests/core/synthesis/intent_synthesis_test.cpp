@@ -12,7 +12,7 @@
 #include "tests/support/libraries.hpp"
 #include "tests/support/settings.hpp"
 
-namespace abrazo {
+namespace abrazo::intent_synthesis_test {
 namespace {
 
 using nlohmann::json;
@@ -318,4 +318,4 @@ TEST(IntentSynthesis, PairsBetweenThoseThatMayBeChangedToAreSelectedWhenNothingE
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::intent_synthesis_test

@@ -8,7 +8,7 @@
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::look_ahead_test {
 namespace {
 
 // Positions of a metre or two, turned there and back: far above rounding, far below what is seen.
@@ -156,4 +156,4 @@ TEST(LookAheadOfATake, IsThatOfTheOneBehindWhoeverLeads) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::look_ahead_test

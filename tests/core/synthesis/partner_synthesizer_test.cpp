@@ -12,7 +12,7 @@
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::partner_synthesizer_test {
 namespace {
 
 constexpr Duration step_time(1.0 / 15);
@@ -397,4 +397,4 @@ TEST(PartnerSynthesizer, APairThatIsLeftOutCannotBePinned) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::partner_synthesizer_test

@@ -8,7 +8,7 @@
 #include "core/motion/joint_set.hpp"
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::rigid_lengths_test {
 namespace {
 
 constexpr std::array girdle = {joints::Thorax, joints::LowerNeck, joints::LeftClavicle,
@@ -122,4 +122,4 @@ TEST(RigidLengths, OfBonesThatHaveNoLengthStayAsTheyAre) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::rigid_lengths_test

@@ -12,7 +12,7 @@
 #include "core/synthesis/partner_synthesizer.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::role_views_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -144,4 +144,4 @@ TEST_F(RoleViewsTest, AreNotKeptForNobody) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::role_views_test

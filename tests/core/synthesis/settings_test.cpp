@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace abrazo {
+namespace abrazo::settings_test {
 namespace {
 
 TEST(Settings, ThePaperPresetIsThePapersLetter) {
@@ -139,4 +139,4 @@ TEST(VelocityWeight, TheVelocityFormKeepsItsLagAtEveryRate) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::settings_test

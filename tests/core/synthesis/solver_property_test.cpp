@@ -11,7 +11,7 @@
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::solver_property_test {
 namespace {
 
 constexpr int unknowns = 3 * pair_vertex_count;
@@ -133,4 +133,4 @@ TEST(SolverProperty, EqualsADenseLuOfTheWholeSystem) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::solver_property_test

@@ -13,7 +13,7 @@
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::step_allocation_test {
 namespace {
 
 constexpr Duration step_time(1.0 / 60);
@@ -223,4 +223,4 @@ TEST(StepAllocation, DoesNotHappenWhenTheFilterLosesTrackingAndFindsIt) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::step_allocation_test

@@ -14,7 +14,7 @@
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::step_property_test {
 namespace {
 
 constexpr double bone_limit = 1e-3;
@@ -396,4 +396,4 @@ TEST(StepProperty, ACountOfStepsOrNeighboursOutOfItsRangeIsRefusedAtOnce) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::step_property_test

@@ -8,7 +8,7 @@
 #include "core/synthesis/partner_synthesizer.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo {
+namespace abrazo::trace_test {
 namespace {
 
 using nlohmann::json;
@@ -127,4 +127,4 @@ TEST(Trace, AStatusSaysInWordsWhatWasLetGo) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::trace_test

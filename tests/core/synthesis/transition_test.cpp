@@ -4,7 +4,7 @@
 
 #include "tests/support/bodies.hpp"
 
-namespace abrazo {
+namespace abrazo::transition_test {
 namespace {
 
 std::array<double, joint_count> same_for_all(double hurry = 1) {
@@ -55,4 +55,4 @@ TEST(Transition, AHalfLifeOfZeroForgetsAtOnce) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::transition_test

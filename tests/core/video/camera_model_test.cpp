@@ -9,7 +9,7 @@
 #include "core/video/camera_model.hpp"
 #include "core/video/lens.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::camera_model_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -162,4 +162,4 @@ TEST(Intrinsics, AreGuessedFromAFieldOfView) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::camera_model_test

@@ -14,7 +14,7 @@
 #include "core/video/video_reader.hpp"
 #include "core/video/video_writer.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::camera_solver_test {
 namespace {
 
 using ::testing::Contains;
@@ -274,4 +274,4 @@ TEST(CalibratedOverlay, LiesOverTheBodiesOfASyntheticVideo) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::camera_solver_test

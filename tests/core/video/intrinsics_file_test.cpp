@@ -8,7 +8,7 @@
 
 #include "core/video/camera_model.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::intrinsics_file_test {
 namespace {
 
 using ::testing::HasSubstr;
@@ -107,4 +107,4 @@ TEST(IntrinsicsFile, IsWrittenInFormatsOfOpenCvAlone) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::intrinsics_file_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace abrazo {
+namespace abrazo::video_codec_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -20,4 +20,4 @@ TEST(VideoCodecPlaces, AreNeverInTheFolderThatTheProgramWasStartedFrom) {
 }
 
 }  // namespace
-}  // namespace abrazo
+}  // namespace abrazo::video_codec_test

@@ -10,7 +10,7 @@
 #include "core/video/video_decoder.hpp"
 #include "tests/core/video/coded_video.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::video_decoder_test {
 namespace {
 
 /// Waits until the decoder said that something is new and it is so.
@@ -79,4 +79,4 @@ TEST(VideoDecoder, StopsWhileItIsOpening) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::video_decoder_test

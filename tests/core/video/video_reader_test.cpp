@@ -15,7 +15,7 @@
 #include "core/video/video_writer.hpp"
 #include "tests/core/video/coded_video.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::video_reader_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -276,4 +276,4 @@ TEST(FrameCache, KeepsThoseUsedLastWithinItsBytes) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::video_reader_test

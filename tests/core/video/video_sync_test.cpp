@@ -4,7 +4,7 @@
 
 #include "core/video/video_sync.hpp"
 
-namespace abrazo::test {
+namespace abrazo::test::video_sync_test {
 namespace {
 
 TEST(VideoSync, WithoutAPointBothBeginTogether) {
@@ -48,4 +48,4 @@ TEST(VideoSync, RefusesTimeThatStandsOrGoesBackwards) {
 }
 
 }  // namespace
-}  // namespace abrazo::test
+}  // namespace abrazo::test::video_sync_test
