@@ -1,6 +1,7 @@
 # Sources that are compiled together: what they share is read and instantiated once, which takes a quarter of the time. Neighbours
 # of one folder make a batch, so a new file moves others only within its folder. Names without linkage have to be unique in a folder
-# (in tests every file has a namespace of its own). -DABRAZO_UNITY=OFF, as in the presets `dev` and `tidy`, compiles every file alone.
+# (in tests every file has a namespace of its own). -DABRAZO_UNITY=OFF, as in the preset `dev`, compiles
+# every file alone.
 option(ABRAZO_UNITY "Compile the sources of a folder in batches" ON)
 
 # abrazo_unity(TARGET BATCH [ALONE source...]): batches of at most BATCH sources; those after ALONE stay by themselves.

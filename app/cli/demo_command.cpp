@@ -92,8 +92,8 @@ void run_demo(CommandLine& line, const DemoArguments& arguments) {
   if (!line.quiet) answer(line, summary(takes, *manifest));
 }
 
-void add_performer_option(CLI::App& demo, const char* name, OneOrTwo& values, double low, double high,
-                          const std::string& help) {
+void add_demo_performer_option(CLI::App& demo, const char* name, OneOrTwo& values, double low, double high,
+                               const std::string& help) {
   demo.add_option(name, values, help)
       ->delimiter(',')
       ->expected(1, 2)
@@ -137,18 +137,20 @@ void add_demo_command(CommandLine& line) {
       ->check(CLI::Range(5.0, 600.0))
       ->type_name("SECONDS")
       ->capture_default_str();
-  add_performer_option(*demo, "--height", arguments->height, 1.4, 2.2,
-                       "metres; 1.80,1.66 for salsa and 1.80,1.72 for fight when not given");
-  add_performer_option(*demo, "--arms", arguments->arms, 0.8, 1.25, "length of the arms against the usual");
-  add_performer_option(*demo, "--legs", arguments->legs, 0.85, 1.15, "length of the legs against the usual");
-  add_performer_option(*demo, "--skill", arguments->skill, 0, 1,
-                       "from a first lesson (0) to an expert (1, the default): sets the three below");
-  add_performer_option(*demo, "--amplitude", arguments->amplitude, 0.5, 1.3,
-                       "size of steps, hips, arms and blows; 1 for an expert");
-  add_performer_option(*demo, "--timing-error", arguments->timing_error, 0, 0.25,
-                       "how early or late moves are begun, standard deviation in seconds");
-  add_performer_option(*demo, "--wander", arguments->wander, 0, 0.1,
-                       "slow random drift of trunk and hands, rms in metres");
+  add_demo_performer_option(*demo, "--height", arguments->height, 1.4, 2.2,
+                            "metres; 1.80,1.66 for salsa and 1.80,1.72 for fight when not given");
+  add_demo_performer_option(*demo, "--arms", arguments->arms, 0.8, 1.25,
+                            "length of the arms against the usual");
+  add_demo_performer_option(*demo, "--legs", arguments->legs, 0.85, 1.15,
+                            "length of the legs against the usual");
+  add_demo_performer_option(*demo, "--skill", arguments->skill, 0, 1,
+                            "from a first lesson (0) to an expert (1, the default): sets the three below");
+  add_demo_performer_option(*demo, "--amplitude", arguments->amplitude, 0.5, 1.3,
+                            "size of steps, hips, arms and blows; 1 for an expert");
+  add_demo_performer_option(*demo, "--timing-error", arguments->timing_error, 0, 0.25,
+                            "how early or late moves are begun, standard deviation in seconds");
+  add_demo_performer_option(*demo, "--wander", arguments->wander, 0, 0.1,
+                            "slow random drift of trunk and hands, rms in metres");
   demo->callback([&line, arguments] { run_demo(line, *arguments); });
 }
 

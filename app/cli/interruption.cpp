@@ -12,7 +12,7 @@ namespace {
 std::atomic<bool> was_interrupted = false;
 static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may not wait");
 
-void note(int /*signal*/) {
+void note_signal(int /*signal*/) {
   was_interrupted = true;
 }
 

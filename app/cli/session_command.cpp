@@ -60,7 +60,7 @@ std::size_t count_of(const Annotations& annotations) {
   return count;
 }
 
-std::string name_of(const std::string& subject) {
+std::string part_name(const std::string& subject) {
   return subject.empty() ? "the session" : subject;
 }
 
@@ -82,7 +82,7 @@ std::string as_text(const About& about) {
   text.add("  markers    {}", project.markers.all().size());
   for (const auto& [subject, annotations] : project.annotations) {
     const std::size_t suggested = annotations.suggestions().size();
-    text.add("  annotated  {}: {} in {} tiers{}", name_of(subject), count_of(annotations),
+    text.add("  annotated  {}: {} in {} tiers{}", part_name(subject), count_of(annotations),
              annotations.tiers().size(),
              suggested > 0 ? fmt::format(", {} suggested", suggested) : std::string());
   }

@@ -8,7 +8,7 @@ namespace abrazo::app {
 
 namespace {
 
-std::string values_of(const SettingInfo& info) {
+std::string choices_of(const SettingInfo& info) {
   if (info.kind == SettingInfo::Kind::Flag) return "on|off";
   if (info.kind == SettingInfo::Kind::Choice) return std::string(info.choices);
   return fmt::format("{} to {}{}{}", exact_text(info.minimum), exact_text(info.maximum),
@@ -43,7 +43,7 @@ void SettingsOptions::add_to(CLI::App& command) {
     command
         .add_option_function<std::string>(
             names, [this, key](const std::string& text) { given_[key] = text; },
-            fmt::format("{} [{}; {}]", info.help, values_of(info), preset_values(info)))
+            fmt::format("{} [{}; {}]", info.help, choices_of(info), preset_values(info)))
         ->group("Settings")
         ->type_name(number ? "NUMBER" : "WORD")
         ->check([key](const std::string& text) {

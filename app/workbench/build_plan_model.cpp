@@ -15,7 +15,7 @@ namespace {
 
 constexpr double smallest_m = 1.0, tallest_m = 2.3;
 
-QString text_of(const std::string& text) {
+QString cell_text(const std::string& text) {
   return QString::fromStdString(text);
 }
 
@@ -161,10 +161,10 @@ int BuildPlanModel::columnCount(const QModelIndex& parent) const {
 
 QString BuildPlanModel::text(int row, int column) const {
   const PlannedPerformer& one = performer(row);
-  if (column == Take) return one.take.empty() ? "not used" : text_of(one.take);
+  if (column == Take) return one.take.empty() ? "not used" : cell_text(one.take);
   if (column == Performer) {
-    const QString file = text_of(one.source.motion.filename().string());
-    return one.in_the_file > 1 ? file + " · " + text_of(one.name) : file;
+    const QString file = cell_text(one.source.motion.filename().string());
+    return one.in_the_file > 1 ? file + " · " + cell_text(one.name) : file;
   }
   if (!one.clip) return column == Frames ? "cannot be read" : "";
   const ImportReport& report = one.report;
@@ -185,7 +185,7 @@ QString BuildPlanModel::text(int row, int column) const {
     case Up:
       return report.up_axis == UpAxis::Z ? "Z" : "Y";
     case Joints:
-      return text_of(report.joint_map);
+      return cell_text(report.joint_map);
     case Pairing:
       return one.take.empty() ? "" : one.guess ? confidence_name(one.guess->confidence()) : "by hand";
     default:
@@ -214,13 +214,13 @@ bool BuildPlanModel::isTrouble(int row, int column) const {
 
 QString BuildPlanModel::tip(int row, int column) const {
   const PlannedPerformer& one = performer(row);
-  if (!one.trouble.empty()) return text_of(one.trouble);
+  if (!one.trouble.empty()) return cell_text(one.trouble);
   if (column == Performer) {
-    QString words = text_of(one.source.motion.string());
-    if (!one.source.skeleton.empty()) words += "\nskeleton " + text_of(one.source.skeleton.string());
+    QString words = cell_text(one.source.motion.string());
+    if (!one.source.skeleton.empty()) words += "\nskeleton " + cell_text(one.source.skeleton.string());
     return words;
   }
-  if ((column == Pairing || column == Take) && one.guess) return "Guessed: " + text_of(one.guess->reason);
+  if ((column == Pairing || column == Take) && one.guess) return "Guessed: " + cell_text(one.guess->reason);
   if (column == Role) return "Who is active. “either”: both ways are kept, and the library doubles";
   if (column == Height) return "Of the head joint while standing; a person has 1 to 2.3 m";
   if (isGuess(row, column)) return "Found out from the motion; say otherwise below";
@@ -231,7 +231,7 @@ QVariant BuildPlanModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid() || index.row() >= rowCount()) return {};
   const int row = index.row(), column = index.column();
   const bool trouble = isTrouble(row, column), guess = isGuess(row, column);
-  if (role == Qt::EditRole && column == Take) return text_of(performer(row).take);
+  if (role == Qt::EditRole && column == Take) return cell_text(performer(row).take);
   if (role == Qt::DisplayRole)
     return text(row, column) + (guess && column != Take && column != Joints ? " ?" : "");
   if (role == Qt::ToolTipRole) return widgets::plain_tip(tip(row, column));

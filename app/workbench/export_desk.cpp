@@ -49,9 +49,7 @@ ExportDesk::ExportDesk(MainWindow& window) : QObject(&window), m_window(window) 
     column->insertWidget(1, m_bar);
   connect(&window, &MainWindow::coloursChanged, m_bar, &widgets::OfferBar::setColours);
   connect(&window.messages(), &widgets::MessageBar::cancelRequested, this, [this] {
-    if (!m_job) return;
-    m_isCancelled = true;
-    m_job->cancel();
+    if (m_job) m_job->cancel();
   });
 }
 
@@ -146,10 +144,14 @@ void ExportDesk::write(const ExportRequest& request, const QString& file) {
 }
 
 void ExportDesk::run(const MakeSource& make, const ExportWish& wish) {
-  m_isCancelled = false;
   m_job = std::make_unique<Job>([this, make, wish](const Progress& progress) -> Job::Finish {
     const auto failed = [this](const Error& error) {
-      return [this, text = QString::fromStdString(error.text())] { m_window.messages().showError(text); };
+      return [this, text = QString::fromStdString(error.text())] {
+        if (m_job->wasCancelled())
+          m_window.messages().showInformation("The export was cancelled; nothing was written");
+        else
+          m_window.messages().showError(text);
+      };
     };
     const auto source = make(part(progress, 0, 0.3));
     if (!source) return failed(source.error());
@@ -169,7 +171,6 @@ void ExportDesk::run(const MakeSource& make, const ExportWish& wish) {
 void ExportDesk::finish() {
   m_window.messages().endProgress();
   m_job.release()->deleteLater();  // it is what speaks
-  if (m_isCancelled) m_window.messages().showInformation("The export was cancelled; nothing was written");
   emit ended();
 }
 

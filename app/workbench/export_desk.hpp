@@ -45,7 +45,6 @@ class ExportDesk : public QObject {
   MainWindow& m_window;
   widgets::OfferBar* m_bar;
   std::unique_ptr<Job> m_job;
-  bool m_isCancelled = false;
 };
 
 }  // namespace abrazo::app

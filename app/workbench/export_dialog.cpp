@@ -35,7 +35,7 @@ constexpr std::array<TypeWords, 12> type_words = {{
     {".svg", "Drawing (.svg)"},
 }};
 
-QString words_of(const QString& ending) {
+QString type_words_of(const QString& ending) {
   for (const TypeWords& type : type_words)
     if (ending == type.ending) return type.words;
   return ending;
@@ -188,12 +188,12 @@ void ExportDialog::whatChanged() {
   m_filling = true;
   m_type->clear();
   if (what() == Plots) {
-    for (const char* ending : {".csv", ".png", ".svg"}) m_type->addItem(words_of(ending), ending);
+    for (const char* ending : {".csv", ".png", ".svg"}) m_type->addItem(type_words_of(ending), ending);
   } else {
     auto endings = export_types(static_cast<ExportContent>(what()));
     if (what() == Motion) endings = {".glb", ".bvh", ".csv"};  // what most people want first
     for (const std::string& ending : endings)
-      m_type->addItem(words_of(QString::fromStdString(ending)), QString::fromStdString(ending));
+      m_type->addItem(type_words_of(QString::fromStdString(ending)), QString::fromStdString(ending));
   }
   choose(m_type, type);
   m_filling = false;

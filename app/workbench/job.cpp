@@ -35,16 +35,19 @@ Job::Job(Work work, QObject* parent) : QObject(parent) {
     try {
       finish = work(progress);
     } catch (const std::bad_alloc&) {
-      finish = [] {
-        tell("There is not enough memory for it; close other programs, or give less to do at once.");
+      finish = [this] {
+        if (!m_cancelled)
+          tell("There is not enough memory for it; close other programs, or give less to do at once.");
       };
     } catch (const std::exception& failure) {
-      finish = [text = QString::fromUtf8(failure.what())] { tell(text); };
+      finish = [this, text = QString::fromUtf8(failure.what())] {
+        if (!m_cancelled) tell(text);
+      };
     }
     QMetaObject::invokeMethod(
         this,
         [this, finish = std::move(finish)] {
-          if (!m_cancelled && finish) finish();
+          if (!m_retired && finish) finish();
           m_finished = true;
           emit finished();
         },
@@ -54,6 +57,7 @@ Job::Job(Work work, QObject* parent) : QObject(parent) {
 
 void Job::retire(std::unique_ptr<Job> job, QObject* owner) {
   if (!job || job->m_finished) return;
+  job->m_retired = true;
   job->cancel();
   job->disconnect();
   job->setParent(owner);

@@ -28,7 +28,7 @@ std::size_t at(int joint) {
   return static_cast<std::size_t>(joint);
 }
 
-const char* words_of(JointGuess::By by) {
+const char* rule_words(JointGuess::By by) {
   switch (by) {
     case JointGuess::By::Name:
       return "by name ?";
@@ -187,7 +187,7 @@ void MappingDialog::showRow(int joint) {
   const auto& rules = m_map.rules[at(joint)];
   const QString cells[] = {QString::fromUtf8(joint_names[at(joint)].data()),
                            rules.empty() ? QString() : in_words(rules.front()),
-                           rules.empty() ? "nothing yet" : words_of(m_by[at(joint)])};
+                           rules.empty() ? "nothing yet" : rule_words(m_by[at(joint)])};
   for (int column : {Joint, Points, Source}) {
     auto* item = m_table->item(joint, column);
     if (!item) m_table->setItem(joint, column, item = new QTableWidgetItem);

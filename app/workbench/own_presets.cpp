@@ -44,7 +44,7 @@ Result<std::vector<OwnPreset>> read_presets(const fs::path& file) {
   return interpreted(*text, file.string());
 }
 
-std::string text_of(const std::vector<OwnPreset>& presets) {
+std::string preset_text(const std::vector<OwnPreset>& presets) {
   Json list = Json::array();
   for (const OwnPreset& preset : presets)
     list.push_back({{"name", preset.name}, {"settings", Json::parse(settings_json(preset.settings))}});
@@ -79,7 +79,7 @@ Status OwnPresets::read() {
 Status OwnPresets::write(std::vector<OwnPreset> presets) {
   // Another window may have broken or changed it since: what is there must be readable to be replaced.
   if (const auto there = read_presets(file_); !there) return there.error();
-  if (const Status written = write_whole_file(file_, text_of(presets)); !written) return written;
+  if (const Status written = write_whole_file(file_, preset_text(presets)); !written) return written;
   presets_ = std::move(presets);
   return Done{};
 }

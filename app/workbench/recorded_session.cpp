@@ -75,8 +75,8 @@ Result<Found> given_library(const SessionLibrary& reference, const std::string& 
 
 /// Files that the recording names for a library of this name, the newest first. What takes of it were
 /// annotated with while it was recorded is a library that was no file.
-std::vector<std::string> files_of(const SessionContents& contents, const std::string& name,
-                                  const std::string& session) {
+std::vector<std::string> session_files_of(const SessionContents& contents, const std::string& name,
+                                          const std::string& session) {
   namespace fs = std::filesystem;
   std::vector<std::string> files;
   std::error_code ignored;
@@ -102,7 +102,7 @@ std::vector<Found> of_that_name(const SessionContents& contents, const OpenedPro
   const auto add = [&](const LibraryPtr& library, const std::string& file) {
     if (library && library->name() == reference.name) bases.push_back({library, file, {}});
   };
-  for (const std::string& file : files_of(contents, reference.name, project.file))
+  for (const std::string& file : session_files_of(contents, reference.name, project.file))
     if (const auto read = load_material({file}, {}, progress)) add(read->library, file);
   const bool was_a_file = std::ranges::any_of(contents.libraries, [&](const SessionLibrary& each) {
     return each.name == reference.name && !(each.relative_path.empty() && each.absolute_path.empty());

@@ -112,8 +112,9 @@ RangeRequest RenderDialog::request() const {
 
 void RenderDialog::estimate() {
   const FilmPlan plan = request().plan;
-  m_estimate->setText(
-      QString("%1 pictures, %2 of film").arg(plan.pictures()).arg(in_seconds(plan.pictures() / plan.rate_hz)));
+  m_estimate->setText(QString("%1 pictures, %2 of film")
+                          .arg(plan.pictures())
+                          .arg(in_seconds(plan.pictures() / plan.rate_hz)));
   m_render->setEnabled(plan.pictures() > 1);
 }
 

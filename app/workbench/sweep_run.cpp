@@ -45,7 +45,7 @@ SweepGoal shown_goal(const std::string& metric) {
   return SweepGoal::Lowest;
 }
 
-QString words_of(const Error& error) {
+QString failure_words(const Error& error) {
   return QString::fromStdString(error.text());
 }
 
@@ -119,7 +119,7 @@ void SweepRun::start(const Sweep& sweep, const std::vector<std::string>& takes) 
     report(progress, 0, "gathering the takes");
     if (!data) {
       auto gathered = evaluation_data_of(library);
-      if (!gathered) return [this, text = words_of(gathered.error())] { end(text); };
+      if (!gathered) return [this, text = failure_words(gathered.error())] { end(text); };
       data = std::make_shared<const EvaluationData>(std::move(*gathered));
     }
     const auto evaluator = [&](const Settings& at, const Progress& within) {
@@ -131,7 +131,7 @@ void SweepRun::start(const Sweep& sweep, const std::vector<std::string>& takes) 
       return true;
     };
     const Status done = evaluate_points(sweep, coarse_first(sweep), evaluator, hand_over, progress);
-    return [this, data, text = done ? QString("Done.") : words_of(done.error())] {
+    return [this, data, text = done ? QString("Done.") : failure_words(done.error())] {
       m_data = data;
       end(text);
     };

@@ -38,24 +38,26 @@ void render_video(MainWindow& window, VideoDesk& desk, const RangeRequest& reque
   const OverlayFilm film = overlay_film(window, desk, request);
   const FrameRange frames = history->stretch(film.plan.from_s - around_s, film.plan.to_s + around_s);
   auto& messages = window.messages();
+  const auto tell = [&window, &messages](const QString& file, const Status& written) {
+    messages.endProgress();
+    if (written) return messages.showInformation("Video written to " + file);
+    const auto* job = window.findChild<Job*>(job_name);
+    if (job && job->wasCancelled())
+      messages.showInformation("Rendering was cancelled; nothing was written");
+    else
+      messages.showError(QString::fromStdString(written.error().text()));
+  };
   auto* job = new Job(
-      [&messages, film, frames](const Progress& progress) -> Job::Finish {
-        const Status written = write_overlay_film(film, frames, progress);
-        if (written)
-          return [&messages, file = film.file] { messages.showInformation("Video written to " + file); };
-        return
-            [&messages, text = QString::fromStdString(written.error().text())] { messages.showError(text); };
+      [tell, film, frames](const Progress& progress) -> Job::Finish {
+        return [tell, file = film.file, written = write_overlay_film(film, frames, progress)] {
+          tell(file, written);
+        };
       },
       &window);
   job->setObjectName(job_name);
   QObject::connect(job, &Job::progressed, &messages,
                    [&messages](double done, const QString& doing) { messages.showProgress(doing, done); });
-  QObject::connect(&messages, &widgets::MessageBar::cancelRequested, job, [job, &messages] {
-    job->setObjectName({});
-    job->cancel();
-    messages.endProgress();
-    messages.showInformation("Rendering was cancelled; nothing was written");
-  });
+  QObject::connect(&messages, &widgets::MessageBar::cancelRequested, job, &Job::cancel);
   QObject::connect(job, &Job::finished, &messages, [job, &messages] {
     messages.endProgress();
     job->deleteLater();

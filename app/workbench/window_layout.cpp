@@ -11,7 +11,7 @@ namespace {
 constexpr const char* version_key = "abrazo_layout";
 constexpr int tallest_px = 1 << 14;  // a sum of heights stays a number
 
-QJsonValue text_of(const std::optional<bool>& wish) {
+QJsonValue wish_json(const std::optional<bool>& wish) {
   return wish ? QJsonValue(*wish) : QJsonValue();
 }
 
@@ -32,9 +32,9 @@ QByteArray text_of(const WindowLayout& layout) {
                            {"docks", QString::fromLatin1(layout.docks.toBase64())},
                            {"known", QJsonArray::fromStringList(layout.known)},
                            {"shown", QJsonArray::fromStringList(layout.shown)},
-                           {"left", text_of(layout.sides.left)},
-                           {"right", text_of(layout.sides.right)},
-                           {"below", text_of(layout.sides.plots)},
+                           {"left", wish_json(layout.sides.left)},
+                           {"right", wish_json(layout.sides.right)},
+                           {"below", wish_json(layout.sides.plots)},
                            {"timeline_height", layout.timeline_height}};
   return QJsonDocument(object).toJson();
 }

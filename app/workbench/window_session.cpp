@@ -84,9 +84,9 @@ void MainWindow::openMaterial(MakeMaterial make, const QStringList& files) {
   if (!allowed) return;
   const Settings wanted = m_settings->settings();
   Job::retire(std::move(m_job), this);
-  m_job = std::make_unique<Job>([this, make = std::move(make), wanted, files,
-                                 maps = MappingDesk::folder(*this).toStdString()](
-                                    const Progress& progress) -> Job::Finish {
+  const auto open = [this, make = std::move(make), wanted, files,
+                     maps =
+                         MappingDesk::folder(*this).toStdString()](const Progress& progress) -> Job::Finish {
     auto material = make(progress);
     if (!material)
       return [this, files, unmapped = motion_to_map(names_of(files), maps), text = material.error().text()] {
@@ -104,6 +104,12 @@ void MainWindow::openMaterial(MakeMaterial make, const QStringList& files) {
     return [this, ready, files] {
       start(ready);
       if (!files.isEmpty()) emit filesOpened(files);
+    };
+  };
+  // Who cancels goes on with what was open, however far the rest had come.
+  m_job = std::make_unique<Job>([this, open](const Progress& progress) -> Job::Finish {
+    return [this, finish = open(progress)] {
+      if (!m_job->wasCancelled()) finish();
     };
   });
   m_messages->showProgress("Opening", 0);

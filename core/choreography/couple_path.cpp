@@ -30,7 +30,8 @@ double ramp(double beat, double from, double to) {
 
 /// One turn to the left, made mostly on 5, 6, 7, and wound up a little before.
 double turn(double beat, double delay) {
-  return full_turn * ramp(beat, 2.7 + delay, 7.2 + delay) - 9 * radians_per_degree * smooth_bump((beat - 1) / 3.5);
+  return full_turn * ramp(beat, 2.7 + delay, 7.2 + delay) -
+         9 * radians_per_degree * smooth_bump((beat - 1) / 3.5);
 }
 
 // How far she has turned to her left in a cross body lead, as a share of the couple's turn: she goes straight

@@ -197,13 +197,15 @@ DancerScore::Controls DancerScore::controls(const SalsaPhrase& phrase, double be
   values[RootY] = body_.standing_root_height(0.935) + (leads ? 0.003 : 0.014) * hips * bounce;
   values[RootZ] = root.z();
   values[PelvisYaw] = at.heading + twist + swing;
-  values[PelvisPitch] = (leads ? 2 : 5) * radians_per_degree + (leads ? 0.5 : 2.0) * radians_per_degree * bounce + 0.5 * lean;
+  values[PelvisPitch] =
+      (leads ? 2 : 5) * radians_per_degree + (leads ? 0.5 : 2.0) * radians_per_degree * bounce + 0.5 * lean;
   values[PelvisRoll] = sway * hips * radians_per_degree * (leads ? 5.5 : 12);
   values[ChestYaw] = at.heading - 0.8 * twist + 0.6 * swing;
   // His right arm reaches round her.
   if (leads && phrase.figure == SalsaFigure::ClosedBasic) values[ChestYaw] += 9 * radians_per_degree;
-  values[ChestPitch] =
-      (leads ? 4 : 2) * radians_per_degree - (leads ? 0.5 : 2.0) * radians_per_degree * bounce + lean - 4 * radians_per_degree * carried_forward;
+  values[ChestPitch] = (leads ? 4 : 2) * radians_per_degree -
+                       (leads ? 0.5 : 2.0) * radians_per_degree * bounce + lean -
+                       4 * radians_per_degree * carried_forward;
   values[ChestRoll] = -6 * radians_per_degree * sway * hips - 1.5 * radians_per_degree;
   values[HeadPitch] = (leads ? 9 : 2) * radians_per_degree + 3 * radians_per_degree * std::sin(0.9 * beat);
   // Heel of the foot that is left behind without weight.

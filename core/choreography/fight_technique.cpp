@@ -8,7 +8,6 @@
 namespace abrazo {
 namespace {
 
-
 /// How often a technique is met by this defence.
 struct Choice {
   double share;
@@ -39,7 +38,8 @@ Defence draw_defence(Technique against, RandomSource& random) {
 
 TechniqueForm jab() {
   TechniqueForm form{.limb = Side::Left, .hips = TrunkOffsets::Zero(), .shoulders = TrunkOffsets::Zero()};
-  form.hips[Forward] = 0.07, form.hips[PelvisYaw] = -5 * radians_per_degree, form.hips[RightHeel] = 8 * radians_per_degree;
+  form.hips[Forward] = 0.07, form.hips[PelvisYaw] = -5 * radians_per_degree,
+  form.hips[RightHeel] = 8 * radians_per_degree;
   form.shoulders[ChestYaw] = -14 * radians_per_degree, form.shoulders[ChestLean] = 4 * radians_per_degree;
   form.lead_s = 0.13, form.recovery_s = 0.30;
   form.speed_low = 5.4, form.speed_high = 6.3;
@@ -59,7 +59,8 @@ TechniqueForm cross() {
 
 TechniqueForm hook() {
   TechniqueForm form{.limb = Side::Left, .hips = TrunkOffsets::Zero(), .shoulders = TrunkOffsets::Zero()};
-  form.hips[Forward] = 0.05, form.hips[PelvisYaw] = -22 * radians_per_degree, form.hips[LeftHeel] = 14 * radians_per_degree;
+  form.hips[Forward] = 0.05, form.hips[PelvisYaw] = -22 * radians_per_degree,
+  form.hips[LeftHeel] = 14 * radians_per_degree;
   form.shoulders[ChestYaw] = -34 * radians_per_degree, form.shoulders[ChestLean] = 2 * radians_per_degree;
   form.lead_s = 0.24, form.recovery_s = 0.38;
   form.speed_low = 5.4, form.speed_high = 6.4;
@@ -135,28 +136,34 @@ TrunkOffsets trunk_of(Defence defence, Technique against) {
   switch (defence) {
     case Defence::Slip:
       trunk[Leftward] = outside * 0.07, trunk[Upward] = -0.04;
-      trunk[PelvisTilt] = outside * 9 * radians_per_degree, trunk[ChestTilt] = outside * 23 * radians_per_degree;
-      trunk[PelvisYaw] = outside * 8 * radians_per_degree, trunk[ChestYaw] = outside * 20 * radians_per_degree;
+      trunk[PelvisTilt] = outside * 9 * radians_per_degree,
+      trunk[ChestTilt] = outside * 23 * radians_per_degree;
+      trunk[PelvisYaw] = outside * 8 * radians_per_degree,
+      trunk[ChestYaw] = outside * 20 * radians_per_degree;
       trunk[ChestLean] = 7 * radians_per_degree;
       break;
     case Defence::Duck:
       trunk[Upward] = -0.25, trunk[Forward] = -0.11, trunk[Leftward] = 0.08;
-      trunk[PelvisLean] = 16 * radians_per_degree, trunk[ChestLean] = 27 * radians_per_degree, trunk[HeadLean] = 4 * radians_per_degree;
+      trunk[PelvisLean] = 16 * radians_per_degree, trunk[ChestLean] = 27 * radians_per_degree,
+      trunk[HeadLean] = 4 * radians_per_degree;
       trunk[ChestTilt] = 6 * radians_per_degree;
       break;
     case Defence::LeanBack:
       trunk[Forward] = -0.13, trunk[Upward] = -0.03;
-      trunk[PelvisLean] = -10 * radians_per_degree, trunk[ChestLean] = -32 * radians_per_degree, trunk[HeadLean] = -10 * radians_per_degree;
+      trunk[PelvisLean] = -10 * radians_per_degree, trunk[ChestLean] = -32 * radians_per_degree,
+      trunk[HeadLean] = -10 * radians_per_degree;
       trunk[ChestYaw] = -10 * radians_per_degree, trunk[LeftHeel] = 6 * radians_per_degree;
       break;
     case Defence::StepBack:
-      trunk[Forward] = -0.05, trunk[ChestLean] = 9 * radians_per_degree, trunk[PelvisLean] = 6 * radians_per_degree;
+      trunk[Forward] = -0.05, trunk[ChestLean] = 9 * radians_per_degree,
+      trunk[PelvisLean] = 6 * radians_per_degree;
       break;
     case Defence::Parry:
       trunk[ChestYaw] = 12 * radians_per_degree, trunk[Forward] = -0.02;
       break;
     case Defence::HighGuard:
-      trunk[Upward] = -0.04, trunk[ChestLean] = 5 * radians_per_degree, trunk[HeadLean] = 5 * radians_per_degree;
+      trunk[Upward] = -0.04, trunk[ChestLean] = 5 * radians_per_degree,
+      trunk[HeadLean] = 5 * radians_per_degree;
       trunk[ChestYaw] = against == Technique::Hook ? 10 * radians_per_degree : -4 * radians_per_degree;
       break;
     case Defence::ParryDown:
@@ -166,10 +173,12 @@ TrunkOffsets trunk_of(Defence defence, Technique against) {
     case Defence::ShinCheck:
       // All the weight on the rear leg.
       trunk[Forward] = -0.24, trunk[Leftward] = -0.11, trunk[PelvisYaw] = 10 * radians_per_degree;
-      trunk[ChestYaw] = 12 * radians_per_degree, trunk[ChestLean] = -8 * radians_per_degree, trunk[RightHeel] = -14 * radians_per_degree;
+      trunk[ChestYaw] = 12 * radians_per_degree, trunk[ChestLean] = -8 * radians_per_degree,
+      trunk[RightHeel] = -14 * radians_per_degree;
       break;
     case Defence::ArmCheck:
-      trunk[Upward] = -0.03, trunk[ChestTilt] = 7 * radians_per_degree, trunk[ChestYaw] = 16 * radians_per_degree;
+      trunk[Upward] = -0.03, trunk[ChestTilt] = 7 * radians_per_degree,
+      trunk[ChestYaw] = 16 * radians_per_degree;
       trunk[Forward] = -0.02;
       break;
   }

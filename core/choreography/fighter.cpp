@@ -28,7 +28,7 @@ Vec3 blend(const Vec3& from, const Vec3& to, double share) {
   return from + share * (to - from);
 }
 /// Largest at half a share of 0 .. 1, with no edge at either end.
-double swing(double share) {
+double arm_swing(double share) {
   return 4 * share * (1 - share);
 }
 
@@ -172,7 +172,8 @@ TrunkOffsets Fighter::offsets(double time) const {
   // Bouncing on the balls of the feet: the heels give as the knees do.
   const double bounce = 0.5 - 0.5 * std::cos(2 * std::numbers::pi * bounce_hz_ * time + bounce_phase_);
   sum[Upward] -= 0.014 * performance_.amplitude * body_.height / 1.75 * bounce;
-  sum[LeftHeel] += 5 * radians_per_degree * (1 - bounce), sum[RightHeel] += 5 * radians_per_degree * (1 - bounce);
+  sum[LeftHeel] += 5 * radians_per_degree * (1 - bounce),
+      sum[RightHeel] += 5 * radians_per_degree * (1 - bounce);
   return sum;
 }
 
@@ -213,8 +214,8 @@ double Fighter::overstretch(double time) const {
   double most = 0;
   for (const Side side : {Side::Left, Side::Right}) {
     if (airborne(side, time)) continue;
-    const Vec3 leg =
-        joint_at(pose, side == Side::Left ? left_hip : right_hip) - ankle_position(body_, foot(side, time, now));
+    const Vec3 leg = joint_at(pose, side == Side::Left ? left_hip : right_hip) -
+                     ankle_position(body_, foot(side, time, now));
     const double across = std::hypot(leg.x(), leg.z()), reach = longest_leg * body_.leg();
     most = std::max(most, leg.y() - std::sqrt(std::max(0.0, reach * reach - across * across)));
   }
@@ -269,7 +270,7 @@ void Fighter::place_leg(Side side, double time, const TrunkOffsets& offsets, Pla
   const Vec3 hip = joint_at(placed.pose, side == Side::Left ? left_hip : right_hip);
   LiftedFoot lifted{.hinge = pelvis * move->hinge, .pointed = move->pointed, .share = drawn};
   lifted.ankle = blend(ankle_position(body_, standing), hip + pelvis * move->drawn_up, drawn);
-  lifted.ankle = blend(lifted.ankle, move->target, struck) + swing(struck) * move->arc +
+  lifted.ankle = blend(lifted.ankle, move->target, struck) + arm_swing(struck) * move->arc +
                  move->swept.at(time) * move->sweep;
   place_lifted_leg(body_, side, standing, pelvis_yaw, lifted, placed.pose);
 }
@@ -291,7 +292,7 @@ void Fighter::place_arm(Side side, double time, PlacedTrunk& placed) const {
   for (const HandMove& move : hand_moves_[index_of(side)]) {
     if (time <= move.pulse.start || time >= move.pulse.end) continue;
     const double gone = move.pulse.at(time);
-    hand = blend(hand, move.target, gone) + swing(gone) * move.arc + move.swept.at(time) * move.sweep;
+    hand = blend(hand, move.target, gone) + arm_swing(gone) * move.arc + move.swept.at(time) * move.sweep;
     elbow = blend(elbow, move.elbow, gone);
   }
   place_fist(body_, side, hand, elbow, placed.posture.chest, placed.pose);

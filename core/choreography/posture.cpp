@@ -15,7 +15,7 @@ Vec3 mirrored_to(Side side, const Vec3& left) {
   return {sign_of(side) * left.x(), left.y(), left.z()};
 }
 
-Turn between(const Turn& a, const Turn& b, double share) {
+Turn turn_between(const Turn& a, const Turn& b, double share) {
   return {std::lerp(a.yaw, b.yaw, share), std::lerp(a.pitch, b.pitch, share),
           std::lerp(a.roll, b.roll, share)};
 }
@@ -49,11 +49,12 @@ void place_trunk(const DancerBody& body, const TrunkPosture& trunk, Pose& pose) 
   place(left_hip, trunk.root + pelvis * mirrored_to(Side::Left, body.left_hip));
   place(right_hip, trunk.root + pelvis * mirrored_to(Side::Right, body.left_hip));
   const auto up = [](const Turn& turn, double length) -> Vec3 { return turn.matrix() * Vec3(0, length, 0); };
-  place(LowerBack, trunk.root + up(between(trunk.pelvis, trunk.chest, 0.2), body.spine[0]));
-  place(UpperBack, joint_at(pose, LowerBack) + up(between(trunk.pelvis, trunk.chest, 0.6), body.spine[1]));
+  place(LowerBack, trunk.root + up(turn_between(trunk.pelvis, trunk.chest, 0.2), body.spine[0]));
+  place(UpperBack,
+        joint_at(pose, LowerBack) + up(turn_between(trunk.pelvis, trunk.chest, 0.6), body.spine[1]));
   place(Thorax, joint_at(pose, UpperBack) + up(trunk.chest, body.spine[2]));
   place(LowerNeck, joint_at(pose, Thorax) + up(trunk.chest, body.neck[0]));
-  place(UpperNeck, joint_at(pose, LowerNeck) + up(between(trunk.chest, trunk.head, 0.5), body.neck[1]));
+  place(UpperNeck, joint_at(pose, LowerNeck) + up(turn_between(trunk.chest, trunk.head, 0.5), body.neck[1]));
   place(Head, joint_at(pose, UpperNeck) + up(trunk.head, body.neck[2]));
   place(left_shoulder, joint_at(pose, Thorax) + chest * mirrored_to(Side::Left, body.left_shoulder));
   place(right_shoulder, joint_at(pose, Thorax) + chest * mirrored_to(Side::Right, body.left_shoulder));

@@ -111,8 +111,8 @@ Meeting parry_down(const Encounter& e) {
 Meeting arm_check(const Encounter& e) {
   const double size = e.defender.body().height / 1.75;
   Meeting meeting{.side = Side::Left, .elbow = {0.25, -0.95, 0.15}};
-  meeting.hand =
-      joint_at(e.defending.pose, Head) + size * (0.13 * e.defender_left + 0.15 * e.towards - 0.03 * Vec3::UnitY());
+  meeting.hand = joint_at(e.defending.pose, Head) +
+                 size * (0.13 * e.defender_left + 0.15 * e.towards - 0.03 * Vec3::UnitY());
   meeting.blow = at_forearm(e, meeting, 0.30, e.defender_left + 0.5 * e.towards);
   meeting.rebound = 0.10 * e.defender_left + 0.05 * e.towards;
   return meeting;
@@ -156,8 +156,8 @@ Nearest striking_against(const Encounter& e, Side blocking) {
   const Vec3 to = joint_at(against, shin ? left_ankle : left ? left_hand : right_hand);
   const bool is_left = e.form.limb == Side::Left;
   if (!is_kick(e.blow.attack.technique))
-    return nearest(joint_at(by, is_left ? left_elbow : right_elbow), joint_at(by, is_left ? left_hand : right_hand),
-                   from, to);
+    return nearest(joint_at(by, is_left ? left_elbow : right_elbow),
+                   joint_at(by, is_left ? left_hand : right_hand), from, to);
   const Vec3 ankle = joint_at(by, is_left ? left_ankle : right_ankle);
   const Nearest shank = nearest(joint_at(by, is_left ? left_knee : right_knee), ankle, from, to);
   const Nearest foot = nearest(ankle, joint_at(by, is_left ? left_toe_tip : right_toe_tip), from, to);

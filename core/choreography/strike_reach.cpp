@@ -39,7 +39,8 @@ Vec3 aim_at(const Fighter& defender, const Spot& spot, const Attack& attack, dou
     const Vec3 chin = joint_at(pose, UpperNeck), head = joint_at(pose, Head);
     return chin + std::clamp((highest - chin.y()) / (head.y() - chin.y()), 0.2, 1.0) * (head - chin);
   }
-  if (attack.technique == Technique::FrontKick) return joint_at(pose, LowerBack) + 0.06 * forward_of(spot.heading);
+  if (attack.technique == Technique::FrontKick)
+    return joint_at(pose, LowerBack) + 0.06 * forward_of(spot.heading);
   const double height = attack.defence == Defence::ShinCheck  ? 0.42 * h
                         : attack.defence == Defence::ArmCheck ? 0.67 * h
                                                               : 0.74 * h;

@@ -18,7 +18,7 @@ namespace abrazo {
 
 namespace {
 
-Error cancelled(const EvaluationData& data) {
+Error evaluation_cancelled(const EvaluationData& data) {
   return {"cancelled", data.name};
 }
 
@@ -62,7 +62,7 @@ Result<std::vector<SynthesisedTake>> synthesise(const EvaluationData& data,
                                    .variant = variant,
                                    .seed = options.seed + static_cast<unsigned>(t)});
       });
-  if (!finished) return cancelled(data);
+  if (!finished) return evaluation_cancelled(data);
   std::vector<SynthesisedTake> synthesised;
   for (std::optional<Result<SynthesisedTake>>& run : runs) {
     if (!*run) return run->error();
@@ -76,7 +76,7 @@ Result<UserResult> measure_user(const EvaluationData& data, const std::vector<co
                                 const Progress& progress) {
   const auto runs = synthesise(data, takes, options, variant, part(progress, 0, 0.9));
   if (!runs) return runs.error();
-  if (!report(progress, 0.9, "measuring " + variant.name)) return cancelled(data);
+  if (!report(progress, 0.9, "measuring " + variant.name)) return evaluation_cancelled(data);
   UserResult result;
   result.user = variant.name;
   result.moves = count_moves(*runs, *data.library, data.both_roles);

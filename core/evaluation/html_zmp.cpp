@@ -120,7 +120,8 @@ std::optional<HtmlSection> zmp_section(const Evaluation& evaluation) {
       "The error of the synthesised motion is {} times that of the original ({} against {}); of the partner "
       "alone {} times. The paper's figures give {} (salsa) and {} (fighting).",
       number_text(share_of(zmp.synthesised_m, zmp.original_m), 4), rounded_cm_text(zmp.synthesised_m),
-      rounded_cm_text(zmp.original_m), number_text(share_of(zmp.synthesised_partner_m, zmp.original_partner_m), 4),
+      rounded_cm_text(zmp.original_m),
+      number_text(share_of(zmp.synthesised_partner_m, zmp.original_partner_m), 4),
       number_text(paper::table_4[0].synthesised / paper::table_4[0].original, 4),
       number_text(paper::table_4[1].synthesised / paper::table_4[1].original, 4));
   return HtmlSection{"table-4", "Table IV \u2014 zero moment point error (4.5)", "IV \u00b7 ZMP",

@@ -134,8 +134,9 @@ std::string viridis(double fraction) {
 std::string svg_heat_map(const HeatMap& map) {
   if (map.rows.empty() || map.columns.empty()) return {};
   const Layout layout = lay_out(map);
-  const double width = std::max({layout.right + margin, 2 * margin + text_width(map.title, heat_map_title_size),
-                                 map.value_title.empty() ? 0.0 : layout.left + 260});
+  const double width =
+      std::max({layout.right + margin, 2 * margin + text_width(map.title, heat_map_title_size),
+                map.value_title.empty() ? 0.0 : layout.left + 260});
   SvgCanvas canvas(width, layout.bottom + (map.value_title.empty() ? margin : 60), map.title);
   canvas.text(margin, margin + heat_map_title_size, map.title, {.size = heat_map_title_size, .bold = true});
   draw_names(canvas, map, layout);

@@ -24,7 +24,7 @@ Result<int> parse_frame(std::string_view field, const char* what, std::string_vi
   const auto number = parse_integer(field);
   if (!number || *number < 0 || *number > INT_MAX)
     return error_at_line(where, line,
-                   fmt::format("expected {} as a frame number from 0 on, found \"{}\"", what, field));
+                         fmt::format("expected {} as a frame number from 0 on, found \"{}\"", what, field));
   return static_cast<int>(*number);
 }
 
@@ -39,7 +39,8 @@ Result<LabelInterval> parse_row(const std::vector<std::string>& fields, std::str
         where, line,
         fmt::format("the label ends at frame {}, which is not after its start {}; end is exclusive", *end,
                     *start));
-  if (fields[3].empty()) return error_at_line(where, line, "the label is empty; name it or leave the line out");
+  if (fields[3].empty())
+    return error_at_line(where, line, "the label is empty; name it or leave the line out");
   const auto field = [&](std::size_t i) { return i < fields.size() ? fields[i] : std::string(); };
   return LabelInterval{*start, *end, field(3), field(4), field(5)};
 }
@@ -51,10 +52,11 @@ Result<std::vector<LabelInterval>> ordered(std::vector<LabelRow> rows, std::stri
   std::vector<LabelInterval> labels;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     if (i > 0 && rows[i].interval.start < rows[i - 1].interval.end)
-      return error_at_line(where, rows[i].line,
-                     fmt::format("frames {}-{} overlap those of line {} (until {}); a frame has one label",
-                                 rows[i].interval.start, rows[i].interval.end, rows[i - 1].line,
-                                 rows[i - 1].interval.end));
+      return error_at_line(
+          where, rows[i].line,
+          fmt::format("frames {}-{} overlap those of line {} (until {}); a frame has one label",
+                      rows[i].interval.start, rows[i].interval.end, rows[i - 1].line,
+                      rows[i - 1].interval.end));
     labels.push_back(std::move(rows[i].interval));
   }
   return labels;

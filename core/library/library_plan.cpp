@@ -12,7 +12,7 @@ namespace abrazo {
 namespace {
 
 constexpr double smallest_m = 1.0, tallest_m = 2.3;  ///< standing heights that raise no question
-constexpr double farthest_m = 6.0;
+constexpr double farthest_couple_m = 6.0;
 
 std::string file_of(const PlannedPerformer& performer) {
   const std::string file = performer.source.motion.filename().string();
@@ -133,7 +133,7 @@ void remark_on_pair(const LibraryPlan& plan, const std::string& take, int a, int
                                    "one began earlier, set its first frame",
                                    longer - frames, frames));
   const double distance = distance_in_take(first, second, frames);
-  if (distance > farthest_m)
+  if (distance > farthest_couple_m)
     add(Kind::Warning,
         fmt::format("they are {:.1f} m apart (median); are they one pair, in one unit?", distance));
   else if (distance < 0.15)

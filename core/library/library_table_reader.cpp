@@ -105,8 +105,9 @@ LibraryColumns read_library_tables(const Hdf5Reader& reader, std::uint64_t large
     table_problem("is HDF5 but not an Abrazo motion library");
   const int found = reader.attribute<int>("format_version");
   if (found > library_format_version)
-    table_problem("has format version {}, this program reads up to {}; it was written by {}: update this program",
-            found, library_format_version, reader.text_attribute("written_by"));
+    table_problem(
+        "has format version {}, this program reads up to {}; it was written by {}: update this program",
+        found, library_format_version, reader.text_attribute("written_by"));
   if (found < 1) table_problem("has format version {}, which never existed", found);
   LibraryColumns columns;
   columns.name = reader.text_attribute("name");

@@ -56,11 +56,11 @@ Result<Cue> timing(std::string_view line_text, std::size_t line, std::string_vie
   const auto start = time_of(trimmed(line_text.substr(0, at)));
   const auto end = words.empty() ? std::nullopt : time_of(words.front());
   if (!start || !end)
-    return error_at_line(where, line,
-                   fmt::format("expected 00:00:01.000 --> 00:00:02.500, found {}", in_quotes(line_text)));
+    return error_at_line(
+        where, line, fmt::format("expected 00:00:01.000 --> 00:00:02.500, found {}", in_quotes(line_text)));
   if (*end < *start)
     return error_at_line(where, line,
-                   fmt::format("the cue ends at {:.3f} s, before its start at {:.3f} s", *end, *start));
+                         fmt::format("the cue ends at {:.3f} s, before its start at {:.3f} s", *end, *start));
   return Cue{line, *start, *end};
 }
 
@@ -149,7 +149,7 @@ Result<std::vector<Cue>> cues_of(std::string_view text, std::string_view where, 
     if (is_blank(with_times)) {  // a note, a style or a region
       if (form == SubtitleForm::SubRip)
         return error_at_line(where, at + 1,
-                       fmt::format("a cue needs a line with times, found {}", in_quotes(lines[at])));
+                             fmt::format("a cue needs a line with times, found {}", in_quotes(lines[at])));
       at = with_times;
       continue;
     }
@@ -256,7 +256,7 @@ Result<TierDocument> parse_subtitles(std::string_view text, std::string_view whe
     Tier* tier = found.free_for(cue);
     if (!tier)
       return error_at_line(where, cue.line,
-                     fmt::format("more than {} cues overlap here; leave some out", most_at_a_time));
+                           fmt::format("more than {} cues overlap here; leave some out", most_at_a_time));
     tier->intervals.push_back({cue.start_s, cue.end_s, std::move(cue.value)});
   }
   document.tiers = std::move(found.tiers);

@@ -46,15 +46,17 @@ Result<Columns> columns_of(const CsvRow& header, std::string_view where, std::ve
   }
   for (const Column needed : {Start, End, Value})
     if (columns[needed] < 0)
-      return error_at_line(where, header.line,
-                     "expected the columns tier,start,end,value[,detail,confidence]; one of them is missing");
+      return error_at_line(
+          where, header.line,
+          "expected the columns tier,start,end,value[,detail,confidence]; one of them is missing");
   return columns;
 }
 
 Result<double> seconds(const std::string& field, const char* what, std::string_view where, std::size_t line) {
   const auto number = parse_number(field);
   if (!number || !std::isfinite(*number))
-    return error_at_line(where, line, fmt::format("expected {} in seconds, found {}", what, in_quotes(field)));
+    return error_at_line(where, line,
+                         fmt::format("expected {} in seconds, found {}", what, in_quotes(field)));
   return *number;
 }
 
@@ -75,9 +77,9 @@ Result<TierDocument> parse_exchange(const std::vector<CsvRow>& rows, std::string
     const CsvRow& row = rows[r];
     if (row.fields.size() > rows.front().fields.size() || row.fields.size() < 4)
       return error_at_line(where, row.line,
-                     fmt::format("has {} fields, the header {}; put a field with a comma in "
-                                 "quotes",
-                                 row.fields.size(), rows.front().fields.size()));
+                           fmt::format("has {} fields, the header {}; put a field with a comma in "
+                                       "quotes",
+                                       row.fields.size(), rows.front().fields.size()));
     const auto field = [&](Column column) {
       const int at = (*columns)[column];
       return at >= 0 && at < static_cast<int>(row.fields.size()) ? row.fields[static_cast<std::size_t>(at)]
@@ -89,8 +91,8 @@ Result<TierDocument> parse_exchange(const std::vector<CsvRow>& rows, std::string
     if (!end_s) return end_s.error();
     if (*end_s <= *start_s)
       return error_at_line(where, row.line,
-                     fmt::format("ends at {} s, which is not after its start at {} s; end is exclusive",
-                                 *end_s, *start_s));
+                           fmt::format("ends at {} s, which is not after its start at {} s; end is exclusive",
+                                       *end_s, *start_s));
     if (field(TierName).empty()) return error_at_line(where, row.line, "the tier is empty; name it");
     tier_named(document.tiers, places, field(TierName))
         .intervals.push_back({*start_s, *end_s, field(Value), field(Detail), field(Confidence)});

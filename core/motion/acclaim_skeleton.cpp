@@ -21,7 +21,6 @@ Eigen::Matrix3d rotation_of(const Vec3& angles_rad, const RotationOrder& order) 
 
 namespace {
 
-
 /// The file as it stands, before bones are put in order: angles still in file units, parents by name.
 struct RawBone {
   AcclaimBone bone;

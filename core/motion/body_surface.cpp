@@ -63,7 +63,7 @@ LimbShape shape_of(int joint) {
 }
 
 constexpr int ring_vertices = 14;  ///< vertices of a ring
-constexpr int cap = 4;      ///< rings from a limb's pole to where its side begins
+constexpr int cap = 4;             ///< rings from a limb's pole to where its side begins
 
 /// A limb as rings from pole to pole.
 class Limb {
@@ -82,7 +82,8 @@ class Limb {
     for (int ring = 0; ring + 1 < 2 * cap; ++ring)
       for (int i = 0; i < ring_vertices; ++i) {
         const int here = ring * ring_vertices + i, beside = ring * ring_vertices + (i + 1) % ring_vertices;
-        for (const int corner : {here, beside, here + ring_vertices, beside, beside + ring_vertices, here + ring_vertices})
+        for (const int corner :
+             {here, beside, here + ring_vertices, beside, beside + ring_vertices, here + ring_vertices})
           surface.corners.push_back(static_cast<std::uint16_t>(first + corner));
       }
     add_pole(surface, first, true, node);
@@ -90,7 +91,8 @@ class Limb {
   }
 
  private:
-  /// Half the first rings lie on the ball ring_vertices the beginning, the others on that ring_vertices the end.
+  /// Half the first rings lie on the ball ring_vertices the beginning, the others on that ring_vertices the
+  /// end.
   void add_ring(BodySurface& surface, int ring, int node) const {
     const bool at_start = ring < cap;
     const double quarter = std::numbers::pi / 2;

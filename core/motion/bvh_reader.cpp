@@ -16,7 +16,6 @@ namespace abrazo {
 
 namespace {
 
-
 bool is_blank(char c) {
   return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }

@@ -94,7 +94,8 @@ std::string joint_map_json(const JointMap& map) {
     }
     joints[std::string(joint_names[j])] = alternatives.size() == 1 ? alternatives[0] : alternatives;
   }
-  return OrderedJson{{"name", map.name}, {"joints", joints}}.dump(2, ' ', false, OrderedJson::error_handler_t::replace) +
+  return OrderedJson{{"name", map.name}, {"joints", joints}}.dump(2, ' ', false,
+                                                                  OrderedJson::error_handler_t::replace) +
          "\n";
 }
 

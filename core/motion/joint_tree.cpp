@@ -18,15 +18,16 @@ using namespace joints;
 JointTree::JointTree(const Clip& clip) : body_(body_of(clip.poses)) {
   std::vector<double> heights;
   for (const Pose& pose : clip.poses)
-    heights.push_back((joint_at(pose, Root) - 0.5 * (joint_at(pose, left_hip) + joint_at(pose, right_hip))).norm());
+    heights.push_back(
+        (joint_at(pose, Root) - 0.5 * (joint_at(pose, left_hip) + joint_at(pose, right_hip))).norm());
   flat_pelvis_ = percentile(heights, 0.5) < 0.01;
   const auto hip_offset = [&](int hip) {
     Vec3 offset;
     for (int axis = 0; axis < 3; ++axis) {
       std::vector<double> values;
       for (const Pose& pose : clip.poses)
-        values.push_back(
-            (pelvis_rotation(pose, flat_pelvis_).transpose() * (joint_at(pose, hip) - joint_at(pose, Root)))[axis]);
+        values.push_back((pelvis_rotation(pose, flat_pelvis_).transpose() *
+                          (joint_at(pose, hip) - joint_at(pose, Root)))[axis]);
       offset[axis] = percentile(values, 0.5);
     }
     return offset;

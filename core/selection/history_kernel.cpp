@@ -9,7 +9,7 @@ namespace abrazo {
 namespace {
 
 constexpr Eigen::Index most_axes = 48;  ///< of a part
-constexpr float width = 1;              ///< of the Gaussians, in usual squared distances a part
+constexpr float kernel_width = 1;       ///< of the Gaussians, in usual squared distances a part
 /// Moments of each part: now, the quarter of a second before, up to a second, up to two.
 constexpr std::array<Eigen::Index, HistoryKernel::part_count> part_moments = {1, 4, 4, 4};
 constexpr float least_distance = 1e-6F;  ///< squared [m^2]: a part that is the same in every motion
@@ -30,7 +30,7 @@ float usual_squared_distance(const HistoryKernel::Rows& points) {
 
 /// Over the parts up to this one. @param squared  distance of them
 float gaussian(float squared, std::size_t part) {
-  return std::exp(-squared / (width * static_cast<float>(part + 1)));
+  return std::exp(-squared / (kernel_width * static_cast<float>(part + 1)));
 }
 
 }  // namespace
@@ -115,7 +115,7 @@ void HistoryKernel::compare(const Compared& with, std::span<const float> descrip
     const Eigen::Map<const Eigen::VectorXf> own(description.data() + part.at, part.axes.rows());
     squared.matrix().noalias() -= 2 * (with.rows.block(0, part.at, count, part.axes.rows()) * own);
     squared += with.squares.col(p).head(count).array() + own.squaredNorm();
-    sum += (squared.max(0.0F) * (-1 / (width * static_cast<float>(p + 1)))).exp();
+    sum += (squared.max(0.0F) * (-1 / (kernel_width * static_cast<float>(p + 1)))).exp();
   }
   sum /= part_count;
 }

@@ -11,8 +11,8 @@ namespace abrazo {
 namespace {
 
 /// A label file counts frames from the beginning of each take; all others have the tiers in seconds.
-Result<TierText> text_of(const SessionRecord& session, const std::vector<Tier>& tiers,
-                         const SessionRange& range, const ExportWish& wish) {
+Result<TierText> label_text(const SessionRecord& session, const std::vector<Tier>& tiers,
+                            const SessionRange& range, const ExportWish& wish) {
   if (wish.output.ends_with(".csv")) return session_labels_csv(session, range, wish.rate_hz);
   const SessionContents& contents = session.contents();
   TierWriting writing;
@@ -31,7 +31,7 @@ Result<ExportReport> export_labels(const ExportSource& source, const ExportWish&
   if (!report(progress, 0.3, "Looking through the labels")) return cancelled(session);
   const auto tiers = source.tiers(*range);
   if (!tiers) return tiers.error();
-  const auto content = text_of(session, *tiers, *range, wish);
+  const auto content = label_text(session, *tiers, *range, wish);
   if (!content) return content.error();
   if (!report(progress, 0.9, "Writing")) return cancelled(session);
   if (const Status written = write_whole_file(wish.output, content->text); !written) return written.error();

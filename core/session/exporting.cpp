@@ -18,7 +18,7 @@ std::string listed(const std::vector<std::string>& words) {
   return text;
 }
 
-std::string name_of(ExportContent content) {
+std::string kind_name(ExportContent content) {
   switch (content) {
     case ExportContent::Mesh:
       return "meshes";
@@ -70,7 +70,7 @@ Status check_export(const ExportWish& wish) {
   const auto types = export_types(wish.content);
   const bool fits = std::ranges::any_of(types, [&](const auto& type) { return wish.output.ends_with(type); });
   if (!fits)
-    return Error{name_of(wish.content) + " cannot be written as this file type; use " + listed(types),
+    return Error{kind_name(wish.content) + " cannot be written as this file type; use " + listed(types),
                  wish.output};
   if (!(wish.rate_hz <= highest_export_rate_hz))
     return Error{fmt::format("cannot have {} frames a second; choose a rate of at most {} Hz", wish.rate_hz,
@@ -82,7 +82,7 @@ Status check_export(const ExportWish& wish) {
   if (wish.one_mesh() && wish.output.ends_with(".pvd"))
     return Error{"a .pvd is a series; write the one frame as .vtu", wish.output};
   if (!wish.space.is_usual())
-    return Error{name_of(wish.content) + " cannot have a unit and axes of choice; those are for motion",
+    return Error{kind_name(wish.content) + " cannot have a unit and axes of choice; those are for motion",
                  wish.output};
   if (wish.rate_hz > 0 && wish.content == ExportContent::Trace)
     return Error{"a trace has the frames as they were solved; leave the rate out", wish.output};

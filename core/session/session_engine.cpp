@@ -64,7 +64,7 @@ Result<std::unique_ptr<PoseSource>> open_clip(const StreamUri& uri, const std::s
   return Error{"has no frames of \"" + performer + "\"; it has " + names, uri.file};
 }
 
-UserRole other(UserRole role) {
+UserRole other_character(UserRole role) {
   return role == UserRole::Active ? UserRole::Passive : UserRole::Active;
 }
 
@@ -87,7 +87,7 @@ struct SessionEngine::Parts {
   /// Whatever role the user takes later, the library is seen from there already; unless that takes the memory
   /// of a library that was too large to be read.
   void prepare_roles() const {
-    for (const UserRole each : {role, other(role)})
+    for (const UserRole each : {role, other_character(role)})
       if (!views->is_costly(each)) views->prepare(each);
   }
 

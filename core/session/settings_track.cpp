@@ -6,7 +6,7 @@ namespace abrazo {
 
 namespace {
 
-std::string name_of(const SettingInfo& info) {
+std::string setting_name(const SettingInfo& info) {
   return std::string(info.symbol.empty() ? info.title : info.symbol);
 }
 
@@ -19,7 +19,7 @@ std::string one_change(const SettingInfo& info, const Settings& before, const Se
   const auto value = [&](const Settings& settings, const std::string& with_unit) {
     return is_inputs_own(settings, info) ? "the input's" : setting_text(settings, info.key) + with_unit;
   };
-  return name_of(info) + " " + value(before, is_inputs_own(after, info) ? unit : "") + " \u2192 " +
+  return setting_name(info) + " " + value(before, is_inputs_own(after, info) ? unit : "") + " \u2192 " +
          value(after, unit);
 }
 

@@ -19,7 +19,7 @@ bool has_label(const MotionLibrary& library, const std::string& label) {
 }
 
 /// The pair of another library that is the same recorded frame; -1 when it has none.
-int same_pair(const MotionLibrary& from, int pair, const MotionLibrary& to) {
+int matching_pair(const MotionLibrary& from, int pair, const MotionLibrary& to) {
   if (pair < 0 || pair >= from.pair_count()) return -1;
   const PairSource& source = from.source(pair);
   return to.find_pair(from.take_of(pair).name, static_cast<int>(source.frame), source.swapped);
@@ -29,7 +29,7 @@ int same_pair(const MotionLibrary& from, int pair, const MotionLibrary& to) {
 Decisions carried_over(const Decisions& decisions, const MotionLibrary& from, const MotionLibrary& to) {
   Decisions carried;
   carried.role_control = decisions.role_control;
-  const auto pair_there = [&](int pair) { return same_pair(from, pair, to); };
+  const auto pair_there = [&](int pair) { return matching_pair(from, pair, to); };
   if (decisions.pinned && pair_there(*decisions.pinned) >= 0) carried.pinned = pair_there(*decisions.pinned);
   for (const int pair : decisions.vetoes.pairs)
     if (pair_there(pair) >= 0) carried.vetoes.pairs.insert(pair_there(pair));

@@ -9,14 +9,14 @@ namespace abrazo {
 
 namespace {
 
-std::string name_of(int joint) {
+std::string performer_name(int joint) {
   return std::string(joint_names[static_cast<std::size_t>(joint)]);
 }
 
 std::string names_of(const std::array<bool, joint_count>& chosen) {
   std::string names;
   for (int j = 0; j < joint_count; ++j)
-    if (chosen[static_cast<std::size_t>(j)]) names += (names.empty() ? "" : ", ") + name_of(j);
+    if (chosen[static_cast<std::size_t>(j)]) names += (names.empty() ? "" : ", ") + performer_name(j);
   return names;
 }
 
@@ -78,7 +78,7 @@ void FrameAssembly::bind(const std::shared_ptr<const std::vector<std::string>>& 
     return;
   }
   map_name_ = closest->name;
-  for (const int joint : best.estimated) estimated_.push_back(name_of(joint));
+  for (const int joint : best.estimated) estimated_.push_back(performer_name(joint));
   binding_ = std::move(best);
 }
 
@@ -116,7 +116,7 @@ FrameAssembly::Assembled FrameAssembly::fill_missing(Pose pose, const std::array
       return {{},
               0,
               StreamIssue{"joints-missing",
-                          name_of(j) + " has not been tracked for longer than the " +
+                          performer_name(j) + " has not been tracked for longer than the " +
                               exact_text(options_.longest_hold_s) +
                               " s that a joint is held; show its markers, or set hold=" + "MILLISECONDS"}};
     // A parent comes before its children, so its place is known by now.

@@ -14,7 +14,7 @@ namespace {
 constexpr std::size_t most_partials = 4;
 constexpr double other_type_after_s = 1;
 
-enum Segment : int { Pelvis = 0, T8 = 4, Head = 6 };
+constexpr int pelvis_segment = 0, t8_segment = 4, head_segment = 6;
 
 /// A segment that has nothing behind it. With the scale its last point is known: that whose name holds
 /// `point`.
@@ -24,11 +24,12 @@ struct SegmentEnd {
   bool level;
   std::string_view point;
 };
-constexpr std::array<SegmentEnd, 5> segment_ends = {SegmentEnd{5, 6, crown_beyond_neck_length, false, "topofhead"},
-                                              SegmentEnd{9, 10, hand_beyond_forearm_length, false, "topofhand"},
-                                              SegmentEnd{13, 14, hand_beyond_forearm_length, false, "topofhand"},
-                                              SegmentEnd{17, 18, toes_beyond_foot_length, true, "toe"},
-                                              SegmentEnd{21, 22, toes_beyond_foot_length, true, "toe"}};
+constexpr std::array<SegmentEnd, 5> segment_ends = {
+    SegmentEnd{5, 6, crown_beyond_neck_length, false, "topofhead"},
+    SegmentEnd{9, 10, hand_beyond_forearm_length, false, "topofhand"},
+    SegmentEnd{13, 14, hand_beyond_forearm_length, false, "topofhand"},
+    SegmentEnd{17, 18, toes_beyond_foot_length, true, "toe"},
+    SegmentEnd{21, 22, toes_beyond_foot_length, true, "toe"}};
 
 /// MVN's axes, x forward and z up, to y up and z forward.
 Vec3 mvn_to_y_up(const Vec3& v) {
@@ -64,7 +65,8 @@ Eigen::Quaterniond turned(const Eigen::Quaterniond& q, const Vec3& vector_part) 
 std::shared_ptr<const std::vector<std::string>> point_names(bool with_ends) {
   std::vector<std::string> names(xsens_segment_names.begin(), xsens_segment_names.end());
   if (with_ends)
-    for (const SegmentEnd& end : segment_ends) names.push_back(names[static_cast<std::size_t>(end.last)] + "_End");
+    for (const SegmentEnd& end : segment_ends)
+      names.push_back(names[static_cast<std::size_t>(end.last)] + "_End");
   return std::make_shared<const std::vector<std::string>>(std::move(names));
 }
 
@@ -200,7 +202,7 @@ void XsensCharacter::place_relative(Poses& poses, std::vector<StreamIssue>& issu
 /// however the performer stands. From the pelvis to the head that goes upwards.
 std::optional<char> XsensCharacter::up_of_spine(const Poses& poses) const {
   Vec3 rest = Vec3::Zero();
-  for (int s = Head; s != Pelvis; s = xsens_parents[static_cast<std::size_t>(s)]) {
+  for (int s = head_segment; s != pelvis_segment; s = xsens_parents[static_cast<std::size_t>(s)]) {
     const SegmentPose& below = poses[static_cast<std::size_t>(xsens_parents[static_cast<std::size_t>(s)])];
     rest += below.rotation.conjugate() * Vec3(poses[static_cast<std::size_t>(s)].position - below.position);
   }
@@ -217,7 +219,7 @@ void XsensCharacter::find_unit(const Poses& poses, std::vector<StreamIssue>& iss
     return;
   }
   constexpr double longest_trunk_m = 3;
-  const double trunk = (poses[T8].position - poses[Pelvis].position).norm();
+  const double trunk = (poses[t8_segment].position - poses[pelvis_segment].position).norm();
   if (!std::isfinite(trunk)) {
     if (metres_per_unit_ == 0) metres_per_unit_ = 1;
     return;

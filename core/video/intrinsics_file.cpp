@@ -12,7 +12,8 @@
 namespace abrazo {
 namespace {
 
-constexpr std::uintmax_t most_calibration_bytes = 1 << 20;  // a calibration with all its corners is a tenth of it
+constexpr std::uintmax_t most_calibration_bytes =
+    1 << 20;  // a calibration with all its corners is a tenth of it
 constexpr int largest_side_px = 65536;
 constexpr std::size_t most_coefficients = 14;
 constexpr std::size_t deepest = 2000;  ///< levels; with all its views a calibration has some hundred brackets

@@ -73,7 +73,8 @@ TEST(StreamAddress, WhatAnOptionMayNotHaveInAUriIsWrittenSoThatItReadsBack) {
 TEST(StreamAddress, SaysWhoWillBeHeardBeforeOneConnects) {
   EXPECT_EQ(reach_of({}), "Listens on this machine only (127.0.0.1:39539); 0.0.0.0 is every network");
   EXPECT_EQ(reach_of(address(Scheme::Xsens, "0.0.0.0", 9764)), "Listens on every network (0.0.0.0:9764)");
-  EXPECT_EQ(reach_of(address(Scheme::Vmc, "10.0.0.2", 0)), "Listens on the network of 10.0.0.2 (10.0.0.2:39539)");
+  EXPECT_EQ(reach_of(address(Scheme::Vmc, "10.0.0.2", 0)),
+            "Listens on the network of 10.0.0.2 (10.0.0.2:39539)");
   EXPECT_EQ(reach_of(address(Scheme::NatNet, "10.0.0.9", 0)),
             "Asks Motive at 10.0.0.9:1510; listens on the network that leads there");
   EXPECT_EQ(reach_of(address(Scheme::Clip, "", 0)), "");

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <QStringList>
+#include <atomic>
+#include <memory>
 #include <new>
 #include <stdexcept>
 
@@ -36,7 +38,30 @@ TEST(Job, ThatFailsUnexpectedlySaysHow) {
   EXPECT_EQ(told[0], "the table has no rows");
 }
 
-TEST(Job, ThatWasCancelledSaysNothingMore) {
+TEST(Job, ThatIsDoneBeforeItSeesThatItIsCancelledTellsItsOutcome) {
+  bool is_told = false, is_over = false;
+  Job job([&](const Progress&) -> Job::Finish { return [&] { is_told = true; }; });
+  job.cancel();
+  QObject::connect(&job, &Job::finished, [&] { is_over = true; });
+  EXPECT_TRUE(until([&] { return is_over; }));
+  EXPECT_TRUE(is_told);
+  EXPECT_TRUE(job.wasCancelled());
+}
+
+TEST(Job, ThatWasRetiredTellsNobody) {
+  bool is_told = false;
+  std::atomic<bool> is_done = false;
+  QObject owner;
+  Job::retire(std::make_unique<Job>([&](const Progress&) -> Job::Finish {
+                is_done = true;
+                return [&] { is_told = true; };
+              }),
+              &owner);
+  EXPECT_TRUE(until([&] { return is_done && owner.children().isEmpty(); }));
+  EXPECT_FALSE(is_told);
+}
+
+TEST(Job, ThatFailedAfterItWasCancelledSaysNothing) {
   QStringList told;
   Job::tellFailures([&](const QString& failure) { told << failure; });
   bool is_over = false;

@@ -8,7 +8,6 @@
 namespace abrazo::widgets {
 namespace {
 
-
 constexpr std::array<CostTermInfo, 3> paper_terms = {{
     {CostTerm::Pose, "pose", "pose", "pose", "pose", "pose cost", "pose", "nearer to the user's pose"},
     {CostTerm::Active, "leader", "lead.", "temporal leader", "leader", "temporal cost of the leader",
@@ -20,13 +19,13 @@ constexpr std::array<CostTermInfo, 3> paper_terms = {{
 constexpr std::array<CostTermInfo, most_cost_terms> filter_terms = {{
     {CostTerm::Partner, "partner", "part.", "partner", "part.", "expected distance of the partner",
      "expected distance of the partner", "partner expected nearer"},
-    {CostTerm::Leader, "leader", "lead.", "leader", "lead.", "motion of the leader", "w_l · other motion of the leader",
-     "motion of the leader"},
+    {CostTerm::Leader, "leader", "lead.", "leader", "lead.", "motion of the leader",
+     "w_l · other motion of the leader", "motion of the leader"},
     {CostTerm::Move, "move", "move", "move", "move", "unlikely move", "w_m · unlikely move", "likelier move"},
     {CostTerm::Meant, "meant", "meant", "meant", "meant", "not what is meant", "w_p · not what is meant",
      "what is meant"},
-    {CostTerm::Change, "change", "chg.", "change", "chg.", "change of source", "margin for a change of source",
-     "it goes on"},
+    {CostTerm::Change, "change", "chg.", "change", "chg.", "change of source",
+     "margin for a change of source", "it goes on"},
 }};
 
 constexpr std::array<CostTerms, 2> of_methods = {{

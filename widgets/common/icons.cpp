@@ -86,7 +86,7 @@ void lined(QPainter& painter, Icon which) {
   }
 }
 
-QPixmap drawn(Icon which, const QColor& colour, double ratio) {
+QPixmap drawn_icon(Icon which, const QColor& colour, double ratio) {
   QPixmap pixmap(QSize(16, 16) * ratio);
   pixmap.setDevicePixelRatio(ratio);
   pixmap.fill(Qt::transparent);
@@ -102,7 +102,7 @@ QPixmap drawn(Icon which, const QColor& colour, double ratio) {
 
 QIcon icon(Icon which, const QColor& colour) {
   QIcon result;
-  for (const double ratio : {1.0, 2.0}) result.addPixmap(drawn(which, colour, ratio));
+  for (const double ratio : {1.0, 2.0}) result.addPixmap(drawn_icon(which, colour, ratio));
   return result;
 }
 

@@ -16,7 +16,7 @@ namespace {
 constexpr int most_messages = 500;
 constexpr int kind_role = Qt::UserRole;
 
-QString name_of(MessageKind kind) {
+QString level_name(MessageKind kind) {
   return kind == MessageKind::Error ? "error" : kind == MessageKind::Warning ? "warning" : "information";
 }
 
@@ -61,7 +61,7 @@ void MessageLog::paint(int row) {
 
 void MessageLog::add(MessageKind kind, const QString& text) {
   auto* item = new QListWidgetItem(
-      QString("%1  %2  %3").arg(QTime::currentTime().toString("hh:mm:ss"), name_of(kind), text), m_list);
+      QString("%1  %2  %3").arg(QTime::currentTime().toString("hh:mm:ss"), level_name(kind), text), m_list);
   item->setData(kind_role, static_cast<int>(kind));
   paint(m_list->count() - 1);
   if (m_list->count() > most_messages) delete m_list->takeItem(0);

@@ -49,10 +49,10 @@ void FigureTable::showRows(std::vector<FigureRow> rows) {
 QString FigureTable::text() const {
   QString text = "figure\tA\tB\tB-A\tunit\n";
   for (const FigureRow& row : m_rows)
-    text +=
-        QStringList{widgets::text(row.name), widgets::text(row.a), widgets::text(row.b), widgets::text(row.difference), widgets::text(row.unit)}.join(
-            '\t') +
-        "\n";
+    text += QStringList{widgets::text(row.name), widgets::text(row.a), widgets::text(row.b),
+                        widgets::text(row.difference), widgets::text(row.unit)}
+                .join('\t') +
+            "\n";
   return text;
 }
 
@@ -79,8 +79,9 @@ void FigureTable::paintRow(QPainter& painter, const FigureRow& row, const QRectF
   };
   painter.setPen(m_palette.secondary);
   const QRectF name(margin, line.top(), ends[0] - margin - 44, line.height());
-  painter.drawText(name, Qt::AlignVCenter | Qt::AlignLeft,
-                   QFontMetricsF(painter.font()).elidedText(widgets::text(row.name), Qt::ElideRight, name.width()));
+  painter.drawText(
+      name, Qt::AlignVCenter | Qt::AlignLeft,
+      QFontMetricsF(painter.font()).elidedText(widgets::text(row.name), Qt::ElideRight, name.width()));
   const bool a = row.better == Better::A, b = row.better == Better::B;
   write(ends[0], (a ? "▾ " : "") + widgets::text(row.a), a ? m_palette.good : m_palette.text);
   write(ends[1], (b ? "▾ " : "") + widgets::text(row.b), b ? m_palette.good : m_palette.text);

@@ -62,7 +62,8 @@ void RunCard::paintEvent(QPaintEvent*) {
   painter.setFont(interface_font(11, QFont::DemiBold));
   painter.drawText(badge, Qt::AlignCenter, m_letter);
   const double left = badge.right() + 8;
-  const QRectF upper(left, 3, width() - left - card_margin, 21), lower(left, 24, width() - left - card_margin, 20);
+  const QRectF upper(left, 3, width() - left - card_margin, 21),
+      lower(left, 24, width() - left - card_margin, 20);
   painter.setFont(interface_font(12));
   painter.setPen(m_palette.secondary);
   const double origin = std::min(tabular_width(painter.font(), m_origin) + gap, upper.width());

@@ -19,7 +19,7 @@ constexpr std::size_t newest_kept = 40'000;  // rows: five minutes and a half at
 constexpr std::size_t older_kept = 40'000;
 
 /// "leader lhand [mm]"
-std::string title_of(const Selection& selection, const PaneSeries& series) {
+std::string panel_title(const Selection& selection, const PaneSeries& series) {
   Selection named = selection;
   if (named.kind == SelectionKind::Joints) named = Selection::joint(named.last_joint());
   const std::string name = named.kind == SelectionKind::Tetrahedron ? "tetrahedron" : name_of(named);
@@ -151,7 +151,7 @@ void PlotPanel::setArrangement(const PaneArrangement& arranged) {
   for (std::size_t p = 0; p < wanted.size(); ++p)
     if (panes[p]->series() != wanted[p]) panes[p]->setSeries(wanted[p]);
   for (PlotPane* pane : panes) pane->setTitle({});
-  if (selectionPane() >= 0) panes.back()->setTitle(title_of(m_parts->selection, m_parts->selected));
+  if (selectionPane() >= 0) panes.back()->setTitle(panel_title(m_parts->selection, m_parts->selected));
   arrangePanes();
   draw();
 }

@@ -9,7 +9,6 @@
 namespace abrazo::widgets {
 namespace {
 
-
 double length(const PairPose& pair, const Selection& edge) {
   return (pair.row(edge.vertices[0]) - pair.row(edge.vertices[1])).norm();
 }

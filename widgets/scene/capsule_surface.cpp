@@ -7,7 +7,6 @@
 namespace abrazo::widgets {
 namespace {
 
-
 /// A ring of the unit capsule: where its centre is along the bone, how far beyond the end, how wide.
 struct Ring {
   double along;   ///< 0..1 between the ends

@@ -8,7 +8,7 @@ namespace abrazo::widgets {
 namespace {
 
 constexpr double radians_per_pixel = 0.0075;
-constexpr double nearest_m = 0.3, farthest_m = 40;
+constexpr double nearest_m = 0.3, farthest_camera_m = 40;
 constexpr double steepest_rad = 1.55;  // just short of the pole, where "up" would be undefined
 
 }  // namespace
@@ -47,7 +47,7 @@ void OrbitCamera::pan(double dx_px, double dy_px, double view_height_px) {
 }
 
 void OrbitCamera::zoom(double notches) {
-  distance_m = std::clamp(distance_m * std::pow(0.88, notches), nearest_m, farthest_m);
+  distance_m = std::clamp(distance_m * std::pow(0.88, notches), nearest_m, farthest_camera_m);
 }
 
 double OrbitCamera::distance_for(const Positions& points, const PictureShape& picture) const {
@@ -62,7 +62,7 @@ double OrbitCamera::distance_for(const Positions& points, const PictureShape& pi
     const double wide = (std::abs(offset.dot(across)) + std::abs(shift_m) + flesh_m) / half_width;
     distance = std::max(distance, offset.dot(back) + std::max(high, wide));
   }
-  return std::clamp(distance, nearest_m, farthest_m);
+  return std::clamp(distance, nearest_m, farthest_camera_m);
 }
 
 }  // namespace abrazo::widgets

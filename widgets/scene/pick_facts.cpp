@@ -11,7 +11,7 @@ namespace abrazo::widgets {
 namespace {
 
 template <typename... Values>
-std::string text(const char* format, Values... values) {
+std::string text_of_fact(const char* format, Values... values) {
   std::array<char, 160> buffer{};
   std::snprintf(buffer.data(), buffer.size(), format, values...);
   return buffer.data();
@@ -32,50 +32,50 @@ PickText describe_joint(const FrameSnapshot& frame, int vertex) {
   const JointFacts facts = joint_facts(frame, vertex);
   PickText told{vertex_name(vertex), {}};
   told.lines.push_back(
-      text("at %.3f, %.3f, %.3f m", facts.position.x(), facts.position.y(), facts.position.z()));
-  if (facts.to_user_m) told.lines.push_back(text("%.0f mm from the user's", 1000 * *facts.to_user_m));
-  told.lines.push_back(text("%.0f mm from the selected pair's", 1000 * facts.to_selected_m));
+      text_of_fact("at %.3f, %.3f, %.3f m", facts.position.x(), facts.position.y(), facts.position.z()));
+  if (facts.to_user_m) told.lines.push_back(text_of_fact("%.0f mm from the user's", 1000 * *facts.to_user_m));
+  told.lines.push_back(text_of_fact("%.0f mm from the selected pair's", 1000 * facts.to_selected_m));
   told.lines.push_back(
-      text("nearest: %s, %.3f m", vertex_name(facts.nearest_partner).c_str(), facts.to_partner_m));
+      text_of_fact("nearest: %s, %.3f m", vertex_name(facts.nearest_partner).c_str(), facts.to_partner_m));
   add_contacts(told, frame, vertex);
   return told;
 }
 
 PickText describe_joints(const FrameSnapshot& frame, const Selection& item) {
   constexpr std::size_t most_lines = 6;
-  PickText told{text("%zu joints", item.vertices.size()), {}};
+  PickText told{text_of_fact("%zu joints", item.vertices.size()), {}};
   const std::size_t listed = item.vertices.size() > most_lines ? most_lines - 1 : item.vertices.size();
   for (std::size_t j = 0; j < listed; ++j) told.lines.push_back(vertex_name(item.vertices[j]));
   if (listed < item.vertices.size())
-    told.lines.push_back(text("and %zu more", item.vertices.size() - listed));
+    told.lines.push_back(text_of_fact("and %zu more", item.vertices.size() - listed));
   if (item.vertices.size() == 2) {
     const PairPose& pair = frame.result.result;
     told.lines.push_back(
-        text("%.3f m apart", (pair.row(item.vertices[0]) - pair.row(item.vertices[1])).norm()));
+        text_of_fact("%.3f m apart", (pair.row(item.vertices[0]) - pair.row(item.vertices[1])).norm()));
   }
   return told;
 }
 
 std::string cost_line(const CostBreakdown& cost, double alpha) {
-  return text("cost %.3f m² = pose %.3f + %.2f (%.3f + %.3f)", cost.total, cost.pose, alpha,
-              cost.temporal_active, cost.temporal_passive);
+  return text_of_fact("cost %.3f m² = pose %.3f + %.2f (%.3f + %.3f)", cost.total, cost.pose, alpha,
+                      cost.temporal_active, cost.temporal_passive);
 }
 
 /// Two lines: one would make the card wider than what it is about.
 void add_filter_cost(PickText& told, const IntentCost& cost) {
   told.lines.push_back(
-      text("cost %.3f m = partner %.3f + leader %.3f", cost.total, cost.partner, cost.leader));
+      text_of_fact("cost %.3f m = partner %.3f + leader %.3f", cost.total, cost.partner, cost.leader));
   std::string rest;
   for (const auto& [name, value] :
        {std::pair{"move", cost.move}, {"meant", cost.meant}, {"change", cost.change}})
-    if (value != 0) rest += text("%s+ %s %.3f", rest.empty() ? "" : " ", name, value);
+    if (value != 0) rest += text_of_fact("%s+ %s %.3f", rest.empty() ? "" : " ", name, value);
   if (!rest.empty()) told.lines.push_back(std::move(rest));
 }
 
 PickText describe_candidate(const FrameSnapshot& frame, int pair, const MotionLibrary* library) {
-  PickText told{text("pair %d", pair), {}};
+  PickText told{text_of_fact("pair %d", pair), {}};
   if (library && pair >= 0 && pair < library->pair_count()) {
-    told.title = text("%s · %u", library->take_of(pair).name.c_str(), library->source(pair).frame);
+    told.title = text_of_fact("%s · %u", library->take_of(pair).name.c_str(), library->source(pair).frame);
     if (!library->label(pair).empty()) told.lines.emplace_back(library->label(pair));
   }
   const auto place = candidate_of(frame, pair);
@@ -91,9 +91,9 @@ PickText describe_candidate(const FrameSnapshot& frame, int pair, const MotionLi
       frame.result.selected >= 0 && *place == static_cast<std::size_t>(frame.result.selected);
   const bool goes_on =
       candidate.intent && (candidate.continuation || candidate.pair == frame.result.intent.continued);
-  told.lines.push_back(text("rank %d of %zu%s%s", static_cast<int>(cheaper) + 1,
-                            frame.result.candidates.size(), is_used ? ", selected" : "",
-                            goes_on ? ", goes on" : ""));
+  told.lines.push_back(text_of_fact("rank %d of %zu%s%s", static_cast<int>(cheaper) + 1,
+                                    frame.result.candidates.size(), is_used ? ", selected" : "",
+                                    goes_on ? ", goes on" : ""));
   if (candidate.intent)
     add_filter_cost(told, *candidate.intent);
   else
@@ -108,10 +108,11 @@ PickText describe_edge(const FrameSnapshot& frame, const Selection& item) {
     told.lines = {"not in the mesh of this frame"};
     return told;
   }
-  told.lines.push_back(text("length %.3f m (selected %.3f, %+.0f mm)", facts->length_m, facts->reference_m,
-                            1000 * (facts->length_m - facts->reference_m)));
-  told.lines.push_back(text("weight %.3f · residual %.1f mm", facts->weight, 1000 * facts->residual_m));
-  told.lines.push_back(text("%.2f %% of the deformation energy", facts->energy_share));
+  told.lines.push_back(text_of_fact("length %.3f m (selected %.3f, %+.0f mm)", facts->length_m,
+                                    facts->reference_m, 1000 * (facts->length_m - facts->reference_m)));
+  told.lines.push_back(
+      text_of_fact("weight %.3f · residual %.1f mm", facts->weight, 1000 * facts->residual_m));
+  told.lines.push_back(text_of_fact("%.2f %% of the deformation energy", facts->energy_share));
   return told;
 }
 
@@ -126,11 +127,11 @@ PickText describe_cell(const FrameSnapshot& frame, const Selection& item) {
     told.lines.emplace_back("not in the mesh of this frame");
     return told;
   }
-  told.lines.push_back(
-      text("volume %.3f l (selected %.3f l)", litres * facts->volume_m3, litres * facts->reference_m3));
+  told.lines.push_back(text_of_fact("volume %.3f l (selected %.3f l)", litres * facts->volume_m3,
+                                    litres * facts->reference_m3));
   told.lines.push_back(facts->is_flat       ? "flat in the selected pair: no ratio"
-                       : facts->is_inverted ? text("turned over, ratio %.2f", facts->ratio)
-                                            : text("ratio %.2f", facts->ratio));
+                       : facts->is_inverted ? text_of_fact("turned over, ratio %.2f", facts->ratio)
+                                            : text_of_fact("ratio %.2f", facts->ratio));
   return told;
 }
 

@@ -48,18 +48,18 @@ ScalarChips::ScalarChips(QWidget* parent) : QWidget(parent) {
             [this, s] { emit scalarChosen(static_cast<MeshScalar>(s)); });
   }
   m_scalars[0]->setChecked(true);
-  m_cells =
-      overlay_chip("Volume ratio",
-           "Tetrahedra of the mesh, coloured by their volume in the result over that in the selected pair; "
-           "magenta with a rim: turned over",
-           this);
+  m_cells = overlay_chip(
+      "Volume ratio",
+      "Tetrahedra of the mesh, coloured by their volume in the result over that in the selected pair; "
+      "magenta with a rim: turned over",
+      this);
   row->addWidget(m_cells);
   connect(m_cells, &QToolButton::clicked, this, &ScalarChips::cellsChosen);
   m_betweenOnly = overlay_chip("Inter-body only", "Show only the edges between the two bodies", this);
   row->addWidget(m_betweenOnly);
   connect(m_betweenOnly, &QToolButton::clicked, this, &ScalarChips::betweenOnlyChosen);
-  m_filter =
-      overlay_chip("Filter…", "Edges by length or of the selection, tetrahedra apart, cutting plane, trails", this);
+  m_filter = overlay_chip(
+      "Filter…", "Edges by length or of the selection, tetrahedra apart, cutting plane, trails", this);
   row->addWidget(m_filter);
   m_options = new SceneOptionsPanel(this);
   connect(m_options, &SceneOptionsPanel::optionsRequested, this, &ScalarChips::optionsRequested);

@@ -49,8 +49,9 @@ void LatencyTable::show(std::vector<LatencyRow> rows, const QString& over) {
 QString LatencyTable::text() const {
   QString text = "stage [ms]\tthis frame\tp50\tp95\tp99\n";
   for (const LatencyRow& row : m_rows)
-    text += QStringList{widgets::text(row.name), widgets::text(latency_text(row.here)), widgets::text(latency_text(row.p50)),
-                        widgets::text(latency_text(row.p95)), widgets::text(latency_text(row.p99))}
+    text += QStringList{widgets::text(row.name), widgets::text(latency_text(row.here)),
+                        widgets::text(latency_text(row.p50)), widgets::text(latency_text(row.p95)),
+                        widgets::text(latency_text(row.p99))}
                 .join('\t') +
             "\n";
   return text;

@@ -151,7 +151,7 @@ QWidget* TakePanel::makeDisk() {
       "back beyond the memory");
   m_saveAs = panel_button(disk, "Save as…", "Copies the whole session to a file of your choice");
   m_pair = panel_button(disk, "Record pair…",
-                "Records two streamed performers; at the end they can become a take of the library");
+                        "Records two streamed performers; at the end they can become a take of the library");
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(6);
   buttons->addWidget(m_saveAs);

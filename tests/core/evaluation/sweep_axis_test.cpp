@@ -60,7 +60,8 @@ TEST(SweepAxis, SaysTheRangeWhenAValueIsOutsideIt) {
 
 TEST(SweepAxis, RefusesWhatItCannotRead) {
   EXPECT_THAT(refusal("alpha"), HasSubstr("as in alpha=0:1:5"));
-  EXPECT_THAT(refusal("alfa=0:1:5"), HasSubstr("'alfa' is not a setting; there are selection, alpha, neighbours"));
+  EXPECT_THAT(refusal("alfa=0:1:5"),
+              HasSubstr("'alfa' is not a setting; there are selection, alpha, neighbours"));
   EXPECT_THAT(refusal("alpha=0:1"), HasSubstr("FROM:TO:COUNT"));
   EXPECT_THAT(refusal("alpha=0:x:3"), HasSubstr("FROM:TO:COUNT"));
   EXPECT_THAT(refusal("alpha=0:1:1"), HasSubstr("from 2 to 1000 values"));

@@ -2,8 +2,9 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Cholesky>
 #include <random>
+
+#include "tests/support/dense_algebra.hpp"
 
 namespace abrazo::positive_solve_test {
 namespace {
@@ -19,7 +20,7 @@ Eigen::MatrixXd random_matrix(Eigen::Index rows, Eigen::Index columns, std::mt19
 /// Eigenvalues of about 1 to 5: no solution of it rounds by more than some 1e-14.
 Eigen::MatrixXd random_positive(Eigen::Index n, std::mt19937& random) {
   const Eigen::MatrixXd half = random_matrix(n, n, random);
-  return half * half.transpose() / static_cast<double>(n) + Eigen::MatrixXd::Identity(n, n);
+  return test::product(half, half.transpose()) / static_cast<double>(n) + Eigen::MatrixXd::Identity(n, n);
 }
 
 // Blocks are of 192: within one, one to the full, one more, and several.
@@ -28,14 +29,14 @@ TEST(SolvePositive, SolvesAsADenseSolverDoes) {
   for (const Eigen::Index n : {1, 2, 191, 192, 193, 384, 500})
     for (const Eigen::Index columns : {1, 16, 37}) {
       const Eigen::MatrixXd system = random_positive(n, random), right = random_matrix(n, columns, random);
-      const Eigen::MatrixXd expected = system.llt().solve(right);
+      const Eigen::MatrixXd expected = test::solve_by_cholesky(system, right);
       Eigen::MatrixXd a = system, b = right;
       // Only the lower triangle is read.
       a.triangularView<Eigen::StrictlyUpper>().setConstant(1e9);
       ASSERT_TRUE(solve_positive(a, b));
       EXPECT_LT((b - expected).cwiseAbs().maxCoeff(), 1e-11) << n << " x " << columns;
       const Eigen::MatrixXd lower = a.triangularView<Eigen::Lower>();
-      EXPECT_LT((lower * lower.transpose() - system).cwiseAbs().maxCoeff(), 1e-11) << n;
+      EXPECT_LT((test::product(lower, lower.transpose()) - system).cwiseAbs().maxCoeff(), 1e-11) << n;
     }
 }
 

@@ -2,11 +2,11 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
 #include <random>
 
 #include "core/synthesis/capsule_contacts.hpp"
 #include "tests/support/bodies.hpp"
+#include "tests/support/dense_algebra.hpp"
 
 namespace abrazo::constrained_solver_test {
 namespace {
@@ -73,7 +73,7 @@ Eigen::VectorXd dense_kkt(const Problem& problem) {
   kkt.bottomLeftCorner(h.rows(), unknowns) = h;
   Eigen::VectorXd right(n);
   right << flat(problem.linear), targets;
-  return kkt.completeOrthogonalDecomposition().solve(right).head(unknowns);
+  return test::solve_by_least_length(kkt, right).col(0).head(unknowns);
 }
 
 PairPose solved(const Problem& problem) {
@@ -98,7 +98,7 @@ TEST(ConstrainedSolver, RedundantRowsOfPinnedFeetAreHarmless) {
     add_position_rows(vertex, problem.reference.row(vertex), problem.rows);
   Eigen::VectorXd targets;
   const Eigen::MatrixXd h = dense_rows(problem.rows, targets);
-  ASSERT_LT(h.fullPivLu().rank(), h.rows()) << "the case must be rank deficient to test anything";
+  ASSERT_LT(test::rank_of(h), h.rows()) << "the case must be rank deficient to test anything";
   const PairPose positions = solved(problem);
   EXPECT_LT((flat(positions) - dense_kkt(problem)).cwiseAbs().maxCoeff(), 1e-8);
   EXPECT_LT((h * flat(positions) - targets).cwiseAbs().maxCoeff(), 1e-9);
@@ -111,7 +111,7 @@ TEST(ConstrainedSolver, NoStepInTheNullSpaceOfTheRowsLowersTheEnergy) {
     const Problem problem(seed);
     const PairPose positions = solved(problem);
     Eigen::VectorXd targets;
-    const Eigen::MatrixXd null_space = dense_rows(problem.rows, targets).fullPivLu().kernel();
+    const Eigen::MatrixXd null_space = test::null_space_of(dense_rows(problem.rows, targets));
     const Eigen::MatrixXd k = dense_energy(problem.energy);
     const Eigen::VectorXd r = flat(problem.linear);
     const auto energy = [&](const Eigen::VectorXd& v) { return 0.5 * v.dot(k * v) - r.dot(v); };

@@ -2,11 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Dense>
 #include <cmath>
 #include <limits>
 #include <random>
 #include <vector>
+
+#include "tests/support/dense_algebra.hpp"
 
 namespace abrazo::dense_kernels_test {
 namespace {
@@ -61,7 +62,7 @@ TEST_P(DenseKernels, SolveWhatEigenSolvesForEverySize) {
     System system(n);
     ASSERT_TRUE(system.factor()) << n;
     std::vector<double> x = numbers(n, 1);
-    const Eigen::VectorXd wanted = system.a.ldlt().solve(first(x, n));
+    const Eigen::VectorXd wanted = test::solve_by_cholesky(system.a, first(x, n));
     dense::solve_lower(system.columns.data(), n, system.stride, system.inverse_diagonal.data(), x.data());
     dense::solve_upper(system.columns.data(), n, system.stride, system.inverse_diagonal.data(), x.data());
     EXPECT_LT((first(x, n) - wanted).norm(), 1e-9 * (1 + wanted.norm())) << n;

@@ -1,7 +1,6 @@
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
 
-#include <Eigen/Dense>
 #include <optional>
 #include <random>
 
@@ -9,6 +8,7 @@
 #include "core/synthesis/capsule_contacts.hpp"
 #include "core/synthesis/constrained_solver.hpp"
 #include "tests/support/bodies.hpp"
+#include "tests/support/dense_algebra.hpp"
 #include "tests/support/libraries.hpp"
 
 namespace abrazo::solver_property_test {
@@ -92,7 +92,7 @@ std::optional<PairPose> dense_answer(const Problem& problem, const std::vector<c
         kkt(at, unknowns + r) += row.coefficient(i)(axis);
       }
   }
-  const Eigen::VectorXd answer = kkt.fullPivLu().solve(right);
+  const Eigen::VectorXd answer = test::solve_by_lu(kkt, right);
   if ((kkt * answer - right).cwiseAbs().maxCoeff() > 1e-9) return std::nullopt;
   return PairPose(Eigen::Map<const PairPose>(answer.data()));
 }
