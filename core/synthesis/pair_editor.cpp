@@ -13,6 +13,9 @@ namespace {
 constexpr double bone_goal = 2e-4;
 constexpr double bone_limit = 1e-3;  ///< beyond this the constraints contradict one another
 constexpr double drift_limit_m = 1e-3;
+/// The same two for capsules: rows were linear where the last step began, and the bodies have moved since.
+constexpr double overlap_goal_m = 1e-3;
+constexpr double overlap_limit_m = 1e-2;
 constexpr int extra_projection_steps = 8;
 constexpr double farthest_sensible_m =
     50.0;  ///< from the selected pair: a result beyond it is a numerical accident
@@ -84,10 +87,12 @@ bool PairEditor::morph(const Settings& settings, const FootLocks& locks, Relaxat
   for (int step = 0; step < settings.projection_steps; ++step)
     if (!solve_step(settings, locks, relaxation, 1.0)) return false;
   for (int step = 0; step < extra_projection_steps; ++step) {
-    if (bone_length_error(iterate_, task_.wanted) <= bone_goal) break;
+    if (bone_length_error(iterate_, task_.wanted) <= bone_goal &&
+        are_apart(settings, relaxation, overlap_goal_m))
+      break;
     if (!project_step(settings, locks, relaxation)) return false;
   }
-  return is_acceptable();
+  return is_acceptable(settings, relaxation);
 }
 
 bool PairEditor::solve_step(const Settings& settings, const FootLocks& locks, Relaxation relaxation,
@@ -155,8 +160,14 @@ bool PairEditor::keep_iterate() {
   return true;
 }
 
-bool PairEditor::is_acceptable() const {
-  return !steps_.empty() && bone_length_error(steps_.back(), task_.wanted) <= bone_limit;
+bool PairEditor::are_apart(const Settings& settings, Relaxation relaxation, double overlap_m) {
+  return !settings.collisions || relaxation >= Relaxation::Capsules ||
+         contacts_.deepest_excess_m(iterate_) <= overlap_m;
+}
+
+bool PairEditor::is_acceptable(const Settings& settings, Relaxation relaxation) {
+  return !steps_.empty() && bone_length_error(steps_.back(), task_.wanted) <= bone_limit &&
+         are_apart(settings, relaxation, overlap_limit_m);
 }
 
 }  // namespace abrazo
