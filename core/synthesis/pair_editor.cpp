@@ -86,13 +86,13 @@ bool PairEditor::morph(const Settings& settings, const FootLocks& locks, Relaxat
       return false;
   for (int step = 0; step < settings.projection_steps; ++step)
     if (!solve_step(settings, locks, relaxation, 1.0)) return false;
-  for (int step = 0; step < extra_projection_steps; ++step) {
-    if (bone_length_error(iterate_, task_.wanted) <= bone_goal &&
-        are_apart(settings, relaxation, overlap_goal_m))
-      break;
+  for (int step = 0;; ++step) {
+    const double overlap_m = overlap(settings, relaxation);
+    const double bone_error = bone_length_error(iterate_, task_.wanted);
+    if ((bone_error <= bone_goal && overlap_m <= overlap_goal_m) || step == extra_projection_steps)
+      return !steps_.empty() && bone_error <= bone_limit && overlap_m <= overlap_limit_m;
     if (!project_step(settings, locks, relaxation)) return false;
   }
-  return is_acceptable(settings, relaxation);
 }
 
 bool PairEditor::solve_step(const Settings& settings, const FootLocks& locks, Relaxation relaxation,
@@ -160,14 +160,10 @@ bool PairEditor::keep_iterate() {
   return true;
 }
 
-bool PairEditor::are_apart(const Settings& settings, Relaxation relaxation, double overlap_m) {
-  return !settings.collisions || relaxation >= Relaxation::Capsules ||
-         contacts_.deepest_excess_m(iterate_) <= overlap_m;
-}
-
-bool PairEditor::is_acceptable(const Settings& settings, Relaxation relaxation) {
-  return !steps_.empty() && bone_length_error(steps_.back(), task_.wanted) <= bone_limit &&
-         are_apart(settings, relaxation, overlap_limit_m);
+/// Deepest beyond the selected pair's own at the iterate; 0 while capsules may overlap.
+double PairEditor::overlap(const Settings& settings, Relaxation relaxation) {
+  if (!settings.collisions || relaxation >= Relaxation::Capsules) return 0;
+  return contacts_.deepest_excess_m(iterate_);
 }
 
 }  // namespace abrazo

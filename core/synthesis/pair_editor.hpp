@@ -61,8 +61,7 @@ class PairEditor {
                   const RigidDistances& lengths);
   void damp_turning_bones(const RigidDistances& lengths, PairPose& linear);
   bool keep_iterate();
-  bool are_apart(const Settings& settings, Relaxation relaxation, double overlap_m);
-  bool is_acceptable(const Settings& settings, Relaxation relaxation);
+  double overlap(const Settings& settings, Relaxation relaxation);
 
   EditTask task_;
   PairPose reference_;       ///< selected pair with the partner's offset
