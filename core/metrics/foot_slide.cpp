@@ -26,14 +26,23 @@ ToeRest toe_rest(std::span<const Pose> poses) {
   return rest;
 }
 
-void FootSlideMetric::add(const Pose& before, const Pose& after, double elapsed_s, const ToeRest& rest) {
+std::array<std::optional<double>, 2> landed_foot_speeds(const Pose& before, const Pose& after,
+                                                        double elapsed_s, const ToeRest& rest) {
+  std::array<std::optional<double>, 2> speeds_m_s;
   for (std::size_t foot = 0; foot < toe_bases.size(); ++foot) {
     const int toe_base = toe_bases[foot];
-    ++steps_;
     if (std::max(before(toe_base, 1), after(toe_base, 1)) >= rest[foot] + landed_below_m) continue;
-    speeds_m_s_.push_back(
+    speeds_m_s[foot] =
         std::hypot(after(toe_base, 0) - before(toe_base, 0), after(toe_base, 2) - before(toe_base, 2)) /
-        elapsed_s);
+        elapsed_s;
+  }
+  return speeds_m_s;
+}
+
+void FootSlideMetric::add(const std::array<std::optional<double>, 2>& speeds_m_s) {
+  for (const std::optional<double>& speed_m_s : speeds_m_s) {
+    ++steps_;
+    if (speed_m_s) speeds_m_s_.push_back(*speed_m_s);
   }
 }
 

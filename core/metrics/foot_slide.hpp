@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -19,16 +20,24 @@ inline ToeRest toe_rest(const Body& body) {
   return {body.toe_rest_height, body.toe_rest_height};
 }
 
+/// Horizontal speed of each toe base from one pose to the next [m/s], left and right; nothing for a foot that
+/// is not landed: less than `landed_below_m` above its rest at both.
+inline constexpr double landed_below_m = 0.03;
+std::array<std::optional<double>, 2> landed_foot_speeds(const Pose& before, const Pose& after,
+                                                        double elapsed_s, const ToeRest& rest);
+
 /// How far feet slide while they are on the floor: the horizontal speed of a toe base from one pose to the
 /// next, counted when it is less than `landed_below_m` above its rest at both ends of that step. Captured
 /// dancers brush and pivot, so less than they have is no aim.
 class FootSlideMetric {
  public:
-  static constexpr double landed_below_m = 0.03;
   static constexpr double fast_m_s = 0.3;
 
   /// @param elapsed_s  between the two poses, more than 0
-  void add(const Pose& before, const Pose& after, double elapsed_s, const ToeRest& rest);
+  void add(const Pose& before, const Pose& after, double elapsed_s, const ToeRest& rest) {
+    add(landed_foot_speeds(before, after, elapsed_s, rest));
+  }
+  void add(const std::array<std::optional<double>, 2>& speeds_m_s);
 
   struct Figures {
     double mean_m_s = 0;      ///< not a number when no foot landed

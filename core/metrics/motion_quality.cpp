@@ -52,15 +52,14 @@ bool goes_on(const SourceMoment& before, const SourceMoment& after) {
 
 void MotionQuality::add(const PartnerStep& step) {
   if (last_ && !(step.time_s > last_->time_s)) interrupt();
-  movement_.add(step.partner, step.time_s);
-  add_source(step);
+  add_source(step, movement_.add(step.partner, step.time_s));
   using namespace joints;
   for (const auto& [foot, toe_base] : {std::pair{0U, left_toe_base}, std::pair{1U, right_toe_base}})
     if (step.locked[foot]) hovers_m_.push_back(step.partner(toe_base, 1) - rest_[foot]);
   last_ = step;
 }
 
-void MotionQuality::add_source(const PartnerStep& step) {
+void MotionQuality::add_source(const PartnerStep& step, const std::optional<MovementStep>& moved) {
   if (!last_) return;
   const double elapsed_s = step.time_s - last_->time_s;
   observed_s_ += elapsed_s;
@@ -69,7 +68,7 @@ void MotionQuality::add_source(const PartnerStep& step) {
     return;
   }
   ++changes_;
-  if (const auto unexplained_m = movement_.unexplained_m()) steps_at_change_m_.push_back(*unexplained_m);
+  if (moved && moved->unexplained_m) steps_at_change_m_.push_back(*moved->unexplained_m);
 }
 
 void MotionQuality::interrupt() {

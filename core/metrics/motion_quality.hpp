@@ -64,7 +64,7 @@ class MotionQuality {
   const std::vector<double>& hovers_m() const { return hovers_m_; }
 
  private:
-  void add_source(const PartnerStep& step);
+  void add_source(const PartnerStep& step, const std::optional<MovementStep>& moved);
 
   ToeRest rest_;
   MovementMetric movement_;

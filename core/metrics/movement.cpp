@@ -8,32 +8,42 @@
 
 namespace abrazo {
 
-void MovementMetric::add(const Pose& pose, double time_s) {
-  unexplained_m_.reset();
+std::optional<MovementStep> MovementSteps::next(const Pose& pose, double time_s) {
   const double elapsed_s = time_s - time_s_;
   if (pose_ && !(elapsed_s > 0)) interrupt();
+  std::optional<MovementStep> step;
   if (pose_) {
-    const Step step{(pose - *pose_) / elapsed_s, elapsed_s};
-    const double speed_m_s = step.velocity_m_s.rowwise().norm().mean();
-    speeds_m_s_.push_back(speed_m_s);
-    largest_step_m_ = std::max(largest_step_m_, speed_m_s * elapsed_s);
-    slide_.add(*pose_, pose, elapsed_s, rest_);
-    if (step_) {
-      const Pose change_m_s = step.velocity_m_s - step_->velocity_m_s;
-      const double across_s = 0.5 * (step_->elapsed_s + elapsed_s);
-      accelerations_m_s2_.push_back(std::sqrt(change_m_s.squaredNorm() / joint_count) / across_s);
-      unexplained_m_ = change_m_s.rowwise().norm().mean() * elapsed_s;
+    const Velocity velocity{(pose - *pose_) / elapsed_s, elapsed_s};
+    step.emplace();
+    step->speed_m_s = velocity.m_s.rowwise().norm().mean();
+    step->length_m = step->speed_m_s * elapsed_s;
+    step->slide_m_s = landed_foot_speeds(*pose_, pose, elapsed_s, rest_);
+    if (velocity_) {
+      const Pose change_m_s = velocity.m_s - velocity_->m_s;
+      const double across_s = 0.5 * (velocity_->elapsed_s + elapsed_s);
+      step->acceleration_m_s2 = std::sqrt(change_m_s.squaredNorm() / joint_count) / across_s;
+      step->unexplained_m = change_m_s.rowwise().norm().mean() * elapsed_s;
     }
-    step_ = step;
+    velocity_ = velocity;
   }
   pose_ = pose;
   time_s_ = time_s;
+  return step;
 }
 
-void MovementMetric::interrupt() {
+void MovementSteps::interrupt() {
   pose_.reset();
-  step_.reset();
-  unexplained_m_.reset();
+  velocity_.reset();
+}
+
+std::optional<MovementStep> MovementMetric::add(const Pose& pose, double time_s) {
+  const std::optional<MovementStep> step = steps_.next(pose, time_s);
+  if (!step) return step;
+  speeds_m_s_.push_back(step->speed_m_s);
+  largest_step_m_ = std::max(largest_step_m_, step->length_m);
+  if (step->acceleration_m_s2) accelerations_m_s2_.push_back(*step->acceleration_m_s2);
+  slide_.add(step->slide_m_s);
+  return step;
 }
 
 MovementMetric::Figures MovementMetric::figures() const {

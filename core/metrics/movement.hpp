@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -8,19 +9,50 @@
 
 namespace abrazo {
 
-/// How a body moves: how fast, how hard it is accelerated, how its landed feet slide. The same for a capture
-/// and for what was made of it, so that the two can be put beside one another; in seconds, so that runs of
-/// other step rates can. Speed of a step: mean over the joints of their displacement by the time that passed.
-/// Acceleration at a pose: change of the joints' velocities across it by half the time from the pose before
-/// to the one after; root mean square over the joints.
-class MovementMetric {
+/// What a body did from one pose to the next.
+struct MovementStep {
+  double length_m = 0;   ///< mean over the joints of their displacement
+  double speed_m_s = 0;  ///< that by the time that passed
+  /// Across the pose before: change of the joints' velocities by half the time from the pose before it to
+  /// this one; root mean square over the joints. Nothing before the third pose without interruption.
+  std::optional<double> acceleration_m_s2;
+  /// Mean over the joints of the distance from where the velocities of the step before would have led.
+  std::optional<double> unexplained_m;
+  std::array<std::optional<double>, 2> slide_m_s;  ///< of landed toe bases: left, right
+};
+
+/// Takes poses as they come and says what each step was.
+class MovementSteps {
  public:
-  explicit MovementMetric(const ToeRest& rest) : rest_(rest) {}
+  explicit MovementSteps(const ToeRest& rest) : rest_(rest) {}
 
   /// @param time_s  of the pose; one that is not later than that of the pose before interrupts
-  void add(const Pose& pose, double time_s);
+  /// @return nothing for the first pose, also after an interruption
+  std::optional<MovementStep> next(const Pose& pose, double time_s);
   /// The next pose is not compared with the last: a step failed, or another take begins.
   void interrupt();
+
+ private:
+  struct Velocity {
+    Pose m_s;
+    double elapsed_s;
+  };
+  ToeRest rest_;
+  std::optional<Pose> pose_;  ///< the last one
+  double time_s_ = 0;
+  std::optional<Velocity> velocity_;  ///< of the step that led to it
+};
+
+/// How a body moves: how fast, how hard it is accelerated, how its landed feet slide. The same for a capture
+/// and for what was made of it, so that the two can be put beside one another; in seconds, so that runs of
+/// other step rates can.
+class MovementMetric {
+ public:
+  explicit MovementMetric(const ToeRest& rest) : steps_(rest) {}
+
+  /// @see MovementSteps::next
+  std::optional<MovementStep> add(const Pose& pose, double time_s);
+  void interrupt() { steps_.interrupt(); }
 
   /// Not a number where there was nothing to measure.
   struct Figures {
@@ -36,20 +68,8 @@ class MovementMetric {
   const std::vector<double>& accelerations_m_s2() const { return accelerations_m_s2_; }
   const FootSlideMetric& slide() const { return slide_; }
 
-  /// Mean over the joints of the distance of the last pose from where the velocities of the step before would
-  /// have brought it [m]; nothing before the third pose without interruption.
-  std::optional<double> unexplained_m() const { return unexplained_m_; }
-
  private:
-  struct Step {
-    Pose velocity_m_s;
-    double elapsed_s;
-  };
-  ToeRest rest_;
-  std::optional<Pose> pose_;  ///< the last one
-  double time_s_ = 0;
-  std::optional<Step> step_;  ///< that led to it
-  std::optional<double> unexplained_m_;
+  MovementSteps steps_;
   std::vector<double> speeds_m_s_, accelerations_m_s2_;
   double largest_step_m_ = 0;
   FootSlideMetric slide_;

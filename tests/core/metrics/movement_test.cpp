@@ -68,12 +68,12 @@ TEST(Movement, OneJointOfTwentyFiveCountsAsOne) {
   metric.add(pose, 0);
   metric.add(pose, 0.1);
   pose(joints::Head, 1) += 0.5;  // 5 m/s, after none: 50 m/s^2
-  metric.add(pose, 0.2);
+  const auto step = metric.add(pose, 0.2);
   const auto f = metric.figures();
   EXPECT_NEAR(f.speed_p99_m_s, 0.99 * 5.0 / 25, 1e-9);
   EXPECT_NEAR(f.acceleration_rms_m_s2, 50 / 5.0, 1e-9);
-  ASSERT_TRUE(metric.unexplained_m());
-  EXPECT_NEAR(*metric.unexplained_m(), 0.5 / 25, 1e-12);
+  ASSERT_TRUE(step && step->unexplained_m);
+  EXPECT_NEAR(*step->unexplained_m, 0.5 / 25, 1e-12);
 }
 
 TEST(Movement, AcrossAnInterruptionThereIsNone) {
@@ -81,9 +81,8 @@ TEST(Movement, AcrossAnInterruptionThereIsNone) {
   metric.add(at(0), 0);
   metric.add(at(0.01), 0.1);
   metric.interrupt();
-  metric.add(at(5), 0.2);
-  EXPECT_FALSE(metric.unexplained_m());
-  metric.add(at(5.01), 0.3);
+  EXPECT_FALSE(metric.add(at(5), 0.2));
+  EXPECT_FALSE(metric.add(at(5.01), 0.3)->acceleration_m_s2);
   metric.add(at(9), 0.3);  // no time passed
   metric.add(at(9.01), 0.4);
   const auto f = metric.figures();
