@@ -21,6 +21,7 @@ constexpr std::array movement_row_table = {
     MovementRow{"partner_error_m", "joint error, mean", "cm", 100, &TakeFigures::partner_error_m},
     MovementRow{"selected_error_m", "joint error of the selected pair's partner, mean", "cm", 100,
                 &TakeFigures::selected_error_m},
+    MovementRow{"lag_s", "lag", "ms", 1000, &TakeFigures::lag_s},
     MovementRow{"speed_p50_m_per_s", "speed, median", "m/s", 1, &TakeFigures::speed_p50_m_s,
                 &TakeFigures::own_speed_p50_m_s},
     MovementRow{"speed_p99_m_per_s", "speed, 99th percentile", "m/s", 1, &TakeFigures::speed_p99_m_s,
@@ -142,6 +143,7 @@ MovementFigures measure_take_movement(const SynthesisedTake& take, Pooled& poole
   MovementMetric captured(rest);
   HoldMetric of_pairs, of_capture(HoldMetric::captured_hold_held_m);
   std::vector<double> errors_m, selected_errors_m;
+  std::vector<Pose> made_poses, captured_poses;
   for (std::size_t step = 0; step < take.size(); ++step) {
     if (!take.follows[step]) quality.interrupt(), captured.interrupt();
     const PartnerStep made = take.partner_step(step);
@@ -149,6 +151,8 @@ MovementFigures measure_take_movement(const SynthesisedTake& take, Pooled& poole
     captured.add(take.true_partner(step), made.time_s);
     of_pairs.add(take.results[step], take.selected[step]);
     of_capture.add(take.results[step], take.true_pair(step));
+    made_poses.push_back(made.partner);
+    captured_poses.push_back(take.true_partner(step));
     errors_m.push_back(mean_joint_distance(made.partner, take.true_partner(step)));
     selected_errors_m.push_back(mean_joint_distance(take.selected_partner(step), take.true_partner(step)));
   }
@@ -157,6 +161,7 @@ MovementFigures measure_take_movement(const SynthesisedTake& take, Pooled& poole
   pooled.pace.insert(pooled.pace.end(), quality.paces().begin(), quality.paces().end());
   pooled.hover_m.insert(pooled.hover_m.end(), quality.hovers_m().begin(), quality.hovers_m().end());
   MovementFigures figures;
+  figures.lag_s = measure_lag(captured_poses, made_poses, take.rate_hz).shift_s;
   figures.partner_error_m = mean(errors_m);
   figures.selected_error_m = mean(selected_errors_m);
   set_quality(quality.figures(), figures);

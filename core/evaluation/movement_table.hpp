@@ -13,6 +13,7 @@ struct SynthesisedTake;
 /// at the same steps. Not a number where there was nothing to measure.
 struct MovementFigures {
   double partner_error_m = 0, selected_error_m = 0;
+  double lag_s = 0;  ///< positive: late
   double speed_p50_m_s = 0, own_speed_p50_m_s = 0;
   double speed_p99_m_s = 0, own_speed_p99_m_s = 0;
   double speed_rms_m_s = 0, own_speed_rms_m_s = 0;

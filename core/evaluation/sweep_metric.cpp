@@ -75,7 +75,7 @@ Status check_metric(std::string_view metric) {
 }
 
 MetricGoal goal_of(std::string_view metric) {
-  if (metric == "partner.lag_ms") return MetricGoal::NearestZero;
+  if (metric == "partner.lag_ms" || metric == "movement.lag_s") return MetricGoal::NearestZero;
   constexpr std::array<std::string_view, 16> high = {"lenient_rate",
                                                      "rate",
                                                      "successful",

@@ -145,6 +145,16 @@ TEST(MovementTable, IsTheMeanOverTheTakesAndOfLargestStepsTheLargest) {
   EXPECT_LT(table.all.step_at_change_max_m, 0.2);
 }
 
+TEST(MovementTable, ThePartnerIsLateByItsLag) {
+  Dance dance("late", 0);
+  for (int step = steps - 1; step >= 0; --step) {
+    const auto frame = static_cast<std::size_t>(first_frame + step - 6);
+    dance.made.results[static_cast<std::size_t>(step)].bottomRows<joint_count>() = dance.take.b.poses[frame];
+  }
+  const std::vector<SynthesisedTake> takes = {dance.made};
+  EXPECT_NEAR(measure_movement(takes).all.lag_s, 0.1, 1e-3);
+}
+
 TEST(MovementTable, LockedFeetHoverAboveTheRestOfTheCapturedFoot) {
   // The made partner's left toe base is where the captured one's is, but for 2 cm of wavering.
   EXPECT_GT(measured().all.hover_mean_m, 0.01);
