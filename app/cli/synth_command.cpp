@@ -70,7 +70,7 @@ Status solve(CommandLine& line, PartnerSynthesizer& synthesizer, const Clip& cli
         if (run.trace) run.trace->add(trace_frame_line(step.result, library, step.input_frame, step.time_s));
         run.active.poses.emplace_back(step.result.active());
         run.passive.poses.emplace_back(step.result.passive());
-        run.summary.add(step.result);
+        run.summary.add(step.result, step.time_s);
         return Done{};
       },
       terminal_progress(line));

@@ -10,7 +10,12 @@
 namespace abrazo::app {
 namespace {
 
-constexpr std::size_t solve_times_kept = 1200;  // ten seconds at 120 Hz
+constexpr std::size_t values_kept = 1200;  // ten seconds at 120 Hz
+
+void keep_latest(std::vector<double>& values) {
+  if (values.size() > values_kept)
+    values.erase(values.begin(), values.end() - static_cast<std::ptrdiff_t>(values_kept));
+}
 
 }  // namespace
 
@@ -38,6 +43,7 @@ void StatusFigures::setInput(const QString& name, int library_pairs) {
   m_pairs = library_pairs;
   m_nextIndex = 0;
   m_solve_us.clear();
+  m_speed_m_s.clear();
   update();
 }
 
@@ -57,9 +63,11 @@ void StatusFigures::refresh(const FrameHistory& history, std::uint64_t rendered_
     newest = frame;
     m_nextIndex = frame->index + 1;
     m_solve_us.push_back(frame->result.timing.total_us);
+    const double speed_m_s = m_series.read(*frame)[static_cast<std::size_t>(widgets::Series::PartnerSpeed)];
+    if (std::isfinite(speed_m_s)) m_speed_m_s.push_back(speed_m_s);
   }
-  if (m_solve_us.size() > solve_times_kept)
-    m_solve_us.erase(m_solve_us.begin(), m_solve_us.end() - static_cast<std::ptrdiff_t>(solve_times_kept));
+  keep_latest(m_solve_us);
+  keep_latest(m_speed_m_s);
   const auto span = history.span();
   const auto ms = [this](double share) {
     return QString::number(percentile(m_solve_us, share) / 1000, 'f', 2);
@@ -70,7 +78,8 @@ void StatusFigures::refresh(const FrameHistory& history, std::uint64_t rendered_
               {"loss", QString::number(newest->dropped_inputs)},
               {"solve", ms(0.5) + " ms"},
               {"p99", ms(0.99) + " ms"},
-              {"render", QString("%1 fps").arg(m_renderRate, 0, 'f', 0)}};
+              {"render", QString("%1 fps").arg(m_renderRate, 0, 'f', 0)},
+              {"partner p99", QString("%1 m/s").arg(percentile(m_speed_m_s, 0.99), 0, 'f', 1)}};
   } else if (m_left.size() >= 5) {
     m_left[0].value = "0 Hz";
     m_left[4].value = QString("%1 fps").arg(m_renderRate, 0, 'f', 0);

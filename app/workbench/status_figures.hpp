@@ -8,10 +8,11 @@
 
 #include "core/session/frame_history.hpp"
 #include "widgets/common/palette.hpp"
+#include "widgets/plots/plot_series.hpp"
 
 namespace abrazo::app {
 
-/// The status bar's one line: is it keeping up?
+/// The status bar's one line: is it keeping up, and does the partner move like a person?
 class StatusFigures : public QWidget {
   Q_OBJECT
  public:
@@ -40,7 +41,9 @@ class StatusFigures : public QWidget {
   std::uint64_t m_rendered = 0;
   double m_renderRate = 0;
   QElapsedTimer m_sinceRefresh;
-  std::vector<double> m_solve_us;  ///< of the last while
+  std::vector<double> m_solve_us;   ///< of the last while
+  std::vector<double> m_speed_m_s;  ///< of the partner, the same
+  widgets::SeriesReader m_series;
 };
 
 /// The value below which `share` of the values are; 0 without values.

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <limits>
 #include <numeric>
 #include <vector>
 
@@ -27,6 +29,25 @@ inline double upper_median(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
+}
+
+/// The value below which `fraction` of the values lie, between two of them by their distance from it, as most
+/// programs for statistics have it; not a number for none.
+inline double quantile(std::vector<double> values, double fraction) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const double rank = fraction * static_cast<double>(values.size() - 1);
+  const auto below = values.begin() + static_cast<std::ptrdiff_t>(rank);
+  std::nth_element(values.begin(), below, values.end());
+  const double share = rank - static_cast<double>(below - values.begin());
+  if (!(share > 0)) return *below;
+  return *below + share * (*std::min_element(below + 1, values.end()) - *below);
+}
+
+/// Not a number for none.
+inline double root_mean_square(const std::vector<double>& values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const double sum = std::inner_product(values.begin(), values.end(), values.begin(), 0.0);
+  return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
 }  // namespace abrazo

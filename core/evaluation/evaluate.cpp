@@ -83,6 +83,7 @@ Result<UserResult> measure_user(const EvaluationData& data, const std::vector<co
   result.zmp = measure_zmp(*runs, ZmpSettings{});
   result.contact = measure_contact(*runs, *data.library);
   result.partner = measure_partner(*runs);
+  result.movement = measure_movement(*runs);
   result.solve = measure_solve_times(*runs);
   return result;
 }

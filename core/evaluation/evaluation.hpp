@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/evaluation/movement_table.hpp"
 #include "core/metrics/continuity.hpp"
 #include "core/metrics/holds.hpp"
 #include "core/metrics/penetration.hpp"
@@ -69,7 +70,13 @@ struct ZmpTable {
   /// left when jumps between recorded pairs do not count.
   double partner_between_changes_m = 0, original_between_changes_m = 0;
   double between_changes_share = 0;  ///< of the steps
-  ZmpSettings settings;              ///< as measured
+  /// Captured and synthesised over the body frames that count in both.
+  CommonZmp common, common_partner;
+  /// Frames of the partner that are left out: too little presses on the floor, no foot is near it.
+  int partner_free_fall = 0, original_partner_free_fall = 0;
+  int partner_no_support = 0, original_partner_no_support = 0;
+  int partner_frames = 0, original_partner_frames = 0;  ///< that count
+  ZmpSettings settings;                                 ///< as measured
 };
 
 struct ContactTable {
@@ -100,6 +107,7 @@ struct UserResult {
   ZmpTable zmp;
   ContactTable contact;
   PartnerTable partner;
+  MovementTable movement;
   SolveTimes solve;
 };
 

@@ -161,10 +161,11 @@ std::vector<std::string> contact_definitions(const Evaluation& evaluation) {
         "result \u2212 distance in the selected pair|. Kept: within 16 cm in the result. Precision: the "
         "share of holds of the result that are within 16 cm in the selected pair; F1: harmonic mean of both.",
         "Penetration: deepest overlap of two capsules of different bodies; radii are calibrated for each "
-        "performer; hands and forearms that hold one another are left out. Beyond the pair's own: what the "
+        "body; hands and forearms that hold one another are left out. Beyond the pair's own: what the "
         "same two capsules overlap more than in the selected pair. Sliding: mean horizontal speed of toe "
-        "bases less than 3 cm above their resting height; captured feet pivot and brush, so zero is not the "
-        "aim."};
+        "bases less than 3 cm above their rest, the 5th percentile of the captured foot's height, over all "
+        "takes together; captured feet pivot and brush, so zero is not the aim. Radii are those of the "
+        "bodies that a result has, for result and capture alike."};
   texts.emplace_back(
       "Joint error: mean over 25 joints of the distance to the captured partner in world space. Lag: time "
       "shift at which the joint velocities of captured and synthesised partner correlate best, mean over the "

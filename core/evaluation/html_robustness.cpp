@@ -22,7 +22,8 @@ std::vector<const UserResult*> all_users(const Evaluation& evaluation) {
 std::string users_table(const Evaluation& evaluation) {
   std::vector<std::string> columns = {"user"};
   if (evaluation.has_moves) columns.insert(columns.end(), {"success rate", "lenient"});
-  columns.insert(columns.end(), {"joint error, mean (cm)", "lag (ms)", "displacement, p99 (cm)"});
+  columns.insert(columns.end(), {"joint error, mean (cm)", "lag (ms)", "speed, p99 (m/s)",
+                                 "acceleration, times the captured"});
   if (evaluation.has_contact)
     columns.insert(columns.end(), {"hold change (cm)", "excess penetration, p99 (cm)", "sliding (cm/s)"});
   columns.insert(columns.end(), {"relaxed", "failed"});
@@ -32,9 +33,10 @@ std::string users_table(const Evaluation& evaluation) {
     if (evaluation.has_moves)
       cells.insert(cells.end(), {percent_text(share_of(user->moves.all.successful, user->moves.all.total)),
                                  percent_text(share_of(user->moves.all.lenient, user->moves.all.total))});
-    cells.insert(cells.end(), {number_text(cm_per_m * user->partner.mean_joint_error_m),
-                               number_text(ms_per_s * user->partner.lag_s),
-                               number_text(cm_per_m * user->partner.continuity.displacement_p99_m)});
+    cells.insert(cells.end(),
+                 {number_text(cm_per_m * user->partner.mean_joint_error_m),
+                  number_text(ms_per_s * user->partner.lag_s), number_text(user->movement.all.speed_p99_m_s),
+                  number_text(user->movement.all.acceleration_ratio)});
     if (evaluation.has_contact)
       cells.insert(cells.end(), {number_text(cm_per_m * user->contact.holds.change_mean_m),
                                  small_number(cm_per_m * user->contact.penetration.excess_p99_m, 0.01),

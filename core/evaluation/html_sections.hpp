@@ -16,6 +16,8 @@ std::optional<HtmlSection> selection_section(const Evaluation& evaluation);  ///
 std::optional<HtmlSection> timing_section(const Evaluation& evaluation);     ///< Table II
 std::optional<HtmlSection> moves_section(const Evaluation& evaluation);      ///< Table III
 std::optional<HtmlSection> zmp_section(const Evaluation& evaluation);        ///< Table IV
+std::optional<HtmlSection> movement_section(
+    const Evaluation& evaluation);  ///< how the partner moves, beside the captured one
 std::optional<HtmlSection> contact_section(const Evaluation& evaluation);  ///< what the paper does not print
 std::optional<HtmlSection> robustness_section(
     const Evaluation& evaluation);  ///< other users, disturbed input

@@ -30,6 +30,9 @@ std::string zmp_table(const ZmpTable& zmp) {
   };
   own("both bodies", zmp.original_m, zmp.synthesised_m);
   own("the partner alone", zmp.original_partner_m, zmp.synthesised_partner_m);
+  own("both bodies, frames that count in both motions", zmp.common.first_m, zmp.common.second_m);
+  own("the partner alone, frames that count in both motions", zmp.common_partner.first_m,
+      zmp.common_partner.second_m);
   if (zmp.between_changes_share > 0)
     own(fmt::format("the partner between changes of source ({} of the steps)",
                     percent_text(zmp.between_changes_share, 0)),
@@ -68,6 +71,15 @@ std::vector<std::string> zmp_notes(const Evaluation& evaluation, const ZmpTable&
                     number_text(row.synthesised / row.original, 3),
                     number_text(zmp.original_m / metres_per_asf_unit, 2), fixed_text(row.original, 2)));
   }
+  if (const int left_out = zmp.partner_free_fall + zmp.partner_no_support; left_out > 0)
+    notes.push_back(fmt::format(
+        "Of the partner's frames {} are left out: in {} (captured {}) too little presses on the floor for "
+        "the point to be defined, in {} (captured {}) no foot is near it. Those are the worst ones. Over the "
+        "frames that count in both motions the partner's ratio is {}.",
+        percent_text(share_of(left_out, zmp.partner_frames + left_out)),
+        number_text(zmp.partner_free_fall, 1), number_text(zmp.original_partner_free_fall, 1),
+        number_text(zmp.partner_no_support, 1), number_text(zmp.original_partner_no_support, 1),
+        number_text(share_of(zmp.common_partner.second_m, zmp.common_partner.first_m), 3)));
   const double partner = share_of(zmp.synthesised_partner_m, zmp.original_partner_m);
   const double between = share_of(zmp.partner_between_changes_m, zmp.original_between_changes_m);
   if (zmp.between_changes_share > 0 && partner - between > 0.02)

@@ -76,6 +76,10 @@ void add_result_tiles(const Evaluation& evaluation, std::vector<HtmlTile>& tiles
   tiles.push_back(
       {"partner's joint error, mean", number_text(100 * result.partner.mean_joint_error_m) + " cm",
        "median " + number_text(100 * result.partner.median_joint_error_m) + " cm; not in the paper"});
+  if (const MovementFigures& f = result.movement.all; !result.movement.takes.empty())
+    tiles.push_back({"partner's speed, 99th percentile", number_text(f.speed_p99_m_s) + " m/s",
+                     "captured " + number_text(f.own_speed_p99_m_s) + " m/s; accelerated " +
+                         number_text(f.acceleration_ratio, 2) + " times as hard"});
   if (evaluation.has_contact && result.contact.holds.holds > 0)
     tiles.push_back({"change of hand holds, mean",
                      number_text(100 * result.contact.holds.change_mean_m) + " cm",
@@ -110,8 +114,8 @@ std::string report_html(const Evaluation& evaluation) {
       "The experiments of Ho, Chan, Komura and Leung, Interactive Partner Control in Close Interactions for "
       "Real-Time Applications (2013), section 4, and what goes beyond them";
   page.head_html = facts(evaluation) + html_tiles(tiles(evaluation));
-  for (const auto section :
-       {selection_section, timing_section, moves_section, zmp_section, contact_section, robustness_section})
+  for (const auto section : {selection_section, timing_section, moves_section, zmp_section, movement_section,
+                             contact_section, robustness_section})
     if (auto made = section(evaluation)) page.sections.push_back(std::move(*made));
   page.sections.push_back(settings_section(evaluation.settings));
   if (!evaluation.remarks.empty())

@@ -158,6 +158,25 @@ void write_zmp(JsonText& json, const ZmpTable& zmp) {
                      zmp.partner_between_changes_m);
     json.key("share_of_steps").value(zmp.between_changes_share);
   }
+  const auto common = [&](std::string_view key, const CommonZmp& figures) {
+    const Object frames(json, key);
+    metres_and_units("original_m", "synthesised_m", 1, figures.first_m, figures.second_m);
+    json.key("ratio").value(figures.second_m / figures.first_m);
+    json.key("frames").value(figures.frames);
+  };
+  common("common_frames", zmp.common);
+  common("partner_common_frames", zmp.common_partner);
+  {
+    const Object left_out(json, "partner_left_out");
+    const auto frames = [&](std::string_view key, int original, int synthesised) {
+      const Object counted(json, key);
+      json.key("original").value(original);
+      json.key("synthesised").value(synthesised);
+    };
+    frames("free_fall_frames", zmp.original_partner_free_fall, zmp.partner_free_fall);
+    frames("no_support_frames", zmp.original_partner_no_support, zmp.partner_no_support);
+    frames("frames_that_count", zmp.original_partner_frames, zmp.partner_frames);
+  }
   const Object settings(json, "settings");
   json.key("segments").value(name_of(zmp.settings.segments));
   json.key("floor_m").value(zmp.settings.floor_m);
@@ -221,6 +240,39 @@ void write_partner(JsonText& json, const PartnerTable& partner) {
   write_continuity(json, partner.original_continuity);
 }
 
+/// Rows of one key stand together: "pace.p05" opens the object that "pace.p95" is the last of.
+void write_movement_figures(JsonText& json, const MovementFigures& figures) {
+  std::string_view open;
+  for (const MovementRow& row : movement_rows()) {
+    const std::size_t dot = row.key.find('.');
+    const std::string_view group = dot == std::string_view::npos ? "" : row.key.substr(0, dot);
+    if (!open.empty() && group != open) json.end_object();
+    if (!group.empty() && group != open) json.key(group).begin_object();
+    open = group;
+    json.key(group.empty() ? row.key : row.key.substr(dot + 1));
+    if (row.captured == nullptr) {
+      json.value(figures.*row.made);
+      continue;
+    }
+    json.begin_object();
+    json.key("captured").value(figures.*row.captured);
+    json.key("synthesised").value(figures.*row.made);
+    json.end_object();
+  }
+  if (!open.empty()) json.end_object();
+}
+
+void write_movement(JsonText& json, const MovementTable& movement) {
+  const Object object(json, "movement");
+  write_movement_figures(json, movement.all);
+  const Array array(json, "per_take");
+  for (std::size_t t = 0; t < movement.takes.size(); ++t) {
+    const Object take(json);
+    json.key("take").value(movement.takes[t]);
+    write_movement_figures(json, movement.per_take[t]);
+  }
+}
+
 void write_solve(JsonText& json, const SolveTimes& solve) {
   const Object object(json, "solve_us");
   json.key("p50").value(solve.p50_us);
@@ -241,6 +293,7 @@ void write_users(JsonText& json, std::string_view key, const Evaluation& evaluat
     if (evaluation.has_moves) write_moves(json, user.moves);
     if (evaluation.has_contact) write_contact(json, user.contact);
     write_partner(json, user.partner);
+    write_movement(json, user.movement);
     if (evaluation.has_zmp && user.zmp.frames > 0) write_zmp(json, user.zmp);
     write_solve(json, user.solve);
   }
@@ -274,6 +327,7 @@ std::string report_json(const Evaluation& evaluation) {
     if (evaluation.has_zmp) write_zmp(json, result.zmp);
     if (evaluation.has_contact) write_contact(json, result.contact);
     write_partner(json, result.partner);
+    write_movement(json, result.movement);
     write_solve(json, result.solve);
   }
   write_users(json, "builds", evaluation, evaluation.builds);

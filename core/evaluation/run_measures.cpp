@@ -56,76 +56,65 @@ std::vector<Stretch> stretches_of(const SynthesisedTake& take, bool by_source) {
   return stretches;
 }
 
-struct SlideMean {
-  WeightedMean mean;
-  void add(const SynthesisedTake& take, const std::vector<Pose>& poses) {
-    const double floor_m = toe_rest_height(poses);
-    for (const Stretch& stretch : stretches_of(take, false)) {
-      const FootSlide slide = measure_foot_slide(stretch.of(poses), take.rate_hz, floor_m);
-      mean.add(slide.speed_m_s, slide.landed_frames);
-    }
-  }
-};
-
-/// Radii of performers A and B of a captured take; of the library's usual bodies in their roles when it is
-/// not in the library.
-std::pair<const CapsuleRadii*, const CapsuleRadii*> radii_of(const SynthesisedTake& take,
-                                                             const MotionLibrary& library) {
-  if (take.of_library) {
-    const LibraryTake& known = library.takes()[static_cast<std::size_t>(library.find_take(take.take->name))];
-    return {&library.bodies()[known.body_a].capsule_radii, &library.bodies()[known.body_b].capsule_radii};
-  }
-  const CapsuleRadii *active = &library.usual_active_body().capsule_radii,
-                     *passive = &library.usual_passive_body().capsule_radii;
-  return take.active() == ActivePerformer::A ? std::pair(active, passive) : std::pair(passive, active);
+/// @param captured  the whole motion of the performer that `poses` stand beside
+void add_slide(const SynthesisedTake& take, const std::vector<Pose>& poses, const Clip& captured,
+               FootSlideMetric& metric) {
+  const ToeRest rest = toe_rest(captured.poses);
+  for (std::size_t step = 1; step < take.size(); ++step)
+    if (take.follows[step])
+      metric.add(poses[step - 1], poses[step], take.times_s[step] - take.times_s[step - 1], rest);
 }
 
-PairPose captured_pair(const PairedTake& take, int frame) {
-  PairPose pair;
-  pair << take.a.poses[static_cast<std::size_t>(frame)], take.b.poses[static_cast<std::size_t>(frame)];
-  return pair;
-}
-
-void add_captured_penetration(const SynthesisedTake& take, const MotionLibrary& library,
-                              PenetrationMetric& metric) {
-  const auto [a, b] = radii_of(take, library);
-  for (const int frame : take.frames) {
-    const PairPose pair = captured_pair(*take.take, frame);
-    metric.add(pair, pair, *a, *b);
-  }
-}
-
+/// Result and capture are measured with the same radii, those of the bodies that a result has.
 void add_contact(const SynthesisedTake& take, const MotionLibrary& library, HoldMetric& holds,
-                 PenetrationMetric& penetration) {
+                 PenetrationMetric& penetration, PenetrationMetric& captured_penetration) {
+  const CapsuleRadii& active = library.usual_active_body().capsule_radii;
+  const CapsuleRadii& passive = library.usual_passive_body().capsule_radii;
   for (std::size_t step = 0; step < take.size(); ++step) {
     holds.add(take.results[step], take.selected[step]);
-    penetration.add(take.results[step], take.selected[step],
-                    library.active_body(take.pairs[step]).capsule_radii,
-                    library.passive_body(take.pairs[step]).capsule_radii);
+    penetration.add(take.results[step], take.selected[step], active, passive);
+    const PairPose captured = take.true_pair(step);
+    captured_penetration.add(captured, captured, active, passive);
   }
 }
+
+/// A body as captured and as it came out, in the same stretches of the same takes.
+struct ZmpPair {
+  ZmpError original, synthesised;
+  ZmpComparison comparison;
+
+  template <typename OriginalOf, typename SynthesisedOf>
+  void add(const SynthesisedTake& take, const ZmpSettings& settings, bool by_source,
+           const OriginalOf& original_of, const SynthesisedOf& synthesised_of) {
+    const std::vector<Pose> captured = poses_of(take, original_of), made = poses_of(take, synthesised_of);
+    for (const Stretch& stretch : stretches_of(take, by_source)) {
+      const ZmpError of_captured = measure_zmp(stretch.of(captured), take.rate_hz, settings);
+      const ZmpError of_made = measure_zmp(stretch.of(made), take.rate_hz, settings);
+      comparison.add(of_captured, of_made);
+      original.append(of_captured);
+      synthesised.append(of_made);
+    }
+  }
+  void append(const ZmpPair& other) {
+    original.append(other.original);
+    synthesised.append(other.synthesised);
+    comparison.append(other.comparison);
+  }
+};
 
 }  // namespace
 
 ZmpTable measure_zmp(std::span<const SynthesisedTake> takes, const ZmpSettings& settings) {
-  ZmpError original, synthesised, original_partner, synthesised_partner, between, original_between;
+  ZmpPair both, of_partner, of_partner_between;
   for (const SynthesisedTake& take : takes) {
-    const auto measured = [&](const auto& pose_of, bool by_source) {
-      const std::vector<Pose> poses = poses_of(take, pose_of);
-      ZmpError error;
-      for (const Stretch& stretch : stretches_of(take, by_source))
-        error.append(measure_zmp(stretch.of(poses), take.rate_hz, settings));
-      return error;
-    };
-    original_partner.append(measured(true_partner, false));
-    synthesised_partner.append(measured(partner, false));
-    original.append(measured(true_user, false));
-    synthesised.append(measured(user_body, false));
-    original_between.append(measured(true_partner, true));
-    between.append(measured(partner, true));
+    of_partner.add(take, settings, false, true_partner, partner);
+    both.add(take, settings, false, true_user, user_body);
+    of_partner_between.add(take, settings, true, true_partner, partner);
   }
-  original.append(original_partner);
-  synthesised.append(synthesised_partner);
+  both.append(of_partner);
+  const ZmpError &original = both.original, &synthesised = both.synthesised;
+  const ZmpError &original_partner = of_partner.original, &synthesised_partner = of_partner.synthesised;
+  const ZmpError &original_between = of_partner_between.original, &between = of_partner_between.synthesised;
   const std::size_t partner_frames = synthesised_partner.error_m.size();
   return {.original_m = original.mean_m(),
           .synthesised_m = synthesised.mean_m(),
@@ -139,6 +128,14 @@ ZmpTable measure_zmp(std::span<const SynthesisedTake> takes, const ZmpSettings& 
           .between_changes_share = partner_frames > 0 ? static_cast<double>(between.error_m.size()) /
                                                             static_cast<double>(partner_frames)
                                                       : 0,
+          .common = both.comparison.common(),
+          .common_partner = of_partner.comparison.common(),
+          .partner_free_fall = synthesised_partner.skipped_free_fall,
+          .original_partner_free_fall = original_partner.skipped_free_fall,
+          .partner_no_support = synthesised_partner.skipped_no_support,
+          .original_partner_no_support = original_partner.skipped_no_support,
+          .partner_frames = static_cast<int>(synthesised_partner.error_m.size()),
+          .original_partner_frames = static_cast<int>(original_partner.error_m.size()),
           .settings = settings};
 }
 
@@ -146,22 +143,21 @@ ContactTable measure_contact(std::span<const SynthesisedTake> takes, const Motio
   ContactTable table;
   HoldMetric holds;
   PenetrationMetric penetration, original_penetration;
-  SlideMean original_slide, partner_slide, user_slide;
+  FootSlideMetric original_slide, partner_slide, user_slide;
   for (const SynthesisedTake& take : takes) {
-    add_contact(take, library, holds, penetration);
-    add_captured_penetration(take, library, original_penetration);
-    original_slide.add(take, poses_of(take, true_partner));
-    partner_slide.add(take, poses_of(take, partner));
-    user_slide.add(take, poses_of(take, user_body));
+    add_contact(take, library, holds, penetration, original_penetration);
+    add_slide(take, poses_of(take, true_partner), take.true_partner_clip(), original_slide);
+    add_slide(take, poses_of(take, partner), take.true_partner_clip(), partner_slide);
+    add_slide(take, poses_of(take, user_body), take.true_user_clip(), user_slide);
     table.bone_length_max = std::max(table.bone_length_max, take.bone_length_max);
     table.foot_lock_drift_max_m = std::max(table.foot_lock_drift_max_m, take.foot_lock_drift_max_m);
   }
   table.holds = holds.figures();
   table.penetration = penetration.figures();
   table.original_penetration = original_penetration.figures();
-  table.original_foot_slide_m_s = original_slide.mean.value();
-  table.foot_slide_m_s = partner_slide.mean.value();
-  table.user_foot_slide_m_s = user_slide.mean.value();
+  table.original_foot_slide_m_s = original_slide.figures().mean_m_s;
+  table.foot_slide_m_s = partner_slide.figures().mean_m_s;
+  table.user_foot_slide_m_s = user_slide.figures().mean_m_s;
   return table;
 }
 

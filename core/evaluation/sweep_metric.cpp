@@ -14,7 +14,8 @@ namespace abrazo {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> groups = {"moves", "zmp", "contact", "partner", "solve_us"};
+constexpr std::array<std::string_view, 6> groups = {"moves",   "zmp",      "contact",
+                                                    "partner", "movement", "solve_us"};
 
 void collect(const nlohmann::json& value, const std::string& path, Figures& figures) {
   if (value.is_number()) figures[path] = value.get<double>();
@@ -31,7 +32,8 @@ Evaluation complete_evaluation() {
   Evaluation evaluation;
   evaluation.result.emplace();
   evaluation.result->moves.all.total = 1;
-  evaluation.result->zmp.original_m = 1;
+  ZmpTable& zmp = evaluation.result->zmp;
+  zmp.original_m = zmp.common.first_m = zmp.common_partner.first_m = zmp.partner_frames = 1;
   evaluation.has_moves = evaluation.has_zmp = evaluation.has_contact = true;
   return evaluation;
 }
@@ -44,7 +46,10 @@ Figures figures_of(const Evaluation& evaluation) {
   for (const std::string_view group : groups)
     if (const auto found = report.find(std::string(group)); found != report.end())
       collect(*found, std::string(group), figures);
-  std::erase_if(figures, [](const auto& figure) { return figure.first.starts_with("zmp.settings."); });
+  // Nothing is better for a higher or a lower one of these.
+  std::erase_if(figures, [](const auto& figure) {
+    return figure.first.starts_with("zmp.settings.") || figure.first.starts_with("movement.pace.p");
+  });
   return figures;
 }
 
@@ -70,10 +75,23 @@ Status check_metric(std::string_view metric) {
 }
 
 MetricGoal goal_of(std::string_view metric) {
-  if (metric == "partner.lag_ms") return MetricGoal::NearestZero;
-  constexpr std::array<std::string_view, 12> high = {
-      "lenient_rate", "rate",           "successful", "lenient",         "step_accuracy", "by_chance",
-      "holds_kept",   "hold_precision", "hold_f1",    "lag_correlation", "holds",         "total"};
+  if (metric == "partner.lag_ms" || metric == "movement.lag_s") return MetricGoal::NearestZero;
+  constexpr std::array<std::string_view, 16> high = {"lenient_rate",
+                                                     "rate",
+                                                     "successful",
+                                                     "lenient",
+                                                     "step_accuracy",
+                                                     "by_chance",
+                                                     "holds_kept",
+                                                     "hold_precision",
+                                                     "hold_f1",
+                                                     "lag_correlation",
+                                                     "holds",
+                                                     "total",
+                                                     "captured_holds_held",
+                                                     "captured_hold_recall",
+                                                     "captured_hold_precision",
+                                                     "own_share"};
   const std::string_view last = metric.substr(metric.rfind('.') + 1);
   const bool highest = std::find(high.begin(), high.end(), last) != high.end();
   return highest ? MetricGoal::Highest : MetricGoal::Lowest;

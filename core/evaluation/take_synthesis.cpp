@@ -21,8 +21,12 @@ std::optional<ActivePerformer> active_throughout(const PairedTake& take) {
   return first;
 }
 
-void keep(const ClipStep& step, bool follows, SynthesisedTake& kept) {
+void keep(const ClipStep& step, bool follows, const MotionLibrary& library, SynthesisedTake& kept) {
   const FrameResult& result = step.result;
+  const PartnerStep partner = partner_step(result, step.time_s, library, kept.user_role != UserRole::Active);
+  kept.times_s.push_back(partner.time_s);
+  kept.sources.push_back(partner.source);
+  kept.locked_feet.push_back(partner.locked);
   kept.relaxed += result.status == StepStatus::Relaxed;
   kept.frames.push_back(static_cast<int>(step.input_frame));
   kept.results.push_back(result.result);
@@ -40,12 +44,37 @@ ActivePerformer other(ActivePerformer performer) {
   return performer == ActivePerformer::A ? ActivePerformer::B : ActivePerformer::A;
 }
 
+PartnerStep SynthesisedTake::partner_step(std::size_t step) const {
+  return {.partner = partner(step),
+          .time_s = times_s[step],
+          .source = sources[step],
+          .source_changed = source_changed[step] != 0,
+          .locked = locked_feet[step]};
+}
+
+const Clip& SynthesisedTake::true_partner_clip() const {
+  return clip_of(*take, other(user));
+}
+
+const Clip& SynthesisedTake::true_user_clip() const {
+  return clip_of(*take, user);
+}
+
 const Pose& SynthesisedTake::true_partner(std::size_t step) const {
-  return clip_of(*take, other(user)).poses[static_cast<std::size_t>(frames[step])];
+  return true_partner_clip().poses[static_cast<std::size_t>(frames[step])];
 }
 
 const Pose& SynthesisedTake::true_user(std::size_t step) const {
-  return clip_of(*take, user).poses[static_cast<std::size_t>(frames[step])];
+  return true_user_clip().poses[static_cast<std::size_t>(frames[step])];
+}
+
+PairPose SynthesisedTake::true_pair(std::size_t step) const {
+  PairPose pair;
+  if (user_role == UserRole::Active)
+    pair << true_user(step), true_partner(step);
+  else
+    pair << true_partner(step), true_user(step);
+  return pair;
 }
 
 Result<ActivePerformer> user_of(const PairedTake& take, UserRole role, bool both_roles) {
@@ -84,7 +113,7 @@ Result<SynthesisedTake> synthesise_take(const std::shared_ptr<const MotionLibrar
                                         const bool follows = solved;
                                         solved = step.result.status != StepStatus::Failed;
                                         if (solved)
-                                          keep(step, follows, kept);
+                                          keep(step, follows, *library, kept);
                                         else
                                           ++kept.failed;
                                         return Done{};

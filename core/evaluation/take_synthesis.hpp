@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "core/evaluation/user_variant.hpp"
 #include "core/library/motion_library.hpp"
 #include "core/library/paired_take.hpp"
+#include "core/metrics/motion_quality.hpp"
 #include "core/synthesis/settings.hpp"
 
 namespace abrazo {
@@ -30,6 +32,9 @@ struct SynthesisedTake {
   std::vector<int> pairs;          ///< of the library
   std::vector<char> source_changed;
   std::vector<char> follows;  ///< the step before did not fail
+  std::vector<double> times_s;
+  std::vector<SourceMoment> sources;
+  std::vector<std::array<bool, 2>> locked_feet;  ///< of the partner: left, right
 
   std::vector<double> step_us;  ///< of every step
   int relaxed = 0, failed = 0;
@@ -41,11 +46,16 @@ struct SynthesisedTake {
   Pose selected_partner(std::size_t step) const {
     return body(selected[step], user_role != UserRole::Active);
   }
+  PartnerStep partner_step(std::size_t step) const;
   /// Who was made to play the active role.
   ActivePerformer active() const { return user_role == UserRole::Active ? user : other(user); }
   /// What the partner did in the take.
   const Pose& true_partner(std::size_t step) const;
   const Pose& true_user(std::size_t step) const;
+  /// Both as captured, in the order of `results`.
+  PairPose true_pair(std::size_t step) const;
+  const Clip& true_partner_clip() const;
+  const Clip& true_user_clip() const;
 
  private:
   static Pose body(const PairPose& pair, bool active) {

@@ -1,76 +1,62 @@
 #include "core/metrics/foot_slide.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <stdexcept>
+#include <limits>
 
-#include "core/motion/body.hpp"
+#include "core/base/statistics.hpp"
 #include "core/motion/joint_set.hpp"
 
 namespace abrazo {
 
 namespace {
 
-constexpr double weight_height_m = 0.025;
-constexpr double sliding_m_s = 0.025 * 30;
-
-double horizontal_distance(const Pose& a, const Pose& b, int joint) {
-  return std::hypot(a(joint, 0) - b(joint, 0), a(joint, 2) - b(joint, 2));
-}
-
-/// Weight of a speed at a height above the rest: 1 on the floor, 0 from 2.5 cm on.
-double closeness(double height_m) {
-  return 2 - std::exp2(std::clamp(height_m / weight_height_m, 0.0, 1.0));
-}
-
-struct Sums {
-  double toe_m = 0, ankle_m = 0, weighted_m = 0;
-  int landed = 0, sliding = 0, standing_steps = 0;
-};
-
-/// Adds what the two feet do from one frame to the next.
-void add_step(const Pose& before, const Pose& after, double fps, double floor_m, double landing_height_m,
-              Sums& sums) {
-  using namespace joints;
-  bool stands = false;
-  for (const auto& [ankle, toe_base] :
-       {std::array{left_ankle, left_toe_base}, std::array{right_ankle, right_toe_base}}) {
-    const double toe_m = horizontal_distance(before, after, toe_base);
-    const double higher = std::max(before(toe_base, 1), after(toe_base, 1)) - floor_m;
-    sums.weighted_m += toe_m * closeness(0.5 * (before(toe_base, 1) + after(toe_base, 1)) - floor_m);
-    if (higher >= landing_height_m) continue;
-    stands = true;
-    ++sums.landed;
-    sums.toe_m += toe_m;
-    sums.ankle_m += horizontal_distance(before, after, ankle);
-    sums.sliding += toe_m * fps > sliding_m_s;
-  }
-  sums.standing_steps += stands;
-}
+constexpr std::array<int, 2> toe_bases = {joints::left_toe_base, joints::right_toe_base};
 
 }  // namespace
 
-FootSlide measure_foot_slide(std::span<const Pose> poses, double fps, double floor_m,
-                             double landing_height_m) {
-  if (!(fps > 0)) throw std::invalid_argument("measure_foot_slide: the frame rate must be positive");
-  FootSlide slide;
-  Sums sums;
-  for (std::size_t frame = 1; frame < poses.size(); ++frame)
-    add_step(poses[frame - 1], poses[frame], fps, floor_m, landing_height_m, sums);
-  slide.foot_frames = poses.empty() ? 0 : 2 * static_cast<int>(poses.size() - 1);
-  slide.landed_frames = sums.landed;
-  if (slide.foot_frames > 0) slide.weighted_m_s = sums.weighted_m * fps / slide.foot_frames;
-  if (sums.landed == 0) return slide;
-  slide.speed_m_s = sums.toe_m * fps / sums.landed;
-  slide.ankle_speed_m_s = sums.ankle_m * fps / sums.landed;
-  slide.distance_m_per_s = sums.toe_m * fps / sums.standing_steps;
-  slide.sliding_share = static_cast<double>(sums.sliding) / sums.landed;
-  return slide;
+ToeRest toe_rest(std::span<const Pose> poses) {
+  ToeRest rest{};
+  for (std::size_t foot = 0; foot < toe_bases.size(); ++foot) {
+    std::vector<double> heights_m;
+    heights_m.reserve(poses.size());
+    for (const Pose& pose : poses) heights_m.push_back(pose(toe_bases[foot], 1));
+    rest[foot] = quantile(std::move(heights_m), 0.05);
+  }
+  return rest;
 }
 
-double toe_rest_height(std::span<const Pose> poses) {
-  return poses.empty() ? 0 : body_of(poses).toe_rest_height;
+std::array<std::optional<double>, 2> landed_foot_speeds(const Pose& before, const Pose& after,
+                                                        double elapsed_s, const ToeRest& rest) {
+  std::array<std::optional<double>, 2> speeds_m_s;
+  for (std::size_t foot = 0; foot < toe_bases.size(); ++foot) {
+    const int toe_base = toe_bases[foot];
+    if (std::max(before(toe_base, 1), after(toe_base, 1)) >= rest[foot] + landed_below_m) continue;
+    speeds_m_s[foot] =
+        std::hypot(after(toe_base, 0) - before(toe_base, 0), after(toe_base, 2) - before(toe_base, 2)) /
+        elapsed_s;
+  }
+  return speeds_m_s;
+}
+
+void FootSlideMetric::add(const std::array<std::optional<double>, 2>& speeds_m_s) {
+  for (const std::optional<double>& speed_m_s : speeds_m_s) {
+    ++steps_;
+    if (speed_m_s) speeds_m_s_.push_back(*speed_m_s);
+  }
+}
+
+FootSlideMetric::Figures FootSlideMetric::figures() const {
+  constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+  Figures f{.mean_m_s = nothing, .share_fast = nothing, .landed_share = nothing};
+  f.landed = static_cast<int>(speeds_m_s_.size());
+  if (steps_ > 0) f.landed_share = static_cast<double>(f.landed) / steps_;
+  if (f.landed == 0) return f;
+  const auto fast = std::count_if(speeds_m_s_.begin(), speeds_m_s_.end(),
+                                  [](double speed_m_s) { return speed_m_s > fast_m_s; });
+  f.mean_m_s = mean(speeds_m_s_);
+  f.share_fast = static_cast<double>(fast) / f.landed;
+  return f;
 }
 
 }  // namespace abrazo

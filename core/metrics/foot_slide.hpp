@@ -1,33 +1,57 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "core/base/positions.hpp"
+#include "core/motion/body.hpp"
 
 namespace abrazo {
 
-/// How far feet slide while they are on the floor. Speeds are horizontal, from one frame to the next; a foot
-/// counts as landed in a frame when it is so at both ends of that step.
-struct FootSlide {
-  double speed_m_s = 0;         ///< mean speed of landed toe-bases
-  double ankle_speed_m_s = 0;   ///< of the ankles of those feet
-  double distance_m_per_s = 0;  ///< travelled by landed toe-bases, the two feet together, per second in which
-                                ///< at least one foot is landed
-  double weighted_m_s = 0;   ///< mean over all foot frames of v (2 - 2^(h / 2.5 cm)), h the height above the
-                             ///< rest, 0 from 2.5 cm on (Zhang et al. 2018, MANN)
-  double sliding_share = 0;  ///< of the landed foot frames: toe-base moves more than 2.5 cm in 1/30 s
-  int landed_frames = 0;     ///< foot frames
-  int foot_frames = 0;       ///< looked at: two for each step from frame to frame
+/// Heights above the floor at which the toe bases of somebody who stands rest: left, right [m].
+using ToeRest = std::array<double, 2>;
+
+/// Of a motion: the 5th percentile of each toe base's height; 0 for no poses.
+ToeRest toe_rest(std::span<const Pose> poses);
+/// Of a body of which no motion is at hand.
+inline ToeRest toe_rest(const Body& body) {
+  return {body.toe_rest_height, body.toe_rest_height};
+}
+
+/// Horizontal speed of each toe base from one pose to the next [m/s], left and right; nothing for a foot that
+/// is not landed: less than `landed_below_m` above its rest at both.
+inline constexpr double landed_below_m = 0.03;
+std::array<std::optional<double>, 2> landed_foot_speeds(const Pose& before, const Pose& after,
+                                                        double elapsed_s, const ToeRest& rest);
+
+/// How far feet slide while they are on the floor: the horizontal speed of a toe base from one pose to the
+/// next, counted when it is less than `landed_below_m` above its rest at both ends of that step. Captured
+/// dancers brush and pivot, so less than they have is no aim.
+class FootSlideMetric {
+ public:
+  static constexpr double fast_m_s = 0.3;
+
+  /// @param elapsed_s  between the two poses, more than 0
+  void add(const Pose& before, const Pose& after, double elapsed_s, const ToeRest& rest) {
+    add(landed_foot_speeds(before, after, elapsed_s, rest));
+  }
+  void add(const std::array<std::optional<double>, 2>& speeds_m_s);
+
+  struct Figures {
+    double mean_m_s = 0;      ///< not a number when no foot landed
+    double share_fast = 0;    ///< of the landed feet's steps, faster than `fast_m_s`; the same
+    double landed_share = 0;  ///< of all steps of feet: how much was measured
+    int landed = 0;           ///< steps of landed feet
+  };
+  Figures figures() const;
+  /// Of every step of a landed foot, in order.
+  const std::vector<double>& speeds_m_s() const { return speeds_m_s_; }
+
+ private:
+  std::vector<double> speeds_m_s_;
+  int steps_ = 0;  ///< of both feet
 };
-
-/// @param floor_m         height at which a standing foot's toe-base rests (`toe_rest_height`)
-/// @param landing_height_m  a foot is landed while its toe-base is less than this above `floor_m`
-/// @throws std::invalid_argument when the rate is not positive
-FootSlide measure_foot_slide(std::span<const Pose> poses, double fps, double floor_m,
-                             double landing_height_m = 0.03);
-
-/// 5th percentile of the toe-base heights: where a standing foot's toe-base rests (Body::toe_rest_height); 0
-/// for no poses.
-double toe_rest_height(std::span<const Pose> poses);
 
 }  // namespace abrazo

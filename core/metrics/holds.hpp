@@ -3,30 +3,41 @@
 #include <vector>
 
 #include "core/base/positions.hpp"
+#include "core/mesh/capsules.hpp"
 
 namespace abrazo {
 
-/// Are hands that hold one another in the selected pair still together in the result? A hold: hand ends of
-/// different bodies within `hold_distance_m` (13 cm).
+/// Are hands that hold one another in a reference, the selected pair or the capture, together in the result?
+/// A hold: hand ends of different bodies within `hold_distance_m` (13 cm).
 class HoldMetric {
  public:
-  void add(const PairPose& result, const PairPose& selected);
+  /// A hold of the selected pair may open by 3 cm before it counts as lost.
+  static constexpr double selected_hold_kept_m = hold_distance_m + 0.03;
+  /// A hold of the capture is held within 20 cm: the partner stands elsewhere, and so do the hands.
+  static constexpr double captured_hold_held_m = 0.20;
+
+  explicit HoldMetric(double still_held_m = selected_hold_kept_m) : still_held_m_(still_held_m) {}
+
+  void add(const PairPose& result, const PairPose& reference);
 
   struct Figures {
-    int holds = 0;             ///< in the selected pairs
+    int holds = 0;             ///< in the reference
     int shown_holds = 0;       ///< in the results
-    double change_mean_m = 0;  ///< |distance in the result - in the selected pair| over `holds`
+    double change_mean_m = 0;  ///< |distance in the result - in the reference| over `holds`
     double change_p95_m = 0;
-    double kept = 0;       ///< share of `holds` within 16 cm in the result (recall)
-    double precision = 0;  ///< share of `shown_holds` that are within 16 cm in the selected pair
-    double f1 = 0;         ///< harmonic mean of the two
+    double distance_mean_m = 0;  ///< in the result, over `holds`
+    double kept = 0;             ///< share of `holds` that are still held in the result
+    double recall = 0;           ///< share of `holds` that are holds of the result too
+    double precision = 0;        ///< share of `shown_holds` that are still held in the reference
+    double f1 = 0;               ///< harmonic mean of `kept` and `precision`
   };
   /// Shares of nothing are 0: look at the counts beside them.
   Figures figures() const;
 
  private:
-  std::vector<double> changes_m_;
-  int kept_ = 0, shown_ = 0, shown_and_recorded_ = 0;
+  double still_held_m_;
+  std::vector<double> changes_m_, distances_m_;
+  int kept_ = 0, recalled_ = 0, shown_ = 0, shown_and_recorded_ = 0;
 };
 
 }  // namespace abrazo

@@ -4,7 +4,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/metrics/foot_slide.hpp"
 #include "core/metrics/partner_error.hpp"
 #include "core/metrics/run_summary.hpp"
 #include "core/metrics/zmp.hpp"
@@ -25,11 +24,14 @@ constexpr std::array<RunFigureInfo, run_figure_count> run_infos = {{
      "result."},
     {"Source changes", "/100", 1, 1, "Steps of 100 whose pair does not continue the one before."},
     {"Jumps, p99", "mm", 1e3, 0, "The partner's mean joint displacement from step to step, 99th percentile."},
+    {"Speed, p99", "m/s", 1, 2, "The partner's speed, mean over the joints, 99th percentile."},
+    {"Acceleration", "m/s²", 1, 1, "Acceleration of the partner's joints, root mean square."},
     {"Deformation", "m²", 1, 3, "Mean deformation energy E_L against the selected pair."},
     {"User met", "mm", 1e3, 1, "Distance of the active joints from the user's pose, root mean square."},
     {"Penetration, p99", "mm", 1e3, 1,
      "Deepest overlap of the bodies beyond the selected pair's own, 99th percentile."},
-    {"Foot sliding", "mm/s", 1e3, 0, "Mean horizontal speed of the partner's landed toe bases."},
+    {"Foot sliding", "mm/s", 1e3, 0,
+     "Mean horizontal speed of the partner's toe bases less than 3 cm above where its body's rest."},
     {"ZMP error", "mm", 1e3, 1, "Mean distance of the partner's zero moment point from the support polygon."},
     {"Bone length, max", "%", 1e2, 4, "Largest relative error of a bone's length."},
     {"Relaxed or failed", "/100", 1, 1, "Steps of 100 in which not every constraint could be met."},
@@ -81,19 +83,11 @@ std::vector<Stretch> stretches_of(std::span<const RunStep> steps, UserRole user_
   return stretches;
 }
 
-void measure_feet(const std::vector<Stretch>& stretches, double& slide_m_s, double& zmp_m) {
+double zmp_error_m(const std::vector<Stretch>& stretches) {
   ZmpError zmp;
-  double slid = 0;
-  int landed = 0;
-  for (const Stretch& stretch : stretches) {
+  for (const Stretch& stretch : stretches)
     zmp.append(measure_zmp(stretch.poses, stretch.rate_hz(), ZmpSettings{}));
-    const FootSlide slide =
-        measure_foot_slide(stretch.poses, stretch.rate_hz(), toe_rest_height(stretch.poses));
-    slid += slide.speed_m_s * slide.landed_frames;
-    landed += slide.landed_frames;
-  }
-  slide_m_s = landed > 0 ? slid / landed : nothing;
-  zmp_m = zmp.error_m.empty() ? nothing : zmp.mean_m();
+  return zmp.error_m.empty() ? nothing : zmp.mean_m();
 }
 
 double hold_change(const FrameResult& result) {
@@ -135,7 +129,8 @@ RunFigures measure_run(std::span<const RunStep> steps, const MotionLibrary& libr
   RunSummary summary(library, user_role);
   double deformation = 0;
   for (const RunStep& step : steps) {
-    summary.add(*step.result);
+    if (step.starts) summary.interrupt();
+    summary.add(*step.result, step.time_s);
     if (step.result->status != StepStatus::Failed) deformation += step.result->energy.deformation;
   }
   const RunSummary::Figures f = summary.figures();
@@ -153,10 +148,10 @@ RunFigures measure_run(std::span<const RunStep> steps, const MotionLibrary& libr
   set(RunFigure::MorphDistance, f.morph_rms_m);
   set(RunFigure::Penetration, f.excess_penetration_p99_m);
   set(RunFigure::BoneLength, f.bone_length_max);
-  double slide_m_s = nothing, zmp_m = nothing;
-  measure_feet(stretches_of(steps, user_role), slide_m_s, zmp_m);
-  set(RunFigure::FootSlide, slide_m_s);
-  set(RunFigure::ZmpError, zmp_m);
+  set(RunFigure::SpeedTail, f.motion.movement.speed_p99_m_s);
+  set(RunFigure::Acceleration, f.motion.movement.acceleration_rms_m_s2);
+  set(RunFigure::FootSlide, f.motion.movement.slide.mean_m_s);
+  set(RunFigure::ZmpError, zmp_error_m(stretches_of(steps, user_role)));
   return values;
 }
 

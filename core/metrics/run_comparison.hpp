@@ -17,6 +17,8 @@ enum class RunFigure {
   HoldChange,
   SourceChanges,
   Jumps,
+  SpeedTail,
+  Acceleration,
   DeformationEnergy,
   MorphDistance,
   Penetration,
@@ -27,7 +29,7 @@ enum class RunFigure {
   StepTime,
   StepTimeTail
 };
-inline constexpr std::size_t run_figure_count = 13;
+inline constexpr std::size_t run_figure_count = 15;
 
 /// How a figure is named and written.
 struct RunFigureInfo {

@@ -6,6 +6,7 @@
 #include "core/library/motion_library.hpp"
 #include "core/metrics/continuity.hpp"
 #include "core/metrics/holds.hpp"
+#include "core/metrics/motion_quality.hpp"
 #include "core/metrics/penetration.hpp"
 #include "core/synthesis/frame_result.hpp"
 #include "core/synthesis/settings.hpp"
@@ -16,10 +17,11 @@ namespace abrazo {
 class RunSummary {
  public:
   /// @param user_role  the other role is the partner's
-  explicit RunSummary(const MotionLibrary& library, UserRole user_role = UserRole::Active)
-      : library_(library), partner_row_(user_role == UserRole::Active ? joint_count : 0) {}
+  explicit RunSummary(const MotionLibrary& library, UserRole user_role = UserRole::Active);
 
-  void add(const FrameResult& frame);
+  void add(const FrameResult& frame, double time_s);
+  /// The next frame does not follow the last.
+  void interrupt();
 
   struct Figures {
     std::size_t frames = 0, relaxed = 0, failed = 0;
@@ -34,6 +36,7 @@ class RunSummary {
     double partner_displacement_p99_m = 0;   ///< of the mean over joints
     double behind_selected_mean_m = 0;       ///< partner joints from those of the selected pair
     double morph_rms_m = 0;
+    MotionQuality::Figures motion;  ///< of the partner; feet rest where its body's do
   };
   Figures figures() const;
 
@@ -47,7 +50,8 @@ class RunSummary {
 
  private:
   const MotionLibrary& library_;
-  int partner_row_;  ///< first of the partner's rows in a pair
+  bool partner_is_active_;
+  MotionQuality motion_;
   std::size_t frames_ = 0, relaxed_ = 0, failed_ = 0;
   HoldMetric holds_;
   ContinuityMetric continuity_;

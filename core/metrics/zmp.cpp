@@ -86,6 +86,28 @@ void ZmpError::append(const ZmpError& other) {
   skipped_ends += other.skipped_ends;
 }
 
+void ZmpComparison::add(const ZmpError& first, const ZmpError& second) {
+  std::size_t other = 0;
+  for (std::size_t i = 0; i < first.frames.size(); ++i) {
+    while (other < second.frames.size() && second.frames[other] < first.frames[i]) ++other;
+    if (other == second.frames.size()) return;
+    if (second.frames[other] != first.frames[i]) continue;
+    first_m_.push_back(first.error_m[i]);
+    second_m_.push_back(second.error_m[other]);
+  }
+}
+
+void ZmpComparison::append(const ZmpComparison& other) {
+  first_m_.insert(first_m_.end(), other.first_m_.begin(), other.first_m_.end());
+  second_m_.insert(second_m_.end(), other.second_m_.begin(), other.second_m_.end());
+}
+
+CommonZmp ZmpComparison::common() const {
+  if (first_m_.empty()) return {.first_m = std::nan(""), .second_m = std::nan(""), .frames = 0};
+  return {
+      .first_m = mean(first_m_), .second_m = mean(second_m_), .frames = static_cast<int>(first_m_.size())};
+}
+
 int smoothing_half_width(const ZmpSettings& settings, double fps) {
   return static_cast<int>(std::lround(settings.smoothing_s * fps));
 }

@@ -32,6 +32,26 @@ struct ZmpError {
   void append(const ZmpError& other);
 };
 
+/// Mean errors of two measures of motions of the same length, over the frames that count in both: a motion
+/// that throws itself about has fewer frames, and they are the easier ones.
+struct CommonZmp {
+  double first_m = 0, second_m = 0;  ///< not a number when no frame counts in both
+  int frames = 0;
+};
+
+/// `ZmpError` of a motion in several stretches, beside that of another in the same ones.
+class ZmpComparison {
+ public:
+  /// Of one stretch.
+  void add(const ZmpError& first, const ZmpError& second);
+  /// Takes in those of another body.
+  void append(const ZmpComparison& other);
+  CommonZmp common() const;
+
+ private:
+  std::vector<double> first_m_, second_m_;
+};
+
 /// Frames on either side that the window reaches at a rate: 4 at 60 Hz, 2 at 30 Hz, 1 at 15 Hz for 4/60 s.
 int smoothing_half_width(const ZmpSettings& settings, double fps);
 

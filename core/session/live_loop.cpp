@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <exception>
+#include <stdexcept>
 #include <utility>
 #include <variant>
 
@@ -72,10 +74,23 @@ void LiveLoop::take_measures() {
   state_due_ = next_index_;
 }
 
+/// One of several things that have nothing to do with one another: what fails is told at the end of the turn
+/// and keeps no other from being done.
+template <typename Action>
+void LiveLoop::attempt(const Action& action) {
+  try {
+    action();
+  } catch (const std::exception& failure) {
+    if (!trouble_.empty()) trouble_ += "; ";
+    trouble_ += failure.what();
+    state_due_ = next_index_;
+  }
+}
+
 double LiveLoop::turn(double now_s) {
   if (waiting_since_s_ < 0) waiting_since_s_ = now_s;
   for (const Command& command : commands_.drain()) {
-    apply(command, now_s);
+    attempt([&] { apply(command, now_s); });
     state_due_ = next_index_;
   }
   if (const auto input = source_->poll(now_s)) {
@@ -85,6 +100,7 @@ double LiveLoop::turn(double now_s) {
   } else {
     wait_for_pose(now_s);
   }
+  if (!trouble_.empty()) throw std::runtime_error(std::exchange(trouble_, {}));
   const double attention_s = is_lost_ ? output_.next_hold_s() : waiting_since_s_ + loss_after_s();
   return std::min(source_->next_due_s(), attention_s);
 }
@@ -97,7 +113,9 @@ void LiveLoop::solve(const SourcePose& input, double now_s) {
     previous_time_s_ = -1;
     state_due_ = next_index_;
   }
-  if (steering_.before_step(now_s)) state_due_ = next_index_;
+  attempt([&] {
+    if (steering_.before_step(now_s)) state_due_ = next_index_;
+  });
   const double elapsed = time_since_previous(input);
   if (is_first_of_source_) dropped_at_start_ = input.dropped;
   is_first_of_source_ = false;
@@ -123,8 +141,9 @@ void LiveLoop::solve(const SourcePose& input, double now_s) {
                      .solved_s = clock_ ? clock_() : now_s};
   const std::optional<Error> damage = snapshot->library->damage();
   if (damage) hold(*snapshot, latest_.newest(), damage->text());
-  if (damage ? output_.hold(snapshot->time_s)
-             : output_.send(snapshot->result, snapshot->settings.user_role, snapshot->time_s))
+  if (damage
+          ? output_.hold(snapshot->time_s)
+          : output_.send(snapshot->result, snapshot->library, snapshot->settings.user_role, snapshot->time_s))
     snapshot->times.sent_s = clock_ ? clock_() : now_s;
   has_solved_ = true;
   const FrameResult& solved = snapshot->result;

@@ -31,6 +31,8 @@ class LiveLoop {
 
   /// @param now_s  session clock
   /// @return session time until which there is nothing to do, unless `wake_up` is notified
+  /// @throws std::runtime_error when a command could not be done, at the end: the others are done and a pose
+  /// that is due is solved all the same
   double turn(double now_s);
 
   /// A failed snapshot with this text; the partner holds its last pose.
@@ -40,6 +42,8 @@ class LiveLoop {
   const std::shared_ptr<WakeUp>& wake_up() const { return commands_.wake_up(); }
 
  private:
+  template <typename Action>
+  void attempt(const Action& action);
   void apply(const Command& command, double now_s);
   void replace_source(const ReplaceSource& replacement, double now_s);
   void listen_to_source();
@@ -75,6 +79,7 @@ class LiveLoop {
   std::uint64_t dropped_before_ = 0;  ///< by the sources before this one
   std::uint64_t dropped_at_start_ = 0, dropped_now_ = 0;
   bool is_first_of_source_ = true;
+  std::string trouble_;  ///< what could not be done in this turn; thrown at its end
 };
 
 }  // namespace abrazo

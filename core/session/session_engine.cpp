@@ -10,6 +10,7 @@
 #include "core/session/joined_stores.hpp"
 #include "core/session/library_fingerprints.hpp"
 #include "core/session/listener_gate.hpp"
+#include "core/session/partner_output.hpp"
 #include "core/session/solver_thread.hpp"
 #include "core/stream/clip_source.hpp"
 #include "core/synthesis/role_views.hpp"
@@ -114,12 +115,6 @@ struct SessionEngine::Parts {
   void stop_recording_poses() {
     if (receiver && poses_listener) receiver->unlisten(*poses_listener);
     poses_listener.reset();
-  }
-
-  Body body_of_character(Character character) const {
-    const bool is_active = (character == Character::User) == (role == UserRole::Active);
-    const MotionLibrary& library = *views->library();
-    return is_active ? library.usual_active_body().body : library.usual_passive_body().body;
   }
 
   SessionClock clock;
@@ -243,8 +238,9 @@ Status SessionEngine::send(const StreamUri& uri, Character character) {
   const auto same = [&](const Parts::Sending& sending) { return sending.uri == uri.text; };
   if (std::any_of(parts_->sending.begin(), parts_->sending.end(), same))
     return Error{"something is sent there already; stop that first, or give another port", uri.text};
-  auto opened = parts_->openers.sink(uri, parts_->body_of_character(character),
-                                     character == Character::User ? "user" : "partner");
+  // To begin with: which role the user has in a frame is only known with it.
+  const Body& body = body_of_character(*parts_->views->library(), character, parts_->role);
+  auto opened = parts_->openers.sink(uri, body, character == Character::User ? "user" : "partner");
   if (!opened) return opened.error();
   const std::shared_ptr<PoseSink> sink = std::move(*opened);
   parts_->sending.push_back({uri.text, sink});

@@ -51,7 +51,8 @@ class SessionEngine {
   void stop_receiving();
   std::shared_ptr<StreamReceiver> receiver() const;  ///< null when no stream is open
 
-  /// A character's poses to where the URI says, with the bones of the library's performer in its role.
+  /// A character's poses to where the URI says, with the bones of the library's performer in its role, also
+  /// after that role or the library changed.
   Status send(const StreamUri& uri, Character character);
   void stop_sending(const std::string& uri);
   std::vector<SinkHealth> sinks() const;

@@ -151,6 +151,7 @@ void Steering::control_role(RoleControl by) {
 }
 
 void Steering::replace(std::shared_ptr<PartnerSynthesizer> synthesizer) {
+  synthesizer->set_settings(synthesizer_->settings());  // throws while all is as it was
   const std::shared_ptr<PartnerSynthesizer> before = std::exchange(synthesizer_, std::move(synthesizer));
   decide(carried_over(current_, before->library(), synthesizer_->library()));
   could_not_learn_ = {};

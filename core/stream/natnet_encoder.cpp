@@ -2,6 +2,8 @@
 
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 #include "core/base/text.hpp"
 #include "core/base/version.hpp"
@@ -67,26 +69,44 @@ NatNetModel model_of(const Body& body, const std::string& name) {
 
 class NatNetEncoder : public StreamEncoder {
  public:
-  NatNetEncoder(const Body& body, const std::string& name, NatNetServerInfo info)
-      : humanoid_(body), info_(std::move(info)) {
-    ByteWriter model(ByteOrder::Little);
-    write_natnet_model(model, model_of(body, name), info_.version);
-    model_packet_ = natnet_packet(NatNetMessage::ModelDef, model);
-  }
+  NatNetEncoder(const Body& body, std::string name, NatNetServerInfo info)
+      : humanoid_(body), info_(std::move(info)), name_(std::move(name)), model_packet_(model_packet(body)) {}
 
   std::vector<std::vector<std::uint8_t>> packets(const OutgoingPose& pose) override;
   bool answer(const Datagram& question, std::vector<OutgoingDatagram>& answers) override;
+  void set_body(const Body& body) override {
+    humanoid_ = JointsToHumanoid(body);
+    model_packet_ = model_packet(body);
+    model_changed_ = true;
+  }
   void restart() override {
     number_ = 0;
     humanoid_.restart();
   }
 
  private:
+  std::vector<std::uint8_t> model_packet(const Body& body) const {
+    ByteWriter model(ByteOrder::Little);
+    write_natnet_model(model, model_of(body, name_), info_.version);
+    return natnet_packet(NatNetMessage::ModelDef, model);
+  }
+  bool tells_change(double time_s);
+
   JointsToHumanoid humanoid_;
   NatNetServerInfo info_;
+  std::string name_;
   std::vector<std::uint8_t> model_packet_;
   std::int32_t number_ = 0;
+  bool model_changed_ = false;      ///< since the last frame
+  std::optional<double> change_s_;  ///< when the last change was told first
 };
+
+/// For a while, since packets get lost: an asker that hears of it asks for the model again.
+bool NatNetEncoder::tells_change(double time_s) {
+  constexpr double told_for_s = 0.5;
+  if (std::exchange(model_changed_, false)) change_s_ = time_s;
+  return change_s_ && time_s >= *change_s_ && time_s - *change_s_ < told_for_s;
+}
 
 std::uint64_t ticks(double time_s) {
   return time_s > 0 ? static_cast<std::uint64_t>(time_s * clock_hz) : 0;
@@ -108,6 +128,7 @@ std::vector<std::vector<std::uint8_t>> NatNetEncoder::packets(const OutgoingPose
   }
   frame.skeletons.push_back(std::move(skeleton));
   frame.time_s = pose.time_s;
+  frame.models_changed = tells_change(pose.time_s);
   frame.stamps = NatNetStamps{ticks(pose.time_s), ticks(pose.time_s), ticks(pose.time_s)};
   ByteWriter payload(ByteOrder::Little);
   write_natnet_frame(payload, frame, info_.version);

@@ -75,6 +75,8 @@ class UdpPoseSink : public PoseSink {
     if (failures > 0) health_.latest_failure = failure;
   }
 
+  void set_body(const Body& body) override { encoder_->set_body(body); }
+
   SinkHealth health() const override {
     const std::scoped_lock lock(mutex_);
     return health_;

@@ -17,6 +17,8 @@ class PoseSink {
   virtual ~PoseSink() = default;
   /// Never waits: what the network does not take at once is dropped and counted as a failure.
   virtual void send(const OutgoingPose& pose) = 0;
+  /// The poses from the next one on have these bones; called by the thread that sends.
+  virtual void set_body(const Body& body) = 0;
   virtual SinkHealth health() const = 0;
 };
 

@@ -30,6 +30,8 @@ class StreamEncoder {
   virtual bool answer(const Datagram& /*question*/, std::vector<OutgoingDatagram>& /*answers*/) {
     return false;
   }
+  /// The poses from the next one on have these bones; numbers and times go on.
+  virtual void set_body(const Body& body) = 0;
   /// Starts over as a sender that was restarted: counters and state begin anew.
   virtual void restart() = 0;
 };

@@ -34,6 +34,8 @@ class VmcEncoder : public StreamEncoder {
                        : several_bundles(humanoid, pose.tracked, time);
   }
 
+  void set_body(const Body& body) override { humanoid_ = JointsToHumanoid(body); }
+
   void restart() override {
     humanoid_.restart();
     start_s_.reset();

@@ -64,16 +64,31 @@ std::string spaced(std::string_view name) {
   return text;
 }
 
+/// Names and places of the segments in the T-pose, Z up.
+std::vector<std::pair<std::string, Vec3>> origins_of(const Body& body) {
+  std::vector<std::pair<std::string, Vec3>> origins;
+  const auto rest = segments_of(JointsToHumanoid(body).pose(t_pose(body), 0));
+  for (std::size_t s = 0; s < rest.size(); ++s)
+    origins.emplace_back(spaced(xsens_segment_names[s]), y_up_to_z_up(rest[s].position));
+  return origins;
+}
+
 class XsensEncoder : public StreamEncoder {
  public:
   XsensEncoder(const Body& body, int character, std::string name)
-      : humanoid_(body), character_(character), name_(std::move(name)), points_(points_of(body)) {
-    const auto rest = segments_of(JointsToHumanoid(body).pose(t_pose(body), 0));
-    for (std::size_t s = 0; s < rest.size(); ++s)
-      origins_.emplace_back(spaced(xsens_segment_names[s]), y_up_to_z_up(rest[s].position));
-  }
+      : humanoid_(body),
+        character_(character),
+        name_(std::move(name)),
+        origins_(origins_of(body)),
+        points_(points_of(body)) {}
 
   std::vector<std::vector<std::uint8_t>> packets(const OutgoingPose& pose) override;
+  void set_body(const Body& body) override {
+    humanoid_ = JointsToHumanoid(body);
+    origins_ = origins_of(body);
+    points_ = points_of(body);
+    told_s_.reset();
+  }
   void restart() override {
     sample_ = 0;
     told_s_.reset();

@@ -122,6 +122,13 @@ void CapsuleContacts::add_rows(const PairPose& iterate, std::vector<ConstraintRo
   }
 }
 
+double CapsuleContacts::deepest_excess_m(const PairPose& pose) {
+  find_near(pose, 0.0);
+  double deepest_m = 0;
+  for (const NearPair& pair : near_) deepest_m = std::max(deepest_m, pair.excess);
+  return deepest_m;
+}
+
 void CapsuleContacts::measure(const PairPose& result, std::vector<CapsuleContact>& contacts,
                               double& deepest_m, double& deepest_excess_m) {
   contacts.clear();

@@ -30,6 +30,9 @@ class CapsuleContacts {
   /// pressing `max_rows` of them.
   void add_rows(const PairPose& iterate, std::vector<ConstraintRow>& rows);
 
+  /// Deepest overlap at a pose beyond what the selected pair allows [m]; 0 when there is none.
+  double deepest_excess_m(const PairPose& pose);
+
   /// Overlaps at a result: those deeper than 0, deepest first.
   void measure(const PairPose& result, std::vector<CapsuleContact>& contacts, double& deepest_m,
                double& deepest_excess_m);

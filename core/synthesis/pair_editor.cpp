@@ -13,6 +13,9 @@ namespace {
 constexpr double bone_goal = 2e-4;
 constexpr double bone_limit = 1e-3;  ///< beyond this the constraints contradict one another
 constexpr double drift_limit_m = 1e-3;
+/// The same two for capsules: rows were linear where the last step began, and the bodies have moved since.
+constexpr double overlap_goal_m = 1e-3;
+constexpr double overlap_limit_m = 1e-2;
 constexpr int extra_projection_steps = 8;
 constexpr double farthest_sensible_m =
     50.0;  ///< from the selected pair: a result beyond it is a numerical accident
@@ -83,11 +86,13 @@ bool PairEditor::morph(const Settings& settings, const FootLocks& locks, Relaxat
       return false;
   for (int step = 0; step < settings.projection_steps; ++step)
     if (!solve_step(settings, locks, relaxation, 1.0)) return false;
-  for (int step = 0; step < extra_projection_steps; ++step) {
-    if (bone_length_error(iterate_, task_.wanted) <= bone_goal) break;
+  for (int step = 0;; ++step) {
+    const double overlap_m = overlap(settings, relaxation);
+    const double bone_error = bone_length_error(iterate_, task_.wanted);
+    if ((bone_error <= bone_goal && overlap_m <= overlap_goal_m) || step == extra_projection_steps)
+      return !steps_.empty() && bone_error <= bone_limit && overlap_m <= overlap_limit_m;
     if (!project_step(settings, locks, relaxation)) return false;
   }
-  return is_acceptable();
 }
 
 bool PairEditor::solve_step(const Settings& settings, const FootLocks& locks, Relaxation relaxation,
@@ -155,8 +160,10 @@ bool PairEditor::keep_iterate() {
   return true;
 }
 
-bool PairEditor::is_acceptable() const {
-  return !steps_.empty() && bone_length_error(steps_.back(), task_.wanted) <= bone_limit;
+/// Deepest beyond the selected pair's own at the iterate; 0 while capsules may overlap.
+double PairEditor::overlap(const Settings& settings, Relaxation relaxation) {
+  if (!settings.collisions || relaxation >= Relaxation::Capsules) return 0;
+  return contacts_.deepest_excess_m(iterate_);
 }
 
 }  // namespace abrazo

@@ -61,7 +61,7 @@ class PairEditor {
                   const RigidDistances& lengths);
   void damp_turning_bones(const RigidDistances& lengths, PairPose& linear);
   bool keep_iterate();
-  bool is_acceptable() const;
+  double overlap(const Settings& settings, Relaxation relaxation);
 
   EditTask task_;
   PairPose reference_;       ///< selected pair with the partner's offset

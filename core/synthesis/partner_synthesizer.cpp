@@ -73,14 +73,16 @@ struct PartnerSynthesizer::State {
     auto& pipeline = pipelines[role == UserRole::Passive ? 1 : 0];
     if (!pipeline) {
       const RoleViews::View& view = views->of(role);
-      pipeline = std::make_unique<FramePipeline>(view.library, settings, views->pairs(), view.index);
-      pipeline->set_user_body(user_body);
-      pipeline->pin_pair(pinned);
-      pipeline->set_vetoes(*vetoes);
-      pipeline->set_meant(meant);
+      auto made = std::make_unique<FramePipeline>(view.library, settings, views->pairs(), view.index);
+      made->set_user_body(user_body);
+      made->pin_pair(pinned);
+      made->set_vetoes(*vetoes);
+      made->set_meant(meant);
+      pipeline = std::move(made);
     }
     return *pipeline;
   }
+  /// Always there: whoever changes the role makes it first.
   FramePipeline& pipeline() { return pipeline_of(settings.user_role); }
 
   /// Tried once: what fails takes long, and steps are many.
@@ -152,10 +154,11 @@ const FrameResult& PartnerSynthesizer::step(const Pose& user, Duration elapsed) 
 }
 
 void PartnerSynthesizer::set_settings(const Settings& settings) {
-  const UserRole before = state_->settings.user_role;
+  const FramePipeline& before = state_->pipeline();
+  FramePipeline& next = state_->pipeline_of(settings.user_role);
+  if (&next != &before) next.take_over(before.memory());
+  next.set_settings(settings);
   state_->set_settings(settings);
-  if (settings.user_role != before) state_->pipeline().take_over(state_->pipeline_of(before).memory());
-  state_->pipeline().set_settings(settings);
 }
 
 const Settings& PartnerSynthesizer::settings() const {
@@ -207,6 +210,7 @@ SynthesizerState PartnerSynthesizer::state() const {
 }
 
 void PartnerSynthesizer::restore(const SynthesizerState& state) {
+  state_->pipeline_of(state.user_role);
   state_->settings.user_role = state.user_role;
   state_->user_body = state.user_body;
   pin_pair(state.pinned);
@@ -219,6 +223,7 @@ void PartnerSynthesizer::restore(const SynthesizerState& state) {
 }
 
 void PartnerSynthesizer::take_over(const SynthesizerState& state) {
+  state_->pipeline_of(state.user_role);
   state_->settings.user_role = state.user_role;
   state_->user_body = state.user_body;
   state_->pipeline().set_settings(state_->settings);

@@ -43,6 +43,7 @@ class PartnerSynthesizer {
   /// the library, for a second or more, unless `views` was asked for that before. When the user's role
   /// changes, both bodies go on from where they are, the partner as at a change of source. The first change
   /// makes the other role's view of the library unless `views` was asked for it before.
+  /// @throws std::exception when that view cannot be made; then all stays as it was
   void set_settings(const Settings& settings);
   const Settings& settings() const;
 

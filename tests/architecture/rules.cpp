@@ -106,6 +106,7 @@ bool is_open_to_widgets(const std::string& include) {
                                              "core/motion/joint_set.hpp",
                                              "core/motion/body.hpp",
                                              "core/motion/clip.hpp",
+                                             "core/metrics/movement.hpp",
                                              "core/metrics/run_comparison.hpp"};
   if (open.contains(include)) return true;
   return include.starts_with("core/mesh/") ||

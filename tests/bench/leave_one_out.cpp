@@ -48,7 +48,7 @@ Status run_take(const PairedTake& take, const std::shared_ptr<const MotionLibrar
   const Status done = synthesize_clip(
       **synthesizer, take.a,
       [&](const ClipStep& step) -> Status {
-        summary.add(step.result);
+        summary.add(step.result, step.time_s);
         totals.step_us.push_back(step.result.timing.total_us);
         if (step.result.status == StepStatus::Failed) return Done{};
         const Pose partner = step.result.passive();

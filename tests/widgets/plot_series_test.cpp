@@ -174,6 +174,49 @@ TEST(PlotSeries, AFailedOrMissingStepInterruptsThePartnersSteps) {
   EXPECT_TRUE(std::isnan(of(reader.read(aside(5, 0)), Series::PartnerStep)));
 }
 
+TEST(PlotSeries, SpeedAccelerationAndSlidingAreThoseOfThePartner) {
+  SeriesReader reader;
+  const auto read = [&](std::uint64_t index, double aside_m) { return reader.read(aside(index, aside_m)); };
+  EXPECT_TRUE(std::isnan(of(read(0, 0), Series::PartnerSpeed)));
+  const SeriesValues second = read(1, 0.01);  // at 30 Hz
+  EXPECT_NEAR(of(second, Series::PartnerSpeed), 0.3, 1e-9);
+  EXPECT_NEAR(of(second, Series::FootSlide), 0.3, 1e-9);
+  EXPECT_TRUE(std::isnan(of(second, Series::PartnerAcceleration)));
+  const SeriesValues third = read(2, 0.03);
+  EXPECT_NEAR(of(third, Series::PartnerSpeed), 0.6, 1e-9);
+  EXPECT_NEAR(of(third, Series::PartnerAcceleration), 0.3 * 30, 1e-9);
+  FrameSnapshot failed = aside(3, 0.5);
+  failed.result.status = StepStatus::Failed;
+  reader.read(failed);
+  EXPECT_TRUE(std::isnan(of(read(4, 0), Series::PartnerSpeed))) << "a failed step interrupts";
+}
+
+TEST(PlotSeries, ThePartnerOfAPassiveUserIsTheActiveBodyThatMoves) {
+  SeriesReader reader;
+  for (std::uint64_t index = 0; index < 2; ++index) {
+    FrameSnapshot frame = aside(index, 0.1 * static_cast<double>(index));
+    frame.settings.user_role = UserRole::Passive;
+    const SeriesValues values = reader.read(frame);
+    if (index == 1) {
+      EXPECT_EQ(of(values, Series::PartnerSpeed), 0);
+    }
+  }
+}
+
+TEST(PlotSeries, BesideThemStandsTheRecordedPartnerInItsTake) {
+  FrameSnapshot frame = frame_at(0, 1);
+  const auto library = test::two_take_library();
+  frame.library = library;
+  frame.result.candidates = {{1, 0.1, false, {}, {}}};
+  frame.result.selected = 0;
+  // The follower of these takes goes back by 5 cm a frame, at 60 frames a second.
+  const SeriesValues values = SeriesReader().read(frame);
+  EXPECT_NEAR(of(values, Series::RecordedSpeed), 3, 1e-9);
+  EXPECT_NEAR(of(values, Series::RecordedAcceleration), 0, 1e-9);
+  frame.result.candidates[0].pair = library->pair_count();
+  EXPECT_TRUE(std::isnan(of(SeriesReader().read(frame), Series::RecordedSpeed))) << "of another library";
+}
+
 TEST(PlotSeries, SourceChangesAreThoseOfTheLastHundredSteps) {
   SeriesReader reader;
   ContinuityMetric metric;

@@ -62,6 +62,14 @@ QColor colour_of(Series series, const Palette& p) {
       return p.user;
     case Series::SourceChanges:
       return p.residual_bones;
+    case Series::PartnerSpeed:
+    case Series::PartnerAcceleration:
+      return p.passive;
+    case Series::RecordedSpeed:
+    case Series::RecordedAcceleration:
+      return p.ghost_passive;
+    case Series::FootSlide:
+      return p.residual_bones;
     case Series::JointResidual:
       return p.energy_constraint;
     case Series::JointFromUser:

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "core/base/units.hpp"
+#include "core/library/motion_library.hpp"
 #include "core/mesh/capsules.hpp"
 #include "core/motion/joint_set.hpp"
 
@@ -86,6 +87,39 @@ double hold_change(const PairPose& result, const PairPose& selected) {
   return holds > 0 ? sum / holds : none;
 }
 
+bool partner_is_active(const FrameSnapshot& frame) {
+  return frame.settings.user_role == UserRole::Passive;
+}
+
+/// Where a foot of the partner rests; of a usual adult where the library is not at hand.
+ToeRest rest_of_partner(const FrameSnapshot& frame) {
+  if (!frame.library) return toe_rest(Body{});
+  const MotionLibrary& library = *frame.library;
+  return toe_rest(
+      (partner_is_active(frame) ? library.usual_active_body() : library.usual_passive_body()).body);
+}
+
+/// The recorded partner from the pair before the selected one to the pair after it.
+std::optional<MovementStep> recorded_step(const FrameSnapshot& frame) {
+  const FrameResult& result = frame.result;
+  if (!frame.library || result.selected < 0) return std::nullopt;
+  const MotionLibrary& library = *frame.library;
+  const int pair = result.candidates[static_cast<std::size_t>(result.selected)].pair;
+  if (pair < 0 || pair >= library.pair_count()) return std::nullopt;
+  MovementSteps steps(rest_of_partner(frame));
+  std::optional<MovementStep> step;
+  for (const int advance : {-1, 0, 1}) {
+    const int there = library.later_pair(pair, advance);
+    if (there < 0) continue;
+    const RootFrame& root = library.root(there);
+    const Pose normalised =
+        library.pose(there).middleRows<joint_count>(partner_is_active(frame) ? 0 : joint_count);
+    const Pose world = (normalised * root.rotation().transpose()).rowwise() + root.position.transpose();
+    step = steps.next(world, library.source(there).frame / library.take_of(there).fps);
+  }
+  return step;
+}
+
 }  // namespace
 
 const std::array<SeriesInfo, series_count>& all_series() {
@@ -142,6 +176,17 @@ const std::array<SeriesInfo, series_count>& all_series() {
        "distance of a joint of the partner from the selected pair's, mean"},
       {SourceChanges, "metric.source_changes", "Source changes", "source changes per 100 steps", "changes",
        "per 100", 0, "over the last 100 steps"},
+      {PartnerSpeed, "movement.speed", "Speed of the partner", "speed of the partner", "partner", "m/s", 2,
+       "mean over the joints"},
+      {RecordedSpeed, "movement.recorded_speed", "Speed of the partner", "speed of the recorded partner",
+       "recorded", "m/s", 2, "in its take, where the selected pair is"},
+      {FootSlide, "movement.slide", "Speed of the partner", "sliding of the partner's landed feet", "slide",
+       "m/s", 2, "the faster toe base of those less than 3 cm above their rest; none without a landed foot"},
+      {PartnerAcceleration, "movement.acceleration", "Acceleration of the partner",
+       "acceleration of the partner", "partner", "m/s²", 1, "of the joints, root mean square"},
+      {RecordedAcceleration, "movement.recorded_acceleration", "Acceleration of the partner",
+       "acceleration of the recorded partner", "recorded", "m/s²", 1,
+       "in its take, where the selected pair is"},
       {JointResidual, "selected.joint_residual", "Selected joint", "residual of the selected joint",
        "residual", "mm", 1,
        "|δ − L(v′)| of the joint that was selected last: how far its neighbourhood is bent"},
@@ -179,13 +224,19 @@ SeriesValues SeriesReader::read(const FrameSnapshot& frame) {
   SeriesValues values;
   values.fill(none);
   read_timings(frame.result.timing, values);
-  if (previous_ && frame.index != previous_->index + 1) previous_.reset();
+  if (previous_ && frame.index != previous_->index + 1) {
+    previous_.reset();
+    moving_.reset();
+  }
   const bool failed = frame.result.status == StepStatus::Failed;
   if (!failed) {
     read_energies(frame, values);
     read_residuals(frame.result.residual, values);
     read_costs(frame, values);
     read_metrics(frame, values);
+    read_movement(frame, values);
+  } else {
+    moving_.reset();
   }
   remember(frame, failed);
   return values;
@@ -222,6 +273,24 @@ void SeriesReader::read_metrics(const FrameSnapshot& frame, SeriesValues& values
   if (changes_.size() > source_window_steps) changes_.pop_front();
   at(values, Series::SourceChanges) =
       100.0 * static_cast<double>(std::ranges::count(changes_, true)) / static_cast<double>(changes_.size());
+}
+
+void SeriesReader::read_movement(const FrameSnapshot& frame, SeriesValues& values) {
+  const UserRole role = frame.settings.user_role;
+  if (!moving_ || moving_->library != frame.library || moving_->user_role != role)
+    moving_.emplace(Moving{frame.library, role, MovementSteps(rest_of_partner(frame))});
+  const Pose partner =
+      frame.result.result.middleRows<joint_count>(partner_is_active(frame) ? 0 : joint_count);
+  if (const auto step = moving_->steps.next(partner, frame.time_s)) {
+    at(values, Series::PartnerSpeed) = step->speed_m_s;
+    at(values, Series::PartnerAcceleration) = step->acceleration_m_s2.value_or(none);
+    at(values, Series::FootSlide) =
+        std::fmax(step->slide_m_s[0].value_or(none), step->slide_m_s[1].value_or(none));
+  }
+  if (const auto recorded = recorded_step(frame)) {
+    at(values, Series::RecordedSpeed) = recorded->speed_m_s;
+    at(values, Series::RecordedAcceleration) = recorded->acceleration_m_s2.value_or(none);
+  }
 }
 
 }  // namespace abrazo::widgets

@@ -4,9 +4,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <optional>
 #include <string_view>
 
+#include "core/metrics/movement.hpp"
 #include "core/session/frame_snapshot.hpp"
 
 namespace abrazo::widgets {
@@ -42,6 +44,11 @@ enum class Series : std::uint8_t {
   PartnerStep,
   BehindSelected,
   SourceChanges,
+  PartnerSpeed,
+  RecordedSpeed,
+  FootSlide,
+  PartnerAcceleration,
+  RecordedAcceleration,
   // Of what is selected in the scene; see selection_series.hpp.
   JointResidual,
   JointFromUser,
@@ -53,7 +60,7 @@ enum class Series : std::uint8_t {
   EdgeWeight,
   CellRatio
 };
-inline constexpr std::size_t series_count = 38;
+inline constexpr std::size_t series_count = 43;
 
 struct SeriesInfo {
   Series series;
@@ -86,6 +93,7 @@ class SeriesReader {
  private:
   void read_energies(const FrameSnapshot& frame, SeriesValues& values) const;
   void read_metrics(const FrameSnapshot& frame, SeriesValues& values);
+  void read_movement(const FrameSnapshot& frame, SeriesValues& values);
   void remember(const FrameSnapshot& frame, bool failed);
 
   struct Previous {
@@ -93,8 +101,15 @@ class SeriesReader {
     double solved_s = 0;          ///< time of the last step that did not fail; NaN when there was none
     std::optional<Pose> partner;  ///< none after a failed step
   };
+  /// Of the partner, as long as role and library stay.
+  struct Moving {
+    std::shared_ptr<const MotionLibrary> library;
+    UserRole user_role = UserRole::Active;
+    MovementSteps steps;
+  };
   std::optional<Previous> previous_;
-  std::deque<bool> changes_;  ///< of the source, latest last
+  std::optional<Moving> moving_;  ///< none after a failed step
+  std::deque<bool> changes_;      ///< of the source, latest last
 };
 
 /// Steps over which changes of the source are counted.

@@ -29,6 +29,9 @@ SynthesisedTake answered(const PairedTake& take, const std::vector<int>& pairs, 
     answer.pairs.push_back(pairs[frame]);
     answer.source_changed.push_back(0);
     answer.follows.push_back(frame > 0);
+    answer.times_s.push_back(static_cast<double>(frame) / take.fps);
+    answer.sources.push_back({.take = 0, .time_s = answer.times_s.back()});
+    answer.locked_feet.push_back({});
     answer.step_us.push_back(100);
   }
   return answer;

@@ -42,6 +42,36 @@ ContinuityMetric::Figures continuity(double scale) {
           .steps = 900};
 }
 
+Percentiles percentiles_up_to(double largest) {
+  Percentiles percentiles;
+  for (int percent = 0; percent <= 100; ++percent) percentiles.push_back(largest * percent / 100);
+  return percentiles;
+}
+
+MovementTable movement_table() {
+  MovementTable movement;
+  MovementFigures& f = movement.all;
+  f.partner_error_m = 0.36, f.selected_error_m = 0.35;
+  f.speed_p50_m_s = 0.9, f.own_speed_p50_m_s = 0.68;
+  f.speed_p99_m_s = 4.46, f.own_speed_p99_m_s = 1.57;
+  f.speed_rms_m_s = 1.3, f.own_speed_rms_m_s = 0.8;
+  f.acceleration_rms_m_s2 = 84, f.own_acceleration_rms_m_s2 = 11.6, f.acceleration_ratio = 7.29;
+  f.slide_m_s = 0.79, f.own_slide_m_s = 0.147;
+  f.slide_share_fast = 0.52, f.own_slide_share_fast = 0.095;
+  f.hover_mean_m = 0.031, f.hover_p90_m = 0.072;
+  f.hold_change_m = 0.0425, f.captured_holds_held = 0.767, f.captured_hold_distance_m = 0.15;
+  f.captured_hold_recall = 0.61, f.captured_hold_precision = 0.9;
+  f.changes_per_s = 2.05, f.step_at_change_max_m = 0.29;
+  f.pace_p05 = 0, f.pace_p50 = 1, f.pace_p95 = 3, f.standing_share = 0.5, f.own_pace_share = 0.385;
+  movement.takes = {"salsa_01", "salsa_02"};
+  movement.per_take = {f, f};
+  movement.captured = {percentiles_up_to(1.8), percentiles_up_to(30), percentiles_up_to(0.5)};
+  movement.made = {percentiles_up_to(6), percentiles_up_to(300), percentiles_up_to(3)};
+  movement.pace = percentiles_up_to(3);
+  movement.hover_m = percentiles_up_to(0.18);
+  return movement;
+}
+
 UserResult user_result(const std::string& name, int successful, double error_m) {
   UserResult result;
   result.user = name;
@@ -56,6 +86,14 @@ UserResult user_result(const std::string& name, int successful, double error_m) 
                 .partner_between_changes_m = 0.0354,
                 .original_between_changes_m = 0.0352,
                 .between_changes_share = 0.64,
+                .common = {.first_m = 0.037, .second_m = 0.039, .frames = 1650},
+                .common_partner = {.first_m = 0.035, .second_m = 0.04, .frames = 820},
+                .partner_free_fall = 30,
+                .original_partner_free_fall = 1,
+                .partner_no_support = 20,
+                .original_partner_no_support = 2,
+                .partner_frames = 850,
+                .original_partner_frames = 870,
                 .settings = {}};
   result.contact.holds.holds = 431;
   result.contact.holds.shown_holds = 428;
@@ -85,6 +123,7 @@ UserResult user_result(const std::string& name, int successful, double error_m) 
                     .behind_selected_mean_m = 0.17,
                     .continuity = continuity(2),
                     .original_continuity = continuity(1)};
+  result.movement = movement_table();
   result.solve = {.p50_us = 431.5, .p95_us = 602, .p99_us = 755.25, .steps = 900, .relaxed = 12, .failed = 1};
   return result;
 }

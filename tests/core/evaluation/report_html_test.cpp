@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <regex>
 #include <vector>
 
@@ -162,6 +163,37 @@ TEST(ReportHtml, ShowsThePartnerWithoutContactWhenOnlyMovesWereAskedFor) {
   EXPECT_THAT(html, HasSubstr("joint error, mean over steps"));
   EXPECT_THAT(html, Not(HasSubstr("holds kept")));
   EXPECT_THAT(html, Not(HasSubstr("hold change")));
+}
+
+TEST(ReportHtml, ShowsHowThePartnerMovesBesideTheCapturedOne) {
+  Evaluation evaluation = test::example_evaluation();
+  std::string html = report_html(evaluation);
+  EXPECT_THAT(html, HasSubstr("<section id=\"movement\">"));
+  EXPECT_THAT(html, HasSubstr("moves at 4.46 m/s in the 99th percentile, the captured one at 1.57 m/s"));
+  EXPECT_THAT(html,
+              HasSubstr("<th scope=\"row\">speed, 99th percentile</th><td>1.57 m/s</td><td>4.46 m/s</td>"));
+  EXPECT_THAT(html, HasSubstr("Of the holds of the capture 77\u00a0% are held"));
+  for (const char* title : {"Speed of the partner", "Acceleration of the partner&#39;s joints",
+                            "Sliding of landed feet", "Pace of the source"})
+    EXPECT_THAT(html, HasSubstr(title));
+  evaluation.result->movement.all.slide_m_s = evaluation.result->movement.all.captured_holds_held =
+      std::nan("");
+  evaluation.result->movement.made.slide_m_s.clear();
+  evaluation.result->movement.captured.slide_m_s.clear();
+  html = report_html(evaluation);
+  EXPECT_THAT(html, Not(HasSubstr("landed feet slide at")));
+  EXPECT_THAT(html, Not(HasSubstr("Of the holds of the capture ")));
+  EXPECT_EQ(xml_fault(html), "");
+}
+
+TEST(ReportHtml, SaysWhatIsLeftOutOfTheZmpError) {
+  Evaluation evaluation = test::example_evaluation();
+  std::string html = report_html(evaluation);
+  EXPECT_THAT(html, HasSubstr("frames 5.6\u00a0% are left out: in 30 (captured 1) too little"));
+  EXPECT_THAT(html, HasSubstr("in 20 (captured 2) no foot is near it"));
+  ZmpTable& zmp = evaluation.result->zmp;
+  zmp.partner_free_fall = zmp.partner_no_support = 0;
+  EXPECT_THAT(report_html(evaluation), Not(HasSubstr("no foot is near it")));
 }
 
 TEST(ReportHtml, WarnsOfALagThatSaysLittle) {

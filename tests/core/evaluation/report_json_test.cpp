@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -31,6 +33,12 @@ TEST(ReportJson, HasTheFieldsOfTheContract) {
   expect_keys(json.at("contact"), {"hold_change_mean_m", "hold_change_p95_m", "holds_kept",
                                    "penetration_excess_p99_m", "foot_slide_m_per_s", "bone_length_max"});
   expect_keys(json.at("contact").at("foot_slide_m_per_s"), {"original", "synthesised"});
+  expect_keys(json.at("movement"),
+              {"speed_p99_m_per_s", "acceleration_rms", "slide_m_per_s", "slide_share_fast", "hover_p90_m",
+               "captured_holds_held", "captured_hold_distance_mean_m", "changes_per_s", "pace"});
+  for (const char* key : {"speed_p99_m_per_s", "acceleration_rms", "slide_m_per_s", "slide_share_fast"})
+    expect_keys(json.at("movement").at(key), {"captured", "synthesised"});
+  expect_keys(json.at("movement").at("pace"), {"p05", "p50", "p95"});
   expect_keys(json.at("partner"), {"mean_joint_error_m", "median_joint_error_m", "source_changes_per_100",
                                    "displacement_p99_m", "lag_ms"});
   expect_keys(json.at("solve_us"), {"p50", "p95", "p99"});
@@ -64,6 +72,29 @@ TEST(ReportJson, PutsEachFigureUnderItsOwnName) {
   EXPECT_EQ(json["contact"]["penetration_excess_p99_m"], 0.004);
   EXPECT_EQ(json["partner"]["displacement_p99_m"], 0.22);
   EXPECT_EQ(json["partner"]["original"]["displacement_p99_m"], 0.11);
+}
+
+TEST(ReportJson, HasTheMovementOverAllTakesAndOfEach) {
+  Evaluation evaluation = test::example_evaluation();
+  evaluation.result->movement.per_take[1].captured_holds_held = std::nan("");
+  const nlohmann::json movement = report(evaluation)["movement"];
+  EXPECT_EQ(movement["speed_p99_m_per_s"]["synthesised"], 4.46);
+  EXPECT_EQ(movement["speed_p99_m_per_s"]["captured"], 1.57);
+  EXPECT_EQ(movement["hover_p90_m"], 0.072);
+  EXPECT_EQ(movement["pace"]["standing_share"], 0.5);
+  ASSERT_EQ(movement["per_take"].size(), 2);
+  EXPECT_EQ(movement["per_take"][1]["take"], "salsa_02");
+  EXPECT_EQ(movement["per_take"][1]["pace"]["p95"], 3);
+  EXPECT_TRUE(movement["per_take"][1]["captured_holds_held"].is_null()) << "nobody held hands in the take";
+}
+
+TEST(ReportJson, HasTheZmpErrorOverFramesThatCountInBothMotions) {
+  const nlohmann::json zmp = report(test::example_evaluation())["zmp"];
+  EXPECT_EQ(zmp["common_frames"]["frames"], 1650);
+  EXPECT_NEAR(zmp["partner_common_frames"]["ratio"], 0.04 / 0.035, 1e-12);
+  EXPECT_EQ(zmp["partner_left_out"]["free_fall_frames"]["synthesised"], 30);
+  EXPECT_EQ(zmp["partner_left_out"]["no_support_frames"]["original"], 2);
+  EXPECT_EQ(zmp["partner_left_out"]["frames_that_count"]["synthesised"], 850);
 }
 
 TEST(ReportJson, GivesTheLagInMillisecondsAndTheZmpErrorInAsfUnits) {

@@ -69,6 +69,36 @@ TEST(RunMeasures, BetweenChangesOfSourceTheZmpKnowsNothingOfTheJumps) {
   EXPECT_GT(zmp.between_changes_share, 0.8);
 }
 
+TEST(RunMeasures, FramesInWhichThePartnerIsThrownCountForNeitherMotionWhenTheTwoAreCompared) {
+  OwnTake run;
+  const ZmpTable as_captured = measure_zmp(run.takes, {});
+  EXPECT_EQ(as_captured.common_partner.frames, as_captured.partner_frames);
+  EXPECT_EQ(as_captured.common_partner.first_m, as_captured.original_partner_m);
+  EXPECT_EQ(as_captured.common.second_m, as_captured.synthesised_m);
+  EXPECT_EQ(as_captured.partner_free_fall, 0);
+  SynthesisedTake& take = run.takes.front();
+  for (int step = 60; step < 90; ++step) {  // falls twice as fast as anybody can
+    const double t = (step - 60) / 60.0;
+    take.results[static_cast<std::size_t>(step)].bottomRows<joint_count>().col(1).array() -= 9.81 * t * t;
+  }
+  const ZmpTable zmp = measure_zmp(run.takes, {});
+  EXPECT_GT(zmp.partner_free_fall, 10);
+  EXPECT_EQ(zmp.original_partner_free_fall, 0);
+  EXPECT_EQ(zmp.common_partner.frames, zmp.partner_frames) << "all of the capture count";
+  EXPECT_LT(zmp.common_partner.frames, zmp.original_partner_frames);
+}
+
+TEST(RunMeasures, ResultAndCaptureArePenetratedByTheSameRadii) {
+  OwnTake run;
+  auto columns = run.data.library->columns();
+  for (LibraryBody& body : columns.bodies) body.capsule_radii.fill(0.3);
+  const MotionLibrary library(std::move(columns));
+  const ContactTable contact = measure_contact(run.takes, library);
+  EXPECT_GT(contact.penetration.max_m, 0);
+  EXPECT_EQ(contact.penetration.max_m, contact.original_penetration.max_m);
+  EXPECT_EQ(contact.penetration.deep_share, contact.original_penetration.deep_share);
+}
+
 TEST(RunMeasures, AnInterruptionIsNoJump) {
   OwnTake run;
   SynthesisedTake& take = run.takes.front();

@@ -67,6 +67,26 @@ TEST(TakeSynthesis, StepsAtTheSettingsRateAndKnowsTheFrameOfEachStep) {
   EXPECT_EQ(run->follows[1], 1);
 }
 
+TEST(TakeSynthesis, KnowsWhenEveryStepWasAndWhereItComesFrom) {
+  const EvaluationData data = three_takes();
+  const auto run = synthesise_take(data.library, data.takes[0], paper_options());
+  ASSERT_TRUE(run);
+  int locked = 0;
+  for (std::size_t step = 0; step < run->size(); ++step) {
+    const PartnerStep partner = run->partner_step(step);
+    const PairSource& source = data.library->source(run->pairs[step]);
+    EXPECT_EQ(partner.partner, run->partner(step));
+    EXPECT_NEAR(partner.time_s, run->frames[step] / 60.0, 1e-12);
+    EXPECT_EQ(partner.source.take, static_cast<int>(source.take));
+    EXPECT_NEAR(partner.source.time_s, source.frame / 60.0, 1e-12);
+    EXPECT_EQ(partner.source_changed, run->source_changed[step] != 0);
+    locked += partner.locked[0] || partner.locked[1];
+    EXPECT_EQ(run->true_pair(step).topRows<joint_count>(), run->true_user(step));
+    EXPECT_EQ(run->true_pair(step).bottomRows<joint_count>(), run->true_partner(step));
+  }
+  EXPECT_GT(locked, 0) << "they stand";
+}
+
 TEST(TakeSynthesis, ThePartnerOfAPassiveUserIsTheActiveBody) {
   const EvaluationData data = three_takes();
   TakeSynthesisOptions options = paper_options();

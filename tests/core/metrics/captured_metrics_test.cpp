@@ -68,14 +68,14 @@ TEST_F(CapturedMetrics, ZmpErrorOfTheDancersIsThatOfTheReference) {
 
 TEST_F(CapturedMetrics, DancersFeetBrushTheFloor) {
   for (const bool leader : {true, false}) {
-    double distance_m = 0, stance_s = 0;
+    FootSlideMetric metric;
     for (const PairedTake& take : takes) {
       const std::vector<Pose>& poses = (leader ? take.a : take.b).poses;
-      const FootSlide slide = measure_foot_slide(poses, 60, toe_rest_height(poses));
-      stance_s += slide.landed_frames / 60.0;
-      distance_m += slide.speed_m_s * slide.landed_frames / 60.0;
+      const ToeRest rest = toe_rest(poses);
+      for (std::size_t frame = 1; frame < poses.size(); ++frame)
+        metric.add(poses[frame - 1], poses[frame], 1.0 / 60, rest);
     }
-    EXPECT_NEAR(distance_m / stance_s, 0.15, 0.025) << (leader ? "leader" : "follower");
+    EXPECT_NEAR(metric.figures().mean_m_s, 0.15, 0.025) << (leader ? "leader" : "follower");
   }
 }
 

@@ -52,6 +52,20 @@ TEST(Holds, AShownHoldIsRightWhereTheRecordedHandsAreWithin16Centimetres) {
   EXPECT_EQ(metric.figures().precision, 0.5);
 }
 
+TEST(Holds, OfTheCaptureAreHeldWithin20CentimetresAndRecalledWithin13) {
+  HoldMetric metric(HoldMetric::captured_hold_held_m);
+  metric.add(pair_with({0, 1, 0.12, 5}), pair_with({0, 1, 0.10, 5}));  // held and recalled
+  metric.add(pair_with({0, 1, 0.19, 5}), pair_with({0, 1, 0.10, 5}));  // held
+  metric.add(pair_with({0, 1, 0.21, 5}), pair_with({0, 1, 0.10, 5}));  // lost
+  metric.add(pair_with({0, 1, 0.12, 5}), pair_with({0, 1, 0.25, 5}));  // nobody held
+  const HoldMetric::Figures figures = metric.figures();
+  EXPECT_EQ(figures.holds, 3);
+  EXPECT_NEAR(figures.kept, 2.0 / 3, 1e-12);
+  EXPECT_NEAR(figures.recall, 1.0 / 3, 1e-12);
+  EXPECT_NEAR(figures.distance_mean_m, (0.12 + 0.19 + 0.21) / 3, 1e-12);
+  EXPECT_NEAR(figures.precision, 1.0 / 2, 1e-12);
+}
+
 TEST(Holds, EveryHandMayHoldEitherHand) {
   HoldMetric metric;
   const PairPose crossed = pair_with({0, 1, 0.95, 0.05});

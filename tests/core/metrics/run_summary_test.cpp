@@ -39,8 +39,9 @@ class ARun : public testing::Test {
     FrameResult relaxed = solved(0.10, 0.004);
     relaxed.status = StepStatus::Relaxed;
     relaxed.source_changed = true;
+    double time_s = 0;
     for (const FrameResult& frame : {solved(0), relaxed, failed(), solved(5), solved(5.05)})
-      summary.add(frame);
+      summary.add(frame, time_s += 0.1);
   }
   std::shared_ptr<const MotionLibrary> library = test::small_library();
   RunSummary summary{*library};
@@ -59,11 +60,12 @@ TEST(RunSummary, ThePartnerOfAPassiveUserIsTheActiveBody) {
   const auto library = test::small_library();
   RunSummary summary(*library, UserRole::Passive);
   FrameResult frame = solved(0);
-  summary.add(frame);
+  summary.add(frame, 0);
   frame.result.topRows<joint_count>().col(0).array() += 0.05;
-  summary.add(frame);
+  summary.add(frame, 0.1);
   EXPECT_NEAR(summary.figures().behind_selected_mean_m, 0.025, 1e-12);
   EXPECT_NEAR(summary.figures().partner_displacement_mean_m, 0.05, 1e-12);
+  EXPECT_NEAR(summary.figures().motion.movement.speed_p50_m_s, 0.5, 1e-12);
 }
 
 TEST_F(ARun, TakesItsFiguresFromSolvedFramesOnly) {
@@ -82,6 +84,7 @@ TEST_F(ARun, TakesItsFiguresFromSolvedFramesOnly) {
 TEST_F(ARun, IsNotComparedAcrossAFailedStep) {
   EXPECT_NEAR(summary.figures().partner_displacement_mean_m, 0.5 * (0.10 + 0.05), 1e-12);
   EXPECT_EQ(summary.continuity().figures().steps, 4);
+  EXPECT_NEAR(summary.figures().motion.movement.speed_p50_m_s, 0.5 * (1.0 + 0.5), 1e-12);
 }
 
 TEST_F(ARun, IsWrittenAsJson) {
@@ -92,6 +95,11 @@ TEST_F(ARun, IsWrittenAsJson) {
   EXPECT_NEAR(json["hold_change_mean_m"], 0.03, 1e-12);
   EXPECT_NEAR(json["partner_displacement_mean_m"], 0.075, 1e-12);
   EXPECT_EQ(json["solve_us"]["p50"], 100);
+  const auto& movement = json["movement"];
+  EXPECT_NEAR(movement["speed_p50_m_per_s"], 0.75, 1e-12);
+  EXPECT_NEAR(movement["changes_per_s"], 5, 1e-9) << "one in two steps of a tenth of a second";
+  EXPECT_TRUE(movement["hover_p90_m"].is_null()) << "no foot was locked";
+  EXPECT_TRUE(movement["pace"].contains("p95"));
 }
 
 TEST_F(ARun, IsWrittenForPeople) {
@@ -99,6 +107,7 @@ TEST_F(ARun, IsWrittenForPeople) {
   EXPECT_NE(text.find("5 at 15 Hz, 1 relaxed, 1 failed"), std::string::npos) << text;
   EXPECT_NE(text.find("30.0 mm over 4 holds"), std::string::npos) << text;
   EXPECT_NE(text.find("3.0 cm"), std::string::npos) << text;
+  EXPECT_NE(text.find("0.75 / 0.99 m/s"), std::string::npos) << text;
 }
 
 }  // namespace

@@ -220,5 +220,23 @@ TEST(Zmp, RefusesAnImpossibleRateOrWindow) {
   EXPECT_THROW(measure_zmp(poses, 60, settings), std::invalid_argument);
 }
 
+TEST(ZmpComparison, IsOverTheFramesThatCountInBoth) {
+  ZmpError captured, made;
+  captured.frames = {5, 6, 7, 8};
+  captured.error_m = {0.01, 0.02, 0.03, 0.04};
+  made.frames = {6, 8, 9};  // 5 and 7 are free fall
+  made.error_m = {0.10, 0.20, 0.30};
+  ZmpComparison comparison;
+  comparison.add(captured, made);
+  EXPECT_EQ(comparison.common().frames, 2);
+  EXPECT_NEAR(comparison.common().first_m, 0.03, 1e-12);
+  EXPECT_NEAR(comparison.common().second_m, 0.15, 1e-12);
+  ZmpComparison of_another;
+  of_another.add(captured, captured);
+  comparison.append(of_another);
+  EXPECT_EQ(comparison.common().frames, 6);
+  EXPECT_TRUE(std::isnan(ZmpComparison().common().second_m));
+}
+
 }  // namespace
 }  // namespace abrazo::zmp_test

@@ -80,6 +80,10 @@ class FakeSink : public PoseSink {
     const std::scoped_lock lock(mutex_);
     sent_.push_back(pose);
   }
+  void set_body(const Body& body) override {
+    const std::scoped_lock lock(mutex_);
+    bodies_.push_back(body);
+  }
   SinkHealth health() const override {
     const std::scoped_lock lock(mutex_);
     SinkHealth health;
@@ -90,10 +94,16 @@ class FakeSink : public PoseSink {
     const std::scoped_lock lock(mutex_);
     return sent_;
   }
+  /// It was told, the latest last.
+  std::vector<Body> bodies() const {
+    const std::scoped_lock lock(mutex_);
+    return bodies_;
+  }
 
  private:
   mutable std::mutex mutex_;
   std::vector<OutgoingPose> sent_;
+  std::vector<Body> bodies_;
 };
 
 class FakeListener : public FrameListener {

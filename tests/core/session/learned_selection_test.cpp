@@ -8,6 +8,7 @@
 #include "core/session/session_replay.hpp"
 #include "core/session/steering.hpp"
 #include "core/synthesis/role_views.hpp"
+#include "core/synthesis/synthesizer_state.hpp"
 #include "core/synthesis/trace.hpp"
 #include "tests/core/session/recorded_session.hpp"
 #include "tests/core/session/refused_memory.hpp"
@@ -170,6 +171,29 @@ TEST(LearnedSelection, ThatCannotBeLearnedSaysWhyOnceAndEquationSevenStays) {
   EXPECT_TRUE(session.steering.is_learning()) << "asked for again it is tried again";
   ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
   EXPECT_TRUE(selects_by_intent(session.step()));
+}
+
+TEST(ARoleThereIsNoMemoryFor, IsNotTakenAndStepsGoOn) {
+  const auto synthesizer = std::move(
+      *PartnerSynthesizer::create(std::make_shared<MotionLibrary>(*test::session_library()), equation_7()));
+  synthesizer->step(user().poses[0], step_time);
+  Settings passive = equation_7();
+  passive.user_role = UserRole::Passive;
+  passive.neighbours = 7;
+  test::refuse_memory(20'000);  // no step takes so much at once; a library with its roles exchanged does
+  EXPECT_THROW(synthesizer->set_settings(passive), std::bad_alloc);
+  EXPECT_EQ(synthesizer->settings(), equation_7());
+  StepStatus status = StepStatus::Failed;
+  EXPECT_NO_THROW(status = synthesizer->step(user().poses[1], step_time).status);
+  SynthesizerState state = synthesizer->state();
+  state.user_role = UserRole::Passive;
+  EXPECT_THROW(synthesizer->restore(state), std::bad_alloc);
+  EXPECT_THROW(synthesizer->take_over(state), std::bad_alloc);
+  EXPECT_NO_THROW(synthesizer->step(user().poses[2], step_time));
+  test::give_memory_again();
+  EXPECT_EQ(status, StepStatus::Ok);
+  synthesizer->set_settings(passive);
+  EXPECT_EQ(synthesizer->step(user().poses[3], step_time).status, StepStatus::Ok);
 }
 
 TEST(LearnedSelection, WhatIsSteeredMeanwhileHoldsThoughLearningFailed) {

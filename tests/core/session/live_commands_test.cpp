@@ -28,6 +28,25 @@ std::shared_ptr<const MotionLibrary> small_library_reordered() {
       std::move(*build_library("reordered", std::move(takes), {}, {})));
 }
 
+/// Two people of whom the second is a tenth taller.
+std::shared_ptr<const MotionLibrary> library_of_two_sizes() {
+  PairedTake take = test::swinging_take("first", 180, 1);
+  for (Pose& pose : take.b.poses) pose *= 1.1;
+  std::vector<PairedTake> takes;
+  takes.push_back(std::move(take));
+  return std::make_shared<const MotionLibrary>(
+      std::move(*build_library("two sizes", std::move(takes), {}, {})));
+}
+
+/// A device that cannot be told a rate while it is jammed.
+class JammedDevice : public FakeDevice {
+ public:
+  void set_max_rate(double) override {
+    if (is_jammed) throw std::runtime_error("the device is jammed");
+  }
+  bool is_jammed = false;
+};
+
 /// A live loop on a device; the test hands in the poses and says what time it is.
 class LiveCommands : public testing::Test {
  protected:
@@ -114,6 +133,62 @@ TEST_F(LiveCommands, SinksGetTheCharacterTheyWereAttachedFor) {
   dance(1);
   EXPECT_EQ(partner->sent().size(), 3U);
   EXPECT_EQ(user_sink->sent().size(), 4U);
+}
+
+TEST_F(LiveCommands, ACommandThatFailsKeepsNothingElseFromBeingDone) {
+  const auto jammed = std::make_shared<JammedDevice>();
+  commands.push(ReplaceSource{jammed});
+  loop->turn(now_s);
+  jammed->is_jammed = true;
+  const auto sink = std::make_shared<FakeSink>();
+  commands.push(PinPair{33});
+  commands.push(SetSettings{*preset("paper")});
+  commands.push(SetVetoes{{{}, {"second"}, {}}});
+  commands.push(SetSettings{test::responsive_by_pose()});
+  commands.push(AttachSink{Character::Partner, sink});
+  jammed->arrive(next_pose());
+  try {
+    loop->turn(now_s);
+    FAIL() << "it says what could not be done";
+  } catch (const std::exception& failure) {
+    EXPECT_STREQ(failure.what(), "the device is jammed; the device is jammed");
+  }
+  ASSERT_TRUE(latest.newest()) << "the pose that was due is solved";
+  EXPECT_EQ(newest_pair(), 33);
+  EXPECT_EQ(newest().decisions->vetoes.takes, std::set<std::string>{"second"});
+  EXPECT_EQ(sink->sent().size(), 1U);
+  EXPECT_TRUE(newest().before) << "from there on frames can be solved again";
+  jammed->arrive(next_pose());
+  EXPECT_NO_THROW(loop->turn(now_s + frame_s)) << "it is said once";
+}
+
+TEST_F(LiveCommands, SinksAreToldTheBonesOfTheRoleThatTheirCharacterHas) {
+  const auto library = library_of_two_sizes();
+  commands.push(
+      ReplaceSynthesizer{std::move(*PartnerSynthesizer::create(library, test::responsive_by_pose()))});
+  const auto partner = std::make_shared<FakeSink>(), user_sink = std::make_shared<FakeSink>();
+  commands.push(AttachSink{Character::Partner, partner});
+  commands.push(AttachSink{Character::User, user_sink});
+  dance(3);
+  const double smaller_m = library->usual_active_body().body.height();
+  const double taller_m = library->usual_passive_body().body.height();
+  ASSERT_GT(taller_m, smaller_m + 0.01);
+  ASSERT_EQ(partner->bodies().size(), 1U) << "once, and again when they change";
+  EXPECT_EQ(partner->bodies().back().height(), taller_m);
+  EXPECT_EQ(user_sink->bodies().back().height(), smaller_m);
+  Settings passive = test::responsive_by_pose();
+  passive.user_role = UserRole::Passive;
+  commands.push(SetSettings{passive});
+  dance(2);
+  ASSERT_EQ(partner->bodies().size(), 2U);
+  EXPECT_EQ(partner->bodies().back().height(), smaller_m);
+  EXPECT_EQ(user_sink->bodies().back().height(), taller_m);
+  const auto later = std::make_shared<FakeSink>();
+  commands.push(AttachSink{Character::Partner, later});
+  commands.push(ReplaceSynthesizer{synthesizer()});
+  dance(1);
+  EXPECT_EQ(later->bodies().back().height(), test::small_library()->usual_active_body().body.height());
+  EXPECT_EQ(partner->bodies().size(), 3U) << "another library";
 }
 
 TEST_F(LiveCommands, TheFirstFrameAListenerGetsHasTheStateBefore) {

@@ -53,9 +53,9 @@ class CapturedSalsa : public testing::Test {
   static RunSummary::Figures run(const Settings& settings, const Clip& clip) {
     auto synthesizer = std::move(*PartnerSynthesizer::create(library, settings));
     RunSummary summary(*library);
-    const Status done =
-        synthesize_clip(*synthesizer, clip,
-                        [&](const ClipStep& step) -> Status { return summary.add(step.result), Done{}; }, {});
+    const Status done = synthesize_clip(
+        *synthesizer, clip,
+        [&](const ClipStep& step) -> Status { return summary.add(step.result, step.time_s), Done{}; }, {});
     EXPECT_TRUE(done.ok());
     return summary.figures();
   }

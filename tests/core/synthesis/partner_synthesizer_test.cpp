@@ -85,6 +85,29 @@ TEST(PartnerSynthesizer, CollisionsThatContradictTheBonesAreLetGoAndTheFloorIsKe
   EXPECT_GT(let_go, 0) << "the case must contradict itself to test anything";
 }
 
+TEST(PartnerSynthesizer, CapsulesAreLookedAtOnceMoreWhereTheLastStepLeftThem) {
+  // Two people in each other's arms, and a user whose joints jump about: what is linear where the last step
+  // begins says too little about its end now and then.
+  std::vector<PairedTake> takes;
+  takes.push_back(test::swinging_take("close", 120, 1, 0.3));
+  Settings settings = without_memory();
+  auto synthesizer = std::move(*PartnerSynthesizer::create(
+      std::make_shared<const MotionLibrary>(std::move(*build_library("close", std::move(takes), {}, {}))),
+      settings));
+  std::mt19937 random(5);
+  int touching = 0;
+  double deepest_m = 0;
+  for (const unsigned seed : {17U, 18U, 19U})
+    for (const Pose& pose : test::swinging_take("user", 300, seed).a.poses) {
+      const FrameResult& result = synthesizer->step(test::shaken(pose, 0.1, random), step_time);
+      if (result.status != StepStatus::Ok) continue;
+      touching += !result.collisions.empty();
+      deepest_m = std::max(deepest_m, result.residual.excess_penetration_max_m);
+    }
+  EXPECT_GT(touching, 100) << "the case must bring the bodies together to test anything";
+  EXPECT_LT(deepest_m, 1e-3);
+}
+
 TEST(PartnerSynthesizer, EqualInputGivesTheSameBits) {
   const Clip user = test::swinging_take("user", 120, 23).a;
   const auto trace_of = [&] {
