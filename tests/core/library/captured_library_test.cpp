@@ -9,6 +9,7 @@
 #include "core/library/pose_index.hpp"
 #include "core/mesh/capsules.hpp"
 #include "tests/support/captured_data.hpp"
+#include "tests/support/cgal_mesh.hpp"
 
 namespace abrazo {
 namespace {
@@ -56,6 +57,17 @@ TEST(CapturedLibrary, EveryMeshIsExact) {
   const MotionLibrary library = salsa_library(data);
   const auto& quality = library.columns().mesh_quality;
   EXPECT_EQ(std::count(quality.begin(), quality.end(), 0), library.pair_count());
+}
+
+TEST(CapturedLibrary, EveryMeshIsTheOneThatCgalFinds) {
+  ABRAZO_REQUIRE_CAPTURED_DATA(data);
+  const MotionLibrary library = salsa_library(data);
+  for (int pair = 0; pair < library.pair_count(); ++pair) {
+    const auto tetrahedra = library.tetrahedra(pair);
+    ASSERT_EQ(test::in_ascending_order({tetrahedra.begin(), tetrahedra.end()}),
+              test::cgal_tetrahedra(library.pose(pair)))
+        << "pair " << pair;
+  }
 }
 
 TEST(CapturedLibrary, IndexFindsWhatBruteForceFinds) {
