@@ -54,6 +54,7 @@ struct ThirdParty {
 
 constexpr std::array third_parties = {
     ThirdParty{"TetGen", "^tetgen", "core/mesh/tetrahedralize.cpp"},
+    ThirdParty{"FLANN", "^flann/", "core/library/flann_tree.cpp"},
     ThirdParty{"CGAL", "^CGAL/", "tests/"},  // judges TetGen's meshes
     ThirdParty{"HDF5", "^(hdf5|H5)", "core/library/hdf5_file.cpp"},
     ThirdParty{"OpenCV", "^opencv", "core/video/"},

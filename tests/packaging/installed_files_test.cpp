@@ -79,7 +79,8 @@ TEST(Licences, NameNothingThatTheProgramsAreNotBuiltWith) {
 TEST(Licences, ComeWithTheNoticesOfWhatIsCompiledIn) {
   if (!fs::exists("/usr/share/doc/libeigen3-dev/copyright"))
     GTEST_SKIP() << "only Debian has them in one place";
-  for (const char* package : {"libeigen3-dev", "nlohmann-json3-dev", "libcli11-dev", "libfmt-dev"})
+  for (const char* package :
+       {"libeigen3-dev", "libflann-dev", "nlohmann-json3-dev", "libcli11-dev", "libfmt-dev"})
     EXPECT_FALSE(
         content_of(installed("share/doc/abrazo/third-party/" + std::string(package) + ".txt")).empty())
         << package;
