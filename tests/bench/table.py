@@ -104,7 +104,7 @@ def ratio_rows(measured):
     for name, match in measured.names(r"knn/ours/(\d+)/(\d+)"):
         size, count = match.groups()
         others = [(who, f"knn/{key}/{size}/{count}") for who, key in
-                  [("every distance, double", "brute double"), ("every distance, single", "brute single"),
+                  [("our own tree", "own tree"), ("every distance, double", "brute double"), ("every distance, single", "brute single"),
                    ("nanoflann, best leaf", "nanoflann")]]
         goals = {"every distance, double": 8} if (size, count) == ("1000000", "10") else {}
         compared.append(("Nearest poses", f"{count} of {int(size):,}".replace(",", " "), name, others, goals))
@@ -176,6 +176,12 @@ def figure_rows(measured, packets=()):
         goal = 700 if match.groups() == ("1000000", "10") else None
         if value is not None:
             rows.append(figure_row("Nearest poses", f"{match[2]} of {int(match[1]):,}".replace(",", " "), value, "us", goal))
+    for name, match in measured.names(r"query/(.+)/(\d+)/(\d+) cm"):
+        for what in ("p50", "p99"):
+            value = measured.counter(name, what + "_us")
+            if value is not None:
+                size = f"{int(match[2]):,}".replace(",", " ")
+                rows.append(figure_row("Nearest poses", f"{match[1]}, 10 of {size}, {match[3]} cm off: {what}", value, "us", None))
     for threads in ("1", "2"):
         for who in ("ours", "cgal", "cgal in kept memory"):
             value = measured.counter(f"mesh/{who}/real_time/threads:{threads}", "real_time")
