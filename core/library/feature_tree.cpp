@@ -1,16 +1,13 @@
 #include "core/library/feature_tree.hpp"
 
-#include <Eigen/Eigenvalues>
-
-#include <cmath>
-#include <numeric>
+#include <algorithm>
+#include <array>
 #include <thread>
 
 namespace abrazo {
 
 namespace {
 
-constexpr std::size_t sample_rows = 16384;     ///< enough for the directions in which poses differ
 constexpr std::size_t split_sample_rows = 64;  ///< enough to see along which axis a node is longest
 constexpr std::size_t rows_worth_a_thread = 50'000;
 
@@ -85,7 +82,7 @@ struct FeatureTree::Builder {
     holder.low = holder.high = points[static_cast<std::size_t>(keys[begin].row)];
     for (std::size_t i = begin; i < end; ++i) {
       const Point& point = points[static_cast<std::size_t>(keys[i].row)];
-      leaf.row(static_cast<Eigen::Index>(i - begin)) = point.head<dimensions - 1>().transpose();
+      leaf.row(static_cast<Eigen::Index>(i - begin)) = point.head<FeatureAxes::dimensions - 1>().transpose();
       holder.low = holder.low.min(point);
       holder.high = holder.high.max(point);
       tree.rows_[i] = keys[i].row;
@@ -93,32 +90,14 @@ struct FeatureTree::Builder {
   }
 };
 
-FeatureTree::FeatureTree(std::span<const Features> features) {
+FeatureTree::FeatureTree(const FeatureAxes& axes, std::span<const Features> features) {
   if (features.empty()) return;
-  const std::size_t stride = stride_for(features.size(), sample_rows);
-  std::size_t samples = 0;
-  for (std::size_t i = 0; i < features.size(); i += stride, ++samples) centre_ += features[i];
-  centre_ /= static_cast<double>(samples);
-  Eigen::Matrix<double, 15, 15> spread = Eigen::Matrix<double, 15, 15>::Zero();
-  for (std::size_t i = 0; i < features.size(); i += stride)
-    spread += (features[i] - centre_) * (features[i] - centre_).transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 15, 15>> principal(spread);
-  // Longest axis first. Features that are no lengths of a body (1e200) have no axes: as they are, then.
-  if (principal.info() == Eigen::Success && principal.eigenvectors().allFinite())
-    axes_ = principal.eigenvectors().rowwise().reverse().transpose();
-
   Builder builder{*this, {}, {}};
-  builder.points.resize(features.size());
+  builder.points.reserve(features.size());
   builder.keys.resize(features.size());
   for (std::size_t i = 0; i < features.size(); ++i) {
-    builder.points[i] = on_axes(features[i]);
-    if (!builder.points[i].isFinite().all()) {
-      // No single precision holds it: nothing is ruled out then, and the asker's distances decide.
-      builder.points[i].setZero();
-      extent_m_ = std::numeric_limits<double>::infinity();
-    }
+    builder.points.push_back(axes.of(features[i]));
     builder.keys[i] = {0, static_cast<std::int32_t>(i)};
-    extent_m_ = std::max(extent_m_, static_cast<double>(builder.points[i].abs().maxCoeff()));
   }
   rows_.resize(features.size());
   leaves_.resize(builder.leaf_count(features.size()));
@@ -126,24 +105,43 @@ FeatureTree::FeatureTree(std::span<const Features> features) {
   builder.build(0, 0, features.size(), static_cast<int>(std::max(1U, std::thread::hardware_concurrency())));
 }
 
-FeatureTree::Point FeatureTree::on_axes(const Features& features) const {
-  Point point;
-  point.head<15>() = (axes_ * (features - centre_)).cast<float>().array();
-  point(15) = 0;
-  return point;
+void FeatureTree::search(const Point& query, SearchReach& reach, PlaceJudge& judge) const {
+  if (rows_.empty()) return;
+  struct Waiting {
+    std::int32_t node;
+    float distance;
+  };
+  std::array<Waiting, most_depth> waiting;
+  std::size_t count = 0;
+  waiting[count++] = {0, 0.0F};
+  while (count > 0) {
+    const Waiting next = waiting[--count];
+    if (next.distance > reach.limit()) continue;
+    const Node& node = nodes_[static_cast<std::size_t>(next.node)];
+    if (node.right == 0) {
+      look_into(node, query, reach, judge);
+      continue;
+    }
+    Waiting near{next.node + 1, 0}, far{node.right, 0};
+    near.distance = distance_to_box(nodes_[static_cast<std::size_t>(near.node)], query);
+    far.distance = distance_to_box(nodes_[static_cast<std::size_t>(far.node)], query);
+    if (far.distance < near.distance) std::swap(near, far);
+    waiting[count++] = far;
+    waiting[count++] = near;
+  }
 }
 
-double FeatureTree::slack_for(const Features& query) const {
-  // Each coordinate of both points was rounded to 24 bits, and turned with errors of the double's.
-  const double largest = std::max(extent_m_, (query - centre_).cwiseAbs().sum());
-  constexpr auto rounding = static_cast<double>(std::numeric_limits<float>::epsilon());
-  return 4 * std::sqrt(15.0) * rounding * largest;
-}
-
-void FeatureTree::Reach::shrink_to(double distance) {
-  constexpr double sum_of_squares_error = 1e-5;  // 15 additions in single precision, tenfold
-  const double reached = distance + slack_;
-  limit_ = static_cast<float>(reached * reached * (1 + sum_of_squares_error));
+void FeatureTree::look_into(const Node& node, const Point& point, SearchReach& reach,
+                            PlaceJudge& judge) const {
+  const Leaf& leaf = leaves_[static_cast<std::size_t>(node.leaf)];
+  Eigen::Array<float, leaf_rows, 1> squares = (leaf.col(0) - point(0)).square();
+  for (int axis = 1; axis < 5; ++axis) squares += (leaf.col(axis) - point(axis)).square();
+  if (squares.minCoeff() > reach.limit()) return;
+  for (int axis = 5; axis < leaf.cols(); ++axis) squares += (leaf.col(axis) - point(axis)).square();
+  const int first = node.leaf * leaf_rows;
+  const int held = std::min<int>(leaf_rows, static_cast<int>(rows_.size()) - first);
+  for (int i = 0; i < held; ++i)
+    if (!(squares(i) > reach.limit())) judge.look_at(static_cast<std::size_t>(first + i), reach);
 }
 
 }  // namespace abrazo

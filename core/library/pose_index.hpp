@@ -4,6 +4,7 @@
 #include <span>
 #include <vector>
 
+#include "core/library/motion_library.hpp"
 #include "core/library/normalization.hpp"
 
 namespace abrazo {
@@ -15,12 +16,19 @@ struct PoseMatch {
 };
 
 /// Exact nearest neighbours in the 15-D feature space (kd-tree, paper 3.2.2): the same for every order of the
-/// pairs. Keeps its own copy of the features. A search allocates nothing but room in `matches`.
+/// pairs, whichever tree narrows the search. Keeps its own copy of the features. A search allocates nothing
+/// but room in `matches`.
 class PoseIndex {
  public:
+  /// Who narrows a search down before distances in double precision decide.
+  enum class Tree {
+    Flann,  ///< FLANN's; some 240 bytes for each pair, features included
+    Own     ///< ours; some 200
+  };
+
   /// @param features  of every pair of the library
   /// @param pairs     those to be found; the others are left out of the tree
-  PoseIndex(std::span<const Features> features, std::span<const int> pairs);
+  PoseIndex(std::span<const Features> features, std::span<const int> pairs, Tree tree = Tree::Flann);
   ~PoseIndex();
   PoseIndex(PoseIndex&&) noexcept;
   PoseIndex& operator=(PoseIndex&&) noexcept;
@@ -29,6 +37,8 @@ class PoseIndex {
 
   /// The `count` nearest pairs (fewer if the index is smaller), nearest first; equal distances by pair
   /// number.
+  /// @param[in,out] matches  what it holds before is looked at first and changes nothing but how long the
+  /// search takes: with the answer to a query nearby, such as the frame before, half as long
   void nearest(const Features& query, int count, std::vector<PoseMatch>& matches) const;
 
   /// The same among those that are not left out, as exact, without another index: they are passed over while
@@ -38,11 +48,15 @@ class PoseIndex {
                        std::vector<PoseMatch>& matches) const;
 
  private:
-  struct Tree;
+  struct Contents;
   template <typename IsLeftOut>
   void search(const Features& query, int count, const IsLeftOut& is_left_out,
               std::vector<PoseMatch>& matches) const;
-  std::unique_ptr<Tree> tree_;
+  std::unique_ptr<Contents> contents_;
 };
+
+/// Of a library's pairs, with the tree that fits: FLANN's where the library is in memory, our own where it is
+/// mapped because it does not fit.
+PoseIndex pose_index_of(const MotionLibrary& library, std::span<const int> pairs);
 
 }  // namespace abrazo

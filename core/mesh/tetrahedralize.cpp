@@ -1,6 +1,5 @@
-#include <CGAL/Delaunay_triangulation_3.h>
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Triangulation_vertex_base_with_info_3.h>
+#define TETLIBRARY  // TetGen's header declares its library interface under this name only
+#include <tetgen.h>
 
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
@@ -9,6 +8,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <mutex>
 #include <optional>
 #include <stdexcept>
 
@@ -19,15 +19,11 @@ namespace abrazo {
 
 namespace {
 
-using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
-using Vertex = CGAL::Triangulation_vertex_base_with_info_3<int, Kernel>;
-// The cell without a place for its circumcentre, which nobody asks for.
-using Cell = CGAL::Triangulation_cell_base_3<Kernel>;
-using Delaunay = CGAL::Delaunay_triangulation_3<Kernel, CGAL::Triangulation_data_structure_3<Vertex, Cell>>;
-
 constexpr double coincidence_m = 1e-3;
 constexpr double jitter_m = 1e-5;
 constexpr double flatness_m = 1e-6;
+constexpr double least_volume =
+    1e-13;  ///< of a cube around the pair; far above what rounding makes of a plane
 constexpr int fallback_neighbours = 8;
 
 /// Displacement that depends on the vertex alone, so that equal input gives equal meshes.
@@ -61,14 +57,45 @@ PairPose jittered(const PairPose& pair) {
   return moved;
 }
 
+using VertexOrder = std::array<int, pair_vertex_count>;
+
 /// Bodies and joints in turn, far apart: points in the order of a limb would make slivers that the next ones
-/// take apart again, half as fast.
-constexpr int insertion_order(int n) {
-  return (n % 2) * joint_count + (n / 2 * 7) % joint_count;
+/// take apart again.
+constexpr VertexOrder alternating_order() {
+  VertexOrder order{};
+  for (int n = 0; n < pair_vertex_count; ++n)
+    order[static_cast<std::size_t>(n)] = (n % 2) * joint_count + (n / 2 * 7) % joint_count;
+  return order;
+}
+
+/// The order in which points are inserted: first a large tetrahedron, each corner as far as can be from those
+/// before it. Nothing when its volume is so small that TetGen may take all points for one plane: it then
+/// frees its memory twice, which ends the process.
+std::optional<VertexOrder> insertion_order(const PairPose& centred) {
+  VertexOrder order = alternating_order();
+  const auto point = [&](std::size_t n) { return Vec3(centred.row(order[n])); };
+  const auto put_farthest = [&](std::size_t place, const auto& distance) {
+    std::size_t farthest = place;
+    for (std::size_t n = place + 1; n < order.size(); ++n)
+      if (distance(point(n)) > distance(point(farthest))) farthest = n;
+    std::swap(order[place], order[farthest]);
+    return distance(point(place));
+  };
+  put_farthest(0, [](const Vec3& p) { return p.squaredNorm(); });
+  const Vec3 first = point(0);
+  put_farthest(1, [&](const Vec3& p) { return (p - first).squaredNorm(); });
+  const Vec3 along = point(1) - first;
+  put_farthest(2, [&](const Vec3& p) { return along.cross(p - first).squaredNorm(); });
+  const Vec3 normal = along.cross(point(2) - first);
+  const double six_volumes = put_farthest(3, [&](const Vec3& p) { return std::abs(normal.dot(p - first)); });
+  const double size = (centred.colwise().maxCoeff() - centred.colwise().minCoeff()).norm();
+  if (!(six_volumes > least_volume * size * size * size)) return std::nullopt;
+  return order;
 }
 
 /// Vertices ascending but for the last two, which stand so that the volume is positive: however a
 /// tetrahedron was found, it reads the same.
+/// @param t  with a positive volume
 MeshTetrahedron canonical(MeshTetrahedron t) {
   bool odd = false;
   for (std::size_t i = 0; i < 4; ++i)
@@ -78,33 +105,51 @@ MeshTetrahedron canonical(MeshTetrahedron t) {
   return t;
 }
 
+/// Delaunay tetrahedra and nothing else, of points in the order that is given.
+tetgenbehavior quiet_delaunay() {
+  tetgenbehavior wish;
+  wish.quiet = 1;
+  wish.no_sort = 1;  // else it shuffles with rand(), which others in the process seed and use as well
+  wish.nobound = wish.nofacewritten = 1;
+  return wish;
+}
+
+/// TetGen's own call. Any thread.
+void call_tetgen(tetgenio& in, tetgenio& out) {
+  // The constants of its exact predicates are globals that every call writes, among them filters that depend
+  // on the size of what is meshed: one call at a time.
+  static std::mutex turn;
+  const std::scoped_lock one_at_a_time(turn);
+  static tetgenbehavior wish = quiet_delaunay();
+  ::tetrahedralize(&wish, &in, &out);
+}
+
 /// Nothing when there is no volume, or points are one. Exact in every case: points on one sphere are told
-/// apart by CGAL's symbolic perturbation. Any thread.
+/// apart by TetGen's symbolic perturbation, which goes by the order of insertion. Any thread.
 std::optional<std::vector<MeshTetrahedron>> delaunay(const PairPose& pair) {
-  thread_local Delaunay triangulation;  // keeps its memory from pair to pair
-  triangulation.clear();
   // Centred, so that pairs far from the origin keep their precision.
-  const Eigen::RowVector3d centre = pair.colwise().mean();
-  Delaunay::Cell_handle near_last;
-  for (int n = 0; n < pair_vertex_count; ++n) {
-    const int v = insertion_order(n);
-    const Eigen::RowVector3d point = pair.row(v) - centre;
-    const auto inserted = triangulation.insert({point.x(), point.y(), point.z()}, near_last);
-    inserted->info() = v;
-    near_last = inserted->cell();
+  const PairPose centred = pair.rowwise() - pair.colwise().mean();
+  const auto order = insertion_order(centred);
+  if (!order) return std::nullopt;
+  tetgenio in, out;
+  in.numberofpoints = pair_vertex_count;
+  in.pointlist = new REAL[std::size_t{3} * pair_vertex_count];  // freed by tetgenio
+  for (int n = 0; n < pair_vertex_count; ++n)
+    Eigen::Map<Eigen::RowVector3d>(in.pointlist + std::ptrdiff_t{3} * n) =
+        centred.row((*order)[static_cast<std::size_t>(n)]);
+  call_tetgen(in, out);
+  std::vector<MeshTetrahedron> tetrahedra(static_cast<std::size_t>(out.numberoftetrahedra));
+  std::array<bool, pair_vertex_count> used{};
+  const int* corner = out.tetrahedronlist;
+  for (MeshTetrahedron& tetrahedron : tetrahedra) {
+    for (std::uint8_t& vertex : tetrahedron) {
+      vertex = static_cast<std::uint8_t>((*order)[static_cast<std::size_t>(*corner++)]);
+      used[vertex] = true;
+    }
+    tetrahedron = canonical(tetrahedron);
   }
   // A vertex that stands where another stands is not a vertex of its own: not the mesh of all joints.
-  if (triangulation.dimension() < 3 ||
-      triangulation.number_of_vertices() != static_cast<std::size_t>(pair_vertex_count))
-    return std::nullopt;
-  std::vector<MeshTetrahedron> tetrahedra;
-  tetrahedra.reserve(triangulation.number_of_cells());
-  for (const auto cell : triangulation.finite_cell_handles()) {
-    MeshTetrahedron tetrahedron;
-    for (int corner = 0; corner < 4; ++corner)
-      tetrahedron[static_cast<std::size_t>(corner)] = static_cast<std::uint8_t>(cell->vertex(corner)->info());
-    tetrahedra.push_back(canonical(tetrahedron));
-  }
+  if (!std::all_of(used.begin(), used.end(), [](bool is_used) { return is_used; })) return std::nullopt;
   std::sort(tetrahedra.begin(), tetrahedra.end());
   return tetrahedra;
 }

@@ -15,7 +15,7 @@ PairSelector::PairSelector(std::shared_ptr<const MotionLibrary> library, std::ve
                            std::shared_ptr<const PoseIndex> index)
     : library_(library), pairs_(std::move(library), std::move(pairs)), index_(std::move(index)) {
   matches_.reserve(std::min(pairs_.pairs().size(), room_for_matches));
-  if (!index_) index_ = std::make_shared<const PoseIndex>(library_->columns().features, pairs_.pairs());
+  if (!index_) index_ = std::make_shared<const PoseIndex>(pose_index_of(*library_, pairs_.pairs()));
 }
 
 int PairSelector::select(const SelectionQuery& query, std::vector<Candidate>& candidates) {

@@ -57,7 +57,7 @@ RoleViews::View RoleViews::made(UserRole role) const {
   view.library = role == UserRole::Passive
                      ? std::make_shared<const MotionLibrary>(with_roles_exchanged(*library_))
                      : library_;
-  view.index = std::make_shared<const PoseIndex>(view.library->columns().features, pairs_);
+  view.index = std::make_shared<const PoseIndex>(pose_index_of(*view.library, pairs_));
   return view;
 }
 

@@ -14,11 +14,10 @@ run(strip --strip-debug --remove-section=.comment --remove-section=.note --enabl
 file(GLOB pages ${programs}/share/man/man1/*.1)
 run(gzip -9n ${pages})
 
-# Every row of the first table in copyright.in but Boost, which asks for no notice in programs.
+# Every row of the first table in copyright.in.
 file(READ ${programs}/share/doc/abrazo/copyright licences)
 string(REGEX REPLACE ".*Code of others inside(.*)Loaded by the programs.*" "\\1" inside "${licences}")
 string(REGEX MATCHALL "[a-z0-9.+-]+-dev" inside "${inside}")
-list(REMOVE_ITEM inside libboost-dev)
 foreach(package IN LISTS inside)
   if(NOT EXISTS ${programs}/share/doc/abrazo/third-party/${package}.txt)
     message(FATAL_ERROR "The copyright notice of ${package} is missing. It is compiled in, so it has to be passed on: "

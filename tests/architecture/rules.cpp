@@ -53,7 +53,9 @@ struct ThirdParty {
 };
 
 constexpr std::array third_parties = {
-    ThirdParty{"CGAL", "^CGAL/", "core/mesh/tetrahedralize.cpp"},
+    ThirdParty{"TetGen", "^tetgen", "core/mesh/tetrahedralize.cpp"},
+    ThirdParty{"FLANN", "^flann/", "core/library/flann_tree.cpp"},
+    ThirdParty{"CGAL", "^CGAL/", "tests/"},  // judges TetGen's meshes
     ThirdParty{"HDF5", "^(hdf5|H5)", "core/library/hdf5_file.cpp"},
     ThirdParty{"OpenCV", "^opencv", "core/video/"},
     ThirdParty{"SQLite", "^sqlite3", ""},

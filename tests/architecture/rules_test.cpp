@@ -124,12 +124,16 @@ TEST(ArchitectureRules, CatchARendererThatOpensAWindow) {
 }
 
 TEST(ArchitectureRules, CatchAThirdPartyOutsideItsPlace) {
-  EXPECT_THAT(
-      third_parties_have_one_place(one("core/library/a.cpp", "#include <CGAL/Delaunay_triangulation_3.h>\n")),
-      ElementsAre(HasSubstr("CGAL may be named only in core/mesh/tetrahedralize.cpp")));
+  EXPECT_THAT(third_parties_have_one_place(one("core/library/a.cpp", "#include <tetgen.h>\n")),
+              ElementsAre(HasSubstr("TetGen may be named only in core/mesh/tetrahedralize.cpp")));
+  EXPECT_THAT(third_parties_have_one_place(one("core/mesh/tetrahedralize.cpp", "#include <tetgen.h>\n")),
+              IsEmpty());
   EXPECT_THAT(third_parties_have_one_place(
                   one("core/mesh/tetrahedralize.cpp", "#include <CGAL/Delaunay_triangulation_3.h>\n")),
-              IsEmpty());
+              ElementsAre(HasSubstr("CGAL may be named only in tests/")));
+  EXPECT_THAT(
+      third_parties_have_one_place(one("core/library/pose_index.cpp", "#include <flann/flann.hpp>\n")),
+      ElementsAre(HasSubstr("FLANN may be named only in core/library/flann_tree.cpp")));
   EXPECT_THAT(third_parties_have_one_place(one("core/session/a.cpp", "#include <hdf5.h>\n")), SizeIs(1));
   EXPECT_THAT(third_parties_have_one_place(one("widgets/plots/a.cpp", "#include <vtkActor.h>\n")), SizeIs(1));
   EXPECT_THAT(

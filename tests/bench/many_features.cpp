@@ -37,6 +37,21 @@ void add_dances(std::size_t count, std::vector<Features>& features) {
   }
 }
 
+/// Those there are, on bodies that are up to a tenth smaller or larger, each coordinate off by a centimetre.
+void add_other_bodies(std::size_t count, std::vector<Features>& features) {
+  std::mt19937_64 random(2);
+  std::uniform_real_distribution<double> size(0.9, 1.1);
+  std::normal_distribution<double> metres(0, 0.01);
+  const std::size_t recorded = features.size();
+  double body = 1;
+  for (std::size_t i = 0; features.size() < count; ++i) {
+    if (i % recorded == 0) body = size(random);
+    Features other = body * features[i % recorded];
+    for (double& coordinate : other) coordinate += metres(random);
+    features.push_back(other);
+  }
+}
+
 const char* kept_in() {
   const char* file = std::getenv("ABRAZO_BENCH_FEATURES");
   return file != nullptr && *file != '\0' ? file : nullptr;
@@ -60,7 +75,10 @@ std::vector<Features> many_features(const BenchData& data, std::size_t count) {
   if (read_kept(features, count)) return features;
   features.clear();
   add_library(data, features);
-  add_dances(count, features);
+  if (data.excluded.empty())
+    add_dances(count, features);
+  else
+    add_other_bodies(count, features);
   features.resize(count);
   if (kept_in() != nullptr)
     std::ofstream(kept_in(), std::ios::binary)

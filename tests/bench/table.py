@@ -11,8 +11,8 @@ RATIOS = [
       ("dense LU, full pivoting", "linear/dense LU, full pivoting")], {"UMFPACK": 20}),
     ("Tetrahedra", "one pair of bodies", "mesh/ours/real_time/threads:1",
      [("CGAL, its own order", "mesh/cgal/real_time/threads:1"),
-      ("CGAL, skeleton order", "mesh/cgal in skeleton order/real_time/threads:1"),
-      ("TetGen", "mesh/tetgen/real_time/threads:1")], {}),
+      ("CGAL, our order, kept memory", "mesh/cgal in kept memory/real_time/threads:1"),
+      ("TetGen, its own order", "mesh/tetgen/real_time/threads:1")], {}),
 ]
 # (group, what, benchmark, counter or None for its time, unit, goal: at most)
 FIGURES = [
@@ -104,7 +104,7 @@ def ratio_rows(measured):
     for name, match in measured.names(r"knn/ours/(\d+)/(\d+)"):
         size, count = match.groups()
         others = [(who, f"knn/{key}/{size}/{count}") for who, key in
-                  [("every distance, double", "brute double"), ("every distance, single", "brute single"),
+                  [("our own tree", "own tree"), ("every distance, double", "brute double"), ("every distance, single", "brute single"),
                    ("nanoflann, best leaf", "nanoflann")]]
         goals = {"every distance, double": 8} if (size, count) == ("1000000", "10") else {}
         compared.append(("Nearest poses", f"{count} of {int(size):,}".replace(",", " "), name, others, goals))
@@ -176,8 +176,14 @@ def figure_rows(measured, packets=()):
         goal = 700 if match.groups() == ("1000000", "10") else None
         if value is not None:
             rows.append(figure_row("Nearest poses", f"{match[2]} of {int(match[1]):,}".replace(",", " "), value, "us", goal))
+    for name, match in measured.names(r"query/(.+)/(\d+)/(\d+) cm"):
+        for what in ("p50", "p99"):
+            value = measured.counter(name, what + "_us")
+            if value is not None:
+                size = f"{int(match[2]):,}".replace(",", " ")
+                rows.append(figure_row("Nearest poses", f"{match[1]}, 10 of {size}, {match[3]} cm off: {what}", value, "us", None))
     for threads in ("1", "2"):
-        for who in ("ours", "cgal", "cgal in skeleton order"):
+        for who in ("ours", "cgal", "cgal in kept memory"):
             value = measured.counter(f"mesh/{who}/real_time/threads:{threads}", "real_time")
             if value is not None:
                 rows.append(figure_row("Tetrahedra", f"{who}, clock per pair on {threads} thread(s)", value, "us", None))

@@ -2,13 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <numeric>
+#include <random>
 
 #include "core/library/motion_library_builder.hpp"
 #include "core/library/motion_library_file.hpp"
 #include "core/library/pose_index.hpp"
 #include "core/mesh/capsules.hpp"
 #include "tests/support/captured_data.hpp"
+#include "tests/support/cgal_mesh.hpp"
 
 namespace abrazo::captured_library_test {
 namespace {
@@ -58,6 +61,17 @@ TEST(CapturedLibrary, EveryMeshIsExact) {
   EXPECT_EQ(std::count(quality.begin(), quality.end(), 0), library.pair_count());
 }
 
+TEST(CapturedLibrary, EveryMeshIsTheOneThatCgalFinds) {
+  ABRAZO_REQUIRE_CAPTURED_DATA(data);
+  const MotionLibrary library = salsa_library(data);
+  for (int pair = 0; pair < library.pair_count(); ++pair) {
+    const auto tetrahedra = library.tetrahedra(pair);
+    ASSERT_EQ(test::in_ascending_order({tetrahedra.begin(), tetrahedra.end()}),
+              test::cgal_tetrahedra(library.pose(pair)))
+        << "pair " << pair;
+  }
+}
+
 TEST(CapturedLibrary, IndexFindsWhatBruteForceFinds) {
   ABRAZO_REQUIRE_CAPTURED_DATA(data);
   const MotionLibrary library = salsa_library(data);
@@ -65,17 +79,26 @@ TEST(CapturedLibrary, IndexFindsWhatBruteForceFinds) {
   const int first_of_second = library.find_pair("salsa_10", 0, false);
   std::vector<int> pairs(static_cast<std::size_t>(first_of_second));
   std::iota(pairs.begin(), pairs.end(), 0);
-  const PoseIndex index(library.columns().features, pairs);
-  std::vector<PoseMatch> matches;
+  const PoseIndex by_flann = pose_index_of(library, pairs);
+  const PoseIndex by_own(library.columns().features, pairs, PoseIndex::Tree::Own);
+  std::mt19937 random(1);
+  std::normal_distribution<double> metres(0, 1);
+  std::vector<PoseMatch> matches, others;
   std::vector<double> distances(pairs.size());
   for (int asked = 0; asked < 1000; ++asked) {
-    const Features& query = library.features(first_of_second + asked);
-    index.nearest(query, 10, matches);
+    const double off_m = std::array{0.0, 0.1, 0.3, 0.6}[static_cast<std::size_t>(asked % 4)];
+    Features query = library.features(first_of_second + asked);
+    for (double& coordinate : query) coordinate += off_m * metres(random);
+    by_flann.nearest(query, 10, matches);
+    by_own.nearest(query, 10, others);
     std::transform(pairs.begin(), pairs.end(), distances.begin(),
                    [&](int pair) { return (library.features(pair) - query).norm(); });
     std::partial_sort(distances.begin(), distances.begin() + 10, distances.end());
     ASSERT_EQ(matches.size(), 10U);
-    for (std::size_t i = 0; i < 10; ++i) ASSERT_EQ(matches[i].distance, distances[i]) << "query " << asked;
+    for (std::size_t i = 0; i < 10; ++i) {
+      ASSERT_EQ(matches[i].distance, distances[i]) << "query " << asked;
+      ASSERT_EQ(matches[i].pair, others[i].pair) << "query " << asked;
+    }
   }
 }
 

@@ -4,9 +4,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
+#include <mutex>
 #include <stdexcept>
+#include <thread>
 
+#include "core/mesh/interaction_mesh.hpp"
 #include "tests/core/library/synthetic_takes.hpp"
 #include "tests/support/bodies.hpp"
 
@@ -137,6 +141,30 @@ TEST(MotionLibraryBuilder, GivesTheSameLibraryEveryTime) {
   EXPECT_TRUE(
       std::equal(first.columns().poses.begin(), first.columns().poses.end(), second.columns().poses.begin()));
   EXPECT_EQ(first.bodies()[0].capsule_radii, second.bodies()[0].capsule_radii);
+}
+
+TEST(MotionLibraryBuilder, AllCoresAndSeveralBuildsAtOnceGiveTheMeshesOfOneThread) {
+  constexpr int builds = 3;
+  std::vector<MotionLibrary> libraries;
+  std::mutex guard;
+  {
+    std::vector<std::jthread> builders;
+    for (int build = 0; build < builds; ++build)
+      builders.emplace_back([&, build] {
+        // At distances from touching to across a hall: filters of one size are wrong for another.
+        MotionLibrary library =
+            built({circling_take("t", 200, 0.3 * std::pow(10.0, build), static_cast<unsigned>(build))});
+        const std::scoped_lock lock(guard);
+        libraries.push_back(std::move(library));
+      });
+  }
+  ASSERT_EQ(libraries.size(), static_cast<std::size_t>(builds));
+  for (const MotionLibrary& library : libraries)
+    for (int pair = 0; pair < library.pair_count(); ++pair) {
+      const InteractionMesh alone = tetrahedralize(library.pose(pair));
+      ASSERT_TRUE(std::ranges::equal(library.tetrahedra(pair), alone.tetrahedra)) << "pair " << pair;
+      ASSERT_TRUE(std::ranges::equal(library.edges(pair), alone.edges)) << "pair " << pair;
+    }
 }
 
 TEST(MotionLibraryBuilder, LeavesOutExcludedTakes) {

@@ -2,19 +2,18 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <fstream>
-#include <iterator>
+#include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <random>
-#include <sstream>
 #include <stdexcept>
-#include <string>
 #include <thread>
 #include <vector>
 
 #include "core/mesh/interaction_mesh.hpp"
 #include "core/motion/joint_set.hpp"
 #include "tests/support/bodies.hpp"
+#include "tests/support/cgal_mesh.hpp"
 
 namespace abrazo::tetrahedralize_test {
 namespace {
@@ -65,34 +64,63 @@ TEST(Tetrahedralize, NoJointLiesInsideTheCircumsphereOfATetrahedron) {
   }
 }
 
-/// Four joints of each, as letters: a-z for vertices 0 to 25, A-X for the rest.
-std::vector<std::string> in_letters(const InteractionMesh& mesh) {
-  std::vector<std::string> words;
-  for (MeshTetrahedron tetrahedron : mesh.tetrahedra) {
-    std::sort(tetrahedron.begin(), tetrahedron.end());
-    std::string word;
-    for (const int v : tetrahedron) word += static_cast<char>(v < 26 ? 'a' + v : 'A' + v - 26);
-    words.push_back(word);
+TEST(Tetrahedralize, FindsTheTetrahedraThatCgalFinds) {
+  // Points in general position have one Delaunay tetrahedralisation.
+  for (unsigned seed = 0; seed < 300; ++seed) {
+    const PairPose pair = shaken_pair(seed, 0.2 + 0.005 * seed);
+    const InteractionMesh mesh = tetrahedralize(pair);
+    ASSERT_EQ(mesh.quality, InteractionMesh::Quality::Exact);
+    ASSERT_EQ(test::in_ascending_order(mesh.tetrahedra), test::cgal_tetrahedra(pair)) << "seed " << seed;
   }
-  std::sort(words.begin(), words.end(), [](const std::string& a, const std::string& b) {
-    return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), [](char x, char y) {
-      return (x < 'a' ? x + 256 : x) < (y < 'a' ? y + 256 : y);
-    });
-  });
-  return words;
 }
 
-TEST(Tetrahedralize, FindsTheTetrahedraThatTetGenFinds) {
-  // Points in general position have one Delaunay tetrahedralisation. One line per seed, written by a program
-  // that calls TetGen 1.5 on the same points about their mean.
-  std::ifstream file(ABRAZO_FIXTURES "/mesh/tetgen_of_shaken_pairs.txt");
-  unsigned seed = 0;
-  for (std::string line; std::getline(file, line); ++seed) {
-    std::istringstream words(line);
-    const std::vector<std::string> wanted{std::istream_iterator<std::string>(words), {}};
-    EXPECT_EQ(in_letters(tetrahedralize(shaken_pair(seed))), wanted) << "seed " << seed;
+PairPose on_a_grid(PairPose pair, double step_m) {
+  pair = (pair.array() / step_m).round() * step_m;
+  for (int v = 0; v < pair_vertex_count; ++v) pair(v, 0) += 4 * step_m * (v % 25 / 5);  // nobody in one place
+  for (int v = 0; v < pair_vertex_count; ++v) pair(v, 2) += 4 * step_m * (v % 5);
+  return pair;
+}
+
+TEST(Tetrahedralize, WhereManyJointsLieOnOneSphereTheTetrahedraAreDelaunayToo) {
+  int compared = 0;
+  for (unsigned seed = 0; seed < 60; ++seed) {
+    PairPose sphere = shaken_pair(seed);
+    sphere.rowwise().normalize();
+    PairPose mirrored = shaken_pair(seed);
+    mirrored.bottomRows<joint_count>() = mirrored.topRows<joint_count>();
+    mirrored.col(2).tail<joint_count>() *= -1;
+    mirrored.col(2).tail<joint_count>().array() -= 1;
+    for (const PairPose& pair : {sphere, mirrored, on_a_grid(shaken_pair(seed), 0.125)}) {
+      const InteractionMesh mesh = tetrahedralize(pair);
+      if (mesh.quality != InteractionMesh::Quality::Exact) continue;
+      ++compared;
+      ASSERT_TRUE(test::is_delaunay(pair, mesh.tetrahedra)) << "seed " << seed;
+    }
   }
-  EXPECT_EQ(seed, 12U);
+  EXPECT_GT(compared, 120);
+}
+
+TEST(Tetrahedralize, PairsWithHardlyAnyVolumeHaveAMeshToo) {
+  // TetGen itself ends the process where it takes all points for one plane or line.
+  for (int power = 0; power < 18; ++power)
+    for (int other_power : {0, 3, power}) {
+      PairPose pair = shaken_pair(static_cast<unsigned>(power));
+      pair.col(2) *= std::pow(10.0, -power);
+      pair.col(1) *= std::pow(10.0, -other_power);
+      for (const double apart_m : {0.0, 1e3, 1e6, 1e9, 1e15}) {
+        PairPose moved = pair;
+        moved.col(0).tail<joint_count>().array() += apart_m;
+        expect_bones_among_edges(tetrahedralize(moved));
+      }
+    }
+}
+
+TEST(Tetrahedralize, LeavesTheProcesssRandomNumbersAlone) {
+  std::srand(5);
+  const int wanted = std::rand();
+  std::srand(5);
+  tetrahedralize(shaken_pair(1));
+  EXPECT_EQ(std::rand(), wanted);
 }
 
 TEST(Tetrahedralize, EveryTetrahedronHasVolumeAndTheSameTurn) {
@@ -105,15 +133,21 @@ TEST(Tetrahedralize, EveryTetrahedronHasVolumeAndTheSameTurn) {
 }
 
 TEST(Tetrahedralize, ThreadsDoNotDisturbOneAnother) {
-  constexpr int pairs = 40;
+  // Of sizes from a centimetre to kilometres and with ties, so that one's filters would be wrong for another.
+  constexpr int pairs = 200, threads_at_once = 4;
+  const auto pair = [](int i) {
+    PairPose one = shaken_pair(100U + static_cast<unsigned>(i));
+    if (i % 3 == 0) one.rowwise().normalize();
+    return PairPose(std::pow(10.0, i % 5 - 1) * one);
+  };
   std::vector<InteractionMesh> alone(pairs), together(pairs);
-  for (int i = 0; i < pairs; ++i) alone[static_cast<std::size_t>(i)] = tetrahedralize(shaken_pair(100U + i));
+  for (int i = 0; i < pairs; ++i) alone[static_cast<std::size_t>(i)] = tetrahedralize(pair(i));
   {
     std::vector<std::jthread> threads;
-    for (int first = 0; first < 4; ++first)
-      threads.emplace_back([&together, first] {
-        for (int i = first; i < pairs; i += 4)
-          together[static_cast<std::size_t>(i)] = tetrahedralize(shaken_pair(100U + i));
+    for (int first = 0; first < threads_at_once; ++first)
+      threads.emplace_back([&together, &pair, first] {
+        for (int i = first; i < pairs; i += threads_at_once)
+          together[static_cast<std::size_t>(i)] = tetrahedralize(pair(i));
       });
   }
   for (std::size_t i = 0; i < alone.size(); ++i) {
