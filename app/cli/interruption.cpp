@@ -24,7 +24,7 @@ void note_interruptions() {
     // What the parent has us ignore (nohup, a shell's background job) stays ignored.
     if (::sigaction(signal, nullptr, &previous) != 0 || previous.sa_handler == SIG_IGN) continue;
     struct sigaction action {};
-    action.sa_handler = note;
+    action.sa_handler = note_signal;
     action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
     ::sigaction(signal, &action, nullptr);
   }

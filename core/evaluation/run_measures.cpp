@@ -29,7 +29,7 @@ std::vector<Pose> poses_of(const SynthesisedTake& take, const PoseOf& pose_of) {
   return poses;
 }
 
-const auto partner = [](const SynthesisedTake& take, std::size_t step) { return take.partner(step); };
+const auto result_partner = [](const SynthesisedTake& take, std::size_t step) { return take.partner(step); };
 const auto user_body = [](const SynthesisedTake& take, std::size_t step) { return take.user_body(step); };
 const auto true_partner = [](const SynthesisedTake& take, std::size_t step) {
   return take.true_partner(step);
@@ -107,9 +107,9 @@ struct ZmpPair {
 ZmpTable measure_zmp(std::span<const SynthesisedTake> takes, const ZmpSettings& settings) {
   ZmpPair both, of_partner, of_partner_between;
   for (const SynthesisedTake& take : takes) {
-    of_partner.add(take, settings, false, true_partner, partner);
+    of_partner.add(take, settings, false, true_partner, result_partner);
     both.add(take, settings, false, true_user, user_body);
-    of_partner_between.add(take, settings, true, true_partner, partner);
+    of_partner_between.add(take, settings, true, true_partner, result_partner);
   }
   both.append(of_partner);
   const ZmpError &original = both.original, &synthesised = both.synthesised;
@@ -147,7 +147,7 @@ ContactTable measure_contact(std::span<const SynthesisedTake> takes, const Motio
   for (const SynthesisedTake& take : takes) {
     add_contact(take, library, holds, penetration, original_penetration);
     add_slide(take, poses_of(take, true_partner), take.true_partner_clip(), original_slide);
-    add_slide(take, poses_of(take, partner), take.true_partner_clip(), partner_slide);
+    add_slide(take, poses_of(take, result_partner), take.true_partner_clip(), partner_slide);
     add_slide(take, poses_of(take, user_body), take.true_user_clip(), user_slide);
     table.bone_length_max = std::max(table.bone_length_max, take.bone_length_max);
     table.foot_lock_drift_max_m = std::max(table.foot_lock_drift_max_m, take.foot_lock_drift_max_m);
@@ -175,7 +175,7 @@ PartnerTable measure_partner(std::span<const SynthesisedTake> takes) {
       errors_m.push_back(mean_joint_distance(synthesised, take.true_partner(step)));
       behind.add(mean_joint_distance(synthesised, take.selected_partner(step)), 1);
     }
-    const Lag lag = measure_lag(poses_of(take, true_partner), poses_of(take, partner), take.rate_hz);
+    const Lag lag = measure_lag(poses_of(take, true_partner), poses_of(take, result_partner), take.rate_hz);
     lag_s.add(lag.shift_s, static_cast<double>(take.size()));
     correlation.add(lag.correlation, static_cast<double>(take.size()));
   }

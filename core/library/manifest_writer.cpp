@@ -9,7 +9,7 @@ namespace abrazo {
 
 namespace {
 
-using json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
 /// Relative while that stays within or just beside the folder; a path that climbs to the root says less than
@@ -27,8 +27,8 @@ bool is_builtin(const std::string& joint_map) {
   return std::any_of(maps.begin(), maps.end(), [&](const JointMap& map) { return map.name == joint_map; });
 }
 
-json performer_json(const Manifest::Performer& performer, const fs::path& folder) {
-  json object = {{"motion", portable(performer.motion, folder)}};
+OrderedJson performer_json(const Manifest::Performer& performer, const fs::path& folder) {
+  OrderedJson object = {{"motion", portable(performer.motion, folder)}};
   if (!performer.skeleton.empty()) object["skeleton"] = portable(performer.skeleton, folder);
   if (performer.index) object["performer"] = *performer.index;
   if (performer.start > 0) object["start"] = performer.start;
@@ -40,17 +40,17 @@ json performer_json(const Manifest::Performer& performer, const fs::path& folder
   return object;
 }
 
-json roles_json(const std::vector<RoleInterval>& roles) {
+OrderedJson roles_json(const std::vector<RoleInterval>& roles) {
   if (roles.empty()) return "unknown";
   if (roles.size() == 1 && roles[0].start == 0 && roles[0].end == INT_MAX) return letter_of(roles[0].active);
-  json list = json::array();
+  OrderedJson list = OrderedJson::array();
   for (const RoleInterval& role : roles)
     list.push_back({{"start", role.start}, {"end", role.end}, {"active", letter_of(role.active)}});
   return list;
 }
 
-json take_json(const Manifest::Take& take, const fs::path& folder) {
-  json object = {{"name", take.name}};
+OrderedJson take_json(const Manifest::Take& take, const fs::path& folder) {
+  OrderedJson object = {{"name", take.name}};
   if (take.fps) object["fps"] = *take.fps;
   if (take.metres_per_unit) object["metres_per_unit"] = *take.metres_per_unit;
   object["a"] = performer_json(take.a, folder);
@@ -73,9 +73,9 @@ json take_json(const Manifest::Take& take, const fs::path& folder) {
 }  // namespace
 
 std::string manifest_json(const Manifest& manifest, const fs::path& folder) {
-  json takes = json::array();
+  OrderedJson takes = OrderedJson::array();
   for (const Manifest::Take& take : manifest.takes) takes.push_back(take_json(take, folder));
-  return json{{"name", manifest.name}, {"takes", takes}}.dump(1) + "\n";
+  return OrderedJson{{"name", manifest.name}, {"takes", takes}}.dump(1) + "\n";
 }
 
 }  // namespace abrazo
