@@ -1,4 +1,4 @@
-# Sources that are compiled together: what they share is read and instantiated once, which takes a quarter of the time. Neighbours
+# Sources that are compiled together: what they share is read and instantiated once, which takes a third of the time. Neighbours
 # of one folder make a batch, so a new file moves others only within its folder. Names without linkage have to be unique in a folder
 # (in tests every file has a namespace of its own). -DABRAZO_UNITY=OFF, as in the preset `dev`, compiles
 # every file alone.
