@@ -40,11 +40,12 @@ template <typename Condition>
 bool until(Condition reached, int patience) {
   QElapsedTimer clock;
   clock.start();
-  while (!reached() && clock.elapsed() < patience) {
+  while (!reached()) {
+    if (clock.elapsed() >= patience) return false;
     QApplication::processEvents(QEventLoop::AllEvents, 20);
-    if (!reached()) QThread::msleep(5);
+    QThread::msleep(5);
   }
-  return reached();
+  return true;
 }
 
 void wait(int milliseconds) {

@@ -28,9 +28,11 @@ template <typename Condition>
 bool until(Condition reached, int patience_ms) {
   QElapsedTimer clock;
   clock.start();
-  while (!reached() && clock.elapsed() < patience_ms)
+  while (!reached()) {
+    if (clock.elapsed() >= patience_ms) return false;
     QApplication::processEvents(QEventLoop::AllEvents | QEventLoop::WaitForMoreEvents, 5);
-  return reached();
+  }
+  return true;
 }
 
 void send(QWidget& to, QEvent::Type type, const QPointF& place, Qt::MouseButton button) {

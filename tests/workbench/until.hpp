@@ -13,8 +13,12 @@ template <typename Condition>
 bool until(Condition reached, int patience_ms = 120'000) {
   QElapsedTimer clock;
   clock.start();
-  while (!reached() && clock.elapsed() < patience_ms) QTest::qWait(10);
-  return reached();
+  // Asked once a turn: what came true need not be true of a second look, when another frame has come.
+  while (!reached()) {
+    if (clock.elapsed() >= patience_ms) return false;
+    QTest::qWait(10);
+  }
+  return true;
 }
 
 }  // namespace abrazo::app

@@ -26,8 +26,11 @@ class Bell {
   bool until(Condition reached) {
     std::unique_lock lock(mutex_);
     // Looked at anew now and then: it may have come true between looking and waiting.
-    for (int i = 0; i < 6000 && !reached(); ++i) rung_.wait_for(lock, std::chrono::milliseconds(10));
-    return reached();
+    for (int i = 0; i < 6000; ++i) {
+      if (reached()) return true;
+      rung_.wait_for(lock, std::chrono::milliseconds(10));
+    }
+    return false;
   }
 
  private:
