@@ -50,8 +50,9 @@ class JammedDevice : public FakeDevice {
 /// A live loop on a device; the test hands in the poses and says what time it is.
 class LiveCommands : public testing::Test {
  protected:
-  static std::shared_ptr<PartnerSynthesizer> synthesizer(const std::string& name = "responsive") {
-    return std::move(*PartnerSynthesizer::create(test::small_library(), *preset(name)));
+  /// By pose: what is told of candidates does not depend on when the library has been learned.
+  static std::shared_ptr<PartnerSynthesizer> synthesizer() {
+    return std::move(*PartnerSynthesizer::create(test::small_library(), test::responsive_by_pose()));
   }
   SourcePose next_pose() {
     SourcePose pose;
