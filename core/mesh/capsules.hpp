@@ -23,6 +23,8 @@ const std::array<double, bone_count>& generic_capsule_radii();
 
 /// Hand ends of two people closer than this hold one another [m].
 inline constexpr double hold_distance_m = 0.13;
+/// Hands that hold one another do so until they are this far apart [m].
+inline constexpr double hold_ends_m = 0.18;
 
 /// The forearm or hand bones: they may overlap the partner's while they hold one another.
 bool is_hand_or_forearm(int bone);

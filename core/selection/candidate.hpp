@@ -14,12 +14,13 @@ struct CostBreakdown {
 
 /// What the selection `filter` expects of a recorded pair, term by term [m]; weights are in the terms.
 struct IntentCost {
-  double partner = 0;  ///< expected mean joint distance between its partner and the one the user means
-  double leader = 0;   ///< w_l (1 - kernel): the user's last two seconds beside those before this pair
-  double move = 0;     ///< w_m (1 - P(its label))
-  double meant = 0;    ///< w_p when a person named another label or take
-  double change = 0;   ///< the switch margin, when it does not continue the current source
-  double total = 0;    ///< their sum
+  double partner = 0;   ///< expected mean joint distance between its partner and the one the user means
+  double leader = 0;    ///< w_l (1 - kernel): the user's last two seconds beside those before this pair
+  double move = 0;      ///< w_m (1 - P(its label))
+  double meant = 0;     ///< w_p when a person named another label or take
+  double change = 0;    ///< the switch margin, when it does not continue the current source
+  double total = 0;     ///< their sum, with `temporal`
+  double temporal = 0;  ///< alpha (d + 0.1 s v): its mean distance from the shown partner, and in speed
 };
 
 /// A recorded pair that was considered for a frame.

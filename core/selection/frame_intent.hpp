@@ -14,7 +14,9 @@ struct FrameIntent {
   /// Of every block of the model: 255 exp(-excess of its best landing over the best of all / 3 cm).
   std::vector<std::uint8_t> belief;
   std::vector<float> moves;  ///< P(label | what the user did), of the model's labels; they sum to 1
-  int continued = -1;        ///< the pair that would have gone on with the source; -1 when there is none
+  /// From the source to where it would fit the user best [source s]; 0 without a source.
+  double lead_s = 0;
+  int continued = -1;  ///< the pair that would have gone on with the source; -1 when there is none
 };
 
 }  // namespace abrazo

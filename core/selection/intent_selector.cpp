@@ -13,7 +13,15 @@ constexpr float never = std::numeric_limits<float>::infinity();
 constexpr float belief_width_m = 0.03F;  ///< so much worse is believed in e times less
 constexpr double most_pace = 3;          ///< a source is gone on with at up to so many times its pace
 constexpr int judged_paces = 6;          ///< of them
-constexpr double same_moment_s = 0.3;    ///< pairs of a take that are this near are one proposal
+constexpr double speed_counts_s = 0.1;   ///< a difference in speed, as one of place
+// A source that was just changed to is only left for a much better one.
+constexpr double hurry_factor = 3;
+constexpr double hurry_s = 0.3;
+constexpr int most_looked_at = 60;
+constexpr double take_goes_on_s = 0.5;  ///< a pair that is changed to has so much of its take ahead
+constexpr double looks_back_s = 0.4, looks_ahead_s = 0.6;  ///< for where the user is in the source
+constexpr double lead_width_m = 0.01;                      ///< so much worse counts e times less
+constexpr double same_moment_s = 0.3;  ///< pairs of a take that are this near are one proposal
 
 bool is_same_moment(const MotionLibrary& library, int a, int b) {
   const PairSource& one = library.source(a);
@@ -24,7 +32,27 @@ bool is_same_moment(const MotionLibrary& library, int a, int b) {
 }
 
 void sum_up(IntentCost& cost) {
-  cost.total = cost.partner + cost.leader + cost.move + cost.meant + cost.change;
+  cost.total = cost.partner + cost.leader + cost.move + cost.meant + cost.change + cost.temporal;
+}
+
+/// Mean over the joints of how far a recorded partner is from the shown one and, with `speed_counts_s`, of
+/// how differently it moves about its root [m].
+double temporal_distance(const MotionLibrary& library, int pair, const SelectionQuery& query) {
+  const auto partner_of = [&](int at) -> Pose {
+    return library.pair_in_world(at, query.root).bottomRows<joint_count>();
+  };
+  const Pose partner = partner_of(pair);
+  const double apart = (partner - query.predicted.bottomRows<joint_count>()).rowwise().norm().mean();
+  const int next = library.later_pair(pair, 1);
+  if (next < 0) return apart;
+  const RootFrame &root = library.root(pair), &root_next = library.root(next);
+  // Both where the first is, so that what the leader does meanwhile is in the partner's speed.
+  RootFrame placed = query.root;
+  placed.heading_rad += root_next.heading_rad - root.heading_rad;
+  Pose speed = library.pair_in_world(next, placed).bottomRows<joint_count>() - partner;
+  speed.rowwise() -= speed.row(0).eval();
+  speed *= pair_rate(library, pair);
+  return apart + speed_counts_s * (speed - query.partner_speed).rowwise().norm().mean();
 }
 
 }  // namespace
@@ -97,7 +125,10 @@ Candidate IntentSelector::priced(int pair, const IntentModel::PairReading& read,
       read.label < 0 ? 0.0 : static_cast<double>(reading_.moves[static_cast<std::size_t>(read.label)]);
   cost.move = weights.move * (1 - likely);
   cost.meant = selectable.is_not_meant(pair) ? weights.meant : 0.0;
-  cost.change = is_change && query.current_pair >= 0 ? weights.switch_margin : 0.0;
+  if (query.has_prediction && query.alpha > 0)
+    cost.temporal = query.alpha * temporal_distance(library, pair, query);
+  if (is_change && query.current_pair >= 0)
+    cost.change = weights.switch_margin * (1 + hurry_factor * std::exp(-query.since_change_s / hurry_s));
   sum_up(cost);
   return candidate;
 }
@@ -111,13 +142,17 @@ void IntentSelector::list_landings(const SelectionQuery& query, const Selectable
   };
   // Two blocks can have their best where they meet, so that some more than are listed are looked at.
   const auto wanted = static_cast<std::size_t>(query.neighbours);
-  const auto looked_at = std::min(best_.size(), 3 * wanted);
+  const auto looked_at =
+      std::min(best_.size(), std::max(wanted, std::min<std::size_t>(3 * wanted, most_looked_at)));
   const auto end = best_.begin() + static_cast<std::ptrdiff_t>(looked_at);
   if (end != best_.end()) std::nth_element(best_.begin(), end, best_.end(), better);
   std::sort(best_.begin(), end, better);
-  for (auto at = best_.begin(); at != end && *at >= 0 && candidates.size() < wanted; ++at) {
+  for (auto at = best_.begin(); at != end && *at >= 0; ++at) {
     const auto landing = static_cast<std::size_t>(*at);
     const int pair = model_->landings()[landing];
+    if (query.playhead.pair >= 0 &&
+        recorded_ahead(*model_->library(), {pair, 0, 1}, take_goes_on_s) < take_goes_on_s)
+      continue;
     if (std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& listed) {
           return is_same_moment(*model_->library(), listed.pair, pair);
         }))
@@ -126,6 +161,45 @@ void IntentSelector::list_landings(const SelectionQuery& query, const Selectable
                                         model_->label_of_landing(landing)};
     candidates.push_back(priced(pair, read, query, selectable, weights, true));
   }
+  if (candidates.size() <= wanted) return;
+  std::nth_element(candidates.begin(), candidates.begin() + static_cast<std::ptrdiff_t>(wanted),
+                   candidates.end(), [](const Candidate& a, const Candidate& b) {
+                     return a.intent->total != b.intent->total ? a.intent->total < b.intent->total
+                                                               : a.pair < b.pair;
+                   });
+  candidates.resize(wanted);
+}
+
+/// The mean of the source's moments around the playhead, by how well each fits the user.
+double IntentSelector::lead(const SelectionQuery& query, const IntentWeights& weights) const {
+  const MotionLibrary& library = *model_->library();
+  const std::vector<int>& landings = model_->landings();
+  const int now = query.playhead.pair;
+  const double rate = pair_rate(library, now);
+  const int first = now - static_cast<int>(looks_back_s * rate);
+  const int last = now + static_cast<int>(looks_ahead_s * rate);
+  double sum = 0, share_sum = 0;
+  std::optional<float> least;
+  for (const bool weighs : {false, true})
+    for (auto at = std::lower_bound(landings.begin(), landings.end(), first);
+         at != landings.end() && *at <= last; ++at) {
+      const auto seconds = seconds_to(library, query.playhead, *at);
+      if (!seconds) continue;
+      const auto l = static_cast<std::size_t>(at - landings.begin());
+      const float cost = reading_.partner_m[l] +
+                         static_cast<float>(weights.leader) * (1 - model_->leader_kernel(l, reading_)) +
+                         static_cast<float>(weights.move) *
+                             (1 - reading_.moves[static_cast<std::size_t>(model_->label_of_landing(l))]);
+      if (!std::isfinite(cost)) continue;
+      if (!weighs) {
+        least = std::min(least.value_or(cost), cost);
+        continue;
+      }
+      const double share = std::exp(-static_cast<double>(cost - *least) / lead_width_m);
+      sum += share * *seconds;
+      share_sum += share;
+    }
+  return share_sum > 0 ? sum / share_sum : 0;
 }
 
 /// The current source at the pace that fits best, from standing still to three times its own.
@@ -134,8 +208,11 @@ int IntentSelector::list_continuation(const SelectionQuery& query, const Selecta
   const MotionLibrary& library = *model_->library();
   int judged = -1;
   std::optional<Candidate> best;
-  for (int pace = 0; pace <= judged_paces; ++pace) {
-    const int ahead = static_cast<int>(std::lround(pace * most_pace / judged_paces * query.expected_advance));
+  const bool plays = query.playhead.pair >= 0;
+  for (int pace = 0; pace <= (plays ? 0 : judged_paces); ++pace) {
+    const int ahead =
+        plays ? nearest_pair(library, query.playhead) - query.current_pair
+              : static_cast<int>(std::lround(pace * most_pace / judged_paces * query.expected_advance));
     if (ahead == judged) continue;
     judged = ahead;
     const int pair = library.later_pair(query.current_pair, ahead);
@@ -145,7 +222,7 @@ int IntentSelector::list_continuation(const SelectionQuery& query, const Selecta
     if (!best || on.intent->total < best->intent->total) best = on;
   }
   // At the end of a take there is nothing to go on with: standing still is not going on.
-  if (!best || library.later_pair(query.current_pair, 1) < 0) return -1;
+  if (!best || library.later_pair(plays ? best->pair : query.current_pair, 1) < 0) return -1;
   std::erase_if(candidates,
                 [&](const Candidate& listed) { return is_same_moment(library, listed.pair, best->pair); });
   candidates.push_back(*best);
@@ -175,6 +252,7 @@ int IntentSelector::select(const SelectionQuery& query, const MotionHistory& his
   believe(intent);
   if (selectable.all_vetoed()) return -1;
   list_landings(query, selectable, weights, candidates);
+  if (query.playhead.pair >= 0) intent.lead_s = lead(query, weights);
   if (query.current_pair >= 0) intent.continued = list_continuation(query, selectable, weights, candidates);
   std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
     return a.feature_distance != b.feature_distance ? a.feature_distance < b.feature_distance

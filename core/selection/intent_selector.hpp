@@ -47,6 +47,7 @@ class IntentSelector {
                      const IntentWeights& weights, std::vector<Candidate>& candidates);
   int list_continuation(const SelectionQuery& query, const SelectablePairs& selectable,
                         const IntentWeights& weights, std::vector<Candidate>& candidates);
+  double lead(const SelectionQuery& query, const IntentWeights& weights) const;
   void believe(FrameIntent& intent);
 
   std::shared_ptr<const IntentModel> model_;

@@ -31,8 +31,10 @@ int PairSelector::select(const SelectionQuery& query, std::vector<Candidate>& ca
     candidate.feature_distance = match.distance;
     candidates.push_back(candidate);
   }
-  for (int n = 1; query.current_pair >= 0 && n <= query.continuations; ++n) {
-    const int pair = library_->later_pair(query.current_pair, n * query.expected_advance);
+  const bool plays = query.playhead.pair >= 0;
+  for (int n = 1; query.current_pair >= 0 && n <= (plays ? 1 : query.continuations); ++n) {
+    const int pair = plays ? nearest_pair(*library_, query.playhead)
+                           : library_->later_pair(query.current_pair, n * query.expected_advance);
     if (pair < 0 || !pairs_.is_selectable(pair)) break;
     if (pairs_.is_left_out(pair)) continue;
     if (std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& c) { return c.pair == pair; }))

@@ -7,6 +7,7 @@
 #include "core/library/pose_index.hpp"
 #include "core/selection/candidate.hpp"
 #include "core/selection/selectable_pairs.hpp"
+#include "core/selection/source_playhead.hpp"
 
 namespace abrazo {
 
@@ -15,12 +16,16 @@ struct SelectionQuery {
   Pose normalized;  ///< p'_in
   RootFrame root;   ///< of q'_in
   Features features;
-  bool has_prediction = false;  ///< from the second frame on
-  PairPose predicted;           ///< s_A*, s_S* of Eq. 3-4, world; only with has_prediction
+  bool has_prediction = false;        ///< from the second frame on
+  PairPose predicted;                 ///< s_A*, s_S* of Eq. 3-4, world; only with has_prediction
+  Pose partner_speed = Pose::Zero();  ///< of the partner that is shown, relative to its root [m/s]
   double alpha = 0.5;
   int neighbours = 10;
   int current_pair = -1;     ///< the source of the previous frame; -1 at the start
   int expected_advance = 1;  ///< pairs of the library that one step takes in real time
+  /// Where the source goes on in real time, with the playback `continuous`; without a pair by frames.
+  SourcePlayhead playhead;
+  double since_change_s = 1e9;  ///< of the source
   int continuations = 0;  ///< so many successors of the current pair, whole steps ahead, join the candidates
 };
 

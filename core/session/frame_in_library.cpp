@@ -15,13 +15,22 @@ int same_pair(const MotionLibrary& from, int pair, const MotionLibrary& to) {
   return same >= 0 ? same : to.find_pair(take, frame, !source.swapped);
 }
 
+namespace {
+
+/// A pair of so many, or none.
+bool is_within(int pair, int count) {
+  return pair >= -1 && pair < count;
+}
+
+}  // namespace
+
 bool has_pairs_of(const MotionLibrary& library, const FrameSnapshot& frame) {
   const int count = library.pair_count();
   const auto& candidates = frame.result.candidates;
   return std::all_of(candidates.begin(), candidates.end(),
                      [count](const Candidate& each) { return each.pair >= 0 && each.pair < count; }) &&
-         (!frame.before ||
-          (frame.before->memory.current_pair >= -1 && frame.before->memory.current_pair < count));
+         (!frame.before || (is_within(frame.before->memory.current_pair, count) &&
+                            is_within(frame.before->memory.motion.playhead.pair, count)));
 }
 
 int selected_pair(const FrameSnapshot& frame, const std::shared_ptr<const MotionLibrary>& library) {

@@ -15,7 +15,8 @@ constexpr std::size_t pose_size = joint_count * 3 * sizeof(double);
 constexpr std::size_t candidate_size = 48;
 // Bits of a candidate's flags.
 constexpr int continues = 1;
-constexpr int has_intent = 2;  ///< its terms follow those of Eq. 7
+constexpr int has_intent = 2;    ///< its terms follow those of Eq. 7
+constexpr int has_temporal = 4;  ///< one of them is `temporal`
 constexpr std::size_t contact_size = 20;
 
 FrameRow::Blob candidate_bytes(const std::vector<Candidate>& candidates) {
@@ -23,14 +24,16 @@ FrameRow::Blob candidate_bytes(const std::vector<Candidate>& candidates) {
   out.reserve(candidates.size() * candidate_size);
   for (const Candidate& candidate : candidates) {
     out.small_integer(candidate.pair);
-    out.small_integer((candidate.continuation ? continues : 0) | (candidate.intent ? has_intent : 0));
+    out.small_integer((candidate.continuation ? continues : 0) |
+                      (candidate.intent ? has_intent | has_temporal : 0));
     out.real(candidate.feature_distance);
     out.real(candidate.cost.pose);
     out.real(candidate.cost.temporal_active);
     out.real(candidate.cost.temporal_passive);
     out.real(candidate.cost.total);
     if (const auto& intent = candidate.intent)
-      for (const double term : {intent->partner, intent->leader, intent->move, intent->meant, intent->change})
+      for (const double term :
+           {intent->partner, intent->leader, intent->move, intent->meant, intent->change, intent->temporal})
         out.real(term);
   }
   return out.take();
@@ -56,6 +59,9 @@ bool read_candidates(const FrameRow::Blob& bytes, std::vector<Candidate>& candid
       *term = in.real();
       intent.total += *term;
     }
+    if (!(flags & has_temporal)) continue;
+    intent.temporal = in.real();
+    intent.total += intent.temporal;
   }
   return in.is_done();
 }

@@ -35,10 +35,11 @@ void ReSolver::go_to(std::span<const FrameSnapshotPtr> run_up, const FrameSnapsh
 void ReSolver::follow_commands(const FrameSnapshot& recorded) {
   follow_decisions(recorded.decisions ? *recorded.decisions : Decisions{});
   if (!recorded.before) return;
-  if (recorded.before->memory.frames_since_reset == 0) synthesizer_->reset();
+  const FrameMemory& before = recorded.before->memory;
+  if (before.frames_since_reset == 0 && !before.partner_is_shown) synthesizer_->reset();
   if (recorded.before->user_body)
     synthesizer_->set_user_body(*recorded.before->user_body);
-  else if (!recorded.before->memory.user_body)
+  else if (!recorded.before->memory.user.body())
     synthesizer_->forget_user_body();
 }
 

@@ -66,7 +66,7 @@ double bone_length_error(const PairPose& positions, const RigidDistances& length
   return largest;
 }
 
-void add_floor_rows(const PairPose& selected_pair, double lowest_m, std::vector<ConstraintRow>& rows) {
+void add_floor_rows(const PairPose& reference, double lowest_m, std::vector<ConstraintRow>& rows) {
   using namespace joints;
   for (const int first_vertex : {0, joint_count})
     for (const int joint : {LeftTibia, LeftFoot, LeftToes, RightTibia, RightFoot, RightToes}) {
@@ -77,22 +77,32 @@ void add_floor_rows(const PairPose& selected_pair, double lowest_m, std::vector<
       row.vertices[0] = joint + first_vertex;
       row.weights[0] = 1;
       row.direction = Vec3::UnitY();
-      row.target = std::min(lowest_m, selected_pair(joint + first_vertex, 1));
+      row.target = std::min(lowest_m, reference(joint + first_vertex, 1));
       rows.push_back(row);
     }
 }
 
+namespace {
+
+void add_axis_row(int vertex, int axis, double target, std::vector<ConstraintRow>& rows) {
+  ConstraintRow row;
+  row.kind = RowKind::FootLock;
+  row.count = 1;
+  row.vertices[0] = vertex;
+  row.weights[0] = 1;
+  row.direction = Vec3::Unit(axis);
+  row.target = target;
+  rows.push_back(row);
+}
+
+}  // namespace
+
 void add_position_rows(int vertex, const Vec3& position, std::vector<ConstraintRow>& rows) {
-  for (int axis = 0; axis < 3; ++axis) {
-    ConstraintRow row;
-    row.kind = RowKind::FootLock;
-    row.count = 1;
-    row.vertices[0] = vertex;
-    row.weights[0] = 1;
-    row.direction = Vec3::Unit(axis);
-    row.target = position(axis);
-    rows.push_back(row);
-  }
+  for (const int axis : {0, 1, 2}) add_axis_row(vertex, axis, position(axis), rows);
+}
+
+void add_place_rows(int vertex, const Vec3& position, std::vector<ConstraintRow>& rows) {
+  for (const int axis : {0, 2}) add_axis_row(vertex, axis, position(axis), rows);
 }
 
 }  // namespace abrazo

@@ -49,10 +49,13 @@ void add_bone_rows(const PairPose& iterate, const PairPose& reference, const Rig
 double bone_length_error(const PairPose& positions, const RigidDistances& lengths);
 
 /// The ankles, toe bases and toe tips of both bodies stay above the floor: y >= min(`lowest`, height in the
-/// selected pair).
-void add_floor_rows(const PairPose& selected_pair, double lowest_m, std::vector<ConstraintRow>& rows);
+/// reference).
+void add_floor_rows(const PairPose& reference, double lowest_m, std::vector<ConstraintRow>& rows);
 
 /// The vertex stays where it is held (three rows).
 void add_position_rows(int vertex, const Vec3& position, std::vector<ConstraintRow>& rows);
+
+/// The vertex stays over a point of the floor (two rows: x and z).
+void add_place_rows(int vertex, const Vec3& position, std::vector<ConstraintRow>& rows);
 
 }  // namespace abrazo

@@ -5,11 +5,12 @@
 #include "core/motion/body.hpp"
 #include "core/selection/motion_history.hpp"
 #include "core/synthesis/foot_locks.hpp"
-#include "core/synthesis/transition.hpp"
+#include "core/synthesis/partner_motion.hpp"
+#include "core/synthesis/user_measure.hpp"
 
 namespace abrazo {
 
-/// What a frame needs of those before it, as one value; some 24 kB without a pointer. World space, metres.
+/// What a frame needs of those before it, as one value; some 27 kB without a pointer. World space, metres.
 struct FrameMemory {
   int frames_since_reset = 0;
   PairPose previous = PairPose::Zero();         ///< V'_{i-1}
@@ -20,9 +21,10 @@ struct FrameMemory {
   int current_pair = -1;         ///< the source of the previous frame
   bool has_good_result = false;  ///< `previous` is what is held after a failure
   FootLocks locks;
-  Transition transition;
+  PartnerMotion motion;           ///< with the playback `continuous`
+  bool partner_is_shown = false;  ///< `previous` is a partner to go on from, also where tracking was lost
   MotionHistory history;          ///< q'_in of the last two seconds
-  std::optional<Body> user_body;  ///< given, or measured on the first pose that can be a person's
+  UserMeasure user;               ///< given, or measured over the first seconds
 };
 
 }  // namespace abrazo

@@ -16,9 +16,14 @@ using Clock = std::chrono::steady_clock;
 constexpr double landed_height_m = 0.03;  ///< toe base above its rest height
 constexpr double lowest_foot_m = 0.01;    ///< the floor, for ankles and toes
 constexpr double same_length = 1e-9;
-constexpr double smallest_user_m = 0.3;
-constexpr double largest_user_m = 3.5;
+/// The moved partner was adapted to the user: the user's own foot locks do not pull it by the mesh again.
+constexpr double moved_anchor_weight = 1;
 constexpr double shortest_step_s = 1.0 / 240;  ///< closer poses would make velocities out of noise
+
+bool are_same(const Body& a, const Body& b) {
+  return a.bone_lengths == b.bone_lengths && a.pseudo_lengths == b.pseudo_lengths &&
+         a.toe_rest_height == b.toe_rest_height;
+}
 
 double microseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
@@ -35,7 +40,9 @@ FramePipeline::FramePipeline(std::shared_ptr<const MotionLibrary> library, const
 }
 
 void FramePipeline::set_user_body(const std::optional<Body>& body) {
-  memory_.user_body = body;
+  if (body && memory_.user.is_given() && are_same(*body, *memory_.user.body())) return;
+  memory_.user = UserMeasure(body);
+  memory_.motion.playhead.pair = -1;
   retargeter_.reset();
 }
 
@@ -44,13 +51,18 @@ void FramePipeline::set_intent(std::shared_ptr<const IntentModel> model) {
   intent_.emplace(std::move(model));
 }
 
-void FramePipeline::forget() {
+void FramePipeline::lose_track() {
   memory_.frames_since_reset = 0;
   memory_.current_pair = -1;
   memory_.previous_heading.reset();
   memory_.locks.reset();
-  memory_.transition.reset();
+  memory_.motion.playhead.pair = -1;
   memory_.history.clear();
+}
+
+void FramePipeline::forget() {
+  lose_track();
+  memory_.partner_is_shown = false;
 }
 
 void FramePipeline::restore(const FrameMemory& memory) {
@@ -61,48 +73,43 @@ void FramePipeline::restore(const FrameMemory& memory) {
 void FramePipeline::take_over(const FrameMemory& memory) {
   restore(memory);
   memory_.current_pair = -1;
+  memory_.motion.playhead.pair = -1;
 }
 
-bool FramePipeline::measure(const Pose& user) {
-  if (memory_.user_body) return true;
-  const Body body = body_of(user);
-  const double height = body.height();
-  const bool plausible =
-      height > smallest_user_m &&
-      height<largest_user_m&& * std::min_element(body.bone_lengths.begin(), body.bone_lengths.end())> 1e-4;
-  if (plausible) memory_.user_body = body;
-  return plausible;
+bool FramePipeline::measure(const Pose& user, double dt_s) {
+  if (next_.user.look_at(user, dt_s)) retargeter_.reset();
+  return next_.user.body().has_value();
 }
 
 void FramePipeline::retarget(const Pose& user) {
   if (!retargeter_ || retargeter_scales_path_ != settings_.scale_root_path) {
-    retargeter_.emplace(*memory_.user_body, library_->usual_active_body().body, settings_.scale_root_path);
+    retargeter_.emplace(*next_.user.body(), library_->usual_active_body().body, settings_.scale_root_path);
     retargeter_scales_path_ = settings_.scale_root_path;
   }
   out_.query_world = retargeter_->apply(user);
-  out_.query_root = root_frame(out_.query_world, memory_.previous_heading);
+  out_.query_root = root_frame(out_.query_world, next_.previous_heading);
   out_.query_normalized = to_normalized(out_.query_world, out_.query_root);
   out_.features = pose_features(out_.query_normalized);
 }
 
 bool FramePipeline::is_recorded_foot_slow(int vertex) const {
   if (settings_.foot_lock_speed <= 0) return true;
-  int other = library_->later_pair(memory_.current_pair, 1);
-  if (other < 0) other = library_->later_pair(memory_.current_pair, -1);
+  int other = library_->later_pair(next_.current_pair, 1);
+  if (other < 0) other = library_->later_pair(next_.current_pair, -1);
   if (other < 0) return true;
-  const LibraryTake& take = library_->take_of(memory_.current_pair);
+  const LibraryTake& take = library_->take_of(next_.current_pair);
   const auto world = [&](int pair) -> Vec3 {
     const RootFrame& root = library_->root(pair);
     return root.rotation() * Vec3(library_->pose(pair).row(vertex)) + root.position;
   };
-  return (world(other) - world(memory_.current_pair)).norm() * take.fps / take.frame_stride <
+  return (world(other) - world(next_.current_pair)).norm() * take.fps / take.frame_stride <
          settings_.foot_lock_speed;
 }
 
 FootLocks::Situations FramePipeline::feet(double dt_s) const {
   FootLocks::Situations situations;
   const Body& active = library_->usual_active_body().body;
-  const Body& passive = library_->passive_body(memory_.current_pair).body;
+  const Body& passive = library_->passive_body(next_.current_pair).body;
   for (std::size_t f = 0; f < situations.size(); ++f) {
     const int toe_base = FootLocks::ankles[f] + 1;
     const int hip = FootLocks::ankles[f] - 2;
@@ -116,8 +123,8 @@ FootLocks::Situations FramePipeline::feet(double dt_s) const {
     const bool low = foot.toe_base.y() < body.toe_rest_height + landed_height_m;
     bool slow = true;
     if (settings_.foot_lock_speed > 0) {
-      slow = is_active ? memory_.frames_since_reset > 0 &&
-                             (Vec3(memory_.previous_query.row(toe_base)) - foot.toe_base).norm() <
+      slow = is_active ? next_.frames_since_reset > 0 &&
+                             (Vec3(next_.previous_query.row(toe_base)) - foot.toe_base).norm() <
                                  settings_.foot_lock_speed * dt_s
                        : is_recorded_foot_slow(toe_base);
     }
@@ -127,10 +134,11 @@ FootLocks::Situations FramePipeline::feet(double dt_s) const {
 }
 
 RigidDistances FramePipeline::wanted_lengths() const {
+  if (plays()) return lengths_as_moved();
   RigidDistances wanted = rigid_distances(out_.selected_pair);
   const Body& active = library_->usual_active_body().body;
   const Body& passive = library_->usual_passive_body().body;
-  const Body& recorded_passive = library_->passive_body(memory_.current_pair).body;
+  const Body& recorded_passive = library_->passive_body(next_.current_pair).body;
   PairPose with_query = out_.selected_pair;
   with_query.topRows<joint_count>() = out_.query_world;
   const RigidDistances of_query = rigid_distances(with_query);
@@ -150,23 +158,73 @@ RigidDistances FramePipeline::wanted_lengths() const {
   return wanted;
 }
 
+/// The moved partner has the bones that it must have, and a girdle that does not jump.
+RigidDistances FramePipeline::lengths_as_moved() const {
+  PairPose pair;
+  pair << out_.query_world, partner_;
+  RigidDistances wanted = rigid_distances(pair);
+  const Body& active = library_->usual_active_body().body;
+  const Body& passive = library_->usual_passive_body().body;
+  for (std::size_t b = 0; b < bone_count; ++b) {
+    wanted[b].length_m = active.bone_lengths[b];
+    wanted[rigid_distance_count / 2 + b].length_m = passive.bone_lengths[b];
+  }
+  make_lengths_fit(pair, wanted);
+  return wanted;
+}
+
 EditTask FramePipeline::edit_task(double dt_s) const {
   EditTask task;
-  task.edges = library_->edges(memory_.current_pair);
+  task.edges = library_->edges(next_.current_pair);
   task.selected = out_.selected_pair;
-  task.reference_offset = memory_.transition.offset();
+  task.reference = out_.selected_pair;
   task.target = out_.query_world;
-  task.has_previous = memory_.frames_since_reset > 0;
+  task.anchor_weight = settings_.anchor_weight;
+  task.has_previous = next_.frames_since_reset > 0;
   if (task.has_previous) {
     task.velocity_target =
-        settings_.velocity_form == VelocityForm::Predicted ? predicted(dt_s) : memory_.previous;
+        settings_.velocity_form == VelocityForm::Predicted ? predicted(dt_s) : next_.previous;
     task.velocity_weight = velocity_weight_at(settings_, dt_s);
   }
   task.wanted = wanted_lengths();
   task.floor_m = lowest_foot_m;
   task.active_radii = &library_->usual_active_body().capsule_radii;
   task.passive_radii = &library_->usual_passive_body().capsule_radii;
+  if (plays()) add_motion(task);
   return task;
+}
+
+/// The moved pair, whose leader is brought to the user by the mesh of the selected one.
+EditTask FramePipeline::mesh_task(const PairPose& moved) const {
+  EditTask task;
+  task.edges = library_->edges(next_.current_pair);
+  task.selected = out_.selected_pair;
+  task.reference = moved;
+  task.anchor_weight = settings_.anchor_weight;
+  task.target = out_.query_world;
+  task.wanted = rigid_distances(moved);
+  const RigidDistances of_user = rigid_distances([&] {
+    PairPose pair = moved;
+    pair.topRows<joint_count>() = out_.query_world;
+    return pair;
+  }());
+  std::copy_n(of_user.begin(), rigid_distance_count / 2, task.wanted.begin());
+  task.floor_m = lowest_foot_m;
+  task.active_radii = &library_->usual_active_body().capsule_radii;
+  task.passive_radii = &library_->usual_passive_body().capsule_radii;
+  return task;
+}
+
+/// What the moved partner is edited by: its own shape beside the user's, planted feet, held hands.
+void FramePipeline::add_motion(EditTask& task) const {
+  task.reference << out_.query_world, partner_;
+  const FootPlants::Feet& feet = next_.motion.plants.feet();
+  for (std::size_t f = 0; f < feet.size(); ++f)
+    if (settings_.foot_locks && feet[f].planted) task.planted[f] = feet[f].shown;
+  task.holds = out_.holds;
+  task.hold_weight = settings_.hold_weight;
+  task.keeps_apart = false;
+  task.anchor_weight = moved_anchor_weight;
 }
 
 void FramePipeline::refuse(std::string_view why, std::string_view where) {
@@ -187,27 +245,22 @@ void FramePipeline::fail(std::string_view why, std::string_view where) {
 }
 
 void FramePipeline::hold_feet(double dt_s) {
-  if (!settings_.foot_locks) return memory_.locks.reset();
-  memory_.locks.update(feet(dt_s), memory_.frames_since_reset > 0 ? &memory_.previous : nullptr,
-                       out_.source_changed);
-  if (settings_.transition_half_life_s > 0)
-    for (std::size_t f = 0; f < 2; ++f) {
-      if (!memory_.locks.passive_released()[f]) continue;
-      for (int vertex = FootLocks::ankles[2 + f]; vertex < FootLocks::ankles[2 + f] + 3; ++vertex)
-        memory_.transition.pull(vertex - joint_count, memory_.previous.row(vertex),
-                                out_.selected_pair.row(vertex));
-    }
+  if (!settings_.foot_locks) return next_.locks.reset();
+  next_.locks.update(feet(dt_s), next_.frames_since_reset > 0 ? &next_.previous : nullptr,
+                     out_.source_changed);
+  if (plays()) next_.locks.release(1);
 }
 
+/// A step that failed leaves nothing behind: all that it changed is in `next_`.
 void FramePipeline::remember(double dt_s) {
-  memory_.before_previous = memory_.frames_since_reset > 0 ? memory_.previous : out_.result;
-  memory_.previous = out_.result;
-  memory_.previous_dt_s = dt_s;
-  memory_.previous_query = out_.query_world;
-  memory_.previous_heading = out_.query_root.heading_rad;
-  memory_.history = history_;
-  memory_.has_good_result = true;
-  ++memory_.frames_since_reset;
+  next_.before_previous = next_.frames_since_reset > 0 ? next_.previous : out_.result;
+  next_.previous = out_.result;
+  next_.previous_dt_s = dt_s;
+  next_.previous_query = out_.query_world;
+  next_.previous_heading = out_.query_root.heading_rad;
+  next_.has_good_result = next_.partner_is_shown = true;
+  ++next_.frames_since_reset;
+  memory_ = next_;
 }
 
 /// Nothing of the previous frame is left to be taken for this one's, but the poses that are held when it
@@ -224,6 +277,7 @@ void FramePipeline::begin_frame() {
   out_.intent.belief.clear();
   out_.intent.moves.clear();
   out_.intent.continued = -1;
+  out_.intent.lead_s = 0;
   out_.selected_pair.setZero();
   out_.edges.clear();
   out_.tetrahedra.clear();
@@ -232,6 +286,7 @@ void FramePipeline::begin_frame() {
   out_.energy = {};
   out_.residual = {};
   out_.foot_locks.clear();
+  out_.holds.clear();
   out_.collisions.clear();
   out_.timing = {};
 }
@@ -240,7 +295,10 @@ void FramePipeline::solve(const Pose& user, double elapsed_s) {
   const double dt_s = elapsed_s > 0 ? std::max(elapsed_s, shortest_step_s) : 0.0;
   const auto start = Clock::now();
   begin_frame();
-  if (!measure(user)) return fail("the user's pose does not have the size of a person; is the unit right?");
+  next_ = memory_;
+  if (next_.motion.moved_by != moving_settings(settings_)) next_.motion.playhead.pair = -1;
+  if (!measure(user, dt_s))
+    return fail("the user's pose does not have the size of a person; is the unit right?");
   retarget(user);
   out_.timing.retarget_us = microseconds_since(start);
 
@@ -252,15 +310,17 @@ void FramePipeline::solve(const Pose& user, double elapsed_s) {
   out_.timing.select_us = microseconds_since(selecting);
 
   const auto meshing = Clock::now();
-  const auto edges = library_->edges(memory_.current_pair);
-  const auto tetrahedra = library_->tetrahedra(memory_.current_pair);
+  const auto edges = library_->edges(next_.current_pair);
+  const auto tetrahedra = library_->tetrahedra(next_.current_pair);
   out_.edges.assign(edges.begin(), edges.end());
   out_.tetrahedra.assign(tetrahedra.begin(), tetrahedra.end());
   out_.timing.mesh_us = microseconds_since(meshing);
 
   const auto solving = Clock::now();
+  if (plays() && !move(dt_s))
+    return fail("the selected pair could not be brought to the user; the last poses are held");
   hold_feet(dt_s);
-  const auto outcome = editor_.edit(edit_task(dt_s), settings_, memory_.locks);
+  const auto outcome = editor_.edit(edit_task(dt_s), settings_, next_.locks);
   if (!outcome.solved)
     return fail("the constraints of this frame contradict one another; the last poses are held");
   report(outcome);

@@ -32,9 +32,11 @@ class FramePipeline {
   void refuse(std::string_view why, std::string_view where = {});
   /// The next frame is a first one.
   void forget();
+  /// The next frame follows none: with the playback `continuous` the partner still goes on from where it is.
+  void lose_track();
 
   void set_settings(const Settings& settings) { settings_ = settings; }
-  /// Nothing: measured on the next pose that can be a person's.
+  /// Nothing: measured on the next poses that can be a person's.
   void set_user_body(const std::optional<Body>& body);
   /// What the selection `filter` selects by; without it Eq. 7 does. A shared one is prepared by RoleViews.
   void set_intent(std::shared_ptr<const IntentModel> model);
@@ -55,24 +57,30 @@ class FramePipeline {
  private:
   void begin_frame();
   void fail(std::string_view why, std::string_view where = {});
-  bool measure(const Pose& user);
+  bool measure(const Pose& user, double dt_s);
   void retarget(const Pose& user);
   bool select(double dt_s);
   SelectionQuery query_of(double dt_s) const;
   bool selects_by_intent() const { return settings_.selection == SelectionMethod::Filter && intent_; }
   void select_pinned(const SelectionQuery& query);
+  bool plays() const { return settings_.playback == SourcePlayback::Continuous; }
   void follow_source(double dt_s);
-  void glide_from_continued(int pair, double dt_s);
-  void glide_from_prediction(int pair, double dt_s);
+  bool goes_on(int pair, double dt_s) const;
+  bool move(double dt_s);
+  std::optional<ShownPartner> shown_partner(double dt_s) const;
   void hold_feet(double dt_s);
-  std::array<double, joint_count> hurry_of_holds() const;
   PairPose predicted(double dt_s) const;
-  Pose partner_velocity(int pair) const;
+  SourcePlayhead expected_playhead(double dt_s) const;
+  Pose partner_speed() const;
   FootLocks::Situations feet(double dt_s) const;
   bool is_recorded_foot_slow(int vertex) const;
   RigidDistances wanted_lengths() const;
+  RigidDistances lengths_as_moved() const;
   EditTask edit_task(double dt_s) const;
+  EditTask mesh_task(const PairPose& moved) const;
+  void add_motion(EditTask& task) const;
   void report(const PairEditor::Outcome& outcome);
+  void report_feet(int locked_bodies);
   void remember(double dt_s);
 
   std::shared_ptr<const MotionLibrary> library_;
@@ -85,7 +93,8 @@ class FramePipeline {
   std::optional<int> pinned_;
 
   FrameMemory memory_;
-  MotionHistory history_;  ///< memory_'s with this frame, which is remembered when the frame was solved
+  FrameMemory next_;             ///< memory_ with this frame, which becomes it when the frame was solved
+  Pose partner_ = Pose::Zero();  ///< as it was moved, before the edit
 
   FrameResult out_;
 };

@@ -37,8 +37,7 @@ void FramePipeline::report(const PairEditor::Outcome& outcome) {
   const int locked_bodies = !settings_.foot_locks || outcome.relaxation >= Relaxation::Feet ? 0
                             : outcome.relaxation == Relaxation::PassiveFeet                 ? 1
                                                                                             : 2;
-  memory_.locks.list(locked_bodies, out_.foot_locks);
-  out_.residual.foot_lock_max_m = memory_.locks.drift(locked_bodies, out_.result);
+  report_feet(locked_bodies);
   editor_.contacts().measure(out_.result, out_.collisions, out_.residual.penetration_max_m,
                              out_.residual.excess_penetration_max_m);
 
@@ -49,6 +48,21 @@ void FramePipeline::report(const PairEditor::Outcome& outcome) {
     out_.edge_weights.push_back(0.5 *
                                 (laplacian.weight(edge[0], edge[1]) + laplacian.weight(edge[1], edge[0])));
     out_.edge_residuals_m.push_back(0.5 * (residuals.row(edge[0]).norm() + residuals.row(edge[1]).norm()));
+  }
+}
+
+/// Feet that could not be held are not planted any more.
+void FramePipeline::report_feet(int locked_bodies) {
+  next_.locks.list(locked_bodies, out_.foot_locks);
+  out_.residual.foot_lock_max_m = editor_.drift(next_.locks, locked_bodies);
+  if (!plays()) return;
+  FootPlants& plants = next_.motion.plants;
+  for (const int f : {0, 1}) {
+    if (!editor_.task().planted[static_cast<std::size_t>(f)]) continue;
+    if (locked_bodies == 2)
+      out_.foot_locks.push_back({false, f == 0});
+    else
+      plants.let_go(f, out_.result.row(FootLocks::ankles[static_cast<std::size_t>(2 + f)] + 1));
   }
 }
 
@@ -72,6 +86,10 @@ void exchange_roles(const FrameResult& solved, FrameResult& exchanged) {
   for (MeshTetrahedron& tetrahedron : exchanged.tetrahedra)
     for (std::uint8_t& vertex : tetrahedron) vertex = other_body(vertex);
   for (FootLock& lock : exchanged.foot_locks) lock.active_body = !lock.active_body;
+  for (HandHold& hold : exchanged.holds) {
+    std::swap(hold.active_left, hold.passive_left);
+    hold.offset = -hold.offset;
+  }
   for (CapsuleContact& contact : exchanged.collisions) {
     std::swap(contact.a, contact.b);
     for (int* vertex : {&contact.a[0], &contact.a[1], &contact.b[0], &contact.b[1]})

@@ -36,6 +36,14 @@ struct FootLock {
   bool operator==(const FootLock&) const = default;
 };
 
+/// A hand of each body that the edit brings together, as they hold one another in the recording.
+struct HandHold {
+  bool active_left = true;
+  bool passive_left = true;
+  double strength = 0;         ///< 0 = not held any more, 1 = held
+  Vec3 offset = Vec3::Zero();  ///< of the passive hand from the active one, as it should be; world [m]
+};
+
 /// Two capsules of different bodies that touch or are kept apart. A capsule's ends are vertices 0..49.
 struct CapsuleContact {
   std::array<int, 2> a{};
@@ -76,6 +84,7 @@ struct FrameResult {
   FrameEnergy energy;
   FrameResidual residual;
   std::vector<FootLock> foot_locks;
+  std::vector<HandHold> holds;
   std::vector<CapsuleContact>
       collisions;  ///< that overlap, deepest first; hands that hold one another left out
   StepStatus status = StepStatus::Failed;

@@ -22,6 +22,7 @@ inline void reserve_room(FrameResult& frame) {
   frame.tetrahedra.reserve(many_tetrahedra);
   frame.morph_steps.reserve(most_edit_steps);
   frame.foot_locks.reserve(4);
+  frame.holds.reserve(4);
   frame.collisions.reserve(static_cast<std::size_t>(bone_count) * bone_count);
   frame.message.reserve(longest_message);
 }

@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/mesh/capsules.hpp"
 #include "core/synthesis/frame_pipeline.hpp"
 
 namespace abrazo {
 
 namespace {
 
-constexpr double hold_hurry = 4.0;
+constexpr double same_motion_s = 0.3;  ///< a pair of the source this near to its time is the source
 
 IntentWeights weights_of(const Settings& settings) {
   return {settings.switch_margin, settings.leader_weight, settings.move_weight, settings.meant_weight};
@@ -25,8 +24,8 @@ int expected_advance(const LibraryTake& take, double dt_s) {
 
 /// Eq. 3-4, with the velocity over the time that passed.
 PairPose FramePipeline::predicted(double dt_s) const {
-  if (memory_.frames_since_reset < 2 || memory_.previous_dt_s <= 0) return memory_.previous;
-  return memory_.previous + (dt_s / memory_.previous_dt_s) * (memory_.previous - memory_.before_previous);
+  if (next_.frames_since_reset < 2 || next_.previous_dt_s <= 0) return next_.previous;
+  return next_.previous + (dt_s / next_.previous_dt_s) * (next_.previous - next_.before_previous);
 }
 
 SelectionQuery FramePipeline::query_of(double dt_s) const {
@@ -34,23 +33,42 @@ SelectionQuery FramePipeline::query_of(double dt_s) const {
   query.normalized = out_.query_normalized;
   query.root = out_.query_root;
   query.features = out_.features;
-  query.has_prediction = memory_.frames_since_reset > 0;
+  query.has_prediction = next_.frames_since_reset > 0;
   query.predicted = predicted(dt_s);
   query.alpha = settings_.alpha;
   query.neighbours = settings_.neighbours;
-  query.current_pair = memory_.current_pair;
+  query.current_pair = next_.current_pair;
   query.continuations = settings_.continuations;
-  if (memory_.current_pair >= 0)
-    query.expected_advance = expected_advance(library_->take_of(memory_.current_pair), dt_s);
+  if (plays()) {
+    query.playhead = expected_playhead(dt_s);
+    query.since_change_s = next_.motion.since_change_s;
+  }
+  query.partner_speed = partner_speed();
+  if (next_.current_pair >= 0)
+    query.expected_advance = expected_advance(library_->take_of(next_.current_pair), dt_s);
   return query;
+}
+
+/// Of the partner that is shown, about its root [m/s].
+Pose FramePipeline::partner_speed() const {
+  if (next_.frames_since_reset < 2 || next_.previous_dt_s <= 0) return Pose::Zero();
+  Pose speed = (next_.previous - next_.before_previous).bottomRows<joint_count>() / next_.previous_dt_s;
+  speed.rowwise() -= speed.row(0).eval();
+  return speed;
+}
+
+/// Where the source is after this step, if it goes on.
+SourcePlayhead FramePipeline::expected_playhead(double dt_s) const {
+  const SourcePlayhead& now = next_.motion.playhead;
+  if (now.pair < 0) return {};
+  return pinned_ ? now : moved(*library_, now, now.rate * dt_s);
 }
 
 bool FramePipeline::select(double dt_s) {
   const SelectionQuery query = query_of(dt_s);
-  history_ = memory_.history;
-  history_.add(out_.query_world, out_.query_root, dt_s);
+  next_.history.add(out_.query_world, out_.query_root, dt_s);
   if (selects_by_intent())
-    out_.selected = intent_->select(query, history_, selector_.pairs(), weights_of(settings_),
+    out_.selected = intent_->select(query, next_.history, selector_.pairs(), weights_of(settings_),
                                     out_.candidates, out_.intent);
   // All that may be selected can lie between the pairs that may be changed to.
   if (out_.selected < 0) {
@@ -73,7 +91,7 @@ void FramePipeline::select_pinned(const SelectionQuery& query) {
   Candidate candidate;
   if (selects_by_intent()) {
     candidate = intent_->candidate(*pinned_, query, selector_.pairs(), weights_of(settings_),
-                                   *pinned_ != memory_.current_pair);
+                                   *pinned_ != next_.current_pair);
   } else {
     candidate.pair = *pinned_;
     candidate.feature_distance = (library_->features(*pinned_) - out_.features).norm();
@@ -87,73 +105,67 @@ void FramePipeline::select_pinned(const SelectionQuery& query) {
   out_.candidates.insert(place, candidate);
 }
 
-/// Velocity of the recorded partner relative to the user's root [m/s].
-Pose FramePipeline::partner_velocity(int pair) const {
-  const int next = library_->later_pair(pair, 1);
-  if (next < 0) return Pose::Zero();
-  const LibraryTake& take = library_->take_of(pair);
-  const double dt = take.frame_stride / take.fps;
-  return (library_->pair_in_world(next, out_.query_root) - library_->pair_in_world(pair, out_.query_root))
-             .bottomRows<joint_count>() /
-         dt;
-}
-
-/// The partner's arms that hold a hand in the selected pair get there sooner than the body.
-std::array<double, joint_count> FramePipeline::hurry_of_holds() const {
-  std::array<double, joint_count> hurry{};
-  hurry.fill(1.0);
-  for (const int hand : {joints::left_hand, joints::right_hand}) {
-    const auto passive_hand = out_.selected_pair.row(hand + joint_count);
-    const bool holds = (out_.selected_pair.row(joints::left_hand) - passive_hand).norm() < hold_distance_m ||
-                       (out_.selected_pair.row(joints::right_hand) - passive_hand).norm() < hold_distance_m;
-    if (!holds) continue;
-    const auto arm = static_cast<std::size_t>(hand);
-    hurry[arm] = hurry[arm - 1] = hold_hurry;
-    hurry[arm - 2] = 0.5 * hold_hurry;
+/// Whether the selected pair is the source that the frame before had, at whatever pace.
+bool FramePipeline::goes_on(int pair, double dt_s) const {
+  if (plays()) {
+    const SourcePlayhead& now = next_.motion.playhead;
+    if (now.pair < 0) return false;
+    if (pinned_ && pair == *pinned_) return now.pair == pair && now.fraction == 0;
+    const auto ahead = seconds_to(*library_, now, pair);
+    return ahead && std::abs(*ahead) < same_motion_s;
   }
-  return hurry;
+  if (next_.current_pair < 0) return false;
+  const PairSource& now = library_->source(pair);
+  const PairSource& before = library_->source(next_.current_pair);
+  const int frames = static_cast<int>(now.frame) - static_cast<int>(before.frame);
+  // From standing still to three times the expected pace it is still the same stretch of recorded motion.
+  const int advance = expected_advance(library_->take_of(next_.current_pair), dt_s);
+  const int most = std::max(3, 3 * advance * library_->take_of(pair).frame_stride);
+  return now.take == before.take && now.swapped == before.swapped && frames >= 0 && frames <= most;
 }
 
-/// Notices when the selected pair does not continue the previous one, and lets the partner glide over.
+/// Notices when the selected pair does not go on with the source.
 void FramePipeline::follow_source(double dt_s) {
   const int pair = out_.candidates[static_cast<std::size_t>(out_.selected)].pair;
   out_.selected_pair = library_->pair_in_world(pair, out_.query_root);
-  memory_.transition.fade(dt_s, settings_.transition_half_life_s, hurry_of_holds());
-  out_.source_changed = false;
-  if (memory_.current_pair >= 0)
-    glide_from_continued(pair, dt_s);
-  else if (memory_.frames_since_reset > 0)
-    glide_from_prediction(pair, dt_s);
-  memory_.current_pair = pair;
+  const bool has_source = next_.current_pair >= 0 || next_.frames_since_reset > 0;
+  out_.source_changed = has_source && !goes_on(pair, dt_s);
+  next_.current_pair = pair;
 }
 
-void FramePipeline::glide_from_continued(int pair, double dt_s) {
-  const int advance = expected_advance(library_->take_of(memory_.current_pair), dt_s);
-  const PairSource& now = library_->source(pair);
-  const PairSource& before = library_->source(memory_.current_pair);
-  const int frames = static_cast<int>(now.frame) - static_cast<int>(before.frame);
-  // From standing still to three times the expected pace it is still the same stretch of recorded motion.
-  const int most = std::max(3, 3 * advance * library_->take_of(pair).frame_stride);
-  out_.source_changed =
-      now.take != before.take || now.swapped != before.swapped || frames < 0 || frames > most;
-  const int continued = library_->later_pair(memory_.current_pair, advance);
-  if (settings_.transition_half_life_s <= 0 || pair == continued) return;
-  const Pose chosen = out_.selected_pair.bottomRows<joint_count>();
-  const int from = continued >= 0 ? continued : memory_.current_pair;
-  const Pose would_be = library_->pair_in_world(from, out_.query_root).bottomRows<joint_count>();
-  memory_.transition.jump(would_be, partner_velocity(from), chosen, partner_velocity(pair));
+std::optional<ShownPartner> FramePipeline::shown_partner(double dt_s) const {
+  if (!next_.partner_is_shown) return std::nullopt;
+  ShownPartner shown;
+  shown.before = next_.previous.bottomRows<joint_count>();
+  shown.pose = predicted(dt_s).bottomRows<joint_count>();
+  const bool has_speed = next_.frames_since_reset >= 2 && next_.previous_dt_s > 0;
+  shown.before_s = has_speed ? dt_s : 0;
+  return shown;
 }
 
-/// The partner goes on without a recorded pair that did: from where its own motion would have taken it.
-void FramePipeline::glide_from_prediction(int pair, double dt_s) {
-  out_.source_changed = true;
-  if (settings_.transition_half_life_s <= 0) return;
-  Pose velocity = Pose::Zero();
-  if (memory_.frames_since_reset >= 2 && memory_.previous_dt_s > 0)
-    velocity = (memory_.previous - memory_.before_previous).bottomRows<joint_count>() / memory_.previous_dt_s;
-  memory_.transition.reset();  // what was left of it is in the prediction
-  memory_.transition.jump(predicted(dt_s).bottomRows<joint_count>(), velocity,
-                          out_.selected_pair.bottomRows<joint_count>(), partner_velocity(pair));
+/// Moves the partner on, by the selected pair.
+/// @return false when the mesh could not be edited
+bool FramePipeline::move(double dt_s) {
+  const bool is_pinned = pinned_ && *pinned_ == next_.current_pair;
+  MotionStep step{.library = *library_,
+                  .settings = settings_,
+                  .user = out_.query_world,
+                  .user_root = out_.query_root,
+                  .elapsed_s = dt_s,
+                  .chosen = next_.current_pair,
+                  .changes = out_.source_changed,
+                  .stands = is_pinned,
+                  .lead_s = out_.intent.lead_s,
+                  .shown = shown_partner(dt_s)};
+  if (!out_.intent.model && !step.changes && next_.motion.playhead.pair >= 0)
+    step.lead_s = seconds_to(*library_, expected_playhead(dt_s), step.chosen).value_or(0);
+  PartnerMover mover(next_.motion, step);
+  const auto meshed = mesh_task(mover.move());
+  FootLocks none;
+  if (!editor_.edit(meshed, settings_, none).solved) return false;
+  partner_ = mover.adapt(editor_.result().bottomRows<joint_count>());
+  next_.motion.holds.list(partner_, out_.query_world, out_.query_root, out_.holds);
+  return true;
 }
 
 }  // namespace abrazo

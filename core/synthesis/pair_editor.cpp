@@ -1,8 +1,10 @@
 #include "core/synthesis/pair_editor.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
+#include "core/motion/joint_set.hpp"
 #include "core/synthesis/frame_room.hpp"
 
 namespace abrazo {
@@ -36,22 +38,21 @@ PairEditor::PairEditor() {
 PairEditor::Outcome PairEditor::edit(const EditTask& task, const Settings& settings, FootLocks& locks) {
   task_ = task;
   steps_.clear();
-  reference_ = task_.selected;
-  reference_.bottomRows<joint_count>() += task_.reference_offset;
-  recorded_ = rigid_distances(task_.selected);
+  recorded_ = rigid_distances(task_.reference);
   laplacian_.build(task_.edges, task_.selected, settings.edge_weights);
   contacts_.prepare(task_.selected, *task_.active_radii, *task_.passive_radii);
 
   // K and the constant part of R: the gradient of E_L + w_Delta E_V + E_C is K V - R.
   VertexMatrix energy = laplacian_.gram();
-  constant_.noalias() = laplacian_.gram() * reference_;
+  constant_.noalias() = laplacian_.gram() * task_.reference;
   energy.diagonal().head<joint_count>().array() += settings.morph_weight;
-  energy.diagonal().tail<joint_count>().array() += settings.anchor_weight;
-  constant_.bottomRows<joint_count>() += settings.anchor_weight * reference_.bottomRows<joint_count>();
+  energy.diagonal().tail<joint_count>().array() += task_.anchor_weight;
+  constant_.bottomRows<joint_count>() += task_.anchor_weight * task_.reference.bottomRows<joint_count>();
   if (task_.has_previous && task_.velocity_weight > 0) {
     energy.diagonal().array() += task_.velocity_weight;
     constant_ += task_.velocity_weight * task_.velocity_target;
   }
+  add_holds(energy);
   if (!solver_.set_energy(energy)) return {};
 
   std::optional<Relaxation> tried;
@@ -60,7 +61,7 @@ PairEditor::Outcome PairEditor::edit(const EditTask& task, const Settings& setti
     if (tried && !lets_more_go(settings, locks, *tried, relaxation)) continue;
     tried = relaxation;
     if (!morph(settings, locks, relaxation)) continue;
-    if (locks.drift(locked_bodies(settings, relaxation), result()) > drift_limit_m) continue;
+    if (drift(locks, locked_bodies(settings, relaxation)) > drift_limit_m) continue;
     locks.release(locked_bodies(settings, relaxation));
     return {true, relaxation};
   }
@@ -72,7 +73,40 @@ bool PairEditor::lets_more_go(const Settings& settings, const FootLocks& locks, 
                               Relaxation next) const {
   if (next == Relaxation::Everything) return true;
   if (next == Relaxation::Capsules && met_capsules_) return true;
-  return locks.held(locked_bodies(settings, next)) < locks.held(locked_bodies(settings, tried));
+  return held_feet(locks, locked_bodies(settings, next)) < held_feet(locks, locked_bodies(settings, tried));
+}
+
+int PairEditor::held_feet(const FootLocks& locks, int bodies) const {
+  int held = locks.held(bodies);
+  if (bodies == 2)
+    for (const auto& toe_base : task_.planted) held += toe_base.has_value();
+  return held;
+}
+
+double PairEditor::drift(const FootLocks& locks, int bodies) const {
+  double largest = locks.drift(bodies, result());
+  if (bodies == 2)
+    for (std::size_t f = 0; f < task_.planted.size(); ++f)
+      if (const auto& toe_base = task_.planted[f]) {
+        const auto at = result().row(FootLocks::ankles[2 + f] + 1);
+        largest = std::max(largest, std::hypot(at.x() - toe_base->x(), at.z() - toe_base->z()));
+      }
+  return largest;
+}
+
+/// w_H/2 |(v_S - v_A) - offset|^2 for each hold, by its strength.
+void PairEditor::add_holds(VertexMatrix& energy) {
+  for (const HandHold& hold : task_.holds) {
+    const double weight = task_.hold_weight * hold.strength;
+    const int a = hold.active_left ? joints::left_hand : joints::right_hand;
+    const int s = joint_count + (hold.passive_left ? joints::left_hand : joints::right_hand);
+    energy(a, a) += weight;
+    energy(s, s) += weight;
+    energy(a, s) -= weight;
+    energy(s, a) -= weight;
+    constant_.row(s) += weight * hold.offset.transpose();
+    constant_.row(a) -= weight * hold.offset.transpose();
+  }
 }
 
 bool PairEditor::morph(const Settings& settings, const FootLocks& locks, Relaxation relaxation) {
@@ -80,7 +114,7 @@ bool PairEditor::morph(const Settings& settings, const FootLocks& locks, Relaxat
   steps_.clear();
   active_rows_.clear();
   rows_.clear();
-  iterate_ = task_.selected;
+  iterate_ = task_.reference;
   for (int step = 1; step <= settings.morph_steps; ++step)
     if (!solve_step(settings, locks, relaxation, static_cast<double>(step) / settings.morph_steps))
       return false;
@@ -100,8 +134,8 @@ bool PairEditor::solve_step(const Settings& settings, const FootLocks& locks, Re
   PairPose linear = constant_;
   // Eq. 8: the intermediate target between the selected pose and the user's.
   linear.topRows<joint_count>() +=
-      settings.morph_weight * (task_.selected.topRows<joint_count>() +
-                               fraction * (task_.target - task_.selected.topRows<joint_count>()));
+      settings.morph_weight * (task_.reference.topRows<joint_count>() +
+                               fraction * (task_.target - task_.reference.topRows<joint_count>()));
   RigidDistances lengths = task_.wanted;
   for (std::size_t n = 0; n < lengths.size(); ++n)
     lengths[n].length_m =
@@ -141,11 +175,14 @@ void PairEditor::damp_turning_bones(const RigidDistances& lengths, PairPose& lin
 void PairEditor::build_rows(const Settings& settings, const FootLocks& locks, Relaxation relaxation,
                             const RigidDistances& lengths) {
   rows_.clear();
-  add_bone_rows(iterate_, task_.selected, lengths, rows_);
-  if (relaxation < Relaxation::Everything) add_floor_rows(task_.selected, task_.floor_m, rows_);
-  locks.add_rows(locked_bodies(settings, relaxation), rows_);
+  add_bone_rows(iterate_, task_.reference, lengths, rows_);
+  if (relaxation < Relaxation::Everything) add_floor_rows(task_.reference, task_.floor_m, rows_);
+  const int bodies = locked_bodies(settings, relaxation);
+  locks.add_rows(bodies, rows_);
+  for (std::size_t f = 0; bodies == 2 && f < task_.planted.size(); ++f)
+    if (task_.planted[f]) add_place_rows(FootLocks::ankles[2 + f] + 1, *task_.planted[f], rows_);
   const std::size_t lasting_rows = rows_.size();
-  if (settings.collisions && relaxation < Relaxation::Capsules) contacts_.add_rows(iterate_, rows_);
+  if (parts_bodies(settings, relaxation)) contacts_.add_rows(iterate_, rows_);
   // Capsule rows are found anew in every step, so the guess of what binds is only kept for the others.
   met_capsules_ |= rows_.size() > lasting_rows;
   active_rows_.resize(lasting_rows, 0);
@@ -155,14 +192,18 @@ void PairEditor::build_rows(const Settings& settings, const FootLocks& locks, Re
 }
 
 bool PairEditor::keep_iterate() {
-  if ((iterate_ - task_.selected).cwiseAbs().maxCoeff() > farthest_sensible_m) return false;
+  if ((iterate_ - task_.reference).cwiseAbs().maxCoeff() > farthest_sensible_m) return false;
   steps_.push_back(iterate_);
   return true;
 }
 
+bool PairEditor::parts_bodies(const Settings& settings, Relaxation relaxation) const {
+  return settings.collisions && task_.keeps_apart && relaxation < Relaxation::Capsules;
+}
+
 /// Deepest beyond the selected pair's own at the iterate; 0 while capsules may overlap.
 double PairEditor::overlap(const Settings& settings, Relaxation relaxation) {
-  if (!settings.collisions || relaxation >= Relaxation::Capsules) return 0;
+  if (!parts_bodies(settings, relaxation)) return 0;
   return contacts_.deepest_excess_m(iterate_);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -15,15 +17,19 @@ namespace abrazo {
 /// What is edited in one frame, and towards what. World space [m].
 struct EditTask {
   std::span<const MeshEdge> edges;  ///< interaction mesh of the selected pair
-  PairPose selected;                ///< q''_sel
-  Pose reference_offset =
-      Pose::Zero();  ///< of the passive body in the deformation energy's reference, see Transition
-  Pose target;       ///< q'_in
+  PairPose selected;                ///< q''_sel: weights of the mesh and what capsules may overlap
+  PairPose reference;               ///< what the deformation energy keeps the shape of; q''_sel by the paper
+  Pose target;                      ///< q'_in
   bool has_previous = false;
-  PairPose velocity_target;    ///< V'_{i-1}, or its prediction; only with has_previous
-  double velocity_weight = 0;  ///< w_Delta for this step
-  RigidDistances wanted;       ///< lengths that the result must have
-  double floor_m = 0;          ///< no foot joint goes below, unless the selected pair's does
+  PairPose velocity_target;                    ///< V'_{i-1}, or its prediction; only with has_previous
+  double velocity_weight = 0;                  ///< w_Delta for this step
+  RigidDistances wanted;                       ///< lengths that the result must have
+  double floor_m = 0;                          ///< no foot joint goes below, unless the reference's does
+  std::array<std::optional<Vec3>, 2> planted;  ///< the partner's toe bases, left and right: x and z are held
+  std::span<const HandHold> holds;
+  double anchor_weight = 0;  ///< w_a: holds the partner to the reference
+  double hold_weight = 0;    ///< w_H
+  bool keeps_apart = true;   ///< capsules
   const CapsuleRadii* active_radii = nullptr;
   const CapsuleRadii* passive_radii = nullptr;
 };
@@ -50,21 +56,25 @@ class PairEditor {
   const Laplacian& laplacian() const { return laplacian_; }
   CapsuleContacts& contacts() { return contacts_; }
   const EditTask& task() const { return task_; }
+  /// Largest distance of a held vertex of the first `bodies` from where it is held [m].
+  double drift(const FootLocks& locks, int bodies) const;
 
  private:
   bool lets_more_go(const Settings& settings, const FootLocks& locks, Relaxation tried,
                     Relaxation next) const;
   bool morph(const Settings& settings, const FootLocks& locks, Relaxation relaxation);
+  void add_holds(VertexMatrix& energy);
+  int held_feet(const FootLocks& locks, int bodies) const;
   bool solve_step(const Settings& settings, const FootLocks& locks, Relaxation relaxation, double fraction);
   bool project_step(const Settings& settings, const FootLocks& locks, Relaxation relaxation);
   void build_rows(const Settings& settings, const FootLocks& locks, Relaxation relaxation,
                   const RigidDistances& lengths);
   void damp_turning_bones(const RigidDistances& lengths, PairPose& linear);
   bool keep_iterate();
+  bool parts_bodies(const Settings& settings, Relaxation relaxation) const;
   double overlap(const Settings& settings, Relaxation relaxation);
 
   EditTask task_;
-  PairPose reference_;       ///< selected pair with the partner's offset
   PairPose constant_;        ///< the part of R that does not change between morph steps
   RigidDistances recorded_;  ///< lengths in the selected pair
   Laplacian laplacian_;

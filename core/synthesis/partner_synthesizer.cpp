@@ -130,7 +130,8 @@ const FrameResult& PartnerSynthesizer::step(const Pose& user, Duration elapsed) 
   // Frames that gave nothing count as time without tracking: velocities and locks belong to the last one
   // solved.
   const double since_solved_s = state_->unsolved_s + std::max(0.0, elapsed.count());
-  const bool starts = !(elapsed.count() > 0) || since_solved_s > tracking_loss_s;
+  const bool starts = !(elapsed.count() > 0);
+  const bool was_lost = !starts && since_solved_s > tracking_loss_s;
   state_->unsolved_s = since_solved_s;
   try {
     if (!state_->unusable.empty()) {
@@ -139,10 +140,11 @@ const FrameResult& PartnerSynthesizer::step(const Pose& user, Duration elapsed) 
       pipeline.refuse("the user's pose has no finite position for ", first_joint_without_position(user));
     } else {
       if (starts) pipeline.forget();
+      if (was_lost) pipeline.lose_track();
       if (state_->settings.selection == SelectionMethod::Filter && !pipeline.has_intent())
         state_->learn_intent();
       if (!state_->unlearned.empty()) throw std::runtime_error(state_->unlearned);
-      pipeline.solve(user, starts ? 0.0 : since_solved_s);
+      pipeline.solve(user, starts || was_lost ? 0.0 : since_solved_s);
       if (pipeline.result().status != StepStatus::Failed) state_->unsolved_s = 0;
     }
   } catch (const std::exception& failure) {
@@ -176,7 +178,7 @@ void PartnerSynthesizer::forget_user_body() {
 }
 
 const std::optional<Body>& PartnerSynthesizer::user_body() const {
-  return state_->pipeline().memory().user_body;
+  return state_->pipeline().memory().user.body();
 }
 
 void PartnerSynthesizer::reset() {

@@ -21,6 +21,9 @@ constexpr double lowest_step_rate_hz = 5;
 constexpr double highest_weighed_rate_hz =
     240;  ///< poses closer than this are weighed as if they were this far apart
 
+/// Sessions that were recorded with it are still read: how a change of source fades is another setting now.
+constexpr std::string_view retired_setting = "transition-half-life";
+
 using Kind = SettingInfo::Kind;
 
 /// A setting's description and its place in Settings, as a number (flags 0/1, choices their index).
@@ -45,14 +48,17 @@ const std::vector<Entry>& entries() {
              "user's last two seconds; learned from the library in a second or more\n"
              "Paper 3.3.2-3.3.3: paper."},
             &Settings::selection),
-      entry({"alpha", "\u03b1", "temporal smoothness", "Selection", "", Kind::Real, 0, 5, false, "",
-             "Weight of temporal coherence when a recorded pair is chosen.\n"
-             "  cost = \u03a3|p_in \u2212 p_A|\u00b2 + \u03b1 (\u03a3|s_{A,i*} \u2212 q\u2033_A|\u00b2 + "
-             "\u03a3|s_{S,i*} \u2212 q\u2033_S|\u00b2)\n"
-             "s_{i*} is the result before, moved on at its speed (Eq. 3-4). Higher: fewer changes of source, "
-             "but the partner sticks to a move longer.\n"
-             "Paper 3.3.3, Eq. 7: 0.5."},
-            &Settings::alpha),
+      entry(
+          {"alpha", "\u03b1", "temporal smoothness", "Selection", "", Kind::Real, 0, 5, false, "",
+           "Weight of temporal coherence when a recorded pair is chosen.\n"
+           "  cost = \u03a3|p_in \u2212 p_A|\u00b2 + \u03b1 (\u03a3|s_{A,i*} \u2212 q\u2033_A|\u00b2 + "
+           "\u03a3|s_{S,i*} \u2212 q\u2033_S|\u00b2)\n"
+           "s_{i*} is the result before, moved on at its speed (Eq. 3-4). The method filter adds \u03b1 "
+           "times the mean "
+           "distance from the partner that is shown, and 0.1 s of the difference in speed [m]. Higher: fewer "
+           "changes of source, but the partner sticks to a move longer.\n"
+           "Paper 3.3.3, Eq. 7: 0.5."},
+          &Settings::alpha),
       entry({"neighbours", "k", "neighbours", "Selection", "", Kind::Integer, 1, 200, true, "",
              "Recorded pairs nearest to the user's pose, by the positions of head, hands and feet, that are "
              "compared by Eq. 7.\n"
@@ -125,6 +131,11 @@ const std::vector<Entry>& entries() {
              "  \u00bd w_a |V_S \u2212 q\u2033_{S,sel}|\u00b2\n"
              "Not in the paper."},
             &Settings::anchor_weight),
+      entry({"hold-weight", "w_H", "hold weight", "Energies", "", Kind::Real, 0, 1000, false, "",
+             "Brings hands together that hold one another in the recording. 0: holds are left to the mesh.\n"
+             "  \u00bd w_H |(v_S \u2212 v_A) \u2212 (q_S \u2212 q_A)|\u00b2\n"
+             "Not in the paper: 0; of the playback continuous."},
+            &Settings::hold_weight),
       entry({"morph-steps", "m", "morph steps", "Constraints", "", Kind::Integer, 1, 20, false, "",
              "Steps from the selected pose to the user's. Each solves Eq. 11 once.\n"
              "  q_interpolated = (i/m)(q\u2032_in \u2212 q\u2033_{A,sel}) + q\u2033_{A,sel}\n"
@@ -141,17 +152,35 @@ const std::vector<Entry>& entries() {
              "Paper 3.4.2, Eq. 10: on."},
             &Settings::foot_locks),
       entry({"foot-lock-speed", "", "planted below", "Constraints", "m/s", Kind::Real, 0, 1, false, "",
-             "A foot faster than this is not planted. 0: height alone decides.\n"
+             "A foot faster than this is not planted. 0: height alone decides. With the playback continuous "
+             "it is "
+             "the user's; the partner's stands as in the recording.\n"
              "Paper 3.4.2: 0."},
             &Settings::foot_lock_speed),
       entry({"collisions", "", "collisions", "Constraints", "", Kind::Flag, 0, 1, false, "",
              "The bodies' capsules are kept apart, as far as the recorded pair does itself.\n"
              "Paper 3.4.2, hard constraint C_C: on."},
             &Settings::collisions),
-      entry({"transition-half-life", "", "transition half-life", "Timing", "s", Kind::Real, 0, 0.5, false, "",
-             "How fast the partner's jump at a change of source fades. 0: not faded.\n"
-             "Not in the paper: 0."},
-            &Settings::transition_half_life_s),
+      entry({"playback", "", "playback", "Timing", "", Kind::Choice, 0, 1, false, "frames|continuous",
+             "How the selected pair becomes motion.\n"
+             "  frames: every step edits the recorded frame that was selected, where the user is\n"
+             "  continuous: the recording runs at the user's pace, the partner's place is a state with a "
+             "speed, "
+             "changes of source fade, feet stand where they landed, hands that hold stay together\n"
+             "Paper: frames."},
+            &Settings::playback),
+      entry(
+          {"transition-time", "", "transition time", "Timing", "s", Kind::Real, 0.05, 1, false, "",
+           "In which a small change of source fades; a large one takes up to 5/3 of it. Longer: softer, and "
+           "later where the user wants the partner.\n"
+           "Not in the paper; of the playback continuous."},
+          &Settings::transition_time_s),
+      entry({"place-rate", "\u03c9", "place rate", "Timing", "1/s", Kind::Real, 0.5, 30, true, "",
+             "How fast the partner goes to where the user wants it, beside what the recording carries it.\n"
+             "  u\u2032 = \u03c9\u00b2 (D \u2212 P) \u2212 2 \u03c9 u\n"
+             "Higher: nearer, and every sway of the user's hips is seen in the partner.\n"
+             "Not in the paper; of the playback continuous."},
+            &Settings::place_rate),
       entry({"step-rate", "", "step rate", "Timing", "Hz", Kind::Real, 0, 120, false, "",
              "Solved frames per second, at least 5. 0: the input's own rate, at most 120.\n"
              "Paper 3.3.3: \u0394t = 1/15 s, so 15."},
@@ -208,11 +237,13 @@ Result<Settings> preset(std::string_view name) {
   if (name == "responsive") {
     settings.selection = SelectionMethod::Filter;
     settings.step_rate_hz = 0;
-    settings.alpha = 0.1;
-    settings.velocity_weight = 0.05;
+    settings.alpha = 0.2;
+    settings.velocity_weight = 0;
     settings.continuations = 3;
-    settings.transition_half_life_s = 0.06;
     settings.foot_lock_speed = 0.3;
+    settings.playback = SourcePlayback::Continuous;
+    settings.hold_weight = 50;
+    settings.switch_margin = 0.035;
     return settings;
   }
   return Error{"'" + std::string(name) + "' is not a preset; use paper or responsive", "--preset"};
@@ -240,12 +271,14 @@ const SettingInfo* find_setting(std::string_view key) {
 }
 
 bool applies(const Settings& settings, std::string_view key) {
-  constexpr std::array<std::string_view, 2> of_paper = {"alpha", "continuations"};
+  constexpr std::array<std::string_view, 1> of_paper = {"continuations"};
+  constexpr std::array<std::string_view, 3> of_continuous = {"transition-time", "place-rate", "hold-weight"};
   constexpr std::array<std::string_view, 4> of_filter = {"switch-margin", "leader-weight", "move-weight",
                                                          "meant-weight"};
   const auto is_of = [key](const auto& keys) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
   };
+  if (settings.playback == SourcePlayback::Frames && is_of(of_continuous)) return false;
   return settings.selection == SelectionMethod::Filter ? !is_of(of_paper) : !is_of(of_filter);
 }
 
@@ -315,6 +348,7 @@ Result<Settings> parse_settings(std::string_view json, const Settings& start, st
     return Error{"an object of settings is expected, as in {\"alpha\": 0.5}", std::string(where)};
   Settings settings = start;
   for (const auto& [key, value] : parsed.items()) {
+    if (key == retired_setting) continue;
     const Entry* found = find_entry(key);
     if (!found)
       return Error{"'" + key + "' is not a setting; see abrazo synth --help for their names",

@@ -13,6 +13,7 @@ namespace abrazo {
 enum class VelocityForm { Velocity, Predicted };
 enum class UserRole { Active, Passive };
 enum class SelectionMethod { Paper, Filter };
+enum class SourcePlayback { Frames, Continuous };
 
 /// Everything that can be tuned, as one value. Weights of energies are those at 15 steps per second; at other
 /// rates `velocity_weight_at` gives the weight with the same time constant.
@@ -39,8 +40,12 @@ struct Settings {
   double meant_weight = 0.2;    ///< w_p
 
   int continuations = 0;  ///< next recorded frames of the current source that join the candidates
-  double transition_half_life_s =
-      0;  ///< how fast the partner's jump at a change of source fades; 0 = not faded
+  // How the selected pair becomes motion. All but the first count with `continuous` alone.
+  SourcePlayback playback = SourcePlayback::Frames;
+  double transition_time_s = 0.24;  ///< in which a small change of source fades
+  double place_rate = 7;            ///< omega of the spring that brings the partner to its place [1/s]
+  double hold_weight = 0;           ///< w_H: of the energy that brings held hands together
+
   double foot_lock_speed =
       0;  ///< a foot faster than this is not planted [m/s]; 0 = height alone decides (paper)
   double anchor_weight = 1e-3;  ///< holds the partner to the selected pair where no mesh edge does

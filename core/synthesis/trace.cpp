@@ -44,6 +44,7 @@ void write_candidates(JsonText& json, const FrameResult& frame, const MotionLibr
       json.key("move").value(intent->move);
       json.key("meant").value(intent->meant);
       json.key("change").value(intent->change);
+      json.key("temporal").value(intent->temporal);
       json.key("total").value(intent->total);
       json.end_object();
     }

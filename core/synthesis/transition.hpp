@@ -2,33 +2,64 @@
 
 #include <array>
 
-#include "core/base/positions.hpp"
+#include "core/synthesis/body_shape.hpp"
 
 namespace abrazo {
 
-/// Lets the partner glide from one source to the next: the jump of the reference pose at a change of source
-/// is kept as an offset that fades like a critically damped spring (inertialisation). The offset moves the
-/// *reference* of the deformation energy, not the result, so bone lengths and contacts stay hard throughout.
+/// 1 at 0, 0 at 1, with no speed and no acceleration at either end (a quintic).
+double quintic_fade(double share);
+/// 0 at both ends with speed 1 at 0, 0 at 1, and no acceleration at either.
+double quintic_slope(double share);
+
+/// What of a change of source is still seen: per bone the turn from the source's direction to the shown one,
+/// and the difference in root height. Fades by the quintic that starts with the offset and its rate and ends
+/// at rest, so that what is shown has neither a jump nor a kink.
 class Transition {
  public:
-  Transition() = default;
-  Transition(const Pose& offset, const Pose& velocity) : offset_(offset), velocity_(velocity) {}
-  void reset();
-  /// @param hurry  per joint: fades so many times faster; where hands hold one another the hold comes before
-  /// the glide
-  void fade(double elapsed_s, double half_life_s, const std::array<double, joint_count>& hurry);
-  /// The reference would have gone on at `continued` with `continued_velocity` [m/s] but is now `chosen`.
-  void jump(const Pose& continued, const Pose& continued_velocity, const Pose& chosen,
-            const Pose& chosen_velocity);
-  /// One joint starts from where it was seen.
-  void pull(int joint, const Vec3& seen, const Vec3& reference);
+  using Turns = std::array<Vec3, bone_count>;
 
-  const Pose& offset() const { return offset_; }
-  const Pose& velocity() const { return velocity_; }
+  void reset() { *this = Transition(); }
+  void advance(double elapsed_s) { elapsed_s_ += elapsed_s; }
+  bool is_over() const { return elapsed_s_ >= duration_s_; }
+  /// Of an offset that began with it at rest: 1 at the beginning, 0 when it is over.
+  double left() const { return is_over() ? 0 : quintic_fade(elapsed_s_ / duration_s_); }
+
+  /// The source as it is shown.
+  BodyShape shown(const BodyShape& source) const;
+
+  /// Begins anew from what is seen.
+  /// @param before_s       `seen_before` and `source_before` are so much earlier; 0: nothing is known of them
+  /// @param least_s        of the fade, for a small change; a large one takes up to 5/3 of it
+  void begin(const BodyShape& seen, const BodyShape& source, const BodyShape& seen_before,
+             const BodyShape& source_before, double before_s, double least_s);
+
+  // What it consists of, to be kept elsewhere and made again.
+  const Turns& turns() const { return turns_; }
+  const Turns& rates() const { return rates_; }
+  double height() const { return height_; }
+  double climb() const { return climb_; }
+  double elapsed_s() const { return elapsed_s_; }
+  double duration_s() const { return duration_s_; }
+  Transition() { reset_turns(); }
+  Transition(const Turns& turns, const Turns& rates, double height, double climb, double elapsed_s,
+             double duration_s)
+      : turns_(turns),
+        rates_(rates),
+        height_(height),
+        climb_(climb),
+        elapsed_s_(elapsed_s),
+        duration_s_(duration_s) {}
 
  private:
-  Pose offset_ = Pose::Zero();
-  Pose velocity_ = Pose::Zero();
+  void reset_turns() {
+    turns_.fill(Vec3::Zero());
+    rates_.fill(Vec3::Zero());
+  }
+
+  Turns turns_;  ///< at the beginning [rad]
+  Turns rates_;  ///< at the beginning [rad/s]
+  double height_ = 0, climb_ = 0;
+  double elapsed_s_ = 0, duration_s_ = 0;
 };
 
 }  // namespace abrazo

@@ -171,11 +171,11 @@ TEST(SettingsPanel, ArrowKeysStepAndAHeldKeyIsOneStepOfUndo) {
 
 TEST(SettingsPanel, AValueCanBeTypedWithOrWithoutItsUnit) {
   ShownPanel p;
-  QLineEdit& field = p.field("transition-half-life");
+  QLineEdit& field = p.field("transition-time");
   QTest::mouseClick(&field, Qt::LeftButton);
   QTest::keyClicks(&field, "0.25 s");
   QTest::keyClick(&field, Qt::Key_Return);
-  EXPECT_EQ(p.panel.settings().transition_half_life_s, 0.25);
+  EXPECT_EQ(p.panel.settings().transition_time_s, 0.25);
   EXPECT_EQ(field.text(), "0.25 s");
 }
 

@@ -11,7 +11,7 @@ using State = SweepCell::State;
 
 SweepGrid three_by_two(SweepGoal goal = SweepGoal::Lowest) {
   return {{"alpha", "\u03b1", "", {"0", "0.5", "1"}},
-          {"transition-half-life", "transition half-life", "s", {"0", "0.1"}},
+          {"transition-time", "transition time", "s", {"0.2", "0.3"}},
           "partner.mean_joint_error_m",
           goal};
 }

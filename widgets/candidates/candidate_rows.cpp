@@ -13,7 +13,7 @@ void read_paper(const Candidate& candidate, double alpha, CandidateRow& row) {
 
 void read_filter(const Candidate& candidate, const FrameIntent& intent, CandidateRow& row) {
   const IntentCost& cost = *candidate.intent;
-  row.terms = {cost.partner, cost.leader, cost.move, cost.meant, cost.change};
+  row.terms = {cost.partner, cost.leader, cost.move, cost.meant, cost.change + cost.temporal};
   row.total = cost.total;
   row.goes_on = candidate.continuation || candidate.pair == intent.continued;
 }

@@ -25,7 +25,7 @@ constexpr std::array<CostTermInfo, most_cost_terms> filter_terms = {{
     {CostTerm::Meant, "meant", "meant", "meant", "meant", "not what is meant", "w_p · not what is meant",
      "what is meant"},
     {CostTerm::Change, "change", "chg.", "change", "chg.", "change of source",
-     "margin for a change of source", "it goes on"},
+     "margin for a change of source, α · distance from what is shown", "it goes on"},
 }};
 
 constexpr std::array<CostTerms, 2> of_methods = {{

@@ -36,7 +36,7 @@ void read_filter_cost(const IntentCost& cost, SeriesValues& values) {
   at(values, Series::LeaderMotion) = cost.leader;
   at(values, Series::UnlikelyMove) = cost.move;
   at(values, Series::NotMeant) = cost.meant;
-  at(values, Series::ChangeOfSource) = cost.change;
+  at(values, Series::ChangeOfSource) = cost.change + cost.temporal;
   at(values, Series::FilterCost) = cost.total;
 }
 
@@ -157,7 +157,8 @@ const std::array<SeriesInfo, series_count>& all_series() {
       {NotMeant, "filter.meant", "Cost of the filter", "not what is meant", "meant", "m", 3,
        "of the winner: w_p when a person named another move"},
       {ChangeOfSource, "filter.change", "Cost of the filter", "change of source", "change", "m", 3,
-       "of the winner: the margin when it does not go on with the source"},
+       "of the winner: the margin when it does not go on with the source, and α times its distance from what "
+       "is shown"},
       {FilterCost, "filter.total", "Cost of the filter", "total of the filter", "total", "m", 3,
        "of the winner: what the selection filter decides by"},
       {FilterMargin, "filter.margin", "Cost of the filter", "margin of the filter to the runner-up", "margin",

@@ -66,8 +66,10 @@ void add_filter_cost(PickText& told, const IntentCost& cost) {
   told.lines.push_back(
       text_of_fact("cost %.3f m = partner %.3f + leader %.3f", cost.total, cost.partner, cost.leader));
   std::string rest;
-  for (const auto& [name, value] :
-       {std::pair{"move", cost.move}, {"meant", cost.meant}, {"change", cost.change}})
+  for (const auto& [name, value] : {std::pair{"move", cost.move},
+                                    {"meant", cost.meant},
+                                    {"change", cost.change},
+                                    {"shown", cost.temporal}})
     if (value != 0) rest += text_of_fact("%s+ %s %.3f", rest.empty() ? "" : " ", name, value);
   if (!rest.empty()) told.lines.push_back(std::move(rest));
 }

@@ -19,7 +19,9 @@ FrameSnapshot frame_with_candidates() {
     candidate.continuation = c % 2 == 1;
     candidate.feature_distance = 0.1 * c;
     candidate.cost = {1.0 / 3 + c, 0.5, 0.25, 2.0 + c};
-    if (c >= 2) candidate.intent = IntentCost{0.1, 0.2 + c, 0.3, 0.4, 0.5, 0.1 + (0.2 + c) + 0.3 + 0.4 + 0.5};
+    if (c >= 2)
+      candidate.intent =
+          IntentCost{0.1, 0.2 + c, 0.3, 0.4, 0.5, 0.1 + (0.2 + c) + 0.3 + 0.4 + 0.5 + 0.25, 0.25};
     frame.result.candidates.push_back(candidate);
   }
   frame.result.selected = 2;
@@ -46,13 +48,14 @@ TEST(FrameRow, ACandidateReadsBackWithTheTermsItHas) {
     EXPECT_EQ(candidates[c].intent->move, written.intent->move);
     EXPECT_EQ(candidates[c].intent->meant, written.intent->meant);
     EXPECT_EQ(candidates[c].intent->change, written.intent->change);
+    EXPECT_EQ(candidates[c].intent->temporal, written.intent->temporal);
     EXPECT_DOUBLE_EQ(candidates[c].intent->total, written.intent->total);
   }
 }
 
 TEST(FrameRow, CandidatesThatEndInTheMiddleOfOneAreRefused) {
   const FrameRow row = row_of(frame_with_candidates(), 0, 0);
-  constexpr std::size_t plain = 48, with_terms = plain + 5 * sizeof(double);
+  constexpr std::size_t plain = 48, with_terms = plain + 6 * sizeof(double);
   ASSERT_EQ(row.candidates.size(), 2 * plain + 2 * with_terms);
   for (std::size_t size = 0; size < row.candidates.size(); ++size) {
     FrameRow cut = row;

@@ -126,7 +126,7 @@ TEST_F(Recording, OtherSettingsGiveAnotherPartnerFromTheSameStart) {
   run_until(2);
   Settings other = test::responsive_by_pose();
   other.velocity_weight = 5;
-  other.transition_half_life_s = 0;
+  other.playback = SourcePlayback::Frames;
   const auto solved = solved_again(1, 1.5, other);
   const auto recorded = history.range(1, 1.5);
   ASSERT_EQ(solved.size(), recorded.size());

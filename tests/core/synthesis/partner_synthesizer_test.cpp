@@ -71,9 +71,12 @@ TEST(PartnerSynthesizer, CollisionsThatContradictTheBonesAreLetGoAndTheFloorIsKe
   // Two people who stand in each other's arms, and a user whose joints are not where any body has them.
   std::vector<PairedTake> takes;
   takes.push_back(test::swinging_take("close", 120, 1, 0.35));
+  Settings settings = *preset("responsive");
+  settings.playback = SourcePlayback::Frames;
+  settings.velocity_weight = 0.05;
   auto synthesizer = std::move(*PartnerSynthesizer::create(
       std::make_shared<const MotionLibrary>(std::move(*build_library("close", std::move(takes), {}, {}))),
-      *preset("responsive")));
+      settings));
   synthesizer->set_user_body(body_of(test::standing_pose()));
   std::mt19937 random(7);
   int let_go = 0;

@@ -17,7 +17,8 @@ TEST(Settings, ThePaperPresetIsThePapersLetter) {
   EXPECT_EQ(paper.step_rate_hz, 15);
   EXPECT_EQ(paper.morph_steps, 5);
   EXPECT_EQ(paper.continuations, 0);
-  EXPECT_EQ(paper.transition_half_life_s, 0);
+  EXPECT_EQ(paper.playback, SourcePlayback::Frames);
+  EXPECT_EQ(paper.hold_weight, 0);
   EXPECT_EQ(paper.foot_lock_speed, 0);
 }
 
@@ -104,7 +105,14 @@ TEST(Settings, EachMethodOfSelectionHasItsOwnWeightsAndTheRestIsOfBoth) {
   Settings paper, filter;
   filter.selection = SelectionMethod::Filter;
   for (const SettingInfo& info : all_settings()) {
-    const bool of_paper = info.key == "alpha" || info.key == "continuations";
+    const bool of_paper = info.key == "continuations";
+    const bool of_continuous =
+        info.key == "transition-time" || info.key == "place-rate" || info.key == "hold-weight";
+    if (of_continuous) {
+      EXPECT_FALSE(applies(paper, info.key)) << info.key;
+      EXPECT_TRUE(applies(*preset("responsive"), info.key)) << info.key;
+      continue;
+    }
     const bool of_filter = info.key == "switch-margin" || info.key == "leader-weight" ||
                            info.key == "move-weight" || info.key == "meant-weight";
     EXPECT_EQ(applies(paper, info.key), !of_filter) << info.key;

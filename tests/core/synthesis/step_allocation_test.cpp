@@ -102,7 +102,8 @@ TEST(StepAllocation, DoesNotHappenWhileSettingsChangeUnderEveryStep) {
     settings.edge_weights = static_cast<EdgeWeights>(n % 3);
     settings.velocity_form = n % 7 < 3 ? VelocityForm::Velocity : VelocityForm::Predicted;
     settings.scale_root_path = n % 100 < 50;
-    settings.transition_half_life_s = n % 5 == 0 ? 0 : 0.1;
+    settings.playback = n % 40 < 30 ? SourcePlayback::Continuous : SourcePlayback::Frames;
+    settings.hold_weight = n % 5 == 0 ? 0 : 50;
     settings.selection = n % 9 < 4 ? SelectionMethod::Filter : SelectionMethod::Paper;
     synthesizer->set_settings(settings);
   };
@@ -134,6 +135,9 @@ TEST(StepAllocation, DoesNotHappenWhenBodiesCollideAndConstraintsAreLetGo) {
   std::mt19937 random(7);
   Settings by_equation_7 = *preset("responsive");
   by_equation_7.selection = SelectionMethod::Paper;  // the filter leads around what contradicts itself here
+  by_equation_7.playback = SourcePlayback::Frames;   // and so does a partner that moves on its own
+  by_equation_7.velocity_weight = 0.2;
+  by_equation_7.alpha = 0;
   auto synthesizer = running(by_equation_7, close_library());
   std::size_t sum = 0;
   std::size_t contacts = 0;

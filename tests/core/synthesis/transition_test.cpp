@@ -3,55 +3,74 @@
 #include <gtest/gtest.h>
 
 #include "tests/support/bodies.hpp"
+#include "tests/support/libraries.hpp"
 
 namespace abrazo::transition_test {
 namespace {
 
-std::array<double, joint_count> same_for_all(double hurry = 1) {
-  std::array<double, joint_count> all{};
-  all.fill(hurry);
-  return all;
+constexpr double step_s = 1.0 / 240;
+
+BodyShape shape_of_world(const Pose& pose) {
+  const RootFrame root = root_frame(pose);
+  return shape_of(to_normalized(pose, root), root.position.y());
 }
 
-TEST(Transition, TheReferenceDoesNotJump) {
-  const Pose old_source = test::standing_pose();
-  const Pose new_source = test::moved(old_source, 0.5, Vec3(0.3, 0, 0));
+/// Two people who move differently, so much later than where a change is made.
+struct TwoSources {
+  PairedTake old = test::swinging_take("old", 200, 3);
+  PairedTake other = test::swinging_take("other", 200, 8);
+  static Pose at(const PairedTake& take, double time_s) {
+    const double frame = 60 * (1 + time_s);
+    const auto before = static_cast<std::size_t>(frame);
+    const double share = frame - static_cast<double>(before);
+    return (1 - share) * take.b.poses[before] + share * take.b.poses[before + 1];
+  }
+  BodyShape seen(double time_s) const { return shape_of_world(at(old, time_s)); }
+  BodyShape source(double time_s) const { return shape_of_world(at(other, time_s)); }
+};
+
+double largest_difference(const BodyShape& a, const BodyShape& b) {
+  double largest = std::abs(a.root_height - b.root_height);
+  for (std::size_t bone = 0; bone < bone_count; ++bone)
+    largest = std::max(largest, (a.directions[bone] - b.directions[bone]).norm());
+  return largest;
+}
+
+TEST(Transition, WhatIsShownGoesOnWithTheSamePoseAndSpeed) {
+  const TwoSources two;
   Transition transition;
-  transition.jump(old_source, Pose::Zero(), new_source, Pose::Zero());
-  EXPECT_LT((new_source + transition.offset() - old_source).cwiseAbs().maxCoeff(), 1e-12);
+  transition.begin(two.seen(0), two.source(0), two.seen(-step_s), two.source(-step_s), step_s, 0.25);
+  EXPECT_LT(largest_difference(transition.shown(two.source(0)), two.seen(0)), 1e-9);
+  transition.advance(step_s);
+  EXPECT_LT(largest_difference(transition.shown(two.source(step_s)), two.seen(step_s)), 2e-3);
+  EXPECT_GT(largest_difference(two.source(0), two.seen(0)), 0.1) << "there must be something to go over to";
 }
 
-TEST(Transition, HalfIsLeftAfterTheHalfLife) {
+TEST(Transition, EndsAtTheSourceWithoutAKink) {
+  const TwoSources two;
   Transition transition;
-  transition.jump(Pose::Ones(), Pose::Zero(), Pose::Zero(), Pose::Zero());
-  transition.fade(0.1, 0.1, same_for_all());
-  EXPECT_NEAR(transition.offset()(0, 0), 0.5, 1e-12);
+  transition.begin(two.seen(0), two.source(0), two.seen(-step_s), two.source(-step_s), step_s, 0.25);
+  transition.advance(transition.duration_s() - step_s);
+  EXPECT_LT(largest_difference(transition.shown(two.source(0)), two.source(0)), 1e-4);
+  transition.advance(step_s);
+  EXPECT_TRUE(transition.is_over());
+  EXPECT_EQ(largest_difference(transition.shown(two.source(0)), two.source(0)), 0);
 }
 
-TEST(Transition, ManySmallFadesEqualOneLongOne) {
-  Transition fine;
-  Transition coarse;
-  for (Transition* t : {&fine, &coarse})
-    t->jump(Pose::Ones(), Pose::Constant(2.0), Pose::Zero(), Pose::Zero());
-  for (int step = 0; step < 10; ++step) fine.fade(0.01, 0.08, same_for_all());
-  coarse.fade(0.1, 0.08, same_for_all());
-  EXPECT_LT((fine.offset() - coarse.offset()).cwiseAbs().maxCoeff(), 1e-12);
+TEST(Transition, ALargeChangeTakesLonger) {
+  const TwoSources two;
+  Transition small, large;
+  small.begin(two.source(0.01), two.source(0), two.source(0), two.source(0), 0, 0.24);
+  large.begin(two.seen(0), two.source(0), two.seen(0), two.source(0), 0, 0.24);
+  EXPECT_LT(small.duration_s(), large.duration_s());
+  EXPECT_GE(small.duration_s(), 0.24);
+  EXPECT_LE(large.duration_s(), 0.4 + 1e-12);
 }
 
-TEST(Transition, AHurriedJointArrivesSooner) {
-  Transition transition;
-  transition.jump(Pose::Ones(), Pose::Zero(), Pose::Zero(), Pose::Zero());
-  auto hurry = same_for_all();
-  hurry[20] = 4;
-  transition.fade(0.05, 0.1, hurry);
-  EXPECT_LT(transition.offset()(20, 0), 0.5 * transition.offset()(19, 0));
-}
-
-TEST(Transition, AHalfLifeOfZeroForgetsAtOnce) {
-  Transition transition;
-  transition.jump(Pose::Ones(), Pose::Zero(), Pose::Zero(), Pose::Zero());
-  transition.fade(0.01, 0, same_for_all());
-  EXPECT_TRUE(transition.offset().isZero());
+TEST(Transition, OppositeDirectionsStayDirections) {
+  EXPECT_NEAR(turn_between(Vec3::UnitX(), -Vec3::UnitX()).norm(), std::acos(-1.0), 1e-12);
+  EXPECT_LT((turned(Vec3::UnitX(), turn_between(Vec3::UnitX(), Vec3::UnitZ())) - Vec3::UnitZ()).norm(),
+            1e-12);
 }
 
 }  // namespace

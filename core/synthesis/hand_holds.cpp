@@ -1,0 +1,180 @@
+#include "core/synthesis/hand_holds.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/motion/joint_set.hpp"
+#include "core/retarget/body_retargeter.hpp"
+#include "core/synthesis/body_shape.hpp"
+#include "core/synthesis/transition.hpp"
+
+namespace abrazo {
+
+namespace {
+
+constexpr double due_s = 0.3;  ///< the hand sets out so long before a hold
+constexpr int due_looks = 6;   ///< into that time
+constexpr double ramp_s = 0.12;
+constexpr double ramp_speed = 4;  ///< of a hand on its way [m/s]
+constexpr double longest_ramp_s = 0.4;
+constexpr double reach_lost_m = 0.15;  ///< beyond the stretched arm
+constexpr double reach_found_m = 0.05;
+constexpr double lag_rate = 25;  ///< omega [1/s]
+
+constexpr double full_arm = 0.995;
+constexpr double elbow_bias_m = 0.03;    ///< an elbow hangs: where a straight arm bends
+constexpr double side_relaxes_s = 0.12;  ///< of the elbow
+constexpr double fastest_side = 8;       ///< [rad/s]
+constexpr double least_share = 0.05;
+
+constexpr std::array<int, 2> hands = {joints::left_hand, joints::right_hand};
+
+double hands_apart(const PairPose& pair, int user_hand, int partner_hand) {
+  return (pair.row(user_hand) - pair.row(partner_hand + joint_count)).norm();
+}
+
+bool is_due(const MotionLibrary& library, const SourcePlayhead& playhead, int user_hand, int partner_hand) {
+  const double rate = pair_rate(library, playhead.pair);
+  for (int look = 1; look <= due_looks; ++look) {
+    const int pair =
+        library.later_pair(playhead.pair, static_cast<int>(std::lround(look * due_s / due_looks * rate)));
+    if (pair < 0) return false;
+    if (hands_apart(library.pose(pair), user_hand, partner_hand) < hold_distance_m) return true;
+  }
+  return false;
+}
+
+double bone_length_to(const Body& body, int joint) {
+  return body.bone_lengths[static_cast<std::size_t>(joint - 1)];
+}
+
+double stretched_arm(const Body& body, int hand) {
+  return bone_length_to(body, hand) + bone_length_to(body, hand - 1) + bone_length_to(body, hand - 2);
+}
+
+double smooth(double ramp) {
+  return 1 - quintic_fade(std::clamp(ramp, 0.0, 1.0));
+}
+
+/// The part across `along`, as a unit vector; a straight limb bends as `otherwise` says.
+Vec3 across(const Vec3& v, const Vec3& along, const Vec3& otherwise) {
+  const auto part = [&](const Vec3& of) { return Vec3(of - of.dot(along) * along); };
+  Vec3 side = part(v);
+  if (side.norm() < 1e-6) side = part(otherwise);
+  return side.norm() < 1e-6 ? along.unitOrthogonal() : Vec3(side.normalized());
+}
+
+}  // namespace
+
+void HandHolds::update(const MotionLibrary& library, const SourcePlayhead& playhead,
+                       const RecordedMoment& moment, bool source_changed, const Pose& user,
+                       const RootFrame& user_root, const Pose& partner, const Body& body, double elapsed_s) {
+  const Eigen::Matrix3d heading = user_root.rotation();
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    Pair& pair = pairs_[p];
+    const int user_hand = hands[p / 2], partner_hand = hands[p % 2];
+    const double apart = hands_apart(moment.pair, user_hand, partner_hand);
+    const bool was_wanted = pair.recorded;
+    const double ends = pair.recorded && !source_changed ? hold_ends_m : hold_distance_m;
+    pair.recorded = apart < ends || is_due(library, playhead, user_hand, partner_hand);
+    if (pair.recorded) {
+      const Vec3 offset =
+          (moment.pair.row(partner_hand + joint_count) - moment.pair.row(user_hand)).transpose();
+      if (!was_wanted || source_changed) {
+        pair.lag = pair.ramp > 0 ? Vec3(pair.offset - offset) : Vec3::Zero();
+        pair.lag_speed.setZero();
+      }
+      const Vec3 slope = pair.lag_speed + lag_rate * pair.lag;
+      const double shrink = std::exp(-lag_rate * elapsed_s);
+      if (!source_changed && was_wanted) {
+        pair.lag = shrink * (pair.lag + elapsed_s * slope);
+        pair.lag_speed = shrink * (pair.lag_speed - lag_rate * elapsed_s * slope);
+      }
+      pair.offset = offset + pair.lag;
+    }
+    const Vec3 target = Vec3(user.row(user_hand)) + heading * pair.offset;
+    const double beyond =
+        (target - Vec3(partner.row(partner_hand - 3))).norm() - stretched_arm(body, partner_hand);
+    pair.out_of_reach = beyond > (pair.out_of_reach ? reach_found_m : reach_lost_m);
+    const double way = (target - Vec3(partner.row(partner_hand))).norm();
+    const double step = elapsed_s / std::clamp(ramp_s + way / ramp_speed, ramp_s, longest_ramp_s);
+    pair.ramp = std::clamp(pair.ramp + (pair.recorded && !pair.out_of_reach ? step : -step), 0.0, 1.0);
+  }
+}
+
+void HandHolds::place_arms(Pose& partner, const Body& body, const RootFrame& place, const Pose& user,
+                           const RootFrame& user_root, double elapsed_s) {
+  const Eigen::Matrix3d heading = user_root.rotation();
+  for (std::size_t partner_side = 0; partner_side < hands.size(); ++partner_side) {
+    Vec3 sum = Vec3::Zero();
+    double weights = 0, most = 0;
+    for (std::size_t user_side = 0; user_side < hands.size(); ++user_side) {
+      const Pair& pair = pairs_[2 * user_side + partner_side];
+      const double weight = smooth(pair.ramp);
+      sum += weight * (Vec3(user.row(hands[user_side])) + heading * pair.offset);
+      weights += weight;
+      most = std::max(most, weight);
+    }
+    Arm& arm = arms_[partner_side];
+    if (weights > 0)
+      reach_for(partner, body, place, hands[partner_side], sum / weights, most, arm, elapsed_s);
+    else
+      arm.reaches = false;
+  }
+}
+
+/// Turns the arm about the shoulder and stretches it so that the hand, which keeps its direction, is `share`
+/// of the way at `target`.
+void HandHolds::reach_for(Pose& pose, const Body& body, const RootFrame& place, int hand, const Vec3& target,
+                          double share, Arm& arm, double elapsed_s) {
+  const int wrist = hand - 1, elbow = hand - 2, shoulder = hand - 3;
+  const Vec3 from = pose.row(shoulder);
+  const Vec3 to_hand = pose.row(hand) - pose.row(wrist);
+  const Vec3 now = Vec3(pose.row(wrist)) - from;
+  const Vec3 wanted = target - to_hand - from;
+  const double reach_now = now.norm(), reach_wanted = wanted.norm();
+  if (reach_now < 1e-6 || reach_wanted < 1e-6) return;
+  const double longest = full_arm * (bone_length_to(body, elbow) + bone_length_to(body, wrist));
+  const Vec3 turn = share * turn_between(now / reach_now, wanted / reach_wanted);
+  const Vec3 along = turned(now / reach_now, turn);
+  const double reach =
+      std::min(reach_now + share * (reach_wanted - reach_now), std::max(longest, (1 - share) * reach_now));
+
+  // The elbow's side is carried along with the arm, and goes to that of the free arm bit by bit.
+  const Eigen::Matrix3d heading = place.rotation();
+  const Vec3 down = -Vec3::UnitY();
+  const Vec3 free_side =
+      across(turned(Vec3(pose.row(elbow)) - from + elbow_bias_m * down, turn), along, down);
+  Vec3 side = free_side;
+  if (arm.reaches) {
+    const Vec3 along_before = heading * arm.along;
+    side = across(turned(heading * arm.side, turn_between(along_before, along)), along, down);
+    const double off = std::atan2(along.dot(side.cross(free_side)), side.dot(free_side));
+    const double held = std::max(share, least_share);
+    const double relaxed = off * (1 - std::exp(-elapsed_s / (side_relaxes_s * held)));
+    const double most = fastest_side * elapsed_s / held;
+    side = turned(side, std::clamp(relaxed, -most, most) * along);
+  }
+  arm = {true, heading.transpose() * along, heading.transpose() * side};
+  Vec3 end = from + reach * along;
+  pose.row(elbow) =
+      two_bone_joint(from, end, bone_length_to(body, elbow), bone_length_to(body, wrist), from + side)
+          .transpose();
+  pose.row(wrist) = end.transpose();
+  pose.row(hand) = (end + to_hand).transpose();
+}
+
+void HandHolds::list(const Pose& partner, const Pose& user, const RootFrame& user_root,
+                     std::vector<HandHold>& holds) const {
+  holds.clear();
+  const Eigen::Matrix3d heading = user_root.rotation();
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    if (pairs_[p].ramp <= 0) continue;
+    const double strength = smooth(pairs_[p].ramp);
+    const Vec3 reached = partner.row(hands[p % 2]) - user.row(hands[p / 2]);
+    holds.push_back(
+        {p / 2 == 0, p % 2 == 0, strength, reached + strength * (heading * pairs_[p].offset - reached)});
+  }
+}
+
+}  // namespace abrazo

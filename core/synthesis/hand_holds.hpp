@@ -1,0 +1,66 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/mesh/capsules.hpp"
+#include "core/selection/source_playhead.hpp"
+#include "core/synthesis/frame_result.hpp"
+
+namespace abrazo {
+
+/// Hands that hold one another. A hold begins where hand ends of the recording come within `hold_distance_m`
+/// and ends where they are `hold_ends_m` apart; the partner's hand is on its way a moment before. It is let
+/// go when the user's hand is out of reach.
+class HandHolds {
+ public:
+  struct Pair {
+    bool recorded = false;  ///< between the two distances: held
+    bool out_of_reach = false;
+    double ramp = 0;             ///< 0 = not held, 1 = held
+    Vec3 offset = Vec3::Zero();  ///< partner's hand from the user's, from the user's heading [m]
+    Vec3 lag = Vec3::Zero();     ///< what is left in `offset` of a source before
+    Vec3 lag_speed = Vec3::Zero();
+  };
+  /// User's left with partner's left, left with right, right with left, right with right.
+  using Pairs = std::array<Pair, 4>;
+  /// Where an arm that reaches for a hand points and on which side its elbow is, from the partner's heading.
+  struct Arm {
+    bool reaches = false;
+    Vec3 along = Vec3::Zero();
+    Vec3 side = Vec3::Zero();
+  };
+  using Arms = std::array<Arm, 2>;  ///< left, right
+
+  HandHolds() = default;
+  HandHolds(const Pairs& pairs, const Arms& arms) : pairs_(pairs), arms_(arms) {}
+
+  void reset() { *this = HandHolds(); }
+  /// @param user     whose hands are held, world;  @param partner  as it would be without holds
+  void update(const MotionLibrary& library, const SourcePlayhead& playhead, const RecordedMoment& moment,
+              bool source_changed, const Pose& user, const RootFrame& user_root, const Pose& partner,
+              const Body& body, double elapsed_s);
+
+  /// Brings the partner's arms to the hands that are held: direction and reach about the shoulder go over as
+  /// the hold ramps up.
+  /// @param place  of the partner
+  void place_arms(Pose& partner, const Body& body, const RootFrame& place, const Pose& user,
+                  const RootFrame& user_root, double elapsed_s);
+
+  /// Those with any strength; one that ramps asks for little more than the arm reaches.
+  /// @param partner  whose arms were placed
+  void list(const Pose& partner, const Pose& user, const RootFrame& user_root,
+            std::vector<HandHold>& holds) const;
+
+  const Pairs& pairs() const { return pairs_; }
+  const Arms& arms() const { return arms_; }
+
+ private:
+  static void reach_for(Pose& pose, const Body& body, const RootFrame& place, int hand, const Vec3& target,
+                        double share, Arm& arm, double elapsed_s);
+
+  Pairs pairs_;
+  Arms arms_;
+};
+
+}  // namespace abrazo

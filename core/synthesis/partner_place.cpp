@@ -1,0 +1,42 @@
+#include "core/synthesis/partner_place.hpp"
+
+#include <cmath>
+
+#include "core/selection/source_playhead.hpp"
+
+namespace abrazo {
+
+namespace {
+
+/// x'' = -omega^2 x - 2 omega x', exactly.
+template <typename Value>
+void relax_critically(Value& off, Value& speed, double elapsed_s, double omega) {
+  const Value slope = speed + omega * off;
+  const double shrink = std::exp(-omega * elapsed_s);
+  off = shrink * (off + elapsed_s * slope);
+  speed = shrink * (speed - (omega * elapsed_s) * slope);
+}
+
+}  // namespace
+
+void PartnerPlace::carry(const Vec3& own_path, double turn_rad) {
+  RootFrame half_way = at_;
+  half_way.heading_rad += 0.5 * turn_rad;
+  at_.position += half_way.rotation() * own_path;
+  at_.heading_rad = within_half_turn(at_.heading_rad + turn_rad);
+}
+
+void PartnerPlace::keep_speed(const Vec3& lost_speed, double lost_turning) {
+  speed_ += lost_speed;
+  turning_ += lost_turning;
+}
+
+void PartnerPlace::approach(const RootFrame& wanted, double elapsed_s, double rate) {
+  Vec3 off = at_.position - wanted.position;
+  relax_critically(off, speed_, elapsed_s, rate);
+  double turned_off = within_half_turn(at_.heading_rad - wanted.heading_rad);
+  relax_critically(turned_off, turning_, elapsed_s, rate);
+  at_ = {wanted.position + off, within_half_turn(wanted.heading_rad + turned_off)};
+}
+
+}  // namespace abrazo

@@ -1,0 +1,96 @@
+#include "core/synthesis/foot_plants.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/library/motion_library_builder.hpp"
+#include "core/motion/joint_set.hpp"
+#include "tests/support/bodies.hpp"
+#include "tests/support/libraries.hpp"
+
+namespace abrazo::foot_plants_test {
+namespace {
+
+constexpr double step_s = 1.0 / 60;
+constexpr double rest_height = 0.04;
+
+/// Both feet standing, drifting to the side; 2 cm over rest in the recording.
+std::array<FootMoment, 2> drifting(double time_s, double speed) {
+  std::array<FootMoment, 2> feet;
+  for (std::size_t f = 0; f < 2; ++f) {
+    const double side = f == 0 ? 0.1 : -0.1;
+    feet[f].free = Vec3(side + speed * time_s, rest_height + 0.02, 0.1);
+    feet[f].ankle = feet[f].free + Vec3(0, 0.05, -0.1);
+    feet[f].hip = Vec3(side + speed * time_s, 0.9, 0);
+    feet[f].leg_length = 0.87;
+    feet[f].rest_height = rest_height;
+    feet[f].recorded_height = rest_height + 0.02;
+    feet[f].lands = true;
+  }
+  return feet;
+}
+
+TEST(FootPlants, AStandingFootStaysWhereItLandedAndDoesNotHover) {
+  FootPlants plants;
+  Vec3 landed = Vec3::Zero();
+  for (int step = 0; step < 60; ++step) {
+    const auto shown = plants.update(drifting(step * step_s, 0.1), step == 0 ? 0 : step_s);
+    if (step == 0) landed = shown[0];
+    EXPECT_TRUE(plants.feet()[0].planted);
+    EXPECT_LT(std::hypot(shown[0].x() - landed.x(), shown[0].z() - landed.z()), 1e-9);
+    if (step > 6) {
+      EXPECT_LT(shown[0].y(), rest_height + 0.015);
+    }
+  }
+}
+
+TEST(FootPlants, AFootThatIsTooFarOffTakesAStepOneAtATime) {
+  FootPlants plants;
+  bool stepped = false;
+  for (int step = 0; step < 300; ++step) {
+    plants.update(drifting(step * step_s, 0.3), step == 0 ? 0 : step_s);
+    stepped |= plants.feet()[0].steps || plants.feet()[1].steps;
+    EXPECT_FALSE(plants.feet()[0].steps && plants.feet()[1].steps) << step;
+  }
+  EXPECT_TRUE(stepped);
+}
+
+TEST(FootPlants, WhatIsShownNeverJumps) {
+  FootPlants plants;
+  std::array<Vec3, 2> before{};
+  for (int step = 0; step < 400; ++step) {
+    auto feet = drifting(step * step_s, 0.3);
+    for (FootMoment& foot : feet) {
+      foot.lands = step % 60 < 40;
+      foot.lands_in_s = 0.3;
+    }
+    const auto shown = plants.update(feet, step == 0 ? 0 : step_s);
+    for (std::size_t f = 0; step > 0 && f < 2; ++f) EXPECT_LT((shown[f] - before[f]).norm(), 0.06) << step;
+    before = shown;
+  }
+}
+
+TEST(FootPlants, ALegReachesWhereItCanAndKeepsItsBones) {
+  const Pose standing = test::standing_pose();
+  const Body body = body_of(standing);
+  for (const Vec3& off : {Vec3(0.1, 0, 0), Vec3(0, 0, 0.4), Vec3(0.9, 0, 0)}) {
+    Pose pose = standing;
+    place_foot(pose, body, true, Vec3(standing.row(joints::left_toe_base)) + off, Vec3::UnitZ());
+    EXPECT_LT(largest_length_difference(body_of(pose), body), 1e-6);
+  }
+}
+
+TEST(FootPlants, AFootThatIsLowAndSlowStandsInTheRecording) {
+  PairedTake take = test::swinging_take("stands", 60, 1);
+  for (Pose& pose : take.b.poses) pose = test::moved(test::standing_pose(), 3, Vec3(0, 0, 0.7));
+  for (std::size_t frame = 30; frame < 60; ++frame)
+    take.b.poses[frame].row(joints::left_toe_base) += Eigen::RowVector3d(0, 0.2, 0);
+  std::vector<PairedTake> takes;
+  takes.push_back(std::move(take));
+  const MotionLibrary library = std::move(*build_library("stands", std::move(takes), {}, {}));
+  EXPECT_TRUE(stands_in_recording(library, {10, 0, 1}, true));
+  EXPECT_TRUE(stands_in_recording(library, {45, 0, 1}, false));
+  EXPECT_FALSE(stands_in_recording(library, {45, 0, 1}, true));
+}
+
+}  // namespace
+}  // namespace abrazo::foot_plants_test

@@ -1,0 +1,189 @@
+#include "core/synthesis/partner_motion.hpp"
+
+#include <gtest/gtest.h>
+#include <rapidcheck.h>
+
+#include <limits>
+
+#include "core/library/motion_library_builder.hpp"
+#include "core/motion/joint_set.hpp"
+#include "core/synthesis/partner_synthesizer.hpp"
+#include "core/synthesis/synthesizer_state.hpp"
+#include "tests/support/bodies.hpp"
+#include "tests/support/libraries.hpp"
+#include "tests/support/settings.hpp"
+
+namespace abrazo::partner_motion_test {
+namespace {
+
+constexpr double step_s = 1.0 / 60;
+
+std::unique_ptr<PartnerSynthesizer> synthesizer_with(const Settings& settings) {
+  auto synthesizer = std::move(*PartnerSynthesizer::create(test::small_library(), settings));
+  synthesizer->set_user_body(synthesizer->library().usual_active_body().body);
+  return synthesizer;
+}
+
+const Clip& user() {
+  static const Clip clip = test::swinging_take("user", 600, 4).a;
+  return clip;
+}
+
+/// The partner's frames, one after the other.
+class Shown {
+ public:
+  void add(const FrameResult& frame) {
+    before_previous_ = previous_;
+    previous_ = partner_;
+    partner_ = frame.passive();
+    ++count_;
+  }
+  /// How much farther the farthest joint moved than its speed explains [m].
+  double kink() const {
+    return count_ < 3 ? 0 : (partner_ - 2 * previous_ + before_previous_).rowwise().norm().maxCoeff();
+  }
+  double jump() const { return count_ < 2 ? 0 : (partner_ - previous_).rowwise().norm().maxCoeff(); }
+
+ private:
+  Pose partner_, previous_, before_previous_;
+  int count_ = 0;
+};
+
+TEST(PartnerMotion, TheResultIsContinuousAtAChangeOfSource) {
+  auto synthesizer = synthesizer_with(test::responsive_by_pose());
+  const auto& library = synthesizer->library();
+  Shown shown;
+  int changes = 0;
+  for (int step = 0; step < 300; ++step) {
+    // A pin and its end change the source for certain.
+    if (step % 60 == 20)
+      synthesizer->pin_pair(library.find_pair(step % 120 < 60 ? "second" : "first", 40 + step / 4, false));
+    if (step % 60 == 50) synthesizer->pin_pair(std::nullopt);
+    const FrameResult& frame =
+        synthesizer->step(user().poses[static_cast<std::size_t>(step)], Duration(step == 0 ? 0 : step_s));
+    ASSERT_NE(frame.status, StepStatus::Failed) << frame.message;
+    shown.add(frame);
+    if (!frame.source_changed) continue;
+    ++changes;
+    EXPECT_LT(shown.kink(), 0.03) << step;
+  }
+  EXPECT_GT(changes, 4);
+}
+
+TEST(PartnerMotion, GoesOnFromWhereItIsAfterTrackingWasLost) {
+  auto synthesizer = synthesizer_with(test::responsive_by_pose());
+  Shown shown;
+  for (int step = 0; step < 120; ++step) {
+    const double elapsed_s = step == 0 ? 0 : step == 60 ? 1.0 : step_s;
+    shown.add(synthesizer->step(user().poses[static_cast<std::size_t>(step < 60 ? step : 3 * step)],
+                                Duration(elapsed_s)));
+    EXPECT_LT(shown.jump(), 0.08) << step;
+  }
+}
+
+TEST(PartnerMotion, GoesOnFromWhereItIsWhenTheUserIsMeasuredAnew) {
+  auto synthesizer = synthesizer_with(test::responsive_by_pose());
+  Shown shown;
+  for (int step = 0; step < 120; ++step) {
+    if (step == 60) {
+      Body tall = synthesizer->library().usual_active_body().body;
+      for (double& length : tall.bone_lengths) length *= 0.85;
+      synthesizer->set_user_body(tall);
+    }
+    shown.add(
+        synthesizer->step(user().poses[static_cast<std::size_t>(step)], Duration(step == 0 ? 0 : step_s)));
+    EXPECT_LT(shown.jump(), 0.15) << step;
+  }
+}
+
+TEST(PartnerMotion, AFailedStepLeavesNothingBehind) {
+  auto with = synthesizer_with(test::responsive_by_pose()),
+       without = synthesizer_with(test::responsive_by_pose());
+  Pose nowhere = user().poses[0];
+  nowhere(7, 1) = std::numeric_limits<double>::quiet_NaN();
+  Pose far = user().poses[0] * 1e160;
+  for (int step = 0; step < 60; ++step) {
+    const Pose& pose = user().poses[static_cast<std::size_t>(step)];
+    if (step == 30) {
+      EXPECT_EQ(with->step(nowhere, Duration(0.5 * step_s)).status, StepStatus::Failed);
+      EXPECT_EQ(with->step(far, Duration(0.25 * step_s)).status, StepStatus::Failed);
+    }
+    const PairPose one = with->step(pose, Duration(step == 0    ? 0
+                                                   : step == 30 ? 0.25 * step_s
+                                                                : step_s))
+                             .result;
+    const PairPose other = without->step(pose, Duration(step == 0 ? 0 : step_s)).result;
+    ASSERT_LT((one - other).cwiseAbs().maxCoeff(), 1e-9) << step;
+  }
+}
+
+/// Two people who hold hands throughout.
+MotionLibrary library_of_a_hold() {
+  PairedTake take = test::swinging_take("hold", 240, 5, 0.62);
+  for (std::size_t frame = 0; frame < take.a.poses.size(); ++frame)
+    take.b.poses[frame].row(joints::right_hand) =
+        take.a.poses[frame].row(joints::left_hand) + Eigen::RowVector3d(0.01, 0.02, 0.03);
+  std::vector<PairedTake> takes;
+  takes.push_back(std::move(take));
+  return std::move(*build_library("hold", std::move(takes), {}, {}));
+}
+
+TEST(PartnerMotion, AHoldIsHeld) {
+  const auto library = std::make_shared<const MotionLibrary>(library_of_a_hold());
+  auto synthesizer = std::move(*PartnerSynthesizer::create(library, test::responsive_by_pose()));
+  const Clip holding = test::swinging_take("hold", 240, 5).a;
+  int held = 0;
+  for (int step = 0; step < 120; ++step) {
+    const FrameResult& frame =
+        synthesizer->step(holding.poses[static_cast<std::size_t>(step)], Duration(step == 0 ? 0 : step_s));
+    for (const HandHold& hold : frame.holds) {
+      if (hold.strength < 0.999) continue;
+      const int active = hold.active_left ? joints::left_hand : joints::right_hand;
+      const int passive = hold.passive_left ? joints::left_hand : joints::right_hand;
+      const Eigen::RowVector3d apart = frame.passive().row(passive) - frame.active().row(active);
+      if (apart.norm() < hold_ends_m) ++held;
+    }
+  }
+  EXPECT_GT(held, 60);
+}
+
+TEST(PartnerMotion, NeverTeleportsWhateverIsChanged) {
+  EXPECT_TRUE(rc::check("changes of everything", [] {
+    auto synthesizer = synthesizer_with(test::responsive_by_pose());
+    Settings settings = synthesizer->settings();
+    Shown shown;
+    for (int step = 0; step < 90; ++step) {
+      if (*rc::gen::inRange(0, 12) == 0) {
+        switch (*rc::gen::inRange(0, 6)) {
+          case 0:
+            settings.foot_locks = !settings.foot_locks;
+            break;
+          case 1:
+            settings.hold_weight = settings.hold_weight > 0 ? 0 : 50;
+            break;
+          case 2:
+            settings.collisions = !settings.collisions;
+            break;
+          case 3:
+            settings.place_rate = *rc::gen::element(2.0, 5.0, 7.0);
+            break;
+          case 4:
+            synthesizer->pin_pair(*rc::gen::inRange(0, synthesizer->library().pair_count()));
+            break;
+          default:
+            synthesizer->pin_pair(std::nullopt);
+        }
+        synthesizer->set_settings(settings);
+      }
+      const double elapsed_s = step == 0 ? 0 : *rc::gen::weightedElement<double>({{20, step_s}, {1, 0.5}});
+      const FrameResult& frame =
+          synthesizer->step(user().poses[static_cast<std::size_t>(step)], Duration(elapsed_s));
+      RC_ASSERT(frame.status != StepStatus::Failed);
+      shown.add(frame);
+      RC_ASSERT(shown.jump() < 0.25);
+    }
+  }));
+}
+
+}  // namespace
+}  // namespace abrazo::partner_motion_test
