@@ -26,6 +26,10 @@ inline constexpr double hold_distance_m = 0.13;
 /// Hands that hold one another do so until they are this far apart [m].
 inline constexpr double hold_ends_m = 0.18;
 
+/// Of the active and the passive body's hands: left with left, left with right, right with left, right with
+/// right.
+using HandPairs = std::array<bool, 4>;
+
 /// The forearm or hand bones: they may overlap the partner's while they hold one another.
 bool is_hand_or_forearm(int bone);
 

@@ -2,7 +2,10 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
+
+#include "core/library/normalization.hpp"
 
 namespace abrazo {
 
@@ -16,6 +19,9 @@ struct FrameIntent {
   std::vector<float> moves;  ///< P(label | what the user did), of the model's labels; they sum to 1
   /// From the source to where it would fit the user best [source s]; 0 without a source.
   double lead_s = 0;
+  /// Where the believed pairs that are like the source have their partners, seen from the user's root; the
+  /// source's own without a belief.
+  std::optional<RootFrame> partner_place;
   int continued = -1;  ///< the pair that would have gone on with the source; -1 when there is none
 };
 

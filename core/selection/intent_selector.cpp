@@ -1,9 +1,13 @@
 #include "core/selection/intent_selector.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
+
+#include "core/mesh/capsules.hpp"
+#include "core/motion/joint_set.hpp"
 
 namespace abrazo {
 
@@ -15,12 +19,21 @@ constexpr double most_pace = 3;          ///< a source is gone on with at up to 
 constexpr int judged_paces = 6;          ///< of them
 constexpr double speed_counts_s = 0.1;   ///< a difference in speed, as one of place
 // A source that was just changed to is only left for a much better one.
-constexpr double hurry_factor = 3;
-constexpr double hurry_s = 0.3;
+constexpr double hurry_factor = 5;
+constexpr double hurry_s = 0.4;
+// The way of a hand to a hold, a hold that would be lost and a standing foot that would be lifted count as
+// this much of mean joint distance.
+constexpr double per_hand_way = 0.3, farthest_hand_way_m = 1, lost_hold_m = 0.15;
+constexpr double lifted_foot_m = 0.05, lifted_height_m = 0.1;
+constexpr double holds_within_s = 0.2;
+constexpr int hold_looks = 3;
 constexpr int most_looked_at = 60;
 constexpr double take_goes_on_s = 0.5;  ///< a pair that is changed to has so much of its take ahead
 constexpr double looks_back_s = 0.4, looks_ahead_s = 0.6;  ///< for where the user is in the source
 constexpr double lead_width_m = 0.01;                      ///< so much worse counts e times less
+// Of the mean place: believed e times less, looked at so far, and alike.
+constexpr float place_width_m = 0.02F, place_widths = 4;
+constexpr double like_place_m = 0.3, like_turn = 0.6;
 constexpr double same_moment_s = 0.3;  ///< pairs of a take that are this near are one proposal
 
 bool is_same_moment(const MotionLibrary& library, int a, int b) {
@@ -53,6 +66,46 @@ double temporal_distance(const MotionLibrary& library, int pair, const Selection
   speed.rowwise() -= speed.row(0).eval();
   speed *= pair_rate(library, pair);
   return apart + speed_counts_s * (speed - query.partner_speed).rowwise().norm().mean();
+}
+
+/// Partner's hand from the user's where they next hold one another in the recording, if they do within
+/// `holds_within_s`.
+std::optional<Vec3> next_hold(const MotionLibrary& library, int pair, int user_hand, int partner_hand) {
+  for (int look = 0; look <= hold_looks; ++look) {
+    const double ahead_s = look * holds_within_s / hold_looks;
+    const int due =
+        library.later_pair(pair, static_cast<int>(std::lround(ahead_s * pair_rate(library, pair))));
+    if (due < 0) break;
+    const Vec3 apart = library.pose(due).row(partner_hand + joint_count) - library.pose(due).row(user_hand);
+    if (apart.norm() < hold_distance_m) return apart;
+  }
+  return std::nullopt;
+}
+
+/// What the shown partner's hands and feet would have to do for this pair: the way to hands that it holds,
+/// holds that it lacks, standing feet that it has in the air [m].
+double contact_distance(const MotionLibrary& library, int pair, const SelectionQuery& query) {
+  constexpr std::array hands = {joints::left_hand, joints::right_hand};
+  constexpr std::array toe_bases = {joints::left_toe_base, joints::right_toe_base};
+  const Eigen::Matrix3d heading = query.root.rotation();
+  double sum = 0;
+  for (std::size_t p = 0; p < query.held.size(); ++p) {
+    const int user_hand = hands[p / 2], partner_hand = hands[p % 2];
+    if (const auto offset = next_hold(library, pair, user_hand, partner_hand)) {
+      const Vec3 target = query.root.position + heading * (Vec3(query.normalized.row(user_hand)) + *offset);
+      const Vec3 shown = query.predicted.row(partner_hand + joint_count);
+      sum += per_hand_way * std::min(farthest_hand_way_m, (target - shown).norm());
+    } else if (query.held[p]) {
+      sum += lost_hold_m;
+    }
+  }
+  for (std::size_t f = 0; f < query.planted.size(); ++f) {
+    if (!query.planted[f]) continue;
+    const double height = library.root(pair).position.y() + library.pose(pair)(toe_bases[f] + joint_count, 1);
+    const double over_rest = height - library.passive_body(pair).body.toe_rest_height;
+    sum += lifted_foot_m * std::clamp(over_rest / lifted_height_m, 0.0, 1.0);
+  }
+  return sum;
 }
 
 }  // namespace
@@ -126,7 +179,8 @@ Candidate IntentSelector::priced(int pair, const IntentModel::PairReading& read,
   cost.move = weights.move * (1 - likely);
   cost.meant = selectable.is_not_meant(pair) ? weights.meant : 0.0;
   if (query.has_prediction && query.alpha > 0)
-    cost.temporal = query.alpha * temporal_distance(library, pair, query);
+    cost.temporal =
+        query.alpha * (temporal_distance(library, pair, query) + contact_distance(library, pair, query));
   if (is_change && query.current_pair >= 0)
     cost.change = weights.switch_margin * (1 + hurry_factor * std::exp(-query.since_change_s / hurry_s));
   sum_up(cost);
@@ -168,6 +222,35 @@ void IntentSelector::list_landings(const SelectionQuery& query, const Selectable
                                                                : a.pair < b.pair;
                    });
   candidates.resize(wanted);
+}
+
+/// The mean over the believed pairs of where their partners are, those like `like` foremost: one pair's own
+/// place is off by more.
+RootFrame IntentSelector::place(int like) const {
+  const MotionLibrary& library = *model_->library();
+  const auto place_of = [&](int pair) {
+    RootFrame root = root_frame(library.pose(pair).bottomRows<joint_count>());
+    root.position.y() = 0;
+    return root;
+  };
+  const RootFrame near = place_of(like);
+  const float least = *std::min_element(totals_.begin(), totals_.end());
+  Vec3 apart_sum = Vec3::Zero();
+  double turn_sum = 0, weights = 1;  // its own
+  for (std::size_t l = 0; l < totals_.size(); ++l) {
+    const float off = totals_[l] - least;
+    if (!(off < place_widths * place_width_m)) continue;
+    const RootFrame there = place_of(model_->landings()[l]);
+    const Vec3 apart = there.position - near.position;
+    const double turn = within_half_turn(there.heading_rad - near.heading_rad);
+    const double likeness =
+        apart.squaredNorm() / (like_place_m * like_place_m) + turn * turn / (like_turn * like_turn);
+    const double weight = std::exp(-static_cast<double>(off / place_width_m) - 0.5 * likeness);
+    apart_sum += weight * apart;
+    turn_sum += weight * turn;
+    weights += weight;
+  }
+  return {near.position + apart_sum / weights, within_half_turn(near.heading_rad + turn_sum / weights)};
 }
 
 /// The mean of the source's moments around the playhead, by how well each fits the user.
@@ -261,7 +344,9 @@ int IntentSelector::select(const SelectionQuery& query, const MotionHistory& his
   const auto best = std::min_element(
       candidates.begin(), candidates.end(),
       [](const Candidate& a, const Candidate& b) { return a.intent->total < b.intent->total; });
-  return best == candidates.end() ? -1 : static_cast<int>(best - candidates.begin());
+  if (best == candidates.end()) return -1;
+  if (query.playhead.pair >= 0) intent.partner_place = place(best->pair);
+  return static_cast<int>(best - candidates.begin());
 }
 
 void reserve_room(FrameIntent& intent, const IntentModel& model) {

@@ -48,6 +48,7 @@ class IntentSelector {
   int list_continuation(const SelectionQuery& query, const SelectablePairs& selectable,
                         const IntentWeights& weights, std::vector<Candidate>& candidates);
   double lead(const SelectionQuery& query, const IntentWeights& weights) const;
+  RootFrame place(int like) const;
   void believe(FrameIntent& intent);
 
   std::shared_ptr<const IntentModel> model_;

@@ -5,6 +5,7 @@
 
 #include "core/library/motion_library.hpp"
 #include "core/library/pose_index.hpp"
+#include "core/mesh/capsules.hpp"
 #include "core/selection/candidate.hpp"
 #include "core/selection/selectable_pairs.hpp"
 #include "core/selection/source_playhead.hpp"
@@ -25,7 +26,9 @@ struct SelectionQuery {
   int expected_advance = 1;  ///< pairs of the library that one step takes in real time
   /// Where the source goes on in real time, with the playback `continuous`; without a pair by frames.
   SourcePlayhead playhead;
-  double since_change_s = 1e9;  ///< of the source
+  double since_change_s = 1e9;    ///< of the source
+  HandPairs held{};               ///< hands that hold one another in what is shown
+  std::array<bool, 2> planted{};  ///< feet of the partner that stand in what is shown, left and right
   int continuations = 0;  ///< so many successors of the current pair, whole steps ahead, join the candidates
 };
 

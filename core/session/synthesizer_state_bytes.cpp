@@ -136,11 +136,11 @@ void each_field(auto& foot, const auto& flag, const auto& real, const auto& poin
 
 /// The same of two hands.
 void each_field_of_hold(auto& hold, const auto& flag, const auto& real, const auto& point) {
-  auto& [recorded, out_of_reach, ramp, offset, lag, lag_speed] = hold;
+  auto& [recorded, out_of_reach, ramp, offset, lag, lag_speed, asked, asked_speed] = hold;
   flag(recorded);
   flag(out_of_reach);
   real(ramp);
-  for (auto* one : {&offset, &lag, &lag_speed}) point(*one);
+  for (auto* one : {&offset, &lag, &lag_speed, &asked, &asked_speed}) point(*one);
 }
 
 void write(BlobWriter& out, const PartnerMotion& motion) {

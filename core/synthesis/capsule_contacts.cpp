@@ -64,11 +64,12 @@ void CapsuleContacts::find_near(const PairPose& pose, double gap_m) {
 }
 
 void CapsuleContacts::prepare(const PairPose& selected, const CapsuleRadii& active,
-                              const CapsuleRadii& passive) {
+                              const CapsuleRadii& passive, double clearance_m) {
   active_ = active;
   passive_ = passive;
-  selected_ = selected;
-  for (auto& row : allowed_depth_) row.fill(0);
+  sides_ = selected;
+  clearance_m_ = clearance_m;
+  for (auto& row : recorded_depth_) row.fill(0);
   for (auto& row : held_) row.fill(false);
   for (const bool active_left : {true, false})
     for (const bool passive_left : {true, false}) {
@@ -83,8 +84,11 @@ void CapsuleContacts::prepare(const PairPose& selected, const CapsuleRadii& acti
     }
   find_near(selected, 0.0);
   for (const NearPair& pair : near_)
-    allowed_depth_[static_cast<std::size_t>(pair.active_bone)][static_cast<std::size_t>(pair.passive_bone)] =
+    recorded_depth_[static_cast<std::size_t>(pair.active_bone)][static_cast<std::size_t>(pair.passive_bone)] =
         std::max(0.0, pair.depth);
+  for (std::size_t i = 0; i < allowed_depth_.size(); ++i)
+    for (std::size_t j = 0; j < allowed_depth_.size(); ++j)
+      allowed_depth_[i][j] = recorded_depth_[i][j] - clearance_m;
 }
 
 void CapsuleContacts::add_rows(const PairPose& iterate, std::vector<ConstraintRow>& rows) {
@@ -99,10 +103,9 @@ void CapsuleContacts::add_rows(const PairPose& iterate, std::vector<ConstraintRo
     const NearPair& pair = near_[n];
     const auto [a, b] = bone(pair.active_bone);
     const auto [c, d] = bone(pair.passive_bone);
-    // The side on which the recording has them: a capsule whose axis went through the other's is pushed back,
-    // not on.
-    const Segment one = bone_segment(selected_, pair.active_bone, 0);
-    const Segment other = bone_segment(selected_, pair.passive_bone, joint_count);
+    // A capsule whose axis went through the other's is pushed back, not on.
+    const Segment one = bone_segment(sides_, pair.active_bone, 0);
+    const Segment other = bone_segment(sides_, pair.passive_bone, joint_count);
     const Vec3 recorded = closest_points(one.from, one.to, other.from, other.to).normal;
     Vec3 normal = pair.normal;
     if (normal.isZero() || (pair.depth > 0 && normal.dot(recorded) < 0)) normal = recorded;
@@ -123,7 +126,7 @@ void CapsuleContacts::add_rows(const PairPose& iterate, std::vector<ConstraintRo
 }
 
 double CapsuleContacts::deepest_excess_m(const PairPose& pose) {
-  find_near(pose, 0.0);
+  find_near(pose, clearance_m_);
   double deepest_m = 0;
   for (const NearPair& pair : near_) deepest_m = std::max(deepest_m, pair.excess);
   return deepest_m;
@@ -143,10 +146,12 @@ void CapsuleContacts::measure(const PairPose& result, std::vector<CapsuleContact
     contacts.push_back({{a, b},
                         {c + joint_count, d + joint_count},
                         pair.depth,
-                        allowed_depth_[static_cast<std::size_t>(pair.active_bone)]
-                                      [static_cast<std::size_t>(pair.passive_bone)]});
+                        recorded_depth_[static_cast<std::size_t>(pair.active_bone)]
+                                       [static_cast<std::size_t>(pair.passive_bone)]});
     deepest_m = std::max(deepest_m, pair.depth);
-    deepest_excess_m = std::max(deepest_excess_m, pair.excess);
+    deepest_excess_m =
+        std::max(deepest_excess_m, pair.depth - recorded_depth_[static_cast<std::size_t>(pair.active_bone)]
+                                                               [static_cast<std::size_t>(pair.passive_bone)]);
   }
 }
 

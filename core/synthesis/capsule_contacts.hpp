@@ -24,7 +24,12 @@ class CapsuleContacts {
   CapsuleContacts();
 
   /// Learns what the selected pair allows. Radii are those of the two bodies.
-  void prepare(const PairPose& selected, const CapsuleRadii& active, const CapsuleRadii& passive);
+  /// @param clearance_m  how much further apart they are kept than that
+  void prepare(const PairPose& selected, const CapsuleRadii& active, const CapsuleRadii& passive,
+               double clearance_m = 0);
+  /// A capsule whose axis went through another's is pushed back to the side that it has here, in place of
+  /// that in the selected pair: what is shown does not jump through a body.
+  void keep_sides_of(const PairPose& shown) { sides_ = shown; }
 
   /// n . (p - q) >= r_1 + r_2 - allowed for the closest points p, q of near capsules at `iterate`, the most
   /// pressing `max_rows` of them.
@@ -33,7 +38,7 @@ class CapsuleContacts {
   /// Deepest overlap at a pose beyond what the selected pair allows [m]; 0 when there is none.
   double deepest_excess_m(const PairPose& pose);
 
-  /// Overlaps at a result: those deeper than 0, deepest first.
+  /// Overlaps at a result: those deeper than 0, deepest first. The excess is that over the recording.
   void measure(const PairPose& result, std::vector<CapsuleContact>& contacts, double& deepest_m,
                double& deepest_excess_m);
 
@@ -52,7 +57,9 @@ class CapsuleContacts {
 
   CapsuleRadii active_{};
   CapsuleRadii passive_{};
-  PairPose selected_ = PairPose::Zero();
+  double clearance_m_ = 0;
+  PairPose sides_ = PairPose::Zero();  ///< on which a capsule is of another
+  BonePairValues recorded_depth_{};
   BonePairValues allowed_depth_{};
   std::array<std::array<bool, bone_count>, bone_count> held_{};
   std::vector<NearPair> near_;

@@ -20,16 +20,20 @@ constexpr double shortest_stand_s = 4.0 / 60;
 // As it is shown.
 constexpr double plant_height_m = 0.06;
 constexpr double plant_speed = 3.0;
-constexpr double slip_dies_s = 0.05;
-constexpr double farthest_off_m = 0.3;
-constexpr double longest_leg = 1.06;
+constexpr double slip_dies_s = 0.03;
+constexpr double farthest_off_m = 0.25;
+constexpr double longest_leg = 1.03;
 constexpr double soft_reach = 0.985;
 constexpr double shortest_fade_s = 0.12, longest_fade_s = 0.5;
-constexpr double knee_bias_m = 0.05;
-constexpr double pressed_share =
-    0.4;  ///< of the height that a planted toe base has over its rest in the recording
-constexpr double step_s = 0.3, step_height_m = 0.06;
-constexpr double lift_rate = 30;  ///< omega of the spring that brings a planted foot to its height [1/s]
+/// A straight leg bends forward; one whose knee is `bent_knee_m` off the line bends as it was.
+constexpr double knee_bias_m = 0.05, bent_knee_m = 0.08;
+constexpr double pressed_share = 0.3;  ///< of its recorded height over rest that a planted toe base keeps
+constexpr double stepping_s = 0.4, step_height_m = 0.06;
+// Omega of the springs that press a standing foot down and lift one that leaves [1/s].
+constexpr double press_rate = 50, lift_rate = 30;
+// A foot that the recording lifts is let go when it is off the floor, or after these at the latest.
+constexpr double lifted_m = 0.02, longest_lift_s = 0.12, farthest_lift_m = 0.15;
+constexpr double clearance_m = 0.06;  ///< a foot in the air is at least so high, if the recorded one is
 
 Vec3 horizontal(const Vec3& v) {
   return {v.x(), 0, v.z()};
@@ -138,7 +142,7 @@ void FootPlants::let_go(int at, const Vec3& shown) {
   foot.offset = horizontal(shown - foot.free);
   foot.rate.setZero();
   foot.since_s = 0;
-  foot.fades_s = step_s;
+  foot.fades_s = stepping_s;
   foot.shown = shown;
 }
 
@@ -149,6 +153,62 @@ bool FootPlants::must_step(const Foot& foot, const FootMoment& now) const {
   return off.norm() > farthest_off_m || (now.ankle + off - now.hip).norm() > longest_leg * now.leg_length;
 }
 
+void FootPlants::stay(Foot& foot, const FootMoment& now, double elapsed_s) const {
+  const double left = std::exp(-elapsed_s / slip_dies_s);
+  foot.anchor += slip_dies_s * (1 - left) * foot.slip;
+  foot.slip *= left;
+  if (now.lands) foot.since_s = 0;
+  const bool is_off_floor = foot.shown.y() > now.rest_height + lifted_m;
+  const bool is_late =
+      foot.since_s > longest_lift_s || horizontal(foot.anchor - now.free).norm() > farthest_lift_m;
+  if (!now.lands && (is_off_floor || is_late)) {
+    let_go(foot, now, elapsed_s, std::clamp(now.lands_in_s, shortest_fade_s, longest_fade_s));
+  } else if (must_step(foot, now)) {
+    let_go(foot, now, elapsed_s, stepping_s);
+    foot.steps = true;
+  }
+}
+
+/// Where a foot is that was let go, and how much of a step it is lifted by.
+FootPlants::OnItsWay FootPlants::go(Foot& foot, const FootMoment& now) {
+  const double share = foot.fades_s > 0 ? foot.since_s / foot.fades_s : 1;
+  if (share >= 1) {
+    foot.steps = false;
+    return {now.free, 0};
+  }
+  const Vec3 left = quintic_fade(share) * foot.offset + foot.fades_s * quintic_slope(share) * foot.rate;
+  return {now.free + left, foot.steps ? step_height_m * 64 * std::pow(share * (1 - share), 3) : 0};
+}
+
+void FootPlants::land(Foot& foot, const FootMoment& now, const Vec3& at, double elapsed_s) {
+  if (!now.lands || foot.waits_for_lift || foot.steps) return;
+  const Vec3 speed =
+      foot.is_known && elapsed_s > 0 ? Vec3(horizontal(at - foot.shown) / elapsed_s) : Vec3::Zero();
+  if (now.free.y() >= now.rest_height + plant_height_m || speed.norm() >= plant_speed ||
+      horizontal(at - now.free).norm() >= farthest_off_m)
+    return;
+  foot.planted = true;
+  foot.anchor = horizontal(at);
+  foot.slip = speed;
+}
+
+/// A standing foot is pressed to the floor, one that leaves it is quick to be clear of it.
+void FootPlants::raise(Foot& foot, const FootMoment& now, double elapsed_s) {
+  const double over_rest = now.recorded_height - now.rest_height;
+  double wanted = 0;
+  if (foot.planted && now.lands)
+    wanted = now.rest_height + std::min(over_rest, pressed_share * over_rest) - now.free.y();
+  else if (!now.lands)
+    wanted = std::max(0.0, now.rest_height + std::min(over_rest, clearance_m) - now.free.y());
+  // x'' = -omega^2 (x - wanted) - 2 omega x'
+  const double rate = foot.planted && now.lands ? press_rate : lift_rate;
+  const double off = foot.lift - wanted;
+  const double slope = foot.lift_speed + rate * off;
+  const double shrink = std::exp(-rate * elapsed_s);
+  foot.lift = wanted + shrink * (off + elapsed_s * slope);
+  foot.lift_speed = shrink * (foot.lift_speed - rate * elapsed_s * slope);
+}
+
 std::array<Vec3, 2> FootPlants::update(const std::array<FootMoment, 2>& moments, double elapsed_s) {
   std::array<Vec3, 2> shown;
   for (std::size_t f = 0; f < feet_.size(); ++f) {
@@ -156,52 +216,19 @@ std::array<Vec3, 2> FootPlants::update(const std::array<FootMoment, 2>& moments,
     const FootMoment& now = moments[f];
     foot.since_s += elapsed_s;
     if (!now.lands) foot.waits_for_lift = false;
-    if (foot.planted) {
-      const double left = std::exp(-elapsed_s / slip_dies_s);
-      foot.anchor += slip_dies_s * (1 - left) * foot.slip;
-      foot.slip *= left;
-      if (!now.lands) {
-        let_go(foot, now, elapsed_s, std::clamp(now.lands_in_s, shortest_fade_s, longest_fade_s));
-      } else if (must_step(foot, now)) {
-        let_go(foot, now, elapsed_s, step_s);
-        foot.steps = true;
-      }
-    }
-    Vec3 at = now.free;
-    double step_lift = 0;
+    if (foot.planted) stay(foot, now, elapsed_s);
+    OnItsWay way{now.free, 0};
     if (!foot.planted) {
-      const double share = foot.fades_s > 0 ? foot.since_s / foot.fades_s : 1;
-      if (share < 1) {
-        at += quintic_fade(share) * foot.offset + foot.fades_s * quintic_slope(share) * foot.rate;
-        if (foot.steps) step_lift = step_height_m * 64 * std::pow(share * (1 - share), 3);
-      } else {
-        foot.steps = false;
-      }
-      const Vec3 speed =
-          foot.is_known && elapsed_s > 0 ? Vec3(horizontal(at - foot.shown) / elapsed_s) : Vec3::Zero();
-      if (now.lands && !foot.waits_for_lift && !foot.steps &&
-          now.free.y() < now.rest_height + plant_height_m && speed.norm() < plant_speed &&
-          horizontal(at - now.free).norm() < farthest_off_m) {
-        foot.planted = true;
-        foot.anchor = horizontal(at);
-        foot.slip = speed;
-      }
+      way = go(foot, now);
+      land(foot, now, way.at, elapsed_s);
     }
-    if (foot.planted) at = {foot.anchor.x(), at.y(), foot.anchor.z()};
-    const double over_rest = now.recorded_height - now.rest_height;
-    const double lift =
-        foot.planted ? now.rest_height + std::min(over_rest, pressed_share * over_rest) - now.free.y() : 0;
-    // x'' = -omega^2 (x - wanted) - 2 omega x'
-    const double off = foot.lift - lift;
-    const double slope = foot.lift_speed + lift_rate * off;
-    const double shrink = std::exp(-lift_rate * elapsed_s);
-    foot.lift = lift + shrink * (off + elapsed_s * slope);
-    foot.lift_speed = shrink * (foot.lift_speed - lift_rate * elapsed_s * slope);
-    at.y() += foot.lift + step_lift;
+    if (foot.planted) way.at = {foot.anchor.x(), way.at.y(), foot.anchor.z()};
+    raise(foot, now, elapsed_s);
+    way.at.y() += foot.lift + way.step_lift;
     foot.free = now.free;
-    foot.shown = at;
+    foot.shown = way.at;
     foot.is_known = true;
-    shown[f] = at;
+    shown[f] = way.at;
   }
   return shown;
 }
@@ -214,9 +241,16 @@ void place_foot(Pose& pose, const Body& body, bool left, const Vec3& toe_base, c
   const Vec3 hip = pose.row(hip_joint);
   const Vec3 foot_up = pose.row(ankle) - pose.row(toes);
   const Vec3 toe_tip = pose.row(tip) - pose.row(toes);
-  const double reach = soft_reach * (length(knee) + length(ankle));
+  const Vec3 free_leg = Vec3(pose.row(ankle)) - hip;
+  const Vec3 free_knee = Vec3(pose.row(knee)) - hip;
+  // A leg may be as straight as it was, and is stretched further as if by a spring: a knee that locks jerks.
+  const double free_reach = free_leg.norm();
+  const double room = soft_reach * (length(knee) + length(ankle)) - free_reach;
+  const double beyond = (toe_base + foot_up - hip).norm() - free_reach;
+  double reach = free_reach + beyond;
+  if (beyond > 0) reach = free_reach + (room > 0 ? room * (1 - std::exp(-beyond / room)) : 0);
   Vec3 to_ankle = foot_up;
-  if ((toe_base + to_ankle - hip).norm() > reach) {
+  if (beyond > 0) {
     const Vec3 towards_hip = (hip - toe_base).normalized();
     const Vec3 turn = turn_between(foot_up.normalized(), towards_hip);
     double least = 0, most = 1;  // share of the turn
@@ -227,7 +261,12 @@ void place_foot(Pose& pose, const Body& body, bool left, const Vec3& toe_base, c
     to_ankle = turned(foot_up, most * turn);
   }
   Vec3 end = toe_base + to_ankle;
-  const Vec3 hint = Vec3(pose.row(knee)) + knee_bias_m * forward;
+  // The knee is carried along with the leg; that of a straight leg goes forward.
+  const Vec3 along = free_leg.normalized();
+  const Vec3 turn = turn_between(along, (end - hip).normalized());
+  const Vec3 side = free_knee - free_knee.dot(along) * along;
+  const double straight = std::max(0.0, 1 - side.norm() / bent_knee_m);
+  const Vec3 hint = hip + turned(free_knee, turn) + knee_bias_m * straight * straight * forward;
   pose.row(knee) = two_bone_joint(hip, end, length(knee), length(ankle), hint).transpose();
   pose.row(ankle) = end.transpose();
   pose.row(toes) = (end - to_ankle).transpose();

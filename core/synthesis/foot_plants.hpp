@@ -20,8 +20,9 @@ struct FootMoment {
 
 /// Feet of the partner that stand where they landed. Toe base x and z are held, its height is that of the
 /// recording, the ankle follows, so a planted foot rolls and does not hover. When the recording lifts the
-/// foot, what it was held off by fades until it lands again. A foot that is too far off takes a step, one
-/// at a time. One that the edit could not hold is not planted again before the recorded one lifted.
+/// foot it first leaves the floor, then what it was held off by fades until it lands again. A foot that is
+/// too far off takes a step, one at a time. One that the edit could not hold is not planted again before the
+/// recorded one lifted.
 class FootPlants {
  public:
   struct Foot {
@@ -55,7 +56,16 @@ class FootPlants {
   const Feet& feet() const { return feet_; }
 
  private:
+  struct OnItsWay {
+    Vec3 at;
+    double step_lift = 0;
+  };
+
   static void let_go(Foot& foot, const FootMoment& now, double elapsed_s, double fades_s);
+  void stay(Foot& foot, const FootMoment& now, double elapsed_s) const;
+  static OnItsWay go(Foot& foot, const FootMoment& now);
+  static void land(Foot& foot, const FootMoment& now, const Vec3& at, double elapsed_s);
+  static void raise(Foot& foot, const FootMoment& now, double elapsed_s);
   bool must_step(const Foot& foot, const FootMoment& now) const;
 
   Feet feet_;

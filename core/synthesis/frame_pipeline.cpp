@@ -18,6 +18,8 @@ constexpr double lowest_foot_m = 0.01;    ///< the floor, for ankles and toes
 constexpr double same_length = 1e-9;
 /// The moved partner was adapted to the user: the user's own foot locks do not pull it by the mesh again.
 constexpr double moved_anchor_weight = 1;
+/// Bodies are asked to keep so much further apart than capsules do: what is asked for is followed with a lag.
+constexpr double parting_clearance_m = 0.02;
 constexpr double shortest_step_s = 1.0 / 240;  ///< closer poses would make velocities out of noise
 
 bool are_same(const Body& a, const Body& b) {
@@ -194,24 +196,20 @@ EditTask FramePipeline::edit_task(double dt_s) const {
   return task;
 }
 
-/// The moved pair, whose leader is brought to the user by the mesh of the selected one.
+/// The moved pair, to be parted where the bodies are in one another's way.
 EditTask FramePipeline::mesh_task(const PairPose& moved) const {
   EditTask task;
   task.edges = library_->edges(next_.current_pair);
   task.selected = out_.selected_pair;
   task.reference = moved;
   task.anchor_weight = settings_.anchor_weight;
-  task.target = out_.query_world;
+  task.target = moved.topRows<joint_count>();
   task.wanted = rigid_distances(moved);
-  const RigidDistances of_user = rigid_distances([&] {
-    PairPose pair = moved;
-    pair.topRows<joint_count>() = out_.query_world;
-    return pair;
-  }());
-  std::copy_n(of_user.begin(), rigid_distance_count / 2, task.wanted.begin());
   task.floor_m = lowest_foot_m;
   task.active_radii = &library_->usual_active_body().capsule_radii;
   task.passive_radii = &library_->usual_passive_body().capsule_radii;
+  if (next_.partner_is_shown) task.sides = &next_.previous;
+  task.clearance_m = parting_clearance_m;
   return task;
 }
 
@@ -278,6 +276,7 @@ void FramePipeline::begin_frame() {
   out_.intent.moves.clear();
   out_.intent.continued = -1;
   out_.intent.lead_s = 0;
+  out_.intent.partner_place.reset();
   out_.selected_pair.setZero();
   out_.edges.clear();
   out_.tetrahedra.clear();

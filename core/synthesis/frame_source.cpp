@@ -42,6 +42,10 @@ SelectionQuery FramePipeline::query_of(double dt_s) const {
   if (plays()) {
     query.playhead = expected_playhead(dt_s);
     query.since_change_s = next_.motion.since_change_s;
+    for (std::size_t p = 0; p < query.held.size(); ++p)
+      query.held[p] = settings_.hold_weight > 0 && next_.motion.holds.pairs()[p].ramp > 0.5;
+    for (std::size_t f = 0; f < query.planted.size(); ++f)
+      query.planted[f] = settings_.foot_locks && next_.motion.plants.feet()[f].planted;
   }
   query.partner_speed = partner_speed();
   if (next_.current_pair >= 0)
@@ -144,7 +148,6 @@ std::optional<ShownPartner> FramePipeline::shown_partner(double dt_s) const {
 }
 
 /// Moves the partner on, by the selected pair.
-/// @return false when the mesh could not be edited
 bool FramePipeline::move(double dt_s) {
   const bool is_pinned = pinned_ && *pinned_ == next_.current_pair;
   MotionStep step{.library = *library_,
@@ -157,13 +160,18 @@ bool FramePipeline::move(double dt_s) {
                   .stands = is_pinned,
                   .lead_s = out_.intent.lead_s,
                   .shown = shown_partner(dt_s)};
+  if (!is_pinned) step.partner_place = out_.intent.partner_place;
   if (!out_.intent.model && !step.changes && next_.motion.playhead.pair >= 0)
     step.lead_s = seconds_to(*library_, expected_playhead(dt_s), step.chosen).value_or(0);
   PartnerMover mover(next_.motion, step);
-  const auto meshed = mesh_task(mover.move());
-  FootLocks none;
-  if (!editor_.edit(meshed, settings_, none).solved) return false;
-  partner_ = mover.adapt(editor_.result().bottomRows<joint_count>());
+  PairPose moved = mover.move();
+  const EditTask meshed = mesh_task(moved);
+  if (settings_.collisions && editor_.presses(meshed)) {
+    FootLocks none;
+    if (!editor_.edit(meshed, settings_, none).solved) return false;
+    moved = editor_.result();
+  }
+  partner_ = mover.adapt(moved.bottomRows<joint_count>());
   next_.motion.holds.list(partner_, out_.query_world, out_.query_root, out_.holds);
   return true;
 }

@@ -12,20 +12,23 @@ namespace abrazo {
 
 namespace {
 
-constexpr double due_s = 0.3;  ///< the hand sets out so long before a hold
-constexpr int due_looks = 6;   ///< into that time
-constexpr double ramp_s = 0.12;
+constexpr double due_s = 0.4;  ///< the hand sets out so long before a hold
+constexpr int due_looks = 8;   ///< into that time
+constexpr double ramp_s = 0.18;
 constexpr double ramp_speed = 4;  ///< of a hand on its way [m/s]
 constexpr double longest_ramp_s = 0.4;
 constexpr double reach_lost_m = 0.15;  ///< beyond the stretched arm
 constexpr double reach_found_m = 0.05;
-constexpr double lag_rate = 25;  ///< omega [1/s]
+// A hand at the shoulder: the arm points nowhere.
+constexpr double near_lost_m = 0.12, near_found_m = 0.16;
+constexpr double lag_rate = 30;      ///< omega [1/s]
+constexpr double rests_in_s = 0.15;  ///< a hand that is let go
 
 constexpr double full_arm = 0.995;
 constexpr double elbow_bias_m = 0.03;    ///< an elbow hangs: where a straight arm bends
 constexpr double side_relaxes_s = 0.12;  ///< of the elbow
 constexpr double fastest_side = 8;       ///< [rad/s]
-constexpr double least_share = 0.05;
+constexpr double least_share = 0.15;
 
 constexpr std::array<int, 2> hands = {joints::left_hand, joints::right_hand};
 
@@ -66,58 +69,81 @@ Vec3 across(const Vec3& v, const Vec3& along, const Vec3& otherwise) {
 
 }  // namespace
 
-void HandHolds::update(const MotionLibrary& library, const SourcePlayhead& playhead,
-                       const RecordedMoment& moment, bool source_changed, const Pose& user,
-                       const RootFrame& user_root, const Pose& partner, const Body& body, double elapsed_s) {
-  const Eigen::Matrix3d heading = user_root.rotation();
+bool HandHolds::holds(Pair& pair, const MotionLibrary& library, const SourcePlayhead& playhead,
+                      const RecordedMoment& moment, bool source_changed, int user_hand, int partner_hand) {
+  const double ends = pair.recorded && !source_changed ? hold_ends_m : hold_distance_m;
+  pair.recorded = hands_apart(moment.pair, user_hand, partner_hand) < ends ||
+                  is_due(library, playhead, user_hand, partner_hand);
+  return pair.recorded;
+}
+
+/// Beyond the stretched arm or at the shoulder, with hysteresis.
+bool HandHolds::is_out_of_reach(const Pair& pair, double from_shoulder_m, double arm_m) {
+  return from_shoulder_m > arm_m + (pair.out_of_reach ? reach_found_m : reach_lost_m) ||
+         from_shoulder_m < (pair.out_of_reach ? near_found_m : near_lost_m);
+}
+
+/// The recorded offset; what another source or a hand that was let go had differs, and fades.
+void HandHolds::follow(Pair& pair, const Vec3& offset, bool begins, double elapsed_s) {
+  if (begins) {
+    pair.lag = pair.ramp > 0 ? Vec3(pair.offset - offset) : Vec3::Zero();
+    pair.lag_speed.setZero();
+  } else {
+    const Vec3 slope = pair.lag_speed + lag_rate * pair.lag;
+    const double shrink = std::exp(-lag_rate * elapsed_s);
+    pair.lag = shrink * (pair.lag + elapsed_s * slope);
+    pair.lag_speed = shrink * (pair.lag_speed - lag_rate * elapsed_s * slope);
+  }
+  pair.offset = offset + pair.lag;
+}
+
+void HandHolds::update(const Surroundings& now, double elapsed_s) {
+  const Eigen::Matrix3d heading = now.user_root.rotation(), own = now.place.rotation();
+  const Vec3 stands(now.place.position.x(), 0, now.place.position.z());
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     Pair& pair = pairs_[p];
     const int user_hand = hands[p / 2], partner_hand = hands[p % 2];
-    const double apart = hands_apart(moment.pair, user_hand, partner_hand);
-    const bool was_wanted = pair.recorded;
-    const double ends = pair.recorded && !source_changed ? hold_ends_m : hold_distance_m;
-    pair.recorded = apart < ends || is_due(library, playhead, user_hand, partner_hand);
-    if (pair.recorded) {
-      const Vec3 offset =
-          (moment.pair.row(partner_hand + joint_count) - moment.pair.row(user_hand)).transpose();
-      if (!was_wanted || source_changed) {
-        pair.lag = pair.ramp > 0 ? Vec3(pair.offset - offset) : Vec3::Zero();
-        pair.lag_speed.setZero();
-      }
-      const Vec3 slope = pair.lag_speed + lag_rate * pair.lag;
-      const double shrink = std::exp(-lag_rate * elapsed_s);
-      if (!source_changed && was_wanted) {
-        pair.lag = shrink * (pair.lag + elapsed_s * slope);
-        pair.lag_speed = shrink * (pair.lag_speed - lag_rate * elapsed_s * slope);
-      }
-      pair.offset = offset + pair.lag;
+    const Vec3 at_user = now.user.row(user_hand);
+    const bool was_held = pair.recorded && !pair.out_of_reach;
+    const bool is_recorded =
+        holds(pair, now.library, now.playhead, now.moment, now.source_changed, user_hand, partner_hand);
+    const Vec3 offset =
+        (now.moment.pair.row(partner_hand + joint_count) - now.moment.pair.row(user_hand)).transpose();
+    const Vec3 shoulder = now.partner.row(partner_hand - 3);
+    pair.out_of_reach = is_out_of_reach(pair, (at_user + heading * offset - shoulder).norm(),
+                                        stretched_arm(now.body, partner_hand));
+    const bool is_held = is_recorded && !pair.out_of_reach;
+    if (is_held) {
+      follow(pair, offset, !was_held || now.source_changed, elapsed_s);
+      const Vec3 asked = own.transpose() * (at_user + heading * pair.offset - stands);
+      pair.asked_speed = was_held && elapsed_s > 0 ? Vec3((asked - pair.asked) / elapsed_s) : Vec3::Zero();
+      pair.asked = asked;
+    } else {
+      pair.asked += elapsed_s * pair.asked_speed;
+      pair.asked_speed *= std::exp(-elapsed_s / rests_in_s);
+      pair.offset = heading.transpose() * (stands + own * pair.asked - at_user);
     }
-    const Vec3 target = Vec3(user.row(user_hand)) + heading * pair.offset;
-    const double beyond =
-        (target - Vec3(partner.row(partner_hand - 3))).norm() - stretched_arm(body, partner_hand);
-    pair.out_of_reach = beyond > (pair.out_of_reach ? reach_found_m : reach_lost_m);
-    const double way = (target - Vec3(partner.row(partner_hand))).norm();
+    const double way = (at_user + heading * pair.offset - Vec3(now.partner.row(partner_hand))).norm();
     const double step = elapsed_s / std::clamp(ramp_s + way / ramp_speed, ramp_s, longest_ramp_s);
-    pair.ramp = std::clamp(pair.ramp + (pair.recorded && !pair.out_of_reach ? step : -step), 0.0, 1.0);
+    pair.ramp = std::clamp(pair.ramp + (is_held ? step : -step), 0.0, 1.0);
   }
 }
 
-void HandHolds::place_arms(Pose& partner, const Body& body, const RootFrame& place, const Pose& user,
-                           const RootFrame& user_root, double elapsed_s) {
-  const Eigen::Matrix3d heading = user_root.rotation();
+void HandHolds::place_arms(Pose& partner, const Surroundings& now, double elapsed_s) {
+  const Eigen::Matrix3d heading = now.user_root.rotation();
   for (std::size_t partner_side = 0; partner_side < hands.size(); ++partner_side) {
     Vec3 sum = Vec3::Zero();
     double weights = 0, most = 0;
     for (std::size_t user_side = 0; user_side < hands.size(); ++user_side) {
       const Pair& pair = pairs_[2 * user_side + partner_side];
       const double weight = smooth(pair.ramp);
-      sum += weight * (Vec3(user.row(hands[user_side])) + heading * pair.offset);
+      sum += weight * (Vec3(now.user.row(hands[user_side])) + heading * pair.offset);
       weights += weight;
       most = std::max(most, weight);
     }
     Arm& arm = arms_[partner_side];
     if (weights > 0)
-      reach_for(partner, body, place, hands[partner_side], sum / weights, most, arm, elapsed_s);
+      reach_for(partner, now.body, now.place, hands[partner_side], sum / weights, most, arm, elapsed_s);
     else
       arm.reaches = false;
   }

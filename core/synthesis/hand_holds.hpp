@@ -11,7 +11,7 @@ namespace abrazo {
 
 /// Hands that hold one another. A hold begins where hand ends of the recording come within `hold_distance_m`
 /// and ends where they are `hold_ends_m` apart; the partner's hand is on its way a moment before. It is let
-/// go when the user's hand is out of reach.
+/// go when the user's hand is out of reach or at the partner's shoulder.
 class HandHolds {
  public:
   struct Pair {
@@ -21,6 +21,10 @@ class HandHolds {
     Vec3 offset = Vec3::Zero();  ///< partner's hand from the user's, from the user's heading [m]
     Vec3 lag = Vec3::Zero();     ///< what is left in `offset` of a source before
     Vec3 lag_speed = Vec3::Zero();
+    /// Where the hand is asked to be, from the partner's place, and how fast it goes there: one that is let
+    /// go comes to rest beside the body and does not run after the user's hand.
+    Vec3 asked = Vec3::Zero();
+    Vec3 asked_speed = Vec3::Zero();
   };
   /// User's left with partner's left, left with right, right with left, right with right.
   using Pairs = std::array<Pair, 4>;
@@ -36,16 +40,23 @@ class HandHolds {
   HandHolds(const Pairs& pairs, const Arms& arms) : pairs_(pairs), arms_(arms) {}
 
   void reset() { *this = HandHolds(); }
-  /// @param user     whose hands are held, world;  @param partner  as it would be without holds
-  void update(const MotionLibrary& library, const SourcePlayhead& playhead, const RecordedMoment& moment,
-              bool source_changed, const Pose& user, const RootFrame& user_root, const Pose& partner,
-              const Body& body, double elapsed_s);
+  /// What decides about holds in one frame. World [m].
+  struct Surroundings {
+    const MotionLibrary& library;
+    const SourcePlayhead& playhead;
+    const RecordedMoment& moment;
+    bool source_changed = false;
+    const Pose& user;  ///< whose hands are held
+    const RootFrame& user_root;
+    const Pose& partner;  ///< as it would be without holds
+    const Body& body;     ///< of the partner
+    const RootFrame& place;
+  };
+  void update(const Surroundings& now, double elapsed_s);
 
   /// Brings the partner's arms to the hands that are held: direction and reach about the shoulder go over as
   /// the hold ramps up.
-  /// @param place  of the partner
-  void place_arms(Pose& partner, const Body& body, const RootFrame& place, const Pose& user,
-                  const RootFrame& user_root, double elapsed_s);
+  void place_arms(Pose& partner, const Surroundings& now, double elapsed_s);
 
   /// Those with any strength; one that ramps asks for little more than the arm reaches.
   /// @param partner  whose arms were placed
@@ -56,6 +67,10 @@ class HandHolds {
   const Arms& arms() const { return arms_; }
 
  private:
+  static bool holds(Pair& pair, const MotionLibrary& library, const SourcePlayhead& playhead,
+                    const RecordedMoment& moment, bool source_changed, int user_hand, int partner_hand);
+  static bool is_out_of_reach(const Pair& pair, double from_shoulder_m, double arm_m);
+  static void follow(Pair& pair, const Vec3& offset, bool begins, double elapsed_s);
   static void reach_for(Pose& pose, const Body& body, const RootFrame& place, int hand, const Vec3& target,
                         double share, Arm& arm, double elapsed_s);
 

@@ -40,7 +40,7 @@ PairEditor::Outcome PairEditor::edit(const EditTask& task, const Settings& setti
   steps_.clear();
   recorded_ = rigid_distances(task_.reference);
   laplacian_.build(task_.edges, task_.selected, settings.edge_weights);
-  contacts_.prepare(task_.selected, *task_.active_radii, *task_.passive_radii);
+  prepare_contacts(task_);
 
   // K and the constant part of R: the gradient of E_L + w_Delta E_V + E_C is K V - R.
   VertexMatrix energy = laplacian_.gram();
@@ -66,6 +66,16 @@ PairEditor::Outcome PairEditor::edit(const EditTask& task, const Settings& setti
     return {true, relaxation};
   }
   return {};
+}
+
+void PairEditor::prepare_contacts(const EditTask& task) {
+  contacts_.prepare(task.selected, *task.active_radii, *task.passive_radii, task.clearance_m);
+  if (task.sides) contacts_.keep_sides_of(*task.sides);
+}
+
+bool PairEditor::presses(const EditTask& task) {
+  prepare_contacts(task);
+  return contacts_.deepest_excess_m(task.reference) > 0;
 }
 
 /// Without the rows that it lets go, the same would be calculated again.
@@ -115,9 +125,10 @@ bool PairEditor::morph(const Settings& settings, const FootLocks& locks, Relaxat
   active_rows_.clear();
   rows_.clear();
   iterate_ = task_.reference;
-  for (int step = 1; step <= settings.morph_steps; ++step)
-    if (!solve_step(settings, locks, relaxation, static_cast<double>(step) / settings.morph_steps))
-      return false;
+  // A reference whose leader is the user has no way to go.
+  const int morph_steps = task_.reference.topRows<joint_count>() == task_.target ? 1 : settings.morph_steps;
+  for (int step = 1; step <= morph_steps; ++step)
+    if (!solve_step(settings, locks, relaxation, static_cast<double>(step) / morph_steps)) return false;
   for (int step = 0; step < settings.projection_steps; ++step)
     if (!solve_step(settings, locks, relaxation, 1.0)) return false;
   for (int step = 0;; ++step) {

@@ -27,9 +27,11 @@ struct EditTask {
   double floor_m = 0;                          ///< no foot joint goes below, unless the reference's does
   std::array<std::optional<Vec3>, 2> planted;  ///< the partner's toe bases, left and right: x and z are held
   std::span<const HandHold> holds;
-  double anchor_weight = 0;  ///< w_a: holds the partner to the reference
-  double hold_weight = 0;    ///< w_H
-  bool keeps_apart = true;   ///< capsules
+  double anchor_weight = 0;         ///< w_a: holds the partner to the reference
+  double hold_weight = 0;           ///< w_H
+  bool keeps_apart = true;          ///< capsules
+  double clearance_m = 0;           ///< so much further than the selected pair has them
+  const PairPose* sides = nullptr;  ///< on which a capsule is of another; null: as in the selected pair
   const CapsuleRadii* active_radii = nullptr;
   const CapsuleRadii* passive_radii = nullptr;
 };
@@ -51,6 +53,9 @@ class PairEditor {
   /// @param[in,out] locks  feet that had to be let go are forgotten
   Outcome edit(const EditTask& task, const Settings& settings, FootLocks& locks);
 
+  /// Whether capsules of the reference are nearer to one another than they may be.
+  bool presses(const EditTask& task);
+
   const PairPose& result() const { return steps_.back(); }
   const std::vector<PairPose>& steps() const { return steps_; }
   const Laplacian& laplacian() const { return laplacian_; }
@@ -60,6 +65,7 @@ class PairEditor {
   double drift(const FootLocks& locks, int bodies) const;
 
  private:
+  void prepare_contacts(const EditTask& task);
   bool lets_more_go(const Settings& settings, const FootLocks& locks, Relaxation tried,
                     Relaxation next) const;
   bool morph(const Settings& settings, const FootLocks& locks, Relaxation relaxation);

@@ -12,9 +12,12 @@ namespace {
 constexpr double slowest_rate = 0.7, fastest_rate = 1.5;
 constexpr double lead_closes_s = 0.33;  ///< a lead of the user is closed in about this
 constexpr double rate_lag_s = 0.15;
+constexpr double farthest_asked_m = 0.3;
 constexpr double adaptation_rate = 15;  ///< omega [1/s]
 constexpr double near_m = 0.05;         ///< joints nearer to one another than this weigh no more
 constexpr double looks_ahead_s = 0.5;
+constexpr double body_room_m = 0.4;  ///< between two roots
+constexpr double pushes_off = 3;     ///< times what is missing of it
 
 RootFrame on_floor(const RootFrame& root) {
   return {{root.position.x(), 0, root.position.z()}, root.heading_rad};
@@ -77,13 +80,14 @@ PairPose PartnerMover::move() {
     go_on();
   const RootFrame user_place = on_floor(step_.user_root);
   const Vec3 shift = shift_of_user(moment_, step_.user, step_.user_root);
+  const RootFrame relation = step_.partner_place.value_or(moment_.partner);
   RootFrame wanted;
-  wanted.position = user_place.position + user_place.rotation() * on_floor(moment_.partner).position + shift;
-  wanted.heading_rad = user_place.heading_rad + moment_.partner.heading_rad;
+  wanted.position = user_place.position + user_place.rotation() * on_floor(relation).position + shift;
+  wanted.heading_rad = user_place.heading_rad + relation.heading_rad;
   if (!is_placed_)
     motion_.place = PartnerPlace(wanted);
   else
-    motion_.place.approach(wanted, step_.elapsed_s, step_.settings.place_rate);
+    motion_.place.approach(away(wanted), step_.elapsed_s, step_.settings.place_rate);
   motion_.since_change_s = changed_ ? 0 : motion_.since_change_s + step_.elapsed_s;
   moved_ = placed_body(motion_.transition.shown(shape_in(moment_)), body_, motion_.place.at());
   PairPose pair;
@@ -91,9 +95,30 @@ PairPose PartnerMover::move() {
   return pair;
 }
 
+/// Not through the user: the wanted place is as far off as in the recording, or as bodies are.
+RootFrame PartnerMover::away(const RootFrame& wanted) {
+  RootFrame there = wanted;
+  const double room =
+      std::min(body_room_m, std::hypot(moment_.partner.position.x(), moment_.partner.position.z()));
+  Vec3 off = motion_.place.at().position - step_.user_root.position;
+  off.y() = 0;
+  const double far = off.norm();
+  if (far < 1e-3 || far >= room) return there;
+  there.position += pushes_off * (room - far) / far * off;
+  return there;
+}
+
 Pose PartnerMover::adapt(const Pose& edited) {
-  Pose pose = moved_ + motion_.adaptation.follow(edited - moved_, motion_.place.at(), motion_.transition,
-                                                 changed_, step_.elapsed_s, adaptation_rate);
+  // Bodies that are deep in one another can ask for metres.
+  Pose asked = edited - moved_;
+  const double farthest = asked.rowwise().norm().maxCoeff();
+  if (farthest > farthest_asked_m) asked *= farthest_asked_m / farthest;
+  const RootFrame place = motion_.place.at();
+  const Pose bent = moved_ + motion_.adaptation.follow(asked, place, motion_.transition, changed_,
+                                                       step_.elapsed_s, adaptation_rate);
+  // Offsets of joints stretch bones; what is left of them is turns.
+  const RootFrame root{bent.row(0), place.heading_rad};
+  Pose pose = placed_body(shape_of(to_normalized(bent, root), bent(0, 1)), body_, root);
   plant_feet(pose);
   hold_hands(pose);
   return pose;
@@ -219,9 +244,11 @@ void PartnerMover::plant_feet(Pose& pose) {
 
 void PartnerMover::hold_hands(Pose& pose) {
   if (step_.settings.hold_weight <= 0) return motion_.holds.reset();
-  motion_.holds.update(step_.library, motion_.playhead, moment_, changed_, step_.user, step_.user_root, pose,
-                       body_, step_.elapsed_s);
-  motion_.holds.place_arms(pose, body_, motion_.place.at(), step_.user, step_.user_root, step_.elapsed_s);
+  const Pose without = pose;
+  const HandHolds::Surroundings now{step_.library,   motion_.playhead, moment_, changed_,          step_.user,
+                                    step_.user_root, without,          body_,   motion_.place.at()};
+  motion_.holds.update(now, step_.elapsed_s);
+  motion_.holds.place_arms(pose, now, step_.elapsed_s);
 }
 
 }  // namespace abrazo

@@ -46,7 +46,9 @@ struct MotionStep {
   int chosen = -1;       ///< the pair that was selected
   bool changes = false;  ///< it does not go on with the source, but is another one
   bool stands = false;   ///< the source time is held
-  double lead_s = 0;     ///< by which the user is ahead of the source, see FrameIntent [source s]
+  /// Where the user wants the partner, seen from the user's root, in place of where the source has it.
+  std::optional<RootFrame> partner_place = std::nullopt;
+  double lead_s = 0;  ///< by which the user is ahead of the source, see FrameIntent [source s]
   std::optional<ShownPartner> shown;  ///< when there is no source yet, but a partner
 };
 
@@ -68,6 +70,7 @@ class PartnerMover {
   double leg_scale() const;
   BodyShape shape_in(const RecordedMoment& moment) const;
   RecordedMoment moment_at(const SourcePlayhead& playhead) const;
+  RootFrame away(const RootFrame& wanted);
   void begin();
   void begin_from(const ShownPartner& shown);
   void go_on();

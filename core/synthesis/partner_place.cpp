@@ -1,5 +1,6 @@
 #include "core/synthesis/partner_place.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/selection/source_playhead.hpp"
@@ -7,6 +8,10 @@
 namespace abrazo {
 
 namespace {
+
+// Beyond these the spring pulls no harder: a partner that is far off walks there, and does not fly.
+constexpr double farthest_pull_m = 0.24;
+constexpr double farthest_turn_rad = 1.0;
 
 /// x'' = -omega^2 x - 2 omega x', exactly.
 template <typename Value>
@@ -33,10 +38,15 @@ void PartnerPlace::keep_speed(const Vec3& lost_speed, double lost_turning) {
 
 void PartnerPlace::approach(const RootFrame& wanted, double elapsed_s, double rate) {
   Vec3 off = at_.position - wanted.position;
+  off.y() = 0;
+  if (off.norm() > farthest_pull_m) off *= farthest_pull_m / off.norm();
+  const Vec3 near = at_.position - off;
   relax_critically(off, speed_, elapsed_s, rate);
-  double turned_off = within_half_turn(at_.heading_rad - wanted.heading_rad);
+  double turned_off = std::clamp(within_half_turn(at_.heading_rad - wanted.heading_rad), -farthest_turn_rad,
+                                 farthest_turn_rad);
+  const double near_turn = at_.heading_rad - turned_off;
   relax_critically(turned_off, turning_, elapsed_s, rate);
-  at_ = {wanted.position + off, within_half_turn(wanted.heading_rad + turned_off)};
+  at_ = {near + off, within_half_turn(near_turn + turned_off)};
 }
 
 }  // namespace abrazo

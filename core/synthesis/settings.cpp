@@ -167,7 +167,7 @@ const std::vector<Entry>& entries() {
              "  continuous: the recording runs at the user's pace, the partner's place is a state with a "
              "speed, "
              "changes of source fade, feet stand where they landed, hands that hold stay together\n"
-             "Paper: frames."},
+             "Paper 3.4: frames."},
             &Settings::playback),
       entry(
           {"transition-time", "", "transition time", "Timing", "s", Kind::Real, 0.05, 1, false, "",

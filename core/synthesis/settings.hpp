@@ -42,7 +42,7 @@ struct Settings {
   int continuations = 0;  ///< next recorded frames of the current source that join the candidates
   // How the selected pair becomes motion. All but the first count with `continuous` alone.
   SourcePlayback playback = SourcePlayback::Frames;
-  double transition_time_s = 0.24;  ///< in which a small change of source fades
+  double transition_time_s = 0.28;  ///< in which a small change of source fades
   double place_rate = 7;            ///< omega of the spring that brings the partner to its place [1/s]
   double hold_weight = 0;           ///< w_H: of the energy that brings held hands together
 

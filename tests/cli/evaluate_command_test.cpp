@@ -49,7 +49,7 @@ TEST_F(EvaluateCommand, SettingsAreThoseOfEveryCommandThatSolves) {
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   const auto report = nlohmann::json::parse(outcome.out);
   EXPECT_EQ(report["settings"]["step-rate"], 30);
-  EXPECT_EQ(report["settings"]["alpha"], 0.1);
+  EXPECT_EQ(report["settings"]["alpha"], 0.2);
   EXPECT_EQ(report["step_rate_hz"], 30);
 }
 

@@ -45,7 +45,7 @@ TEST(SettingHelp, NamesRangeUnitAndDefaults) {
   EXPECT_EQ(value_range(*find_setting("foot-lock-speed")), "0 to 1 m/s");
   EXPECT_EQ(value_range(*find_setting("collisions")), "on, off");
   EXPECT_EQ(value_range(*find_setting("velocity-form")), "velocity, predicted");
-  EXPECT_EQ(preset_values(*find_setting("alpha")), "0.5 (paper), 0.1 (responsive)");
+  EXPECT_EQ(preset_values(*find_setting("alpha")), "0.5 (paper), 0.2 (responsive)");
   EXPECT_EQ(preset_values(*find_setting("neighbours")), "10");
 }
 

@@ -171,12 +171,12 @@ TEST(SettingsPanel, ArrowKeysStepAndAHeldKeyIsOneStepOfUndo) {
 
 TEST(SettingsPanel, AValueCanBeTypedWithOrWithoutItsUnit) {
   ShownPanel p;
-  QLineEdit& field = p.field("transition-time");
+  QLineEdit& field = p.field("foot-lock-speed");
   QTest::mouseClick(&field, Qt::LeftButton);
-  QTest::keyClicks(&field, "0.25 s");
+  QTest::keyClicks(&field, "0.25 m/s");
   QTest::keyClick(&field, Qt::Key_Return);
-  EXPECT_EQ(p.panel.settings().transition_time_s, 0.25);
-  EXPECT_EQ(field.text(), "0.25 s");
+  EXPECT_EQ(p.panel.settings().foot_lock_speed, 0.25);
+  EXPECT_EQ(field.text(), "0.25 m/s");
 }
 
 TEST(SettingsPanel, SwitchesAndListsWorkByKeyAndAreSteps) {

@@ -21,7 +21,7 @@ TEST(SweepGrid, PointsRunAlongTheColumnsFirst) {
   EXPECT_EQ(grid.points(), 6);
   EXPECT_EQ(grid.place_of(4), std::pair(1, 1));
   EXPECT_EQ(grid.point_at(1, 1), 4);
-  EXPECT_EQ(grid.place_text(4), "\u03b1 0.5, transition half-life 0.1 s");
+  EXPECT_EQ(grid.place_text(4), "\u03b1 0.5, transition time 0.3 s");
 }
 
 TEST(SweepGrid, TheBestIsByTheGoalAndTheFirstOfEquals) {
@@ -48,7 +48,7 @@ TEST(SweepGrid, CellsWithoutAValueAreNeitherBestNorInTheRange) {
   EXPECT_EQ(grid.value_text(1), "failed: take one: no step could be solved");
   EXPECT_EQ(grid.value_text(2), "0.25 m");
   EXPECT_EQ(grid.value_text(3), "not evaluated yet");
-  EXPECT_EQ(grid.best_text(), "Best so far (lowest): \u03b1 1, transition half-life 0 s: 0.25 m.");
+  EXPECT_EQ(grid.best_text(), "Best so far (lowest): \u03b1 1, transition time 0.2 s: 0.25 m.");
 }
 
 TEST(SweepGrid, ArrowKeysStayWithinTheGrid) {

@@ -225,7 +225,8 @@ Session run(PartnerSynthesizer& synthesizer, const std::vector<Step>& steps) {
     holds_together(frame, *library, last_good ? &*last_good : nullptr);
     const Settings& settings = synthesizer.settings();
     const bool filters = settings.selection == SelectionMethod::Filter;
-    const int most = settings.neighbours + (filters ? 1 : settings.continuations) + 1;
+    const bool goes_on = filters || settings.playback == SourcePlayback::Continuous;
+    const int most = settings.neighbours + std::max(goes_on ? 1 : 0, filters ? 0 : settings.continuations) + 1;
     RC_ASSERT(static_cast<int>(frame.candidates.size()) <= std::min(most, library->pair_count()));
     if (frame.status != StepStatus::Failed) last_good = frame.result, ++session.solved;
     session.results.push_back(frame.result);
