@@ -191,7 +191,7 @@ void run_info(CommandLine& line, const LibraryInfoArguments& arguments) {
 
 void add_library_info(CLI::App& library, CommandLine& line) {
   auto arguments = std::make_shared<LibraryInfoArguments>();
-  CLI::App* command = library.add_subcommand("info", "say what a motion library holds");
+  CLI::App* command = library.add_subcommand("info", "show the contents of a motion library");
   command->add_option("LIB", arguments->library, "library file")->required()->type_name("");
   command->add_flag("--json", arguments->json, "one JSON object on stdout");
   command->callback([&line, arguments] { run_info(line, *arguments); });

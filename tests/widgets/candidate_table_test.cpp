@@ -271,7 +271,7 @@ TEST(CandidateTable, PinsAndVetoesTheChosenRowAndOneClickLiftsIt) {
   EXPECT_EQ(t.asked, (std::vector<QString>{"use salsa_02 0", "veto take salsa_02"}));
   const auto& buttons = t.table.findChild<DecisionBar*>()->buttons();
   ASSERT_EQ(buttons.size(), 1U);
-  EXPECT_EQ(buttons[0]->accessibleName(), QString("Lift the veto: take salsa_02"));
+  EXPECT_EQ(buttons[0]->accessibleName(), QString("Remove the veto: take salsa_02"));
   QTest::keyClick(buttons[0], Qt::Key_Return);
   EXPECT_TRUE(t.table.steering().empty());
 }

@@ -35,7 +35,7 @@ const std::vector<TreeRow>& part_rows() {
       {"Leader", 1, {P::Leader}, "The active character", -1, 0},
       {"Follower", 1, {P::Follower}, "The passive character", -1, 1},
       {"Selected pair", 0, {P::SelectedPair}, "The recorded pair that was selected, where the user is"},
-      {"Interaction mesh", 0, {P::MeshBetween, P::MeshWithin}, "What ties nearby joints together"},
+      {"Interaction mesh", 0, {P::MeshBetween, P::MeshWithin}, "Edges that connect nearby joints"},
       {"between bodies", 1, {P::MeshBetween}, "Edges of the interaction mesh from one body to the other"},
       {"within bodies", 1, {P::MeshWithin}, "Edges of the interaction mesh within a body"},
       {"tetrahedra",

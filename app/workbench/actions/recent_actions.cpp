@@ -23,7 +23,7 @@ void fill(MainWindow& window, QMenu& menu) {
   }
   if (entries.isEmpty()) menu.addAction("Nothing was opened yet")->setEnabled(false);
   menu.addSeparator();
-  menu.addAction("Take missing files off the list", &window, [&window] { remove_missing_recent(window); })
+  menu.addAction("Remove missing files from the list", &window, [&window] { remove_missing_recent(window); })
       ->setEnabled(
           std::ranges::any_of(entries, [](const auto& entry) { return !missing_of(entry).isEmpty(); }));
   menu.addAction("Clear the list", &window, [&window] { window.remembered().setRecent({}); })

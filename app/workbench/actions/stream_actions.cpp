@@ -107,7 +107,7 @@ void add_stream_actions(MainWindow& window) {
   menu->addSeparator();
   add_sinks(window, menu, *desk, *panel);
   menu->addSeparator();
-  add_action(window, menu, "Freeze what comes in", {QKeySequence("Ctrl+Space")},
+  add_action(window, menu, "Freeze the input", {QKeySequence("Ctrl+Space")},
              [&window, desk] { freeze(window, *desk); });
 }
 
