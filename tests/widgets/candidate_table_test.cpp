@@ -167,7 +167,7 @@ TEST(CandidateTable, SpeaksTheTermsOfTheMethodThatDecidedTheShownFrame) {
   Table t;
   auto* header = t.table.findChild<CandidateHeader*>();
   t.table.showFrame(filtered_frame(1, 0.03));
-  EXPECT_EQ(t.table.reason(), QString("Goes on: #2 is 0.020 m better, less than the margin"));
+  EXPECT_EQ(t.table.reason(), QString("Continues: #2 is 0.020 m better, less than the margin"));
   EXPECT_TRUE(header->area(CandidateColumn::Pose).isEmpty());
   EXPECT_FALSE(header->area(CandidateColumn::Partner).isEmpty());
   QTest::keyClick(t.list, Qt::Key_Down);

@@ -238,7 +238,7 @@ QString CandidateList::tip(const CandidateRow& row) const {
                     .arg(row.frame)
                     .arg(row.swapped ? " (roles swapped)" : "")
                     .arg(row.label.empty() ? "no label" : text(row.label).toHtmlEscaped())
-                    .arg(row.goes_on ? " · goes on with the source" : "")
+                    .arg(row.goes_on ? " · continues the source" : "")
                     .arg(row.pinned ? " · pinned" : "")
                     .arg(row.vetoed       ? " · vetoed"
                          : !row.not_meant ? ""

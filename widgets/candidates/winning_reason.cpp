@@ -46,13 +46,13 @@ std::string paper_reason(const CandidateRow& winner, const CandidateRow& second)
 std::string going_on(const CandidateRow& winner, const CandidateRow& second) {
   const double behind = (winner.total - value_of(winner, CostTerm::Change)) -
                         (second.total - value_of(second, CostTerm::Change));
-  if (behind >= least_shown) return "Goes on: #2 is " + figure(behind) + " m better, less than the margin";
-  if (behind > -least_shown) return "Goes on: #2 is as good, but would be a change";
-  return "Goes on, " + figure(-behind) + " m better than #2" + because(largest_gain(winner, second));
+  if (behind >= least_shown) return "Continues: #2 is " + figure(behind) + " m better, less than the margin";
+  if (behind > -least_shown) return "Continues: #2 is as good, but would be a change";
+  return "Continues, " + figure(-behind) + " m better than #2" + because(largest_gain(winner, second));
 }
 
 std::string change(const CandidateRow& winner, const CandidateRow& going_on) {
-  if (going_on.is_out()) return "Change: going on is vetoed";
+  if (going_on.is_out()) return "Change: continuing is vetoed";
   const Gain gain = largest_gain(winner, going_on);
   if (gain.term && gain.term->term == CostTerm::Partner)
     return "Change: partner expected " + figure(gain.value) + " m nearer than going on";

@@ -206,7 +206,7 @@ const std::array<SeriesInfo, series_count>& all_series() {
       {EdgeWeight, "selected.edge_weight", "Weight of the selected edge", "weight of the selected edge",
        "weight", "1", 3, "mean share in the Laplacian coordinates of its ends"},
       {CellRatio, "selected.cell_ratio", "Selected tetrahedron", "volume ratio of the selected tetrahedron",
-       "ratio", "1", 2, "volume in the result over that in the selected pair; below 0 turned over"},
+       "ratio", "1", 2, "volume in the result over that in the selected pair; below 0 inverted"},
   }};
   return infos;
 }

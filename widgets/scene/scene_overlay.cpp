@@ -51,7 +51,7 @@ ScalarChips::ScalarChips(QWidget* parent) : QWidget(parent) {
   m_cells = overlay_chip(
       "Volume ratio",
       "Tetrahedra of the mesh, coloured by their volume in the result over that in the selected pair; "
-      "magenta with a rim: turned over",
+      "magenta with a rim: inverted",
       this);
   row->addWidget(m_cells);
   connect(m_cells, &QToolButton::clicked, this, &ScalarChips::cellsChosen);

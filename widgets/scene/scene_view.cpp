@@ -223,7 +223,7 @@ void SceneView::updateFacts() {
       second += " · " + QString::fromUtf8(label.data(), static_cast<int>(label.size())).replace('_', ' ');
   }
   if (const int inverted = p.actors.mesh().invertedCount(); inverted > 0)
-    first += QString(" · %1 of %2 tetrahedra turned over").arg(inverted).arg(result.tetrahedra.size());
+    first += QString(" · %1 of %2 tetrahedra inverted").arg(inverted).arg(result.tetrahedra.size());
   p.facts->show(first, second,
                 result.status == StepStatus::Ok ? QString() : QString::fromStdString(result.status_text()));
 }

@@ -16,8 +16,8 @@ void fill(MainWindow& window, QMenu& menu) {
   const QStringList entries = window.remembered().recent();
   for (const RecentEntry& entry : entries) {
     const bool is_missing = !missing_of(entry).isEmpty();
-    QAction* action = menu.addAction(label_of(entry, entries).replace('&', "&&") +
-                                     (is_missing ? "  (not there any more)" : ""));
+    QAction* action =
+        menu.addAction(label_of(entry, entries).replace('&', "&&") + (is_missing ? "  (missing)" : ""));
     action->setToolTip(widgets::plain_tip(files_of(entry).join("\n")));
     QObject::connect(action, &QAction::triggered, &window, [&window, entry] { open_recent(window, entry); });
   }
@@ -36,7 +36,7 @@ void open_recent(MainWindow& window, const QString& entry) {
   const QStringList missing = missing_of(entry);
   if (missing.isEmpty()) return window.openFiles(files_of(entry));
   window.messages().showError(missing.join(", ") +
-                              ": not there any more; open it from where it is now (File > Open), or take it "
+                              ": no longer exists; open it from where it is now (File > Open), or take it "
                               "off the list (File > Open recent)");
 }
 
