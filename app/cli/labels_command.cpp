@@ -22,7 +22,7 @@ namespace abrazo::app {
 
 namespace {
 
-/// What the subcommands of `labels` are told.
+/// Options of the subcommands of `labels`.
 struct LabelWords {
   std::string file, output, vocabulary;
   TierReading reading;

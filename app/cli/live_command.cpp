@@ -172,7 +172,7 @@ void note_diagnoses(CommandLine& line, const StreamHealth& health, std::vector<L
   }
 }
 
-/// Till it was long enough, the clip is over or someone interrupts. @return the diagnoses that there were
+/// Until it was long enough, the clip is over or someone interrupts. @return the diagnoses that there were
 std::vector<LiveEnd::Diagnosis> run(CommandLine& line, const LiveOptions& options, SessionEngine& engine,
                                     const ClipSource* clip, const LiveReport& live) {
   const SessionClock& clock = engine.clock();

@@ -21,7 +21,7 @@ namespace abrazo::app {
 
 namespace {
 
-/// What `motion info`, `motion positions` and `motion convert` are told.
+/// Options of `motion info`, `motion positions` and `motion convert`.
 struct MotionWords {
   MotionReading reading;
   std::string output, units, up;

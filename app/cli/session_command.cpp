@@ -22,7 +22,7 @@ struct SessionInfoArguments {
   bool json = false;
 };
 
-/// All that is told of a session file.
+/// Everything that is reported about a session file.
 struct About {
   std::shared_ptr<const SessionFile> file;
   ProjectReading reading;

@@ -46,7 +46,7 @@ std::string head_of(const std::string& file) {
   return head;
 }
 
-/// What an unknown file is, as far as that can be told, and what to do.
+/// What an unknown file is, as far as that is known, and what to do.
 Error unknown_file(const std::string& file) {
   const std::string foreign = foreign_kind(head_of(file), file);
   if (!foreign.empty()) return Error{foreign, file};

@@ -37,8 +37,8 @@ class ProjectDesk : public QObject {
   /// Into the session's file, or one that is asked for.
   void save();
   void askSaveAs();
-  /// All that was recorded goes along. While a take is recorded it is a copy, and the session stays where it
-  /// is.
+  /// It includes everything that was recorded. While a take is recorded it is a copy, and the session stays
+  /// where it is.
   void saveAs(const QString& file);
   bool isSaving() const { return m_job != nullptr; }
 

@@ -42,7 +42,7 @@ FrameSpan frames_of(const Annotation& annotation, double fps, int frames) {
   return {frame(annotation.start_s), frame(annotation.end_s)};
 }
 
-// ---- pairs of one take anew ----
+// ---- new pairs of one take ----
 
 template <typename Interval>
 const Interval* holding(const std::vector<Interval>& intervals, int frame) {

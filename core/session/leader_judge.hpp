@@ -40,7 +40,7 @@ class LeaderJudge {
 
   explicit LeaderJudge(std::shared_ptr<const RoleViews> views);
 
-  /// The user's next pose. A jump back in time or a gap starts anew.
+  /// The user's next pose. A jump back in time or a gap starts again.
   void see(const Pose& user, const Body& user_body, double time_s);
   const RoleFit& fit() const { return fit_; }
 

@@ -44,7 +44,7 @@ class PartnerOutput {
   struct Attached {
     Character character;
     std::shared_ptr<PoseSink> sink;
-    std::shared_ptr<const MotionLibrary> library = nullptr;  ///< whose bones it was told, in which role
+    std::shared_ptr<const MotionLibrary> library = nullptr;  ///< whose bones it was given, in which role
     UserRole user_role = UserRole::Active;
   };
   std::vector<Attached> sinks_;

@@ -14,7 +14,7 @@ namespace abrazo {
 /// Whether the library says enough for something other than the hand to decide.
 Status check_role_control(const RoleViews& views, RoleControl by);
 
-/// What a RoleSwitch is told after each step.
+/// What a RoleSwitch is given after each step.
 struct RoleEvidence {
   const FrameResult& result;
   const Pose& user;                      ///< as it came

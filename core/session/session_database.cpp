@@ -69,7 +69,7 @@ struct SessionDatabase::Handle {
   sqlite3* database = nullptr;
   bool is_salvage = false;
   ~Handle() {
-    // Statements hold a database till they are gone themselves.
+    // Statements hold a database until they are gone themselves.
     sqlite3_close_v2(database);
   }
 };

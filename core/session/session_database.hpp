@@ -33,7 +33,7 @@ class SessionStatement {
   SessionStatement& bind(int parameter, bool value) { return bind(parameter, std::int64_t{value}); }
   SessionStatement& bind(int parameter, std::string_view text);
   SessionStatement& bind(int parameter, const char* text) { return bind(parameter, std::string_view(text)); }
-  /// The bytes must stay till the next `reset` or `run`.
+  /// The bytes must stay until the next `reset` or `run`.
   SessionStatement& bind(int parameter, std::span<const std::uint8_t> blob);
   SessionStatement& bind_null(int parameter);
 
@@ -49,7 +49,7 @@ class SessionStatement {
   double real(int column) const;
   std::int64_t integer(int column) const;
   std::string text(int column) const;
-  /// Till the next step or reset.
+  /// Until the next step or reset.
   std::span<const std::uint8_t> blob(int column) const;
 
  private:

@@ -36,7 +36,7 @@ class PoseSource {
   virtual ~PoseSource() = default;
   /// The newest pose if there is one that was not given out yet.
   virtual std::optional<SourcePose> poll(double now_s) = 0;
-  /// Session time at which the next pose is due; lets the solver thread sleep till then.
+  /// Session time at which the next pose is due; lets the solver thread sleep until then.
   virtual double next_due_s() const = 0;
   virtual double rate_hz() const = 0;
   /// Poses beyond this rate are left out (and count as dropped).

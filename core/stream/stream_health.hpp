@@ -22,7 +22,7 @@ struct PerformerHealth {
   std::uint64_t held_joints = 0;    ///< joints kept from the frame before since they were not tracked
   std::uint64_t interruptions = 0;  ///< times that tracking was lost and came back
   std::uint64_t clock_jumps = 0;
-  std::uint64_t restarts = 0;  ///< of the sender: its counter or time began anew
+  std::uint64_t restarts = 0;  ///< of the sender: its counter or time restarted
   std::uint64_t unusable = 0;  ///< frames that gave no pose: too many joints were not tracked, or unknown
   std::uint64_t dropped = 0;   ///< poses that a newer one replaced before the solver took them
   bool tracked = false;        ///< now

@@ -200,7 +200,7 @@ Status UdpSocket::send_through(std::uint32_t interface_address) {
 }
 
 void UdpSocket::hear_refusals_of(const Endpoint& peer) {
-  // Without it sending works as well, but a refusal is not heard of (broadcast, multicast).
+  // Without it sending works as well, but a refusal is not reported (broadcast, multicast).
   sockaddr_in address = to_system(peer);
   [[maybe_unused]] const int connected = ::connect(descriptor_, generic(address), sizeof address);
 }

@@ -30,7 +30,7 @@ class TakeList : public QWidget {
   Q_OBJECT
  public:
   explicit TakeList(QWidget* parent = nullptr);
-  /// Also starts counting anew what a session uses.
+  /// Also starts counting again what a session uses.
   void setLibrary(std::shared_ptr<const MotionLibrary> library);
   void setColours(const Palette& palette);
   QSize sizeHint() const override { return {262, 320}; }

@@ -76,7 +76,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_parts(std::make_uniqu
   wireOverlay();
   wirePointer();
   connect(p.surface, &QOpenGLWidget::frameSwapped, this, [this] {
-    if (!m_parts->on_the_way) return;  // the window was put together anew without a new picture of the scene
+    if (!m_parts->on_the_way) return;  // the window was put together again without a new picture of the scene
     m_parts->on_the_way = false;
     ++m_parts->rendered;
     const double took_ms = static_cast<double>(m_parts->since_render.nsecsElapsed()) * 1e-6;

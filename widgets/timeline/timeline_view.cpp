@@ -88,7 +88,7 @@ void TimelineView::setLibrary(std::shared_ptr<const MotionLibrary> library) {
 
 void TimelineView::extendLibrary(std::shared_ptr<const MotionLibrary> library) {
   m_content.library = std::move(library);
-  // Labels, roles and the numbers of pairs may be others now: all frames are taken anew.
+  // Labels, roles and the numbers of pairs may be others now: all frames are taken again.
   m_content.tracks.clear();
   m_content.settings = {};
   m_nextIndex = 0;

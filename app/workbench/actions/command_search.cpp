@@ -34,7 +34,7 @@ void fill(const MainWindow& window, QStandardItemModel& model) {
   }
 }
 
-/// The list is made anew whenever the field gets the keyboard: actions come, go and change their words.
+/// The list is rebuilt whenever the field gets the keyboard: actions come, go and change their words.
 class FillOnFocus : public QObject {
  public:
   FillOnFocus(const MainWindow& window, QLineEdit* field, QStandardItemModel* model)

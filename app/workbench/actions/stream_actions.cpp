@@ -21,7 +21,7 @@ void show_panel(MainWindow& window) {
   if (QDockWidget* dock = window.panels().panel("connection")) dock->raise();
 }
 
-/// The entries of a menu that lists URIs, made anew whenever it opens.
+/// The entries of a menu that lists URIs, rebuilt whenever it opens.
 void list_uris(QMenu& menu, const QStringList& uris, const QString& none,
                const std::function<void(const QString&)>& chosen) {
   menu.clear();
