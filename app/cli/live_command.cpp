@@ -227,14 +227,14 @@ Status end_session(CommandLine& line, SessionEngine& engine, const std::shared_p
   return written;
 }
 
-/// Why nobody moved.
+/// Why there is no pose.
 Error no_pose(const LiveEnd& end, const StreamUri& uri) {
   if (end.stream && !end.stream->diagnoses.empty()) return {end.stream->diagnoses.front().text, uri.text};
   if (!end.diagnoses.empty()) return {end.diagnoses.back().newest.text, uri.text};
   return {"no pose came in", uri.text};
 }
 
-/// A session would select by Eq. 7 until the library is learned; nobody waits yet, so it is done before.
+/// A session would select by Eq. 7 until the library is learned; so it is done before the session starts.
 Status learn(CommandLine& line, const PartnerSynthesizer& synthesizer, const Settings& settings) {
   if (settings.selection != SelectionMethod::Filter) return Done{};
   show_state(line, "learning the library");

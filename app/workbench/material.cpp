@@ -35,7 +35,7 @@ Kind kind_of_json(const std::string& file) {
   return names_joints ? Kind::JointMap : Kind::Manifest;
 }
 
-/// The first lines of a file; empty when it cannot be read, as a pipe that nobody writes to.
+/// The first lines of a file; empty when it cannot be read, such as a pipe without a writer.
 std::string head_of(const std::string& file) {
   std::error_code failure;
   if (!std::filesystem::is_regular_file(file, failure)) return {};

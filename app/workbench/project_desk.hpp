@@ -25,7 +25,7 @@ class ProjectDesk : public QObject {
   /// A person is there: is asked before changes are lost and where missing files are, and what was not saved
   /// is kept against a crash. Otherwise nothing of it happens.
   void setAsks(bool on);
-  /// Before an end that nobody can be asked about: what was not saved is offered at the next start.
+  /// Before an end without a dialog: what was not saved is offered at the next start.
   void leaveChanges();
 
   /// Empty while the session has none.

@@ -188,7 +188,7 @@ void ShortcutDialog::showChosen() {
   judge();
 }
 
-/// Says at once who has the key that was pressed, and where.
+/// Says immediately which action has the key that was pressed, and where.
 void ShortcutDialog::judge() {
   const Shortcut* shortcut = m_shortcuts.table().find(chosen());
   m_add->setText("Add");

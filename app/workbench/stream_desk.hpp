@@ -51,9 +51,9 @@ class StreamDesk : public QObject {
 
   void setUser(const QString& performer);
   void setSecond(const QString& performer);
-  /// Who plays the user; empty while nobody was seen.
+  /// Who plays the user; empty until a performer was seen.
   QString user() const;
-  /// The other of a pair that is recorded; empty when nobody was chosen.
+  /// The other of a pair that is recorded; empty if none was chosen.
   const QString& second() const { return m_second; }
 
   /// Starts one, or ends the one that goes on.

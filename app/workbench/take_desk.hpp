@@ -28,7 +28,7 @@ class TakeDesk : public QObject {
 
   /// Starts a take, gives up its countdown, or ends it.
   void toggle();
-  /// The same name with its number up, at once.
+  /// Starts the next take of the same name.
   void again();
   bool isRecording() const { return m_sequence.phase == widgets::TakeSequence::Phase::Recording; }
 

@@ -215,7 +215,7 @@ Result<TakeAnnotation> take_annotation(const Annotations& annotations, double fp
   if (const AnnotationTier* moves = annotations.first_of(TierKind::Move))
     for (const Annotation& annotation : moves->annotations) {
       const FrameSpan span = frames_of(annotation, fps, frames);
-      // A move that nobody has named yet is none.
+      // A move without a value does not count.
       if (span.end > span.start && !annotation.value.empty())
         taken.labels.push_back(
             {span.start, span.end, annotation.value, annotation.detail, annotation.confidence});

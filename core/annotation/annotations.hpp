@@ -12,7 +12,7 @@
 
 namespace abrazo {
 
-/// An interval that somebody drew, wrote or accepted. Start inclusive, end exclusive, seconds of its subject:
+/// An interval that was drawn, typed or accepted. Start inclusive, end exclusive, seconds of its subject:
 /// of a session its file's time, of a take frame / fps.
 struct Annotation {
   int id = 0;  ///< of its Annotations, never used twice in them

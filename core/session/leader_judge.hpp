@@ -53,7 +53,7 @@ class LeaderJudge {
   /// All that is kept for one of the two roles.
   struct Side {
     RoleViews::View view;
-    std::vector<bool> left_out;  ///< pairs for which nobody knows who led, or where it was the other
+    std::vector<bool> left_out;  ///< pairs for which it is unknown who led, or where it was the other
     std::optional<BodyRetargeter> retargeter;
     std::deque<Seen> seen;
     std::vector<PoseMatch> matches;

@@ -46,8 +46,8 @@ struct RecorderOptions {
 
 /// Writes a running session into a session file, on a thread of its own: everything that was received, the
 /// settings and decisions, every result. Not yet on disk is at most what came in the last
-/// `commit_interval_s`, and the write in progress. Everything but `finish` and `flush` returns at once and
-/// may be called from any thread.
+/// `commit_interval_s`, and the write in progress. Everything but `finish` and `flush` returns immediately
+/// and may be called from any thread.
 class Recorder : public FrameListener {
  public:
   /// Creates the file, or goes on in one that a recorder wrote: then its times and frame indices follow

@@ -13,7 +13,7 @@
 
 namespace abrazo {
 
-/// Kinds of errors that somebody goes on from.
+/// Kinds of errors that callers handle.
 enum class DatabaseFault { Other, Full, Busy, Damaged, NotADatabase, CannotWrite };
 
 /// A prepared statement. Parameters and columns count from 0. Used by one thread at a time, and not longer
@@ -89,7 +89,7 @@ class SessionDatabase {
   std::int64_t last_row_id() const;
   /// How long to wait for another writer [ms].
   void set_patience(int milliseconds);
-  /// Whether somebody else holds the file for writing.
+  /// Whether another program holds the file for writing.
   bool is_held_elsewhere();
   /// Everything that was committed into a file of its own, which appears whole or not at all.
   Status copy_to(const std::string& path);

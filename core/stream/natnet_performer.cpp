@@ -163,7 +163,7 @@ std::optional<char> NatNetPerformer::up_of_spine() const {
   return rest.norm() > 0.1 ? clear_axis(rest) : std::nullopt;
 }
 
-/// Of somebody who stands.
+/// Of a standing person.
 std::optional<char> NatNetPerformer::up_of_pose() const {
   if (head_ < 0) return std::nullopt;
   const Sample& head = samples_[static_cast<std::size_t>(head_)];

@@ -45,7 +45,7 @@ class PoseSource {
   virtual std::optional<Body> body() const { return std::nullopt; }
   /// Null for a device.
   virtual ReplayControl* replay() { return nullptr; }
-  /// Called from another thread whenever a pose came in, so that nobody need poll in between.
+  /// Called from another thread whenever a pose came in, so that no polling is needed.
   virtual void on_arrival(std::function<void()> called) { static_cast<void>(std::move(called)); }
 };
 

@@ -59,7 +59,7 @@ struct StreamHealth {
   std::string listening;  ///< "0.0.0.0:39539"
   double taken_s = 0;     ///< session clock, of this value
   std::uint64_t packets = 0, bytes = 0, packets_with_issues = 0;
-  std::uint64_t overflowed = 0;  ///< packets that the kernel dropped because nobody took them in time
+  std::uint64_t overflowed = 0;  ///< packets that the kernel dropped because they were not read in time
   double last_packet_s = -1;
   std::array<std::uint8_t, 16> first_bytes{};  ///< of the newest packet that was not understood
   std::vector<std::string> senders;

@@ -58,7 +58,7 @@ bool bind_to(int descriptor, const Endpoint& local) {
   return ::bind(descriptor, generic(address), sizeof address) == 0;
 }
 
-/// The next higher port that nobody has; nothing when all those tried are taken.
+/// The next higher free port; nothing when all those tried are taken.
 std::optional<std::uint16_t> free_port_after(Endpoint local) {
   for (int i = 0; i < ports_to_try && local.port < 65535; ++i) {
     ++local.port;

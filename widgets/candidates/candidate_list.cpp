@@ -43,7 +43,7 @@ void CandidateList::setRows(std::vector<CandidateRow> rows, CandidateColumn figu
   if (wanted != minimumHeight()) setFixedHeight(wanted);
   double largest = 0;
   for (const CandidateRow& row : m_rows) largest = std::max(largest, row.total);
-  // Grows at once and shrinks slowly: bars that rescale with every frame cannot be read.
+  // Grows immediately and shrinks slowly: bars that rescale with every frame cannot be read.
   m_fullBar = other_unit || largest > m_fullBar ? largest : std::max(largest, 0.88 * m_fullBar);
   if (m_hovered >= static_cast<int>(m_rows.size())) m_hovered = -1;
   if (m_currentPair >= 0) {

@@ -45,7 +45,7 @@ class TakeList : public QWidget {
   /// The take the shown frame comes from; -1 for none.
   void setCurrentTake(int take) { setSource(take, 0); }
   void setSource(int take, int frame);
-  /// A take that somebody asked for; -1 for none.
+  /// A requested take; -1 for none.
   void setSelectedTake(int take);
   /// Selects a take and puts the mark at a frame.
   void showPlace(int take, int frame);

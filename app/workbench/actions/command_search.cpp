@@ -54,7 +54,7 @@ class FillOnFocus : public QObject {
   QStandardItemModel* m_model;
 };
 
-/// Escape leaves the search at once, with or without its list open.
+/// Escape leaves the search immediately, with or without its list open.
 class LeaveOnEscape : public QObject {
  public:
   LeaveOnEscape(QLineEdit* field, QWidget* list) : QObject(field), m_field(field), m_list(list) {
