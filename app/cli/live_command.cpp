@@ -297,7 +297,8 @@ void add_options(CLI::App& live, LiveOptions& options) {
       ->type_name("LIB");
   list("--listen", options.listen,
        "where the user's poses come from: vmc://HOST:PORT, natnet://HOST[:PORT][?multicast=GROUP], "
-       "xsens://HOST:PORT, clip:FILE; without HOST only packets of this machine are taken (127.0.0.1), with "
+       "xsens://HOST:PORT, clip:FILE; without HOST only packets of this machine are accepted (127.0.0.1), "
+       "with "
        "HOST 0.0.0.0 "
        "every network")
       ->required()

@@ -131,7 +131,8 @@ void add_send_command(CommandLine& line) {
                    "xsens://HOST:PORT")
       ->required()
       ->type_name("URI");
-  send->add_option("--rate", options->rate_hz, "poses a second; between the clip's frames bones are turned")
+  send->add_option("--rate", options->rate_hz,
+                   "poses per second; rotations are interpolated between the frames of the clip")
       ->check(above_zero)
       ->type_name("HZ");
   send->add_option("--seconds", options->seconds, "end after this time")->check(above_zero)->type_name("N");

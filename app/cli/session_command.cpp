@@ -197,7 +197,7 @@ void add_session_command(CommandLine& line) {
   CLI::App* session = line.app.add_subcommand("session", "show session files, and migrate old ones");
   session->require_subcommand(1);
   CLI::App* info = session->add_subcommand(
-      "info", "version, recordings, takes, annotations, and the files it stands on with where they are");
+      "info", "version, recordings, takes, annotations, and the referenced files with their paths");
   const auto arguments = std::make_shared<SessionInfoArguments>();
   info->add_option("session", arguments->session, "session file")->required()->type_name("S.abrazo");
   info->add_flag("--json", arguments->json, "as one JSON object on stdout");

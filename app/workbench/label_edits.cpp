@@ -90,7 +90,7 @@ void LabelEdits::askValue(int tier, double from_s, double to_s) {
 QString LabelEdits::take(int tier, double from_s, double to_s, const QString& value) {
   const AnnotationTier* of = m_desk.annotations().tier(tier);
   if (!of) return "The tier no longer exists";
-  if (value.isEmpty() && of->kind != TierKind::Note) return "Choose or type what it says";
+  if (value.isEmpty() && of->kind != TierKind::Note) return "Choose or type its value";
   if (of->kind == TierKind::Role && value != "a" && value != "b")
     return "A role is a or b, the performers of the take";
   Annotations next = m_desk.annotations();

@@ -165,9 +165,9 @@ void LabelImport::ask(const QString& file, const TierDocument& document, const T
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle("Import labels");
   auto* column = new QVBoxLayout(dialog);
-  auto* head = new QLabel(
-      QString("Where do the tiers of %1 go? What is there now is replaced.").arg(QFileInfo(file).fileName()),
-      dialog);
+  auto* head = new QLabel(QString("Where do the tiers of %1 go? Their present labels are replaced.")
+                              .arg(QFileInfo(file).fileName()),
+                          dialog);
   head->setWordWrap(true);
   column->addWidget(head);
   auto* form = new QFormLayout;

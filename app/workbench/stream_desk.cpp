@@ -245,7 +245,8 @@ void StreamDesk::calibrate() {
   }
   if (!isConnected() || !userHealth())
     return m_window.messages().showError(
-        "There is nobody to calibrate: connect to a stream first (Live > Connect to a stream) and wait till "
+        "There is no performer to calibrate: connect to a stream first (Live > Connect to a stream) and wait "
+        "until "
         "a performer "
         "is seen");
   m_window.ticker().follow();

@@ -40,7 +40,7 @@ SuggestionSection::SuggestionSection(QWidget* parent)
   column->addWidget(m_progress);
   m_list->setAccessibleName("Suggestions, the surest first");
   m_list->setFrameShape(QFrame::NoFrame);
-  m_list->setToolTip("A accepts, E says something else, X rejects; then the next one");
+  m_list->setToolTip("A accepts, E accepts with another value, X rejects; then the next one");
   m_list->setMinimumHeight(110);
   m_list->installEventFilter(this);
   column->addWidget(m_list, 1);
@@ -92,7 +92,7 @@ QWidget* SuggestionSection::makeThreshold() {
   m_slider->setValue(usual_threshold);
   m_slider->setAccessibleName("Minimum confidence for accepting all, per cent");
   m_threshold = new QLabel(bar);
-  m_acceptAll = chip({}, "Accept all that are at least as sure as the slider says; one step of undo", bar);
+  m_acceptAll = chip({}, "Accept all whose confidence is at least that of the slider; one undo step", bar);
   auto* clear = chip("Clear", "Remove all suggestions", bar);
   row->addWidget(m_slider, 1);
   row->addWidget(m_threshold);

@@ -24,7 +24,7 @@ FeatureMap::FeatureMap(QWidget* parent) : QWidget(parent), m_palette(palette_of(
   setMouseTracking(true);
   setMinimumHeight(110);
   setAccessibleName("Feature-space neighbourhood");
-  setAccessibleDescription("The library, the user's way, the candidates and the winner in a plane");
+  setAccessibleDescription("The library, the user's path, the candidates and the winner in a plane");
   setToolTip(
       "Dots: pairs of the library, in the colours of their moves.<br>Line and diamond: the user, the last 3 "
       "s "

@@ -67,7 +67,7 @@ std::string filter_reason(const std::vector<CandidateRow>& rows, const FrameInte
   const auto other = std::ranges::find_if(rows, &CandidateRow::goes_on);
   if (other != rows.end()) return change(winner, *other);
   // Only a frame that was solved here knows that there was nothing to go on with.
-  const std::string before = intent.model && intent.continued < 0 ? "No source to go on with. " : "";
+  const std::string before = intent.model && intent.continued < 0 ? "No source to continue. " : "";
   const double margin = second.total - winner.total;
   if (margin < least_shown) return before + "A tie with #2";
   return before + "Margin " + figure(margin) + " m to #2" + because(largest_gain(winner, second));

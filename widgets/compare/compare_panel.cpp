@@ -139,7 +139,7 @@ QWidget* ComparePanel::makeProgress() {
   m_progress->setFixedHeight(6);
   m_progress->setAccessibleName("Solving again");
   row->addWidget(m_progress, 1);
-  auto* cancel = button_in(row, m_progressRow, "Cancel", "Stop solving; what is there stays");
+  auto* cancel = button_in(row, m_progressRow, "Cancel", "Stop solving; the results so far stay");
   connect(cancel, &QPushButton::clicked, this, &ComparePanel::cancelRequested);
   return m_progressRow;
 }

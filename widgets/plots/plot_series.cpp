@@ -157,7 +157,7 @@ const std::array<SeriesInfo, series_count>& all_series() {
       {NotMeant, "filter.meant", "Cost of the filter", "not what is meant", "meant", "m", 3,
        "of the winner: w_p when a person named another move"},
       {ChangeOfSource, "filter.change", "Cost of the filter", "change of source", "change", "m", 3,
-       "of the winner: the margin when it does not go on with the source, and α times its distance from what "
+       "of the winner: the margin if it does not continue the source, and α times its distance from what "
        "is shown"},
       {FilterCost, "filter.total", "Cost of the filter", "total of the filter", "total", "m", 3,
        "of the winner: what the selection filter decides by"},
@@ -204,7 +204,7 @@ const std::array<SeriesInfo, series_count>& all_series() {
       {EdgeResidual, "selected.edge_residual", "Selected edge", "residual of the selected edge", "residual",
        "mm", 1, "mean of its ends"},
       {EdgeWeight, "selected.edge_weight", "Weight of the selected edge", "weight of the selected edge",
-       "weight", "1", 3, "mean share in the Laplacian coordinates of its ends"},
+       "weight", "1", 3, "mean weight in the Laplacian coordinates of its ends"},
       {CellRatio, "selected.cell_ratio", "Selected tetrahedron", "volume ratio of the selected tetrahedron",
        "ratio", "1", 2, "volume in the result over that in the selected pair; below 0 inverted"},
   }};

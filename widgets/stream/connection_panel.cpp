@@ -158,7 +158,7 @@ QWidget* ConnectionPanel::makeReport() {
   auto* row = new QHBoxLayout;
   row->setContentsMargins(12, 4, 12, 4);
   m_copy = new QPushButton("Copy report", box);
-  m_copy->setToolTip("All figures, diagnoses and issues as text, to send to somebody who helps");
+  m_copy->setToolTip("All figures, diagnoses and issues as text, for a support request");
   row->addWidget(m_copy);
   row->addStretch(1);
   column->addLayout(row);

@@ -49,7 +49,7 @@ const char* word_of(StreamDiagnosis::Severity severity) {
 }  // namespace
 
 StreamHeadline headline_of(const StreamHealth* health) {
-  if (!health) return {StreamMark::Off, "not connected", "The clip stands in for the user"};
+  if (!health) return {StreamMark::Off, "not connected", "The clip plays the user"};
   const std::string detail = health->listening.empty() ? health->uri
                                                        : health->uri.substr(0, health->uri.find(':')) + " " +
                                                              listening_words(health->listening);

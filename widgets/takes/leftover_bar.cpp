@@ -16,7 +16,7 @@ LeftoverBar::LeftoverBar(QWidget* parent) : QWidget(parent) {
   m_text->setWordWrap(true);
   m_open = new QPushButton("Open", this);
   m_keep = new QPushButton("Keep it", this);
-  m_keep->setToolTip("The file stays where it is, and is not offered again");
+  m_keep->setToolTip("The file stays where it is and is not offered again");
   m_discard = new QPushButton("Discard", this);
   m_discard->setToolTip("Moves it to the wastebasket");
   auto* row = new QHBoxLayout(this);

@@ -118,7 +118,7 @@ QWidget* TakePanel::makeHead() {
   m_countdown->setSuffix(" s");
   m_countdown->setSpecialValueText("none");
   m_countdown->setAccessibleName("Countdown before a take");
-  m_countdown->setToolTip("Counted large over the scene before a take begins; Again does without");
+  m_countdown->setToolTip("Counts in large digits over the scene before a take; Again skips it");
   m_countdown->setFixedWidth(72);
   auto* last = new QHBoxLayout;
   last->setSpacing(6);

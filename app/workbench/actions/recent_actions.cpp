@@ -36,8 +36,8 @@ void open_recent(MainWindow& window, const QString& entry) {
   const QStringList missing = missing_of(entry);
   if (missing.isEmpty()) return window.openFiles(files_of(entry));
   window.messages().showError(missing.join(", ") +
-                              ": no longer exists; open it from where it is now (File > Open), or take it "
-                              "off the list (File > Open recent)");
+                              ": no longer exists; open it from where it is now (File > Open), or remove it "
+                              "from the list (File > Open recent)");
 }
 
 void remove_missing_recent(MainWindow& window) {
@@ -47,7 +47,7 @@ void remove_missing_recent(MainWindow& window) {
     if (missing_of(entry).isEmpty()) there << entry;
   window.remembered().setRecent(there);
   window.messages().showInformation(
-      QString("%1 taken off the list of recent files").arg(before.size() - there.size()));
+      QString("%1 removed from the list of recent files").arg(before.size() - there.size()));
 }
 
 void add_recent_actions(MainWindow& window) {
