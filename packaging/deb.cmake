@@ -23,12 +23,13 @@ if(ABRAZO_WORKBENCH)
   set(CPACK_DEBIAN_PROGRAMS_PACKAGE_RECOMMENDS "fonts-inter, xvfb")
 endif()
 set(CPACK_DEBIAN_PROGRAMS_DESCRIPTION "virtual partner for close interactions such as partner dance
-Abrazo answers a person's movement with the movement of a partner, taken
-from recorded pairs and kept close by the interaction mesh of the two bodies.
-It follows recorded motion and live streams (VMC, NatNet, Xsens).
+Abrazo animates a virtual partner that responds to a person's movement. The
+partner's motion comes from recorded pairs; an interaction mesh preserves the
+spatial relations of the two bodies. Input is recorded motion or a live stream
+(VMC, NatNet, Xsens).
 .
-This package has the workbench, in which the partner is watched, tuned and
-annotated, the command line and the user guide.")
+This package has the workbench, to watch, tune and annotate the partner, the
+command line and the user guide.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME abrazo-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
@@ -43,8 +44,9 @@ endforeach()
 list(SORT abrazo_needed)
 list(JOIN abrazo_needed ", " CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
 set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION "virtual partner for close interactions: embedding the engine
-Abrazo answers a person's movement with the movement of a partner, taken
-from recorded pairs and kept close by the interaction mesh of the two bodies.
+Abrazo animates a virtual partner that responds to a person's movement. The
+partner's motion comes from recorded pairs; an interaction mesh preserves the
+spatial relations of the two bodies.
 .
 This package has the engine as a static library with its headers, found by
 CMake's find_package(abrazo) as abrazo::core, and an example.")

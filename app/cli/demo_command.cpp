@@ -109,7 +109,7 @@ void add_demo_command(CommandLine& line) {
   const auto arguments = std::make_shared<DemoArguments>();
   CLI::App* demo = line.app.add_subcommand(
       "demo", "Write a generated, labelled set of paired takes (BVH, labels, manifest)");
-  demo->add_option("-o,--output", arguments->folder, "folder to write into; made when it is not there")
+  demo->add_option("-o,--output", arguments->folder, "folder to write into; created if missing")
       ->required()
       ->check([](const std::string& word) { return std::string(word.empty() ? "the name is empty" : ""); })
       ->type_name("DIR");
@@ -126,7 +126,7 @@ void add_demo_command(CommandLine& line) {
       ->type_name("STYLE")
       ->capture_default_str();
   demo->add_option("--tempo", arguments->options.tempo_bpm,
-                   "salsa: beats a minute, 120 to 220; drawn from 160 to 190 for every take when not given")
+                   "salsa: beats per minute, 120 to 220; by default drawn from 160 to 190 for every take")
       ->check(CLI::Range(120.0, 220.0))
       ->type_name("BPM");
   demo->add_option("--pace", arguments->options.pace, "fight: speed of blows and footwork against the usual")

@@ -130,7 +130,7 @@ void add_evaluate_command(CommandLine& line) {
   add_evaluation_source(*command, arguments->source);
   command
       ->add_option("--report", arguments->report,
-                   "folder for report.json and report.html; made when not there")
+                   "folder for report.json and report.html; created if missing")
       ->required()
       ->type_name("DIR");
   command->add_flag("--no-variants", arguments->no_variants,

@@ -20,7 +20,7 @@ void add_evaluation_source(CLI::App& command, EvaluationSource& source) {
       "whose users attack and defend in turn");
   command
       .add_option("--hold-out", source.hold_out,
-                  "takes to be answered, each by all the others, with commas between; all when not given")
+                  "takes to be answered, each by all the others, with commas between; by default all")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("TAKE,...");

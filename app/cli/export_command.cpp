@@ -130,11 +130,11 @@ void add_options(CLI::App& command, ExportWords& words) {
       ->type_name("NAME");
   command
       .add_option("--rate", wish.rate_hz,
-                  "poses a second; by default that of the frames. Of a mesh series: at most so many")
+                  "poses per second; by default that of the frames. For a mesh series: the maximum")
       ->check(above_zero)
       ->type_name("HZ");
   add_space_options(command, words.units, words.up);
-  command.add_option("--library", words.library, "mesh, trace: the library, when it is not where it was")
+  command.add_option("--library", words.library, "mesh, trace: the library, if it was moved")
       ->type_name("LIB");
   command.add_flag("--json", words.json, "what was written as one JSON object on stdout");
 }

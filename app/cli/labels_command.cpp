@@ -22,7 +22,7 @@ namespace abrazo::app {
 
 namespace {
 
-/// What the subcommands of `labels` are told.
+/// Options of the subcommands of `labels`.
 struct LabelWords {
   std::string file, output, vocabulary;
   TierReading reading;
@@ -218,7 +218,7 @@ void add_file(CLI::App& command, LabelWords& words) {
   command.add_option("FILE", words.file, "labels: .eaf, .csv, .json, .vtt or .srt")
       ->required()
       ->type_name("");
-  command.add_option("--fps", words.reading.fps, "frames a second of what is labelled")
+  command.add_option("--fps", words.reading.fps, "frame rate of what is labelled")
       ->check(above_zero)
       ->type_name("N");
   command.add_option("--take", words.reading.take, "which take of a label file that has several")
@@ -257,7 +257,7 @@ void add_convert(CLI::App& command, LabelWords& words) {
 void add_check(CLI::App& command, LabelWords& words) {
   command
       .add_option("--vocabulary", words.vocabulary,
-                  "what may be said: a file with one move a line, or a label file with the same tiers")
+                  "allowed values: a file with one move per line, or a label file with the same tiers")
       ->type_name("FILE");
   add_json(command, words);
 }
@@ -265,7 +265,7 @@ void add_check(CLI::App& command, LabelWords& words) {
 }  // namespace
 
 void add_labels_command(CommandLine& line) {
-  CLI::App* labels = line.app.add_subcommand("labels", "look into label files, check and convert them");
+  CLI::App* labels = line.app.add_subcommand("labels", "show, check and convert label files");
   labels->require_subcommand(1);
   add(line, *labels, "info", "tiers, intervals and values of a label file", run_info, add_json);
   add(line, *labels, "convert", "write the labels of a file in another format", run_convert, add_convert);

@@ -66,7 +66,8 @@ void add_library_build(CLI::App& library, CommandLine& line) {
   command->add_flag("--both-roles", arguments->options.both_roles,
                     "either performer may be the active one in every frame, whatever the roles say (doubles "
                     "the library; for fights, whose users attack and defend in turn)");
-  command->add_option("--rate", arguments->options.rate_hz, "thin to about this rate, by whole strides")
+  command
+      ->add_option("--rate", arguments->options.rate_hz, "subsample to about this rate, by integer strides")
       ->check(above_zero)
       ->type_name("HZ");
   command->callback([&line, arguments] { run_build(line, *arguments); });

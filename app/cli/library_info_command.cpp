@@ -167,7 +167,7 @@ std::string info_text(const MotionLibrary& library, std::uintmax_t bytes) {
   if (const std::uint64_t mapped = mapped_bytes(library); mapped > 0)
     text.add("mapped: {} bytes stay in the file and are read as they are used", mapped);
   else
-    text.add("mapped: nothing, all of it is read into memory");
+    text.add("mapped: nothing, everything is loaded into memory");
   text.add("meshes: {} exact, {} jittered, {} from nearest neighbours", counts.per_quality[0],
            counts.per_quality[1], counts.per_quality[2]);
   for (const auto& [role, count] : counts.per_role) text.add("active {}: {} pairs", role, count);
@@ -191,7 +191,7 @@ void run_info(CommandLine& line, const LibraryInfoArguments& arguments) {
 
 void add_library_info(CLI::App& library, CommandLine& line) {
   auto arguments = std::make_shared<LibraryInfoArguments>();
-  CLI::App* command = library.add_subcommand("info", "say what a motion library holds");
+  CLI::App* command = library.add_subcommand("info", "show the contents of a motion library");
   command->add_option("LIB", arguments->library, "library file")->required()->type_name("");
   command->add_flag("--json", arguments->json, "one JSON object on stdout");
   command->callback([&line, arguments] { run_info(line, *arguments); });

@@ -172,7 +172,7 @@ void note_diagnoses(CommandLine& line, const StreamHealth& health, std::vector<L
   }
 }
 
-/// Till it was long enough, the clip is over or someone interrupts. @return the diagnoses that there were
+/// Until it was long enough, the clip is over or someone interrupts. @return the diagnoses that there were
 std::vector<LiveEnd::Diagnosis> run(CommandLine& line, const LiveOptions& options, SessionEngine& engine,
                                     const ClipSource* clip, const LiveReport& live) {
   const SessionClock& clock = engine.clock();
@@ -227,14 +227,14 @@ Status end_session(CommandLine& line, SessionEngine& engine, const std::shared_p
   return written;
 }
 
-/// Why nobody moved.
+/// Why there is no pose.
 Error no_pose(const LiveEnd& end, const StreamUri& uri) {
   if (end.stream && !end.stream->diagnoses.empty()) return {end.stream->diagnoses.front().text, uri.text};
   if (!end.diagnoses.empty()) return {end.diagnoses.back().newest.text, uri.text};
   return {"no pose came in", uri.text};
 }
 
-/// A session would select by Eq. 7 until the library is learned; nobody waits yet, so it is done before.
+/// A session would select by Eq. 7 until the library is learned; so it is done before the session starts.
 Status learn(CommandLine& line, const PartnerSynthesizer& synthesizer, const Settings& settings) {
   if (settings.selection != SelectionMethod::Filter) return Done{};
   show_state(line, "learning the library");
@@ -297,7 +297,9 @@ void add_options(CLI::App& live, LiveOptions& options) {
       ->type_name("LIB");
   list("--listen", options.listen,
        "where the user's poses come from: vmc://HOST:PORT, natnet://HOST[:PORT][?multicast=GROUP], "
-       "xsens://HOST:PORT, clip:FILE; without HOST only this machine is heard (127.0.0.1), with HOST 0.0.0.0 "
+       "xsens://HOST:PORT, clip:FILE; without HOST only packets of this machine are accepted (127.0.0.1), "
+       "with "
+       "HOST 0.0.0.0 "
        "every network")
       ->required()
       ->type_name("URI");
@@ -306,16 +308,16 @@ void add_options(CLI::App& live, LiveOptions& options) {
   list("--send-user", options.send_user, "where the user goes, as the solver has them; may be repeated")
       ->type_name("URI");
   CLI::Option* record = live.add_option("--record", options.record,
-                                        "everything into a session file; one that exists is gone on in")
+                                        "everything into a session file; an existing one is continued")
                             ->type_name("S.abrazo");
   live.add_option("--take", options.take, "name of what is recorded; else take 1, take 2, ...")
       ->needs(record)
       ->type_name("NAME");
-  live.add_option("--seconds", options.seconds, "end after so long; else at Ctrl-C, or with the clip")
+  live.add_option("--seconds", options.seconds, "end after this time; else at Ctrl-C, or with the clip")
       ->check(above_zero)
       ->type_name("N");
   live.add_option("--calibrate", options.calibrate_after_s,
-                  "after so many seconds the user stands in the T-pose: measure them")
+                  "measure the user, who stands in the T-pose after this many seconds")
       ->check(above_zero)
       ->type_name("S");
   live.add_option("--role-control", options.role_control,
@@ -323,7 +325,7 @@ void add_options(CLI::App& live, LiveOptions& options) {
       ->check(CLI::IsMember({"hand", "library", "leader"}))
       ->type_name("WORD")
       ->capture_default_str();
-  list("--exclude", options.excluded, "a take that must not be selected; may be repeated")->type_name("TAKE");
+  list("--exclude", options.excluded, "a take that is never selected; may be repeated")->type_name("TAKE");
   live.add_flag("--json", options.json, "the statistics as one JSON object on stdout");
   options.settings.add_to(live);
 }

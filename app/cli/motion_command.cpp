@@ -21,7 +21,7 @@ namespace abrazo::app {
 
 namespace {
 
-/// What `motion info`, `motion positions` and `motion convert` are told.
+/// Options of `motion info`, `motion positions` and `motion convert`.
 struct MotionWords {
   MotionReading reading;
   std::string output, units, up;
@@ -160,12 +160,12 @@ void run_convert(CommandLine& line, const MotionWords& words) {
 }  // namespace
 
 void add_motion_command(CommandLine& line) {
-  CLI::App* motion = line.app.add_subcommand("motion", "look into motion files");
+  CLI::App* motion = line.app.add_subcommand("motion", "show and convert motion files");
   motion->require_subcommand(1);
 
   const auto info_words = std::make_shared<MotionWords>();
   CLI::App* info =
-      motion->add_subcommand("info", "frames, rate, joints, height, floor and everything odd about a file");
+      motion->add_subcommand("info", "frames, rate, joints, height, floor and warnings about a file");
   add_file(*info, *info_words);
   info->add_flag("--json", info_words->json, "one JSON object on stdout");
   info->callback([&line, info_words] { run_info(line, *info_words); });

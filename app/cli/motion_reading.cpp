@@ -10,10 +10,10 @@ void add_reading_options(CLI::App& command, MotionReading& reading) {
   command.add_option("--skeleton", reading.skeleton, "the .asf of an .amc")->type_name("ASF");
   command
       .add_option("--metres-per-unit", reading.metres_per_unit,
-                  "length of the file's unit; found or guessed when not given")
+                  "length of the file's unit; by default from the file or guessed")
       ->check(above_zero)
       ->type_name("METRES");
-  command.add_option("--fps", reading.fps, "frame rate, over what the file says")
+  command.add_option("--fps", reading.fps, "frame rate, overrides the file")
       ->check(above_zero)
       ->type_name("HZ");
   command

@@ -11,7 +11,7 @@
 
 namespace abrazo::app {
 
-/// What a command is told about a motion file that it reads.
+/// Options of a command about a motion file that it reads.
 struct MotionReading {
   std::string file, skeleton, joint_map, up;
   double metres_per_unit = 0, fps = 0;  ///< 0 = not given

@@ -12,7 +12,7 @@
 namespace abrazo::app {
 namespace {
 
-/// The program that draws stands beside this one, which knows no toolkit and starts at once.
+/// The program that draws stands beside this one, which links no toolkit and starts quickly.
 Result<std::string> renderer() {
   std::error_code failure;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", failure);

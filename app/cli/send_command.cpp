@@ -131,11 +131,12 @@ void add_send_command(CommandLine& line) {
                    "xsens://HOST:PORT")
       ->required()
       ->type_name("URI");
-  send->add_option("--rate", options->rate_hz, "poses a second; between the clip's frames bones are turned")
+  send->add_option("--rate", options->rate_hz,
+                   "poses per second; rotations are interpolated between the frames of the clip")
       ->check(above_zero)
       ->type_name("HZ");
-  send->add_option("--seconds", options->seconds, "end after so long")->check(above_zero)->type_name("N");
-  send->add_flag("--loop", options->loop, "begin again at the end, till interrupted");
+  send->add_option("--seconds", options->seconds, "end after this time")->check(above_zero)->type_name("N");
+  send->add_flag("--loop", options->loop, "begin again at the end, until interrupted");
   send->add_flag("--json", options->json, "the summary as one JSON object on stdout");
   send->callback([&line, options] {
     if (const Status done = run_send(line, *options); !done) fail(line, done.error());

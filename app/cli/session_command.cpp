@@ -22,7 +22,7 @@ struct SessionInfoArguments {
   bool json = false;
 };
 
-/// All that is told of a session file.
+/// Everything that is reported about a session file.
 struct About {
   std::shared_ptr<const SessionFile> file;
   ProjectReading reading;
@@ -194,17 +194,16 @@ void run_migrate(CommandLine& line, const std::string& session) {
 }  // namespace
 
 void add_session_command(CommandLine& line) {
-  CLI::App* session =
-      line.app.add_subcommand("session", "look into session files, and bring old ones up to date");
+  CLI::App* session = line.app.add_subcommand("session", "show session files, and migrate old ones");
   session->require_subcommand(1);
   CLI::App* info = session->add_subcommand(
-      "info", "version, recordings, takes, annotations, and the files it stands on with where they are");
+      "info", "version, recordings, takes, annotations, and the referenced files with their paths");
   const auto arguments = std::make_shared<SessionInfoArguments>();
   info->add_option("session", arguments->session, "session file")->required()->type_name("S.abrazo");
   info->add_flag("--json", arguments->json, "as one JSON object on stdout");
   info->callback([&line, arguments] { run_info(line, *arguments); });
   CLI::App* migrate =
-      session->add_subcommand("migrate", "brings a session file to this version, whole or not at all");
+      session->add_subcommand("migrate", "migrates a session file to this version, completely or not at all");
   const auto path = std::make_shared<std::string>();
   migrate->add_option("session", *path, "session file")->required()->type_name("S.abrazo");
   migrate->callback([&line, path] { run_migrate(line, *path); });

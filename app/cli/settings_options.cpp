@@ -31,7 +31,9 @@ std::string preset_values(const SettingInfo& info) {
 }  // namespace
 
 void SettingsOptions::add_to(CLI::App& command) {
-  command.add_option("--preset", preset_, "paper (the paper's letter) or responsive (small lag, few jumps)")
+  command
+      .add_option("--preset", preset_,
+                  "paper (exactly the published method) or responsive (small lag, few jumps)")
       ->group("Settings")
       ->check(CLI::IsMember(std::vector<std::string>(preset_names.begin(), preset_names.end())))
       ->type_name("NAME")

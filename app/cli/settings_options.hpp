@@ -9,7 +9,8 @@
 
 namespace abrazo::app {
 
-/// The options of every setting (contract: SETTINGS), the same for each subcommand that solves.
+/// The options of every setting (docs/guide/command-line.md, Settings), the same for each subcommand that
+/// solves.
 class SettingsOptions {
  public:
   /// @param preset  that holds where none is given

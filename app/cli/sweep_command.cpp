@@ -117,7 +117,7 @@ void add_sweep_command(CommandLine& line) {
                    "path of a figure in report.json, as in partner.mean_joint_error_m or moves.rate")
       ->type_name("NAME");
   command
-      ->add_option("--report", arguments->report, "folder for the shards and the report; made when not there")
+      ->add_option("--report", arguments->report, "folder for the shards and the report; created if missing")
       ->required()
       ->type_name("DIR");
   CLI::Option* shard =

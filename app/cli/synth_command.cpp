@@ -119,7 +119,7 @@ Status run_synth(CommandLine& line, const SynthOptions& options) {
 void add_synth_command(CommandLine& line) {
   auto options = std::make_shared<SynthOptions>();
   CLI::App* synth = line.app.add_subcommand(
-      "synth", "a recorded user in, both characters out: the whole pipeline, as fast as it goes");
+      "synth", "a recorded user in, both characters out: the whole pipeline, as fast as possible");
   synth->add_option("--library", options->library, "motion library (abrazo library build)")
       ->required()
       ->type_name("LIB");
@@ -128,7 +128,7 @@ void add_synth_command(CommandLine& line) {
       ->type_name("FILE");
   add_reading_options(*synth, options->input);
   add_performer_option(*synth, options->input);
-  synth->add_option("--exclude", options->excluded, "a take that must not be selected; may be repeated")
+  synth->add_option("--exclude", options->excluded, "a take that is never selected; may be repeated")
       ->expected(1)
       ->allow_extra_args(false)  // otherwise it also takes the words that follow
       ->take_all()
@@ -140,7 +140,7 @@ void add_synth_command(CommandLine& line) {
   synth->add_flag("--split", options->split, "two files instead: OUT_active and OUT_passive")->needs(output);
   synth
       ->add_option("--trace", options->trace,
-                   "one JSON object per solved step, with every reason (JSON lines)")
+                   "one JSON object per solved step, with all intermediate results (JSON lines)")
       ->type_name("FILE");
   synth->add_flag("--json", options->json, "the summary as one JSON object on stdout");
   options->settings.add_to(*synth);

@@ -13,7 +13,7 @@ namespace {
 
 constexpr int patience_ms = 30'000;  // a loaded machine
 
-const char* const advice = "install the package xvfb, or set DISPLAY to a display that is there";
+const char* const advice = "install the package xvfb, or set DISPLAY to an existing display";
 
 /// What the server writes when it is ready: the number of its display. Empty when it does not come.
 std::string read_number(int from) {

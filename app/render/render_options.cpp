@@ -122,7 +122,7 @@ void add_render_options(CLI::App& command, RenderOptions& options) {
       ->check(CLI::Validator(wrong_size, ""))
       ->type_name("WxH")
       ->capture_default_str();
-  command.add_option("--rate", options.rate_hz, "pictures a second")
+  command.add_option("--rate", options.rate_hz, "frames per second")
       ->check(CLI::Validator(wrong_rate, ""))
       ->type_name("HZ")
       ->capture_default_str();
@@ -143,10 +143,9 @@ void add_render_options(CLI::App& command, RenderOptions& options) {
   };
   add_switch("--mesh", options.mesh, "the interaction mesh");
   add_switch("--user", options.user, "the user's skeleton");
-  add_switch("--ahead", options.ahead, "session: where the partner goes next if the recording goes on");
+  add_switch("--ahead", options.ahead, "session: where the partner goes next if the recording continues");
   add_switch("--captions", options.captions, "frame, time and source written into the picture");
-  command.add_option("--library", options.library, "session: the library, when it is not where it was")
-      ->type_name("LIB");
+  command.add_option("--library", options.library, "session: the library, if it was moved")->type_name("LIB");
 }
 
 std::vector<std::string> words_of(const RenderOptions& options) {

@@ -37,7 +37,7 @@ class FilmSink : public PictureSink {
   VideoWriter m_video;
 };
 
-/// One picture or a series, under their names only when the last one is there: an older series stays till
+/// One picture or a series, under their names only when the last one is there: an older series stays until
 /// then.
 class FileSink : public PictureSink {
  public:

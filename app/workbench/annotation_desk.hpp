@@ -47,7 +47,7 @@ class AnnotationDesk : public QObject {
   void change(Annotations next, const QString& what);
   /// Of a subject that need not be shown.
   void change(const std::string& subject, Annotations next, const QString& what);
-  /// As `change` when it was done, else why not is told. @return whether it was done
+  /// As `change` when it was done, else reports why not. @return whether it was done
   bool changeOrTell(const Status& done, Annotations next, const QString& what);
   /// Suggestions only: not a step of undo.
   void suggest(Annotations next);

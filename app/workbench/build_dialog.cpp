@@ -171,7 +171,7 @@ QWidget* BuildDialog::makeOutputs() {
       addPath(grid, 0, "Save library", "An .h5 that opens at once next time", "Libraries (*.h5)", true);
   m_manifest =
       addPath(grid, 1, "Save manifest",
-              "A .json with all that is decided here: “abrazo library build” makes the same library of it",
+              "A .json with all choices made here: “abrazo library build” makes the same library from it",
               "Manifests (*.json)", true);
   grid->setColumnStretch(1, 1);
   grid->setColumnStretch(4, 1);

@@ -55,8 +55,8 @@ BuildForm::BuildForm(BuildPlanModel& model, QWidget* parent) : QWidget(parent), 
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(8);
   m_take = add_field(grid, 0, 0, "Take", "Two performers in one take were captured together");
-  m_role = add_field(grid, 1, 0, "Role", "Who is active: leads, attacks. “either” keeps both ways");
-  m_rate = add_field(grid, 0, 1, "Frame rate", "Frames per second, over what the file says");
+  m_role = add_field(grid, 1, 0, "Role", "Who is active: leads, attacks. “either” keeps both assignments");
+  m_rate = add_field(grid, 0, 1, "Frame rate", "Frames per second, overrides the file");
   m_unit = add_field(grid, 1, 1, "Unit", "Metres per unit of the file");
   m_up = add_field(grid, 0, 2, "Up axis", "The axis of the file that points up");
   m_joints = add_field(grid, 1, 2, "Joints", "Which points of the file are the 25 joints");

@@ -10,8 +10,8 @@ class QSpinBox;
 
 namespace abrazo::app {
 
-/// What a person can say of the chosen performers. Changes what it is about at once; what needs the file to
-/// be read anew it asks for.
+/// What a person can say of the chosen performers. Changes it immediately; what needs the file to
+/// be read again it asks for.
 class BuildForm : public QWidget {
   Q_OBJECT
  public:

@@ -221,9 +221,9 @@ QString BuildPlanModel::tip(int row, int column) const {
     return words;
   }
   if ((column == Pairing || column == Take) && one.guess) return "Guessed: " + cell_text(one.guess->reason);
-  if (column == Role) return "Who is active. “either”: both ways are kept, and the library doubles";
+  if (column == Role) return "Who is active. “either”: both assignments are kept, and the library doubles";
   if (column == Height) return "Of the head joint while standing; a person has 1 to 2.3 m";
-  if (isGuess(row, column)) return "Found out from the motion; say otherwise below";
+  if (isGuess(row, column)) return "Detected from the motion; change it below";
   return {};
 }
 

@@ -167,12 +167,11 @@ void CameraDesk::setJoint(int vertex) {
 void CameraDesk::pick(const Pixel& pixel) {
   if (!m_videos.isLinked())
     return m_window.messages().showInformation(
-        "Link the video with the timeline first: joints are where they are then");
+        "Link the video to the timeline first: joints are picked at its time");
   const double subject_s = m_videos.shownTime();
   const auto moment = m_videos.momentAt(subject_s);
   if (!moment || !m_videos.shownPicture())
-    return m_window.messages().showInformation(
-        "Nobody is known to be anywhere at this time; go to a time that was recorded");
+    return m_window.messages().showInformation("There are no bodies at this time; go to a recorded time");
   const int vertex = m_section->joint();
   const PickedPoint point{moment->pose.row(vertex).transpose(), pixel, vertex, subject_s};
   edit(
@@ -202,7 +201,7 @@ void CameraDesk::removePick(int index) {
       [&](VideoState& state) {
         if (index < static_cast<int>(state.picked.size())) state.picked.erase(state.picked.begin() + index);
       },
-      "take away picked joint");
+      "remove picked joint");
 }
 
 // ---- files

@@ -38,7 +38,7 @@ std::variant<CommandLine, ExitStatus> parse_command_line(int argc, char** argv) 
                                   "motion (.bvh, .amc; also its .asf or joint map), library (.h5), manifest "
                                   "(.json) or session (.abrazo) to open");
   auto* library = parser.add_option("--library", asked.library, "library (.h5) or manifest (.json)");
-  parser.add_flag("--demo", asked.demo, "the generated dance; also what opens when nothing is named")
+  parser.add_flag("--demo", asked.demo, "the generated dance; also the default without any file")
       ->excludes(files)
       ->excludes(library);
   parser
@@ -46,22 +46,25 @@ std::variant<CommandLine, ExitStatus> parse_command_line(int argc, char** argv) 
                   "live stream to follow: vmc://HOST:PORT, natnet://HOST[:PORT][?multicast=GROUP], "
                   "xsens://HOST:PORT")
       ->check(wrong_uri);
-  parser.add_option("--send", asked.send, "where the partner is sent on to, such as vmc://127.0.0.1:39540")
+  parser.add_option("--send", asked.send, "where to send the partner, such as vmc://127.0.0.1:39540")
       ->check(wrong_uri);
   parser.add_option("--session", asked.session, "recorded session (.abrazo) to open");
   parser.add_option("--settings", asked.settings, "settings: a JSON file, or the JSON object itself");
   parser.add_option("--screenshot", asked.screenshot, "write a picture of the window here, then quit");
   parser.add_option("--record", asked.record,
                     "write a picture, a video and the motion into this folder, then quit");
-  parser.add_option("--after", asked.after_s, "seconds from the first frame until then")
+  parser
+      .add_option("--after", asked.after_s,
+                  "seconds from the first frame to the picture or the end of the recording")
       ->check(CLI::Range(0.0, 3600.0));
   parser.add_option("--smoke", asked.smoke_frames, "show this many solved frames, then quit")
       ->check(CLI::Range(1, 1000000));
-  parser.add_flag("--start-times", asked.start_times,
-                  "tell when each stage of the start was reached, up to the first moving picture, then quit");
+  parser.add_flag(
+      "--start-times", asked.start_times,
+      "print when each stage of the start was reached, up to the first moving picture, then quit");
   parser
       .add_option("--status-every", asked.status_every_s,
-                  "write a line of figures (JSON) to the output every so many seconds")
+                  "write a line of figures (JSON) to the output at this interval in seconds")
       ->check(CLI::Range(0.1, 3600.0));
   parser.add_option("--theme", asked.theme, "dark or light")->check(CLI::IsMember({"dark", "light"}));
   parser.add_option("--size", size, "size of the window, such as 1600x1000")

@@ -9,7 +9,7 @@ namespace {
 
 constexpr double longest_window_s = 10;  ///< that the figures of a live comparison are over
 constexpr std::size_t most_waiting =
-    600;  ///< frames; a run that is further behind starts anew at the live end
+    600;  ///< frames; a run that is further behind starts again at the live end
 constexpr std::size_t bytes_of_a_run = std::size_t{96} << 20;
 
 /// Without what only the scene's mesh needs: a fifth of the memory.

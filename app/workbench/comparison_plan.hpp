@@ -22,7 +22,7 @@ struct CompareSituation {
 /// is marked. A covered cursor keeps the task there is.
 std::optional<ComparisonTask> what_if_task(const CompareSituation& now, const ComparisonTask* current);
 
-/// What goes along with the live solver: the run that it does not solve itself.
+/// What runs beside the live solver: the run that it does not solve itself.
 /// @param since_s  when A and B parted
 std::optional<ComparisonTask> shadow_task(const CompareSituation& now, double since_s);
 

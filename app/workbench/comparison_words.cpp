@@ -64,7 +64,7 @@ QString advice(const CompareSituation& now, const Comparison* tried) {
     return "Mark a range with I and O, or choose another span.";
   if (now.frozen)
     return now.present == *now.frozen ? "A is frozen. Change a setting: what you change is B." : "Solving …";
-  return is_following ? "Freeze A, then change settings: A goes on beside the live partner. Or park the "
+  return is_following ? "Freeze A, then change settings: A runs beside the live partner. Or park the "
                         "cursor and change "
                         "a setting: the frames before it are solved again."
                       : "Change a setting: the frames here are solved again with it.";

@@ -25,7 +25,7 @@ class ExportDesk : public QObject {
 
   /// What the running session and its library have.
   ExportOffer offer() const;
-  /// Writes to a file; what is in the way is told.
+  /// Writes to a file; what prevents it is reported.
   void write(const ExportRequest& request, const QString& file);
   bool isBusy() const { return m_job != nullptr; }
   widgets::OfferBar& bar() const { return *m_bar; }

@@ -40,7 +40,7 @@ void FrameTicker::setSources(const FrameHistory* history, const LatestSlot<Frame
 
 void FrameTicker::setLibrary(std::shared_ptr<const MotionLibrary> library) {
   m_library = std::move(library);
-  m_kept = nullptr;  // shown anew
+  m_kept = nullptr;  // shown again
   changed();
 }
 

@@ -60,7 +60,7 @@ class FrameTicker : public QObject {
  signals:
   void frameReady(abrazo::FrameSnapshotPtr frame);
   void playbackChanged(const abrazo::Playback& playback);
-  /// Time for the panels that show a span of time: some 12 times a second, and at once after a request.
+  /// Time for the panels that show a span of time: some 12 times a second, and immediately after a request.
   void panelsDue();
 
  private:

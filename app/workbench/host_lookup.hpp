@@ -36,7 +36,7 @@ class HostLookup : public QObject {
   /// Outlives this object as long as a thread still asks.
   struct Line {
     std::mutex mutex;
-    HostLookup* end = nullptr;  ///< null once nobody wants to know
+    HostLookup* end = nullptr;  ///< null once the result is not wanted
   };
   void begin();
 

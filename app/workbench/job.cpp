@@ -37,7 +37,7 @@ Job::Job(Work work, QObject* parent) : QObject(parent) {
     } catch (const std::bad_alloc&) {
       finish = [this] {
         if (!m_cancelled)
-          tell("There is not enough memory for it; close other programs, or give less to do at once.");
+          tell("There is not enough memory for it; close other programs, or do less at the same time.");
       };
     } catch (const std::exception& failure) {
       finish = [this, text = QString::fromUtf8(failure.what())] {

@@ -24,8 +24,8 @@ class Job : public QObject {
   /// says whether it ended as asked (an Error) or left a result.
   void cancel() { m_cancelled = true; }
   bool wasCancelled() const { return m_cancelled; }
-  /// Where failures are told that the work of a job did not expect, a lack of memory above all: on the thread
-  /// the job lives in, in place of what it would have returned; not for a job that was cancelled.
+  /// Where failures are reported that the work of a job did not expect, a lack of memory above all: on the
+  /// thread the job lives in, in place of what it would have returned; not for a job that was cancelled.
   static void tellFailures(std::function<void(const QString&)> to);
   /// Gives up a job without waiting, and whatever it returns: it goes when its work has noticed, at the
   /// latest with `owner`.

@@ -89,8 +89,8 @@ void LabelEdits::askValue(int tier, double from_s, double to_s) {
 
 QString LabelEdits::take(int tier, double from_s, double to_s, const QString& value) {
   const AnnotationTier* of = m_desk.annotations().tier(tier);
-  if (!of) return "The tier is gone";
-  if (value.isEmpty() && of->kind != TierKind::Note) return "Choose or type what it says";
+  if (!of) return "The tier no longer exists";
+  if (value.isEmpty() && of->kind != TierKind::Note) return "Choose or type its value";
   if (of->kind == TierKind::Role && value != "a" && value != "b")
     return "A role is a or b, the performers of the take";
   Annotations next = m_desk.annotations();
@@ -117,7 +117,7 @@ void LabelEdits::ask() {
                      tier = tier->id](const QString& value) -> QString {
                       Annotations next = m_desk.annotations();
                       const Annotation* known = next.find(id);
-                      if (!known) return "The label is gone";
+                      if (!known) return "The label no longer exists";
                       if (role && value != "a" && value != "b")
                         return "A role is a or b, the performers of the take";
                       const Status said = next.say(id, value.toStdString(), known->detail, known->confidence);
@@ -296,7 +296,7 @@ void LabelEdits::openMenu(int tier, int annotation, double time_s, const QPoint&
       m_desk.setActiveTier(tier);
       draw();
     });
-    add("Role changes here");
+    add("Change of role here");
   }
   menu.exec(global);
 }

@@ -15,7 +15,7 @@ class AnnotationDesk;
 class MainWindow;
 
 /// What a person does with the labels of the shown subject by actions and in the lanes: each is one change of
-/// the desk, and what cannot be is told.
+/// the desk, and reports what is not possible.
 class LabelEdits : public QObject {
   Q_OBJECT
  public:

@@ -109,7 +109,7 @@ Result<Annotations> imported(const std::vector<Tier>& read, const std::vector<Ti
       id = *added;
     }
     const AnnotationTier* known = next.tier(id);
-    if (!known) return Error{"the tier is gone", tier.name};
+    if (!known) return Error{"the tier no longer exists", tier.name};
     const bool has_values = !known->vocabulary.empty() || !tier.vocabulary.empty();
     if (has_values && known->kind != TierKind::Role)
       if (const Status set = next.set_vocabulary(id, joined(known->vocabulary, tier)); !set)
@@ -135,7 +135,7 @@ void LabelImport::choose() {
 void LabelImport::read(const QStringList& files) {
   if (!m_window.session()) {
     const QString why =
-        "Labels need something to be put on; open a library or a session first, then the labels";
+        "Labels belong to a take or a session; open a library or a session first, then the labels";
     m_window.messages().showError(why);
     return emit m_window.failed(why);  // who started the program unattended waits for it
   }
@@ -165,9 +165,9 @@ void LabelImport::ask(const QString& file, const TierDocument& document, const T
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle("Import labels");
   auto* column = new QVBoxLayout(dialog);
-  auto* head = new QLabel(
-      QString("Where do the tiers of %1 go? What is there now is replaced.").arg(QFileInfo(file).fileName()),
-      dialog);
+  auto* head = new QLabel(QString("Where do the tiers of %1 go? Their present labels are replaced.")
+                              .arg(QFileInfo(file).fileName()),
+                          dialog);
   head->setWordWrap(true);
   column->addWidget(head);
   auto* form = new QFormLayout;

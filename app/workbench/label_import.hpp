@@ -44,7 +44,7 @@ class LabelImport : public QObject {
   LabelImport(MainWindow& window, AnnotationDesk& desk);
   /// Asks which files.
   void choose();
-  /// Asks which tier goes where when that is not clear. What went wrong, and what was left out, is told.
+  /// Asks which tier goes where when that is not clear. Errors and omitted labels are reported.
   void read(const QStringList& files);
 
  private:

@@ -10,7 +10,7 @@
 namespace abrazo::app {
 
 /// The latency of the session's frames: what the frames themselves say, and of those that were drawn how long
-/// that took. Bounded; older frames are read from the history again when somebody looks there.
+/// that took. Bounded; older frames are read from the history again when they are shown.
 class LatencyLog {
  public:
   static constexpr std::size_t most_samples = 14'400;  ///< two minutes at 120 Hz

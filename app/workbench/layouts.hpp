@@ -20,7 +20,7 @@ class Layouts : public QObject {
   QStringList own() const;
   QString fileOf(const QString& name) const;
 
-  /// What cannot be done is told in the message bar. @return whether it was done
+  /// What cannot be done is reported in the message bar. @return whether it was done
   bool choose(const QString& name);
   bool save(const QString& name);
   bool remove(const QString& name);

@@ -20,7 +20,7 @@ struct LibraryBuild::Read {
   std::optional<QString> labels;  ///< of which `labelled` are the takes
   std::vector<std::string> labelled;
   QString trouble;
-  UnmappedMotion unmapped;             ///< the first whose points nobody knows
+  UnmappedMotion unmapped;             ///< the first whose points are unknown
   std::vector<Survey> without_joints;  ///< it and those that may be like it
 };
 

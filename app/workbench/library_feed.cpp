@@ -103,7 +103,7 @@ void LibraryFeed::put(const std::string& take, const Annotations& annotations) {
 
 void LibraryFeed::begin() {
   if (!m_window.session() || m_wanted.empty()) return;
-  // What the job before did not finish goes along: the newest of each take.
+  // What the job before did not finish is included: the newest of each take.
   for (auto& [take, annotation] : m_working) m_wanted.emplace(take, annotation);
   m_working = std::move(m_wanted);
   m_wanted.clear();

@@ -22,7 +22,7 @@ class LibraryFeed : public QObject {
   explicit LibraryFeed(MainWindow& window);
   ~LibraryFeed() override;
 
-  /// What cannot be put in, a role that is none, is told once.
+  /// What cannot be put in, an invalid role, is reported once.
   void put(const std::string& take, const Annotations& annotations);
   /// Nothing is waiting or under way.
   bool isIdle() const { return m_wanted.empty() && m_working.empty(); }

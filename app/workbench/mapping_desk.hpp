@@ -11,7 +11,7 @@ namespace abrazo::app {
 
 class MainWindow;
 
-/// Asks which points are which joints when a file is opened that nobody knows, keeps the answer for files
+/// Asks which points are which joints when a file with unknown points is opened, keeps the answer for files
 /// with the same points, and opens the file with it.
 class MappingDesk : public QObject {
   Q_OBJECT

@@ -137,7 +137,7 @@ QWidget* MappingDialog::makeFoot() {
   m_state->setWordWrap(true);
   m_use = new QPushButton("Use", foot);
   m_use->setDefault(true);
-  m_use->setToolTip("Files whose points have the same names are then read this way without asking");
+  m_use->setToolTip("Files with the same point names are then read this way without a question");
   for (QWidget* widget : std::initializer_list<QWidget*>{load, save, guess}) row->addWidget(widget);
   row->addWidget(m_state, 1);
   row->addWidget(cancel);

@@ -35,7 +35,7 @@ Kind kind_of_json(const std::string& file) {
   return names_joints ? Kind::JointMap : Kind::Manifest;
 }
 
-/// The first lines of a file; empty when it cannot be read, as a pipe that nobody writes to.
+/// The first lines of a file; empty when it cannot be read, such as a pipe without a writer.
 std::string head_of(const std::string& file) {
   std::error_code failure;
   if (!std::filesystem::is_regular_file(file, failure)) return {};
@@ -46,7 +46,7 @@ std::string head_of(const std::string& file) {
   return head;
 }
 
-/// What an unknown file is, as far as that can be told, and what to do.
+/// What an unknown file is, as far as that is known, and what to do.
 Error unknown_file(const std::string& file) {
   const std::string foreign = foreign_kind(head_of(file), file);
   if (!foreign.empty()) return Error{foreign, file};

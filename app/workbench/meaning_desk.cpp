@@ -33,7 +33,7 @@ MeaningDesk::MeaningDesk(MainWindow& window)
   m_popup->setColours(window.colours());
   m_chip->setObjectName("chip");
   m_chip->setFocusPolicy(Qt::NoFocus);
-  m_chip->setToolTip("Only this is selected from. A click takes it back (W)");
+  m_chip->setToolTip("Only this is selected. A click cancels it (W)");
   m_chip->hide();
   connect(m_chip, &QToolButton::clicked, this, &MeaningDesk::takeBack);
   connect(m_popup, &widgets::MeaningPopup::chosen, this, &MeaningDesk::mean);

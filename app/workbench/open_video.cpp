@@ -18,7 +18,7 @@ const QStringList& endings() {
 OpenVideo::OpenVideo(const QString& file)
     : m_file(file), m_decoder(std::make_unique<VideoDecoder>(file.toStdString(), [this] { tell(); })) {}
 
-/// On the decoder's thread. What is told several times before it is heard is heard once.
+/// On the decoder's thread. Several reports before the receiver runs count as one.
 void OpenVideo::tell() {
   if (m_isTold.exchange(true)) return;
   QMetaObject::invokeMethod(

@@ -24,7 +24,7 @@ class PairDesk : public QObject {
 
   /// Begins, or ends and asks what the take is to be.
   void toggle();
-  /// Adds a take to the library of the running session, on a worker. What went wrong is told.
+  /// Adds a take to the library of the running session, on a worker. Errors are reported.
   void extend(const PairedTake& take);
   /// @param file  HDF5
   void save(const QString& file);

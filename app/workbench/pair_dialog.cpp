@@ -35,12 +35,13 @@ PairDialog::PairDialog(const PairCapture& capture, const QString& name, const QS
   m_name = new QLineEdit(name, this);
   m_leads = new QComboBox(this);
   m_leads->addItems({a + " leads", b + " leads", "unknown: either"});
-  m_leads->setToolTip("Who is the active performer. Unknown keeps both ways, and the pairs count twice");
+  m_leads->setToolTip(
+      "Who is the active performer. Unknown keeps both assignments, and the pairs count twice");
   m_label = new QComboBox(this);
   m_label->setEditable(true);
   m_label->addItems(QStringList{""} + labels);
   m_label->lineEdit()->setPlaceholderText("several, or none");
-  m_label->setToolTip("The move that all of it is; nothing where it is several");
+  m_label->setToolTip("The move of the whole take; empty if there are several");
   m_in = trim(m_length_s, "Cut off at the beginning", this);
   m_out = trim(m_length_s, "Cut off at the end", this);
   m_name->setAccessibleName("Name");

@@ -25,7 +25,7 @@ class ProjectDesk : public QObject {
   /// A person is there: is asked before changes are lost and where missing files are, and what was not saved
   /// is kept against a crash. Otherwise nothing of it happens.
   void setAsks(bool on);
-  /// Before an end that nobody can be asked about: what was not saved is offered at the next start.
+  /// Before an end without a dialog: what was not saved is offered at the next start.
   void leaveChanges();
 
   /// Empty while the session has none.
@@ -37,8 +37,8 @@ class ProjectDesk : public QObject {
   /// Into the session's file, or one that is asked for.
   void save();
   void askSaveAs();
-  /// All that was recorded goes along. While a take is recorded it is a copy, and the session stays where it
-  /// is.
+  /// It includes everything that was recorded. While a take is recorded it is a copy, and the session stays
+  /// where it is.
   void saveAs(const QString& file);
   bool isSaving() const { return m_job != nullptr; }
 

@@ -18,7 +18,7 @@ void show_project(MainWindow& window, const Project& project, const QStringList&
 
 void show_annotations(MainWindow& window, const AnnotationBook& book);
 
-/// The references completed for a session file at `session_file`; those of files that are not there any more
+/// The references completed for a session file at `session_file`; those of files that no longer exist
 /// as they were in `before`.
 Project with_contents(Project project, const Project& before, const std::string& session_file);
 

@@ -31,7 +31,7 @@ class RangeRendering : public QObject {
   /// @param frames  those of the plan
   RangeRendering(FrameRange frames, QObject* parent);
   ~RangeRendering() override;
-  /// @param like  how the scene is set up, and the camera. @return what is in the way, or nothing
+  /// @param like  how the scene is set up, and the camera. @return what prevents it, or nothing
   QString start(const RangeRequest& request, const widgets::SceneView& like);
   void cancel();
   /// The picture of one moment of the plan; quick where moments follow one another.

@@ -90,7 +90,7 @@ void RenderDialog::offer(const Playback& playback, const std::optional<Playback:
   m_range = range.value_or(m_whole);
   m_span->clear();
   if (range && m_range != m_whole) m_span->addItem(range_words("In to out", m_range));
-  m_span->addItem(range_words("All there is", m_whole));
+  m_span->addItem(range_words("Everything", m_whole));
   m_size->clear();
   const QSize even(view.width() & ~1, view.height() & ~1);
   for (const QSize size : {QSize(1280, 720), QSize(1920, 1080), QSize(3840, 2160), even})

@@ -23,7 +23,7 @@ class Responsiveness : public QObject {
   explicit Responsiveness(QObject* parent = nullptr);
   ~Responsiveness() override;
 
-  /// Begins anew; what is measured from now on is this.
+  /// Starts again; what is measured from now on is this.
   void begin(const QString& activity);
   /// Of the present activity.
   const AnswerTimes& times() const { return m_times; }

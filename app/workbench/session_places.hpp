@@ -6,7 +6,7 @@
 
 namespace abrazo::app {
 
-/// Where sessions are kept unless somebody says otherwise: ABRAZO_HOME/sessions, else Abrazo in the folder of
+/// Where sessions are kept by default: ABRAZO_HOME/sessions, else Abrazo in the folder of
 /// documents.
 QString sessions_folder();
 

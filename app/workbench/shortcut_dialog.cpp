@@ -49,7 +49,7 @@ ShortcutDialog::ShortcutDialog(Shortcuts& shortcuts, QWidget* parent)
   m_filter->setClearButtonEnabled(true);
   m_rows = new QTreeWidget(this);
   m_rows->setAccessibleName("Actions and their keys");
-  m_rows->setHeaderLabels({"Menu", "Action", "Keys", "Usual keys"});
+  m_rows->setHeaderLabels({"Menu", "Action", "Keys", "Default keys"});
   m_rows->setRootIsDecorated(false);
   m_rows->setUniformRowHeights(true);
   m_rows->setSortingEnabled(true);
@@ -83,8 +83,8 @@ QWidget* ShortcutDialog::makeEditor() {
   m_keys = new QHBoxLayout;
   m_entry = new KeyEntry(box);
   m_add = new QPushButton("Add", box);
-  m_reset = new QPushButton("Usual keys", box);
-  m_resetAll = new QPushButton("Usual keys for all", box);
+  m_reset = new QPushButton("Default keys", box);
+  m_resetAll = new QPushButton("Default keys for all", box);
   auto* close = new QPushButton("Close", box);
   m_verdict = new QLabel(box);
   m_verdict->setWordWrap(true);
@@ -178,8 +178,8 @@ void ShortcutDialog::showChosen() {
   for (const std::string& key : can_change ? shortcut->keys : std::vector<std::string>()) {
     auto* button = new QPushButton(Shortcuts::shown(key) + "  ×", this);
     button->setAutoDefault(false);
-    button->setToolTip("Take this key away");
-    button->setAccessibleName("Take away " + Shortcuts::shown(key));
+    button->setToolTip("Remove this key");
+    button->setAccessibleName("Remove " + Shortcuts::shown(key));
     connect(button, &QPushButton::clicked, this, [this, key] { removeKey(key); });
     m_keys->addWidget(button);
   }
@@ -188,7 +188,7 @@ void ShortcutDialog::showChosen() {
   judge();
 }
 
-/// Says at once who has the key that was pressed, and where.
+/// Says immediately which action has the key that was pressed, and where.
 void ShortcutDialog::judge() {
   const Shortcut* shortcut = m_shortcuts.table().find(chosen());
   m_add->setText("Add");

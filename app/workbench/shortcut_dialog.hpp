@@ -14,7 +14,7 @@ namespace abrazo::app {
 class KeyEntry;
 class Shortcuts;
 
-/// All actions with their keys; what is changed here is in use at once.
+/// All actions with their keys; what is changed here takes effect immediately.
 class ShortcutDialog : public QDialog {
   Q_OBJECT
  public:

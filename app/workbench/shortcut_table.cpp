@@ -141,7 +141,7 @@ std::vector<std::string> ShortcutTable::read(const std::string& text, const Norm
   const Json json = nests_too_deep(text) ? Json() : Json::parse(text, nullptr, false);
   if (!json.is_object() || !json.contains("abrazo_shortcuts") || !json.contains("keys") ||
       !json.at("keys").is_object())
-    return {"is not a list of shortcuts, or is damaged; the usual keys are in use"};
+    return {"is not a list of shortcuts, or is damaged; the default keys are in use"};
   std::map<std::string, std::string> used;
   for (const auto& [id, entry] : json.at("keys").items()) {
     Shortcut* self = own(id);
@@ -150,7 +150,7 @@ std::vector<std::string> ShortcutTable::read(const std::string& text, const Norm
     if (!self)
       told.push_back(refuse(id, entry.dump(), "there is no such action in this version"));
     else if (!why.empty())
-      told.push_back(refuse(id, entry.dump(), why + "; its usual keys are in use"));
+      told.push_back(refuse(id, entry.dump(), why + "; its default keys are in use"));
     else
       self->keys = keys, used[id] = entry.dump();
   }
@@ -170,7 +170,7 @@ void ShortcutTable::settle(std::map<std::string, std::string> read, std::vector<
     if (first == m_all.end()) continue;
     told.push_back(
         refuse(self.id, read.at(self.id),
-               "a key of it is also that of " + named(first->text) + "; its usual keys are in use"));
+               "a key of it is also that of " + named(first->text) + "; its default keys are in use"));
     self.keys = self.usual;
     read.erase(self.id);
   }

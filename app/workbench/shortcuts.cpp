@@ -52,7 +52,7 @@ const std::vector<Shortcut>& fixed_keys() {
       row("timeline.shorter", "Shorter span", {"+", "="}, KeyPlace::Timeline),
       row("timeline.longer", "Longer span", {"-"}, KeyPlace::Timeline),
       row("timeline.earlier", "Move the view back", {"PgUp"}, KeyPlace::Timeline),
-      row("timeline.later", "Move the view on", {"PgDown"}, KeyPlace::Timeline)};
+      row("timeline.later", "Move the view forward", {"PgDown"}, KeyPlace::Timeline)};
   return rows;
 }
 

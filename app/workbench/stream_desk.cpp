@@ -188,8 +188,7 @@ void StreamDesk::beginSession() {
 void StreamDesk::send(const QString& text, Character character) {
   const auto uri = parse_stream_uri(text.toStdString());
   if (!uri) return m_window.messages().showError(words(uri.error()));
-  if (!engine())
-    return m_window.messages().showError("Nothing runs yet that could be sent; open a library first");
+  if (!engine()) return m_window.messages().showError("There is nothing to send yet; open a library first");
   m_sinkLookup.find(*uri, [this, character](const Result<StreamUri>& found) {
     if (!found) return m_window.messages().showError(words(found.error()));
     sendTo(*found, character);
@@ -246,7 +245,8 @@ void StreamDesk::calibrate() {
   }
   if (!isConnected() || !userHealth())
     return m_window.messages().showError(
-        "There is nobody to calibrate: connect to a stream first (Live > Connect to a stream) and wait till "
+        "There is no performer to calibrate: connect to a stream first (Live > Connect to a stream) and wait "
+        "until "
         "a performer "
         "is seen");
   m_window.ticker().follow();

@@ -38,7 +38,7 @@ class StreamDesk : public QObject {
  public:
   StreamDesk(MainWindow& window, widgets::ConnectionPanel& panel);
 
-  /// Now, or as soon as there is a session. What is wrong is told in the message bar.
+  /// Now, or as soon as there is a session. Errors are reported in the message bar.
   void connectTo(const QString& uri);
   void disconnectStream();
   bool isConnected() const { return !m_uri.isEmpty(); }
@@ -51,9 +51,9 @@ class StreamDesk : public QObject {
 
   void setUser(const QString& performer);
   void setSecond(const QString& performer);
-  /// Who plays the user; empty while nobody was seen.
+  /// Who plays the user; empty until a performer was seen.
   QString user() const;
-  /// The other of a pair that is recorded; empty when nobody was chosen.
+  /// The other of a pair that is recorded; empty if none was chosen.
   const QString& second() const { return m_second; }
 
   /// Starts one, or ends the one that goes on.
@@ -101,7 +101,7 @@ class StreamDesk : public QObject {
   std::optional<StreamHealth> m_health;
   CalibrationSteps m_calibration;
   QString m_inputName;   ///< of the session's clip
-  QString m_inputWords;  ///< as the window was told
+  QString m_inputWords;  ///< as given to the window
   std::shared_ptr<const MotionLibrary> m_library;
   QTimer m_poll, m_soon;
 };

@@ -18,7 +18,7 @@ class SubjectStage {
  public:
   explicit SubjectStage(MainWindow& window) : m_window(window) {}
 
-  /// @param from  that was shown so far; "" = the session, in both. @return what is in the way
+  /// @param from  that was shown so far; "" = the session, in both. @return what prevents it
   Status show(const std::string& from, const std::string& to);
   /// The shown take as it is in the session's library now: it was replaced.
   void renew(const std::string& take);

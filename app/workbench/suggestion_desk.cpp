@@ -115,7 +115,7 @@ void SuggestionDesk::take(const std::string& subject, SuggestedTiers suggested, 
   m_annotations.change(std::move(next), moves ? "suggest labels" : "suggest roles");
   focusList();
   m_window.messages().showInformation(
-      QString("%1 suggestions: A accepts, E says something else, X rejects").arg(count));
+      QString("%1 suggestions: A accepts, E accepts with another value, X rejects").arg(count));
 }
 
 void SuggestionDesk::focusList() {

@@ -181,7 +181,7 @@ void SweepRun::setMetric(const std::string& metric) {
 }
 
 void SweepRun::cancel() {
-  if (running()) end("Cancelled; what is there stays.");
+  if (running()) end("Cancelled; the results so far stay.");
 }
 
 void SweepRun::end(const QString& words) {

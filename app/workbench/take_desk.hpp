@@ -28,7 +28,7 @@ class TakeDesk : public QObject {
 
   /// Starts a take, gives up its countdown, or ends it.
   void toggle();
-  /// The same name with its number up, at once.
+  /// Starts the next take of the same name.
   void again();
   bool isRecording() const { return m_sequence.phase == widgets::TakeSequence::Phase::Recording; }
 
@@ -94,7 +94,7 @@ class TakeDesk : public QObject {
   TakeEdits m_edits;               ///< by the names in the file, what is to be changed there
   std::map<std::int64_t, std::string> m_namesInFile;
   QString m_file;
-  std::optional<Markers> m_markersInFile;  ///< as the recorder was told; nothing = not yet
+  std::optional<Markers> m_markersInFile;  ///< as given to the recorder; nothing = not yet
   Recorder::State m_lastState;
   QString m_toldFailure;
   bool m_hasStream = false;

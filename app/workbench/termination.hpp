@@ -24,7 +24,7 @@ class Termination : public QObject {
   QSocketNotifier* m_notifier = nullptr;
 };
 
-/// Ends the program as the close button does, but nobody is asked anything: changes that were not saved are
+/// Ends the program as the close button does, without a dialog: changes that were not saved are
 /// kept for the next start to offer.
 void close_when_told(MainWindow& window, const Termination& termination);
 

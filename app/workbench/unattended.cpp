@@ -130,7 +130,7 @@ void Unattended::quit(const QString& failure) {
   if (!failure.isEmpty())
     std::fprintf(stderr, "abrazo-workbench: %s\n", printable(failure.toStdString()).c_str());
   std::fflush(stdout);
-  // What fails at once does so before the event loop runs, which nothing ends then.
+  // What fails immediately does so before the event loop runs, which nothing ends then.
   QTimer::singleShot(0, qApp, [code = failure.isEmpty() ? 0 : 1] { QApplication::exit(code); });
 }
 

@@ -9,7 +9,7 @@
 
 namespace abrazo::app {
 
-/// A motion whose file can be read, but whose points nobody has said to be joints.
+/// A motion whose file can be read, but whose points are not mapped to joints.
 using UnmappedMotion = std::shared_ptr<const NamedMotion>;
 
 /// The first performer of these files that no built-in joint map and no marker model fits; null when there is

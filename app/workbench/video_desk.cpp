@@ -109,7 +109,7 @@ void VideoDesk::connectPanel() {
   connect(&sync, &SyncSection::pointRemoveRequested, this,
           edit([](const VideoSync& now,
                   int index) { return without_sync_point(now, static_cast<std::size_t>(index)); },
-               "take away sync point"));
+               "remove sync point"));
   connect(&sync, &SyncSection::offsetEntered, this, edit(with_offset, "offset of the video"));
   connect(&sync, &SyncSection::rateEntered, this, edit(with_rate, "rate of the video"));
   connect(&sync, &SyncSection::clearRequested, this,
@@ -236,7 +236,7 @@ void VideoDesk::onSessionStarted() {
   }
   if (rest.size() != m_states.size()) {
     set(rest);
-    m_window.messages().showInformation("The video belonged to the session before, and was closed");
+    m_window.messages().showInformation("The video belonged to the previous session and was closed");
   }
   onSubject();
 }

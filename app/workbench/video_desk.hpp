@@ -32,7 +32,7 @@ class VideoDesk : public QObject {
   /// For a project: what is to be kept of each video, `data` left at -1, and the files in the same order.
   std::vector<ProjectVideo> videos() const;
   QStringList files() const;
-  /// In place of what is open, without a step of undo. A file that is not there is told; what was decided
+  /// In place of what is open, without a step of undo. A missing file is reported; what was decided
   /// about it is kept.
   void setVideos(const std::vector<ProjectVideo>& videos, const QStringList& files);
 

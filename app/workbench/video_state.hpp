@@ -43,7 +43,7 @@ inline VideoState video_state(const ProjectVideo& video, const QString& file) {
   if (!video.camera) return state;
   const CameraIntrinsics& had = video.camera->intrinsics;
   state.intrinsics = had;
-  // Found by the solution where nobody measured it: the middle, square pixels, no distortion.
+  // Estimated if not measured: the middle, square pixels, no distortion.
   state.free_focal_length = had.fx == had.fy && had.distortion == std::array<double, 8>{};
   return state;
 }

@@ -20,7 +20,7 @@ class ViewRecording : public QObject {
 
   ViewRecording(TakePicture take, QObject* parent);
   ~ViewRecording() override;
-  /// @return what is in the way, or nothing
+  /// @return what prevents it, or nothing
   QString start(const QString& file);
   /// ended() follows when the file is there.
   void stop();

@@ -172,7 +172,7 @@ void WelcomePage::addKeys() {
   grid->setHorizontalSpacing(14);
   grid->setColumnStretch(1, 1);
   const std::vector<std::pair<QString, QString>> keys = {
-      {"Space", "play or pause"},           {"Left  Right", "a frame back, a frame on"},
+      {"Space", "play or pause"},           {"Left  Right", "a frame back, a frame forward"},
       {"End", "follow the live end again"}, {"F6", "to the next panel"},
       {"Ctrl+P", "find any command"},       {"F1", "all keys"}};
   for (const auto& [key, what] : keys) {

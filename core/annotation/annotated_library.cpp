@@ -42,7 +42,7 @@ FrameSpan frames_of(const Annotation& annotation, double fps, int frames) {
   return {frame(annotation.start_s), frame(annotation.end_s)};
 }
 
-// ---- pairs of one take anew ----
+// ---- new pairs of one take ----
 
 template <typename Interval>
 const Interval* holding(const std::vector<Interval>& intervals, int frame) {
@@ -215,7 +215,7 @@ Result<TakeAnnotation> take_annotation(const Annotations& annotations, double fp
   if (const AnnotationTier* moves = annotations.first_of(TierKind::Move))
     for (const Annotation& annotation : moves->annotations) {
       const FrameSpan span = frames_of(annotation, fps, frames);
-      // A move that nobody has named yet is none.
+      // A move without a value does not count.
       if (span.end > span.start && !annotation.value.empty())
         taken.labels.push_back(
             {span.start, span.end, annotation.value, annotation.detail, annotation.confidence});

@@ -25,7 +25,7 @@ struct TakeAnnotation {
 };
 Result<TakeAnnotation> take_annotation(const Annotations& annotations, double fps, int frames);
 
-/// The library with other roles and labels of one take, without making a mesh anew: a frame whose active
+/// The library with other roles and labels of one take, without rebuilding a mesh: a frame whose active
 /// character changed takes the same mesh with the bodies in each other's place. Roles decide which pairs
 /// there are, as in building: the annotated assignment, both where nothing is said; both everywhere when the
 /// library has both where a role is said. Equal to building it with these annotations, but for the order of

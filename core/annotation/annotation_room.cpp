@@ -67,8 +67,8 @@ void shift(Annotation& annotation, double by_s) {
   annotation.end_s += by_s;
 }
 
-/// The annotations with those in the way moved on, the earlier ones to earlier times. Each moves as little as
-/// it must, with its length.
+/// The annotations with the overlapped ones moved on, the earlier ones to earlier times. Each moves as little
+/// as it must, with its length.
 Result<std::vector<Annotation>> pushed(std::vector<Annotation> annotations, const Span& span,
                                        const Annotations::Range& range, double side_s, bool by_middle,
                                        std::string_view tier) {

@@ -12,7 +12,7 @@
 
 namespace abrazo {
 
-/// An interval that somebody drew, wrote or accepted. Start inclusive, end exclusive, seconds of its subject:
+/// An interval that was drawn, typed or accepted. Start inclusive, end exclusive, seconds of its subject:
 /// of a session its file's time, of a take frame / fps.
 struct Annotation {
   int id = 0;  ///< of its Annotations, never used twice in them
@@ -39,11 +39,11 @@ struct AnnotationTier {
   bool operator==(const AnnotationTier&) const = default;
 };
 
-/// What becomes of annotations that are in the way of a new or longer one.
+/// What happens to annotations that a new or longer one overlaps.
 enum class Conflict {
   Replace,  ///< they are cut, and those that are covered go
   Push,     ///< they move on with their lengths (ELAN's bulldozer), within the subject's range
-  Refuse    ///< nothing changes, and the error names what is in the way
+  Refuse    ///< nothing changes, and the error names the overlapped annotations
 };
 
 /// Something a program proposes. Becomes an annotation only when a person accepts it.
@@ -90,7 +90,7 @@ class Annotations {
   /// @return the new annotation's id
   Result<int> draw(int tier, double from_s, double to_s, std::string_view value, Conflict conflict,
                    const Range& range);
-  /// Start and end anew: a resize, a move, a nudge.
+  /// New start and end: a resize, a move, a nudge.
   Status place(int annotation, double from_s, double to_s, Conflict conflict, const Range& range);
   Status say(int annotation, std::string_view value, std::string_view detail, std::string_view confidence);
   /// At a time within it; both parts say the same. @return the id of the later part

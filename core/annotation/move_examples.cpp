@@ -98,7 +98,7 @@ class Collection {
       const int order = std::max(0, move.active);
       add(features[static_cast<std::size_t>(order)], candidate, move.label, weight,
           first_move_ + candidate.move);
-      const bool both = move.active < 0;  // either order is right when nobody knows who is active
+      const bool both = move.active < 0;  // either order is right if it is unknown who is active
       add(features[static_cast<std::size_t>(1 - order)], candidate, both ? move.label : none, weight,
           both ? first_move_ + candidate.move : -1);
     }

@@ -9,7 +9,7 @@ namespace abrazo {
 /// that they nearly cover; the last class, "none", has candidates that cover no move well, and moves with the
 /// performers in each other's place. Takes are the groups; origins count the moves of all takes on.
 ///
-/// Every label weighs the same, since how often it comes is told by the order of labels, and a move weighs
+/// Every label weighs the same, since its frequency is in the order of labels, and a move weighs
 /// the same however many candidates cover it.
 ForestExamples move_examples(const LabelledMoves& moves, const CandidateLengths& lengths);
 

@@ -39,7 +39,7 @@ void MoveModel::Trials::add(const ProposedMove& move, const LabelledTake& take) 
     is_right = is_right || (truth.label == move.label &&
                             overlap(move.begin, move.end, truth.begin, truth.end) >= right_overlap);
   }
-  if (common_frames == 0) return;  // nobody said what this is
+  if (common_frames == 0) return;  // it has no label
   frames += common_frames;
   ++proposed;
   right += is_right ? 1 : 0;

@@ -15,8 +15,8 @@ std::string seen_geometry(const CoupleMotion& motion, const CoupleGeometry& geom
 /// "7 of 9 nearest labelled moves: turn".
 std::string neighbour_words(const ProposedMove& move, const LabelledMoves& labelled);
 
-/// Why somebody is taken for active in a stretch: whose movements come first, whose hand is on the other's
-/// back, who strikes.
+/// Why a performer is considered active in an interval: whose movements come first, whose hand is on the
+/// other's back, who strikes.
 std::string role_words(const CoupleMotion& motion, const std::array<MotionChannels, 2>& channels, int begin,
                        int end, int active);
 

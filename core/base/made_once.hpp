@@ -32,7 +32,7 @@ class MadeOnce {
   MadeOnce(const MadeOnce&) = delete;
   MadeOnce& operator=(const MadeOnce&) = delete;
 
-  /// Made now when nobody did; waits when another thread is at it. Rethrows what making throws.
+  /// Made now if it was not; waits while another thread makes it. Rethrows what making throws.
   const T& get() const {
     if (ready_) return value_;
     // Not std::call_once: where pthread_once knows nothing of exceptions, a throw would lock it for ever.
@@ -44,7 +44,7 @@ class MadeOnce {
     }
     return value_;
   }
-  /// `get` would return at once.
+  /// `get` would return immediately.
   bool is_ready() const { return ready_; }
 
   /// Has it made on a thread of its own, unless that was done. @see trouble

@@ -31,8 +31,8 @@ std::uintptr_t page_bytes = 4096;
 struct sigaction handler_before;
 
 /// Puts zeros where the file's page is gone, so that the interrupted read goes on; and behind it, where
-/// nobody relies on anything any more: pages that are replaced one by one would be mappings of their own, of
-/// which the kernel allows some ten thousand.
+/// no caller relies on the contents any more: pages that are replaced one by one would be mappings of their
+/// own, of which the kernel allows some ten thousand.
 bool replace_lost_page(std::uintptr_t address) {
   for (Watch& watch : watches) {
     if (address < watch.begin || address >= watch.end) continue;

@@ -9,7 +9,7 @@ using Vec3 = Eigen::Vector3d;
 /// One row per point [m], right-handed, Y up.
 using Positions = Eigen::Matrix<double, Eigen::Dynamic, 3, Eigen::RowMajor>;
 
-inline constexpr int joint_count = 25;  ///< joints of one body (contract.md)
+inline constexpr int joint_count = 25;  ///< joints of one body (docs/guide/index.md, Joints)
 inline constexpr int pair_vertex_count = 2 * joint_count;
 
 /// Joint positions of one body, one row per joint of `JointSet` [m]. Fixed size: never allocates.

@@ -7,7 +7,7 @@
 namespace abrazo {
 
 /// One thread sleeps until a time or until another thread has something for it, whichever comes first. What
-/// was notified while it was awake is not lost: the next wait returns at once.
+/// was notified while it was awake is not lost: the next wait returns immediately.
 class WakeUp {
  public:
   void notify() {

@@ -4,7 +4,7 @@
 
 namespace abrazo {
 
-/// Remembers which file a name meant, to notice when somebody deletes or moves it while it is in use. Keeps
+/// Remembers which file a name meant, to notice when it is deleted or moved while it is in use. Keeps
 /// the file from nothing: it is neither read nor locked by this.
 class WatchedFile {
  public:

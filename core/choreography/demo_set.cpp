@@ -59,7 +59,7 @@ std::string labels_csv(const std::vector<PairedTake>& takes) {
   return text;
 }
 
-/// Intervals must be in order, within the take and without overlap, or nobody could read them back.
+/// Intervals must be in order, within the take and without overlap, or they could not be read back.
 Status check_roles(const PairedTake& take) {
   const int frames = static_cast<int>(take.a.poses.size());
   int covered = 0;

@@ -278,7 +278,7 @@ void Fighter::place_leg(Side side, double time, const TrunkOffsets& offsets, Pla
 Vec3 Fighter::guard_hand(Side side, const PlacedTrunk& trunk, double heading) const {
   const double arm = (body_.upper_arm + body_.forearm + body_.hand) / 0.63;
   const Vec3 place = side == Side::Left ? Vec3(0.085, 0.075, 0.37) : Vec3(-0.085, 0.085, 0.21);
-  // The guard goes along with a turn of the shoulders, by half.
+  // The guard follows a turn of the shoulders, by half.
   const double yaw = heading + 0.5 * (trunk.posture.chest.yaw - heading - guard_stance()[ChestYaw]);
   return joint_at(trunk.pose, LowerNeck) + arm * (Turn{.yaw = yaw}.matrix() * place);
 }

@@ -14,7 +14,7 @@ class HtmlTable {
  public:
   enum class Row {
     Own,
-    Paper,    ///< somebody else's printed figures
+    Paper,    ///< figures printed in the paper
     Baseline  ///< for comparison
   };
   HtmlTable(std::string caption, std::vector<std::string> columns);

@@ -20,7 +20,7 @@ class PoseQueries {
   PoseQueries(const MotionLibrary& library, UserRole role, bool both_roles)
       : library_(library), role_(role), both_roles_(both_roles) {}
 
-  /// Poses of `take` at `frames`; an Error when nobody can say who of them is the user.
+  /// Poses of `take` at `frames`; an Error when it is unknown which performer is the user.
   Result<std::vector<SelectionQuery>> of(const PairedTake& take, const std::vector<int>& frames) const;
 
  private:

@@ -7,7 +7,7 @@
 
 namespace abrazo {
 
-/// report.json as the contract has it, with further keys beside. Parts that were not asked for are missing;
+/// report.json as described in docs/guide/evaluation.md. Parts that were not asked for are missing;
 /// what is not defined (a success rate of no moves) is null.
 std::string report_json(const Evaluation& evaluation);
 

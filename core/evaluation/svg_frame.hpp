@@ -25,7 +25,7 @@ struct PlotArea {
   double left, top, right, bottom;
 };
 
-/// The n-th series of one's own, or somebody else's.
+/// The n-th series of ours, or of others.
 std::string series_colour(int own_index, bool reference);
 
 /// Title and, below it, the legend, broken into rows. @return where the plot may begin

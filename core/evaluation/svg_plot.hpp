@@ -16,7 +16,7 @@ namespace abrazo {
 struct PlotSeries {
   std::string name;
   std::vector<std::pair<double, double>> points = {};  ///< ascending x
-  bool reference = false;                              ///< somebody else's figures: grey and dashed
+  bool reference = false;                              ///< published figures: grey and dashed
 };
 
 struct LinePlot {

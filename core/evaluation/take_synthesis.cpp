@@ -12,7 +12,7 @@ const Clip& clip_of(const PairedTake& take, ActivePerformer performer) {
   return performer == ActivePerformer::B ? take.b : take.a;
 }
 
-/// Who is active in every frame; Unknown when nobody knows, nothing when it changes.
+/// Who is active in every frame; Unknown where it is not known, nothing if it changes.
 std::optional<ActivePerformer> active_throughout(const PairedTake& take) {
   const auto frames = static_cast<int>(take.a.poses.size());
   const ActivePerformer first = active_at(take, 0);

@@ -9,7 +9,7 @@
 
 namespace abrazo {
 
-/// Rows of one kind: a vector of its own, or a view of memory that somebody else holds (a mapped file).
+/// Rows of one kind: a vector of its own, or a view of memory owned elsewhere (a mapped file).
 /// A value like a vector: whoever first writes to a view gets a vector of its own, and nobody else sees the
 /// change. Reading never copies.
 template <typename Item>

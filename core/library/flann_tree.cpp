@@ -25,7 +25,7 @@ struct FlannSquare {
     return *this;
   }
   template <typename Archive>
-  void serialize(Archive& archive) {  // FLANN could save its index; nobody asks it to
+  void serialize(Archive& archive) {  // FLANN could save its index; this is not used
     archive& value;
   }
   float value;

@@ -119,7 +119,7 @@ void remark_on_pair(const LibraryPlan& plan, const std::string& take, int a, int
                                     first.report.fps, second.report.fps));
   if (first.role == PlannedRole::Either)
     add(Kind::Question,
-        "nothing says who leads: both ways are kept, and the library doubles; set the role of one");
+        "nothing says who leads: both assignments are kept, and the library doubles; set the role of one");
   if (first.guess && first.guess->confidence() == Confidence::Unsure)
     add(Kind::Question, "are these two one pair? " + first.guess->reason);
   const int frames = used_frames(plan, a);

@@ -42,7 +42,7 @@ struct Manifest {
   };
   std::string name;
   std::vector<Take> takes;
-  std::vector<std::string> warnings;  ///< keys that nobody reads, most likely misspelt
+  std::vector<std::string> warnings;  ///< unknown keys, most likely misspelt
 };
 
 /// @param file  where it was read from: gives the folder of relative paths and the place in messages

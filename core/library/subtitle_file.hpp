@@ -21,7 +21,7 @@ Result<TierDocument> parse_subtitles(std::string_view text, std::string_view whe
 
 /// All intervals in order of time, in whole milliseconds. Kinds, vocabularies, detail, confidence and empty
 /// tiers have no place there.
-/// @return an Error for times before 0 and names that cannot be told from the text
+/// @return an Error for times before 0 and names that cannot be distinguished from the text
 Result<TierText> write_subtitles(std::span<const Tier> tiers, std::string_view where, SubtitleForm form);
 
 }  // namespace abrazo

@@ -73,7 +73,7 @@ std::string tiers_json(std::span<const Tier> tiers);
 std::string tier_facts_json(std::span<const Tier> tiers);
 
 /// Reads both. Kind, vocabulary and intervals may be missing; intervals need not be ascending.
-/// @param warnings  keys that nobody reads, most likely misspelt
+/// @param warnings  unknown keys, most likely misspelt
 Result<std::vector<Tier>> parse_tiers_json(std::string_view text, std::string_view where,
                                            std::vector<std::string>& warnings);
 

@@ -21,7 +21,7 @@ using VertexMatrix = Eigen::Matrix<double, pair_vertex_count, pair_vertex_count>
 /// Laplacian coordinates of a pair under a mesh, with weights frozen at a reference pose:
 ///   L(v_j) = sum_{l in N(j)} w_jl (v_j - v_l),   as a matrix L(V) = M V.
 /// Zero for a translation of everything; not invariant under rotation. Source: Ho, Komura, Tai 2010.
-/// Fixed size: building it anew for another mesh does not allocate.
+/// Fixed size: rebuilding it for another mesh does not allocate.
 class Laplacian {
  public:
   /// Distances below 1 mm count as 1 mm, so that touching joints do not take all the weight.

@@ -117,7 +117,7 @@ void SceneReader::note_bones() {
   for (unsigned l = 0; l < scene_.mNumLights; ++l) note_other(scene_.mLights[l]->mName);
 }
 
-/// Animations name their nodes: of two with one name nobody can tell which is meant.
+/// Animations name their nodes: two of one name cannot be distinguished.
 Status SceneReader::check_names() const {
   std::set<std::string> moved;
   for (unsigned a = 0; a < scene_.mNumAnimations; ++a)

@@ -85,7 +85,7 @@ Result<JointBinding> bind(const NamedMotion& motion, const ImportOptions& option
 
 /// Whether a joint map, given or built in, finds all joints.
 bool a_map_fits(const NamedMotion& motion, const ImportOptions& options) {
-  if (options.joint_map) return true;  // what it lacks is told by bind
+  if (options.joint_map) return true;  // bind reports what it lacks
   for (const JointMap& map : builtin_joint_maps())
     if (bind_joints(map, motion.points).missing.empty()) return true;
   return false;

@@ -14,7 +14,7 @@ namespace {
 
 using enum JointGuess::By;
 
-/// The words a joint may be called by, the clearest first. Side is told apart from them.
+/// The words a joint may be called by, the clearest first. The side is determined separately.
 struct Words {
   int joint;
   std::array<const char*, 7> words;

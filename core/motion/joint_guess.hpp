@@ -9,7 +9,7 @@
 
 namespace abrazo {
 
-/// Which points of a file nobody knows are most likely which joints, for a person to look at.
+/// Guesses which points of an unknown file are which joints, for a person to check.
 struct JointGuess {
   enum class By { Nothing, Name, Place, Others };
   JointMap map;  ///< joints without a guess have no rule

@@ -9,8 +9,8 @@
 
 namespace abrazo {
 
-/// The 25 joints of every body, in the contract's order. A name is that of the CMU bone that ends there,
-/// so `LeftFemur` is the left knee; the aliases in `joints::` give the anatomical names.
+/// The 25 joints of every body, in the order of docs/guide/index.md. A name is that of the CMU bone that ends
+/// there, so `LeftFemur` is the left knee; the aliases in `joints::` give the anatomical names.
 namespace joints {
 enum Index : int {
   Root,

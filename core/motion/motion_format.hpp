@@ -27,7 +27,7 @@ std::optional<MotionFormat> format_of_name(std::string_view file);
 std::optional<MotionFormat> format_of_content(std::string_view head);
 
 /// Of a file that is no motion: what it is and what to do ("is a USD file; export FBX or BVH from ...");
-/// empty when it cannot be told.
+/// empty when unknown.
 std::string foreign_kind(std::string_view head, std::string_view file);
 
 /// Whether a table's first lines are those of positions (a column for x, y and z of each point) and not of

@@ -93,7 +93,7 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, failure);
 }
 
-/// A reference that was read from a session which somebody else made can name anything; only what is a file
+/// A reference that was read from a session made by others can name anything; only what is a file
 /// is ever opened.
 bool has_content(const fs::path& path, const DataReference& reference) {
   std::error_code failure;

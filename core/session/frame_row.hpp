@@ -98,7 +98,7 @@ std::string frame_column_definitions();
 /// "INSERT INTO frames ..." with one parameter per column, the checksum last.
 std::string frame_insert();
 
-/// Blobs must stay till the statement has run.
+/// Blobs must stay until the statement has run.
 void bind_row(SessionStatement& statement, const FrameRow& row);
 /// From a SELECT of frame_columns() and checksum. An error when the checksum is not the row's.
 Result<FrameRow> read_row(const SessionStatement& statement);

@@ -40,7 +40,7 @@ class LeaderJudge {
 
   explicit LeaderJudge(std::shared_ptr<const RoleViews> views);
 
-  /// The user's next pose. A jump back in time or a gap starts anew.
+  /// The user's next pose. A jump back in time or a gap starts again.
   void see(const Pose& user, const Body& user_body, double time_s);
   const RoleFit& fit() const { return fit_; }
 
@@ -53,7 +53,7 @@ class LeaderJudge {
   /// All that is kept for one of the two roles.
   struct Side {
     RoleViews::View view;
-    std::vector<bool> left_out;  ///< pairs for which nobody knows who led, or where it was the other
+    std::vector<bool> left_out;  ///< pairs for which it is unknown who led, or where it was the other
     std::optional<BodyRetargeter> retargeter;
     std::deque<Seen> seen;
     std::vector<PoseMatch> matches;

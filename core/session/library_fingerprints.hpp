@@ -18,7 +18,8 @@ class LibraryFingerprints {
   using Compute = std::function<std::string(const MotionLibrary&)>;
   explicit LibraryFingerprints(Compute compute = library_fingerprint) : compute_(std::move(compute)) {}
 
-  /// Returns at once. Empty for a library whose file was damaged meanwhile: it has no content to be known by.
+  /// Returns immediately. Empty for a library whose file was damaged meanwhile: it has no content to be known
+  /// by.
   std::shared_future<std::string> of(const std::shared_ptr<const MotionLibrary>& library);
 
  private:

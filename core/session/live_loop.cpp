@@ -74,8 +74,8 @@ void LiveLoop::take_measures() {
   state_due_ = next_index_;
 }
 
-/// One of several things that have nothing to do with one another: what fails is told at the end of the turn
-/// and keeps no other from being done.
+/// One of several independent actions: a failure is reported at the end of the turn and does not prevent the
+/// others.
 template <typename Action>
 void LiveLoop::attempt(const Action& action) {
   try {

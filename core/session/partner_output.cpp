@@ -46,7 +46,7 @@ void PartnerOutput::tell_bodies(const std::shared_ptr<const MotionLibrary>& libr
 }
 
 void PartnerOutput::send_to_all(double time_s, bool tracked) {
-  // The partner first: it is what somebody waits for.
+  // The partner first: it has the tighter deadline.
   for (const Character character : {Character::Partner, Character::User})
     for (const Attached& attached : sinks_)
       if (attached.character == character)

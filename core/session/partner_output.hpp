@@ -15,9 +15,9 @@ namespace abrazo {
 /// The bones that a character's poses have in a result: those of the library's usual performer in its role.
 const Body& body_of_character(const MotionLibrary& library, Character character, UserRole user_role);
 
-/// Both characters on their way out: what was solved goes to every sink at once, and while there is nothing
-/// to solve the last poses are repeated as not tracked, `held_rate_hz` times a second. Each sink is told the
-/// bones of its poses before the first of them, and again when role or library change them.
+/// Both characters on their way out: what was solved goes to every sink immediately, and while there is
+/// nothing to solve the last poses are repeated as not tracked, `held_rate_hz` times a second. Each sink is
+/// given the bones of its poses before the first of them, and again when role or library change them.
 class PartnerOutput {
  public:
   static constexpr double held_rate_hz = 10;
@@ -44,7 +44,7 @@ class PartnerOutput {
   struct Attached {
     Character character;
     std::shared_ptr<PoseSink> sink;
-    std::shared_ptr<const MotionLibrary> library = nullptr;  ///< whose bones it was told, in which role
+    std::shared_ptr<const MotionLibrary> library = nullptr;  ///< whose bones it was given, in which role
     UserRole user_role = UserRole::Active;
   };
   std::vector<Attached> sinks_;

@@ -27,7 +27,7 @@ struct RecordingFacts {
   /// The library itself when it is at hand: its pairs get their take, frame and label in the file, and a
   /// changed one is noticed when the file is opened. Frames that name a library of their own go before it.
   std::shared_ptr<const MotionLibrary> library;
-  std::vector<std::string> excluded_takes;  ///< that the synthesizer was told to leave out
+  std::vector<std::string> excluded_takes;  ///< that the synthesizer excludes
   /// The session's times and indices are those of the file, in which it goes on: it was opened from there, or
   /// has recorded into it before. Otherwise they are put behind what the file has.
   bool has_times_of_file = false;
@@ -45,8 +45,9 @@ struct RecorderOptions {
 };
 
 /// Writes a running session into a session file, on a thread of its own: everything that was received, the
-/// settings and decisions, every result. At most half a second is not yet on disk. Everything but `finish`
-/// and `flush` returns at once and may be called from any thread.
+/// settings and decisions, every result. Not yet on disk is at most what came in the last
+/// `commit_interval_s`, and the write in progress. Everything but `finish` and `flush` returns immediately
+/// and may be called from any thread.
 class Recorder : public FrameListener {
  public:
   /// Creates the file, or goes on in one that a recorder wrote: then its times and frame indices follow
@@ -57,7 +58,7 @@ class Recorder : public FrameListener {
   /// Listener of a StreamReceiver: a raw pose of any performer.
   virtual void pose_received(const ReceivedPose& pose) = 0;
 
-  /// From here on the frames belong to a take of this name, till `end_take`; all are kept either way. A take
+  /// From here on the frames belong to a take of this name, until `end_take`; all are kept either way. A take
   /// that is still open ends.
   virtual void begin_take(const std::string& name) = 0;
   virtual void end_take() = 0;
@@ -87,9 +88,9 @@ class Recorder : public FrameListener {
   /// history that reaches back to the disk.
   virtual std::shared_ptr<const FrameStore> store() const = 0;
 
-  /// Waits till all that was handed over is on disk. @return why it is not
+  /// Waits until all that was handed over is on disk. @return why it is not
   virtual Status flush() = 0;
-  /// Waits till all is on disk, with the fingerprint of the library, and closes the file. @return what went
+  /// Waits until all is on disk, with the fingerprint of the library, and closes the file. @return what went
   /// wrong
   virtual Status finish() = 0;
 };

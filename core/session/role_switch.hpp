@@ -14,7 +14,7 @@ namespace abrazo {
 /// Whether the library says enough for something other than the hand to decide.
 Status check_role_control(const RoleViews& views, RoleControl by);
 
-/// What a RoleSwitch is told after each step.
+/// What a RoleSwitch is given after each step.
 struct RoleEvidence {
   const FrameResult& result;
   const Pose& user;                      ///< as it came
@@ -26,7 +26,7 @@ struct RoleEvidence {
 ///
 /// Library: the user plays performer A or B of the take that is followed: A when the user is active on a pair
 /// whose active performer is A, or passive on one whose active performer is B. The role is the one that this
-/// performer has in the take's annotation `look_ahead_s` later; where nobody annotated it, it stays. It
+/// performer has in the take's annotation `look_ahead_s` later; where it is not annotated, it stays. It
 /// counts once the same take was followed without a cut for `followed_s`.
 ///
 /// Leader: the mean evidence of LeaderJudge has to pass ln(clearly_better) on the other side.

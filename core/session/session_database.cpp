@@ -69,7 +69,7 @@ struct SessionDatabase::Handle {
   sqlite3* database = nullptr;
   bool is_salvage = false;
   ~Handle() {
-    // Statements hold a database till they are gone themselves.
+    // Statements hold a database until they are gone themselves.
     sqlite3_close_v2(database);
   }
 };
@@ -216,7 +216,7 @@ Status check_journal(const std::string& path) {
       path};
 }
 
-/// A file from somebody else may hold a schema made to harm.
+/// A file from others may hold a malicious schema.
 void defend(sqlite3* database, bool is_salvage) {
   const auto set = [&](int option, int value) { sqlite3_db_config(database, option, value, nullptr); };
   set(SQLITE_DBCONFIG_DEFENSIVE, is_salvage ? 0 : 1);

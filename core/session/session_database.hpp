@@ -13,7 +13,7 @@
 
 namespace abrazo {
 
-/// Kinds of errors that somebody goes on from.
+/// Kinds of errors that callers handle.
 enum class DatabaseFault { Other, Full, Busy, Damaged, NotADatabase, CannotWrite };
 
 /// A prepared statement. Parameters and columns count from 0. Used by one thread at a time, and not longer
@@ -33,7 +33,7 @@ class SessionStatement {
   SessionStatement& bind(int parameter, bool value) { return bind(parameter, std::int64_t{value}); }
   SessionStatement& bind(int parameter, std::string_view text);
   SessionStatement& bind(int parameter, const char* text) { return bind(parameter, std::string_view(text)); }
-  /// The bytes must stay till the next `reset` or `run`.
+  /// The bytes must stay until the next `reset` or `run`.
   SessionStatement& bind(int parameter, std::span<const std::uint8_t> blob);
   SessionStatement& bind_null(int parameter);
 
@@ -49,7 +49,7 @@ class SessionStatement {
   double real(int column) const;
   std::int64_t integer(int column) const;
   std::string text(int column) const;
-  /// Till the next step or reset.
+  /// Until the next step or reset.
   std::span<const std::uint8_t> blob(int column) const;
 
  private:
@@ -89,7 +89,7 @@ class SessionDatabase {
   std::int64_t last_row_id() const;
   /// How long to wait for another writer [ms].
   void set_patience(int milliseconds);
-  /// Whether somebody else holds the file for writing.
+  /// Whether another program holds the file for writing.
   bool is_held_elsewhere();
   /// Everything that was committed into a file of its own, which appears whole or not at all.
   Status copy_to(const std::string& path);

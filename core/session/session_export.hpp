@@ -61,7 +61,7 @@ struct SessionSegment {
 /// The parts of a range by library, in order.
 Result<std::vector<SessionSegment>> session_segments(const SessionRecord& session, const SessionRange& range);
 
-/// First line of a trace of a range in the contract's form.
+/// First line of a trace of a range (docs/guide/command-line.md, Trace).
 Result<std::string> session_trace_header(const SessionRecord& session, const std::string& library_name,
                                          const SessionRange& range);
 

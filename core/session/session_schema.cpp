@@ -77,7 +77,7 @@ std::set<std::string, std::less<>> own_tables() {
 }
 
 /// What a row of the schema is that no session file has; empty for all others. Tables, views and indices
-/// that somebody added for their own use do no harm.
+/// that were added by others are harmless.
 std::string foreign_part(const SessionStatement& row) {
   static const auto own = own_tables();
   const std::string type = row.text(0), name = row.text(1), sql = lower_case(row.text(2));
@@ -88,7 +88,7 @@ std::string foreign_part(const SessionStatement& row) {
   return (is_virtual ? "a virtual table" : "a " + type) + " in place of its table '" + name + "'";
 }
 
-/// A file that somebody else made may say of its tables what would be run when they are read or written.
+/// A file made by others may say of its tables what would be run when they are read or written.
 Status check_schema_objects(SessionDatabase& database) {
   // Reads the whole schema, so that damage in it is known as such.
   if (const auto count = database.integer("SELECT count(*) FROM sqlite_schema"); !count)

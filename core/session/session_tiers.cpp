@@ -24,7 +24,7 @@ struct FrameValues {
   std::vector<double> times_s;
   std::vector<std::string> values;  ///< empty = none
 
-  /// Neighbours of the same value as one interval. A frame lasts till the next one; the last one, and one
+  /// Neighbours of the same value as one interval. A frame lasts until the next one; the last one, and one
   /// before a pause, as long as most do.
   std::vector<TierInterval> intervals() const;
   double usual_interval_s() const;
@@ -69,7 +69,7 @@ Result<Followed> followed_in(const SessionRecord& session, double from_s, double
   return followed;
 }
 
-/// Values that are in force from a time on, till the next or the end.
+/// Values that are in force from a time on, until the next or the end.
 std::vector<TierInterval> in_force(std::vector<std::pair<double, std::string>> changes, double end_s) {
   std::vector<TierInterval> intervals;
   for (std::size_t i = 0; i < changes.size(); ++i) {

@@ -94,7 +94,7 @@ Status SessionWriter::prepare_file(const RecorderOptions& options) {
                           std::to_string(static_cast<std::int64_t>(options.largest_file_bytes) / size));
     if (!limited) return limited.error();
   }
-  // From here to the end there is always a transaction of this writer: nobody else can write in between.
+  // From here to the end there is always a transaction of this writer: no other program can write in between.
   if (const Status begun = database_.execute("BEGIN IMMEDIATE"); !begun) return begun;
   const Status current = *empty ? create_session_schema(database_) : migrate_session_schema(database_);
   if (!current) return current;
@@ -207,7 +207,7 @@ Status SessionWriter::commit(std::uint64_t lost) {
   }
   if (Status done = keep_fault(statements_->commit); !done) return done;
   committed_ = memory_;
-  // What was written is on disk; that somebody else writes now is the next batch's trouble.
+  // What was written is on disk; that another program writes now is the next batch's trouble.
   is_open_ = statements_->begin.run().ok();
   return Done{};
 }
@@ -268,7 +268,7 @@ void SessionWriter::remove_own_log() {
 /// A file without a name is gone once it is closed.
 Status SessionWriter::write_again() {
   const std::string& path = database_.path();
-  // First beside the name: writing takes its time, in which somebody may take it.
+  // First beside the name: writing takes its time, in which another program may take it.
   const std::string beside = with_suffix(path, "-deleted-" + utc_now());
   if (Status copied = database_.copy_to(beside); !copied)
     return Error{

@@ -55,7 +55,7 @@ class SessionWriter {
   /// How the session's times and indices become those of the file.
   const RecordedFrames::Origin& origin() const { return origin_; }
   std::uint64_t bytes() const;  ///< of the file with its log
-  /// Why what is written will not be found under the file's name: somebody deleted or moved it. Or empty.
+  /// Why what is written will not be found under the file's name: it was deleted or moved. Or empty.
   std::string misplaced() const;
 
   /// Commits and makes it one file. One that was deleted meanwhile is written again, whole; the Error says

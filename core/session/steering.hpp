@@ -29,7 +29,7 @@ class Steering {
   /// fall away. Both bodies go on from where they are.
   void replace(std::shared_ptr<PartnerSynthesizer> synthesizer);
 
-  /// Before a step: a move that was meant till now is released, the role changes where it is to.
+  /// Before a step: a declared move that was in force until now is released, the role changes where it is to.
   /// @return whether anything changed
   bool before_step(double now_s);
   /// After a step, as `PartnerSynthesizer::step` was given it.

@@ -9,7 +9,7 @@
 
 namespace abrazo {
 
-/// Where somebody wants to go: a frame by its index, or a session time; or so far from here.
+/// A place to go to: a frame by its index, or a session time; or so far from here.
 struct TimePlace {
   enum class Kind { Frame, Time };
   Kind kind = Kind::Time;

@@ -32,7 +32,7 @@ class ByteReader {
   Vec3 vec3(std::string_view what);
 
   /// Number of elements that follow (i32), none of which is shorter than `least_bytes` (>= 1): a number that
-  /// cannot fit makes the reader fail, so that nobody makes room for it.
+  /// cannot fit makes the reader fail, so that no memory is reserved for it.
   std::size_t count(std::string_view what, std::size_t least_bytes);
   /// Characters up to a zero byte, which is consumed.
   std::string c_string(std::string_view what);

@@ -83,7 +83,7 @@ FrameOrder::Placed FrameOrder::next(double value, const Frame& frame) {
 }
 
 FrameOrder::Placed FrameOrder::stray(double value, const Frame& frame) {
-  // One alone may be anything; some in a row, each after the one before, are a sender that began anew.
+  // One alone may be anything; some in a row, each after the one before, are a sender that restarted.
   strays_ = strays_ > 0 && value > last_stray_ ? strays_ + 1 : 1;
   last_stray_ = value;
   if (strays_ >= strays_of_a_restart) return begin(value, frame, Kind::Restarted);

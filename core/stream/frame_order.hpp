@@ -18,7 +18,7 @@ struct SequencePlace {
 };
 
 /// Tells from counter, time and content of the frames of one performer what is new, what came out of order
-/// or twice, what was lost, and when the sender began anew. By the counter where there is one, else by the
+/// or twice, what was lost, and when the sender restarted. By the counter where there is one, else by the
 /// sender's time, else as they come.
 class FrameOrder {
  public:
@@ -27,7 +27,7 @@ class FrameOrder {
     Earlier,    ///< older than the newest, not seen before
     Repeated,   ///< seen before
     Stray,      ///< from another time: of a sender that restarts, or out of nowhere
-    Restarted,  ///< newer than all before, since the sender began anew
+    Restarted,  ///< newer than all before, since the sender restarted
   };
   struct Placed {
     Kind kind = Kind::Next;

@@ -43,7 +43,7 @@ class HumanoidPoints {
   /// In the order of `names`, world.
   Positions positions(const HumanoidPose& pose) const;
 
-  /// Whether ends can be told from rotations: offsets lie along the axes of a T-pose, or are unknown.
+  /// Whether ends can be derived from rotations: offsets lie along the axes of a T-pose, or are unknown.
   static bool has_upright_rest(const HumanoidPose& pose);
 
  private:

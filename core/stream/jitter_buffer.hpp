@@ -10,8 +10,8 @@
 namespace abrazo {
 
 /// Holds the poses of one performer back for a fixed time, so that what the network delivers unevenly or out
-/// of order comes out evenly and in order. Without a delay it gives at once. Never gives a pose that is older
-/// than one that was due before. Bounded.
+/// of order comes out evenly and in order. Without a delay it delivers immediately. Never gives a pose that
+/// is older than one that was due before. Bounded.
 class JitterBuffer {
  public:
   static constexpr double longest_delay_s = 0.5;

@@ -12,7 +12,7 @@ namespace abrazo {
 /// The client's side of the conversation with a NatNet server: when to ask for what. Sends nothing itself.
 class NatNetConnection {
  public:
-  /// @param knows_host  false: nobody is asked before the first packet says where the server is
+  /// @param knows_host  false: no request is sent before the first packet shows where the server is
   NatNetConnection(bool knows_host, std::optional<NatNetVersion> given_version);
 
   void heard(const Datagram& datagram);

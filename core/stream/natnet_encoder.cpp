@@ -98,7 +98,7 @@ class NatNetEncoder : public StreamEncoder {
   std::vector<std::uint8_t> model_packet_;
   std::int32_t number_ = 0;
   bool model_changed_ = false;      ///< since the last frame
-  std::optional<double> change_s_;  ///< when the last change was told first
+  std::optional<double> change_s_;  ///< when the last change was first announced
 };
 
 /// For a while, since packets get lost: an asker that hears of it asks for the model again.

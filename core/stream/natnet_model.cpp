@@ -176,7 +176,7 @@ Result<NatNetModel> parse_natnet_model(ByteReader& reader, NatNetVersion version
     if (version >= natnet_with_section_sizes) {
       read_sized(reader, kind, version, model);
     } else if (!read_description(reader, kind, version, model) && !reader.failed()) {
-      // Without a size nobody can tell where the next one begins.
+      // Without a size the start of the next one is unknown.
       model.unread.push_back("a description of the unknown kind " + std::to_string(kind) + " and " +
                              std::to_string(descriptions - d - 1) + " behind it");
       return model;

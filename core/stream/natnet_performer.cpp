@@ -37,7 +37,7 @@ Vec3 z_up_to_y_up(const Vec3& v) {
   return {v.x(), v.z(), -v.y()};
 }
 
-/// The axis that a vector mostly goes along, if it is y or z and clearly so.
+/// The axis that a vector is mostly parallel to, if it is y or z and clearly so.
 std::optional<char> clear_axis(const Vec3& v) {
   const double y = std::abs(v.y()), z = std::abs(v.z()), x = std::abs(v.x());
   if (y > 2 * std::max(x, z)) return 'y';
@@ -163,7 +163,7 @@ std::optional<char> NatNetPerformer::up_of_spine() const {
   return rest.norm() > 0.1 ? clear_axis(rest) : std::nullopt;
 }
 
-/// Of somebody who stands.
+/// Of a standing person.
 std::optional<char> NatNetPerformer::up_of_pose() const {
   if (head_ < 0) return std::nullopt;
   const Sample& head = samples_[static_cast<std::size_t>(head_)];

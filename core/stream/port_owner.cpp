@@ -52,7 +52,7 @@ bool holds(const fs::path& process, const std::string& link) {
   return false;
 }
 
-/// Nothing where the process belongs to somebody else.
+/// Nothing where the process belongs to another user.
 std::optional<std::string> program_with(const std::string& link) {
   std::error_code failure;
   for (fs::directory_iterator process("/proc", failure), end; !failure && process != end;

@@ -15,7 +15,7 @@ class PoseSink {
   static Result<std::unique_ptr<PoseSink>> open(const StreamUri& uri, const Body& body,
                                                 std::string character);
   virtual ~PoseSink() = default;
-  /// Never waits: what the network does not take at once is dropped and counted as a failure.
+  /// Never waits: what the network does not accept immediately is dropped and counted as a failure.
   virtual void send(const OutgoingPose& pose) = 0;
   /// The poses from the next one on have these bones; called by the thread that sends.
   virtual void set_body(const Body& body) = 0;

@@ -36,7 +36,7 @@ class PoseSource {
   virtual ~PoseSource() = default;
   /// The newest pose if there is one that was not given out yet.
   virtual std::optional<SourcePose> poll(double now_s) = 0;
-  /// Session time at which the next pose is due; lets the solver thread sleep till then.
+  /// Session time at which the next pose is due; lets the solver thread sleep until then.
   virtual double next_due_s() const = 0;
   virtual double rate_hz() const = 0;
   /// Poses beyond this rate are left out (and count as dropped).
@@ -45,7 +45,7 @@ class PoseSource {
   virtual std::optional<Body> body() const { return std::nullopt; }
   /// Null for a device.
   virtual ReplayControl* replay() { return nullptr; }
-  /// Called from another thread whenever a pose came in, so that nobody need poll in between.
+  /// Called from another thread whenever a pose came in, so that no polling is needed.
   virtual void on_arrival(std::function<void()> called) { static_cast<void>(std::move(called)); }
 };
 

@@ -16,7 +16,7 @@ struct StreamCalibration {
   std::vector<std::string> doubts;  ///< what does not look like a T-pose, and what to change; empty = fine
 };
 
-/// @param poses  world [m], of somebody who stands still with straight arms held out sideways; not empty
+/// @param poses  world [m], of a person who stands still with straight arms held out sideways; not empty
 StreamCalibration calibration_of(std::span<const Pose> poses);
 
 }  // namespace abrazo

@@ -32,7 +32,7 @@ class StreamEncoder {
   }
   /// The poses from the next one on have these bones; numbers and times go on.
   virtual void set_body(const Body& body) = 0;
-  /// Starts over as a sender that was restarted: counters and state begin anew.
+  /// Starts over as a sender that was restarted: counters and state start again.
   virtual void restart() = 0;
 };
 

@@ -22,7 +22,7 @@ struct PerformerHealth {
   std::uint64_t held_joints = 0;    ///< joints kept from the frame before since they were not tracked
   std::uint64_t interruptions = 0;  ///< times that tracking was lost and came back
   std::uint64_t clock_jumps = 0;
-  std::uint64_t restarts = 0;  ///< of the sender: its counter or time began anew
+  std::uint64_t restarts = 0;  ///< of the sender: its counter or time restarted
   std::uint64_t unusable = 0;  ///< frames that gave no pose: too many joints were not tracked, or unknown
   std::uint64_t dropped = 0;   ///< poses that a newer one replaced before the solver took them
   bool tracked = false;        ///< now
@@ -59,7 +59,7 @@ struct StreamHealth {
   std::string listening;  ///< "0.0.0.0:39539"
   double taken_s = 0;     ///< session clock, of this value
   std::uint64_t packets = 0, bytes = 0, packets_with_issues = 0;
-  std::uint64_t overflowed = 0;  ///< packets that the kernel dropped because nobody took them in time
+  std::uint64_t overflowed = 0;  ///< packets that the kernel dropped because they were not read in time
   double last_packet_s = -1;
   std::array<std::uint8_t, 16> first_bytes{};  ///< of the newest packet that was not understood
   std::vector<std::string> senders;

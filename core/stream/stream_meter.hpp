@@ -60,15 +60,15 @@ class PostureMeter {
     double head_above_hips_m = 0;
     double lowest_foot_m = 0;  ///< toe base
     double alternating = 0;    ///< share of frames that jump away and back: two performers in one
-    double jumps = 0;          ///< share of frames that nobody can move to from the one before
+    double jumps = 0;          ///< share of frames that a person cannot reach from the previous one
   };
   Posture posture() const;
   /// For how long no joint has moved by as much as a hundredth of a millimetre [s].
   double frozen_s() const { return last_arrived_s_ - changed_s_; }
 
-  /// Joints' mean displacement that nobody makes from one frame to the next [m].
+  /// Joints' mean displacement that no person makes from one frame to the next [m].
   static constexpr double impossible_step_m = 0.4;
-  /// Whether nobody moves so between two frames that are so far apart in time.
+  /// Whether no person moves like this between two frames that are so far apart in time.
   static bool is_jump(const Pose& from, const Pose& to, double elapsed_s);
 
  private:

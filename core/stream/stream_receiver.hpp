@@ -56,7 +56,7 @@ class StreamReceiver {
   /// Every pose of every performer, before the jitter buffer, as it comes; called from the receiving thread.
   /// @return number to take the listener away with
   virtual int listen(std::function<void(const ReceivedPose&)> listener) = 0;
-  /// The listener has heard whatever health() counted before; it hears nothing after. Not from a listener.
+  /// The listener was given whatever health() counted before; it gets nothing after. Not from a listener.
   virtual void unlisten(int number) = 0;
 
   virtual void set_delay(double delay_s) = 0;

@@ -129,7 +129,7 @@ Status parse_place(std::string_view place, StreamUri& uri) {
       (colon != std::string_view::npos && place.find(':', colon + 1) != std::string_view::npos))
     return Error{"only IPv4 is spoken here; write a name or an address such as 192.168.1.7", uri.text};
   uri.host = std::string(place.substr(0, colon));
-  // Who wants strangers on a network to be heard says so.
+  // Packets from a network are accepted only on request.
   if (uri.host.empty()) uri.host = "127.0.0.1";
   if (uri.host == "*") uri.host = "0.0.0.0";
   for (const char c : uri.host)
@@ -186,7 +186,7 @@ std::string listening_words(std::string_view place) {
   const std::string_view host = place.substr(0, place.find(':'));
   const std::string reach = host == "localhost" || host.starts_with("127.") ? "on this machine only"
                             : host == "0.0.0.0" || host == "*"              ? "on every network"
-                                                                : "on the network of " + std::string(host);
+                                                               : "on the network of " + std::string(host);
   return reach + " (" + std::string(place) + ")";
 }
 

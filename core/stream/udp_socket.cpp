@@ -58,7 +58,7 @@ bool bind_to(int descriptor, const Endpoint& local) {
   return ::bind(descriptor, generic(address), sizeof address) == 0;
 }
 
-/// The next higher port that nobody has; nothing when all those tried are taken.
+/// The next higher free port; nothing when all those tried are taken.
 std::optional<std::uint16_t> free_port_after(Endpoint local) {
   for (int i = 0; i < ports_to_try && local.port < 65535; ++i) {
     ++local.port;
@@ -200,7 +200,7 @@ Status UdpSocket::send_through(std::uint32_t interface_address) {
 }
 
 void UdpSocket::hear_refusals_of(const Endpoint& peer) {
-  // Without it sending works as well, but a refusal is not heard of (broadcast, multicast).
+  // Without it sending works as well, but a refusal is not reported (broadcast, multicast).
   sockaddr_in address = to_system(peer);
   [[maybe_unused]] const int connected = ::connect(descriptor_, generic(address), sizeof address);
 }

@@ -37,7 +37,7 @@ class UdpSocket {
   /// Multicast goes out through it; 0 = as the system routes.
   Status send_through(std::uint32_t interface_address);
 
-  /// From now on `send` says when nobody listens there; nothing is received but from there.
+  /// From now on `send` reports if no program listens there; nothing is received but from there.
   void hear_refusals_of(const Endpoint& peer);
 
   Endpoint local() const;
@@ -51,7 +51,7 @@ class UdpSocket {
   /// The next packet, if there is one. @return nothing when there is none, an Error when the socket is broken
   Result<std::optional<Received>> receive(std::span<std::uint8_t> buffer, const SessionClock& clock);
 
-  /// Hands a packet to the network or fails at once. @return why it was not taken
+  /// Hands a packet to the network or fails immediately. @return why it was not taken
   Status send(const Endpoint& to, std::span<const std::uint8_t> bytes);
 
   /// Packets that the kernel dropped because the buffer was full, since the socket was bound.
@@ -85,7 +85,7 @@ class SocketWait {
 
   /// @return whether there is something to receive
   bool wait(std::span<const int> descriptors, int at_most_ms);
-  /// From any thread; the next `wait` returns at once.
+  /// From any thread; the next `wait` returns immediately.
   void wake();
 
  private:

@@ -10,7 +10,7 @@ namespace abrazo {
 
 /// Tells where one frame of a VMC sender ends: the protocol does not say, and senders differ. A frame closes
 /// when (a) a bone that it has comes again, (b) T comes with a new value after bones, (c) a bundle ends that
-/// began with T, (d) nothing came for 8 ms. Source: reference/workbench.md 5.1.
+/// began with T, (d) nothing came for 8 ms. See docs/guide/live/vmc.md.
 class VmcFraming {
  public:
   struct Frame {

@@ -12,7 +12,7 @@
 namespace abrazo {
 
 /// Watches one VMC sender for what is wrong although each message is well: a clock that stands or starts
-/// anew, a sender that is not ready, bones of two people on one address. Each is said once a second while it
+/// again, a sender that is not ready, bones of two people on one address. Each is said once a second while it
 /// lasts, not once per packet.
 class VmcWatch {
  public:

@@ -24,7 +24,7 @@ class VideoReader {
   /// @param index     within the facts' frames. The last ones that were read are kept for a while
   /// @param progress  asked while decoding; false gives up with an Error "cancelled"
   Result<VideoFramePtr> frame(int index, const Progress& progress = {});
-  /// It is among those that are kept: frame() has it at once.
+  /// It is among those that are kept: frame() returns it without decoding.
   bool holds(int index) const;
 
  private:

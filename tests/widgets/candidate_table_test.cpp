@@ -167,7 +167,7 @@ TEST(CandidateTable, SpeaksTheTermsOfTheMethodThatDecidedTheShownFrame) {
   Table t;
   auto* header = t.table.findChild<CandidateHeader*>();
   t.table.showFrame(filtered_frame(1, 0.03));
-  EXPECT_EQ(t.table.reason(), QString("Goes on: #2 is 0.020 m better, less than the margin"));
+  EXPECT_EQ(t.table.reason(), QString("Continues: #2 is 0.020 m better, less than the margin"));
   EXPECT_TRUE(header->area(CandidateColumn::Pose).isEmpty());
   EXPECT_FALSE(header->area(CandidateColumn::Partner).isEmpty());
   QTest::keyClick(t.list, Qt::Key_Down);
@@ -271,7 +271,7 @@ TEST(CandidateTable, PinsAndVetoesTheChosenRowAndOneClickLiftsIt) {
   EXPECT_EQ(t.asked, (std::vector<QString>{"use salsa_02 0", "veto take salsa_02"}));
   const auto& buttons = t.table.findChild<DecisionBar*>()->buttons();
   ASSERT_EQ(buttons.size(), 1U);
-  EXPECT_EQ(buttons[0]->accessibleName(), QString("Lift the veto: take salsa_02"));
+  EXPECT_EQ(buttons[0]->accessibleName(), QString("Remove the veto: take salsa_02"));
   QTest::keyClick(buttons[0], Qt::Key_Return);
   EXPECT_TRUE(t.table.steering().empty());
 }

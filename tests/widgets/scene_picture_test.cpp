@@ -158,7 +158,7 @@ TEST(SceneView, DrawsTetrahedraWithoutMarkingThoseThatKeptTheirVolume) {
   for (Scene* scene : {&without, &with}) scene->view.showFrame(unbent);
   const QImage before = picture_of(without.view), after = picture_of(with.view);
   EXPECT_GT(difference(before.copy(0, 120, 640, 300), after.copy(0, 120, 640, 300)), 0.03);
-  EXPECT_LT(pixels_of_hue(after.copy(0, 120, 640, 300), QColor("#ff3fb4"), 8), 30) << "none is turned over";
+  EXPECT_LT(pixels_of_hue(after.copy(0, 120, 640, 300), QColor("#ff3fb4"), 8), 30) << "none is inverted";
 }
 
 TEST(SceneView, MarksTetrahedraThatTurnedOverInMagenta) {

@@ -60,18 +60,18 @@ TEST(WinningReasonOfTheFilter, SaysWhatAChangeIsFor) {
 TEST(WinningReasonOfTheFilter, SaysThatGoingOnWasVetoed) {
   auto found = filter_rows({{0.10, 0.05, 0.02, 0, 0.03}, {0.16, 0.06, 0.02, 0, 0}});
   found[1].goes_on = found[1].vetoed = true;
-  EXPECT_EQ(winning_reason(found), "Change: going on is vetoed");
+  EXPECT_EQ(winning_reason(found), "Change: continuing is vetoed");
 }
 
 TEST(WinningReasonOfTheFilter, SaysWhetherOnlyTheMarginHeldTheSource) {
   EXPECT_EQ(winning_reason(candidate_rows(*test::filtered_frame(0, 0), *test::two_take_library())),
-            "Goes on: #2 is 0.020 m better, less than the margin");
+            "Continues: #2 is 0.020 m better, less than the margin");
   auto better = filter_rows({{0.10, 0.02, 0.02, 0, 0}, {0.11, 0.05, 0.02, 0, 0.03}});
   better[0].goes_on = true;
-  EXPECT_EQ(winning_reason(better), "Goes on, 0.040 m better than #2 — motion of the leader");
+  EXPECT_EQ(winning_reason(better), "Continues, 0.040 m better than #2 — motion of the leader");
   auto equal = filter_rows({{0.10, 0.02, 0.02, 0, 0}, {0.10, 0.02, 0.02, 0, 0.03}});
   equal[0].goes_on = true;
-  EXPECT_EQ(winning_reason(equal), "Goes on: #2 is as good, but would be a change");
+  EXPECT_EQ(winning_reason(equal), "Continues: #2 is as good, but would be a change");
 }
 
 TEST(WinningReasonOfTheFilter, ComparesWithTheSecondWhereNothingGoesOn) {

@@ -300,7 +300,7 @@ TEST_F(Annotating, AHeldKeyLabelsWhileTheTakePlays) {
 }
 
 TEST_F(Annotating, TappingEndsTheLastAndBeginsTheNext) {
-  QAction* taps = action("Keys tap: each begins the next label");
+  QAction* taps = action("Tap mode: each key starts the next label");
   ASSERT_TRUE(taps);
   taps->trigger();
   ticker().seek(2);

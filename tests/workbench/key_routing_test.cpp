@@ -142,7 +142,7 @@ std::vector<std::string> keys_of_cell(QString cell) {
 }
 
 TEST_F(Keymap, EveryKeyOfTheGuideIsThatOfAnActionOrAView) {
-  QFile guide(ABRAZO_GUIDE "/workbench.md");
+  QFile guide(ABRAZO_GUIDE "/workbench/keys.md");
   ASSERT_TRUE(guide.open(QIODevice::ReadOnly));
   const QString text = QString::fromUtf8(guide.readAll());
   const QString section = text.section("\n## Keys\n", 1).section("\n## ", 0, 0);

@@ -141,7 +141,7 @@ TEST_F(ProjectActions, MarkersOfATakeAreKeptWithIt) {
 
 TEST_F(ProjectActions, WhoDecidesAboutTheRoleIsWorkThatIsKept) {
   EXPECT_FALSE(is_modified());
-  action("Role as the library's takes are annotated")->trigger();
+  action("Role from the library's annotation")->trigger();
   EXPECT_TRUE(is_modified());
   save_as("role.abrazo");
   action("Role by hand")->trigger();
@@ -149,7 +149,7 @@ TEST_F(ProjectActions, WhoDecidesAboutTheRoleIsWorkThatIsKept) {
   reopen([] { window().openFiles({file("role.abrazo")}); });
   desk().setAsks(true);
   EXPECT_EQ(window().session()->roleControl(), RoleControl::Library);
-  EXPECT_TRUE(until([] { return action("Role as the library's takes are annotated")->isChecked(); }));
+  EXPECT_TRUE(until([] { return action("Role from the library's annotation")->isChecked(); }));
   EXPECT_FALSE(is_modified());
   action("Role by hand")->trigger();
 }

@@ -139,7 +139,7 @@ TEST_F(Shell, ARecentFileThatIsGoneIsToldAndCanBeTakenOffTheList) {
   emit s_window->filesOpened({gone});
   ASSERT_TRUE(QFile::remove(gone));
   open_recent(*s_window, s_remembered->recent().front());
-  EXPECT_TRUE(s_window->messages().text().contains("not there any more"));
+  EXPECT_TRUE(s_window->messages().text().contains("no longer exists"));
   remove_missing_recent(*s_window);
   EXPECT_EQ(s_remembered->recent(), QStringList{here});
 }

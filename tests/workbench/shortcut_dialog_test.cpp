@@ -39,7 +39,7 @@ TEST_F(Editing, AKeyThatSomebodyHasIsToldAtOnceTakenOverAndGivenBack) {
   EXPECT_TRUE(until([] { return markers() == 1; }));
   EXPECT_FALSE(shows(ScenePart::Tetrahedra));
   dialog = editor();
-  click("Usual keys for all");
+  click("Default keys for all");
   dialog->close();
   turn();
   window->activateWindow();

@@ -77,16 +77,16 @@ QWidget* AnnotationPanel::makeConflict() {
   auto* row = new QHBoxLayout(box);
   row->setContentsMargins(0, 0, 0, 0);
   row->setSpacing(4);
-  row->addWidget(caption("Labels in the way", box));
+  row->addWidget(caption("Overlapping labels", box));
   m_conflict = new QButtonGroup(this);
   const std::tuple<const char*, const char*, Conflict> ways[] = {
-      {"are cut", "What is in the way is cut, and goes when it is covered", Conflict::Replace},
-      {"move on", "What is in the way moves on with its length", Conflict::Push},
-      {"stay", "Nothing is drawn over what is there", Conflict::Refuse}};
+      {"trim", "Shortens existing labels; removes those that are covered", Conflict::Replace},
+      {"push", "Moves existing labels and keeps their durations", Conflict::Push},
+      {"refuse", "Draws nothing over existing labels", Conflict::Refuse}};
   for (const auto& [name, tip, way] : ways) {
     QToolButton* each = chip(name, tip, box);
     each->setCheckable(true);
-    each->setAccessibleName(QString("Labels in the way ") + name);
+    each->setAccessibleName(QString("Overlapping labels: ") + name);
     m_conflict->addButton(each, static_cast<int>(way));
     row->addWidget(each);
   }

@@ -8,7 +8,7 @@
 
 namespace abrazo::widgets {
 
-/// A time that somebody typed: "12.5" or "12.5 s", "1:05.2" (minutes), "750 f" or "#750" (a frame, where
+/// A time as typed: "12.5" or "12.5 s", "1:05.2" (minutes), "750 f" or "#750" (a frame, where
 /// there are frames). Nothing when it is none of these. Plain arithmetic, no toolkit.
 std::optional<double> typed_time(std::string_view text, double fps);
 

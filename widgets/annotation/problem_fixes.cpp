@@ -30,7 +30,7 @@ Sides sides_of(const AnnotationProblem& gap, const Annotations& annotations) {
 Status add_value(Annotations& next, const AnnotationProblem& problem) {
   const AnnotationTier* tier = next.tier(problem.tier);
   const Annotation* said = next.find(problem.annotation);
-  if (!tier || !said) return Error{"is there no longer", "label"};
+  if (!tier || !said) return Error{"no longer exists", "label"};
   auto vocabulary = tier->vocabulary;
   vocabulary.push_back({said->value});
   return next.set_vocabulary(tier->id, std::move(vocabulary));
@@ -62,7 +62,7 @@ Status apply(Annotations& next, const AnnotationProblem& problem, ProblemFix fix
                         std::max(std::round(own->start_s * fps) + 1, std::round(own->end_s * fps)) / fps,
                         Conflict::Replace, range);
   }
-  return Error{"is there no longer", "label"};
+  return Error{"no longer exists", "label"};
 }
 
 }  // namespace

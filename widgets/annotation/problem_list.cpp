@@ -13,7 +13,7 @@ ProblemList::ProblemList(QWidget* parent) : QListWidget(parent) {
   setWordWrap(true);
   setAlternatingRowColors(false);
   connect(this, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) {
-    // A copy: who answers may show other problems at once.
+    // A copy: who answers may show other problems immediately.
     const AnnotationProblem problem = m_problems[static_cast<std::size_t>(row(item))];
     emit problemChosen(problem.tier, problem.annotation);
     emit seekRequested(problem.start_s);
@@ -48,7 +48,7 @@ void ProblemList::mend(int row, ProblemFix fix) {
 void ProblemList::mendFirst(int row) {
   if (row < 0 || row >= count()) return;
   const auto fixes = fixes_of(m_problems[static_cast<std::size_t>(row)], m_annotations);
-  fixes.empty() ? emit refused("Only a person can mend this") : mend(row, fixes.front());
+  fixes.empty() ? emit refused("Only you can decide this") : mend(row, fixes.front());
 }
 
 void ProblemList::keyPressEvent(QKeyEvent* event) {

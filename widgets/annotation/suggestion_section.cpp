@@ -40,7 +40,7 @@ SuggestionSection::SuggestionSection(QWidget* parent)
   column->addWidget(m_progress);
   m_list->setAccessibleName("Suggestions, the surest first");
   m_list->setFrameShape(QFrame::NoFrame);
-  m_list->setToolTip("A accepts, E says something else, X rejects; then the next one");
+  m_list->setToolTip("A accepts, E accepts with another value, X rejects; then the next one");
   m_list->setMinimumHeight(110);
   m_list->installEventFilter(this);
   column->addWidget(m_list, 1);
@@ -90,10 +90,10 @@ QWidget* SuggestionSection::makeThreshold() {
   m_slider = new QSlider(Qt::Horizontal, bar);
   m_slider->setRange(0, 100);
   m_slider->setValue(usual_threshold);
-  m_slider->setAccessibleName("Confidence from which all are accepted, per cent");
+  m_slider->setAccessibleName("Minimum confidence for accepting all, per cent");
   m_threshold = new QLabel(bar);
-  m_acceptAll = chip({}, "Accept all that are at least as sure as the slider says; one step of undo", bar);
-  auto* clear = chip("Clear", "Take all suggestions away", bar);
+  m_acceptAll = chip({}, "Accept all whose confidence is at least that of the slider; one undo step", bar);
+  auto* clear = chip("Clear", "Remove all suggestions", bar);
   row->addWidget(m_slider, 1);
   row->addWidget(m_threshold);
   row->addWidget(m_acceptAll);
@@ -158,9 +158,10 @@ void SuggestionSection::describe() {
   const int row = m_list->currentRow();
   const bool is_chosen = row >= 0 && row < static_cast<int>(m_rows.size());
   for (QToolButton* button : {m_accept, m_edit, m_reject}) button->setEnabled(is_chosen);
-  m_reason->setText(is_chosen ? text(m_rows[static_cast<std::size_t>(row)].reason)
-                              : QString("Nothing is suggested. Labels and roles of the other takes are what "
-                                        "suggestions are made from."));
+  m_reason->setText(is_chosen
+                        ? text(m_rows[static_cast<std::size_t>(row)].reason)
+                        : QString("There are no suggestions. Labels and roles of the other takes are what "
+                                  "suggestions are made from."));
 }
 
 void SuggestionSection::count() {

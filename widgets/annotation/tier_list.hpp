@@ -13,7 +13,7 @@ class QToolButton;
 namespace abrazo::widgets {
 
 /// The tiers of a subject in the order of their lanes: which is active, which are to be seen, what they are
-/// called. Asks; shows what it is told.
+/// called. Asks; shows what it is given.
 class TierList : public QWidget {
   Q_OBJECT
  public:

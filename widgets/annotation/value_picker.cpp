@@ -53,7 +53,7 @@ ValuePicker::ValuePicker(QWidget& window, const Question& question, const Palett
   m_list->setFocusPolicy(Qt::NoFocus);
   m_list->setFrameShape(QFrame::NoFrame);
   m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  m_hint = new QLabel("A key takes it, Return what is marked, Esc leaves it", this);
+  m_hint = new QLabel("Press a key to choose, Return for the marked value, Esc to cancel", this);
   m_hint->setObjectName("secondary");
   m_hint->setFont(interface_font(11));
   auto* column = static_cast<QVBoxLayout*>(layout());

@@ -9,7 +9,7 @@ class QListWidget;
 namespace abrazo::widgets {
 
 /// What a label says: a field that opens at a place, with the tier's vocabulary below it. The key of a value
-/// takes it at once while nothing was typed; typing completes from the vocabulary; Return takes what is
+/// takes it immediately while nothing was typed; typing completes from the vocabulary; Return takes what is
 /// marked, or what was typed. What is typed here is no command of the window.
 class ValuePicker : public EntryFrame {
   Q_OBJECT

@@ -13,7 +13,7 @@ class QToolButton;
 namespace abrazo::widgets {
 
 /// What a tier can say: values with key, colour and description. A value that is renamed here is renamed in
-/// the tier's labels, too. Asks; shows what it is told.
+/// the tier's labels, too. Asks; shows what it is given.
 class VocabularyEditor : public QWidget {
   Q_OBJECT
  public:

@@ -43,7 +43,7 @@ void CandidateList::setRows(std::vector<CandidateRow> rows, CandidateColumn figu
   if (wanted != minimumHeight()) setFixedHeight(wanted);
   double largest = 0;
   for (const CandidateRow& row : m_rows) largest = std::max(largest, row.total);
-  // Grows at once and shrinks slowly: bars that rescale with every frame cannot be read.
+  // Grows immediately and shrinks slowly: bars that rescale with every frame cannot be read.
   m_fullBar = other_unit || largest > m_fullBar ? largest : std::max(largest, 0.88 * m_fullBar);
   if (m_hovered >= static_cast<int>(m_rows.size())) m_hovered = -1;
   if (m_currentPair >= 0) {
@@ -238,7 +238,7 @@ QString CandidateList::tip(const CandidateRow& row) const {
                     .arg(row.frame)
                     .arg(row.swapped ? " (roles swapped)" : "")
                     .arg(row.label.empty() ? "no label" : text(row.label).toHtmlEscaped())
-                    .arg(row.goes_on ? " · goes on with the source" : "")
+                    .arg(row.goes_on ? " · continues the source" : "")
                     .arg(row.pinned ? " · pinned" : "")
                     .arg(row.vetoed       ? " · vetoed"
                          : !row.not_meant ? ""

@@ -88,7 +88,7 @@ class CandidateList : public QWidget {
   Palette m_palette;
   std::vector<CandidateRow> m_rows;
   CandidateColumn m_figure = CandidateColumn::Rank;
-  double m_fullBar = 0;  ///< total that fills the bar: grows at once, shrinks slowly
+  double m_fullBar = 0;  ///< total that fills the bar: grows immediately, shrinks slowly
   int m_hovered = -1;
   int m_linked = -1;   ///< a candidate
   int m_current = -1;  ///< a row

@@ -136,7 +136,7 @@ void CandidateTable::connectParts() {
   connect(m_decisions, &DecisionBar::lifted, this, [this](const Decision& decision) {
     emit steeringRequested(decision.without, (decision.kind == Decision::Kind::Pin     ? "let go of "
                                               : decision.kind == Decision::Kind::Meant ? "take back "
-                                                                                       : "lift veto of ") +
+                                                                                       : "remove veto of ") +
                                                  text(decision.text));
   });
   connect(m_mapButton, &QToolButton::toggled, this, &CandidateTable::showMap);
@@ -297,7 +297,7 @@ void CandidateTable::askPin(const CandidateRow& row) {
 void CandidateTable::askVeto(Reach reach, const CandidateRow& row) {
   const bool lifts = is_vetoed(m_steering, reach, row.pair, *m_library);
   emit steeringRequested(with_veto_toggled(m_steering, reach, row.pair, *m_library),
-                         (lifts ? "lift veto of " : "veto ") + subject(reach, row));
+                         (lifts ? "remove veto of " : "veto ") + subject(reach, row));
 }
 
 void CandidateTable::askJump(const CandidateRow& row) {
@@ -309,7 +309,7 @@ void CandidateTable::togglePin() {
   if (m_steering.pinned) {  // a frame without candidates must not keep the pin in force
     Steering next = m_steering;
     next.pinned.reset();
-    emit steeringRequested(next, "let the pinned pair go");
+    emit steeringRequested(next, "unpin the pair");
   }
 }
 
@@ -322,7 +322,7 @@ void CandidateTable::jump() {
 }
 
 void CandidateTable::liftAll() {
-  if (!m_steering.empty()) emit steeringRequested({}, "lift pin and vetoes");
+  if (!m_steering.empty()) emit steeringRequested({}, "clear pin and vetoes");
 }
 
 void CandidateTable::addSorting(QMenu& menu) {
@@ -342,11 +342,11 @@ void CandidateTable::showMenu(const CandidateRow& row, const QPoint& at) {
   const auto add = [&](const QString& words, const char* key, auto act) {
     connect(menu->addAction(with_key(words, key)), &QAction::triggered, this, std::move(act));
   };
-  add(pinned ? "Let this one go" : "Use this one", "P", [this, row] { askPin(row); });
+  add(pinned ? "Unpin this one" : "Use this one", "P", [this, row] { askPin(row); });
   menu->addSeparator();
   const auto veto = [&](Reach reach, const char* key) {
     const bool vetoed = is_vetoed(m_steering, reach, row.pair, *m_library);
-    add((vetoed ? "Lift veto of " : "Veto ") + subject(reach, row), key,
+    add((vetoed ? "Remove veto of " : "Veto ") + subject(reach, row), key,
         [this, row, reach] { askVeto(reach, row); });
   };
   veto(Reach::Pair, "V");
@@ -357,7 +357,7 @@ void CandidateTable::showMenu(const CandidateRow& row, const QPoint& at) {
   addSorting(*menu);
   if (!m_steering.empty()) {
     menu->addSeparator();
-    add("Lift pin and vetoes", "Shift+P", [this] { liftAll(); });
+    add("Clear pin and vetoes", "Shift+P", [this] { liftAll(); });
   }
   menu->popup(at);
 }

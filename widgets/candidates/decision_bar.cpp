@@ -89,9 +89,9 @@ void DecisionBar::makeButtons() {
     button->setIconSize({12, 14});
     button->setText(what + "  ✕");
     button->setFocusPolicy(Qt::StrongFocus);
-    const QString lift = decision.kind == Decision::Kind::Pin     ? "Let the pinned pair go: " + what
+    const QString lift = decision.kind == Decision::Kind::Pin     ? "Unpin the pair: " + what
                          : decision.kind == Decision::Kind::Meant ? "Take it back, " + what
-                                                                  : "Lift the veto: " + what;
+                                                                  : "Remove the veto: " + what;
     button->setToolTip(plain_tip(lift));
     button->setAccessibleName(lift);
     connect(button, &QToolButton::clicked, this, [this, decision] { emit lifted(decision); });

@@ -24,7 +24,7 @@ FeatureMap::FeatureMap(QWidget* parent) : QWidget(parent), m_palette(palette_of(
   setMouseTracking(true);
   setMinimumHeight(110);
   setAccessibleName("Feature-space neighbourhood");
-  setAccessibleDescription("The library, the user's way, the candidates and the winner in a plane");
+  setAccessibleDescription("The library, the user's path, the candidates and the winner in a plane");
   setToolTip(
       "Dots: pairs of the library, in the colours of their moves.<br>Line and diamond: the user, the last 3 "
       "s "
@@ -47,7 +47,7 @@ void FeatureMap::setLibrary(std::shared_ptr<const MotionLibrary> library) {
   wantCloud(UserRole::Active);
 }
 
-/// The old cloud is gone at once: what is drawn belongs to one library and one role.
+/// The old cloud is removed immediately: what is drawn belongs to one library and one role.
 void FeatureMap::wantCloud(UserRole role) {
   m_role = role;
   m_cloud.reset();

@@ -79,7 +79,7 @@ class FeatureMap : public QWidget {
   std::vector<CandidateRow> m_rows;
   std::vector<Spot> m_spots;
   std::vector<Eigen::Vector2d> m_path;
-  QPixmap m_picture;  ///< of the whole cloud; null when it has to be drawn anew
+  QPixmap m_picture;  ///< of the whole cloud; null when it has to be redrawn
   double m_zoom = 1;
   int m_linked = -1;
   int m_currentPair = -1;

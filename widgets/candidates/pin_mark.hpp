@@ -16,7 +16,7 @@ void draw_veto(QPainter& painter, const QPointF& middle, const QColor& colour);
 /// A speech bubble, 9 px: what is meant. @param out  crossed: another move is
 void draw_meant(QPainter& painter, const QPointF& middle, const QColor& colour, bool out = false);
 
-/// An arrow to the right, 8 px: goes on with the source.
+/// An arrow to the right, 8 px: continues the source.
 void draw_goes_on(QPainter& painter, const QPointF& middle, const QColor& colour);
 
 }  // namespace abrazo::widgets

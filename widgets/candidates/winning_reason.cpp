@@ -46,13 +46,13 @@ std::string paper_reason(const CandidateRow& winner, const CandidateRow& second)
 std::string going_on(const CandidateRow& winner, const CandidateRow& second) {
   const double behind = (winner.total - value_of(winner, CostTerm::Change)) -
                         (second.total - value_of(second, CostTerm::Change));
-  if (behind >= least_shown) return "Goes on: #2 is " + figure(behind) + " m better, less than the margin";
-  if (behind > -least_shown) return "Goes on: #2 is as good, but would be a change";
-  return "Goes on, " + figure(-behind) + " m better than #2" + because(largest_gain(winner, second));
+  if (behind >= least_shown) return "Continues: #2 is " + figure(behind) + " m better, less than the margin";
+  if (behind > -least_shown) return "Continues: #2 is as good, but would be a change";
+  return "Continues, " + figure(-behind) + " m better than #2" + because(largest_gain(winner, second));
 }
 
 std::string change(const CandidateRow& winner, const CandidateRow& going_on) {
-  if (going_on.is_out()) return "Change: going on is vetoed";
+  if (going_on.is_out()) return "Change: continuing is vetoed";
   const Gain gain = largest_gain(winner, going_on);
   if (gain.term && gain.term->term == CostTerm::Partner)
     return "Change: partner expected " + figure(gain.value) + " m nearer than going on";
@@ -67,7 +67,7 @@ std::string filter_reason(const std::vector<CandidateRow>& rows, const FrameInte
   const auto other = std::ranges::find_if(rows, &CandidateRow::goes_on);
   if (other != rows.end()) return change(winner, *other);
   // Only a frame that was solved here knows that there was nothing to go on with.
-  const std::string before = intent.model && intent.continued < 0 ? "No source to go on with. " : "";
+  const std::string before = intent.model && intent.continued < 0 ? "No source to continue. " : "";
   const double margin = second.total - winner.total;
   if (margin < least_shown) return before + "A tie with #2";
   return before + "Margin " + figure(margin) + " m to #2" + because(largest_gain(winner, second));

@@ -103,7 +103,7 @@ bool EntryFrame::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::FocusOut && isVisible() &&
       static_cast<QFocusEvent*>(event)->reason() != Qt::PopupFocusReason &&
       static_cast<QFocusEvent*>(event)->reason() != Qt::ActiveWindowFocusReason) {
-    m_before = nullptr;  // somebody went elsewhere on purpose
+    m_before = nullptr;  // the user moved the focus
     leave();
   }
   return QFrame::eventFilter(watched, event);

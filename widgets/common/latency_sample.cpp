@@ -13,9 +13,9 @@ const LatencyStageInfo& info_of(LatencyStage stage) {
   static constexpr std::array<LatencyStageInfo, latency_stage_count> infos = {
       {{"Assembly", "from the first packet of a pose to its last"},
        {"Wait",
-        "from the whole pose till the solver takes it: the jitter buffer's delay, and the step before"},
+        "from the whole pose until the solver takes it: the jitter buffer's delay, and the previous step"},
        {"Solve", "retargeting, selection, mesh and the solver's steps"},
-       {"Send", "from the partner's pose till its last packet is handed to the network"},
+       {"Send", "from the partner's pose until its last packet is handed to the network"},
        {"Render", "drawing the scene, in pictures that were drawn of this frame"}}};
   return infos[static_cast<std::size_t>(stage)];
 }

@@ -92,7 +92,7 @@ void MessageBar::endProgress() {
   if (m_kind == MessageKind::Progress) leave();
 }
 
-/// What leaves by itself makes room for the last error that nobody closed.
+/// What leaves by itself makes room for the last error that was not closed.
 void MessageBar::leave() {
   m_leave->stop();
   m_errors.isEmpty() ? hide() : present(MessageKind::Error, m_errors.last());

@@ -13,7 +13,7 @@ namespace abrazo::widgets {
 
 enum class MessageKind { Information, Warning, Error, Progress };
 
-/// Tells what happened without getting in the way. Errors stay until closed, several one behind the other;
+/// Shows messages without blocking the window. Errors stay until closed, several one behind the other;
 /// other messages leave by themselves.
 class MessageBar : public QWidget {
   Q_OBJECT
@@ -36,7 +36,7 @@ class MessageBar : public QWidget {
 
  signals:
   void cancelRequested();
-  /// Everything that was told, whole, but progress; for a list of messages.
+  /// All messages in full, except progress; for a list of messages.
   void told(abrazo::widgets::MessageKind kind, const QString& text);
 
  protected:

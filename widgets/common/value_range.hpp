@@ -20,8 +20,8 @@ inline double robust_upper(std::vector<double> values) {
   return usual > 0 && largest > towering * usual ? room * usual : largest;
 }
 
-/// Upper end of a colour range that is readable and does not flicker: round numbers, grows at once, shrinks
-/// only after the values stayed under three fifths of it for a while.
+/// Upper end of a colour range that is readable and does not flicker: round numbers, grows immediately,
+/// shrinks only after the values stayed under three fifths of it for a while.
 class SteadyRange {
  public:
   void show(double largest, double time_s);

@@ -77,7 +77,7 @@ ComparePanel::ComparePanel(QWidget* parent) : QWidget(parent) {
 QWidget* ComparePanel::makeButtons() {
   auto* box = new QWidget(this);
   auto* row = row_in(box, 6);
-  m_freeze = button_in(row, box, "Freeze A", "Keep the settings as they are now as A; what you change is B");
+  m_freeze = button_in(row, box, "Freeze A", "Store the current settings as A; later changes are B");
   m_swap = button_in(row, box, "Swap", "A gets the settings of B, and B those of A");
   m_adopt = button_in(row, box, "Adopt A", "The settings become those of A again");
   m_clear = button_in(row, box, "Clear", "Let A go");
@@ -87,7 +87,7 @@ QWidget* ComparePanel::makeButtons() {
   m_aside->setText("Live keeps A");
   m_aside->setCheckable(true);
   m_aside->setFocusPolicy(Qt::TabFocus);
-  m_aside->setToolTip("Try B aside: the live partner goes on with A until this is let go");
+  m_aside->setToolTip("Try B beside it: the live partner keeps A until this is switched off");
   row->addWidget(m_aside);
   connect(m_freeze, &QPushButton::clicked, this, &ComparePanel::freezeRequested);
   connect(m_swap, &QPushButton::clicked, this, &ComparePanel::swapRequested);
@@ -139,7 +139,7 @@ QWidget* ComparePanel::makeProgress() {
   m_progress->setFixedHeight(6);
   m_progress->setAccessibleName("Solving again");
   row->addWidget(m_progress, 1);
-  auto* cancel = button_in(row, m_progressRow, "Cancel", "Stop solving; what is there stays");
+  auto* cancel = button_in(row, m_progressRow, "Cancel", "Stop solving; the results so far stay");
   connect(cancel, &QPushButton::clicked, this, &ComparePanel::cancelRequested);
   return m_progressRow;
 }

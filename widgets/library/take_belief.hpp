@@ -15,7 +15,7 @@ namespace abrazo::widgets {
 class TakeBelief {
  public:
   static constexpr int parts = 96;   ///< two pixels each in the usual width of a strip
-  static constexpr int levels = 20;  ///< what is told apart: 5 %, so that a breath of change draws nothing
+  static constexpr int levels = 20;  ///< what is distinguished: 5 %, so that a breath of change draws nothing
 
   /// Which parts the blocks of a model are; once per model. What is shown stays until the next show().
   void begin(std::span<const BeliefBlock> blocks, std::span<const LibraryTake> takes);

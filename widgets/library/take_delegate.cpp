@@ -31,7 +31,7 @@ QString facts(const TakeRow& row, const QFont& font, double room) {
   return tabular_width(font, whole) <= room ? whole : brief;
 }
 
-/// What a row says while somebody looks along its strip.
+/// What a row says while its strip is browsed.
 QString facts_at(const TakeRow& row, int frame) {
   QString words = QString("frame %1 · %2 s").arg(frame).arg(row.fps > 0 ? frame / row.fps : 0, 0, 'f', 2);
   const double place = frame / static_cast<double>(std::max(1, row.frames));

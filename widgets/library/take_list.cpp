@@ -91,7 +91,7 @@ QWidget* TakeList::makeFoot() {
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(6);
   m_play = button(foot, "Play", "Play the take as recorded",
-                  "Shows the recorded pair in the scene as it danced, from the mark in the strip on");
+                  "Plays the recorded pair in the scene, from the mark in the strip on");
   m_dance = button(
       foot, "Dance", "Dance with this take",
       "Its active performer plays the user; the take is then not selected from (Return, double click)");

@@ -30,7 +30,7 @@ class TakeList : public QWidget {
   Q_OBJECT
  public:
   explicit TakeList(QWidget* parent = nullptr);
-  /// Also starts counting anew what a session uses.
+  /// Also starts counting again what a session uses.
   void setLibrary(std::shared_ptr<const MotionLibrary> library);
   void setColours(const Palette& palette);
   QSize sizeHint() const override { return {262, 320}; }
@@ -45,7 +45,7 @@ class TakeList : public QWidget {
   /// The take the shown frame comes from; -1 for none.
   void setCurrentTake(int take) { setSource(take, 0); }
   void setSource(int take, int frame);
-  /// A take that somebody asked for; -1 for none.
+  /// A requested take; -1 for none.
   void setSelectedTake(int take);
   /// Selects a take and puts the mark at a frame.
   void showPlace(int take, int frame);

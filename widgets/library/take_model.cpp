@@ -92,7 +92,7 @@ QString TakeModel::beliefText(int take, std::optional<int> frame) const {
   if (frame) words += QString("At frame %1: %2. ").arg(*frame).arg(percent(m_belief.at(take, *frame)));
   if (peak.belief == 0) return words + "None in this take";
   return words +
-         QString("Brightest in this take: %1, at frame %2; 100 % is the likeliest place of the library")
+         QString("Brightest in this take: %1, at frame %2; 100 % is the most likely pair of the library")
              .arg(percent(peak.belief))
              .arg(peak.frame);
 }

@@ -45,7 +45,7 @@ class TakeModel : public QAbstractListModel {
   int cursorTake() const { return m_cursor_take; }
   int cursorFrame() const { return m_cursor_frame; }
   void coverageChanged();
-  /// What the shown frame's solver expects; only takes that look different then are drawn anew.
+  /// What the shown frame's solver expects; only takes that look different then are redrawn.
   void setBelief(const FrameIntent& intent);
 
   /// What the belief in a take is, in words, and at a frame of it; empty while nothing is believed.

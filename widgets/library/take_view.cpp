@@ -46,8 +46,7 @@ TakeView::TakeView(TakeModel& model, TakeFilter& filter, QWidget* parent)
   viewport()->setAutoFillBackground(false);
   setStyleSheet("QListView { border: none; }");
   setAccessibleName("Takes of the library");
-  setAccessibleDescription(
-      "Left and Right look along a take, Return dances with it, the menu key has the rest");
+  setAccessibleDescription("Left and Right browse a take, Return dances with it, the menu key has the rest");
 }
 
 int TakeView::currentTake() const {

@@ -22,7 +22,7 @@ struct MeaningChoice {
 /// How long it holds.
 enum class MeaningSpan { UntilTakenBack, UntilDone, FiveSeconds, TenSeconds };
 
-/// What the solver is told. @param now_s  session clock
+/// What the solver is given. @param now_s  session clock
 MeantMove meant_move(const MeaningChoice& choice, MeaningSpan span, double now_s);
 
 /// "turn", "take salsa_02", "no label".

@@ -11,7 +11,7 @@ class QPainter;
 
 namespace abrazo::widgets {
 
-/// Whether the window goes along with the live end.
+/// Whether the window follows the live end.
 enum class PlotMark { None, Following, Detached };
 
 /// The line above a pane's curves: title, the key with its values, and at the right the mark.

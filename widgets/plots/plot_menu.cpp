@@ -31,7 +31,7 @@ void add_series(QMenu& menu, PlotPanel& panel, int pane) {
   }
   if (!some_refused) return;
   menu.addSeparator();
-  menu.addAction("Greyed: another unit; add a pane for it")->setEnabled(false);
+  menu.addAction("Greyed out: another unit; add a pane for it")->setEnabled(false);
 }
 
 void add_export(QMenu& menu, PlotPanel& panel) {
@@ -63,7 +63,7 @@ void fill_pane_menu(QMenu& menu, PlotPanel& panel, int pane) {
   };
   const int arranged = static_cast<int>(panel.arrangement().size());
   if (pane == panel.selectionPane()) {
-    menu.addAction("Same of the other character", &panel,
+    menu.addAction("Same part of the other character", &panel,
                    [&panel] { emit panel.selectionRequested(other_character(panel.selection())); });
     menu.addAction("Select nothing", &panel, [&panel, pane] { panel.removePane(pane); });
   } else {
@@ -72,7 +72,7 @@ void fill_pane_menu(QMenu& menu, PlotPanel& panel, int pane) {
     menu.addAction("Remove this pane", &panel, [&panel, pane] { panel.removePane(pane); })
         ->setEnabled(arranged > 1);
   }
-  menu.addAction("Usual panes", &panel, &PlotPanel::restoreUsual);
+  menu.addAction("Default panes", &panel, &PlotPanel::restoreUsual);
   menu.addSeparator();
   add_export(menu, panel);
 }

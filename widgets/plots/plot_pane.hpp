@@ -36,7 +36,7 @@ class PlotPane : public QWidget {
   /// In place of the title of the series; empty for that.
   void setTitle(const std::string& title);
   void setColours(const Palette& palette);
-  /// Whether the window goes along with the live end; said in the head.
+  /// Whether the window follows the live end; said in the head.
   void setMark(PlotMark mark);
   /// Only the head, where there is no height for more.
   void setCollapsed(bool collapsed);

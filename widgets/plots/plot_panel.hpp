@@ -62,7 +62,7 @@ class PlotPanel : public QWidget {
   /// Takes what is new in the history, moves the window and the cursor, and draws.
   void refresh(const abrazo::FrameHistory& history, const abrazo::Playback& playback,
                const abrazo::FrameSnapshotPtr& shown);
-  /// The window goes along with the live end or the cursor again.
+  /// The window follows the live end or the cursor again.
   void attach();
   void zoom(double factor);
   void showSelection(const abrazo::widgets::Selection& selection);

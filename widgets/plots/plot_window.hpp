@@ -36,7 +36,7 @@ class PlotWindow {
     settle();
   }
 
-  /// Moves by hand; reaching the live end while that is followed goes along with it again.
+  /// Moves by hand; reaching the live end while it is followed resumes following.
   void pan(double by_s) {
     to_s_ += by_s;
     attached_ = playback_.state == Playback::State::Following ? to_s_ >= latest() : is_cursor_within();

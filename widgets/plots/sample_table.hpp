@@ -29,7 +29,7 @@ class SampleTable {
 
   /// Rows come in ascending time.
   void append(Row row);
-  /// Writes some series of a row anew; the row of a frame that is not kept is passed over.
+  /// Writes some series of a row again; the row of a frame that is not kept is passed over.
   void rewrite(std::uint64_t frame, const std::vector<Series>& which, const SeriesValues& values);
   /// After rows were rewritten: the extremes of all that has changed.
   void refresh_extremes(std::uint64_t first_frame, std::uint64_t last_frame);

@@ -10,7 +10,7 @@ namespace abrazo::widgets {
 
 void DepthTags::setColours(const Palette& palette) {
   m_palette = palette;
-  for (QLabel* label : m_labels) label->setProperty("warns", {});  // dressed anew when it is shown next
+  for (QLabel* label : m_labels) label->setProperty("warns", {});  // dressed again when it is shown next
 }
 
 void DepthTags::show(const std::vector<Tag>& tags) {

@@ -15,7 +15,7 @@ class GlSurface : public QVTKOpenGLNativeWidget {
  public:
   explicit GlSurface(QWidget* parent);
   NavigationStyle style = NavigationStyle::Abrazo;
-  Qt::KeyboardModifiers keys;  ///< that were held at the event that is told about
+  Qt::KeyboardModifiers keys;  ///< that were held at the reported event
   std::function<void(QPointF delta, PointerMove move)> dragged;
   std::function<void(double notches)> wheeled;
   /// The pointer rests or moves here without a button; outside of the widget once it has left.

@@ -18,7 +18,7 @@ class JointTrails {
   void set_length(double length_s) { length_s_ = length_s; }
   double length_s() const { return length_s_; }
 
-  /// @param time_s  of the pose; one that is not later than the last, or much later, begins anew. One that
+  /// @param time_s  of the pose; one that is not later than the last, or much later, starts again. One that
   /// comes sooner than the trail can keep apart takes the place of the last.
   void add(double time_s, const PairPose& pair);
   void clear() { samples_.clear(); }

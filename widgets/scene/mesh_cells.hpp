@@ -12,7 +12,7 @@ namespace abrazo::widgets {
 struct CellVolume {
   double volume_m3 = 0;     ///< at the result, never negative
   double reference_m3 = 0;  ///< in the selected pair
-  double ratio = 1;  ///< signed volume of the result / that of the selected pair; negative: turned over
+  double ratio = 1;         ///< signed volume of the result / that of the selected pair; negative: inverted
   /// Thinner than `flat_m` in the selected pair: its sign says nothing, so it is neither coloured nor
   /// counted.
   bool is_flat = false;

@@ -26,8 +26,8 @@ MorphStrip::MorphStrip(QWidget* parent)
     button->setAccessibleName(name);
     button->setToolTip(name);
   };
-  dress(m_back, "Earlier morph step (,)");
-  dress(m_forth, "Later morph step (.)");
+  dress(m_back, "Previous morph step (,)");
+  dress(m_forth, "Next morph step (.)");
   dress(m_close, "Back to the result");
   m_slider->setAccessibleName("Morph step");
   m_slider->setToolTip("From the selected pair through morph and projection steps to the result");

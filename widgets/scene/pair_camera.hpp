@@ -10,7 +10,7 @@ namespace abrazo::widgets {
 /// hand is left as it is. Plain arithmetic, no toolkit.
 class PairCamera {
  public:
-  /// Goes to the pair at once, and looks after direction and distance from then on.
+  /// Jumps to the pair, and then follows its direction and distance.
   void start(OrbitCamera& camera, const PairPose& pair, const PictureShape& picture);
   /// Moves on a little. @param elapsed_s  since the last call
   void follow(OrbitCamera& camera, const PairPose& pair, const PictureShape& picture, double elapsed_s);

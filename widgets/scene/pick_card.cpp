@@ -35,7 +35,7 @@ void PickCard::show(const PickText& text) {
     m_lines << QString::fromStdString(line);
     wide = std::max(wide, tabular_width(interface_font(13), m_lines.back()));
   }
-  // Grows at once and never shrinks while it is open: running numbers must not shake it.
+  // Grows immediately and never shrinks while it is open: running numbers must not shake it.
   const int width = static_cast<int>(wide) + 2 * margin + 2;
   resize(isVisible() ? std::max(width, this->width()) : width,
          line_height * (m_lines.size() + 1) + 2 * margin);

@@ -132,7 +132,7 @@ PickText describe_cell(const FrameSnapshot& frame, const Selection& item) {
   told.lines.push_back(text_of_fact("volume %.3f l (selected %.3f l)", litres * facts->volume_m3,
                                     litres * facts->reference_m3));
   told.lines.push_back(facts->is_flat       ? "flat in the selected pair: no ratio"
-                       : facts->is_inverted ? text_of_fact("turned over, ratio %.2f", facts->ratio)
+                       : facts->is_inverted ? text_of_fact("inverted, ratio %.2f", facts->ratio)
                                             : text_of_fact("ratio %.2f", facts->ratio));
   return told;
 }

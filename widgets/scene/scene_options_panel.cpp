@@ -38,16 +38,16 @@ SceneOptionsPanel::SceneOptionsPanel(QWidget* parent) : QFrame(parent, Qt::Popup
   m_longest = length("Longest edge", "Hide edges that are longer");
   m_isolates = tick("Only the selection (X)",
                     "While something is selected, only the edges and tetrahedra that belong to it");
-  m_apart = slider(this, "Tetrahedra apart", 0, apart_steps);
+  m_apart = slider(this, "Exploded tetrahedra", 0, apart_steps);
   m_apart->setToolTip("Moves the tetrahedra away from the middle of the pair");
-  m_cuts = tick("Cut (C)", "Leaves out what is beyond a plane");
-  m_inWorld = tick("Plane stays in the world (Shift+C)", "Otherwise it goes with the eye");
+  m_cuts = tick("Cut (C)", "Hides everything beyond a plane");
+  m_inWorld = tick("Plane stays in the world (Shift+C)", "Otherwise it moves with the camera");
   m_cut = slider(this, "Offset of the cutting plane", -cut_mm, cut_mm);
-  m_cut->setToolTip("Of the plane from the middle of the pair; Ctrl and the wheel in the scene");
+  m_cut->setToolTip("Distance of the plane from the middle of the pair; Ctrl and the wheel in the scene");
   m_turn = slider(this, "Turn of the cutting plane", -half_turn_deg, half_turn_deg);
   m_tilt = slider(this, "Tilt of the cutting plane", -quarter_turn_deg, quarter_turn_deg);
-  m_turn->setToolTip("About the vertical; Ctrl+Alt and dragging in the scene");
-  m_tilt->setToolTip("From a wall to a ceiling; Ctrl+Alt and dragging in the scene");
+  m_turn->setToolTip("Around the vertical axis; Ctrl+Alt and drag in the scene");
+  m_tilt->setToolTip("From vertical to horizontal; Ctrl+Alt and drag in the scene");
   m_trail = length("Length of trails", "Of the trails; Shift and the wheel in the scene");
   m_trail->setRange(shortest_trail_s, longest_trail_s);
   m_trail->setSingleStep(0.25);
@@ -55,7 +55,7 @@ SceneOptionsPanel::SceneOptionsPanel(QWidget* parent) : QFrame(parent, Qt::Popup
   form->addRow("Shortest edge", m_shortest);
   form->addRow("Longest edge", m_longest);
   form->addRow(m_isolates);
-  form->addRow("Tetrahedra apart", m_apart);
+  form->addRow("Exploded tetrahedra", m_apart);
   form->addRow(m_cuts, m_inWorld);
   form->addRow("Offset", m_cut);
   form->addRow("Turn", m_turn);

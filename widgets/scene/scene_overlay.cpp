@@ -51,7 +51,7 @@ ScalarChips::ScalarChips(QWidget* parent) : QWidget(parent) {
   m_cells = overlay_chip(
       "Volume ratio",
       "Tetrahedra of the mesh, coloured by their volume in the result over that in the selected pair; "
-      "magenta with a rim: turned over",
+      "magenta with a rim: inverted",
       this);
   row->addWidget(m_cells);
   connect(m_cells, &QToolButton::clicked, this, &ScalarChips::cellsChosen);
@@ -59,7 +59,7 @@ ScalarChips::ScalarChips(QWidget* parent) : QWidget(parent) {
   row->addWidget(m_betweenOnly);
   connect(m_betweenOnly, &QToolButton::clicked, this, &ScalarChips::betweenOnlyChosen);
   m_filter = overlay_chip(
-      "Filter…", "Edges by length or of the selection, tetrahedra apart, cutting plane, trails", this);
+      "Filter…", "Edges by length or of the selection, exploded tetrahedra, cutting plane, trails", this);
   row->addWidget(m_filter);
   m_options = new SceneOptionsPanel(this);
   connect(m_options, &SceneOptionsPanel::optionsRequested, this, &ScalarChips::optionsRequested);

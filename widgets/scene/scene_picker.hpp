@@ -35,7 +35,7 @@ class ScenePicker {
   const Selection& selected() const { return m_selected; }
   const Selection& hovered() const { return m_hovered; }
   Selection itemAt(QPointF place, const FrameSnapshot& frame) const;
-  /// Marks and cards follow the frame; what its mesh does not have is told and not marked.
+  /// Marks and cards follow the frame; what its mesh does not have is reported and not marked.
   void show(const FrameSnapshot& frame);
   /// The card of what is selected stands at the lower right.
   void arrange();

@@ -34,7 +34,7 @@ void ScenePictures::open(QSize size) {
   m_scene->show();
 }
 
-/// The camera is placed on the first frame; what would be a movement on a screen is there at once.
+/// The camera is placed on the first frame; what would be an animation on a screen is done immediately.
 void ScenePictures::begin(const FrameSnapshotPtr& frame) {
   m_scene->showFrame(frame);
   if (frame->result.selected < 0) m_scene->frameAll();  // else the scene has done it by itself

@@ -30,12 +30,12 @@ void add_joints(std::vector<TreeRow>& rows, const TreeRow& character, std::strin
 const std::vector<TreeRow>& part_rows() {
   using P = ScenePart;
   static const std::vector<TreeRow> all = {
-      {"User", 0, {P::User}, "The motion as it came in"},
+      {"User", 0, {P::User}, "The motion as received"},
       {"Result", 0, {P::Leader, P::Follower}, "Both characters as they were solved"},
       {"Leader", 1, {P::Leader}, "The active character", -1, 0},
       {"Follower", 1, {P::Follower}, "The passive character", -1, 1},
       {"Selected pair", 0, {P::SelectedPair}, "The recorded pair that was selected, where the user is"},
-      {"Interaction mesh", 0, {P::MeshBetween, P::MeshWithin}, "What ties nearby joints together"},
+      {"Interaction mesh", 0, {P::MeshBetween, P::MeshWithin}, "Edges that connect nearby joints"},
       {"between bodies", 1, {P::MeshBetween}, "Edges of the interaction mesh from one body to the other"},
       {"within bodies", 1, {P::MeshWithin}, "Edges of the interaction mesh within a body"},
       {"tetrahedra",
@@ -57,7 +57,7 @@ const std::vector<TreeRow>& part_rows() {
       {"Look-ahead",
        0,
        {P::LookAhead},
-       "Where root, head, hands and feet of the partner go in the next second, if the recording goes on "
+       "Where root, head, hands and feet of the partner go in the next second, if the recording continues "
        "after the selected pair. Shorter where its take ends"},
       {"Floor", 0, {P::Floor}, "The floor; its stronger lines are a metre apart"}};
   return all;

@@ -76,7 +76,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_parts(std::make_uniqu
   wireOverlay();
   wirePointer();
   connect(p.surface, &QOpenGLWidget::frameSwapped, this, [this] {
-    if (!m_parts->on_the_way) return;  // the window was put together anew without a new picture of the scene
+    if (!m_parts->on_the_way) return;  // the window was put together again without a new picture of the scene
     m_parts->on_the_way = false;
     ++m_parts->rendered;
     const double took_ms = static_cast<double>(m_parts->since_render.nsecsElapsed()) * 1e-6;
@@ -223,7 +223,7 @@ void SceneView::updateFacts() {
       second += " · " + QString::fromUtf8(label.data(), static_cast<int>(label.size())).replace('_', ' ');
   }
   if (const int inverted = p.actors.mesh().invertedCount(); inverted > 0)
-    first += QString(" · %1 of %2 tetrahedra turned over").arg(inverted).arg(result.tetrahedra.size());
+    first += QString(" · %1 of %2 tetrahedra inverted").arg(inverted).arg(result.tetrahedra.size());
   p.facts->show(first, second,
                 result.status == StepStatus::Ok ? QString() : QString::fromStdString(result.status_text()));
 }

@@ -19,7 +19,7 @@
 namespace abrazo::widgets {
 
 /// Both characters, the user, the selected pair and the mesh between the bodies. Renders once for each frame
-/// it is shown; asks nothing of the solver. What is selected it asks for and is told.
+/// it is shown; asks nothing of the solver. It asks for a selection and is given it.
 class SceneView : public QWidget {
   Q_OBJECT
  public:

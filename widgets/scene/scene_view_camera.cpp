@@ -106,7 +106,7 @@ void SceneView::nextView() {
 
 void SceneView::setFollowing(bool following) {
   m_parts->following = following;
-  if (following) m_parts->framed = false;  // begins anew beside the pair
+  if (following) m_parts->framed = false;  // starts again beside the pair
 }
 
 void SceneView::render() {

@@ -36,7 +36,7 @@ PresetBar::PresetBar(QWidget* parent) : QWidget(parent) {
     });
     m_given.push_back(button);
   }
-  m_given.front()->setToolTip("The method to the letter: 15 steps a second, no further terms");
+  m_given.front()->setToolTip("Exactly the published method: 15 steps per second, no further terms");
   m_given.back()->setToolTip("Small lag and few jumps, at the input's own rate");
   m_ownButton = add_segment(this, row, false, true);
   m_ownButton->setToolTip("Your own presets: choose, save, rename, delete, export, import");

@@ -20,8 +20,8 @@ class PresetBar;
 class SectionHeader;
 class SettingRow;
 
-/// Every setting, live: a change goes out at once as the whole value. One drag of a slider is one step of
-/// undo.
+/// Every setting, live: a change is sent immediately, as the complete value. One drag of a slider is one step
+/// of undo.
 class SettingsPanel : public QWidget {
   Q_OBJECT
  public:

@@ -74,7 +74,7 @@ ConnectionPanel::ConnectionPanel(QWidget* parent) : QWidget(parent), m_palette(p
   for (QWidget* part :
        {static_cast<QWidget*>(m_head), static_cast<QWidget*>(m_form), section("Performers"), performers,
         makeCalibration(), section("Timing"), makeTiming(), section("Diagnosis"),
-        static_cast<QWidget*>(m_issues), makeReport(), section("Send on"), static_cast<QWidget*>(m_sinks)})
+        static_cast<QWidget*>(m_issues), makeReport(), section("Outputs"), static_cast<QWidget*>(m_sinks)})
     column->addWidget(part);
   column->addStretch(1);
   auto* scroll = new QScrollArea(this);
@@ -108,7 +108,7 @@ QWidget* ConnectionPanel::makeCalibration() {
       "Counts down, then measures the user who stands in the T-pose: rest pose and lengths of the body");
   m_forget = new QPushButton("Forget", box);
   m_forget->setAccessibleName("Forget the calibration");
-  m_forget->setToolTip("As it was before any calibration; makes the connection anew");
+  m_forget->setToolTip("Removes the calibration and reconnects");
   row->addWidget(m_calibrate, 1);
   row->addWidget(m_forget);
   column->addLayout(row);
@@ -125,7 +125,7 @@ QWidget* ConnectionPanel::makeTiming() {
   auto* column = tight_column(box);
   m_delay = new NumberRow("Jitter buffer delay", "ms", delays, box);
   m_delay->setToolTip(
-      "Poses are given out so long after they were due: more of what comes late is in time, and all is later "
+      "Delays each pose by this time after it was due: late packets are then in time, and the latency grows "
       "by as much. Double click: 0");
   connect(m_delay, &NumberRow::changed, this, &ConnectionPanel::delayRequested);
   column->addWidget(m_delay);
@@ -158,7 +158,7 @@ QWidget* ConnectionPanel::makeReport() {
   auto* row = new QHBoxLayout;
   row->setContentsMargins(12, 4, 12, 4);
   m_copy = new QPushButton("Copy report", box);
-  m_copy->setToolTip("All figures, diagnoses and issues as text, to send to somebody who helps");
+  m_copy->setToolTip("All figures, diagnoses and issues as text, for a support request");
   row->addWidget(m_copy);
   row->addStretch(1);
   column->addLayout(row);
@@ -219,8 +219,8 @@ void ConnectionPanel::showPerformers() {
                                                        : PerformerPart::None);
   }
   m_nobody->setVisible(performers.empty());
-  m_nobody->setText(m_connected ? "Nobody was seen yet. What comes in is listed here by sender."
-                                : "Connect to a stream, and whoever is in it is listed here.");
+  m_nobody->setText(m_connected ? "No performer yet. Performers are listed here by sender."
+                                : "Connect to a stream; its performers are listed here.");
   const bool calibrates = !performers.empty();
   m_forget->setEnabled(calibrates && std::any_of(performers.begin(), performers.end(),
                                                  [](const PerformerHealth& one) { return one.calibrated; }));

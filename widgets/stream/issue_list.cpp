@@ -53,7 +53,7 @@ IssueList::IssueList(QWidget* parent)
   setFrameShape(QFrame::NoFrame);
   setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // its coming and going would wrap the lines anew
+  setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // its coming and going would wrap the lines again
   setSelectionMode(QAbstractItemView::ExtendedSelection);
   setFont(interface_font(12));
   setItemDelegate(new WrappingDelegate(this));

@@ -50,8 +50,8 @@ std::vector<LatencyRow> latency_rows(std::span<const LatencySample> samples, con
               : "from the first packet of the user's pose to the partner's pose; nothing is sent on",
       samples, here, [](const LatencySample& s, int) { return s.end_to_end; }, 0));
   rows.push_back(row(
-      "In → screen", "from the first packet of the user's pose till the picture of the pair is drawn",
-      samples, here, [](const LatencySample& s, int) { return s.to_screen; }, 0));
+      "In → screen", "from the first packet of the user's pose until the pair is drawn", samples, here,
+      [](const LatencySample& s, int) { return s.to_screen; }, 0));
   return rows;
 }
 

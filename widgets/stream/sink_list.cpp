@@ -25,7 +25,7 @@ class SinkCard : public QWidget {
     setFixedHeight(44);
     m_stop->setObjectName("flat");
     m_stop->setFocusPolicy(Qt::TabFocus);
-    m_stop->setToolTip("Send no longer");
+    m_stop->setToolTip("Stop sending");
     connect(m_stop, &QToolButton::clicked, parent,
             [this, parent] { emit parent->stopRequested(QString::fromStdString(m_row.health.uri)); });
   }
@@ -37,7 +37,7 @@ class SinkCard : public QWidget {
   void show(const SinkRow& row) {
     m_row = row;
     const QString what = QString::fromStdString(row.health.character + " to " + row.health.uri);
-    m_stop->setAccessibleName("Send no longer: " + what);
+    m_stop->setAccessibleName("Stop sending: " + what);
     setAccessibleName(what);
     setAccessibleDescription(figures());
     const std::string& failure = row.health.latest_failure;
@@ -82,7 +82,7 @@ SinkList::SinkList(QWidget* parent) : QWidget(parent), m_palette(palette_of(Them
   auto* outer = new QVBoxLayout(this);
   outer->setContentsMargins(0, 0, 0, 0);
   outer->setSpacing(0);
-  m_none = new QLabel("Nothing is sent on. Add where a game engine or a viewer listens.", this);
+  m_none = new QLabel("Nothing is sent. Add the address of a game engine or a viewer.", this);
   m_none->setObjectName("secondary");
   m_none->setWordWrap(true);
   m_none->setContentsMargins(12, 2, 12, 4);

@@ -23,10 +23,10 @@ std::string encoded(std::string_view text) {
 const SchemeInfo& info_of(StreamUri::Scheme scheme) {
   static constexpr std::array<SchemeInfo, 4> infos = {
       {{"vmc", "VMC", "127.0.0.1", 39539,
-        "Address that this machine listens on: 127.0.0.1 hears this machine only, 0.0.0.0 every network"},
+        "Address that this machine listens on: 127.0.0.1 for this machine only, 0.0.0.0 for every network"},
        {"natnet", "NatNet (Motive)", "127.0.0.1", 1510, "Address of the machine that runs Motive"},
        {"xsens", "Xsens MVN", "127.0.0.1", 9763,
-        "Address that this machine listens on: 127.0.0.1 hears this machine only, 0.0.0.0 every network"},
+        "Address that this machine listens on: 127.0.0.1 for this machine only, 0.0.0.0 for every network"},
        {"clip", "Clip, replayed", "", 0, ""}}};
   return infos[static_cast<std::size_t>(scheme)];
 }

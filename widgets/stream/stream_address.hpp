@@ -21,7 +21,7 @@ struct StreamAddress {
 
 /// "vmc://127.0.0.1:39539", with usual values where fields are empty.
 std::string uri_of(const StreamAddress& address);
-/// Who will be heard: "Listens on this machine only (127.0.0.1:39539); 0.0.0.0 is every network".
+/// The accepted senders: "Listens on this machine only (127.0.0.1:39539); 0.0.0.0 is every network".
 std::string reach_of(const StreamAddress& address);
 /// The error says what is wrong with the text.
 Result<StreamAddress> address_of(std::string_view uri);

@@ -49,7 +49,7 @@ const char* word_of(StreamDiagnosis::Severity severity) {
 }  // namespace
 
 StreamHeadline headline_of(const StreamHealth* health) {
-  if (!health) return {StreamMark::Off, "not connected", "The clip stands in for the user"};
+  if (!health) return {StreamMark::Off, "not connected", "The clip plays the user"};
   const std::string detail = health->listening.empty() ? health->uri
                                                        : health->uri.substr(0, health->uri.find(':')) + " " +
                                                              listening_words(health->listening);
@@ -74,22 +74,23 @@ StreamHeadline headline_of(const StreamHealth* health) {
 
 std::vector<StreamFigure> figures_of(const PerformerHealth& performer) {
   return {
-      {"rate", fixed(performer.rate_hz, 1) + " Hz", false, "Poses a second"},
+      {"rate", fixed(performer.rate_hz, 1) + " Hz", false, "Poses per second"},
       {"delay", fixed(performer.delay_ms, 0) + " ms", false, "That the jitter buffer adds"},
       {"interval", percentiles(performer.interval_p50_ms, performer.interval_p95_ms), false,
        "Between two arrivals: median and 95th percentile of the last second or so"},
       {"assembly", percentiles(performer.assembly_p50_ms, performer.assembly_p95_ms), false,
        "From the first packet of a pose to its last: median and 95th percentile"},
-      counted("lost", performer.lost, "Gaps of the sender's counter. VMC has none, and so no figure"),
-      counted("late", performer.late, "Came after a newer one had been given out; a longer delay helps"),
-      counted("repeated", performer.repeated, "Came twice"),
-      {"reordered", count_text(performer.reordered), false, "Came late, but in time for the jitter buffer"},
+      counted("lost", performer.lost, "Gaps in the sender's counter. VMC has no counter"),
+      counted("late", performer.late, "Arrived after a newer pose was delivered; a longer delay helps"),
+      counted("repeated", performer.repeated, "Received twice"),
+      {"reordered", count_text(performer.reordered), false,
+       "Arrived out of order, but in time for the jitter buffer"},
       counted("held joints", performer.held_joints,
-              "Joints kept from the pose before: they were not tracked"),
+              "Joints kept from the previous pose because they were not tracked"),
       counted("unusable", performer.unusable,
               "Frames that gave no pose: too many joints were not tracked, or unknown"),
       counted("interrupted", performer.interruptions, "Times that tracking was lost and came back"),
-      counted("restarts", performer.restarts, "Of the sender: its counter or its time began anew"),
+      counted("restarts", performer.restarts, "The sender restarted: its counter or its time began again"),
       counted("clock jumps", performer.clock_jumps, "Of the sender's clock"),
       {"replaced", count_text(performer.dropped), false,
        "Poses that a newer one replaced before the solver took them"}};
@@ -107,12 +108,11 @@ std::string estimated_line(const PerformerHealth& performer) {
 }
 
 std::vector<StreamFigure> traffic_of(const StreamHealth& health) {
-  return {
-      {"packets", count_text(health.packets), false, "Since the connection was made"},
-      {"bytes", byte_count_text(health.bytes), false, "Since the connection was made"},
-      counted("with issues", health.packets_with_issues, "Packets with something wrong in them; see below"),
-      counted("overflowed", health.overflowed,
-              "Dropped by the operating system because they were not taken in time")};
+  return {{"packets", count_text(health.packets), false, "Since connecting"},
+          {"bytes", byte_count_text(health.bytes), false, "Since connecting"},
+          counted("with issues", health.packets_with_issues, "Faulty packets; see below"),
+          counted("overflowed", health.overflowed,
+                  "Dropped by the operating system because they were not read in time")};
 }
 
 std::string count_text(std::uint64_t count) {

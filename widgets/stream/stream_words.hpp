@@ -45,7 +45,7 @@ std::string dump_text(std::span<const std::uint8_t> bytes);
 /// Whether the stream has packets that are of no protocol that is known; `first_bytes` are theirs.
 bool has_unknown_packets(const StreamHealth& health);
 
-/// All of it as lines: for the clipboard, to be sent to somebody who helps.
+/// All of it as lines: for the clipboard, for a support request.
 std::string report_of(const StreamHealth& health);
 
 }  // namespace abrazo::widgets

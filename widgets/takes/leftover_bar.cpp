@@ -16,9 +16,9 @@ LeftoverBar::LeftoverBar(QWidget* parent) : QWidget(parent) {
   m_text->setWordWrap(true);
   m_open = new QPushButton("Open", this);
   m_keep = new QPushButton("Keep it", this);
-  m_keep->setToolTip("The file stays where it is, and is not offered again");
+  m_keep->setToolTip("The file stays where it is and is not offered again");
   m_discard = new QPushButton("Discard", this);
-  m_discard->setToolTip("Into the wastebasket");
+  m_discard->setToolTip("Moves it to the trash");
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 6, 12, 6);
   row->setSpacing(6);

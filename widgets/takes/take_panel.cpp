@@ -90,7 +90,7 @@ QWidget* TakePanel::makeHead() {
   m_name = new QLineEdit(head);
   m_name->setPlaceholderText("take");
   m_name->setAccessibleName("Name of the takes");
-  m_name->setToolTip("Takes of this name are counted up by themselves");
+  m_name->setToolTip("The number increases with every take of this name");
   m_next = secondary(head);
   m_next->setAccessibleName("Name of the next take");
   auto* naming = new QHBoxLayout;
@@ -103,7 +103,7 @@ QWidget* TakePanel::makeHead() {
   m_record->setFont(interface_font(14, QFont::DemiBold));
   m_again = new QPushButton("Again", head);
   m_again->setMinimumHeight(36);
-  m_again->setToolTip("The same name with the next number, at once; ends the take that is being recorded");
+  m_again->setToolTip("Starts the next take of the same name; ends the take that is being recorded");
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(6);
   buttons->addWidget(m_record, 3);
@@ -118,7 +118,7 @@ QWidget* TakePanel::makeHead() {
   m_countdown->setSuffix(" s");
   m_countdown->setSpecialValueText("none");
   m_countdown->setAccessibleName("Countdown before a take");
-  m_countdown->setToolTip("Counted large over the scene before a take begins; Again does without");
+  m_countdown->setToolTip("Counts in large digits over the scene before a take; Again skips it");
   m_countdown->setFixedWidth(72);
   auto* last = new QHBoxLayout;
   last->setSpacing(6);
@@ -147,7 +147,7 @@ QWidget* TakePanel::makeDisk() {
   m_file->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   m_everything = new QCheckBox("Keep everything on disk", disk);
   m_everything->setToolTip(
-      "Every frame from the first on is written, not only takes: nothing is lost, and the timeline reaches "
+      "Writes every frame, not only takes: nothing is lost, and the timeline reaches "
       "back beyond the memory");
   m_saveAs = panel_button(disk, "Save as…", "Copies the whole session to a file of your choice");
   m_pair = panel_button(disk, "Record pair…",
@@ -199,7 +199,7 @@ void TakePanel::dress() {
                     : m_status.phase == Phase::CountingDown ? " Cancel"
                                                             : " Record");
   m_record->setAccessibleName(m_status.phase == Phase::Recording      ? "Stop recording"
-                              : m_status.phase == Phase::CountingDown ? "Give up the countdown"
+                              : m_status.phase == Phase::CountingDown ? "Cancel the countdown"
                                                                       : "Record a take");
   m_record->setToolTip(busy ? "Ctrl+R" : "Record a take (Ctrl+R)");
   m_record->setStyleSheet(
@@ -250,7 +250,7 @@ void TakePanel::showStatus(const RecordingStatus& status) {
 void TakePanel::showNext() {
   const bool busy = m_status.phase != Phase::Idle;
   m_next->setText((busy ? "now " : "next ") + (busy ? QString::fromStdString(m_status.take) : nextName()));
-  m_again->setToolTip(m_takes.empty() ? "There is no take yet to do again"
+  m_again->setToolTip(m_takes.empty() ? "There is no take yet to repeat"
                                       : "Records " + QString::fromStdString(again_name(m_takes.names())) +
                                             " at once; ends the take that is being recorded (Ctrl+Shift+R)");
 }

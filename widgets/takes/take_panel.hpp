@@ -19,7 +19,7 @@ class TabularLabel;
 class TakeRows;
 
 /// Recording takes of a session: the next name, the big button, the countdown, how the disk keeps up, and the
-/// takes there are. Records nothing itself: it asks, and shows what it is told.
+/// takes there are. Records nothing itself: it asks, and shows what it is given.
 class TakePanel : public QWidget {
   Q_OBJECT
  public:

@@ -97,7 +97,7 @@ TakeRows::TakeRows(QWidget* parent) : QListWidget(parent) {
   setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   setStyleSheet("QListView { border: none; } QLineEdit { padding: 0 8px; }");
   setAccessibleName("Takes of this session");
-  setAccessibleDescription("Return goes to a take, F2 renames it, Delete takes it off the list");
+  setAccessibleDescription("Return goes to a take, F2 renames it, Delete removes it from the list");
   connect(this, &QListWidget::itemDoubleClicked, this,
           [this](QListWidgetItem* item) { emit goToRequested(takeAt(row(item))); });
   connect(this, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
@@ -197,7 +197,7 @@ void TakeRows::contextMenuEvent(QContextMenuEvent* event) {
   QMenu menu(this);
   menu.addAction("Go to it", this, [this, take] { emit goToRequested(take); });
   menu.addAction("Rename\tF2", this, &TakeRows::rename);
-  menu.addAction("Take off the list\tDel", this, [this, take] { emit removeRequested(take); });
+  menu.addAction("Remove from the list\tDel", this, [this, take] { emit removeRequested(take); });
   menu.exec(event->reason() == QContextMenuEvent::Keyboard
                 ? mapToGlobal(visualItemRect(currentItem()).bottomLeft())
                 : event->globalPos());

@@ -17,7 +17,7 @@ struct TakeSequence {
   double since_s = 0;  ///< session clock; when the phase began
   double countdown_s = 0;
 
-  /// @return whether recording begins at once; otherwise when `advance` says so
+  /// @return whether recording starts immediately; otherwise when `advance` says so
   bool start(std::string take, double wait_s, double now_s) {
     name = std::move(take);
     since_s = now_s;

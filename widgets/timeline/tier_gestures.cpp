@@ -1,4 +1,4 @@
-// What the pointer does in the lanes of tiers, and what those lanes are told.
+// What the pointer does in the lanes of tiers, and what those lanes are given.
 #include <QMouseEvent>
 #include <algorithm>
 

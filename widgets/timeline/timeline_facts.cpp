@@ -112,7 +112,7 @@ QString facts_at(const TimelineContent& content, const QPointF& place) {
   if (on_lane && lane == TimelineLane::UserRole) return user_role_facts(content, time_s);
   if (time_s < content.playback.first_s)
     return time_s < 0 ? QString()
-                      : QString("Given up: the memory for frames is full, and they were not kept on disk");
+                      : QString("Dropped: the memory for frames is full, and they are not on disk");
   QString facts = source_facts(content, time_s);
   if (facts.isEmpty()) return {};
   const double around_s = std::max(axis.seconds_per_pixel(), 0.01);

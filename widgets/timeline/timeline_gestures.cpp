@@ -105,7 +105,7 @@ void TimelineView::dragTo(const QPointF& place) {
   }
 }
 
-/// Beyond an edge the view goes along.
+/// Beyond an edge the view scrolls.
 void TimelineView::scrubTo(double x_px) {
   constexpr double slowly = 0.3;
   const double beyond = x_px - std::clamp(x_px, axis().left_px, axis().right_px());

@@ -20,7 +20,7 @@ constexpr std::size_t newest_kept = 40'000;  // five minutes and a half at 120 H
 constexpr std::size_t older_kept = 40'000;
 
 /// Of a frame that may have been solved with another library; only what is shown of it is translated.
-/// @param dt_s  since the step before, for the weight of its rate
+/// @param dt_s  since the previous step, for the weight of its rate
 TrackRow row_of(const FrameSnapshot& frame, const std::shared_ptr<const MotionLibrary>& library,
                 double dt_s) {
   const FrameResult& result = frame.result;
@@ -88,7 +88,7 @@ void TimelineView::setLibrary(std::shared_ptr<const MotionLibrary> library) {
 
 void TimelineView::extendLibrary(std::shared_ptr<const MotionLibrary> library) {
   m_content.library = std::move(library);
-  // Labels, roles and the numbers of pairs may be others now: all frames are taken anew.
+  // Labels, roles and the numbers of pairs may be others now: all frames are taken again.
   m_content.tracks.clear();
   m_content.settings = {};
   m_nextIndex = 0;

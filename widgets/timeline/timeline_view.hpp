@@ -20,7 +20,7 @@ class TimelineView : public QWidget {
   explicit TimelineView(QWidget* parent = nullptr);
   /// Begins a session: forgets frames and markers.
   void setLibrary(std::shared_ptr<const MotionLibrary> library);
-  /// Other frames of the same session, or the same again: their lanes are made anew; markers stay away or
+  /// Other frames of the same session, or the same again: their lanes are rebuilt; markers stay away or
   /// come back with `showMarkers`.
   void showOtherFrames();
   /// The session goes on with another library, whose takes were in the one before or are behind them: a take

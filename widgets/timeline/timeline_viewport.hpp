@@ -73,7 +73,7 @@ class TimelineViewport {
   /// As pan, to where `time_s` is in the middle.
   void centre(double time_s) { pan(time_s - axis_.span_s / 2 - axis_.first_s); }
 
-  /// Moves by hand; back at the live end while that is followed goes along with it again.
+  /// Moves by hand; back at the live end while it is followed resumes following.
   void pan(double by_s) {
     all_ = false;
     axis_.first_s += by_s;

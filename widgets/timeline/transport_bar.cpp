@@ -28,7 +28,7 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent), m_palette(palette
   m_start = button("To the beginning", "To the beginning (Home)");
   m_back = button("One frame back", "One frame back (Left)");
   m_play = button("Play or pause", "Play or pause (Space)");
-  m_forward = button("One frame on", "One frame on (Right)");
+  m_forward = button("One frame forward", "One frame forward (Right)");
   m_end = button("To the live end", "To the live end (End)");
   m_time = new TabularLabel(this);
   m_time->setFont(interface_font(17));
@@ -88,7 +88,7 @@ void TransportBar::makeSpeeds() {
             [this, factor] { emit speedRequested(factor); });
   connect(menu->addAction("Other…"), &QAction::triggered, this, &TransportBar::speedEntryRequested);
   menu->addSeparator();
-  m_everyFrame = menu->addAction("Every frame, rather slower than asked");
+  m_everyFrame = menu->addAction("Every frame, if necessary slower than chosen");
   m_everyFrame->setCheckable(true);
   connect(m_everyFrame, &QAction::triggered, this, &TransportBar::everyFrameRequested);
   m_speed->setMenu(menu);

@@ -16,7 +16,7 @@ namespace abrazo::widgets {
 
 class TabularLabel;
 
-/// Play, step, time, state, speed, loop. Asks; shows what it is told.
+/// Play, step, time, state, speed, loop. Asks; shows what it is given.
 class TransportBar : public QWidget {
   Q_OBJECT
  public:

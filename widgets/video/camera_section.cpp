@@ -31,7 +31,7 @@ std::string camera_words(const CameraStatus& status) {
     return words.toStdString();
   }
   if (status.has_camera && picks == 0) return "Camera loaded; no points to check it with";
-  if (picks == 0) return "Point at joints in the picture: the camera's place follows from six or more";
+  if (picks == 0) return "Pick joints in the video: six or more determine the camera's place";
   const int missing = status.picks_needed - picks;
   const QString so_far = counted(picks, "joint") + " picked";
   return (missing > 0 ? so_far + QString("; %1 more to find the camera").arg(missing) : so_far).toStdString();
@@ -42,7 +42,7 @@ CameraSection::CameraSection(QWidget* parent) : QWidget(parent), m_palette(palet
   makeLens(*column);
   makePicking(*column);
   auto* files = section_row(column);
-  m_clear = chip_button(this, "Forget", "Takes away camera and points");
+  m_clear = chip_button(this, "Forget", "Removes camera and points");
   m_save = chip_button(this, "Save…", "Lens and place of the camera, as a file that can be loaded again");
   m_load = chip_button(this, "Load…", "Lens and place that were saved");
   files->addWidget(m_save);
@@ -69,8 +69,7 @@ void CameraSection::makeLens(QVBoxLayout& column) {
   m_fov->setSuffix("° across");
   m_fov->setKeyboardTracking(false);
   m_fov->setButtonSymbols(QAbstractSpinBox::NoButtons);
-  m_fov->setToolTip(
-      "Without a calibration: a lens that sees so much from left to right. In place of a calibration");
+  m_fov->setToolTip("Horizontal field of view of the lens, used without a calibration");
   m_focal = new QCheckBox("find it", this);
   m_focal->setAccessibleName("Find the focal length too");
   m_focal->setToolTip("The focal length is found together with the camera's place; takes eight points");

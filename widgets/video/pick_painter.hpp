@@ -17,7 +17,7 @@ namespace abrazo::widgets {
 void paint_pick(QPainter& painter, const PickMark& pick, const PictureFraming& framing,
                 const Palette& palette, bool selected);
 
-/// What is under the pointer, so large that a tenth of a pixel can be told.
+/// What is under the pointer, magnified so that a tenth of a pixel is visible.
 struct Lens {
   const QImage& picture;
   Pixel pixel;

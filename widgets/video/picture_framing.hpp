@@ -66,7 +66,7 @@ inline PictureZoom zoomed(PictureSize picture, PictureSize view, const PictureZo
   return next;
 }
 
-/// The view goes along by so many of its pixels.
+/// The view moves by this number of its pixels.
 inline PictureZoom panned(PictureSize picture, PictureSize view, const PictureZoom& zoom, double dx,
                           double dy) {
   PictureZoom next = zoom;

@@ -97,8 +97,8 @@ void SyncSection::makeRows() {
     const QString words = QString("Timeline %1  =  video %2")
                               .arg(text_of(clock_text(point.subject_s)), text_of(clock_text(point.video_s)));
     auto* go = chip_button(box, words, "The cursor goes there");
-    auto* remove = chip_button(box, "✕", "Takes the point away");
-    remove->setAccessibleName(QString("Take away point %1").arg(i + 1));
+    auto* remove = chip_button(box, "✕", "Removes the point");
+    remove->setAccessibleName(QString("Remove point %1").arg(i + 1));
     row->addWidget(go, 1);
     row->addWidget(remove);
     go->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);

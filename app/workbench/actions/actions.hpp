@@ -99,20 +99,20 @@ void offer_leftovers(MainWindow& window);
 /// Shows the welcome page where a person wants it and there is room for it beside the scene.
 void welcome_at_start(MainWindow& window);
 
-/// As soon as there is a session. What is wrong is told.
+/// As soon as there is a session. Errors are reported.
 void connect_to_stream(MainWindow& window, const QString& uri);
 void send_partner_to(MainWindow& window, const QString& uri);
 
-/// @param entry  of the recent files; what is missing is told
+/// @param entry  of the recent files; missing files are reported
 void open_recent(MainWindow& window, const QString& entry);
 void remove_missing_recent(MainWindow& window);
 
 /// Writes the window as it is on the screen, the 3D scene included. @return what went wrong, or nothing
 QString save_screenshot(MainWindow& window, const QString& file);
 
-/// Films until it is stopped; what is in the way is told.
+/// Films until it is stopped; what prevents it is reported.
 void start_recording(MainWindow& window, ViewRecording& recording, const QString& file);
-/// Films recorded frames while the window goes on; the end is told.
+/// Films recorded frames while the window goes on; the end is reported.
 void render_range(MainWindow& window, const RangeRequest& request);
 
 /// Writes the plots, or the samples in their window, whole or not at all. @return what went wrong, or nothing

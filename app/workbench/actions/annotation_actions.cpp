@@ -50,9 +50,9 @@ void add_subjects(MainWindow& window, QMenu* menu, AnnotationDesk& desk) {
 
 void add_conflicts(MainWindow& window, QMenu* menu, AnnotationDesk& desk) {
   auto* group = new QActionGroup(&desk);
-  const std::pair<const char*, Conflict> ways[] = {{"Labels in the way are cut", Conflict::Replace},
-                                                   {"Labels in the way move on", Conflict::Push},
-                                                   {"Labels in the way stay", Conflict::Refuse}};
+  const std::pair<const char*, Conflict> ways[] = {{"Overlapping labels: trim", Conflict::Replace},
+                                                   {"Overlapping labels: push", Conflict::Push},
+                                                   {"Overlapping labels: refuse", Conflict::Refuse}};
   for (const auto& [name, way] : ways) {
     QAction* action = add_action(window, menu, name, {}, [&desk, way = way] { desk.setConflict(way); });
     action->setCheckable(true);
@@ -113,7 +113,7 @@ void add_annotation_actions(MainWindow& window) {
   add_label_actions(window, *edits);
   menu->addSeparator();
   QAction* taps =
-      add_action(window, menu, "Keys tap: each begins the next label", {QKeySequence("Shift+T")}, [] {});
+      add_action(window, menu, "Tap mode: each key starts the next label", {QKeySequence("Shift+T")}, [] {});
   taps->setCheckable(true);
   QObject::connect(taps, &QAction::toggled, keys, &LabelKeys::setTaps);
   menu->addSeparator();

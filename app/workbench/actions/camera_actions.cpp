@@ -36,12 +36,12 @@ void add_camera_actions(MainWindow& window) {
   add_action(window, menu, "Show the selection, or all", {QKeySequence("F")},
              [&scene] { scene.frameSelection(); });
   add_action(window, menu, "Show all", {}, [&scene] { scene.frameAll(); });
-  add_action(window, menu, "View as at the start", {QKeySequence("0")}, [&scene] { scene.resetView(); });
+  add_action(window, menu, "Default view", {QKeySequence("0")}, [&scene] { scene.resetView(); });
   for (const Preset& preset : presets)
     add_action(window, menu, preset.name, {QKeySequence(preset.key)},
                [&scene, preset] { scene.lookFrom(preset.azimuth_rad, preset.elevation_rad); });
-  add_action(window, menu, "View before", {QKeySequence("Alt+Z")}, [&scene] { scene.previousView(); });
-  add_action(window, menu, "View after", {QKeySequence("Alt+Shift+Z")}, [&scene] { scene.nextView(); });
+  add_action(window, menu, "Previous view", {QKeySequence("Alt+Z")}, [&scene] { scene.previousView(); });
+  add_action(window, menu, "Next view", {QKeySequence("Alt+Shift+Z")}, [&scene] { scene.nextView(); });
   menu->addSeparator();
 }
 

@@ -86,7 +86,7 @@ void add_candidate_actions(MainWindow& window) {
   CandidateTable& table = window.candidates();
   QMenu* menu = window.menu("Solve");
   menu->addSeparator();
-  add_action(window, menu, "Use this candidate, or let it go", {QKeySequence("P")},
+  add_action(window, menu, "Use this candidate, or unpin it", {QKeySequence("P")},
              [&table] { table.togglePin(); });
   add_action(window, menu, "Veto this candidate", {QKeySequence("V")},
              [&table] { table.toggleVeto(Reach::Pair); });
@@ -94,7 +94,7 @@ void add_candidate_actions(MainWindow& window) {
              [&table] { table.toggleVeto(Reach::Take); });
   add_action(window, menu, "Veto its move", {QKeySequence("Alt+V")},
              [&table] { table.toggleVeto(Reach::Label); });
-  add_action(window, menu, "Lift pin and vetoes", {QKeySequence("Shift+P")}, [&table] { table.liftAll(); });
+  add_action(window, menu, "Clear pin and vetoes", {QKeySequence("Shift+P")}, [&table] { table.liftAll(); });
   add_action(window, menu, "Go to its take and frame", {}, [&table] { table.jump(); });
   add_action(window, menu, "Choose among the candidates", {QKeySequence("Alt+C")},
              [&table] { table.setFocus(Qt::TabFocusReason); });

@@ -34,7 +34,7 @@ void fill(const MainWindow& window, QStandardItemModel& model) {
   }
 }
 
-/// The list is made anew whenever the field gets the keyboard: actions come, go and change their words.
+/// The list is rebuilt whenever the field gets the keyboard: actions come, go and change their words.
 class FillOnFocus : public QObject {
  public:
   FillOnFocus(const MainWindow& window, QLineEdit* field, QStandardItemModel* model)
@@ -54,7 +54,7 @@ class FillOnFocus : public QObject {
   QStandardItemModel* m_model;
 };
 
-/// Escape leaves the search at once, with or without its list open.
+/// Escape leaves the search immediately, with or without its list open.
 class LeaveOnEscape : public QObject {
  public:
   LeaveOnEscape(QLineEdit* field, QWidget* list) : QObject(field), m_field(field), m_list(list) {

@@ -28,7 +28,7 @@ QString proposed_name(const ExportRequest& request) {
                      : !request.library_take.isEmpty()
                          ? request.library_take
                          : names.at(static_cast<std::size_t>(request.wish.content));
-  // A take's name may have been chosen by somebody else to lead to another folder.
+  // A take's name may be malicious and lead to another folder.
   return QString(of).replace(QRegularExpression("[/\\\\:\\x00-\\x1f]"), "_") + "-" +
          QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss") +
          QString::fromStdString(request.wish.output);

@@ -15,7 +15,7 @@ void add_label_actions(MainWindow& window, LabelEdits& edits) {
   add_action(window, menu, "Extend label to the cursor", {QKeySequence("E")}, [on] { on->extend(); });
   add_action(window, menu, "Split label at the cursor", {QKeySequence("S")}, [on] { on->split(); });
   add_action(window, menu, "Merge label with the next", {QKeySequence("Shift+S")}, [on] { on->merge(); });
-  add_action(window, menu, "Role changes here", {QKeySequence("Shift+U")}, [on] { on->exchangeRole(); });
+  add_action(window, menu, "Change of role here", {QKeySequence("Shift+U")}, [on] { on->exchangeRole(); });
   menu->addSeparator();
   add_action(window, menu, "Previous label", {QKeySequence("Ctrl+Up")}, [on] { on->step(-1); });
   add_action(window, menu, "Next label", {QKeySequence("Ctrl+Down")}, [on] { on->step(1); });

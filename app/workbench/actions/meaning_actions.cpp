@@ -9,9 +9,9 @@ namespace abrazo::app {
 void add_meaning_actions(MainWindow& window) {
   auto* desk = new MeaningDesk(window);
   QMenu* menu = window.menu("Live");
-  add_action(window, menu, "I mean this move, or take it back", {QKeySequence("W")},
-             [desk] { desk->toggle(); });
-  add_action(window, menu, "Mean another move…", {QKeySequence("Shift+W")}, [desk] { desk->offer(); });
+  add_action(window, menu, "I mean this move, or cancel it", {QKeySequence("W")}, [desk] { desk->toggle(); });
+  add_action(window, menu, "Mean another move as well…", {QKeySequence("Shift+W")},
+             [desk] { desk->offer(); });
 }
 
 }  // namespace abrazo::app

@@ -43,12 +43,12 @@ void add_shuttle(MainWindow& window, QMenu* menu) {
   const auto shuttle = [&ticker, held](int direction) {
     held->isDown() ? ticker.step(direction) : ticker.shuttle(direction);
   };
-  add_action(window, menu, "Shuttle back", {QKeySequence("J")}, [shuttle] { shuttle(-1); });
-  add_action(window, menu, "Shuttle stop", {QKeySequence("K")}, [&ticker, held] {
+  add_action(window, menu, "Play backward", {QKeySequence("J")}, [shuttle] { shuttle(-1); });
+  add_action(window, menu, "Stop playing", {QKeySequence("K")}, [&ticker, held] {
     held->press();
     ticker.shuttle(0);
   });
-  add_action(window, menu, "Shuttle on", {QKeySequence("L")}, [shuttle] { shuttle(1); });
+  add_action(window, menu, "Play forward", {QKeySequence("L")}, [shuttle] { shuttle(1); });
 }
 
 void add_speed(MainWindow& window, QMenu* menu) {
@@ -108,9 +108,9 @@ void add_playback_actions(MainWindow& window) {
   };
   add("Play or pause", "Space", [&ticker] { ticker.toggle(); });
   add("One frame back", "Left", [&ticker] { ticker.step(-1); });
-  add("One frame on", "Right", [&ticker] { ticker.step(1); });
+  add("One frame forward", "Right", [&ticker] { ticker.step(1); });
   add("Ten frames back", "Shift+Left", [&ticker] { ticker.step(-10); });
-  add("Ten frames on", "Shift+Right", [&ticker] { ticker.step(10); });
+  add("Ten frames forward", "Shift+Right", [&ticker] { ticker.step(10); });
   add("To the beginning", "Home", [&ticker] { ticker.goToStart(); });
   add("Follow the live end", "End", [&ticker] { ticker.follow(); });
   menu->addSeparator();

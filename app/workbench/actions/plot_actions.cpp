@@ -60,7 +60,7 @@ void add_panes(MainWindow& window, QMenu* menu) {
             QString("There are %1 plots already; remove one first").arg(before));
     });
   }
-  add_action(window, menu, "Usual plots", {}, [&plots] { plots.restoreUsual(); });
+  add_action(window, menu, "Default plots", {}, [&plots] { plots.restoreUsual(); });
 }
 
 /// Whatever goes back to the live end takes the plots along, also where only they had been moved away.
@@ -94,7 +94,7 @@ void add_plot_actions(MainWindow& window) {
   menu->addSeparator();
   add_action(window, menu, "Shorter time in the plots", {}, [&plots] { plots.zoom(plot_zoom_step); });
   add_action(window, menu, "Longer time in the plots", {}, [&plots] { plots.zoom(1 / plot_zoom_step); });
-  add_action(window, menu, "Plots go along again", {}, [&plots] { plots.attach(); });
+  add_action(window, menu, "Plots follow again", {}, [&plots] { plots.attach(); });
   menu->addSeparator();
   for (const auto& [name, what] : {std::pair{"Export plot samples (CSV)…", PlotExport::Csv},
                                    {"Export plot picture (PNG)…", PlotExport::Png},

@@ -16,14 +16,14 @@ void fill(MainWindow& window, QMenu& menu) {
   const QStringList entries = window.remembered().recent();
   for (const RecentEntry& entry : entries) {
     const bool is_missing = !missing_of(entry).isEmpty();
-    QAction* action = menu.addAction(label_of(entry, entries).replace('&', "&&") +
-                                     (is_missing ? "  (not there any more)" : ""));
+    QAction* action =
+        menu.addAction(label_of(entry, entries).replace('&', "&&") + (is_missing ? "  (missing)" : ""));
     action->setToolTip(widgets::plain_tip(files_of(entry).join("\n")));
     QObject::connect(action, &QAction::triggered, &window, [&window, entry] { open_recent(window, entry); });
   }
   if (entries.isEmpty()) menu.addAction("Nothing was opened yet")->setEnabled(false);
   menu.addSeparator();
-  menu.addAction("Take missing files off the list", &window, [&window] { remove_missing_recent(window); })
+  menu.addAction("Remove missing files from the list", &window, [&window] { remove_missing_recent(window); })
       ->setEnabled(
           std::ranges::any_of(entries, [](const auto& entry) { return !missing_of(entry).isEmpty(); }));
   menu.addAction("Clear the list", &window, [&window] { window.remembered().setRecent({}); })
@@ -36,8 +36,8 @@ void open_recent(MainWindow& window, const QString& entry) {
   const QStringList missing = missing_of(entry);
   if (missing.isEmpty()) return window.openFiles(files_of(entry));
   window.messages().showError(missing.join(", ") +
-                              ": not there any more; open it from where it is now (File > Open), or take it "
-                              "off the list (File > Open recent)");
+                              ": no longer exists; open it from where it is now (File > Open), or remove it "
+                              "from the list (File > Open recent)");
 }
 
 void remove_missing_recent(MainWindow& window) {
@@ -47,7 +47,7 @@ void remove_missing_recent(MainWindow& window) {
     if (missing_of(entry).isEmpty()) there << entry;
   window.remembered().setRecent(there);
   window.messages().showInformation(
-      QString("%1 taken off the list of recent files").arg(before.size() - there.size()));
+      QString("%1 removed from the list of recent files").arg(before.size() - there.size()));
 }
 
 void add_recent_actions(MainWindow& window) {

@@ -101,7 +101,7 @@ void add_role_actions(MainWindow& window) {
   at_the_role->addSeparator();
   const std::pair<const char*, RoleControl> ways[] = {
       {"Role by hand", RoleControl::Hand},
-      {"Role as the library's takes are annotated", RoleControl::Library},
+      {"Role from the library's annotation", RoleControl::Library},
       {"Role by who leads", RoleControl::Leader}};
   for (const auto& [name, by] : ways)
     at_the_role->addAction(keeper->add(add_action(window, menu, name, {},

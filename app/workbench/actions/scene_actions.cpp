@@ -131,8 +131,8 @@ void add_scene_actions(MainWindow& window) {
   add_part(window, menu, "Tetrahedra", "T", ScenePart::Tetrahedra);
   add_option(window, menu, "Reference beside", "R", &SceneOptions::shows_reference_beside);
   add_cut(window, menu);
-  add_action(window, menu, "Earlier morph step", {QKeySequence(",")}, [&scene] { scene.stepMorph(-1); });
-  add_action(window, menu, "Later morph step", {QKeySequence(".")}, [&scene] { scene.stepMorph(1); });
+  add_action(window, menu, "Previous morph step", {QKeySequence(",")}, [&scene] { scene.stepMorph(-1); });
+  add_action(window, menu, "Next morph step", {QKeySequence(".")}, [&scene] { scene.stepMorph(1); });
   add_rows(window, menu);
   add_navigation(window, menu);
   remember(window);

@@ -63,8 +63,8 @@ void add_selection_actions(MainWindow& window) {
   QObject::connect(&scene, &SceneView::optionsChanged, isolate,
                    [isolate](const SceneOptions& options) { isolate->setChecked(options.isolates); });
   add_action(window, menu, "Hide the selection", {QKeySequence("H")}, [&scene] { scene.hideSelection(); });
-  add_action(window, menu, "Show what was hidden", {QKeySequence("Alt+H")}, [&scene] { scene.showHidden(); });
-  add_action(window, menu, "Same of the other character", {QKeySequence("`")},
+  add_action(window, menu, "Show hidden parts", {QKeySequence("Alt+H")}, [&scene] { scene.showHidden(); });
+  add_action(window, menu, "Same part of the other character", {QKeySequence("`")},
              [&model] { model.select(widgets::other_character(model.selection())); });
   QAction* nothing =
       add_action(window, menu, "Select nothing", {QKeySequence("Esc")}, [&model] { model.select({}); });

@@ -56,7 +56,7 @@ QString minutes(double seconds) {
                       : QString("%1 min").arg(seconds / 60, 0, 'f', 0);
 }
 
-/// Those that can be opened and that nobody is writing at this moment.
+/// Those that can be opened and that no program is writing.
 std::vector<LeftoverSession> leftovers(const QStringList& files) {
   std::vector<LeftoverSession> found;
   for (const QString& file : files) {

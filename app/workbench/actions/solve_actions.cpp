@@ -21,7 +21,7 @@ void add_solve_actions(MainWindow& window) {
     if (window.session()) window.session()->push(PauseInput{on});
   });
   QObject::connect(&window, &MainWindow::sessionStarted, hold, [hold] { hold->setChecked(false); });
-  add_action(window, menu, "Start the solver anew", {}, [&window] {
+  add_action(window, menu, "Restart the solver", {}, [&window] {
     if (window.session()) window.session()->push(ResetSolver{});
   });
 }

@@ -21,7 +21,7 @@ void show_panel(MainWindow& window) {
   if (QDockWidget* dock = window.panels().panel("connection")) dock->raise();
 }
 
-/// The entries of a menu that lists URIs, made anew whenever it opens.
+/// The entries of a menu that lists URIs, rebuilt whenever it opens.
 void list_uris(QMenu& menu, const QStringList& uris, const QString& none,
                const std::function<void(const QString&)>& chosen) {
   menu.clear();
@@ -107,7 +107,7 @@ void add_stream_actions(MainWindow& window) {
   menu->addSeparator();
   add_sinks(window, menu, *desk, *panel);
   menu->addSeparator();
-  add_action(window, menu, "Freeze what comes in", {QKeySequence("Ctrl+Space")},
+  add_action(window, menu, "Freeze the input", {QKeySequence("Ctrl+Space")},
              [&window, desk] { freeze(window, *desk); });
 }
 

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double most_pictures = 1e8;
 
-/// Clockwise. OpenCV 4.6.0 tells it the other way round (its issue 22088; right before and after).
+/// Clockwise. OpenCV 4.6.0 reports it the other way round (its issue 22088; right before and after).
 int quarter_turns(double degrees) {
   const bool is_reversed = cv::getVersionMajor() == 4 && cv::getVersionMinor() == 6;
   if (is_reversed) degrees = -degrees;

@@ -27,15 +27,13 @@ std::string cell(std::string text) {
   return text.size() > 400 ? text.substr(0, 400) + "..." : text;
 }
 
-/// The guide's page of broken files: what each is, and what is said of it.
+/// The guide's page of broken files with their messages.
 std::string page_of_broken_files() {
   std::string page =
-      "# Broken files and what is said of them\n\n"
-      "Each file stands in `tests/fixtures/motion/broken/`. A test reads every one of them and compares the "
-      "messages "
-      "with this page (`ABRAZO_UPDATE_GOLDEN=1` writes it anew). \"read\" files are read as far as they go, "
-      "with the "
-      "warnings given.\n\n"
+      "# Broken motion files and their messages\n\n"
+      "The files are in `tests/fixtures/motion/broken/`. A test reads each of them and compares the messages "
+      "with this page (`ABRAZO_UPDATE_GOLDEN=1` regenerates the page). \"read\" means: read as far as "
+      "possible, with these warnings.\n\n"
       "| file | message |\n|---|---|\n";
   const fs::path folder = test::motion_fixture("broken");
   std::vector<fs::path> files;
