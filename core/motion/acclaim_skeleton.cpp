@@ -6,9 +6,9 @@
 #include <map>
 #include <numbers>
 
+#include "core/base/line_reader.hpp"
 #include "core/base/text.hpp"
 #include "core/base/units.hpp"
-#include "core/motion/line_reader.hpp"
 
 namespace abrazo {
 

@@ -5,9 +5,9 @@
 #include <map>
 #include <numbers>
 
+#include "core/base/line_reader.hpp"
 #include "core/base/text.hpp"
 #include "core/motion/acclaim_skeleton.hpp"
-#include "core/motion/line_reader.hpp"
 
 namespace abrazo {
 

@@ -10,8 +10,8 @@
 #include <map>
 #include <set>
 
+#include "core/base/line_reader.hpp"
 #include "core/base/text.hpp"
-#include "core/motion/line_reader.hpp"
 #include "core/motion/performers.hpp"
 #include "core/motion/scene_animation.hpp"
 #include "core/motion/scene_hierarchy.hpp"

@@ -4,8 +4,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/line_reader.hpp"
 #include "core/base/result.hpp"
-#include "core/motion/line_reader.hpp"
 #include "core/motion/named_motion.hpp"
 
 namespace abrazo {

@@ -6,11 +6,11 @@
 #include <numbers>
 #include <set>
 
+#include "core/base/line_reader.hpp"
 #include "core/base/text.hpp"
 #include "core/base/units.hpp"
 #include "core/motion/bvh.hpp"
 #include "core/motion/bvh_hierarchy.hpp"
-#include "core/motion/line_reader.hpp"
 
 namespace abrazo {
 

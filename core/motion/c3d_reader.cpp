@@ -5,9 +5,9 @@
 #include <limits>
 #include <set>
 
+#include "core/base/line_reader.hpp"
 #include "core/base/text.hpp"
 #include "core/motion/c3d_parameters.hpp"
-#include "core/motion/line_reader.hpp"
 #include "core/motion/performers.hpp"
 #include "core/motion/point_rows.hpp"
 

@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/json_nesting.hpp"
-#include "core/motion/line_reader.hpp"
+#include "core/base/line_reader.hpp"
 
 namespace abrazo {
 

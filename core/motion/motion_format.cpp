@@ -5,8 +5,8 @@
 #include <cctype>
 #include <filesystem>
 
+#include "core/base/line_reader.hpp"
 #include "core/base/text.hpp"
-#include "core/motion/line_reader.hpp"
 #include "core/motion/point_csv.hpp"
 
 namespace abrazo {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/base/line_reader.hpp"
 #include "core/base/text.hpp"
-#include "core/motion/line_reader.hpp"
 
 namespace abrazo {
 

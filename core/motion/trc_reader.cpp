@@ -4,8 +4,8 @@
 #include <cmath>
 #include <map>
 
+#include "core/base/line_reader.hpp"
 #include "core/base/text.hpp"
-#include "core/motion/line_reader.hpp"
 #include "core/motion/performers.hpp"
 #include "core/motion/point_rows.hpp"
 

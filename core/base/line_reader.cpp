@@ -1,4 +1,4 @@
-#include "core/motion/line_reader.hpp"
+#include "core/base/line_reader.hpp"
 
 #include <algorithm>
 #include <filesystem>
