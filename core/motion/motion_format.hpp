@@ -22,18 +22,6 @@ std::string_view name_of(MotionFormat format);
 /// By the file's name alone. A .csv may as well hold labels: ask its content.
 std::optional<MotionFormat> format_of_name(std::string_view file);
 
-/// What a file's bytes are, whatever its name; nothing when they do not tell.
-/// @param head  the first few kilobytes suffice
-std::optional<MotionFormat> format_of_content(std::string_view head);
-
-/// Of a file that is no motion: what it is and what to do ("is a USD file; export FBX or BVH from ...");
-/// empty when it cannot be told.
-std::string foreign_kind(std::string_view head, std::string_view file);
-
-/// Whether a table's first lines are those of positions (a column for x, y and z of each point) and not of
-/// labels.
-bool holds_positions(std::string_view head);
-
 /// "*.bvh *.amc ...": patterns for a file dialog. @param with_skeletons  and .asf
 std::string motion_file_patterns(bool with_skeletons);
 

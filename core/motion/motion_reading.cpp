@@ -7,6 +7,7 @@
 #include "core/motion/assimp_scene.hpp"
 #include "core/motion/bvh.hpp"
 #include "core/motion/c3d_reader.hpp"
+#include "core/motion/format_recognition.hpp"
 #include "core/motion/import_clip.hpp"
 #include "core/motion/marker_gaps.hpp"
 #include "core/motion/motion_format.hpp"

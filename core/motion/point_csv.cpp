@@ -65,4 +65,9 @@ Result<std::vector<NamedMotion>> read_point_csv(std::string_view text, std::stri
   return split_performers(std::move(motion), ":.");
 }
 
+bool holds_positions(std::string_view head) {
+  LineReader lines(head);
+  return parse_point_csv_header(lines, "").ok();
+}
+
 }  // namespace abrazo

@@ -17,4 +17,8 @@ namespace abrazo {
 /// Empty fields are gaps.
 Result<std::vector<NamedMotion>> read_point_csv(std::string_view text, std::string_view where);
 
+/// Whether a table's first lines are those of positions (a column for x, y and z of each point) and not of
+/// labels.
+bool holds_positions(std::string_view head);
+
 }  // namespace abrazo

@@ -6,7 +6,6 @@
 
 #include "core/base/text.hpp"
 #include "core/motion/joint_set.hpp"
-#include "core/motion/motion_format.hpp"
 #include "core/motion/performers.hpp"
 
 namespace abrazo {
@@ -248,11 +247,6 @@ Result<PointCsvHeader> parse_point_csv_header(LineReader& lines, std::string_vie
       "no line names the x, y and z of points; expected columns such as root_x, root_y, root_z, or names "
       "over a line of X, Y, Z",
       std::string(where)};
-}
-
-bool holds_positions(std::string_view head) {
-  LineReader lines(head);
-  return parse_point_csv_header(lines, "").ok();
 }
 
 }  // namespace abrazo

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "core/motion/format_recognition.hpp"
 #include "core/motion/import_clip.hpp"
 #include "tests/core/motion/c3d_bytes.hpp"
 #include "tests/core/motion/motion_fixtures.hpp"

@@ -7,7 +7,6 @@
 #include <cstdio>
 
 #include "core/motion/clip_csv.hpp"
-#include "core/motion/motion_format.hpp"
 #include "tests/core/motion/motion_fixtures.hpp"
 #include "tests/support/bodies.hpp"
 

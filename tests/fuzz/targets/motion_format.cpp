@@ -1,6 +1,7 @@
-#include "core/motion/motion_format.hpp"
+#include "core/motion/format_recognition.hpp"
 
 #include "core/motion/import_clip.hpp"
+#include "core/motion/point_csv.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 namespace fuzz = abrazo::fuzz;
