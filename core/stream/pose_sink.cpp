@@ -6,6 +6,7 @@
 #include <mutex>
 #include <optional>
 
+#include "core/stream/encoders.hpp"
 #include "core/stream/udp_socket.hpp"
 
 namespace abrazo {

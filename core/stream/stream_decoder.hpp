@@ -57,7 +57,4 @@ class StreamDecoder {
   virtual std::vector<std::string> facts() const = 0;
 };
 
-/// The decoder of a scheme; an Error for a clip.
-Result<std::unique_ptr<StreamDecoder>> make_stream_decoder(const StreamUri& uri);
-
 }  // namespace abrazo

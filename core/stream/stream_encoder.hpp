@@ -36,7 +36,4 @@ class StreamEncoder {
   virtual void restart() = 0;
 };
 
-/// @param body  measures of the character, for bone offsets
-Result<std::unique_ptr<StreamEncoder>> make_stream_encoder(const StreamUri& uri, const Body& body);
-
 }  // namespace abrazo

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "core/base/thread_urgency.hpp"
+#include "core/stream/decoders.hpp"
 #include "core/stream/pose_reader.hpp"
 #include "core/stream/stream_pipeline.hpp"
 #include "core/stream/stream_sockets.hpp"

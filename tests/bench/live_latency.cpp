@@ -20,6 +20,7 @@
 #include "core/base/statistics.hpp"
 #include "core/motion/import_clip.hpp"
 #include "core/motion/resample.hpp"
+#include "core/stream/encoders.hpp"
 #include "core/stream/osc_packet.hpp"
 #include "core/stream/stream_encoder.hpp"
 #include "core/stream/udp_socket.hpp"

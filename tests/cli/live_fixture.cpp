@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "core/motion/import_clip.hpp"
+#include "core/stream/encoders.hpp"
 
 namespace abrazo::test {
 

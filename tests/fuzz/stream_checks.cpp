@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "core/stream/decoders.hpp"
 #include "core/stream/pose_reader.hpp"
 #include "core/stream/stream_pipeline.hpp"
 

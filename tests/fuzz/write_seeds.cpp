@@ -19,6 +19,8 @@
 #include "core/motion/joint_map.hpp"
 #include "core/session/decisions_json.hpp"
 #include "core/session/synthesizer_state_bytes.hpp"
+#include "core/stream/decoders.hpp"
+#include "core/stream/encoders.hpp"
 #include "core/stream/stream_decoder.hpp"
 #include "core/stream/stream_encoder.hpp"
 #include "core/synthesis/trace.hpp"

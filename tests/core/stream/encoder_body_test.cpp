@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "core/stream/byte_reader.hpp"
+#include "core/stream/encoders.hpp"
 #include "core/stream/natnet_frame.hpp"
 #include "core/stream/stream_encoder.hpp"
 #include "tests/core/stream/mocap_stream.hpp"

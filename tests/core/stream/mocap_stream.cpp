@@ -11,6 +11,7 @@
 
 #include "core/choreography/salsa.hpp"
 #include "core/motion/joint_map.hpp"
+#include "core/stream/decoders.hpp"
 
 namespace abrazo::test {
 

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <random>
 
+#include "core/stream/decoders.hpp"
+#include "core/stream/encoders.hpp"
 #include "core/stream/pose_reader.hpp"
 #include "core/stream/stream_encoder.hpp"
 #include "core/stream/stream_pipeline.hpp"

@@ -1,4 +1,5 @@
 #include "core/motion/body.hpp"
+#include "core/stream/encoders.hpp"
 #include "core/stream/natnet_frame.hpp"
 #include "core/stream/natnet_model.hpp"
 #include "core/stream/stream_encoder.hpp"

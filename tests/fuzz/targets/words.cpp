@@ -2,6 +2,7 @@
 #include "core/evaluation/sweep.hpp"
 #include "core/session/data_reference.hpp"
 #include "core/session/time_place.hpp"
+#include "core/stream/decoders.hpp"
 #include "core/stream/natnet_messages.hpp"
 #include "core/stream/stream_decoder.hpp"
 #include "core/stream/stream_pipeline.hpp"

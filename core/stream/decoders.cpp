@@ -1,4 +1,4 @@
-#include "core/stream/stream_decoder.hpp"
+#include "core/stream/decoders.hpp"
 
 #include "core/stream/natnet_decoder.hpp"
 #include "core/stream/vmc_decoder.hpp"

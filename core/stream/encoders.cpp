@@ -1,4 +1,4 @@
-#include "core/stream/stream_encoder.hpp"
+#include "core/stream/encoders.hpp"
 
 #include "core/stream/natnet_encoder.hpp"
 #include "core/stream/vmc_encoder.hpp"
