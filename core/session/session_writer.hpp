@@ -9,10 +9,12 @@
 
 #include "core/base/watched_file.hpp"
 #include "core/session/decisions.hpp"
+#include "core/session/markers.hpp"
 #include "core/session/recorded_frames.hpp"
-#include "core/session/recorder.hpp"
+#include "core/session/recording_facts.hpp"
 #include "core/session/session_database.hpp"
 #include "core/session/session_edit.hpp"
+#include "core/stream/stream_receiver.hpp"
 
 namespace abrazo {
 
