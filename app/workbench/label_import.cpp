@@ -3,7 +3,6 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
-#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -21,12 +20,6 @@ namespace abrazo::app {
 namespace {
 
 using widgets::text;
-
-QByteArray head_of(const QString& file) {
-  QFile opened(file);
-  constexpr int enough = 400;
-  return opened.open(QIODevice::ReadOnly) ? opened.read(enough) : QByteArray();
-}
 
 std::string fresh_name(const Annotations& annotations, const std::string& wanted) {
   std::string name = wanted;
@@ -65,16 +58,6 @@ Status fill(Annotations& next, int tier, const Tier& read, const Annotations::Ra
 }
 
 }  // namespace
-
-bool is_label_file(const QString& file) {
-  if (!is_tier_file(file.toStdString())) return false;
-  const QString ending = QFileInfo(file).suffix().toLower();
-  if (ending == "csv") {
-    const QByteArray head = head_of(file).trimmed().toLower();
-    return head.startsWith("take,start") || head.startsWith("tier,start");
-  }
-  return ending != "json" || head_of(file).contains("\"tiers\"");
-}
 
 TierPlan plan_tiers(const std::vector<Tier>& read, const Annotations& into) {
   TierPlan plan;

@@ -14,9 +14,6 @@ namespace abrazo::app {
 class AnnotationDesk;
 class MainWindow;
 
-/// By its name, and for .csv and .json by how it begins: a file of labels, not of joints or takes.
-bool is_label_file(const QString& file);
-
 /// Where a tier of a file goes.
 struct TierTarget {
   enum class Way { LeaveOut, New, Into };

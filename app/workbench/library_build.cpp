@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "app/workbench/job.hpp"
-#include "app/workbench/label_import.hpp"
+#include "app/workbench/label_files.hpp"
 #include "app/workbench/mapping_dialog.hpp"
 #include "app/workbench/material.hpp"
 #include "app/workbench/unmapped_motion.hpp"

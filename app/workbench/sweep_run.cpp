@@ -6,9 +6,9 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <cmath>
 
 #include "app/workbench/job.hpp"
+#include "app/workbench/range_words.hpp"
 #include "core/evaluation/library_takes.hpp"
 
 namespace abrazo::app {
@@ -50,13 +50,6 @@ QString failure_words(const Error& error) {
 }
 
 }  // namespace
-
-QString about(double seconds) {
-  if (seconds < 10) return "a few seconds";
-  if (seconds < 90) return QString("about %1 s").arg(10 * std::lround(seconds / 10));
-  if (seconds < 5400) return QString("about %1 min").arg(std::lround(seconds / 60));
-  return QString("about %1 h").arg(seconds / 3600, 0, 'f', 1);
-}
 
 SweepRun::SweepRun(QObject* parent) : QObject(parent) {}
 

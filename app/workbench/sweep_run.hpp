@@ -61,7 +61,4 @@ class SweepRun : public QObject {
   std::unique_ptr<Job> m_job;
 };
 
-/// "about 3 min".
-QString about(double seconds);
-
 }  // namespace abrazo::app

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "app/workbench/job.hpp"
+#include "app/workbench/label_files.hpp"
 #include "app/workbench/label_import.hpp"
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/mapping_desk.hpp"

@@ -5,7 +5,7 @@
 #include <QTableWidget>
 
 #include "app/workbench/annotation_desk.hpp"
-#include "app/workbench/label_import.hpp"
+#include "app/workbench/label_files.hpp"
 #include "app/workbench/library_feed.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/annotation/annotation_panel.hpp"

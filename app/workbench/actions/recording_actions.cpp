@@ -11,8 +11,8 @@
 
 #include "app/workbench/actions/actions.hpp"
 #include "app/workbench/main_window.hpp"
+#include "app/workbench/range_words.hpp"
 #include "app/workbench/render_dialog.hpp"
-#include "app/workbench/sweep_run.hpp"
 #include "app/workbench/view_recording.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/scene/scene_view.hpp"

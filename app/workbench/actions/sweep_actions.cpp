@@ -9,6 +9,7 @@
 
 #include "app/workbench/actions/actions.hpp"
 #include "app/workbench/main_window.hpp"
+#include "app/workbench/range_words.hpp"
 #include "app/workbench/sweep_run.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/evaluation/sweep_report.hpp"
