@@ -20,7 +20,7 @@
 #include <algorithm>
 
 #include "app/workbench/build_form.hpp"
-#include "core/motion/motion_format.hpp"
+#include "core/motion/joints/motion_format.hpp"
 #include "widgets/common/icons.hpp"
 #include "widgets/common/plain_text.hpp"
 #include "widgets/library/pair_preview.hpp"

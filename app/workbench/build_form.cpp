@@ -11,7 +11,7 @@
 #include <set>
 
 #include "core/base/text.hpp"
-#include "core/motion/marker_model.hpp"
+#include "core/motion/joints/marker_model.hpp"
 
 namespace abrazo::app {
 namespace {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "core/motion/body.hpp"
+#include "core/motion/body/body.hpp"
 
 namespace abrazo::app {
 

@@ -11,7 +11,7 @@
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/open_video.hpp"
 #include "app/workbench/video_desk.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "core/video/camera_file.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/selection.hpp"

@@ -4,8 +4,8 @@
 #include <array>
 #include <vector>
 
-#include "core/motion/import_clip.hpp"
-#include "core/motion/joint_guess.hpp"
+#include "core/motion/files/import_clip.hpp"
+#include "core/motion/joints/joint_guess.hpp"
 #include "widgets/common/palette.hpp"
 
 class QComboBox;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/result.hpp"
-#include "core/motion/joint_map.hpp"
+#include "core/motion/joints/joint_map.hpp"
 
 namespace abrazo::app {
 

@@ -13,11 +13,11 @@
 #include "core/library/motion_library_builder.hpp"
 #include "core/library/motion_library_file.hpp"
 #include "core/library/normalization.hpp"
-#include "core/motion/format_recognition.hpp"
-#include "core/motion/import_clip.hpp"
-#include "core/motion/joint_map.hpp"
-#include "core/motion/motion_format.hpp"
-#include "core/motion/point_csv.hpp"
+#include "core/motion/files/format_recognition.hpp"
+#include "core/motion/files/import_clip.hpp"
+#include "core/motion/joints/joint_map.hpp"
+#include "core/motion/joints/motion_format.hpp"
+#include "core/motion/tables/point_csv.hpp"
 
 namespace abrazo::app {
 namespace {

@@ -7,8 +7,8 @@
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/library/motion_library.hpp"
-#include "core/motion/clip.hpp"
-#include "core/motion/import_clip.hpp"
+#include "core/motion/body/clip.hpp"
+#include "core/motion/files/import_clip.hpp"
 
 namespace abrazo::app {
 

@@ -9,7 +9,7 @@
 
 #include "app/workbench/calibration_steps.hpp"
 #include "app/workbench/host_lookup.hpp"
-#include "core/motion/clip.hpp"
+#include "core/motion/body/clip.hpp"
 #include "core/session/command.hpp"
 #include "core/stream/stream_health.hpp"
 #include "core/stream/stream_uri.hpp"

@@ -11,7 +11,7 @@
 #include "app/workbench/start_times.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/printable.hpp"
-#include "core/motion/bvh.hpp"
+#include "core/motion/bvh/bvh.hpp"
 #include "widgets/scene/scene_view.hpp"
 
 namespace abrazo::app {

@@ -6,8 +6,8 @@
 
 #include "core/base/atomic_file.hpp"
 #include "core/base/text.hpp"
-#include "core/motion/import_clip.hpp"
-#include "core/motion/joint_map.hpp"
+#include "core/motion/files/import_clip.hpp"
+#include "core/motion/joints/joint_map.hpp"
 
 namespace abrazo::app {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "app/workbench/material.hpp"
-#include "core/motion/named_motion.hpp"
+#include "core/motion/joints/named_motion.hpp"
 
 namespace abrazo::app {
 

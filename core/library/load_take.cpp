@@ -10,7 +10,7 @@
 #include "core/library/take_labels.hpp"
 #include "core/library/tier_csv.hpp"
 #include "core/library/tier_file.hpp"
-#include "core/motion/import_clip.hpp"
+#include "core/motion/files/import_clip.hpp"
 
 namespace abrazo {
 

@@ -10,7 +10,7 @@
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/library/paired_take.hpp"
-#include "core/motion/import_clip.hpp"
+#include "core/motion/files/import_clip.hpp"
 
 namespace abrazo {
 

@@ -14,7 +14,7 @@
 #include "core/library/normalization.hpp"
 #include "core/library/paired_take.hpp"
 #include "core/mesh/interaction_mesh.hpp"
-#include "core/motion/body.hpp"
+#include "core/motion/body/body.hpp"
 
 namespace abrazo {
 

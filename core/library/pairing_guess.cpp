@@ -11,7 +11,7 @@
 
 #include "core/base/text.hpp"
 #include "core/library/performer_name.hpp"
-#include "core/motion/body.hpp"
+#include "core/motion/body/body.hpp"
 
 namespace abrazo {
 

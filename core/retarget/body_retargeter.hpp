@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/positions.hpp"
-#include "core/motion/body.hpp"
+#include "core/motion/body/body.hpp"
 
 namespace abrazo {
 

@@ -7,7 +7,7 @@
 
 #include "core/base/json_text.hpp"
 #include "core/base/result.hpp"
-#include "core/motion/clip_file.hpp"
+#include "core/motion/files/clip_file.hpp"
 #include "core/session/session_export.hpp"
 
 namespace abrazo {

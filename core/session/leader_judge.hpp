@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/library/pose_index.hpp"
-#include "core/motion/body.hpp"
+#include "core/motion/body/body.hpp"
 #include "core/retarget/body_retargeter.hpp"
 #include "core/synthesis/role_views.hpp"
 

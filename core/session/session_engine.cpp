@@ -6,7 +6,7 @@
 #include <thread>
 #include <utility>
 
-#include "core/motion/import_clip.hpp"
+#include "core/motion/files/import_clip.hpp"
 #include "core/session/joined_stores.hpp"
 #include "core/session/library_fingerprints.hpp"
 #include "core/session/listener_gate.hpp"

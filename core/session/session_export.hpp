@@ -9,8 +9,8 @@
 
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
-#include "core/motion/clip.hpp"
-#include "core/motion/resample.hpp"
+#include "core/motion/body/clip.hpp"
+#include "core/motion/body/resample.hpp"
 #include "core/session/session_file.hpp"
 #include "core/session/session_replay.hpp"
 

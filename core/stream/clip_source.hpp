@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/motion/clip.hpp"
+#include "core/motion/body/clip.hpp"
 #include "core/stream/pose_source.hpp"
 
 namespace abrazo {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/motion/joint_map.hpp"
+#include "core/motion/joints/joint_map.hpp"
 #include "core/stream/stream_decoder.hpp"
 
 namespace abrazo {

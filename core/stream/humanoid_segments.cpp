@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/motion/joint_rotations.hpp"
+#include "core/motion/body/joint_rotations.hpp"
 
 namespace abrazo {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/motion/body.hpp"
+#include "core/motion/body/body.hpp"
 #include "core/stream/humanoid_points.hpp"
 #include "core/stream/limb_ends.hpp"
 

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "core/motion/body.hpp"
-#include "core/motion/joint_rotations.hpp"
+#include "core/motion/body/body.hpp"
+#include "core/motion/body/joint_rotations.hpp"
 #include "core/stream/humanoid_points.hpp"
 
 namespace abrazo {

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/positions.hpp"
-#include "core/motion/body.hpp"
+#include "core/motion/body/body.hpp"
 
 namespace abrazo {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/statistics.hpp"
-#include "core/motion/body.hpp"
+#include "core/motion/body/body.hpp"
 
 namespace abrazo {
 

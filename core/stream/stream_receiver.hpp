@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/session_clock.hpp"
-#include "core/motion/joint_map.hpp"
+#include "core/motion/joints/joint_map.hpp"
 #include "core/stream/pose_source.hpp"
 #include "core/stream/stream_health.hpp"
 #include "core/stream/stream_uri.hpp"

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "core/base/result.hpp"
-#include "core/motion/body.hpp"
+#include "core/motion/body/body.hpp"
 #include "core/stream/stream_encoder.hpp"
 #include "core/stream/stream_uri.hpp"
 

@@ -3,7 +3,7 @@
 #include <array>
 
 #include "core/library/normalization.hpp"
-#include "core/motion/body.hpp"
+#include "core/motion/body/body.hpp"
 
 namespace abrazo {
 

@@ -61,8 +61,8 @@ constexpr std::array third_parties = {
     ThirdParty{"SQLite", "^sqlite3", ""},
     ThirdParty{"liblo", "^lo/", ""},
     ThirdParty{"pugixml", "^pugi", "core/library/eaf_"},
-    ThirdParty{"tinygltf", "^tiny_gltf", "core/motion/glb_writer.cpp"},
-    ThirdParty{"assimp", "^assimp/", "core/motion/assimp_scene.cpp"},
+    ThirdParty{"tinygltf", "^tiny_gltf", "core/motion/scenes/glb_writer.cpp"},
+    ThirdParty{"assimp", "^assimp/", "core/motion/scenes/assimp_scene.cpp"},
     ThirdParty{"CLI11", "^CLI/", "app/"},
     ThirdParty{"QCustomPlot", "^qcustomplot", "widgets/plots/"},
     ThirdParty{"VTK", "^(vtk|QVTK)", "widgets/scene/"},
@@ -105,9 +105,9 @@ bool is_open_to_widgets(const std::string& include) {
                                              "core/selection/candidate.hpp",
                                              "core/selection/frame_intent.hpp",
                                              "core/selection/intent_model.hpp",
-                                             "core/motion/joint_set.hpp",
-                                             "core/motion/body.hpp",
-                                             "core/motion/clip.hpp",
+                                             "core/motion/body/joint_set.hpp",
+                                             "core/motion/body/body.hpp",
+                                             "core/motion/body/clip.hpp",
                                              "core/metrics/movement.hpp",
                                              "core/metrics/run_comparison.hpp"};
   if (open.contains(include)) return true;

@@ -156,7 +156,7 @@ TEST(ArchitectureRules, CatchASecondPlaceOfAThirdParty) {
 
 TEST(ArchitectureRules, CatchAWidgetThatReachesForTheSolver) {
   for (const char* header : {"core/session/solver_thread.hpp", "core/stream/clip_source.hpp",
-                             "core/motion/bvh.hpp", "core/synthesis/partner_synthesizer.hpp",
+                             "core/motion/bvh/bvh.hpp", "core/synthesis/partner_synthesizer.hpp",
                              "core/library/motion_library_file.hpp", "core/base/atomic_file.hpp"}) {
     const std::string text = std::string("#include \"") + header + "\"\n";
     EXPECT_THAT(widgets_see_only_snapshots(one("widgets/scene/a.cpp", text)), SizeIs(1)) << header;

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/library/motion_library.hpp"
-#include "core/motion/clip.hpp"
+#include "core/motion/body/clip.hpp"
 
 namespace abrazo::bench {
 

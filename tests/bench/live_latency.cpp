@@ -18,8 +18,8 @@
 #include <thread>
 
 #include "core/base/statistics.hpp"
-#include "core/motion/import_clip.hpp"
-#include "core/motion/resample.hpp"
+#include "core/motion/body/resample.hpp"
+#include "core/motion/files/import_clip.hpp"
 #include "core/stream/encoders.hpp"
 #include "core/stream/osc_packet.hpp"
 #include "core/stream/stream_encoder.hpp"

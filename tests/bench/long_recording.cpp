@@ -14,7 +14,7 @@
 
 #include "core/base/text.hpp"
 #include "core/library/motion_library_file.hpp"
-#include "core/motion/import_clip.hpp"
+#include "core/motion/files/import_clip.hpp"
 #include "core/session/session_engine.hpp"
 #include "core/session/session_file.hpp"
 #include "core/stream/clip_source.hpp"

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <thread>
 
-#include "core/motion/import_clip.hpp"
+#include "core/motion/files/import_clip.hpp"
 #include "core/stream/encoders.hpp"
 
 namespace abrazo::test {

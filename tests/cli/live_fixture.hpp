@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/motion/clip.hpp"
+#include "core/motion/body/clip.hpp"
 #include "core/session/session_file.hpp"
 #include "core/stream/stream_encoder.hpp"
 #include "core/stream/udp_socket.hpp"

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "core/library/motion_library_builder.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "tests/support/bodies.hpp"
 
 namespace abrazo::test {

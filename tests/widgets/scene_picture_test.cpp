@@ -13,7 +13,7 @@
 #include <QWheelEvent>
 #include <functional>
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "core/session/frame_history.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/widgets/pictures.hpp"

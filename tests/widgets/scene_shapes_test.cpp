@@ -6,7 +6,7 @@
 
 #include "core/mesh/capsules.hpp"
 #include "core/mesh/laplacian.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
 #include "widgets/scene/camera_move.hpp"
 #include "widgets/scene/contact_shapes.hpp"

@@ -22,7 +22,7 @@
 #include "app/workbench/panel_area.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/choreography/salsa.hpp"
-#include "core/motion/bvh.hpp"
+#include "core/motion/bvh/bvh.hpp"
 #include "core/stream/pose_sink.hpp"
 #include "widgets/scene/scene_view.hpp"
 #include "widgets/settings/settings_panel.hpp"

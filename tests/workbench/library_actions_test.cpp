@@ -12,7 +12,7 @@
 #include "app/workbench/library_build.hpp"
 #include "app/workbench/library_desk.hpp"
 #include "app/workbench/main_window.hpp"
-#include "core/motion/bvh.hpp"
+#include "core/motion/bvh/bvh.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/widgets/pictures.hpp"
 #include "tests/workbench/until.hpp"

@@ -8,7 +8,7 @@
 
 #include "app/workbench/actions/actions.hpp"
 #include "app/workbench/main_window.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "tests/workbench/until.hpp"
 #include "widgets/candidates/candidate_list.hpp"
 #include "widgets/candidates/candidate_table.hpp"

@@ -7,7 +7,7 @@
 #include <atomic>
 #include <memory>
 
-#include "core/motion/clip.hpp"
+#include "core/motion/body/clip.hpp"
 #include "core/stream/pose_sink.hpp"
 
 namespace abrazo::app {

@@ -3,7 +3,7 @@
 #include <array>
 #include <memory>
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 class QColor;
 class vtkRenderer;

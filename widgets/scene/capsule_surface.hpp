@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/positions.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo::widgets {
 

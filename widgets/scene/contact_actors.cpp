@@ -1,6 +1,6 @@
 #include "widgets/scene/contact_actors.hpp"
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo::widgets {
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdio>
 
 #include "core/mesh/capsules.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo::widgets {
 namespace {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <span>
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 class QColor;
 class vtkRenderer;

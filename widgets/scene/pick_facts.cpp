@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdio>
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "widgets/scene/contact_shapes.hpp"
 #include "widgets/scene/mesh_scalar.hpp"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/mesh/capsules.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "widgets/scene/ahead_lines.hpp"
 #include "widgets/scene/body_light.hpp"
 

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "widgets/common/value_range.hpp"
 #include "widgets/scene/camera_move.hpp"
 #include "widgets/scene/depth_tags.hpp"

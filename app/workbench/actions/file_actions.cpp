@@ -12,7 +12,7 @@
 #include "app/workbench/actions/actions.hpp"
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/scene_picture.hpp"
-#include "core/motion/motion_format.hpp"
+#include "core/motion/joints/motion_format.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/scene/scene_view.hpp"
 

@@ -7,7 +7,7 @@
 #include <fstream>
 
 #include "core/library/motion_library_builder.hpp"
-#include "core/motion/bvh.hpp"
+#include "core/motion/bvh/bvh.hpp"
 #include "tests/core/library/synthetic_takes.hpp"
 
 namespace abrazo::library_plan_test {

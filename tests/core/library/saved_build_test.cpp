@@ -6,7 +6,7 @@
 #include <fstream>
 
 #include "core/library/motion_library_file.hpp"
-#include "core/motion/bvh.hpp"
+#include "core/motion/bvh/bvh.hpp"
 #include "tests/core/library/synthetic_takes.hpp"
 
 namespace abrazo::saved_build_test {

@@ -8,7 +8,7 @@
 #include "core/base/atomic_file.hpp"
 #include "core/library/manifest.hpp"
 #include "core/library/tier_file.hpp"
-#include "core/motion/bvh.hpp"
+#include "core/motion/bvh/bvh.hpp"
 #include "tests/core/library/synthetic_takes.hpp"
 
 namespace abrazo::take_labels_test {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/motion/import_clip.hpp"
+#include "core/motion/files/import_clip.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/support/captured_data.hpp"
 

@@ -10,7 +10,7 @@
 #include <random>
 
 #include "core/choreography/salsa.hpp"
-#include "core/motion/joint_map.hpp"
+#include "core/motion/joints/joint_map.hpp"
 #include "core/stream/decoders.hpp"
 
 namespace abrazo::test {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/motion/clip.hpp"
+#include "core/motion/body/clip.hpp"
 #include "core/stream/stream_decoder.hpp"
 #include "core/stream/stream_encoder.hpp"
 

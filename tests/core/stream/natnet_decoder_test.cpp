@@ -8,7 +8,7 @@
 #include <numbers>
 #include <set>
 
-#include "core/motion/joint_map.hpp"
+#include "core/motion/joints/joint_map.hpp"
 #include "core/stream/natnet_encoder.hpp"
 #include "core/stream/natnet_frame.hpp"
 #include "core/stream/natnet_model.hpp"

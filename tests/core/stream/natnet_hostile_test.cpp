@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "core/motion/body.hpp"
+#include "core/motion/body/body.hpp"
 #include "core/stream/natnet_encoder.hpp"
 #include "core/stream/natnet_messages.hpp"
 #include "tests/core/stream/mocap_stream.hpp"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "core/stream/humanoid_bones.hpp"
 #include "tests/core/stream/vmc_packets.hpp"
 

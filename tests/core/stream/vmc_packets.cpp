@@ -7,7 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "core/motion/joint_map.hpp"
+#include "core/motion/joints/joint_map.hpp"
 #include "core/stream/vmc_decoder.hpp"
 
 namespace abrazo::test {

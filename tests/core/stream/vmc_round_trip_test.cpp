@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/motion/import_clip.hpp"
+#include "core/motion/files/import_clip.hpp"
 #include "core/stream/vmc_encoder.hpp"
 #include "tests/core/stream/vmc_packets.hpp"
 #include "tests/support/bodies.hpp"

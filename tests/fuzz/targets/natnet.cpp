@@ -1,4 +1,4 @@
-#include "core/motion/body.hpp"
+#include "core/motion/body/body.hpp"
 #include "core/stream/encoders.hpp"
 #include "core/stream/natnet_frame.hpp"
 #include "core/stream/natnet_model.hpp"
