@@ -12,7 +12,7 @@
 #include "app/cli/motion_reading.hpp"
 #include "app/cli/settings_options.hpp"
 #include "core/base/output_file.hpp"
-#include "core/library/motion_library_file.hpp"
+#include "core/library/store/motion_library_file.hpp"
 #include "core/session/session_engine.hpp"
 #include "core/session/session_file.hpp"
 #include "core/stream/clip_source.hpp"

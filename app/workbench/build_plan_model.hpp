@@ -4,7 +4,7 @@
 #include <functional>
 #include <vector>
 
-#include "core/library/library_plan.hpp"
+#include "core/library/build/library_plan.hpp"
 #include "widgets/common/palette.hpp"
 
 namespace abrazo::app {

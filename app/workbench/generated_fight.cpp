@@ -1,7 +1,7 @@
 #include "app/workbench/generated_fight.hpp"
 
 #include "core/choreography/fight.hpp"
-#include "core/library/motion_library_builder.hpp"
+#include "core/library/build/motion_library_builder.hpp"
 
 namespace abrazo::app {
 

@@ -4,7 +4,7 @@
 #include <QFile>
 #include <QFileInfo>
 
-#include "core/library/tier_file.hpp"
+#include "core/library/takes/tier_file.hpp"
 
 namespace abrazo::app {
 namespace {

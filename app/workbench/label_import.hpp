@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/annotation/annotations.hpp"
-#include "core/library/tier_file.hpp"
+#include "core/library/takes/tier_file.hpp"
 
 namespace abrazo::app {
 

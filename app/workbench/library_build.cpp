@@ -10,7 +10,7 @@
 #include "app/workbench/material.hpp"
 #include "app/workbench/unmapped_motion.hpp"
 #include "core/base/atomic_file.hpp"
-#include "core/library/saved_build.hpp"
+#include "core/library/build/saved_build.hpp"
 
 namespace abrazo::app {
 

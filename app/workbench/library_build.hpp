@@ -10,7 +10,7 @@
 
 #include "app/workbench/build_dialog.hpp"
 #include "app/workbench/mapping_dialog.hpp"
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 
 namespace abrazo::app {
 

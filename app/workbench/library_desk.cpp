@@ -7,7 +7,7 @@
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/mapping_desk.hpp"
 #include "app/workbench/open_video.hpp"
-#include "core/library/neighbour_distance.hpp"
+#include "core/library/store/neighbour_distance.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/library/take_list.hpp"
 #include "widgets/scene/scene_view.hpp"

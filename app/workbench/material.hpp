@@ -6,7 +6,7 @@
 
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/motion/body/clip.hpp"
 #include "core/motion/files/import_clip.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/annotation/annotations.hpp"
-#include "core/library/paired_take.hpp"
+#include "core/library/takes/paired_take.hpp"
 
 namespace abrazo::app {
 

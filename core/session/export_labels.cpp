@@ -1,8 +1,8 @@
 #include <fmt/format.h>
 
 #include "core/base/atomic_file.hpp"
-#include "core/library/csv_text.hpp"
-#include "core/library/tier_file.hpp"
+#include "core/library/takes/csv_text.hpp"
+#include "core/library/takes/tier_file.hpp"
 #include "core/session/export_parts.hpp"
 #include "core/session/session_tiers.hpp"
 

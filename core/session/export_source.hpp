@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/base/progress.hpp"
-#include "core/library/motion_library.hpp"
-#include "core/library/tier.hpp"
+#include "core/library/store/motion_library.hpp"
+#include "core/library/takes/tier.hpp"
 #include "core/session/frame_range.hpp"
 #include "core/session/session_export.hpp"
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/library/pose_index.hpp"
+#include "core/library/store/pose_index.hpp"
 #include "core/motion/body/body.hpp"
 #include "core/retarget/body_retargeter.hpp"
 #include "core/synthesis/role_views.hpp"

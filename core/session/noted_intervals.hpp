@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/library/tier.hpp"
+#include "core/library/takes/tier.hpp"
 #include "core/session/session_database.hpp"
 
 namespace abrazo {

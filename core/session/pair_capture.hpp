@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/result.hpp"
-#include "core/library/paired_take.hpp"
+#include "core/library/takes/paired_take.hpp"
 #include "core/stream/stream_receiver.hpp"
 
 namespace abrazo {

@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/session/command.hpp"
 #include "core/stream/pose_sink.hpp"
 #include "core/synthesis/frame_result.hpp"

@@ -5,7 +5,7 @@
 #include <map>
 #include <set>
 
-#include "core/library/tier_kind.hpp"
+#include "core/library/takes/tier_kind.hpp"
 
 namespace abrazo {
 

@@ -7,7 +7,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/mesh/laplacian.hpp"
 #include "core/session/frame_in_library.hpp"
 #include "core/session/frame_reader.hpp"

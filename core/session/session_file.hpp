@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/result.hpp"
-#include "core/library/tier.hpp"
+#include "core/library/takes/tier.hpp"
 #include "core/session/decisions.hpp"
 #include "core/session/frame_snapshot.hpp"
 #include "core/stream/stream_receiver.hpp"

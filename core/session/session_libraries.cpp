@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "core/library/motion_library_file.hpp"
+#include "core/library/store/motion_library_file.hpp"
 #include "core/session/library_reference.hpp"
 
 namespace abrazo {

@@ -9,7 +9,7 @@
 
 #include "core/base/statistics.hpp"
 #include "core/base/text.hpp"
-#include "core/library/csv_text.hpp"
+#include "core/library/takes/csv_text.hpp"
 
 namespace abrazo {
 

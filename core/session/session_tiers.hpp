@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/base/result.hpp"
-#include "core/library/tier.hpp"
-#include "core/library/tier_file.hpp"
+#include "core/library/takes/tier.hpp"
+#include "core/library/takes/tier_file.hpp"
 #include "core/session/session_export.hpp"
 
 namespace abrazo {

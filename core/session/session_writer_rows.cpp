@@ -4,7 +4,7 @@
 #include <utility>
 
 #include "core/base/json_text.hpp"
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/session/decisions_json.hpp"
 #include "core/session/frame_row.hpp"
 #include "core/session/session_writer_statements.hpp"

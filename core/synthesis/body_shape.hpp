@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "core/library/normalization.hpp"
+#include "core/library/store/normalization.hpp"
 #include "core/motion/body/body.hpp"
 
 namespace abrazo {

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <memory>
 
-#include "core/library/motion_library_file.hpp"
+#include "core/library/store/motion_library_file.hpp"
 #include "core/motion/files/import_clip.hpp"
 #include "core/synthesis/partner_synthesizer.hpp"
 

@@ -132,8 +132,8 @@ TEST(ArchitectureRules, CatchAThirdPartyOutsideItsPlace) {
                   one("core/mesh/tetrahedralize.cpp", "#include <CGAL/Delaunay_triangulation_3.h>\n")),
               ElementsAre(HasSubstr("CGAL may be named only in tests/")));
   EXPECT_THAT(
-      third_parties_have_one_place(one("core/library/pose_index.cpp", "#include <flann/flann.hpp>\n")),
-      ElementsAre(HasSubstr("FLANN may be named only in core/library/flann_tree.cpp")));
+      third_parties_have_one_place(one("core/library/store/pose_index.cpp", "#include <flann/flann.hpp>\n")),
+      ElementsAre(HasSubstr("FLANN may be named only in core/library/store/flann_tree.cpp")));
   EXPECT_THAT(third_parties_have_one_place(one("core/session/a.cpp", "#include <hdf5.h>\n")), SizeIs(1));
   EXPECT_THAT(third_parties_have_one_place(one("widgets/plots/a.cpp", "#include <vtkActor.h>\n")), SizeIs(1));
   EXPECT_THAT(
@@ -157,7 +157,7 @@ TEST(ArchitectureRules, CatchASecondPlaceOfAThirdParty) {
 TEST(ArchitectureRules, CatchAWidgetThatReachesForTheSolver) {
   for (const char* header : {"core/session/solver_thread.hpp", "core/stream/clip_source.hpp",
                              "core/motion/bvh/bvh.hpp", "core/synthesis/partner_synthesizer.hpp",
-                             "core/library/motion_library_file.hpp", "core/base/atomic_file.hpp"}) {
+                             "core/library/store/motion_library_file.hpp", "core/base/atomic_file.hpp"}) {
     const std::string text = std::string("#include \"") + header + "\"\n";
     EXPECT_THAT(widgets_see_only_snapshots(one("widgets/scene/a.cpp", text)), SizeIs(1)) << header;
   }

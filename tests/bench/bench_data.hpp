@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/motion/body/clip.hpp"
 
 namespace abrazo::bench {

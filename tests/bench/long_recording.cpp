@@ -13,7 +13,7 @@
 #include <thread>
 
 #include "core/base/text.hpp"
-#include "core/library/motion_library_file.hpp"
+#include "core/library/store/motion_library_file.hpp"
 #include "core/motion/files/import_clip.hpp"
 #include "core/session/session_engine.hpp"
 #include "core/session/session_file.hpp"

@@ -10,10 +10,10 @@
 #include <iterator>
 
 #include "core/evaluation/sweep_file.hpp"
-#include "core/library/manifest.hpp"
-#include "core/library/motion_library_builder.hpp"
-#include "core/library/motion_library_file.hpp"
-#include "core/library/tier_file.hpp"
+#include "core/library/build/motion_library_builder.hpp"
+#include "core/library/store/motion_library_file.hpp"
+#include "core/library/takes/manifest.hpp"
+#include "core/library/takes/tier_file.hpp"
 #include "core/motion/files/clip_file.hpp"
 #include "core/motion/joints/joint_map.hpp"
 #include "core/motion/scenes/glb_writer.hpp"

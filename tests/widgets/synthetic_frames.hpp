@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/session/frame_snapshot.hpp"
 
 namespace abrazo::test {

@@ -16,7 +16,7 @@
 
 #include "app/workbench/build_form.hpp"
 #include "app/workbench/library_build.hpp"
-#include "core/library/motion_library_file.hpp"
+#include "core/library/store/motion_library_file.hpp"
 #include "core/motion/bvh/bvh.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/widgets/pictures.hpp"

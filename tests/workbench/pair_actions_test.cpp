@@ -14,7 +14,7 @@
 #include "app/workbench/stream_desk.hpp"
 #include "app/workbench/take_desk.hpp"
 #include "core/choreography/salsa.hpp"
-#include "core/library/motion_library_file.hpp"
+#include "core/library/store/motion_library_file.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "tests/workbench/streamed_performer.hpp"
 #include "widgets/candidates/candidate_table.hpp"

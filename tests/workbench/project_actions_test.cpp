@@ -14,7 +14,7 @@
 #include "app/workbench/recorded_session.hpp"
 #include "app/workbench/relocate_dialog.hpp"
 #include "app/workbench/take_desk.hpp"
-#include "core/library/motion_library_file.hpp"
+#include "core/library/store/motion_library_file.hpp"
 #include "core/session/library_reference.hpp"
 #include "core/session/session_file.hpp"
 #include "tests/workbench/demo_window.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/session/frame_snapshot.hpp"
 #include "widgets/candidates/cost_terms.hpp"
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/session/command.hpp"
 
 namespace abrazo::widgets {

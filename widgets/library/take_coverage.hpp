@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/session/frame_history.hpp"
 
 namespace abrazo::widgets {

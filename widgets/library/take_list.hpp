@@ -8,7 +8,7 @@
 #include <set>
 #include <string>
 
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/session/frame_history.hpp"
 #include "widgets/common/palette.hpp"
 

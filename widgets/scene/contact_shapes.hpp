@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/synthesis/frame_result.hpp"
 
 namespace abrazo::widgets {

@@ -2,7 +2,7 @@
 
 #include <QPointF>
 
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/session/frame_snapshot.hpp"
 #include "widgets/common/palette.hpp"
 #include "widgets/scene/scene_parts.hpp"

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/session/frame_history.hpp"
 #include "core/session/frame_snapshot.hpp"
 #include "widgets/common/palette.hpp"

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/session/markers.hpp"
 #include "core/session/playback.hpp"
 #include "core/session/settings_track.hpp"

@@ -4,7 +4,7 @@
 #include <climits>
 #include <fstream>
 
-#include "core/library/manifest.hpp"
+#include "core/library/takes/manifest.hpp"
 #include "core/motion/body/body.hpp"
 #include "core/motion/bvh/bvh.hpp"
 #include "tests/core/library/synthetic_takes.hpp"

@@ -1,4 +1,4 @@
-#include "core/library/normalization.hpp"
+#include "core/library/store/normalization.hpp"
 
 #include <gtest/gtest.h>
 

@@ -12,7 +12,7 @@
 #include "core/annotation/annotated_library.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/text.hpp"
-#include "core/library/tier_file.hpp"
+#include "core/library/takes/tier_file.hpp"
 #include "core/session/session_export.hpp"
 #include "tests/core/session/recorded_session.hpp"
 

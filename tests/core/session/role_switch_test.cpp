@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/library/motion_library_builder.hpp"
+#include "core/library/build/motion_library_builder.hpp"
 #include "core/session/live_loop.hpp"
 #include "core/session/re_solver.hpp"
 #include "core/stream/clip_source.hpp"

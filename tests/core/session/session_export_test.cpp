@@ -5,9 +5,9 @@
 
 #include <limits>
 
-#include "core/library/manifest.hpp"
-#include "core/library/motion_library_builder.hpp"
-#include "core/library/motion_library_file.hpp"
+#include "core/library/build/motion_library_builder.hpp"
+#include "core/library/store/motion_library_file.hpp"
+#include "core/library/takes/manifest.hpp"
 #include "core/session/library_reference.hpp"
 #include "core/session/project.hpp"
 #include "core/session/session_libraries.hpp"

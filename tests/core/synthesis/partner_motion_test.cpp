@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "core/library/motion_library_builder.hpp"
+#include "core/library/build/motion_library_builder.hpp"
 #include "core/motion/body/joint_set.hpp"
 #include "core/synthesis/partner_synthesizer.hpp"
 #include "core/synthesis/synthesizer_state.hpp"
