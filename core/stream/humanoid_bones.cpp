@@ -6,9 +6,8 @@ namespace abrazo {
 
 namespace {
 
-using namespace humanoid;
-
 PerBone<std::string> all_names() {
+  using namespace humanoid;
   PerBone<std::string> names = {
       "Hips",          "Spine",         "Chest",         "UpperChest",    "Neck",
       "Head",          "Jaw",           "LeftEye",       "RightEye",      "LeftShoulder",
@@ -24,6 +23,7 @@ PerBone<std::string> all_names() {
 }
 
 bool is_left_side(int bone) {
+  using namespace humanoid;
   return bone >= FirstFinger ? bone < right_thumb
                              : (bone >= LeftShoulder && bone <= LeftHand) || bone == LeftEye ||
                                    (bone >= LeftUpperLeg && bone <= LeftToes);
@@ -31,6 +31,7 @@ bool is_left_side(int bone) {
 
 /// Of the left side; the right side's is its mirror image.
 Vec3 left_finger_offset(int bone) {
+  using namespace humanoid;
   const int finger = (bone - FirstFinger) % 15 / 3, part = (bone - FirstFinger) % 3;
   if (part > 0) return {0.03, 0, 0};
   constexpr std::array<double, 5> along = {0.03, 0.09, 0.09, 0.085, 0.08},
@@ -40,6 +41,7 @@ Vec3 left_finger_offset(int bone) {
 }
 
 Vec3 left_offset(int bone) {
+  using namespace humanoid;
   switch (bone) {
     case Hips:
       return {0, 0.95, 0};
@@ -107,6 +109,7 @@ std::optional<int> humanoid_bone(std::string_view name) {
 }
 
 int humanoid_parent(int bone) {
+  using namespace humanoid;
   switch (bone) {
     case Hips:
       return -1;
@@ -131,6 +134,7 @@ Vec3 average_bone_offset(int bone) {
 }
 
 Vec3 average_end_offset(int bone) {
+  using namespace humanoid;
   switch (bone) {
     case LeftToes:
     case RightToes:

@@ -10,11 +10,12 @@ namespace abrazo {
 
 namespace {
 
-using namespace humanoid;
 using Rotation = Eigen::Quaterniond;
 
-constexpr std::array<int, 4> long_arms = {LeftLowerArm, LeftHand, RightLowerArm, RightHand};
-constexpr std::array<int, 4> long_legs = {LeftLowerLeg, LeftFoot, RightLowerLeg, RightFoot};
+constexpr std::array<int, 4> long_arms = {humanoid::LeftLowerArm, humanoid::LeftHand, humanoid::RightLowerArm,
+                                          humanoid::RightHand};
+constexpr std::array<int, 4> long_legs = {humanoid::LeftLowerLeg, humanoid::LeftFoot, humanoid::RightLowerLeg,
+                                          humanoid::RightFoot};
 
 /// A bone's average offset together with those of the bones above it that the sender does not have.
 Vec3 average_offset(const HumanoidPose& pose, int bone) {
@@ -27,6 +28,7 @@ Vec3 average_offset(const HumanoidPose& pose, int bone) {
 
 /// Of the sender's body against the average one; 1 where it tells nothing of its measures.
 double size_of(const HumanoidPose& pose) {
+  using namespace humanoid;
   const double hips = pose.position[Hips].y();
   const double size = pose.lacks_offsets()
                           ? hips / average_bone_offset(Hips).y()
@@ -37,7 +39,7 @@ double size_of(const HumanoidPose& pose) {
 Vec3 offset_of(const HumanoidPose& pose, int bone) {
   const auto b = static_cast<std::size_t>(bone);
   if (!pose.lacks_offsets()) return pose.position[b];
-  const bool keeps_hips = bone == Hips && pose.position[b].norm() > 1e-3;
+  const bool keeps_hips = bone == humanoid::Hips && pose.position[b].norm() > 1e-3;
   return keeps_hips ? pose.position[b] : Vec3(size_of(pose) * average_offset(pose, bone));
 }
 
@@ -47,6 +49,7 @@ Rotation yaw_of(const Vec3& left) {
 
 /// Direction that a limb's bone has in a T-pose; nought where the sender's own offset is as good.
 Vec3 t_pose_direction(int bone) {
+  using namespace humanoid;
   switch (bone) {
     case LeftLowerArm:
     case LeftHand:
@@ -98,6 +101,7 @@ HumanoidPoints::World HumanoidPoints::raw_world(const HumanoidPose& pose) const 
 }
 
 void HumanoidPoints::calibrate(const HumanoidPose& t_pose) {
+  using namespace humanoid;
   const World raw = raw_world(t_pose);
   // Without offsets only hips that stand upright tell where they face; others have a rest rotation.
   const bool hips_are_upright = (raw.rotation[Hips] * Vec3::UnitY()).y() > 0.85;
@@ -161,6 +165,7 @@ bool HumanoidPoints::has_upright_rest(const HumanoidPose& pose) {
 
 /// Bones whose ends are points too.
 std::vector<int> HumanoidPoints::ends(const HumanoidPose& pose) const {
+  using namespace humanoid;
   std::vector<int> bones;
   const bool by_rotation = rest_ || has_upright_rest(pose);
   for (const auto& [last, instead] : {std::pair{Head, Head},
