@@ -15,8 +15,8 @@
 #include "core/library/store/motion_library_file.hpp"
 #include "core/session/session_engine.hpp"
 #include "core/session/session_file.hpp"
-#include "core/stream/clip_source.hpp"
-#include "core/stream/silent_source.hpp"
+#include "core/stream/receive/clip_source.hpp"
+#include "core/stream/receive/silent_source.hpp"
 #include "core/synthesis/role_views.hpp"
 
 namespace abrazo::app {

@@ -10,7 +10,7 @@
 
 #include "app/cli/text_lines.hpp"
 #include "core/session/latency.hpp"
-#include "core/stream/stream_uri.hpp"
+#include "core/stream/protocol/stream_uri.hpp"
 
 namespace abrazo::app {
 

@@ -8,7 +8,7 @@
 
 #include "core/session/frame_listener.hpp"
 #include "core/session/recorder.hpp"
-#include "core/stream/stream_health.hpp"
+#include "core/stream/protocol/stream_health.hpp"
 
 namespace abrazo::app {
 

@@ -11,8 +11,8 @@
 #include "app/cli/motion_reading.hpp"
 #include "core/base/session_clock.hpp"
 #include "core/motion/body/resample.hpp"
-#include "core/stream/clip_source.hpp"
-#include "core/stream/pose_sink.hpp"
+#include "core/stream/receive/clip_source.hpp"
+#include "core/stream/send/pose_sink.hpp"
 
 namespace abrazo::app {
 

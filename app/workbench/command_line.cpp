@@ -6,7 +6,7 @@
 #include "core/base/printable.hpp"
 #include "core/base/text.hpp"
 #include "core/base/version.hpp"
-#include "core/stream/stream_uri.hpp"
+#include "core/stream/protocol/stream_uri.hpp"
 
 namespace abrazo::app {
 namespace {

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/stream/datagram.hpp"
-#include "core/stream/udp_socket.hpp"
+#include "core/stream/net/datagram.hpp"
+#include "core/stream/net/udp_socket.hpp"
 
 namespace abrazo::app {
 namespace {

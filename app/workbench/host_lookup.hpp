@@ -8,7 +8,7 @@
 #include <string>
 
 #include "core/base/result.hpp"
-#include "core/stream/stream_uri.hpp"
+#include "core/stream/protocol/stream_uri.hpp"
 
 namespace abrazo::app {
 
@@ -18,7 +18,7 @@ namespace abrazo::app {
 class HostLookup : public QObject {
   Q_OBJECT
  public:
-  /// The IPv4 address of a host, as the system's (core/stream/udp_socket.hpp). Called on another thread.
+  /// The IPv4 address of a host, as the system's (core/stream/net/udp_socket.hpp). Called on another thread.
   using Resolve = std::function<Result<std::uint32_t>(const std::string& host)>;
   using Found = std::function<void(const Result<StreamUri>& uri)>;
 

@@ -1,8 +1,8 @@
 #include "app/workbench/live_session.hpp"
 
 #include "app/workbench/recorded_session.hpp"
-#include "core/stream/clip_source.hpp"
-#include "core/stream/silent_source.hpp"
+#include "core/stream/receive/clip_source.hpp"
+#include "core/stream/receive/silent_source.hpp"
 
 namespace abrazo::app {
 namespace {

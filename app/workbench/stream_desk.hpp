@@ -11,8 +11,8 @@
 #include "app/workbench/host_lookup.hpp"
 #include "core/motion/body/clip.hpp"
 #include "core/session/command.hpp"
-#include "core/stream/stream_health.hpp"
-#include "core/stream/stream_uri.hpp"
+#include "core/stream/protocol/stream_health.hpp"
+#include "core/stream/protocol/stream_uri.hpp"
 #include "widgets/stream/sink_rates.hpp"
 
 namespace abrazo {

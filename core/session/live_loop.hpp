@@ -14,7 +14,7 @@
 #include "core/session/latest_slot.hpp"
 #include "core/session/partner_output.hpp"
 #include "core/session/steering.hpp"
-#include "core/stream/pose_source.hpp"
+#include "core/stream/receive/pose_source.hpp"
 
 namespace abrazo {
 

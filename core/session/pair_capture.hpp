@@ -7,7 +7,7 @@
 
 #include "core/base/result.hpp"
 #include "core/library/takes/paired_take.hpp"
-#include "core/stream/stream_receiver.hpp"
+#include "core/stream/receive/stream_receiver.hpp"
 
 namespace abrazo {
 

@@ -6,7 +6,7 @@
 
 #include "core/library/store/motion_library.hpp"
 #include "core/session/command.hpp"
-#include "core/stream/pose_sink.hpp"
+#include "core/stream/send/pose_sink.hpp"
 #include "core/synthesis/frame_result.hpp"
 #include "core/synthesis/settings.hpp"
 

@@ -12,7 +12,7 @@
 #include "core/session/markers.hpp"
 #include "core/session/recording_facts.hpp"
 #include "core/session/session_edit.hpp"
-#include "core/stream/stream_receiver.hpp"
+#include "core/stream/receive/stream_receiver.hpp"
 
 namespace abrazo {
 

@@ -12,7 +12,7 @@
 #include "core/session/listener_gate.hpp"
 #include "core/session/partner_output.hpp"
 #include "core/session/solver_thread.hpp"
-#include "core/stream/clip_source.hpp"
+#include "core/stream/receive/clip_source.hpp"
 #include "core/synthesis/role_views.hpp"
 
 namespace abrazo {

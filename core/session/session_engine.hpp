@@ -13,7 +13,7 @@
 #include "core/session/meant_choices.hpp"
 #include "core/session/recorder.hpp"
 #include "core/session/session_openers.hpp"
-#include "core/stream/stream_receiver.hpp"
+#include "core/stream/receive/stream_receiver.hpp"
 #include "core/synthesis/partner_synthesizer.hpp"
 
 namespace abrazo {

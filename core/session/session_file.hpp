@@ -11,7 +11,7 @@
 #include "core/library/takes/tier.hpp"
 #include "core/session/decisions.hpp"
 #include "core/session/frame_snapshot.hpp"
-#include "core/stream/stream_receiver.hpp"
+#include "core/stream/receive/stream_receiver.hpp"
 
 namespace abrazo {
 

@@ -5,8 +5,8 @@
 #include <string>
 
 #include "core/session/recorder.hpp"
-#include "core/stream/pose_sink.hpp"
-#include "core/stream/stream_receiver.hpp"
+#include "core/stream/receive/stream_receiver.hpp"
+#include "core/stream/send/pose_sink.hpp"
 
 namespace abrazo {
 

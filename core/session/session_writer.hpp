@@ -14,7 +14,7 @@
 #include "core/session/recording_facts.hpp"
 #include "core/session/session_database.hpp"
 #include "core/session/session_edit.hpp"
-#include "core/stream/stream_receiver.hpp"
+#include "core/stream/receive/stream_receiver.hpp"
 
 namespace abrazo {
 

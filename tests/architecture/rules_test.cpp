@@ -155,7 +155,7 @@ TEST(ArchitectureRules, CatchASecondPlaceOfAThirdParty) {
 }
 
 TEST(ArchitectureRules, CatchAWidgetThatReachesForTheSolver) {
-  for (const char* header : {"core/session/solver_thread.hpp", "core/stream/clip_source.hpp",
+  for (const char* header : {"core/session/solver_thread.hpp", "core/stream/receive/clip_source.hpp",
                              "core/motion/bvh/bvh.hpp", "core/synthesis/partner_synthesizer.hpp",
                              "core/library/store/motion_library_file.hpp", "core/base/atomic_file.hpp"}) {
     const std::string text = std::string("#include \"") + header + "\"\n";

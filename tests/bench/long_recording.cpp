@@ -17,7 +17,7 @@
 #include "core/motion/files/import_clip.hpp"
 #include "core/session/session_engine.hpp"
 #include "core/session/session_file.hpp"
-#include "core/stream/clip_source.hpp"
+#include "core/stream/receive/clip_source.hpp"
 
 namespace {
 

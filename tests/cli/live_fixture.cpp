@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "core/motion/files/import_clip.hpp"
-#include "core/stream/encoders.hpp"
+#include "core/stream/send/encoders.hpp"
 
 namespace abrazo::test {
 

@@ -23,7 +23,7 @@
 #include "core/base/atomic_file.hpp"
 #include "core/choreography/salsa.hpp"
 #include "core/motion/bvh/bvh.hpp"
-#include "core/stream/pose_sink.hpp"
+#include "core/stream/send/pose_sink.hpp"
 #include "widgets/scene/scene_view.hpp"
 #include "widgets/settings/settings_panel.hpp"
 

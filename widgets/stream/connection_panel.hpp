@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/session/command.hpp"
-#include "core/stream/stream_health.hpp"
+#include "core/stream/protocol/stream_health.hpp"
 #include "widgets/common/palette.hpp"
 #include "widgets/stream/sink_rates.hpp"
 

@@ -5,7 +5,7 @@
 #include <thread>
 
 #include "core/session/solver_thread.hpp"
-#include "core/stream/clip_source.hpp"
+#include "core/stream/receive/clip_source.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/support/settings.hpp"
 

@@ -11,7 +11,7 @@
 #include "core/session/latest_slot.hpp"
 #include "core/session/live_loop.hpp"
 #include "core/session/recorder.hpp"
-#include "core/stream/clip_source.hpp"
+#include "core/stream/receive/clip_source.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/support/settings.hpp"
 

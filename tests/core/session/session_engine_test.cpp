@@ -4,7 +4,7 @@
 
 #include <thread>
 
-#include "core/stream/clip_source.hpp"
+#include "core/stream/receive/clip_source.hpp"
 #include "tests/core/session/fakes.hpp"
 #include "tests/support/settings.hpp"
 

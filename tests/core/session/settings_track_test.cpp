@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "core/session/live_loop.hpp"
-#include "core/stream/clip_source.hpp"
+#include "core/stream/receive/clip_source.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/support/settings.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/stream/joints_to_humanoid.hpp"
+#include "core/stream/humanoid/joints_to_humanoid.hpp"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 
 #include "core/choreography/salsa.hpp"
 #include "core/motion/joints/joint_map.hpp"
-#include "core/stream/decoders.hpp"
+#include "core/stream/receive/decoders.hpp"
 
 namespace abrazo::test {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/motion/body/clip.hpp"
-#include "core/stream/stream_decoder.hpp"
-#include "core/stream/stream_encoder.hpp"
+#include "core/stream/protocol/stream_decoder.hpp"
+#include "core/stream/protocol/stream_encoder.hpp"
 
 namespace abrazo::test {
 

@@ -1,4 +1,4 @@
-#include "core/stream/vmc_decoder.hpp"
+#include "core/stream/vmc/vmc_decoder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 #include <random>
 
 #include "core/motion/body/joint_set.hpp"
-#include "core/stream/humanoid_bones.hpp"
+#include "core/stream/humanoid/humanoid_bones.hpp"
 #include "tests/core/stream/vmc_packets.hpp"
 
 namespace abrazo::vmc_decoder_test {

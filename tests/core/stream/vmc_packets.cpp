@@ -8,7 +8,7 @@
 #include <stdexcept>
 
 #include "core/motion/joints/joint_map.hpp"
-#include "core/stream/vmc_decoder.hpp"
+#include "core/stream/vmc/vmc_decoder.hpp"
 
 namespace abrazo::test {
 

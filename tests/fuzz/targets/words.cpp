@@ -2,11 +2,11 @@
 #include "core/evaluation/sweep.hpp"
 #include "core/session/data_reference.hpp"
 #include "core/session/time_place.hpp"
-#include "core/stream/decoders.hpp"
-#include "core/stream/natnet_messages.hpp"
-#include "core/stream/stream_decoder.hpp"
-#include "core/stream/stream_pipeline.hpp"
-#include "core/stream/stream_uri.hpp"
+#include "core/stream/natnet/natnet_messages.hpp"
+#include "core/stream/protocol/stream_decoder.hpp"
+#include "core/stream/protocol/stream_uri.hpp"
+#include "core/stream/receive/decoders.hpp"
+#include "core/stream/receive/stream_pipeline.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 namespace fuzz = abrazo::fuzz;
