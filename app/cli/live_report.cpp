@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "app/cli/text_lines.hpp"
-#include "core/session/latency.hpp"
+#include "core/session/frames/latency.hpp"
 #include "core/stream/protocol/stream_uri.hpp"
 
 namespace abrazo::app {

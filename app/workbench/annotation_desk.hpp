@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/annotation/annotations.hpp"
-#include "core/session/markers.hpp"
+#include "core/session/frames/markers.hpp"
 
 namespace abrazo {
 class MotionLibrary;

@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/session/project.hpp"
+#include "core/session/file/project.hpp"
 
 namespace abrazo::app {
 

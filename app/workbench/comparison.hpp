@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/metrics/run_comparison.hpp"
-#include "core/session/frame_history.hpp"
-#include "core/session/re_solver.hpp"
+#include "core/session/frames/frame_history.hpp"
+#include "core/session/run/re_solver.hpp"
 
 namespace abrazo::app {
 

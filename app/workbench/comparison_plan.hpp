@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "app/workbench/comparison.hpp"
-#include "core/session/playback.hpp"
+#include "core/session/frames/playback.hpp"
 #include "widgets/compare/compare_panel.hpp"
 
 namespace abrazo::app {

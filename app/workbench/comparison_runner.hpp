@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "app/workbench/comparison.hpp"
-#include "core/session/latest_slot.hpp"
+#include "core/session/frames/latest_slot.hpp"
 
 namespace abrazo::app {
 

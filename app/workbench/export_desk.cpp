@@ -11,7 +11,7 @@
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/take_desk.hpp"
 #include "core/base/output_file.hpp"
-#include "core/session/exporting.hpp"
+#include "core/session/export/exporting.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/offer_bar.hpp"
 #include "widgets/plots/plot_panel.hpp"

@@ -4,7 +4,7 @@
 #include <memory>
 
 #include "app/workbench/export_dialog.hpp"
-#include "core/session/export_source.hpp"
+#include "core/session/export/export_source.hpp"
 
 namespace abrazo::widgets {
 class OfferBar;

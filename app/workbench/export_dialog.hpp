@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/session/export_wish.hpp"
-#include "core/session/playback.hpp"
+#include "core/session/export/export_wish.hpp"
+#include "core/session/frames/playback.hpp"
 
 class QCheckBox;
 class QComboBox;

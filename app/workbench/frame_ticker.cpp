@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/session/frame_in_library.hpp"
+#include "core/session/frames/frame_in_library.hpp"
 
 namespace abrazo::app {
 namespace {

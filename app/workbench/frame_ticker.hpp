@@ -5,10 +5,10 @@
 #include <QTimer>
 #include <functional>
 
-#include "core/session/frame_history.hpp"
-#include "core/session/latest_slot.hpp"
-#include "core/session/playback.hpp"
-#include "core/session/time_place.hpp"
+#include "core/session/frames/frame_history.hpp"
+#include "core/session/frames/latest_slot.hpp"
+#include "core/session/frames/playback.hpp"
+#include "core/session/frames/time_place.hpp"
 
 namespace abrazo::app {
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/annotation/annotations.hpp"
-#include "core/session/playback.hpp"
+#include "core/session/frames/playback.hpp"
 
 class QKeyEvent;
 

@@ -4,7 +4,7 @@
 #include <deque>
 #include <vector>
 
-#include "core/session/frame_history.hpp"
+#include "core/session/frames/frame_history.hpp"
 #include "widgets/common/latency_sample.hpp"
 
 namespace abrazo::app {

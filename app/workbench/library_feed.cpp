@@ -7,7 +7,7 @@
 #include "app/workbench/library_desk.hpp"
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/status_figures.hpp"
-#include "core/session/frame_in_library.hpp"
+#include "core/session/frames/frame_in_library.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/library/take_list.hpp"

@@ -7,7 +7,7 @@
 
 #include "app/workbench/material.hpp"
 #include "core/base/result.hpp"
-#include "core/session/session_engine.hpp"
+#include "core/session/run/session_engine.hpp"
 
 namespace abrazo::app {
 

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "app/workbench/main_window.hpp"
-#include "core/session/frame_in_library.hpp"
+#include "core/session/frames/frame_in_library.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/utf8.hpp"

@@ -8,7 +8,7 @@
 #include "app/workbench/film_plan.hpp"
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
-#include "core/session/frame_range.hpp"
+#include "core/session/frames/frame_range.hpp"
 #include "core/video/video_frame.hpp"
 #include "core/video/video_sync.hpp"
 #include "widgets/common/palette.hpp"

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "app/workbench/live_session.hpp"
-#include "core/session/pair_capture.hpp"
+#include "core/session/run/pair_capture.hpp"
 
 namespace abrazo::app {
 

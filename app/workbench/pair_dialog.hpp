@@ -2,7 +2,7 @@
 
 #include <QDialog>
 
-#include "core/session/pair_capture.hpp"
+#include "core/session/run/pair_capture.hpp"
 
 class QComboBox;
 class QDoubleSpinBox;

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "app/workbench/material.hpp"
-#include "core/session/project.hpp"
+#include "core/session/file/project.hpp"
 
 namespace abrazo::app {
 

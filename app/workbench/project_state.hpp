@@ -2,7 +2,7 @@
 
 #include <QStringList>
 
-#include "core/session/project.hpp"
+#include "core/session/file/project.hpp"
 
 namespace abrazo::app {
 

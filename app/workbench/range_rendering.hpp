@@ -7,7 +7,7 @@
 
 #include "app/workbench/film_plan.hpp"
 #include "app/workbench/film_writer.hpp"
-#include "core/session/frame_range.hpp"
+#include "core/session/frames/frame_range.hpp"
 
 namespace abrazo::widgets {
 class ScenePictures;

@@ -3,7 +3,7 @@
 #include <QString>
 #include <cmath>
 
-#include "core/session/playback.hpp"
+#include "core/session/frames/playback.hpp"
 
 namespace abrazo::app {
 

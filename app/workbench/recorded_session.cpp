@@ -7,9 +7,9 @@
 
 #include "app/workbench/generated_fight.hpp"
 #include "core/annotation/annotated_library.hpp"
-#include "core/session/frame_history.hpp"
-#include "core/session/library_reference.hpp"
-#include "core/session/recorded_frames.hpp"
+#include "core/session/file/library_reference.hpp"
+#include "core/session/file/recorded_frames.hpp"
+#include "core/session/frames/frame_history.hpp"
 
 namespace abrazo::app {
 namespace {

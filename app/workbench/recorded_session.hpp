@@ -5,9 +5,9 @@
 
 #include "app/workbench/material.hpp"
 #include "app/workbench/project_opening.hpp"
-#include "core/session/frame_store.hpp"
-#include "core/session/markers.hpp"
-#include "core/session/session_file.hpp"
+#include "core/session/file/session_file.hpp"
+#include "core/session/frames/frame_store.hpp"
+#include "core/session/frames/markers.hpp"
 
 namespace abrazo::app {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "core/session/markers.hpp"
+#include "core/session/frames/markers.hpp"
 
 namespace abrazo::app {
 

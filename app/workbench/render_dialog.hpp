@@ -4,7 +4,7 @@
 #include <optional>
 
 #include "app/workbench/range_rendering.hpp"
-#include "core/session/playback.hpp"
+#include "core/session/frames/playback.hpp"
 
 class QCheckBox;
 class QComboBox;

@@ -4,7 +4,7 @@
 #include <QString>
 #include <vector>
 
-#include "core/session/frame_snapshot.hpp"
+#include "core/session/frames/frame_snapshot.hpp"
 
 namespace abrazo::app {
 

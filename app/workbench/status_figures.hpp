@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/session/frame_history.hpp"
+#include "core/session/frames/frame_history.hpp"
 #include "widgets/common/palette.hpp"
 #include "widgets/plots/plot_series.hpp"
 

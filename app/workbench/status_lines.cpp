@@ -6,7 +6,7 @@
 #include "app/workbench/responsiveness.hpp"
 #include "app/workbench/start_times.hpp"
 #include "core/base/json_text.hpp"
-#include "core/session/latency.hpp"
+#include "core/session/frames/latency.hpp"
 #include "widgets/scene/scene_view.hpp"
 
 namespace abrazo::app {

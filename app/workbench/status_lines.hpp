@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/session/frame_snapshot.hpp"
+#include "core/session/frames/frame_snapshot.hpp"
 
 namespace abrazo::app {
 

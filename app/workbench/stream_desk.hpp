@@ -10,7 +10,7 @@
 #include "app/workbench/calibration_steps.hpp"
 #include "app/workbench/host_lookup.hpp"
 #include "core/motion/body/clip.hpp"
-#include "core/session/command.hpp"
+#include "core/session/frames/command.hpp"
 #include "core/stream/protocol/stream_health.hpp"
 #include "core/stream/protocol/stream_uri.hpp"
 #include "widgets/stream/sink_rates.hpp"

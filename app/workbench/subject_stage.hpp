@@ -4,9 +4,9 @@
 #include <memory>
 #include <string>
 
-#include "core/session/markers.hpp"
-#include "core/session/playback.hpp"
-#include "core/session/take_frames.hpp"
+#include "core/session/frames/markers.hpp"
+#include "core/session/frames/playback.hpp"
+#include "core/session/frames/take_frames.hpp"
 
 namespace abrazo::app {
 

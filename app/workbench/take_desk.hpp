@@ -4,8 +4,8 @@
 #include <QTimer>
 #include <optional>
 
-#include "core/session/recorder.hpp"
-#include "core/session/session_edit.hpp"
+#include "core/session/file/session_edit.hpp"
+#include "core/session/run/recorder.hpp"
 #include "widgets/takes/recorded_takes.hpp"
 #include "widgets/takes/recording_status.hpp"
 

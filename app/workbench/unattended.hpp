@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "app/workbench/command_line.hpp"
-#include "core/session/frame_snapshot.hpp"
+#include "core/session/frames/frame_snapshot.hpp"
 #include "core/video/video_writer.hpp"
 
 namespace abrazo::app {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/session/project.hpp"
+#include "core/session/file/project.hpp"
 #include "core/video/camera_model.hpp"
 #include "core/video/video_sync.hpp"
 

@@ -155,15 +155,15 @@ TEST(ArchitectureRules, CatchASecondPlaceOfAThirdParty) {
 }
 
 TEST(ArchitectureRules, CatchAWidgetThatReachesForTheSolver) {
-  for (const char* header : {"core/session/solver_thread.hpp", "core/stream/receive/clip_source.hpp",
+  for (const char* header : {"core/session/run/solver_thread.hpp", "core/stream/receive/clip_source.hpp",
                              "core/motion/bvh/bvh.hpp", "core/synthesis/partner_synthesizer.hpp",
                              "core/library/store/motion_library_file.hpp", "core/base/atomic_file.hpp"}) {
     const std::string text = std::string("#include \"") + header + "\"\n";
     EXPECT_THAT(widgets_see_only_snapshots(one("widgets/scene/a.cpp", text)), SizeIs(1)) << header;
   }
-  EXPECT_THAT(
-      widgets_see_only_snapshots(one("widgets/scene/a.cpp", "#include \"core/session/command.hpp\"\n")),
-      IsEmpty());
+  EXPECT_THAT(widgets_see_only_snapshots(
+                  one("widgets/scene/a.cpp", "#include \"core/session/frames/command.hpp\"\n")),
+              IsEmpty());
   EXPECT_THAT(widgets_see_only_snapshots(one("widgets/scene/a.cpp", "#include \"core/mesh/capsules.hpp\"\n")),
               IsEmpty());
 }

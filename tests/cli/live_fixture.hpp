@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/motion/body/clip.hpp"
-#include "core/session/session_file.hpp"
+#include "core/session/file/session_file.hpp"
 #include "core/stream/net/udp_socket.hpp"
 #include "core/stream/protocol/stream_encoder.hpp"
 #include "tests/cli/command_line_fixture.hpp"

@@ -14,7 +14,7 @@
 #include <functional>
 
 #include "core/motion/body/joint_set.hpp"
-#include "core/session/frame_history.hpp"
+#include "core/session/frames/frame_history.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/widgets/pictures.hpp"
 #include "tests/widgets/synthetic_frames.hpp"

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "core/library/store/motion_library.hpp"
-#include "core/session/frame_snapshot.hpp"
+#include "core/session/frames/frame_snapshot.hpp"
 
 namespace abrazo::test {
 

@@ -4,7 +4,7 @@
 
 #include "app/workbench/comparison_plan.hpp"
 #include "app/workbench/comparison_runner.hpp"
-#include "core/session/live_loop.hpp"
+#include "core/session/run/live_loop.hpp"
 #include "core/stream/receive/clip_source.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/support/settings.hpp"

@@ -16,7 +16,7 @@
 
 #include "app/workbench/autosave.hpp"
 #include "app/workbench/session_places.hpp"
-#include "core/session/session_file.hpp"
+#include "core/session/file/session_file.hpp"
 
 namespace abrazo::app::display_lost_test {
 namespace {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/library/store/motion_library.hpp"
-#include "core/session/command.hpp"
+#include "core/session/frames/command.hpp"
 
 namespace abrazo::widgets {
 

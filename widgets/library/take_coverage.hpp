@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/library/store/motion_library.hpp"
-#include "core/session/frame_history.hpp"
+#include "core/session/frames/frame_history.hpp"
 
 namespace abrazo::widgets {
 

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/library/store/motion_library.hpp"
-#include "core/session/frame_history.hpp"
+#include "core/session/frames/frame_history.hpp"
 #include "widgets/common/palette.hpp"
 
 class QComboBox;

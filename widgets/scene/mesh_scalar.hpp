@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "core/session/frame_snapshot.hpp"
+#include "core/session/frames/frame_snapshot.hpp"
 #include "widgets/scene/scene_options.hpp"
 
 namespace abrazo::widgets {

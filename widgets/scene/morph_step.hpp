@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/session/frame_snapshot.hpp"
+#include "core/session/frames/frame_snapshot.hpp"
 
 namespace abrazo::widgets {
 

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/session/frame_snapshot.hpp"
+#include "core/session/frames/frame_snapshot.hpp"
 #include "widgets/common/palette.hpp"
 #include "widgets/scene/body_actor.hpp"
 #include "widgets/scene/contact_actors.hpp"

@@ -3,7 +3,7 @@
 #include <QPointF>
 
 #include "core/library/store/motion_library.hpp"
-#include "core/session/frame_snapshot.hpp"
+#include "core/session/frames/frame_snapshot.hpp"
 #include "widgets/common/palette.hpp"
 #include "widgets/scene/scene_parts.hpp"
 #include "widgets/scene/scene_pick.hpp"

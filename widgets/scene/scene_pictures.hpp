@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "core/library/store/motion_library.hpp"
-#include "core/session/frame_snapshot.hpp"
+#include "core/session/frames/frame_snapshot.hpp"
 #include "widgets/common/palette.hpp"
 #include "widgets/scene/scene_parts.hpp"
 

@@ -7,8 +7,8 @@
 #include <optional>
 
 #include "core/library/store/motion_library.hpp"
-#include "core/session/frame_history.hpp"
-#include "core/session/frame_snapshot.hpp"
+#include "core/session/frames/frame_history.hpp"
+#include "core/session/frames/frame_snapshot.hpp"
 #include "widgets/common/palette.hpp"
 #include "widgets/common/selection_model.hpp"
 #include "widgets/scene/mesh_scalar.hpp"

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "core/session/command.hpp"
+#include "core/session/frames/command.hpp"
 #include "core/stream/protocol/stream_health.hpp"
 #include "widgets/common/palette.hpp"
 #include "widgets/stream/sink_rates.hpp"

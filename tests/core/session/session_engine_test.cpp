@@ -1,4 +1,4 @@
-#include "core/session/session_engine.hpp"
+#include "core/session/run/session_engine.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,10 +5,10 @@
 #include <atomic>
 #include <thread>
 
-#include "core/session/exporting.hpp"
-#include "core/session/session_engine.hpp"
-#include "core/session/session_export.hpp"
-#include "core/session/session_file.hpp"
+#include "core/session/export/exporting.hpp"
+#include "core/session/export/session_export.hpp"
+#include "core/session/file/session_file.hpp"
+#include "core/session/run/session_engine.hpp"
 #include "core/stream/net/udp_socket.hpp"
 #include "core/stream/receive/clip_source.hpp"
 #include "core/stream/receive/silent_source.hpp"
