@@ -3,7 +3,7 @@
 #include "app/workbench/comparison_words.hpp"
 #include "app/workbench/main_window.hpp"
 #include "widgets/compare/figure_rows.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 #include "widgets/settings/settings_panel.hpp"
 
 namespace abrazo::app {

@@ -1,6 +1,6 @@
 #include "app/workbench/film_writer.hpp"
 
-#include "widgets/scene/scene_pictures.hpp"
+#include "widgets/scene/view/scene_pictures.hpp"
 
 namespace abrazo::app {
 

@@ -10,7 +10,7 @@
 #include "app/workbench/panel_area.hpp"
 #include "app/workbench/stream_desk.hpp"
 #include "widgets/plots/latency_plot.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 #include "widgets/stream/latency_button.hpp"
 #include "widgets/stream/latency_rows.hpp"
 #include "widgets/stream/latency_table.hpp"

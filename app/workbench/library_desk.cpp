@@ -10,7 +10,7 @@
 #include "core/library/store/neighbour_distance.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/library/take_list.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app {
 

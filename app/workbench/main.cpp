@@ -20,7 +20,7 @@
 #include "core/base/file_limit.hpp"
 #include "widgets/common/icons.hpp"
 #include "widgets/common/plain_text.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 using namespace abrazo;
 

@@ -10,7 +10,7 @@
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/utf8.hpp"
 #include "widgets/meaning/meaning_popup.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app {
 namespace {

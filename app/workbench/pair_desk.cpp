@@ -17,7 +17,7 @@
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/utf8.hpp"
 #include "widgets/library/take_list.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 #include "widgets/settings/settings_panel.hpp"
 #include "widgets/takes/take_name.hpp"
 #include "widgets/timeline/timeline_view.hpp"

@@ -6,7 +6,7 @@
 
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/panel_area.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 #include "widgets/timeline/transport_bar.hpp"
 

@@ -12,8 +12,8 @@
 #include "core/base/text.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/plots/plot_panel.hpp"
-#include "widgets/scene/scene_memory.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/values/scene_memory.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 #include "widgets/settings/settings_panel.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 

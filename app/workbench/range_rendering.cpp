@@ -1,6 +1,6 @@
 #include "app/workbench/range_rendering.hpp"
 
-#include "widgets/scene/scene_pictures.hpp"
+#include "widgets/scene/view/scene_pictures.hpp"
 
 namespace abrazo::app {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app {
 

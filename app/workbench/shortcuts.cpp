@@ -9,7 +9,7 @@
 #include "app/workbench/main_window.hpp"
 #include "core/base/atomic_file.hpp"
 #include "widgets/common/message_bar.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 
 namespace abrazo::app {

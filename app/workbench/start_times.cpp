@@ -10,7 +10,7 @@
 #include "app/workbench/main_window.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/text.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app {
 namespace {

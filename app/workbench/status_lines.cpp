@@ -7,7 +7,7 @@
 #include "app/workbench/start_times.hpp"
 #include "core/base/json_text.hpp"
 #include "core/session/frames/latency.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app {
 namespace {

@@ -8,7 +8,7 @@
 #include "app/workbench/main_window.hpp"
 #include "app/workbench/session_places.hpp"
 #include "widgets/common/message_bar.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 #include "widgets/takes/countdown.hpp"
 #include "widgets/takes/take_name.hpp"
 #include "widgets/takes/take_panel.hpp"

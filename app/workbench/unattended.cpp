@@ -12,7 +12,7 @@
 #include "core/base/atomic_file.hpp"
 #include "core/base/printable.hpp"
 #include "core/motion/bvh/bvh.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app {
 namespace {

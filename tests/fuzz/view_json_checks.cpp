@@ -10,7 +10,7 @@
 #include "app/workbench/remembered_view.hpp"
 #include "app/workbench/window_layout.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
-#include "widgets/scene/scene_memory.hpp"
+#include "widgets/scene/values/scene_memory.hpp"
 
 namespace abrazo::fuzz {
 

@@ -13,7 +13,7 @@
 #include "app/workbench/project_desk.hpp"
 #include "app/workbench/take_desk.hpp"
 #include "app/workbench/termination.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 using namespace abrazo;
 

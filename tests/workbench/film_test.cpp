@@ -10,7 +10,7 @@
 #include "app/workbench/film_plan.hpp"
 #include "app/workbench/film_writer.hpp"
 #include "app/workbench/scene_picture.hpp"
-#include "widgets/scene/scene_pictures.hpp"
+#include "widgets/scene/view/scene_pictures.hpp"
 
 namespace abrazo::app::film_test {
 namespace {

@@ -24,7 +24,7 @@
 #include "core/choreography/salsa.hpp"
 #include "core/motion/bvh/bvh.hpp"
 #include "core/stream/send/pose_sink.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 #include "widgets/settings/settings_panel.hpp"
 
 namespace abrazo::app {

@@ -19,7 +19,7 @@
 #include "app/workbench/remembered_view.hpp"
 #include "app/workbench/window_place.hpp"
 #include "widgets/common/message_bar.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app::layout_test {
 namespace {

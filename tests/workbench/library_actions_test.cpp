@@ -19,7 +19,7 @@
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/library/take_list.hpp"
 #include "widgets/library/take_model.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app::library_actions_test {
 namespace {

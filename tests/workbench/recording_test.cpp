@@ -21,7 +21,7 @@
 #include "tests/widgets/pictures.hpp"
 #include "tests/workbench/until.hpp"
 #include "widgets/common/message_bar.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app::recording_test {
 namespace {

@@ -16,7 +16,7 @@
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/library/take_list.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 #include "widgets/settings/settings_panel.hpp"
 
 namespace abrazo::app::window_test {

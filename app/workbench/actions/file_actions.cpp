@@ -14,7 +14,7 @@
 #include "app/workbench/scene_picture.hpp"
 #include "core/motion/joints/motion_format.hpp"
 #include "widgets/common/message_bar.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "app/workbench/actions/actions.hpp"
 #include "app/workbench/main_window.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 #include "widgets/timeline/transport_bar.hpp"
 

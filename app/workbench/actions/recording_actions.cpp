@@ -15,7 +15,7 @@
 #include "app/workbench/render_dialog.hpp"
 #include "app/workbench/view_recording.hpp"
 #include "widgets/common/message_bar.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app {
 namespace {

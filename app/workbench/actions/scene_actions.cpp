@@ -5,9 +5,9 @@
 
 #include "app/workbench/actions/actions.hpp"
 #include "app/workbench/main_window.hpp"
-#include "widgets/scene/scene_memory.hpp"
-#include "widgets/scene/scene_tree_rows.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/values/scene_memory.hpp"
+#include "widgets/scene/values/scene_tree_rows.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app {
 namespace {

@@ -6,8 +6,8 @@
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/selection_model.hpp"
 #include "widgets/plots/plot_panel.hpp"
-#include "widgets/scene/scene_tree.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/panel/scene_tree.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app {
 namespace {

@@ -7,7 +7,7 @@
 #include "app/workbench/recent_files.hpp"
 #include "app/workbench/welcome_page.hpp"
 #include "widgets/common/message_bar.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app {
 namespace {
