@@ -14,8 +14,8 @@
 #include <QToolButton>
 #include <fstream>
 
-#include "app/workbench/build_form.hpp"
-#include "app/workbench/library_build.hpp"
+#include "app/workbench/library/build_form.hpp"
+#include "app/workbench/library/library_build.hpp"
 #include "core/library/store/motion_library_file.hpp"
 #include "core/motion/bvh/bvh.hpp"
 #include "tests/support/libraries.hpp"

@@ -7,10 +7,10 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/workbench/actions/actions.hpp"
-#include "app/workbench/comparison_desk.hpp"
-#include "app/workbench/main_window.hpp"
-#include "app/workbench/panel_area.hpp"
+#include "app/workbench/compare/comparison_desk.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/shell/panel_area.hpp"
 #include "tests/workbench/until.hpp"
 #include "widgets/compare/compare_panel.hpp"
 #include "widgets/settings/settings_panel.hpp"

@@ -14,8 +14,8 @@
 #include <sstream>
 #include <string>
 
-#include "app/workbench/autosave.hpp"
-#include "app/workbench/session_places.hpp"
+#include "app/workbench/document/session_places.hpp"
+#include "app/workbench/project/autosave.hpp"
 #include "core/session/file/session_file.hpp"
 
 namespace abrazo::app::display_lost_test {

@@ -27,12 +27,12 @@
 #include <memory>
 #include <set>
 
-#include "app/workbench/actions/actions.hpp"
-#include "app/workbench/comparison_desk.hpp"
-#include "app/workbench/key_entry.hpp"
-#include "app/workbench/main_window.hpp"
-#include "app/workbench/shortcut_dialog.hpp"
-#include "app/workbench/shortcuts.hpp"
+#include "app/workbench/compare/comparison_desk.hpp"
+#include "app/workbench/keys/key_entry.hpp"
+#include "app/workbench/keys/shortcut_dialog.hpp"
+#include "app/workbench/keys/shortcuts.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
 #include "tests/workbench/until.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"

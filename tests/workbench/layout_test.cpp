@@ -11,13 +11,13 @@
 #include <numbers>
 #include <random>
 
-#include "app/workbench/actions/actions.hpp"
-#include "app/workbench/dock_state.hpp"
-#include "app/workbench/layouts.hpp"
-#include "app/workbench/main_window.hpp"
-#include "app/workbench/panel_area.hpp"
-#include "app/workbench/remembered_view.hpp"
-#include "app/workbench/window_place.hpp"
+#include "app/workbench/project/remembered_view.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/dock_state.hpp"
+#include "app/workbench/shell/layouts.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/shell/panel_area.hpp"
+#include "app/workbench/shell/window_place.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 

@@ -8,10 +8,10 @@
 #include <QTest>
 #include <fstream>
 
-#include "app/workbench/actions/actions.hpp"
-#include "app/workbench/library_build.hpp"
-#include "app/workbench/library_desk.hpp"
-#include "app/workbench/main_window.hpp"
+#include "app/workbench/library/library_build.hpp"
+#include "app/workbench/library/library_desk.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
 #include "core/motion/bvh/bvh.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/widgets/pictures.hpp"

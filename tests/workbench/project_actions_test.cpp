@@ -8,12 +8,12 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/workbench/annotation_desk.hpp"
-#include "app/workbench/autosave.hpp"
-#include "app/workbench/project_desk.hpp"
-#include "app/workbench/recorded_session.hpp"
-#include "app/workbench/relocate_dialog.hpp"
-#include "app/workbench/take_desk.hpp"
+#include "app/workbench/document/recorded_session.hpp"
+#include "app/workbench/labels/annotation_desk.hpp"
+#include "app/workbench/project/autosave.hpp"
+#include "app/workbench/project/project_desk.hpp"
+#include "app/workbench/project/relocate_dialog.hpp"
+#include "app/workbench/takes/take_desk.hpp"
 #include "core/library/store/motion_library_file.hpp"
 #include "core/session/file/library_reference.hpp"
 #include "core/session/file/session_file.hpp"

@@ -12,12 +12,12 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/workbench/actions/actions.hpp"
-#include "app/workbench/main_window.hpp"
-#include "app/workbench/range_rendering.hpp"
-#include "app/workbench/render_dialog.hpp"
-#include "app/workbench/scene_picture.hpp"
-#include "app/workbench/view_recording.hpp"
+#include "app/workbench/base/range_rendering.hpp"
+#include "app/workbench/base/render_dialog.hpp"
+#include "app/workbench/export/view_recording.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/shell/scene_picture.hpp"
 #include "tests/widgets/pictures.hpp"
 #include "tests/workbench/until.hpp"
 #include "widgets/common/message_bar.hpp"

@@ -6,8 +6,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/workbench/actions/actions.hpp"
-#include "app/workbench/main_window.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
 #include "core/motion/body/joint_set.hpp"
 #include "tests/workbench/until.hpp"
 #include "widgets/candidates/candidate_list.hpp"

@@ -14,12 +14,12 @@
 #include <QUrl>
 #include <set>
 
-#include "app/workbench/actions/actions.hpp"
-#include "app/workbench/drop_hint.hpp"
-#include "app/workbench/main_window.hpp"
-#include "app/workbench/panel_area.hpp"
-#include "app/workbench/panel_focus.hpp"
-#include "app/workbench/recent_files.hpp"
+#include "app/workbench/base/recent_files.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/drop_hint.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/shell/panel_area.hpp"
+#include "app/workbench/shell/panel_focus.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/message_log.hpp"
 

@@ -11,9 +11,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/workbench/actions/actions.hpp"
-#include "app/workbench/main_window.hpp"
-#include "app/workbench/own_presets.hpp"
+#include "app/workbench/base/own_presets.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/evaluation/sweep.hpp"
 #include "tests/workbench/until.hpp"

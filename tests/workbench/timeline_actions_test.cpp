@@ -7,8 +7,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "app/workbench/actions/actions.hpp"
-#include "app/workbench/main_window.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
 #include "tests/workbench/until.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 #include "widgets/timeline/quick_entry.hpp"

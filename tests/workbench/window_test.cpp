@@ -10,8 +10,8 @@
 #include <QTest>
 #include <QUrl>
 
-#include "app/workbench/actions/actions.hpp"
-#include "app/workbench/main_window.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
 #include "tests/workbench/until.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
