@@ -36,7 +36,8 @@ class Job;
 class PanelArea;
 class StatusFigures;
 
-/// Where the parts stand and how they are wired. Every user action lives in a file of its own under actions/.
+/// Where the parts stand and how they are wired. Every user action lives in the `_actions.cpp` of its
+/// feature.
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
