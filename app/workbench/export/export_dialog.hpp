@@ -58,7 +58,6 @@ class ExportDialog : public QDialog {
   What what() const;
   ExportOffer::Stretch stretch() const;
   Playback::Range part() const;
-  void fillSource();
   void sourceChanged();
   void whatChanged();
   void settle();

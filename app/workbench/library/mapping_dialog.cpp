@@ -271,10 +271,6 @@ void MappingDialog::showFrame() {
   m_preview->show(shown);
 }
 
-bool MappingDialog::isComplete() const {
-  return bind_joints(m_map, m_motion.points).missing.empty();
-}
-
 ImportOptions MappingDialog::said() const {
   ImportOptions options;
   if (m_up->currentIndex() > 0) options.up_axis = m_up->currentIndex() == 1 ? UpAxis::Y : UpAxis::Z;

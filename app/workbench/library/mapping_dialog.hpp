@@ -35,7 +35,6 @@ class MappingDialog : public QDialog {
   QTableWidget& table() { return *m_table; }
   widgets::MappingPreview& preview() { return *m_preview; }
   QString state() const;
-  bool isComplete() const;
 
  public slots:
   /// "LASI" or "0.5 LASI + 0.5 RASI"; empty takes the joint's points away. Says what is wrong, and changes

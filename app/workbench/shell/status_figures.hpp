@@ -23,7 +23,6 @@ class StatusFigures : public QWidget {
   /// @param comes  whether anything comes in from it now
   void showInput(const QString& name, bool comes);
   void refresh(const FrameHistory& history, std::uint64_t rendered_frames);
-  double renderRate() const { return m_renderRate; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -29,8 +29,6 @@ class Responsiveness : public QObject {
   const AnswerTimes& times() const { return m_times; }
   /// Since the program began.
   const AnswerTimes& overall() const { return m_overall; }
-  /// The longest since the program began, and what it did then.
-  double longestMs() const { return m_overall.longest_ms(); }
   /// "answers within 6 ms (99 %), longest 31 ms, 12 s ago, while opening"
   QString text() const;
 
