@@ -19,6 +19,7 @@
 #include <functional>
 #include <string>
 
+#include "app/workbench/document/generated_material.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/start/responsiveness.hpp"

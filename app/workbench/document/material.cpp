@@ -5,10 +5,10 @@
 #include <fstream>
 #include <string_view>
 
+#include "app/workbench/document/generated_material.hpp"
 #include "app/workbench/document/recorded_session.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/text.hpp"
-#include "core/choreography/salsa.hpp"
 #include "core/library/build/motion_library_builder.hpp"
 #include "core/library/store/motion_library_file.hpp"
 #include "core/library/store/normalization.hpp"
@@ -164,22 +164,6 @@ Status add_motion(const Sorted& sorted, const ImportOptions& said, Material& mat
 }
 
 }  // namespace
-
-Result<Material> make_demo(const Progress& progress) {
-  report(progress, 0, "Generating a dance");
-  ChoreographyOptions dance;
-  dance.minutes = 1;
-  auto library = build_library("generated salsa", generate_salsa(dance), {}, progress);
-  if (!library) return library.error();
-  Material material;
-  material.library = std::make_shared<const MotionLibrary>(std::move(library).value());
-  dance.seed = 20;
-  dance.minutes = 0.5;
-  dance.take_seconds = 30;
-  material.input = generate_salsa(dance).front().a;
-  material.input.name = "generated leader";
-  return material;
-}
 
 Result<Material> load_material(const std::vector<std::string>& files, const Material& open,
                                const Progress& progress, const ImportOptions& said) {

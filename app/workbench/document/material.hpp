@@ -29,9 +29,6 @@ struct Material {
   std::shared_ptr<const OpenedProject> project;     ///< null: what is open was not opened from a session file
 };
 
-/// A minute of generated dance, and a leader whom the library has not seen.
-Result<Material> make_demo(const Progress& progress);
-
 /// What opening these files gives, in addition to what is open now. A library file or manifest replaces the
 /// library, a motion replaces the input, a session file is opened with its library; what is still missing
 /// comes from the library or the demo.

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/workbench/base/user_settings.hpp"
+#include "app/workbench/document/generated_material.hpp"
 
 namespace abrazo::app {
 namespace {

@@ -5,7 +5,7 @@
 #include <iterator>
 #include <optional>
 
-#include "app/workbench/document/generated_fight.hpp"
+#include "app/workbench/document/generated_material.hpp"
 #include "core/annotation/annotated_library.hpp"
 #include "core/session/file/library_reference.hpp"
 #include "core/session/file/recorded_frames.hpp"

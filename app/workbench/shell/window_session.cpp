@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "app/workbench/base/job.hpp"
+#include "app/workbench/document/generated_material.hpp"
 #include "app/workbench/document/label_files.hpp"
 #include "app/workbench/document/open_video.hpp"
 #include "app/workbench/document/session_places.hpp"

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/workbench/base/user_settings.hpp"
+#include "app/workbench/document/generated_material.hpp"
 #include "app/workbench/project/project_desk.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"

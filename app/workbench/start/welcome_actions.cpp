@@ -2,7 +2,7 @@
 #include <QMenu>
 
 #include "app/workbench/base/recent_files.hpp"
-#include "app/workbench/document/generated_fight.hpp"
+#include "app/workbench/document/generated_material.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/start/welcome_page.hpp"
