@@ -7,6 +7,7 @@
 
 #include <algorithm>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/job.hpp"
 #include "app/workbench/base/range_words.hpp"
 #include "core/evaluation/library_takes.hpp"
@@ -43,10 +44,6 @@ SweepGoal shown_goal(const std::string& metric) {
       break;
   }
   return SweepGoal::Lowest;
-}
-
-QString failure_words(const Error& error) {
-  return QString::fromStdString(error.text());
 }
 
 }  // namespace
@@ -112,7 +109,7 @@ void SweepRun::start(const Sweep& sweep, const std::vector<std::string>& takes) 
     report(progress, 0, "gathering the takes");
     if (!data) {
       auto gathered = evaluation_data_of(library);
-      if (!gathered) return [this, text = failure_words(gathered.error())] { end(text); };
+      if (!gathered) return [this, text = words(gathered.error())] { end(text); };
       data = std::make_shared<const EvaluationData>(std::move(*gathered));
     }
     const auto evaluator = [&](const Settings& at, const Progress& within) {
@@ -124,7 +121,7 @@ void SweepRun::start(const Sweep& sweep, const std::vector<std::string>& takes) 
       return true;
     };
     const Status done = evaluate_points(sweep, coarse_first(sweep), evaluator, hand_over, progress);
-    return [this, data, text = done ? QString("Done.") : failure_words(done.error())] {
+    return [this, data, text = done ? QString("Done.") : words(done.error())] {
       m_data = data;
       end(text);
     };

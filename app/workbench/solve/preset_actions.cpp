@@ -5,6 +5,7 @@
 #include <QMenu>
 #include <memory>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/own_presets.hpp"
 #include "app/workbench/document/project_opening.hpp"
 #include "app/workbench/shell/actions.hpp"
@@ -20,10 +21,6 @@ namespace {
 using widgets::PresetBar;
 using widgets::SettingsPanel;
 using Store = std::shared_ptr<OwnPresets>;
-
-QString words(const Error& error) {
-  return QString::fromStdString(error.text());
-}
 
 /// Shows what is kept now, or why it could not be changed. @return whether it could
 bool settle(MainWindow& window, const Store& store, const Status& done) {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/status_figures.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -24,10 +25,6 @@ using widgets::StreamMark;
 
 constexpr int poll_ms = 250, calibration_ms = 50;
 constexpr int most_recent_streams = 8;
-
-QString words(const Error& error) {
-  return QString::fromStdString(error.text());
-}
 
 /// "vmc 39539": the scheme, and the port that is really bound.
 QString short_name(const StreamHealth& health) {
