@@ -1,7 +1,7 @@
 #include <QMetaMethod>
 #include <algorithm>
 
-#include "app/workbench/base/job.hpp"
+#include "app/workbench/base/job_progress.hpp"
 #include "app/workbench/document/generated_material.hpp"
 #include "app/workbench/document/label_files.hpp"
 #include "app/workbench/document/open_video.hpp"
@@ -115,9 +115,7 @@ void MainWindow::openMaterial(MakeMaterial make, const QStringList& files) {
     };
   });
   m_messages->showProgress("Opening", 0);
-  connect(m_job.get(), &Job::progressed, m_messages,
-          [this](double fraction, const QString& doing) { m_messages->showProgress(doing, fraction); });
-  connect(m_job.get(), &Job::finished, m_messages, &widgets::MessageBar::endProgress);
+  show_progress(*m_job, *m_messages);
 }
 
 void MainWindow::start(const std::shared_ptr<PreparedSolver>& prepared) {

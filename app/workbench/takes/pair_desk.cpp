@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <set>
 
-#include "app/workbench/base/job.hpp"
+#include "app/workbench/base/job_progress.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/status_figures.hpp"
@@ -154,9 +154,7 @@ void PairDesk::extend(const PairedTake& take) {
       emit extended(text(take.name));
     };
   });
-  connect(m_job.get(), &Job::progressed, &messages,
-          [&messages](double fraction, const QString& doing) { messages.showProgress(doing, fraction); });
-  connect(m_job.get(), &Job::finished, &messages, &widgets::MessageBar::endProgress);
+  show_progress(*m_job, messages);
 }
 
 /// Views go on with the longer library: pairs and takes that were there keep their numbers.

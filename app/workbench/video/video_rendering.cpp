@@ -1,6 +1,6 @@
 #include "app/workbench/video/video_rendering.hpp"
 
-#include "app/workbench/base/job.hpp"
+#include "app/workbench/base/job_progress.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/video/video_desk.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -55,13 +55,9 @@ void render_video(MainWindow& window, VideoDesk& desk, const RangeRequest& reque
       },
       &window);
   job->setObjectName(job_name);
-  QObject::connect(job, &Job::progressed, &messages,
-                   [&messages](double done, const QString& doing) { messages.showProgress(doing, done); });
+  show_progress(*job, messages);
   QObject::connect(&messages, &widgets::MessageBar::cancelRequested, job, &Job::cancel);
-  QObject::connect(job, &Job::finished, &messages, [job, &messages] {
-    messages.endProgress();
-    job->deleteLater();
-  });
+  QObject::connect(job, &Job::finished, job, &QObject::deleteLater);
 }
 
 }  // namespace abrazo::app
