@@ -58,7 +58,6 @@ class ConnectionPanel : public QWidget {
   void delayRequested(int ms);
   /// @param value  as the setting takes it
   void stepRateRequested(const QString& value);
-  void copyRequested();
 
  private:
   QWidget* section(const QString& title);

@@ -279,7 +279,6 @@ void AnnotationDesk::settleChosen() {
   if (shown.tier(m_activeTier)) return;
   const AnnotationTier* moves = shown.first_of(TierKind::Move);
   m_activeTier = moves ? moves->id : shown.empty() ? 0 : shown.tiers().front().id;
-  emit activeTierChanged();
 }
 
 bool AnnotationDesk::isOpen() const {
@@ -330,7 +329,6 @@ void AnnotationDesk::setActiveTier(int tier) {
   m_activeTier = tier;
   if (const AnnotationTier* of = annotations().tier_of(m_selected); of && of->id != tier) m_selected = 0;
   show();
-  emit activeTierChanged();
 }
 
 void AnnotationDesk::select(int annotation) {

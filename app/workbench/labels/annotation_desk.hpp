@@ -93,7 +93,6 @@ class AnnotationDesk : public QObject {
   /// Another subject is shown, or a session began. annotationsChanged comes with it.
   void subjectChanged();
   void selectionChanged();
-  void activeTierChanged();
   void conflictChanged();
 
  private:

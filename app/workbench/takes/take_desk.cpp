@@ -359,7 +359,6 @@ void TakeDesk::showTakes() {
   m_panel.rows().setRunning(m_running);
   m_panel.setTakes(m_takes);
   m_window.timeline().showTakes(on_timeline(m_takes, m_running));
-  emit takesChanged();
 }
 
 }  // namespace abrazo::app

@@ -55,7 +55,6 @@ class TakeDesk : public QObject {
   int session() const { return m_session; }  ///< counts them
 
  signals:
-  void takesChanged();
   void fileChanged();
   /// A take has begun, after its countdown.
   void begun();
