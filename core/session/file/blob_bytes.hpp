@@ -45,7 +45,7 @@ class BlobWriter {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// Reads them back. Past the end everything is zero, and `is_good` says so.
+/// Reads them back. Past the end everything is zero, and `is_done` says so.
 class BlobReader {
  public:
   explicit BlobReader(std::span<const std::uint8_t> bytes) : rest_(bytes) {}
@@ -82,8 +82,7 @@ class BlobReader {
   }
 
   std::size_t left() const { return rest_.size(); }
-  bool is_good() const { return good_; }                   ///< nothing was missing so far
-  bool is_done() const { return good_ && rest_.empty(); }  ///< and nothing is left over
+  bool is_done() const { return good_ && rest_.empty(); }  ///< nothing was missing, and nothing is left over
 
  private:
   bool has(std::size_t bytes) {

@@ -35,7 +35,6 @@ class ByteWriter {
 
   std::size_t size() const { return bytes_.size(); }
   /// Overwrites what was written at `offset`, for sizes that are known only afterwards.
-  void u16_at(std::size_t offset, std::uint16_t value) { overwrite(offset, value, 2); }
   void u32_at(std::size_t offset, std::uint32_t value) { overwrite(offset, value, 4); }
 
   const std::vector<std::uint8_t>& bytes() const { return bytes_; }

@@ -53,7 +53,6 @@ class FrameAssembly {
 
   const std::string& joint_map() const { return map_name_; }
   const std::vector<std::string>& estimated_joints() const { return estimated_; }
-  bool is_bound() const { return binding_.has_value(); }
 
  private:
   void bind(const std::shared_ptr<const std::vector<std::string>>& points);
