@@ -1,5 +1,6 @@
 # Sources that are compiled together: what they share is read and instantiated once, which takes a third of the time. Neighbours
-# of one folder make a batch, so a new file moves others only within its folder. Names without linkage have to be unique in a folder
+# of one folder make a batch, so a new file moves others only within its folder. A folder is core/session or app/workbench here, with
+# all of its rooms: batches of each room would be more and smaller. Names without linkage have to be unique in a folder
 # (in tests every file has a namespace of its own). -DABRAZO_UNITY=OFF, as in the preset `dev`, compiles
 # every file alone.
 option(ABRAZO_UNITY "Compile the sources of a folder in batches" ON)
@@ -11,6 +12,7 @@ function(abrazo_unity target batch)
     return()
   endif()
   get_target_property(sources ${target} SOURCES)
+  get_target_property(source_dir ${target} SOURCE_DIR)
   list(FILTER sources INCLUDE REGEX "\\.cpp$")
   list(SORT sources)
   set(previous "")
@@ -20,7 +22,10 @@ function(abrazo_unity target batch)
     if(name IN_LIST ARG_ALONE)
       continue()
     endif()
-    get_filename_component(folder ${source} DIRECTORY)
+    get_filename_component(folder ${source} ABSOLUTE BASE_DIR ${source_dir})
+    get_filename_component(folder ${folder} DIRECTORY)
+    file(RELATIVE_PATH folder ${PROJECT_SOURCE_DIR} ${folder})
+    string(REGEX MATCH "^(tests/)?[^/]+(/[^/]+)?" folder "${folder}")
     if(NOT folder STREQUAL previous)
       set(index 0)
       set(previous "${folder}")

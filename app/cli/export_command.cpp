@@ -9,7 +9,7 @@
 #include "app/cli/text_lines.hpp"
 #include "core/base/json_text.hpp"
 #include "core/base/output_file.hpp"
-#include "core/session/exporting.hpp"
+#include "core/session/export/exporting.hpp"
 
 namespace abrazo::app {
 

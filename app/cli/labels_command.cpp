@@ -15,8 +15,8 @@
 #include "core/base/text.hpp"
 #include "core/base/utc_time.hpp"
 #include "core/base/version.hpp"
-#include "core/library/tier_file.hpp"
-#include "core/library/tier_kind.hpp"
+#include "core/library/takes/tier_file.hpp"
+#include "core/library/takes/tier_kind.hpp"
 
 namespace abrazo::app {
 

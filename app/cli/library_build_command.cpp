@@ -8,9 +8,9 @@
 
 #include "app/cli/library_command.hpp"
 #include "core/base/output_file.hpp"
-#include "core/library/manifest.hpp"
-#include "core/library/motion_library_builder.hpp"
-#include "core/library/motion_library_file.hpp"
+#include "core/library/build/motion_library_builder.hpp"
+#include "core/library/store/motion_library_file.hpp"
+#include "core/library/takes/manifest.hpp"
 
 namespace abrazo::app {
 

@@ -6,8 +6,8 @@
 #include "app/cli/library_command.hpp"
 #include "app/cli/text_lines.hpp"
 #include "core/base/json_text.hpp"
-#include "core/library/motion_library_file.hpp"
-#include "core/library/performer_letter.hpp"
+#include "core/library/store/motion_library_file.hpp"
+#include "core/library/takes/performer_letter.hpp"
 
 namespace abrazo::app {
 

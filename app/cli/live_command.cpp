@@ -12,11 +12,11 @@
 #include "app/cli/motion_reading.hpp"
 #include "app/cli/settings_options.hpp"
 #include "core/base/output_file.hpp"
-#include "core/library/motion_library_file.hpp"
-#include "core/session/session_engine.hpp"
-#include "core/session/session_file.hpp"
-#include "core/stream/clip_source.hpp"
-#include "core/stream/silent_source.hpp"
+#include "core/library/store/motion_library_file.hpp"
+#include "core/session/file/session_file.hpp"
+#include "core/session/run/session_engine.hpp"
+#include "core/stream/receive/clip_source.hpp"
+#include "core/stream/receive/silent_source.hpp"
 #include "core/synthesis/role_views.hpp"
 
 namespace abrazo::app {

@@ -9,8 +9,8 @@
 #include <utility>
 
 #include "app/cli/text_lines.hpp"
-#include "core/session/latency.hpp"
-#include "core/stream/stream_uri.hpp"
+#include "core/session/frames/latency.hpp"
+#include "core/stream/protocol/stream_uri.hpp"
 
 namespace abrazo::app {
 

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "core/session/frame_listener.hpp"
-#include "core/session/recorder.hpp"
-#include "core/stream/stream_health.hpp"
+#include "core/session/frames/frame_listener.hpp"
+#include "core/session/run/recorder.hpp"
+#include "core/stream/protocol/stream_health.hpp"
 
 namespace abrazo::app {
 

@@ -13,9 +13,9 @@
 #include "core/base/json_text.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/text.hpp"
-#include "core/motion/clip_csv.hpp"
-#include "core/motion/clip_file.hpp"
-#include "core/motion/import_clip.hpp"
+#include "core/motion/files/clip_file.hpp"
+#include "core/motion/files/import_clip.hpp"
+#include "core/motion/tables/clip_csv.hpp"
 
 namespace abrazo::app {
 

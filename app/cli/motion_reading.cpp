@@ -2,7 +2,7 @@
 
 #include <fmt/core.h>
 
-#include "core/motion/motion_format.hpp"
+#include "core/motion/joints/motion_format.hpp"
 
 namespace abrazo::app {
 

@@ -6,8 +6,8 @@
 
 #include "app/cli/command_line.hpp"
 #include "core/base/result.hpp"
-#include "core/motion/clip_file.hpp"
-#include "core/motion/import_clip.hpp"
+#include "core/motion/files/clip_file.hpp"
+#include "core/motion/files/import_clip.hpp"
 
 namespace abrazo::app {
 

@@ -10,9 +10,9 @@
 #include "app/cli/interruption.hpp"
 #include "app/cli/motion_reading.hpp"
 #include "core/base/session_clock.hpp"
-#include "core/motion/resample.hpp"
-#include "core/stream/clip_source.hpp"
-#include "core/stream/pose_sink.hpp"
+#include "core/motion/body/resample.hpp"
+#include "core/stream/receive/clip_source.hpp"
+#include "core/stream/send/pose_sink.hpp"
 
 namespace abrazo::app {
 

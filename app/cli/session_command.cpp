@@ -9,9 +9,9 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/text_lines.hpp"
 #include "core/base/json_text.hpp"
-#include "core/session/project.hpp"
-#include "core/session/session_file.hpp"
-#include "core/session/session_schema.hpp"
+#include "core/session/file/project.hpp"
+#include "core/session/file/session_file.hpp"
+#include "core/session/file/session_schema.hpp"
 
 namespace abrazo::app {
 

@@ -12,9 +12,9 @@
 #include "core/base/output_file.hpp"
 #include "core/evaluation/suggestion_agreement.hpp"
 #include "core/evaluation/suggestion_report.hpp"
-#include "core/library/motion_library_builder.hpp"
-#include "core/library/motion_library_file.hpp"
-#include "core/library/tier_file.hpp"
+#include "core/library/build/motion_library_builder.hpp"
+#include "core/library/store/motion_library_file.hpp"
+#include "core/library/takes/tier_file.hpp"
 
 namespace abrazo::app {
 

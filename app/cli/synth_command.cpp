@@ -8,9 +8,9 @@
 #include "app/cli/settings_options.hpp"
 #include "core/base/line_file.hpp"
 #include "core/base/output_file.hpp"
-#include "core/library/motion_library_file.hpp"
+#include "core/library/store/motion_library_file.hpp"
 #include "core/metrics/run_summary.hpp"
-#include "core/motion/clip_file.hpp"
+#include "core/motion/files/clip_file.hpp"
 #include "core/synthesis/clip_synthesis.hpp"
 #include "core/synthesis/trace.hpp"
 

@@ -5,10 +5,10 @@
 #include <filesystem>
 
 #include "core/base/text.hpp"
-#include "core/session/recorded_frames.hpp"
-#include "core/session/session_file.hpp"
-#include "core/session/session_libraries.hpp"
-#include "core/session/trace_frames.hpp"
+#include "core/session/file/recorded_frames.hpp"
+#include "core/session/file/session_file.hpp"
+#include "core/session/file/session_libraries.hpp"
+#include "core/session/frames/trace_frames.hpp"
 
 namespace abrazo::app {
 namespace {

@@ -7,8 +7,8 @@
 
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
-#include "core/library/motion_library.hpp"
-#include "core/session/frame_snapshot.hpp"
+#include "core/library/store/motion_library.hpp"
+#include "core/session/frames/frame_snapshot.hpp"
 
 namespace abrazo::app {
 

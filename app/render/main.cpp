@@ -13,7 +13,7 @@
 #include "core/base/output_file.hpp"
 #include "core/base/printable.hpp"
 #include "core/base/version.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app {
 namespace {

@@ -9,7 +9,7 @@
 #include "core/base/file_series.hpp"
 #include "core/video/film_plan.hpp"
 #include "core/video/video_writer.hpp"
-#include "widgets/scene/scene_pictures.hpp"
+#include "widgets/scene/view/scene_pictures.hpp"
 
 namespace abrazo::app {
 namespace {

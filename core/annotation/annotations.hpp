@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/result.hpp"
-#include "core/library/tier.hpp"
+#include "core/library/takes/tier.hpp"
 
 namespace abrazo {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/positions.hpp"
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 
 namespace abrazo {
 

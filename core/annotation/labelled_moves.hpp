@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/annotation/motion_channels.hpp"
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 
 namespace abrazo {
 

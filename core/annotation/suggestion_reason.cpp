@@ -8,7 +8,7 @@
 
 #include "core/annotation/segment_features.hpp"
 #include "core/base/positions.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo {
 

@@ -9,7 +9,7 @@
 #include "core/base/rotation.hpp"
 #include "core/choreography/limb_ik.hpp"
 #include "core/choreography/smooth_window.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo {
 namespace {

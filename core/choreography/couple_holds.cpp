@@ -5,7 +5,7 @@
 
 #include "core/base/positions.hpp"
 #include "core/choreography/limb_ik.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo {
 namespace {

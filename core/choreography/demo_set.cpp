@@ -11,8 +11,8 @@
 
 #include "core/base/atomic_file.hpp"
 #include "core/base/json_text.hpp"
-#include "core/library/performer_letter.hpp"
-#include "core/motion/bvh.hpp"
+#include "core/library/takes/performer_letter.hpp"
+#include "core/motion/bvh/bvh.hpp"
 
 namespace abrazo {
 namespace {

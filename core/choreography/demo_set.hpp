@@ -6,7 +6,7 @@
 
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
-#include "core/library/paired_take.hpp"
+#include "core/library/takes/paired_take.hpp"
 
 namespace abrazo {
 

@@ -4,7 +4,7 @@
 
 #include "core/base/progress.hpp"
 #include "core/choreography/choreography_options.hpp"
-#include "core/library/paired_take.hpp"
+#include "core/library/takes/paired_take.hpp"
 
 namespace abrazo {
 

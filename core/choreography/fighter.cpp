@@ -8,7 +8,7 @@
 
 #include "core/base/positions.hpp"
 #include "core/base/units.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo {
 namespace {

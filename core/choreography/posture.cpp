@@ -6,7 +6,7 @@
 #include "core/base/positions.hpp"
 #include "core/choreography/limb_ik.hpp"
 #include "core/choreography/smooth_track.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo {
 namespace {

@@ -15,7 +15,7 @@
 #include "core/choreography/dancer_score.hpp"
 #include "core/choreography/smooth_window.hpp"
 #include "core/choreography/wander.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo {
 namespace {

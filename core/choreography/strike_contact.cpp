@@ -4,7 +4,7 @@
 
 #include "core/base/positions.hpp"
 #include "core/choreography/strike_reach.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo {
 namespace {

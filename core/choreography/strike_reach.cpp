@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/positions.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo {
 namespace {

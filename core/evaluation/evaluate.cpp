@@ -11,7 +11,7 @@
 #include "core/evaluation/run_measures.hpp"
 #include "core/evaluation/selection_table.hpp"
 #include "core/evaluation/take_synthesis.hpp"
-#include "core/library/motion_library_builder.hpp"
+#include "core/library/build/motion_library_builder.hpp"
 #include "core/synthesis/clip_synthesis.hpp"
 
 namespace abrazo {

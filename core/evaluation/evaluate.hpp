@@ -9,9 +9,9 @@
 #include "core/base/result.hpp"
 #include "core/evaluation/evaluation.hpp"
 #include "core/evaluation/user_variant.hpp"
-#include "core/library/manifest.hpp"
-#include "core/library/motion_library.hpp"
-#include "core/library/paired_take.hpp"
+#include "core/library/store/motion_library.hpp"
+#include "core/library/takes/manifest.hpp"
+#include "core/library/takes/paired_take.hpp"
 
 namespace abrazo {
 

@@ -5,8 +5,8 @@
 #include <stdexcept>
 
 #include "core/base/version.hpp"
+#include "core/base/xml_text.hpp"
 #include "core/evaluation/html_style.hpp"
-#include "core/evaluation/html_text.hpp"
 
 namespace abrazo {
 
@@ -30,7 +30,7 @@ std::string with_symbols(std::string_view text) {
        {" m_i ", " m<sub>i</sub> "},
        {" x_i ", " x<sub>i</sub> "},
        {" y_i]", " y<sub>i</sub>]"}}};
-  std::string html = escaped(text);
+  std::string html = xml_text(text);
   for (const auto& [plain, marked] : symbols)
     for (std::size_t at = html.find(plain); at != std::string::npos;
          at = html.find(plain, at + marked.size()))
@@ -60,8 +60,8 @@ HtmlTable& HtmlTable::row(const std::vector<std::string>& cells, Row kind) {
     throw std::invalid_argument("a row has " + std::to_string(cells.size()) + " cells, the table " +
                                 std::to_string(columns_.size()) + " columns");
   longest_name_ = std::max(longest_name_, cells.front().size());
-  std::string inner = "<th scope=\"row\">" + escaped(cells.front()) + "</th>";
-  for (std::size_t c = 1; c < cells.size(); ++c) inner += element("td", "", escaped(cells[c]));
+  std::string inner = "<th scope=\"row\">" + xml_text(cells.front()) + "</th>";
+  for (std::size_t c = 1; c < cells.size(); ++c) inner += element("td", "", xml_text(cells[c]));
   rows_html_ += element("tr", css_class(kind), inner) + "\n";
   return *this;
 }
@@ -71,7 +71,7 @@ std::string HtmlTable::html() const {
   for (const std::string& column : columns_) head += "<th scope=\"col\">" + with_symbols(column) + "</th>";
   const std::string css_class = longest_name_ > 14 ? " class=\"long-names\"" : "";
   return element("p", "caption", with_symbols(caption_)) + "\n<div class=\"table\"><table" + css_class +
-         " aria-label=\"" + escaped(caption_) + "\"><thead><tr>" + head + "</tr></thead>\n<tbody>\n" +
+         " aria-label=\"" + xml_text(caption_) + "\"><thead><tr>" + head + "</tr></thead>\n<tbody>\n" +
          rows_html_ + "</tbody></table></div>\n";
 }
 
@@ -81,8 +81,8 @@ std::string html_tiles(const std::vector<HtmlTile>& tiles) {
   for (const HtmlTile& tile : tiles)
     inner +=
         element("div", "tile",
-                element("div", "name", escaped(tile.name)) + element("div", "value", escaped(tile.value)) +
-                    element("div", "comparison", escaped(tile.comparison))) +
+                element("div", "name", xml_text(tile.name)) + element("div", "value", xml_text(tile.value)) +
+                    element("div", "comparison", xml_text(tile.comparison))) +
         "\n";
   return element("div", "tiles", inner) + "\n";
 }
@@ -101,11 +101,11 @@ std::string html_notes(std::string_view title, const std::vector<std::string>& t
   if (texts.empty()) return {};
   std::string items;
   for (const std::string& text : texts) items += element("li", "", with_symbols(text)) + "\n";
-  return element("div", "notes", element("h3", "", escaped(title)) + element("ul", "", items)) + "\n";
+  return element("div", "notes", element("h3", "", xml_text(title)) + element("ul", "", items)) + "\n";
 }
 
 std::string html_code(std::string_view text) {
-  return element("p", "", element("code", "", escaped(text))) + "\n";
+  return element("p", "", element("code", "", xml_text(text))) + "\n";
 }
 
 std::string html_figures(const std::vector<std::string>& svgs) {
@@ -125,16 +125,16 @@ std::string html_side_by_side(const std::vector<std::string>& parts_html) {
 std::string html_page(const HtmlPage& page) {
   std::string contents, body;
   for (const HtmlSection& section : page.sections) {
-    contents += "<a href=\"#" + section.id + "\">" + escaped(section.short_title) + "</a>\n";
-    body += "<section id=\"" + section.id + "\">\n" + element("h2", "", escaped(section.title)) + "\n" +
+    contents += "<a href=\"#" + section.id + "\">" + xml_text(section.short_title) + "</a>\n";
+    body += "<section id=\"" + section.id + "\">\n" + element("h2", "", xml_text(section.title)) + "\n" +
             section.content_html + "</section>\n";
   }
   return "<!DOCTYPE html>\n<html lang=\"en\" xmlns=\"http://www.w3.org/1999/xhtml\">\n<head>\n"
          "<meta charset=\"utf-8\"/>\n<meta name=\"viewport\" content=\"width=device-width, "
          "initial-scale=1\"/>\n" +
-         element("title", "", escaped(page.title)) + "\n<style>" + html_style_sheet +
-         "</style>\n</head>\n<body>\n<main>\n<header>\n" + element("h1", "", escaped(page.title)) + "\n" +
-         element("p", "subtitle", escaped(page.subtitle)) + "\n" + page.head_html +
+         element("title", "", xml_text(page.title)) + "\n<style>" + html_style_sheet +
+         "</style>\n</head>\n<body>\n<main>\n<header>\n" + element("h1", "", xml_text(page.title)) + "\n" +
+         element("p", "subtitle", xml_text(page.subtitle)) + "\n" + page.head_html +
          element("nav", "", contents) + "\n</header>\n" + body + "<footer>Written by Abrazo " + version() +
          ".</footer>\n</main>\n</body>\n</html>\n";
 }

@@ -20,27 +20,6 @@ std::string with_thousands_apart(std::string digits) {
 
 }  // namespace
 
-std::string escaped(std::string_view text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '&')
-      safe += "&amp;";
-    else if (c == '<')
-      safe += "&lt;";
-    else if (c == '>')
-      safe += "&gt;";
-    else if (c == '"')
-      safe += "&quot;";
-    else if (c == '\'')
-      safe += "&#39;";
-    else if (static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t')
-      safe += ' ';  // control characters are not allowed in XML, not even escaped
-    else
-      safe += c;
-  }
-  return safe;
-}
-
 std::string number_text(double value, int significant_digits) {
   if (!std::isfinite(value)) return "\u2013";
   if (value == 0) return "0";

@@ -14,9 +14,6 @@ inline double share_of(double part, double whole) {
   return whole > 0 ? part / whole : not_known;
 }
 
-/// Text from outside (names of takes, labels) as it may stand between tags and in attributes of HTML and SVG.
-std::string escaped(std::string_view text);
-
 /// "12 400", "0.35": significant digits as asked for, thousands apart from 10 000 on, no exponent for common
 /// sizes; "–" for what is not finite.
 std::string number_text(double value, int significant_digits = 3);

@@ -6,7 +6,7 @@
 
 #include "core/base/result.hpp"
 #include "core/evaluation/evaluate.hpp"
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 
 namespace abrazo {
 

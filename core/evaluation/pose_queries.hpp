@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "core/base/result.hpp"
-#include "core/library/motion_library.hpp"
-#include "core/library/paired_take.hpp"
+#include "core/library/store/motion_library.hpp"
+#include "core/library/takes/paired_take.hpp"
 #include "core/selection/pair_selector.hpp"
 #include "core/synthesis/settings.hpp"
 

@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "core/base/xml_text.hpp"
 #include "core/evaluation/html_page.hpp"
 #include "core/evaluation/html_paper.hpp"
 #include "core/evaluation/html_sections.hpp"
@@ -14,7 +15,7 @@ namespace abrazo {
 namespace {
 
 std::string fact(std::string_view name, const std::string& text) {
-  return "<dt>" + escaped(name) + "</dt><dd>" + escaped(text) + "</dd>\n";
+  return "<dt>" + xml_text(name) + "</dt><dd>" + xml_text(text) + "</dd>\n";
 }
 
 std::string joined(const std::vector<std::string>& words) {

@@ -4,7 +4,7 @@
 
 #include "core/evaluation/evaluation.hpp"
 #include "core/evaluation/take_synthesis.hpp"
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/metrics/zmp.hpp"
 
 namespace abrazo {

@@ -7,7 +7,7 @@
 
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 
 namespace abrazo {
 

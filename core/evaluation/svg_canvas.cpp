@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/evaluation/html_text.hpp"
+#include "core/base/xml_text.hpp"
 
 namespace abrazo {
 
@@ -31,7 +31,7 @@ std::string_view anchor_name(SvgCanvas::Anchor anchor) {
 }
 
 std::string title_element(std::string_view tooltip) {
-  return tooltip.empty() ? std::string() : "<title>" + escaped(tooltip) + "</title>";
+  return tooltip.empty() ? std::string() : "<title>" + xml_text(tooltip) + "</title>";
 }
 
 bool starts_glyph(char byte) {
@@ -43,7 +43,7 @@ bool starts_glyph(char byte) {
 SvgCanvas::SvgCanvas(double width, double height, std::string_view title)
     : head_(fmt::format("<svg class=\"plot\" xmlns=\"http://www.w3.org/2000/svg\" viewBox=\"0 0 {0} {1}\" "
                         "width=\"{0}\" height=\"{1}\" role=\"img\" aria-label=\"{2}\">",
-                        coordinate(width), coordinate(height), escaped(title))) {}
+                        coordinate(width), coordinate(height), xml_text(title))) {}
 
 void SvgCanvas::text(double x, double y, std::string_view content, const TextStyle& style) {
   body_ += fmt::format(
@@ -51,7 +51,7 @@ void SvgCanvas::text(double x, double y, std::string_view content, const TextSty
       coordinate(x), coordinate(y), anchor_name(style.anchor), style.colour, coordinate(style.size),
       style.bold ? ";font-weight:600" : "",
       style.upwards ? fmt::format(" transform=\"rotate(-90 {} {})\"", coordinate(x), coordinate(y)) : "",
-      escaped(content));
+      xml_text(content));
 }
 
 void SvgCanvas::line(double x1, double y1, double x2, double y2, std::string_view colour, double width,

@@ -7,8 +7,8 @@
 
 #include "core/base/result.hpp"
 #include "core/evaluation/user_variant.hpp"
-#include "core/library/motion_library.hpp"
-#include "core/library/paired_take.hpp"
+#include "core/library/store/motion_library.hpp"
+#include "core/library/takes/paired_take.hpp"
 #include "core/metrics/motion_quality.hpp"
 #include "core/synthesis/settings.hpp"
 

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "core/choreography/random_source.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo {
 

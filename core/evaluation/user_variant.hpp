@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/motion/clip.hpp"
+#include "core/motion/body/clip.hpp"
 
 namespace abrazo {
 

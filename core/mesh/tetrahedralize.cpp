@@ -13,7 +13,7 @@
 #include <stdexcept>
 
 #include "core/mesh/interaction_mesh.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo {
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/base/text.hpp"
+#include "core/base/xml_text.hpp"
 
 namespace abrazo {
 
@@ -116,21 +117,6 @@ std::string vtk_file(const char* type, const std::string& content) {
          "\" version=\"1.0\" byte_order=\"LittleEndian\">\n" + content + "</VTKFile>\n";
 }
 
-std::string escaped(const std::string& text) {
-  std::string safe;
-  for (const char c : text) {
-    if (c == '&')
-      safe += "&amp;";
-    else if (c == '<')
-      safe += "&lt;";
-    else if (c == '"')
-      safe += "&quot;";
-    else
-      safe += c;
-  }
-  return safe;
-}
-
 }  // namespace
 
 std::string write_vtu(const MeshFrame& frame) {
@@ -147,7 +133,7 @@ std::string write_vtu(const MeshFrame& frame) {
 std::string write_pvd(std::span<const SeriesFile> files) {
   std::string text = "<Collection>\n";
   for (const SeriesFile& file : files)
-    text += "<DataSet timestep=\"" + exact_text(file.time_s) + "\" part=\"0\" file=\"" + escaped(file.name) +
+    text += "<DataSet timestep=\"" + exact_text(file.time_s) + "\" part=\"0\" file=\"" + xml_text(file.name) +
             "\"/>\n";
   return vtk_file("Collection", text + "</Collection>\n");
 }

@@ -1,6 +1,6 @@
 #include "core/metrics/body_segments.hpp"
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo {
 

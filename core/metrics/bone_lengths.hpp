@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "core/motion/body.hpp"
+#include "core/motion/body/body.hpp"
 
 namespace abrazo {
 

@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "core/base/statistics.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "core/base/statistics.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo {
 

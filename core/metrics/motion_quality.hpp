@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/positions.hpp"
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/metrics/movement.hpp"
 #include "core/synthesis/frame_result.hpp"
 

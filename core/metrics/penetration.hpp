@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "core/base/positions.hpp"
-#include "core/library/capsule_calibration.hpp"
+#include "core/library/build/capsule_calibration.hpp"
 #include "core/synthesis/capsule_contacts.hpp"
 
 namespace abrazo {

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/synthesis/frame_result.hpp"
 #include "core/synthesis/settings.hpp"
 

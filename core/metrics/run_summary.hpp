@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/metrics/continuity.hpp"
 #include "core/metrics/holds.hpp"
 #include "core/metrics/motion_quality.hpp"

@@ -7,7 +7,7 @@
 
 #include "core/base/statistics.hpp"
 #include "core/metrics/support_polygon.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo {
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "core/base/positions.hpp"
-#include "core/motion/body.hpp"
+#include "core/motion/body/body.hpp"
 
 namespace abrazo {
 
@@ -21,7 +21,6 @@ class BodyRetargeter {
 
   /// Equal bodies (every bone within 0.5 %, feet at rest within 1.5 cm): poses pass unchanged, to the bit.
   bool is_identity() const { return same_bones_ && floor_shift_ == 0; }
-  double leg_ratio() const { return scale_; }
 
   Pose apply(const Pose& user_pose) const;
 

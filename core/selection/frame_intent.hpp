@@ -5,7 +5,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/library/normalization.hpp"
+#include "core/library/store/normalization.hpp"
 
 namespace abrazo {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/base/progress.hpp"
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/selection/motion_history.hpp"
 
 namespace abrazo {

@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "core/mesh/capsules.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo {
 

@@ -3,7 +3,7 @@
 #include <array>
 #include <span>
 
-#include "core/library/normalization.hpp"
+#include "core/library/store/normalization.hpp"
 
 namespace abrazo {
 

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "core/library/motion_library.hpp"
-#include "core/library/pose_index.hpp"
+#include "core/library/store/motion_library.hpp"
+#include "core/library/store/pose_index.hpp"
 #include "core/mesh/capsules.hpp"
 #include "core/selection/candidate.hpp"
 #include "core/selection/selectable_pairs.hpp"

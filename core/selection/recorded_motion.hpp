@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/selection/history_kernel.hpp"
 
 namespace abrazo {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/selection/meant_pairs.hpp"
 #include "core/selection/vetoes.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 
 namespace abrazo {
 

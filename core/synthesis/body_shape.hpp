@@ -2,8 +2,8 @@
 
 #include <array>
 
-#include "core/library/normalization.hpp"
-#include "core/motion/body.hpp"
+#include "core/library/store/normalization.hpp"
+#include "core/motion/body/body.hpp"
 
 namespace abrazo {
 

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/positions.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "core/synthesis/constraints.hpp"
 #include "core/synthesis/frame_result.hpp"
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/base/text.hpp"
-#include "core/motion/body.hpp"
+#include "core/motion/body/body.hpp"
 
 namespace abrazo {
 

@@ -4,7 +4,7 @@
 
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
-#include "core/motion/clip.hpp"
+#include "core/motion/body/clip.hpp"
 #include "core/synthesis/partner_synthesizer.hpp"
 
 namespace abrazo {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/positions.hpp"
-#include "core/motion/body.hpp"
+#include "core/motion/body/body.hpp"
 
 namespace abrazo {
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/motion/body.hpp"
+#include "core/motion/body/body.hpp"
 #include "core/selection/motion_history.hpp"
 #include "core/synthesis/foot_locks.hpp"
 #include "core/synthesis/partner_motion.hpp"

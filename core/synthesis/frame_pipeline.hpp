@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/retarget/body_retargeter.hpp"
 #include "core/selection/intent_selector.hpp"
 #include "core/selection/pair_selector.hpp"

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/library/normalization.hpp"
+#include "core/library/store/normalization.hpp"
 #include "core/mesh/interaction_mesh.hpp"
 #include "core/selection/candidate.hpp"
 #include "core/selection/frame_intent.hpp"

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "core/synthesis/frame_result.hpp"
 
 namespace abrazo {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "core/synthesis/frame_room.hpp"
 
 namespace abrazo {

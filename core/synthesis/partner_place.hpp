@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/library/normalization.hpp"
+#include "core/library/store/normalization.hpp"
 
 namespace abrazo {
 

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "core/base/result.hpp"
-#include "core/library/motion_library.hpp"
-#include "core/motion/body.hpp"
+#include "core/library/store/motion_library.hpp"
+#include "core/motion/body/body.hpp"
 #include "core/selection/meant_pairs.hpp"
 #include "core/selection/vetoes.hpp"
 #include "core/synthesis/frame_result.hpp"

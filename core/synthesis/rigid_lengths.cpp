@@ -6,7 +6,7 @@
 #include <cmath>
 #include <span>
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo {
 

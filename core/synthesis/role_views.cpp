@@ -5,7 +5,7 @@
 #include <mutex>
 #include <stdexcept>
 
-#include "core/library/motion_library_file.hpp"
+#include "core/library/store/motion_library_file.hpp"
 
 namespace abrazo {
 

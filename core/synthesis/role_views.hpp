@@ -9,8 +9,8 @@
 #include "core/base/available_memory.hpp"
 #include "core/base/made_once.hpp"
 #include "core/base/result.hpp"
-#include "core/library/motion_library.hpp"
-#include "core/library/pose_index.hpp"
+#include "core/library/store/motion_library.hpp"
+#include "core/library/store/pose_index.hpp"
 #include "core/selection/intent_model.hpp"
 #include "core/synthesis/settings.hpp"
 

@@ -1,7 +1,7 @@
 #include "core/synthesis/trace.hpp"
 
 #include "core/base/version.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "core/selection/intent_model.hpp"
 
 namespace abrazo {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "core/base/json_text.hpp"
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/synthesis/frame_result.hpp"
 #include "core/synthesis/settings.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "core/motion/body.hpp"
+#include "core/motion/body/body.hpp"
 
 namespace abrazo {
 

@@ -19,7 +19,6 @@ class Lens {
   Pixel distorted(double x, double y) const;
   /// Straight lines are straight in the picture.
   bool is_straight() const { return is_straight_; }
-  double largest_radius() const { return largest_radius_; }
 
  private:
   struct Radial {

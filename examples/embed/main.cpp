@@ -3,8 +3,8 @@
 #include <cstdio>
 #include <memory>
 
-#include "core/library/motion_library_file.hpp"
-#include "core/motion/import_clip.hpp"
+#include "core/library/store/motion_library_file.hpp"
+#include "core/motion/files/import_clip.hpp"
 #include "core/synthesis/partner_synthesizer.hpp"
 
 int fail(const abrazo::Error& error) {

@@ -17,9 +17,26 @@ using Violations = std::vector<std::string>;
 /// Which folders of core each folder may include from (docs/architecture.md).
 const std::map<std::string, std::set<std::string>>& core_table();
 
+/// Which rooms of its folder each room may include from, by folder.
+using Rooms = std::map<std::string, std::set<std::string>>;
+const std::map<std::string, Rooms>& room_table();
+
+/// A file that includes from a room that its own room may not see. The list only becomes shorter: what is not
+/// needed any more is itself a violation, and nothing is added.
+struct RoomException {
+  std::string_view file, include, why;
+};
+std::span<const RoomException> room_exceptions();
+
 // One function per rule of docs/architecture.md. Each looks only at the files that the rule concerns.
 Violations core_names_no_toolkit(std::span<const SourceFile> files);
 Violations core_folders_include_downwards(std::span<const SourceFile> files);
+Violations rooms_include_downwards(std::span<const SourceFile> files);
+Violations room_exceptions_are_needed(std::span<const SourceFile> files);
+/// No folder of core, widgets and app has more C++ files than a person looks through; rooms divide it.
+Violations folders_are_not_crowded(std::span<const SourceFile> files);
+/// What scenes are made of is reckoned without the toolkit that draws it.
+Violations scene_values_know_no_toolkit(std::span<const SourceFile> files);
 Violations layers_point_down(std::span<const SourceFile> files);
 Violations command_line_knows_no_widgets(std::span<const SourceFile> files);
 /// The renderer draws the scene alone: no window, no other views. Its options know no toolkit.
@@ -30,7 +47,8 @@ Violations widget_folders_are_strangers(std::span<const SourceFile> files);
 Violations headers_have_pragma_once(std::span<const SourceFile> files);
 Violations no_path_of_a_machine(std::span<const SourceFile> files);
 
-/// Files whose path starts with `prefix` have at most `most` lines.
-Violations at_most_lines(std::span<const SourceFile> files, std::string_view prefix, int most);
+/// Files whose path starts with `prefix` and ends in `ending` have at most `most` lines.
+Violations at_most_lines(std::span<const SourceFile> files, std::string_view prefix, int most,
+                         std::string_view ending = {});
 
 }  // namespace abrazo::test

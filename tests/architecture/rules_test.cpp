@@ -98,6 +98,78 @@ TEST(ArchitectureRules, HaveATableWithoutCircles) {
   }
 }
 
+TEST(ArchitectureRules, CatchARoomThatSeesOneAboveOrBesideIt) {
+  EXPECT_THAT(rooms_include_downwards(
+                  one("core/session/file/a.cpp", "\n#include \"core/session/run/recorder.hpp\"\n")),
+              ElementsAre(StartsWith("core/session/file/a.cpp:2: core/session/file may not include from "
+                                     "core/session/run")));
+  EXPECT_THAT(
+      rooms_include_downwards(one("core/stream/vmc/a.hpp", "#include \"core/stream/natnet/b.hpp\"\n")),
+      SizeIs(1));
+  EXPECT_THAT(rooms_include_downwards(
+                  one("app/workbench/video/a.cpp", "#include \"app/workbench/stream/stream_desk.hpp\"\n")),
+              SizeIs(1));
+  EXPECT_THAT(
+      rooms_include_downwards(one("core/session/run/a.cpp", "#include \"core/session/file/b.hpp\"\n")),
+      IsEmpty());
+  EXPECT_THAT(rooms_include_downwards(one("core/session/run/a.cpp", "#include \"core/session/run/b.hpp\"\n")),
+              IsEmpty());
+  EXPECT_THAT(
+      rooms_include_downwards(one("core/session/file/a.cpp", "#include \"core/stream/receive/b.hpp\"\n")),
+      IsEmpty());
+  EXPECT_THAT(rooms_include_downwards(
+                  one("app/workbench/start/main.cpp", "#include \"app/workbench/stream/stream_desk.hpp\"\n")),
+              IsEmpty());
+}
+
+TEST(ArchitectureRules, CatchAFileInNoRoom) {
+  EXPECT_THAT(rooms_include_downwards(one("core/session/a.cpp", "")),
+              ElementsAre(HasSubstr("stands in no room of core/session")));
+  EXPECT_THAT(rooms_include_downwards(one("core/session/cellar/a.cpp", "")),
+              ElementsAre(HasSubstr("has no row")));
+  EXPECT_THAT(rooms_include_downwards(one("core/session/CMakeLists.txt", "")), IsEmpty());
+  EXPECT_THAT(rooms_include_downwards(one("core/mesh/a.cpp", "")), IsEmpty());
+}
+
+TEST(ArchitectureRules, CatchAnExceptionThatIsNotNeededAnyMore) {
+  EXPECT_THAT(room_exceptions_are_needed({}), SizeIs(room_exceptions().size()));
+  const RoomException& first = room_exceptions().front();
+  const std::string text = "#include \"" + std::string(first.include) + "\"\n";
+  EXPECT_THAT(room_exceptions_are_needed(one(std::string(first.file), text)),
+              SizeIs(room_exceptions().size() - 1));
+  EXPECT_THAT(rooms_include_downwards(one(std::string(first.file), text)), IsEmpty());
+}
+
+TEST(ArchitectureRules, HaveRoomsWithoutCircles) {
+  for (const auto& [folder, rooms] : room_table()) {
+    Rooms left = rooms;
+    std::set<std::string> gone;
+    while (!left.empty()) {
+      const auto lowest = std::ranges::find_if(
+          left, [&](const auto& row) { return std::ranges::includes(gone, row.second); });
+      ASSERT_NE(lowest, left.end()) << "a circle through " << folder << "/" << left.begin()->first;
+      gone.insert(lowest->first);
+      left.erase(lowest);
+    }
+  }
+}
+
+TEST(ArchitectureRules, CatchACrowdedFolder) {
+  std::vector<SourceFile> files;
+  for (int i = 0; i < 51; ++i)
+    files.push_back(source_file("core/session/file/f" + std::to_string(i) + ".cpp", ""));
+  EXPECT_THAT(folders_are_not_crowded(files), ElementsAre(StartsWith("core/session/file has 51 files")));
+  files.pop_back();
+  EXPECT_THAT(folders_are_not_crowded(files), IsEmpty());
+}
+
+TEST(ArchitectureRules, CatchAValueOfTheSceneThatDraws) {
+  EXPECT_THAT(scene_values_know_no_toolkit(one("widgets/scene/values/a.cpp", "#include <vtkActor.h>\n")),
+              SizeIs(1));
+  EXPECT_THAT(scene_values_know_no_toolkit(one("widgets/scene/actors/a.cpp", "#include <vtkActor.h>\n")),
+              IsEmpty());
+}
+
 TEST(ArchitectureRules, CatchALowerLayerThatKnowsAHigher) {
   EXPECT_THAT(layers_point_down(one("core/base/a.cpp", "#include \"widgets/common/b.hpp\"\n")), SizeIs(1));
   EXPECT_THAT(layers_point_down(one("widgets/scene/a.cpp", "#include \"app/workbench/b.hpp\"\n")), SizeIs(1));
@@ -132,8 +204,8 @@ TEST(ArchitectureRules, CatchAThirdPartyOutsideItsPlace) {
                   one("core/mesh/tetrahedralize.cpp", "#include <CGAL/Delaunay_triangulation_3.h>\n")),
               ElementsAre(HasSubstr("CGAL may be named only in tests/")));
   EXPECT_THAT(
-      third_parties_have_one_place(one("core/library/pose_index.cpp", "#include <flann/flann.hpp>\n")),
-      ElementsAre(HasSubstr("FLANN may be named only in core/library/flann_tree.cpp")));
+      third_parties_have_one_place(one("core/library/store/pose_index.cpp", "#include <flann/flann.hpp>\n")),
+      ElementsAre(HasSubstr("FLANN may be named only in core/library/store/flann_tree.cpp")));
   EXPECT_THAT(third_parties_have_one_place(one("core/session/a.cpp", "#include <hdf5.h>\n")), SizeIs(1));
   EXPECT_THAT(third_parties_have_one_place(one("widgets/plots/a.cpp", "#include <vtkActor.h>\n")), SizeIs(1));
   EXPECT_THAT(
@@ -155,15 +227,15 @@ TEST(ArchitectureRules, CatchASecondPlaceOfAThirdParty) {
 }
 
 TEST(ArchitectureRules, CatchAWidgetThatReachesForTheSolver) {
-  for (const char* header : {"core/session/solver_thread.hpp", "core/stream/clip_source.hpp",
-                             "core/motion/bvh.hpp", "core/synthesis/partner_synthesizer.hpp",
-                             "core/library/motion_library_file.hpp", "core/base/atomic_file.hpp"}) {
+  for (const char* header : {"core/session/run/solver_thread.hpp", "core/stream/receive/clip_source.hpp",
+                             "core/motion/bvh/bvh.hpp", "core/synthesis/partner_synthesizer.hpp",
+                             "core/library/store/motion_library_file.hpp", "core/base/atomic_file.hpp"}) {
     const std::string text = std::string("#include \"") + header + "\"\n";
     EXPECT_THAT(widgets_see_only_snapshots(one("widgets/scene/a.cpp", text)), SizeIs(1)) << header;
   }
-  EXPECT_THAT(
-      widgets_see_only_snapshots(one("widgets/scene/a.cpp", "#include \"core/session/command.hpp\"\n")),
-      IsEmpty());
+  EXPECT_THAT(widgets_see_only_snapshots(
+                  one("widgets/scene/a.cpp", "#include \"core/session/frames/command.hpp\"\n")),
+              IsEmpty());
   EXPECT_THAT(widgets_see_only_snapshots(one("widgets/scene/a.cpp", "#include \"core/mesh/capsules.hpp\"\n")),
               IsEmpty());
 }
@@ -182,6 +254,8 @@ TEST(ArchitectureRules, CatchFilesThatGrewTooLong) {
               ElementsAre(StartsWith("docs/a.md:3: 3 lines")));
   EXPECT_THAT(at_most_lines(one("docs/a.md", "1\n2\n3\n"), "docs/a.md", 3), IsEmpty());
   EXPECT_THAT(at_most_lines(one("docs/b.md", "1\n2\n3\n"), "docs/a.md", 2), IsEmpty());
+  EXPECT_THAT(at_most_lines(one("app/a/b_actions.cpp", "1\n2\n3\n"), "app/", 2, "_actions.cpp"), SizeIs(1));
+  EXPECT_THAT(at_most_lines(one("app/a/b_desk.cpp", "1\n2\n3\n"), "app/", 2, "_actions.cpp"), IsEmpty());
 }
 
 TEST(ArchitectureRules, CatchAHeaderWithoutPragmaOnce) {

@@ -9,8 +9,8 @@
 
 #include "core/choreography/salsa.hpp"
 #include "core/evaluation/library_takes.hpp"
-#include "core/library/motion_library_builder.hpp"
-#include "core/library/motion_library_file.hpp"
+#include "core/library/build/motion_library_builder.hpp"
+#include "core/library/store/motion_library_file.hpp"
 
 namespace abrazo::bench {
 

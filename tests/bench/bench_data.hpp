@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/library/motion_library.hpp"
-#include "core/motion/clip.hpp"
+#include "core/library/store/motion_library.hpp"
+#include "core/motion/body/clip.hpp"
 
 namespace abrazo::bench {
 

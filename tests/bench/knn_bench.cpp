@@ -18,7 +18,7 @@
 #include <optional>
 #include <random>
 
-#include "core/library/pose_index.hpp"
+#include "core/library/store/pose_index.hpp"
 #include "tests/bench/bench_main.hpp"
 #include "tests/bench/knn_others.hpp"
 #include "tests/bench/many_features.hpp"

@@ -11,8 +11,8 @@
 
 #include "core/base/statistics.hpp"
 #include "core/base/text.hpp"
-#include "core/library/manifest.hpp"
-#include "core/library/motion_library_builder.hpp"
+#include "core/library/build/motion_library_builder.hpp"
+#include "core/library/takes/manifest.hpp"
 #include "core/metrics/run_summary.hpp"
 #include "core/synthesis/clip_synthesis.hpp"
 

@@ -9,8 +9,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include "core/library/motion_library_builder.hpp"
-#include "core/library/motion_library_file.hpp"
+#include "core/library/build/motion_library_builder.hpp"
+#include "core/library/store/motion_library_file.hpp"
 #include "tests/bench/bench_data.hpp"
 #include "tests/bench/bench_main.hpp"
 

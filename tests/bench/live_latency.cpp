@@ -18,11 +18,12 @@
 #include <thread>
 
 #include "core/base/statistics.hpp"
-#include "core/motion/import_clip.hpp"
-#include "core/motion/resample.hpp"
-#include "core/stream/osc_packet.hpp"
-#include "core/stream/stream_encoder.hpp"
-#include "core/stream/udp_socket.hpp"
+#include "core/motion/body/resample.hpp"
+#include "core/motion/files/import_clip.hpp"
+#include "core/stream/net/udp_socket.hpp"
+#include "core/stream/protocol/stream_encoder.hpp"
+#include "core/stream/send/encoders.hpp"
+#include "core/stream/vmc/osc_packet.hpp"
 #include "tests/cli/run_command.hpp"
 #include "tests/cli/udp_ports.hpp"
 

@@ -13,11 +13,11 @@
 #include <thread>
 
 #include "core/base/text.hpp"
-#include "core/library/motion_library_file.hpp"
-#include "core/motion/import_clip.hpp"
-#include "core/session/session_engine.hpp"
-#include "core/session/session_file.hpp"
-#include "core/stream/clip_source.hpp"
+#include "core/library/store/motion_library_file.hpp"
+#include "core/motion/files/import_clip.hpp"
+#include "core/session/file/session_file.hpp"
+#include "core/session/run/session_engine.hpp"
+#include "core/stream/receive/clip_source.hpp"
 
 namespace {
 

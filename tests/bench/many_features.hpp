@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/library/normalization.hpp"
+#include "core/library/store/normalization.hpp"
 #include "tests/bench/bench_data.hpp"
 
 namespace abrazo::bench {

@@ -1,7 +1,7 @@
 #pragma once
 
 // core/synthesis/frame_pipeline.hpp as RecordingPipeline.
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/synthesis/partner_synthesizer.hpp"
 #include "tests/bench/recording_names.hpp"
 // clang-format off

@@ -13,7 +13,7 @@
 #include "tests/bench/bench_data.hpp"
 #include "tests/bench/bench_main.hpp"
 #include "widgets/common/theme.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 namespace {
 

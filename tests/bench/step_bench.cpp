@@ -8,7 +8,7 @@
 #include <ctime>
 
 #include "core/base/statistics.hpp"
-#include "core/motion/resample.hpp"
+#include "core/motion/body/resample.hpp"
 #include "core/synthesis/partner_synthesizer.hpp"
 #include "tests/bench/bench_data.hpp"
 #include "tests/bench/bench_main.hpp"

@@ -2,7 +2,7 @@
 #include <cstring>
 
 #include "core/base/text.hpp"
-#include "core/library/motion_library_file.hpp"
+#include "core/library/store/motion_library_file.hpp"
 #include "core/synthesis/trace.hpp"
 #include "tests/cli/command_line_fixture.hpp"
 #include "tests/core/session/recorded_session.hpp"

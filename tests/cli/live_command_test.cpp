@@ -3,7 +3,7 @@
 #include <csignal>
 #include <limits>
 
-#include "core/stream/osc_packet.hpp"
+#include "core/stream/vmc/osc_packet.hpp"
 #include "tests/cli/live_fixture.hpp"
 
 namespace abrazo::test::live_command_test {

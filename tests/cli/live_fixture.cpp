@@ -8,7 +8,8 @@
 #include <sstream>
 #include <thread>
 
-#include "core/motion/import_clip.hpp"
+#include "core/motion/files/import_clip.hpp"
+#include "core/stream/send/encoders.hpp"
 
 namespace abrazo::test {
 

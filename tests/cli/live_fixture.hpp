@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "core/motion/clip.hpp"
-#include "core/session/session_file.hpp"
-#include "core/stream/stream_encoder.hpp"
-#include "core/stream/udp_socket.hpp"
+#include "core/motion/body/clip.hpp"
+#include "core/session/file/session_file.hpp"
+#include "core/stream/net/udp_socket.hpp"
+#include "core/stream/protocol/stream_encoder.hpp"
 #include "tests/cli/command_line_fixture.hpp"
 #include "tests/cli/udp_ports.hpp"
 

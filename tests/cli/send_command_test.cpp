@@ -1,6 +1,6 @@
 #include <csignal>
 
-#include "core/stream/osc_packet.hpp"
+#include "core/stream/vmc/osc_packet.hpp"
 #include "tests/cli/live_fixture.hpp"
 
 namespace abrazo::test::send_command_test {

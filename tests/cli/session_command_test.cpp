@@ -1,6 +1,6 @@
 #include <filesystem>
 
-#include "core/session/project.hpp"
+#include "core/session/file/project.hpp"
 #include "tests/cli/command_line_fixture.hpp"
 
 namespace abrazo::test::session_command_test {

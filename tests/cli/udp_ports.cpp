@@ -6,7 +6,7 @@
 #include <sstream>
 #include <string>
 
-#include "core/stream/udp_socket.hpp"
+#include "core/stream/net/udp_socket.hpp"
 
 namespace abrazo::test {
 

@@ -6,8 +6,8 @@
 #include <fstream>
 #include <stdexcept>
 
-#include "core/motion/import_clip.hpp"
-#include "core/motion/marker_gaps.hpp"
+#include "core/motion/files/import_clip.hpp"
+#include "core/motion/joints/marker_gaps.hpp"
 
 #if defined(__has_feature)
 #if __has_feature(address_sanitizer)

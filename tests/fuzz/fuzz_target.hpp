@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/result.hpp"
-#include "core/motion/named_motion.hpp"
+#include "core/motion/joints/named_motion.hpp"
 
 namespace abrazo::fuzz {
 

@@ -5,7 +5,7 @@
 #include <memory>
 #include <numeric>
 
-#include "core/library/library_checks.hpp"
+#include "core/library/store/library_checks.hpp"
 #include "core/selection/pair_selector.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 

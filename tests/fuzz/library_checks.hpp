@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 
 namespace abrazo::fuzz {
 

@@ -4,10 +4,10 @@
 #include <iterator>
 #include <limits>
 
-#include "core/session/project.hpp"
-#include "core/session/session_file.hpp"
-#include "core/session/session_writer.hpp"
-#include "core/session/synthesizer_state_bytes.hpp"
+#include "core/session/file/project.hpp"
+#include "core/session/file/session_file.hpp"
+#include "core/session/file/session_writer.hpp"
+#include "core/session/file/synthesizer_state_bytes.hpp"
 #include "core/synthesis/synthesizer_state.hpp"
 #include "tests/core/session/project_values.hpp"
 #include "tests/support/bodies.hpp"

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "core/session/frame_row.hpp"
+#include "core/session/file/frame_row.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 namespace abrazo::fuzz {

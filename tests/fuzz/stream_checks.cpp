@@ -2,8 +2,9 @@
 
 #include <algorithm>
 
-#include "core/stream/pose_reader.hpp"
-#include "core/stream/stream_pipeline.hpp"
+#include "core/stream/receive/decoders.hpp"
+#include "core/stream/receive/pose_reader.hpp"
+#include "core/stream/receive/stream_pipeline.hpp"
 
 namespace abrazo::fuzz {
 

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/library/tier_file.hpp"
+#include "core/library/takes/tier_file.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 namespace abrazo::fuzz {

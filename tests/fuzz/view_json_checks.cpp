@@ -6,11 +6,11 @@
 #include <set>
 #include <string>
 
-#include "app/workbench/dock_state.hpp"
-#include "app/workbench/remembered_view.hpp"
-#include "app/workbench/window_layout.hpp"
+#include "app/workbench/project/remembered_view.hpp"
+#include "app/workbench/shell/dock_state.hpp"
+#include "app/workbench/shell/window_layout.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
-#include "widgets/scene/scene_memory.hpp"
+#include "widgets/scene/values/scene_memory.hpp"
 
 namespace abrazo::fuzz {
 

@@ -6,8 +6,8 @@
 #include <numbers>
 #include <random>
 
-#include "core/library/motion_library_builder.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/library/build/motion_library_builder.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "tests/support/bodies.hpp"
 
 namespace abrazo::test {

@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "core/library/motion_library.hpp"
-#include "core/library/paired_take.hpp"
+#include "core/library/store/motion_library.hpp"
+#include "core/library/takes/paired_take.hpp"
 
 namespace abrazo::test {
 

@@ -1,4 +1,4 @@
-#include "widgets/scene/body_light.hpp"
+#include "widgets/scene/values/body_light.hpp"
 
 #include <gtest/gtest.h>
 

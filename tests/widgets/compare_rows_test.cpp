@@ -5,7 +5,7 @@
 
 #include "widgets/compare/curve_scale.hpp"
 #include "widgets/compare/figure_rows.hpp"
-#include "widgets/scene/comparison_dashes.hpp"
+#include "widgets/scene/values/comparison_dashes.hpp"
 
 namespace abrazo::widgets::compare_rows_test {
 namespace {

@@ -4,7 +4,7 @@
 #include <clocale>
 
 #include "widgets/common/theme.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 int main(int argc, char** argv) {
   testing::InitGoogleTest(&argc, argv);

@@ -4,7 +4,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "core/session/frame_history.hpp"
+#include "core/session/frames/frame_history.hpp"
 #include "tests/widgets/pictures.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
 #include "widgets/candidates/candidate_list.hpp"

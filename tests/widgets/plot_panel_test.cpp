@@ -11,7 +11,7 @@
 #include <QToolButton>
 #include <QWheelEvent>
 
-#include "core/session/frame_history.hpp"
+#include "core/session/frames/frame_history.hpp"
 #include "tests/widgets/pictures.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
 #include "widgets/plots/plot_menu.hpp"

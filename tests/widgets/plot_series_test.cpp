@@ -7,7 +7,7 @@
 
 #include "core/metrics/continuity.hpp"
 #include "core/metrics/holds.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
 

@@ -10,11 +10,11 @@
 #include "tests/widgets/synthetic_frames.hpp"
 #include "widgets/common/palette.hpp"
 #include "widgets/common/value_range.hpp"
-#include "widgets/scene/capsule_surface.hpp"
-#include "widgets/scene/mesh_scalar.hpp"
-#include "widgets/scene/orbit_camera.hpp"
-#include "widgets/scene/pair_camera.hpp"
-#include "widgets/scene/smoothing_budget.hpp"
+#include "widgets/scene/actors/capsule_surface.hpp"
+#include "widgets/scene/values/mesh_scalar.hpp"
+#include "widgets/scene/values/orbit_camera.hpp"
+#include "widgets/scene/values/pair_camera.hpp"
+#include "widgets/scene/values/smoothing_budget.hpp"
 #include "widgets/settings/slider_scale.hpp"
 
 namespace abrazo::widgets::scene_arithmetic_test {

@@ -7,11 +7,11 @@
 #include <numeric>
 
 #include "tests/widgets/synthetic_frames.hpp"
-#include "widgets/scene/ahead_lines.hpp"
-#include "widgets/scene/joint_trails.hpp"
-#include "widgets/scene/mesh_cells.hpp"
-#include "widgets/scene/mesh_filter.hpp"
-#include "widgets/scene/mesh_scalar.hpp"
+#include "widgets/scene/actors/ahead_lines.hpp"
+#include "widgets/scene/actors/joint_trails.hpp"
+#include "widgets/scene/values/mesh_cells.hpp"
+#include "widgets/scene/values/mesh_filter.hpp"
+#include "widgets/scene/values/mesh_scalar.hpp"
 
 namespace abrazo::widgets::scene_mesh_test {
 namespace {

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "tests/widgets/synthetic_frames.hpp"
-#include "widgets/scene/pick_facts.hpp"
-#include "widgets/scene/pointer_moves.hpp"
-#include "widgets/scene/scene_pick.hpp"
+#include "widgets/scene/pick/pick_facts.hpp"
+#include "widgets/scene/pick/scene_pick.hpp"
+#include "widgets/scene/values/pointer_moves.hpp"
 
 namespace abrazo::widgets::scene_pick_test {
 namespace {

@@ -13,17 +13,17 @@
 #include <QWheelEvent>
 #include <functional>
 
-#include "core/motion/joint_set.hpp"
-#include "core/session/frame_history.hpp"
+#include "core/motion/body/joint_set.hpp"
+#include "core/session/frames/frame_history.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/widgets/pictures.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
-#include "widgets/scene/morph_strip.hpp"
-#include "widgets/scene/picture_projection.hpp"
-#include "widgets/scene/scalar_legend.hpp"
-#include "widgets/scene/scene_options_panel.hpp"
-#include "widgets/scene/scene_tree.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/panel/morph_strip.hpp"
+#include "widgets/scene/panel/scalar_legend.hpp"
+#include "widgets/scene/panel/scene_options_panel.hpp"
+#include "widgets/scene/panel/scene_tree.hpp"
+#include "widgets/scene/values/picture_projection.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::widgets::scene_picture_test {
 namespace {

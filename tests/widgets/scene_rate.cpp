@@ -8,7 +8,7 @@
 
 #include "tests/widgets/synthetic_frames.hpp"
 #include "widgets/common/theme.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 int main(int argc, char** argv) {
   abrazo::widgets::SceneView::prepareApplication();

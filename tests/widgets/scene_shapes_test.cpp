@@ -6,13 +6,13 @@
 
 #include "core/mesh/capsules.hpp"
 #include "core/mesh/laplacian.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
-#include "widgets/scene/camera_move.hpp"
-#include "widgets/scene/contact_shapes.hpp"
-#include "widgets/scene/morph_step.hpp"
-#include "widgets/scene/scene_memory.hpp"
-#include "widgets/scene/scene_tree_rows.hpp"
+#include "widgets/scene/values/camera_move.hpp"
+#include "widgets/scene/values/contact_shapes.hpp"
+#include "widgets/scene/values/morph_step.hpp"
+#include "widgets/scene/values/scene_memory.hpp"
+#include "widgets/scene/values/scene_tree_rows.hpp"
 
 namespace abrazo::widgets::scene_shapes_test {
 namespace {

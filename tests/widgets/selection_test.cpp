@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo::widgets::selection_test {
 namespace {

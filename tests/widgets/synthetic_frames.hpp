@@ -2,8 +2,8 @@
 
 #include <memory>
 
-#include "core/library/motion_library.hpp"
-#include "core/session/frame_snapshot.hpp"
+#include "core/library/store/motion_library.hpp"
+#include "core/session/frames/frame_snapshot.hpp"
 
 namespace abrazo::test {
 

@@ -1,7 +1,7 @@
 // Where a picture lies in its view, what is drawn over it, and how a video's time goes with the timeline's.
 #include <gtest/gtest.h>
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "widgets/video/picture_framing.hpp"
 #include "widgets/video/video_overlay.hpp"
 #include "widgets/video/video_words.hpp"

@@ -4,9 +4,9 @@
 #include <QLineEdit>
 #include <QTableWidget>
 
-#include "app/workbench/annotation_desk.hpp"
-#include "app/workbench/label_import.hpp"
-#include "app/workbench/library_feed.hpp"
+#include "app/workbench/document/label_files.hpp"
+#include "app/workbench/labels/annotation_desk.hpp"
+#include "app/workbench/library/library_feed.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/annotation/annotation_panel.hpp"
 #include "widgets/annotation/problem_list.hpp"

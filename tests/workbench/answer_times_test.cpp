@@ -1,4 +1,4 @@
-#include "app/workbench/answer_times.hpp"
+#include "app/workbench/start/answer_times.hpp"
 
 #include <gtest/gtest.h>
 

@@ -14,10 +14,10 @@
 #include <QToolButton>
 #include <fstream>
 
-#include "app/workbench/build_form.hpp"
-#include "app/workbench/library_build.hpp"
-#include "core/library/motion_library_file.hpp"
-#include "core/motion/bvh.hpp"
+#include "app/workbench/library/build_form.hpp"
+#include "app/workbench/library/library_build.hpp"
+#include "core/library/store/motion_library_file.hpp"
+#include "core/motion/bvh/bvh.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/widgets/pictures.hpp"
 #include "widgets/library/pair_preview.hpp"

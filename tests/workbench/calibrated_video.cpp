@@ -4,7 +4,7 @@
 #include <QImage>
 #include <QPainter>
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "core/video/video_writer.hpp"
 
 namespace abrazo::app {

@@ -1,7 +1,7 @@
 // A calibration in the T-pose, step by step on a clock of the test's own.
 #include <gtest/gtest.h>
 
-#include "app/workbench/calibration_steps.hpp"
+#include "app/workbench/stream/calibration_steps.hpp"
 
 namespace abrazo::app::calibration_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/workbench/command_line.hpp"
+#include "app/workbench/start/command_line.hpp"
 
 #include <gtest/gtest.h>
 

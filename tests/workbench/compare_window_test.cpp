@@ -4,14 +4,11 @@
 #include <QDockWidget>
 #include <QElapsedTimer>
 #include <QPushButton>
-#include <QTemporaryDir>
 #include <QTest>
 
-#include "app/workbench/actions/actions.hpp"
-#include "app/workbench/comparison_desk.hpp"
-#include "app/workbench/main_window.hpp"
-#include "app/workbench/panel_area.hpp"
-#include "tests/workbench/until.hpp"
+#include "app/workbench/compare/comparison_desk.hpp"
+#include "app/workbench/shell/panel_area.hpp"
+#include "tests/workbench/demo_window.hpp"
 #include "widgets/compare/compare_panel.hpp"
 #include "widgets/settings/settings_panel.hpp"
 
@@ -20,29 +17,17 @@ namespace {
 
 using State = Playback::State;
 
-class CompareInTheWindow : public testing::Test {
+class CompareInTheWindow : public DemoWindow {
  protected:
   static void SetUpTestSuite() {
-    s_home = new QTemporaryDir;
-    qputenv("ABRAZO_HOME", s_home->path().toUtf8());
-    s_remembered = new UserSettings;
-    s_window = new MainWindow(*s_remembered);
-    s_window->setTheme(widgets::Theme::Dark);
-    s_window->resize(1600, 1000);
-    add_all_actions(*s_window);
-    s_window->startWith(*preset("responsive"));
-    s_window->show();
-    s_window->openDemo();
+    showWindow({1600, 1000});
+    window().startWith(*preset("responsive"));
+    window().openDemo();
     until([] { return shown() && shown()->index > 60; });
-  }
-  static void TearDownTestSuite() {
-    delete s_window;
-    delete s_remembered;
-    delete s_home;
   }
   void SetUp() override {
     ASSERT_TRUE(shown()) << "the demo did not start";
-    s_window->ticker().follow();
+    window().ticker().follow();
     window().panels().want("compare", true);
     window().panels().panel("compare")->raise();  // what nobody sees is not solved again
     choose(*preset("responsive"));
@@ -50,10 +35,9 @@ class CompareInTheWindow : public testing::Test {
     ASSERT_TRUE(until([] { return live().settings == *preset("responsive") && !desk().shown(); }));
   }
 
-  static MainWindow& window() { return *s_window; }
-  static ComparisonDesk& desk() { return *s_window->findChild<ComparisonDesk*>(); }
-  static widgets::ComparePanel& panel() { return *s_window->findChild<widgets::ComparePanel*>(); }
-  static const FrameSnapshotPtr& shown() { return s_window->ticker().shown(); }
+  static ComparisonDesk& desk() { return *window().findChild<ComparisonDesk*>(); }
+  static widgets::ComparePanel& panel() { return *window().findChild<widgets::ComparePanel*>(); }
+  static const FrameSnapshotPtr& shown() { return window().ticker().shown(); }
   static const FrameSnapshot& live() { return *window().session()->latest().newest(); }
   static void choose(const Settings& settings) {
     window().settings().showSettings(settings);
@@ -65,10 +49,6 @@ class CompareInTheWindow : public testing::Test {
     FAIL() << text.toStdString();
   }
   static double lag(const RunFigures& figures) { return figures[static_cast<std::size_t>(RunFigure::Lag)]; }
-
-  static inline MainWindow* s_window = nullptr;
-  static inline UserSettings* s_remembered = nullptr;
-  static inline QTemporaryDir* s_home = nullptr;
 };
 
 TEST_F(CompareInTheWindow, AFrozenRunGoesOnBesideTheLiveOne) {

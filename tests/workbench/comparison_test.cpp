@@ -1,11 +1,11 @@
-#include "app/workbench/comparison.hpp"
+#include "app/workbench/compare/comparison.hpp"
 
 #include <gtest/gtest.h>
 
-#include "app/workbench/comparison_plan.hpp"
-#include "app/workbench/comparison_runner.hpp"
-#include "core/session/live_loop.hpp"
-#include "core/stream/clip_source.hpp"
+#include "app/workbench/compare/comparison_plan.hpp"
+#include "app/workbench/compare/comparison_runner.hpp"
+#include "core/session/run/live_loop.hpp"
+#include "core/stream/receive/clip_source.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/support/settings.hpp"
 

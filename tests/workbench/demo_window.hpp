@@ -8,10 +8,10 @@
 #include <QTest>
 #include <memory>
 
-#include "app/workbench/actions/actions.hpp"
-#include "app/workbench/main_window.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
 #include "tests/workbench/until.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app {
 

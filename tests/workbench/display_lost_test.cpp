@@ -14,9 +14,9 @@
 #include <sstream>
 #include <string>
 
-#include "app/workbench/autosave.hpp"
-#include "app/workbench/session_places.hpp"
-#include "core/session/session_file.hpp"
+#include "app/workbench/document/session_places.hpp"
+#include "app/workbench/project/autosave.hpp"
+#include "core/session/file/session_file.hpp"
 
 namespace abrazo::app::display_lost_test {
 namespace {

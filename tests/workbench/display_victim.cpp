@@ -7,13 +7,13 @@
 #include <chrono>
 #include <cstdio>
 
-#include "app/workbench/actions/actions.hpp"
-#include "app/workbench/live_session.hpp"
-#include "app/workbench/main_window.hpp"
-#include "app/workbench/project_desk.hpp"
-#include "app/workbench/take_desk.hpp"
-#include "app/workbench/termination.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "app/workbench/document/live_session.hpp"
+#include "app/workbench/project/project_desk.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/start/termination.hpp"
+#include "app/workbench/takes/take_desk.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 using namespace abrazo;
 

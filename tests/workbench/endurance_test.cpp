@@ -10,12 +10,12 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "app/workbench/main_window.hpp"
-#include "app/workbench/responsiveness.hpp"
-#include "app/workbench/start_times.hpp"
-#include "app/workbench/status_lines.hpp"
-#include "app/workbench/termination.hpp"
-#include "app/workbench/thread_priorities.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/start/responsiveness.hpp"
+#include "app/workbench/start/start_times.hpp"
+#include "app/workbench/start/status_lines.hpp"
+#include "app/workbench/start/termination.hpp"
+#include "app/workbench/start/thread_priorities.hpp"
 
 namespace abrazo::app::endurance_test {
 namespace {

@@ -12,9 +12,9 @@
 #include <QSignalSpy>
 #include <QThread>
 
-#include "app/workbench/annotation_desk.hpp"
-#include "app/workbench/export_desk.hpp"
-#include "app/workbench/export_dialog.hpp"
+#include "app/workbench/export/export_desk.hpp"
+#include "app/workbench/export/export_dialog.hpp"
+#include "app/workbench/labels/annotation_desk.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/offer_bar.hpp"

@@ -6,11 +6,11 @@
 #include <QTemporaryDir>
 #include <thread>
 
-#include "app/workbench/bounded_queue.hpp"
-#include "app/workbench/film_plan.hpp"
-#include "app/workbench/film_writer.hpp"
-#include "app/workbench/scene_picture.hpp"
-#include "widgets/scene/scene_pictures.hpp"
+#include "app/workbench/base/bounded_queue.hpp"
+#include "app/workbench/base/film_plan.hpp"
+#include "app/workbench/base/film_writer.hpp"
+#include "app/workbench/shell/scene_picture.hpp"
+#include "widgets/scene/view/scene_pictures.hpp"
 
 namespace abrazo::app::film_test {
 namespace {

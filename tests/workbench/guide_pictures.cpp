@@ -16,15 +16,15 @@
 #include <clocale>
 #include <cstdio>
 
-#include "app/workbench/actions/actions.hpp"
-#include "app/workbench/annotation_desk.hpp"
-#include "app/workbench/main_window.hpp"
-#include "app/workbench/panel_area.hpp"
+#include "app/workbench/labels/annotation_desk.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/shell/panel_area.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/choreography/salsa.hpp"
-#include "core/motion/bvh.hpp"
-#include "core/stream/pose_sink.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "core/motion/bvh/bvh.hpp"
+#include "core/stream/send/pose_sink.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 #include "widgets/settings/settings_panel.hpp"
 
 namespace abrazo::app {

@@ -1,4 +1,4 @@
-#include "app/workbench/host_lookup.hpp"
+#include "app/workbench/stream/host_lookup.hpp"
 
 #include <gtest/gtest.h>
 

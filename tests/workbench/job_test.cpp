@@ -1,4 +1,4 @@
-#include "app/workbench/job.hpp"
+#include "app/workbench/base/job.hpp"
 
 #include <gtest/gtest.h>
 

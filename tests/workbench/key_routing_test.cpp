@@ -1,6 +1,6 @@
 // Which keys a focused control keeps, and that the keymap is whole and free of clashes.
-#include "app/workbench/annotation_desk.hpp"
-#include "app/workbench/panel_area.hpp"
+#include "app/workbench/labels/annotation_desk.hpp"
+#include "app/workbench/shell/panel_area.hpp"
 #include "tests/workbench/key_window.hpp"
 
 namespace abrazo::app::key_routing_test {

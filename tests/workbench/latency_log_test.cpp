@@ -1,4 +1,4 @@
-#include "app/workbench/latency_log.hpp"
+#include "app/workbench/stream/latency_log.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,74 +6,55 @@
 #include <QGuiApplication>
 #include <QScreen>
 #include <QSplitter>
-#include <QTemporaryDir>
 #include <QTest>
 #include <numbers>
 #include <random>
 
-#include "app/workbench/actions/actions.hpp"
-#include "app/workbench/dock_state.hpp"
-#include "app/workbench/layouts.hpp"
-#include "app/workbench/main_window.hpp"
-#include "app/workbench/panel_area.hpp"
-#include "app/workbench/remembered_view.hpp"
-#include "app/workbench/window_place.hpp"
+#include "app/workbench/project/remembered_view.hpp"
+#include "app/workbench/shell/dock_state.hpp"
+#include "app/workbench/shell/layouts.hpp"
+#include "app/workbench/shell/panel_area.hpp"
+#include "app/workbench/shell/window_place.hpp"
+#include "tests/workbench/demo_window.hpp"
 #include "widgets/common/message_bar.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app::layout_test {
 namespace {
 
 /// A window with everything in it and nothing open: enough for what concerns its panels.
-class Layout : public testing::Test {
+class Layout : public DemoWindow {
  protected:
-  static void SetUpTestSuite() {
-    s_home = new QTemporaryDir;
-    qputenv("ABRAZO_HOME", s_home->path().toUtf8());
-    s_remembered = new UserSettings;
-    s_window = new MainWindow(*s_remembered);
-    add_all_actions(*s_window);
-    s_window->resize(1600, 1000);
-    s_window->show();
-  }
-  static void TearDownTestSuite() {
-    delete s_window;
-    delete s_remembered;
-    delete s_home;
-  }
+  static void SetUpTestSuite() { showWindow({1600, 1000}); }
   void SetUp() override {
-    s_window->resize(1600, 1000);
-    s_window->resetLayout();
-    s_window->activateWindow();
+    window().resize(1600, 1000);
+    window().resetLayout();
+    window().activateWindow();
     QTest::qWait(20);
   }
 
-  static PanelArea& area() { return s_window->panels(); }
+  static PanelArea& area() { return window().panels(); }
   static QDockWidget& panel(const char* id) { return *area().panel(id); }
-  static Layouts& layouts() { return *s_window->findChild<Layouts*>(); }
+  static Layouts& layouts() { return *window().findChild<Layouts*>(); }
   static Qt::DockWidgetArea side(const char* id) { return area().dockWidgetArea(&panel(id)); }
   static void write(const QString& path, const QByteArray& content) {
     QFile file(path);
     ASSERT_TRUE(file.open(QIODevice::WriteOnly));
     file.write(content);
   }
-
-  static inline QTemporaryDir* s_home = nullptr;
-  static inline UserSettings* s_remembered = nullptr;
-  static inline MainWindow* s_window = nullptr;
 };
 
 TEST_F(Layout, PlotsAreBelowTheSceneAndTheTimelineIsBelowEverything) {
   const QRect plots = panel("plots").geometry();
   EXPECT_GE(plots.left(), panel("scene").geometry().right());
   EXPECT_LE(plots.right(), panel("candidates").geometry().left());
-  EXPECT_EQ(area().width(), s_window->width());
+  EXPECT_EQ(area().width(), window().width());
   EXPECT_GT(panel("settings").geometry().top(), panel("candidates").geometry().top());
   EXPECT_GT(panel("library").geometry().top(), panel("scene").geometry().top());
 }
 
 TEST_F(Layout, PanelsAreFloatedMovedAndClosedAndTheSceneKeepsItsParent) {
-  const QWidget* parent = s_window->scene().parentWidget();
+  const QWidget* parent = window().scene().parentWidget();
   panel("plots").setFloating(true);
   panel("settings").setFloating(true);
   area().addDockWidget(Qt::LeftDockWidgetArea, &panel("candidates"));
@@ -81,9 +62,9 @@ TEST_F(Layout, PanelsAreFloatedMovedAndClosedAndTheSceneKeepsItsParent) {
   area().want("plots", false);
   layouts().choose("Present");
   layouts().choose("Explore");
-  s_window->resize(700, 420);
+  window().resize(700, 420);
   QTest::qWait(20);
-  EXPECT_EQ(s_window->scene().parentWidget(), parent);
+  EXPECT_EQ(window().scene().parentWidget(), parent);
 }
 
 TEST_F(Layout, AnArrangementComesBackAsItWasSaved) {
@@ -92,7 +73,7 @@ TEST_F(Layout, AnArrangementComesBackAsItWasSaved) {
   panel("library").setFloating(true);
   ASSERT_TRUE(layouts().save("my / own"));
   EXPECT_EQ(layouts().own(), QStringList{"my / own"});
-  s_window->resetLayout();
+  window().resetLayout();
   EXPECT_EQ(side("settings"), Qt::RightDockWidgetArea);
   EXPECT_TRUE(panel("plots").isVisible());
   ASSERT_TRUE(layouts().choose("my / own"));
@@ -105,9 +86,9 @@ TEST_F(Layout, AnArrangementComesBackAsItWasSaved) {
 
 TEST_F(Layout, TheLastArrangementIsRestoredAtTheNextStart) {
   area().want("library", false);
-  s_window->close();  // saves
-  s_window->resetLayout();
-  s_window->show();
+  window().close();  // saves
+  window().resetLayout();
+  window().show();
   EXPECT_TRUE(panel("library").isVisible());
   EXPECT_TRUE(layouts().restoreLast());
   EXPECT_FALSE(panel("library").isVisible());
@@ -120,9 +101,9 @@ TEST_F(Layout, ABrokenOrForeignArrangementIsToldAndTheUsualOneIsShown) {
       {"{\"abrazo_layout\": 1, \"docks\": \"AAAA\", \"shown\": []}", "does not fit"}};
   for (const auto& [content, message] : cases) {
     area().want("plots", false);
-    write(s_remembered->folder() + "/layout.json", content);
+    write(remembered().folder() + "/layout.json", content);
     EXPECT_FALSE(layouts().restoreLast());
-    EXPECT_TRUE(s_window->messages().text().contains(message)) << s_window->messages().text().toStdString();
+    EXPECT_TRUE(window().messages().text().contains(message)) << window().messages().text().toStdString();
     EXPECT_TRUE(panel("plots").isVisible());
   }
 }
@@ -155,7 +136,7 @@ QByteArray changed(QByteArray bytes, std::mt19937& random) {
 
 TEST_F(Layout, EveryArrangementThatTheWindowWritesIsOne) {
   const auto expect_one = [](const char* what) {
-    EXPECT_TRUE(is_dock_state(s_window->layoutOfPanels().docks, layout_version)) << what;
+    EXPECT_TRUE(is_dock_state(window().layoutOfPanels().docks, layout_version)) << what;
   };
   expect_one("usual");
   panel("settings").setFloating(true);
@@ -166,18 +147,18 @@ TEST_F(Layout, EveryArrangementThatTheWindowWritesIsOne) {
   expect_one("nested");
   for (const QDockWidget* each : area().panels()) area().want(each->objectName(), false);
   expect_one("all hidden");
-  s_window->resize(640, 400);
+  window().resize(640, 400);
   QTest::qWait(20);
   expect_one("small");
 }
 
 /// Qt would write to the docks with this number.
 TEST_F(Layout, ADockAreaThatThereIsNotIsRefused) {
-  WindowLayout layout = s_window->layoutOfPanels();
+  WindowLayout layout = window().layoutOfPanels();
   ASSERT_EQ(layout.docks[8], '\xfd') << "the mark of dock areas; then how many, then the number of the first";
   layout.docks.replace(13, 4, "\x40\x00\x00\x00", 4);
-  EXPECT_FALSE(s_window->setLayoutOfPanels(layout));
-  layout = s_window->layoutOfPanels();
+  EXPECT_FALSE(window().setLayoutOfPanels(layout));
+  layout = window().layoutOfPanels();
   EXPECT_FALSE(is_dock_state(layout.docks, layout_version + 1));
   EXPECT_FALSE(is_dock_state(layout.docks + "x", layout_version));
   EXPECT_FALSE(is_dock_state(layout.docks.chopped(1), layout_version));
@@ -194,7 +175,7 @@ TEST_F(Layout, WhateverAFileSaysOfThePanelsTheWindowStaysUsable) {
   const QStringList usual = shown();
   std::mt19937 random(20261122);
   panel("settings").setFloating(true);
-  const WindowLayout layout = s_window->layoutOfPanels();
+  const WindowLayout layout = window().layoutOfPanels();
   int taken = 0;
   for (int round = 0; round < 200; ++round) {
     WindowLayout other = layout;
@@ -202,26 +183,26 @@ TEST_F(Layout, WhateverAFileSaysOfThePanelsTheWindowStaysUsable) {
       other.docks = changed(layout.docks, random);
     else if (const auto read = parse_layout(changed(text_of(layout), random), "a.json"))
       other = *read;
-    const QSize before = s_window->size();
-    taken += s_window->setLayoutOfPanels(other);
+    const QSize before = window().size();
+    taken += window().setLayoutOfPanels(other);
     QTest::qWait(0);
-    EXPECT_EQ(s_window->size(), before) << round;
+    EXPECT_EQ(window().size(), before) << round;
     for (const QDockWidget* each : area().panels())
       EXPECT_TRUE(each->isFloating() ||
                   area().dockWidgetArea(const_cast<QDockWidget*>(each)) != Qt::NoDockWidgetArea)
           << round << each->objectName().toStdString();
   }
   EXPECT_GT(taken, 20) << "the files were too odd";
-  s_window->resetLayout();
+  window().resetLayout();
   QTest::qWait(20);
   EXPECT_EQ(shown(), usual);
 }
 
 TEST_F(Layout, APanelThatALayoutDoesNotKnowStandsInItsUsualPlace) {
-  WindowLayout older = s_window->layoutOfPanels();
+  WindowLayout older = window().layoutOfPanels();
   older.known.removeAll("plots");
   older.shown.removeAll("plots");
-  ASSERT_TRUE(s_window->setLayoutOfPanels(older));
+  ASSERT_TRUE(window().setLayoutOfPanels(older));
   EXPECT_TRUE(panel("plots").isVisible());
   EXPECT_EQ(side("plots"), Qt::BottomDockWidgetArea);
 }
@@ -239,18 +220,18 @@ TEST_F(Layout, BuiltInArrangements) {
 }
 
 TEST_F(Layout, ASmallWindowHidesPanelsWithoutForgettingThem) {
-  s_window->resize(640, 400);
+  window().resize(640, 400);
   QTest::qWait(20);
   for (const char* id : {"scene", "library", "candidates", "settings", "plots"}) {
     EXPECT_FALSE(panel(id).isVisible()) << id;
     EXPECT_TRUE(area().isWanted(id)) << id;
   }
-  QTest::keyClick(s_window, Qt::Key_F8);
+  QTest::keyClick(&window(), Qt::Key_F8);
   EXPECT_TRUE(panel("scene").isVisible()) << "asked for, so it is shown whatever the size";
-  QTest::keyClick(s_window, Qt::Key_F8);
+  QTest::keyClick(&window(), Qt::Key_F8);
   EXPECT_FALSE(panel("scene").isVisible());
-  s_window->resetLayout();
-  s_window->resize(1600, 1000);
+  window().resetLayout();
+  window().resize(1600, 1000);
   QTest::qWait(20);
   EXPECT_TRUE(panel("scene").isVisible());
   EXPECT_TRUE(panel("plots").isVisible());
@@ -259,15 +240,15 @@ TEST_F(Layout, ASmallWindowHidesPanelsWithoutForgettingThem) {
 TEST_F(Layout, ASideWhosePanelsWereAllClosedCanBeAskedBack) {
   area().want("scene", false);
   area().want("library", false);
-  s_window->showLeft(false);
-  s_window->showLeft(true);
+  window().showLeft(false);
+  window().showLeft(true);
   EXPECT_TRUE(panel("scene").isVisible());
   EXPECT_TRUE(panel("library").isVisible());
 }
 
 TEST_F(Layout, APanelWithItsButtonClosedIsNoLongerTicked) {
   const auto toggle = [] {
-    for (QAction* action : s_window->actions())
+    for (QAction* action : window().actions())
       if (action->text() == "Plots panel") return action;
     return static_cast<QAction*>(nullptr);
   };
@@ -283,9 +264,9 @@ TEST_F(Layout, AFloatingPanelOutsideEveryScreenIsBroughtBack) {
   panel("settings").setFloating(true);
   panel("settings").move(-5000, 9000);
   QTest::qWait(20);
-  const WindowLayout layout = s_window->layoutOfPanels();
-  s_window->resetLayout();
-  ASSERT_TRUE(s_window->setLayoutOfPanels(layout));
+  const WindowLayout layout = window().layoutOfPanels();
+  window().resetLayout();
+  ASSERT_TRUE(window().setLayoutOfPanels(layout));
   const QRect screen = QGuiApplication::primaryScreen()->availableGeometry();
   EXPECT_TRUE(screen.intersects(panel("settings").geometry()));
 }

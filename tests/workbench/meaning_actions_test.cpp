@@ -2,7 +2,7 @@
 #include <QListWidget>
 #include <QToolButton>
 
-#include "app/workbench/meaning_desk.hpp"
+#include "app/workbench/solve/meaning_desk.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/meaning/meaning_popup.hpp"

@@ -1,4 +1,4 @@
-#include "app/workbench/own_presets.hpp"
+#include "app/workbench/base/own_presets.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

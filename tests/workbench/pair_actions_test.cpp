@@ -7,14 +7,14 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
-#include "app/workbench/annotation_desk.hpp"
-#include "app/workbench/library_feed.hpp"
-#include "app/workbench/pair_desk.hpp"
-#include "app/workbench/pair_dialog.hpp"
-#include "app/workbench/stream_desk.hpp"
-#include "app/workbench/take_desk.hpp"
+#include "app/workbench/labels/annotation_desk.hpp"
+#include "app/workbench/library/library_feed.hpp"
+#include "app/workbench/stream/stream_desk.hpp"
+#include "app/workbench/takes/pair_desk.hpp"
+#include "app/workbench/takes/pair_dialog.hpp"
+#include "app/workbench/takes/take_desk.hpp"
 #include "core/choreography/salsa.hpp"
-#include "core/library/motion_library_file.hpp"
+#include "core/library/store/motion_library_file.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "tests/workbench/streamed_performer.hpp"
 #include "widgets/candidates/candidate_table.hpp"

@@ -6,8 +6,8 @@
 #include <QImage>
 #include <QTemporaryDir>
 
-#include "app/workbench/actions/actions.hpp"
-#include "app/workbench/main_window.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
 #include "widgets/plots/plot_pane.hpp"
 #include "widgets/plots/plot_panel.hpp"
 

@@ -1,4 +1,4 @@
-#include "app/workbench/recorded_ghost.hpp"
+#include "app/workbench/library/recorded_ghost.hpp"
 
 #include <gtest/gtest.h>
 

@@ -3,20 +3,17 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
-#include <QTemporaryDir>
 #include <QTest>
 
-#include "app/workbench/actions/actions.hpp"
-#include "app/workbench/main_window.hpp"
-#include "core/motion/joint_set.hpp"
-#include "tests/workbench/until.hpp"
+#include "core/motion/body/joint_set.hpp"
+#include "tests/workbench/demo_window.hpp"
 #include "widgets/candidates/candidate_list.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/selection_model.hpp"
 #include "widgets/plots/plot_panel.hpp"
-#include "widgets/scene/scene_memory.hpp"
-#include "widgets/scene/scene_tree.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/panel/scene_tree.hpp"
+#include "widgets/scene/values/scene_memory.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app::scene_actions_test {
 namespace {
@@ -25,50 +22,26 @@ using widgets::ScenePart;
 using widgets::Selection;
 
 /// One window on the generated dance, parked.
-class SceneKeys : public testing::Test {
+class SceneKeys : public DemoWindow {
  protected:
   static void SetUpTestSuite() {
-    s_home = new QTemporaryDir;
-    qputenv("ABRAZO_HOME", s_home->path().toUtf8());
-    s_remembered = new UserSettings;
-    s_window = new MainWindow(*s_remembered);
-    s_window->setTheme(widgets::Theme::Dark);
-    s_window->resize(1280, 720);
-    add_all_actions(*s_window);
-    s_window->show();
-    s_window->openDemo();
-    until([] { return s_window->ticker().shown() && s_window->ticker().shown()->index > 30; });
-    s_window->ticker().pause();
-  }
-  static void TearDownTestSuite() {
-    delete s_window;
-    delete s_remembered;
-    delete s_home;
+    showDemo({1280, 720}, 31);
+    ticker().pause();
   }
   void SetUp() override {
-    ASSERT_TRUE(s_window->ticker().shown()) << "the demo did not start";
-    s_window->activateWindow();
-    s_window->setFocus();
-    s_window->selection().select({});
+    ASSERT_TRUE(window().ticker().shown()) << "the demo did not start";
+    DemoWindow::SetUp();
+    window().selection().select({});
     scene().setOptions({});
     scene().setVisibility(widgets::default_visibility);
     turn();
   }
-  static void turn() { QTest::qWait(20); }
-  static void press(int key, Qt::KeyboardModifiers modifiers = {}) {
-    QTest::keyClick(s_window, static_cast<Qt::Key>(key), modifiers);
-    turn();
-  }
-  static widgets::SceneView& scene() { return s_window->scene(); }
-  static const Selection& selection() { return s_window->selection().selection(); }
+  static widgets::SceneView& scene() { return window().scene(); }
+  static const Selection& selection() { return window().selection().selection(); }
   static bool shows(ScenePart part) { return scene().visibility()[static_cast<std::size_t>(part)]; }
   static widgets::CandidateList& candidates() {
-    return *s_window->candidates().findChild<widgets::CandidateList*>();
+    return *window().candidates().findChild<widgets::CandidateList*>();
   }
-
-  static inline MainWindow* s_window = nullptr;
-  static inline UserSettings* s_remembered = nullptr;
-  static inline QTemporaryDir* s_home = nullptr;
 };
 
 TEST_F(SceneKeys, SwitchPartsAndWaysOfShowing) {
@@ -126,7 +99,7 @@ TEST_F(SceneKeys, DigitsLookFromASideAndWithCtrlFromTheOpposite) {
   press(Qt::Key_Z, Qt::AltModifier | Qt::ShiftModifier);
   EXPECT_TRUE(sees(0.78539816, 0.61547971));
   press(Qt::Key_0);
-  EXPECT_FALSE(s_window->undoStack().canUndo()) << "looking is no edit";
+  EXPECT_FALSE(window().undoStack().canUndo()) << "looking is no edit";
 }
 
 TEST_F(SceneKeys, BackquoteGoesToTheOtherCharacterAndEscapeToNothing) {
@@ -142,7 +115,7 @@ TEST_F(SceneKeys, BackquoteGoesToTheOtherCharacterAndEscapeToNothing) {
 }
 
 TEST_F(SceneKeys, XIsolatesHHidesAltHShowsFFrames) {
-  s_window->selection().select(Selection::joint(joints::Head));
+  window().selection().select(Selection::joint(joints::Head));
   press(Qt::Key_X);
   EXPECT_TRUE(scene().options().isolates);
   press(Qt::Key_H);
@@ -151,9 +124,9 @@ TEST_F(SceneKeys, XIsolatesHHidesAltHShowsFFrames) {
   press(Qt::Key_H, Qt::AltModifier);
   EXPECT_TRUE(scene().hidden().empty());
   EXPECT_FALSE(scene().options().isolates);
-  s_window->selection().select(Selection::joint(joints::Head));
+  window().selection().select(Selection::joint(joints::Head));
   press(Qt::Key_F);
-  const Vec3 head = s_window->ticker().shown()->result.result.row(joints::Head);
+  const Vec3 head = window().ticker().shown()->result.result.row(joints::Head);
   EXPECT_TRUE(until([&] { return (scene().camera().target - head).norm() < 1e-6; }));
   press(Qt::Key_0);
 }
@@ -182,22 +155,22 @@ void expect_everywhere(MainWindow& window, const Selection& wanted, const char* 
 
 TEST_F(SceneKeys, AreAboutOneSelectionThatEveryViewSetsAndShows) {
   emit scene().selectionRequested(Selection::edge({3, 40}));
-  expect_everywhere(*s_window, Selection::edge({3, 40}), "scene");
-  EXPECT_GE(s_window->plots().selectionPane(), 0);
+  expect_everywhere(window(), Selection::edge({3, 40}), "scene");
+  EXPECT_GE(window().plots().selectionPane(), 0);
 
-  widgets::SceneTreeList& tree = s_window->sceneTree().list();
+  widgets::SceneTreeList& tree = window().sceneTree().list();
   tree.setOpen(0, true);
   QTest::mouseClick(&tree, Qt::LeftButton, {}, {60, 22 * 3 + 11});
-  expect_everywhere(*s_window, Selection::joint(0), "tree");
+  expect_everywhere(window(), Selection::joint(0), "tree");
 
   QTest::mouseClick(&candidates(), Qt::LeftButton, {}, {80, 24 + 11});
   ASSERT_TRUE(candidates().current());
-  expect_everywhere(*s_window, Selection::candidate(candidates().current()->pair), "candidates");
-  EXPECT_EQ(s_window->plots().selectionPane(), -1);
+  expect_everywhere(window(), Selection::candidate(candidates().current()->pair), "candidates");
+  EXPECT_EQ(window().plots().selectionPane(), -1);
 
-  s_window->selection().select(Selection::joint(5));
-  s_window->plots().removePane(s_window->plots().selectionPane());
-  expect_everywhere(*s_window, {}, "plots");
+  window().selection().select(Selection::joint(5));
+  window().plots().removePane(window().plots().selectionPane());
+  expect_everywhere(window(), {}, "plots");
 }
 
 TEST_F(SceneKeys, RememberHowTheSceneIsSetUp) {
@@ -206,11 +179,11 @@ TEST_F(SceneKeys, RememberHowTheSceneIsSetUp) {
   scene().setOptions(options);
   press(Qt::Key_T);
   EXPECT_TRUE(until([] {
-    const auto memory = widgets::scene_memory_of(s_remembered->scene());
+    const auto memory = widgets::scene_memory_of(remembered().scene());
     return memory.options.map == widgets::ColourMap::Cividis &&
            memory.visibility[static_cast<std::size_t>(ScenePart::Tetrahedra)];
   }));
-  MainWindow next(*s_remembered);
+  MainWindow next(remembered());
   add_all_actions(next);
   EXPECT_EQ(next.scene().options().map, widgets::ColourMap::Cividis);
   EXPECT_TRUE(next.scene().visibility()[static_cast<std::size_t>(ScenePart::Tetrahedra)]);

@@ -11,9 +11,9 @@
 #include <cstdlib>
 #include <vector>
 
-#include "app/workbench/actions/actions.hpp"
-#include "app/workbench/main_window.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 
 namespace {

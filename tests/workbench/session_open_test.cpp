@@ -2,10 +2,10 @@
 #include <QFile>
 #include <QPushButton>
 
-#include "app/workbench/recorded_session.hpp"
-#include "app/workbench/session_places.hpp"
-#include "app/workbench/take_desk.hpp"
-#include "core/session/session_file.hpp"
+#include "app/workbench/document/recorded_session.hpp"
+#include "app/workbench/document/session_places.hpp"
+#include "app/workbench/takes/take_desk.hpp"
+#include "core/session/file/session_file.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"

@@ -8,57 +8,36 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QPushButton>
-#include <QTemporaryDir>
 #include <QTest>
 #include <QUndoView>
 #include <QUrl>
 #include <set>
 
-#include "app/workbench/actions/actions.hpp"
-#include "app/workbench/drop_hint.hpp"
-#include "app/workbench/main_window.hpp"
-#include "app/workbench/panel_area.hpp"
-#include "app/workbench/panel_focus.hpp"
-#include "app/workbench/recent_files.hpp"
+#include "app/workbench/base/recent_files.hpp"
+#include "app/workbench/shell/drop_hint.hpp"
+#include "app/workbench/shell/panel_area.hpp"
+#include "app/workbench/shell/panel_focus.hpp"
+#include "tests/workbench/demo_window.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/message_log.hpp"
 
 namespace abrazo::app::shell_test {
 namespace {
 
-class Shell : public testing::Test {
+class Shell : public DemoWindow {
  protected:
   static void SetUpTestSuite() {
-    s_home = new QTemporaryDir;
-    qputenv("ABRAZO_HOME", s_home->path().toUtf8());
-    s_remembered = new UserSettings;
-    s_window = new MainWindow(*s_remembered);
-    add_all_actions(*s_window);
-    s_window->resize(1600, 1000);
-    s_window->show();
-    s_window->activateWindow();
+    showWindow({1600, 1000});
+    window().activateWindow();
   }
-  static void TearDownTestSuite() {
-    delete s_window;
-    delete s_remembered;
-    delete s_home;
-  }
+  void SetUp() override {}  // each finds the window as the one before left it
 
-  static QAction* action(const QString& text) {
-    for (QAction* each : s_window->actions())
-      if (each->text() == text) return each;
-    return nullptr;
-  }
-  static QWidget* welcome() { return s_window->findChild<QWidget*>("welcome"); }
+  static QWidget* welcome() { return window().findChild<QWidget*>("welcome"); }
   static QString touch(const QString& name) {
-    QFile file(s_home->filePath(name));
+    QFile file(home().filePath(name));
     EXPECT_TRUE(file.open(QIODevice::WriteOnly));
     return file.fileName();
   }
-
-  static inline QTemporaryDir* s_home = nullptr;
-  static inline UserSettings* s_remembered = nullptr;
-  static inline MainWindow* s_window = nullptr;
 };
 
 /// Every control below this one that takes the keyboard and has no name to be read out.
@@ -75,23 +54,23 @@ void find_nameless(QAccessibleInterface* item, const QString& path, QStringList&
 
 TEST_F(Shell, EveryControlThatTakesTheKeyboardHasANameToBeReadOut) {
   action("Welcome")->setChecked(true);
-  for (const QDockWidget* panel : s_window->panels().panels()) {
-    s_window->panels().want(panel->objectName(), true);
+  for (const QDockWidget* panel : window().panels().panels()) {
+    window().panels().want(panel->objectName(), true);
     QTest::qWait(10);
     QStringList nameless;
-    find_nameless(QAccessible::queryAccessibleInterface(s_window), {}, nameless);
+    find_nameless(QAccessible::queryAccessibleInterface(&window()), {}, nameless);
     EXPECT_TRUE(nameless.isEmpty()) << "with " << panel->objectName().toStdString() << ":\n"
                                     << nameless.join("\n").toStdString();
     if (!nameless.isEmpty()) break;
   }
   action("Welcome")->setChecked(false);
-  s_window->resetLayout();
+  window().resetLayout();
 }
 
 TEST_F(Shell, F6GoesRoundEveryPanelThatIsSeenAndShiftF6GoesBack) {
-  s_window->resetLayout();
+  window().resetLayout();
   QTest::qWait(50);
-  const std::size_t places = focus_places(*s_window).size();
+  const std::size_t places = focus_places(window()).size();
   EXPECT_GE(places, 5U);
   std::vector<QWidget*> visited;
   for (std::size_t i = 0; i < places; ++i) {
@@ -106,25 +85,25 @@ TEST_F(Shell, F6GoesRoundEveryPanelThatIsSeenAndShiftF6GoesBack) {
 }
 
 TEST_F(Shell, TheWelcomePageIsShownAtTheStartUntilSomebodyDoesNotWantIt) {
-  s_remembered->setWelcome(true);
-  welcome_at_start(*s_window);
+  remembered().setWelcome(true);
+  welcome_at_start(window());
   ASSERT_TRUE(welcome());
   EXPECT_TRUE(welcome()->isVisible());
   QTest::keyClick(welcome(), Qt::Key_Escape);
   EXPECT_FALSE(welcome()->isVisible());
-  s_remembered->setWelcome(false);
-  welcome_at_start(*s_window);
+  remembered().setWelcome(false);
+  welcome_at_start(window());
   EXPECT_FALSE(welcome()->isVisible());
-  s_remembered->setWelcome(true);
-  s_window->resize(900, 600);
-  welcome_at_start(*s_window);
+  remembered().setWelcome(true);
+  window().resize(900, 600);
+  welcome_at_start(window());
   EXPECT_FALSE(welcome()->isVisible()) << "not where it would push the scene away";
-  s_window->resize(1600, 1000);
+  window().resize(1600, 1000);
 }
 
 TEST_F(Shell, TheWelcomePageOffersFilesThatWereOpen) {
   const QString file = touch("walk.bvh");
-  emit s_window->filesOpened({file});
+  emit window().filesOpened({file});
   QStringList names;
   for (const auto* button : welcome()->findChildren<QPushButton*>()) names << button->accessibleName();
   EXPECT_TRUE(names.contains("walk.bvh")) << names.join(", ").toStdString();
@@ -134,41 +113,41 @@ TEST_F(Shell, TheWelcomePageOffersFilesThatWereOpen) {
 
 TEST_F(Shell, ARecentFileThatIsGoneIsToldAndCanBeTakenOffTheList) {
   const QString here = touch("here.bvh"), gone = touch("gone.bvh");
-  s_remembered->setRecent({});
-  emit s_window->filesOpened({here});
-  emit s_window->filesOpened({gone});
+  remembered().setRecent({});
+  emit window().filesOpened({here});
+  emit window().filesOpened({gone});
   ASSERT_TRUE(QFile::remove(gone));
-  open_recent(*s_window, s_remembered->recent().front());
-  EXPECT_TRUE(s_window->messages().text().contains("no longer exists"));
-  remove_missing_recent(*s_window);
-  EXPECT_EQ(s_remembered->recent(), QStringList{here});
+  open_recent(window(), remembered().recent().front());
+  EXPECT_TRUE(window().messages().text().contains("no longer exists"));
+  remove_missing_recent(window());
+  EXPECT_EQ(remembered().recent(), QStringList{here});
 }
 
 TEST_F(Shell, FilesInTheAirAreNamedWithWhatTheyAre) {
   QMimeData dragged;
   dragged.setUrls({QUrl::fromLocalFile("/a/walk.bvh"), QUrl::fromLocalFile("/a/notes.txt")});
   QDragEnterEvent enter({100, 100}, Qt::CopyAction, &dragged, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(s_window, &enter);
-  const auto* hint = s_window->findChild<QWidget*>("drop hint");
+  QApplication::sendEvent(&window(), &enter);
+  const auto* hint = window().findChild<QWidget*>("drop hint");
   ASSERT_TRUE(hint);
   EXPECT_TRUE(hint->isVisible());
   QDragLeaveEvent leave;
-  QApplication::sendEvent(s_window, &leave);
+  QApplication::sendEvent(&window(), &leave);
   EXPECT_FALSE(hint->isVisible());
   EXPECT_EQ(dropped_in_words({"/a/walk.bvh", "/a/notes.txt"}),
             (QStringList{"walk.bvh: a motion", "notes.txt: not a kind of file that Abrazo opens"}));
 }
 
 TEST_F(Shell, TheHistoryListsTheChangesAndAClickGoesBackToOne) {
-  auto* history = s_window->panels().panel("history")->findChild<QUndoView*>();
-  ASSERT_TRUE(history || s_window->findChild<QUndoView*>());
+  auto* history = window().panels().panel("history")->findChild<QUndoView*>();
+  ASSERT_TRUE(history || window().findChild<QUndoView*>());
   action("History")->trigger();
-  EXPECT_TRUE(s_window->panels().panel("history")->isVisible());
-  s_window->resetLayout();
+  EXPECT_TRUE(window().panels().panel("history")->isVisible());
+  window().resetLayout();
 }
 
 TEST_F(Shell, AnErrorComesBackAfterWhatLeavesByItself) {
-  widgets::MessageBar& bar = s_window->messages();
+  widgets::MessageBar& bar = window().messages();
   bar.showError("first: do this");
   bar.showError("second: do that");
   bar.showProgress("Opening", 0.5);
@@ -176,14 +155,14 @@ TEST_F(Shell, AnErrorComesBackAfterWhatLeavesByItself) {
   bar.endProgress();
   EXPECT_EQ(bar.text(), "second: do that");
   EXPECT_TRUE(bar.openErrors().contains("first: do this"));
-  const auto* log = s_window->findChild<widgets::MessageLog*>();
+  const auto* log = window().findChild<widgets::MessageLog*>();
   ASSERT_TRUE(log);
   EXPECT_TRUE(log->text().contains("error  first: do this"));
   EXPECT_FALSE(log->text().contains("Opening"));
 }
 
 TEST_F(Shell, AWindowClosedWhileItLoadsGoesAtOnce) {
-  MainWindow other(*s_remembered);
+  MainWindow other(remembered());
   add_all_actions(other);
   other.show();
   other.openDemo();

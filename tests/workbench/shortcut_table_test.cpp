@@ -1,4 +1,4 @@
-#include "app/workbench/shortcut_table.hpp"
+#include "app/workbench/keys/shortcut_table.hpp"
 
 #include <gtest/gtest.h>
 

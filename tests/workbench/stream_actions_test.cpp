@@ -5,9 +5,9 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
-#include "app/workbench/latency_desk.hpp"
-#include "app/workbench/panel_area.hpp"
-#include "app/workbench/stream_desk.hpp"
+#include "app/workbench/shell/panel_area.hpp"
+#include "app/workbench/stream/latency_desk.hpp"
+#include "app/workbench/stream/stream_desk.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "tests/workbench/streamed_performer.hpp"
 #include "widgets/common/message_bar.hpp"

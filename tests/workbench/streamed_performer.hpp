@@ -7,8 +7,8 @@
 #include <atomic>
 #include <memory>
 
-#include "core/motion/clip.hpp"
-#include "core/stream/pose_sink.hpp"
+#include "core/motion/body/clip.hpp"
+#include "core/stream/send/pose_sink.hpp"
 
 namespace abrazo::app {
 

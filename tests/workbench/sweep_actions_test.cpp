@@ -8,15 +8,12 @@
 #include <QInputDialog>
 #include <QPushButton>
 #include <QSpinBox>
-#include <QTemporaryDir>
 #include <QTest>
 
-#include "app/workbench/actions/actions.hpp"
-#include "app/workbench/main_window.hpp"
-#include "app/workbench/own_presets.hpp"
+#include "app/workbench/base/own_presets.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/evaluation/sweep.hpp"
-#include "tests/workbench/until.hpp"
+#include "tests/workbench/demo_window.hpp"
 #include "widgets/settings/preset_bar.hpp"
 #include "widgets/settings/settings_panel.hpp"
 #include "widgets/sweep/heat_map.hpp"
@@ -28,41 +25,21 @@ namespace {
 
 using widgets::SweepCell;
 
-class SettingsWindow : public testing::Test {
+class SettingsWindow : public DemoWindow {
  protected:
-  static void SetUpTestSuite() {
-    s_home = new QTemporaryDir;
-    qputenv("ABRAZO_HOME", s_home->path().toUtf8());
-    s_remembered = new UserSettings;
-    s_window = new MainWindow(*s_remembered);
-    s_window->setTheme(widgets::Theme::Dark);
-    s_window->resize(1280, 720);
-    add_all_actions(*s_window);
-    s_window->show();
-    s_window->openDemo();
-    until([] { return s_window->ticker().shown() && s_window->ticker().shown()->index > 30; });
-  }
-  static void TearDownTestSuite() {
-    delete s_window;
-    delete s_remembered;
-    delete s_home;
-  }
-  void SetUp() override { ASSERT_TRUE(s_window->ticker().shown()) << "the demo did not start"; }
+  static void SetUpTestSuite() { showDemo({1280, 720}, 31); }
+  void SetUp() override { ASSERT_TRUE(window().ticker().shown()) << "the demo did not start"; }
 
-  static widgets::SettingsPanel& panel() { return s_window->settings(); }
+  static widgets::SettingsPanel& panel() { return window().settings(); }
   static QAction* action(const QString& text) {
-    for (QAction* action : s_window->findChildren<QAction*>())
+    for (QAction* action : window().findChildren<QAction*>())
       if (action->text() == text) return action;
     return nullptr;
   }
-
-  static inline MainWindow* s_window = nullptr;
-  static inline UserSettings* s_remembered = nullptr;
-  static inline QTemporaryDir* s_home = nullptr;
 };
 
 TEST_F(SettingsWindow, AFrameSolvedUnderOtherSettingsSaysSoAndGivesThemBack) {
-  FrameTicker& ticker = s_window->ticker();
+  FrameTicker& ticker = window().ticker();
   ticker.follow();
   const Settings before = panel().settings();
   auto* use = panel().findChild<QPushButton*>("useFrameSettings");
@@ -72,10 +49,10 @@ TEST_F(SettingsWindow, AFrameSolvedUnderOtherSettingsSaysSoAndGivesThemBack) {
   ticker.seek(0.2);
   ASSERT_TRUE(until([&] { return ticker.shown()->settings == before; }));
   EXPECT_FALSE(use->parentWidget()->isHidden());
-  const int steps = s_window->undoStack().count();
+  const int steps = window().undoStack().count();
   use->click();
   EXPECT_EQ(panel().settings(), before);
-  EXPECT_EQ(s_window->undoStack().count(), steps + 1);
+  EXPECT_EQ(window().undoStack().count(), steps + 1);
   EXPECT_TRUE(use->parentWidget()->isHidden());
   ticker.follow();
   EXPECT_TRUE(until([&] { return ticker.shown()->settings == before; }));
@@ -84,13 +61,13 @@ TEST_F(SettingsWindow, AFrameSolvedUnderOtherSettingsSaysSoAndGivesThemBack) {
 TEST_F(SettingsWindow, OwnPresetsAreKeptInTheHomeFolder) {
   panel().change("alpha", "0.9");
   action("Save settings as preset\u2026")->trigger();
-  auto* dialog = s_window->findChild<QInputDialog*>("presetName");
+  auto* dialog = window().findChild<QInputDialog*>("presetName");
   ASSERT_NE(dialog, nullptr);
   dialog->setTextValue("mine");
   dialog->accept();
   EXPECT_TRUE(panel().choice().own);
   EXPECT_EQ(panel().choice().name, "mine");
-  OwnPresets kept((s_home->path() + "/presets.json").toStdString());
+  OwnPresets kept((home().path() + "/presets.json").toStdString());
   ASSERT_TRUE(kept.read());
   ASSERT_EQ(kept.all().size(), 1U);
   EXPECT_EQ(kept.all()[0].settings.alpha, 0.9);
@@ -103,7 +80,7 @@ TEST_F(SettingsWindow, OwnPresetsAreKeptInTheHomeFolder) {
 TEST_F(SettingsWindow, ASweepFillsItsMapWhileTheLiveSolverGoesOnAndItsBestCellIsAdoptedInOneStep) {
   panel().choosePreset("paper");
   action("Sweep two settings\u2026")->trigger();
-  auto* dialog = s_window->findChild<QDialog*>("sweep");
+  auto* dialog = window().findChild<QDialog*>("sweep");
   ASSERT_TRUE(dialog && dialog->isVisible());
   EXPECT_FALSE(dialog->isModal());
   auto& sweep = *dialog->findChild<widgets::SweepPanel*>();
@@ -113,7 +90,7 @@ TEST_F(SettingsWindow, ASweepFillsItsMapWhileTheLiveSolverGoesOnAndItsBestCellIs
   action("Every third")->trigger();  // one take of the three: quicker
   auto* start = sweep.findChild<QPushButton*>("startSweep");
   ASSERT_TRUE(start->isEnabled());
-  const std::uint64_t live = s_window->ticker().shown()->index;
+  const std::uint64_t live = window().ticker().shown()->index;
   start->click();
   ASSERT_EQ(start->text(), "Cancel");
   const auto measured = [&] { return sweep.map().grid().count(SweepCell::State::Measured); };
@@ -121,12 +98,12 @@ TEST_F(SettingsWindow, ASweepFillsItsMapWhileTheLiveSolverGoesOnAndItsBestCellIs
   EXPECT_LT(measured(), 4) << "cells appear one by one";
   ASSERT_TRUE(until([&] { return start->text() == "Start"; }));
   EXPECT_EQ(measured(), 4);
-  EXPECT_GT(s_window->ticker().shown()->index, live + 5);
+  EXPECT_GT(window().ticker().shown()->index, live + 5);
 
   EXPECT_TRUE(sweep.findChild<QPushButton*>("exportSweep")->isEnabled());
   const int best = *sweep.map().grid().best();
   sweep.map().select(best);
-  const int steps = s_window->undoStack().count();
+  const int steps = window().undoStack().count();
   const Settings before = panel().settings();
   sweep.findChild<QPushButton*>("adoptCell")->click();
   const auto [column, row] = sweep.map().grid().place_of(best);
@@ -134,15 +111,15 @@ TEST_F(SettingsWindow, ASweepFillsItsMapWhileTheLiveSolverGoesOnAndItsBestCellIs
             sweep.map().grid().x().values[static_cast<std::size_t>(column)]);
   EXPECT_EQ(setting_text(panel().settings(), "velocity-weight"),
             sweep.map().grid().y().values[static_cast<std::size_t>(row)]);
-  EXPECT_LE(s_window->undoStack().count(), steps + 1);
-  if (panel().settings() != before) s_window->undoStack().undo();
+  EXPECT_LE(window().undoStack().count(), steps + 1);
+  if (panel().settings() != before) window().undoStack().undo();
   EXPECT_EQ(panel().settings(), before);
   dialog->close();
 }
 
 TEST_F(SettingsWindow, ACancelledSweepKeepsWhatItHasAndCanBeStartedAgain) {
   action("Sweep two settings\u2026")->trigger();
-  auto& sweep = *s_window->findChild<QDialog*>("sweep")->findChild<widgets::SweepPanel*>();
+  auto& sweep = *window().findChild<QDialog*>("sweep")->findChild<widgets::SweepPanel*>();
   for (QSpinBox* count : sweep.form().findChildren<QSpinBox*>()) count->setValue(5);
   action("Every third")->trigger();  // one take of the three: quicker
   auto* start = sweep.findChild<QPushButton*>("startSweep");
@@ -166,9 +143,9 @@ TEST_F(SettingsWindow, ASweepIsWrittenAsAPageOrAsJsonByTheFilesEnding) {
                     .y = *parse_sweep_axis("neighbours=5,10"),
                     .metric = "partner.lag_ms"};
   std::vector<Figures> points(4);
-  EXPECT_TRUE(save_sweep(sweep_outcome(sweep, points), s_home->path() + "/none.json").contains("No cell"));
+  EXPECT_TRUE(save_sweep(sweep_outcome(sweep, points), home().path() + "/none.json").contains("No cell"));
   points[1] = {{"partner.lag_ms", 60}};
-  const QString page = s_home->path() + "/sweep.html", json = s_home->path() + "/sweep.json";
+  const QString page = home().path() + "/sweep.html", json = home().path() + "/sweep.json";
   EXPECT_EQ(save_sweep(sweep_outcome(sweep, points), page), "");
   EXPECT_EQ(save_sweep(sweep_outcome(sweep, points), json), "");
   EXPECT_NE(read_whole_file(page.toStdString())->find("</html>"), std::string::npos);

@@ -3,11 +3,11 @@
 #include <QLineEdit>
 #include <QPushButton>
 
-#include "app/workbench/annotation_desk.hpp"
-#include "app/workbench/project_desk.hpp"
-#include "app/workbench/session_places.hpp"
-#include "app/workbench/take_desk.hpp"
-#include "core/session/session_file.hpp"
+#include "app/workbench/document/session_places.hpp"
+#include "app/workbench/labels/annotation_desk.hpp"
+#include "app/workbench/project/project_desk.hpp"
+#include "app/workbench/takes/take_desk.hpp"
+#include "core/session/file/session_file.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/takes/countdown.hpp"
 #include "widgets/takes/take_panel.hpp"

@@ -4,13 +4,10 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QLineEdit>
-#include <QTemporaryDir>
 #include <QTest>
 
-#include "app/workbench/actions/actions.hpp"
-#include "app/workbench/main_window.hpp"
-#include "tests/workbench/until.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "tests/workbench/demo_window.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 #include "widgets/timeline/quick_entry.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 #include "widgets/timeline/transport_bar.hpp"
@@ -21,31 +18,15 @@ namespace {
 using State = Playback::State;
 
 /// One window on the generated dance for all tests: opening it takes seconds.
-class TimelineActions : public testing::Test {
+class TimelineActions : public DemoWindow {
  protected:
   static void SetUpTestSuite() {
-    s_home = new QTemporaryDir;
-    qputenv("ABRAZO_HOME", s_home->path().toUtf8());
-    s_remembered = new UserSettings;
-    s_window = new MainWindow(*s_remembered);
-    s_window->setTheme(widgets::Theme::Dark);
-    s_window->resize(1280, 720);
-    add_all_actions(*s_window);
-    s_window->show();
-    s_window->openDemo();
-    until([] { return s_window->ticker().playback().last_s > 3; });
-  }
-  static void TearDownTestSuite() {
-    delete s_window;
-    delete s_remembered;
-    delete s_home;
+    showDemo({1280, 720});
+    until([] { return ticker().playback().last_s > 3; });
   }
   void SetUp() override {
     ASSERT_TRUE(ticker().shown()) << "the demo did not start";
-    s_window->activateWindow();
-    (void)QTest::qWaitForWindowActive(s_window, 300);
-    s_window->setFocus();
-    s_window->undoStack().clear();
+    DemoWindow::SetUp();
     timeline().showMarkers({});
     ticker().setRange(0, 0);
     ticker().setLoop(false);
@@ -55,30 +36,20 @@ class TimelineActions : public testing::Test {
     turn();
   }
 
-  static void turn() { QTest::qWait(40); }
-  static void press(int key, Qt::KeyboardModifiers modifiers = {}) {
-    QTest::keyClick(s_window, static_cast<Qt::Key>(key), modifiers);
-    turn();
-  }
   /// Into the field that is open.
   static QString enter(const QString& text) {
-    auto* entry = s_window->findChild<widgets::QuickEntry*>();
+    auto* entry = window().findChild<widgets::QuickEntry*>();
     if (!entry) return "no field is open";
     auto* field = entry->findChild<QLineEdit*>();
     field->setText(text);
     QTest::keyClick(field, Qt::Key_Return);
     turn();
-    const auto* still = s_window->findChild<widgets::QuickEntry*>();
+    const auto* still = window().findChild<widgets::QuickEntry*>();
     return still && still->isVisible() ? still->complaint() : QString();
   }
-  static FrameTicker& ticker() { return s_window->ticker(); }
   static const Playback& playback() { return ticker().playback(); }
-  static widgets::TimelineView& timeline() { return s_window->timeline(); }
+  static widgets::TimelineView& timeline() { return window().timeline(); }
   static const std::vector<Marker>& markers() { return timeline().markers().all(); }
-
-  static inline MainWindow* s_window = nullptr;
-  static inline UserSettings* s_remembered = nullptr;
-  static inline QTemporaryDir* s_home = nullptr;
 };
 
 TEST_F(TimelineActions, MAddsAMarkerDelDeletesItAndUndoBringsItBack) {
@@ -192,7 +163,7 @@ TEST_F(TimelineActions, TheRangeByNumber) {
 
 TEST_F(TimelineActions, WithKHeldJAndLStepOneFrame) {
   const auto start = ticker().shown()->index;
-  QTest::keyPress(s_window, Qt::Key_K);
+  QTest::keyPress(&window(), Qt::Key_K);
   turn();
   press(Qt::Key_L);
   press(Qt::Key_L);
@@ -200,7 +171,7 @@ TEST_F(TimelineActions, WithKHeldJAndLStepOneFrame) {
   press(Qt::Key_J);
   EXPECT_EQ(ticker().shown()->index, start + 1);
   EXPECT_EQ(playback().state, State::Parked);
-  QTest::keyRelease(s_window, Qt::Key_K);
+  QTest::keyRelease(&window(), Qt::Key_K);
   press(Qt::Key_J);
   EXPECT_EQ(playback().state, State::Playing);
   EXPECT_EQ(playback().speed, -1);
@@ -251,7 +222,7 @@ TEST_F(TimelineActions, LanesAreRememberedAndZKeysShowAllAndTheRange) {
   widgets::TimelineLanes lanes = timeline().lanes();
   lanes.set_shown(widgets::TimelineLane::Energy, true);
   timeline().setLanes(lanes);
-  EXPECT_TRUE(s_remembered->timelineLanes().contains("Energy"));
+  EXPECT_TRUE(remembered().timelineLanes().contains("Energy"));
   ticker().setRange(1, 1.5);
   turn();
   press(Qt::Key_Z, Qt::ShiftModifier);

@@ -4,11 +4,11 @@
 #include <QMouseEvent>
 #include <QPushButton>
 
-#include "app/workbench/camera_desk.hpp"
-#include "app/workbench/open_video.hpp"
-#include "app/workbench/panel_area.hpp"
-#include "app/workbench/video_desk.hpp"
-#include "core/motion/joint_set.hpp"
+#include "app/workbench/document/open_video.hpp"
+#include "app/workbench/shell/panel_area.hpp"
+#include "app/workbench/video/camera_desk.hpp"
+#include "app/workbench/video/video_desk.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "tests/workbench/calibrated_video.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/common/message_bar.hpp"

@@ -19,10 +19,11 @@
 #include <functional>
 #include <string>
 
-#include "app/workbench/actions/actions.hpp"
-#include "app/workbench/main_window.hpp"
-#include "app/workbench/responsiveness.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "app/workbench/document/generated_material.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/start/responsiveness.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app {
 namespace {

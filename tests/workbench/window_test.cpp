@@ -10,13 +10,11 @@
 #include <QTest>
 #include <QUrl>
 
-#include "app/workbench/actions/actions.hpp"
-#include "app/workbench/main_window.hpp"
-#include "tests/workbench/until.hpp"
+#include "tests/workbench/demo_window.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/library/take_list.hpp"
-#include "widgets/scene/scene_view.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 #include "widgets/settings/settings_panel.hpp"
 
 namespace abrazo::app::window_test {
@@ -25,79 +23,50 @@ namespace {
 using State = Playback::State;
 
 /// One window on the generated dance for all tests: opening it takes seconds.
-class Window : public testing::Test {
+class Window : public DemoWindow {
  protected:
-  static void SetUpTestSuite() {
-    s_home = new QTemporaryDir;
-    qputenv("ABRAZO_HOME", s_home->path().toUtf8());
-    s_remembered = new UserSettings;
-    s_window = new MainWindow(*s_remembered);
-    s_window->setTheme(widgets::Theme::Dark);
-    s_window->resize(1280, 720);
-    add_all_actions(*s_window);
-    s_window->show();
-    s_window->openDemo();
-    until([] { return s_window->ticker().shown() && s_window->ticker().shown()->index > 30; });
-  }
-  static void TearDownTestSuite() {
-    delete s_window;
-    delete s_remembered;
-    delete s_home;
-  }
+  static void SetUpTestSuite() { showDemo({1280, 720}, 31); }
   void SetUp() override {
-    ASSERT_TRUE(s_window->ticker().shown()) << "the demo did not start";
-    s_window->activateWindow();
-    (void)QTest::qWaitForWindowActive(s_window, 300);  // a bare display has no window manager to say so
-    s_window->setFocus();
-    s_window->ticker().follow();
-    turn();
+    ASSERT_TRUE(window().ticker().shown()) << "the demo did not start";
+    ticker().follow();
+    DemoWindow::SetUp();
   }
 
-  static void turn() { QTest::qWait(40); }
-  static void press(int key, Qt::KeyboardModifiers modifiers = {}) {
-    QTest::keyClick(s_window, static_cast<Qt::Key>(key), modifiers);
-    turn();
-  }
-  static FrameTicker& ticker() { return s_window->ticker(); }
   static std::uint64_t shown() { return ticker().shown()->index; }
-
-  static inline MainWindow* s_window = nullptr;
-  static inline UserSettings* s_remembered = nullptr;
-  static inline QTemporaryDir* s_home = nullptr;
 };
 
 TEST_F(Window, PPinsTheSelectedPairVVetoesItAndBothCanBeUndone) {
   const auto winner = [] {
-    const FrameResult& result = s_window->ticker().shown()->result;
+    const FrameResult& result = window().ticker().shown()->result;
     return result.selected < 0 ? -1 : result.candidates[static_cast<std::size_t>(result.selected)].pair;
   };
-  const auto pinned = [] { return s_window->candidates().steering().pinned; };
+  const auto pinned = [] { return window().candidates().steering().pinned; };
   press(Qt::Key_P);
   ASSERT_TRUE(pinned());
   const int pair = *pinned();
   EXPECT_TRUE(until([&] { return winner() == pair; }));
   press(Qt::Key_V, Qt::ShiftModifier);
   EXPECT_FALSE(pinned());
-  const std::string take = s_window->candidates().library()->take_of(pair).name;
-  const auto source = [&] { return s_window->candidates().library()->take_of(winner()).name; };
+  const std::string take = window().candidates().library()->take_of(pair).name;
+  const auto source = [&] { return window().candidates().library()->take_of(winner()).name; };
   EXPECT_TRUE(until([&] { return winner() >= 0 && source() != take; }));
   press(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(pinned(), pair) << "the pin that the veto let go is back";
   EXPECT_TRUE(until([&] { return winner() == pair; }));
   press(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_TRUE(s_window->candidates().steering().empty());
+  EXPECT_TRUE(window().candidates().steering().empty());
 }
 
 TEST_F(Window, WithEveryTakeVetoedTheFrameSaysSoAndThePartnerIsHeld) {
-  const std::shared_ptr<const MotionLibrary> library = s_window->candidates().library();
+  const std::shared_ptr<const MotionLibrary> library = window().candidates().library();
   widgets::Steering all;
   for (const LibraryTake& take : library->takes()) all.vetoes.takes.insert(take.name);
-  emit s_window->candidates().steeringRequested(all, "veto everything");
-  EXPECT_TRUE(until([] { return s_window->ticker().shown()->result.status == StepStatus::Failed; }));
-  EXPECT_NE(s_window->ticker().shown()->result.message.find("vetoed"), std::string::npos);
+  emit window().candidates().steeringRequested(all, "veto everything");
+  EXPECT_TRUE(until([] { return window().ticker().shown()->result.status == StepStatus::Failed; }));
+  EXPECT_NE(window().ticker().shown()->result.message.find("vetoed"), std::string::npos);
   press(Qt::Key_P, Qt::ShiftModifier);
-  EXPECT_TRUE(until([] { return s_window->ticker().shown()->result.status != StepStatus::Failed; }));
-  s_window->undoStack().clear();
+  EXPECT_TRUE(until([] { return window().ticker().shown()->result.status != StepStatus::Failed; }));
+  window().undoStack().clear();
 }
 
 QString described(const QWidget* widget) {
@@ -109,21 +78,21 @@ QString described(const QWidget* widget) {
 TEST_F(Window, AltCGoesToTheCandidatesAndReturnTellsTheFactsOfTheFrame) {
   ASSERT_TRUE(until([] { return !ticker().shown()->result.candidates.empty(); }));
   press(Qt::Key_C, Qt::AltModifier);
-  const widgets::CandidateTable& table = s_window->candidates();
+  const widgets::CandidateTable& table = window().candidates();
   EXPECT_TRUE(until(  // once the list shows the frame
       [] {
         QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
-        return s_window->messages().text().contains("frame");
+        return window().messages().text().contains("frame");
       }))
       << "the focus has " << qPrintable(described(QApplication::focusWidget())) << ", told is "
-      << qPrintable(s_window->messages().text());
-  const int take = s_window->takes().selectedTake();
+      << qPrintable(window().messages().text());
+  const int take = window().takes().selectedTake();
   ASSERT_GE(take, 0);
-  EXPECT_TRUE(s_window->messages().text().startsWith(
+  EXPECT_TRUE(window().messages().text().startsWith(
       QString::fromStdString(table.library()->takes()[static_cast<std::size_t>(take)].name)));
   EXPECT_EQ(QApplication::focusWidget(), table.focusProxy());
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
-  s_window->setFocus();
+  window().setFocus();
 }
 
 TEST_F(Window, SpaceParksAndPlaysOn) {
@@ -171,7 +140,7 @@ TEST_F(Window, ShuttleAndSpeedKeys) {
 }
 
 TEST_F(Window, KeysGoToAFieldThatIsBeingEdited) {
-  auto* field = s_window->findChild<QLineEdit*>();
+  auto* field = window().findChild<QLineEdit*>();
   ASSERT_TRUE(field);
   field->setFocus();
   QTest::keyClick(field, Qt::Key_Space);
@@ -182,17 +151,17 @@ TEST_F(Window, KeysGoToAFieldThatIsBeingEdited) {
 }
 
 TEST_F(Window, ASettingReachesTheRunningSolverAndUndoTakesItBack) {
-  const double before = s_window->settings().settings().alpha;
-  s_window->settings().change("alpha", "0.77");
+  const double before = window().settings().settings().alpha;
+  window().settings().change("alpha", "0.77");
   EXPECT_TRUE(until([] { return ticker().shown()->settings.alpha == 0.77; }));
   press(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_TRUE(until([before] { return ticker().shown()->settings.alpha == before; }));
 }
 
 TEST_F(Window, AFileThatCannotBeOpenedSaysWhatToDoAndLeavesTheSessionRunning) {
-  s_window->openFiles({"/no/such/place/walk.txt"});
-  EXPECT_TRUE(until([] { return s_window->messages().text().contains("walk.txt"); }));
-  EXPECT_TRUE(s_window->messages().text().contains("use a motion"));
+  window().openFiles({"/no/such/place/walk.txt"});
+  EXPECT_TRUE(until([] { return window().messages().text().contains("walk.txt"); }));
+  EXPECT_TRUE(window().messages().text().contains("use a motion"));
   const auto index = shown();
   EXPECT_TRUE(until([index] { return shown() > index; }));
 }
@@ -215,10 +184,10 @@ TEST_F(Window, FilesThatDoNotGoTogetherAreRefusedWithWhatToDo) {
       {{folder.path()}, "open a file in it"},
       {{folder.filePath("gone.bvh")}, "check its name"}};
   for (const auto& [files, message] : cases) {
-    s_window->openFiles(files);
-    EXPECT_TRUE(until([&message = message] { return s_window->messages().text().contains(message); }))
-        << s_window->messages().text().toStdString();
-    EXPECT_FALSE(s_window->messages().text().contains("--skeleton"));
+    window().openFiles(files);
+    EXPECT_TRUE(until([&message = message] { return window().messages().text().contains(message); }))
+        << window().messages().text().toStdString();
+    EXPECT_FALSE(window().messages().text().contains("--skeleton"));
   }
 }
 
@@ -226,25 +195,25 @@ TEST_F(Window, DroppedFilesAreOpened) {
   QMimeData dropped;
   dropped.setUrls({QUrl::fromLocalFile("/no/such/place/dropped.bvh")});
   QDragEnterEvent enter({100, 100}, Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(s_window, &enter);
+  QApplication::sendEvent(&window(), &enter);
   EXPECT_TRUE(enter.isAccepted());
   QDropEvent drop(QPointF(100, 100), Qt::CopyAction, &dropped, Qt::LeftButton, Qt::NoModifier);
-  QApplication::sendEvent(s_window, &drop);
-  EXPECT_TRUE(until([] { return s_window->messages().text().contains("dropped.bvh"); }));
+  QApplication::sendEvent(&window(), &drop);
+  EXPECT_TRUE(until([] { return window().messages().text().contains("dropped.bvh"); }));
 }
 
 TEST_F(Window, OpeningSomethingElseReplacesTheJobThatRuns) {
-  s_window->openDemo();
-  s_window->openFiles({"/no/such/place/later.bvh"});
-  EXPECT_TRUE(until([] { return s_window->messages().text().contains("later.bvh"); }));
+  window().openDemo();
+  window().openFiles({"/no/such/place/later.bvh"});
+  EXPECT_TRUE(until([] { return window().messages().text().contains("later.bvh"); }));
   QTest::qWait(2500);
-  EXPECT_TRUE(s_window->messages().text().contains("later.bvh")) << "the first job must not speak any more";
+  EXPECT_TRUE(window().messages().text().contains("later.bvh")) << "the first job must not speak any more";
 }
 
 TEST_F(Window, AnotherMaterialReplacesTheSessionOnceItIsReady) {
-  QSignalSpy started(s_window, &MainWindow::sessionStarted);  // the next session may lie at the same address
+  QSignalSpy started(&window(), &MainWindow::sessionStarted);  // the next session may lie at the same address
   const auto index = shown();
-  s_window->openDemo();
+  window().openDemo();
   EXPECT_TRUE(until([index] { return shown() > index; })) << "the old one runs until then";
   EXPECT_TRUE(until([&started] { return started.size() == 1; }));
   EXPECT_TRUE(until([] { return ticker().shown() && shown() > 5; }));
@@ -252,7 +221,7 @@ TEST_F(Window, AnotherMaterialReplacesTheSessionOnceItIsReady) {
 }
 
 TEST_F(Window, ManyWarningsAreCounted) {
-  auto& messages = s_window->messages();
+  auto& messages = window().messages();
   messages.showWarnings({"the unit was guessed"});
   EXPECT_EQ(messages.text(), "the unit was guessed");
   messages.showWarnings({"the unit was guessed", "no toes", "no hands"});
@@ -262,7 +231,7 @@ TEST_F(Window, ManyWarningsAreCounted) {
 TEST_F(Window, AClosedWindowDoesNotWaitForItsJob) {
   QElapsedTimer clock;
   {
-    MainWindow other(*s_remembered);
+    MainWindow other(remembered());
     other.show();
     other.openDemo();
     QTest::qWait(50);
@@ -288,19 +257,19 @@ TEST(PanelPlan, WhatWasAskedForStands) {
 TEST_F(Window, APictureOfTheWindowHoldsTheScene) {
   QTemporaryDir folder;
   const QString file = folder.filePath("window.png");
-  QTest::keyClick(&s_window->scene(), Qt::Key_0);  // show all, whatever the tests before did
+  QTest::keyClick(&window().scene(), Qt::Key_0);  // show all, whatever the tests before did
   ASSERT_TRUE(until([] { return ticker().shown()->result.status != StepStatus::Failed; }));
   turn();
-  ASSERT_EQ(save_screenshot(*s_window, file), QString());
+  ASSERT_EQ(save_screenshot(window(), file), QString());
   const QImage picture(file);
-  const QRect scene(s_window->scene().mapTo(s_window, QPoint(0, 0)), s_window->scene().size());
+  const QRect scene(window().scene().mapTo(&window(), QPoint(0, 0)), window().scene().size());
   const QImage view = picture.copy(scene);
   int blue = 0, coral = 0;
   for (int y = 60; y < view.height(); ++y)
     for (int x = 0; x < view.width(); ++x) {
       const QColor c = view.pixelColor(x, y);
-      blue += c.hsvSaturation() > 90 && std::abs(c.hue() - s_window->colours().active.hue()) < 12;
-      coral += c.hsvSaturation() > 90 && std::abs(c.hue() - s_window->colours().passive.hue()) < 12;
+      blue += c.hsvSaturation() > 90 && std::abs(c.hue() - window().colours().active.hue()) < 12;
+      coral += c.hsvSaturation() > 90 && std::abs(c.hue() - window().colours().passive.hue()) < 12;
     }
   EXPECT_GT(blue, 1500);
   EXPECT_GT(coral, 1500);

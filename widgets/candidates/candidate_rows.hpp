@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/library/motion_library.hpp"
-#include "core/session/frame_snapshot.hpp"
+#include "core/library/store/motion_library.hpp"
+#include "core/session/frames/frame_snapshot.hpp"
 #include "widgets/candidates/cost_terms.hpp"
 
 namespace abrazo::widgets {

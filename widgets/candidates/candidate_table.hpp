@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/session/frame_history.hpp"
-#include "core/session/frame_snapshot.hpp"
+#include "core/session/frames/frame_history.hpp"
+#include "core/session/frames/frame_snapshot.hpp"
 #include "widgets/candidates/candidate_order.hpp"
 #include "widgets/candidates/candidate_rows.hpp"
 #include "widgets/candidates/steering.hpp"

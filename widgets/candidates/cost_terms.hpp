@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/session/frame_snapshot.hpp"
+#include "core/session/frames/frame_snapshot.hpp"
 
 class QColor;
 

@@ -6,7 +6,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/session/frame_history.hpp"
+#include "core/session/frames/frame_history.hpp"
 #include "widgets/candidates/candidate_rows.hpp"
 #include "widgets/candidates/feature_projection.hpp"
 #include "widgets/common/palette.hpp"

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <span>
 
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/synthesis/settings.hpp"
 
 namespace abrazo::widgets {

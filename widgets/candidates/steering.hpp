@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/library/motion_library.hpp"
-#include "core/session/command.hpp"
+#include "core/library/store/motion_library.hpp"
+#include "core/session/frames/command.hpp"
 
 namespace abrazo::widgets {
 

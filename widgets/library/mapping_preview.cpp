@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "widgets/common/theme.hpp"
 
 namespace abrazo::widgets {

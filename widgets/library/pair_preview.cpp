@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/library/take_picture.hpp"

@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/motion/clip.hpp"
+#include "core/motion/body/clip.hpp"
 
 namespace abrazo::widgets {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/selection/intent_model.hpp"
 
 namespace abrazo::widgets {

@@ -5,7 +5,7 @@
 #include <limits>
 #include <numeric>
 
-#include "core/session/frame_in_library.hpp"
+#include "core/session/frames/frame_in_library.hpp"
 
 namespace abrazo::widgets {
 

@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "core/library/motion_library.hpp"
-#include "core/session/frame_history.hpp"
+#include "core/library/store/motion_library.hpp"
+#include "core/session/frames/frame_history.hpp"
 
 namespace abrazo::widgets {
 

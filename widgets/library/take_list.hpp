@@ -8,8 +8,8 @@
 #include <set>
 #include <string>
 
-#include "core/library/motion_library.hpp"
-#include "core/session/frame_history.hpp"
+#include "core/library/store/motion_library.hpp"
+#include "core/session/frames/frame_history.hpp"
 #include "widgets/common/palette.hpp"
 
 class QComboBox;

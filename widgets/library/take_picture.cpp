@@ -3,7 +3,7 @@
 #include <QPainter>
 #include <algorithm>
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo::widgets {
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 
 namespace abrazo::widgets {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/session/decisions.hpp"
+#include "core/session/frames/decisions.hpp"
 
 namespace abrazo::widgets {
 

@@ -5,8 +5,8 @@
 #include <memory>
 #include <string>
 
-#include "core/session/frame_history.hpp"
-#include "core/session/playback.hpp"
+#include "core/session/frames/frame_history.hpp"
+#include "core/session/frames/playback.hpp"
 #include "widgets/common/palette.hpp"
 #include "widgets/common/selection_model.hpp"
 #include "widgets/plots/pane_arrangement.hpp"

@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "core/base/units.hpp"
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/mesh/capsules.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo::widgets {
 namespace {

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "core/metrics/movement.hpp"
-#include "core/session/frame_snapshot.hpp"
+#include "core/session/frames/frame_snapshot.hpp"
 
 namespace abrazo::widgets {
 

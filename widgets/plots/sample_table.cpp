@@ -111,7 +111,7 @@ void SampleTable::drop_before(double time_s) {
   while (!rows_.empty() && rows_.front().time_s < time_s) {
     rows_.pop_front();
     ++dropped_;
-    older_ -= older_ > 0;
+    thinning_.older -= thinning_.older > 0;
   }
   while (!blocks_.empty() && dropped_blocks_ * block_rows < dropped_) {
     blocks_.pop_front();
@@ -120,18 +120,9 @@ void SampleTable::drop_before(double time_s) {
 }
 
 void SampleTable::thin_older(std::size_t newest, std::size_t most_older) {
-  constexpr std::size_t at_once = 8192;  // moving rows together costs the same for one and for many
-  bool has_thinned = false;
-  while (rows_.size() >= older_ + newest + at_once) {
-    std::size_t more = at_once;
-    for (int halved = 0; halved < level_; ++halved) more = halve(older_, more);
-    older_ += more;
-    if (older_ > most_older) {
-      older_ = halve(0, older_);
-      ++level_;
-    }
-    has_thinned = level_ > 0;
-  }
+  const bool has_thinned = thinning_.thin(
+      newest, most_older, [this] { return rows_.size(); },
+      [this](std::size_t first, std::size_t count) { return halve(first, count); });
   if (has_thinned) gather_blocks();
 }
 

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "widgets/common/thinning.hpp"
 #include "widgets/plots/plot_series.hpp"
 
 namespace abrazo::widgets {
@@ -39,7 +40,7 @@ class SampleTable {
   /// series in the order they came, so that no spike is lost. To be called now and then.
   void thin_older(std::size_t newest, std::size_t most_older);
   /// Rows at the beginning that were thinned: their values are extremes around their frame, not its own.
-  std::size_t thinned() const { return level_ > 0 ? older_ : 0; }
+  std::size_t thinned() const { return thinning_.level > 0 ? thinning_.older : 0; }
   void clear();
   const std::deque<Row>& rows() const { return rows_; }
 
@@ -74,8 +75,7 @@ class SampleTable {
   std::size_t dropped_ = 0;   ///< rows so far; row r of the session is rows_[r - dropped_]
   std::deque<Block> blocks_;  ///< block b: rows [64 b, 64 b + 64) of the session
   std::size_t dropped_blocks_ = 0;
-  std::size_t older_ = 0;  ///< rows at the beginning that stand apart from the newest
-  int level_ = 0;          ///< so often they were halved
+  Thinning thinning_;
 };
 
 /// Every row in [from, to] with every series: the header carries the units, numbers read back to the same

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/session/command.hpp"
+#include "core/session/frames/command.hpp"
 #include "core/synthesis/settings.hpp"
 #include "widgets/common/palette.hpp"
 #include "widgets/settings/preset_choice.hpp"

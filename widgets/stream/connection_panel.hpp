@@ -4,8 +4,8 @@
 #include <QWidget>
 #include <vector>
 
-#include "core/session/command.hpp"
-#include "core/stream/stream_health.hpp"
+#include "core/session/frames/command.hpp"
+#include "core/stream/protocol/stream_health.hpp"
 #include "widgets/common/palette.hpp"
 #include "widgets/stream/sink_rates.hpp"
 
@@ -58,7 +58,6 @@ class ConnectionPanel : public QWidget {
   void delayRequested(int ms);
   /// @param value  as the setting takes it
   void stepRateRequested(const QString& value);
-  void copyRequested();
 
  private:
   QWidget* section(const QString& title);

@@ -3,7 +3,7 @@
 #include <QTreeWidget>
 #include <map>
 
-#include "core/stream/stream_health.hpp"
+#include "core/stream/protocol/stream_health.hpp"
 #include "widgets/common/palette.hpp"
 
 namespace abrazo::widgets {

@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "core/stream/stream_health.hpp"
+#include "core/stream/protocol/stream_health.hpp"
 #include "widgets/common/palette.hpp"
 
 class QToolButton;

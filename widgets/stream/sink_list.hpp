@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "core/session/command.hpp"
+#include "core/session/frames/command.hpp"
 #include "widgets/common/palette.hpp"
 #include "widgets/stream/sink_rates.hpp"
 

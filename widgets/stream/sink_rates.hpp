@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/stream/stream_health.hpp"
+#include "core/stream/protocol/stream_health.hpp"
 
 namespace abrazo::widgets {
 

@@ -5,7 +5,7 @@
 #include <string_view>
 
 #include "core/base/result.hpp"
-#include "core/stream/stream_uri.hpp"
+#include "core/stream/protocol/stream_uri.hpp"
 
 namespace abrazo::widgets {
 

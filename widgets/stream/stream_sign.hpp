@@ -3,7 +3,7 @@
 #include <QColor>
 #include <QPointF>
 
-#include "core/stream/stream_health.hpp"
+#include "core/stream/protocol/stream_health.hpp"
 #include "widgets/common/palette.hpp"
 #include "widgets/stream/latency_rows.hpp"
 #include "widgets/stream/stream_words.hpp"

@@ -4,7 +4,7 @@
 #include <array>
 #include <cstdio>
 
-#include "core/stream/stream_uri.hpp"
+#include "core/stream/protocol/stream_uri.hpp"
 
 namespace abrazo::widgets {
 namespace {

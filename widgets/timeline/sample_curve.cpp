@@ -28,18 +28,9 @@ void SampleCurve::append(double time_s, double value) {
 }
 
 void SampleCurve::thin_older(std::size_t newest, std::size_t most_older) {
-  constexpr std::size_t at_once = 8192;  // moving samples together costs the same for one and for many
-  bool has_thinned = false;
-  while (samples_.size() >= older_ + newest + at_once) {
-    std::size_t more = at_once;
-    for (int halved = 0; halved < level_; ++halved) more = halve(older_, more);
-    older_ += more;
-    if (older_ > most_older) {
-      older_ = halve(0, older_);
-      ++level_;
-    }
-    has_thinned = level_ > 0;
-  }
+  const bool has_thinned = thinning_.thin(
+      newest, most_older, [this] { return samples_.size(); },
+      [this](std::size_t first, std::size_t count) { return halve(first, count); });
   if (!has_thinned) return;
   blocks_.clear();
   for (std::size_t i = 0; i < samples_.size(); ++i) {
@@ -77,7 +68,7 @@ void SampleCurve::drop_before(double time_s) {
   samples_.erase(samples_.begin(), samples_.begin() + samples);
   blocks_.erase(blocks_.begin(), blocks_.begin() + blocks);
   begin_ -= static_cast<std::size_t>(samples);
-  older_ -= std::min(older_, static_cast<std::size_t>(samples));
+  thinning_.older -= std::min(thinning_.older, static_cast<std::size_t>(samples));
 }
 
 void SampleCurve::clear() {

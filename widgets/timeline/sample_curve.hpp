@@ -3,6 +3,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "widgets/common/thinning.hpp"
+
 namespace abrazo::widgets {
 
 /// A figure over time that is drawn at any zoom without looking at every sample: blocks of samples know their
@@ -40,8 +42,7 @@ class SampleCurve {
   std::vector<Sample> samples_;
   std::vector<Extent> blocks_;  ///< of block_size samples each
   std::size_t begin_ = 0;       ///< samples before are given up
-  std::size_t older_ = 0;       ///< samples at the beginning that stand apart from the newest
-  int level_ = 0;               ///< so often they were halved
+  Thinning thinning_;
 };
 
 inline bool is_empty(const SampleCurve::Extent& column) {

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/session/time_place.hpp"
+#include "core/session/frames/time_place.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/common/utf8.hpp"

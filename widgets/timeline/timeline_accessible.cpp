@@ -2,7 +2,7 @@
 
 #include <QAccessibleWidget>
 
-#include "core/session/time_place.hpp"
+#include "core/session/frames/time_place.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 
 namespace abrazo::widgets {

@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "core/library/motion_library.hpp"
-#include "core/session/markers.hpp"
-#include "core/session/playback.hpp"
-#include "core/session/settings_track.hpp"
+#include "core/library/store/motion_library.hpp"
+#include "core/session/frames/markers.hpp"
+#include "core/session/frames/playback.hpp"
+#include "core/session/frames/settings_track.hpp"
 #include "widgets/common/palette.hpp"
 #include "widgets/timeline/timeline_lanes.hpp"
 #include "widgets/timeline/timeline_tiers.hpp"

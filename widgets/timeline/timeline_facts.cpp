@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/session/time_place.hpp"
+#include "core/session/frames/time_place.hpp"
 #include "widgets/timeline/timeline_content.hpp"
 
 namespace abrazo::widgets {

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <optional>
 
-#include "core/session/markers.hpp"
-#include "core/session/playback.hpp"
+#include "core/session/frames/markers.hpp"
+#include "core/session/frames/playback.hpp"
 #include "widgets/timeline/timeline_axis.hpp"
 #include "widgets/timeline/timeline_lanes.hpp"
 

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/session/frame_in_library.hpp"
+#include "core/session/frames/frame_in_library.hpp"
 #include "widgets/timeline/timeline_accessible.hpp"
 #include "widgets/timeline/timeline_painter.hpp"
 

@@ -4,7 +4,7 @@
 #include <QWidget>
 #include <span>
 
-#include "core/session/frame_history.hpp"
+#include "core/session/frames/frame_history.hpp"
 #include "widgets/timeline/timeline_content.hpp"
 #include "widgets/timeline/timeline_hit.hpp"
 

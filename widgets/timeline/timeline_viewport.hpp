@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/session/playback.hpp"
+#include "core/session/frames/playback.hpp"
 #include "widgets/timeline/timeline_axis.hpp"
 
 namespace abrazo::widgets {

@@ -2,8 +2,8 @@
 
 #include <QWidget>
 
-#include "core/session/playback.hpp"
-#include "core/session/time_place.hpp"
+#include "core/session/frames/playback.hpp"
+#include "core/session/frames/time_place.hpp"
 #include "widgets/common/palette.hpp"
 
 class QActionGroup;

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo::widgets {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <iterator>
 
-#include "core/library/motion_library_builder.hpp"
+#include "core/library/build/motion_library_builder.hpp"
 #include "tests/support/libraries.hpp"
 
 namespace abrazo::annotated_library_test {

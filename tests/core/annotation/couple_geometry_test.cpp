@@ -7,7 +7,7 @@
 
 #include "core/annotation/motion_channels.hpp"
 #include "core/annotation/segment_features.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "tests/support/bodies.hpp"
 
 namespace abrazo::couple_geometry_test {

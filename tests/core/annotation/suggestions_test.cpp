@@ -9,8 +9,8 @@
 #include "core/annotation/move_examples.hpp"
 #include "core/choreography/fight.hpp"
 #include "core/choreography/salsa.hpp"
-#include "core/library/manifest.hpp"
-#include "core/library/motion_library_builder.hpp"
+#include "core/library/build/motion_library_builder.hpp"
+#include "core/library/takes/manifest.hpp"
 #include "tests/support/captured_data.hpp"
 
 namespace abrazo::suggestions_test {

@@ -7,8 +7,8 @@
 #include <numbers>
 
 #include "core/choreography/limb_ik.hpp"
-#include "core/motion/body.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/body.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo::arm_swivel_test {
 namespace {

@@ -8,7 +8,7 @@
 #include "core/base/atomic_file.hpp"
 #include "core/choreography/fight.hpp"
 #include "core/choreography/salsa.hpp"
-#include "core/library/manifest.hpp"
+#include "core/library/takes/manifest.hpp"
 
 namespace abrazo::demo_set_test {
 namespace {

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "core/choreography/fight_score.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo::fight_score_test {
 namespace {

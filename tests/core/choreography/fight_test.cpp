@@ -14,8 +14,8 @@
 #include <string>
 
 #include "core/metrics/body_segments.hpp"
-#include "core/motion/body.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/body.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo::fight_test {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <numbers>
 
-#include "core/motion/body.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/body.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo::posture_test {
 namespace {

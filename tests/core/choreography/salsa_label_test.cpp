@@ -10,7 +10,7 @@
 #include <numbers>
 
 #include "core/choreography/salsa.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo::salsa_label_test {
 namespace {

@@ -12,8 +12,8 @@
 #include <stdexcept>
 #include <vector>
 
-#include "core/motion/body.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/body.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo::salsa_test {
 namespace {

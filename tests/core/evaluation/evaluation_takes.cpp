@@ -1,6 +1,6 @@
 #include "evaluation_takes.hpp"
 
-#include "core/library/motion_library_builder.hpp"
+#include "core/library/build/motion_library_builder.hpp"
 #include "tests/support/libraries.hpp"
 
 namespace abrazo::test {

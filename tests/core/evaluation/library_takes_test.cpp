@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/evaluation/sweep_metric.hpp"
-#include "core/library/motion_library_builder.hpp"
+#include "core/library/build/motion_library_builder.hpp"
 #include "tests/core/evaluation/evaluation_takes.hpp"
 #include "tests/support/libraries.hpp"
 

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "core/evaluation/take_synthesis.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "tests/core/evaluation/evaluation_takes.hpp"
 
 namespace abrazo::movement_table_test {

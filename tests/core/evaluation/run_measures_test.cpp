@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "core/metrics/foot_slide.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "evaluation_takes.hpp"
 
 namespace abrazo::run_measures_test {

@@ -6,7 +6,7 @@
 
 #include "core/choreography/salsa.hpp"
 #include "core/evaluation/suggestion_report.hpp"
-#include "core/library/motion_library_builder.hpp"
+#include "core/library/build/motion_library_builder.hpp"
 
 namespace abrazo::suggestion_agreement_test {
 namespace {

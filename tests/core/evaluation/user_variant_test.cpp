@@ -5,8 +5,8 @@
 #include <cmath>
 #include <set>
 
-#include "core/motion/body.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/body.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "tests/support/libraries.hpp"
 
 namespace abrazo::user_variant_test {

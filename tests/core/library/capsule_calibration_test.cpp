@@ -1,4 +1,4 @@
-#include "core/library/capsule_calibration.hpp"
+#include "core/library/build/capsule_calibration.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,9 +6,9 @@
 #include <numeric>
 #include <random>
 
-#include "core/library/motion_library_builder.hpp"
-#include "core/library/motion_library_file.hpp"
-#include "core/library/pose_index.hpp"
+#include "core/library/build/motion_library_builder.hpp"
+#include "core/library/store/motion_library_file.hpp"
+#include "core/library/store/pose_index.hpp"
 #include "core/mesh/capsules.hpp"
 #include "tests/support/captured_data.hpp"
 #include "tests/support/cgal_mesh.hpp"

@@ -1,4 +1,4 @@
-#include "core/library/column.hpp"
+#include "core/library/store/column.hpp"
 
 #include <gtest/gtest.h>
 

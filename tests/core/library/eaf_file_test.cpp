@@ -1,4 +1,4 @@
-#include "core/library/eaf_file.hpp"
+#include "core/library/takes/eaf_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/library/tier_file.hpp"
+#include "core/library/takes/tier_file.hpp"
 
 namespace abrazo::eaf_reader_test {
 namespace {

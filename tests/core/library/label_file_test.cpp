@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/library/manifest.hpp"
+#include "core/library/takes/manifest.hpp"
 
 namespace abrazo::label_file_test {
 namespace {

@@ -1,4 +1,4 @@
-#include "core/library/library_extension.hpp"
+#include "core/library/build/library_extension.hpp"
 
 #include <gtest/gtest.h>
 

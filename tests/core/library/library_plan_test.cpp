@@ -1,4 +1,4 @@
-#include "core/library/library_plan.hpp"
+#include "core/library/build/library_plan.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <climits>
 #include <fstream>
 
-#include "core/library/motion_library_builder.hpp"
-#include "core/motion/bvh.hpp"
+#include "core/library/build/motion_library_builder.hpp"
+#include "core/motion/bvh/bvh.hpp"
 #include "tests/core/library/synthetic_takes.hpp"
 
 namespace abrazo::library_plan_test {

@@ -4,9 +4,9 @@
 #include <climits>
 #include <fstream>
 
-#include "core/library/manifest.hpp"
-#include "core/motion/body.hpp"
-#include "core/motion/bvh.hpp"
+#include "core/library/takes/manifest.hpp"
+#include "core/motion/body/body.hpp"
+#include "core/motion/bvh/bvh.hpp"
 #include "tests/core/library/synthetic_takes.hpp"
 
 namespace abrazo::load_take_test {

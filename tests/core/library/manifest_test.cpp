@@ -1,4 +1,4 @@
-#include "core/library/manifest.hpp"
+#include "core/library/takes/manifest.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

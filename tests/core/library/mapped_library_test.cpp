@@ -11,9 +11,9 @@
 #include <vector>
 
 #include "core/annotation/suggestions.hpp"
-#include "core/library/library_extension.hpp"
-#include "core/library/motion_library_builder.hpp"
-#include "core/library/motion_library_file.hpp"
+#include "core/library/build/library_extension.hpp"
+#include "core/library/build/motion_library_builder.hpp"
+#include "core/library/store/motion_library_file.hpp"
 #include "tests/core/library/synthetic_takes.hpp"
 
 namespace abrazo::mapped_library_test {

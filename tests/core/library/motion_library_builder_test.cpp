@@ -1,4 +1,4 @@
-#include "core/library/motion_library_builder.hpp"
+#include "core/library/build/motion_library_builder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/library/motion_library_file.hpp"
+#include "core/library/store/motion_library_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <limits>
 
 #include "core/base/atomic_file.hpp"
-#include "core/library/motion_library_builder.hpp"
+#include "core/library/build/motion_library_builder.hpp"
 #include "tests/core/library/synthetic_takes.hpp"
 #include "tests/support/broken_world.hpp"
 

@@ -1,11 +1,11 @@
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 #include <stdexcept>
 
-#include "core/library/motion_library_builder.hpp"
+#include "core/library/build/motion_library_builder.hpp"
 #include "tests/core/library/synthetic_takes.hpp"
 
 namespace abrazo::motion_library_test {

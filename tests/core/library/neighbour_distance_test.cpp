@@ -1,10 +1,10 @@
-#include "core/library/neighbour_distance.hpp"
+#include "core/library/store/neighbour_distance.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
-#include "core/library/motion_library_builder.hpp"
+#include "core/library/build/motion_library_builder.hpp"
 #include "tests/core/library/synthetic_takes.hpp"
 
 namespace abrazo::neighbour_distance_test {

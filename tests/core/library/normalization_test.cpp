@@ -1,4 +1,4 @@
-#include "core/library/normalization.hpp"
+#include "core/library/store/normalization.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "tests/support/bodies.hpp"
 
 namespace abrazo::normalization_test {

@@ -1,4 +1,4 @@
-#include "core/library/paired_take.hpp"
+#include "core/library/takes/paired_take.hpp"
 
 #include <gtest/gtest.h>
 

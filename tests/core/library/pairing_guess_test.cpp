@@ -1,11 +1,11 @@
-#include "core/library/pairing_guess.hpp"
+#include "core/library/build/pairing_guess.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <deque>
 
-#include "core/library/performer_name.hpp"
+#include "core/library/takes/performer_name.hpp"
 #include "tests/core/library/synthetic_takes.hpp"
 
 namespace abrazo::pairing_guess_test {

@@ -1,4 +1,4 @@
-#include "core/library/pose_index.hpp"
+#include "core/library/store/pose_index.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "tests/support/libraries.hpp"
 
 namespace abrazo::role_exchange_test {

@@ -1,12 +1,12 @@
-#include "core/library/saved_build.hpp"
+#include "core/library/build/saved_build.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "core/library/motion_library_file.hpp"
-#include "core/motion/bvh.hpp"
+#include "core/library/store/motion_library_file.hpp"
+#include "core/motion/bvh/bvh.hpp"
 #include "tests/core/library/synthetic_takes.hpp"
 
 namespace abrazo::saved_build_test {

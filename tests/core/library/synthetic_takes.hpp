@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "core/library/paired_take.hpp"
+#include "core/library/takes/paired_take.hpp"
 
 namespace abrazo::test {
 

@@ -1,4 +1,4 @@
-#include "core/library/take_labels.hpp"
+#include "core/library/takes/take_labels.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,9 +6,9 @@
 #include <filesystem>
 
 #include "core/base/atomic_file.hpp"
-#include "core/library/manifest.hpp"
-#include "core/library/tier_file.hpp"
-#include "core/motion/bvh.hpp"
+#include "core/library/takes/manifest.hpp"
+#include "core/library/takes/tier_file.hpp"
+#include "core/motion/bvh/bvh.hpp"
 #include "tests/core/library/synthetic_takes.hpp"
 
 namespace abrazo::take_labels_test {

@@ -1,4 +1,4 @@
-#include "core/library/tier_file.hpp"
+#include "core/library/takes/tier_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

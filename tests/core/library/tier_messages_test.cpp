@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/base/atomic_file.hpp"
-#include "core/library/tier_file.hpp"
+#include "core/library/takes/tier_file.hpp"
 
 namespace abrazo::tier_messages_test {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/mesh/interaction_mesh.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/support/cgal_mesh.hpp"
 

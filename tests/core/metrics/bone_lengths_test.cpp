@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 

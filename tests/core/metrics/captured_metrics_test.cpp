@@ -2,8 +2,8 @@
 // of the same dancers, of which eleven are read here.
 #include <gtest/gtest.h>
 
-#include "core/library/capsule_calibration.hpp"
-#include "core/library/manifest.hpp"
+#include "core/library/build/capsule_calibration.hpp"
+#include "core/library/takes/manifest.hpp"
 #include "core/metrics/continuity.hpp"
 #include "core/metrics/foot_slide.hpp"
 #include "core/metrics/penetration.hpp"

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "core/base/statistics.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "tests/support/bodies.hpp"
 
 namespace abrazo::movement_test {

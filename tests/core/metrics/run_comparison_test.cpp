@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "core/metrics/run_summary.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "tests/support/libraries.hpp"
 
 namespace abrazo::run_comparison_test {

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 

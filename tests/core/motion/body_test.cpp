@@ -1,4 +1,4 @@
-#include "core/motion/body.hpp"
+#include "core/motion/body/body.hpp"
 
 #include <gtest/gtest.h>
 

@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "core/motion/import_clip.hpp"
+#include "core/motion/files/import_clip.hpp"
 #include "tests/core/motion/motion_fixtures.hpp"
 
 namespace abrazo::broken_motion_test {

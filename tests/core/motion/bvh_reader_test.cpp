@@ -6,7 +6,7 @@
 #include <numbers>
 #include <random>
 
-#include "core/motion/bvh.hpp"
+#include "core/motion/bvh/bvh.hpp"
 #include "tests/core/motion/motion_fixtures.hpp"
 
 namespace abrazo::bvh_reader_test {

@@ -6,9 +6,9 @@
 #include <random>
 
 #include "core/base/text.hpp"
-#include "core/motion/body.hpp"
-#include "core/motion/bvh.hpp"
-#include "core/motion/import_clip.hpp"
+#include "core/motion/body/body.hpp"
+#include "core/motion/bvh/bvh.hpp"
+#include "core/motion/files/import_clip.hpp"
 #include "tests/core/motion/motion_fixtures.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/support/captured_data.hpp"

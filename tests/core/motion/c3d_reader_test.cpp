@@ -1,11 +1,11 @@
-#include "core/motion/c3d_reader.hpp"
+#include "core/motion/tables/c3d_reader.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/motion/c3d_parameters.hpp"
+#include "core/motion/tables/c3d_parameters.hpp"
 
-#include "core/motion/import_clip.hpp"
+#include "core/motion/files/import_clip.hpp"
 #include "tests/core/motion/c3d_bytes.hpp"
 #include "tests/core/motion/motion_fixtures.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/motion/clip_csv.hpp"
+#include "core/motion/tables/clip_csv.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/motion/clip_file.hpp"
+#include "core/motion/files/clip_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 
 #include "core/base/atomic_file.hpp"
 #include "core/base/text.hpp"
-#include "core/motion/bvh.hpp"
-#include "core/motion/import_clip.hpp"
+#include "core/motion/bvh/bvh.hpp"
+#include "core/motion/files/import_clip.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/motion/glb_writer.hpp"
+#include "core/motion/scenes/glb_writer.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 

@@ -1,11 +1,11 @@
-#include "core/motion/import_clip.hpp"
+#include "core/motion/files/import_clip.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "core/motion/body.hpp"
+#include "core/motion/body/body.hpp"
 #include "tests/core/motion/motion_fixtures.hpp"
 #include "tests/support/bodies.hpp"
 

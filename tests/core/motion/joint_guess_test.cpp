@@ -1,9 +1,9 @@
-#include "core/motion/joint_guess.hpp"
+#include "core/motion/joints/joint_guess.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/motion/import_clip.hpp"
+#include "core/motion/files/import_clip.hpp"
 #include "tests/core/motion/motion_fixtures.hpp"
 #include "tests/support/bodies.hpp"
 

@@ -1,9 +1,9 @@
-#include "core/motion/joint_map.hpp"
+#include "core/motion/joints/joint_map.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/motion/bvh.hpp"
+#include "core/motion/bvh/bvh.hpp"
 #include "tests/core/motion/motion_fixtures.hpp"
 
 namespace abrazo::joint_map_test {

@@ -1,4 +1,4 @@
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 #include <gtest/gtest.h>
 

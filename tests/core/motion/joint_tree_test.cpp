@@ -1,4 +1,4 @@
-#include "core/motion/joint_tree.hpp"
+#include "core/motion/body/joint_tree.hpp"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-#include "core/motion/bvh.hpp"
-#include "core/motion/import_clip.hpp"
+#include "core/motion/bvh/bvh.hpp"
+#include "core/motion/files/import_clip.hpp"
 #include "tests/core/motion/motion_fixtures.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/support/captured_data.hpp"

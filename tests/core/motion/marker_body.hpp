@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "core/motion/joint_set.hpp"
-#include "core/motion/named_motion.hpp"
+#include "core/motion/body/joint_set.hpp"
+#include "core/motion/joints/named_motion.hpp"
 #include "tests/support/bodies.hpp"
 
 namespace abrazo::test {

@@ -1,13 +1,13 @@
-#include "core/motion/marker_model.hpp"
+#include "core/motion/joints/marker_model.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "core/motion/import_clip.hpp"
-#include "core/motion/marker_gaps.hpp"
-#include "core/motion/marker_geometry.hpp"
+#include "core/motion/files/import_clip.hpp"
+#include "core/motion/joints/marker_gaps.hpp"
+#include "core/motion/joints/marker_geometry.hpp"
 #include "tests/core/motion/marker_body.hpp"
 #include "tests/core/motion/motion_fixtures.hpp"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/atomic_file.hpp"
-#include "core/motion/named_motion.hpp"
+#include "core/motion/joints/named_motion.hpp"
 
 namespace abrazo::test {
 

@@ -1,11 +1,12 @@
-#include "core/motion/motion_format.hpp"
+#include "core/motion/joints/motion_format.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
 
-#include "core/motion/import_clip.hpp"
+#include "core/motion/files/format_recognition.hpp"
+#include "core/motion/files/import_clip.hpp"
 #include "tests/core/motion/c3d_bytes.hpp"
 #include "tests/core/motion/motion_fixtures.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/motion/point_csv.hpp"
+#include "core/motion/tables/point_csv.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,8 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "core/motion/clip_csv.hpp"
-#include "core/motion/motion_format.hpp"
+#include "core/motion/tables/clip_csv.hpp"
 #include "tests/core/motion/motion_fixtures.hpp"
 #include "tests/support/bodies.hpp"
 

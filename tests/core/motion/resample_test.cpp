@@ -1,11 +1,11 @@
-#include "core/motion/resample.hpp"
+#include "core/motion/body/resample.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
 
-#include "core/motion/body.hpp"
+#include "core/motion/body/body.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 

@@ -1,13 +1,13 @@
 // What hangs below what in a scene file, told before a reader is let at it that descends by recursion and
 // copies.
-#include "core/motion/scene_hierarchy.hpp"
+#include "core/motion/scenes/scene_hierarchy.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/motion/assimp_scene.hpp"
-#include "core/motion/fbx_records.hpp"
-#include "core/motion/xml_tags.hpp"
+#include "core/motion/scenes/assimp_scene.hpp"
+#include "core/motion/scenes/fbx_records.hpp"
+#include "core/motion/scenes/xml_tags.hpp"
 
 namespace abrazo::scene_hierarchy_test {
 namespace {

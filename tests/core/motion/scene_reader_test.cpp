@@ -3,10 +3,10 @@
 
 #include <numbers>
 
-#include "core/motion/assimp_scene.hpp"
-#include "core/motion/glb_writer.hpp"
-#include "core/motion/import_clip.hpp"
-#include "core/motion/scene_animation.hpp"
+#include "core/motion/files/import_clip.hpp"
+#include "core/motion/scenes/assimp_scene.hpp"
+#include "core/motion/scenes/glb_writer.hpp"
+#include "core/motion/scenes/scene_animation.hpp"
 #include "tests/core/motion/motion_fixtures.hpp"
 #include "tests/support/bodies.hpp"
 

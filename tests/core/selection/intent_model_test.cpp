@@ -4,7 +4,7 @@
 
 #include <numeric>
 
-#include "core/library/motion_library_builder.hpp"
+#include "core/library/build/motion_library_builder.hpp"
 #include "tests/core/selection/user_motions.hpp"
 #include "tests/support/libraries.hpp"
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "core/library/motion_library_builder.hpp"
+#include "core/library/build/motion_library_builder.hpp"
 #include "tests/support/libraries.hpp"
 
 namespace abrazo::source_playhead_test {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/library/motion_library.hpp"
+#include "core/library/store/motion_library.hpp"
 #include "core/selection/history_kernel.hpp"
 
 namespace abrazo::test {

@@ -8,7 +8,7 @@
 #include <thread>
 
 #include "core/base/atomic_file.hpp"
-#include "core/library/motion_library_file.hpp"
+#include "core/library/store/motion_library_file.hpp"
 #include "tests/core/session/recorded_session.hpp"
 #include "tests/support/settings.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/session/data_reference.hpp"
+#include "core/session/file/data_reference.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

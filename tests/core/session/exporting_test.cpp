@@ -1,4 +1,4 @@
-#include "core/session/exporting.hpp"
+#include "core/session/export/exporting.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@
 #include "core/annotation/annotated_library.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/text.hpp"
-#include "core/library/tier_file.hpp"
-#include "core/session/session_export.hpp"
+#include "core/library/takes/tier_file.hpp"
+#include "core/session/export/session_export.hpp"
 #include "tests/core/session/recorded_session.hpp"
 
 namespace abrazo::exporting_test {

@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/session/frame_listener.hpp"
-#include "core/session/session_openers.hpp"
+#include "core/session/frames/frame_listener.hpp"
+#include "core/session/run/session_openers.hpp"
 #include "tests/support/libraries.hpp"
 
 namespace abrazo::test {

@@ -2,12 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/session/frame_in_library.hpp"
-#include "core/session/frame_row.hpp"
-#include "core/session/recorded_frames.hpp"
-#include "core/session/session_database.hpp"
-#include "core/session/session_file.hpp"
-#include "core/session/session_replay.hpp"
+#include "core/session/file/frame_row.hpp"
+#include "core/session/file/recorded_frames.hpp"
+#include "core/session/file/session_database.hpp"
+#include "core/session/file/session_file.hpp"
+#include "core/session/frames/frame_in_library.hpp"
+#include "core/session/run/session_replay.hpp"
 #include "core/synthesis/synthesizer_state.hpp"
 #include "tests/core/session/recorded_session.hpp"
 

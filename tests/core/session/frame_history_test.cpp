@@ -1,4 +1,4 @@
-#include "core/session/frame_history.hpp"
+#include "core/session/frames/frame_history.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "core/session/frame_range.hpp"
+#include "core/session/frames/frame_range.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-#include "core/session/frame_history.hpp"
-#include "core/session/history_record.hpp"
+#include "core/session/export/history_record.hpp"
+#include "core/session/frames/frame_history.hpp"
 
 namespace abrazo::frame_range_test {
 namespace {

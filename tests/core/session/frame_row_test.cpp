@@ -1,4 +1,4 @@
-#include "core/session/frame_row.hpp"
+#include "core/session/file/frame_row.hpp"
 
 #include <gtest/gtest.h>
 

@@ -6,10 +6,10 @@
 #include <fstream>
 
 #include "core/base/atomic_file.hpp"
-#include "core/session/project.hpp"
-#include "core/session/session_database.hpp"
-#include "core/session/session_edit.hpp"
-#include "core/session/session_file.hpp"
+#include "core/session/file/project.hpp"
+#include "core/session/file/session_database.hpp"
+#include "core/session/file/session_edit.hpp"
+#include "core/session/file/session_file.hpp"
 #include "tests/core/session/recorded_session.hpp"
 
 namespace abrazo::hostile_session_test {

@@ -1,7 +1,7 @@
 // Two stores as one history.
 #include <gtest/gtest.h>
 
-#include "core/session/joined_stores.hpp"
+#include "core/session/frames/joined_stores.hpp"
 
 namespace abrazo::joined_stores_test {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <cstdio>
 
-#include "core/session/session_file.hpp"
+#include "core/session/file/session_file.hpp"
 #include "tests/core/session/recorded_session.hpp"
 #include "tests/core/session/recording_process.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/session/latency.hpp"
+#include "core/session/frames/latency.hpp"
 
 #include <gtest/gtest.h>
 

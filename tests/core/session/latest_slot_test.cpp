@@ -1,4 +1,4 @@
-#include "core/session/latest_slot.hpp"
+#include "core/session/frames/latest_slot.hpp"
 
 #include <gtest/gtest.h>
 

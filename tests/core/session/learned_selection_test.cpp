@@ -5,8 +5,8 @@
 #include <thread>
 
 #include "core/selection/intent_model.hpp"
-#include "core/session/session_replay.hpp"
-#include "core/session/steering.hpp"
+#include "core/session/run/session_replay.hpp"
+#include "core/session/run/steering.hpp"
 #include "core/synthesis/role_views.hpp"
 #include "core/synthesis/synthesizer_state.hpp"
 #include "core/synthesis/trace.hpp"

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 
-#include "core/library/motion_library_builder.hpp"
-#include "core/session/live_loop.hpp"
-#include "core/session/solver_thread.hpp"
-#include "core/stream/clip_source.hpp"
+#include "core/library/build/motion_library_builder.hpp"
+#include "core/session/run/live_loop.hpp"
+#include "core/session/run/solver_thread.hpp"
+#include "core/stream/receive/clip_source.hpp"
 #include "core/synthesis/synthesizer_state.hpp"
 #include "tests/core/session/fakes.hpp"
 #include "tests/support/bodies.hpp"

@@ -1,11 +1,11 @@
-#include "core/session/live_loop.hpp"
+#include "core/session/run/live_loop.hpp"
 
 #include <gtest/gtest.h>
 
 #include <thread>
 
-#include "core/session/solver_thread.hpp"
-#include "core/stream/clip_source.hpp"
+#include "core/session/run/solver_thread.hpp"
+#include "core/stream/receive/clip_source.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/support/settings.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/session/markers.hpp"
+#include "core/session/frames/markers.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Two streamed performers become a paired take.
-#include "core/session/pair_capture.hpp"
+#include "core/session/run/pair_capture.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/session/playback.hpp"
+#include "core/session/frames/playback.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/session/project.hpp"
+#include "core/session/file/project.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -11,9 +11,9 @@
 #include <iterator>
 #include <thread>
 
-#include "core/session/session_database.hpp"
-#include "core/session/session_edit.hpp"
-#include "core/session/session_file.hpp"
+#include "core/session/file/session_database.hpp"
+#include "core/session/file/session_edit.hpp"
+#include "core/session/file/session_file.hpp"
 #include "tests/core/session/project_values.hpp"
 #include "tests/core/session/recorded_session.hpp"
 

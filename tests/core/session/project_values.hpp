@@ -4,7 +4,7 @@
 #include <random>
 #include <string>
 
-#include "core/session/project.hpp"
+#include "core/session/file/project.hpp"
 
 namespace abrazo::test {
 

@@ -1,11 +1,11 @@
-#include "core/session/re_solver.hpp"
+#include "core/session/run/re_solver.hpp"
 
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "core/session/live_loop.hpp"
-#include "core/stream/clip_source.hpp"
+#include "core/session/run/live_loop.hpp"
+#include "core/stream/receive/clip_source.hpp"
 #include "core/synthesis/trace.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/support/settings.hpp"

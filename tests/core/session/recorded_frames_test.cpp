@@ -1,9 +1,9 @@
-#include "core/session/recorded_frames.hpp"
+#include "core/session/file/recorded_frames.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/session/re_solver.hpp"
+#include "core/session/run/re_solver.hpp"
 #include "tests/core/session/recorded_session.hpp"
 
 namespace abrazo::recorded_frames_test {

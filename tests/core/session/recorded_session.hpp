@@ -5,13 +5,13 @@
 #include <string>
 #include <vector>
 
-#include "core/session/command_queue.hpp"
-#include "core/session/frame_history.hpp"
-#include "core/session/frame_listener.hpp"
-#include "core/session/latest_slot.hpp"
-#include "core/session/live_loop.hpp"
-#include "core/session/recorder.hpp"
-#include "core/stream/clip_source.hpp"
+#include "core/session/frames/frame_history.hpp"
+#include "core/session/frames/frame_listener.hpp"
+#include "core/session/frames/latest_slot.hpp"
+#include "core/session/run/command_queue.hpp"
+#include "core/session/run/live_loop.hpp"
+#include "core/session/run/recorder.hpp"
+#include "core/stream/receive/clip_source.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/support/settings.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/session/recorder.hpp"
+#include "core/session/run/recorder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,9 +7,9 @@
 #include <future>
 #include <thread>
 
-#include "core/session/library_fingerprints.hpp"
-#include "core/session/session_database.hpp"
-#include "core/session/session_file.hpp"
+#include "core/session/file/library_fingerprints.hpp"
+#include "core/session/file/session_database.hpp"
+#include "core/session/file/session_file.hpp"
 #include "core/synthesis/synthesizer_state.hpp"
 #include "tests/core/session/recorded_session.hpp"
 

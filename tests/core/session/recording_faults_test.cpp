@@ -3,9 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "core/base/atomic_file.hpp"
-#include "core/session/project.hpp"
-#include "core/session/session_database.hpp"
-#include "core/session/session_file.hpp"
+#include "core/session/file/project.hpp"
+#include "core/session/file/session_database.hpp"
+#include "core/session/file/session_file.hpp"
 #include "tests/core/session/project_values.hpp"
 #include "tests/core/session/recorded_session.hpp"
 #include "tests/support/broken_world.hpp"

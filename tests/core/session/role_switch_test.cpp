@@ -1,11 +1,11 @@
-#include "core/session/role_switch.hpp"
+#include "core/session/run/role_switch.hpp"
 
 #include <gtest/gtest.h>
 
-#include "core/library/motion_library_builder.hpp"
-#include "core/session/live_loop.hpp"
-#include "core/session/re_solver.hpp"
-#include "core/stream/clip_source.hpp"
+#include "core/library/build/motion_library_builder.hpp"
+#include "core/session/run/live_loop.hpp"
+#include "core/session/run/re_solver.hpp"
+#include "core/stream/receive/clip_source.hpp"
 #include "core/synthesis/synthesizer_state.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/support/settings.hpp"

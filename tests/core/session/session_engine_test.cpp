@@ -1,10 +1,10 @@
-#include "core/session/session_engine.hpp"
+#include "core/session/run/session_engine.hpp"
 
 #include <gtest/gtest.h>
 
 #include <thread>
 
-#include "core/stream/clip_source.hpp"
+#include "core/stream/receive/clip_source.hpp"
 #include "tests/core/session/fakes.hpp"
 #include "tests/support/settings.hpp"
 

@@ -1,17 +1,17 @@
-#include "core/session/session_export.hpp"
+#include "core/session/export/session_export.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "core/library/manifest.hpp"
-#include "core/library/motion_library_builder.hpp"
-#include "core/library/motion_library_file.hpp"
-#include "core/session/library_reference.hpp"
-#include "core/session/project.hpp"
-#include "core/session/session_libraries.hpp"
-#include "core/session/session_tiers.hpp"
+#include "core/library/build/motion_library_builder.hpp"
+#include "core/library/store/motion_library_file.hpp"
+#include "core/library/takes/manifest.hpp"
+#include "core/session/export/session_tiers.hpp"
+#include "core/session/file/library_reference.hpp"
+#include "core/session/file/project.hpp"
+#include "core/session/file/session_libraries.hpp"
 #include "core/synthesis/trace.hpp"
 #include "tests/core/session/recorded_session.hpp"
 #include "tests/support/bodies.hpp"

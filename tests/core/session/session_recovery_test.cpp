@@ -5,10 +5,10 @@
 #include <iterator>
 #include <random>
 
-#include "core/session/library_reference.hpp"
-#include "core/session/recorded_frames.hpp"
-#include "core/session/session_database.hpp"
-#include "core/session/session_file.hpp"
+#include "core/session/file/library_reference.hpp"
+#include "core/session/file/recorded_frames.hpp"
+#include "core/session/file/session_database.hpp"
+#include "core/session/file/session_file.hpp"
 #include "tests/core/session/recorded_session.hpp"
 
 namespace abrazo::session_recovery_test {

@@ -1,4 +1,4 @@
-#include "core/session/session_replay.hpp"
+#include "core/session/run/session_replay.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,14 +5,14 @@
 #include <atomic>
 #include <thread>
 
-#include "core/session/exporting.hpp"
-#include "core/session/session_engine.hpp"
-#include "core/session/session_export.hpp"
-#include "core/session/session_file.hpp"
-#include "core/stream/clip_source.hpp"
-#include "core/stream/silent_source.hpp"
-#include "core/stream/udp_socket.hpp"
-#include "core/stream/vmc_encoder.hpp"
+#include "core/session/export/exporting.hpp"
+#include "core/session/export/session_export.hpp"
+#include "core/session/file/session_file.hpp"
+#include "core/session/run/session_engine.hpp"
+#include "core/stream/net/udp_socket.hpp"
+#include "core/stream/receive/clip_source.hpp"
+#include "core/stream/receive/silent_source.hpp"
+#include "core/stream/vmc/vmc_encoder.hpp"
 #include "tests/core/session/recorded_session.hpp"
 #include "tests/support/settings.hpp"
 

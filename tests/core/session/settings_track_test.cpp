@@ -1,10 +1,10 @@
-#include "core/session/settings_track.hpp"
+#include "core/session/frames/settings_track.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/session/live_loop.hpp"
-#include "core/stream/clip_source.hpp"
+#include "core/session/run/live_loop.hpp"
+#include "core/stream/receive/clip_source.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/support/settings.hpp"
 

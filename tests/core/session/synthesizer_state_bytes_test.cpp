@@ -1,11 +1,11 @@
-#include "core/session/synthesizer_state_bytes.hpp"
+#include "core/session/file/synthesizer_state_bytes.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <functional>
 
-#include "core/session/decisions_json.hpp"
+#include "core/session/file/decisions_json.hpp"
 #include "core/synthesis/partner_synthesizer.hpp"
 #include "tests/core/session/recorded_session.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/session/take_frames.hpp"
+#include "core/session/frames/take_frames.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,8 +6,8 @@
 
 #include "core/annotation/annotated_library.hpp"
 #include "core/mesh/laplacian.hpp"
-#include "core/session/frame_history.hpp"
-#include "core/session/frame_in_library.hpp"
+#include "core/session/frames/frame_history.hpp"
+#include "core/session/frames/frame_in_library.hpp"
 #include "tests/support/libraries.hpp"
 
 namespace abrazo::take_frames_test {

@@ -1,4 +1,4 @@
-#include "core/session/time_place.hpp"
+#include "core/session/frames/time_place.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // Traces read back: what was written comes out again, and each broken line is named.
-#include "core/session/trace_frames.hpp"
+#include "core/session/frames/trace_frames.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/stream/arrival_clock.hpp"
+#include "core/stream/net/arrival_clock.hpp"
 
 #include <gtest/gtest.h>
 

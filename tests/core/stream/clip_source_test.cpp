@@ -1,4 +1,4 @@
-#include "core/stream/clip_source.hpp"
+#include "core/stream/receive/clip_source.hpp"
 
 #include <gtest/gtest.h>
 

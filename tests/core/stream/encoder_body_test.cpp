@@ -1,8 +1,9 @@
 #include <gtest/gtest.h>
 
-#include "core/stream/byte_reader.hpp"
-#include "core/stream/natnet_frame.hpp"
-#include "core/stream/stream_encoder.hpp"
+#include "core/stream/natnet/natnet_frame.hpp"
+#include "core/stream/protocol/byte_reader.hpp"
+#include "core/stream/protocol/stream_encoder.hpp"
+#include "core/stream/send/encoders.hpp"
 #include "tests/core/stream/mocap_stream.hpp"
 #include "tests/support/bodies.hpp"
 

@@ -1,11 +1,11 @@
-#include "core/stream/joints_to_humanoid.hpp"
+#include "core/stream/humanoid/joints_to_humanoid.hpp"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <numbers>
 
-#include "core/motion/import_clip.hpp"
+#include "core/motion/files/import_clip.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/support/captured_data.hpp"
 

@@ -10,7 +10,8 @@
 #include <random>
 
 #include "core/choreography/salsa.hpp"
-#include "core/motion/joint_map.hpp"
+#include "core/motion/joints/joint_map.hpp"
+#include "core/stream/receive/decoders.hpp"
 
 namespace abrazo::test {
 

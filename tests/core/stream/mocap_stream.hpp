@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "core/motion/clip.hpp"
-#include "core/stream/stream_decoder.hpp"
-#include "core/stream/stream_encoder.hpp"
+#include "core/motion/body/clip.hpp"
+#include "core/stream/protocol/stream_decoder.hpp"
+#include "core/stream/protocol/stream_encoder.hpp"
 
 namespace abrazo::test {
 

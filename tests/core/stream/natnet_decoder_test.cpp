@@ -1,4 +1,4 @@
-#include "core/stream/natnet_decoder.hpp"
+#include "core/stream/natnet/natnet_decoder.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,10 +8,10 @@
 #include <numbers>
 #include <set>
 
-#include "core/motion/joint_map.hpp"
-#include "core/stream/natnet_encoder.hpp"
-#include "core/stream/natnet_frame.hpp"
-#include "core/stream/natnet_model.hpp"
+#include "core/motion/joints/joint_map.hpp"
+#include "core/stream/natnet/natnet_encoder.hpp"
+#include "core/stream/natnet/natnet_frame.hpp"
+#include "core/stream/natnet/natnet_model.hpp"
 #include "tests/core/stream/mocap_stream.hpp"
 #include "tests/support/bodies.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/stream/natnet_frame.hpp"
+#include "core/stream/natnet/natnet_frame.hpp"
 
 #include <gtest/gtest.h>
 

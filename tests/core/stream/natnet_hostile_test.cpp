@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "core/motion/body.hpp"
-#include "core/stream/natnet_encoder.hpp"
-#include "core/stream/natnet_messages.hpp"
+#include "core/motion/body/body.hpp"
+#include "core/stream/natnet/natnet_encoder.hpp"
+#include "core/stream/natnet/natnet_messages.hpp"
 #include "tests/core/stream/mocap_stream.hpp"
 #include "tests/support/bodies.hpp"
 

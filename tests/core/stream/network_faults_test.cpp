@@ -21,9 +21,9 @@
 #include <set>
 #include <thread>
 
-#include "core/stream/pose_sink.hpp"
-#include "core/stream/stream_receiver.hpp"
-#include "core/stream/stream_sockets.hpp"
+#include "core/stream/receive/stream_receiver.hpp"
+#include "core/stream/receive/stream_sockets.hpp"
+#include "core/stream/send/pose_sink.hpp"
 #include "tests/support/bodies.hpp"
 
 namespace abrazo::network_faults_test {

@@ -1,4 +1,4 @@
-#include "core/stream/osc_packet.hpp"
+#include "core/stream/vmc/osc_packet.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

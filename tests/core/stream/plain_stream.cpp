@@ -2,7 +2,7 @@
 
 #include <cstring>
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo::test {
 

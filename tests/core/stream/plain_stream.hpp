@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/stream/stream_decoder.hpp"
+#include "core/stream/protocol/stream_decoder.hpp"
 
 namespace abrazo::test {
 

@@ -7,9 +7,9 @@
 #include <mutex>
 #include <thread>
 
-#include "core/stream/pose_sink.hpp"
-#include "core/stream/stream_receiver.hpp"
-#include "core/stream/udp_socket.hpp"
+#include "core/stream/net/udp_socket.hpp"
+#include "core/stream/receive/stream_receiver.hpp"
+#include "core/stream/send/pose_sink.hpp"
 #include "tests/core/stream/plain_stream.hpp"
 #include "tests/support/bodies.hpp"
 

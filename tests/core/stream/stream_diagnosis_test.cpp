@@ -1,4 +1,4 @@
-#include "core/stream/stream_diagnosis.hpp"
+#include "core/stream/receive/stream_diagnosis.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

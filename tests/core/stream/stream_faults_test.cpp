@@ -6,9 +6,11 @@
 #include <cstring>
 #include <random>
 
-#include "core/stream/pose_reader.hpp"
-#include "core/stream/stream_encoder.hpp"
-#include "core/stream/stream_pipeline.hpp"
+#include "core/stream/protocol/stream_encoder.hpp"
+#include "core/stream/receive/decoders.hpp"
+#include "core/stream/receive/pose_reader.hpp"
+#include "core/stream/receive/stream_pipeline.hpp"
+#include "core/stream/send/encoders.hpp"
 #include "tests/support/bodies.hpp"
 
 // What goes wrong between a sender and us, each with the diagnosis it gives. The bytes are those of the

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/stream/pose_reader.hpp"
-#include "core/stream/stream_pipeline.hpp"
+#include "core/stream/receive/pose_reader.hpp"
+#include "core/stream/receive/stream_pipeline.hpp"
 #include "tests/core/stream/plain_stream.hpp"
 #include "tests/support/bodies.hpp"
 

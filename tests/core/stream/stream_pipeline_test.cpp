@@ -1,4 +1,4 @@
-#include "core/stream/stream_pipeline.hpp"
+#include "core/stream/receive/stream_pipeline.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/stream/pose_reader.hpp"
+#include "core/stream/receive/pose_reader.hpp"
 #include "tests/core/stream/plain_stream.hpp"
 #include "tests/support/bodies.hpp"
 

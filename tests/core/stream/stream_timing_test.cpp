@@ -2,10 +2,10 @@
 
 #include <cmath>
 
-#include "core/stream/frame_order.hpp"
-#include "core/stream/jitter_buffer.hpp"
-#include "core/stream/sender_clock.hpp"
-#include "core/stream/stream_meter.hpp"
+#include "core/stream/receive/frame_order.hpp"
+#include "core/stream/receive/jitter_buffer.hpp"
+#include "core/stream/receive/sender_clock.hpp"
+#include "core/stream/receive/stream_meter.hpp"
 #include "tests/support/bodies.hpp"
 
 namespace abrazo::stream_timing_test {

@@ -1,4 +1,4 @@
-#include "core/stream/stream_uri.hpp"
+#include "core/stream/protocol/stream_uri.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

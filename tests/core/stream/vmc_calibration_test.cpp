@@ -2,7 +2,7 @@
 
 #include <random>
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "tests/core/stream/vmc_packets.hpp"
 
 namespace abrazo::vmc_calibration_test {

@@ -1,4 +1,4 @@
-#include "core/stream/vmc_decoder.hpp"
+#include "core/stream/vmc/vmc_decoder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -6,8 +6,8 @@
 #include <limits>
 #include <random>
 
-#include "core/motion/joint_set.hpp"
-#include "core/stream/humanoid_bones.hpp"
+#include "core/motion/body/joint_set.hpp"
+#include "core/stream/humanoid/humanoid_bones.hpp"
 #include "tests/core/stream/vmc_packets.hpp"
 
 namespace abrazo::vmc_decoder_test {

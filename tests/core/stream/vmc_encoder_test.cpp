@@ -1,11 +1,11 @@
-#include "core/stream/vmc_encoder.hpp"
+#include "core/stream/vmc/vmc_encoder.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "core/stream/osc_packet.hpp"
+#include "core/stream/vmc/osc_packet.hpp"
 #include "tests/core/stream/vmc_packets.hpp"
 #include "tests/support/bodies.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/stream/vmc_framing.hpp"
+#include "core/stream/vmc/vmc_framing.hpp"
 
 #include <gtest/gtest.h>
 

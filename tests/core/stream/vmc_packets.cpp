@@ -7,8 +7,8 @@
 #include <numbers>
 #include <stdexcept>
 
-#include "core/motion/joint_map.hpp"
-#include "core/stream/vmc_decoder.hpp"
+#include "core/motion/joints/joint_map.hpp"
+#include "core/stream/vmc/vmc_decoder.hpp"
 
 namespace abrazo::test {
 

@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "core/stream/humanoid_bones.hpp"
-#include "core/stream/osc_packet.hpp"
-#include "core/stream/stream_decoder.hpp"
+#include "core/stream/humanoid/humanoid_bones.hpp"
+#include "core/stream/protocol/stream_decoder.hpp"
+#include "core/stream/vmc/osc_packet.hpp"
 
 namespace abrazo::test {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "core/motion/import_clip.hpp"
-#include "core/stream/vmc_encoder.hpp"
+#include "core/motion/files/import_clip.hpp"
+#include "core/stream/vmc/vmc_encoder.hpp"
 #include "tests/core/stream/vmc_packets.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/support/captured_data.hpp"

@@ -1,12 +1,12 @@
-#include "core/stream/xsens_decoder.hpp"
+#include "core/stream/xsens/xsens_decoder.hpp"
 
 #include <gtest/gtest.h>
 
 #include <numbers>
 
-#include "core/stream/xsens_character.hpp"
-#include "core/stream/xsens_encoder.hpp"
-#include "core/stream/xsens_packet.hpp"
+#include "core/stream/xsens/xsens_character.hpp"
+#include "core/stream/xsens/xsens_encoder.hpp"
+#include "core/stream/xsens/xsens_packet.hpp"
 #include "tests/core/stream/mocap_stream.hpp"
 
 namespace abrazo::xsens_decoder_test {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "core/motion/body.hpp"
-#include "core/stream/xsens_encoder.hpp"
+#include "core/motion/body/body.hpp"
+#include "core/stream/xsens/xsens_encoder.hpp"
 #include "tests/core/stream/mocap_stream.hpp"
 #include "tests/support/bodies.hpp"
 

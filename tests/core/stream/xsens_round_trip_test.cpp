@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 
-#include "core/motion/body.hpp"
-#include "core/motion/import_clip.hpp"
-#include "core/stream/xsens_encoder.hpp"
+#include "core/motion/body/body.hpp"
+#include "core/motion/files/import_clip.hpp"
+#include "core/stream/xsens/xsens_encoder.hpp"
 #include "tests/core/stream/mocap_stream.hpp"
 #include "tests/support/captured_data.hpp"
 

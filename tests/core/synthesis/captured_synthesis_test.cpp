@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <functional>
 
-#include "core/library/manifest.hpp"
-#include "core/library/motion_library_builder.hpp"
+#include "core/library/build/motion_library_builder.hpp"
+#include "core/library/takes/manifest.hpp"
 #include "core/metrics/run_summary.hpp"
 #include "core/synthesis/clip_synthesis.hpp"
 #include "tests/support/captured_data.hpp"

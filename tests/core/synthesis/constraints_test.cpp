@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "tests/support/bodies.hpp"
 
 namespace abrazo::constraints_test {

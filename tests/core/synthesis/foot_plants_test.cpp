@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/library/motion_library_builder.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/library/build/motion_library_builder.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 

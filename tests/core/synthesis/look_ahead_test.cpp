@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "core/library/motion_library_builder.hpp"
-#include "core/session/take_frames.hpp"
+#include "core/library/build/motion_library_builder.hpp"
+#include "core/session/frames/take_frames.hpp"
 #include "core/synthesis/partner_synthesizer.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"

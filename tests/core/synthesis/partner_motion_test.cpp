@@ -5,8 +5,8 @@
 
 #include <limits>
 
-#include "core/library/motion_library_builder.hpp"
-#include "core/motion/joint_set.hpp"
+#include "core/library/build/motion_library_builder.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "core/synthesis/partner_synthesizer.hpp"
 #include "core/synthesis/synthesizer_state.hpp"
 #include "tests/support/bodies.hpp"

@@ -6,7 +6,7 @@
 #include <limits>
 #include <random>
 
-#include "core/library/motion_library_builder.hpp"
+#include "core/library/build/motion_library_builder.hpp"
 #include "core/selection/pair_selector.hpp"
 #include "core/synthesis/trace.hpp"
 #include "tests/support/bodies.hpp"

@@ -5,7 +5,7 @@
 #include <Eigen/Dense>
 #include <random>
 
-#include "core/motion/joint_set.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "tests/support/bodies.hpp"
 
 namespace abrazo::rigid_lengths_test {

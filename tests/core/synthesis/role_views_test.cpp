@@ -8,7 +8,7 @@
 #include <numeric>
 #include <thread>
 
-#include "core/library/motion_library_file.hpp"
+#include "core/library/store/motion_library_file.hpp"
 #include "core/synthesis/partner_synthesizer.hpp"
 #include "tests/support/libraries.hpp"
 

@@ -7,7 +7,7 @@
 #include <random>
 #include <vector>
 
-#include "core/library/motion_library_builder.hpp"
+#include "core/library/build/motion_library_builder.hpp"
 #include "core/synthesis/partner_synthesizer.hpp"
 #include "tests/core/synthesis/counted_allocations.hpp"
 #include "tests/support/bodies.hpp"

@@ -8,7 +8,7 @@
 #include <random>
 #include <tuple>
 
-#include "core/library/motion_library_builder.hpp"
+#include "core/library/build/motion_library_builder.hpp"
 #include "core/synthesis/partner_synthesizer.hpp"
 #include "core/synthesis/synthesizer_state.hpp"
 #include "tests/support/bodies.hpp"

@@ -1,4 +1,4 @@
-#include "core/motion/asf_amc.hpp"
+#include "core/motion/acclaim/asf_amc.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 namespace fuzz = abrazo::fuzz;

@@ -1,5 +1,5 @@
-#include "core/motion/acclaim_skeleton.hpp"
-#include "core/motion/asf_amc.hpp"
+#include "core/motion/acclaim/acclaim_skeleton.hpp"
+#include "core/motion/acclaim/asf_amc.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 namespace fuzz = abrazo::fuzz;

@@ -1,4 +1,4 @@
-#include "core/motion/bvh.hpp"
+#include "core/motion/bvh/bvh.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 namespace fuzz = abrazo::fuzz;

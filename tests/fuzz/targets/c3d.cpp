@@ -1,4 +1,4 @@
-#include "core/motion/c3d_reader.hpp"
+#include "core/motion/tables/c3d_reader.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 namespace fuzz = abrazo::fuzz;

@@ -1,4 +1,4 @@
-#include "core/motion/assimp_scene.hpp"
+#include "core/motion/scenes/assimp_scene.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 namespace fuzz = abrazo::fuzz;

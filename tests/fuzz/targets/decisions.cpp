@@ -1,4 +1,4 @@
-#include "core/session/decisions_json.hpp"
+#include "core/session/file/decisions_json.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 namespace fuzz = abrazo::fuzz;

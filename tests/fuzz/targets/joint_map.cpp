@@ -1,4 +1,4 @@
-#include "core/motion/joint_map.hpp"
+#include "core/motion/joints/joint_map.hpp"
 
 #include "tests/fuzz/fuzz_target.hpp"
 

@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "core/library/manifest.hpp"
+#include "core/library/takes/manifest.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 namespace fuzz = abrazo::fuzz;

@@ -1,4 +1,4 @@
-#include "core/library/manifest.hpp"
+#include "core/library/takes/manifest.hpp"
 
 #include "tests/fuzz/fuzz_target.hpp"
 

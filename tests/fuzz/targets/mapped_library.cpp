@@ -1,4 +1,4 @@
-#include "core/library/motion_library_file.hpp"
+#include "core/library/store/motion_library_file.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 #include "tests/fuzz/library_checks.hpp"
 

@@ -1,6 +1,7 @@
-#include "core/motion/motion_format.hpp"
+#include "core/motion/files/format_recognition.hpp"
 
-#include "core/motion/import_clip.hpp"
+#include "core/motion/files/import_clip.hpp"
+#include "core/motion/tables/point_csv.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 namespace fuzz = abrazo::fuzz;

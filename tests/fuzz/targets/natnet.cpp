@@ -1,7 +1,8 @@
-#include "core/motion/body.hpp"
-#include "core/stream/natnet_frame.hpp"
-#include "core/stream/natnet_model.hpp"
-#include "core/stream/stream_encoder.hpp"
+#include "core/motion/body/body.hpp"
+#include "core/stream/natnet/natnet_frame.hpp"
+#include "core/stream/natnet/natnet_model.hpp"
+#include "core/stream/protocol/stream_encoder.hpp"
+#include "core/stream/send/encoders.hpp"
 #include "tests/fuzz/stream_checks.hpp"
 #include "tests/support/bodies.hpp"
 

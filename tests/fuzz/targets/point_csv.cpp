@@ -1,4 +1,4 @@
-#include "core/motion/point_csv.hpp"
+#include "core/motion/tables/point_csv.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 namespace fuzz = abrazo::fuzz;

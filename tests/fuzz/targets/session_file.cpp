@@ -1,5 +1,5 @@
-#include "core/session/session_file.hpp"
-#include "core/session/project.hpp"
+#include "core/session/file/session_file.hpp"
+#include "core/session/file/project.hpp"
 #include "tests/fuzz/session_template.hpp"
 
 namespace fuzz = abrazo::fuzz;

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <bit>
 
-#include "core/session/session_database.hpp"
+#include "core/session/file/session_database.hpp"
 #include "tests/fuzz/session_template.hpp"
 
 namespace fuzz = abrazo::fuzz;

@@ -1,4 +1,4 @@
-#include "core/session/synthesizer_state_bytes.hpp"
+#include "core/session/file/synthesizer_state_bytes.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 namespace fuzz = abrazo::fuzz;

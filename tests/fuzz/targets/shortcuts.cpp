@@ -1,4 +1,4 @@
-#include "app/workbench/shortcut_table.hpp"
+#include "app/workbench/keys/shortcut_table.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 namespace fuzz = abrazo::fuzz;

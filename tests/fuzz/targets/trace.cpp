@@ -1,4 +1,4 @@
-#include "core/session/trace_frames.hpp"
+#include "core/session/frames/trace_frames.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 namespace fuzz = abrazo::fuzz;

@@ -1,4 +1,4 @@
-#include "core/motion/trc_reader.hpp"
+#include "core/motion/tables/trc_reader.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 namespace fuzz = abrazo::fuzz;

@@ -1,11 +1,12 @@
 #include "core/base/text.hpp"
 #include "core/evaluation/sweep.hpp"
-#include "core/session/data_reference.hpp"
-#include "core/session/time_place.hpp"
-#include "core/stream/natnet_messages.hpp"
-#include "core/stream/stream_decoder.hpp"
-#include "core/stream/stream_pipeline.hpp"
-#include "core/stream/stream_uri.hpp"
+#include "core/session/file/data_reference.hpp"
+#include "core/session/frames/time_place.hpp"
+#include "core/stream/natnet/natnet_messages.hpp"
+#include "core/stream/protocol/stream_decoder.hpp"
+#include "core/stream/protocol/stream_uri.hpp"
+#include "core/stream/receive/decoders.hpp"
+#include "core/stream/receive/stream_pipeline.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 namespace fuzz = abrazo::fuzz;

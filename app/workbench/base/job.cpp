@@ -1,0 +1,72 @@
+#include "app/workbench/base/job.hpp"
+
+#include <QMetaObject>
+#include <exception>
+#include <new>
+#include <utility>
+
+namespace abrazo::app {
+
+namespace {
+
+std::function<void(const QString&)>& told() {
+  static std::function<void(const QString&)> to;
+  return to;
+}
+
+void tell(const QString& failure) {
+  if (told()) told()(failure);
+}
+
+}  // namespace
+
+void Job::tellFailures(std::function<void(const QString&)> to) {
+  told() = std::move(to);
+}
+
+Job::Job(Work work, QObject* parent) : QObject(parent) {
+  m_thread = std::jthread([this, work = std::move(work)] {
+    const Progress progress = [this](double fraction, std::string_view doing) {
+      const QString text = QString::fromUtf8(doing.data(), static_cast<int>(doing.size()));
+      QMetaObject::invokeMethod(this, [this, fraction, text] { emit progressed(fraction, text); });
+      return !m_cancelled;
+    };
+    Finish finish;
+    try {
+      finish = work(progress);
+    } catch (const std::bad_alloc&) {
+      finish = [this] {
+        if (!m_cancelled)
+          tell("There is not enough memory for it; close other programs, or do less at the same time.");
+      };
+    } catch (const std::exception& failure) {
+      finish = [this, text = QString::fromUtf8(failure.what())] {
+        if (!m_cancelled) tell(text);
+      };
+    }
+    QMetaObject::invokeMethod(
+        this,
+        [this, finish = std::move(finish)] {
+          if (!m_retired && finish) finish();
+          m_finished = true;
+          emit finished();
+        },
+        Qt::QueuedConnection);
+  });
+}
+
+void Job::retire(std::unique_ptr<Job> job, QObject* owner) {
+  if (!job || job->m_finished) return;
+  job->m_retired = true;
+  job->cancel();
+  job->disconnect();
+  job->setParent(owner);
+  connect(job.get(), &Job::finished, job.get(), &QObject::deleteLater);
+  static_cast<void>(job.release());  // its owner is the parent now
+}
+
+Job::~Job() {
+  m_cancelled = true;
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,63 @@
+#include "app/workbench/base/range_rendering.hpp"
+
+#include "widgets/scene/view/scene_pictures.hpp"
+
+namespace abrazo::app {
+namespace {
+
+constexpr int breath_ms = 4;  // for the window, between two pictures
+
+}  // namespace
+
+RangeRendering::RangeRendering(FrameRange frames, QObject* parent)
+    : QObject(parent), m_isEmpty(frames.empty()), m_frames(std::move(frames)) {
+  m_timer.setSingleShot(true);
+  m_timer.setInterval(breath_ms);
+  connect(&m_timer, &QTimer::timeout, this, &RangeRendering::step);
+}
+
+RangeRendering::~RangeRendering() = default;
+
+QString RangeRendering::start(const RangeRequest& request, const widgets::SceneView& like) {
+  if (m_isEmpty) return "There is no frame in this range; choose another";
+  m_request = request;
+  auto writer = FilmWriter::open(request.file, request.size, request.plan.rate_hz);
+  if (!writer) return QString::fromStdString(writer.error().text());
+  m_writer = std::move(writer).value();
+  m_pictures = std::make_unique<widgets::ScenePictures>(request.size, like, request.captions);
+  connect(m_writer.get(), &FilmWriter::hasRoom, this, [this] {
+    if (!m_timer.isActive()) m_timer.start();
+  });
+  connect(m_writer.get(), &FilmWriter::ended, this, &RangeRendering::end);
+  m_timer.start();
+  return {};
+}
+
+QImage RangeRendering::picture(double time_s) {
+  constexpr double rounding_s = 1e-6;
+  return m_pictures->picture(m_frames.at(time_s + rounding_s));
+}
+
+void RangeRendering::step() {
+  const int all = m_request.plan.pictures();
+  if (!m_writer || m_writer->isFull() || m_done >= all) return;  // goes on with hasRoom
+  m_writer->offer(picture(m_request.plan.time_of(m_done)));
+  ++m_done;
+  emit progressed(m_done, all);
+  m_done < all ? m_timer.start() : m_writer->finish();
+}
+
+void RangeRendering::cancel() {
+  m_timer.stop();
+  m_writer.reset();
+  m_pictures.reset();
+}
+
+void RangeRendering::end(const QString& trouble) {
+  m_timer.stop();
+  m_pictures.reset();
+  m_writer.release()->deleteLater();  // it is what speaks
+  emit ended(trouble);
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QObject>
+#include <QSize>
+#include <QTimer>
+#include <memory>
+
+#include "app/workbench/base/film_plan.hpp"
+#include "app/workbench/base/film_writer.hpp"
+#include "core/session/frames/frame_range.hpp"
+
+namespace abrazo::widgets {
+class ScenePictures;
+class SceneView;
+}  // namespace abrazo::widgets
+
+namespace abrazo::app {
+
+struct RangeRequest {
+  FilmPlan plan;
+  QSize size;  ///< [pixels], even
+  bool captions = true;
+  QString file;
+};
+
+/// Films recorded frames in a scene of its own size, picture by picture and none left out, while the window
+/// goes on. The same frames, camera and size give the same film.
+class RangeRendering : public QObject {
+  Q_OBJECT
+ public:
+  /// @param frames  those of the plan
+  RangeRendering(FrameRange frames, QObject* parent);
+  ~RangeRendering() override;
+  /// @param like  how the scene is set up, and the camera. @return what prevents it, or nothing
+  QString start(const RangeRequest& request, const widgets::SceneView& like);
+  void cancel();
+  /// The picture of one moment of the plan; quick where moments follow one another.
+  QImage picture(double time_s);
+
+ signals:
+  void progressed(int done, int all);
+  /// @param trouble  what went wrong, or nothing
+  void ended(const QString& trouble);
+
+ private:
+  void step();
+  void end(const QString& trouble);
+
+  bool m_isEmpty;
+  FrameRangeAtTimes m_frames;
+  RangeRequest m_request;
+  std::unique_ptr<widgets::ScenePictures> m_pictures;
+  std::unique_ptr<FilmWriter> m_writer;
+  QTimer m_timer;
+  int m_done = 0;
+};
+
+}  // namespace abrazo::app

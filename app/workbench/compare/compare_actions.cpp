@@ -1,0 +1,98 @@
+#include <QAction>
+#include <QDockWidget>
+#include <QMenu>
+#include <QUndoCommand>
+
+#include "app/workbench/compare/comparison_desk.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/shell/panel_area.hpp"
+#include "widgets/compare/compare_panel.hpp"
+#include "widgets/settings/settings_panel.hpp"
+
+namespace abrazo::app {
+namespace {
+
+using widgets::ComparePanel;
+
+/// A from one value to another.
+class ChangeFrozen : public QUndoCommand {
+ public:
+  ChangeFrozen(ComparisonDesk& desk, const Settings& after)
+      : m_desk(desk), m_before(desk.frozen()), m_after(after) {}
+  void redo() override { m_desk.setFrozen(m_after); }
+  void undo() override { m_desk.setFrozen(m_before); }
+
+ private:
+  ComparisonDesk& m_desk;
+  std::optional<Settings> m_before, m_after;
+};
+
+void swap(MainWindow& window, ComparisonDesk& desk) {
+  const Settings b = window.settings().settings();
+  if (!desk.frozen() || *desk.frozen() == b) return;
+  const Settings a = *desk.frozen();
+  window.undoStack().beginMacro("swap A and B");
+  window.undoStack().push(new ChangeFrozen(desk, b));
+  window.settings().adopt(a, "settings of A");
+  window.undoStack().endMacro();
+}
+
+void adopt(MainWindow& window, const ComparisonDesk& desk) {
+  if (desk.frozen()) window.settings().adopt(*desk.frozen(), "settings of A");
+}
+
+void add_spans(MainWindow& window, QMenu* menu, ComparePanel& panel) {
+  const std::pair<const char*, widgets::WhatIfSpan> spans[] = {
+      {"What if: this frame", widgets::WhatIfSpan::Frame},
+      {"What if: 2 s to here", widgets::WhatIfSpan::TwoSeconds},
+      {"What if: 10 s to here", widgets::WhatIfSpan::TenSeconds},
+      {"What if: from in to out", widgets::WhatIfSpan::InToOut}};
+  for (const auto& [name, span] : spans)
+    add_action(window, menu, name, {}, [&window, &panel, span = span] {
+      window.panels().want("compare", true);
+      if (window.ticker().playback().state != Playback::State::Parked) window.ticker().pause();
+      panel.setSpan(span);
+      emit panel.spanRequested(span);
+    });
+}
+
+}  // namespace
+
+void add_compare_actions(MainWindow& window) {
+  auto* panel = new ComparePanel;
+  panel->setColours(window.colours());
+  QDockWidget* dock = window.addPanel("compare", "Compare", panel, Qt::RightDockWidgetArea, true);
+  if (QDockWidget* first = window.panels().panel("candidates")) first->raise();
+  QObject::connect(&window, &MainWindow::coloursChanged, panel, &ComparePanel::setColours);
+  auto* desk = new ComparisonDesk(window, *panel);
+  QObject::connect(panel, &ComparePanel::freezeRequested, desk, &ComparisonDesk::freeze);
+  QObject::connect(panel, &ComparePanel::clearRequested, desk, [desk] { desk->setFrozen({}); });
+  QObject::connect(panel, &ComparePanel::asideRequested, desk, &ComparisonDesk::setAside);
+  QObject::connect(panel, &ComparePanel::swapRequested, desk, [&window, desk] { swap(window, *desk); });
+  QObject::connect(panel, &ComparePanel::adoptRequested, desk, [&window, desk] { adopt(window, *desk); });
+
+  QMenu* menu = window.menu("Compare");
+  add_action(window, menu, "Freeze the settings as A", {QKeySequence("A")}, [&window, desk, dock] {
+    window.panels().want("compare", true);
+    dock->raise();
+    desk->freeze();
+  });
+  std::vector<QAction*> of_frozen = {
+      add_action(window, menu, "Swap A and B", {QKeySequence("Shift+A")},
+                 [&window, desk] { swap(window, *desk); }),
+      add_action(window, menu, "Adopt the settings of A", {}, [&window, desk] { adopt(window, *desk); }),
+      add_action(window, menu, "Let A go", {}, [desk] { desk->setFrozen({}); })};
+  QAction* aside = add_action(window, menu, "Live keeps A", {QKeySequence("Alt+A")}, [] {});
+  aside->setCheckable(true);
+  QObject::connect(aside, &QAction::triggered, desk, &ComparisonDesk::setAside);
+  QObject::connect(desk, &ComparisonDesk::asideChanged, aside, &QAction::setChecked);
+  for (QAction* action : of_frozen) {
+    action->setEnabled(false);
+    QObject::connect(desk, &ComparisonDesk::frozenChanged, action, &QAction::setEnabled);
+  }
+  menu->addSeparator();
+  add_spans(window, menu, *panel);
+}
+
+}  // namespace abrazo::app

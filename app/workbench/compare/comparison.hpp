@@ -1,0 +1,74 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/metrics/run_comparison.hpp"
+#include "core/session/frames/frame_history.hpp"
+#include "core/session/run/re_solver.hpp"
+
+namespace abrazo::app {
+
+/// Two runs, A and B, over the same inputs of the session.
+struct ComparisonTask {
+  std::optional<Settings> a, b;  ///< solved again with these; none: as it was recorded
+  double from_s = 0;             ///< both start from what the solver knew then
+  double to_s = 0;
+  bool goes_on = false;  ///< along with the live solver, without an end
+
+  bool operator==(const ComparisonTask&) const = default;
+};
+
+/// What came of a task so far.
+struct Comparison {
+  ComparisonTask task;
+  /// Frames of both runs at the same indices, without meshes and morph steps. Still growing while not done.
+  std::shared_ptr<const FrameHistory> a, b;
+  RunFigures figures_a{}, figures_b{};  ///< over `steps`
+  std::vector<ComparedStep> steps;
+  Settings settings_a, settings_b;  ///< at the last step
+  bool done = false;
+  bool is_short = false;  ///< begins later than asked: older inputs are no longer kept
+  double fraction = 0;    ///< solved of a task with an end
+  double solve_s = 0;     ///< time it took
+  std::string trouble;    ///< why there is nothing
+};
+
+/// Carries out one task, some frames at a time. Without a thread of its own; driven by ComparisonRunner, and
+/// by tests.
+class ComparisonRun {
+ public:
+  /// Solvers of both runs, made when they are first needed and used by one run after the other.
+  struct Solvers {
+    std::shared_ptr<const MotionLibrary> library;
+    std::vector<std::string> excluded_takes;
+    std::unique_ptr<ReSolver> a, b;
+  };
+  /// The history and the solvers outlive the run.
+  ComparisonRun(ComparisonTask task, const FrameHistory& recorded, Solvers& solvers);
+
+  /// Solves up to so many further frames. @return false when there is nothing to do (now, or at all)
+  bool advance(std::size_t frames);
+  bool isDone() const { return m_state.done; }
+  /// With figures over all that was solved; of one that goes on over the last 10 s with the same settings.
+  std::shared_ptr<const Comparison> measured();
+
+ private:
+  void start(double from_s, double to_s);
+  bool findMore();
+  void solve(const FrameSnapshot& recorded);
+  void fail(const std::string& why);
+
+  const FrameHistory& m_recorded;
+  Solvers& m_solvers;
+  Comparison m_state;
+  std::shared_ptr<FrameHistory> m_a, m_b;
+  FrameRange m_waiting;
+  std::uint64_t m_solved = 0;  ///< of m_waiting
+  FrameSnapshotPtr m_last;     ///< that was solved; null = none yet
+};
+
+}  // namespace abrazo::app

@@ -1,0 +1,79 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <memory>
+#include <optional>
+
+#include "app/workbench/compare/comparison_plan.hpp"
+#include "app/workbench/compare/comparison_runner.hpp"
+
+namespace abrazo::app {
+
+class MainWindow;
+
+/// Keeps A, decides what is compared, and carries results from the runners to the panel and the scene.
+class ComparisonDesk : public QObject {
+  Q_OBJECT
+ public:
+  /// Both outlive the desk.
+  ComparisonDesk(MainWindow& window, widgets::ComparePanel& panel);
+  ~ComparisonDesk() override;
+
+  const std::optional<Settings>& frozen() const { return m_frozen; }
+  bool isAside() const { return m_isAside; }
+  /// The comparison that is shown; null when there is none.
+  const Comparison* shown() const { return m_shown.get(); }
+  /// Whether a what-if was asked for, done or not.
+  bool hasAsked() const { return m_whatIf.asked.has_value(); }
+
+ public slots:
+  /// A keeps the present settings.
+  void freeze();
+  /// A is these, from now on; nothing lets it go.
+  void setFrozen(const std::optional<Settings>& settings);
+  /// The live solver keeps A while other settings are tried.
+  void setAside(bool on);
+  void cancel();
+
+ signals:
+  void frozenChanged(bool isFrozen);
+  void asideChanged(bool isAside);
+
+ private:
+  /// A runner with what was asked of it last.
+  struct Work {
+    std::unique_ptr<ComparisonRunner> runner;
+    std::optional<ComparisonTask> asked;
+    std::shared_ptr<const Comparison> result;
+    std::uint64_t seen = 0;
+    bool isOf(const std::optional<ComparisonTask>& task) const;
+  };
+
+  void startSession();
+  void endSession();
+  void refresh();
+  void plan(const CompareSituation& now);
+  void ask(Work& work, const std::optional<ComparisonTask>& task);
+  void poll(Work& work);
+  void choose(const CompareSituation& now);
+  void showPanel(const CompareSituation& now);
+  void showGhosts();
+  CompareSituation situation() const;
+
+  MainWindow& m_window;
+  widgets::ComparePanel& m_panel;
+  std::optional<Settings> m_frozen;
+  double m_frozenAt_s = 0;
+  bool m_isAside = false;
+  std::optional<double> m_parted_s;  ///< when A and B began to differ
+  std::optional<Settings>
+      m_tried;  ///< settings that were last seen, and when they and the cursor came to rest
+  double m_cursor_s = 0;
+  QElapsedTimer m_still;
+  Work m_whatIf, m_shadow;
+  std::optional<ComparisonTask> m_cancelled;
+  std::shared_ptr<const Comparison> m_shown, m_listed;  ///< chosen; as the panel has it
+};
+
+}  // namespace abrazo::app

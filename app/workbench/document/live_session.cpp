@@ -1,0 +1,74 @@
+#include "app/workbench/document/live_session.hpp"
+
+#include "app/workbench/document/recorded_session.hpp"
+#include "core/stream/receive/clip_source.hpp"
+#include "core/stream/receive/silent_source.hpp"
+
+namespace abrazo::app {
+namespace {
+
+constexpr double pause_s = 1;  // between what was recorded and what comes after it
+
+std::shared_ptr<PoseSource> source_of(const Material& material) {
+  if (material.recorded) return std::make_shared<SilentSource>();
+  return std::make_shared<ClipSource>(material.input);
+}
+
+/// What comes after a recorded session lies behind it on the timeline.
+SessionClock clock_of(const Material& material) {
+  const auto start = SessionClock::Steady::now();
+  if (!material.recorded) return SessionClock(start);
+  const std::chrono::duration<double> before(material.recorded->last_s() + pause_s);
+  return SessionClock(start - std::chrono::duration_cast<SessionClock::Steady::duration>(before));
+}
+
+}  // namespace
+
+Result<PreparedSolver> prepare_solver(Material material, const Settings& settings) {
+  auto synthesizer = PartnerSynthesizer::create(material.library, settings, material.excluded_takes);
+  if (!synthesizer) return synthesizer.error();
+  if (material.input.poses.empty() && !material.recorded)
+    return Error{"the motion has no frames; open another one", material.input.name};
+  return PreparedSolver{std::move(material), std::move(synthesizer).value()};
+}
+
+LiveSession::LiveSession(PreparedSolver prepared)
+    : m_material(std::move(prepared.material)),
+      m_engine(std::move(prepared.synthesizer), source_of(m_material), clock_of(m_material)) {
+  if (m_material.recorded) m_engine.look_back(m_material.recorded->frames);
+}
+
+void LiveSession::push(const Command& command) {
+  const auto* settings = std::get_if<SetSettings>(&command);
+  if (m_isHeld && settings)
+    m_heldBack = *settings;
+  else
+    m_engine.push(command);
+}
+
+Status LiveSession::controlRole(RoleControl by) {
+  const Status possible = m_engine.control_role(by);
+  if (possible) m_roleControl = by;
+  return possible;
+}
+
+void LiveSession::holdSettings(bool on) {
+  m_isHeld = on;
+  if (on || !m_heldBack) return;
+  m_engine.push(*m_heldBack);
+  m_heldBack.reset();
+}
+
+void LiveSession::lookAt(const std::shared_ptr<const FrameStore>& frames) {
+  if (!frames) return m_lookedAt.reset();
+  if (!m_lookedAt) m_lookedAt = std::make_unique<LookedAt>();
+  m_lookedAt->history.set_store(frames);
+  m_lookedAt->latest.publish(frames->frame(frames->span().last_index));
+}
+
+void LiveSession::replaceSolver(PreparedSolver prepared) {
+  m_material = std::move(prepared.material);
+  m_engine.push(ReplaceSynthesizer{std::move(prepared.synthesizer)});
+}
+
+}  // namespace abrazo::app

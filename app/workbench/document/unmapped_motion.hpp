@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/workbench/document/material.hpp"
+#include "core/motion/joints/named_motion.hpp"
+
+namespace abrazo::app {
+
+/// A motion whose file can be read, but whose points are not mapped to joints.
+using UnmappedMotion = std::shared_ptr<const NamedMotion>;
+
+/// The first performer of these files that no built-in joint map and no marker model fits; null when there is
+/// none, or a joint map is among the files. Reads the files.
+UnmappedMotion motion_without_joints(const std::vector<std::string>& files);
+
+/// Of the joint maps in a folder the file of the one that fits; empty when none does.
+std::string remembered_map(const NamedMotion& motion, const std::string& folder);
+
+/// The same, where there is no joint map for it in a folder either: what loading these files failed for.
+UnmappedMotion motion_to_map(const std::vector<std::string>& files, const std::string& folder);
+
+/// Keeps a joint map for files with the same points. @return its file
+Result<std::string> remember_map(const JointMap& map, const std::string& folder);
+
+/// load_material; where no built-in joint map fits, with one that was remembered.
+Result<Material> load_with_remembered_maps(const std::vector<std::string>& files, const Material& open,
+                                           const std::string& folder, const Progress& progress);
+
+}  // namespace abrazo::app

@@ -1,0 +1,90 @@
+#include <QAction>
+#include <QDateTime>
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QRegularExpression>
+#include <QSettings>
+#include <array>
+
+#include "app/workbench/export/export_desk.hpp"
+#include "app/workbench/export/export_dialog.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "widgets/common/message_bar.hpp"
+
+namespace abrazo::app {
+namespace {
+
+/// What was chosen last lies beside the settings of the window.
+QSettings last_choices(const MainWindow& window) {
+  return {window.remembered().folder() + "/export.ini", QSettings::IniFormat};
+}
+
+QString proposed_name(const ExportRequest& request) {
+  static constexpr std::array<const char*, 4> names = {"motion", "mesh", "labels", "trace"};
+  const QString of = request.plots ? "plots"
+                     : !request.library_take.isEmpty()
+                         ? request.library_take
+                         : names.at(static_cast<std::size_t>(request.wish.content));
+  // A take's name may be malicious and lead to another folder.
+  return QString(of).replace(QRegularExpression("[/\\\\:\\x00-\\x1f]"), "_") + "-" +
+         QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss") +
+         QString::fromStdString(request.wish.output);
+}
+
+QString ask_file(MainWindow& window, ExportDialog& dialog, const ExportRequest& request) {
+  const QString ending = QString::fromStdString(request.wish.output);
+  const QString last = window.remembered().lastFolder();
+  const QDir folder(last.isEmpty() ? QDir::homePath() : last);
+  QString file =
+      QFileDialog::getSaveFileName(&dialog, "Export", folder.filePath(proposed_name(request)),
+                                   QString("%1 (*%2);;All files (*)").arg(ending.mid(1).toUpper(), ending));
+  if (!file.isEmpty() && !file.endsWith(ending)) file += ending;
+  return file;
+}
+
+QAction* action_named(QMenu* menu, const QString& text) {
+  for (QAction* action : menu->actions())
+    if (action->text() == text) return action;
+  return nullptr;
+}
+
+void start(MainWindow& window, ExportDialog& dialog, ExportDesk& desk) {
+  const ExportRequest request = dialog.request();
+  const QString file = ask_file(window, dialog, request);
+  if (file.isEmpty()) return;
+  window.remembered().setLastFolder(QFileInfo(file).absolutePath());
+  last_choices(window).setValue("choices", dialog.choices());
+  dialog.hide();
+  desk.write(request, file);
+}
+
+}  // namespace
+
+void add_export_actions(MainWindow& window) {
+  auto* desk = new ExportDesk(window);
+  auto* dialog = new ExportDialog(&window);
+  QMenu* menu = window.menu("File");
+  QAction* before = action_named(menu, "Save picture of the window");
+  QAction* open = add_action(window, menu, "Export…", {}, [&window, dialog, desk] {
+    if (!window.session()) return window.messages().showInformation("Nothing is open yet");
+    dialog->offer(desk->offer());
+    dialog->restore(last_choices(window).value("choices").toStringList());
+    dialog->show();
+    dialog->activateWindow();
+  });
+  if (before) {
+    menu->removeAction(open);
+    menu->insertAction(before, open);
+  }
+  QObject::connect(dialog, &ExportDialog::exportRequested, dialog,
+                   [&window, dialog, desk] { start(window, *dialog, *desk); });
+  QObject::connect(dialog, &ExportDialog::videoRequested, dialog, [menu, dialog] {
+    dialog->hide();
+    if (QAction* render = action_named(menu, "Render range…")) render->trigger();
+  });
+}
+
+}  // namespace abrazo::app

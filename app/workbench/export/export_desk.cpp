@@ -1,0 +1,191 @@
+#include "app/workbench/export/export_desk.hpp"
+
+#include <QBoxLayout>
+#include <QDesktopServices>
+#include <QFileInfo>
+#include <QUrl>
+
+#include "app/workbench/base/job.hpp"
+#include "app/workbench/labels/annotation_desk.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/takes/take_desk.hpp"
+#include "core/base/output_file.hpp"
+#include "core/session/export/exporting.hpp"
+#include "widgets/common/message_bar.hpp"
+#include "widgets/common/offer_bar.hpp"
+#include "widgets/plots/plot_panel.hpp"
+#include "widgets/timeline/timeline_view.hpp"
+
+namespace abrazo::app {
+namespace {
+
+using widgets::PlotExport;
+
+/// Of the frames shown last: what an estimate goes by.
+double rate_of(const FrameHistory& history) {
+  const auto span = history.span();
+  const auto last = history.range(span.last_s - 1, span.last_s, 256);
+  if (last.size() < 2) return 0;
+  return static_cast<double>(last.size() - 1) / (last.back()->time_s - last.front()->time_s);
+}
+
+std::vector<Tier> noted_tiers(const MainWindow& window, const std::string& subject) {
+  const auto* desk = window.findChild<AnnotationDesk*>();
+  return desk ? tiers_of(desk->annotations_of(subject)) : std::vector<Tier>();
+}
+
+const Markers& session_markers(const MainWindow& window) {
+  const auto* desk = window.findChild<AnnotationDesk*>();
+  return desk ? desk->sessionMarkers() : window.timeline().markers();
+}
+
+}  // namespace
+
+ExportDesk::ExportDesk(MainWindow& window) : QObject(&window), m_window(window) {
+  m_bar = new widgets::OfferBar(window.messages().parentWidget());
+  m_bar->setColours(window.colours());
+  if (auto* column = qobject_cast<QBoxLayout*>(window.messages().parentWidget()->layout()))
+    column->insertWidget(1, m_bar);
+  connect(&window, &MainWindow::coloursChanged, m_bar, &widgets::OfferBar::setColours);
+  connect(&window.messages(), &widgets::MessageBar::cancelRequested, this, [this] {
+    if (m_job) m_job->cancel();
+  });
+}
+
+ExportDesk::~ExportDesk() = default;
+
+ExportOffer ExportDesk::offer() const {
+  ExportOffer offer;
+  auto* session = m_window.session();
+  if (!session) return offer;
+  // Whatever take is looked at: that is among those of the library.
+  const FrameHistory& history = session->engine().history();
+  const auto span = history.span();
+  const Material& material = session->material();
+  const Playback& playback = m_window.ticker().playback();
+  if (span.frames + span.stored > 0)
+    offer.session = {material.recorded ? "Session " + QString::fromStdString(material.input.name)
+                                       : QString("This session"),
+                     {span.first_s, span.last_s},
+                     rate_of(history)};
+  if (!session->looksElsewhere()) {
+    offer.range = playback.range();
+    offer.cursor_s = m_window.ticker().shown() ? m_window.ticker().shown()->time_s : playback.cursor_s;
+  }
+  if (const auto* takes = m_window.findChild<TakeDesk*>())
+    for (const widgets::RecordedTake& take : takes->takes().all())
+      offer.takes.push_back({QString::fromStdString(take.name), {take.from_s, take.to_s}, 0});
+  for (const LibraryTake& take : material.library->takes())
+    offer.library_takes.push_back({QString::fromStdString(take.name),
+                                   {0, std::max(0, take.frames - 1) / take.fps},
+                                   take.fps / std::max(1, take.frame_stride)});
+  return offer;
+}
+
+/// The frames of the wish alone: of a session of hours the rest is not looked at.
+RunningExport ExportDesk::running(const ExportWish& wish) const {
+  auto& session = *m_window.session();
+  const FrameHistory& history = session.engine().history();
+  const auto span = history.span();
+  const Material& material = session.material();
+  RunningExport running;
+  running.name = material.recorded ? material.input.name : "session";
+  const double at_s = wish.at_s.value_or(0);
+  running.frames = wish.at_s ? history.stretch(at_s - 1, at_s)
+                             : history.stretch(wish.part.from_s.value_or(span.first_s),
+                                               wish.part.to_s.value_or(span.last_s));
+  running.library = material.library;
+  running.library_name = material.library_file.empty() ? material.library->name() : material.library_file;
+  running.input = material.input.name;
+  if (const auto* takes = m_window.findChild<TakeDesk*>())
+    for (const widgets::RecordedTake& take : takes->takes().all())
+      running.takes.push_back(
+          {static_cast<int>(take.id), take.name, take.from_s, take.to_s, 0, 0, {}, false});
+  for (const Marker& marker : session_markers(m_window).all())
+    running.markers.push_back({marker.id, marker.time_s, marker.name});
+  running.noted = noted_tiers(m_window, "");
+  return running;
+}
+
+ExportDesk::MakeSource ExportDesk::source_of(const ExportRequest& request) const {
+  if (request.library_take.isEmpty())
+    return [running = running(request.wish)](const Progress& progress) {
+      return export_of_history(running, progress);
+    };
+  const std::string take = request.library_take.toStdString();
+  return [library = m_window.session()->material().library, take,
+          noted = noted_tiers(m_window, take)](const Progress&) -> Result<std::unique_ptr<ExportSource>> {
+    if (library->find_take(take) < 0) return Error{"is not in the library any more", take};
+    return export_of_take(library, take, noted);
+  };
+}
+
+void ExportDesk::write(const ExportRequest& request, const QString& file) {
+  auto& messages = m_window.messages();
+  if (m_job) return messages.showInformation("Something is being exported; wait for it, or cancel it");
+  if (request.plots) {
+    const PlotExport type = file.endsWith(".png")   ? PlotExport::Png
+                            : file.endsWith(".svg") ? PlotExport::Svg
+                                                    : PlotExport::Csv;
+    const QString trouble = save_plots(m_window, type, file);
+    if (!trouble.isEmpty()) return messages.showError(trouble);
+    ExportReport done;
+    done.files = {file.toStdString()};
+    done.text = "plots";
+    return tell(done);
+  }
+  if (!m_window.session()) return messages.showInformation("Nothing is open yet");
+  ExportWish wish = request.wish;
+  wish.output = file.toStdString();
+  if (const Status usable = check_output(wish.output, {m_window.session()->material().library_file}); !usable)
+    return messages.showError(QString::fromStdString(usable.error().text()));
+  run(source_of(request), wish);
+}
+
+void ExportDesk::run(const MakeSource& make, const ExportWish& wish) {
+  m_job = std::make_unique<Job>([this, make, wish](const Progress& progress) -> Job::Finish {
+    const auto failed = [this](const Error& error) {
+      return [this, text = QString::fromStdString(error.text())] {
+        if (m_job->wasCancelled())
+          m_window.messages().showInformation("The export was cancelled; nothing was written");
+        else
+          m_window.messages().showError(text);
+      };
+    };
+    const auto source = make(part(progress, 0, 0.3));
+    if (!source) return failed(source.error());
+    auto done = export_session(**source, wish, part(progress, 0.3, 1));
+    if (!done) return failed(done.error());
+    return [this, report = std::make_shared<ExportReport>(std::move(*done))] { tell(*report); };
+  });
+  auto& messages = m_window.messages();
+  const QString name = QFileInfo(QString::fromStdString(wish.output)).fileName();
+  messages.showProgress("Exporting " + name, 0);
+  connect(m_job.get(), &Job::progressed, &messages, [&messages, name](double done, const QString& doing) {
+    messages.showProgress(QString("Exporting %1: %2").arg(name, doing), done);
+  });
+  connect(m_job.get(), &Job::finished, this, &ExportDesk::finish);
+}
+
+void ExportDesk::finish() {
+  m_window.messages().endProgress();
+  m_job.release()->deleteLater();  // it is what speaks
+  emit ended();
+}
+
+void ExportDesk::tell(const ExportReport& done) {
+  const QString file = QString::fromStdString(done.files.back());
+  QStringList warnings;
+  for (const std::string& warning : done.warnings) warnings << QString::fromStdString(warning);
+  QString text = QString("%1: %2").arg(QFileInfo(file).fileName(), QString::fromStdString(done.text));
+  if (done.files.size() > 1) text += QString(", %1 files").arg(done.files.size());
+  if (!warnings.isEmpty()) text += QString(" · %1").arg(warnings.join(" · "));
+  m_window.messages().endProgress();
+  m_bar->offer(
+      text, "Show in folder",
+      [file] { QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(file).absolutePath())); },
+      warnings.join("\n"));
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <QObject>
+#include <memory>
+
+#include "app/workbench/export/export_dialog.hpp"
+#include "core/session/export/export_source.hpp"
+
+namespace abrazo::widgets {
+class OfferBar;
+}
+
+namespace abrazo::app {
+
+class Job;
+class MainWindow;
+
+/// Exports from the window: knows what there is, writes it on a worker with progress and cancel, and tells
+/// the end.
+class ExportDesk : public QObject {
+  Q_OBJECT
+ public:
+  explicit ExportDesk(MainWindow& window);
+  ~ExportDesk() override;
+
+  /// What the running session and its library have.
+  ExportOffer offer() const;
+  /// Writes to a file; what prevents it is reported.
+  void write(const ExportRequest& request, const QString& file);
+  bool isBusy() const { return m_job != nullptr; }
+  widgets::OfferBar& bar() const { return *m_bar; }
+
+ signals:
+  /// Whatever became of it.
+  void ended();
+
+ private:
+  using MakeSource = std::function<Result<std::unique_ptr<ExportSource>>(const Progress&)>;
+  MakeSource source_of(const ExportRequest& request) const;
+  RunningExport running(const ExportWish& wish) const;
+  void run(const MakeSource& make, const ExportWish& wish);
+  void tell(const ExportReport& done);
+  void finish();
+
+  MainWindow& m_window;
+  widgets::OfferBar* m_bar;
+  std::unique_ptr<Job> m_job;
+};
+
+}  // namespace abrazo::app

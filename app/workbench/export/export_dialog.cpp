@@ -1,0 +1,305 @@
+#include "app/workbench/export/export_dialog.hpp"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QPushButton>
+#include <array>
+
+#include "app/workbench/base/range_words.hpp"
+
+namespace abrazo::app {
+namespace {
+
+constexpr double fastest_hz = 480;
+
+/// What a file type is, for the list.
+struct TypeWords {
+  const char *ending, *words;
+};
+constexpr std::array<TypeWords, 12> type_words = {{
+    {".glb", "glTF binary (.glb): skinned bodies for Blender, engines, viewers"},
+    {".bvh", "BVH (.bvh): skeletons for animation tools"},
+    {".csv", "Table (.csv)"},
+    {".vtu", "VTK mesh (.vtu): one frame for ParaView"},
+    {".pvd", "VTK series (.pvd and .vtu): for ParaView"},
+    {".eaf", "ELAN (.eaf)"},
+    {".json", "JSON (.json)"},
+    {".vtt", "WebVTT subtitles (.vtt)"},
+    {".srt", "SubRip subtitles (.srt)"},
+    {".jsonl", "JSON lines (.jsonl): every frame with its reasons"},
+    {".png", "Picture (.png)"},
+    {".svg", "Drawing (.svg)"},
+}};
+
+QString type_words_of(const QString& ending) {
+  for (const TypeWords& type : type_words)
+    if (ending == type.ending) return type.words;
+  return ending;
+}
+
+QString size_words(std::uint64_t bytes) {
+  if (bytes < 1'000'000) return QString("%1 kB").arg((bytes + 999) / 1000);
+  return QString("%1 MB").arg(static_cast<double>(bytes) / 1e6, 0, 'f', bytes < 10'000'000 ? 1 : 0);
+}
+
+QComboBox* combo(QWidget* parent, const char* name) {
+  auto* box = new QComboBox(parent);
+  box->setObjectName(name);
+  box->setAccessibleName(name);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  box->setMinimumContentsLength(44);
+  return box;
+}
+
+/// Chooses the entry of this data, where there is one.
+bool choose(QComboBox* box, const QVariant& data) {
+  const int index = box->findData(data);
+  if (index >= 0) box->setCurrentIndex(index);
+  return index >= 0;
+}
+
+}  // namespace
+
+ExportDialog::ExportDialog(QWidget* parent) : QDialog(parent) {
+  setObjectName("export");
+  setWindowTitle("Export");
+  m_form = new QFormLayout(this);
+  m_form->setContentsMargins(20, 16, 20, 16);
+  m_source = combo(this, "Of");
+  m_what = combo(this, "What");
+  for (const auto& [name, what] : {std::pair{"Motion of the bodies", Motion},
+                                   {"Interaction mesh", Mesh},
+                                   {"Labels", Labels},
+                                   {"Trace: every frame with its reasons", Trace},
+                                   {"Plots as they are shown", Plots}})
+    m_what->addItem(name, what);
+  m_bodies = new QWidget(this);
+  auto* bodies = new QHBoxLayout(m_bodies);
+  bodies->setContentsMargins(0, 0, 0, 0);
+  m_active = new QCheckBox("Leader", m_bodies);
+  m_passive = new QCheckBox("Follower", m_bodies);
+  m_user = new QCheckBox("User as received", m_bodies);
+  for (QCheckBox* body : {m_active, m_passive, m_user}) {
+    bodies->addWidget(body);
+    body->setChecked(body != m_user);
+    connect(body, &QCheckBox::toggled, this, &ExportDialog::settle);
+  }
+  bodies->addStretch(1);
+  m_part = combo(this, "Part");
+  m_type = combo(this, "As");
+  m_rate = new QDoubleSpinBox(this);
+  m_rate->setObjectName("Rate");
+  m_rate->setAccessibleName("Frames per second");
+  m_rate->setRange(0, fastest_hz);
+  m_rate->setDecimals(2);
+  m_rate->setSuffix(" Hz");
+  m_rate->setSpecialValueText("as recorded");
+  m_unit = combo(this, "Unit");
+  m_unit->addItem("Metres", 1.0);
+  m_unit->addItem("Centimetres", 100.0);
+  m_up = combo(this, "Up");
+  m_up->addItem("Y up", false);
+  m_up->addItem("Z up", true);
+  m_about = new QLabel(this);
+  m_about->setObjectName("secondary");
+  m_about->setWordWrap(true);
+  m_estimate = new QLabel(this);
+  m_estimate->setObjectName("estimate");
+  m_export = new QPushButton("Export…", this);
+  m_export->setDefault(true);
+  auto* video = new QPushButton("As video…", this);
+  video->setToolTip("Pictures of the scene instead: opens \"Render range\"");
+  auto* close = new QPushButton("Close", this);
+  auto* buttons = new QHBoxLayout;
+  buttons->addWidget(video);
+  buttons->addStretch(1);
+  buttons->addWidget(close);
+  buttons->addWidget(m_export);
+  m_form->addRow("Of", m_source);
+  m_form->addRow("What", m_what);
+  m_form->addRow("Bodies", m_bodies);
+  m_form->addRow("Part", m_part);
+  m_form->addRow("As", m_type);
+  m_form->addRow("Rate", m_rate);
+  m_form->addRow("Unit", m_unit);
+  m_form->addRow("Axes", m_up);
+  m_form->addRow(QString(), m_about);
+  m_form->addRow(QString(), m_estimate);
+  m_form->addRow(buttons);
+  const auto changed = qOverload<int>(&QComboBox::currentIndexChanged);
+  connect(m_source, changed, this, &ExportDialog::sourceChanged);
+  connect(m_what, changed, this, &ExportDialog::whatChanged);
+  for (QComboBox* box : {m_part, m_type, m_unit, m_up}) connect(box, changed, this, &ExportDialog::settle);
+  connect(m_rate, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ExportDialog::settle);
+  connect(close, &QPushButton::clicked, this, &QDialog::reject);
+  connect(video, &QPushButton::clicked, this, &ExportDialog::videoRequested);
+  connect(m_export, &QPushButton::clicked, this, &ExportDialog::exportRequested);
+  whatChanged();
+}
+
+ExportDialog::What ExportDialog::what() const {
+  return static_cast<What>(m_what->currentData().toInt());
+}
+
+void ExportDialog::offer(ExportOffer offer) {
+  m_offer = std::move(offer);
+  const QVariant source = m_source->currentData();
+  m_filling = true;
+  m_source->clear();
+  if (m_offer.session) m_source->addItem(m_offer.session->name, QString());
+  for (const ExportOffer::Stretch& take : m_offer.library_takes)
+    m_source->addItem(QString("Take %1 of the library").arg(take.name), take.name);
+  choose(m_source, source);
+  m_filling = false;
+  sourceChanged();
+}
+
+ExportOffer::Stretch ExportDialog::stretch() const {
+  const QString take = m_source->currentData().toString();
+  for (const ExportOffer::Stretch& one : m_offer.library_takes)
+    if (one.name == take) return one;
+  return m_offer.session.value_or(ExportOffer::Stretch{});
+}
+
+void ExportDialog::sourceChanged() {
+  if (m_filling) return;
+  m_filling = true;
+  const QVariant last = m_part->currentData();
+  m_part->clear();
+  m_part->addItem(range_words("All", stretch().range), "all");
+  const bool of_session = m_source->currentData().toString().isEmpty();
+  if (of_session && m_offer.range) m_part->addItem(range_words("In to out", *m_offer.range), "range");
+  if (of_session)
+    for (const ExportOffer::Stretch& take : m_offer.takes)
+      m_part->addItem(range_words("Take " + take.name, take.range), "take " + take.name);
+  if (of_session && m_offer.cursor_s)
+    m_part->addItem("The frame shown now: " + in_seconds(*m_offer.cursor_s), "frame");
+  choose(m_part, last);
+  m_filling = false;
+  settle();
+}
+
+void ExportDialog::whatChanged() {
+  const QVariant type = m_type->currentData();
+  m_filling = true;
+  m_type->clear();
+  if (what() == Plots) {
+    for (const char* ending : {".csv", ".png", ".svg"}) m_type->addItem(type_words_of(ending), ending);
+  } else {
+    auto endings = export_types(static_cast<ExportContent>(what()));
+    if (what() == Motion) endings = {".glb", ".bvh", ".csv"};  // what most people want first
+    for (const std::string& ending : endings)
+      m_type->addItem(type_words_of(QString::fromStdString(ending)), QString::fromStdString(ending));
+  }
+  choose(m_type, type);
+  m_filling = false;
+  settle();
+}
+
+Playback::Range ExportDialog::part() const {
+  const QString chosen = m_part->currentData().toString();
+  if (chosen == "range" && m_offer.range) return *m_offer.range;
+  if (chosen == "frame" && m_offer.cursor_s) return {*m_offer.cursor_s, *m_offer.cursor_s};
+  for (const ExportOffer::Stretch& take : m_offer.takes)
+    if (chosen == "take " + take.name) return take.range;
+  return stretch().range;
+}
+
+ExportRequest ExportDialog::request() const {
+  ExportRequest request;
+  request.library_take = m_source->currentData().toString();
+  request.plots = what() == Plots;
+  ExportWish& wish = request.wish;
+  wish.output = m_type->currentData().toString().toStdString();
+  if (request.plots) return request;
+  wish.content = static_cast<ExportContent>(what());
+  if (what() == Motion)
+    for (const auto& [box, body] : {std::pair{m_active, SessionBody::Active},
+                                    {m_passive, SessionBody::Passive},
+                                    {m_user, SessionBody::User}})
+      if (box->isChecked()) wish.bodies.push_back(body);
+  if (m_part->currentData().toString() == "frame")
+    wish.at_s = m_offer.cursor_s;
+  else if (m_part->currentData().toString() != "all" || what() == Mesh)
+    wish.part = {{}, part().from_s, part().to_s};
+  if (what() != Trace) wish.rate_hz = m_rate->value();
+  if (what() == Motion && !m_type->currentData().toString().endsWith(".glb"))
+    wish.space = {m_unit->currentData().toDouble(), m_up->currentData().toBool() ? UpAxis::Z : UpAxis::Y};
+  return request;
+}
+
+void ExportDialog::showRow(QWidget* field, bool on) {
+  field->setVisible(on);
+  if (QWidget* label = m_form->labelForField(field)) label->setVisible(on);
+}
+
+/// Shows what can be chosen now, and what would come of it.
+void ExportDialog::settle() {
+  if (m_filling) return;
+  const What kind = what();
+  const bool is_frame = m_part->currentData().toString() == "frame";
+  const bool in_own_space = kind == Motion && !m_type->currentData().toString().endsWith(".glb");
+  showRow(m_bodies, kind == Motion);
+  showRow(m_part, kind != Plots);
+  showRow(m_source, kind != Plots);
+  showRow(m_rate, kind != Plots && kind != Trace && !is_frame);
+  showRow(m_unit, in_own_space);
+  showRow(m_up, in_own_space);
+  const ExportRequest chosen = request();
+  QString trouble;
+  if (!chosen.plots) {
+    ExportWish wish = chosen.wish;
+    wish.output = "file" + wish.output;
+    if (const Status fits = check_export(wish); !fits) trouble = QString::fromStdString(fits.error().message);
+    if (m_source->count() == 0) trouble = "there is nothing to export yet";
+    if (is_frame && kind != Mesh) trouble = "only a mesh can be of one frame; choose a longer part";
+    if (kind == Trace && !chosen.library_take.isEmpty())
+      trouble = "a recorded take was not solved; a trace is of the session";
+  }
+  m_about->setText(trouble.isEmpty() ? QString() : trouble.left(1).toUpper() + trouble.mid(1));
+  m_about->setVisible(!trouble.isEmpty());
+  m_export->setEnabled(trouble.isEmpty());
+  const auto estimate = estimate_export({chosen.wish.content,
+                                         chosen.wish.bodies,
+                                         {},
+                                         {},
+                                         chosen.wish.at_s,
+                                         {},
+                                         chosen.wish.rate_hz,
+                                         {},
+                                         "file" + chosen.wish.output},
+                                        part().length_s(), stretch().rate_hz);
+  m_estimate->setText(chosen.plots ? QString("The panes of the panel Plots")
+                                   : QString("%L1 %2, about %3")
+                                         .arg(estimate.frames)
+                                         .arg(estimate.frames == 1 ? "frame" : "frames")
+                                         .arg(size_words(estimate.bytes)));
+}
+
+QStringList ExportDialog::choices() const {
+  QStringList bodies;
+  for (const QCheckBox* body : {m_active, m_passive, m_user})
+    if (body->isChecked()) bodies << body->text();
+  return {m_what->currentData().toString(), m_type->currentData().toString(),
+          m_part->currentData().toString(), bodies.join('+'),
+          QString::number(m_rate->value()), m_unit->currentData().toString(),
+          m_up->currentData().toString()};
+}
+
+void ExportDialog::restore(const QStringList& choices) {
+  if (choices.size() != 7) return;
+  choose(m_what, choices[0].toInt());
+  choose(m_type, choices[1]);
+  choose(m_part, choices[2]);
+  for (QCheckBox* body : {m_active, m_passive, m_user})
+    body->setChecked(choices[3].split('+').contains(body->text()));
+  m_rate->setValue(choices[4].toDouble());
+  choose(m_unit, choices[5].toDouble());
+  choose(m_up, choices[6] == "true");
+}
+
+}  // namespace abrazo::app

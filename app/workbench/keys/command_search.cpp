@@ -1,0 +1,130 @@
+#include <QAbstractItemView>
+#include <QAction>
+#include <QCompleter>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMenuBar>
+#include <QStandardItemModel>
+
+#include "app/workbench/keys/command_row.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "widgets/common/theme.hpp"
+
+namespace abrazo::app {
+namespace {
+
+QAction* find_action(MainWindow& window, const QString& text) {
+  for (QAction* action : window.actions())
+    if (action->text() == text && action->isEnabled()) return action;
+  return nullptr;
+}
+
+/// What can be done now, with its keys as they are now.
+void fill(const MainWindow& window, QStandardItemModel& model) {
+  model.clear();
+  for (const QAction* action : window.actions()) {
+    if (action->text().isEmpty() || action->isSeparator() || !action->isEnabled()) continue;
+    auto* item = new QStandardItem(action->text());
+    item->setData(action->shortcut().toString(QKeySequence::NativeText), CommandRow::key_role);
+    model.appendRow(item);
+  }
+}
+
+/// The list is rebuilt whenever the field gets the keyboard: actions come, go and change their words.
+class FillOnFocus : public QObject {
+ public:
+  FillOnFocus(const MainWindow& window, QLineEdit* field, QStandardItemModel* model)
+      : QObject(field), m_window(window), m_model(model) {
+    field->installEventFilter(this);
+  }
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    // Not when it comes back from its own list.
+    const bool is_new = event->type() == QEvent::FocusIn &&
+                        static_cast<QFocusEvent*>(event)->reason() != Qt::PopupFocusReason;
+    if (is_new) fill(m_window, *m_model);
+    return QObject::eventFilter(watched, event);
+  }
+
+ private:
+  const MainWindow& m_window;
+  QStandardItemModel* m_model;
+};
+
+/// Escape leaves the search immediately, with or without its list open.
+class LeaveOnEscape : public QObject {
+ public:
+  LeaveOnEscape(QLineEdit* field, QWidget* list) : QObject(field), m_field(field), m_list(list) {
+    field->installEventFilter(this);
+    list->installEventFilter(this);
+  }
+  bool eventFilter(QObject* watched, QEvent* event) override {
+    if (event->type() != QEvent::KeyPress || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
+      return QObject::eventFilter(watched, event);
+    m_list->hide();
+    m_field->clear();
+    m_field->clearFocus();
+    return true;
+  }
+
+ private:
+  QLineEdit* m_field;
+  QWidget* m_list;
+};
+
+}  // namespace
+
+void add_command_search(MainWindow& window) {
+  auto* name = new QLabel("  Abrazo  ", &window);
+  name->setFont(widgets::interface_font(13, QFont::Bold));
+  window.menuBar()->setCornerWidget(name, Qt::TopLeftCorner);
+
+  auto* field = new QLineEdit(&window);
+  field->setPlaceholderText("Search commands  Ctrl+P");
+  field->setFixedWidth(252);
+  field->setFocusPolicy(Qt::ClickFocus);
+  field->setAccessibleName("Search commands");
+  auto* model = new QStandardItemModel(field);
+  auto* completer = new QCompleter(model, field);
+  completer->setFilterMode(Qt::MatchContains);
+  completer->setCaseSensitivity(Qt::CaseInsensitive);
+  completer->setMaxVisibleItems(12);
+  completer->popup()->setItemDelegate(new CommandRow(completer->popup()));
+  field->setCompleter(completer);
+  new FillOnFocus(window, field, model);
+  new LeaveOnEscape(field, completer->popup());
+  auto* holder = new QWidget(&window);
+  auto* row = new QHBoxLayout(holder);
+  row->setContentsMargins(0, 0, 12, 0);
+  row->addWidget(field);
+  window.menuBar()->setCornerWidget(holder, Qt::TopRightCorner);
+
+  const auto run = [&window, field, completer](QString text) {
+    if (!find_action(window, text) && completer->completionCount() > 0) text = completer->currentCompletion();
+    QAction* action = find_action(window, text);
+    if (!action) return;
+    // After the completer has put the text in.
+    QMetaObject::invokeMethod(
+        field,
+        [field, action] {
+          field->clear();
+          field->clearFocus();
+          action->trigger();
+        },
+        Qt::QueuedConnection);
+  };
+  QObject::connect(completer, qOverload<const QString&>(&QCompleter::activated), field, run);
+  QObject::connect(field, &QLineEdit::returnPressed, field, [field, run] {
+    if (!field->text().isEmpty()) run(field->text());
+  });
+  add_action(window, window.menu("Help"), "Search commands", {QKeySequence("Ctrl+P"), QKeySequence("F3")},
+             [field] {
+               field->setFocus();
+               field->selectAll();
+             });
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,107 @@
+#include <QAction>
+#include <QDialog>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QScreen>
+#include <QScrollArea>
+#include <QShortcut>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/workbench/keys/key_routing.hpp"
+#include "app/workbench/keys/key_sheet.hpp"
+#include "app/workbench/keys/shortcut_dialog.hpp"
+#include "app/workbench/keys/shortcuts.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "core/base/version.hpp"
+
+namespace abrazo::app {
+namespace {
+
+constexpr int column_width = 360;  // of keys
+
+void show_shortcuts(MainWindow& window) {
+  auto* shortcuts = window.findChild<Shortcuts*>();
+  auto* dialog = window.findChild<ShortcutDialog*>();
+  if (!dialog && shortcuts) {
+    dialog = new ShortcutDialog(*shortcuts, &window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+  }
+  if (!dialog) return;
+  dialog->show();
+  dialog->raise();
+  dialog->activateWindow();
+}
+
+QDialog* show_sheet(MainWindow& window, const QString& title, const QString& html) {
+  // Whichever window has the keyboard, the key that opened it closes it again.
+  if (auto* open = window.findChild<QDialog*>(title)) return open->close(), nullptr;
+  auto* dialog = new QDialog(&window);
+  dialog->setObjectName(title);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle(title);
+  auto* column = new QVBoxLayout(dialog);
+  column->setContentsMargins(24, 16, 24, 20);
+  auto* text = new QLabel(html, dialog);
+  text->setTextFormat(Qt::RichText);
+  text->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+  auto* scroll = new QScrollArea(dialog);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidget(text);
+  scroll->setWidgetResizable(true);
+  scroll->setAccessibleName(title);
+  const QSize room = QGuiApplication::primaryScreen()->availableSize() * 9 / 10;
+  scroll->setMinimumSize((text->sizeHint() + QSize(18, 4)).boundedTo(room - QSize(60, 90)));
+  column->addWidget(scroll);
+  QObject::connect(dialog, &QDialog::finished, &window, [&window] { window.activateWindow(); });
+  return dialog;
+}
+
+void show_keys(MainWindow& window) {
+  const auto* shortcuts = window.findChild<Shortcuts*>();
+  if (!shortcuts) return;
+  const int width = QGuiApplication::primaryScreen()->availableSize().width();
+  const int columns = std::clamp(width / column_width, 2, 4);
+  QDialog* dialog = show_sheet(window, "Keys", key_sheet(shortcuts->table(), window.colours(), columns));
+  if (!dialog) return;
+  for (const char* key : {"F1", "?"})
+    QObject::connect(new QShortcut(QKeySequence(key), dialog), &QShortcut::activated, dialog,
+                     &QDialog::close);
+  auto* change = new QPushButton("Change keys…", dialog);
+  change->setAutoDefault(false);
+  dialog->layout()->addWidget(change);
+  dialog->layout()->setAlignment(change, Qt::AlignRight);
+  QObject::connect(change, &QPushButton::clicked, dialog, [&window, dialog] {
+    dialog->close();
+    show_shortcuts(window);
+  });
+  dialog->show();
+  dialog->activateWindow();
+}
+
+}  // namespace
+
+void add_help_actions(MainWindow& window) {
+  QMenu* menu = window.menu("Help");
+  add_action(window, menu, "Keys", {QKeySequence("F1"), QKeySequence("?")}, [&window] { show_keys(window); });
+  add_action(window, menu, "Shortcuts…", {}, [&window] { show_shortcuts(window); });
+  add_action(window, menu, "About Abrazo", {}, [&window] {
+    QDialog* about = show_sheet(
+        window, "About Abrazo",
+        QString("<h3>Abrazo %1</h3><p>A workbench for partner control in close interactions.</p>"
+                "<p>Free software under the GNU Affero General Public Licence, version 3 or later.<br>"
+                "Comes without any warranty.</p>")
+            .arg(version()));
+    if (about) about->show();
+  });
+}
+
+void add_shortcuts(MainWindow& window) {
+  new Shortcuts(window);
+  new KeyRouting(window);
+}
+
+}  // namespace abrazo::app

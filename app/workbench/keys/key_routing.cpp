@@ -1,0 +1,80 @@
+#include "app/workbench/keys/key_routing.hpp"
+
+#include <QAbstractButton>
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QKeyEvent>
+#include <QToolButton>
+
+#include "app/workbench/labels/label_keys.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/shell/panel_area.hpp"
+#include "widgets/common/message_bar.hpp"
+#include "widgets/timeline/timeline_view.hpp"
+
+namespace abrazo::app {
+namespace {
+
+bool is_plain(const QKeyEvent& event) {
+  return !(event.modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier));
+}
+
+bool is_digit(const QKeyEvent& event) {
+  return is_plain(event) && !(event.modifiers() & Qt::ShiftModifier) && event.key() >= Qt::Key_0 &&
+         event.key() <= Qt::Key_9;
+}
+
+/// A list to choose from goes to what begins with the letter, and to the next, previous, first and last.
+bool is_of_a_choice(const QKeyEvent& event) {
+  const bool writes = !event.text().isEmpty() && event.text().at(0).isPrint();
+  const int key = event.key();
+  return is_plain(event) && (writes || key == Qt::Key_Home || key == Qt::Key_End || key == Qt::Key_Up ||
+                             key == Qt::Key_Down || key == Qt::Key_PageUp || key == Qt::Key_PageDown);
+}
+
+void click(QAbstractButton& button) {
+  auto* tool = qobject_cast<QToolButton*>(&button);
+  const bool opens = tool && tool->menu() && tool->popupMode() == QToolButton::InstantPopup;
+  opens ? tool->showMenu() : button.click();
+}
+
+}  // namespace
+
+KeyRouting::KeyRouting(MainWindow& window)
+    : QObject(&window), m_window(window), m_labels(window.findChild<LabelKeys*>()) {
+  window.installEventFilter(this);
+  for (QDockWidget* panel : window.panels().panels()) panel->installEventFilter(this);  // floating: no way up
+}
+
+bool KeyRouting::isKept(const QKeyEvent& event) const {
+  const QWidget* focused = QApplication::focusWidget();
+  if (qobject_cast<const QComboBox*>(focused)) return is_of_a_choice(event);
+  return focused == &m_window.timeline() && (is_digit(event) || (m_labels && m_labels->means(event)));
+}
+
+/// Space plays wherever the focus is, so Return presses a button.
+bool KeyRouting::press(const QKeyEvent& event) {
+  QWidget* focused = QApplication::focusWidget();
+  if (event.key() == Qt::Key_Return || event.key() == Qt::Key_Enter) {
+    auto* button = qobject_cast<QAbstractButton*>(focused);
+    if (button && !event.isAutoRepeat()) click(*button);
+    return button != nullptr;
+  }
+  if (focused != &m_window.timeline() || !is_digit(event)) return false;
+  m_window.messages().showInformation(
+      "No value of the active tier has this key (panel Annotation, Vocabulary). In the scene digits choose "
+      "the view");
+  return true;
+}
+
+bool KeyRouting::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && isKept(*static_cast<QKeyEvent*>(event))) {
+    event->accept();
+    return true;
+  }
+  if (event->type() == QEvent::KeyPress && press(*static_cast<QKeyEvent*>(event))) return true;
+  return QObject::eventFilter(watched, event);
+}
+
+}  // namespace abrazo::app

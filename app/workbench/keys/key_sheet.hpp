@@ -1,0 +1,13 @@
+#pragma once
+
+#include <QString>
+
+#include "app/workbench/keys/shortcut_table.hpp"
+#include "widgets/common/palette.hpp"
+
+namespace abrazo::app {
+
+/// All keys as they are now, by menu, in so many columns of about the same length; as rich text.
+QString key_sheet(const ShortcutTable& table, const widgets::Palette& colours, int columns);
+
+}  // namespace abrazo::app

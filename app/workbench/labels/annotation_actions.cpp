@@ -1,0 +1,128 @@
+#include <QAction>
+#include <QActionGroup>
+#include <QMenu>
+
+#include "app/workbench/labels/annotation_desk.hpp"
+#include "app/workbench/labels/label_edits.hpp"
+#include "app/workbench/labels/label_import.hpp"
+#include "app/workbench/labels/label_keys.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "widgets/common/message_bar.hpp"
+#include "widgets/common/utf8.hpp"
+#include "widgets/library/take_list.hpp"
+#include "widgets/timeline/quick_entry.hpp"
+#include "widgets/timeline/timeline_view.hpp"
+
+namespace abrazo::app {
+namespace {
+
+using widgets::text;
+
+/// -1 when no take of the library does.
+int take_that_plays_the_user(const Material& material) {
+  return material.input_files.empty() ? material.library->find_take(material.input.name) : -1;
+}
+
+/// @param take  -1 = the one chosen in the library, else the one that plays the user
+void annotate_take(MainWindow& window, AnnotationDesk& desk, int take) {
+  const auto library = desk.library();
+  if (!library) return window.messages().showInformation("Nothing is open yet");
+  if (take < 0) take = window.takes().selectedTake();
+  if (take < 0) take = take_that_plays_the_user(window.session()->material());
+  if (take < 0 || take >= static_cast<int>(library->takes().size()))
+    return window.messages().showInformation(
+        "Choose a take in the library first; none of them plays the user");
+  desk.showSubject(library->takes()[static_cast<std::size_t>(take)].name);
+}
+
+void add_subjects(MainWindow& window, QMenu* menu, AnnotationDesk& desk) {
+  add_action(window, menu, "Annotate take", {QKeySequence("Ctrl+E")},
+             [&window, &desk] { annotate_take(window, desk, -1); });
+  QAction* back = add_action(window, menu, "Back to the session", {QKeySequence("Ctrl+Shift+E")},
+                             [&desk] { desk.showSubject({}); });
+  back->setEnabled(false);
+  QObject::connect(&desk, &AnnotationDesk::subjectChanged, back,
+                   [back, &desk] { back->setEnabled(desk.showsTake()); });
+  QObject::connect(&window.takes(), &widgets::TakeList::annotateRequested, &desk,
+                   [&window, &desk](int take) { annotate_take(window, desk, take); });
+}
+
+void add_conflicts(MainWindow& window, QMenu* menu, AnnotationDesk& desk) {
+  auto* group = new QActionGroup(&desk);
+  const std::pair<const char*, Conflict> ways[] = {{"Overlapping labels: trim", Conflict::Replace},
+                                                   {"Overlapping labels: push", Conflict::Push},
+                                                   {"Overlapping labels: refuse", Conflict::Refuse}};
+  for (const auto& [name, way] : ways) {
+    QAction* action = add_action(window, menu, name, {}, [&desk, way = way] { desk.setConflict(way); });
+    action->setCheckable(true);
+    group->addAction(action);
+    const auto show = [action, &desk, way = way] { action->setChecked(desk.conflict() == way); };
+    QObject::connect(&desk, &AnnotationDesk::conflictChanged, action, show);
+    show();
+  }
+}
+
+void name_tier(MainWindow& window, AnnotationDesk& desk, bool is_new) {
+  const AnnotationTier* tier = desk.annotations().tier(desk.activeTier());
+  if (!window.session() || (!is_new && !tier))
+    return window.messages().showInformation("Nothing is open, or it has no tier yet");
+  const auto take = [&desk, is_new](const QString& name) -> QString {
+    Annotations next = desk.annotations();
+    const auto added = is_new ? next.add_tier(name.toStdString(), TierKind::Note, {}) : Result<int>(0);
+    const Status renamed = is_new ? Status(Done{}) : next.rename_tier(desk.activeTier(), name.toStdString());
+    if (!added) return text(added.error().text());
+    if (!renamed) return text(renamed.error().text());
+    desk.change(std::move(next), is_new ? "add tier" : "rename tier");
+    if (is_new) desk.setActiveTier(*added);
+    return {};
+  };
+  widgets::QuickEntry::open(window.timeline(), QPoint(20, 0),
+                            is_new ? "Name of the new tier, for notes in free text" : "Name of the tier",
+                            is_new ? QString() : text(tier->name), take);
+}
+
+void add_tiers(MainWindow& window, QMenu* menu, AnnotationDesk& desk, LabelEdits& edits) {
+  add_action(window, menu, "Tier above", {QKeySequence("Ctrl+Alt+Up")}, [&edits] { edits.stepTier(-1); });
+  add_action(window, menu, "Tier below", {QKeySequence("Ctrl+Alt+Down")}, [&edits] { edits.stepTier(1); });
+  add_action(window, menu, "New tier…", {}, [&window, &desk] { name_tier(window, desk, true); });
+  add_action(window, menu, "Rename tier…", {}, [&window, &desk] { name_tier(window, desk, false); });
+  add_action(window, menu, "Delete tier", {}, [&desk] {
+    Annotations next = desk.annotations();
+    const Status done = next.remove_tier(desk.activeTier());
+    desk.changeOrTell(done, std::move(next), "delete tier");
+  });
+  add_action(window, menu, "Show or hide the tier's lane", {}, [&window, &desk] {
+    const AnnotationTier* tier = desk.annotations().tier(desk.activeTier());
+    if (!tier) return;
+    widgets::TimelineLanes lanes = window.timeline().lanes();
+    lanes.set_tier_shown(tier->name, !lanes.is_shown(widgets::TierLane{tier->id, tier->name}));
+    window.timeline().setLanes(lanes);
+  });
+}
+
+}  // namespace
+
+void add_annotation_actions(MainWindow& window) {
+  auto* desk = new AnnotationDesk(window);
+  auto* edits = new LabelEdits(window, *desk);
+  auto* keys = new LabelKeys(window, *desk);
+  QMenu* menu = window.menu("Annotation");
+  add_subjects(window, menu, *desk);
+  menu->addSeparator();
+  add_label_actions(window, *edits);
+  menu->addSeparator();
+  QAction* taps =
+      add_action(window, menu, "Tap mode: each key starts the next label", {QKeySequence("Shift+T")}, [] {});
+  taps->setCheckable(true);
+  QObject::connect(taps, &QAction::toggled, keys, &LabelKeys::setTaps);
+  menu->addSeparator();
+  add_conflicts(window, menu, *desk);
+  menu->addSeparator();
+  add_tiers(window, menu, *desk, *edits);
+  menu->addSeparator();
+  auto* import = new LabelImport(window, *desk);
+  add_action(window, menu, "Import labels…", {}, [import] { import->choose(); });
+}
+
+}  // namespace abrazo::app

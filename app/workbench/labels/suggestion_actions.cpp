@@ -1,0 +1,27 @@
+#include <QMenu>
+
+#include "app/workbench/labels/annotation_desk.hpp"
+#include "app/workbench/labels/suggestion_desk.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
+
+namespace abrazo::app {
+
+void add_suggestion_actions(MainWindow& window) {
+  auto* desk = new SuggestionDesk(window, *window.findChild<AnnotationDesk*>());
+  QMenu* menu = window.menu("Annotation");
+  menu->addSeparator();
+  add_action(window, menu, "Suggest labels", {QKeySequence("Ctrl+G")},
+             [desk] { desk->suggest(true, false); });
+  add_action(window, menu, "Suggest roles", {QKeySequence("Ctrl+Shift+G")},
+             [desk] { desk->suggest(false, true); });
+  add_action(window, menu, "Stop suggesting", {}, [desk] { desk->cancel(); });
+  add_action(window, menu, "Go to the suggestions", {QKeySequence("Alt+Y")}, [desk] { desk->focusList(); });
+  add_action(window, menu, "Accept suggestion", {QKeySequence("Y")}, [desk] { desk->acceptCurrent(); });
+  add_action(window, menu, "Accept suggestion as…", {QKeySequence("Shift+Y")},
+             [desk] { desk->editCurrent(); });
+  add_action(window, menu, "Reject suggestion", {QKeySequence("Ctrl+Backspace")},
+             [desk] { desk->rejectCurrent(); });
+}
+
+}  // namespace abrazo::app

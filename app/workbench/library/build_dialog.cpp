@@ -1,0 +1,374 @@
+#include "app/workbench/library/build_dialog.hpp"
+
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QGridLayout>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMimeData>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSplitter>
+#include <QTableView>
+#include <QToolButton>
+#include <QUrl>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "app/workbench/library/build_form.hpp"
+#include "core/motion/joints/motion_format.hpp"
+#include "widgets/common/icons.hpp"
+#include "widgets/common/plain_text.hpp"
+#include "widgets/library/pair_preview.hpp"
+
+namespace abrazo::app {
+namespace {
+
+QLabel* secondary(const QString& text) {
+  auto* label = new QLabel(text);
+  label->setObjectName("secondary");
+  return label;
+}
+
+QVBoxLayout* column_in(QWidget* box) {
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(8);
+  return column;
+}
+
+}  // namespace
+
+BuildDialog::BuildDialog(QWidget* parent)
+    : QDialog(parent),
+      m_table(new QTableView(this)),
+      m_form(new BuildForm(m_model, this)),
+      m_preview(new widgets::PairPreview(this)),
+      m_remarks(new QListWidget(this)),
+      m_progress(new QProgressBar(this)),
+      m_palette(widgets::palette_of(widgets::Theme::Dark)) {
+  setWindowTitle("Build a library of motion files");
+  setAcceptDrops(true);
+  resize(1180, 760);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(16, 14, 16, 14);
+  column->setSpacing(10);
+  column->addWidget(makeUserRow());
+  column->addWidget(makeOverview(), 1);
+  column->addWidget(m_form);
+  column->addWidget(makeOutputs());
+  m_remarks->setAccessibleName("What to look at before building");
+  m_remarks->setWordWrap(true);
+  m_remarks->setIconSize({14, 14});
+  m_remarks->setFixedHeight(116);
+  column->addWidget(m_remarks);
+  column->addWidget(makeFoot());
+  connectParts();
+  showPlan();
+}
+
+QWidget* BuildDialog::makeUserRow() {
+  m_userRow = new QWidget(this);
+  auto* row = new QHBoxLayout(m_userRow);
+  row->setContentsMargins(0, 0, 0, 0);
+  m_userQuestion = new QLabel(m_userRow);
+  row->addWidget(m_userQuestion);
+  for (auto& button : m_userButtons) {
+    button = new QToolButton(m_userRow);
+    button->setObjectName("chip");
+    row->addWidget(button);
+  }
+  row->addStretch(1);
+  for (int i : {0, 1})
+    connect(m_userButtons[i], &QToolButton::clicked, this, [this, i] {
+      if (i >= m_model.rowCount()) return;
+      const Manifest::Performer& source = m_model.performer(i).source;
+      emit userChosen(QString::fromStdString(source.motion.string()),
+                      QString::fromStdString(source.skeleton.string()));
+    });
+  return m_userRow;
+}
+
+QWidget* BuildDialog::makeOverview() {
+  auto* split = new QSplitter(Qt::Horizontal, this);
+  m_table->setModel(&m_model);
+  m_table->setAccessibleName("Performers and their takes");
+  m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  m_table->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  m_table->setShowGrid(false);
+  m_table->setAlternatingRowColors(false);
+  m_table->verticalHeader()->hide();
+  m_table->verticalHeader()->setDefaultSectionSize(25);
+  m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  m_table->horizontalHeader()->setHighlightSections(false);
+  m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  m_table->horizontalHeader()->setStretchLastSection(true);
+  m_table->setIconSize({14, 14});
+  m_table->setTabKeyNavigation(false);
+  auto* side = new QWidget(split);
+  auto* column = column_in(side);
+  m_previewHead = secondary("Choose a performer to see its take");
+  column->addWidget(m_previewHead);
+  column->addWidget(m_preview, 1);
+  auto* left = new QWidget(split);
+  auto* left_column = column_in(left);
+  left_column->addWidget(m_table, 1);
+  left_column->addWidget(
+      secondary("? = guessed. What is set below holds for every chosen row; Ctrl+A chooses all."));
+  split->addWidget(left);
+  split->addWidget(side);
+  split->setStretchFactor(0, 3);
+  split->setStretchFactor(1, 2);
+  split->setSizes({720, 420});
+  return split;
+}
+
+QLineEdit* BuildDialog::addPath(QGridLayout* grid, int row, const QString& name, const QString& tip,
+                                const QString& filter, bool to_write) {
+  auto* label = secondary(name);
+  auto* field = new QLineEdit(this);
+  field->setAccessibleName(name);
+  field->setToolTip(tip);
+  field->setPlaceholderText(to_write ? "not saved" : "none");
+  field->setClearButtonEnabled(true);
+  label->setBuddy(field);
+  auto* choose = new QToolButton(this);
+  choose->setObjectName("chip");
+  choose->setText("…");
+  choose->setAccessibleName(name + ": choose a file");
+  connect(choose, &QToolButton::clicked, this, [this, field, name, filter, to_write] {
+    const QString file = to_write ? QFileDialog::getSaveFileName(this, name, field->text(), filter)
+                                  : QFileDialog::getOpenFileName(this, name, field->text(), filter);
+    if (file.isEmpty()) return;
+    field->setText(file);
+    emit field->editingFinished();
+  });
+  const int column = to_write ? 3 : 0;
+  grid->addWidget(label, row, column);
+  grid->addWidget(field, row, column + 1);
+  grid->addWidget(choose, row, column + 2);
+  return field;
+}
+
+QWidget* BuildDialog::makeOutputs() {
+  auto* box = new QWidget(this);
+  auto* grid = new QGridLayout(box);
+  grid->setContentsMargins(0, 0, 0, 0);
+  grid->setHorizontalSpacing(8);
+  auto* label = secondary("Library name");
+  m_name = new QLineEdit(QString::fromStdString(m_model.plan().name), box);
+  m_name->setAccessibleName("Library name");
+  label->setBuddy(m_name);
+  grid->addWidget(label, 0, 0);
+  grid->addWidget(m_name, 0, 1, 1, 2);
+  m_labels = addPath(grid, 1, "Labels", "CSV: take,start_frame,end_frame,label[,detail,confidence]",
+                     "Labels (*.csv *.eaf *.json *.vtt *.srt);;All files (*)", false);
+  m_library =
+      addPath(grid, 0, "Save library", "An .h5 that opens at once next time", "Libraries (*.h5)", true);
+  m_manifest =
+      addPath(grid, 1, "Save manifest",
+              "A .json with all choices made here: “abrazo library build” makes the same library from it",
+              "Manifests (*.json)", true);
+  grid->setColumnStretch(1, 1);
+  grid->setColumnStretch(4, 1);
+  return box;
+}
+
+QWidget* BuildDialog::makeFoot() {
+  auto* foot = new QWidget(this);
+  auto* row = new QHBoxLayout(foot);
+  row->setContentsMargins(0, 0, 0, 0);
+  auto* add = new QPushButton("Add files…", foot);
+  m_state = new QLabel(foot);
+  m_state->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  m_state->setWordWrap(true);
+  m_progress->setRange(0, 1000);
+  m_progress->setFixedWidth(220);
+  m_progress->setTextVisible(false);
+  m_progress->setAccessibleName("Progress");
+  m_progress->hide();
+  m_cancel = new QPushButton("Close", foot);
+  m_build = new QPushButton("Build", foot);
+  m_build->setDefault(true);
+  row->addWidget(add);
+  row->addWidget(m_state, 1);
+  row->addWidget(m_progress);
+  row->addWidget(m_cancel);
+  row->addWidget(m_build);
+  connect(add, &QPushButton::clicked, this, &BuildDialog::chooseFiles);
+  return foot;
+}
+
+void BuildDialog::connectParts() {
+  connect(&m_model, &BuildPlanModel::planChanged, this, &BuildDialog::showPlan);
+  connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &BuildDialog::showChosen);
+  connect(m_form, &BuildForm::surveyRequested, this, &BuildDialog::surveyRequested);
+  connect(m_remarks, &QListWidget::currentRowChanged, this, [this](int row) {
+    const int performer = row < 0 ? -1 : m_remarks->item(row)->data(Qt::UserRole).toInt();
+    if (performer >= 0) m_table->selectRow(performer);
+  });
+  connect(m_name, &QLineEdit::textEdited, &m_model, &BuildPlanModel::setName);
+  connect(m_labels, &QLineEdit::editingFinished, this, [this] {
+    if (m_labels->text().toStdString() != m_model.plan().labels.string())
+      emit labelsRequested(m_labels->text());
+  });
+  connect(m_cancel, &QPushButton::clicked, this, &BuildDialog::reject);
+  connect(m_build, &QPushButton::clicked, this, &BuildDialog::buildRequested);
+}
+
+void BuildDialog::setColours(const widgets::Palette& palette) {
+  m_palette = palette;
+  setStyleSheet(
+      QString("QTableView { background: %1; border: 1px solid %2; border-radius: 5px; outline: 0; "
+              "selection-background-color: %3; selection-color: white; }"
+              "QHeaderView, QTableCornerButton::section { background: %1; border: none; }"
+              "QHeaderView::section { background: %1; color: %4; border: none; border-bottom: 1px solid %2; "
+              "padding: 5px 6px; }"
+              "QListWidget { border: 1px solid %2; border-radius: 5px; }"
+              "QListWidget::item { padding: 3px 6px; }")
+          .arg(palette.panel.name(), palette.border.name(), palette.accent.name(), palette.secondary.name()));
+  m_model.setColours(palette);
+  m_preview->setColours(palette);
+  showPlan();
+}
+
+std::vector<int> BuildDialog::chosenRows() const {
+  std::vector<int> rows;
+  for (const QModelIndex& index : m_table->selectionModel()->selectedRows()) rows.push_back(index.row());
+  std::sort(rows.begin(), rows.end());
+  return rows;
+}
+
+QStringList BuildDialog::remarks() const {
+  QStringList texts;
+  for (int i = 0; i < m_remarks->count(); ++i) texts << m_remarks->item(i)->text();
+  return texts;
+}
+
+BuildOutputs BuildDialog::outputs() const {
+  return {m_library->text().trimmed(), m_manifest->text().trimmed()};
+}
+
+void BuildDialog::setOutputs(const BuildOutputs& outputs) {
+  m_library->setText(outputs.library);
+  m_manifest->setText(outputs.manifest);
+}
+
+void BuildDialog::setSkeletons(const QStringList& files) {
+  m_form->setSkeletons(files);
+}
+
+void BuildDialog::showPlan() {
+  m_remarks->clear();
+  for (const PlanRemark& remark : brought_together(m_model.remarks())) {
+    const bool warning = remark.kind == PlanRemark::Kind::Warning;
+    const QString head = remark.kind == PlanRemark::Kind::Obstacle   ? "To do: "
+                         : remark.kind == PlanRemark::Kind::Question ? "Check: "
+                                                                     : "";
+    auto* item =
+        new QListWidgetItem(widgets::icon(warning ? widgets::Icon::Information : widgets::Icon::Warning,
+                                          warning ? m_palette.secondary : m_palette.warning),
+                            head + QString::fromStdString(remark.whole()), m_remarks);
+    item->setToolTip(widgets::plain_tip(item->text()));
+    item->setData(Qt::UserRole, remark.performer);
+  }
+  m_remarks->setVisible(m_remarks->count() > 0);
+  m_labels->setText(QString::fromStdString(m_model.plan().labels.string()));
+  m_build->setEnabled(!m_busy && m_model.canBuild());
+  if (m_model.rowCount() > 0 && chosenRows().empty()) m_table->selectRow(0);
+  showUserRow();
+  showChosen();
+}
+
+void BuildDialog::showUserRow() {
+  const bool two = m_model.rowCount() == 2 && m_model.performer(0).in_the_file == 1;
+  m_userRow->setVisible(two);
+  if (!two) return;
+  m_userQuestion->setText("Two motions. Build makes a take of both. Or one of them plays the user:");
+  for (int i : {0, 1}) {
+    const PlannedPerformer& performer = m_model.performer(i);
+    m_userButtons[i]->setText(QString::fromStdString(performer.source.motion.filename().string()) +
+                              " plays the user");
+    m_userButtons[i]->setEnabled(performer.clip != nullptr);
+  }
+}
+
+void BuildDialog::showChosen() {
+  const std::vector<int> rows = chosenRows();
+  m_form->show(rows);
+  if (rows.empty()) {
+    m_preview->show({}, {});
+    return;
+  }
+  const int first = rows.front(), partner = partner_of(m_model.plan(), first);
+  const auto clip_of = [this](int row) {
+    return row < 0 ? widgets::PreviewedClip{}
+                   : widgets::PreviewedClip{m_model.performer(row).clip, m_model.performer(row).source.start};
+  };
+  // As in the manifest: A is the one that stands first.
+  const int a = partner >= 0 ? std::min(first, partner) : first;
+  const int b = partner >= 0 ? std::max(first, partner) : -1;
+  m_preview->show(clip_of(a), clip_of(b));
+  const QString take = QString::fromStdString(m_model.performer(first).take);
+  m_previewHead->setText(take.isEmpty()
+                             ? QString::fromStdString(m_model.performer(first).name) + ", in no take"
+                             : "Take " + take);
+}
+
+void BuildDialog::showProgress(const QString& doing, double fraction) {
+  m_busy = true;
+  m_progress->show();
+  m_progress->setValue(static_cast<int>(1000 * fraction));
+  m_state->setText(doing);
+  m_cancel->setText("Cancel");
+  m_build->setEnabled(false);
+}
+
+void BuildDialog::endProgress() {
+  m_busy = false;
+  m_progress->hide();
+  m_state->clear();
+  m_cancel->setText("Close");
+  m_build->setEnabled(m_model.canBuild());
+}
+
+void BuildDialog::showError(const QString& text) {
+  endProgress();
+  m_state->setText(text);
+}
+
+void BuildDialog::reject() {
+  if (m_busy) return emit cancelRequested();
+  QDialog::reject();
+}
+
+void BuildDialog::chooseFiles() {
+  const QStringList files = QFileDialog::getOpenFileNames(
+      this, "Add files", {},
+      QString("Motions, skeletons, labels (%1 *.eaf *.json *.vtt *.srt);;All files (*)")
+          .arg(QString::fromStdString(motion_file_patterns(true))));
+  if (!files.isEmpty()) emit filesOffered(files);
+}
+
+void BuildDialog::keyPressEvent(QKeyEvent* event) {
+  const bool is_return = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+  if (is_return && !qobject_cast<QPushButton*>(focusWidget())) return;
+  QDialog::keyPressEvent(event);
+}
+
+void BuildDialog::dragEnterEvent(QDragEnterEvent* event) {
+  if (event->mimeData()->hasUrls()) event->acceptProposedAction();
+}
+
+void BuildDialog::dropEvent(QDropEvent* event) {
+  QStringList files;
+  for (const QUrl& url : event->mimeData()->urls())
+    if (url.isLocalFile()) files << url.toLocalFile();
+  if (!files.isEmpty()) emit filesOffered(files);
+}
+
+}  // namespace abrazo::app

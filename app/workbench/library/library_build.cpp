@@ -1,0 +1,235 @@
+#include "app/workbench/library/library_build.hpp"
+
+#include <QFileInfo>
+#include <algorithm>
+#include <filesystem>
+
+#include "app/workbench/base/job.hpp"
+#include "app/workbench/document/label_files.hpp"
+#include "app/workbench/document/material.hpp"
+#include "app/workbench/document/unmapped_motion.hpp"
+#include "app/workbench/library/mapping_dialog.hpp"
+#include "core/base/atomic_file.hpp"
+#include "core/library/build/saved_build.hpp"
+
+namespace abrazo::app {
+
+/// What a worker read, for the GUI thread to show.
+struct LibraryBuild::Read {
+  std::vector<std::vector<PlannedPerformer>> files;
+  std::optional<QString> labels;  ///< of which `labelled` are the takes
+  std::vector<std::string> labelled;
+  QString trouble;
+  UnmappedMotion unmapped;             ///< the first whose points are unknown
+  std::vector<Survey> without_joints;  ///< it and those that may be like it
+};
+
+LibraryBuild::LibraryBuild(QWidget* window, const widgets::Palette& palette)
+    : QObject(window), m_window(window), m_palette(palette), m_dialog(new BuildDialog(window)) {
+  m_dialog->setColours(palette);
+  connect(m_dialog, &BuildDialog::filesOffered, this, &LibraryBuild::offer);
+  connect(m_dialog, &BuildDialog::surveyRequested, this, &LibraryBuild::survey);
+  connect(m_dialog, &BuildDialog::labelsRequested, this, &LibraryBuild::readLabels);
+  connect(m_dialog, &BuildDialog::buildRequested, this, &LibraryBuild::build);
+  connect(m_dialog, &BuildDialog::cancelRequested, this, &LibraryBuild::stop);
+  connect(m_dialog, &BuildDialog::userChosen, this, [this](const QString& motion, const QString& skeleton) {
+    stop();
+    m_finished = true;
+    m_dialog->close();
+    QStringList files{motion};
+    if (!skeleton.isEmpty()) files << skeleton;
+    emit userChosen(files);
+  });
+  connect(m_dialog, &QDialog::finished, this, [this] {
+    if (!m_finished) emit givenUp();
+  });
+}
+
+LibraryBuild::~LibraryBuild() = default;
+
+void LibraryBuild::setColours(const widgets::Palette& palette) {
+  m_palette = palette;
+  m_dialog->setColours(palette);
+}
+
+bool LibraryBuild::isBusy() const {
+  return m_job != nullptr;
+}
+
+void LibraryBuild::offer(const QStringList& files) {
+  QStringList not_of_use;
+  for (const QString& file : files) {
+    const QString suffix = QFileInfo(file).suffix().toLower();
+    if (suffix == "asf") m_skeletons << file;
+    const bool motion = is_motion_file(file.toStdString());
+    const bool labels = !motion && (is_label_file(file) || suffix == "csv");
+    if (suffix == "json" && !labels) m_jointMap = file.toStdString();
+    if (labels) m_labels = file;
+    if (!motion && !labels && suffix != "asf" && suffix != "json") not_of_use << QFileInfo(file).fileName();
+  }
+  m_dialog->setSkeletons(m_skeletons);
+  std::vector<std::string> skeletons;
+  for (const QString& skeleton : m_skeletons) skeletons.push_back(skeleton.toStdString());
+  for (const QString& file : files) {
+    if (!is_motion_file(file.toStdString())) continue;
+    Survey survey;
+    survey.source.motion = file.toStdString();
+    if (file.endsWith(".amc", Qt::CaseInsensitive))
+      survey.source.skeleton = guess_skeleton(file.toStdString(), skeletons);
+    survey.source.joint_map = m_jointMap;
+    m_surveys.push_back(survey);
+  }
+  m_dialog->show();
+  m_dialog->raise();
+  readNext();
+  if (!not_of_use.isEmpty())
+    m_dialog->showError(not_of_use.join(", ") + ": no motion, skeleton or labels; open a library by itself");
+}
+
+void LibraryBuild::stop() {
+  Job::retire(std::move(m_job), this);
+  m_surveys.clear();
+  m_labels.clear();
+  m_dialog->endProgress();
+}
+
+void LibraryBuild::survey(const Manifest::Performer& source, std::optional<double> fps) {
+  m_surveys.push_back({source, fps});
+  readNext();
+}
+
+void LibraryBuild::readLabels(const QString& file) {
+  if (file.isEmpty()) return m_dialog->model().setLabels({}, {});
+  m_labels = file;
+  readNext();
+}
+
+void LibraryBuild::begin(std::function<std::function<void()>(const Progress&)> work, const QString& doing) {
+  m_dialog->showProgress(doing, 0);
+  m_job = std::make_unique<Job>(std::move(work));
+  connect(m_job.get(), &Job::progressed, m_dialog,
+          [this](double fraction, const QString& what) { m_dialog->showProgress(what, fraction); });
+  connect(
+      m_job.get(), &Job::finished, this,
+      [this] {
+        Job::retire(std::move(m_job), this);
+        readNext();
+      },
+      Qt::QueuedConnection);
+}
+
+/// Everything that waits to be read, in one job; what is asked for meanwhile comes after it.
+void LibraryBuild::readNext() {
+  if (m_job || (m_surveys.empty() && m_labels.isEmpty())) return;
+  auto work = [this, surveys = std::exchange(m_surveys, {}), labels = std::exchange(m_labels, {}),
+               maps = m_maps.toStdString()](const Progress& progress) -> Job::Finish {
+    auto read = std::make_shared<Read>();
+    for (std::size_t i = 0; i < surveys.size(); ++i) {
+      const std::string name = surveys[i].source.motion.filename().string();
+      if (!report(progress, static_cast<double>(i) / static_cast<double>(surveys.size()), "Reading " + name))
+        return {};
+      auto found = survey_motion(surveys[i].source, surveys[i].fps);
+      if (const auto unmapped = found.front().trouble.empty() || !surveys[i].source.joint_map.empty()
+                                    ? nullptr
+                                    : motion_without_joints({surveys[i].source.motion.string()})) {
+        Survey again = surveys[i];
+        again.source.joint_map = remembered_map(*unmapped, maps);
+        if (!again.source.joint_map.empty()) {
+          found = survey_motion(again.source, again.fps);
+        } else {
+          read->without_joints.push_back(again);
+          if (!read->unmapped) read->unmapped = unmapped;
+        }
+      }
+      read->files.push_back(std::move(found));
+      for (PlannedPerformer& performer : read->files.back()) {
+        performer.trouble = in_words_of_the_window(performer.trouble);
+        for (ImportWarning& warning : performer.report.warnings)
+          warning.detail = in_words_of_the_window(warning.detail);
+      }
+    }
+    if (!labels.isEmpty()) {
+      const auto csv = read_whole_file(labels.toStdString());
+      const bool table = labels.endsWith(".csv", Qt::CaseInsensitive);
+      if (csv)
+        read->labels = labels, read->labelled = table ? takes_in_labels(*csv) : std::vector<std::string>();
+      else
+        read->trouble = QString::fromStdString(csv.error().text());
+    }
+    return [this, read] { show(*read); };
+  };
+  begin(std::move(work), "Reading");
+}
+
+void LibraryBuild::show(const Read& read) {
+  const auto readable = [this] {
+    const auto& performers = m_dialog->model().plan().performers;
+    return std::count_if(performers.begin(), performers.end(),
+                         [](const auto& one) { return one.clip != nullptr; });
+  };
+  const int before = m_dialog->model().rowCount();
+  const auto readable_before = readable();
+  if (!read.files.empty()) m_dialog->model().setSurveyed(read.files);
+  if (m_dialog->model().rowCount() != before || readable() != readable_before) m_dialog->model().pairUp();
+  if (read.labels) m_dialog->model().setLabels(*read.labels, labelledTakes(read));
+  m_dialog->endProgress();
+  if (!read.trouble.isEmpty()) m_dialog->showError(read.trouble);
+  if (read.unmapped) askForJoints(read);
+}
+
+/// A file that names no takes holds the labels of the one there is.
+std::vector<std::string> LibraryBuild::labelledTakes(const Read& read) const {
+  if (!read.labelled.empty()) return read.labelled;
+  std::vector<std::string> takes;
+  for (const PlannedPerformer& performer : m_dialog->model().plan().performers)
+    if (!performer.take.empty() && std::count(takes.begin(), takes.end(), performer.take) == 0)
+      takes.push_back(performer.take);
+  if (takes.size() > 1) takes.clear();
+  return takes;
+}
+
+/// What is said of the first is kept, and found again for the others when their points have the same names.
+void LibraryBuild::askForJoints(const Read& read) {
+  delete m_mapping;
+  m_mapping = new MappingDialog(*read.unmapped, m_dialog);
+  m_mapping->setAttribute(Qt::WA_DeleteOnClose);
+  m_mapping->setColours(m_palette);
+  connect(m_mapping, &QDialog::accepted, this, [this, again = read.without_joints] {
+    const auto map = remember_map(m_mapping->map(), m_maps.toStdString());
+    if (!map) return m_dialog->showError(QString::fromStdString(map.error().text()));
+    const ImportOptions said = m_mapping->said();
+    for (Survey survey : again) {
+      if (said.up_axis) survey.source.up_axis = said.up_axis;
+      if (said.metres_per_unit) survey.source.metres_per_unit = said.metres_per_unit;
+      if (said.fps) survey.fps = said.fps;
+      m_surveys.push_back(survey);
+    }
+    readNext();
+  });
+  m_mapping->open();
+}
+
+void LibraryBuild::build() {
+  if (m_job || !m_dialog->model().canBuild()) return;
+  const BuildOutputs outputs = m_dialog->outputs();
+  auto work = [this, manifest = manifest_of(m_dialog->model().plan()),
+               outputs](const Progress& progress) -> Job::Finish {
+    std::vector<std::string> warnings;
+    auto library = build_and_save(manifest, {outputs.library.toStdString(), outputs.manifest.toStdString()},
+                                  progress, warnings);
+    if (!library)
+      return [this, text = in_words_of_the_window(library.error().text())] {
+        m_dialog->showError(QString::fromStdString(text));
+      };
+    auto ready = std::make_shared<const MotionLibrary>(std::move(library).value());
+    return [this, ready, warnings, outputs] {
+      m_dialog->endProgress();
+      m_finished = true;
+      m_dialog->close();
+      emit built(ready, warnings, outputs);
+    };
+  };
+  begin(std::move(work), "Building");
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <QObject>
+#include <QPointer>
+#include <QStringList>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "app/workbench/library/build_dialog.hpp"
+#include "app/workbench/library/mapping_dialog.hpp"
+#include "core/library/store/motion_library.hpp"
+
+namespace abrazo::app {
+
+class Job;
+
+/// A library being built from motion files: the dialog, and the reading and building that goes on for it on a
+/// worker. The GUI thread reads no file.
+class LibraryBuild : public QObject {
+  Q_OBJECT
+ public:
+  LibraryBuild(QWidget* window, const widgets::Palette& palette);
+  ~LibraryBuild() override;
+  /// Adds files to what is planned, and shows the dialog.
+  void offer(const QStringList& files);
+  void setColours(const widgets::Palette& palette);
+  /// Where joint maps that a person made are kept.
+  void setJointMaps(const QString& folder) { m_maps = folder; }
+  MappingDialog* mapping() const { return m_mapping; }
+  BuildDialog& dialog() { return *m_dialog; }
+  /// Something is being read or built.
+  bool isBusy() const;
+
+ signals:
+  void built(std::shared_ptr<const abrazo::MotionLibrary> library, const std::vector<std::string>& warnings,
+             const abrazo::app::BuildOutputs& written);
+  void userChosen(const QStringList& files);
+  /// The dialog was closed without a result.
+  void givenUp();
+
+ private:
+  struct Survey {
+    Manifest::Performer source;
+    std::optional<double> fps;
+  };
+  struct Read;
+  void survey(const Manifest::Performer& source, std::optional<double> fps);
+  void readLabels(const QString& file);
+  void readNext();
+  void show(const Read& read);
+  void askForJoints(const Read& read);
+  std::vector<std::string> labelledTakes(const Read& read) const;
+  void build();
+  void stop();
+  void begin(std::function<std::function<void()>(const Progress&)> work, const QString& doing);
+
+  QWidget* m_window;
+  widgets::Palette m_palette;
+  BuildDialog* m_dialog;
+  QStringList m_skeletons;
+  std::string m_jointMap;
+  std::vector<Survey> m_surveys;
+  QString m_labels, m_maps;
+  QPointer<MappingDialog> m_mapping;
+  std::unique_ptr<Job> m_job;
+  bool m_finished = false;  ///< the dialog closes with a result
+};
+
+}  // namespace abrazo::app

@@ -1,0 +1,42 @@
+#include "app/workbench/library/mapping_desk.hpp"
+
+#include "app/workbench/document/open_video.hpp"
+#include "app/workbench/library/mapping_dialog.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "widgets/common/message_bar.hpp"
+
+namespace abrazo::app {
+
+MappingDesk::MappingDesk(MainWindow& window) : QObject(&window), m_window(window) {
+  connect(&window, &MainWindow::mappingOffered, this, &MappingDesk::offer);
+  connect(&window, &MainWindow::coloursChanged, this, [this](const widgets::Palette& palette) {
+    if (m_dialog) m_dialog->setColours(palette);
+  });
+}
+
+QString MappingDesk::folder(const MainWindow& window) {
+  return window.remembered().folder() + "/joint-maps";
+}
+
+void MappingDesk::offer(const QStringList& files, const UnmappedMotion& motion) {
+  delete m_dialog;
+  m_dialog = new MappingDialog(*motion, &m_window);
+  m_dialog->setAttribute(Qt::WA_DeleteOnClose);
+  m_dialog->setColours(m_window.colours());
+  connect(m_dialog, &QDialog::accepted, this, [this, files] { use(files); });
+  m_dialog->open();
+}
+
+void MappingDesk::use(const QStringList& files) {
+  const auto map = remember_map(m_dialog->map(), folder(m_window).toStdString());
+  if (!map) return m_window.messages().showError(QString::fromStdString(map.error().text()));
+  std::vector<std::string> names{*map};
+  for (const QString& file : files)
+    if (!is_video_file(file)) names.push_back(file.toStdString());
+  const Material open = m_window.session() ? m_window.session()->material() : Material{};
+  m_window.openMaterial([names, open, said = m_dialog->said()](
+                            const Progress& progress) { return load_material(names, open, progress, said); },
+                        files);
+}
+
+}  // namespace abrazo::app

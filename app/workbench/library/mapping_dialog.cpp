@@ -1,0 +1,339 @@
+#include "app/workbench/library/mapping_dialog.hpp"
+
+#include <QComboBox>
+#include <QCompleter>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSlider>
+#include <QTableWidget>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "app/workbench/library/mapping_words.hpp"
+#include "core/base/atomic_file.hpp"
+#include "core/base/text.hpp"
+#include "widgets/library/mapping_preview.hpp"
+
+namespace abrazo::app {
+namespace {
+
+enum Column { Joint, Points, Source };
+
+std::size_t at(int joint) {
+  return static_cast<std::size_t>(joint);
+}
+
+const char* rule_words(JointGuess::By by) {
+  switch (by) {
+    case JointGuess::By::Name:
+      return "by name ?";
+    case JointGuess::By::Place:
+      return "by place ?";
+    case JointGuess::By::Others:
+      return "estimated ?";
+    case JointGuess::By::Nothing:
+      return "";
+  }
+  return "";
+}
+
+/// A recording may be hundreds of megabytes.
+NamedMotion without_frames(const NamedMotion& motion) {
+  return {motion.name, motion.points,          motion.parents, {},
+          motion.fps,  motion.metres_per_unit, motion.up_axis, motion.warnings};
+}
+
+}  // namespace
+
+MappingDialog::MappingDialog(NamedMotion motion, QWidget* parent)
+    : QDialog(parent),
+      m_motion(std::move(motion)),
+      m_table(new QTableWidget(joint_count, 3, this)),
+      m_preview(new widgets::MappingPreview(this)),
+      m_frame(new QSlider(Qt::Horizontal, this)),
+      m_palette(widgets::palette_of(widgets::Theme::Dark)) {
+  setWindowTitle(QString("Which points are which joints? · %1").arg(QString::fromStdString(m_motion.name)));
+  resize(1080, 760);
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(16, 14, 16, 14);
+  column->setSpacing(10);
+  column->addWidget(new QLabel(
+      QString(
+          "No joint map fits the %1 points of this file. Say which they are; what was guessed is marked “?”.")
+          .arg(m_motion.points.size()),
+      this));
+  auto* row = new QHBoxLayout;
+  m_table->setAccessibleName("Joints and their points");
+  m_table->setHorizontalHeaderLabels({"Joint", "Points", "Found"});
+  m_table->verticalHeader()->hide();
+  m_table->verticalHeader()->setDefaultSectionSize(24);
+  m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+  m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+  m_table->setTabKeyNavigation(false);
+  m_table->setShowGrid(false);
+  m_table->horizontalHeader()->setSectionResizeMode(Points, QHeaderView::Stretch);
+  m_table->setColumnWidth(Source, 96);
+  row->addWidget(m_table, 5);
+  auto* side = new QVBoxLayout;
+  side->addWidget(m_preview, 1);
+  m_frame->setAccessibleName("Frame of the preview");
+  m_frame->setRange(0, std::max(0, static_cast<int>(m_motion.frames.size()) - 1));
+  m_frame->setValue(static_cast<int>(frame_to_look_at(m_motion)));
+  side->addWidget(m_frame);
+  row->addLayout(side, 4);
+  column->addLayout(row, 1);
+  column->addWidget(makeFacts());
+  column->addWidget(makeFoot());
+  connectParts();
+  guessAgain();
+}
+
+QWidget* MappingDialog::makeFacts() {
+  auto* box = new QWidget(this);
+  auto* row = new QHBoxLayout(box);
+  row->setContentsMargins(0, 0, 0, 0);
+  const auto add = [row](const QString& name, QWidget* field) {
+    auto* label = new QLabel(name);
+    label->setObjectName("secondary");
+    label->setBuddy(field);
+    field->setAccessibleName(name);
+    row->addWidget(label);
+    row->addWidget(field);
+  };
+  m_up = new QComboBox(box);
+  m_up->addItems({"as found", "Y", "Z"});
+  m_unit = new QComboBox(box);
+  m_unit->addItem("as found", 0.0);
+  for (const auto& [name, metres] :
+       {std::pair("metres", 1.0), {"centimetres", 0.01}, {"millimetres", 0.001}, {"inches", 0.0254}})
+    m_unit->addItem(name, metres);
+  m_rate = new QLineEdit(box);
+  m_rate->setPlaceholderText("as found");
+  m_rate->setMaximumWidth(90);
+  add("Up axis", m_up);
+  add("Unit", m_unit);
+  add("Frame rate", m_rate);
+  m_facts = new QLabel(box);
+  m_facts->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  row->addSpacing(12);
+  row->addWidget(m_facts, 1);
+  return box;
+}
+
+QWidget* MappingDialog::makeFoot() {
+  auto* foot = new QWidget(this);
+  auto* row = new QHBoxLayout(foot);
+  row->setContentsMargins(0, 0, 0, 0);
+  auto* load = new QPushButton("Load map…", foot);
+  auto* save = new QPushButton("Save map…", foot);
+  auto* guess = new QPushButton("Guess again", foot);
+  auto* cancel = new QPushButton("Cancel", foot);
+  m_state = new QLabel(foot);
+  m_state->setWordWrap(true);
+  m_use = new QPushButton("Use", foot);
+  m_use->setDefault(true);
+  m_use->setToolTip("Files with the same point names are then read this way without a question");
+  for (QWidget* widget : std::initializer_list<QWidget*>{load, save, guess}) row->addWidget(widget);
+  row->addWidget(m_state, 1);
+  row->addWidget(cancel);
+  row->addWidget(m_use);
+  connect(load, &QPushButton::clicked, this, &MappingDialog::loadMap);
+  connect(save, &QPushButton::clicked, this, &MappingDialog::saveMap);
+  connect(guess, &QPushButton::clicked, this, &MappingDialog::guessAgain);
+  connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
+  connect(m_use, &QPushButton::clicked, this, &QDialog::accept);
+  return foot;
+}
+
+void MappingDialog::connectParts() {
+  connect(m_table, &QTableWidget::cellChanged, this, [this](int joint, int column) {
+    if (!m_filling && column == Points) setPoints(joint, m_table->item(joint, Points)->text());
+  });
+  connect(m_table, &QTableWidget::currentCellChanged, this, [this](int joint) { chooseJoint(joint); });
+  connect(m_preview, &widgets::MappingPreview::pointClicked, this, &MappingDialog::togglePoint);
+  connect(m_frame, &QSlider::valueChanged, this, &MappingDialog::showFrame);
+  connect(m_up, qOverload<int>(&QComboBox::activated), this, &MappingDialog::changed);
+  connect(m_unit, qOverload<int>(&QComboBox::activated), this, &MappingDialog::changed);
+  connect(m_rate, &QLineEdit::editingFinished, this, &MappingDialog::changed);
+}
+
+void MappingDialog::setColours(const widgets::Palette& palette) {
+  m_palette = palette;
+  m_preview->setColours(palette);
+  setStyleSheet(
+      QString("QTableWidget { background: %1; border: 1px solid %2; border-radius: 5px; "
+              "selection-background-color: %3; selection-color: white; }"
+              "QHeaderView::section { background: %1; color: %4; border: none; border-bottom: 1px solid %2; "
+              "padding: 5px 6px; }")
+          .arg(palette.panel.name(), palette.border.name(), palette.accent.name(), palette.secondary.name()));
+  changed();
+}
+
+void MappingDialog::guessAgain() {
+  JointGuess guess = guess_joints(m_motion, at(m_frame->value()));
+  for (const int joint : estimate_missing_joints(guess.map)) guess.by[at(joint)] = JointGuess::By::Others;
+  m_map = std::move(guess.map);
+  m_by = guess.by;
+  changed();
+  m_table->setCurrentCell(m_joint, Points);
+}
+
+void MappingDialog::showRow(int joint) {
+  const auto& rules = m_map.rules[at(joint)];
+  const QString cells[] = {QString::fromUtf8(joint_names[at(joint)].data()),
+                           rules.empty() ? QString() : in_words(rules.front()),
+                           rules.empty() ? "nothing yet" : rule_words(m_by[at(joint)])};
+  for (int column : {Joint, Points, Source}) {
+    auto* item = m_table->item(joint, column);
+    if (!item) m_table->setItem(joint, column, item = new QTableWidgetItem);
+    item->setText(cells[column]);
+    item->setToolTip(column == Points ? "A point, or weights: 0.5 LASI + 0.5 RASI" : QString());
+    item->setFlags(column == Points ? item->flags() | Qt::ItemIsEditable
+                                    : item->flags() & ~Qt::ItemIsEditable);
+    item->setForeground(column == Source && rules.empty() ? m_palette.warning
+                        : column == Source                ? m_palette.secondary
+                                                          : m_palette.text);
+  }
+}
+
+void MappingDialog::changed() {
+  m_filling = true;
+  for (int joint = 0; joint < joint_count; ++joint) showRow(joint);
+  m_filling = false;
+  showFrame();
+  showFacts();
+}
+
+void MappingDialog::setPoints(int joint, const QString& text) {
+  const auto rule = rule_of_words(text, m_motion.points);
+  if (!rule) {
+    m_filling = true;
+    showRow(joint);
+    m_filling = false;
+    m_state->setText(QString::fromStdString(rule.error().text()));
+    return;
+  }
+  auto& rules = m_map.rules[at(joint)];
+  rules.clear();
+  if (!rule->terms.empty()) rules.push_back(*rule);
+  m_by[at(joint)] = JointGuess::By::Nothing;
+  m_joint = joint;
+  changed();
+}
+
+void MappingDialog::togglePoint(int point) {
+  const std::string& name = m_motion.points[at(point)];
+  auto& rules = m_map.rules[at(m_joint)];
+  // A guess gives way to what is said.
+  if (rules.empty() || m_by[at(m_joint)] != JointGuess::By::Nothing) rules.assign(1, JointRule{});
+  m_by[at(m_joint)] = JointGuess::By::Nothing;
+  auto& terms = rules.front().terms;
+  if (std::erase_if(terms, [&](const JointRule::Term& term) { return term.point == name; }) == 0)
+    terms.push_back({name, 1});
+  for (JointRule::Term& term : terms) term.weight = 1.0 / static_cast<double>(terms.size());
+  if (terms.empty()) rules.clear();
+  changed();
+}
+
+void MappingDialog::chooseJoint(int joint) {
+  if (joint < 0) return;
+  m_joint = joint;
+  if (m_table->currentRow() != joint) m_table->setCurrentCell(joint, Points);
+  showFrame();
+}
+
+Positions MappingDialog::upright(const Positions& points) const {
+  const Eigen::RowVector3d extent = points.array().isNaN().select(0, points).colwise().maxCoeff() -
+                                    points.array().isNaN().select(0, points).colwise().minCoeff();
+  const bool z_up = m_up->currentIndex() == 2 || (m_up->currentIndex() == 0 && extent.z() > extent.y());
+  Positions turned = points;
+  if (z_up) turned.col(1) = points.col(2), turned.col(2) = -points.col(1);
+  return turned;
+}
+
+void MappingDialog::showFrame() {
+  if (m_motion.frames.empty()) return;
+  widgets::MappedFrame shown;
+  shown.points = upright(m_motion.frames[at(m_frame->value())]);
+  shown.joint = m_joint;
+  const JointBinding binding = bind_joints(m_map, m_motion.points);
+  for (int j = 0; j < joint_count; ++j) {
+    for (const auto& [point, weight] : binding.terms[at(j)])
+      shown.pose.row(j) += weight * shown.points.row(point);
+    shown.known[at(j)] = !binding.terms[at(j)].empty() && shown.pose.row(j).allFinite();
+  }
+  for (const auto& [point, weight] : binding.terms[at(m_joint)]) shown.chosen.push_back(point);
+  m_preview->show(shown);
+}
+
+ImportOptions MappingDialog::said() const {
+  ImportOptions options;
+  if (m_up->currentIndex() > 0) options.up_axis = m_up->currentIndex() == 1 ? UpAxis::Y : UpAxis::Z;
+  if (const double unit = m_unit->currentData().toDouble(); unit > 0) options.metres_per_unit = unit;
+  if (const auto rate = parse_number(m_rate->text().trimmed().toStdString()); rate && *rate > 0)
+    options.fps = *rate;
+  return options;
+}
+
+/// A few frames are imported as the whole file will be: what it finds is what is shown.
+void MappingDialog::showFacts() {
+  QStringList missing;
+  for (const int joint : bind_joints(m_map, m_motion.points).missing)
+    missing << QString::fromUtf8(joint_names[at(joint)].data());
+  m_use->setEnabled(missing.isEmpty());
+  m_facts->clear();
+  if (!missing.isEmpty())
+    return m_state->setText(
+        QString("No points yet for %1").arg(missing.mid(0, 5).join(", ")) +
+        (missing.size() > 5 ? QString(" and %1 more").arg(missing.size() - 5) : QString()));
+  NamedMotion few = without_frames(m_motion);
+  constexpr std::size_t most_frames = 40;
+  const std::size_t step = std::max<std::size_t>(1, m_motion.frames.size() / most_frames);
+  for (std::size_t f = 0; f < m_motion.frames.size(); f += step)
+    if (m_motion.frames[f].allFinite() || few.frames.empty()) few.frames.push_back(m_motion.frames[f]);
+  ImportOptions options = said();
+  options.joint_map = m_map;
+  const auto clip = import_clip(few, options);
+  if (!clip) return m_state->setText(QString::fromStdString(clip.error().text()));
+  const ImportReport& report = clip->report;
+  const auto mark = [](bool guessed) { return guessed ? " ?" : ""; };
+  m_facts->setText(QString("%1 up%2 · %3 m per unit%4 · %5 fps%6 · head at %7 m")
+                       .arg(report.up_axis == UpAxis::Z ? "Z" : "Y", mark(report.up_axis_guessed))
+                       .arg(report.metres_per_unit, 0, 'g', 5)
+                       .arg(mark(report.unit_guessed))
+                       .arg(report.fps, 0, 'g', 5)
+                       .arg(mark(report.fps_guessed))
+                       .arg(report.height_m, 0, 'f', 2));
+  m_state->setText("Every joint has its points");
+}
+
+QString MappingDialog::state() const {
+  return m_state->text();
+}
+
+void MappingDialog::saveMap() {
+  const QString file = QFileDialog::getSaveFileName(
+      this, "Save joint map", QString::fromStdString(m_motion.name) + ".json", "Joint maps (*.json)");
+  if (file.isEmpty()) return;
+  const Status written = write_whole_file(file.toStdString(), joint_map_json(m_map));
+  m_state->setText(written ? "Joint map written to " + file : QString::fromStdString(written.error().text()));
+}
+
+void MappingDialog::loadMap() {
+  const QString file =
+      QFileDialog::getOpenFileName(this, "Joint map", {}, "Joint maps (*.json);;All files (*)");
+  if (file.isEmpty()) return;
+  const auto text = read_whole_file(file.toStdString());
+  const auto map = text ? parse_joint_map(*text, file.toStdString()) : Result<JointMap>(text.error());
+  if (!map) return m_state->setText(QString::fromStdString(map.error().text()));
+  m_map = *map;
+  m_by.fill(JointGuess::By::Nothing);
+  changed();
+}
+
+}  // namespace abrazo::app

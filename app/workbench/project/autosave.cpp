@@ -1,0 +1,124 @@
+#include "app/workbench/project/autosave.hpp"
+
+#include <QDateTime>
+#include <QDir>
+#include <QFile>
+#include <QFileInfo>
+#include <QUuid>
+
+#include "app/workbench/base/job.hpp"
+#include "app/workbench/document/project_opening.hpp"
+#include "app/workbench/project/project_state.hpp"
+
+namespace abrazo::app {
+namespace {
+
+QString lock_of(const QString& file) {
+  return file.left(file.size() - QString(".abrazo").size()) + ".lock";
+}
+
+QString counted(std::size_t count, const char* one) {
+  return QString("%1 %2%3").arg(count).arg(one, count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+Autosave::Autosave(const QString& folder, QObject* parent) : QObject(parent), m_folder(folder) {}
+
+Autosave::~Autosave() {
+  finish();
+}
+
+/// The file gets its name and its lock when there is something to keep.
+bool Autosave::prepare() {
+  if (m_lock) return true;
+  QDir().mkpath(m_folder);
+  const QString id = QUuid::createUuid().toString(QUuid::WithoutBraces);
+  auto lock = std::make_unique<QLockFile>(m_folder + "/" + id + ".lock");
+  lock->setStaleLockTime(0);
+  if (!lock->tryLock(0)) return false;
+  m_lock = std::move(lock);
+  m_file = m_folder + "/" + id + ".abrazo";
+  return true;
+}
+
+void Autosave::keep(const Project& project, const QString& session_file) {
+  if (m_job || (m_kept && is_same_work(*m_kept, project) && m_keptFor == session_file)) return;
+  m_dropWhenDone = false;
+  if (!prepare()) {
+    if (m_told.isEmpty()) emit failed(m_told = m_folder + ": changes cannot be kept there; save often");
+    return;
+  }
+  m_kept = project;
+  m_keptFor = session_file;
+  Project kept = project;
+  kept.view[autosaved_key] = session_file.toStdString();
+  m_job = std::make_unique<Job>([this, kept = std::move(kept), file = m_file.toStdString()](const Progress&) {
+    const Status saved = save_project(file, kept);
+    return Job::Finish([this, why = saved ? QString() : QString::fromStdString(saved.error().text())] {
+      if (why.isEmpty()) return m_dropWhenDone ? void() : emit this->kept();
+      m_kept.reset();
+      if (why != m_told) emit failed(m_told = why);
+    });
+  });
+  connect(m_job.get(), &Job::finished, this, [this] {
+    m_job.release()->deleteLater();
+    if (m_dropWhenDone) finish();
+  });
+}
+
+void Autosave::drop() {
+  m_dropWhenDone = true;
+  if (!m_job) finish();
+}
+
+void Autosave::leave(const Project& project, const QString& session_file) {
+  m_job.reset();  // waits for a write under way
+  keep(project, session_file);
+  m_job.reset();
+  m_lock.reset();
+}
+
+void Autosave::finish() {
+  m_job.reset();  // waits for a write under way
+  m_kept.reset();
+  if (m_lock) remove(m_file);
+  m_lock.reset();
+}
+
+QStringList Autosave::leftBehind(const QString& folder) {
+  QStringList files;
+  for (const QFileInfo& each : QDir(folder).entryInfoList({"*.abrazo"}, QDir::Files, QDir::Time)) {
+    QLockFile lock(lock_of(each.absoluteFilePath()));
+    lock.setStaleLockTime(0);
+    if (lock.tryLock(0)) files << each.absoluteFilePath();  // its owner is gone
+  }
+  return files;
+}
+
+void Autosave::remove(const QString& file) {
+  for (const char* end : {"", "-journal", "-wal", "-shm"}) QFile::remove(file + end);
+  QFile::remove(lock_of(file));
+}
+
+QString session_of_autosave(const QString& file) {
+  const auto read = open_project(file.toStdString(), {});
+  return read ? QString::fromStdString((*read)->file) : QString();
+}
+
+QString words_of_autosave(const QString& file) {
+  const auto read = open_project(file.toStdString(), {});
+  if (!read) return {};
+  const Project& project = (*read)->project();
+  std::size_t annotations = 0;
+  for (const auto& [subject, said] : project.annotations)
+    for (const AnnotationTier& tier : said.tiers()) annotations += tier.annotations.size();
+  QStringList holds{counted(annotations, "annotation"), counted(project.markers.all().size(), "marker")};
+  if (!project.videos.empty()) holds << counted(project.videos.size(), "video");
+  const QString of = QFileInfo(QString::fromStdString((*read)->file)).fileName();
+  return QString("Changes to %1 of %2 were not saved: %3")
+      .arg(of.isEmpty() ? "an untitled session" : of,
+           QFileInfo(file).lastModified().toString("d MMM HH:mm:ss"), holds.join(", "));
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,215 @@
+#include "app/workbench/shell/frame_ticker.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/session/frames/frame_in_library.hpp"
+
+namespace abrazo::app {
+namespace {
+
+constexpr int display_interval_ms = 16;
+constexpr int panel_interval_ms = 80;
+constexpr int longest_wait_ms = 400;  // for a picture that may never come: the scene may be hidden
+constexpr double measured_over_s = 0.7;
+
+}  // namespace
+
+FrameTicker::FrameTicker(QObject* parent) : QObject(parent) {
+  m_timer.setTimerType(Qt::PreciseTimer);
+  m_timer.setInterval(display_interval_ms);
+  m_soon.setSingleShot(true);
+  m_soon.setInterval(0);
+  for (QTimer* timer : {&m_timer, &m_soon}) connect(timer, &QTimer::timeout, this, &FrameTicker::tick);
+}
+
+void FrameTicker::setSources(const FrameHistory* history, const LatestSlot<FrameSnapshot>* latest) {
+  m_history = history;
+  m_latest = latest;
+  m_playback = {};
+  m_shown = m_kept = nullptr;
+  m_panelsNow = true;
+  m_scrubbing = false;
+  m_soon.stop();
+  if (!history) return m_timer.stop();
+  m_clock.start();
+  m_panels.start();
+  m_sinceShown.start();
+  m_timer.start();
+}
+
+void FrameTicker::setLibrary(std::shared_ptr<const MotionLibrary> library) {
+  m_library = std::move(library);
+  m_kept = nullptr;  // shown again
+  changed();
+}
+
+void FrameTicker::resume(const Playback& playback) {
+  m_playback = playback;
+  if (m_history) {
+    const auto span = m_history->span();
+    m_playback.extend(span.first_s, span.last_s);
+  }
+  changed();
+}
+
+void FrameTicker::tick() {
+  if (!m_history) return;
+  const auto span = m_history->span();
+  const double elapsed_s = static_cast<double>(m_clock.nsecsElapsed()) * 1e-9;
+  m_clock.restart();
+  if (span.frames + span.stored == 0) return;
+  m_playback.extend(span.first_s, span.last_s);
+  advance(elapsed_s);
+  const bool following = m_playback.state == Playback::State::Following;
+  FrameSnapshotPtr frame = following ? m_latest->newest() : nullptr;
+  if (!frame) frame = m_history->at(m_playback.cursor_s);
+  const bool is_new = frame && frame != m_kept;
+  if (is_new) {
+    m_kept = frame;
+    m_shown = frame = in_library(frame, m_library);
+    m_picturesWhenShown = m_pictures ? m_pictures() : 0;
+    m_sinceShown.restart();
+    emit frameReady(frame);
+  }
+  emit playbackChanged(m_playback);
+  if (m_panelsNow || m_panels.elapsed() >= panel_interval_ms) {
+    m_panelsNow = false;
+    emit panelsDue();
+    m_panels.restart();
+  }
+}
+
+void FrameTicker::advance(double elapsed_s) {
+  if (m_playback.state != Playback::State::Playing) return;
+  const double speed = std::abs(m_playback.speed);
+  if (!m_playback.every_frame) {
+    m_playback.advance(elapsed_s);
+    return measure(elapsed_s * speed, elapsed_s);
+  }
+  if (waitsForPicture()) return measure(0, elapsed_s);
+  const auto next = m_history->stepped(m_playback.cursor_s, m_playback.speed > 0 ? 1 : -1);
+  measure(m_playback.advance_to_next(elapsed_s, next->time_s) * speed, elapsed_s);
+}
+
+bool FrameTicker::waitsForPicture() {
+  return m_pictures && m_pictures() == m_picturesWhenShown && m_sinceShown.elapsed() < longest_wait_ms;
+}
+
+void FrameTicker::measure(double played_s, double elapsed_s) {
+  m_played_s += played_s;
+  m_elapsed_s += elapsed_s;
+  if (m_elapsed_s < measured_over_s) return;
+  m_achieved = m_played_s / m_elapsed_s;
+  m_played_s = m_elapsed_s = 0;
+}
+
+/// Something was asked for: shown as soon as the events at hand are done, among which may be a newer request.
+void FrameTicker::changed() {
+  m_achieved = std::abs(m_playback.speed);
+  m_played_s = m_elapsed_s = 0;
+  m_panelsNow = m_panelsNow || !m_scrubbing;
+  if (m_history && !m_soon.isActive()) m_soon.start();
+}
+
+void FrameTicker::toggle() {
+  m_playback.toggle();
+  changed();
+}
+
+void FrameTicker::pause() {
+  m_playback.pause();
+  changed();
+}
+
+void FrameTicker::seek(double time_s) {
+  m_playback.seek(time_s);
+  changed();
+}
+
+QString FrameTicker::goTo(const TimePlace& place) {
+  if (!m_history) return "Nothing is open yet";
+  const auto time_s = find_time(place, *m_history, m_playback.cursor_s);
+  if (!time_s) return QString::fromStdString(time_s.error().text());
+  seek(*time_s);
+  return {};
+}
+
+void FrameTicker::step(int frames) {
+  if (!m_history) return;
+  if (const auto frame = m_history->stepped(m_playback.cursor_s, frames)) m_playback.seek(frame->time_s);
+  changed();
+}
+
+void FrameTicker::goToStart() {
+  m_playback.seek(m_playback.first_s);
+  changed();
+}
+
+void FrameTicker::follow() {
+  m_playback.follow();
+  changed();
+}
+
+void FrameTicker::setSpeed(double factor) {
+  m_playback.set_speed(factor);
+  changed();
+}
+
+void FrameTicker::changeSpeed(int steps) {
+  m_playback.change_speed(steps);
+  changed();
+}
+
+void FrameTicker::setEveryFrame(bool on) {
+  m_playback.every_frame = on;
+  changed();
+}
+
+void FrameTicker::setLoop(bool on) {
+  m_playback.loop = on;
+  changed();
+}
+
+void FrameTicker::setRepeat(Playback::Repeat repeat) {
+  m_playback.repeat = repeat;
+  m_playback.loop = true;
+  changed();
+}
+
+void FrameTicker::setIn() {
+  m_playback.set_in();
+  changed();
+}
+
+void FrameTicker::setOut() {
+  m_playback.set_out();
+  changed();
+}
+
+void FrameTicker::clearIn() {
+  m_playback.clear_in();
+  changed();
+}
+
+void FrameTicker::clearOut() {
+  m_playback.clear_out();
+  changed();
+}
+
+void FrameTicker::setRange(double from_s, double to_s) {
+  m_playback.set_range(from_s, to_s);
+  changed();
+}
+
+void FrameTicker::shuttle(int direction) {
+  m_playback.shuttle(direction);
+  changed();
+}
+
+void FrameTicker::setScrubbing(bool on) {
+  m_scrubbing = on;
+  if (!on) changed();
+}
+
+}  // namespace abrazo::app

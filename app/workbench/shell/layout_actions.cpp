@@ -1,0 +1,82 @@
+#include <QAction>
+#include <QInputDialog>
+#include <QMenu>
+#include <QScreen>
+
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/layouts.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/shell/panel_area.hpp"
+#include "app/workbench/shell/panel_focus.hpp"
+#include "app/workbench/shell/window_place.hpp"
+#include "widgets/common/message_log.hpp"
+
+namespace abrazo::app {
+namespace {
+
+void ask_name_and_save(MainWindow& window, Layouts& layouts) {
+  bool ok = false;
+  const QString name =
+      QInputDialog::getText(&window, "Save layout", "Name of the layout:", QLineEdit::Normal, {}, &ok);
+  if (ok && layouts.save(name.trimmed()))
+    window.messages().showInformation("The layout is saved as " + name.trimmed());
+}
+
+/// A person's own layouts in a menu; those of the same object name are taken out first.
+void fill(MainWindow& window, QMenu* menu, QAction* before, const QString& verb,
+          const std::function<void(const QString&)>& act) {
+  auto& layouts = *window.findChild<Layouts*>();
+  for (QAction* old : menu->actions())
+    if (old->objectName() == "own layout") delete old;
+  for (const QString& name : layouts.own()) {
+    auto* action = new QAction(verb + name, &window);
+    action->setObjectName("own layout");
+    QObject::connect(action, &QAction::triggered, &window, [act, name] { act(name); });
+    menu->insertAction(before, action);
+    window.addAction(action);  // found by the search of commands
+  }
+}
+
+}  // namespace
+
+void add_layout_actions(MainWindow& window) {
+  auto* layouts = new Layouts(window);
+  QObject::connect(&window, &MainWindow::closing, layouts, &Layouts::saveLast);
+  QMenu* menu = window.menu("View")->addMenu("Layouts");
+  for (const QString& name : Layouts::builtIn())
+    add_action(window, menu, "Layout: " + name, {}, [layouts, name] { layouts->choose(name); });
+  QAction* end_of_own = menu->addSeparator();
+  add_action(window, menu, "Save layout…", {}, [&window, layouts] { ask_name_and_save(window, *layouts); });
+  QMenu* remove = menu->addMenu("Delete layout");
+  add_action(window, menu, "Reset layout", {}, [&window] { window.resetLayout(); });
+  const auto refill = [&window, menu, remove, end_of_own, layouts] {
+    fill(window, menu, end_of_own, "Layout: ", [layouts](const QString& name) { layouts->choose(name); });
+    fill(window, remove, nullptr,
+         "Delete layout: ", [layouts](const QString& name) { layouts->remove(name); });
+    remove->setEnabled(!remove->isEmpty());
+  };
+  QObject::connect(layouts, &Layouts::ownChanged, menu, refill, Qt::QueuedConnection);
+  refill();
+  window.menu("View")->addSeparator();
+  add_action(window, window.menu("View"), "Next panel", {QKeySequence("F6")},
+             [&window] { focus_panel(window, 1); });
+  add_action(window, window.menu("View"), "Previous panel", {QKeySequence("Shift+F6")},
+             [&window] { focus_panel(window, -1); });
+  auto* log = new widgets::MessageLog;
+  log->setColours(window.colours());
+  QObject::connect(&window, &MainWindow::coloursChanged, log, &widgets::MessageLog::setColours);
+  QObject::connect(&window.messages(), &widgets::MessageBar::told, log, &widgets::MessageLog::add);
+  window.addPanel("messages", "Messages", log, Qt::BottomDockWidgetArea, false);
+  add_action(window, window.menu("View"), "Messages", {},
+             [&window] { window.panels().want("messages", true); });
+}
+
+void restore_last_layout(MainWindow& window) {
+  window.restoreGeometry(window.remembered().geometry());
+  if (const QScreen* screen = window.screen())
+    window.resize(window.size().boundedTo(screen->availableSize()));
+  bring_onto_screen(window);
+  if (auto* layouts = window.findChild<Layouts*>()) layouts->restoreLast();
+}
+
+}  // namespace abrazo::app

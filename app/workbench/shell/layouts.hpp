@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QObject>
+#include <QStringList>
+
+#include "app/workbench/shell/window_layout.hpp"
+
+namespace abrazo::app {
+
+class MainWindow;
+
+/// The arrangements of the window that can be chosen by name: three that are built in, and a person's own,
+/// each a file in the folder `layouts` beside the remembered settings.
+class Layouts : public QObject {
+  Q_OBJECT
+ public:
+  explicit Layouts(MainWindow& window);
+
+  static QStringList builtIn() { return {"Explore", "Tune", "Present"}; }
+  QStringList own() const;
+  QString fileOf(const QString& name) const;
+
+  /// What cannot be done is reported in the message bar. @return whether it was done
+  bool choose(const QString& name);
+  bool save(const QString& name);
+  bool remove(const QString& name);
+
+  /// As the window was when it was closed; the usual arrangement where that cannot be read.
+  bool restoreLast();
+  bool saveLast();
+
+ signals:
+  void ownChanged();
+
+ private:
+  bool tell(const Status& done);
+  bool restore(const QString& file);
+  void showOnly(const QStringList& panels);
+
+  MainWindow& m_window;
+};
+
+}  // namespace abrazo::app

@@ -1,0 +1,296 @@
+#include "app/workbench/shell/main_window.hpp"
+
+#include <QAction>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QFrame>
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QPointer>
+#include <QSplitter>
+#include <QStatusBar>
+#include <QUrl>
+#include <QVBoxLayout>
+
+#include "app/workbench/base/job.hpp"
+#include "app/workbench/shell/drop_hint.hpp"
+#include "app/workbench/shell/panel_area.hpp"
+#include "app/workbench/shell/status_figures.hpp"
+#include "widgets/candidates/candidate_table.hpp"
+#include "widgets/common/message_bar.hpp"
+#include "widgets/common/selection_model.hpp"
+#include "widgets/common/theme.hpp"
+#include "widgets/library/take_list.hpp"
+#include "widgets/plots/plot_panel.hpp"
+#include "widgets/scene/panel/scene_tree.hpp"
+#include "widgets/scene/view/scene_view.hpp"
+#include "widgets/settings/settings_panel.hpp"
+#include "widgets/timeline/timeline_view.hpp"
+#include "widgets/timeline/transport_bar.hpp"
+
+namespace abrazo::app {
+namespace {
+
+constexpr int status_interval_ms = 500;
+constexpr QSize smallest_window(640, 400);  // panels give way before: see plan_panels
+
+QVBoxLayout* columnIn(QWidget* box) {
+  auto* column = new QVBoxLayout(box);
+  column->setContentsMargins(0, 0, 0, 0);
+  column->setSpacing(0);
+  box->setObjectName("panel");
+  box->setAttribute(Qt::WA_StyledBackground);
+  return column;
+}
+
+QWidget* ruled(QWidget* parent) {
+  auto* line = new QFrame(parent);
+  line->setFixedHeight(1);
+  line->setObjectName("rule");
+  return line;
+}
+
+QStringList local_files(const QMimeData& data) {
+  QStringList files;
+  for (const QUrl& url : data.urls())
+    if (url.isLocalFile()) files << url.toLocalFile();
+  return files;
+}
+
+}  // namespace
+
+MainWindow::MainWindow(UserSettings& remembered)
+    : m_remembered(remembered), m_palette(&widgets::palette_of(widgets::Theme::Dark)) {
+  setWindowTitle("Abrazo");
+  setAcceptDrops(true);
+  setMinimumSize(smallest_window);
+  resize(1600, 1000);
+  m_panelMenu = new QMenu("Panels", this);
+  m_split = new QSplitter(Qt::Vertical, this);
+  m_panels = new PanelArea;
+  m_split->addWidget(m_panels);
+  m_panels->setCentralWidget(makeCentre());
+  makePanels();
+  m_split->addWidget(makeTimeline());
+  m_split->setHandleWidth(1);
+  m_split->setChildrenCollapsible(false);
+  m_split->setStretchFactor(0, 1);
+  m_split->setStretchFactor(1, 0);
+  m_split->setSizes({10'000, m_timeline->parentWidget()->sizeHint().height()});  // all lanes
+  setCentralWidget(m_split);
+  connect(m_panels, &PanelArea::arranged, this, &MainWindow::panelsArranged);
+  m_dropHint = new DropHint(this);
+  m_status = new StatusFigures(this);
+  statusBar()->addWidget(m_status, 1);
+  statusBar()->setSizeGripEnabled(false);
+  statusBar()->setContentsMargins(0, 0, 0, 0);
+  wireViews();
+  wireTransport();
+}
+
+MainWindow::~MainWindow() {
+  m_job.reset();
+  emit sessionEnding();
+  m_ticker.setSources(nullptr, nullptr);
+  m_undo.clear();  // its commands point at the settings panel
+}
+
+/// The scene is made in the place it keeps: a native OpenGL view does not survive being moved to another
+/// parent.
+QWidget* MainWindow::makeCentre() {
+  auto* box = new QWidget(m_panels);
+  auto* column = columnIn(box);
+  m_messages = new widgets::MessageBar(box);
+  Job::tellFailures([to = QPointer(m_messages)](const QString& failure) {
+    if (to) to->showError(failure);
+  });
+  m_selection = new widgets::SelectionModel(this);
+  m_scene = new widgets::SceneView(box);
+  column->addWidget(m_messages);
+  m_sceneRow = new QHBoxLayout;
+  m_sceneRow->addWidget(m_scene, 1);
+  column->addLayout(m_sceneRow, 1);
+  return box;
+}
+
+void MainWindow::makePanels() {
+  m_tree = new widgets::SceneTree;
+  m_takes = new widgets::TakeList;
+  m_candidates = new widgets::CandidateTable;
+  m_settings = new widgets::SettingsPanel(m_undo);
+  m_plots = new widgets::PlotPanel;
+  addPanel("scene", "Scene", m_tree, Qt::LeftDockWidgetArea, true);
+  addPanel("library", "Library", m_takes, Qt::LeftDockWidgetArea, true);
+  addPanel("candidates", "Candidates", m_candidates, Qt::RightDockWidgetArea, true);
+  addPanel("settings", "Settings", m_settings, Qt::RightDockWidgetArea, true);
+  addPanel("plots", "Plots", m_plots, Qt::BottomDockWidgetArea, true);
+}
+
+QWidget* MainWindow::makeTimeline() {
+  auto* box = new QWidget(this);
+  auto* column = columnIn(box);
+  m_transport = new widgets::TransportBar(box);
+  m_transport->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+  m_timeline = new widgets::TimelineView(box);
+  column->addWidget(m_transport);
+  column->addWidget(ruled(box));
+  column->addWidget(m_timeline, 1);
+  return box;
+}
+
+QDockWidget* MainWindow::addPanel(const QString& id, const QString& title, QWidget* content,
+                                  Qt::DockWidgetArea area, bool shown) {
+  QDockWidget* panel = m_panels->add(id, title, content, area, shown);
+  m_panels->setColours(*m_palette);
+  auto* action = new QAction(title + " panel", this);
+  action->setCheckable(true);
+  action->setChecked(shown);
+  connect(action, &QAction::triggered, m_panels, [this, id](bool on) { m_panels->want(id, on); });
+  connect(m_panels, &PanelArea::wantedChanged, action, [action, id](const QString& changed, bool on) {
+    if (changed == id) action->setChecked(on);
+  });
+  m_panelMenu->addAction(action);
+  addAction(action);
+  return panel;
+}
+
+void MainWindow::addBesideScene(QWidget* page) {
+  m_sceneRow->insertWidget(0, page);
+}
+
+WindowLayout MainWindow::layoutOfPanels() const {
+  WindowLayout layout = m_panels->state();
+  layout.timeline_height = m_split->sizes().back();
+  return layout;
+}
+
+bool MainWindow::setLayoutOfPanels(const WindowLayout& layout) {
+  if (!m_panels->setState(layout)) return false;
+  m_split->setSizes({10'000, layout.timeline_height});
+  return true;
+}
+
+void MainWindow::resetLayout() {
+  m_panels->reset();
+  m_split->setSizes({10'000, m_timeline->parentWidget()->sizeHint().height()});
+}
+
+void MainWindow::showLeft(bool on) {
+  m_panels->wantSide(Qt::LeftDockWidgetArea, on);
+}
+
+void MainWindow::showRight(bool on) {
+  m_panels->wantSide(Qt::RightDockWidgetArea, on);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+  m_panels->arrangeFor(size());
+  QMainWindow::resizeEvent(event);
+}
+
+void MainWindow::wireViews() {
+  using namespace widgets;
+  connect(&m_ticker, &FrameTicker::frameReady, m_scene, &SceneView::showFrame);
+  connect(&m_ticker, &FrameTicker::frameReady, m_candidates, &CandidateTable::showFrame);
+  connect(&m_ticker, &FrameTicker::panelsDue, this, &MainWindow::showPanels);
+  connect(m_candidates, &CandidateTable::candidateHovered, m_scene, &SceneView::showCandidate);
+  connect(m_tree, &SceneTree::visibilityRequested, m_scene, &SceneView::setVisibility);
+  connect(m_scene, &SceneView::visibilityChanged, m_tree, &SceneTree::setVisibility);
+  connect(m_scene, &SceneView::countsChanged, m_tree, &SceneTree::setCounts);
+  connect(m_settings, &SettingsPanel::commandRequested, this, [this](const Command& command) {
+    if (m_session) m_session->push(command);
+  });
+  connect(m_settings, &SettingsPanel::mistaken, m_messages, &MessageBar::showError);
+  connect(m_messages, &MessageBar::cancelRequested, this, [this] {
+    if (m_job) m_job->cancel();
+  });
+  connect(&m_statusTimer, &QTimer::timeout, this, [this] {
+    if (m_session) m_status->refresh(m_session->engine().history(), m_scene->renderedFrames());
+  });
+  m_statusTimer.start(status_interval_ms);
+}
+
+void MainWindow::wireTransport() {
+  using namespace widgets;
+  connect(m_transport, &TransportBar::toggleRequested, &m_ticker, &FrameTicker::toggle);
+  connect(m_transport, &TransportBar::stepRequested, &m_ticker, &FrameTicker::step);
+  connect(m_transport, &TransportBar::startRequested, &m_ticker, &FrameTicker::goToStart);
+  connect(m_transport, &TransportBar::followRequested, &m_ticker, &FrameTicker::follow);
+  connect(m_transport, &TransportBar::speedRequested, &m_ticker, &FrameTicker::setSpeed);
+  connect(m_transport, &TransportBar::loopRequested, &m_ticker, &FrameTicker::setLoop);
+  connect(m_timeline, &TimelineView::seekRequested, &m_ticker, &FrameTicker::seek);
+  connect(m_plots, &PlotPanel::seekRequested, &m_ticker, &FrameTicker::seek);
+  connect(&m_ticker, &FrameTicker::playbackChanged, m_transport, [this](const Playback& playback) {
+    const auto& shown = m_ticker.shown();
+    m_transport->showPlayback(playback, shown ? static_cast<long long>(shown->index) : -1);
+  });
+}
+
+void MainWindow::showPanels() {
+  if (!m_session) return;
+  m_timeline->refresh(m_session->history(), m_ticker.playback());
+  m_plots->refresh(m_session->history(), m_ticker.playback(), m_ticker.shown());
+  m_candidates->showPath(m_session->history(), m_ticker.playback().cursor_s);
+  const auto& shown = m_ticker.shown();
+  const bool has_source = shown && shown->result.selected >= 0;
+  const auto selected = has_source ? static_cast<std::size_t>(shown->result.selected) : 0;
+  m_takes->setCurrentTake(
+      has_source ? static_cast<int>(
+                       m_session->material().library->source(shown->result.candidates[selected].pair).take)
+                 : -1);
+}
+
+void MainWindow::setTheme(widgets::Theme theme) {
+  m_palette = &widgets::palette_of(theme);
+  const widgets::Palette& p = *m_palette;
+  widgets::apply_theme(*qApp, p);
+  m_panels->setColours(p);
+  m_scene->setColours(p);
+  m_plots->setColours(p);
+  m_messages->setColours(p);
+  m_tree->setColours(p);
+  m_takes->setColours(p);
+  m_candidates->setColours(p);
+  m_settings->setColours(p);
+  m_transport->setColours(p);
+  m_timeline->setColours(p);
+  m_status->setColours(p);
+  emit coloursChanged(p);
+}
+
+QMenu* MainWindow::menu(const QString& title) {
+  for (QAction* action : menuBar()->actions())
+    if (action->text() == title) return action->menu();
+  return menuBar()->addMenu(title);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  const QStringList files = local_files(*event->mimeData());
+  if (files.isEmpty()) return;
+  event->acceptProposedAction();
+  m_dropHint->showFor(files, *m_palette);
+}
+
+void MainWindow::dragLeaveEvent(QDragLeaveEvent*) {
+  m_dropHint->hide();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  m_dropHint->hide();
+  const QStringList files = local_files(*event->mimeData());
+  if (!files.isEmpty()) openFiles(files);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  bool allowed = true;
+  emit leaving(allowed);
+  if (!allowed) return event->ignore();
+  m_remembered.setGeometry(saveGeometry());
+  emit closing();
+  QMainWindow::closeEvent(event);
+}
+
+}  // namespace abrazo::app

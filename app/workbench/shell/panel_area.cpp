@@ -1,0 +1,261 @@
+#include "app/workbench/shell/panel_area.hpp"
+
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QScrollArea>
+#include <QTabBar>
+#include <algorithm>
+
+#include "app/workbench/shell/dock_state.hpp"
+#include "app/workbench/shell/panel_title.hpp"
+#include "app/workbench/shell/window_place.hpp"
+#include "widgets/common/section_header.hpp"
+
+namespace abrazo::app {
+namespace {
+
+constexpr int plots_height = 172;
+constexpr int low_head = 24;          // where height is scarce
+constexpr int candidates_share = 63;  // per cent of the right side
+// More panels of a side share the last place as tabs: each needs some height to be read.
+constexpr int most_stacked_beside = 2, most_stacked_below = 1;
+
+widgets::SectionHeader* head_for(QWidget* content, const QString& title) {
+  for (auto* head : content->findChildren<widgets::SectionHeader*>(QString(), Qt::FindDirectChildrenOnly))
+    if (head->title() == title) return head;
+  return new widgets::SectionHeader(title);
+}
+
+}  // namespace
+
+PanelArea::PanelArea() {
+  setWindowFlags(Qt::Widget);  // a main window is a window of its own unless told otherwise
+  setDockOptions(QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
+  setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+  for (const Qt::Corner corner : {Qt::TopLeftCorner, Qt::BottomLeftCorner})
+    setCorner(corner, Qt::LeftDockWidgetArea);
+  for (const Qt::Corner corner : {Qt::TopRightCorner, Qt::BottomRightCorner})
+    setCorner(corner, Qt::RightDockWidgetArea);
+}
+
+QDockWidget* PanelArea::add(const QString& id, const QString& title, QWidget* content,
+                            Qt::DockWidgetArea area, bool shown) {
+  auto* dock = new QDockWidget(title, this);
+  dock->setObjectName(id);
+  dock->setAccessibleName(title);
+  dock->setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea | Qt::BottomDockWidgetArea);
+  auto* head = new PanelTitle(head_for(content, title), dock);
+  if (area == Qt::BottomDockWidgetArea) head->header().setFixedHeight(low_head);
+  dock->setTitleBarWidget(head);
+  content->setAttribute(Qt::WA_StyledBackground);  // the panel's colour, whatever class it is
+  dock->setWidget(content);
+  dock->installEventFilter(this);
+  for (auto* scroll : content->findChildren<QScrollArea*>())
+    if (scroll->accessibleName().isEmpty()) scroll->setAccessibleName(title);
+  connect(head, &PanelTitle::closeRequested, this, [this, id] { want(id, false); });
+  connect(head, &PanelTitle::moveRequested, this, [this, dock](Qt::DockWidgetArea side) {
+    dock->setFloating(false);
+    addDockWidget(side, dock);
+    want(dock->objectName(), true);  // also where there was no room for panels at that side
+  });
+  connect(dock, &QDockWidget::topLevelChanged, this, &PanelArea::showWhatFits, Qt::QueuedConnection);
+  m_panels.push_back({dock, head, area, shown, shown});
+  place(m_panels.back());
+  dock->setVisible(shown && hasRoom(m_panels.back()));
+  return dock;
+}
+
+void PanelArea::place(Panel& panel) {
+  std::vector<QDockWidget*> there;
+  for (const Panel& other : m_panels)
+    if (other.dock != panel.dock && other.usual_side == panel.usual_side &&
+        dockWidgetArea(other.dock) == panel.usual_side)
+      there.push_back(other.dock);
+  const int most = panel.usual_side == Qt::BottomDockWidgetArea ? most_stacked_below : most_stacked_beside;
+  addDockWidget(panel.usual_side, panel.dock);
+  if (static_cast<int>(there.size()) < most) return;
+  tabifyDockWidget(there.front(), panel.dock);
+  there.front()->raise();
+}
+
+PanelArea::Panel* PanelArea::find(const QString& id) {
+  const auto found =
+      std::ranges::find_if(m_panels, [&](const Panel& panel) { return panel.dock->objectName() == id; });
+  return found == m_panels.end() ? nullptr : &*found;
+}
+
+const PanelArea::Panel* PanelArea::find(const QString& id) const {
+  return const_cast<PanelArea*>(this)->find(id);
+}
+
+QDockWidget* PanelArea::panel(const QString& id) const {
+  const Panel* found = find(id);
+  return found ? found->dock : nullptr;
+}
+
+std::vector<QDockWidget*> PanelArea::panels() const {
+  std::vector<QDockWidget*> docks;
+  for (const Panel& panel : m_panels) docks.push_back(panel.dock);
+  return docks;
+}
+
+void PanelArea::setHead(const QString& id, const QString& text) {
+  if (Panel* found = find(id)) found->title->header().setTitle(text);
+}
+
+void PanelArea::setColours(const widgets::Palette& palette) {
+  for (const Panel& panel : m_panels) panel.title->setColours(palette);
+}
+
+bool PanelArea::isWanted(const QString& id) const {
+  const Panel* found = find(id);
+  return found && found->wanted;
+}
+
+void PanelArea::want(const QString& id, bool on) {
+  Panel* found = find(id);
+  if (!found) return;
+  const bool changed = found->wanted != on;
+  found->wanted = on;
+  if (on && !hasRoom(*found)) wantSide(dockWidgetArea(found->dock), true);
+  showWhatFits();
+  if (on) found->dock->raise();
+  if (changed) emit wantedChanged(id, on);
+}
+
+void PanelArea::wantSide(Qt::DockWidgetArea side, bool on) {
+  std::optional<bool>& wish = side == Qt::LeftDockWidgetArea    ? m_wishes.left
+                              : side == Qt::RightDockWidgetArea ? m_wishes.right
+                                                                : m_wishes.plots;
+  wish = on;
+  const auto is_there = [&](const Panel& panel) { return dockWidgetArea(panel.dock) == side; };
+  const auto is_wanted = [&](const Panel& panel) { return is_there(panel) && panel.wanted; };
+  if (on && std::ranges::none_of(m_panels, is_wanted))
+    for (Panel& panel : m_panels)
+      if (is_there(panel) && panel.usually_shown) panel.wanted = true;
+  arrangeFor(m_window);
+}
+
+bool PanelArea::hasRoom(const Panel& panel) const {
+  if (panel.dock->isFloating()) return true;
+  switch (dockWidgetArea(panel.dock)) {
+    case Qt::LeftDockWidgetArea:
+      return m_room.left;
+    case Qt::RightDockWidgetArea:
+      return m_room.right;
+    default:
+      return m_room.plots;
+  }
+}
+
+void PanelArea::showWhatFits() {
+  PanelPlan shown = m_room;
+  shown.left = shown.right = shown.plots = false;
+  for (const Panel& panel : m_panels) {
+    const bool visible = panel.wanted && hasRoom(panel);
+    if (panel.dock->isHidden() == visible) panel.dock->setVisible(visible);
+    const Qt::DockWidgetArea side = dockWidgetArea(panel.dock);
+    if (!visible || panel.dock->isFloating()) continue;
+    shown.left |= side == Qt::LeftDockWidgetArea;
+    shown.right |= side == Qt::RightDockWidgetArea;
+    shown.plots |= side == Qt::BottomDockWidgetArea;
+  }
+  for (auto* tabs : findChildren<QTabBar*>()) tabs->setAccessibleName("Panels that share a place");
+  emit arranged(shown);
+}
+
+void PanelArea::arrangeFor(QSize window) {
+  m_window = window;
+  const PanelPlan before = m_room;
+  m_room = plan_panels(window, m_wishes);
+  showWhatFits();
+  if (before.left_width != m_room.left_width || before.right_width != m_room.right_width) followPlan(before);
+}
+
+/// A width that a person gave stays; one that followed the plan follows the new plan.
+void PanelArea::followPlan(const PanelPlan& before) {
+  for (const Panel& panel : m_panels) {
+    const Qt::DockWidgetArea side = dockWidgetArea(panel.dock);
+    if (panel.dock->isFloating() || panel.dock->isHidden() || side == Qt::BottomDockWidgetArea) continue;
+    const bool left = side == Qt::LeftDockWidgetArea;
+    if (std::abs(panel.dock->width() - (left ? before.left_width : before.right_width)) > 2) continue;
+    resizeDocks({panel.dock}, {left ? m_room.left_width : m_room.right_width}, Qt::Horizontal);
+  }
+}
+
+void PanelArea::applyUsualSizes() {
+  m_hasSizes = true;
+  for (const Panel& panel : m_panels) {
+    if (panel.dock->isHidden()) continue;
+    const bool left = panel.usual_side == Qt::LeftDockWidgetArea;
+    if (panel.usual_side == Qt::BottomDockWidgetArea)
+      resizeDocks({panel.dock}, {plots_height}, Qt::Vertical);
+    else
+      resizeDocks({panel.dock}, {left ? m_room.left_width : m_room.right_width}, Qt::Horizontal);
+  }
+  if (QDockWidget* upper = panel("candidates"), *lower = panel("settings");
+      upper && lower && !upper->isHidden() && !lower->isHidden())
+    resizeDocks({upper, lower}, {candidates_share, 100 - candidates_share}, Qt::Vertical);
+  raiseFirstOfEachPlace();
+}
+
+void PanelArea::raiseFirstOfEachPlace() {
+  // NOLINTNEXTLINE(modernize-loop-convert): clang 14 does not compile gcc 12's std::views::reverse
+  for (auto panel = m_panels.rbegin(); panel != m_panels.rend(); ++panel)
+    if (!panel->dock->isHidden() && !panel->dock->isFloating()) panel->dock->raise();
+}
+
+void PanelArea::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  if (!m_hasSizes) applyUsualSizes();
+}
+
+void PanelArea::reset() {
+  m_wishes = {};
+  for (Panel& panel : m_panels) {
+    panel.wanted = panel.usually_shown;
+    panel.dock->setFloating(false);
+    removeDockWidget(panel.dock);
+  }
+  for (Panel& panel : m_panels) place(panel);
+  arrangeFor(m_window);
+  applyUsualSizes();
+  for (const Panel& panel : m_panels) emit wantedChanged(panel.dock->objectName(), panel.wanted);
+}
+
+WindowLayout PanelArea::state() const {
+  WindowLayout layout;
+  layout.docks = saveState(layout_version);
+  layout.sides = m_wishes;
+  for (const Panel& panel : m_panels) {
+    layout.known << panel.dock->objectName();
+    if (panel.wanted) layout.shown << panel.dock->objectName();
+  }
+  return layout;
+}
+
+bool PanelArea::setState(const WindowLayout& layout) {
+  if (!is_dock_state(layout.docks, layout_version) || !restoreState(layout.docks, layout_version))
+    return false;
+  m_hasSizes = true;
+  m_wishes = layout.sides;
+  for (Panel& panel : m_panels) {
+    const QString id = panel.dock->objectName();
+    const bool is_known = layout.known.contains(id);
+    panel.wanted = is_known ? layout.shown.contains(id) : panel.usually_shown;
+    if (!panel.dock->isFloating() && (!is_known || dockWidgetArea(panel.dock) == Qt::NoDockWidgetArea))
+      place(panel);
+    if (panel.dock->isFloating()) bring_onto_screen(*panel.dock);
+    emit wantedChanged(id, panel.wanted);
+  }
+  arrangeFor(m_window);
+  return true;
+}
+
+bool PanelArea::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Close && watched->isWidgetType() && isVisible())
+    want(watched->objectName(), false);
+  return QMainWindow::eventFilter(watched, event);
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,105 @@
+#include <QAction>
+#include <QBuffer>
+#include <QDateTime>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "core/base/atomic_file.hpp"
+#include "widgets/common/message_bar.hpp"
+#include "widgets/plots/plot_panel.hpp"
+#include "widgets/timeline/transport_bar.hpp"
+
+namespace abrazo::app {
+namespace {
+
+using widgets::PlotExport;
+using widgets::PlotPanel;
+
+constexpr double picture_scale = 2;  // pixels a point
+constexpr double plot_zoom_step = 0.7;
+
+QString ending_of(PlotExport what) {
+  return what == PlotExport::Csv ? "csv" : what == PlotExport::Png ? "png" : "svg";
+}
+
+std::string content_of(PlotPanel& plots, PlotExport what) {
+  if (what == PlotExport::Csv) return plots.csv();
+  if (what == PlotExport::Svg) return plots.svg().toStdString();
+  QByteArray content;
+  QBuffer buffer(&content);
+  plots.picture(picture_scale).save(&buffer, "PNG");
+  return content.toStdString();
+}
+
+void choose_export(MainWindow& window, PlotExport what) {
+  const QString ending = ending_of(what);
+  const QString proposed = window.remembered().lastFolder() + "/plots-" +
+                           QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss") + "." + ending;
+  QString file = QFileDialog::getSaveFileName(
+      &window, "Export plots", proposed, QString("%1 (*.%2);;All files (*)").arg(ending.toUpper(), ending));
+  if (file.isEmpty()) return;
+  if (QFileInfo(file).suffix().isEmpty()) file += "." + ending;
+  window.remembered().setLastFolder(QFileInfo(file).absolutePath());
+  const QString trouble = save_plots(window, what, file);
+  trouble.isEmpty() ? window.messages().showInformation("Plots written to " + file)
+                    : window.messages().showError(trouble);
+}
+
+void add_panes(MainWindow& window, QMenu* menu) {
+  PlotPanel& plots = window.plots();
+  for (const std::string_view group : widgets::series_groups()) {
+    const QString name = QString::fromUtf8(group.data(), static_cast<int>(group.size())).toLower();
+    add_action(window, menu, "Add plot: " + name, {}, [&window, &plots, group] {
+      const int before = plots.paneCount();
+      plots.addPane(widgets::usual_series(group));
+      if (plots.paneCount() == before)
+        window.messages().showInformation(
+            QString("There are %1 plots already; remove one first").arg(before));
+    });
+  }
+  add_action(window, menu, "Default plots", {}, [&plots] { plots.restoreUsual(); });
+}
+
+/// Whatever goes back to the live end takes the plots along, also where only they had been moved away.
+void follow_with(MainWindow& window) {
+  PlotPanel& plots = window.plots();
+  QObject::connect(&plots, &PlotPanel::followRequested, &window.ticker(), &FrameTicker::follow);
+  QObject::connect(&window.transport(), &widgets::TransportBar::followRequested, &plots, &PlotPanel::attach);
+  for (QAction* action : window.actions())
+    if (action->shortcuts().contains(QKeySequence("End")))
+      QObject::connect(action, &QAction::triggered, &plots, &PlotPanel::attach);
+}
+
+}  // namespace
+
+QString save_plots(MainWindow& window, widgets::PlotExport what, const QString& file) {
+  const Status written = write_whole_file(file.toStdString(), content_of(window.plots(), what));
+  return written ? QString() : QString::fromStdString(written.error().text());
+}
+
+void add_plot_actions(MainWindow& window) {
+  QMenu* menu = window.menu("Plots");
+  PlotPanel& plots = window.plots();
+  plots.setArrangement(widgets::arrangement_of(window.remembered().plots().toStdString()));
+  QObject::connect(&plots, &PlotPanel::arrangementChanged, &window, [&window, &plots] {
+    window.remembered().setPlots(QString::fromStdString(widgets::text_of(plots.arrangement())));
+  });
+  QObject::connect(&plots, &PlotPanel::exportRequested, &window,
+                   [&window](PlotExport what) { choose_export(window, what); });
+  follow_with(window);
+  add_panes(window, menu);
+  menu->addSeparator();
+  add_action(window, menu, "Shorter time in the plots", {}, [&plots] { plots.zoom(plot_zoom_step); });
+  add_action(window, menu, "Longer time in the plots", {}, [&plots] { plots.zoom(1 / plot_zoom_step); });
+  add_action(window, menu, "Plots follow again", {}, [&plots] { plots.attach(); });
+  menu->addSeparator();
+  for (const auto& [name, what] : {std::pair{"Export plot samples (CSV)…", PlotExport::Csv},
+                                   {"Export plot picture (PNG)…", PlotExport::Png},
+                                   {"Export plot drawing (SVG)…", PlotExport::Svg}})
+    add_action(window, menu, name, {}, [&window, what = what] { choose_export(window, what); });
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,77 @@
+#include <QAction>
+#include <QMenu>
+
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "widgets/candidates/candidate_table.hpp"
+#include "widgets/common/selection_model.hpp"
+#include "widgets/plots/plot_panel.hpp"
+#include "widgets/scene/panel/scene_tree.hpp"
+#include "widgets/scene/view/scene_view.hpp"
+
+namespace abrazo::app {
+namespace {
+
+using widgets::CandidateTable;
+using widgets::PlotPanel;
+using widgets::SceneOptions;
+using widgets::SceneTree;
+using widgets::SceneView;
+using widgets::Selection;
+using widgets::SelectionModel;
+
+/// Every view asks the one selection and shows what it answers.
+void link_views(MainWindow& window) {
+  SelectionModel& model = window.selection();
+  SceneView& scene = window.scene();
+  SceneTree& tree = window.sceneTree();
+  CandidateTable& candidates = window.candidates();
+  PlotPanel& plots = window.plots();
+  QObject::connect(&scene, &SceneView::selectionRequested, &model, &SelectionModel::select);
+  QObject::connect(&tree, &SceneTree::selectionRequested, &model, &SelectionModel::select);
+  QObject::connect(&candidates, &CandidateTable::selectionRequested, &model, &SelectionModel::select);
+  QObject::connect(&plots, &PlotPanel::selectionRequested, &model, &SelectionModel::select);
+  QObject::connect(&model, &SelectionModel::selectionChanged, &scene, &SceneView::showSelection);
+  QObject::connect(&model, &SelectionModel::selectionChanged, &tree, &SceneTree::showSelection);
+  QObject::connect(&model, &SelectionModel::selectionChanged, &candidates, &CandidateTable::showSelection);
+  QObject::connect(&model, &SelectionModel::selectionChanged, &plots, &PlotPanel::showSelection);
+  QObject::connect(&scene, &SceneView::candidateHovered, &candidates, &CandidateTable::pointAt);
+  QObject::connect(&window.ticker(), &FrameTicker::panelsDue, &scene, [&window] {
+    if (const FrameHistory* history = window.ticker().history()) window.scene().showPast(*history);
+  });
+  // A pair is a number of its library: it means another one, or none, in the next.
+  QObject::connect(&window, &MainWindow::sessionStarted, &model, [&model] {
+    if (model.selection().kind == widgets::SelectionKind::Candidate) model.select({});
+  });
+}
+
+}  // namespace
+
+void add_selection_actions(MainWindow& window) {
+  link_views(window);
+  QMenu* menu = window.menu("View");
+  SceneView& scene = window.scene();
+  SelectionModel& model = window.selection();
+  menu->addSeparator();
+  QAction* isolate = add_action(window, menu, "Isolate the selection", {QKeySequence("X")}, [] {});
+  isolate->setCheckable(true);
+  QObject::connect(isolate, &QAction::toggled, &scene, [&scene](bool on) {
+    SceneOptions options = scene.options();
+    options.isolates = on;
+    scene.setOptions(options);
+  });
+  QObject::connect(&scene, &SceneView::optionsChanged, isolate,
+                   [isolate](const SceneOptions& options) { isolate->setChecked(options.isolates); });
+  add_action(window, menu, "Hide the selection", {QKeySequence("H")}, [&scene] { scene.hideSelection(); });
+  add_action(window, menu, "Show hidden parts", {QKeySequence("Alt+H")}, [&scene] { scene.showHidden(); });
+  add_action(window, menu, "Same part of the other character", {QKeySequence("`")},
+             [&model] { model.select(widgets::other_character(model.selection())); });
+  QAction* nothing =
+      add_action(window, menu, "Select nothing", {QKeySequence("Esc")}, [&model] { model.select({}); });
+  // Only where the scene has the keyboard: fields and lists have an Escape of their own.
+  nothing->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  window.removeAction(nothing);
+  scene.addAction(nothing);
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,130 @@
+#include "app/workbench/shell/status_figures.hpp"
+
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/common/tabular.hpp"
+#include "widgets/common/theme.hpp"
+
+namespace abrazo::app {
+namespace {
+
+constexpr std::size_t values_kept = 1200;  // ten seconds at 120 Hz
+
+void keep_latest(std::vector<double>& values) {
+  if (values.size() > values_kept)
+    values.erase(values.begin(), values.end() - static_cast<std::ptrdiff_t>(values_kept));
+}
+
+}  // namespace
+
+double percentile(std::vector<double> values, double share) {
+  if (values.empty()) return 0;
+  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
+  std::nth_element(values.begin(), values.begin() + place, values.end());
+  return values[static_cast<std::size_t>(place)];
+}
+
+StatusFigures::StatusFigures(QWidget* parent)
+    : QWidget(parent), m_palette(widgets::palette_of(widgets::Theme::Dark)) {
+  setFixedHeight(24);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+  m_sinceRefresh.start();
+}
+
+void StatusFigures::setColours(const widgets::Palette& palette) {
+  m_palette = palette;
+  update();
+}
+
+void StatusFigures::setInput(const QString& name, int library_pairs) {
+  m_input = name;
+  m_pairs = library_pairs;
+  m_nextIndex = 0;
+  m_solve_us.clear();
+  m_speed_m_s.clear();
+  update();
+}
+
+void StatusFigures::showInput(const QString& name, bool comes) {
+  if (name == m_input && comes == m_comes) return;
+  m_input = name;
+  m_comes = comes;
+  update();
+}
+
+void StatusFigures::refresh(const FrameHistory& history, std::uint64_t rendered_frames) {
+  const double elapsed_s = static_cast<double>(m_sinceRefresh.restart()) / 1000;
+  if (elapsed_s > 0) m_renderRate = static_cast<double>(rendered_frames - m_rendered) / elapsed_s;
+  m_rendered = rendered_frames;
+  FrameSnapshotPtr newest;
+  for (const FrameSnapshotPtr& frame : history.since(m_nextIndex)) {
+    newest = frame;
+    m_nextIndex = frame->index + 1;
+    m_solve_us.push_back(frame->result.timing.total_us);
+    const double speed_m_s = m_series.read(*frame)[static_cast<std::size_t>(widgets::Series::PartnerSpeed)];
+    if (std::isfinite(speed_m_s)) m_speed_m_s.push_back(speed_m_s);
+  }
+  keep_latest(m_solve_us);
+  keep_latest(m_speed_m_s);
+  const auto span = history.span();
+  const auto ms = [this](double share) {
+    return QString::number(percentile(m_solve_us, share) / 1000, 'f', 2);
+  };
+  if (newest) {
+    m_ok = newest->result.status != StepStatus::Failed;
+    m_left = {{"in", QString("%1 Hz").arg(newest->input_rate_hz, 0, 'f', 0)},
+              {"loss", QString::number(newest->dropped_inputs)},
+              {"solve", ms(0.5) + " ms"},
+              {"p99", ms(0.99) + " ms"},
+              {"render", QString("%1 fps").arg(m_renderRate, 0, 'f', 0)},
+              {"partner p99", QString("%1 m/s").arg(percentile(m_speed_m_s, 0.99), 0, 'f', 1)}};
+  } else if (m_left.size() >= 5) {
+    m_left[0].value = "0 Hz";
+    m_left[4].value = QString("%1 fps").arg(m_renderRate, 0, 'f', 0);
+  }
+  m_right = {{"library", QString("%L1 pairs").arg(m_pairs)},
+             {"history", QString("%1 s · %2 MB")
+                             .arg(span.last_s - span.first_s, 0, 'f', 0)
+                             .arg(static_cast<double>(span.bytes) / (1 << 20), 0, 'f', 0)}};
+  update();
+}
+
+void StatusFigures::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QFont plain = widgets::interface_font(12), strong = widgets::interface_font(12, QFont::DemiBold);
+  const auto draw = [&](double x, const QString& text, const QFont& font, const QColor& colour) {
+    painter.setFont(font);
+    painter.setPen(colour);
+    widgets::draw_tabular(painter, QRectF(x, 0, width(), height()), Qt::AlignLeft, text);
+    return widgets::tabular_width(font, text);
+  };
+  const auto wide = [&](const Figure& f) {
+    return widgets::tabular_width(plain, f.name) + 5 + widgets::tabular_width(strong, f.value) + 18;
+  };
+  double right = width() - 14.0;
+  // NOLINTNEXTLINE(modernize-loop-convert): clang 14 does not compile gcc 12's std::views::reverse
+  for (auto figure = m_right.rbegin(); figure != m_right.rend(); ++figure) {
+    double x = right - wide(*figure) + 18;
+    right = x - 18;
+    x += draw(x, figure->name, plain, m_palette.secondary) + 5;
+    draw(x, figure->value, strong, m_palette.text);
+  }
+  const QColor state = !m_comes ? m_palette.warning : m_ok ? m_palette.good : m_palette.live;
+  double x = 26;
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(state);
+  painter.drawEllipse(QPointF(16, height() / 2.0), 4, 4);
+  x += draw(x, m_input, plain, state) + 22;
+  for (const Figure& figure : m_left) {
+    if (x + wide(figure) > right) break;  // rather nothing than two texts over one another
+    const double after = x + wide(figure);
+    x += draw(x, figure.name, plain, m_palette.secondary) + 5;
+    draw(x, figure.value, strong, m_palette.text);
+    x = after;
+  }
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,109 @@
+#include "app/workbench/shell/subject_stage.hpp"
+
+#include <QAction>
+#include <cmath>
+
+#include "app/workbench/shell/main_window.hpp"
+#include "widgets/plots/plot_panel.hpp"
+#include "widgets/timeline/timeline_view.hpp"
+#include "widgets/timeline/transport_bar.hpp"
+
+namespace abrazo::app {
+namespace {
+
+/// By hand: then it stays so.
+bool is_held(const MainWindow& window) {
+  for (const QAction* action : window.actions())
+    if (action->text() == "Hold the input still") return action->isChecked();
+  return false;
+}
+
+}  // namespace
+
+Status SubjectStage::show(const std::string& from, const std::string& to) {
+  LiveSession* session = m_window.session();
+  if (!session) return Error{"nothing is open yet; open a library or the demo first", ""};
+  std::shared_ptr<const TakeFrames> take;
+  if (!to.empty()) {
+    auto frames = TakeFrames::create(session->material().library, to);
+    if (!frames) return frames.error();
+    take = *frames;
+  }
+  m_places[from] = m_window.ticker().playback();
+  m_markers[from] = m_window.timeline().markers();
+  // The clip that stands in for the user waits; a stream does not.
+  const bool clip_waits = !to.empty() && !session->engine().receiver() && !is_held(m_window);
+  if (clip_waits != m_heldInput) session->push(PauseInput{clip_waits});
+  m_heldInput = clip_waits;
+  look(take);
+  restore(to);
+  write(to);
+  return Done{};
+}
+
+void SubjectStage::look(const std::shared_ptr<const TakeFrames>& take) {
+  LiveSession& session = *m_window.session();
+  m_window.ticker().setSources(nullptr, nullptr);
+  m_window.plots().clear();
+  session.lookAt(take);
+  m_take = take;
+  m_window.timeline().showOtherFrames();
+  m_window.timeline().showOfTake(take != nullptr);
+  m_window.ticker().setSources(&session.history(), &session.latest());
+}
+
+void SubjectStage::restore(const std::string& subject) {
+  const auto known = m_places.find(subject);
+  m_window.timeline().showMarkers(m_markers[subject]);
+  Playback place;
+  place.state = Playback::State::Parked;  // at the beginning
+  if (known != m_places.end()) place = known->second;
+  if (place.state == Playback::State::Playing) place.pause();
+  m_window.ticker().resume(place);
+  if (subject.empty()) return;
+  m_window.timeline().showPlayback(m_window.ticker().playback());
+  m_window.timeline().showAll();
+}
+
+void SubjectStage::write(const std::string& subject) {
+  const Material& material = m_window.session()->material();
+  const QString input = QString::fromStdString(material.input.name);
+  if (m_take) {
+    m_window.transport().setInput(
+        QString("take %1 · %2 Hz").arg(QString::fromStdString(subject)).arg(m_take->fps(), 0, 'f', 0));
+    return m_window.transport().setRate(m_take->fps());
+  }
+  m_window.transport().setInput(QString("%1 %2 · %3 Hz")
+                                    .arg(material.recorded ? "recorded" : "clip", input)
+                                    .arg(material.input.fps, 0, 'f', 0));
+  m_window.transport().setRate(material.input.fps);
+}
+
+void SubjectStage::renew(const std::string& take) {
+  const auto frames = TakeFrames::create(m_window.session()->material().library, take);
+  if (!frames) return;
+  m_window.session()->lookAt(*frames);
+  m_take = *frames;
+}
+
+void SubjectStage::forget() {
+  m_take.reset();
+  m_places.clear();
+  m_markers.clear();
+  m_heldInput = false;
+  m_window.timeline().showOfTake(false);
+}
+
+const Markers& SubjectStage::markers(const std::string& subject) const {
+  static const Markers none;
+  const auto found = m_markers.find(subject);
+  return found == m_markers.end() ? none : found->second;
+}
+
+std::map<std::string, Markers> SubjectStage::markersOfTakes() const {
+  auto takes = m_markers;
+  takes.erase("");
+  return takes;
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "core/session/frames/markers.hpp"
+#include "core/session/frames/playback.hpp"
+#include "core/session/frames/take_frames.hpp"
+
+namespace abrazo::app {
+
+class MainWindow;
+
+/// Which frames the window shows: those of the session, which goes on meanwhile, or of a take of its library.
+/// Each keeps its cursor, its in and out and its markers while another is shown.
+class SubjectStage {
+ public:
+  explicit SubjectStage(MainWindow& window) : m_window(window) {}
+
+  /// @param from  that was shown so far; "" = the session, in both. @return what prevents it
+  Status show(const std::string& from, const std::string& to);
+  /// The shown take as it is in the session's library now: it was replaced.
+  void renew(const std::string& take);
+  /// The session ended, and what was shown of it.
+  void forget();
+
+  /// Of the shown take; null while the session is shown.
+  const TakeFrames* take() const { return m_take.get(); }
+  const Markers& markers(const std::string& subject) const;
+  /// By name, as they were when another subject was shown.
+  std::map<std::string, Markers> markersOfTakes() const;
+  void keepMarkers(const std::string& subject, const Markers& markers) { m_markers[subject] = markers; }
+
+ private:
+  void look(const std::shared_ptr<const TakeFrames>& take);
+  void restore(const std::string& subject);
+  void write(const std::string& subject);
+
+  MainWindow& m_window;
+  std::shared_ptr<const TakeFrames> m_take;
+  std::map<std::string, Playback> m_places;
+  std::map<std::string, Markers> m_markers;
+  bool m_heldInput = false;  ///< the clip was stopped for the take
+};
+
+}  // namespace abrazo::app

@@ -1,0 +1,29 @@
+#include "app/workbench/shell/window_place.hpp"
+
+#include <QGuiApplication>
+#include <QScreen>
+#include <QWidget>
+#include <algorithm>
+
+namespace abrazo::app {
+namespace {
+
+constexpr int least_to_hold = 48;  // pixels of a window's head that suffice to move it
+
+}  // namespace
+
+void bring_onto_screen(QWidget& window) {
+  const QRect frame = window.frameGeometry();
+  const QRect head(frame.topLeft(), QSize(frame.width(), least_to_hold));
+  const auto reaches = [&](const QScreen* screen) {
+    const QRect seen = screen->availableGeometry().intersected(head);
+    return seen.width() >= least_to_hold && seen.height() >= least_to_hold / 3;
+  };
+  const QList<QScreen*> screens = QGuiApplication::screens();
+  if (screens.isEmpty() || std::ranges::any_of(screens, reaches)) return;
+  const QRect room = screens.front()->availableGeometry();
+  window.resize(window.size().boundedTo(room.size()));
+  window.move(room.center() - window.rect().center());
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,159 @@
+#include <QMetaMethod>
+#include <algorithm>
+
+#include "app/workbench/base/job_progress.hpp"
+#include "app/workbench/document/generated_material.hpp"
+#include "app/workbench/document/label_files.hpp"
+#include "app/workbench/document/open_video.hpp"
+#include "app/workbench/document/session_places.hpp"
+#include "app/workbench/labels/label_import.hpp"
+#include "app/workbench/library/mapping_desk.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/shell/panel_area.hpp"
+#include "app/workbench/shell/status_figures.hpp"
+#include "widgets/candidates/candidate_table.hpp"
+#include "widgets/common/message_bar.hpp"
+#include "widgets/library/take_list.hpp"
+#include "widgets/plots/plot_panel.hpp"
+#include "widgets/scene/view/scene_view.hpp"
+#include "widgets/settings/settings_panel.hpp"
+#include "widgets/timeline/timeline_view.hpp"
+#include "widgets/timeline/transport_bar.hpp"
+
+namespace abrazo::app {
+namespace {
+
+std::vector<std::string> names_of(const QStringList& files) {
+  std::vector<std::string> names;
+  for (const QString& file : files) names.push_back(file.toStdString());
+  return names;
+}
+
+}  // namespace
+
+void MainWindow::openDemo() {
+  openMaterial(make_demo);
+}
+
+void MainWindow::openFiles(const QStringList& all) {
+  QStringList videos, labels, files;
+  for (const QString& file : all)
+    (is_video_file(file)                                          ? videos
+     : is_label_file(file) && !is_motion_file(file.toStdString()) ? labels
+                                                                  : files)
+        << file;
+  if (auto* import = findChild<LabelImport*>(); import && files.isEmpty() && !labels.isEmpty()) {
+    if (!videos.isEmpty()) emit videosOffered(videos);
+    return import->read(labels);
+  }
+  files << labels;  // beside something else, that they may be part of
+  if (files.isEmpty() && !videos.isEmpty()) {
+    emit videosOffered(videos);
+    return m_session || m_job ? void() : openDemo();
+  }
+  const auto motions = std::count_if(files.begin(), files.end(),
+                                     [](const QString& file) { return is_motion_file(file.toStdString()); });
+  // Without anyone to ask, load_material refuses them.
+  if (motions > 1 && isSignalConnected(QMetaMethod::fromSignal(&MainWindow::motionsOffered)))
+    return emit motionsOffered(files + videos);
+  bool taken = false;
+  if (std::any_of(files.begin(), files.end(), is_session_file)) emit sessionOffered(files, taken);
+  if (taken) return offerOnceOpen(videos, files);
+  const std::vector<std::string> names = names_of(files);
+  const Material open = m_session ? m_session->material() : Material{};
+  openMaterial(
+      [names, open, maps = MappingDesk::folder(*this).toStdString()](const Progress& progress) {
+        return load_with_remembered_maps(names, open, maps, progress);
+      },
+      all);
+}
+
+/// A session that begins closes videos: they come after it, and not at all when something else is opened.
+void MainWindow::offerOnceOpen(const QStringList& videos, const QStringList& files) {
+  if (videos.isEmpty()) return;
+  auto* waiting = new QObject(this);
+  connect(this, &MainWindow::failed, waiting, &QObject::deleteLater);
+  connect(this, &MainWindow::filesOpened, waiting, [this, waiting, videos, files](const QStringList& opened) {
+    disconnect(this, nullptr, waiting, nullptr);
+    waiting->deleteLater();
+    if (opened == files) emit videosOffered(videos);
+  });
+}
+
+void MainWindow::openMaterial(MakeMaterial make, const QStringList& files) {
+  bool allowed = true;
+  emit leaving(allowed);
+  if (!allowed) return;
+  const Settings wanted = m_settings->settings();
+  Job::retire(std::move(m_job), this);
+  const auto open = [this, make = std::move(make), wanted, files,
+                     maps =
+                         MappingDesk::folder(*this).toStdString()](const Progress& progress) -> Job::Finish {
+    auto material = make(progress);
+    if (!material)
+      return [this, files, unmapped = motion_to_map(names_of(files), maps), text = material.error().text()] {
+        // Without anyone to ask it is a failure like any other.
+        if (unmapped && isSignalConnected(QMetaMethod::fromSignal(&MainWindow::mappingOffered)))
+          return emit mappingOffered(files, unmapped);
+        showFailure(QString::fromStdString(text));
+      };
+    report(progress, 1, "Indexing the library");
+    auto prepared = prepare_solver(std::move(material).value(), wanted);
+    if (!prepared)
+      return [this, text = prepared.error().text()] { showFailure(QString::fromStdString(text)); };
+    // Shared only because std::function must be copyable.
+    auto ready = std::make_shared<PreparedSolver>(std::move(prepared).value());
+    return [this, ready, files] {
+      start(ready);
+      if (!files.isEmpty()) emit filesOpened(files);
+    };
+  };
+  // Who cancels goes on with what was open, however far the rest had come.
+  m_job = std::make_unique<Job>([this, open](const Progress& progress) -> Job::Finish {
+    return [this, finish = open(progress)] {
+      if (!m_job->wasCancelled()) finish();
+    };
+  });
+  m_messages->showProgress("Opening", 0);
+  show_progress(*m_job, *m_messages);
+}
+
+void MainWindow::start(const std::shared_ptr<PreparedSolver>& prepared) {
+  emit sessionEnding();
+  m_ticker.setSources(nullptr, nullptr);
+  m_plots->clear();
+  m_session.reset();
+  m_session = std::make_unique<LiveSession>(std::move(*prepared));
+  m_session->push(SetSettings{m_settings->settings()});  // they may have changed while the worker ran
+  const Material& material = m_session->material();
+  m_scene->setLibrary(material.library);
+  m_candidates->setLibrary(material.library);
+  m_timeline->setLibrary(material.library);
+  m_takes->setLibrary(material.library);
+  const QString library = QString::fromStdString(material.library->name());
+  const QString input = QString::fromStdString(material.input.name);
+  m_panels->setHead("library", "Library · " + library);
+  m_transport->setInput(QString("%1 %2 · %3 Hz")
+                            .arg(material.recorded ? "recorded" : "clip", input)
+                            .arg(material.input.fps, 0, 'f', 0));
+  m_status->setInput(input, material.library->pair_count());
+  setWindowTitle(input + " with " + library + " — Abrazo");
+  m_ticker.setLibrary(material.library);
+  m_ticker.setSources(&m_session->history(), &m_session->latest());
+  QStringList warnings;
+  for (const std::string& warning : material.warnings) warnings << QString::fromStdString(warning);
+  m_messages->showWarnings(warnings);
+  emit sessionStarted();
+}
+
+void MainWindow::startWith(const Settings& settings) {
+  m_settings->showSettings(settings);
+  if (m_session) m_session->push(SetSettings{settings});
+}
+
+void MainWindow::showFailure(const QString& message) {
+  m_messages->showError(message);
+  emit failed(message);
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,142 @@
+#include "app/workbench/solve/meaning_desk.hpp"
+
+#include <QToolButton>
+#include <algorithm>
+#include <map>
+
+#include "app/workbench/shell/main_window.hpp"
+#include "core/session/frames/frame_in_library.hpp"
+#include "widgets/candidates/candidate_table.hpp"
+#include "widgets/common/message_bar.hpp"
+#include "widgets/common/utf8.hpp"
+#include "widgets/meaning/meaning_popup.hpp"
+#include "widgets/scene/view/scene_view.hpp"
+
+namespace abrazo::app {
+namespace {
+
+using widgets::MeaningChoice;
+
+constexpr int refresh_interval_ms = 300;
+constexpr double answered_within_s = 0.5;  // by then a frame has been solved under what was said
+const QPoint chip_place(12, 46);           // in the scene, below the choice of what colours the mesh
+
+using widgets::text;
+
+}  // namespace
+
+MeaningDesk::MeaningDesk(MainWindow& window)
+    : QObject(&window),
+      m_window(window),
+      m_popup(new widgets::MeaningPopup(&window)),
+      m_chip(new QToolButton(&window.scene())) {
+  m_popup->setColours(window.colours());
+  m_chip->setObjectName("chip");
+  m_chip->setFocusPolicy(Qt::NoFocus);
+  m_chip->setToolTip("Only this is selected. A click cancels it (W)");
+  m_chip->hide();
+  connect(m_chip, &QToolButton::clicked, this, &MeaningDesk::takeBack);
+  connect(m_popup, &widgets::MeaningPopup::chosen, this, &MeaningDesk::mean);
+  connect(&window, &MainWindow::coloursChanged, m_popup, &widgets::MeaningPopup::setColours);
+  connect(&window, &MainWindow::sessionEnding, m_popup, &widgets::MeaningPopup::leave);
+  connect(&window.ticker(), &FrameTicker::panelsDue, this, &MeaningDesk::onPanels);
+  m_refresh.setInterval(refresh_interval_ms);
+  connect(&m_refresh, &QTimer::timeout, this, &MeaningDesk::refreshDistances);
+  m_refresh.start();
+}
+
+void MeaningDesk::toggle() {
+  if (m_popup->isVisible()) return m_popup->leave();
+  m_window.candidates().steering().meant ? takeBack() : offer();
+}
+
+void MeaningDesk::offer() {
+  if (!m_window.session()) return m_window.messages().showInformation("Nothing is open yet");
+  auto offered = choices();
+  if (offered.empty())
+    return m_window.messages().showInformation("The library has nothing that could be meant");
+  m_popup->setChoices(std::move(offered));
+  m_popup->openOver(m_window.scene());
+}
+
+/// Moves with the distance of their nearest pair; takes with that of their nearest candidate, if they have
+/// one.
+std::vector<MeaningChoice> MeaningDesk::choices() const {
+  std::vector<MeaningChoice> found;
+  for (const MeantChoice& choice : m_window.session()->engine().meant_choices())
+    found.push_back({choice.label, {}, choice.pairs, choice.feature_distance});
+  const MotionLibrary& library = *m_window.session()->material().library;
+  std::map<std::size_t, double> nearest;
+  if (const FrameSnapshotPtr newest =
+          in_library(m_window.session()->engine().latest().newest(), m_window.session()->material().library))
+    for (const Candidate& candidate : newest->result.candidates) {
+      if (candidate.pair < 0 || candidate.pair >= library.pair_count()) continue;
+      const auto take = static_cast<std::size_t>(library.source(candidate.pair).take);
+      const auto known = nearest.emplace(take, candidate.feature_distance).first;
+      known->second = std::min(known->second, candidate.feature_distance);
+    }
+  for (std::size_t take = 0; take < library.takes().size(); ++take) {
+    const auto distance = nearest.find(take);
+    found.push_back({{},
+                     library.takes()[take].name,
+                     library.takes()[take].frames,
+                     distance == nearest.end() ? -1 : distance->second});
+  }
+  return widgets::in_order(std::move(found));
+}
+
+/// Only the figures: rows that change places would take a digit for another move.
+void MeaningDesk::refreshDistances() {
+  if (!m_popup->isVisible() || !m_window.session()) return;
+  const auto fresh = choices();
+  auto shown = m_popup->choices();
+  for (MeaningChoice& choice : shown)
+    for (const MeaningChoice& other : fresh)
+      if (other.label == choice.label && other.take == choice.take) choice.distance_m = other.distance_m;
+  m_popup->setChoices(std::move(shown));
+}
+
+void MeaningDesk::mean(const MeaningChoice& choice, widgets::MeaningSpan span) {
+  m_since_s = m_window.session()->engine().clock().now_s();
+  widgets::Steering next = m_window.candidates().steering();
+  next.meant = widgets::meant_move(choice, span, m_since_s);
+  emit m_window.candidates().steeringRequested(next, "mean " + text(widgets::choice_title(choice)));
+  showChip();
+}
+
+void MeaningDesk::takeBack() {
+  widgets::Steering next = m_window.candidates().steering();
+  if (!next.meant) return;
+  next.meant.reset();
+  emit m_window.candidates().steeringRequested(next, "take back what was meant");
+  showChip();
+}
+
+/// The solver ends it by itself when its time is over or the move is done.
+void MeaningDesk::onPanels() {
+  const auto& steering = m_window.candidates().steering();
+  const FrameSnapshotPtr newest =
+      m_window.session() ? m_window.session()->engine().latest().newest() : nullptr;
+  if (steering.meant && newest && newest->time_s > m_since_s + answered_within_s &&
+      !(newest->decisions && newest->decisions->meant)) {
+    widgets::Steering rest = steering;
+    rest.meant.reset();
+    m_window.candidates().showSteering(rest);
+  }
+  showChip();
+}
+
+void MeaningDesk::showChip() {
+  const auto& meant = m_window.candidates().steering().meant;
+  m_chip->setVisible(meant.has_value());
+  if (!meant) return;
+  const QString words = "meaning: " + text(widgets::meant_words(*meant)) + "  ✕";
+  if (words == m_chip->text()) return;
+  m_chip->setText(words);
+  m_chip->setAccessibleName("Take it back, " + words);
+  m_chip->adjustSize();
+  m_chip->move(chip_place);
+  m_chip->raise();
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,139 @@
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QMenu>
+#include <memory>
+
+#include "app/workbench/base/error_words.hpp"
+#include "app/workbench/base/own_presets.hpp"
+#include "app/workbench/document/project_opening.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "core/base/atomic_file.hpp"
+#include "widgets/common/message_bar.hpp"
+#include "widgets/settings/preset_bar.hpp"
+#include "widgets/settings/settings_panel.hpp"
+
+namespace abrazo::app {
+namespace {
+
+using widgets::PresetBar;
+using widgets::SettingsPanel;
+using Store = std::shared_ptr<OwnPresets>;
+
+/// Shows what is kept now, or why it could not be changed. @return whether it could
+bool settle(MainWindow& window, const Store& store, const Status& done) {
+  if (!done)
+    window.messages().showError(words(done.error()));
+  else
+    window.settings().setOwnPresets(store->all());
+  return static_cast<bool>(done);
+}
+
+/// Without waiting for the answer, so that the picture goes on.
+void ask_name(MainWindow& window, const QString& title, const QString& proposal,
+              const std::function<void(const QString&)>& answered) {
+  auto* dialog = new QInputDialog(&window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setObjectName("presetName");
+  dialog->setWindowTitle(title);
+  dialog->setLabelText("Name of the preset");
+  dialog->setTextValue(proposal);
+  QObject::connect(dialog, &QInputDialog::textValueSelected, &window, answered);
+  dialog->open();
+}
+
+void save_as(MainWindow& window, const Store& store, const QString& name) {
+  if (settle(window, store, store->save(name.toStdString(), window.settings().settings())))
+    window.settings().chooseOwnPreset(name.trimmed());
+}
+
+void rename(MainWindow& window, const Store& store, const QString& from, const QString& to) {
+  const bool was_chosen = window.settings().choice().own &&
+                          window.settings().choice().name == from.toStdString() &&
+                          window.settings().choice().settings == window.settings().settings();
+  if (settle(window, store, store->rename(from.toStdString(), to.toStdString())) && was_chosen)
+    window.settings().chooseOwnPreset(to.trimmed());
+}
+
+void export_settings(MainWindow& window) {
+  const QString folder = window.remembered().lastFolder();
+  const QString file = QFileDialog::getSaveFileName(
+      &window, "Export these settings", QDir(folder).filePath("settings.json"), "Settings (*.json)");
+  if (file.isEmpty()) return;
+  const Status written =
+      write_whole_file(file.toStdString(), readable_settings(window.settings().settings()));
+  written ? window.messages().showInformation("Settings written to " + file)
+          : window.messages().showError(words(written.error()));
+}
+
+void import_settings(MainWindow& window) {
+  const QString file = QFileDialog::getOpenFileName(&window, "Import settings",
+                                                    window.remembered().lastFolder(), "Settings (*.json)");
+  if (file.isEmpty()) return;
+  const auto settings = read_settings_file(file.toStdString(), window.settings().settings());
+  if (!settings) return window.messages().showError(words(settings.error()));
+  window.settings().adopt(*settings, "import of " + QFileInfo(file).fileName());
+}
+
+/// A session brings the presets along that were a person's own when it was saved.
+void adopt_with(MainWindow& window, const Store& store) {
+  QObject::connect(&window, &MainWindow::sessionStarted, &window.settings(), [&window, store] {
+    const auto opened = window.session()->material().project;
+    if (!opened || opened->project().presets.empty()) return;
+    const auto added = store->adopt(opened->project().presets, "presets of the session");
+    if (!added) return window.messages().showError(words(added.error()));
+    if (*added == 0) return;
+    window.settings().setOwnPresets(store->all());
+    window.messages().showInformation(QString("Presets that came with the session: %1").arg(*added));
+  });
+}
+
+/// While another frame than the newest is shown, the panel tells what it was solved with.
+void follow_frame(MainWindow& window) {
+  const auto tell = [&window] {
+    const FrameTicker& ticker = window.ticker();
+    const bool looks_back = !window.session()->looksElsewhere() && ticker.shown() &&
+                            ticker.playback().state != Playback::State::Following;
+    window.settings().showFrameSettings(looks_back ? std::optional(ticker.shown()->settings) : std::nullopt);
+  };
+  QObject::connect(&window.ticker(), &FrameTicker::frameReady, &window.settings(), tell);
+  QObject::connect(&window.ticker(), &FrameTicker::playbackChanged, &window.settings(), tell);
+}
+
+}  // namespace
+
+void add_preset_actions(MainWindow& window) {
+  const auto store =
+      std::make_shared<OwnPresets>((window.remembered().folder() + "/presets.json").toStdString());
+  settle(window, store, store->read());
+  PresetBar& bar = window.settings().presets();
+  const auto ask_save = [&window, store] {
+    ask_name(window, "Save settings", "mine",
+             [&window, store](const QString& name) { save_as(window, store, name); });
+  };
+  QObject::connect(&bar, &PresetBar::saveRequested, &window, ask_save);
+  QObject::connect(&bar, &PresetBar::overwriteRequested, &window,
+                   [&window, store](const QString& name) { save_as(window, store, name); });
+  QObject::connect(&bar, &PresetBar::renameRequested, &window, [&window, store](const QString& from) {
+    ask_name(window, "Rename preset", from,
+             [&window, store, from](const QString& to) { rename(window, store, from, to); });
+  });
+  QObject::connect(&bar, &PresetBar::removeRequested, &window, [&window, store](const QString& name) {
+    settle(window, store, store->remove(name.toStdString()));
+  });
+  QObject::connect(&bar, &PresetBar::exportRequested, &window, [&window] { export_settings(window); });
+  QObject::connect(&bar, &PresetBar::importRequested, &window, [&window] { import_settings(window); });
+
+  QMenu* menu = window.menu("Solve");
+  QMenu* own = menu->addMenu("Own presets");
+  QObject::connect(own, &QMenu::aboutToShow, &bar, [&bar, own] { bar.fillMenu(*own); });
+  add_action(window, menu, "Save settings as preset\u2026", {}, ask_save);
+  add_action(window, menu, "Export settings\u2026", {}, [&window] { export_settings(window); });
+  add_action(window, menu, "Import settings\u2026", {}, [&window] { import_settings(window); });
+  follow_frame(window);
+  adopt_with(window, store);
+}
+
+}  // namespace abrazo::app

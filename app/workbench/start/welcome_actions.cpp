@@ -1,0 +1,88 @@
+#include <QAction>
+#include <QMenu>
+
+#include "app/workbench/base/recent_files.hpp"
+#include "app/workbench/document/generated_material.hpp"
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/start/welcome_page.hpp"
+#include "widgets/common/message_bar.hpp"
+#include "widgets/scene/view/scene_view.hpp"
+
+namespace abrazo::app {
+namespace {
+
+constexpr int most_shown = 5;
+constexpr int least_width = 1270;  // of the window, so that the scene beside the page still shows the pair
+
+void show_recent(const MainWindow& window, WelcomePage& page) {
+  const QStringList entries = window.remembered().recent().mid(0, most_shown);
+  QStringList labels, tips;
+  for (const RecentEntry& entry : entries) {
+    labels << label_of(entry, entries);
+    tips << files_of(entry).join("\n");
+  }
+  page.setRecent(labels, tips);
+}
+
+QAction* find_action(const MainWindow& window, const QString& beginning) {
+  for (QAction* action : window.actions())
+    if (action->text().startsWith(beginning)) return action;
+  return nullptr;
+}
+
+/// What other parts of the program offer to begin with, by the names of their actions.
+void add_starts(MainWindow& window, WelcomePage& page) {
+  for (const char* name : {"Open…", "Generated dance", "Generated fight", "Build a library", "Build library",
+                           "Connect to a stream"}) {
+    QAction* action = find_action(window, name);
+    if (!action) continue;
+    page.addStart(action->text(), action->shortcut().toString(QKeySequence::NativeText),
+                  [action] { action->trigger(); });
+  }
+}
+
+}  // namespace
+
+void add_welcome_actions(MainWindow& window) {
+  QMenu* files = window.menu("File");
+  QAction* fight =
+      add_action(window, files, "Generated fight", {}, [&window] { window.openMaterial(make_fight); });
+  if (QAction* dance = find_action(window, "Generated dance")) {
+    files->removeAction(fight);
+    files->insertAction(dance, fight);
+    files->removeAction(dance);
+    files->insertAction(fight, dance);
+  }
+  auto* page = new WelcomePage;
+  page->hide();
+  page->setColours(window.colours());
+  page->setShownAtStart(window.remembered().welcome());
+  add_starts(window, *page);
+  show_recent(window, *page);
+  window.addBesideScene(page);
+  QAction* show = add_action(window, window.menu("Help"), "Welcome", {}, [] {});
+  show->setCheckable(true);
+  QObject::connect(show, &QAction::toggled, page, [page, show, &window](bool on) {
+    page->setVisible(on);
+    if (on)
+      page->setFocus();
+    else
+      window.scene().setFocus();
+    show->setChecked(on);
+  });
+  QObject::connect(page, &WelcomePage::closeRequested, show, [show] { show->setChecked(false); });
+  QObject::connect(page, &WelcomePage::shownAtStartChanged, page,
+                   [&window](bool on) { window.remembered().setWelcome(on); });
+  QObject::connect(page, &WelcomePage::recentChosen, page,
+                   [&window](int which) { open_recent(window, window.remembered().recent().value(which)); });
+  QObject::connect(&window, &MainWindow::coloursChanged, page, &WelcomePage::setColours);
+  QObject::connect(&window, &MainWindow::filesOpened, page, [&window, page] { show_recent(window, *page); });
+}
+
+void welcome_at_start(MainWindow& window) {
+  QAction* show = find_action(window, "Welcome");
+  if (show && window.remembered().welcome() && window.width() >= least_width) show->setChecked(true);
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <QElapsedTimer>
+#include <QObject>
+
+#include "app/workbench/stream/latency_log.hpp"
+
+namespace abrazo::widgets {
+class LatencyButton;
+class LatencyPlot;
+class LatencyTable;
+}  // namespace abrazo::widgets
+
+namespace abrazo::app {
+
+class MainWindow;
+class StreamDesk;
+
+/// The latency of the shown frame and of the seconds before it: a figure in the status bar, and a panel with
+/// the breakdown. Works on recorded frames as on live ones.
+class LatencyDesk : public QObject {
+  Q_OBJECT
+ public:
+  LatencyDesk(MainWindow& window, const StreamDesk& stream);
+  const LatencyLog& log() const { return m_log; }
+
+ private:
+  void makePanel();
+  void refresh();
+  void pictureDrawn(double took_ms);
+  bool isPanelSeen() const;
+
+  MainWindow& m_window;
+  const StreamDesk& m_stream;
+  LatencyLog m_log;
+  QElapsedTimer m_sinceRefresh;
+  widgets::LatencyButton* m_button;
+  widgets::LatencyTable* m_table = nullptr;
+  widgets::LatencyPlot* m_plot = nullptr;
+};
+
+}  // namespace abrazo::app

@@ -1,0 +1,114 @@
+#include <QAction>
+#include <QDockWidget>
+#include <QMenu>
+
+#include "app/workbench/shell/actions.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/shell/panel_area.hpp"
+#include "app/workbench/stream/latency_desk.hpp"
+#include "app/workbench/stream/stream_desk.hpp"
+#include "widgets/stream/address_form.hpp"
+#include "widgets/stream/connection_panel.hpp"
+#include "widgets/stream/sink_list.hpp"
+
+namespace abrazo::app {
+namespace {
+
+using widgets::ConnectionPanel;
+
+void show_panel(MainWindow& window) {
+  window.panels().want("connection", true);
+  if (QDockWidget* dock = window.panels().panel("connection")) dock->raise();
+}
+
+/// The entries of a menu that lists URIs, rebuilt whenever it opens.
+void list_uris(QMenu& menu, const QStringList& uris, const QString& none,
+               const std::function<void(const QString&)>& chosen) {
+  menu.clear();
+  for (const QString& uri : uris)
+    menu.addAction(QString(uri).replace('&', "&&"), &menu, [uri, chosen] { chosen(uri); });
+  if (uris.isEmpty()) menu.addAction(none)->setEnabled(false);
+}
+
+void add_recent(MainWindow& window, QMenu* menu, StreamDesk& desk) {
+  auto* recent = menu->addMenu("Recent connections");
+  QObject::connect(recent, &QMenu::aboutToShow, recent, [&window, &desk, recent] {
+    list_uris(*recent, desk.recent(), "Nothing was connected yet", [&window, &desk](const QString& uri) {
+      show_panel(window);
+      desk.connectTo(uri);
+    });
+  });
+}
+
+void add_sinks(MainWindow& window, QMenu* menu, StreamDesk& desk, ConnectionPanel& panel) {
+  add_action(window, menu, "Send partner to…", {}, [&window, &panel] {
+    show_panel(window);
+    panel.sinks().takeFocus();
+  });
+  auto* recent = menu->addMenu("Send partner to recent");
+  QObject::connect(recent, &QMenu::aboutToShow, recent, [&window, &desk, recent] {
+    list_uris(*recent, window.remembered().recentSinks(), "Nothing was sent yet",
+              [&desk](const QString& uri) { desk.send(uri, Character::Partner); });
+  });
+}
+
+/// Whatever comes in goes on; of a clip, that has no other end, the input is held.
+void freeze(MainWindow& window, const StreamDesk& desk) {
+  if (desk.isConnected()) {
+    const bool follows = window.ticker().playback().state == Playback::State::Following;
+    return follows ? window.ticker().pause() : window.ticker().follow();
+  }
+  for (QAction* action : window.actions())
+    if (action->text() == "Hold the input still") action->trigger();
+}
+
+}  // namespace
+
+void connect_to_stream(MainWindow& window, const QString& uri) {
+  if (auto* desk = window.findChild<StreamDesk*>()) desk->connectTo(uri);
+}
+
+void send_partner_to(MainWindow& window, const QString& uri) {
+  auto* desk = window.findChild<StreamDesk*>();
+  if (!desk) return;
+  if (window.session()) return desk->send(uri, Character::Partner);
+  const auto once = std::make_shared<QMetaObject::Connection>();
+  *once = QObject::connect(&window, &MainWindow::sessionStarted, desk, [desk, uri, once] {
+    QObject::disconnect(*once);
+    desk->send(uri, Character::Partner);
+  });
+}
+
+void add_stream_actions(MainWindow& window) {
+  auto* panel = new ConnectionPanel;
+  panel->setColours(window.colours());
+  window.addPanel("connection", "Connection", panel, Qt::RightDockWidgetArea, false);
+  QObject::connect(&window, &MainWindow::coloursChanged, panel, &ConnectionPanel::setColours);
+  auto* desk = new StreamDesk(window, *panel);
+  new LatencyDesk(window, *desk);
+
+  QMenu* menu = window.menu("Live");
+  add_action(window, menu, "Connect to a stream…", {QKeySequence("Ctrl+K")}, [&window, panel] {
+    show_panel(window);
+    panel->form().takeFocus();
+  });
+  add_recent(window, menu, *desk);
+  QAction* end = add_action(window, menu, "Disconnect", {}, [desk] { desk->disconnectStream(); });
+  menu->addSeparator();
+  QAction* calibrate = add_action(window, menu, "Calibrate in T-pose", {QKeySequence("Ctrl+T")},
+                                  [desk] { desk->calibrate(); });
+  QAction* forget =
+      add_action(window, menu, "Forget the calibration", {}, [desk] { desk->forgetCalibration(); });
+  const auto enable = [=] {
+    for (QAction* action : {end, calibrate, forget}) action->setEnabled(desk->isConnected());
+  };
+  enable();
+  QObject::connect(desk, &StreamDesk::connectionChanged, end, enable);
+  menu->addSeparator();
+  add_sinks(window, menu, *desk, *panel);
+  menu->addSeparator();
+  add_action(window, menu, "Freeze the input", {QKeySequence("Ctrl+Space")},
+             [&window, desk] { freeze(window, *desk); });
+}
+
+}  // namespace abrazo::app

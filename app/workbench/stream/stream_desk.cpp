@@ -1,0 +1,350 @@
+#include "app/workbench/stream/stream_desk.hpp"
+
+#include <algorithm>
+
+#include "app/workbench/base/error_words.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/shell/status_figures.hpp"
+#include "widgets/common/message_bar.hpp"
+#include "widgets/scene/panel/scene_tree.hpp"
+#include "widgets/scene/view/scene_view.hpp"
+#include "widgets/settings/settings_panel.hpp"
+#include "widgets/stream/address_form.hpp"
+#include "widgets/stream/connection_panel.hpp"
+#include "widgets/stream/scene_notice.hpp"
+#include "widgets/stream/sink_list.hpp"
+#include "widgets/timeline/transport_bar.hpp"
+
+namespace abrazo::app {
+namespace {
+
+using widgets::AddressForm;
+using widgets::ConnectionPanel;
+using widgets::SinkList;
+using widgets::StreamMark;
+
+constexpr int poll_ms = 250, calibration_ms = 50;
+constexpr int most_recent_streams = 8;
+
+/// "vmc 39539": the scheme, and the port that is really bound.
+QString short_name(const StreamHealth& health) {
+  const QString uri = QString::fromStdString(health.uri);
+  const QString bound = QString::fromStdString(health.listening).section(':', -1);
+  const auto parsed = parse_stream_uri(health.uri);
+  const QString port = bound.isEmpty() && parsed ? QString::number(parsed->port) : bound;
+  return uri.section(':', 0, 0) + " " + port;
+}
+
+/// Why nothing of use comes in.
+QString short_state(const StreamHealth& health) {
+  switch (health.state) {
+    case StreamHealth::State::Waiting:
+      return "waiting";
+    case StreamHealth::State::Stalled:
+      return "stalled";
+    case StreamHealth::State::Failed:
+      return "failed";
+    case StreamHealth::State::Receiving:
+      break;
+  }
+  return "not tracked";
+}
+
+QStringList with_first(QStringList list, const QString& first) {
+  list.removeAll(first);
+  list.prepend(first);
+  return list.mid(0, most_recent_streams);
+}
+
+}  // namespace
+
+StreamDesk::StreamDesk(MainWindow& window, ConnectionPanel& panel)
+    : QObject(&window),
+      m_window(window),
+      m_panel(panel),
+      m_notice(new widgets::SceneNotice(&window.scene())) {
+  setObjectName("stream desk");
+  panel.form().setRecent(recent());
+  if (!recent().isEmpty()) panel.form().setUri(recent().front());
+  connect(&panel.form(), &AddressForm::connectRequested, this, &StreamDesk::connectTo);
+  connect(&panel.form(), &AddressForm::disconnectRequested, this, &StreamDesk::disconnectStream);
+  connect(&panel, &ConnectionPanel::userChosen, this, &StreamDesk::setUser);
+  connect(&panel, &ConnectionPanel::secondChosen, this, &StreamDesk::setSecond);
+  connect(&panel, &ConnectionPanel::calibrateRequested, this, &StreamDesk::calibrate);
+  connect(&panel, &ConnectionPanel::forgetRequested, this, &StreamDesk::forgetCalibration);
+  connect(&panel, &ConnectionPanel::delayRequested, this, [this](int ms) {
+    if (engine() && engine()->receiver()) engine()->receiver()->set_delay(ms / 1000.0);
+  });
+  connect(&panel, &ConnectionPanel::stepRateRequested, this,
+          [this](const QString& value) { m_window.settings().change("step-rate", value); });
+  connect(&panel.sinks(), &SinkList::sendRequested, this, &StreamDesk::send);
+  connect(&panel.sinks(), &SinkList::stopRequested, this, &StreamDesk::stopSending);
+  connect(&window, &MainWindow::sessionStarted, this, &StreamDesk::beginSession);
+  connect(&window, &MainWindow::coloursChanged, m_notice, &widgets::SceneNotice::setColours);
+  m_notice->setColours(window.colours());
+  connect(&m_poll, &QTimer::timeout, this, &StreamDesk::poll);
+  m_poll.start(poll_ms);
+  connect(&m_soon, &QTimer::timeout, this, &StreamDesk::advanceCalibration);
+  m_soon.setInterval(calibration_ms);
+}
+
+SessionEngine* StreamDesk::engine() const {
+  return m_window.session() ? &m_window.session()->engine() : nullptr;
+}
+
+QStringList StreamDesk::recent() const {
+  return m_window.remembered().recentStreams();
+}
+
+void StreamDesk::connectTo(const QString& text) {
+  const auto uri = parse_stream_uri(text.toStdString());
+  if (!uri) return m_window.messages().showError(words(uri.error()));
+  if (uri->scheme == StreamUri::Scheme::Clip) {
+    disconnectStream();
+    return m_window.openFiles({QString::fromStdString(uri->file)});
+  }
+  disconnectStream();
+  m_uri = text;
+  m_panel.form().setUri(text);
+  m_sourceLookup.find(*uri, [this](const Result<StreamUri>& found) {
+    if (!found) return refuse(found.error());
+    m_found = *found;
+    receiveOnceFound();
+  });
+  if (m_found || !isConnected()) return;
+  poll();
+  emit connectionChanged();  // so that it can be given up
+}
+
+/// Nothing is connected any more.
+void StreamDesk::refuse(const Error& error) {
+  m_window.messages().showError(words(error));
+  emit m_window.failed(words(error));  // who started the program unattended waits for it
+  m_uri.clear();
+  m_found.reset();
+  poll();
+  emit connectionChanged();
+}
+
+void StreamDesk::receiveOnceFound() {
+  if (m_found && engine() && !engine()->receiver()) receive();
+}
+
+/// @return whether the stream is open; if not, nothing is connected any more
+bool StreamDesk::receive() {
+  emit aboutToReceive();
+  if (const Status opened = engine()->receive(*m_found, m_user.toStdString()); !opened) {
+    refuse(opened.error());
+    return false;
+  }
+  m_window.remembered().setRecentStreams(with_first(recent(), m_uri));
+  m_panel.form().setRecent(recent());
+  const auto delay = milliseconds_option(*m_found, "delay", 500);
+  m_panel.setDelay(delay && *delay ? static_cast<int>(1000 * **delay) : 0);
+  m_window.ticker().follow();
+  poll();
+  emit connectionChanged();
+  return true;
+}
+
+void StreamDesk::disconnectStream() {
+  if (!isConnected()) return;
+  m_calibration.cancel();
+  m_soon.stop();
+  m_sourceLookup.cancel();
+  m_uri.clear();
+  m_found.reset();
+  m_user.clear();
+  m_second.clear();
+  m_panel.setParts({}, {});
+  m_panel.showCalibration({}, false);
+  if (engine()) engine()->stop_receiving();
+  poll();
+  emit connectionChanged();
+}
+
+/// Another library keeps the stream; another motion takes the user's part.
+void StreamDesk::beginSession() {
+  const Material& material = m_window.session()->material();
+  const QString name = QString::fromStdString(material.input.name);
+  const bool is_other_motion = m_library == material.library && name != m_inputName && m_library;
+  m_library = material.library;
+  m_inputName = name;
+  m_inputWords.clear();  // the window has just named the clip
+  for (const Sink& sink : std::exchange(m_sinks, {})) send(sink.uri, sink.character);
+  if (isConnected() && is_other_motion) {
+    const QString was = m_uri;
+    disconnectStream();
+    m_window.messages().showInformation(name + " plays the user; " + was + " was disconnected");
+  } else if (isConnected()) {
+    // After all others have begun the session: whoever records has to know its file by then.
+    QTimer::singleShot(0, this, [this] { receiveOnceFound(); });
+  }
+}
+
+void StreamDesk::send(const QString& text, Character character) {
+  const auto uri = parse_stream_uri(text.toStdString());
+  if (!uri) return m_window.messages().showError(words(uri.error()));
+  if (!engine()) return m_window.messages().showError("There is nothing to send yet; open a library first");
+  m_sinkLookup.find(*uri, [this, character](const Result<StreamUri>& found) {
+    if (!found) return m_window.messages().showError(words(found.error()));
+    sendTo(*found, character);
+  });
+}
+
+void StreamDesk::sendTo(const StreamUri& uri, Character character) {
+  if (!engine()) return;  // it ended while the name was looked for
+  if (const Status opened = engine()->send(uri, character); !opened)
+    return m_window.messages().showError(words(opened.error()));
+  const QString text = QString::fromStdString(uri.text);
+  std::erase_if(m_sinks, [&text](const Sink& sink) { return sink.uri == text; });
+  m_sinks.push_back({text, character});
+  m_window.remembered().setRecentSinks(with_first(m_window.remembered().recentSinks(), text));
+  poll();
+}
+
+void StreamDesk::stopSending(const QString& uri) {
+  std::erase_if(m_sinks, [&uri](const Sink& sink) { return sink.uri == uri; });
+  if (engine()) engine()->stop_sending(uri.toStdString());
+  poll();
+}
+
+void StreamDesk::setUser(const QString& performer) {
+  if (performer == m_second) m_second = user();  // they change places
+  m_user = performer;
+  if (engine() && isConnected()) engine()->follow_performer(performer.toStdString());
+  m_panel.setParts(m_user, m_second);
+}
+
+void StreamDesk::setSecond(const QString& performer) {
+  m_second = performer;
+  m_panel.setParts(m_user, m_second);
+}
+
+const PerformerHealth* StreamDesk::userHealth() const {
+  if (!m_health) return nullptr;
+  for (const PerformerHealth& one : m_health->performers)
+    if (m_user.isEmpty() || one.performer == m_user.toStdString()) return &one;
+  return nullptr;
+}
+
+QString StreamDesk::user() const {
+  const PerformerHealth* health = userHealth();
+  return health ? QString::fromStdString(health->performer) : m_user;
+}
+
+void StreamDesk::calibrate() {
+  if (m_calibration.is_under_way()) {
+    m_calibration.cancel();
+    m_soon.stop();
+    m_panel.showCalibration("Cancelled; the calibration is as it was", false);
+    return showNotice();
+  }
+  if (!isConnected() || !userHealth())
+    return m_window.messages().showError(
+        "There is no performer to calibrate: connect to a stream first (Live > Connect to a stream) and wait "
+        "until "
+        "a performer "
+        "is seen");
+  m_window.ticker().follow();
+  m_calibration.start(engine()->clock().now_s());
+  m_soon.start();
+  advanceCalibration();
+}
+
+void StreamDesk::advanceCalibration() {
+  const auto receiver = engine() ? engine()->receiver() : nullptr;
+  if (!receiver || !m_calibration.is_under_way()) return m_soon.stop();
+  const double now_s = engine()->clock().now_s();
+  m_health = receiver->health();
+  const PerformerHealth* user_health = userHealth();
+  const std::string name = user().toStdString();
+  if (m_calibration.advance(now_s, {user_health && user_health->tracked, receiver->measured_body(name)}))
+    receiver->calibrate(name, CalibrationSteps::hold_s);
+  const QString said = QString::fromStdString(m_calibration.words());
+  m_panel.showCalibration(said, m_calibration.is_under_way());
+  if (m_calibration.is_under_way()) {
+    const bool counts = m_calibration.stage() == CalibrationSteps::Stage::Countdown;
+    m_notice->say(QString::fromStdString(m_calibration.large(now_s)), counts ? said : QString(),
+                  "Ctrl+T cancels");
+    return;
+  }
+  m_soon.stop();
+  m_calibration.stage() == CalibrationSteps::Stage::Done ? m_window.messages().showInformation(said)
+                                                         : m_window.messages().showError(said);
+  poll();
+}
+
+void StreamDesk::forgetCalibration() {
+  if (!isConnected() || !engine()) return;
+  m_calibration.cancel();
+  engine()->stop_receiving();
+  if (receive()) m_panel.showCalibration("Forgotten; the rest pose is the sender's again", false);
+}
+
+void StreamDesk::poll() {
+  SessionEngine* running = engine();
+  const auto receiver = running ? running->receiver() : nullptr;
+  m_health = receiver && isConnected() ? std::optional(receiver->health()) : std::nullopt;
+  m_panel.showHealth(m_health ? &*m_health : nullptr);
+  m_panel.setStepRate(m_window.settings().settings().step_rate_hz);
+  m_panel.showSinks(running ? m_rates.update(running->sinks(), running->clock().now_s())
+                            : std::vector<widgets::SinkRow>{});
+  showInput();
+  showNotice();
+  emit polled();
+}
+
+/// Where the window names the user's input.
+void StreamDesk::showInput() {
+  if (!m_window.session()) return;
+  const Material& material = m_window.session()->material();
+  const QString clip = QString::fromStdString(material.input.name);
+  if (!m_health) {
+    const char* kind = material.recorded ? "recorded" : "clip";
+    nameInput(QString("%1 %2 · %3 Hz").arg(kind, clip).arg(material.input.fps, 0, 'f', 0));
+    m_window.sceneTree().setInputName(kind);
+    return m_window.status().showInput(clip, true);
+  }
+  const PerformerHealth* user_health = userHealth();
+  const bool comes = m_health->state == StreamHealth::State::Receiving && user_health && user_health->tracked;
+  const QString name = short_name(*m_health) + (comes ? QString() : " " + short_state(*m_health));
+  nameInput(comes ? QString("%1 · %2 Hz").arg(name).arg(user_health->rate_hz, 0, 'f', 0) : name);
+  m_window.status().showInput(name, comes);
+  m_window.sceneTree().setInputName("stream");
+}
+
+/// Only when it is another: others may write there, too.
+void StreamDesk::nameInput(const QString& words) {
+  if (words == m_inputWords) return;
+  m_inputWords = words;
+  m_window.transport().setInput(words);
+}
+
+/// What is to be known over the scene; nothing over a frame of the past.
+void StreamDesk::showNotice() {
+  if (!m_notice || m_calibration.is_under_way()) return;
+  const bool follows = m_window.ticker().playback().state == Playback::State::Following;
+  if (isConnected() && !m_found)
+    return m_notice->say({}, "Asking the network for the address of " + m_uri,
+                         "Live > Disconnect gives it up");
+  if (!m_health || !follows) return m_notice->clear();
+  const QString advice =
+      m_health->diagnoses.empty() ? QString() : QString::fromStdString(m_health->diagnoses.front().text);
+  const PerformerHealth* user_health = userHealth();
+  switch (m_health->state) {
+    case StreamHealth::State::Waiting:
+      return m_notice->say({}, "Waiting for the first packet of " + m_uri, advice);
+    case StreamHealth::State::Stalled:
+      return m_notice->badge(StreamMark::Warning, "Nothing comes in any more from " + short_name(*m_health));
+    case StreamHealth::State::Failed:
+      return m_notice->badge(StreamMark::Bad, short_name(*m_health) + " failed. " + advice);
+    case StreamHealth::State::Receiving:
+      break;
+  }
+  if (!user_health) return m_notice->say({}, "Packets come in, but no pose yet", advice);
+  if (user_health->tracked) return m_notice->clear();
+  m_notice->badge(StreamMark::Warning, "Tracking lost: " + user());
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,364 @@
+#include "app/workbench/takes/take_desk.hpp"
+
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
+
+#include "app/workbench/document/session_places.hpp"
+#include "app/workbench/labels/annotation_desk.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "widgets/common/message_bar.hpp"
+#include "widgets/scene/view/scene_view.hpp"
+#include "widgets/takes/countdown.hpp"
+#include "widgets/takes/take_name.hpp"
+#include "widgets/takes/take_panel.hpp"
+#include "widgets/takes/take_rows.hpp"
+#include "widgets/timeline/timeline_view.hpp"
+#include "widgets/timeline/transport_bar.hpp"
+
+namespace abrazo::app {
+namespace {
+
+using widgets::RecordedTake;
+using Phase = widgets::TakeSequence::Phase;
+
+constexpr int update_interval_ms = 100;
+
+std::vector<widgets::TimelineTake> on_timeline(const widgets::RecordedTakes& takes, std::int64_t running) {
+  std::vector<widgets::TimelineTake> shown;
+  for (const RecordedTake& take : takes.all())
+    shown.push_back({take.id, take.from_s, take.to_s, take.name, take.id == running});
+  return shown;
+}
+
+}  // namespace
+
+TakeDesk::TakeDesk(MainWindow& window, widgets::TakePanel& panel)
+    : QObject(&window),
+      m_window(window),
+      m_panel(panel),
+      m_countdown(new widgets::Countdown(&window.scene())) {
+  m_countdown->setColours(window.colours());
+  connect(&window, &MainWindow::coloursChanged, m_countdown, &widgets::Countdown::setColours);
+  connect(&window, &MainWindow::sessionEnding, this, &TakeDesk::onSessionEnding);
+  connect(&window, &MainWindow::sessionStarted, this, [this] {
+    ++m_session;
+    update();
+  });
+  m_timer.setInterval(update_interval_ms);
+  connect(&m_timer, &QTimer::timeout, this, &TakeDesk::update);
+  m_timer.start();
+  showTakes();
+}
+
+TakeDesk::~TakeDesk() = default;
+
+double TakeDesk::now() const {
+  return m_window.session() ? m_window.session()->engine().clock().now_s() : 0;
+}
+
+RecordingFacts TakeDesk::facts() const {
+  const Material& material = m_window.session()->material();
+  RecordingFacts facts;
+  facts.library_path = material.library_file;
+  facts.library_name = material.library->name();
+  facts.library_pairs = static_cast<std::uint64_t>(material.library->pair_count());
+  facts.library = material.library;
+  facts.excluded_takes = material.excluded_takes;
+  facts.has_times_of_file = true;
+  const auto receiver = m_window.session()->engine().receiver();
+  facts.input = receiver ? receiver->uri().text : "clip:" + material.input.name;
+  return facts;
+}
+
+// ---- takes ----
+
+void TakeDesk::toggle() {
+  if (!m_window.session()) return m_window.messages().showInformation("Nothing is open yet");
+  if (m_sequence.phase == Phase::Idle)
+    return begin(freshName(m_panel.typedName().toStdString()), m_panel.countdown());
+  if (m_sequence.stop()) return endTake();
+  update();
+  emit cameToNothing();
+}
+
+void TakeDesk::again() {
+  if (!m_window.session() || m_takes.empty()) return;
+  if (m_sequence.stop()) endTake();
+  begin(widgets::again_name(m_takes.names()), 0);
+}
+
+std::string TakeDesk::freshName(const std::string& typed) const {
+  return widgets::next_take_name(typed, m_takes.names());
+}
+
+void TakeDesk::begin(const std::string& name, double countdown_s) {
+  const bool now_already = m_sequence.start(name, countdown_s, now());
+  now_already ? beginTake() : update();
+}
+
+void TakeDesk::beginTake() {
+  if (!record()) {
+    m_sequence.stop();
+    update();
+    return emit cameToNothing();
+  }
+  m_window.session()->engine().recorder()->begin_take(m_sequence.name);
+  RecordedTake take;
+  take.id = m_running = m_nextId++;
+  take.name = m_sequence.name;
+  const FrameSnapshotPtr latest = m_window.session()->engine().latest().newest();
+  take.from_s = take.to_s = latest ? latest->time_s : now();
+  m_firstFrame = latest ? latest->index + 1 : 0;
+  const auto receiver = m_window.session()->engine().receiver();
+  if (receiver)
+    take.performers = receiver->performers();
+  else
+    take.performers = {m_window.session()->material().input.name};
+  m_takes.put(take);
+  m_namesInFile[take.id] = take.name;
+  update();
+  showTakes();
+  emit begun();
+}
+
+void TakeDesk::endTake() {
+  follow();
+  const std::int64_t id = std::exchange(m_running, -1);
+  if (const auto recorder = m_window.session()->engine().recorder()) recorder->end_take();
+  if (!m_window.remembered().keepsEverything() || !m_hasStream) stopRecorder();
+  const RecordedTake* take = m_takes.find(id);
+  const bool is_empty = take && take->frames == 0;
+  if (is_empty) {
+    m_window.messages().showInformation(QString::fromStdString(take->name) +
+                                        " has no frames, because nothing came in; it was not kept");
+    m_takes.remove(id);
+  }
+  update();
+  showTakes();
+  is_empty ? emit cameToNothing() : emit taken(id);
+}
+
+/// The running take lasts until the newest frame of the session, whatever is looked at meanwhile.
+void TakeDesk::follow() {
+  const RecordedTake* running = m_takes.find(m_running);
+  const FrameSnapshotPtr latest =
+      m_window.session() ? m_window.session()->engine().latest().newest() : nullptr;
+  if (!running || !latest) return;
+  RecordedTake take = *running;
+  take.to_s = std::max(take.from_s, latest->time_s);
+  take.frames = latest->index + 1 > m_firstFrame ? latest->index + 1 - m_firstFrame : 0;
+  m_takes.put(take);
+}
+
+void TakeDesk::rename(std::int64_t id, const std::string& name) {
+  m_takes.rename(id, name);
+  if (m_namesInFile.contains(id)) m_edits[m_namesInFile[id]] = name;
+  writeEdits();
+  showTakes();
+}
+
+void TakeDesk::remove(std::int64_t id) {
+  m_takes.remove(id);
+  if (m_namesInFile.contains(id)) m_edits[m_namesInFile[id]] = std::nullopt;
+  showTakes();
+}
+
+void TakeDesk::restore(const RecordedTake& take) {
+  m_takes.put(take);
+  if (m_namesInFile.contains(take.id)) m_edits[m_namesInFile[take.id]] = take.name;
+  showTakes();
+}
+
+void TakeDesk::goTo(std::int64_t id) {
+  const RecordedTake* take = m_takes.find(id);
+  if (!take) return;
+  // Its times are the session's.
+  if (auto* subjects = m_window.findChild<AnnotationDesk*>(); subjects && subjects->showsTake())
+    subjects->showSubject("");
+  if (take->to_s > take->from_s) m_window.ticker().setRange(take->from_s, take->to_s);
+  m_window.ticker().seek(take->from_s);
+}
+
+// ---- the file ----
+
+bool TakeDesk::record() {
+  SessionEngine& engine = m_window.session()->engine();
+  if (engine.recorder()) return true;
+  if (m_file.isEmpty()) {
+    const QString folder = sessions_folder();
+    QDir().mkpath(folder);
+    m_file = new_session_file(folder, QDateTime::currentDateTime());
+  }
+  const Status started = engine.record(m_file.toStdString(), facts());
+  m_markersInFile.reset();
+  if (started) {
+    writeMarkers();
+    emit fileChanged();
+    return true;
+  }
+  m_window.messages().showError(QString::fromStdString(started.error().text()));
+  if (!QFileInfo::exists(m_file)) m_file.clear();
+  return false;
+}
+
+void TakeDesk::stopRecorder() {
+  SessionEngine& engine = m_window.session()->engine();
+  if (!engine.recorder()) return;
+  writeMarkers();
+  const Status written = engine.stop_recording();
+  if (!written) m_window.messages().showError(QString::fromStdString(written.error().text()));
+  m_lastState.bytes = static_cast<std::uint64_t>(QFileInfo(m_file).size());
+  m_lastState.behind_s = 0;
+  writeEdits();
+}
+
+/// Names in the file follow those on the list, by way of the recorder while there is one. What was taken off
+/// goes last: until the session ends it can come back.
+void TakeDesk::writeEdits() {
+  if (m_edits.empty() || m_file.isEmpty() || !m_window.session()) return;
+  TakeEdits names;
+  for (const auto& [name, now] : m_edits)
+    if (now) names[name] = now;
+  const auto recorder = m_window.session()->engine().recorder();
+  if (recorder) recorder->edit_takes(names);
+  const Status written = recorder ? Status(Done{}) : edit_session_takes(m_file.toStdString(), names);
+  if (!written) return m_window.messages().showError(QString::fromStdString(written.error().text()));
+  for (const auto& [name, now] : names) m_edits.erase(name);
+  for (auto& [id, name] : m_namesInFile)
+    if (const auto found = names.find(name); found != names.end()) name = *found->second;
+}
+
+/// Those of the timeline, when they are not the ones in the file.
+void TakeDesk::writeMarkers() {
+  const auto recorder = m_window.session() ? m_window.session()->engine().recorder() : nullptr;
+  if (!recorder) return;
+  const auto* annotation = m_window.findChild<AnnotationDesk*>();
+  const Markers& markers = annotation ? annotation->sessionMarkers() : m_window.timeline().markers();
+  if (m_markersInFile == markers) return;
+  m_markersInFile = markers;
+  recorder->set_markers(*m_markersInFile);
+}
+
+void TakeDesk::keepEverything(bool on) {
+  m_window.remembered().setKeepsEverything(on);
+  if (m_window.session() && m_hasStream) {
+    if (on) record();
+    if (!on && !isRecording()) stopRecorder();
+  }
+  update();
+}
+
+void TakeDesk::prepareStream() {
+  if (!m_window.session() || !m_window.remembered().keepsEverything()) return;
+  m_isForStream = m_file.isEmpty();
+  m_hasStream = record();
+}
+
+/// Of a stream that could not be opened nothing is left.
+void TakeDesk::discardIfUnused() {
+  stopRecorder();
+  if (m_isForStream && m_takes.empty()) {
+    discard_session(m_file);
+    m_file.clear();
+    m_lastState = {};
+  }
+  m_isForStream = false;
+}
+
+void TakeDesk::setOpened(const QString& file, const widgets::RecordedTakes& takes) {
+  m_file = file;
+  m_takes = takes;
+  m_lastState = {};
+  m_lastState.bytes = static_cast<std::uint64_t>(QFileInfo(file).size());
+  for (const RecordedTake& take : takes.all()) {
+    m_nextId = std::max(m_nextId, take.id + 1);
+    m_namesInFile[take.id] = take.name;
+  }
+  update();
+  showTakes();
+  emit fileChanged();
+}
+
+void TakeDesk::setFile(const QString& file) {
+  m_file = file;
+  m_isForStream = false;
+  m_lastState.bytes = static_cast<std::uint64_t>(QFileInfo(file).size());
+  update();
+  emit fileChanged();
+}
+
+void TakeDesk::onSessionEnding() {
+  if (m_window.session()) {
+    if (m_sequence.stop()) endTake();
+    stopRecorder();
+    if (!m_file.isEmpty() && !m_edits.empty()) {
+      const Status written = edit_session_takes(m_file.toStdString(), m_edits);
+      if (!written) m_window.messages().showError(QString::fromStdString(written.error().text()));
+    }
+  }
+  m_sequence = {};
+  m_takes = {};
+  m_running = -1;
+  m_nextId = 1;
+  m_edits.clear();
+  m_namesInFile.clear();
+  m_file.clear();
+  m_lastState = {};
+  m_toldFailure.clear();
+  m_hasStream = false;
+  showTakes();
+}
+
+// ---- what is shown ----
+
+void TakeDesk::update() {
+  if (!m_window.session()) return m_panel.showStatus({});
+  const bool has_stream = m_window.session()->engine().receiver() != nullptr;
+  if (has_stream && !m_hasStream && m_window.remembered().keepsEverything()) record();
+  if (!has_stream && m_hasStream && !isRecording()) discardIfUnused();
+  if (has_stream) m_isForStream = false;
+  m_hasStream = has_stream;
+  if (m_sequence.advance(now())) beginTake();
+  writeMarkers();
+  if (m_running >= 0) {
+    follow();
+    showTakes();
+  }
+  const widgets::RecordingStatus shown = status();
+  m_panel.showStatus(shown);
+  m_countdown->showCount(shown.count, QString::fromStdString(shown.take));
+  m_window.transport().showRecording(
+      isRecording() ? QString::fromStdString(shown.take + " · " + widgets::duration_text(shown.elapsed_s))
+                    : QString());
+  const QString failure = QString::fromStdString(shown.failure);
+  if (!failure.isEmpty() && failure != m_toldFailure) m_window.messages().showError(failure);
+  m_toldFailure = failure;
+}
+
+widgets::RecordingStatus TakeDesk::status() const {
+  widgets::RecordingStatus status;
+  const auto recorder = m_window.session()->engine().recorder();
+  const Recorder::State disk = recorder ? recorder->state() : m_lastState;
+  status.phase = m_sequence.phase;
+  status.take = m_sequence.name;
+  status.count = m_sequence.count(now());
+  status.elapsed_s = m_sequence.elapsed_s(now());
+  status.file = m_file.toStdString();
+  status.bytes = disk.bytes;
+  status.frames = disk.frames;
+  status.behind_s = disk.behind_s;
+  status.failure = disk.failure;
+  status.lost = disk.lost;
+  status.is_everything_kept = m_window.remembered().keepsEverything();
+  status.can_record = true;
+  return status;
+}
+
+void TakeDesk::showTakes() {
+  m_panel.rows().setRunning(m_running);
+  m_panel.setTakes(m_takes);
+  m_window.timeline().showTakes(on_timeline(m_takes, m_running));
+}
+
+}  // namespace abrazo::app

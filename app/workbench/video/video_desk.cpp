@@ -1,0 +1,408 @@
+#include "app/workbench/video/video_desk.hpp"
+
+#include <QFileInfo>
+#include <QSet>
+#include <QUndoCommand>
+#include <algorithm>
+#include <cmath>
+
+#include "app/workbench/document/open_video.hpp"
+#include "app/workbench/labels/annotation_desk.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/shell/panel_area.hpp"
+#include "widgets/common/message_bar.hpp"
+#include "widgets/common/utf8.hpp"
+#include "widgets/video/overlay_section.hpp"
+#include "widgets/video/step_bar.hpp"
+#include "widgets/video/sync_section.hpp"
+#include "widgets/video/video_panel.hpp"
+#include "widgets/video/video_view.hpp"
+#include "widgets/video/video_words.hpp"
+
+namespace abrazo::app {
+namespace {
+
+constexpr double longest_gap_s = 0.5;  // between two frames that poses are interpolated in
+constexpr double edge_s = 0.02;        // so far before and after what was recorded still counts as recorded
+
+using widgets::text;
+
+}  // namespace
+
+/// From one state of all videos to another.
+class ChangeVideos : public QUndoCommand {
+ public:
+  ChangeVideos(VideoDesk& desk, VideoStates after, const QString& what, int merges)
+      : QUndoCommand(what),
+        m_desk(desk),
+        m_merges(merges),
+        m_generation(desk.m_generation),
+        m_before(desk.states()),
+        m_after(std::move(after)) {}
+  void redo() override { go(m_after); }
+  void undo() override { go(m_before); }
+  int id() const override { return m_merges == 0 ? -1 : command_id; }
+  bool mergeWith(const QUndoCommand* other) override {
+    const auto* next = static_cast<const ChangeVideos*>(other);
+    if (&next->m_desk != &m_desk || next->m_merges != m_merges) return false;
+    m_after = next->m_after;
+    return true;
+  }
+
+ private:
+  /// Of no use once another session or project is there: its videos are others.
+  void go(const VideoStates& states) {
+    m_generation == m_desk.m_generation ? m_desk.set(states) : setObsolete(true);
+  }
+
+  static constexpr int command_id = 7201;
+  VideoDesk& m_desk;
+  int m_merges, m_generation;
+  VideoStates m_before, m_after;
+};
+
+VideoDesk::VideoDesk(MainWindow& window)
+    : QObject(&window), m_window(window), m_panel(new widgets::VideoPanel) {
+  m_panel->setColours(window.colours());
+  connect(&window, &MainWindow::coloursChanged, m_panel, &widgets::VideoPanel::setColours);
+  connect(&window, &MainWindow::sessionStarted, this, &VideoDesk::onSessionStarted);
+  connect(&window, &MainWindow::filesOpened, this, [this](const QStringList& files) {
+    QStringList videos;
+    for (const QString& file : files)
+      if (is_video_file(file)) videos << file;
+    if (!videos.isEmpty()) open(videos);
+  });
+  connect(&window.ticker(), &FrameTicker::playbackChanged, this, &VideoDesk::follow);
+  if (auto* annotations = window.findChild<AnnotationDesk*>())
+    connect(annotations, &AnnotationDesk::subjectChanged, this, &VideoDesk::onSubject);
+  connectPanel();
+}
+
+VideoDesk::~VideoDesk() = default;
+
+void VideoDesk::connectPanel() {
+  using namespace widgets;
+  connect(m_panel, &VideoPanel::chosen, this, [this](int index) {
+    for (const VideoState& state : m_states)
+      if (state.subject == m_subject && index-- == 0) return show(state.id);
+  });
+  connect(m_panel, &VideoPanel::closeRequested, this, &VideoDesk::close);
+  connect(&m_panel->steps(), &StepBar::stepRequested, this, &VideoDesk::step);
+  connect(&m_panel->view(), &VideoView::stepRequested, this, &VideoDesk::step);
+  connect(&m_panel->steps(), &StepBar::linkRequested, this, &VideoDesk::setLinked);
+  connect(&m_panel->overlay(), &OverlaySection::partsChanged, this, &VideoDesk::showOverlay);
+  connect(&m_panel->overlay(), &OverlaySection::opacityChanged, &m_panel->view(), &VideoView::setOpacity);
+  connect(&m_panel->view(), &VideoView::painted, this, [this] {
+    if (!m_asked.isValid() || !m_shown || !currentVideo() || m_shown->index != currentVideo()->requested())
+      return;
+    m_latency_ms = static_cast<double>(m_asked.nsecsElapsed()) * 1e-6;
+    m_asked.invalidate();
+  });
+  SyncSection& sync = m_panel->sync();
+  connect(&sync, &SyncSection::pointRequested, this, &VideoDesk::setSyncPoint);
+  connect(&sync, &SyncSection::goToRequested, &m_window.ticker(), &FrameTicker::seek);
+  const auto edit = [this](auto make, const QString& what) {
+    return [this, make, what](auto... value) {
+      changeCurrent([&](VideoState& state) { state.sync = make(state.sync, value...); }, what);
+    };
+  };
+  connect(&sync, &SyncSection::pointRemoveRequested, this,
+          edit([](const VideoSync& now,
+                  int index) { return without_sync_point(now, static_cast<std::size_t>(index)); },
+               "remove sync point"));
+  connect(&sync, &SyncSection::offsetEntered, this, edit(with_offset, "offset of the video"));
+  connect(&sync, &SyncSection::rateEntered, this, edit(with_rate, "rate of the video"));
+  connect(&sync, &SyncSection::clearRequested, this,
+          edit([](const VideoSync&) { return VideoSync{}; }, "clear synchronisation"));
+}
+
+// ---- what is open
+
+std::vector<ProjectVideo> VideoDesk::videos() const {
+  std::vector<ProjectVideo> kept;
+  for (const VideoState& state : m_states) kept.push_back(project_video(state));
+  return kept;
+}
+
+QStringList VideoDesk::files() const {
+  QStringList names;
+  for (const VideoState& state : m_states) names << state.file;
+  return names;
+}
+
+void VideoDesk::setVideos(const std::vector<ProjectVideo>& videos, const QStringList& files) {
+  VideoStates next;
+  for (std::size_t i = 0; i < videos.size() && static_cast<int>(i) < files.size(); ++i) {
+    next.push_back(video_state(videos[i], files[static_cast<int>(i)]));
+    next.back().id = m_nextId++;
+  }
+  ++m_generation;
+  set(next);
+  if (current()) m_window.panels().want("video", true);
+}
+
+void VideoDesk::open(const QStringList& files) {
+  VideoStates next = m_states;
+  for (const QString& file : files) {
+    VideoState state;
+    state.id = m_nextId++;
+    state.file = file;
+    state.subject = m_subject;
+    next.push_back(state);
+  }
+  if (next.size() == m_states.size()) return;
+  m_current = next.back().id;
+  m_linked = true;
+  change(next, files.size() == 1 ? "open video " + QFileInfo(files.front()).fileName()
+                                 : QString("open %1 videos").arg(files.size()));
+  m_window.panels().want("video", true);
+}
+
+void VideoDesk::close() {
+  VideoStates next = m_states;
+  std::erase_if(next, [this](const VideoState& state) { return state.id == m_current; });
+  if (next.size() != m_states.size()) change(next, "close video");
+}
+
+const VideoState* VideoDesk::current() const {
+  for (const VideoState& state : m_states)
+    if (state.id == m_current) return &state;
+  return nullptr;
+}
+
+OpenVideo* VideoDesk::currentVideo() const {
+  const auto found = m_open.find(m_current);
+  return found == m_open.end() ? nullptr : found->second.get();
+}
+
+void VideoDesk::show(int id) {
+  m_current = id;
+  m_shown = nullptr;
+  onState();
+}
+
+void VideoDesk::change(VideoStates next, const QString& what, int merges) {
+  if (next != m_states) m_window.undoStack().push(new ChangeVideos(*this, std::move(next), what, merges));
+}
+
+void VideoDesk::changeCurrent(const std::function<void(VideoState&)>& edit, const QString& what, int merges) {
+  VideoStates next = m_states;
+  for (VideoState& state : next) {
+    if (state.id != m_current) continue;
+    const VideoSync before = state.sync;
+    edit(state);
+    const Status possible = check_sync(state.sync);
+    if (!possible) {
+      showSync();  // what was entered is taken back
+      return m_window.messages().showError(text(possible.error().text()));
+    }
+    if (m_retime && state.sync != before) m_retime(state, before);
+  }
+  change(std::move(next), what, merges);
+}
+
+/// Decoders follow what is to be open.
+void VideoDesk::set(const VideoStates& states) {
+  m_states = states;
+  std::erase_if(m_open, [this](const auto& open) {
+    return std::ranges::none_of(m_states, [&](const VideoState& state) {
+      return state.id == open.first && state.file == open.second->file();
+    });
+  });
+  for (const VideoState& state : m_states) {
+    m_nextId = std::max(m_nextId, state.id + 1);
+    auto& open = m_open[state.id];
+    if (open) continue;
+    open = std::make_unique<OpenVideo>(state.file);
+    connect(open.get(), &OpenVideo::news, this, [this, id = state.id] {
+      if (id == m_current) onPicture();
+    });
+  }
+  onSubject();
+  emit changed();
+}
+
+std::string VideoDesk::subjectOfWindow() const {
+  const auto* annotations = m_window.findChild<AnnotationDesk*>();
+  return annotations ? annotations->subject() : std::string();
+}
+
+/// A video of the session before has nothing to do with this one; those of takes stay.
+void VideoDesk::onSessionStarted() {
+  VideoStates rest = m_states;
+  if (std::exchange(m_hadSession, true)) {
+    ++m_generation;  // a step of undo would bring back one that was closed before
+    std::erase_if(rest, [](const VideoState& state) { return state.subject.empty(); });
+  }
+  if (rest.size() != m_states.size()) {
+    set(rest);
+    m_window.messages().showInformation("The video belonged to the previous session and was closed");
+  }
+  onSubject();
+}
+
+void VideoDesk::onSubject() {
+  m_subject = subjectOfWindow();
+  const VideoState* shown = current();
+  if (!shown || shown->subject != m_subject) {
+    m_current = 0;
+    m_shown = nullptr;
+    for (const VideoState& state : m_states)
+      if (state.subject == m_subject) m_current = state.id;
+  }
+  onState();
+}
+
+// ---- what is shown
+
+void VideoDesk::setLinked(bool on) {
+  m_linked = on;
+  follow();
+  showSync();
+  showOverlay();
+}
+
+void VideoDesk::step(int pictures) {
+  const OpenVideo* video = currentVideo();
+  const auto facts = video ? video->facts() : nullptr;
+  if (!facts) return;
+  const int asked = video->requested() < 0 ? 0 : video->requested();
+  const int index = std::clamp(asked + pictures, 0, facts->frames() - 1);
+  if (!m_linked) return request(index);
+  const double to_s = current()->sync.subject_time(facts->times_s[static_cast<std::size_t>(index)]);
+  m_window.ticker().seek(to_s);
+}
+
+void VideoDesk::setSyncPoint() {
+  if (!current() || !m_shown || !m_window.ticker().history())
+    return m_window.messages().showInformation("Open a video first, and show the moment in it");
+  const SyncPoint point{m_window.ticker().playback().cursor_s, m_shown->time_s};
+  changeCurrent([&](VideoState& state) { state.sync = widgets::with_sync_point(state.sync, point); },
+                "same moment in video and timeline");
+}
+
+/// Each tick of the display: the newest time counts.
+void VideoDesk::follow() {
+  const OpenVideo* video = currentVideo();
+  const auto facts = video ? video->facts() : nullptr;
+  if (!facts || facts->frames() == 0) return;
+  if (m_linked)
+    request(facts->index_at(current()->sync.video_time(m_window.ticker().playback().cursor_s)));
+  else if (video->requested() < 0)
+    request(0);
+  m_panel->view().setNotice(notice());
+  if (!m_linked) showOverlay();
+}
+
+void VideoDesk::request(int index) {
+  if (currentVideo()->request(index)) m_asked.start();
+}
+
+void VideoDesk::onPicture() {
+  const OpenVideo* video = currentVideo();
+  if (!video) return;
+  const VideoFramePtr newest = video->newest();
+  if (!newest) return onState();
+  if (newest == m_shown) return;
+  m_shown = newest;
+  m_panel->view().showPicture(newest);
+  m_panel->steps().showPicture(newest->index, video->facts()->frames(), newest->time_s);
+  m_panel->view().setNotice(notice());
+  showOverlay();
+  emit pictureShown();
+}
+
+/// Another video, or another state of its file.
+void VideoDesk::onState() {
+  QStringList names;
+  int place = -1;
+  for (const VideoState& state : m_states) {
+    if (state.subject != m_subject) continue;
+    if (state.id == m_current) place = names.size();
+    names << QFileInfo(state.file).fileName();
+  }
+  m_panel->showFiles(names, place);
+  showFacts();
+  if (!currentVideo() || currentVideo()->state() != VideoDecoder::State::Open) m_shown = nullptr;
+  if (!m_shown) {
+    m_panel->view().showPicture(nullptr);
+    m_panel->view().showOverlay({});
+    m_panel->steps().showPicture(-1, 0, 0);
+  }
+  follow();
+  m_panel->view().setNotice(notice());
+  showSync();
+  emit currentChanged();
+  onPictureIfThere();
+  if (m_shown) showOverlay();  // of another camera
+}
+
+void VideoDesk::onPictureIfThere() {
+  if (currentVideo() && currentVideo()->newest()) onPicture();
+}
+
+void VideoDesk::showFacts() {
+  const OpenVideo* video = currentVideo();
+  const auto facts = video ? video->facts() : nullptr;
+  if (!facts) return m_panel->showFacts({}, video ? video->trouble() : QString());
+  QStringList warnings;
+  for (const std::string& warning : facts->warnings) warnings << text(warning);
+  m_panel->showFacts(text(widgets::facts_text(*facts)), warnings.join("\n"));
+}
+
+void VideoDesk::showSync() {
+  const bool usable = currentVideo() && currentVideo()->facts();
+  m_panel->sync().show(current() ? current()->sync : VideoSync{}, usable);
+  m_panel->steps().setUsable(usable);
+  m_panel->steps().setLinked(m_linked);
+}
+
+/// Why there is no picture of this time.
+QString VideoDesk::notice() const {
+  const OpenVideo* video = currentVideo();
+  if (!video)
+    return m_states.empty() ? "No video. File > Open video…, or drop one here"
+                            : "No video of what is on the timeline now";
+  if (video->state() == VideoDecoder::State::Failed) return video->trouble();
+  const auto facts = video->facts();
+  if (!facts) return QString("Reading the video, %1 %").arg(static_cast<int>(100 * video->opened()));
+  if (!video->trouble().isEmpty()) return video->trouble();
+  if (!m_linked || !m_window.ticker().history()) return {};
+  const double video_s = current()->sync.video_time(m_window.ticker().playback().cursor_s);
+  if (video_s < -edge_s) return QString("The video begins %1 s later").arg(-video_s, 0, 'f', 2);
+  if (video_s > facts->duration_s() + edge_s)
+    return QString("The video ended %1 s before").arg(video_s - facts->duration_s(), 0, 'f', 2);
+  return {};
+}
+
+// ---- overlay
+
+double VideoDesk::shownTime() const {
+  const double cursor_s = m_window.ticker().playback().cursor_s;
+  return m_linked && m_shown && current() ? current()->sync.subject_time(m_shown->time_s) : cursor_s;
+}
+
+std::optional<VideoDesk::Moment> VideoDesk::momentAt(double subject_s) const {
+  const FrameHistory* history = m_window.ticker().history();
+  const FrameSnapshotPtr frame = history ? history->at(subject_s) : nullptr;
+  if (!frame || frame->time_s > subject_s + edge_s) return std::nullopt;
+  const FrameSnapshotPtr next = history->stepped(frame->time_s, 1);
+  const double gap_s = next ? next->time_s - frame->time_s : 0;
+  if (gap_s <= 0 && subject_s > frame->time_s + longest_gap_s) return std::nullopt;
+  const bool interpolates = gap_s > 0 && gap_s < longest_gap_s;
+  return Moment{interpolates ? widgets::between(frame->result.result, next->result.result,
+                                                (subject_s - frame->time_s) / gap_s)
+                             : frame->result.result,
+                frame->result.edges};
+}
+
+void VideoDesk::showOverlay() {
+  const VideoState* state = current();
+  const bool fits = state && state->camera && m_shown && m_panel->view().notice().isEmpty();
+  const auto moment = fits ? momentAt(shownTime()) : std::nullopt;
+  m_panel->view().showOverlay(moment ? widgets::project_overlay(*state->camera, moment->pose, moment->edges,
+                                                                m_panel->overlay().parts())
+                                     : widgets::VideoOverlay{});
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,211 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <climits>
+#include <cmath>
+
+#include "core/base/atomic_file.hpp"
+#include "core/base/text.hpp"
+#include "core/library/takes/manifest.hpp"
+#include "core/library/takes/take_labels.hpp"
+#include "core/library/takes/tier_csv.hpp"
+#include "core/library/takes/tier_file.hpp"
+#include "core/motion/files/import_clip.hpp"
+
+namespace abrazo {
+
+namespace {
+
+void add_warnings(const ImportReport& report, const std::string& file, std::vector<std::string>& warnings) {
+  for (const ImportWarning& warning : report.warnings) {
+    const std::string line = warning.line > 0 ? fmt::format(":{}", warning.line) : "";
+    warnings.push_back(fmt::format("{}{}: {}", file, line, warning.detail));
+  }
+}
+
+/// The clips of a file, with the readers' warnings appended.
+Result<std::vector<ImportedClip>> load_clips(const Manifest::Take& take, const Manifest::Performer& performer,
+                                             std::vector<std::string>& warnings) {
+  auto options = import_options(performer, take.fps);
+  if (!options) return options.error();
+  if (!options->metres_per_unit) options->metres_per_unit = take.metres_per_unit;
+  auto clips = load_motion(performer.motion.string(), performer.skeleton.string(), *options);
+  if (!clips) return clips.error();
+  for (const ImportedClip& clip : *clips) add_warnings(clip.report, performer.motion.string(), warnings);
+  return clips;
+}
+
+/// Moves one performer out of a file's clips and cuts the frames before its start.
+Result<Clip> taken_from(std::vector<ImportedClip>& clips, const Manifest::Performer& performer, int index) {
+  if (index >= static_cast<int>(clips.size()))
+    return Error{
+        fmt::format("performer {} is asked for, but it shows {}; they count from 0", index, clips.size()),
+        performer.motion.string()};
+  Clip clip = std::move(clips[static_cast<std::size_t>(index)].clip);
+  if (performer.start >= static_cast<int>(clip.poses.size()))
+    return Error{fmt::format("is to be used from frame {} on, but has {}; give a smaller \"start\"",
+                             performer.start, clip.poses.size()),
+                 performer.motion.string()};
+  clip.poses.erase(clip.poses.begin(), clip.poses.begin() + performer.start);
+  return clip;
+}
+
+Result<Clip> load_single(const Manifest::Take& take, const Manifest::Performer& performer,
+                         std::vector<std::string>& warnings) {
+  auto clips = load_clips(take, performer, warnings);
+  if (!clips) return clips.error();
+  if (clips->size() != 1 && !performer.index)
+    return Error{fmt::format("shows {} performers; expected one (say which with \"performer\": 0, 1, ..., or "
+                             "name the same file for a and b when it shows both)",
+                             clips->size()),
+                 performer.motion.string()};
+  return taken_from(*clips, performer, performer.index.value_or(0));
+}
+
+/// Both performers, from two files or from one that shows both.
+Status load_performers(const Manifest::Take& take, PairedTake& result, std::vector<std::string>& warnings) {
+  Result<Clip> a = Clip{}, b = Clip{};
+  if (take.a.motion == take.b.motion) {
+    auto clips = load_clips(take, take.a, warnings);
+    if (!clips) return clips.error();
+    const int index_a = take.a.index.value_or(0), index_b = take.b.index.value_or(1);
+    if (clips->size() != 2 && !(take.a.index && take.b.index))
+      return Error{fmt::format("is named for both performers of take {} but shows {}; expected 2", take.name,
+                               clips->size()),
+                   take.a.motion.string()};
+    if (index_a == index_b)
+      return Error{fmt::format("performer {} is named twice; name another for a or b", index_a),
+                   "take " + take.name};
+    a = taken_from(*clips, take.a, index_a);
+    b = taken_from(*clips, take.b, index_b);
+  } else {
+    a = load_single(take, take.a, warnings);
+    if (a) b = load_single(take, take.b, warnings);
+  }
+  if (!a) return a.error();
+  if (!b) return b.error();
+  result.a = std::move(*a);
+  result.b = std::move(*b);
+  return Done{};
+}
+
+/// Leaves the first `frames` of both.
+Status cut_to_frames(const Manifest::Take& take, PairedTake& result) {
+  if (!take.frames) return Done{};
+  for (Clip* clip : {&result.a, &result.b}) {
+    if (static_cast<int>(clip->poses.size()) < *take.frames)
+      return Error{
+          fmt::format("{} frames are to be used, but performer {} has {} from its start on; give fewer "
+                      "\"frames\"",
+                      *take.frames, clip == &result.a ? "a" : "b", clip->poses.size()),
+          "take " + take.name};
+    clip->poses.resize(static_cast<std::size_t>(*take.frames));
+  }
+  return Done{};
+}
+
+Status check_lengths(const PairedTake& take) {
+  const auto a = static_cast<long long>(take.a.poses.size());
+  const auto b = static_cast<long long>(take.b.poses.size());
+  if (a != b)
+    return Error{
+        fmt::format("performer a has {} frames and b {}, {} {}; both must have been captured "
+                    "together, frame for frame (\"start\" of a or b and \"frames\" of the take cut them)",
+                    a, b, std::abs(a - b), a > b ? "fewer" : "more"),
+        "take " + take.name};
+  if (std::abs(take.a.fps - take.b.fps) > 1e-3 * take.a.fps)
+    return Error{fmt::format("performer a has {} frames per second and b {}; give the take's own in \"fps\"",
+                             take.a.fps, take.b.fps),
+                 "take " + take.name};
+  return Done{};
+}
+
+template <typename Interval>
+void warn_of_late_end(const std::vector<Interval>& intervals, const char* what, const PairedTake& take,
+                      std::vector<std::string>& warnings) {
+  const auto frames = static_cast<int>(take.a.poses.size());
+  if (!intervals.empty() && intervals.back().end > frames)
+    warnings.push_back(fmt::format("take {}: its {} go on to frame {}, it has {}", take.name, what,
+                                   intervals.back().end, frames));
+}
+
+Result<std::vector<Tier>> tiers_in(const std::filesystem::path& file, const PairedTake& take,
+                                   std::vector<std::string>& warnings) {
+  auto document = read_tiers(file, {take.fps, take.name});
+  if (!document) return document.error();
+  for (const std::string& warning : document->warnings) warnings.push_back(file.string() + ": " + warning);
+  return std::move(document->tiers);
+}
+
+/// Out of a label file in frames, or out of a tier of any other.
+Result<std::vector<LabelInterval>> labels_in(const Manifest::Take& take, const PairedTake& result,
+                                             std::vector<std::string>& warnings) {
+  const std::string where = take.labels.string();
+  if (lower_case(take.labels.extension().string()) == ".csv" || !is_tier_file(where)) {
+    const auto text = read_whole_file(take.labels);
+    if (!text) return text.error();
+    if (!is_tier_csv(*text)) return parse_labels(*text, take.name, where);
+  }
+  const auto tiers = tiers_in(take.labels, result, warnings);
+  if (!tiers) return tiers.error();
+  const auto tier = tier_for_take(*tiers, take.labels_tier, TierKind::Move, take.name, where);
+  if (!tier) return tier.error();
+  return labels_of(**tier, result.fps, where, warnings);
+}
+
+Status load_labels(const Manifest::Take& take, PairedTake& result, std::vector<std::string>& warnings) {
+  if (take.labels.empty()) return Done{};
+  auto labels = labels_in(take, result, warnings);
+  if (!labels) return labels.error();
+  result.labels = std::move(*labels);
+  if (result.labels.empty())
+    warnings.push_back(fmt::format("{}: no labels of take {}", take.labels.string(), take.name));
+  warn_of_late_end(result.labels, "labels", result, warnings);
+  return Done{};
+}
+
+/// The manifest's own, or out of a tier.
+Status load_roles(const Manifest::Take& take, PairedTake& result, std::vector<std::string>& warnings) {
+  result.roles = take.roles;
+  // One letter for the whole take comes without its length.
+  for (RoleInterval& role : result.roles)
+    if (role.end == INT_MAX) role.end = static_cast<int>(result.a.poses.size());
+  if (!take.roles_tier.empty()) {
+    const std::filesystem::path& file = take.roles_file.empty() ? take.labels : take.roles_file;
+    const auto tiers = tiers_in(file, result, warnings);
+    if (!tiers) return tiers.error();
+    const auto tier = tier_for_take(*tiers, take.roles_tier, TierKind::Role, take.name, file.string());
+    if (!tier) return tier.error();
+    auto roles = roles_of(**tier, result.fps, file.string(), warnings);
+    if (!roles) return roles.error();
+    result.roles = std::move(*roles);
+  }
+  warn_of_late_end(result.roles, "roles", result, warnings);
+  return Done{};
+}
+
+}  // namespace
+
+Result<ImportOptions> import_options(const Manifest::Performer& performer, std::optional<double> fps) {
+  ImportOptions options;
+  options.fps = fps;
+  options.metres_per_unit = performer.metres_per_unit;
+  options.up_axis = performer.up_axis;
+  if (!performer.joint_map.empty())
+    if (const Status chosen = choose_joints(performer.joint_map, options); !chosen) return chosen.error();
+  return options;
+}
+
+Result<PairedTake> load_take(const Manifest::Take& take, std::vector<std::string>& warnings) {
+  PairedTake result;
+  result.name = take.name;
+  if (const Status loaded = load_performers(take, result, warnings); !loaded) return loaded.error();
+  if (const Status cut = cut_to_frames(take, result); !cut) return cut.error();
+  if (const Status lengths = check_lengths(result); !lengths) return lengths.error();
+  result.fps = result.a.fps;
+  if (const Status roles = load_roles(take, result, warnings); !roles) return roles.error();
+  if (const Status labels = load_labels(take, result, warnings); !labels) return labels.error();
+  return result;
+}
+
+}  // namespace abrazo

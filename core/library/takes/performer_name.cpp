@@ -1,0 +1,129 @@
+#include "core/library/takes/performer_name.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <utility>
+
+#include "core/base/text.hpp"
+
+namespace abrazo {
+
+namespace {
+
+/// Who is active, and what the other is then called.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 16> opposite_roles = {
+    {{"leader", "follower"},
+     {"lead", "follow"},
+     {"leading", "following"},
+     {"leader", "partner"},
+     {"man", "woman"},
+     {"male", "female"},
+     {"boy", "girl"},
+     {"he", "she"},
+     {"active", "passive"},
+     {"actor", "reactor"},
+     {"actor", "partner"},
+     {"attacker", "defender"},
+     {"attack", "defence"},
+     {"attack", "defense"},
+     {"attacker", "victim"},
+     {"user", "partner"}}};
+
+enum class Kind { Digit, Letter, Other };
+
+/// Bytes beyond ASCII are letters: names are UTF-8.
+Kind kind_of(char c) {
+  const auto byte = static_cast<unsigned char>(c);
+  if (std::isdigit(byte) != 0) return Kind::Digit;
+  return std::isalpha(byte) != 0 || byte >= 128 ? Kind::Letter : Kind::Other;
+}
+
+bool is_number(std::string_view part) {
+  return std::all_of(part.begin(), part.end(), [](char c) { return kind_of(c) == Kind::Digit; });
+}
+
+/// +1 when `first` is the active one of two opposite roles, -1 when `second` is, 0 when they are not such.
+int role_order(std::string_view first, std::string_view second) {
+  for (const auto& [active, passive] : opposite_roles) {
+    if (first == active && second == passive) return 1;
+    if (first == passive && second == active) return -1;
+  }
+  return 0;
+}
+
+NameContrast contrast_of(std::string_view first, std::string_view second) {
+  if (role_order(first, second) != 0) return NameContrast::Roles;
+  if (is_number(first) != is_number(second)) return NameContrast::None;
+  if (is_number(first)) return NameContrast::Numbers;
+  const bool letters = first.size() == 1 && second.size() == 1;
+  return letters ? NameContrast::Letters : NameContrast::Words;
+}
+
+/// "take1" and "take1_partner", "take1 2", "take1b".
+std::optional<NameDifference> extension_of(const std::vector<NamePart>& shorter,
+                                           const std::vector<NamePart>& longer) {
+  for (std::size_t i = 0; i < shorter.size(); ++i)
+    if (shorter[i].text != longer[i].text) return std::nullopt;
+  const std::string& extra = longer.back().text;
+  static constexpr std::array<std::string_view, 9> seconds = {
+      "b", "2", "partner", "follower", "follow", "passive", "defender", "reactor", "woman"};
+  if (std::find(seconds.begin(), seconds.end(), extra) == seconds.end()) return std::nullopt;
+  NameDifference difference;
+  difference.contrast = extra.size() == 1 ? NameContrast::Words : NameContrast::Roles;
+  difference.part = shorter.size();
+  difference.second = extra;
+  difference.one_more_part = true;
+  return difference;
+}
+
+}  // namespace
+
+std::vector<NamePart> parts_of_name(std::string_view name) {
+  std::vector<NamePart> parts;
+  for (std::size_t i = 0; i < name.size(); ++i) {
+    const Kind kind = kind_of(name[i]);
+    if (kind == Kind::Other) continue;
+    const bool capital = std::isupper(static_cast<unsigned char>(name[i])) != 0;
+    const bool after_small = i > 0 && std::islower(static_cast<unsigned char>(name[i - 1])) != 0;
+    const bool goes_on = i > 0 && !parts.empty() && kind_of(name[i - 1]) == kind && !(capital && after_small);
+    if (!goes_on) parts.push_back({{}, i, 0});
+    ++parts.back().size;
+  }
+  for (NamePart& part : parts) part.text = lower_case(name.substr(part.begin, part.size));
+  return parts;
+}
+
+std::optional<NameDifference> difference_of_names(std::string_view first, std::string_view second) {
+  const std::vector<NamePart> a = parts_of_name(first), b = parts_of_name(second);
+  if (b.size() == a.size() + 1 && !a.empty()) return extension_of(a, b);
+  if (a.size() != b.size()) return std::nullopt;
+  std::optional<NameDifference> found;
+  int differing = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    if (a[i].text == b[i].text) continue;
+    ++differing;
+    NameDifference here{contrast_of(a[i].text, b[i].text), i, a[i].text, b[i].text};
+    here.first_is_active = role_order(a[i].text, b[i].text) >= 0;
+    // With a role there may also be the subject's number or letter: s60_leader, s61_follower.
+    if (!found || here.contrast > found->contrast) found = here;
+  }
+  if (differing == 0 || found->contrast == NameContrast::None) return std::nullopt;
+  if (differing > 2 || (differing == 2 && found->contrast != NameContrast::Roles)) return std::nullopt;
+  return found;
+}
+
+std::string shared_name(std::string_view first, const NameDifference& difference) {
+  if (difference.one_more_part) return std::string(first);
+  const std::vector<NamePart> parts = parts_of_name(first);
+  const NamePart& cut = parts[difference.part];
+  const auto is_joint = [](char c) { return kind_of(c) == Kind::Other; };
+  std::string_view before = first.substr(0, cut.begin), after = first.substr(cut.begin + cut.size);
+  // Of the separators around what is cut, one stays.
+  while (!before.empty() && is_joint(before.back()) && (after.empty() || is_joint(after.front())))
+    before.remove_suffix(1);
+  while (before.empty() && !after.empty() && is_joint(after.front())) after.remove_prefix(1);
+  return std::string(before) + std::string(after);
+}
+
+}  // namespace abrazo

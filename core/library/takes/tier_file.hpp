@@ -1,0 +1,64 @@
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "core/library/takes/tier.hpp"
+
+namespace abrazo {
+
+/// What a label file says.
+struct TierDocument {
+  std::vector<Tier> tiers;
+  std::string take;                   ///< that a label file was read for; empty in other formats
+  std::vector<std::string> warnings;  ///< what was left out, interpolated or put elsewhere, with how often
+};
+
+struct TierReading {
+  /// Of the subject's frames. A label file that counts frames needs it; edges from a file of whole
+  /// milliseconds that mean a frame are put on it exactly. 0 = not known
+  double fps = 0;
+  std::string take;  ///< of a label file that has several; empty = the only one
+};
+
+struct TierWriting {
+  double fps = 0;    ///< of a label file's frames
+  std::string take;  ///< its name in a label file; empty = CSV in seconds
+  std::string author = "abrazo";
+  std::string date = "1970-01-01T00:00:00Z";  ///< UTC, of an .eaf
+};
+
+/// A file to be, and what it has no place for.
+struct TierText {
+  std::string text;
+  std::vector<std::string> warnings;
+};
+
+/// ".eaf", ".csv", ".json", ".vtt", ".srt"
+const std::vector<std::string>& tier_file_extensions();
+bool is_tier_file(std::string_view name);
+
+/// Tiers from a file of these formats:
+///   .eaf   ELAN 2.0 to 3.0: alignable and reference annotations, vocabularies, units; see eaf_file.hpp
+///   .csv   with a header tier,start,end,value[,detail,confidence] in seconds; else the label file
+///          take,start_frame,end_frame,label[,detail,confidence] of one take as the tier "move"
+///   .json  see tiers_json
+///   .vtt   WebVTT: a cue's voice is its tier; .srt "[tier] value". Cues that overlap go to further tiers
+/// Tiers without a kind in the file have that of their name: see kind_of_name. At most 64 MB and a million
+/// intervals.
+/// @param name  gives the format by its extension, and the place in messages
+/// @return an Error with line or place, what was expected and what to change
+Result<TierDocument> parse_tiers(std::string_view text, const std::string& name, const TierReading& reading);
+Result<TierDocument> read_tiers(const std::filesystem::path& file, const TierReading& reading);
+
+/// Tiers in the format of the extension. CSV in seconds and JSON read back to the same doubles, the others to
+/// whole milliseconds; vocabularies, kinds, empty tiers, detail and confidence are kept by .eaf and .json.
+/// @param name  gives the format, and the place in messages
+Result<TierText> write_tiers(std::span<const Tier> tiers, const std::string& name,
+                             const TierWriting& writing);
+
+}  // namespace abrazo

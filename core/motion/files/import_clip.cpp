@@ -1,0 +1,318 @@
+#include "core/motion/files/import_clip.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "core/base/atomic_file.hpp"
+#include "core/base/statistics.hpp"
+#include "core/base/text.hpp"
+#include "core/motion/body/body.hpp"
+#include "core/motion/joints/marker_gaps.hpp"
+#include "core/motion/joints/marker_model.hpp"
+#include "core/motion/joints/performers.hpp"
+
+namespace abrazo {
+
+namespace {
+
+using joints::left_ankle, joints::right_ankle, joints::Head;
+
+constexpr double smallest_adult_m = 1.0, tallest_adult_m = 2.3;  ///< standing heights that raise no question
+constexpr double usual_height_m = 1.7;
+constexpr double lowest_floor_m = -0.10, highest_floor_m = 0.20;  ///< toe-base heights that raise no question
+constexpr double toe_rest_height_m = 0.04;                        ///< of a standing foot in the CMU takes
+constexpr double cmu_rate_fps = 120.0;  ///< CMU's published rate; AMC files do not state theirs
+constexpr double cmu_unit_m = (1.0 / 0.45) * 2.54 / 100.0;
+
+std::string rounded(double value, int digits) {
+  char text[64];
+  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  return text;
+}
+
+void warn(ImportReport& report, std::string kind, std::string detail) {
+  report.warnings.push_back({std::move(kind), 0, std::move(detail)});
+}
+
+std::string names_of(const std::vector<int>& joint_list) {
+  std::string names;
+  for (const int joint : joint_list)
+    names += (names.empty() ? "" : ", ") + std::string(joint_names[static_cast<std::size_t>(joint)]);
+  return names;
+}
+
+Error no_map_fits(const NamedMotion& motion, const JointMap& closest, const JointBinding& binding,
+                  bool only_one) {
+  std::string message = only_one ? "the joint map '" + closest.name + "' does not fit: the file lacks "
+                                 : "no joint map fits; the closest, '" + closest.name + "', lacks ";
+  for (std::size_t i = 0; i < binding.missing.size() && i < 6; ++i)
+    message += (i > 0 ? ", " : "") + describe_joint(closest, binding.missing[i]);
+  if (binding.missing.size() > 6) message += " and " + std::to_string(binding.missing.size() - 6) + " more";
+  for (const ImportWarning& warning : motion.warnings)
+    if (warning.kind == "never-seen") message += " (" + warning.detail + ")";
+  message +=
+      R"(. Say which point is which joint in a JSON file {"name": "mine", "joints": {"root": "Hips", "head": )"
+      R"({"Neck": 0.3, "Top": 0.7}, ...}} with all 25 joints (--joint-map FILE). The file's points: )";
+  for (std::size_t p = 0; p < motion.points.size() && p < 40; ++p)
+    message += (p > 0 ? ", " : "") + motion.points[p];
+  if (motion.points.size() > 40) message += ", ...";
+  return Error{message, motion.name};
+}
+
+Result<JointBinding> bind(const NamedMotion& motion, const ImportOptions& options, ImportReport& report) {
+  const std::vector<JointMap> given =
+      options.joint_map ? std::vector<JointMap>{*options.joint_map} : std::vector<JointMap>{};
+  const std::vector<JointMap>& maps = options.joint_map ? given : builtin_joint_maps();
+  const JointMap* closest = nullptr;
+  JointBinding closest_binding;
+  for (const JointMap& map : maps) {
+    JointBinding binding = bind_joints(map, motion.points);
+    if (closest && binding.missing.size() >= closest_binding.missing.size()) continue;
+    closest = &map;
+    closest_binding = std::move(binding);
+    if (closest_binding.missing.empty()) break;
+  }
+  if (!closest_binding.missing.empty())
+    return no_map_fits(motion, *closest, closest_binding, options.joint_map.has_value());
+  if (report.joint_map.empty()) report.joint_map = closest->name;
+  if (!closest_binding.estimated.empty())
+    warn(report, "estimated-joints",
+         names_of(closest_binding.estimated) + ": not in the file, estimated from neighbouring points");
+  return closest_binding;
+}
+
+/// Whether a joint map, given or built in, finds all joints.
+bool a_map_fits(const NamedMotion& motion, const ImportOptions& options) {
+  if (options.joint_map) return true;  // bind reports what it lacks
+  for (const JointMap& map : builtin_joint_maps())
+    if (bind_joints(map, motion.points).missing.empty()) return true;
+  return false;
+}
+
+/// Where markers were captured, the joints by the marker model that was said or fits; nothing otherwise.
+Result<std::optional<NamedMotion>> joints_by_markers(const NamedMotion& motion, const ImportOptions& options,
+                                                     ImportReport& report) {
+  if (options.marker_model.empty() && a_map_fits(motion, options)) return std::optional<NamedMotion>();
+  const MarkerModel* chosen = nullptr;
+  for (const MarkerModel& model : builtin_marker_models()) {
+    const bool said = model.name == options.marker_model;
+    if (!said && !options.marker_model.empty()) continue;
+    const std::vector<std::string> missing = missing_markers(model, motion.points);
+    if (said && !missing.empty())
+      return Error{"the marker model '" + model.name + "' does not fit: the file lacks " + some_of(missing),
+                   motion.name};
+    if (!chosen && missing.empty()) chosen = &model;
+  }
+  if (!chosen) return std::optional<NamedMotion>();
+  const double unit =
+      options.metres_per_unit.value_or(motion.metres_per_unit.value_or(unit_of_markers(*chosen, motion)));
+  Result<NamedMotion> joints = joints_of_markers(*chosen, motion, unit);
+  if (!joints) return joints.error();
+  report.joint_map = chosen->name;
+  report.warnings = joints->warnings;
+  return std::optional<NamedMotion>(std::move(*joints));
+}
+
+/// Why a joint is at no place: the points it is found from.
+std::string gaps_behind(const NamedMotion& motion, const JointBinding& binding, int joint) {
+  std::vector<int> points;
+  for (const auto& [point, weight] : binding.terms[static_cast<std::size_t>(joint)]) points.push_back(point);
+  const std::string gaps = gaps_of(motion, points);
+  return gaps.empty() ? "is not a finite number" : "is not known: " + gaps;
+}
+
+Result<std::vector<Pose>> extract(const NamedMotion& motion, const JointBinding& binding) {
+  std::vector<Pose> poses;
+  poses.reserve(motion.frames.size());
+  for (std::size_t f = 0; f < motion.frames.size(); ++f) {
+    poses.push_back(binding.joints_of(motion.frames[f]));
+    if (poses.back().allFinite()) continue;
+    for (int j = 0; j < joint_count; ++j)
+      if (!poses.back().row(j).allFinite())
+        return Error{"the position of " + std::string(joint_names[static_cast<std::size_t>(j)]) + " " +
+                         gaps_behind(motion, binding, j) +
+                         "; leave that frame out or export the motion again",
+                     motion.name + ": frame " + std::to_string(f)};
+  }
+  if (poses.empty()) return Error{"has no frames", motion.name};
+  return poses;
+}
+
+/// The axis the head is along as seen from the feet, median over the frames. Y unless Z is clearly meant.
+UpAxis guess_up_axis(const std::vector<Pose>& poses, ImportReport& report) {
+  std::vector<double> values;
+  Vec3 up;
+  for (int axis = 0; axis < 3; ++axis) {
+    values.clear();
+    for (const Pose& pose : poses)
+      values.push_back(pose(Head, axis) - 0.5 * (pose(left_ankle, axis) + pose(right_ankle, axis)));
+    up[axis] = upper_median(values);
+  }
+  const UpAxis guess = up.z() > std::abs(up.y()) ? UpAxis::Z : UpAxis::Y;
+  const double along = guess == UpAxis::Z ? up.z() : up.y();
+  if (along < 0.7 * up.norm())
+    warn(report, "up-axis",
+         std::string("the head is mostly not above the feet along Y or Z; ") +
+             (guess == UpAxis::Z ? "Z" : "Y") + " was taken as up, say if it is the other");
+  return guess;
+}
+
+/// What the file says, unless the people in it clearly stand along the other axis.
+UpAxis settle_up_axis(const NamedMotion& motion, const ImportOptions& options, const std::vector<Pose>& poses,
+                      ImportReport& report) {
+  report.up_axis_guessed = !options.up_axis && !motion.up_axis;
+  if (options.up_axis) return *options.up_axis;
+  const std::size_t warnings = report.warnings.size();
+  const UpAxis guess = guess_up_axis(poses, report);
+  const bool sure = report.warnings.size() == warnings;
+  if (!motion.up_axis) {
+    if (guess == UpAxis::Z) warn(report, "up-axis", "Z was taken as up: the head is above the feet along it");
+    return guess;
+  }
+  if (!sure) report.warnings.pop_back();
+  if (guess == *motion.up_axis || !sure) return *motion.up_axis;
+  report.up_axis_guessed = true;
+  const auto name = [](UpAxis axis) { return std::string(axis == UpAxis::Z ? "Z" : "Y"); };
+  warn(report, "up-axis",
+       "the file says that " + name(*motion.up_axis) + " points up, but the head is above the feet along " +
+           name(guess) + ", which was taken");
+  return guess;
+}
+
+void turn_z_up_to_y_up(std::vector<Pose>& poses) {
+  for (Pose& pose : poses) {
+    const Eigen::Matrix<double, joint_count, 1> y = pose.col(1);
+    pose.col(1) = pose.col(2);
+    pose.col(2) = -y;
+  }
+}
+
+/// Metres, the CMU unit, inches, centimetres or millimetres: whichever makes an adult of the performer.
+double guess_unit(double height_in_file_units) {
+  double best = 1.0, best_misfit = std::numeric_limits<double>::infinity();
+  for (const double unit : {1.0, cmu_unit_m, 0.0254, 0.01, 0.001}) {
+    const double misfit = std::abs(std::log(height_in_file_units * unit / usual_height_m));
+    if (misfit < best_misfit) best = unit, best_misfit = misfit;
+  }
+  return best;
+}
+
+void settle_unit(const NamedMotion& motion, const ImportOptions& options, std::vector<Pose>& poses,
+                 ImportReport& report) {
+  const double raw_height = body_of(poses).height();
+  if (options.metres_per_unit) {
+    report.metres_per_unit = *options.metres_per_unit;
+  } else if (motion.metres_per_unit) {
+    report.metres_per_unit = *motion.metres_per_unit;
+  } else {
+    report.unit_guessed = true;
+    report.metres_per_unit = raw_height > 0 ? guess_unit(raw_height) : 1.0;
+    warn(report, "units",
+         "the file does not state its unit; " + exact_text(report.metres_per_unit) +
+             " m was guessed from the standing height of " + rounded(raw_height, 2) + " units");
+  }
+  for (Pose& pose : poses) pose *= report.metres_per_unit;
+  report.height_m = raw_height * report.metres_per_unit;
+  if (report.height_m < smallest_adult_m || report.height_m > tallest_adult_m)
+    warn(report, "height",
+         "the performer would stand " + rounded(report.height_m, 2) +
+             " m tall; set the unit (--metres-per-unit) if that is wrong");
+}
+
+void settle_rate(const NamedMotion& motion, const ImportOptions& options, ImportReport& report) {
+  if (options.fps) {
+    report.fps = *options.fps;
+  } else if (motion.fps) {
+    report.fps = *motion.fps;
+  } else {
+    report.fps = cmu_rate_fps;
+    report.fps_guessed = true;
+    warn(report, "fps", "the file does not state its frame rate; 120 fps was guessed, set it with --fps");
+  }
+}
+
+void settle_floor(std::vector<Pose>& poses, ImportReport& report) {
+  report.floor_y_m = body_of(poses).toe_rest_height;
+  if (report.floor_y_m >= lowest_floor_m && report.floor_y_m <= highest_floor_m) return;
+  report.floor_shift_m = toe_rest_height_m - report.floor_y_m;
+  for (Pose& pose : poses) pose.col(1).array() += report.floor_shift_m;
+  warn(report, "floor",
+       "the toe bases rest at " + rounded(report.floor_y_m, 3) + " m; everything was moved by " +
+           rounded(report.floor_shift_m, 3) + " m so that they rest at 0.04 m");
+}
+
+/// Mean distance the joints move relative to the root from one frame to the next [m].
+double change(const Pose& from, const Pose& to) {
+  const Pose moved = (to.rowwise() - to.row(0)) - (from.rowwise() - from.row(0));
+  return moved.rowwise().norm().mean();
+}
+
+/// Many files begin with the rest pose (often a T): the joints then jump once, after the first frame.
+void look_for_rest_pose(const std::vector<Pose>& poses, ImportReport& report) {
+  if (poses.size() < 3) return;
+  const double jump = change(poses[0], poses[1]);
+  double largest_later = 0;
+  for (std::size_t f = 2; f < std::min<std::size_t>(poses.size(), 120); ++f)
+    largest_later = std::max(largest_later, change(poses[f - 1], poses[f]));
+  if (jump > 0.08 && jump > 5 * largest_later)
+    warn(report, "first-frame",
+         "the first frame is " + rounded(jump, 2) +
+             " m (mean over the joints) away from the second: probably the rest pose; it was kept");
+}
+
+}  // namespace
+
+Result<ImportedClip> import_clip(const NamedMotion& file_points, const ImportOptions& options) {
+  if (options.metres_per_unit && !(*options.metres_per_unit > 0 && std::isfinite(*options.metres_per_unit)))
+    return Error{"metres per unit must be above 0", file_points.name};
+  if (options.fps && !(*options.fps > 0 && std::isfinite(*options.fps)))
+    return Error{"the frame rate must be above 0", file_points.name};
+  ImportedClip result;
+  ImportReport& report = result.report;
+  report.warnings = file_points.warnings;
+  Result<std::optional<NamedMotion>> by_markers = joints_by_markers(file_points, options, report);
+  if (!by_markers) return by_markers.error();
+  const NamedMotion& motion = *by_markers ? **by_markers : file_points;
+  const Result<JointBinding> binding = bind(motion, options, report);
+  if (!binding) return binding.error();
+  Result<std::vector<Pose>> poses = extract(motion, *binding);
+  if (!poses) return poses.error();
+  report.up_axis = settle_up_axis(motion, options, *poses, report);
+  if (report.up_axis == UpAxis::Z) turn_z_up_to_y_up(*poses);
+  settle_unit(motion, options, *poses, report);
+  settle_rate(motion, options, report);
+  settle_floor(*poses, report);
+  look_for_rest_pose(*poses, report);
+  result.clip = Clip{motion.name, report.fps, std::move(*poses)};
+  return result;
+}
+
+bool joints_are_known(const NamedMotion& motion) {
+  const auto& models = builtin_marker_models();
+  return a_map_fits(motion, {}) || std::any_of(models.begin(), models.end(), [&](const MarkerModel& model) {
+           return missing_markers(model, motion.points).empty();
+         });
+}
+
+Status choose_joints(const std::string& name_or_file, ImportOptions& options) {
+  for (const MarkerModel& model : builtin_marker_models())
+    if (model.name == name_or_file) {
+      options.marker_model = model.name;
+      return Done{};
+    }
+  for (const JointMap& map : builtin_joint_maps())
+    if (map.name == name_or_file) {
+      options.joint_map = map;
+      return Done{};
+    }
+  const auto text = read_whole_file(name_or_file);
+  if (!text) return text.error();
+  auto map = parse_joint_map(*text, name_or_file);
+  if (!map) return map.error();
+  options.joint_map = std::move(*map);
+  return Done{};
+}
+
+}  // namespace abrazo

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "core/motion/body/clip.hpp"
+#include "core/motion/joints/joint_map.hpp"
+#include "core/motion/joints/named_motion.hpp"
+
+namespace abrazo {
+
+/// What a person knows of a file; nothing = find out and say so in the report.
+struct ImportOptions {
+  std::optional<double> metres_per_unit;
+  std::optional<double> fps;
+  std::optional<UpAxis> up_axis;
+  std::optional<JointMap> joint_map;
+  std::string marker_model;  ///< name of a built-in marker model, in place of a joint map; empty = none said
+};
+
+/// How a file was understood. Every guess is marked as one.
+struct ImportReport {
+  std::string joint_map;  ///< name of the map or marker model used
+  double metres_per_unit = 1;
+  bool unit_guessed = false;
+  double fps = 0;
+  bool fps_guessed = false;
+  UpAxis up_axis = UpAxis::Y;
+  bool up_axis_guessed = false;
+  double height_m = 0;       ///< of the head joint while standing (Body::height)
+  double floor_y_m = 0;      ///< 5th percentile of the toe-base height before any correction
+  double floor_shift_m = 0;  ///< added to every y when the floor was far from 0; 0 otherwise
+  std::vector<ImportWarning> warnings;
+};
+
+struct ImportedClip {
+  Clip clip;
+  ImportReport report;
+};
+
+/// Turns a file's points into the 25 joints in metres, Y up.
+/// @return an Error when no joint map fits, or positions are not finite throughout
+Result<ImportedClip> import_clip(const NamedMotion& motion, const ImportOptions& options);
+
+/// Whether a built-in joint map or marker model finds all joints among the points.
+bool joints_are_known(const NamedMotion& motion);
+
+/// Sets how points become joints: a built-in joint map or marker model by its name, or the file of a joint
+/// map.
+Status choose_joints(const std::string& name_or_file, ImportOptions& options);
+
+/// The points of any known motion file (motion_format.hpp), one motion for each performer. What the content
+/// is decides over the file's extension. Gaps of markers are filled where that is safe, and reported.
+/// @param skeleton  as for load_motion
+Result<std::vector<NamedMotion>> read_motion_points(const std::string& file, const std::string& skeleton);
+
+/// Reads any known motion file and imports it. Several performers in one file give several clips.
+/// @param skeleton  the .asf of an .amc; when empty, the one .asf beside the file that fits by name
+/// ("60_01.amc" -> "60.asf")
+Result<std::vector<ImportedClip>> load_motion(const std::string& file, const std::string& skeleton,
+                                              const ImportOptions& options);
+
+}  // namespace abrazo

@@ -1,0 +1,252 @@
+#include <array>
+#include <cstddef>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/motion/body/body_proportions.hpp"
+#include "core/motion/joints/joint_map.hpp"
+
+namespace abrazo {
+
+namespace {
+
+using Rules = std::vector<JointRule>;
+
+JointRule at(std::string point) {
+  return JointRule{{{std::move(point), 1.0}}};
+}
+
+/// Between two points, or beyond `to` when fraction > 1.
+JointRule along(const std::string& from, const std::string& to, double fraction) {
+  return JointRule{{{from, 1.0 - fraction}, {to, fraction}}};
+}
+
+void set(JointMap& map, int joint, Rules rules) {
+  map.rules[static_cast<std::size_t>(joint)] = std::move(rules);
+}
+
+/// Sets a left joint and its mirror image; "%" in a point name stands for the side ("Left" or "Right").
+void set_both(JointMap& map, int left_joint, const Rules& rules, const std::string& left,
+              const std::string& right) {
+  for (const bool is_left : {true, false}) {
+    Rules sided = rules;
+    for (JointRule& rule : sided)
+      for (JointRule::Term& term : rule.terms)
+        if (const auto mark = term.point.find('%'); mark != std::string::npos)
+          term.point.replace(mark, 1, is_left ? left : right);
+    set(map, is_left ? left_joint : mirrored_joint(left_joint), std::move(sided));
+  }
+}
+
+void set_both(JointMap& map, int left_joint, const Rules& rules) {
+  set_both(map, left_joint, rules, "Left", "Right");
+}
+
+// How far limbs go on beyond the last point of a file that lacks the toe tip or the hand's end; fractions of
+// the part before, as in an average adult.
+constexpr double head_beyond_neck = 2.2;
+constexpr double knuckles_in_hand = 0.5;  // from the wrist to the finger tips
+
+JointMap cmu() {
+  JointMap map{"cmu", {}};
+  for (int j = 0; j < joint_count; ++j)
+    set(map, j, {at(std::string(joint_names[static_cast<std::size_t>(j)]))});
+  return map;
+}
+
+/// The CMU takes as MotionBuilder-friendly BVH: a BVH joint sits where the ASF bone of the same limb begins.
+JointMap cmu_bvh() {
+  using namespace joints;
+  JointMap map{"cmu-bvh", {}};
+  set(map, Root, {at("Hips")});
+  set_both(map, LeftHipJoint, {at("%UpLeg")});
+  set_both(map, LeftFemur, {at("%Leg")});
+  set_both(map, LeftTibia, {at("%Foot")});
+  set_both(map, LeftFoot, {at("%ToeBase")});
+  set_both(map, LeftToes, {at("%ToeBase_End"), along("%Foot", "%ToeBase", toe_tip_beyond_foot)});
+  set(map, LowerBack, {at("Spine")});
+  set(map, UpperBack, {at("Spine1")});
+  set(map, Thorax, {at("Neck")});
+  set(map, LowerNeck, {at("Neck1")});
+  set(map, UpperNeck, {at("Head")});
+  set(map, Head, {at("Head_End"), along("Neck1", "Head", head_beyond_neck)});
+  // LowerBack sits at the hips and LHipJoint too; they are what tells this skeleton from others with the same
+  // names.
+  map.rules[Root].front().terms = {{"Hips", 1.0}, {"LowerBack", 0.0}, {"LHipJoint", 0.0}};
+  set_both(map, LeftClavicle, {at("%Arm")});
+  set_both(map, LeftHumerus, {at("%ForeArm")});
+  set_both(map, LeftWrist, {at("%FingerBase"), at("%Hand")});
+  set_both(map, LeftHand, {at("%HandIndex1"), along("%ForeArm", "%Hand", hand_beyond_forearm)});
+  return map;
+}
+
+/// What the skeletons of Mixamo and LAFAN1 have in common.
+JointMap three_part_spine(std::string name, const Rules& toe_base, const Rules& toe_tip, const Rules& head) {
+  using namespace joints;
+  JointMap map{std::move(name), {}};
+  set(map, Root, {at("Hips")});
+  set_both(map, LeftHipJoint, {at("%UpLeg")});
+  set_both(map, LeftFemur, {at("%Leg")});
+  set_both(map, LeftTibia, {at("%Foot")});
+  set_both(map, LeftFoot, toe_base);
+  set_both(map, LeftToes, toe_tip);
+  set(map, LowerBack, {at("Spine")});
+  set(map, UpperBack, {at("Spine1")});
+  set(map, Thorax, {at("Spine2")});
+  set(map, LowerNeck, {at("Neck")});
+  set(map, UpperNeck, {at("Head")});
+  set(map, Head, head);
+  set_both(map, LeftClavicle, {at("%Arm")});
+  set_both(map, LeftHumerus, {at("%ForeArm")});
+  set_both(map, LeftWrist, {at("%Hand")});
+  set_both(map, LeftHand,
+           {at("%HandMiddle1"), at("%HandIndex1"), at("%Hand_End"),
+            along("%ForeArm", "%Hand", hand_beyond_forearm)});
+  return map;
+}
+
+JointMap mixamo() {
+  // The head's end is the crown; the head joint of the 25 is the middle of the head.
+  return three_part_spine(
+      "mixamo", {at("%ToeBase")},
+      {at("%Toe_End"), at("%ToeBase_End"), along("%Foot", "%ToeBase", toe_tip_beyond_foot)},
+      {along("Head", "HeadTop_End", 0.6), along("Neck", "Head", head_beyond_neck)});
+}
+
+JointMap lafan() {
+  return three_part_spine("lafan", {at("%Toe")},
+                          {at("%Toe_End"), along("%Foot", "%Toe", toe_tip_beyond_foot)},
+                          {along("Head", "Head_End", 0.6), along("Neck", "Head", head_beyond_neck)});
+}
+
+/// Unity's humanoid bones, as VMC sends them. Chest, UpperChest, Neck, shoulders, toes and fingers are
+/// optional there.
+JointMap unity() {
+  using namespace joints;
+  const auto shoulders_and = [](const std::string& point, double weight) {
+    const double half = (1.0 - weight) / 2;
+    return JointRule{{{point, weight}, {"LeftUpperArm", half}, {"RightUpperArm", half}}};
+  };
+  JointMap map{"unity", {}};
+  set(map, Root, {at("Hips")});
+  set_both(map, LeftHipJoint, {at("%UpperLeg")});
+  set_both(map, LeftFemur, {at("%LowerLeg")});
+  set_both(map, LeftTibia, {at("%Foot")});
+  // Without toes the foot's direction is unknown: the toe base is put below the ankle, which at least finds
+  // the floor.
+  set_both(map, LeftFoot, {at("%Toes"), along("%Foot", "%Foot_End", 0.7), along("%LowerLeg", "%Foot", 1.15)});
+  set_both(map, LeftToes,
+           {at("%Toes_End"), along("%Foot", "%Toes", toe_tip_beyond_foot), at("%Foot_End"),
+            along("%LowerLeg", "%Foot", 1.2)});
+  set(map, LowerBack, {at("Spine")});
+  set(map, UpperBack, {at("Chest"), along("Spine", "Neck", 0.3), shoulders_and("Spine", 0.7)});
+  set(map, Thorax,
+      {at("UpperChest"), along("Chest", "Neck", 0.5), shoulders_and("Chest", 0.5),
+       along("Spine", "Neck", 0.6), shoulders_and("Spine", 0.4)});
+  set(map, LowerNeck, {at("Neck"), shoulders_and("Head", 0.2)});
+  set(map, UpperNeck, {at("Head")});
+  // The head's end is the crown; the head joint of the 25 is the middle of the head.
+  set(map, Head,
+      {along("Head", "Head_End", 0.6), along("Neck", "Head", head_beyond_neck), along("Hips", "Head", 1.2)});
+  set_both(map, LeftClavicle, {at("%UpperArm")});
+  set_both(map, LeftHumerus, {at("%LowerArm")});
+  set_both(map, LeftWrist, {at("%Hand")});
+  set_both(map, LeftHand,
+           {at("%MiddleProximal"), at("%IndexProximal"), at("%Hand_End"),
+            along("%LowerArm", "%Hand", hand_beyond_forearm)});
+  return map;
+}
+
+/// Xsens MVN: segment names of the stream first, joint names of its BVH export second.
+JointMap xsens() {
+  using namespace joints;
+  JointMap map{"xsens", {}};
+  set(map, Root, {at("Pelvis"), at("Hips")});
+  set_both(map, LeftHipJoint, {at("%UpperLeg"), at("%Hip")});
+  set_both(map, LeftFemur, {at("%LowerLeg"), at("%Knee")});
+  set_both(map, LeftTibia, {at("%Foot"), at("%Ankle")});
+  set_both(map, LeftFoot, {at("%Toe")});
+  set_both(map, LeftToes,
+           {at("%Toe_End"), along("%Foot", "%Toe", toe_tip_beyond_foot),
+            along("%Ankle", "%Toe", toe_tip_beyond_foot)});
+  set(map, LowerBack, {at("L3"), at("Chest2")});
+  set(map, UpperBack, {at("T12"), at("Chest3")});
+  set(map, Thorax, {at("T8"), at("Chest4")});
+  set(map, LowerNeck, {at("Neck")});
+  set(map, UpperNeck, {at("Head")});
+  set(map, Head, {along("Head", "Head_End", 0.6), along("Neck", "Head", head_beyond_neck)});
+  set_both(map, LeftClavicle, {at("%UpperArm"), at("%Shoulder")});
+  set_both(map, LeftHumerus, {at("%Forearm"), at("%Elbow")});
+  set_both(map, LeftWrist, {at("%Hand"), at("%Wrist")});
+  set_both(map, LeftHand,
+           {along("%Hand", "%Hand_End", knuckles_in_hand), along("%Forearm", "%Hand", hand_beyond_forearm),
+            at("%Wrist_End"), along("%Elbow", "%Wrist", hand_beyond_forearm)});
+  return map;
+}
+
+/// OptiTrack Motive's skeletons, as NatNet streams them, in any of its conventions of bone names: Motive,
+/// FBX, BVH, Unreal. "_End" points are what the stream's reader adds.
+JointMap motive() {
+  using namespace joints;
+  JointMap map{"motive", {}};
+  set(map, Root, {at("Hip"), at("Hips"), at("pelvis")});
+  // "Chest" is the upper of two bones in Motive's convention and the lower in BVH's, which has "Chest2" too.
+  set(map, LowerBack, {at("Ab"), at("Spine"), at("Chest"), at("spine_01")});
+  set(map, UpperBack, {at("Chest2"), at("Spine1"), at("Chest"), at("spine_02")});
+  set(map, Thorax,
+      {along("Chest2", "Neck", 0.5), along("Spine1", "Neck", 0.5), along("Chest", "Neck", 0.5),
+       along("spine_02", "neck_01", 0.5)});
+  set(map, LowerNeck, {at("Neck"), at("neck_01")});
+  set(map, UpperNeck, {at("Head")});
+  set(map, Head,
+      {along("Head", "Head_End", 0.6), along("Neck", "Head", head_beyond_neck),
+       along("neck_01", "Head", head_beyond_neck)});
+  struct Side {
+    std::string letter, word, suffix;
+  };
+  for (const Side& side : {Side{"L", "Left", "_l"}, Side{"R", "Right", "_r"}}) {
+    // By convention, in the order of the comment above.
+    const auto names = [&](const char* motive, const char* fbx, const char* bvh, const char* unreal) {
+      return std::array{side.letter + motive, side.word + fbx, side.word + bvh, unreal + side.suffix};
+    };
+    const auto place = [&](int left_joint, const auto& points) {
+      Rules rules;
+      for (const std::string& point : points) rules.push_back(at(point));
+      set(map, side.letter == "L" ? left_joint : mirrored_joint(left_joint), std::move(rules));
+    };
+    const auto forearms = names("FArm", "ForeArm", "Elbow", "lowerarm");
+    const auto hands = names("Hand", "Hand", "Wrist", "hand");
+    const auto feet = names("Foot", "Foot", "Ankle", "foot");
+    const auto toes = names("Toe", "ToeBase", "Toe", "ball");
+    place(LeftHipJoint, names("Thigh", "UpLeg", "Hip", "thigh"));
+    place(LeftFemur, names("Shin", "Leg", "Knee", "calf"));
+    place(LeftTibia, feet);
+    place(LeftFoot, toes);
+    place(LeftClavicle, names("UArm", "Arm", "Shoulder", "upperarm"));
+    place(LeftHumerus, forearms);
+    place(LeftWrist, hands);
+    Rules hand, toe_tip;
+    for (std::size_t n = 0; n < hands.size(); ++n) {
+      hand.push_back(along(hands[n], hands[n] + "_End", knuckles_in_hand));
+      toe_tip.push_back(at(toes[n] + "_End"));
+    }
+    for (std::size_t n = 0; n < hands.size(); ++n) {
+      hand.push_back(along(forearms[n], hands[n], hand_beyond_forearm));
+      toe_tip.push_back(along(feet[n], toes[n], toe_tip_beyond_foot));
+    }
+    set(map, side.letter == "L" ? LeftHand : RightHand, std::move(hand));
+    set(map, side.letter == "L" ? LeftToes : RightToes, std::move(toe_tip));
+  }
+  return map;
+}
+
+}  // namespace
+
+const std::vector<JointMap>& builtin_joint_maps() {
+  // Stricter maps first: the first one that finds all joints is used.
+  static const std::vector<JointMap> maps = {cmu(), cmu_bvh(), mixamo(), lafan(), unity(), xsens(), motive()};
+  return maps;
+}
+
+}  // namespace abrazo

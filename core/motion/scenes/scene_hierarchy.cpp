@@ -1,0 +1,224 @@
+#include "core/motion/scenes/scene_hierarchy.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <unordered_map>
+
+#include "core/motion/scenes/fbx_records.hpp"
+#include "core/motion/scenes/xml_tags.hpp"
+
+namespace abrazo {
+
+namespace {
+
+using Json = nlohmann::json;
+
+/// The JSON of a .glb is its first chunk: length at byte 12, content from byte 20 on.
+std::string_view gltf_json(std::string_view bytes) {
+  if (!bytes.starts_with("glTF")) return bytes;
+  if (bytes.size() < 20) return {};
+  std::uint32_t length = 0;
+  for (std::size_t i = 4; i-- > 0;) length = length << 8U | static_cast<unsigned char>(bytes[12 + i]);
+  return bytes.substr(20, length);
+}
+
+/// Of two values of one key readers take either: what is checked here might not be what is read then.
+class DoubledKeys {
+ public:
+  bool operator()(int depth, Json::parse_event_t event, Json& value) {
+    if (event == Json::parse_event_t::object_start) {
+      open_.resize(static_cast<std::size_t>(depth) + 1);
+      open_.back().clear();
+    } else if (event == Json::parse_event_t::key && !open_.empty()) {
+      open_.resize(static_cast<std::size_t>(depth));
+      if (!open_.back().insert(value.get<std::string>()).second) any_ = true;
+    }
+    return true;
+  }
+  bool any() const { return any_; }
+
+ private:
+  std::vector<std::set<std::string>> open_;  ///< keys of the objects that are open, by depth
+  bool any_ = false;
+};
+
+/// Nodes by what the file calls them: version 2 numbers them, version 1 names them.
+class GltfNodes {
+ public:
+  explicit GltfNodes(const Json& nodes) {
+    for (const auto& item : nodes.items()) places_.emplace(item.key(), places_.size());
+  }
+  std::size_t size() const { return places_.size(); }
+
+  /// Appends those that are named in `list`, which may be anything. @return false when one is not there
+  bool add(const Json& list, std::vector<std::size_t>& below) const {
+    for (const Json& name : list) {
+      const auto found = places_.find(name.is_string() ? name.get<std::string>() : name.dump());
+      if (found == places_.end()) return false;
+      below.push_back(found->second);
+    }
+    return true;
+  }
+
+ private:
+  std::map<std::string, std::size_t> places_;
+};
+
+const Json& member(const Json& value, const char* key) {
+  static const Json nothing;
+  if (!value.is_object()) return nothing;
+  const auto found = value.find(key);
+  return found == value.end() ? nothing : *found;
+}
+
+Result<SceneHierarchy> hierarchy_of_gltf(std::string_view bytes, const std::string& file) {
+  DoubledKeys doubled;
+  const Json root = Json::parse(gltf_json(bytes), std::ref(doubled), false);
+  if (!root.is_object())
+    return Error{"cannot be read as glTF: its JSON is damaged or cut short; export it again", file};
+  if (doubled.any())
+    return Error{
+        "cannot be read as glTF: it has two values of one key, of which one cannot be meant; export it again",
+        file};
+  const Json& list = member(root, "nodes");
+  const GltfNodes nodes(list);
+  SceneHierarchy hierarchy;
+  const auto add = [&](const Json& names, const std::string& whose) -> Status {
+    if (nodes.add(names, hierarchy.emplace_back())) return Done{};
+    return Error{"cannot be read as glTF: " + whose + " has a node below it that there is not; there are " +
+                     std::to_string(nodes.size()) + " nodes. Export it again",
+                 file};
+  };
+  for (const Json& node : list)
+    if (const Status added = add(member(node, "children"), "node " + std::to_string(hierarchy.size()));
+        !added)
+      return added.error();
+  // A scene may name a node several times, or one that hangs below another.
+  for (const Json& scene : member(root, "scenes"))
+    if (const Status added = add(member(scene, "nodes"), "a scene"); !added) return added.error();
+  return hierarchy;
+}
+
+SceneHierarchy hierarchy_of_fbx(std::string_view bytes) {
+  const FbxLinks links = fbx_links(bytes);
+  std::unordered_map<std::uint64_t, std::size_t> places{{0, 0}};  // the scene itself is 0
+  for (const std::uint64_t model : links.models) places.emplace(model, places.size());
+  SceneHierarchy hierarchy(places.size());
+  for (const auto& [child, parent] : links.connections)
+    if (const auto from = places.find(parent), to = places.find(child);
+        from != places.end() && to != places.end())
+      hierarchy[from->second].push_back(to->second);
+  return hierarchy;
+}
+
+/// Nodes stand inside each other, and name others that are to hang below them.
+class ColladaNodes {
+ public:
+  void take(const XmlTag& tag) {
+    if (tag.name == "instance_node" && !tag.closes && !open_.empty()) {
+      const std::string_view url = tag.attribute("url");
+      note(instances_, url.substr(std::min<std::size_t>(1, url.size())), open_.back());
+    }
+    if (tag.name != "node") return;
+    if (tag.closes) {
+      if (!open_.empty()) open_.pop_back();
+    } else {
+      add_node(tag);
+      if (!tag.is_empty) open_.push_back(children_.size() - 1);
+    }
+  }
+
+  /// A name that is called for is a place of its own, below which all that bear it hang: readers differ in
+  /// whom they take.
+  Result<SceneHierarchy> hierarchy(const std::string& file) && {
+    if (has_references_ && !instances_.empty())
+      return Error{
+          "names nodes by character references such as &#97;, so that nobody can tell which hang below "
+          "which; "
+          "export it again",
+          file};
+    std::unordered_map<std::string_view, std::size_t> places;
+    for (const auto& [name, node] : instances_) {
+      const auto [place, is_new] = places.emplace(name, children_.size());
+      if (is_new) children_.emplace_back();
+      children_[node].push_back(place->second);
+    }
+    for (const auto& [name, node] : names_)
+      if (const auto place = places.find(name); place != places.end())
+        children_[place->second].push_back(node);
+    return std::move(children_);
+  }
+
+ private:
+  using Named = std::vector<std::pair<std::string_view, std::size_t>>;
+
+  void note(Named& list, std::string_view name, std::size_t node) {
+    has_references_ = has_references_ || name.find('&') != std::string_view::npos;
+    list.emplace_back(name, node);
+  }
+
+  void add_node(const XmlTag& tag) {
+    const std::size_t node = children_.size();
+    children_.emplace_back();
+    if (!open_.empty()) children_[open_.back()].push_back(node);
+    const std::string_view id = tag.attribute("id"), name = tag.attribute("name");
+    note(names_, id, node);
+    if (name != id) note(names_, name, node);
+  }
+
+  SceneHierarchy children_;
+  Named names_, instances_;
+  std::vector<std::size_t> open_;
+  bool has_references_ = false;
+};
+
+}  // namespace
+
+Result<SceneHierarchy> scene_hierarchy(std::string_view bytes, MotionFormat format, const std::string& file) {
+  if (format == MotionFormat::Collada) {
+    ColladaNodes nodes;
+    each_xml_tag(bytes, [&nodes](const XmlTag& tag) { nodes.take(tag); });
+    return std::move(nodes).hierarchy(file);
+  }
+  if (format == MotionFormat::Fbx) return hierarchy_of_fbx(bytes);
+  return hierarchy_of_gltf(bytes, file);
+}
+
+Status check_hierarchy(const SceneHierarchy& children, std::size_t deepest, std::size_t most_nodes,
+                       const std::string& file) {
+  std::vector<std::size_t> parents(children.size(), 0), level(children.size(), 1), copies(children.size(), 0),
+      ready;
+  for (const auto& below : children)
+    for (const std::size_t child : below) ++parents[child];
+  for (std::size_t n = 0; n < children.size(); ++n)
+    if (parents[n] == 0) ready.push_back(n), copies[n] = 1;
+  std::size_t seen = 0, all_copies = 0;
+  for (; !ready.empty(); ++seen) {
+    const std::size_t node = ready.back();
+    ready.pop_back();
+    all_copies = std::min(most_nodes + 1, all_copies + copies[node]);
+    for (const std::size_t child : children[node]) {
+      level[child] = std::max(level[child], level[node] + 1);
+      copies[child] = std::min(most_nodes + 1, copies[child] + copies[node]);
+      if (--parents[child] == 0) ready.push_back(child);
+    }
+  }
+  if (seen < children.size())
+    return Error{"has nodes that hang below themselves, in a circle, which no skeleton does; it is damaged",
+                 file};
+  if (const auto greatest = std::max_element(level.begin(), level.end());
+      greatest != level.end() && *greatest > deepest)
+    return Error{"has nodes more than " + std::to_string(deepest) +
+                     " deep below each other, which no skeleton has; it is damaged",
+                 file};
+  if (all_copies > most_nodes)
+    return Error{"has more than " + std::to_string(most_nodes) + " nodes; export the skeletons alone", file};
+  return Done{};
+}
+
+}  // namespace abrazo

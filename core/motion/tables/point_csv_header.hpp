@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/base/line_reader.hpp"
+#include "core/base/result.hpp"
+#include "core/motion/tables/point_rows.hpp"
+
+namespace abrazo {
+
+/// What the lines above the numbers of a table of positions say.
+struct PointCsvHeader {
+  char separator = ',';
+  std::vector<PointColumn> columns;
+  std::optional<std::size_t> time_field;
+  double seconds_per_time = 1.0;
+  std::optional<double> fps;
+  std::optional<double> metres_per_unit;
+  std::vector<ImportWarning> warnings;
+};
+
+/// Reads up to the line above the first numbers. @return an Error when no line names x, y and z of points
+Result<PointCsvHeader> parse_point_csv_header(LineReader& lines, std::string_view where);
+
+/// The fields of a line, without quotes around them.
+std::vector<std::string_view> table_fields(std::string_view line, char separator);
+
+}  // namespace abrazo

@@ -1,0 +1,68 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "core/base/atomic_file.hpp"
+#include "core/session/export/export_parts.hpp"
+
+namespace abrazo {
+
+namespace {
+
+void warn_of_damage(ExportReport& report, const SessionRecord& session, const RowsRead& rows) {
+  if (rows.damaged > 0)
+    report.warnings.push_back(fmt::format("{}: {} frames could not be read and are left out; the first: {}",
+                                          session.where(), rows.damaged, rows.damage));
+}
+
+void warn_of_timing(ExportReport& report, const SessionRecord& session, const EvenPoses& timing) {
+  if (timing.gaps > 0)
+    report.warnings.push_back(
+        fmt::format("{}: {} gaps are bridged from the pose before to the pose after; the longest is "
+                    "{:.3f} s, at {:.3f} s",
+                    session.where(), timing.gaps, timing.longest_gap_s, timing.longest_gap_at_s));
+  if (timing.discarded > 0)
+    report.warnings.push_back(
+        fmt::format("{}: {} poses are left out, whose time is not after that of the one before",
+                    session.where(), timing.discarded));
+}
+
+Result<SessionMotion> motion_of(const SessionRecord& session, const ExportWish& wish,
+                                const Progress& progress) {
+  if (wish.performer) return performer_motion(session, wish.part, *wish.performer, wish.rate_hz, progress);
+  const auto range = session_range(session, wish.part);
+  if (!range) return range.error();
+  return session_motion(session, *range, wish.bodies, wish.rate_hz, progress);
+}
+
+}  // namespace
+
+Result<ExportReport> export_motion(const ExportSource& source, const ExportWish& wish,
+                                   const Progress& progress) {
+  const SessionRecord& session = source.record();
+  const auto motion = motion_of(session, wish, part(progress, 0, 0.6));
+  if (!motion) return motion.error();
+  ExportReport done;
+  warn_of_damage(done, session, motion->rows);
+  warn_of_timing(done, session, motion->timing);
+  if (!report(progress, 0.6, "Putting the file together")) return cancelled(session);
+  const auto content = clip_file_content(wish.output, motion->clips, wish.space);
+  if (!content) return content.error();
+  if (!report(progress, 0.9, "Writing")) return cancelled(session);
+  if (const Status written = write_whole_file(wish.output, *content); !written) return written.error();
+  const Clip& clip = motion->clips.front();
+  done.files = {wish.output};
+  done.text = fmt::format("{} frames at {:g} Hz", clip.poses.size(), clip.fps);
+  done.figures.key("from_s").value(motion->timing.first_s);
+  done.figures.key("to_s").value(motion->timing.first_s +
+                                 static_cast<double>(clip.poses.size() - 1) / clip.fps);
+  done.figures.key("frames").value(static_cast<long long>(clip.poses.size()));
+  done.figures.key("rate_hz").value(clip.fps);
+  done.figures.key("resampled").value(!motion->timing.unchanged);
+  done.figures.key("gaps").value(static_cast<long long>(motion->timing.gaps));
+  done.figures.key("longest_gap_s").value(motion->timing.longest_gap_s);
+  done.figures.key("damaged").value(static_cast<long long>(motion->rows.damaged));
+  return done;
+}
+
+}  // namespace abrazo

@@ -1,0 +1,131 @@
+#include "core/session/export/exporting.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/session/export/export_parts.hpp"
+
+namespace abrazo {
+
+namespace {
+
+std::string listed(const std::vector<std::string>& words) {
+  std::string text;
+  for (std::size_t i = 0; i < words.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == words.size() ? " or " : ", ") + words[i];
+  return text;
+}
+
+std::string kind_name(ExportContent content) {
+  switch (content) {
+    case ExportContent::Mesh:
+      return "meshes";
+    case ExportContent::Labels:
+      return "labels";
+    case ExportContent::Trace:
+      return "a trace";
+    case ExportContent::Motion:
+      break;
+  }
+  return "motion";
+}
+
+Status check_motion(const ExportWish& wish) {
+  if (wish.performer && wish.bodies != std::vector{SessionBody::User})
+    return Error{"what was received of a performer is the user; choose the user alone", wish.output};
+  if (wish.bodies.empty()) return Error{"no body is chosen; choose user, active or passive", wish.output};
+  auto sorted = wish.bodies;
+  std::ranges::sort(sorted);
+  if (std::ranges::adjacent_find(sorted) != sorted.end())
+    return Error{"a body is asked for twice", wish.output};
+  return check_clip_file(wish.output, wish.space);
+}
+
+constexpr double highest_export_rate_hz = 1000;
+
+// Bytes per frame, measured over generated dances.
+constexpr double bvh_bytes = 885, csv_bytes = 1480, glb_bytes = 620;  // of a body
+constexpr double glb_skin_bytes = 155e3;                              // of a body, once
+constexpr double vtu_bytes = 40e3, trace_bytes = 29e3, label_bytes = 40;
+
+}  // namespace
+
+std::vector<std::string> export_types(ExportContent content) {
+  switch (content) {
+    case ExportContent::Mesh:
+      return {".vtu", ".pvd"};
+    case ExportContent::Labels:
+      return {".eaf", ".csv", ".json", ".vtt", ".srt"};
+    case ExportContent::Trace:
+      return {".jsonl"};
+    case ExportContent::Motion:
+      break;
+  }
+  return {clip_file_types.begin(), clip_file_types.end()};
+}
+
+Status check_export(const ExportWish& wish) {
+  const auto types = export_types(wish.content);
+  const bool fits = std::ranges::any_of(types, [&](const auto& type) { return wish.output.ends_with(type); });
+  if (!fits)
+    return Error{kind_name(wish.content) + " cannot be written as this file type; use " + listed(types),
+                 wish.output};
+  if (!(wish.rate_hz <= highest_export_rate_hz))
+    return Error{fmt::format("cannot have {} frames a second; choose a rate of at most {} Hz", wish.rate_hz,
+                             highest_export_rate_hz),
+                 wish.output};
+  if (wish.content == ExportContent::Motion) return check_motion(wish);
+  if (wish.performer)
+    return Error{"only motion is received of a performer; leave the performer out", wish.output};
+  if (wish.one_mesh() && wish.output.ends_with(".pvd"))
+    return Error{"a .pvd is a series; write the one frame as .vtu", wish.output};
+  if (!wish.space.is_usual())
+    return Error{kind_name(wish.content) + " cannot have a unit and axes of choice; those are for motion",
+                 wish.output};
+  if (wish.rate_hz > 0 && wish.content == ExportContent::Trace)
+    return Error{"a trace has the frames as they were solved; leave the rate out", wish.output};
+  return Done{};
+}
+
+ExportEstimate estimate_export(const ExportWish& wish, double length_s, double rate_hz) {
+  const double rate = wish.rate_hz > 0 ? wish.rate_hz : rate_hz;
+  const double frames = wish.one_mesh() ? 1 : std::floor(std::max(0.0, length_s) * rate + 1e-6) + 1;
+  double bytes = 0;
+  const auto bodies = static_cast<double>(wish.bodies.size());
+  switch (wish.content) {
+    case ExportContent::Motion:
+      bytes = bodies * (wish.output.ends_with(".bvh")   ? frames * bvh_bytes
+                        : wish.output.ends_with(".glb") ? frames * glb_bytes + glb_skin_bytes
+                                                        : frames * csv_bytes);
+      break;
+    case ExportContent::Mesh:
+      bytes = frames * vtu_bytes;
+      break;
+    case ExportContent::Labels:
+      bytes = 4e3 + length_s * label_bytes;
+      break;
+    case ExportContent::Trace:
+      bytes = frames * trace_bytes;
+      break;
+  }
+  return {static_cast<std::uint64_t>(frames), static_cast<std::uint64_t>(bytes)};
+}
+
+Result<ExportReport> export_session(ExportSource& source, const ExportWish& wish, const Progress& progress) {
+  if (const Status checked = check_export(wish); !checked) return checked.error();
+  switch (wish.content) {
+    case ExportContent::Mesh:
+      return export_mesh(source, wish, progress);
+    case ExportContent::Labels:
+      return export_labels(source, wish, progress);
+    case ExportContent::Trace:
+      return export_trace(source, wish, progress);
+    case ExportContent::Motion:
+      break;
+  }
+  return export_motion(source, wish, progress);
+}
+
+}  // namespace abrazo

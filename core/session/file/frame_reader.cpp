@@ -1,0 +1,167 @@
+#include "core/session/file/frame_reader.hpp"
+
+#include "core/session/file/decisions_json.hpp"
+#include "core/session/file/frame_row.hpp"
+#include "core/session/file/row_scan.hpp"
+
+namespace abrazo {
+
+namespace {
+/// Settings that change with every frame, as while a slider is dragged, are not all kept.
+constexpr std::size_t kept_settings = 256;
+}  // namespace
+
+struct FrameReader::Statements {
+  SessionStatement rows, settings, decisions, last_until, first_from, next, last, state_before, time_of;
+};
+
+FrameReader::FrameReader(Statements statements)
+    : statements_(std::make_unique<Statements>(std::move(statements))) {}
+FrameReader::~FrameReader() = default;
+
+Result<std::unique_ptr<FrameReader>> FrameReader::open(SessionDatabase& database) {
+  auto rows = database.prepare("SELECT " + frame_columns() +
+                               ", checksum FROM frames WHERE frame BETWEEN ? AND ? ORDER BY frame");
+  auto settings =
+      database.prepare("SELECT frame, json FROM settings WHERE frame <= ? ORDER BY frame DESC LIMIT 1");
+  auto decisions =
+      database.prepare("SELECT frame, json FROM decisions WHERE frame <= ? ORDER BY frame DESC LIMIT 1");
+  auto last_until = database.prepare(
+      "SELECT frame FROM frames INDEXED BY frames_by_time WHERE time_s <= ? AND frame >= ? "
+      "ORDER BY time_s DESC, frame DESC LIMIT 1");
+  auto first_from = database.prepare(
+      "SELECT frame FROM frames INDEXED BY frames_by_time WHERE time_s >= ? AND frame >= ? "
+      "ORDER BY time_s, frame LIMIT 1");
+  auto next =
+      database.prepare("SELECT frame FROM frames NOT INDEXED WHERE frame >= ? ORDER BY frame LIMIT 1");
+  auto last = database.prepare("SELECT frame FROM frames NOT INDEXED ORDER BY frame DESC LIMIT 1");
+  auto state_before = database.prepare(
+      "SELECT frame FROM frames INDEXED BY frames_with_state WHERE state IS NOT NULL AND frame <= ? AND "
+      "frame >= ? "
+      "ORDER BY frame DESC LIMIT 1");
+  auto time_of = database.prepare("SELECT time_s FROM frames WHERE frame = ?");
+  for (const auto* statement :
+       {&rows, &settings, &decisions, &last_until, &first_from, &next, &last, &state_before, &time_of})
+    if (!*statement) return statement->error();
+  return std::unique_ptr<FrameReader>(
+      new FrameReader(Statements{std::move(*rows), std::move(*settings), std::move(*decisions),
+                                 std::move(*last_until), std::move(*first_from), std::move(*next),
+                                 std::move(*last), std::move(*state_before), std::move(*time_of)}));
+}
+
+Result<FrameReader::Read> FrameReader::decode(const SessionStatement& row) {
+  auto columns = read_row(row);
+  if (!columns) return columns.error();
+  auto frame = frame_of(*columns);
+  if (!frame) return frame.error();
+  if (const Status added = add_settings(**frame); !added) return added.error();
+  if (const Status added = add_decisions(**frame); !added) return added.error();
+  return Read{std::move(*frame), columns->library};
+}
+
+Status FrameReader::add_settings(FrameSnapshot& frame) {
+  SessionStatement& row = statements_->settings;
+  const auto found = row.bind(0, frame.index).step();
+  if (!found) return found.error();
+  if (!*found) return Error{"there are no settings of frame " + std::to_string(frame.index), {}};
+  const std::int64_t from = row.integer(0);
+  auto known = settings_.find(from);
+  if (known == settings_.end()) {
+    const auto parsed = parse_settings(row.text(1), Settings{}, "settings of frame " + std::to_string(from));
+    row.reset();
+    if (!parsed) return parsed.error();
+    if (settings_.size() >= kept_settings) settings_.clear();
+    known = settings_.emplace(from, *parsed).first;
+  }
+  row.reset();
+  frame.settings = known->second;
+  return Done{};
+}
+
+Status FrameReader::add_decisions(FrameSnapshot& frame) {
+  SessionStatement& row = statements_->decisions;
+  const auto found = row.bind(0, frame.index).step();
+  if (!found) return found.error();
+  if (!*found) return Done{};
+  const std::int64_t from = row.integer(0);
+  auto known = decisions_.find(from);
+  if (known == decisions_.end()) {
+    const auto parsed = parse_decisions(row.text(1), "decisions of frame " + std::to_string(from));
+    row.reset();
+    if (!parsed) return parsed.error();
+    if (decisions_.size() >= kept_settings) decisions_.clear();
+    const bool none = *parsed == Decisions{};
+    known = decisions_.emplace(from, none ? nullptr : std::make_shared<const Decisions>(*parsed)).first;
+  }
+  row.reset();
+  frame.decisions = known->second;
+  return Done{};
+}
+
+Result<std::optional<FrameReader::Read>> FrameReader::frame(std::int64_t index) {
+  SessionStatement& row = statements_->rows;
+  row.reset();
+  const auto found = row.bind(0, index).bind(1, index).step();
+  if (!found) return found.error();
+  if (!*found) {
+    row.reset();
+    return std::optional<Read>();
+  }
+  auto read = decode(row);
+  row.reset();
+  if (!read) return read.error();
+  return std::optional<Read>(std::move(*read));
+}
+
+Result<RowsRead> FrameReader::scan(std::int64_t first, std::int64_t last,
+                                   const std::function<Status(Read&)>& visit) {
+  return scan_rows(statements_->rows, first, last, [&](const SessionStatement& row) {
+    RowOutcome outcome;
+    outcome.id = row.integer(0);
+    auto read = decode(row);
+    outcome.damaged = !read;
+    outcome.status = read ? visit(*read) : Status(read.error());
+    return outcome;
+  });
+}
+
+Result<std::optional<std::int64_t>> FrameReader::first_column(SessionStatement& statement) {
+  const auto row = statement.step();
+  if (!row) return row.error();
+  std::optional<std::int64_t> value;
+  if (*row) value = statement.integer(0);
+  statement.reset();
+  return value;
+}
+
+Result<std::optional<std::int64_t>> FrameReader::last_until(double time_s, std::int64_t from) {
+  return first_column(statements_->last_until.bind(0, time_s).bind(1, from));
+}
+
+Result<std::optional<std::int64_t>> FrameReader::first_from(double time_s, std::int64_t from) {
+  return first_column(statements_->first_from.bind(0, time_s).bind(1, from));
+}
+
+Result<std::optional<std::int64_t>> FrameReader::next(std::int64_t index) {
+  return first_column(statements_->next.bind(0, index));
+}
+
+Result<std::optional<std::int64_t>> FrameReader::last() {
+  return first_column(statements_->last);
+}
+
+Result<std::optional<std::int64_t>> FrameReader::state_before(std::int64_t index, std::int64_t from) {
+  return first_column(statements_->state_before.bind(0, index).bind(1, from));
+}
+
+Result<std::optional<double>> FrameReader::time_of(std::int64_t index) {
+  SessionStatement& statement = statements_->time_of;
+  const auto row = statement.bind(0, index).step();
+  if (!row) return row.error();
+  std::optional<double> value;
+  if (*row) value = statement.real(0);
+  statement.reset();
+  return value;
+}
+
+}  // namespace abrazo

@@ -1,0 +1,129 @@
+#include "core/session/file/library_reference.hpp"
+
+#include <array>
+#include <bit>
+#include <cstring>
+#include <filesystem>
+
+#include "core/library/store/motion_library_file.hpp"
+
+namespace abrazo {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Mixes 64 bits at a time: a library has some hundred megabytes, and is summed up while a session runs.
+class Fingerprint {
+ public:
+  void add(std::uint64_t word) {
+    value_ = (value_ ^ word) * 0x9e3779b97f4a7c15ULL;
+    value_ ^= value_ >> 32;
+  }
+  void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
+  void add(std::string_view text) {
+    add(static_cast<std::uint64_t>(text.size()));
+    for (const char c : text) add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
+  }
+  template <typename Derived>
+  void add_matrix(const Eigen::MatrixBase<Derived>& matrix) {
+    for (Eigen::Index r = 0; r < matrix.rows(); ++r)
+      for (Eigen::Index c = 0; c < matrix.cols(); ++c) add(static_cast<double>(matrix(r, c)));
+  }
+  template <typename Indices>
+  void add_indices(const Indices& indices) {
+    std::uint64_t word = 0;
+    for (const std::uint8_t index : indices) word = (word << 8) | index;
+    add(word);
+  }
+  std::string text() const {
+    static constexpr char digits[] = "0123456789abcdef";
+    std::string hex;
+    for (int shift = 60; shift >= 0; shift -= 4) hex += digits[(value_ >> shift) & 0xf];
+    return hex;
+  }
+
+ private:
+  std::uint64_t value_ = 0x6a09e667f3bcc908ULL;
+};
+
+}  // namespace
+
+std::string library_fingerprint(const MotionLibrary& library) {
+  const LibraryColumns& columns = library.columns();
+  Fingerprint sum;
+  sum.add(columns.rate_hz);
+  sum.add(std::uint64_t{columns.roles_exchanged});
+  for (const LibraryTake& take : columns.takes) {
+    sum.add(take.name);
+    sum.add(take.fps);
+    sum.add(static_cast<std::uint64_t>(take.frames));
+    sum.add(static_cast<std::uint64_t>(take.frame_stride));
+    for (const LabelInterval& label : take.labels) {
+      sum.add(static_cast<std::uint64_t>(label.start));
+      sum.add(static_cast<std::uint64_t>(label.end));
+      sum.add(label.label);
+    }
+  }
+  for (const LibraryBody& body : columns.bodies) {
+    for (const double length : body.body.bone_lengths) sum.add(length);
+    for (const double length : body.body.pseudo_lengths) sum.add(length);
+    for (const double radius : body.capsule_radii) sum.add(radius);
+    sum.add(body.body.toe_rest_height);
+  }
+  for (const PairSource& source : columns.sources)
+    sum.add((std::uint64_t{source.take} << 40) ^ (std::uint64_t{source.frame} << 8) ^
+            (std::uint64_t{source.swapped} << 4) ^ static_cast<std::uint64_t>(source.annotated));
+  for (const RootFrame& root : columns.roots) {
+    sum.add_matrix(root.position);
+    sum.add(root.heading_rad);
+  }
+  for (const PairPose& pose : columns.poses) sum.add_matrix(pose);
+  for (const MeshEdge& edge : columns.edges) sum.add_indices(edge);
+  for (const MeshTetrahedron& tetrahedron : columns.tetrahedra) sum.add_indices(tetrahedron);
+  return sum.text();
+}
+
+Status check_session_library(const SessionLibrary& reference, const MotionLibrary& library) {
+  if (reference.fingerprint.empty()) {
+    if (reference.pairs == static_cast<std::uint64_t>(library.pair_count())) return Done{};
+  } else if (reference.fingerprint == library_fingerprint(library)) {
+    return Done{};
+  }
+  return Error{"the session was recorded with the library '" + reference.name + "' of " +
+                   std::to_string(reference.pairs) + " pairs; this one has " +
+                   std::to_string(library.pair_count()) +
+                   " and other content: it has been built anew since, or is another one",
+               library.name()};
+}
+
+Result<std::shared_ptr<const MotionLibrary>> open_session_library(const SessionLibrary& reference,
+                                                                  const std::string& session_path) {
+  std::error_code failure;
+  std::vector<fs::path> places;
+  if (!reference.relative_path.empty())
+    places.push_back(
+        (fs::absolute(session_path, failure).parent_path() / reference.relative_path).lexically_normal());
+  if (!reference.absolute_path.empty() &&
+      (places.empty() || places.front() != fs::path(reference.absolute_path)))
+    places.emplace_back(reference.absolute_path);
+  if (places.empty())
+    return Error{"the session was recorded with the library '" + reference.name +
+                     "', which was not a file; open the library first",
+                 session_path};
+  std::string looked;
+  for (const fs::path& place : places) {
+    looked += (looked.empty() ? "" : " and ") + place.string();
+    if (!fs::exists(place, failure)) continue;
+    auto library = read_library(place);
+    if (!library) return library.error();
+    if (const Status same = check_session_library(reference, *library); !same)
+      return Error{same.error().message, place.string()};
+    return std::make_shared<const MotionLibrary>(std::move(*library));
+  }
+  return Error{"its library '" + reference.name + "' was looked for as " + looked +
+                   " and is not there; put it beside the session file, or open it first",
+               session_path};
+}
+
+}  // namespace abrazo

@@ -1,0 +1,357 @@
+#include "core/session/file/recorded_frames.hpp"
+
+#include <algorithm>
+#include <list>
+#include <mutex>
+#include <optional>
+#include <unordered_map>
+#include <vector>
+
+#include "core/library/store/motion_library.hpp"
+#include "core/mesh/laplacian.hpp"
+#include "core/session/file/frame_reader.hpp"
+#include "core/session/file/library_reference.hpp"
+#include "core/session/file/session_schema.hpp"
+#include "core/session/frames/frame_in_library.hpp"
+
+namespace abrazo {
+
+namespace {
+
+/// Some 4 s at 120 Hz, 10 kB each.
+constexpr std::size_t cached_frames = 512;
+/// Of the whole file: several views ask for it one after the other, and again when a library is another.
+constexpr std::size_t kept_overview_frames = 4096;
+
+using Library = std::shared_ptr<const MotionLibrary>;
+
+/// What the file leaves out because the library has it.
+void complete(FrameSnapshot& frame, const MotionLibrary& library) {
+  FrameResult& result = frame.result;
+  if (result.selected < 0) return;
+  const int pair = result.candidates[static_cast<std::size_t>(result.selected)].pair;
+  if (pair < 0 || pair >= library.pair_count()) return;
+  const auto edges = library.edges(pair);
+  const auto tetrahedra = library.tetrahedra(pair);
+  result.edges.assign(edges.begin(), edges.end());
+  result.tetrahedra.assign(tetrahedra.begin(), tetrahedra.end());
+  const bool user_is_passive = frame.settings.user_role == UserRole::Passive;
+  result.selected_pair = library.pair_in_world(pair, result.query_root, user_is_passive);
+  if (result.status == StepStatus::Failed) return;
+  Laplacian laplacian;
+  laplacian.build(result.edges, result.selected_pair, frame.settings.edge_weights);
+  const PairPose residuals = laplacian.apply(result.result - result.selected_pair);
+  for (const MeshEdge& edge : result.edges) {
+    result.edge_weights.push_back(0.5 *
+                                  (laplacian.weight(edge[0], edge[1]) + laplacian.weight(edge[1], edge[0])));
+    result.edge_residuals_m.push_back(0.5 * (residuals.row(edge[0]).norm() + residuals.row(edge[1]).norm()));
+  }
+}
+
+/// The frames used last, by their index in the file.
+class FrameCache {
+ public:
+  FrameSnapshotPtr find(std::int64_t index) {
+    const auto found = places_.find(index);
+    if (found == places_.end()) return nullptr;
+    frames_.splice(frames_.begin(), frames_, found->second);
+    return found->second->second;
+  }
+  void add(std::int64_t index, FrameSnapshotPtr frame) {
+    frames_.emplace_front(index, std::move(frame));
+    places_[index] = frames_.begin();
+    if (frames_.size() <= cached_frames) return;
+    places_.erase(frames_.back().first);
+    frames_.pop_back();
+  }
+  void clear() {
+    places_.clear();
+    frames_.clear();
+  }
+
+ private:
+  std::list<std::pair<std::int64_t, FrameSnapshotPtr>> frames_;
+  std::unordered_map<std::int64_t, decltype(frames_)::iterator> places_;
+};
+
+class FileFrames : public RecordedFrames {
+ public:
+  FileFrames(std::string path, const Origin& origin) : path_(std::move(path)), origin_(origin) {}
+
+  Status connect() {
+    auto database = open_session_database(path_);
+    if (!database) return database.error();
+    database_.emplace(std::move(*database));
+    auto reader = FrameReader::open(*database_);
+    if (!reader) return reader.error();
+    auto version = database_->prepare("PRAGMA data_version");
+    if (!version) return version.error();
+    reader_ = std::move(*reader);
+    version_.emplace(std::move(*version));
+    known_version_ = -1;
+    return Done{};
+  }
+
+  Status without_connection(const std::function<Status()>& run) override {
+    const std::scoped_lock lock(mutex_);
+    version_.reset();
+    reader_.reset();
+    database_.reset();
+    overview_ = {};
+    Status done = run();
+    if (const Status connected = connect(); !connected) note_damage(1, connected.error().message);
+    return done;
+  }
+
+  void add_library(Library library) override {
+    if (!library) return;
+    const std::string fingerprint = library_fingerprint(*library);
+    const std::scoped_lock lock(mutex_);
+    libraries_[fingerprint] = std::move(library);
+    by_id_.clear();
+    cache_.clear();
+    overview_ = {};
+  }
+
+  void set_library(std::int64_t row, Library library) override {
+    const std::scoped_lock lock(mutex_);
+    by_row_[row] = std::move(library);
+  }
+
+  Span span() const override {
+    // Whoever only wants to know how far it goes does not wait for somebody who reads a long range.
+    const std::unique_lock reading(mutex_, std::try_to_lock);
+    if (reading.owns_lock()) {
+      const Span span = read_span();
+      const std::scoped_lock lock(span_mutex_);
+      return span_ = span;
+    }
+    const std::scoped_lock lock(span_mutex_);
+    return span_;
+  }
+
+  FrameSnapshotPtr at(double time_s) const override {
+    const std::scoped_lock lock(mutex_);
+    if (!reader_) return nullptr;
+    const auto index = noted(reader_->last_until(time_s + origin_.offset_s, first()));
+    return index ? read(*index) : nullptr;
+  }
+
+  FrameSnapshotPtr frame(std::uint64_t index) const override {
+    const std::scoped_lock lock(mutex_);
+    const auto in_file = static_cast<std::int64_t>(index + origin_.offset_frames);
+    return !reader_ || in_file < first() ? nullptr : read(in_file);
+  }
+
+  std::vector<FrameSnapshotPtr> range(double from_s, double to_s, std::size_t most) const override {
+    const std::scoped_lock lock(mutex_);
+    if (!reader_) return {};
+    const auto begin = noted(reader_->first_from(from_s + origin_.offset_s, first()));
+    const auto end = noted(reader_->last_until(to_s + origin_.offset_s, first()));
+    return begin && end ? read_between(*begin, *end, most) : std::vector<FrameSnapshotPtr>();
+  }
+
+  std::vector<FrameSnapshotPtr> between(std::uint64_t first_index, std::uint64_t last_index,
+                                        std::size_t most) const override {
+    const std::scoped_lock lock(mutex_);
+    const Span span = read_span();
+    if (!reader_ || span.frames == 0 || last_index < span.first_index) return {};
+    const auto in_file = [&](std::uint64_t index) {
+      return static_cast<std::int64_t>(std::clamp(index, span.first_index, span.last_index) +
+                                       origin_.offset_frames);
+    };
+    if (first_index > span.last_index) return {};
+    const std::int64_t begin = in_file(first_index), end = in_file(last_index);
+    const bool is_overview = begin == in_file(span.first_index) && most <= kept_overview_frames &&
+                             end - begin >= static_cast<std::int64_t>(most);
+    if (!is_overview) return read_between(begin, end, most);
+    if (overview_.frames.empty() || overview_.end != end || overview_.most != most)
+      overview_ = {end, most, read_between(begin, end, most)};
+    return overview_.frames;
+  }
+
+  std::optional<std::uint64_t> state_before(std::uint64_t index) const override {
+    const std::scoped_lock lock(mutex_);
+    if (!reader_) return std::nullopt;
+    const auto found =
+        noted(reader_->state_before(static_cast<std::int64_t>(index + origin_.offset_frames), first()));
+    if (!found) return std::nullopt;
+    return static_cast<std::uint64_t>(*found) - origin_.offset_frames;
+  }
+
+  std::uint64_t damaged() const override {
+    const std::scoped_lock lock(mutex_);
+    return damaged_;
+  }
+  std::string damage() const override {
+    const std::scoped_lock lock(mutex_);
+    return damage_;
+  }
+
+ private:
+  std::int64_t first() const { return static_cast<std::int64_t>(origin_.first_frame); }
+
+  void note_damage(std::uint64_t count, const std::string& why) const {
+    damaged_ += count;
+    if (damage_.empty()) damage_ = why;
+  }
+
+  /// What an index is, or nothing; that it could not be read is counted.
+  std::optional<std::int64_t> noted(const Result<std::optional<std::int64_t>>& index) const {
+    if (index) return *index;
+    note_damage(1, index.error().message);
+    return std::nullopt;
+  }
+
+  /// Of all up to a frame, thinned.
+  struct Overview {
+    std::int64_t end = 0;
+    std::size_t most = 0;
+    std::vector<FrameSnapshotPtr> frames;
+  };
+
+  Span read_span() const {
+    if (!version_) return known_span_;
+    // Another connection's commit changes the version; without one nothing is new.
+    const auto stepped = version_->step();
+    const std::int64_t version = stepped && *stepped ? version_->integer(0) : -1;
+    version_->reset();
+    if (version >= 0 && version == known_version_) return known_span_;
+    Span span;
+    const auto begin = noted(reader_->next(first()));
+    const auto end = noted(reader_->last());
+    if (begin && end && *end >= *begin) {
+      span.first_index = static_cast<std::uint64_t>(*begin) - origin_.offset_frames;
+      span.last_index = static_cast<std::uint64_t>(*end) - origin_.offset_frames;
+      span.frames = static_cast<std::uint64_t>(*end - *begin + 1);
+      const auto first_s = reader_->time_of(*begin), last_s = reader_->time_of(*end);
+      span.first_s = (first_s ? first_s->value_or(0) : 0) - origin_.offset_s;
+      span.last_s = (last_s ? last_s->value_or(0) : 0) - origin_.offset_s;
+    }
+    known_version_ = version;
+    return known_span_ = span;
+  }
+
+  FrameSnapshotPtr finished(FrameReader::Read& read) const {
+    FrameSnapshot& frame = *read.frame;
+    if (read.library)
+      if (const Library library = library_of(*read.library)) {
+        if (!has_pairs_of(*library, frame)) forget_pairs(frame);
+        complete(frame, *library);
+        frame.library = library;
+      }
+    frame.index -= origin_.offset_frames;
+    frame.time_s -= origin_.offset_s;
+    for (double* time : {&frame.times.arrived_s, &frame.times.assembled_s, &frame.times.taken_s,
+                         &frame.times.solved_s, &frame.times.sent_s})
+      if (*time >= 0) *time -= origin_.offset_s;
+    return std::move(read.frame);
+  }
+
+  /// What is shown without them is still the poses that were recorded.
+  void forget_pairs(FrameSnapshot& frame) const {
+    note_damage(1, "frame " + std::to_string(frame.index) + " names pairs that its library does not have");
+    frame.result.candidates.clear();
+    frame.result.selected = -1;
+    frame.before = nullptr;
+  }
+
+  FrameSnapshotPtr read(std::int64_t index) const {
+    if (FrameSnapshotPtr known = cache_.find(index)) return known;
+    auto found = reader_->frame(index);
+    if (!found) {
+      note_damage(1, found.error().message);
+      return nullptr;
+    }
+    if (!*found) return nullptr;
+    FrameSnapshotPtr frame = finished(**found);
+    cache_.add(index, frame);
+    return frame;
+  }
+
+  std::vector<FrameSnapshotPtr> read_between(std::int64_t begin, std::int64_t end, std::size_t most) const {
+    std::vector<FrameSnapshotPtr> frames;
+    if (end < begin || most == 0) return frames;
+    const auto count = static_cast<std::size_t>(end - begin) + 1;
+    if (count <= most) {
+      const auto pass = reader_->scan(begin, end, [&](FrameReader::Read& read) -> Status {
+        frames.push_back(finished(read));
+        return Done{};
+      });
+      if (!pass)
+        note_damage(1, pass.error().message);
+      else if (pass->damaged > 0)
+        note_damage(pass->damaged, pass->damage);
+      return frames;
+    }
+    for (std::size_t i = 0; i < most; ++i) {
+      // Whole numbers of up to 2^53 frames times thousands still fit.
+      const auto step = most > 1 ? i * (count - 1) / (most - 1) : count - 1;
+      if (FrameSnapshotPtr frame = read_without_cache(begin + static_cast<std::int64_t>(step)))
+        frames.push_back(std::move(frame));
+    }
+    return frames;
+  }
+
+  FrameSnapshotPtr read_without_cache(std::int64_t index) const {
+    if (FrameSnapshotPtr known = cache_.find(index)) return known;
+    auto found = reader_->frame(index);
+    if (found && *found) return finished(**found);
+    if (!found) note_damage(1, found.error().message);
+    return nullptr;
+  }
+
+  /// Of the libraries that are at hand the one that a row of the file means; null when it is not among them.
+  Library library_of(std::int64_t id) const {
+    if (const auto meant = by_row_.find(id); meant != by_row_.end()) return meant->second;
+    if (const auto known = by_id_.find(id); known != by_id_.end()) return known->second;
+    auto row = database_->prepare("SELECT fingerprint, pairs FROM libraries WHERE id = ?");
+    Library found;
+    if (row) {
+      const auto stepped = row->bind(0, id).step();
+      if (stepped && *stepped) {
+        const std::string fingerprint = row->text(0);
+        for (const auto& [known, library] : libraries_)
+          if (known == fingerprint || (fingerprint.empty() && library->pair_count() == row->integer(1)))
+            found = library;
+      }
+    }
+    return by_id_[id] = found;
+  }
+
+  const std::string path_;
+  const Origin origin_;
+  mutable std::mutex mutex_;                         ///< of all that follows but the span
+  mutable std::optional<SessionDatabase> database_;  ///< none when it could not be opened again
+  std::unique_ptr<FrameReader> reader_;
+  mutable std::optional<SessionStatement> version_;
+  mutable FrameCache cache_;
+  mutable Overview overview_;
+  std::unordered_map<std::string, Library> libraries_;  ///< by fingerprint
+  std::unordered_map<std::int64_t, Library> by_row_;    ///< that were said
+  mutable std::unordered_map<std::int64_t, Library> by_id_;
+  mutable std::uint64_t damaged_ = 0;
+  mutable std::string damage_;
+  mutable std::int64_t known_version_ = -1;
+  mutable Span known_span_;
+
+  mutable std::mutex span_mutex_;
+  mutable Span span_;
+};
+
+}  // namespace
+
+Result<std::shared_ptr<RecordedFrames>> RecordedFrames::open(const std::string& path,
+                                                             std::shared_ptr<const MotionLibrary> library) {
+  auto frames = open(path, Origin{});
+  if (frames) (*frames)->add_library(std::move(library));
+  return frames;
+}
+
+Result<std::shared_ptr<RecordedFrames>> RecordedFrames::open(const std::string& path, const Origin& origin) {
+  auto frames = std::make_shared<FileFrames>(path, origin);
+  if (const Status connected = frames->connect(); !connected) return connected.error();
+  return std::shared_ptr<RecordedFrames>(std::move(frames));
+}
+
+}  // namespace abrazo

@@ -1,0 +1,149 @@
+#include "core/session/file/session_file.hpp"
+
+#include <limits>
+#include <mutex>
+
+#include "core/session/file/frame_reader.hpp"
+#include "core/session/file/frame_row.hpp"
+#include "core/session/file/row_scan.hpp"
+#include "core/session/file/session_contents.hpp"
+#include "core/session/file/session_database.hpp"
+#include "core/session/file/session_schema.hpp"
+
+namespace abrazo {
+
+namespace {
+
+class OpenSessionFile : public SessionFile {
+ public:
+  OpenSessionFile(SessionDatabase database, std::unique_ptr<FrameReader> reader)
+      : database_(std::move(database)), reader_(std::move(reader)) {}
+
+  Status read() {
+    being_recorded_ = database_.is_held_elsewhere();
+    std::vector<std::string> damage;
+    contents_ = read_contents(database_, damage);
+    if (!being_recorded_) recovery_ = recovery_of(contents_);
+    if (database_.is_salvage())
+      recovery_.insert(recovery_.begin(),
+                       "the file is damaged or cut short; what can still be read is shown");
+    recovery_.insert(recovery_.end(), damage.begin(), damage.end());
+    if (contents_.runs.empty() && contents_.frames == 0 && !damage.empty())
+      return Error{"nothing of the file can be read; " + damage.front(), database_.path()};
+    return Done{};
+  }
+
+  const std::string& path() const override { return database_.path(); }
+  const SessionContents& contents() const override { return contents_; }
+  bool is_being_recorded() const override { return being_recorded_; }
+  const std::vector<std::string>& recovery() const override { return recovery_; }
+
+  Result<RowsRead> each_frame(double from_s, double to_s,
+                              const std::function<Status(const FrameSnapshot&)>& visit) const override {
+    const std::scoped_lock lock(mutex_);
+    const auto [first, last] = frames_between(from_s, to_s);
+    return reader_->scan(first, last, [&](FrameReader::Read& read) -> Status {
+      if (read.frame->time_s < from_s || read.frame->time_s > to_s) return Done{};
+      return visit(*read.frame);
+    });
+  }
+
+  Result<RowsRead> each_pose(std::optional<int> performer, double from_s, double to_s,
+                             const std::function<Status(const ReceivedPose&)>& visit) const override {
+    const std::scoped_lock lock(mutex_);
+    auto rows = database_.prepare(
+        "SELECT id, performer, arrived_s, assembled_s, time_s, sender_time_s, counter, discontinuous, pose, "
+        "checksum FROM poses WHERE id BETWEEN ? AND ? ORDER BY id");
+    if (!rows) return rows.error();
+    return scan_rows(*rows, 1, std::numeric_limits<std::int64_t>::max() - 1,
+                     [&](const SessionStatement& row) {
+                       RowOutcome outcome;
+                       outcome.id = row.integer(0);
+                       ReceivedPose received;
+                       outcome.status = decode(row, received);
+                       outcome.damaged = !outcome.status;
+                       const bool wanted = !performer || row.integer(1) == *performer;
+                       const double time_s = row.is_null(2) ? received.pose.time_s : received.pose.arrived_s;
+                       if (!outcome.damaged && wanted && time_s >= from_s && time_s <= to_s)
+                         outcome.status = visit(received);
+                       return outcome;
+                     });
+  }
+
+  Status each_source(double from_s, double to_s,
+                     const std::function<Status(const SessionSource&)>& visit) const override {
+    const std::scoped_lock lock(mutex_);
+    auto rows = database_.prepare(
+        "SELECT f.frame, f.time_s, p.take, p.frame, p.swapped, p.label FROM frames f LEFT JOIN pairs p "
+        "ON p.library = f.library AND p.pair = f.pair WHERE f.time_s BETWEEN ? AND ? ORDER BY f.frame");
+    if (!rows) return rows.error();
+    rows->bind(0, from_s).bind(1, to_s);
+    while (true) {
+      const auto row = rows->step();
+      if (!row) return row.error();
+      if (!*row) return Done{};
+      const Status visited =
+          visit({static_cast<std::uint64_t>(rows->integer(0)), rows->real(1), rows->text(2),
+                 static_cast<int>(rows->integer(3)), rows->integer(4) != 0, rows->text(5)});
+      if (!visited) return visited;
+    }
+  }
+
+  Result<FrameSnapshotPtr> frame(std::uint64_t index) const override {
+    const std::scoped_lock lock(mutex_);
+    auto read = reader_->frame(static_cast<std::int64_t>(index));
+    if (!read) return read.error();
+    return *read ? FrameSnapshotPtr((*read)->frame) : FrameSnapshotPtr();
+  }
+
+ private:
+  /// Indices to look at; all of them where the index of times cannot be read.
+  std::pair<std::int64_t, std::int64_t> frames_between(double from_s, double to_s) const {
+    constexpr std::int64_t lowest = 0, highest = std::numeric_limits<std::int64_t>::max() - 1;
+    const auto first = reader_->first_from(from_s, lowest);
+    const auto last = reader_->last_until(to_s, lowest);
+    if (!first || !last) return {lowest, highest};
+    if (!*first || !*last) return {1, 0};
+    // A damaged file's times may lie; where nothing is asked to be left out, nothing is.
+    const bool all = from_s <= contents_.first_s && to_s >= contents_.last_s && !recovery_.empty();
+    return all ? std::pair{lowest, highest} : std::pair{**first, **last};
+  }
+
+  Status decode(const SessionStatement& row, ReceivedPose& received) const {
+    const auto bytes = row.blob(8);
+    Checksum sum;
+    sum.add(bytes);
+    if (sum.value() != row.integer(9) || !read_pose(bytes, received.pose.pose))
+      return Error{"pose " + std::to_string(row.integer(0)) + " is damaged", {}};
+    for (const SessionPerformer& performer : contents_.performers)
+      if (performer.id == row.integer(1)) received.performer = performer.name;
+    received.pose.arrived_s = row.is_null(2) ? -1 : row.real(2);
+    received.pose.assembled_s = row.is_null(3) ? -1 : row.real(3);
+    received.pose.time_s = row.real(4);
+    if (!row.is_null(5)) received.sender_time_s = row.real(5);
+    received.pose.frame = row.integer(6);
+    received.pose.discontinuous = row.integer(7) != 0;
+    return Done{};
+  }
+
+  mutable std::mutex mutex_;
+  mutable SessionDatabase database_;
+  std::unique_ptr<FrameReader> reader_;
+  SessionContents contents_;
+  std::vector<std::string> recovery_;
+  bool being_recorded_ = false;
+};
+
+}  // namespace
+
+Result<std::shared_ptr<const SessionFile>> SessionFile::open(const std::string& path) {
+  auto database = open_session_database(path);
+  if (!database) return database.error();
+  auto reader = FrameReader::open(*database);
+  if (!reader) return reader.error();
+  auto file = std::make_shared<OpenSessionFile>(std::move(*database), std::move(*reader));
+  if (const Status read = file->read(); !read) return read.error();
+  return std::shared_ptr<const SessionFile>(std::move(file));
+}
+
+}  // namespace abrazo

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "core/session/file/session_database.hpp"
+#include "core/session/file/session_writer.hpp"
+
+namespace abrazo {
+
+/// Prepared once for what is written in every frame.
+struct SessionWriter::Statements {
+  SessionStatement frame, pose, pair, settings, decisions, begin, commit;
+};
+
+}  // namespace abrazo

@@ -1,0 +1,80 @@
+#include "core/session/frames/frame_in_library.hpp"
+
+#include <algorithm>
+
+#include "core/synthesis/synthesizer_state.hpp"
+
+namespace abrazo {
+
+int same_pair(const MotionLibrary& from, int pair, const MotionLibrary& to) {
+  if (pair < 0 || pair >= from.pair_count()) return -1;
+  const PairSource& source = from.source(pair);
+  const std::string& take = from.take_of(pair).name;
+  const int frame = static_cast<int>(source.frame);
+  const int same = to.find_pair(take, frame, source.swapped);
+  return same >= 0 ? same : to.find_pair(take, frame, !source.swapped);
+}
+
+namespace {
+
+/// A pair of so many, or none.
+bool is_within(int pair, int count) {
+  return pair >= -1 && pair < count;
+}
+
+}  // namespace
+
+bool has_pairs_of(const MotionLibrary& library, const FrameSnapshot& frame) {
+  const int count = library.pair_count();
+  const auto& candidates = frame.result.candidates;
+  return std::all_of(candidates.begin(), candidates.end(),
+                     [count](const Candidate& each) { return each.pair >= 0 && each.pair < count; }) &&
+         (!frame.before || (is_within(frame.before->memory.current_pair, count) &&
+                            is_within(frame.before->memory.motion.playhead.pair, count)));
+}
+
+int selected_pair(const FrameSnapshot& frame, const std::shared_ptr<const MotionLibrary>& library) {
+  const FrameResult& result = frame.result;
+  if (result.selected < 0) return -1;
+  const int pair = result.candidates[static_cast<std::size_t>(result.selected)].pair;
+  if (library && !frame.library) return pair < library->pair_count() ? pair : -1;
+  if (!library || frame.library == library) return pair;
+  return same_pair(*frame.library, pair, *library);
+}
+
+namespace {
+
+/// Of whichever library the frame is, numbers beyond this one's are none of its pairs.
+FrameSnapshotPtr without_pairs_beyond(const FrameSnapshotPtr& frame, int pair_count) {
+  const auto is_beyond = [pair_count](const Candidate& each) { return each.pair >= pair_count; };
+  const auto& candidates = frame->result.candidates;
+  if (std::none_of(candidates.begin(), candidates.end(), is_beyond)) return frame;
+  auto without = std::make_shared<FrameSnapshot>(*frame);
+  for (Candidate& each : without->result.candidates)
+    if (is_beyond(each)) each.pair = -1;
+  return without;
+}
+
+}  // namespace
+
+FrameSnapshotPtr in_library(const FrameSnapshotPtr& frame,
+                            const std::shared_ptr<const MotionLibrary>& library) {
+  if (!frame || !library || frame->library == library) return frame;
+  if (!frame->library) return without_pairs_beyond(frame, library->pair_count());
+  auto translated = std::make_shared<FrameSnapshot>(*frame);
+  FrameResult& result = translated->result;
+  result.candidates.clear();
+  result.selected = -1;
+  for (std::size_t i = 0; i < frame->result.candidates.size(); ++i) {
+    Candidate candidate = frame->result.candidates[i];
+    candidate.pair = same_pair(*frame->library, candidate.pair, *library);
+    if (candidate.pair < 0) continue;
+    if (static_cast<int>(i) == frame->result.selected)
+      result.selected = static_cast<int>(result.candidates.size());
+    result.candidates.push_back(candidate);
+  }
+  translated->library = library;
+  return translated;
+}
+
+}  // namespace abrazo

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "core/base/progress.hpp"
+#include "core/base/result.hpp"
+#include "core/session/frames/frame_snapshot.hpp"
+#include "core/synthesis/trace.hpp"
+
+namespace abrazo {
+
+/// The frames of a trace file (JSON lines), read one at a time: of a long one only the places of its lines
+/// are kept. They have what the trace says of bodies, user, mesh, selected pair, locks and contacts;
+/// candidates only in number, since their pairs are of a library that is not at hand. Not thread-safe.
+class TraceFrames {
+ public:
+  /// Goes through the file once and checks every line. The error names file and line.
+  static Result<TraceFrames> open(const std::filesystem::path& file, const Progress& progress);
+
+  const TraceHeader& header() const { return header_; }
+  /// Ascending [s].
+  const std::vector<double>& times_s() const { return times_s_; }
+  /// The last frame not after a time, the first before it.
+  Result<FrameSnapshotPtr> at(double time_s);
+
+ private:
+  Result<FrameSnapshotPtr> read(std::size_t index);
+
+  std::string file_;
+  std::ifstream stream_;
+  TraceHeader header_;
+  std::vector<double> times_s_;
+  std::vector<std::streamoff> places_;  ///< of the frames' lines
+  FrameSnapshotPtr newest_;
+  std::size_t newest_index_ = 0;
+};
+
+/// One line of a trace as a frame. @param where  file and line, for messages
+Result<FrameSnapshotPtr> read_trace_frame(std::string_view line, std::uint64_t index,
+                                          const Settings& settings, const std::string& where);
+
+}  // namespace abrazo

@@ -1,0 +1,282 @@
+#include "core/session/run/live_loop.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <stdexcept>
+#include <utility>
+#include <variant>
+
+#include "core/synthesis/synthesizer_state.hpp"
+
+namespace abrazo {
+
+namespace {
+
+constexpr double highest_rate_hz = 120;
+constexpr double interval_smoothing = 0.1;
+/// Solving up to a frame from the last kept state takes a few milliseconds; a state is as large as a frame.
+constexpr std::uint64_t frames_between_states = 32;
+constexpr double tracking_loss_s = 0.3;
+constexpr double intervals_until_loss = 3;  ///< of a slow source
+/// A source whose times are farther from the session's runs on a clock of its own.
+constexpr double same_clock_s = 1;
+constexpr double least_between_frames_s = 1e-6;
+
+double wanted_rate(const Settings& settings) {
+  return settings.step_rate_hz > 0 ? settings.step_rate_hz : highest_rate_hz;
+}
+
+bool same_body(const Body& a, const Body& b) {
+  return a.bone_lengths == b.bone_lengths && a.pseudo_lengths == b.pseudo_lengths &&
+         a.toe_rest_height == b.toe_rest_height;
+}
+
+/// In place of what was solved from a library whose file others damaged: that would be nonsense.
+void hold(FrameSnapshot& snapshot, const FrameSnapshotPtr& last, const std::string& why) {
+  snapshot.elapsed_s = -1;
+  snapshot.before = nullptr;
+  snapshot.result = last ? last->result : FrameResult{};
+  snapshot.result.status = StepStatus::Failed;
+  snapshot.result.message = why + "; the partner holds its last pose";
+}
+
+}  // namespace
+
+LiveLoop::LiveLoop(std::shared_ptr<PartnerSynthesizer> synthesizer, std::shared_ptr<PoseSource> source,
+                   CommandQueue& commands, FrameHistory& history, LatestSlot<FrameSnapshot>& latest,
+                   std::function<double()> clock)
+    : steering_(std::move(synthesizer)),
+      source_(std::move(source)),
+      commands_(commands),
+      history_(history),
+      latest_(latest),
+      clock_(std::move(clock)) {
+  listen_to_source();
+}
+
+LiveLoop::~LiveLoop() {
+  source_->on_arrival([] {});
+}
+
+void LiveLoop::listen_to_source() {
+  source_->set_max_rate(wanted_rate(steering_.synthesizer().settings()));
+  source_->on_arrival([wake_up = wake_up()] { wake_up->notify(); });
+  source_body_.reset();
+  take_measures();
+}
+
+void LiveLoop::take_measures() {
+  const std::optional<Body> body = source_->body();
+  if (!body || (source_body_ && same_body(*body, *source_body_))) return;
+  source_body_ = body;
+  steering_.synthesizer().set_user_body(*body);
+  state_due_ = next_index_;
+}
+
+/// One of several independent actions: a failure is reported at the end of the turn and does not prevent the
+/// others.
+template <typename Action>
+void LiveLoop::attempt(const Action& action) {
+  try {
+    action();
+  } catch (const std::exception& failure) {
+    if (!trouble_.empty()) trouble_ += "; ";
+    trouble_ += failure.what();
+    state_due_ = next_index_;
+  }
+}
+
+double LiveLoop::turn(double now_s) {
+  if (waiting_since_s_ < 0) waiting_since_s_ = now_s;
+  for (const Command& command : commands_.drain()) {
+    attempt([&] { apply(command, now_s); });
+    state_due_ = next_index_;
+  }
+  if (const auto input = source_->poll(now_s)) {
+    waiting_since_s_ = now_s;
+    is_lost_ = false;
+    solve(*input, now_s);
+  } else {
+    wait_for_pose(now_s);
+  }
+  if (!trouble_.empty()) throw std::runtime_error(std::exchange(trouble_, {}));
+  const double attention_s = is_lost_ ? output_.next_hold_s() : waiting_since_s_ + loss_after_s();
+  return std::min(source_->next_due_s(), attention_s);
+}
+
+void LiveLoop::solve(const SourcePose& input, double now_s) {
+  PartnerSynthesizer& synthesizer = steering_.synthesizer();
+  take_measures();
+  if (input.discontinuous) {
+    synthesizer.reset();
+    previous_time_s_ = -1;
+    state_due_ = next_index_;
+  }
+  attempt([&] {
+    if (steering_.before_step(now_s)) state_due_ = next_index_;
+  });
+  const double elapsed = time_since_previous(input);
+  if (is_first_of_source_) dropped_at_start_ = input.dropped;
+  is_first_of_source_ = false;
+  dropped_now_ = input.dropped - dropped_at_start_;
+  continue_counting();
+  auto snapshot = std::make_shared<FrameSnapshot>();
+  snapshot->time_s = frame_time(input, now_s);
+  snapshot->input_frame = input.frame;
+  snapshot->user = input.pose;
+  snapshot->settings = synthesizer.settings();
+  snapshot->is_learning = steering_.is_learning();
+  snapshot->elapsed_s = elapsed > 0 ? elapsed : 0.0;  // not so for a time that is not a number
+  snapshot->before = state_if_due();
+  snapshot->decisions = steering_.decisions();
+  snapshot->library = synthesizer.shared_library();
+  snapshot->input = input_;
+  snapshot->input_rate_hz = smoothed_interval_s_ > 0 ? 1.0 / smoothed_interval_s_ : source_->rate_hz();
+  snapshot->dropped_inputs = dropped_before_ + dropped_now_;
+  snapshot->result = synthesizer.step(input.pose, Duration(snapshot->elapsed_s));
+  snapshot->times = {.arrived_s = input.arrived_s,
+                     .assembled_s = input.assembled_s,
+                     .taken_s = now_s,
+                     .solved_s = clock_ ? clock_() : now_s};
+  const std::optional<Error> damage = snapshot->library->damage();
+  if (damage) hold(*snapshot, latest_.newest(), damage->text());
+  if (damage
+          ? output_.hold(snapshot->time_s)
+          : output_.send(snapshot->result, snapshot->library, snapshot->settings.user_role, snapshot->time_s))
+    snapshot->times.sent_s = clock_ ? clock_() : now_s;
+  has_solved_ = true;
+  const FrameResult& solved = snapshot->result;
+  steering_.after_step(solved, input.pose, snapshot->time_s);
+  publish(std::move(snapshot));
+  if (damage) state_due_ = next_index_;
+}
+
+/// @return 0 for the first pose [s]
+double LiveLoop::time_since_previous(const SourcePose& input) {
+  const double elapsed = previous_time_s_ < 0 ? 0.0 : input.time_s - previous_time_s_;
+  if (elapsed > 0 && elapsed < loss_after_s())
+    smoothed_interval_s_ +=
+        (smoothed_interval_s_ > 0 ? interval_smoothing : 1.0) * (elapsed - smoothed_interval_s_);
+  previous_time_s_ = input.time_s;
+  return elapsed;
+}
+
+/// Frames of a session ascend in time, whatever the source's clock does.
+double LiveLoop::frame_time(const SourcePose& input, double now_s) const {
+  const double time_s = std::abs(input.time_s - now_s) < same_clock_s ? input.time_s : now_s;
+  return last_frame_s_ < 0 ? time_s : std::max(time_s, last_frame_s_ + least_between_frames_s);
+}
+
+double LiveLoop::loss_after_s() const {
+  const double rate_hz = source_->rate_hz();
+  return rate_hz > 0 ? std::max(tracking_loss_s, intervals_until_loss / rate_hz) : tracking_loss_s;
+}
+
+/// After a while without a pose one frame says so, and the sinks hear of it until there is one again.
+void LiveLoop::wait_for_pose(double now_s) {
+  if (!is_lost_ && now_s - waiting_since_s_ >= loss_after_s()) {
+    is_lost_ = true;
+    if (has_solved_) publish_failure("the user is not tracked; the partner holds its last pose", now_s);
+  }
+  if (is_lost_) output_.hold(now_s);
+}
+
+void LiveLoop::replace_source(const ReplaceSource& replacement, double now_s) {
+  if (!replacement.source || replacement.source == source_) return;
+  source_->on_arrival([] {});
+  source_ = replacement.source;
+  input_ = replacement.input;
+  dropped_before_ += dropped_now_;
+  dropped_now_ = 0;
+  is_first_of_source_ = true;
+  smoothed_interval_s_ = 0;
+  previous_time_s_ = -1;
+  waiting_since_s_ = now_s;
+  is_lost_ = false;
+  steering_.synthesizer().forget_user_body();
+  steering_.synthesizer().reset();
+  listen_to_source();
+}
+
+void LiveLoop::apply(const Command& command, double now_s) {
+  std::visit(
+      [&](const auto& wish) {
+        using Wish = std::decay_t<decltype(wish)>;
+        ReplayControl* replay = source_->replay();
+        if constexpr (std::is_same_v<Wish, SetSettings>) {
+          steering_.set_settings(wish.settings);
+          source_->set_max_rate(wanted_rate(wish.settings));
+        } else if constexpr (std::is_same_v<Wish, PinPair>) {
+          steering_.pin(wish.pair);
+        } else if constexpr (std::is_same_v<Wish, SetVetoes>) {
+          steering_.set_vetoes(wish.vetoes);
+        } else if constexpr (std::is_same_v<Wish, MeanMove>) {
+          steering_.mean(wish.move);
+        } else if constexpr (std::is_same_v<Wish, SetRoleControl>) {
+          steering_.control_role(wish.by);
+        } else if constexpr (std::is_same_v<Wish, ResetSolver>) {
+          steering_.synthesizer().reset();
+        } else if constexpr (std::is_same_v<Wish, PauseInput>) {
+          if (replay) replay->set_paused(wish.paused, now_s);
+        } else if constexpr (std::is_same_v<Wish, SeekInput>) {
+          if (replay) replay->seek(wish.time_s, now_s);
+        } else if constexpr (std::is_same_v<Wish, SetInputSpeed>) {
+          if (replay) replay->set_speed(wish.factor, now_s);
+        } else if constexpr (std::is_same_v<Wish, ReplaceSource>) {
+          replace_source(wish, now_s);
+        } else if constexpr (std::is_same_v<Wish, ReplaceSynthesizer>) {
+          if (wish.synthesizer) steering_.replace(wish.synthesizer);
+        } else if constexpr (std::is_same_v<Wish, AttachListener>) {
+          if (wish.listener) listeners_.push_back(wish.listener);
+        } else if constexpr (std::is_same_v<Wish, DetachListener>) {
+          std::erase(listeners_, wish.listener);
+        } else if constexpr (std::is_same_v<Wish, AttachSink>) {
+          output_.attach(wish.character, wish.sink);
+        } else {
+          static_assert(std::is_same_v<Wish, DetachSink>);
+          output_.detach(wish.sink);
+        }
+      },
+      command);
+}
+
+std::shared_ptr<const SynthesizerState> LiveLoop::state_if_due() {
+  if (next_index_ < state_due_) return nullptr;
+  state_due_ = next_index_ + frames_between_states;
+  return std::make_shared<const SynthesizerState>(steering_.synthesizer().state());
+}
+
+/// Frames of a session that goes on from a recorded one are counted from there.
+void LiveLoop::continue_counting() {
+  const auto recorded = history_.store();
+  if (next_index_ > 0 || !recorded) return;
+  const FrameStore::Span span = recorded->span();
+  if (span.frames > 0) next_index_ = state_due_ = span.last_index + 1;
+}
+
+void LiveLoop::publish(std::shared_ptr<FrameSnapshot> snapshot) {
+  snapshot->index = next_index_++;
+  last_frame_s_ = snapshot->time_s;
+  const FrameSnapshotPtr frozen = std::move(snapshot);
+  history_.append(frozen);
+  latest_.publish(frozen);
+  for (const auto& listener : listeners_) listener->frame_solved(frozen);
+}
+
+void LiveLoop::publish_failure(const std::string& why, double now_s) {
+  const FrameSnapshotPtr last = latest_.newest();
+  auto snapshot = last ? std::make_shared<FrameSnapshot>(*last) : std::make_shared<FrameSnapshot>();
+  snapshot->time_s = std::max(now_s, last_frame_s_ + least_between_frames_s);
+  snapshot->elapsed_s = -1;
+  snapshot->before = nullptr;
+  snapshot->decisions = steering_.decisions();
+  snapshot->input = input_;
+  snapshot->times = {};
+  snapshot->result.status = StepStatus::Failed;
+  snapshot->result.message = why;
+  publish(std::move(snapshot));
+  state_due_ = next_index_;
+}
+
+}  // namespace abrazo

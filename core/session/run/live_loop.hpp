@@ -1,0 +1,85 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/session/frames/frame_history.hpp"
+#include "core/session/frames/frame_listener.hpp"
+#include "core/session/frames/frame_snapshot.hpp"
+#include "core/session/frames/latest_slot.hpp"
+#include "core/session/run/command_queue.hpp"
+#include "core/session/run/partner_output.hpp"
+#include "core/session/run/steering.hpp"
+#include "core/stream/receive/pose_source.hpp"
+
+namespace abrazo {
+
+/// One turn of the live loop without a thread: commands, newest pose, step, sinks, snapshot. Owned by the
+/// solver thread; driven by tests with a clock of their own. The queue, history and slot outlive it.
+class LiveLoop {
+ public:
+  /// @param clock  session clock, read when a step is solved and when it is sent; without one both count as
+  /// the time that `turn` was given
+  LiveLoop(std::shared_ptr<PartnerSynthesizer> synthesizer, std::shared_ptr<PoseSource> source,
+           CommandQueue& commands, FrameHistory& history, LatestSlot<FrameSnapshot>& latest,
+           std::function<double()> clock = {});
+  ~LiveLoop();
+
+  /// @param now_s  session clock
+  /// @return session time until which there is nothing to do, unless `wake_up` is notified
+  /// @throws std::runtime_error when a command could not be done, at the end: the others are done and a pose
+  /// that is due is solved all the same
+  double turn(double now_s);
+
+  /// A failed snapshot with this text; the partner holds its last pose.
+  void publish_failure(const std::string& why, double now_s);
+
+  /// Notified when a command or a pose came in.
+  const std::shared_ptr<WakeUp>& wake_up() const { return commands_.wake_up(); }
+
+ private:
+  template <typename Action>
+  void attempt(const Action& action);
+  void apply(const Command& command, double now_s);
+  void replace_source(const ReplaceSource& replacement, double now_s);
+  void listen_to_source();
+  void take_measures();
+  void solve(const SourcePose& input, double now_s);
+  double time_since_previous(const SourcePose& input);
+  double frame_time(const SourcePose& input, double now_s) const;
+  void wait_for_pose(double now_s);
+  double loss_after_s() const;
+  std::shared_ptr<const SynthesizerState> state_if_due();
+  void continue_counting();
+  void publish(std::shared_ptr<FrameSnapshot> snapshot);
+
+  Steering steering_;
+  std::shared_ptr<PoseSource> source_;
+  std::shared_ptr<const std::string> input_;  ///< the source's name in a recording
+  CommandQueue& commands_;
+  FrameHistory& history_;
+  LatestSlot<FrameSnapshot>& latest_;
+  std::function<double()> clock_;
+  PartnerOutput output_;
+  std::vector<std::shared_ptr<FrameListener>> listeners_;
+
+  std::optional<Body> source_body_;  ///< as the source gave it last
+  std::uint64_t next_index_ = 0;
+  std::uint64_t state_due_ = 0;  ///< index of the next frame that keeps the synthesizer's state
+  double previous_time_s_ = -1;  ///< of the last pose, on the source's clock
+  double last_frame_s_ = -1;     ///< of the last frame, session clock
+  double waiting_since_s_ = -1;  ///< for a pose; before the first turn not yet
+  bool is_lost_ = false;         ///< there was no pose for too long
+  bool has_solved_ = false;
+  double smoothed_interval_s_ = 0;
+  std::uint64_t dropped_before_ = 0;  ///< by the sources before this one
+  std::uint64_t dropped_at_start_ = 0, dropped_now_ = 0;
+  bool is_first_of_source_ = true;
+  std::string trouble_;  ///< what could not be done in this turn; thrown at its end
+};
+
+}  // namespace abrazo

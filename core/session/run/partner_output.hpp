@@ -1,0 +1,56 @@
+#pragma once
+
+#include <limits>
+#include <memory>
+#include <vector>
+
+#include "core/library/store/motion_library.hpp"
+#include "core/session/frames/command.hpp"
+#include "core/stream/send/pose_sink.hpp"
+#include "core/synthesis/frame_result.hpp"
+#include "core/synthesis/settings.hpp"
+
+namespace abrazo {
+
+/// The bones that a character's poses have in a result: those of the library's usual performer in its role.
+const Body& body_of_character(const MotionLibrary& library, Character character, UserRole user_role);
+
+/// Both characters on their way out: what was solved goes to every sink immediately, and while there is
+/// nothing to solve the last poses are repeated as not tracked, `held_rate_hz` times a second. Each sink is
+/// given the bones of its poses before the first of them, and again when role or library change them.
+class PartnerOutput {
+ public:
+  static constexpr double held_rate_hz = 10;
+
+  void attach(Character character, std::shared_ptr<PoseSink> sink);
+  void detach(const std::shared_ptr<PoseSink>& sink);
+  bool empty() const { return sinks_.empty(); }
+
+  /// @return whether anything was sent
+  bool send(const FrameResult& result, const std::shared_ptr<const MotionLibrary>& library,
+            UserRole user_role, double time_s);
+  /// The poses sent last, if it is time again. @return whether anything was sent
+  bool hold(double time_s);
+  /// When `hold` has something to do next.
+  double next_hold_s() const {
+    if (!has_poses_ || sinks_.empty()) return std::numeric_limits<double>::infinity();
+    return sent_s_ + 1 / held_rate_hz;
+  }
+
+ private:
+  void tell_bodies(const std::shared_ptr<const MotionLibrary>& library, UserRole user_role);
+  void send_to_all(double time_s, bool tracked);
+
+  struct Attached {
+    Character character;
+    std::shared_ptr<PoseSink> sink;
+    std::shared_ptr<const MotionLibrary> library = nullptr;  ///< whose bones it was given, in which role
+    UserRole user_role = UserRole::Active;
+  };
+  std::vector<Attached> sinks_;
+  Pose user_ = Pose::Zero(), partner_ = Pose::Zero();
+  bool has_poses_ = false;
+  double sent_s_ = 0;
+};
+
+}  // namespace abrazo

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "core/base/progress.hpp"
+#include "core/base/result.hpp"
+#include "core/library/store/motion_library.hpp"
+#include "core/session/file/session_file.hpp"
+
+namespace abrazo {
+
+/// How solving a session again went.
+struct SessionReplay {
+  std::uint64_t frames = 0;   ///< that were solved again
+  std::uint64_t differ = 0;   ///< whose result does not have the recorded bits
+  std::uint64_t skipped = 0;  ///< before the first kept state, of another library, or behind a damaged frame
+  std::string note;           ///< why some were skipped; empty when none
+};
+
+/// Solves the frames of [from_s, to_s] again, from the recorded inputs with the recorded settings, decisions
+/// and fresh starts: everything of a frame is there, also what a file does not keep (mesh, morph steps).
+/// @param library  that they were recorded with, see open_session_library; its copy is checked
+/// @param each     is given every frame in order, time and index as in the session; frames that were skipped
+///                 are not given
+Result<SessionReplay> re_solve_session(const SessionRecord& session,
+                                       std::shared_ptr<const MotionLibrary> library, double from_s,
+                                       double to_s, const std::function<Status(const FrameSnapshot&)>& each,
+                                       const Progress& progress = {});
+
+}  // namespace abrazo

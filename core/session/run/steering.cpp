@@ -1,0 +1,215 @@
+#include "core/session/run/steering.hpp"
+
+#include <stdexcept>
+#include <utility>
+
+#include "core/synthesis/role_views.hpp"
+#include "core/synthesis/synthesizer_state.hpp"
+
+namespace abrazo {
+
+namespace {
+
+bool has_label(const MotionLibrary& library, const std::string& label) {
+  if (label.empty()) return true;
+  for (const LibraryTake& take : library.takes())
+    for (const LabelInterval& interval : take.labels)
+      if (interval.label == label) return true;
+  return false;
+}
+
+/// The pair of another library that is the same recorded frame; -1 when it has none.
+int matching_pair(const MotionLibrary& from, int pair, const MotionLibrary& to) {
+  if (pair < 0 || pair >= from.pair_count()) return -1;
+  const PairSource& source = from.source(pair);
+  return to.find_pair(from.take_of(pair).name, static_cast<int>(source.frame), source.swapped);
+}
+
+/// What of the decisions on one library means something in another.
+Decisions carried_over(const Decisions& decisions, const MotionLibrary& from, const MotionLibrary& to) {
+  Decisions carried;
+  carried.role_control = decisions.role_control;
+  const auto pair_there = [&](int pair) { return matching_pair(from, pair, to); };
+  if (decisions.pinned && pair_there(*decisions.pinned) >= 0) carried.pinned = pair_there(*decisions.pinned);
+  for (const int pair : decisions.vetoes.pairs)
+    if (pair_there(pair) >= 0) carried.vetoes.pairs.insert(pair_there(pair));
+  for (const std::string& take : decisions.vetoes.takes)
+    if (to.find_take(take) >= 0) carried.vetoes.takes.insert(take);
+  for (const std::string& label : decisions.vetoes.labels)
+    if (has_label(to, label)) carried.vetoes.labels.insert(label);
+  const auto& meant = decisions.meant;
+  if (meant && (!meant->take || to.find_take(*meant->take) >= 0) &&
+      (!meant->label || has_label(to, *meant->label)))
+    carried.meant = meant;
+  return carried;
+}
+
+std::size_t number(UserRole role) {
+  return role == UserRole::Passive ? 1 : 0;
+}
+
+}  // namespace
+
+Steering::Steering(std::shared_ptr<PartnerSynthesizer> synthesizer)
+    : synthesizer_(std::move(synthesizer)),
+      asked_role_(synthesizer_->settings().user_role),
+      asked_selection_(synthesizer_->settings().selection),
+      role_switch_(synthesizer_->views(), asked_role_) {
+  apply(synthesizer_->settings());
+}
+
+void Steering::set_settings(const Settings& settings) {
+  asked_role_ = settings.user_role;
+  if (settings.selection != asked_selection_) could_not_learn_ = {};  // asked for again
+  asked_selection_ = settings.selection;
+  Settings wanted = settings;
+  if (current_.role_control == RoleControl::Hand)
+    role_switch_.control(RoleControl::Hand, settings.user_role);
+  else
+    wanted.user_role = role_switch_.role();
+  if (wanted.user_role != synthesizer_->settings().user_role && !can_take(wanted.user_role))
+    wanted.user_role = synthesizer_->settings().user_role;  // changes before a later step
+  apply(wanted);
+}
+
+/// The only way settings reach the synthesizer: with a selection that need not be waited for.
+void Steering::apply(Settings wanted) {
+  wanted.selection = possible_selection(wanted.user_role);
+  synthesizer_->set_settings(wanted);
+}
+
+/// What the selection `filter` learns first is learned beside the steps, not in one. Then the other role is
+/// learned too, so that a change of role finds it.
+SelectionMethod Steering::possible_selection(UserRole role) {
+  if (asked_selection_ == SelectionMethod::Paper || could_not_learn_[number(role)])
+    return SelectionMethod::Paper;
+  const RoleViews& views = *synthesizer_->views();
+  if (views.is_intent_ready(role)) {
+    const UserRole other = role == UserRole::Active ? UserRole::Passive : UserRole::Active;
+    if (!views.is_costly(other) && !could_not_learn_[number(other)]) views.prepare_intent(other);
+    return SelectionMethod::Filter;
+  }
+  if (const auto trouble = views.intent_trouble(role)) {
+    could_not_learn_[number(role)] = true;
+    untold_ = "Eq. 7 goes on selecting: the library could not be learned, " + trouble->message;
+  } else {
+    views.prepare_intent(role);
+  }
+  return SelectionMethod::Paper;
+}
+
+bool Steering::is_learning() const {
+  const Settings& now = synthesizer_->settings();
+  return asked_selection_ != now.selection && !could_not_learn_[number(now.user_role)];
+}
+
+/// A view that is made in memory first is waited for between steps, not in one.
+bool Steering::can_take(UserRole role) {
+  const RoleViews& views = *synthesizer_->views();
+  if (!views.is_costly(role) || views.is_ready(role)) return true;
+  if (const auto trouble = views.trouble(role)) {
+    role_switch_.control(current_.role_control, synthesizer_->settings().user_role);
+    throw std::runtime_error("the role stays: " + trouble->message);
+  }
+  views.prepare(role);
+  return false;
+}
+
+void Steering::decide(const Decisions& decisions) {
+  current_ = decisions;
+  decisions_ = current_ == Decisions{} ? nullptr : std::make_shared<const Decisions>(current_);
+}
+
+void Steering::pin(std::optional<int> pair) {
+  Decisions wanted = current_;
+  wanted.pinned = pair;
+  decide(wanted);
+  synthesizer_->pin_pair(pair);
+}
+
+void Steering::set_vetoes(const Vetoes& vetoes) {
+  Decisions wanted = current_;
+  wanted.vetoes = vetoes;
+  decide(wanted);
+  synthesizer_->set_vetoes(vetoes);
+}
+
+void Steering::mean(const std::optional<MeantMove>& move) {
+  Decisions wanted = current_;
+  wanted.meant = move;
+  decide(wanted);
+  followed_pair_ = -1;
+  move_is_done_ = false;
+  synthesizer_->set_meant(pairs_of(move));
+}
+
+void Steering::control_role(RoleControl by) {
+  Decisions wanted = current_;
+  wanted.role_control = by;
+  decide(wanted);
+  role_switch_.control(by, by == RoleControl::Hand ? asked_role_ : synthesizer_->settings().user_role);
+}
+
+void Steering::replace(std::shared_ptr<PartnerSynthesizer> synthesizer) {
+  synthesizer->set_settings(synthesizer_->settings());  // throws while all is as it was
+  const std::shared_ptr<PartnerSynthesizer> before = std::exchange(synthesizer_, std::move(synthesizer));
+  decide(carried_over(current_, before->library(), synthesizer_->library()));
+  could_not_learn_ = {};
+  apply(before->settings());
+  synthesizer_->pin_pair(current_.pinned);
+  synthesizer_->set_vetoes(current_.vetoes);
+  synthesizer_->set_meant(pairs_of(current_.meant));
+  synthesizer_->take_over(before->state());
+  role_switch_ = RoleSwitch(synthesizer_->views(), before->settings().user_role);
+  role_switch_.control(current_.role_control, before->settings().user_role);
+  followed_pair_ = -1;
+}
+
+bool Steering::is_over(const MeantMove& move, double now_s) const {
+  return (move.until_s >= 0 && now_s >= move.until_s) || (move.until_done && move_is_done_);
+}
+
+bool Steering::before_step(double now_s) {
+  bool changed = false;
+  if (current_.meant && is_over(*current_.meant, now_s)) {
+    mean(std::nullopt);
+    changed = true;
+  }
+  if (synthesizer_->settings().user_role != role_switch_.role() && can_take(role_switch_.role())) {
+    Settings settings = synthesizer_->settings();
+    settings.user_role = role_switch_.role();
+    apply(settings);
+    changed = true;
+  }
+  if (is_learning() && possible_selection(synthesizer_->settings().user_role) == asked_selection_) {
+    apply(synthesizer_->settings());
+    changed = true;
+  }
+  if (!untold_.empty()) throw std::runtime_error(std::exchange(untold_, {}));
+  return changed;
+}
+
+void Steering::after_step(const FrameResult& result, const Pose& user, double time_s) {
+  if (current_.meant && current_.meant->until_done) watch_move(result);
+  if (current_.role_control == RoleControl::Hand || result.status == StepStatus::Failed) return;
+  const std::optional<Body>& body = synthesizer_->user_body();
+  role_switch_.after({result, user, body, time_s});
+}
+
+/// A move has come to its end when the pair that is followed is the last of its label or take.
+void Steering::watch_move(const FrameResult& result) {
+  if (result.selected < 0) return;
+  const MotionLibrary& library = synthesizer_->library();
+  const int pair = result.candidates[static_cast<std::size_t>(result.selected)].pair;
+  const MeantMove& meant = *current_.meant;
+  // What is named is evidence to the selection `filter`: another move may be followed meanwhile.
+  const bool is_meant = (!meant.label || library.label(pair) == *meant.label) &&
+                        (!meant.take || library.take_of(pair).name == *meant.take);
+  const bool was_followed = followed_pair_ >= 0 && !result.source_changed;
+  followed_pair_ = is_meant ? pair : -1;
+  if (!was_followed) return;
+  const int next = library.later_pair(pair, 1);
+  move_is_done_ = !is_meant || next < 0 || (meant.label && library.label(next) != *meant.label);
+}
+
+}  // namespace abrazo

@@ -1,0 +1,116 @@
+#include "core/stream/natnet/natnet_connection.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+namespace abrazo {
+
+namespace {
+
+constexpr double connect_every_s = 1, model_every_s = 0.5, keep_alive_every_s = 1, echo_every_s = 5;
+/// After so long a silence the server may be another one, or the same after a restart.
+constexpr double reconnect_after_s = 2;
+constexpr std::uint16_t command_port = 1510;
+constexpr double smoothing = 0.05;
+
+bool is_due(const std::optional<double>& last, double now_s, double every_s) {
+  return !last || now_s - *last >= every_s || now_s < *last;
+}
+
+void smooth(double& value, double sample, bool& has_value) {
+  value += (has_value ? smoothing : 1.0) * (sample - value);
+  has_value = true;
+}
+
+}  // namespace
+
+NatNetConnection::NatNetConnection(bool knows_host, std::optional<NatNetVersion> given_version)
+    : knows_host_(knows_host), given_version_(given_version) {}
+
+std::optional<NatNetVersion> NatNetConnection::version() const {
+  if (given_version_) return given_version_;
+  return server_ ? std::optional(server_->version) : std::nullopt;
+}
+
+void NatNetConnection::heard(const Datagram& datagram) {
+  heard_s_ = datagram.arrived_s;
+  server_place_ = {datagram.from.address, command_port};
+}
+
+void NatNetConnection::take_server_info(const NatNetServerInfo& info) {
+  if (!server_ || is_reconnecting_) wants_model_ = true;
+  is_reconnecting_ = false;
+  server_ = info;
+}
+
+void NatNetConnection::take_echo(ByteReader& reader, double arrived_s) {
+  const double sent_s = reader.f64("our time stamp");
+  const std::uint64_t server_ticks = reader.u64("the server's time stamp");
+  if (reader.failed() || !server_ || server_->clock_hz == 0) return;
+  // What comes back is not our stamp, or late: no measure of anything.
+  if (!(sent_s <= arrived_s && arrived_s - sent_s < 1)) return;
+  server_minus_session_s_ =
+      static_cast<double>(server_ticks) / static_cast<double>(server_->clock_hz) - (sent_s + arrived_s) / 2;
+}
+
+void NatNetConnection::take_stamps(const NatNetStamps& stamps, double arrived_s) {
+  if (!server_ || server_->clock_hz == 0) return;
+  const auto seconds = [&](std::uint64_t ticks) {
+    return static_cast<double>(ticks) / static_cast<double>(server_->clock_hz);
+  };
+  constexpr double longest_s = 10;  // a longer one is a stamp that was not set
+  if (stamps.transmit >= stamps.mid_exposure)
+    if (const double delay = seconds(stamps.transmit - stamps.mid_exposure); delay < longest_s)
+      smooth(sending_latency_s_, delay, has_sending_latency_);
+  if (server_minus_session_s_)
+    if (const double delay = arrived_s - (seconds(stamps.transmit) - *server_minus_session_s_);
+        std::abs(delay) < longest_s)
+      smooth(network_latency_s_, delay, has_network_latency_);
+}
+
+void NatNetConnection::request(NatNetMessage id, std::vector<OutgoingDatagram>& out) const {
+  const Endpoint to = knows_host_ ? Endpoint{} : server_place_;
+  out.push_back({to, natnet_request(id, id == NatNetMessage::Connect ? "Ping" : "")});
+}
+
+void NatNetConnection::ask(double now_s, std::vector<OutgoingDatagram>& out) {
+  if (!knows_host_ && server_place_.address == 0) return;
+  if (server_ && heard_s_ && now_s - *heard_s_ > reconnect_after_s) {
+    is_reconnecting_ = true;
+    server_minus_session_s_.reset();
+  }
+  if ((!server_ || is_reconnecting_) && is_due(connect_s_, now_s, connect_every_s)) {
+    connect_s_ = now_s;
+    request(NatNetMessage::Connect, out);
+  }
+  if (!server_ && !given_version_) return;
+  if (wants_model_ && is_due(model_s_, now_s, model_every_s)) {
+    model_s_ = now_s;
+    request(NatNetMessage::RequestModelDef, out);
+  }
+  if (is_due(keep_alive_s_, now_s, keep_alive_every_s)) {
+    keep_alive_s_ = now_s;
+    request(NatNetMessage::KeepAlive, out);
+  }
+  if (server_ && server_->clock_hz > 0 && is_due(echo_s_, now_s, echo_every_s)) {
+    echo_s_ = now_s;
+    ByteWriter payload(ByteOrder::Little);
+    payload.f64(now_s);
+    out.push_back(
+        {knows_host_ ? Endpoint{} : server_place_, natnet_packet(NatNetMessage::EchoRequest, payload)});
+  }
+}
+
+std::string NatNetConnection::latency() const {
+  if (!has_sending_latency_) return {};
+  std::array<char, 96> text{};
+  if (has_network_latency_)
+    std::snprintf(text.data(), text.size(), "from exposure to sending %.1f ms, network %.1f ms",
+                  1000 * sending_latency_s_, 1000 * network_latency_s_);
+  else
+    std::snprintf(text.data(), text.size(), "from exposure to sending %.1f ms", 1000 * sending_latency_s_);
+  return text.data();
+}
+
+}  // namespace abrazo

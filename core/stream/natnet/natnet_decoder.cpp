@@ -1,0 +1,289 @@
+#include "core/stream/natnet/natnet_decoder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "core/base/text.hpp"
+#include "core/stream/natnet/natnet_connection.hpp"
+#include "core/stream/natnet/natnet_performer.hpp"
+
+namespace abrazo {
+
+namespace {
+
+constexpr double silence_text_every_s = 5;
+
+/// What the options say.
+struct NatNetOptions {
+  NatNetConventions conventions;
+  std::optional<NatNetVersion> version;
+  std::optional<Endpoint> group;
+};
+
+Result<NatNetOptions> parse_natnet_options(const StreamUri& uri) {
+  NatNetOptions options;
+  const auto wrong = [&](std::string_view key, std::string_view expected) {
+    return Error{
+        std::string(key) + "=" + uri.option(key) + " is not known; expected " + std::string(expected),
+        uri.text};
+  };
+  if (const std::string given = uri.option("coordinates"); !given.empty()) {
+    if (given != "global" && given != "local") return wrong("coordinates", "global or local");
+    options.conventions.local_bones = given == "local";
+  }
+  if (const std::string given = uri.option("up"); !given.empty()) {
+    if (given != "y" && given != "z") return wrong("up", "y or z");
+    options.conventions.up = given.front();
+  }
+  if (const std::string given = uri.option("version"); !given.empty()) {
+    options.version = parse_natnet_version(given);
+    if (!options.version) return wrong("version", "3.0, 3.1, 4.0, 4.1 or 4.2");
+  }
+  if (const std::string given = uri.option("multicast"); !given.empty()) {
+    const auto group = parse_natnet_group(given);
+    if (!group) return wrong("multicast", "a group from 224.0.0.0 to 239.255.255.255, usually 239.255.42.99");
+    constexpr std::uint16_t usual_data_port = 1511;
+    options.group = Endpoint{*group, usual_data_port};
+  }
+  return options;
+}
+
+class NatNetDecoder : public StreamDecoder {
+ public:
+  NatNetDecoder(const NatNetOptions& options, bool knows_host)
+      : options_(options), connection_(knows_host, options.version) {}
+
+  void take(const Datagram& datagram, Decoded& out) override;
+  void pass_time(double now_s, Decoded& out) override;
+  void calibrate(const std::string& /*performer*/) override {}
+  std::optional<Endpoint> wanted_group() const override;
+  std::vector<std::string> facts() const override;
+
+ private:
+  void take_server_info(ByteReader& reader, Decoded& out);
+  void take_model(ByteReader& reader, Decoded& out);
+  void take_frame(ByteReader& reader, const Datagram& datagram, Decoded& out);
+  void give(const NatNetFrame& frame, const Datagram& datagram, Decoded& out);
+  bool can_read(const ByteReader& reader, std::string_view what, Decoded& out);
+  NatNetPerformer* performer_of(std::int32_t skeleton);
+
+  NatNetOptions options_;
+  NatNetConnection connection_;
+  std::optional<NatNetModel> model_;
+  std::vector<NatNetPerformer> performers_;
+  NatNetFrame newest_;  ///< without its bodies: for the facts
+  std::optional<double> frame_s_, told_s_, first_s_;
+};
+
+void NatNetDecoder::take(const Datagram& datagram, Decoded& out) {
+  ByteReader reader(datagram.bytes, ByteOrder::Little);
+  const NatNetHead head = parse_natnet_head(reader);
+  if (reader.failed()) {
+    out.issues.push_back({"truncated", reader.failure()});
+    return;
+  }
+  const auto id = static_cast<NatNetMessage>(head.id);
+  const bool is_known =
+      head.id <= static_cast<std::uint16_t>(NatNetMessage::Discovery) || id == NatNetMessage::Unrecognized;
+  if (!is_known) {
+    out.issues.push_back({"other-protocol", "no NatNet packet: it begins with the number " +
+                                                std::to_string(head.id) + ", and messages have 0 to 14"});
+    return;
+  }
+  if (reader.left() < head.payload_bytes) {
+    out.issues.push_back({"truncated", "the packet announces " + std::to_string(head.payload_bytes) +
+                                           " bytes behind its head, but has " +
+                                           std::to_string(reader.left())});
+    return;
+  }
+  connection_.heard(datagram);
+  switch (id) {
+    case NatNetMessage::ServerInfo:
+      return take_server_info(reader, out);
+    case NatNetMessage::ModelDef:
+      return take_model(reader, out);
+    case NatNetMessage::Frame:
+      return take_frame(reader, datagram, out);
+    case NatNetMessage::EchoResponse:
+      return connection_.take_echo(reader, datagram.arrived_s);
+    case NatNetMessage::Unrecognized:
+      out.issues.push_back({"unrecognized", "the server did not understand a request of ours"});
+      return;
+    default:
+      return;  // answers to what others asked
+  }
+}
+
+void NatNetDecoder::take_server_info(ByteReader& reader, Decoded& out) {
+  const NatNetServerInfo info = parse_natnet_server_info(reader);
+  if (reader.failed()) {
+    out.issues.push_back({"truncated", reader.failure()});
+    return;
+  }
+  if (info.version < oldest_natnet) {
+    out.issues.push_back({"old-version", info.text() +
+                                             " is spoken there; 3.0 or later can be read. Use Motive "
+                                             "2.0 or later"});
+    return;
+  }
+  const auto before = connection_.version();
+  connection_.take_server_info(info);
+  if (connection_.version() != before) model_.reset();
+}
+
+/// Whether the version that decides the fields is known.
+bool NatNetDecoder::can_read(const ByteReader& reader, std::string_view what, Decoded& out) {
+  if (reader.failed() || connection_.version()) return !reader.failed();
+  out.issues.push_back({"no-version", std::string(what) +
+                                          " came before the server said its version; it is asked for that. "
+                                          "If its command port is closed, give version=3.1 or the like"});
+  return false;
+}
+
+void NatNetDecoder::take_model(ByteReader& reader, Decoded& out) {
+  if (!can_read(reader, "a model description", out)) return;
+  Result<NatNetModel> parsed = parse_natnet_model(reader, *connection_.version());
+  if (!parsed) {
+    out.issues.push_back({"truncated", parsed.error().text()});
+    return;
+  }
+  NatNetModel model = std::move(*parsed);
+  for (const std::string& unread : model.unread)
+    out.issues.push_back({"unread-description", "model description: " + unread});
+  connection_.take_model();
+  performers_.clear();
+  std::set<std::string> names;
+  for (const NatNetSkeleton& skeleton : model.skeletons) {
+    std::string name = skeleton.name.empty() ? "skeleton " + std::to_string(skeleton.id) : skeleton.name;
+    if (!names.insert(name).second) name += " (" + std::to_string(skeleton.id) + ")";
+    performers_.emplace_back(skeleton, name, options_.conventions);
+  }
+  if (model.skeletons.empty())
+    out.issues.push_back(
+        {"no-skeleton", "the server describes " + std::to_string(model.rigid_bodies.size()) +
+                            " rigid bodies and no skeleton. In Motive create a skeleton, and tick "
+                            "Skeletons in the streaming settings"});
+  model_ = std::move(model);
+}
+
+NatNetPerformer* NatNetDecoder::performer_of(std::int32_t skeleton) {
+  const auto found = std::find_if(performers_.begin(), performers_.end(),
+                                  [&](const NatNetPerformer& p) { return p.id() == skeleton; });
+  return found == performers_.end() ? nullptr : &*found;
+}
+
+void NatNetDecoder::take_frame(ByteReader& reader, const Datagram& datagram, Decoded& out) {
+  frame_s_ = datagram.arrived_s;
+  if (!can_read(reader, "a frame", out)) return;
+  Result<NatNetFrame> parsed = parse_natnet_frame(reader, *connection_.version());
+  if (!parsed) {
+    out.issues.push_back({"truncated", parsed.error().text()});
+    return;
+  }
+  NatNetFrame frame = std::move(*parsed);
+  for (const std::string& unread : frame.unread)
+    out.issues.push_back({"unread-section", "frame " + std::to_string(frame.number) + ": " + unread});
+  if (frame.models_changed) connection_.want_model();
+  if (frame.stamps) connection_.take_stamps(*frame.stamps, datagram.arrived_s);
+  if (model_) {
+    give(frame, datagram, out);
+  } else {
+    connection_.want_model();
+    out.issues.push_back({"no-model",
+                          "a frame came before the description of the skeletons; the server is "
+                          "asked for it at its command port"});
+  }
+  frame.bodies.clear();
+  newest_ = std::move(frame);
+}
+
+void NatNetDecoder::give(const NatNetFrame& frame, const Datagram& datagram, Decoded& out) {
+  const bool has_time = frame.time_s && std::isfinite(*frame.time_s);
+  if (frame.time_s && !has_time)
+    out.issues.push_back({"not-finite", "frame " + std::to_string(frame.number) +
+                                            ": its time stamp is not a number; it is taken as it came"});
+  if (frame.skeletons.empty() && performers_.empty())
+    out.issues.push_back(
+        {"no-skeleton", "frames with " + std::to_string(frame.bodies.size()) +
+                            " rigid bodies and no skeleton. In Motive create a skeleton, and tick Skeletons "
+                            "in the streaming settings"});
+  for (const NatNetSkeletonFrame& skeleton : frame.skeletons) {
+    NatNetPerformer* performer = performer_of(skeleton.id);
+    if (!performer || !performer->has_bones_of(skeleton)) {
+      connection_.want_model();
+      out.issues.push_back({"unknown-skeleton", "the skeleton with the number " +
+                                                    std::to_string(skeleton.id) + " and " +
+                                                    std::to_string(skeleton.bones.size()) +
+                                                    " bones is not the one described; the description is "
+                                                    "asked for again"});
+      continue;
+    }
+    std::optional<Positions> positions = performer->positions(skeleton, out.issues);
+    if (!positions) continue;  // not tracked
+    PerformerFrame given;
+    given.performer = performer->name();
+    given.points = performer->points();
+    given.positions = std::move(*positions);
+    given.counter = frame.number;
+    if (has_time) given.sender_time_s = frame.time_s;
+    given.first_arrived_s = given.arrived_s = datagram.arrived_s;
+    out.frames.push_back(std::move(given));
+  }
+}
+
+void NatNetDecoder::pass_time(double now_s, Decoded& out) {
+  connection_.ask(now_s, out.replies);
+  if (!first_s_) first_s_ = now_s;
+  const bool is_silent = connection_.server() && now_s - frame_s_.value_or(*first_s_) > 2;
+  if (!is_silent || now_s - told_s_.value_or(*first_s_) < silence_text_every_s) return;
+  told_s_ = now_s;
+  out.issues.push_back(
+      {"no-frames", connection_.server()->text() +
+                        " answers but sends no frames: tick Broadcast Frame Data (Motive 3: Enable) in the "
+                        "streaming settings, go live or play a take, and see that the local interface "
+                        "there is not loopback" +
+                        (wanted_group() ? "; frames are multicast, which Wi-Fi and containers often do "
+                                          "not pass on: set the transmission type to Unicast"
+                                        : "")});
+}
+
+std::optional<Endpoint> NatNetDecoder::wanted_group() const {
+  const auto& server = connection_.server();
+  if (options_.group) {
+    Endpoint group = *options_.group;
+    if (server) group.port = server->data_port;
+    return group;
+  }
+  if (!server || !server->multicast || server->group == 0) return std::nullopt;
+  return Endpoint{server->group, server->data_port};
+}
+
+std::vector<std::string> NatNetDecoder::facts() const {
+  std::vector<std::string> facts;
+  if (connection_.server()) {
+    facts.push_back(connection_.server()->text());
+    if (connection_.server()->version > newest_natnet)
+      facts.push_back("that is newer than " + newest_natnet.text() + ", as which it is read");
+  }
+  for (const NatNetPerformer& performer : performers_) facts.push_back(performer.fact());
+  if (model_ && !model_->rigid_bodies.empty())
+    facts.push_back(std::to_string(model_->rigid_bodies.size()) + " rigid bodies beside the skeletons");
+  if (newest_.labelled_markers + newest_.unlabelled_markers > 0)
+    facts.push_back(std::to_string(newest_.labelled_markers) + " labelled markers (" +
+                    std::to_string(newest_.occluded_markers) + " occluded), " +
+                    std::to_string(newest_.unlabelled_markers) + " unlabelled");
+  if (const std::string latency = connection_.latency(); !latency.empty()) facts.push_back(latency);
+  return facts;
+}
+
+}  // namespace
+
+Result<std::unique_ptr<StreamDecoder>> make_natnet_decoder(const StreamUri& uri) {
+  Result<NatNetOptions> options = parse_natnet_options(uri);
+  if (!options) return options.error();
+  const bool knows_host = !uri.host.empty() && uri.host != "0.0.0.0";
+  return std::unique_ptr<StreamDecoder>(std::make_unique<NatNetDecoder>(*options, knows_host));
+}
+
+}  // namespace abrazo

@@ -1,0 +1,12 @@
+#include "core/stream/net/datagram.hpp"
+
+namespace abrazo {
+
+std::string Endpoint::text() const {
+  std::string text;
+  for (int shift = 24; shift >= 0; shift -= 8)
+    text += std::to_string((address >> shift) & 0xFFU) + (shift > 0 ? "." : ":");
+  return text + std::to_string(port);
+}
+
+}  // namespace abrazo

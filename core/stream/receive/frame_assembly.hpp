@@ -1,0 +1,70 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/motion/joints/joint_map.hpp"
+#include "core/stream/protocol/stream_decoder.hpp"
+
+namespace abrazo {
+
+/// What is done to the sender's positions before anything else. Stated by a person, never guessed.
+struct StreamCorrection {
+  double metres_per_unit = 1;
+  bool z_up = false;     ///< (x, y, z) -> (x, z, -y)
+  double floor_y_m = 0;  ///< height of the sender's floor after the above; taken off every y
+
+  Vec3 apply(const Vec3& position) const;
+  /// "unit 0.01 m, Z up, floor +0.120 m"; empty when nothing is done.
+  std::string text() const;
+};
+
+struct FrameAssemblyOptions {
+  std::optional<JointMap> joint_map;  ///< nothing = the built-in one that fits
+  StreamCorrection correction;
+  double longest_hold_s = 0.5;  ///< for so long a joint that is not tracked is held
+};
+
+/// Named points of one performer -> the 25 joints. A joint that is not tracked keeps its place relative to
+/// its parent for a while; without the root or with more than a third missing there is no pose. What is given
+/// is finite.
+class FrameAssembly {
+ public:
+  /// No joint farther than this from the origin is believed [m].
+  static constexpr double farthest_m = 1e4;
+  static constexpr int most_missing = joint_count / 3;
+
+  explicit FrameAssembly(FrameAssemblyOptions options) : options_(std::move(options)) {}
+
+  struct Assembled {
+    std::optional<Pose> pose;
+    int held = 0;                      ///< joints kept from the frame before
+    std::optional<StreamIssue> issue;  ///< why there is no pose, or what is wrong with it
+  };
+  Assembled assemble(const PerformerFrame& frame);
+  /// What was held so far is not held any longer (a new sender).
+  void forget() { previous_.reset(); }
+
+  const StreamCorrection& correction() const { return options_.correction; }
+  void set_floor(double floor_y_m) { options_.correction.floor_y_m = floor_y_m; }
+
+  const std::string& joint_map() const { return map_name_; }
+  const std::vector<std::string>& estimated_joints() const { return estimated_; }
+
+ private:
+  void bind(const std::shared_ptr<const std::vector<std::string>>& points);
+  Assembled fill_missing(Pose pose, const std::array<bool, joint_count>& missing, double time_s);
+
+  FrameAssemblyOptions options_;
+  std::shared_ptr<const std::vector<std::string>> points_;
+  std::optional<JointBinding> binding_;
+  std::string map_name_, why_not_bound_;
+  std::vector<std::string> estimated_;
+  std::optional<Pose> previous_;
+  std::array<double, joint_count> tracked_s_{};  ///< session clock, when each joint was last tracked
+};
+
+}  // namespace abrazo

@@ -1,0 +1,94 @@
+#include "core/stream/receive/pose_reader.hpp"
+
+#include <algorithm>
+
+namespace abrazo {
+
+namespace {
+
+constexpr double silent_s = 1;        ///< a performer who may be followed by a newcomer
+constexpr double look_again_s = 0.1;  ///< when nothing is known to come
+constexpr double rates_alike = 1.1;   ///< a rate so little above the wanted one is not thinned
+constexpr double smallest_step_s = 1e-4;
+
+}  // namespace
+
+PerformerStream* PoseReader::follow(StreamPipeline& pipeline, double now_s) {
+  PerformerStream* const current = followed_.empty() ? nullptr : pipeline.find(followed_);
+  PerformerStream* chosen = current;
+  if (!wanted_.empty()) {
+    chosen = pipeline.find(wanted_);
+  } else if (!current || now_s - current->last_frame_s() > silent_s) {
+    for (const auto& stream : pipeline.streams()) {
+      const bool is_newcomer = !current || stream->first_seen_s() > current->last_frame_s();
+      if (is_newcomer && stream->last_pose_s() >= 0 && now_s - stream->last_pose_s() <= silent_s) {
+        chosen = stream.get();
+        break;
+      }
+    }
+  }
+  if (chosen && (chosen->name() != followed_ || chosen->first_seen_s() != followed_since_s_)) {
+    followed_ = chosen->name();
+    followed_since_s_ = chosen->first_seen_s();
+    cursor_ = chosen->buffer().now(now_s);
+    break_pending_ = true;
+  }
+  return chosen;
+}
+
+bool PoseReader::is_wanted(double time_s, double rate_hz) {
+  if (max_rate_hz_ <= 0 || rate_hz <= rates_alike * max_rate_hz_) {
+    next_slot_s_ = time_s;
+    return true;
+  }
+  const double slot_s = 1 / max_rate_hz_;
+  if (time_s < next_slot_s_ - 0.5 / rate_hz && next_slot_s_ - time_s <= slot_s) return false;
+  next_slot_s_ += slot_s;
+  if (next_slot_s_ < time_s || next_slot_s_ > time_s + 2 * slot_s) next_slot_s_ = time_s + slot_s;
+  return true;
+}
+
+std::optional<SourcePose> PoseReader::poll(StreamPipeline& pipeline, double now_s) {
+  last_poll_s_ = now_s;
+  PerformerStream* const stream = follow(pipeline, now_s);
+  if (!stream) return std::nullopt;
+  const double rate = stream->rate_hz(now_s);
+  std::optional<SourcePose> newest;
+  std::uint64_t passed = 0;
+  bool wanted = false;
+  while (const auto due = stream->buffer().due_after(cursor_, now_s)) {
+    passed += due->number - cursor_.next + 1;
+    cursor_.next = due->number + 1;
+    break_pending_ = break_pending_ || due->entry->pose.discontinuous;
+    newest = due->entry->pose;
+    newest->time_s = due->entry->sent_s + stream->buffer().delay_s();
+    wanted = is_wanted(newest->time_s, rate) || wanted;
+  }
+  const std::uint64_t left_out = wanted ? passed - 1 : passed;
+  dropped_ += left_out;
+  stream->count_dropped(left_out);
+  if (!wanted) return std::nullopt;
+  // Clocks may be corrected backwards by a little; what comes later is later.
+  const double least_step = rate > 0 ? 0.25 / rate : smallest_step_s;
+  if (started_) newest->time_s = std::max(newest->time_s, last_time_s_ + least_step);
+  started_ = true;
+  last_time_s_ = newest->time_s;
+  newest->discontinuous = std::exchange(break_pending_, false);
+  newest->dropped = dropped_;
+  return newest;
+}
+
+double PoseReader::next_due_s(StreamPipeline& pipeline) const {
+  PerformerStream* const stream = followed_.empty() ? nullptr : pipeline.find(followed_);
+  if (stream)
+    if (const auto due = stream->buffer().next_due_s(cursor_)) return *due;
+  return last_poll_s_ + look_again_s;
+}
+
+double PoseReader::rate_hz(StreamPipeline& pipeline) const {
+  PerformerStream* const stream = followed_.empty() ? nullptr : pipeline.find(followed_);
+  const double rate = stream ? stream->rate_hz(last_poll_s_) : 0;
+  return max_rate_hz_ > 0 ? std::min(rate, max_rate_hz_) : rate;
+}
+
+}  // namespace abrazo

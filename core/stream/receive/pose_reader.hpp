@@ -1,0 +1,38 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "core/stream/receive/stream_pipeline.hpp"
+
+namespace abrazo {
+
+/// Reads the poses of one performer out of a pipeline: always the newest that is due, never one older than
+/// the last. Not thread-safe.
+class PoseReader {
+ public:
+  /// @param performer  empty = the first that is seen; when that one falls silent and another appears
+  /// thereafter (a restarted sender on another port), that other one
+  explicit PoseReader(std::string performer) : wanted_(std::move(performer)) {}
+
+  std::optional<SourcePose> poll(StreamPipeline& pipeline, double now_s);
+  double next_due_s(StreamPipeline& pipeline) const;
+  double rate_hz(StreamPipeline& pipeline) const;
+  /// Evenly; poses left out count as dropped. 0 = all.
+  void set_max_rate(double max_rate_hz) { max_rate_hz_ = max_rate_hz; }
+  const std::string& performer() const { return followed_; }
+
+ private:
+  PerformerStream* follow(StreamPipeline& pipeline, double now_s);
+  bool is_wanted(double time_s, double rate_hz);
+
+  std::string wanted_, followed_;
+  double followed_since_s_ = -1;  ///< when the followed one was first seen: another may come under its name
+  JitterBuffer::Cursor cursor_;
+  double max_rate_hz_ = 0, next_slot_s_ = 0;
+  double last_time_s_ = 0, last_poll_s_ = 0;
+  bool started_ = false, break_pending_ = true;
+  std::uint64_t dropped_ = 0;
+};
+
+}  // namespace abrazo

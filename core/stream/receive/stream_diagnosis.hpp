@@ -1,0 +1,62 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/stream/protocol/stream_health.hpp"
+#include "core/stream/protocol/stream_uri.hpp"
+#include "core/stream/receive/stream_meter.hpp"
+
+namespace abrazo {
+
+/// Of one performer, beside its health: what happened within the last seconds. Times on the session clock.
+struct PerformerObservation {
+  PerformerHealth health;
+  std::uint64_t recent_frames = 0, recent_lost = 0, recent_late = 0, recent_repeated = 0, recent_unusable = 0;
+  std::uint64_t recent_held_frames = 0;
+  PostureMeter::Posture posture;
+  double first_s = 0;        ///< when it was first seen
+  double last_pose_s = -1;   ///< the newest that gave a pose; -1 for none
+  double frozen_s = 0;       ///< for so long every pose has been the same
+  double clock_still_s = 0;  ///< for so long the sender's time has been the same
+  double last_clock_jump_s = -1, last_restart_s = -1;
+  bool is_calibrating = false;
+  std::vector<std::string> calibration_doubts;
+  std::string why_no_pose;  ///< of the newest frame that gave none
+};
+
+/// All that the advice about a stream is made from.
+struct StreamObservation {
+  StreamUri uri;
+  double opened_s = 0, now_s = 0;
+  double tracking_loss_s = 0.25;
+  std::uint64_t packets = 0;
+  double last_packet_s = -1;
+  double last_frame_s = -1;          ///< the newest frame of any performer
+  double last_understood_s = -1;     ///< the newest packet that the decoder had nothing against
+  std::uint64_t recent_unknown = 0;  ///< packets within the last seconds that it could not read
+  std::uint64_t recent_packets = 0;
+  std::array<std::uint8_t, 16> first_bytes{};  ///< of the newest packet that could not be read
+  std::size_t first_bytes_count = 0, unknown_size = 0;
+  std::uint64_t recent_overflow = 0;
+  std::vector<std::string> recent_senders;  ///< that sent something within the last two seconds
+  std::string failure;                      ///< why the socket does not work any longer
+  std::string group_failure;                ///< why a multicast group could not be joined
+  std::string lost_address;                 ///< that is listened at and that this machine has no longer
+  std::string latest_issue;                 ///< text of the newest issue of the decoder
+  std::string unreadable;                   ///< why the newest packet that could not be read could not
+  std::vector<PerformerObservation> performers;
+};
+
+/// Which protocol a packet looks like: "VMC/OSC", "NatNet", "Xsens MVN (MXTP)", "Rokoko", ...; nothing when
+/// it is like none.
+std::optional<std::string> protocol_of(const std::array<std::uint8_t, 16>& first_bytes, std::size_t count,
+                                       std::size_t packet_size);
+
+/// Advice, most severe first (workbench.md section 5.8). A pure function.
+std::vector<StreamDiagnosis> diagnose(const StreamObservation& seen);
+
+}  // namespace abrazo

@@ -1,0 +1,76 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/stream/protocol/stream_decoder.hpp"
+#include "core/stream/receive/performer_stream.hpp"
+
+namespace abrazo {
+
+/// What the URI's options and the caller's come to. @return an Error that says which value does not fit
+Result<PerformerStream::Options> performer_options(const StreamUri& uri, const StreamReceiverOptions& given);
+
+/// A receiver without socket and thread: packets and time in; poses, measurements and advice out. Not
+/// thread-safe.
+class StreamPipeline {
+ public:
+  /// @param now_s  session clock, when it begins to listen
+  StreamPipeline(std::unique_ptr<StreamDecoder> decoder, StreamUri uri, PerformerStream::Options options,
+                 double now_s);
+
+  struct Output {
+    std::vector<ReceivedPose> poses;  ///< of every performer, before the jitter buffer
+    std::vector<OutgoingDatagram> replies;
+  };
+  /// @param truncated  the packet was larger than what could be taken: counted, not read
+  void take(const Datagram& datagram, double now_s, Output& out, bool truncated = false);
+  /// To be called at least every 10 ms.
+  void pass_time(double now_s, Output& out);
+
+  void calibrate(const std::string& performer, double over_s, double now_s);
+  void set_delay(double delay_s);
+  std::optional<Endpoint> wanted_group() const { return decoder_->wanted_group(); }
+
+  /// Packets that the kernel has dropped so far.
+  void note_overflow(std::uint64_t total, double now_s);
+  void note_failure(const std::string& text) { failure_ = text; }
+  void note_group_failure(const std::string& text) { group_failure_ = text; }
+  /// That is listened at and that this machine has no longer; empty when it has it again.
+  void note_lost_address(const std::string& address) { lost_address_ = address; }
+  void note_issue(const StreamIssue& issue);
+  void note_listening(const std::string& text) { listening_ = text; }
+
+  const StreamUri& uri() const { return uri_; }
+  StreamHealth health(double now_s) const;
+  StreamObservation observe(double now_s) const;
+  std::vector<std::string> performers() const;
+  /// Null when it has not been seen. In the order in which they were: `streams`.
+  PerformerStream* find(const std::string& performer);
+  const std::vector<std::unique_ptr<PerformerStream>>& streams() const { return streams_; }
+
+ private:
+  void work_off(Decoded& decoded, double now_s, Output& out);
+  void take_frame(const PerformerFrame& frame, double now_s, Output& out);
+  PerformerStream* stream_of(const PerformerFrame& frame, double now_s);
+  void note_sender(const Endpoint& sender, double now_s);
+  void note_unknown(const Datagram& datagram, const std::string& why, double now_s);
+
+  std::unique_ptr<StreamDecoder> decoder_;
+  StreamUri uri_;
+  PerformerStream::Options options_;
+  double opened_s_;
+  std::vector<std::unique_ptr<PerformerStream>> streams_;
+  StreamHealth counted_;  ///< what is only counted
+  std::map<std::string, IssueCount> issues_;
+  std::map<Endpoint, double> senders_;  ///< when each sent last
+  RecentCount recent_packets_, recent_unknown_, recent_overflow_;
+  std::size_t first_bytes_count_ = 0, unknown_size_ = 0;
+  double last_frame_s_ = -1, last_understood_s_ = -1;
+  std::string listening_, failure_, group_failure_, lost_address_, latest_issue_, unreadable_;
+};
+
+}  // namespace abrazo

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <memory>
+
+#include "core/base/result.hpp"
+#include "core/motion/body/body.hpp"
+#include "core/stream/protocol/stream_encoder.hpp"
+#include "core/stream/protocol/stream_uri.hpp"
+
+namespace abrazo {
+
+/// A character as VMC protocol 2.7 sends it: Unity's humanoid bones with rotations from a T-pose, root, OK
+/// and T. Option "framing": "t-last" (as the VMC application: bundles of at most 12 bones, the last one with
+/// T) or "t-first" (as SlimeVR: one bundle that begins with T). See docs/guide/live/vmc.md.
+/// @param body  measures of the character: the offsets of the bones
+/// @return an Error when an option or the body does not fit
+Result<std::unique_ptr<StreamEncoder>> make_vmc_encoder(const StreamUri& uri, const Body& body);
+
+}  // namespace abrazo

@@ -1,0 +1,66 @@
+#pragma once
+
+#include <Eigen/Geometry>
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "core/base/positions.hpp"
+#include "core/stream/protocol/stream_decoder.hpp"
+#include "core/stream/vmc/osc_packet.hpp"
+
+namespace abrazo {
+
+/// A place and a rotation, right-handed, Y up, the character facing +Z [m].
+struct VmcTransform {
+  Vec3 position = Vec3::Zero();
+  std::optional<Eigen::Quaterniond> rotation;  ///< nothing where the one that came was refused
+};
+
+/// The messages of the VMC protocol that matter for a pose.
+struct VmcBone {
+  std::string name;
+  VmcTransform local;
+};
+struct VmcRoot {
+  VmcTransform world;
+  Vec3 scale = Vec3::Ones();  ///< of the avatar against the real person, for mixed reality (2.1)
+  Vec3 offset = Vec3::Zero();
+};
+struct VmcTime {
+  double seconds = 0;
+};
+struct VmcOk {
+  int loaded = 1;
+  int calibration = 3;  ///< 0 not, 1 waits, 2 is being done, 3 done
+  int tracking = 1;     ///< 0 bad
+};
+/// An avatar was loaded: its title.
+struct VmcModel {
+  std::string title;
+};
+/// Any other address, which the protocol allows to ignore.
+struct VmcOther {};
+/// Where a limb ends beyond its last bone: "Head", "LeftHand", "LeftToes", ..., local to the bone. An
+/// extension of Abrazo's, under the protocol's own address for such.
+struct VmcEnd {
+  std::string bone;
+  Vec3 local = Vec3::Zero();
+};
+using VmcMessage = std::variant<VmcOther, VmcBone, VmcRoot, VmcTime, VmcOk, VmcModel, VmcEnd>;
+
+inline constexpr const char* vmc_end_address = "/VMC/Thru/abrazo/End";
+
+/// @return nothing when the message does not hold what its address demands; why is added to `issues`
+std::optional<VmcMessage> read_vmc(const OscElement& message, std::vector<StreamIssue>& issues);
+
+/// From Unity's left-handed space (Y up, Z forward, X right) to ours, by mirroring X, and back.
+Vec3 mirrored(const Vec3& position);
+Eigen::Quaterniond mirrored(const Eigen::Quaterniond& rotation);
+
+OscElement vmc_bone_message(const std::string& name, const Vec3& position,
+                            const Eigen::Quaterniond& rotation);
+OscElement vmc_root_message(const Vec3& position, const Eigen::Quaterniond& rotation);
+OscElement vmc_end_message(const std::string& bone, const Vec3& local);
+
+}  // namespace abrazo

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <deque>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "core/stream/humanoid/humanoid_points.hpp"
+#include "core/stream/net/datagram.hpp"
+#include "core/stream/protocol/stream_decoder.hpp"
+#include "core/stream/vmc/osc_packet.hpp"
+#include "core/stream/vmc/vmc_framing.hpp"
+#include "core/stream/vmc/vmc_watch.hpp"
+
+namespace abrazo {
+
+/// One sender of VMC: its pose so far, and the frames it completes.
+class VmcPerformer {
+ public:
+  explicit VmcPerformer(std::string name) : name_(std::move(name)), watch_(name_) {}
+
+  void take(const OscPacket& packet, const Datagram& datagram, Decoded& out);
+  void pass_time(double now_s, Decoded& out);
+  /// The pose that came last is a T-pose; before the first one: the first one will be.
+  void calibrate();
+
+  const std::string& name() const { return name_; }
+  double last_s() const { return last_s_; }
+  std::string facts() const;
+
+ private:
+  void message(const VmcMessage& message, double arrived_s, Decoded& out);
+  void bone(const VmcBone& bone, double arrived_s, Decoded& out);
+  std::optional<int> bone_named(const std::string& name);
+  void finish(const std::optional<VmcFraming::Frame>& frame, Decoded& out);
+  bool is_duplicate(const Datagram& datagram);
+
+  std::string name_;
+  HumanoidPose pose_;
+  HumanoidPoints points_;
+  VmcFraming framing_;
+  VmcWatch watch_;
+  bool calibrate_next_ = false;
+  bool has_vrm1_thumbs_ = false;
+  std::string title_;
+  Vec3 scale_ = Vec3::Ones();
+  std::set<std::string, std::less<>> unknown_bones_;
+  double last_s_ = -1;
+  std::uint64_t frames_ = 0;
+  /// Packets of the frame that is open: what came twice must not end it.
+  std::deque<std::pair<std::size_t, double>> recent_;
+};
+
+}  // namespace abrazo

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <memory>
+
+#include "core/stream/protocol/stream_decoder.hpp"
+
+namespace abrazo {
+
+/// Xsens MVN network streaming, MXTP (workbench.md section 5.3): poses as positions and quaternions (02), as
+/// positions and Euler angles (01) or for Unity (05); names (12), scale (13) and time code (25). One
+/// performer per character id. Option "units=m|cm"; without it they are found from the height of the pelvis.
+/// @return an Error for an option's value that is none
+Result<std::unique_ptr<StreamDecoder>> make_xsens_decoder(const StreamUri& uri);
+
+}  // namespace abrazo

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <array>
+#include <memory>
+
+#include "core/motion/body/joint_set.hpp"
+
+class QColor;
+class vtkRenderer;
+
+namespace abrazo::widgets {
+
+class BodyLight;
+
+/// A character: lit capsules with a darker silhouette, solid or dashed, so that hue is not the only
+/// difference.
+class BodyActor {
+ public:
+  enum class Outline { Solid, Dashed };
+  explicit BodyActor(Outline outline);
+  ~BodyActor();
+  BodyActor(const BodyActor&) = delete;
+  BodyActor& operator=(const BodyActor&) = delete;
+
+  /// @param radii  per bone [m]
+  void setRadii(const std::array<double, bone_count>& radii);
+  void setPose(const Pose& pose);
+  void setColour(const QColor& colour);
+  /// Shades the body as it stands; asked for with every picture, since the light goes with the camera.
+  void lightFor(const BodyLight& light);
+  void setVisible(bool visible);
+  void addTo(vtkRenderer* renderer);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> m_parts;
+};
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "core/motion/body/joint_set.hpp"
+
+class QColor;
+class vtkRenderer;
+
+namespace abrazo::widgets {
+
+/// Some limbs of one body as translucent capsules of the radii that the solver keeps apart.
+class LimbActor {
+ public:
+  LimbActor();
+  ~LimbActor();
+  LimbActor(const LimbActor&) = delete;
+  LimbActor& operator=(const LimbActor&) = delete;
+
+  void setRadii(const std::array<double, bone_count>& radii);
+  void setColour(const QColor& colour, double opacity);
+  /// @param bones  ascending; none shows nothing
+  void show(std::span<const int> bones, const Pose& pose);
+  void setVisible(bool visible);
+  void addTo(vtkRenderer* renderer);
+
+ private:
+  struct Parts;
+  std::unique_ptr<Parts> m_parts;
+};
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <vector>
+
+#include "widgets/scene/actors/cell_actor.hpp"
+#include "widgets/scene/actors/line_set.hpp"
+#include "widgets/scene/values/mesh_filter.hpp"
+#include "widgets/scene/values/mesh_scalar.hpp"
+#include "widgets/scene/values/scene_parts.hpp"
+
+namespace abrazo::widgets {
+
+/// How the interaction mesh is to look in this frame.
+struct MeshLook {
+  std::vector<double> scalars;  ///< one per edge
+  ColourScale scale;
+  double doublings = 0;  ///< |log2 volume ratio| at the ends of the cells' colour map
+  MeshFilter filter;
+  double apart = 0;  ///< how far the cells are moved from the middle, share of their distance
+};
+
+/// Edges and tetrahedra of the interaction mesh. Knows which of them are shown, so that they can be pointed
+/// at.
+class MeshActors {
+ public:
+  void addTo(vtkRenderer* solid, vtkRenderer* in_front);
+  void setColours(const Palette& palette, double pixel_ratio);
+  void setVisibility(const PartVisibility& visibility);
+  void show(const FrameResult& result, const MeshLook& look);
+  void sortFor(const Vec3& eye, const Vec3& direction) { m_cells.sortFor(eye, direction); }
+
+  const std::vector<MeshEdge>& shownEdges() const { return m_shown_edges; }
+  const std::vector<MeshTetrahedron>& shownCells() const { return m_shown_cells; }
+  /// Which edges of the frame join the bodies and are shown, and their colours.
+  const std::vector<std::size_t>& betweenEdges() const { return m_between; }
+  const std::vector<std::array<unsigned char, 4>>& betweenColours() const { return m_between_colours; }
+  /// 12 numbers per shown cell, world [m].
+  std::span<const double> corners() const { return m_cells.corners(); }
+  std::size_t betweenCount() const { return m_between_count; }  ///< of the frame, filter or not
+  int invertedCount() const { return m_inverted; }
+
+ private:
+  void rebuildEdges(const FrameResult& result, const MeshFilter& filter);
+  void colourEdges(const MeshLook& look);
+  void showCells(const FrameResult& result, const MeshLook& look);
+  bool isOn(ScenePart part) const { return m_visibility[static_cast<std::size_t>(part)]; }
+
+  PartVisibility m_visibility = default_visibility;
+  bool m_filtered = false;             ///< so that a filter that was opened takes effect
+  bool m_stale = true;                 ///< the topology on show is not that of the frame and the switches
+  std::vector<MeshEdge> m_edges;       ///< of the frame
+  std::vector<std::size_t> m_between;  ///< which of them join the two bodies and are shown
+  std::vector<std::array<unsigned char, 4>> m_between_colours;
+  std::size_t m_between_count = 0;
+  int m_inverted = 0;
+  std::vector<MeshEdge> m_shown_edges;
+  std::vector<MeshTetrahedron> m_shown_cells;
+  LineSet m_between_lines, m_between_strong, m_between_through, m_within;
+  CellActor m_cells;
+};
+
+}  // namespace abrazo::widgets

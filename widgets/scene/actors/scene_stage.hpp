@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+
+#include "widgets/common/palette.hpp"
+#include "widgets/scene/actors/comparison_ghost.hpp"
+#include "widgets/scene/actors/pick_actors.hpp"
+#include "widgets/scene/actors/scene_actors.hpp"
+#include "widgets/scene/values/orbit_camera.hpp"
+
+namespace abrazo::widgets {
+
+class GlSurface;
+
+/// The render window with its layers and lights, all that stands in them, and the camera that looks at it.
+class SceneStage {
+ public:
+  explicit SceneStage(GlSurface& surface);
+  ~SceneStage();
+  SceneStage(const SceneStage&) = delete;
+  SceneStage& operator=(const SceneStage&) = delete;
+
+  void setColours(const Palette& palette, double pixel_ratio);
+  /// @param smooth  edges; costs a software renderer much
+  void render(bool smooth);
+
+  SceneActors actors;
+  PickActors picks;
+  ComparisonGhost ghosts;
+  OrbitCamera camera;
+
+ private:
+  void applyCamera();
+
+  struct Parts;
+  std::unique_ptr<Parts> m_parts;
+};
+
+}  // namespace abrazo::widgets

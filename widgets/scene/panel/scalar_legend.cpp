@@ -1,0 +1,164 @@
+#include "widgets/scene/panel/scalar_legend.hpp"
+
+#include <QContextMenuEvent>
+#include <QLinearGradient>
+#include <QMenu>
+#include <QPainter>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <cmath>
+
+#include "widgets/common/icons.hpp"
+#include "widgets/common/tabular.hpp"
+#include "widgets/common/theme.hpp"
+
+namespace abrazo::widgets {
+namespace {
+
+constexpr int bar_width = 168, lock_size = 20;
+constexpr int plain_height = 62, height_with_key = 80;
+
+QToolButton* button(const QString& name, const QString& tip, QWidget* parent) {
+  auto* made = new QToolButton(parent);
+  made->setObjectName("flat");
+  made->setAccessibleName(name);
+  made->setToolTip(tip);
+  made->setFocusPolicy(Qt::TabFocus);
+  return made;
+}
+
+QColor colour(const Colour& c) {
+  return {c[0], c[1], c[2]};
+}
+
+}  // namespace
+
+LegendScale scalar_legend(MeshScalar scalar, const ColourScale& scale, bool lacks_values) {
+  const ScalarInfo info = scalar_info(scalar);
+  const bool logs = scale.is_logarithmic && !scale.is_signed;
+  QString unit = *info.unit ? QString(" [%1]").arg(info.unit) : QString();
+  if (logs) unit += *info.unit ? " log" : " (log)";
+  const auto number = [&scale](double share) {
+    return scale.upper > 0 ? QString::number(share * scale.upper, 'g', 3) : QString("–");
+  };
+  LegendScale legend{info.title + unit, "0", number(1), info.is_signed, scale.map, {}, lacks_values};
+  if (info.is_signed) {
+    legend.low = "−" + number(1);
+    legend.high = "+" + number(1);
+  } else if (logs) {
+    legend.low = "≤ " + number(std::pow(10.0, -ColourScale::decades));
+    legend.middle = number(std::pow(10.0, -ColourScale::decades / 2));
+  }
+  return legend;
+}
+
+LegendScale volume_legend(double doublings) {
+  const auto number = [doublings](double sign) {
+    return doublings > 0 ? "× " + QString::number(std::exp2(sign * doublings), 'g', 2) : QString("–");
+  };
+  return {"Volume ratio (log)", number(-1), number(1), true, ColourMap::Viridis, "× 1", false};
+}
+
+ScalarLegend::ScalarLegend(QWidget* parent)
+    : QWidget(parent),
+      m_lock(button("Keep the range of colours", "Keep this range: do not adapt it to the frame", this)),
+      m_more(button("Colour map", "Colour map", this)) {
+  setAccessibleName("Colour legend");
+  setFixedSize(bar_width + 12, plain_height);
+  m_lock->setCheckable(true);
+  m_lock->setGeometry(width() - lock_size - 2, 40, lock_size, lock_size);
+  m_more->setGeometry(width() - 2 * lock_size - 2, 40, lock_size, lock_size);
+  connect(m_lock, &QToolButton::toggled, this, [this](bool locked) {
+    dressButtons();
+    emit lockToggled(locked);
+  });
+  connect(m_more, &QToolButton::clicked, this, [this] {
+    showMenu(m_more->mapToGlobal({0, m_more->height()}));
+  });
+  setColours(palette_of(Theme::Dark));
+}
+
+void ScalarLegend::setColours(const Palette& palette) {
+  m_palette = palette;
+  dressButtons();
+  update();
+}
+
+void ScalarLegend::dressButtons() {
+  m_lock->setIcon(icon(m_lock->isChecked() ? Icon::Lock : Icon::Unlock,
+                       m_lock->isChecked() ? m_palette.text : m_palette.secondary));
+  m_more->setIcon(icon(Icon::More, m_palette.secondary));
+}
+
+void ScalarLegend::setLocked(bool locked) {
+  const QSignalBlocker silent(m_lock);
+  m_lock->setChecked(locked);
+  dressButtons();
+}
+
+void ScalarLegend::setMap(ColourMap map, bool logarithmic) {
+  m_map = map;
+  m_isLogarithmic = logarithmic;
+}
+
+void ScalarLegend::show(const LegendScale& scale) {
+  if (scale == m_scale) return;
+  m_scale = scale;
+  m_more->setVisible(!scale.is_diverging);  // a signed value has one map only
+  setFixedHeight(scale.lacks_values ? height_with_key : plain_height);
+  update();
+}
+
+void ScalarLegend::contextMenuEvent(QContextMenuEvent* event) {
+  if (!m_scale.is_diverging) showMenu(event->globalPos());
+}
+
+void ScalarLegend::showMenu(const QPoint& global) {
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  const auto add = [&](const QString& name, bool ticked, ColourMap map, bool logarithmic) {
+    QAction* action = menu->addAction(name);
+    action->setCheckable(true);
+    action->setChecked(ticked);
+    connect(action, &QAction::triggered, this,
+            [this, map, logarithmic] { emit mapRequested(map, logarithmic); });
+  };
+  add("Viridis", m_map == ColourMap::Viridis, ColourMap::Viridis, m_isLogarithmic);
+  add("Cividis", m_map == ColourMap::Cividis, ColourMap::Cividis, m_isLogarithmic);
+  menu->addSeparator();
+  add("Logarithmic, two decades", m_isLogarithmic, m_map, !m_isLogarithmic);
+  menu->popup(global);
+}
+
+void ScalarLegend::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  const QRectF bar(width() - bar_width - 4, 26, bar_width, 8);
+  painter.setFont(interface_font(13));
+  painter.setPen(m_palette.text);
+  painter.drawText(QRectF(0, 2, width() - 4, 20), Qt::AlignRight | Qt::AlignVCenter, m_scale.title);
+
+  QLinearGradient gradient(bar.topLeft(), bar.topRight());
+  for (int stop = 0; stop <= 8; ++stop)
+    gradient.setColorAt(stop / 8.0,
+                        colour(m_scale.is_diverging ? diverging_colour(stop / 8.0)
+                                                    : sequential_colour(stop / 8.0, m_scale.map)));
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setBrush(gradient);
+  painter.setPen(Qt::NoPen);
+  painter.drawRoundedRect(bar, 2, 2);
+
+  painter.setFont(interface_font(12));
+  painter.setPen(m_palette.secondary);
+  const int buttons = m_scale.is_diverging ? 1 : 2;
+  const QRectF ends(bar.left(), 39, bar.width() - buttons * lock_size, 20);
+  draw_tabular(painter, ends, Qt::AlignRight, m_scale.high);
+  draw_tabular(painter, ends, Qt::AlignLeft, m_scale.low);
+  if (!m_scale.middle.isEmpty())
+    draw_tabular(painter, QRectF(bar.left(), 39, bar.width(), 20), Qt::AlignHCenter, m_scale.middle);
+  if (!m_scale.lacks_values) return;
+  painter.setBrush(colour(no_value_colour));
+  painter.drawRoundedRect(QRectF(bar.left(), 65, 14, 8), 2, 2);
+  painter.drawText(QRectF(bar.left() + 20, 60, 120, 18), Qt::AlignLeft | Qt::AlignVCenter, "no value");
+}
+
+}  // namespace abrazo::widgets

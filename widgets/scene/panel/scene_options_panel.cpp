@@ -1,0 +1,132 @@
+#include "widgets/scene/panel/scene_options_panel.hpp"
+
+#include <QDoubleSpinBox>
+#include <QFormLayout>
+#include <QSlider>
+#include <QToolButton>
+#include <algorithm>
+#include <cmath>
+
+namespace abrazo::widgets {
+namespace {
+
+constexpr double longest_m = 3;  // shown as "any": no edge of two people who dance is longer
+constexpr int apart_steps = 200, cut_mm = 1000;
+constexpr int half_turn_deg = 180, quarter_turn_deg = 90;
+constexpr double degrees_per_radian = 57.29577951308232;
+
+int degrees(double radians) {
+  return static_cast<int>(std::lround(radians * degrees_per_radian));
+}
+
+QSlider* slider(QWidget* parent, const QString& name, int from, int to) {
+  auto* made = new QSlider(Qt::Horizontal, parent);
+  made->setRange(from, to);
+  made->setAccessibleName(name);
+  made->setMinimumWidth(150);
+  return made;
+}
+
+}  // namespace
+
+SceneOptionsPanel::SceneOptionsPanel(QWidget* parent) : QFrame(parent, Qt::Popup) {
+  setFrameShape(QFrame::StyledPanel);
+  setAccessibleName("Filter of the scene");
+  auto* form = new QFormLayout(this);
+  form->setContentsMargins(14, 12, 14, 12);
+  m_shortest = length("Shortest edge", "Hide edges that are shorter");
+  m_longest = length("Longest edge", "Hide edges that are longer");
+  m_isolates = tick("Only the selection (X)",
+                    "While something is selected, only the edges and tetrahedra that belong to it");
+  m_apart = slider(this, "Exploded tetrahedra", 0, apart_steps);
+  m_apart->setToolTip("Moves the tetrahedra away from the middle of the pair");
+  m_cuts = tick("Cut (C)", "Hides everything beyond a plane");
+  m_inWorld = tick("Plane stays in the world (Shift+C)", "Otherwise it moves with the camera");
+  m_cut = slider(this, "Offset of the cutting plane", -cut_mm, cut_mm);
+  m_cut->setToolTip("Distance of the plane from the middle of the pair; Ctrl and the wheel in the scene");
+  m_turn = slider(this, "Turn of the cutting plane", -half_turn_deg, half_turn_deg);
+  m_tilt = slider(this, "Tilt of the cutting plane", -quarter_turn_deg, quarter_turn_deg);
+  m_turn->setToolTip("Around the vertical axis; Ctrl+Alt and drag in the scene");
+  m_tilt->setToolTip("From vertical to horizontal; Ctrl+Alt and drag in the scene");
+  m_trail = length("Length of trails", "Of the trails; Shift and the wheel in the scene");
+  m_trail->setRange(shortest_trail_s, longest_trail_s);
+  m_trail->setSingleStep(0.25);
+  m_trail->setSuffix(" s");
+  form->addRow("Shortest edge", m_shortest);
+  form->addRow("Longest edge", m_longest);
+  form->addRow(m_isolates);
+  form->addRow("Exploded tetrahedra", m_apart);
+  form->addRow(m_cuts, m_inWorld);
+  form->addRow("Offset", m_cut);
+  form->addRow("Turn", m_turn);
+  form->addRow("Tilt", m_tilt);
+  form->addRow("Trails", m_trail);
+  const auto ask = [this] { emit optionsRequested(asked()); };
+  for (QDoubleSpinBox* box : {m_shortest, m_longest, m_trail})
+    connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this, ask);
+  for (QToolButton* one : {m_isolates, m_cuts, m_inWorld}) connect(one, &QToolButton::toggled, this, ask);
+  for (QSlider* one : {m_apart, m_cut, m_turn, m_tilt}) connect(one, &QSlider::valueChanged, this, ask);
+  setOptions({});
+}
+
+std::vector<QWidget*> SceneOptionsPanel::fields() const {
+  return {m_shortest, m_longest, m_trail, m_isolates, m_cuts, m_inWorld, m_apart, m_cut, m_turn, m_tilt};
+}
+
+QToolButton* SceneOptionsPanel::tick(const QString& text, const QString& tip) {
+  auto* button = new QToolButton(this);
+  button->setObjectName("chip");
+  button->setText(text);
+  button->setToolTip(tip);
+  button->setCheckable(true);
+  return button;
+}
+
+QDoubleSpinBox* SceneOptionsPanel::length(const QString& name, const QString& tip) {
+  auto* box = new QDoubleSpinBox(this);
+  box->setRange(0, longest_m);
+  box->setSingleStep(0.05);
+  box->setDecimals(2);
+  box->setSuffix(" m");
+  box->setAccessibleName(name);
+  box->setToolTip(tip);
+  return box;
+}
+
+SceneOptions SceneOptionsPanel::asked() const {
+  SceneOptions options = m_options;
+  options.shortest_m = m_shortest->value();
+  options.longest_m = m_longest->value() >= longest_m ? MeshFilter::no_limit : m_longest->value();
+  options.isolates = m_isolates->isChecked();
+  options.apart = static_cast<double>(m_apart->value()) / 100;
+  options.cuts = m_cuts->isChecked();
+  options.cut_in_world = m_inWorld->isChecked();
+  options.cut_m = static_cast<double>(m_cut->value()) / 1000;
+  // A slider has whole degrees: one that was not touched keeps what it stands for.
+  if (m_turn->value() != degrees(m_options.cut_azimuth_rad))
+    options.cut_azimuth_rad = m_turn->value() / degrees_per_radian;
+  if (m_tilt->value() != degrees(m_options.cut_elevation_rad))
+    options.cut_elevation_rad = m_tilt->value() / degrees_per_radian;
+  options.trail_s = m_trail->value();
+  return options;
+}
+
+void SceneOptionsPanel::setOptions(const SceneOptions& options) {
+  m_options = options;
+  for (QWidget* one : fields()) one->blockSignals(true);
+  m_shortest->setValue(options.shortest_m);
+  m_longest->setValue(std::min(options.longest_m, longest_m));
+  m_isolates->setChecked(options.isolates);
+  m_apart->setValue(static_cast<int>(std::lround(100 * options.apart)));
+  m_cuts->setChecked(options.cuts);
+  m_inWorld->setChecked(options.cut_in_world);
+  m_cut->setValue(static_cast<int>(std::lround(1000 * options.cut_m)));
+  m_turn->setValue(degrees(options.cut_azimuth_rad));
+  m_tilt->setValue(degrees(options.cut_elevation_rad));
+  m_trail->setValue(options.trail_s);
+  for (QWidget* one : std::initializer_list<QWidget*>{m_inWorld, m_cut}) one->setEnabled(options.cuts);
+  for (QSlider* one : {m_turn, m_tilt}) one->setEnabled(options.cuts && options.cut_in_world);
+  for (QWidget* one : fields()) one->blockSignals(false);
+}
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <QFrame>
+#include <vector>
+
+#include "widgets/scene/values/scene_options.hpp"
+
+class QDoubleSpinBox;
+class QSlider;
+class QToolButton;
+
+namespace abrazo::widgets {
+
+/// Opens below its button: which edges are shown, how far the cells stand apart, the cutting plane, trails.
+class SceneOptionsPanel : public QFrame {
+  Q_OBJECT
+ public:
+  explicit SceneOptionsPanel(QWidget* parent);
+  void setOptions(const SceneOptions& options);
+
+ signals:
+  void optionsRequested(const abrazo::widgets::SceneOptions& options);
+
+ private:
+  SceneOptions asked() const;
+  QToolButton* tick(const QString& text, const QString& tip);
+  QDoubleSpinBox* length(const QString& name, const QString& tip);
+
+  SceneOptions m_options;
+  std::vector<QWidget*> fields() const;
+
+  QDoubleSpinBox *m_shortest, *m_longest, *m_trail;
+  QToolButton *m_isolates, *m_cuts, *m_inWorld;
+  QSlider *m_apart, *m_cut, *m_turn, *m_tilt;
+};
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/common/palette.hpp"
+#include "widgets/scene/values/mesh_scalar.hpp"
+#include "widgets/scene/values/scene_options.hpp"
+
+class QToolButton;
+
+namespace abrazo::widgets {
+
+class SceneOptionsPanel;
+
+/// Chips that choose what colours the mesh.
+class ScalarChips : public QWidget {
+  Q_OBJECT
+ public:
+  explicit ScalarChips(QWidget* parent);
+  void setScalar(MeshScalar scalar);
+  void setBetweenOnly(bool only);
+  void setCells(bool shown);
+  void setOptions(const SceneOptions& options);
+  /// Shorter words where the whole ones do not fit.
+  void fitInto(int width_px);
+
+ signals:
+  void scalarChosen(abrazo::widgets::MeshScalar scalar);
+  void betweenOnlyChosen(bool only);
+  void cellsChosen(bool shown);
+  void optionsRequested(const abrazo::widgets::SceneOptions& options);
+
+ private:
+  std::array<QToolButton*, mesh_scalar_count> m_scalars{};
+  QToolButton *m_cells, *m_betweenOnly, *m_filter;
+  SceneOptionsPanel* m_options;
+  SceneOptions m_shown;
+  int m_fullWidth = 0;  ///< pixels that the whole words take
+};
+
+/// A few lines about the frame at the bottom left. Never takes the pointer.
+class FrameFacts : public QWidget {
+  Q_OBJECT
+ public:
+  explicit FrameFacts(QWidget* parent);
+  void setColours(const Palette& palette);
+  /// @param trouble  shown in the warning colour; empty when all is well
+  void show(const QString& first, const QString& second, const QString& trouble);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  Palette m_palette;
+  QString m_first, m_second, m_trouble;
+};
+
+}  // namespace abrazo::widgets

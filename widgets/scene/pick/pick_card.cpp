@@ -1,0 +1,67 @@
+#include "widgets/scene/pick/pick_card.hpp"
+
+#include <QPainter>
+#include <algorithm>
+
+#include "widgets/common/tabular.hpp"
+#include "widgets/common/theme.hpp"
+
+namespace abrazo::widgets {
+namespace {
+
+constexpr int line_height = 18, margin = 9;
+
+QFont title_font() {
+  return interface_font(13, QFont::DemiBold);
+}
+
+}  // namespace
+
+PickCard::PickCard(QWidget* parent) : QWidget(parent), m_palette(palette_of(Theme::Dark)) {
+  setAttribute(Qt::WA_TransparentForMouseEvents);
+  hide();
+}
+
+void PickCard::setColours(const Palette& palette) {
+  m_palette = palette;
+  update();
+}
+
+void PickCard::show(const PickText& text) {
+  m_title = QString::fromStdString(text.title);
+  m_lines.clear();
+  double wide = tabular_width(title_font(), m_title);
+  for (const std::string& line : text.lines) {
+    m_lines << QString::fromStdString(line);
+    wide = std::max(wide, tabular_width(interface_font(13), m_lines.back()));
+  }
+  // Grows immediately and never shrinks while it is open: running numbers must not shake it.
+  const int width = static_cast<int>(wide) + 2 * margin + 2;
+  resize(isVisible() ? std::max(width, this->width()) : width,
+         line_height * (m_lines.size() + 1) + 2 * margin);
+  setVisible(true);
+  raise();  // over the words about the frame, where the picture is narrow
+  update();
+}
+
+void PickCard::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  painter.setRenderHint(QPainter::Antialiasing);
+  QColor back = m_palette.panel;
+  back.setAlphaF(0.94);
+  painter.setBrush(back);
+  painter.setPen(m_palette.border);
+  painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 6, 6);
+  painter.setPen(m_palette.text);
+  painter.setFont(title_font());
+  QRectF line(margin, margin, width() - 2 * margin, line_height);
+  painter.drawText(line, Qt::AlignLeft | Qt::AlignVCenter, m_title);
+  painter.setFont(interface_font(13));
+  painter.setPen(mixed(m_palette.text, m_palette.secondary, 0.6));
+  for (const QString& text : m_lines) {
+    line.translate(0, line_height);
+    draw_tabular(painter, line, Qt::AlignLeft, text);
+  }
+}
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <QWidget>
+
+#include "widgets/common/palette.hpp"
+#include "widgets/scene/pick/pick_facts.hpp"
+
+namespace abrazo::widgets {
+
+/// The facts of what is pointed at or selected. Never takes the pointer.
+class PickCard : public QWidget {
+  Q_OBJECT
+ public:
+  explicit PickCard(QWidget* parent);
+  void setColours(const Palette& palette);
+  /// Sizes itself to the text.
+  void show(const PickText& text);
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  Palette m_palette;
+  QString m_title;
+  QStringList m_lines;
+};
+
+}  // namespace abrazo::widgets

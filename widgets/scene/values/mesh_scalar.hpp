@@ -1,0 +1,57 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "core/session/frames/frame_snapshot.hpp"
+#include "widgets/scene/values/scene_options.hpp"
+
+namespace abrazo::widgets {
+
+/// What colours the edges of the interaction mesh.
+enum class MeshScalar { Residual, Weight, LengthChange, EnergyShare };
+inline constexpr std::size_t mesh_scalar_count = 4;
+
+struct ScalarInfo {
+  const char* title;
+  const char* unit;  ///< "" for a pure number
+  bool is_signed;    ///< shown on a diverging map, symmetric about 0
+};
+
+ScalarInfo scalar_info(MeshScalar scalar);
+
+/// One value per edge in the unit of `scalar_info`; NaN where the frame has none.
+std::vector<double> edge_scalars(const FrameSnapshot& frame, MeshScalar scalar);
+
+/// Deformation energy of each edge [m^2]: what a vertex has, 1/2 |delta_j - L(v'_j)|^2 (Eq. 11), is split
+/// among its edges by their weights there. Adds up to E_L of the frame.
+std::vector<double> edge_energies(const FrameSnapshot& frame);
+
+/// The size that 90 % of the edges between the bodies stay under: one stretched edge must not darken all
+/// others.
+double typical_upper(const std::vector<MeshEdge>& edges, const std::vector<double>& scalars);
+
+using Colour = std::array<unsigned char, 3>;
+
+/// How values become colours.
+struct ColourScale {
+  double upper = 0;        ///< value at the end of the map; nothing is coloured while it is 0
+  bool is_signed = false;  ///< from -upper to upper on the diverging map
+  ColourMap map = ColourMap::Viridis;
+  bool is_logarithmic = false;  ///< `decades` below the upper end; not with signed values
+  bool operator==(const ColourScale&) const = default;
+
+  static constexpr double decades = 2;
+  /// Along the map, 0 to 1; NaN for what is not a number. On a logarithmic scale 0 and less is the lower end.
+  double share(double value) const;
+  Colour colour(double value) const;
+};
+
+/// Of what is not a number: on neither map.
+inline constexpr Colour no_value_colour = {122, 122, 122};
+
+/// Red, green, blue [0, 255] at `share` in [0, 1] of the map.
+Colour sequential_colour(double share, ColourMap map = ColourMap::Viridis);
+Colour diverging_colour(double share);  ///< blue - grey - red
+
+}  // namespace abrazo::widgets

@@ -1,0 +1,31 @@
+#include "widgets/scene/values/picture_projection.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace abrazo::widgets {
+
+PictureProjection::PictureProjection(const OrbitCamera& camera, double width_px, double height_px)
+    : eye_(camera.position()),
+      forward_((camera.focus() - eye_).normalized()),
+      right_(camera.right()),
+      up_(camera.up()),
+      width_px_(width_px),
+      height_px_(height_px),
+      focal_px_(height_px / (2 * std::tan(camera.view_angle_rad / 2))),
+      nearest_m_(camera.nearest_shown_m()),
+      is_parallel_(camera.is_parallel),
+      plane_(camera.plane) {
+  if (is_parallel_) focal_px_ /= camera.distance_m;
+}
+
+std::optional<PicturePoint> PictureProjection::project(const Vec3& world) const {
+  const Vec3 offset = world - eye_;
+  const double depth = offset.dot(forward_);
+  if (depth <= nearest_m_ || (plane_ && plane_->leaves_out(world))) return std::nullopt;
+  const double scale = is_parallel_ ? focal_px_ : focal_px_ / depth;
+  return PicturePoint{width_px_ / 2 + scale * offset.dot(right_), height_px_ / 2 - scale * offset.dot(up_),
+                      depth};
+}
+
+}  // namespace abrazo::widgets

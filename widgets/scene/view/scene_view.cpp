@@ -1,0 +1,342 @@
+#include "widgets/scene/view/scene_view.hpp"
+
+#include <QEvent>
+#include <QSurfaceFormat>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "core/synthesis/look_ahead.hpp"
+#include "widgets/scene/actors/ahead_lines.hpp"
+#include "widgets/scene/values/morph_step.hpp"
+#include "widgets/scene/view/scene_view_parts.hpp"
+
+namespace abrazo::widgets {
+namespace {
+
+constexpr int fresh_ms = 12;
+constexpr int standstill_ms = 130;  // without a new picture: time for smooth edges
+
+QString seconds(double time_s) {
+  return QString::number(time_s, 'f', 3) + " s";
+}
+
+}  // namespace
+
+/// Colours of the mesh for the frame, and the legends that explain them.
+MeshLook SceneView::Parts::look() {
+  const FrameResult& result = shown->result;
+  MeshLook look;
+  look.scalars = edge_scalars(*shown, scalar);
+  range().show(typical_upper(result.edges, look.scalars), shown->time_s);
+  look.scale = {range().upper(), scalar_info(scalar).is_signed, options.map,
+                options.is_logarithmic && !scalar_info(scalar).is_signed};
+  const bool lacks_values =
+      std::any_of(look.scalars.begin(), look.scalars.end(), [](double v) { return !std::isfinite(v); });
+  legend->show(scalar_legend(scalar, look.scale, lacks_values));
+  if (shows(ScenePart::Tetrahedra)) {
+    cell_range.show(typical_doublings(cell_volumes(result)), shown->time_s);
+    look.doublings = cell_range.upper();
+    cell_legend->show(volume_legend(look.doublings));
+  }
+  look.filter = {options.shortest_m, options.longest_m, options.isolates ? picker.selected() : Selection{},
+                 hidden};
+  look.apart = options.apart;
+  return look;
+}
+
+void SceneView::Parts::applyCut() {
+  camera.cuts = options.cuts && !options.cut_in_world;
+  camera.cut_m = options.cut_m;
+  camera.plane = options.cuts && options.cut_in_world ? std::optional(options.plane()) : std::nullopt;
+  actors.showCut(camera.plane);
+}
+
+void SceneView::prepareApplication() {
+  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
+}
+
+SceneView::SceneView(QWidget* parent) : QWidget(parent), m_parts(std::make_unique<Parts>(this)) {
+  Parts& p = *m_parts;
+  setMinimumSize(320, 220);
+  setAccessibleName("Scene");
+  auto* box = new QVBoxLayout(this);
+  box->setContentsMargins(0, 0, 0, 0);
+  p.surface->setFocusPolicy(Qt::StrongFocus);
+  p.surface->setAccessibleName("Scene");
+  p.surface->lower();
+  box->addWidget(p.surface);
+
+  p.chips = new ScalarChips(this);
+  p.legend = new ScalarLegend(this);
+  p.cell_legend = new ScalarLegend(this);
+  p.cell_legend->setVisible(false);
+  p.facts = new FrameFacts(this);
+  p.morph = new MorphStrip(this);
+  p.morph->setVisible(false);
+  wireOverlay();
+  wirePointer();
+  connect(p.surface, &QOpenGLWidget::frameSwapped, this, [this] {
+    if (!m_parts->on_the_way) return;  // the window was put together again without a new picture of the scene
+    m_parts->on_the_way = false;
+    ++m_parts->rendered;
+    const double took_ms = static_cast<double>(m_parts->since_render.nsecsElapsed()) * 1e-6;
+    m_parts->budget.took(m_parts->smoothed, took_ms);
+    emit pictureDrawn(took_ms);
+  });
+  p.standstill.setSingleShot(true);
+  p.standstill.setInterval(standstill_ms);
+  connect(&p.standstill, &QTimer::timeout, this, &SceneView::renderSharp);
+  connect(&p.move_timer, &QTimer::timeout, this, [this] {
+    if (!m_parts->move) return m_parts->move_timer.stop();
+    const bool is_fresh = m_parts->since_render.isValid() && m_parts->since_render.elapsed() < fresh_ms;
+    if (!is_fresh) render();  // else a frame has taken the camera along
+  });
+  setColours(palette_of(Theme::Dark));
+  p.actors.setVisibility(p.visibility);
+  p.actors.setTrailJoints({hands.begin(), hands.end()});
+}
+
+SceneView::~SceneView() = default;
+
+void SceneView::wireOverlay() {
+  Parts& p = *m_parts;
+  connect(p.chips, &ScalarChips::scalarChosen, this, &SceneView::setScalar);
+  connect(p.chips, &ScalarChips::betweenOnlyChosen, this,
+          [this](bool only) { showPart(ScenePart::MeshWithin, !only); });
+  connect(p.chips, &ScalarChips::cellsChosen, this,
+          [this](bool shown) { showPart(ScenePart::Tetrahedra, shown); });
+  connect(p.chips, &ScalarChips::optionsRequested, this, &SceneView::setOptions);
+  connect(p.legend, &ScalarLegend::lockToggled, this,
+          [this](bool locked) { m_parts->range().set_locked(locked); });
+  connect(p.cell_legend, &ScalarLegend::lockToggled, this,
+          [this](bool locked) { m_parts->cell_range.set_locked(locked); });
+  connect(p.legend, &ScalarLegend::mapRequested, this, [this](ColourMap map, bool logarithmic) {
+    SceneOptions options = m_parts->options;
+    options.map = map;
+    options.is_logarithmic = logarithmic;
+    setOptions(options);
+  });
+  connect(p.morph, &MorphStrip::stepRequested, this, &SceneView::setMorphStep);
+  connect(p.morph, &MorphStrip::closeRequested, this, [this] {
+    m_parts->step.reset();
+    showPart(ScenePart::MorphSteps, false);
+    refresh();
+  });
+}
+
+const PartVisibility& SceneView::visibility() const {
+  return m_parts->visibility;
+}
+MeshScalar SceneView::scalar() const {
+  return m_parts->scalar;
+}
+const SceneOptions& SceneView::options() const {
+  return m_parts->options;
+}
+const Selection& SceneView::selection() const {
+  return m_parts->picker.selected();
+}
+const std::vector<Selection>& SceneView::hidden() const {
+  return m_parts->hidden;
+}
+
+void SceneView::setLibrary(std::shared_ptr<const MotionLibrary> library) {
+  Parts& p = *m_parts;
+  p.library = std::move(library);
+  p.picker.setLibrary(p.library);
+  p.framed = false;
+  for (SteadyRange& range : p.ranges) range.reset();
+  p.cell_range.reset();
+  if (!p.library || p.library->bodies().empty()) return;
+  p.actors.setRadii(p.library->usual_active_body().capsule_radii,
+                    p.library->usual_passive_body().capsule_radii);
+}
+
+void SceneView::setColours(const Palette& palette) {
+  Parts& p = *m_parts;
+  p.palette = palette;
+  p.stage.setColours(palette, devicePixelRatioF());
+  p.picker.setColours(palette);
+  p.tags.setColours(palette);
+  p.legend->setColours(palette);
+  p.cell_legend->setColours(palette);
+  p.facts->setColours(palette);
+  p.morph->setColours(palette);
+  refresh();
+}
+
+void SceneView::showFrame(FrameSnapshotPtr frame) {
+  if (!frame || frame == m_parts->frame) return;
+  m_parts->frame = std::move(frame);
+  refresh();
+}
+
+/// Moves what changed and renders.
+void SceneView::refresh() {
+  Parts& p = *m_parts;
+  if (p.frame) {
+    p.shown = p.step ? at_step(p.frame, *p.step) : p.frame;
+    followPair();
+    p.actors.show(*p.shown, p.look());
+    showGhost();
+    showAhead();
+    placeReference();
+    p.picker.show(*p.shown);
+    updateFacts();
+    if (p.actors.counts() != p.counts) emit countsChanged(p.counts = p.actors.counts());
+  }
+  render();
+}
+
+/// The selected pair goes on from the frame that is shown.
+void SceneView::showAhead() {
+  Parts& p = *m_parts;
+  if (!p.shows(ScenePart::LookAhead)) return;
+  const FrameResult& result = p.shown->result;
+  std::vector<Pose> ahead;
+  if (p.library) ahead = look_ahead(result, *p.library, p.shown->settings.user_role, ahead_s, ahead_step_s);
+  p.actors.showAhead(ahead, partner_row(result));
+}
+
+void SceneView::updateFacts() {
+  Parts& p = *m_parts;
+  const FrameSnapshot& frame = *p.shown;
+  const FrameResult& result = frame.result;
+  const int steps = step_count(frame), step = morphStep();
+  const QString way = QString::fromStdString(step_text(frame, step));
+  QString first = QString("frame %1 · %2 · morph step %3").arg(frame.index).arg(seconds(frame.time_s), way);
+  p.morph->showStep(step, steps, way);
+  const bool filters = p.options.shortest_m > 0 || p.options.longest_m < MeshFilter::no_limit ||
+                       (p.options.isolates && selection().is_of_mesh()) || !p.hidden.empty();
+  if (filters)
+    first += QString(" · filter: %1 of %2 edges")
+                 .arg(p.actors.mesh().shownEdges().size())
+                 .arg(result.edges.size());
+  QString second = "no source";
+  if (p.library && result.selected >= 0) {
+    const int pair = result.candidates[static_cast<std::size_t>(result.selected)].pair;
+    const std::string_view label = p.library->label(pair);
+    second = QString("source %1 · %2")
+                 .arg(QString::fromStdString(p.library->take_of(pair).name))
+                 .arg(p.library->source(pair).frame);
+    if (!label.empty())
+      second += " · " + QString::fromUtf8(label.data(), static_cast<int>(label.size())).replace('_', ' ');
+  }
+  if (const int inverted = p.actors.mesh().invertedCount(); inverted > 0)
+    first += QString(" · %1 of %2 tetrahedra inverted").arg(inverted).arg(result.tetrahedra.size());
+  p.facts->show(first, second,
+                result.status == StepStatus::Ok ? QString() : QString::fromStdString(result.status_text()));
+}
+
+void SceneView::setVisibility(const PartVisibility& visibility) {
+  Parts& p = *m_parts;
+  if (visibility == p.visibility) return;
+  p.visibility = visibility;
+  p.actors.setVisibility(visibility);
+  p.picker.setVisibility(visibility);
+  p.stage.ghosts.setVisible(p.shows(ScenePart::Comparison));
+  p.chips->setBetweenOnly(!p.shows(ScenePart::MeshWithin));
+  p.chips->setCells(p.shows(ScenePart::Tetrahedra));
+  p.cell_legend->setVisible(p.shows(ScenePart::Tetrahedra));
+  p.morph->setVisible(p.shows(ScenePart::MorphSteps) || p.step);
+  refresh();
+  emit visibilityChanged(visibility);
+}
+
+void SceneView::showPart(ScenePart part, bool shown) {
+  PartVisibility changed = m_parts->visibility;
+  changed[static_cast<std::size_t>(part)] = shown;
+  setVisibility(changed);
+}
+
+void SceneView::setScalar(MeshScalar scalar) {
+  Parts& p = *m_parts;
+  p.scalar = scalar;
+  if (!p.range().locked()) p.range().reset();
+  p.legend->setLocked(p.range().locked());
+  p.chips->setScalar(scalar);
+  refresh();
+  emit scalarChanged(scalar);
+}
+
+void SceneView::setOptions(const SceneOptions& wanted) {
+  Parts& p = *m_parts;
+  if (wanted == p.options) return;
+  const bool moves_beside = wanted.shows_reference_beside != p.options.shows_reference_beside;
+  const bool places_plane = wanted.cut_in_world && !p.options.cut_in_world && p.shown;
+  p.options = wanted;
+  if (places_plane) {  // where the plane of the eye would be, upright
+    p.options.cut_at = 0.5 * (p.shown->result.result.row(0) + p.shown->result.result.row(joint_count));
+    p.options.cut_azimuth_rad = p.camera.azimuth_rad;
+    p.options.cut_elevation_rad = 0;
+  }
+  p.surface->style = p.options.navigation;
+  p.camera.is_parallel = p.options.is_parallel;
+  p.applyCut();
+  p.actors.trails().set_length(p.options.trail_s);
+  p.legend->setMap(p.options.map, p.options.is_logarithmic);
+  p.chips->setOptions(p.options);
+  refresh();
+  if (moves_beside) frameAll();  // two pairs take more room than one
+  emit optionsChanged(p.options);
+}
+
+void SceneView::moveCut(double by_m, double turn_rad, double tilt_rad) {
+  constexpr double farthest_m = 1, steepest_rad = 1.5707963267948966;
+  SceneOptions options = m_parts->options;
+  if (!options.cuts) return;
+  options.cut_m = std::clamp(options.cut_m + by_m, -farthest_m, farthest_m);
+  if (options.cut_in_world) {
+    options.cut_azimuth_rad = std::remainder(options.cut_azimuth_rad + turn_rad, 4 * steepest_rad);
+    options.cut_elevation_rad = std::clamp(options.cut_elevation_rad + tilt_rad, -steepest_rad, steepest_rad);
+  }
+  setOptions(options);
+}
+
+int SceneView::morphStep() const {
+  const Parts& p = *m_parts;
+  const int last = p.frame ? step_count(*p.frame) : 0;
+  return p.step ? std::min(*p.step, last) : last;
+}
+
+void SceneView::setMorphStep(int step) {
+  Parts& p = *m_parts;
+  if (!p.frame) return;
+  const int last = step_count(*p.frame);
+  p.step = step >= last ? std::nullopt : std::optional(std::max(step, 0));
+  p.morph->setVisible(p.step || p.shows(ScenePart::MorphSteps));
+  arrange();
+  refresh();
+}
+
+void SceneView::stepMorph(int by) {
+  setMorphStep(morphStep() + by);
+}
+
+void SceneView::resizeEvent(QResizeEvent* event) {
+  QWidget::resizeEvent(event);
+  arrange();
+  render();
+}
+
+void SceneView::arrange() {
+  Parts& p = *m_parts;
+  p.chips->fitInto(width() - 24);
+  p.chips->adjustSize();
+  p.chips->move(12, 10);
+  // Where the chips leave no room the legend goes below them.
+  const bool narrow = width() < p.chips->width() + p.legend->width() + 36;
+  p.legend->move(width() - p.legend->width() - 10, narrow ? 40 : 8);
+  p.cell_legend->move(p.legend->x(), p.legend->y() + p.legend->height() + 2);
+  p.facts->setGeometry(14, height() - p.facts->height() - 10, width() - 28, p.facts->height());
+  p.morph->adjustSize();
+  p.morph->move(12, p.facts->y() - p.morph->height() + 12);
+  p.picker.arrange();
+}
+
+void SceneView::changeEvent(QEvent* event) {
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::StyleChange && m_parts && m_parts->chips) arrange();
+}
+
+}  // namespace abrazo::widgets

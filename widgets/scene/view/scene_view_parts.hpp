@@ -1,0 +1,91 @@
+#pragma once
+
+// What SceneView is made of; for its own sources only.
+
+#include <QElapsedTimer>
+#include <QTimer>
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "core/motion/body/joint_set.hpp"
+#include "widgets/common/value_range.hpp"
+#include "widgets/scene/actors/gl_surface.hpp"
+#include "widgets/scene/actors/scene_stage.hpp"
+#include "widgets/scene/panel/morph_strip.hpp"
+#include "widgets/scene/panel/scalar_legend.hpp"
+#include "widgets/scene/panel/scene_overlay.hpp"
+#include "widgets/scene/pick/scene_picker.hpp"
+#include "widgets/scene/values/camera_move.hpp"
+#include "widgets/scene/values/pair_camera.hpp"
+#include "widgets/scene/values/smoothing_budget.hpp"
+#include "widgets/scene/view/depth_tags.hpp"
+#include "widgets/scene/view/scene_view.hpp"
+
+namespace abrazo::widgets {
+
+/// Of both bodies: their trails are drawn while no joint is selected.
+inline constexpr std::array<int, 4> hands = {
+    joints::left_hand, joints::right_hand, joint_count + joints::left_hand, joint_count + joints::right_hand};
+
+struct SceneView::Parts {
+  explicit Parts(SceneView* view)
+      : surface(new GlSurface(view)), stage(*surface), picker(view, stage), tags(view) {}
+
+  GlSurface* surface;
+  SceneStage stage;
+  ScenePicker picker;
+  DepthTags tags;
+  SceneActors& actors = stage.actors;
+  OrbitCamera& camera = stage.camera;
+  PairCamera pair_camera;
+  ScalarChips* chips = nullptr;
+  ScalarLegend *legend = nullptr, *cell_legend = nullptr;
+  FrameFacts* facts = nullptr;
+  MorphStrip* morph = nullptr;
+  Palette palette = palette_of(Theme::Dark);
+  PartVisibility visibility = default_visibility;
+  PartCounts counts{};
+  SceneOptions options;
+  std::vector<Selection> hidden;
+  MeshScalar scalar = MeshScalar::Residual;
+  std::array<SteadyRange, mesh_scalar_count> ranges;
+  SteadyRange cell_range, width_range;
+  FrameSnapshotPtr frame;  ///< as it was solved
+  FrameSnapshotPtr shown;  ///< at the morph step that is looked at
+  std::optional<int> step;
+  std::shared_ptr<const MotionLibrary> library;
+  std::optional<PairPose> recorded;           ///< of the library, looked at or played
+  int candidate = -1;                         ///< pointed at elsewhere
+  int told_candidate = -1;                    ///< whose ghost the pointer is on here
+  std::uint64_t past_of = ~std::uint64_t{0};  ///< frame whose trails were last filled from the past
+  double past_length_s = 0;
+  bool following = true;
+  bool by_frame_time = false;        ///< follow by the frames' time, not by the clock
+  std::optional<double> followed_s;  ///< time of the frame that was followed last
+  bool framed = false;
+  std::optional<CameraMove> move;
+  CameraHistory views;
+  QElapsedTimer since_move, since_hand;
+  QTimer move_timer;
+  Vec3 reference_offset = Vec3::Zero();
+  std::uint64_t rendered = 0;
+  SmoothingBudget budget;
+  bool smoothed = true;
+  bool on_the_way = false;  ///< rendered and not yet on the screen
+  QElapsedTimer since_render, since_follow;
+  QTimer standstill;  ///< runs out when no picture followed one with rough edges
+
+  MeshLook look();
+  void applyCut();
+  SteadyRange& range() { return ranges[static_cast<std::size_t>(scalar)]; }
+  bool shows(ScenePart part) const { return visibility[static_cast<std::size_t>(part)]; }
+  PictureShape shape() const {
+    constexpr double overlays_px = 100;  // the chips above and the facts below
+    const double height = std::max(1, surface->height());
+    return {surface->width() / height, std::clamp(1 - overlays_px / height, 0.58, 0.84)};
+  }
+};
+
+}  // namespace abrazo::widgets

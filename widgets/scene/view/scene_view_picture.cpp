@@ -1,0 +1,50 @@
+#include "widgets/scene/view/scene_view_parts.hpp"
+
+namespace abrazo::widgets {
+
+QImage SceneView::picture(const std::optional<QColor>& background) {
+  Parts& p = *m_parts;
+  if (background) {
+    Palette plain = p.palette;
+    plain.scene_bottom = plain.scene_top = *background;
+    p.stage.setColours(plain, devicePixelRatioF());
+  }
+  renderSharp();
+  const QImage drawn = p.surface->grabFramebuffer();
+  if (background) {
+    p.stage.setColours(p.palette, devicePixelRatioF());
+    renderSharp();
+  }
+  return drawn;
+}
+
+void SceneView::showAs(const SceneView& other, bool captions) {
+  Parts& p = *m_parts;
+  const Parts& o = *other.m_parts;
+  setLibrary(o.library);
+  setColours(o.palette);
+  p.hidden = o.hidden;
+  p.following = false;  // while the options come: they would move the camera
+  setScalar(o.scalar);
+  setOptions(o.options);
+  setVisibility(o.visibility);
+  showSelection(o.picker.selected());
+  p.ranges = o.ranges;
+  p.cell_range = o.cell_range;
+  p.width_range = o.width_range;
+  p.step = o.step;
+  p.pair_camera = o.pair_camera;
+  p.camera = o.move ? o.move->to : o.camera;
+  p.move.reset();
+  p.framed = o.framed;
+  p.following = o.following;
+  p.by_frame_time = true;
+  p.followed_s.reset();
+  p.chips->hide();
+  p.morph->hide();
+  p.facts->setVisible(captions);
+  p.legend->setVisible(captions);
+  p.cell_legend->setVisible(captions && p.shows(ScenePart::Tetrahedra));
+}
+
+}  // namespace abrazo::widgets
