@@ -20,7 +20,7 @@ struct IntentCost {
   double meant = 0;     ///< w_p when a person named another label or take
   double change = 0;    ///< the switch margin, when it does not continue the current source
   double total = 0;     ///< their sum, with `temporal`
-  double temporal = 0;  ///< alpha (d + 0.1 s v): its mean distance from the shown partner, and in speed
+  double temporal = 0;  ///< alpha (d + 0.1 s v + c): from the shown partner, in place, speed and contacts
 };
 
 /// A recorded pair that was considered for a frame.

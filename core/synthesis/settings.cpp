@@ -55,8 +55,9 @@ const std::vector<Entry>& entries() {
            "\u03a3|s_{S,i*} \u2212 q\u2033_S|\u00b2)\n"
            "s_{i*} is the result before, moved on at its speed (Eq. 3-4). The method filter adds \u03b1 "
            "times the mean "
-           "distance from the partner that is shown, and 0.1 s of the difference in speed [m]. Higher: fewer "
-           "changes of source, but the partner sticks to a move longer.\n"
+           "distance from the partner that is shown, 0.1 s of the difference in speed, and what the change does "
+           "to held hands and standing feet [m]. Higher: fewer changes of source, but the partner sticks to a "
+           "move longer.\n"
            "Paper 3.3.3, Eq. 7: 0.5."},
           &Settings::alpha),
       entry({"neighbours", "k", "neighbours", "Selection", "", Kind::Integer, 1, 200, true, "",
