@@ -253,8 +253,8 @@ void place_foot(Pose& pose, const Body& body, bool left, const Vec3& toe_base, c
   if (beyond > 0) {
     const Vec3 towards_hip = (hip - toe_base).normalized();
     const Vec3 turn = turn_between(foot_up.normalized(), towards_hip);
-    double least = 0, most = 1;  // share of the turn
-    for (int n = 0; n < 16; ++n) {
+    double least = 0, most = 1;     // share of the turn
+    for (int n = 0; n < 48; ++n) {  // to the last bit: a coarser share would jump with rounding
       const double middle = 0.5 * (least + most);
       ((toe_base + turned(foot_up, middle * turn) - hip).norm() > reach ? least : most) = middle;
     }

@@ -114,8 +114,7 @@ Pose PartnerMover::adapt(const Pose& edited) {
   const double farthest = asked.rowwise().norm().maxCoeff();
   if (farthest > farthest_asked_m) asked *= farthest_asked_m / farthest;
   const RootFrame place = motion_.place.at();
-  const Pose bent = moved_ + motion_.adaptation.follow(asked, place, motion_.transition, changed_,
-                                                       step_.elapsed_s, adaptation_rate);
+  const Pose bent = moved_ + motion_.adaptation.follow(asked, place, step_.elapsed_s, adaptation_rate);
   // Offsets of joints stretch bones; what is left of them is turns.
   const RootFrame root{bent.row(0), place.heading_rad};
   Pose pose = placed_body(shape_of(to_normalized(bent, root), bent(0, 1)), body_, root);

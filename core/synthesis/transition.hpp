@@ -21,8 +21,6 @@ class Transition {
   void reset() { *this = Transition(); }
   void advance(double elapsed_s) { elapsed_s_ += elapsed_s; }
   bool is_over() const { return elapsed_s_ >= duration_s_; }
-  /// Of an offset that began with it at rest: 1 at the beginning, 0 when it is over.
-  double left() const { return is_over() ? 0 : quintic_fade(elapsed_s_ / duration_s_); }
 
   /// The source as it is shown.
   BodyShape shown(const BodyShape& source) const;

@@ -223,18 +223,20 @@ TEST(SettingsPanel, AStarMarksThePresetAndTheRowThatWereChanged) {
 
 TEST(SettingsPanel, GreysWhatDoesNotCountWithTheMethodOfSelectionAndSaysWhoseItIs) {
   ShownPanel p;
-  EXPECT_TRUE(p.slider("alpha").isEnabled());
+  EXPECT_TRUE(p.slider("continuations").isEnabled());
+  EXPECT_FALSE(p.slider("transition-time").isEnabled());
+  EXPECT_TRUE(p.row("transition-time").toolTip().contains("Only with the playback continuous"));
   EXPECT_FALSE(p.slider("switch-margin").isEnabled());
   EXPECT_TRUE(p.row("switch-margin").toolTip().contains("Only with the method filter"));
   QTest::keyClick(p.row("selection").findChild<QComboBox*>(), Qt::Key_Down);
   EXPECT_EQ(p.panel.settings().selection, SelectionMethod::Filter);
   EXPECT_TRUE(p.slider("switch-margin").isEnabled());
   EXPECT_FALSE(p.row("switch-margin").toolTip().contains("Only with"));
-  EXPECT_FALSE(p.field("alpha").isEnabled());
-  EXPECT_TRUE(p.row("alpha").toolTip().contains("Only with the method paper"));
-  EXPECT_TRUE(p.slider("neighbours").isEnabled()) << "both have it";
+  EXPECT_FALSE(p.slider("continuations").isEnabled());
+  EXPECT_TRUE(p.row("continuations").toolTip().contains("Only with the method paper"));
+  EXPECT_TRUE(p.slider("alpha").isEnabled()) << "both have it";
   p.undo.undo();
-  EXPECT_TRUE(p.slider("alpha").isEnabled());
+  EXPECT_TRUE(p.slider("continuations").isEnabled());
 }
 
 TEST(SettingsPanel, TheFilterLeavesTheRowsWithItsWords) {

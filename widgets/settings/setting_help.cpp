@@ -66,12 +66,16 @@ std::string setting_description(const SettingInfo& info) {
   return text + "Range " + value_range(info) + ", default " + preset_values(info);
 }
 
-std::string inapplicable_note(const Settings& settings) {
+std::string inapplicable_note(const Settings& settings, std::string_view key) {
   Settings other = settings;
   const bool is_paper = settings.selection == SelectionMethod::Paper;
   other.selection = is_paper ? SelectionMethod::Filter : SelectionMethod::Paper;
-  return "<div style='margin-top: 6px'><b>Only with the method " + setting_text(other, "selection") +
-         "</b>; it is " + setting_text(settings, "selection") + " now</div>";
+  const bool is_of_method = applies(other, key);
+  other.playback = SourcePlayback::Continuous;
+  const std::string_view what = is_of_method ? "selection" : "playback";
+  return std::string("<div style='margin-top: 6px'><b>Only with the ") +
+         (is_of_method ? "method " : "playback ") + setting_text(other, what) + "</b>; it is " +
+         setting_text(settings, what) + " now</div>";
 }
 
 bool matches(const SettingInfo& info, std::string_view wanted) {

@@ -195,7 +195,7 @@ void SettingRow::showApplies(const Settings& settings) {
   for (QWidget* part : std::initializer_list<QWidget*>{m_title, m_slider, m_value, m_toggle, m_choice})
     if (part) part->setEnabled(m_applies);
   setToolTip(
-      QString::fromStdString(setting_tooltip(m_info) + (m_applies ? "" : inapplicable_note(settings))));
+      QString::fromStdString(setting_tooltip(m_info) + (m_applies ? "" : inapplicable_note(settings, m_info.key))));
 }
 
 void SettingRow::show(const Settings& settings, const Settings& defaults, const Settings* of_frame) {

@@ -155,8 +155,7 @@ void write(BlobWriter& out, const PartnerMotion& motion) {
   out.real(place.turning());
   out.real(since_change_s);
   write(out, transition);
-  for (const Pose* one : {&adaptation.offset(), &adaptation.speed(), &adaptation.goal(), &adaptation.jump()})
-    out.matrix(*one);
+  for (const Pose* one : {&adaptation.offset(), &adaptation.speed()}) out.matrix(*one);
   const auto flag = [&](bool value) { out.flag(value); };
   const auto real = [&](double value) { out.real(value); };
   const auto point = [&](const Vec3& value) { out.matrix(value); };
@@ -184,9 +183,9 @@ PartnerMotion read_motion(BlobReader& in) {
   motion.place = PartnerPlace(at, speed, turning);
   motion.since_change_s = in.real();
   motion.transition = read_transition(in);
-  Pose offset, offset_speed, goal, jump;
-  for (Pose* one : {&offset, &offset_speed, &goal, &jump}) in.matrix(*one);
-  motion.adaptation = Adaptation(offset, offset_speed, goal, jump);
+  Pose offset, offset_speed;
+  for (Pose* one : {&offset, &offset_speed}) in.matrix(*one);
+  motion.adaptation = Adaptation(offset, offset_speed);
   const auto flag = [&](bool& value) { value = in.flag(); };
   const auto real = [&](double& value) { value = in.real(); };
   const auto point = [&](Vec3& value) { in.matrix(value); };
