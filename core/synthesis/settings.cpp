@@ -48,18 +48,19 @@ const std::vector<Entry>& entries() {
              "user's last two seconds; learned from the library in a second or more\n"
              "Paper 3.3.2-3.3.3: paper."},
             &Settings::selection),
-      entry(
-          {"alpha", "\u03b1", "temporal smoothness", "Selection", "", Kind::Real, 0, 5, false, "",
-           "Weight of temporal coherence when a recorded pair is chosen.\n"
-           "  cost = \u03a3|p_in \u2212 p_A|\u00b2 + \u03b1 (\u03a3|s_{A,i*} \u2212 q\u2033_A|\u00b2 + "
-           "\u03a3|s_{S,i*} \u2212 q\u2033_S|\u00b2)\n"
-           "s_{i*} is the result before, moved on at its speed (Eq. 3-4). The method filter adds \u03b1 "
-           "times the mean "
-           "distance from the partner that is shown, 0.1 s of the difference in speed, and what the change does "
-           "to held hands and standing feet [m]. Higher: fewer changes of source, but the partner sticks to a "
-           "move longer.\n"
-           "Paper 3.3.3, Eq. 7: 0.5."},
-          &Settings::alpha),
+      entry({"alpha", "\u03b1", "temporal smoothness", "Selection", "", Kind::Real, 0, 5, false, "",
+             "Weight of temporal coherence when a recorded pair is chosen.\n"
+             "  cost = \u03a3|p_in \u2212 p_A|\u00b2 + \u03b1 (\u03a3|s_{A,i*} \u2212 q\u2033_A|\u00b2 + "
+             "\u03a3|s_{S,i*} \u2212 q\u2033_S|\u00b2)\n"
+             "s_{i*} is the result before, moved on at its speed (Eq. 3-4). The method filter adds \u03b1 "
+             "times the mean "
+             "distance from the partner that is shown, 0.1 s of the difference in speed, and what the change "
+             "does "
+             "to held hands and standing feet [m]. Higher: fewer changes of source, but the partner sticks "
+             "to a "
+             "move longer.\n"
+             "Paper 3.3.3, Eq. 7: 0.5."},
+            &Settings::alpha),
       entry({"neighbours", "k", "neighbours", "Selection", "", Kind::Integer, 1, 200, true, "",
              "Recorded pairs nearest to the user's pose, by the positions of head, hands and feet, that are "
              "compared by Eq. 7.\n"
@@ -140,7 +141,7 @@ const std::vector<Entry>& entries() {
       entry({"morph-steps", "m", "morph steps", "Constraints", "", Kind::Integer, 1, 20, false, "",
              "Steps from the selected pose to the user's. Each solves Eq. 11 once.\n"
              "  q_interpolated = (i/m)(q\u2032_in \u2212 q\u2033_{A,sel}) + q\u2033_{A,sel}\n"
-             "Paper 3.4.2, Eq. 8; it prints no number."},
+             "Paper 3.4.2, Eq. 8; it prints no number. Of the playback frames."},
             &Settings::morph_steps),
       entry({"projection-steps", "", "projection steps", "Constraints", "", Kind::Integer, 0, 10, false, "",
              "Further steps on the full target, which bring bone lengths back after the last turn.\n"
@@ -273,13 +274,14 @@ const SettingInfo* find_setting(std::string_view key) {
 
 bool applies(const Settings& settings, std::string_view key) {
   constexpr std::array<std::string_view, 1> of_paper = {"continuations"};
+  constexpr std::array<std::string_view, 1> of_frames = {"morph-steps"};
   constexpr std::array<std::string_view, 3> of_continuous = {"transition-time", "place-rate", "hold-weight"};
   constexpr std::array<std::string_view, 4> of_filter = {"switch-margin", "leader-weight", "move-weight",
                                                          "meant-weight"};
   const auto is_of = [key](const auto& keys) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
   };
-  if (settings.playback == SourcePlayback::Frames && is_of(of_continuous)) return false;
+  if (settings.playback == SourcePlayback::Frames ? is_of(of_continuous) : is_of(of_frames)) return false;
   return settings.selection == SelectionMethod::Filter ? !is_of(of_paper) : !is_of(of_filter);
 }
 

@@ -71,7 +71,8 @@ std::string inapplicable_note(const Settings& settings, std::string_view key) {
   const bool is_paper = settings.selection == SelectionMethod::Paper;
   other.selection = is_paper ? SelectionMethod::Filter : SelectionMethod::Paper;
   const bool is_of_method = applies(other, key);
-  other.playback = SourcePlayback::Continuous;
+  const bool is_frames = settings.playback == SourcePlayback::Frames;
+  other.playback = is_frames ? SourcePlayback::Continuous : SourcePlayback::Frames;
   const std::string_view what = is_of_method ? "selection" : "playback";
   return std::string("<div style='margin-top: 6px'><b>Only with the ") +
          (is_of_method ? "method " : "playback ") + setting_text(other, what) + "</b>; it is " +
