@@ -128,6 +128,37 @@ TEST_F(IntentSelectorTest, TermsAddUpAndTheLeastTotalIsChosen) {
   }
 }
 
+TEST_F(IntentSelectorTest, WhatAChangeDoesToHandsAndFeetIsPaidFor) {
+  const Pose& user = stranger()[100];
+  const auto cost_with = [&](const auto& change) {
+    SelectionQuery query = query_of(user);
+    query.alpha = 0.5;
+    query.has_prediction = true;
+    query.predicted = library().pair_in_world(60, query.root);
+    change(query);
+    return selector.candidate(60, query, selectable, weights, true).intent->temporal;
+  };
+  choose(stranger(), 100);
+  const double nothing = cost_with([](SelectionQuery&) {});
+  const double lost = cost_with([](SelectionQuery& query) { query.held.fill(true); });
+  int without = 0;
+  for (const int of_user : {joints::left_hand, joints::right_hand})
+    for (const int of_partner : {joints::left_hand, joints::right_hand}) {
+      bool holds = false;
+      for (const int ahead : {0, 4, 8, 12}) {  // 0.2 s
+        const PairPose pose = library().pose(60 + ahead);
+        holds |= (pose.row(of_user) - pose.row(of_partner + joint_count)).norm() < hold_distance_m;
+      }
+      without += !holds;
+    }
+  EXPECT_GT(without, 0);
+  EXPECT_NEAR(lost - nothing, 0.5 * without * 0.15, 1e-9);
+  const double lifted = cost_with([](SelectionQuery& query) { query.planted.fill(true); });
+  EXPECT_GE(lifted, nothing);
+  EXPECT_LE(lifted, nothing + 0.5 * 2 * 0.05);
+  EXPECT_EQ(cost_with([](SelectionQuery& query) { query.alpha = 0; }), 0);
+}
+
 TEST_F(IntentSelectorTest, NoLandingIsBetterThanTheChosenOne) {
   for (const IntentWeights& each : {IntentWeights{}, IntentWeights{0, 0, 0, 0}, IntentWeights{0.1, 2, 0, 0},
                                     IntentWeights{0.1, 2, 2, 2}, IntentWeights{0, 0.05, 2, 0}})

@@ -51,6 +51,31 @@ TEST(CapsuleContacts, TheRecordedPairNeverExceedsItself) {
   for (const ConstraintRow& row : rows) EXPECT_GE(row.value(close), row.target - 1e-12);
 }
 
+TEST(CapsuleContacts, AClearanceIsAskedForBeyondWhatTheRecordingHas) {
+  CapsuleContacts capsules;
+  const PairPose close = test::facing_pair(0.15);
+  capsules.prepare(close, generic_capsule_radii(), generic_capsule_radii(), 0.02);
+  EXPECT_NEAR(capsules.deepest_excess_m(close), 0.02, 1e-12);
+  EXPECT_EQ(measured(capsules, close).excess, 0) << "what is measured is beside the recording";
+}
+
+TEST(CapsuleContacts, BodiesArePushedBackToTheSideOnWhichTheyAreShown) {
+  CapsuleRadii radii{};
+  radii[upper_back_bone] = 0.15;
+  const PairPose recorded = test::facing_pair(1), shown = test::facing_pair(-0.4),
+                 now = test::facing_pair(-0.1);
+  const auto push = [&](CapsuleContacts& capsules) {
+    std::vector<ConstraintRow> rows;
+    capsules.add_rows(now, rows);
+    return rows.empty() ? Vec3(Vec3::Zero()) : rows.front().direction;
+  };
+  CapsuleContacts by_recording, by_shown;
+  by_recording.prepare(recorded, radii, radii);
+  by_shown.prepare(recorded, radii, radii);
+  by_shown.keep_sides_of(shown);
+  EXPECT_LT(push(by_recording).dot(push(by_shown)), -0.9);
+}
+
 TEST(CapsuleContacts, MeetingTheRowsTakesTheOverlapAway) {
   CapsuleContacts capsules;
   capsules.prepare(test::facing_pair(0.8), generic_capsule_radii(), generic_capsule_radii());

@@ -54,6 +54,37 @@ TEST(FootPlants, AFootThatIsTooFarOffTakesAStepOneAtATime) {
   EXPECT_TRUE(stepped);
 }
 
+TEST(FootPlants, AFootThatTheRecordingLiftsLeavesTheFloorBeforeItMoves) {
+  FootPlants plants;
+  double time_s = 0;
+  for (; time_s < 0.5; time_s += step_s) plants.update(drifting(time_s, 0.1), step_s);
+  const Vec3 stood = plants.feet()[0].shown;
+  // High and fast in the recording at once, as after a change of source; what is free follows bit by bit.
+  for (int step = 1; step <= 30; ++step) {
+    auto feet = drifting(time_s, 0.1);
+    feet[0].lands = false;
+    feet[0].lands_in_s = 0.4;
+    feet[0].recorded_height = rest_height + 0.15;
+    feet[0].free += Vec3(1.5 * step * step_s, 0.2 * step * step_s, 0);
+    const auto shown = plants.update(feet, step_s);
+    const double moved_m = std::hypot(shown[0].x() - stood.x(), shown[0].z() - stood.z());
+    if (shown[0].y() < rest_height + 0.02) {
+      EXPECT_LT(moved_m, 1e-6) << step;
+    }
+    if (step == 30) {
+      EXPECT_GT(moved_m, 0.3) << "it goes where it should all the same";
+    }
+  }
+}
+
+TEST(FootPlants, ABentLegThatNothingHoldsIsLeftAsItIs) {
+  Pose pose = test::standing_pose();
+  pose.row(joints::left_hip + 1) += Eigen::RowVector3d(0, 0, 0.1);
+  const Pose before = pose;
+  place_foot(pose, body_of(pose), true, before.row(joints::left_toe_base), Vec3::UnitX());
+  EXPECT_LT((pose - before).cwiseAbs().maxCoeff(), 1e-9);
+}
+
 TEST(FootPlants, WhatIsShownNeverJumps) {
   FootPlants plants;
   std::array<Vec3, 2> before{};
