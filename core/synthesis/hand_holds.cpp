@@ -69,8 +69,9 @@ Vec3 across(const Vec3& v, const Vec3& along, const Vec3& otherwise) {
 
 }  // namespace
 
-bool HandHolds::holds(Pair& pair, const MotionLibrary& library, const SourcePlayhead& playhead,
-                      const RecordedMoment& moment, bool source_changed, int user_hand, int partner_hand) {
+bool HandHolds::look_at_recording(Pair& pair, const MotionLibrary& library, const SourcePlayhead& playhead,
+                                  const RecordedMoment& moment, bool source_changed, int user_hand,
+                                  int partner_hand) {
   const double ends = pair.recorded && !source_changed ? hold_ends_m : hold_distance_m;
   pair.recorded = hands_apart(moment.pair, user_hand, partner_hand) < ends ||
                   is_due(library, playhead, user_hand, partner_hand);
@@ -105,8 +106,8 @@ void HandHolds::update(const Surroundings& now, double elapsed_s) {
     const int user_hand = hands[p / 2], partner_hand = hands[p % 2];
     const Vec3 at_user = now.user.row(user_hand);
     const bool was_held = pair.recorded && !pair.out_of_reach;
-    const bool is_recorded =
-        holds(pair, now.library, now.playhead, now.moment, now.source_changed, user_hand, partner_hand);
+    const bool is_recorded = look_at_recording(pair, now.library, now.playhead, now.moment,
+                                               now.source_changed, user_hand, partner_hand);
     const Vec3 offset =
         (now.moment.pair.row(partner_hand + joint_count) - now.moment.pair.row(user_hand)).transpose();
     const Vec3 shoulder = now.partner.row(partner_hand - 3);
