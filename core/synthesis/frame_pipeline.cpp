@@ -175,13 +175,22 @@ RigidDistances FramePipeline::lengths_as_moved() const {
   return wanted;
 }
 
-EditTask FramePipeline::edit_task(double dt_s) const {
+/// What every edit of this frame has.
+EditTask FramePipeline::pair_task() const {
   EditTask task;
   task.edges = library_->edges(next_.current_pair);
   task.selected = out_.selected_pair;
   task.reference = out_.selected_pair;
   task.target = out_.query_world;
   task.anchor_weight = settings_.anchor_weight;
+  task.floor_m = lowest_foot_m;
+  task.active_radii = &library_->usual_active_body().capsule_radii;
+  task.passive_radii = &library_->usual_passive_body().capsule_radii;
+  return task;
+}
+
+EditTask FramePipeline::edit_task(double dt_s) const {
+  EditTask task = pair_task();
   task.has_previous = next_.frames_since_reset > 0;
   if (task.has_previous) {
     task.velocity_target =
@@ -189,25 +198,15 @@ EditTask FramePipeline::edit_task(double dt_s) const {
     task.velocity_weight = velocity_weight_at(settings_, dt_s);
   }
   task.wanted = wanted_lengths();
-  task.floor_m = lowest_foot_m;
-  task.active_radii = &library_->usual_active_body().capsule_radii;
-  task.passive_radii = &library_->usual_passive_body().capsule_radii;
   if (plays()) add_motion(task);
   return task;
 }
 
 /// The moved pair, to be parted where the bodies are in one another's way.
-EditTask FramePipeline::mesh_task(const PairPose& moved) const {
-  EditTask task;
-  task.edges = library_->edges(next_.current_pair);
-  task.selected = out_.selected_pair;
+EditTask FramePipeline::parting_task(const PairPose& moved) const {
+  EditTask task = pair_task();
   task.reference = moved;
-  task.anchor_weight = settings_.anchor_weight;
-  task.target = moved.topRows<joint_count>();
   task.wanted = rigid_distances(moved);
-  task.floor_m = lowest_foot_m;
-  task.active_radii = &library_->usual_active_body().capsule_radii;
-  task.passive_radii = &library_->usual_passive_body().capsule_radii;
   if (next_.partner_is_shown) task.sides = &next_.previous;
   task.clearance_m = parting_clearance_m;
   return task;

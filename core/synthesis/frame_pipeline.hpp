@@ -77,7 +77,8 @@ class FramePipeline {
   RigidDistances wanted_lengths() const;
   RigidDistances lengths_as_moved() const;
   EditTask edit_task(double dt_s) const;
-  EditTask mesh_task(const PairPose& moved) const;
+  EditTask pair_task() const;
+  EditTask parting_task(const PairPose& moved) const;
   void add_motion(EditTask& task) const;
   void report(const PairEditor::Outcome& outcome);
   void report_feet(int locked_bodies);

@@ -165,10 +165,10 @@ bool FramePipeline::move(double dt_s) {
     step.lead_s = seconds_to(*library_, expected_playhead(dt_s), step.chosen).value_or(0);
   PartnerMover mover(next_.motion, step);
   PairPose moved = mover.move();
-  const EditTask meshed = mesh_task(moved);
-  if (settings_.collisions && editor_.presses(meshed)) {
+  const EditTask parting = parting_task(moved);
+  if (settings_.collisions && editor_.presses(parting)) {
     FootLocks none;
-    if (!editor_.edit(meshed, settings_, none).solved) return false;
+    if (!editor_.edit(parting, settings_, none).solved) return false;
     moved = editor_.result();
   }
   partner_ = mover.adapt(moved.bottomRows<joint_count>());

@@ -76,6 +76,12 @@ TEST_F(CapturedSalsa, ConstraintsHoldInBothPresets) {
   }
 }
 
+TEST_F(CapturedSalsa, BodiesArePartedToTheRecordedOverlapByFrames) {
+  Settings settings = *preset("responsive");
+  settings.playback = SourcePlayback::Frames;
+  EXPECT_LT(run(settings, user).excess_penetration_p99_m, 0.01);
+}
+
 /// One take's partner is the other dancer, whose shoulders are wider and turn less: all partners are given
 /// one body, and no frame is held for want of a girdle that has its distances.
 TEST_F(CapturedSalsa, DancersWhoTakeTurnsAsPartnersFitOneBody) {

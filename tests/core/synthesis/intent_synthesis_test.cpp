@@ -66,18 +66,20 @@ TEST(IntentSynthesis, AUserWhoRepeatsARecordedLeaderGetsTheRecordedPartner) {
   auto synthesizer = synthesizer_with(filter());
   synthesizer->set_user_body(library()->usual_active_body().body);
   double off_m = 0;
-  int changes = 0, of_another = 0;
+  int changes = 0;
   for (std::size_t frame = 0; frame < 180; ++frame) {
     const FrameResult& result = synthesizer->step(first_take().a.poses[frame], step_time);
     ASSERT_NE(result.status, StepStatus::Failed) << result.message;
     if (frame < 60) continue;
-    of_another += library()->take_of(chosen(result).pair).name != "first";
+    // The source may be a frame ahead of the user, and leaves a recording before it stands still at its end.
+    if (frame < 178) {
+      EXPECT_EQ(library()->take_of(chosen(result).pair).name, "first") << frame;
+    }
     off_m += (result.passive() - first_take().b.poses[frame]).rowwise().norm().mean() / 120;
     changes += result.source_changed;
   }
   EXPECT_LT(off_m, 0.02);
   EXPECT_LE(changes, 1);
-  EXPECT_LE(of_another, 6);
 }
 
 TEST(IntentSynthesis, NothingIsSelectedOrBelievedOfATakeThatIsLeftOut) {
@@ -186,7 +188,10 @@ TEST(IntentSynthesis, APassiveUserIsUnderstoodByThePassivesMotion) {
     ASSERT_EQ(result.intent.belief.size(), result.intent.model->blocks().size());
     ASSERT_TRUE(result.intent.model->library()->columns().roles_exchanged);
     if (frame < 60) continue;
-    EXPECT_EQ(library()->take_of(chosen(result).pair).name, "first") << frame;
+    // The source may be a frame ahead of the user, and leaves a recording before it stands still at its end.
+    if (frame < 178) {
+      EXPECT_EQ(library()->take_of(chosen(result).pair).name, "first") << frame;
+    }
     off_m += (result.active() - first_take().a.poses[frame]).rowwise().norm().mean() / 120;
   }
   EXPECT_LT(off_m, 0.02);

@@ -226,7 +226,8 @@ Session run(PartnerSynthesizer& synthesizer, const std::vector<Step>& steps) {
     const Settings& settings = synthesizer.settings();
     const bool filters = settings.selection == SelectionMethod::Filter;
     const bool goes_on = filters || settings.playback == SourcePlayback::Continuous;
-    const int most = settings.neighbours + std::max(goes_on ? 1 : 0, filters ? 0 : settings.continuations) + 1;
+    const int most =
+        settings.neighbours + std::max(goes_on ? 1 : 0, filters ? 0 : settings.continuations) + 1;
     RC_ASSERT(static_cast<int>(frame.candidates.size()) <= std::min(most, library->pair_count()));
     if (frame.status != StepStatus::Failed) last_good = frame.result, ++session.solved;
     session.results.push_back(frame.result);
