@@ -1,15 +1,11 @@
 // The scene draws a known frame; looked at are colours and places, not single pixels.
 #include <gtest/gtest.h>
 
-#include <QDoubleSpinBox>
-#include <QHelpEvent>
 #include <QLabel>
-#include <QLineEdit>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
 #include <QToolButton>
-#include <QToolTip>
 #include <QWheelEvent>
 #include <functional>
 
@@ -20,8 +16,6 @@
 #include "tests/widgets/synthetic_frames.hpp"
 #include "widgets/scene/panel/morph_strip.hpp"
 #include "widgets/scene/panel/scalar_legend.hpp"
-#include "widgets/scene/panel/scene_options_panel.hpp"
-#include "widgets/scene/panel/scene_tree.hpp"
 #include "widgets/scene/values/picture_projection.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 
@@ -569,85 +563,6 @@ TEST(SceneView, ColoursEdgesByTheirShareOfTheEnergy) {
   const QImage share = picture_of(scene.view);
   EXPECT_GT(difference(residual.copy(0, 90, 640, 300), share.copy(0, 90, 640, 300)), 0.005);
   EXPECT_GT(pixels_of_hue(share.copy(0, 90, 640, 300), QColor(39, 173, 129), 25), 30);
-}
-
-TEST(SceneOptionsPanel, AsksForWhatIsSetAndLeavesTheRest) {
-  SceneOptionsPanel panel(nullptr);
-  SceneOptions start, asked;
-  start.navigation = NavigationStyle::Maya;
-  panel.setOptions(start);
-  QObject::connect(&panel, &SceneOptionsPanel::optionsRequested,
-                   [&asked](const SceneOptions& options) { asked = options; });
-  panel.findChildren<QDoubleSpinBox*>().front()->setValue(0.4);
-  EXPECT_DOUBLE_EQ(asked.shortest_m, 0.4);
-  EXPECT_EQ(asked.longest_m, MeshFilter::no_limit);
-  EXPECT_EQ(asked.navigation, NavigationStyle::Maya);
-}
-
-TEST(SceneTree, OpensACharacterAndSelectsItsJoints) {
-  SceneTree tree;
-  tree.resize(260, 500);
-  tree.show();
-  std::vector<Selection> asked;
-  QObject::connect(&tree, &SceneTree::selectionRequested, [&](const Selection& s) {
-    asked.push_back(s);
-    tree.showSelection(s);
-  });
-  const auto click = [&tree](int x, int row, Qt::KeyboardModifiers keys = {}) {
-    QTest::mouseClick(&tree.list(), Qt::LeftButton, keys, {x, 22 * row + 11});
-  };
-  click(tree.list().width() - 8, 2);  // the arrow of the leader
-  ASSERT_EQ(tree.list().rows()[3].vertex, 0);
-  click(60, 3);
-  click(60, 5, Qt::ShiftModifier);
-  ASSERT_EQ(asked.size(), 2U);
-  EXPECT_EQ(asked[0], Selection::joint(0));
-  EXPECT_EQ(asked[1].vertices, (std::vector<std::uint8_t>{0, 2}));
-  tree.findChild<QLineEdit*>()->setText("follower lhand");
-  ASSERT_EQ(tree.list().rows().size(), 1U);
-  click(60, 0);
-  EXPECT_EQ(asked.back(), Selection::joint(joint_count + joints::left_hand));
-}
-
-TEST(SceneTree, IsWorkedByKeysAndSaysTheRow) {
-  SceneTree tree;
-  tree.resize(260, 500);
-  tree.show();
-  PartVisibility asked{};
-  QObject::connect(&tree, &SceneTree::visibilityRequested, [&asked](const PartVisibility& v) { asked = v; });
-  QTest::keyClick(&tree.list(), Qt::Key_Down);
-  QTest::keyClick(&tree.list(), Qt::Key_Down);
-  QTest::keyClick(&tree.list(), Qt::Key_Down);
-  EXPECT_EQ(tree.list().accessibleDescription(), QString("Leader, shown"));
-  QTest::keyClick(&tree.list(), Qt::Key_Return);
-  EXPECT_FALSE(asked[static_cast<std::size_t>(ScenePart::Leader)]);
-  QTest::keyClick(&tree.list(), Qt::Key_Plus);
-  EXPECT_EQ(tree.list().rows().size(), part_rows().size() + joint_count);
-}
-
-TEST(SceneTree, ExplainsTheRowUnderThePointer) {
-  SceneTree tree;
-  tree.resize(260, 500);
-  tree.show();
-  const auto& rows = tree.list().rows();
-  const auto row = std::ranges::find(rows, std::string("Look-ahead"), &TreeRow::name) - rows.begin();
-  const QPoint at(60, static_cast<int>(row) * SceneTreeList::row_height + 11);
-  QHelpEvent help(QEvent::ToolTip, at, tree.list().mapToGlobal(at));
-  QApplication::sendEvent(&tree.list(), &help);
-  EXPECT_TRUE(QToolTip::text().contains("next second")) << QToolTip::text().toStdString();
-  QToolTip::hideText();
-}
-
-TEST(SceneTree, AsksToHideWhatIsClicked) {
-  SceneTree tree;
-  tree.resize(260, 500);
-  tree.show();
-  PartVisibility asked{};
-  QObject::connect(&tree, &SceneTree::visibilityRequested, [&asked](const PartVisibility& v) { asked = v; });
-  QTest::mouseClick(&tree.list(), Qt::LeftButton, {}, {40, 22 + 11});  // "Result": both characters
-  EXPECT_FALSE(asked[static_cast<std::size_t>(ScenePart::Leader)]);
-  EXPECT_FALSE(asked[static_cast<std::size_t>(ScenePart::Follower)]);
-  EXPECT_TRUE(asked[static_cast<std::size_t>(ScenePart::Floor)]);
 }
 
 }  // namespace
