@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/positions.hpp"
-#include "core/metrics/body_segments.hpp"
+#include "core/motion/body/body_segments.hpp"
 
 namespace abrazo {
 

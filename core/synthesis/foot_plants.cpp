@@ -30,9 +30,12 @@ constexpr double knee_bias_m = 0.05, bent_knee_m = 0.08;
 constexpr double pressed_share = 0.3;  ///< of its recorded height over rest that a planted toe base keeps
 constexpr double stepping_s = 0.4, step_height_m = 0.06;
 // Omega of the springs that press a standing foot down and lift one that leaves [1/s].
-constexpr double press_rate = 50, lift_rate = 30;
+constexpr double press_rate = 50, lift_rate = 24;
 // A foot that the recording lifts is let go when it is off the floor, or after these at the latest.
 constexpr double lifted_m = 0.02, longest_lift_s = 0.12, farthest_lift_m = 0.15;
+// A foot in the air makes for where the body goes beside the recording: this share of what is left of that
+// way.
+constexpr double lead_share = 0.3, lead_rate = 12;  // omega [1/s]
 constexpr double clearance_m = 0.06;  ///< a foot in the air is at least so high, if the recorded one is
 
 Vec3 horizontal(const Vec3& v) {
@@ -54,6 +57,16 @@ bool is_low_and_slow(const MotionLibrary& library, int pair, int toe_base) {
   const Vec3 path =
       partner_joint_in_take(library, other, toe_base) - partner_joint_in_take(library, pair, toe_base);
   return path.norm() * pair_rate(library, pair) < standing_speed;
+}
+
+/// x'' = -omega^2 (x - wanted) - 2 omega x', exactly.
+template <typename Value>
+void follow_critically(Value& value, Value& speed, const Value& wanted, double omega, double elapsed_s) {
+  const Value off = value - wanted;
+  const Value slope = speed + omega * off;
+  const double shrink = std::exp(-omega * elapsed_s);
+  value = wanted + shrink * (off + elapsed_s * slope);
+  speed = shrink * (speed - omega * elapsed_s * slope);
 }
 
 /// Low and slow frames around one, with short gaps closed.
@@ -174,9 +187,10 @@ FootPlants::OnItsWay FootPlants::go(Foot& foot, const FootMoment& now) {
   const double share = foot.fades_s > 0 ? foot.since_s / foot.fades_s : 1;
   if (share >= 1) {
     foot.steps = false;
-    return {now.free, 0};
+    return {now.free + foot.lead, 0};
   }
-  const Vec3 left = quintic_fade(share) * foot.offset + foot.fades_s * quintic_slope(share) * foot.rate;
+  const Vec3 left = (1 - quintic_fade(share)) * foot.lead + quintic_fade(share) * foot.offset +
+                    foot.fades_s * quintic_slope(share) * foot.rate;
   return {now.free + left, foot.steps ? step_height_m * 64 * std::pow(share * (1 - share), 3) : 0};
 }
 
@@ -192,6 +206,12 @@ void FootPlants::land(Foot& foot, const FootMoment& now, const Vec3& at, double 
   foot.slip = speed;
 }
 
+/// A body that is drawn to a place goes there by steps that lead: feet that land under it trail behind.
+void FootPlants::aim(Foot& foot, const FootMoment& now, double elapsed_s) {
+  const Vec3 wanted = lead_share * horizontal(now.body_goes);
+  follow_critically(foot.lead, foot.lead_speed, wanted, lead_rate, elapsed_s);
+}
+
 /// A standing foot is pressed to the floor, one that leaves it is quick to be clear of it.
 void FootPlants::raise(Foot& foot, const FootMoment& now, double elapsed_s) {
   const double over_rest = now.recorded_height - now.rest_height;
@@ -200,13 +220,8 @@ void FootPlants::raise(Foot& foot, const FootMoment& now, double elapsed_s) {
     wanted = now.rest_height + std::min(over_rest, pressed_share * over_rest) - now.free.y();
   else if (!now.lands)
     wanted = std::max(0.0, now.rest_height + std::min(over_rest, clearance_m) - now.free.y());
-  // x'' = -omega^2 (x - wanted) - 2 omega x'
   const double rate = foot.planted && now.lands ? press_rate : lift_rate;
-  const double off = foot.lift - wanted;
-  const double slope = foot.lift_speed + rate * off;
-  const double shrink = std::exp(-rate * elapsed_s);
-  foot.lift = wanted + shrink * (off + elapsed_s * slope);
-  foot.lift_speed = shrink * (foot.lift_speed - rate * elapsed_s * slope);
+  follow_critically(foot.lift, foot.lift_speed, wanted, rate, elapsed_s);
 }
 
 std::array<Vec3, 2> FootPlants::update(const std::array<FootMoment, 2>& moments, double elapsed_s) {
@@ -216,6 +231,7 @@ std::array<Vec3, 2> FootPlants::update(const std::array<FootMoment, 2>& moments,
     const FootMoment& now = moments[f];
     foot.since_s += elapsed_s;
     if (!now.lands) foot.waits_for_lift = false;
+    aim(foot, now, elapsed_s);
     if (foot.planted) stay(foot, now, elapsed_s);
     OnItsWay way{now.free, 0};
     if (!foot.planted) {

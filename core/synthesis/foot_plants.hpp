@@ -11,11 +11,12 @@ struct FootMoment {
   Vec3 free = Vec3::Zero();   ///< where the toe base would be if nothing held it
   Vec3 ankle = Vec3::Zero();  ///< the same of the ankle
   Vec3 hip = Vec3::Zero();
-  double leg_length = 0;       ///< hip to ankle, stretched
-  double rest_height = 0;      ///< of the toe base of a standing foot
-  double recorded_height = 0;  ///< of the toe base in the recording, for this body
-  bool lands = false;          ///< it stands in the recording
-  double lands_in_s = 0;       ///< until it stands again; while it does not
+  double leg_length = 0;          ///< hip to ankle, stretched
+  double rest_height = 0;         ///< of the toe base of a standing foot
+  double recorded_height = 0;     ///< of the toe base in the recording, for this body
+  Vec3 body_goes = Vec3::Zero();  ///< what is left of the body's way to its place, beside the recording
+  bool lands = false;             ///< it stands in the recording
+  double lands_in_s = 0;          ///< until it stands again; while it does not
 };
 
 /// Feet of the partner that stand where they landed. Toe base x and z are held, its height is that of the
@@ -34,6 +35,8 @@ class FootPlants {
     Vec3 offset = Vec3::Zero();  ///< when it was let go, horizontal
     Vec3 rate = Vec3::Zero();    ///< of the offset, then [m/s]
     double since_s = 0, fades_s = 0;
+    Vec3 lead = Vec3::Zero(),
+         lead_speed = Vec3::Zero();   ///< by which it lands beside the free one, horizontal
     double lift = 0, lift_speed = 0;  ///< of the shown toe base over the free one
     Vec3 free = Vec3::Zero();         ///< in the frame before
     Vec3 shown = Vec3::Zero();        ///< in the frame before
@@ -65,6 +68,7 @@ class FootPlants {
   void stay(Foot& foot, const FootMoment& now, double elapsed_s) const;
   static OnItsWay go(Foot& foot, const FootMoment& now);
   static void land(Foot& foot, const FootMoment& now, const Vec3& at, double elapsed_s);
+  static void aim(Foot& foot, const FootMoment& now, double elapsed_s);
   static void raise(Foot& foot, const FootMoment& now, double elapsed_s);
   bool must_step(const Foot& foot, const FootMoment& now) const;
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/motion/body/body_segments.hpp"
 #include "core/motion/body/joint_set.hpp"
 
 namespace abrazo {
@@ -13,7 +14,7 @@ constexpr double slowest_rate = 0.7, fastest_rate = 1.5;
 constexpr double lead_closes_s = 0.33;  ///< a lead of the user is closed in about this
 constexpr double rate_lag_s = 0.15;
 constexpr double farthest_asked_m = 0.3;
-constexpr double adaptation_rate = 15;  ///< omega [1/s]
+constexpr double adaptation_rate = 13;  ///< omega [1/s]
 constexpr double near_m = 0.05;         ///< joints nearer to one another than this weigh no more
 constexpr double looks_ahead_s = 0.5;
 constexpr double body_room_m = 0.4;  ///< between two roots
@@ -23,24 +24,29 @@ RootFrame on_floor(const RootFrame& root) {
   return {{root.position.x(), 0, root.position.z()}, root.heading_rad};
 }
 
-/// What the recording did between two moments, seen from the partner's own heading.
-struct RecordedPath {
-  Vec3 own = Vec3::Zero();
-  double turn = 0;
-};
+/// The centre of mass, horizontal, seen from the body's own root and heading [m].
+Vec3 centre_of(const BodyShape& shape, const Body& body) {
+  static const auto segments = body_segments(SegmentTable::Mean);
+  Vec3 centre = centre_of_mass(segments, placed_body(shape, body, RootFrame{}));
+  centre.y() = 0;
+  return centre;
+}
 
-RecordedPath path_between(const RecordedMoment& from, const RecordedMoment& to, double scale) {
+}  // namespace
+
+RecordedPath PartnerMover::path_between(const RecordedMoment& from, const RecordedMoment& to) const {
+  const double scale = leg_scale();
   RecordedPath path;
   path.turn = within_half_turn(to.partner_in_take.heading_rad - from.partner_in_take.heading_rad);
   RootFrame half_way = from.partner_in_take;
   half_way.heading_rad += 0.5 * path.turn;
-  Vec3 moved_by = to.partner_in_take.position - from.partner_in_take.position;
+  Vec3 moved_by = scale * (to.partner_in_take.position - from.partner_in_take.position);
+  moved_by += to.partner_in_take.rotation() * centre_of(shape_in(to), body_) -
+              from.partner_in_take.rotation() * centre_of(shape_in(from), body_);
   moved_by.y() = 0;
-  path.own = scale * (half_way.rotation().transpose() * moved_by);
+  path.own = half_way.rotation().transpose() * moved_by;
   return path;
 }
-
-}  // namespace
 
 Vec3 shift_of_user(const RecordedMoment& moment, const Pose& user, const RootFrame& user_root) {
   const Pose leader = to_world(moment.pair.topRows<joint_count>(), on_floor(user_root));
@@ -84,12 +90,17 @@ PairPose PartnerMover::move() {
   RootFrame wanted;
   wanted.position = user_place.position + user_place.rotation() * on_floor(relation).position + shift;
   wanted.heading_rad = user_place.heading_rad + relation.heading_rad;
+  wanted.position += wanted.rotation() * centre_of(shape_in(moment_), body_);
   if (!is_placed_)
     motion_.place = PartnerPlace(wanted);
   else
     motion_.place.approach(away(wanted), step_.elapsed_s, step_.settings.place_rate);
+  goes_ = motion_.place.way_to(wanted);
   motion_.since_change_s = changed_ ? 0 : motion_.since_change_s + step_.elapsed_s;
-  moved_ = placed_body(motion_.transition.shown(shape_in(moment_)), body_, motion_.place.at());
+  const BodyShape shown = motion_.transition.shown(shape_in(moment_));
+  root_ = motion_.place.at();
+  root_.position -= root_.rotation() * centre_of(shown, body_);
+  moved_ = placed_body(shown, body_, root_);
   PairPose pair;
   pair << step_.user, moved_;
   return pair;
@@ -113,10 +124,9 @@ Pose PartnerMover::adapt(const Pose& edited) {
   Pose asked = edited - moved_;
   const double farthest = asked.rowwise().norm().maxCoeff();
   if (farthest > farthest_asked_m) asked *= farthest_asked_m / farthest;
-  const RootFrame place = motion_.place.at();
-  const Pose bent = moved_ + motion_.adaptation.follow(asked, place, step_.elapsed_s, adaptation_rate);
+  const Pose bent = moved_ + motion_.adaptation.follow(asked, root_, step_.elapsed_s, adaptation_rate);
   // Offsets of joints stretch bones; what is left of them is turns.
-  const RootFrame root{bent.row(0), place.heading_rad};
+  const RootFrame root{bent.row(0), root_.heading_rad};
   Pose pose = placed_body(shape_of(to_normalized(bent, root), bent(0, 1)), body_, root);
   plant_feet(pose);
   hold_hands(pose);
@@ -151,17 +161,22 @@ void PartnerMover::begin() {
 
 void PartnerMover::begin_from(const ShownPartner& shown) {
   const RootFrame at = root_frame(shown.pose), before = root_frame(shown.before);
-  motion_.place = PartnerPlace(shown.before_s > 0 ? before : at);
   const auto shape = [](const Pose& pose, const RootFrame& root) {
     return shape_of(to_normalized(pose, root), root.position.y());
   };
+  const auto placed = [&](const Pose& pose, RootFrame root) {
+    root.position += root.rotation() * centre_of(shape(pose, root), body_);
+    return root;
+  };
+  const RootFrame centre_at = placed(shown.pose, at), centre_before = placed(shown.before, before);
+  motion_.place = PartnerPlace(shown.before_s > 0 ? centre_before : centre_at);
   const RecordedMoment earlier = moment_at(moved(step_.library, motion_.playhead, -shown.before_s));
   motion_.transition.begin(shape(shown.pose, at), shape_in(moment_), shape(shown.before, before),
                            shape_in(earlier), shown.before_s, step_.settings.transition_time_s);
   if (shown.before_s <= 0) return;
-  Vec3 speed = (at.position - before.position) / shown.before_s;
+  Vec3 speed = (centre_at.position - centre_before.position) / shown.before_s;
   speed.y() = 0;
-  const RecordedPath path = path_between(earlier, moment_, leg_scale());
+  const RecordedPath path = path_between(earlier, moment_);
   motion_.place.keep_speed(
       speed - at.rotation() * path.own / shown.before_s,
       (within_half_turn(at.heading_rad - before.heading_rad) - path.turn) / shown.before_s);
@@ -178,7 +193,7 @@ void PartnerMover::go_on() {
   }
   moment_ = moment_at(motion_.playhead);
   motion_.transition.advance(step_.elapsed_s);
-  const RecordedPath path = path_between(before, moment_, leg_scale());
+  const RecordedPath path = path_between(before, moment_);
   motion_.place.carry(path.own, path.turn);
 }
 
@@ -198,7 +213,7 @@ void PartnerMover::change() {
   const BodyShape seen_before = motion_.transition.shown(shape_in(old_before));
   motion_.transition.advance(elapsed_s);
   const BodyShape seen = motion_.transition.shown(shape_in(old_now));
-  const RecordedPath old_path = path_between(old_before, old_now, leg_scale());
+  const RecordedPath old_path = path_between(old_before, old_now);
 
   motion_.playhead = {step_.chosen, 0, old.rate};
   moment_ = moment_at(motion_.playhead);
@@ -207,7 +222,7 @@ void PartnerMover::change() {
   const bool has_before = elapsed_s > 0 && !(earlier == motion_.playhead);
   motion_.transition.begin(seen, shape_in(moment_), seen_before, shape_in(before), has_before ? elapsed_s : 0,
                            step_.settings.transition_time_s);
-  const RecordedPath path = path_between(before, moment_, leg_scale());
+  const RecordedPath path = path_between(before, moment_);
   if (has_before)
     motion_.place.keep_speed(motion_.place.at().rotation() * (old_path.own - path.own) / elapsed_s,
                              (old_path.turn - path.turn) / elapsed_s);
@@ -226,6 +241,7 @@ void PartnerMover::plant_feet(Pose& pose) {
     foot.free = pose.row(toe_base);
     foot.ankle = pose.row(toe_base - 1);
     foot.hip = pose.row(toe_base - 3);
+    foot.body_goes = goes_;
     foot.leg_length = body_.leg_length();
     foot.rest_height = body_.toe_rest_height;
     foot.recorded_height = moment_.pair(toe_base + joint_count, 1) - recorded_rest + body_.toe_rest_height;
@@ -244,8 +260,8 @@ void PartnerMover::plant_feet(Pose& pose) {
 void PartnerMover::hold_hands(Pose& pose) {
   if (step_.settings.hold_weight <= 0) return motion_.holds.reset();
   const Pose without = pose;
-  const HandHolds::Surroundings now{step_.library,   motion_.playhead, moment_, changed_,          step_.user,
-                                    step_.user_root, without,          body_,   motion_.place.at()};
+  const HandHolds::Surroundings now{step_.library,   motion_.playhead, moment_, changed_, step_.user,
+                                    step_.user_root, without,          body_,   root_};
   motion_.holds.update(now, step_.elapsed_s);
   motion_.holds.place_arms(pose, now, step_.elapsed_s);
 }

@@ -52,6 +52,12 @@ struct MotionStep {
   std::optional<ShownPartner> shown;  ///< when there is no source yet, but a partner
 };
 
+/// What the recording did between two moments, seen from the partner's own heading.
+struct RecordedPath {
+  Vec3 own = Vec3::Zero();
+  double turn = 0;
+};
+
 /// Moves the partner on by a frame: source time, place, what is left of changes; then, adapted to the user,
 /// planted feet and held hands.
 class PartnerMover {
@@ -69,6 +75,7 @@ class PartnerMover {
  private:
   double leg_scale() const;
   BodyShape shape_in(const RecordedMoment& moment) const;
+  RecordedPath path_between(const RecordedMoment& from, const RecordedMoment& to) const;
   RecordedMoment moment_at(const SourcePlayhead& playhead) const;
   RootFrame away(const RootFrame& wanted);
   void begin();
@@ -83,6 +90,8 @@ class PartnerMover {
   const MotionStep& step_;
   const Body& body_;
   RecordedMoment moment_;
+  Vec3 goes_ = Vec3::Zero();  ///< what is left of the way to the wanted place, horizontal [m]
+  RootFrame root_;            ///< of the moved partner
   Pose moved_ = Pose::Zero();
   bool changed_ = false;
   bool is_placed_ = true;

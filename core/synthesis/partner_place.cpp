@@ -36,10 +36,14 @@ void PartnerPlace::keep_speed(const Vec3& lost_speed, double lost_turning) {
   turning_ += lost_turning;
 }
 
+Vec3 PartnerPlace::way_to(const RootFrame& wanted) const {
+  Vec3 way = wanted.position - at_.position;
+  way.y() = 0;
+  return way.norm() > farthest_pull_m ? Vec3(way * (farthest_pull_m / way.norm())) : way;
+}
+
 void PartnerPlace::approach(const RootFrame& wanted, double elapsed_s, double rate) {
-  Vec3 off = at_.position - wanted.position;
-  off.y() = 0;
-  if (off.norm() > farthest_pull_m) off *= farthest_pull_m / off.norm();
+  Vec3 off = -way_to(wanted);
   const Vec3 near = at_.position - off;
   relax_critically(off, speed_, elapsed_s, rate);
   double turned_off = std::clamp(within_half_turn(at_.heading_rad - wanted.heading_rad), -farthest_turn_rad,

@@ -4,15 +4,15 @@
 
 namespace abrazo {
 
-/// Where the partner stands and which way it faces, as a state with a speed of its own. The recording carries
-/// it; what is left to where the user wants it is closed like a critically damped spring, so that a sway of
-/// the user's hips does not swing the partner about.
+/// Where the partner's centre of mass is over the floor and which way it faces, as a state with a speed of
+/// its own. The recording carries it; what is left to where the user wants it is closed like a critically
+/// damped spring, so that a sway of the user's hips does not swing the partner about.
 class PartnerPlace {
  public:
   PartnerPlace() = default;
   explicit PartnerPlace(const RootFrame& at) : at_(at) {}
 
-  /// Root, whose height does not matter here, and heading; world [m].
+  /// The height does not matter here; world [m].
   const RootFrame& at() const { return at_; }
   /// Of the spring alone, beside what the recording carries [m/s], [rad/s].
   const Vec3& speed() const { return speed_; }
@@ -23,6 +23,8 @@ class PartnerPlace {
   /// What carries the partner changes: the whole speed goes on, the spring has what the new source lacks.
   /// @param lost_speed  of the old source less that of the new one, world [m/s]
   void keep_speed(const Vec3& lost_speed, double lost_turning);
+  /// Horizontal, as far as the spring pulls [m].
+  Vec3 way_to(const RootFrame& wanted) const;
   /// @param rate  how fast what is left is closed: omega of the spring [1/s]
   void approach(const RootFrame& wanted, double elapsed_s, double rate);
 

@@ -245,7 +245,7 @@ Result<Settings> preset(std::string_view name) {
     settings.foot_lock_speed = 0.3;
     settings.playback = SourcePlayback::Continuous;
     settings.hold_weight = 50;
-    settings.switch_margin = 0.035;
+    settings.switch_margin = 0.1;
     return settings;
   }
   return Error{"'" + std::string(name) + "' is not a preset; use paper or responsive", "--preset"};

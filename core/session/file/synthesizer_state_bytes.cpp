@@ -127,10 +127,10 @@ Transition read_transition(BlobReader& in) {
 
 /// Calls `flag` and `real` and `point` with the fields of a foot in order, for writing and reading.
 void each_field(auto& foot, const auto& flag, const auto& real, const auto& point) {
-  auto& [planted, steps, waits_for_lift, anchor, slip, offset, rate, since_s, fades_s, lift, lift_speed, free,
-         shown, is_known] = foot;
+  auto& [planted, steps, waits_for_lift, anchor, slip, offset, rate, since_s, fades_s, lead, lead_speed, lift,
+         lift_speed, free, shown, is_known] = foot;
   for (auto* one : {&planted, &steps, &waits_for_lift, &is_known}) flag(*one);
-  for (auto* one : {&anchor, &slip, &offset, &rate, &free, &shown}) point(*one);
+  for (auto* one : {&anchor, &slip, &offset, &rate, &lead, &lead_speed, &free, &shown}) point(*one);
   for (auto* one : {&since_s, &fades_s, &lift, &lift_speed}) real(*one);
 }
 

@@ -13,7 +13,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/metrics/body_segments.hpp"
+#include "core/motion/body/body_segments.hpp"
 #include "core/motion/body/body.hpp"
 #include "core/motion/body/joint_set.hpp"
 

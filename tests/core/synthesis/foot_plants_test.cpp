@@ -77,6 +77,31 @@ TEST(FootPlants, AFootThatTheRecordingLiftsLeavesTheFloorBeforeItMoves) {
   }
 }
 
+TEST(FootPlants, AFootInTheAirMakesForWhereTheBodyGoes) {
+  // The body is drawn 20 cm to the side; the left foot has been lifted and lands again, the right one stands.
+  const auto shown_after = [](double body_goes_m) {
+    FootPlants plants;
+    std::array<Vec3, 2> shown;
+    for (int step = 0; step < 90; ++step) {
+      auto feet = drifting(0, 0);
+      for (FootMoment& foot : feet) foot.body_goes = Vec3(step < 20 ? 0 : body_goes_m, 0, 0);
+      if (step >= 20 && step < 50) {
+        feet[0].lands = false;
+        feet[0].lands_in_s = (50 - step) * step_s;
+        feet[0].free.y() += 0.1;
+        feet[0].recorded_height += 0.1;
+      }
+      shown = plants.update(feet, step == 0 ? 0 : step_s);
+    }
+    EXPECT_TRUE(plants.feet()[0].planted && plants.feet()[1].planted);
+    return shown;
+  };
+  const auto here = shown_after(0), led = shown_after(0.2);
+  EXPECT_NEAR(led[0].x() - here[0].x(), 0.3 * 0.2, 0.01) << "three tenths of the way, and stays there";
+  EXPECT_NEAR(led[0].z(), here[0].z(), 1e-9);
+  EXPECT_LT((led[1] - here[1]).norm(), 1e-9) << "the standing foot";
+}
+
 TEST(FootPlants, ABentLegThatNothingHoldsIsLeftAsItIs) {
   Pose pose = test::standing_pose();
   pose.row(joints::left_hip + 1) += Eigen::RowVector3d(0, 0, 0.1);
@@ -93,6 +118,7 @@ TEST(FootPlants, WhatIsShownNeverJumps) {
     for (FootMoment& foot : feet) {
       foot.lands = step % 60 < 40;
       foot.lands_in_s = 0.3;
+      foot.body_goes = Vec3(0, 0, step % 50 < 25 ? 0.2 : -0.2);
     }
     const auto shown = plants.update(feet, step == 0 ? 0 : step_s);
     for (std::size_t f = 0; step > 0 && f < 2; ++f) EXPECT_LT((shown[f] - before[f]).norm(), 0.06) << step;

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/library/build/motion_library_builder.hpp"
+#include "core/motion/body/body_segments.hpp"
 #include "core/motion/body/joint_set.hpp"
 #include "core/synthesis/partner_synthesizer.hpp"
 #include "core/synthesis/synthesizer_state.hpp"
@@ -68,6 +69,39 @@ TEST(PartnerMotion, TheResultIsContinuousAtAChangeOfSource) {
     EXPECT_LT(shown.kink(), 0.01) << step;
   }
   EXPECT_GT(changes, 4);
+}
+
+TEST(PartnerMotion, AChangeOfSourceLeavesTheCentreOfMassOnItsWay) {
+  // Without what the user's hands and the floor ask for: how a body whose shape fades is carried.
+  Settings settings = test::responsive_by_pose();
+  settings.foot_locks = settings.collisions = false;
+  settings.hold_weight = 0;
+  settings.place_rate = 0.5;
+  auto synthesizer = synthesizer_with(settings);
+  const auto& library = synthesizer->library();
+  const auto segments = body_segments(SegmentTable::Mean);
+  std::vector<Vec3> centres, roots;
+  int changed_at = 0;
+  for (int step = 0; step < 120; ++step) {
+    if (step == 60) synthesizer->pin_pair(library.find_pair("second", 50, false));
+    const FrameResult& frame =
+        synthesizer->step(user().poses[static_cast<std::size_t>(step)], Duration(step == 0 ? 0 : step_s));
+    if (frame.source_changed && step >= 60) changed_at = step;
+    centres.push_back(centre_of_mass(segments, frame.passive()));
+    roots.emplace_back(frame.passive().row(0));
+  }
+  ASSERT_GE(changed_at, 60);
+  // Greatest horizontal acceleration while the change fades [m/s2].
+  const auto greatest = [&](const std::vector<Vec3>& path) {
+    double most = 0;
+    for (auto i = static_cast<std::size_t>(changed_at); i < 85; ++i) {
+      Vec3 change = path[i + 1] - 2 * path[i] + path[i - 1];
+      change.y() = 0;
+      most = std::max(most, change.norm() / (step_s * step_s));
+    }
+    return most;
+  };
+  EXPECT_LT(greatest(centres), 0.7 * greatest(roots)) << greatest(centres) << " " << greatest(roots);
 }
 
 TEST(PartnerMotion, GoesOnFromWhereItIsAfterTrackingWasLost) {

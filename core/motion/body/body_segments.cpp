@@ -1,4 +1,4 @@
-#include "core/metrics/body_segments.hpp"
+#include "core/motion/body/body_segments.hpp"
 
 #include "core/motion/body/joint_set.hpp"
 
