@@ -40,9 +40,9 @@ QColor colour_of(Series series, const Palette& p) {
       return p.warning;
     case Series::ChangeOfSource:
       return p.user;
-    case Series::FilterCost:
+    case Series::IntentTotal:
       return p.text;
-    case Series::FilterMargin:
+    case Series::IntentMargin:
       return p.energy_velocity;
     case Series::RetargetTime:
       return p.user;
@@ -93,7 +93,7 @@ QColor colour_of(Series series, const Palette& p) {
 }
 
 bool is_dashed(Series series) {
-  return series == Series::TotalCost || series == Series::FilterCost || series == Series::TotalTime ||
+  return series == Series::TotalCost || series == Series::IntentTotal || series == Series::TotalTime ||
          series == Series::EdgeReference;
 }
 
