@@ -16,8 +16,6 @@ namespace abrazo {
 
 namespace {
 
-constexpr double tracking_loss_s = 0.3;
-
 Result<std::vector<int>> selectable_pairs(const MotionLibrary& library,
                                           const std::vector<std::string>& excluded) {
   std::vector<bool> is_excluded(library.takes().size(), false);

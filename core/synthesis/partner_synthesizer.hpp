@@ -32,10 +32,13 @@ class PartnerSynthesizer {
       const std::vector<std::string>& excluded_takes = {});
   ~PartnerSynthesizer();
 
+  /// Longer without a solved frame, and the next one begins anew.
+  static constexpr double tracking_loss_s = 0.3;
+
   /// Solves one frame. Never throws and never gives a pose that is not finite: what could not be met is in
   /// `status` and `residual`, and after a failure the last good poses are held.
   /// @param user     the user's pose, 25 joints, world [m]; need not be of the library's size
-  /// @param elapsed  since the previous step; more than 0.3 s without a solved frame starts anew
+  /// @param elapsed  since the previous step; more than `tracking_loss_s` without a solved frame starts anew
   /// @return         valid until the next call
   const FrameResult& step(const Pose& user, Duration elapsed);
 

@@ -6,8 +6,8 @@
 
 #include "core/base/units.hpp"
 #include "core/library/store/motion_library.hpp"
-#include "core/mesh/capsules.hpp"
-#include "core/motion/body/joint_set.hpp"
+#include "core/metrics/holds.hpp"
+#include "core/metrics/partner_error.hpp"
 
 namespace abrazo::widgets {
 namespace {
@@ -64,27 +64,6 @@ void read_costs(const FrameSnapshot& frame, SeriesValues& values) {
   read_intent_cost(*winner.intent, values);
   at(values, Series::IntentMargin) =
       margin(result, selected, [](const Candidate& c) { return c.intent ? c.intent->total : none; });
-}
-
-double mean_joint_distance(const Pose& a, const Pose& b) {
-  return (a - b).rowwise().norm().mean();
-}
-
-/// Mean over the hands that hold one another in the selected pair of |distance in the result - in the
-/// selected pair| [m], as the metric of holds has it; NaN when no hands do.
-double hold_change(const PairPose& result, const PairPose& selected) {
-  double sum = 0;
-  int holds = 0;
-  for (const int active : {joints::left_hand, joints::right_hand})
-    for (const int passive : {joints::left_hand, joints::right_hand}) {
-      const auto apart = [&](const PairPose& pair) {
-        return (pair.row(active) - pair.row(passive + joint_count)).norm();
-      };
-      if (apart(selected) >= hold_distance_m) continue;
-      sum += std::abs(apart(result) - apart(selected));
-      ++holds;
-    }
-  return holds > 0 ? sum / holds : none;
 }
 
 bool partner_is_active(const FrameSnapshot& frame) {
@@ -264,7 +243,7 @@ void SeriesReader::read_energies(const FrameSnapshot& frame, SeriesValues& value
 
 void SeriesReader::read_metrics(const FrameSnapshot& frame, SeriesValues& values) {
   const FrameResult& result = frame.result;
-  at(values, Series::HoldChange) = mm_per_m * hold_change(result.result, result.selected_pair);
+  at(values, Series::HoldChange) = mm_per_m * hold_change_m(result.result, result.selected_pair);
   at(values, Series::BehindSelected) =
       mm_per_m * mean_joint_distance(result.passive(), result.selected_pair.bottomRows<joint_count>());
   if (previous_ && previous_->partner)
