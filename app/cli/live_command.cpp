@@ -236,7 +236,7 @@ Error no_pose(const LiveEnd& end, const StreamUri& uri) {
 
 /// A session would select by Eq. 7 until the library is learned; so it is done before the session starts.
 Status learn(CommandLine& line, const PartnerSynthesizer& synthesizer, const Settings& settings) {
-  if (settings.selection != SelectionMethod::Filter) return Done{};
+  if (settings.selection != SelectionMethod::Intent) return Done{};
   show_state(line, "learning the library");
   try {
     synthesizer.views()->intent(settings.user_role);

@@ -59,18 +59,6 @@ void add_latency(TextLines& text, const LatencyBreakdown& latency) {
                stage.max_ms);
 }
 
-std::string_view word_of(StreamDiagnosis::Severity severity) {
-  switch (severity) {
-    case StreamDiagnosis::Severity::Error:
-      return "error";
-    case StreamDiagnosis::Severity::Warning:
-      return "warning";
-    case StreamDiagnosis::Severity::Note:
-      break;
-  }
-  return "note";
-}
-
 Json performer_json(const PerformerHealth& performer) {
   return {{"performer", performer.performer},
           {"frames", performer.frames},
@@ -140,14 +128,14 @@ void add_stream(TextLines& text, const StreamHealth& stream) {
 
 Json diagnosis_json(const LiveEnd::Diagnosis& seen) {
   return {{"kind", seen.newest.kind},
-          {"severity", word_of(seen.newest.severity)},
+          {"severity", severity_word(seen.newest.severity)},
           {"first_s", seen.first_s},
           {"last_s", seen.last_s},
           {"text", seen.newest.text}};
 }
 
 void add_diagnosis(TextLines& text, const LiveEnd::Diagnosis& seen) {
-  text.add("  {:.0f} to {:.0f} s, {}: {}", seen.first_s, seen.last_s, word_of(seen.newest.severity),
+  text.add("  {:.0f} to {:.0f} s, {}: {}", seen.first_s, seen.last_s, severity_word(seen.newest.severity),
            seen.newest.text);
 }
 

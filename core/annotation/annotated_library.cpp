@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/library/takes/interval_check.hpp"
 #include "core/mesh/other_body.hpp"
 
 namespace abrazo {
@@ -112,15 +113,10 @@ void PairRows::exchange(int pair, ActivePerformer annotated, std::optional<doubl
   to_.poses.push_back(exchanged);
   to_.features.push_back(pose_features(exchanged.topRows<joint_count>()));
   const auto first = static_cast<std::ptrdiff_t>(to_.edges.size());
-  for (const MeshEdge& edge : from_.edges(pair)) {
-    const std::uint8_t a = vertex_of_other_body(edge[0]), b = vertex_of_other_body(edge[1]);
-    to_.edges.push_back({std::min(a, b), std::max(a, b)});
-  }
+  for (const MeshEdge& edge : from_.edges(pair)) to_.edges.push_back(edge_of_other_body(edge));
   std::sort(to_.edges.begin() + first, to_.edges.end());
-  for (MeshTetrahedron tetrahedron : from_.tetrahedra(pair)) {
-    for (std::uint8_t& vertex : tetrahedron) vertex = vertex_of_other_body(vertex);
-    to_.tetrahedra.push_back(tetrahedron);
-  }
+  for (const MeshTetrahedron& tetrahedron : from_.tetrahedra(pair))
+    to_.tetrahedra.push_back(tetrahedron_of_other_body(tetrahedron));
   end_row(pair);
 }
 
@@ -163,17 +159,6 @@ LibraryColumns columns_without_pairs(const MotionLibrary& library) {
   columns.edge_offsets.assign(1, 0);
   columns.tetrahedron_offsets.assign(1, 0);
   return columns;
-}
-
-template <typename Interval>
-Status check_intervals(const std::vector<Interval>& intervals, const char* what, std::string_view take) {
-  for (std::size_t i = 0; i < intervals.size(); ++i)
-    if (intervals[i].start < 0 || intervals[i].end <= intervals[i].start ||
-        (i > 0 && intervals[i].start < intervals[i - 1].end))
-      return Error{fmt::format("{} {} [{}, {}) is empty, overlaps the one before it, or is out of order",
-                               what, i, intervals[i].start, intervals[i].end),
-                   fmt::format("take {}", take)};
-  return Done{};
 }
 
 }  // namespace
@@ -227,9 +212,10 @@ Result<MotionLibrary> with_annotation(const MotionLibrary& library, std::string_
                                       const TakeAnnotation& annotation) {
   const int index = library.find_take(take);
   if (index < 0) return no_such_take(library, take);
-  if (const Status checked = check_intervals(annotation.roles, "role", take); !checked)
+  const std::string where = fmt::format("take {}", take);
+  if (const Status checked = check_intervals(annotation.roles, "role", where); !checked)
     return checked.error();
-  if (const Status checked = check_intervals(annotation.labels, "label", take); !checked)
+  if (const Status checked = check_intervals(annotation.labels, "label", where); !checked)
     return checked.error();
   if (library.columns().roles_exchanged) {
     const auto annotated = with_annotation(with_roles_exchanged(library), take, annotation);

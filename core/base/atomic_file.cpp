@@ -39,16 +39,21 @@ Status AtomicFile::commit() {
   return Done{};
 }
 
-Status write_whole_file(const fs::path& target, std::string_view content) {
-  AtomicFile file(target);
-  std::ofstream out(file.partial(), std::ios::binary);
+Status AtomicFile::write(std::string_view content) const {
+  std::ofstream out(partial_, std::ios::binary);
   if (!out)
     return Error{std::string("cannot be created: ") + std::strerror(errno) +
                      "; choose a folder that exists and can be written",
-                 target.string()};
+                 target_.string()};
   out.write(content.data(), static_cast<std::streamsize>(content.size()));
   out.close();
-  if (!out) return Error{"could not be written whole; is the disk full?", target.string()};
+  if (!out) return Error{"could not be written whole; is the disk full?", target_.string()};
+  return Done{};
+}
+
+Status write_whole_file(const fs::path& target, std::string_view content) {
+  AtomicFile file(target);
+  if (const Status written = file.write(content); !written) return written.error();
   return file.commit();
 }
 

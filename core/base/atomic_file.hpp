@@ -20,6 +20,9 @@ class AtomicFile {
   /// Where to write meanwhile (same folder as the target).
   const std::filesystem::path& partial() const { return partial_; }
 
+  /// Writes the whole content beside the target.
+  Status write(std::string_view content) const;
+
   /// Moves the finished file to its name, replacing what was there.
   Status commit();
 

@@ -45,18 +45,17 @@ SegmentApproach closest_points(const Vec3& a, const Vec3& b, const Vec3& c, cons
   return {s, t, distance, distance > 1e-12 ? Vec3(gap / distance) : Vec3(Vec3::Zero())};
 }
 
-const std::array<double, bone_count>& generic_capsule_radii() {
+const CapsuleRadii& generic_capsule_radii() {
   constexpr double thigh = 0.075, shank = 0.05, foot = 0.035, toes = 0.03;
   constexpr double upper_arm = 0.045, forearm = 0.038, hand = 0.03;
   constexpr double hip_joint = 0;     // within the lower back's end and the thigh's
   constexpr double clavicle = 0.045;  // the shoulder's top reaches out of the thorax
-  static constexpr std::array<double, bone_count> radii = {
-      hip_joint, thigh,     shank,   foot, toes,  // left leg
-      hip_joint, thigh,     shank,   foot, toes,  // right leg
-      0.12,      0.125,     0.13,                 // lower back, upper back, thorax
-      0.05,      0.05,      0.09,                 // lower neck, upper neck, head
-      clavicle,  upper_arm, forearm, hand,        // left arm
-      clavicle,  upper_arm, forearm, hand};       // right arm
+  static constexpr CapsuleRadii radii = {hip_joint, thigh,     shank,   foot, toes,  // left leg
+                                         hip_joint, thigh,     shank,   foot, toes,  // right leg
+                                         0.12,      0.125,     0.13,  // lower back, upper back, thorax
+                                         0.05,      0.05,      0.09,  // lower neck, upper neck, head
+                                         clavicle,  upper_arm, forearm, hand,   // left arm
+                                         clavicle,  upper_arm, forearm, hand};  // right arm
   return radii;
 }
 

@@ -17,9 +17,11 @@ struct SegmentApproach {
 
 SegmentApproach closest_points(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
 
-/// Capsule radii of a generic adult [m], one per bone; bones inside the trunk that would only double its
-/// volume have 0.
-const std::array<double, bone_count>& generic_capsule_radii();
+/// Radii of the capsules around one body's bones [m].
+using CapsuleRadii = std::array<double, bone_count>;
+
+/// Of a generic adult; bones inside the trunk that would only double its volume have 0.
+const CapsuleRadii& generic_capsule_radii();
 
 /// Hand ends of two people closer than this hold one another [m].
 inline constexpr double hold_distance_m = 0.13;
@@ -29,6 +31,26 @@ inline constexpr double hold_ends_m = 0.18;
 /// Of the active and the passive body's hands: left with left, left with right, right with left, right with
 /// right.
 using HandPairs = std::array<bool, 4>;
+
+/// A hand of each body, as joints of their bodies.
+struct HandEnds {
+  int active;
+  int passive;
+};
+/// In the order of HandPairs.
+inline constexpr std::array<HandEnds, 4> all_hand_ends = {{{joints::left_hand, joints::left_hand},
+                                                           {joints::left_hand, joints::right_hand},
+                                                           {joints::right_hand, joints::left_hand},
+                                                           {joints::right_hand, joints::right_hand}}};
+
+/// Distance of two hand ends [m].
+inline double hands_apart(const PairPose& pair, const HandEnds& hands) {
+  return (pair.row(hands.active) - pair.row(hands.passive + joint_count)).norm();
+}
+/// Whether they hold one another in a recorded pair, looked at by itself.
+inline bool hands_hold(const PairPose& pair, const HandEnds& hands) {
+  return hands_apart(pair, hands) < hold_distance_m;
+}
 
 /// The forearm or hand bones: they may overlap the partner's while they hold one another.
 bool is_hand_or_forearm(int bone);

@@ -1,14 +1,28 @@
 #pragma once
 
-#include <cstdint>
+#include <algorithm>
 
 #include "core/mesh/interaction_mesh.hpp"
 
 namespace abrazo {
 
 /// The vertex of the same joint on the pair's other body.
-constexpr std::uint8_t vertex_of_other_body(std::uint8_t vertex) {
-  return static_cast<std::uint8_t>((vertex + joint_count) % pair_vertex_count);
+template <typename Vertex>
+constexpr Vertex vertex_of_other_body(Vertex vertex) {
+  return static_cast<Vertex>((vertex + joint_count) % pair_vertex_count);
+}
+
+/// An edge of the mesh in which the bodies have changed places; its lower vertex stands first, as in every
+/// mesh.
+constexpr MeshEdge edge_of_other_body(const MeshEdge& edge) {
+  const auto a = vertex_of_other_body(edge[0]), b = vertex_of_other_body(edge[1]);
+  return {std::min(a, b), std::max(a, b)};
+}
+
+/// The same of a tetrahedron; its vertices keep their order.
+constexpr MeshTetrahedron tetrahedron_of_other_body(MeshTetrahedron tetrahedron) {
+  for (auto& vertex : tetrahedron) vertex = vertex_of_other_body(vertex);
+  return tetrahedron;
 }
 
 }  // namespace abrazo

@@ -1,31 +1,27 @@
 #include "core/metrics/holds.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "core/base/statistics.hpp"
-#include "core/motion/body/joint_set.hpp"
 
 namespace abrazo {
 
 void HoldMetric::add(const PairPose& result, const PairPose& reference) {
-  for (const int active : {joints::left_hand, joints::right_hand})
-    for (const int passive : {joints::left_hand, joints::right_hand}) {
-      const auto apart = [&](const PairPose& pair) {
-        return (pair.row(active) - pair.row(passive + joint_count)).norm();
-      };
-      const double recorded = apart(reference);
-      const double shown = apart(result);
-      if (recorded < hold_distance_m) {
-        changes_m_.push_back(std::abs(shown - recorded));
-        distances_m_.push_back(shown);
-        kept_ += shown < still_held_m_;
-        recalled_ += shown < hold_distance_m;
-      }
-      if (shown < hold_distance_m) {
-        ++shown_;
-        shown_and_recorded_ += recorded < still_held_m_;
-      }
+  for (const HandEnds& hands : all_hand_ends) {
+    const double recorded = hands_apart(reference, hands);
+    const double shown = hands_apart(result, hands);
+    if (recorded < hold_distance_m) {
+      changes_m_.push_back(std::abs(shown - recorded));
+      distances_m_.push_back(shown);
+      kept_ += shown < still_held_m_;
+      recalled_ += shown < hold_distance_m;
     }
+    if (shown < hold_distance_m) {
+      ++shown_;
+      shown_and_recorded_ += recorded < still_held_m_;
+    }
+  }
 }
 
 HoldMetric::Figures HoldMetric::figures() const {
@@ -40,6 +36,13 @@ HoldMetric::Figures HoldMetric::figures() const {
   if (shown_ > 0) f.precision = static_cast<double>(shown_and_recorded_) / shown_;
   if (f.kept + f.precision > 0) f.f1 = 2 * f.kept * f.precision / (f.kept + f.precision);
   return f;
+}
+
+double hold_change_m(const PairPose& result, const PairPose& reference) {
+  HoldMetric holds;
+  holds.add(result, reference);
+  const HoldMetric::Figures figures = holds.figures();
+  return figures.holds > 0 ? figures.change_mean_m : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace abrazo

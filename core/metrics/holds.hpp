@@ -40,4 +40,7 @@ class HoldMetric {
   int kept_ = 0, recalled_ = 0, shown_ = 0, shown_and_recorded_ = 0;
 };
 
+/// `change_mean_m` of one pair alone; not a number where nobody holds anybody in the reference.
+double hold_change_m(const PairPose& result, const PairPose& reference);
+
 }  // namespace abrazo

@@ -90,13 +90,6 @@ double zmp_error_m(const std::vector<Stretch>& stretches) {
   return zmp.error_m.empty() ? nothing : zmp.mean_m();
 }
 
-double hold_change(const FrameResult& result) {
-  HoldMetric holds;
-  holds.add(result.result, result.selected_pair);
-  const HoldMetric::Figures figures = holds.figures();
-  return figures.holds > 0 ? figures.change_mean_m : nothing;
-}
-
 std::array<double, step_figure_count> values_of(const FrameResult& result, UserRole user_role) {
   std::array<double, step_figure_count> values;
   values.fill(nothing);
@@ -106,7 +99,7 @@ std::array<double, step_figure_count> values_of(const FrameResult& result, UserR
   set(StepFigure::PartnerDistance, 0);
   set(StepFigure::Lag,
       mean_joint_distance(partner_of(result.result, user_role), partner_of(result.selected_pair, user_role)));
-  set(StepFigure::HoldChange, hold_change(result));
+  set(StepFigure::HoldChange, hold_change_m(result.result, result.selected_pair));
   set(StepFigure::DeformationEnergy, result.energy.deformation);
   set(StepFigure::Penetration, result.residual.excess_penetration_max_m);
   return values;

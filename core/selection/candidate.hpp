@@ -12,7 +12,7 @@ struct CostBreakdown {
   double total = 0;             ///< pose + alpha (temporal_active + temporal_passive)
 };
 
-/// What the selection `filter` expects of a recorded pair, term by term [m]; weights are in the terms.
+/// What the selection `intent` expects of a recorded pair, term by term [m]; weights are in the terms.
 struct IntentCost {
   double partner = 0;   ///< expected mean joint distance between its partner and the one the user means
   double leader = 0;    ///< w_l (1 - kernel): the user's last two seconds beside those before this pair
@@ -29,10 +29,10 @@ struct Candidate {
   double feature_distance = 0;  ///< Euclidean [m]
   bool continuation = false;  ///< joined because it continues the current source, not as a nearest neighbour
   CostBreakdown cost;
-  std::optional<IntentCost> intent = {};  ///< with the selection `filter`, which decides by its total
+  std::optional<IntentCost> intent = {};  ///< with the selection `intent`, which decides by its total
 };
 
-/// What decides between candidates of one frame: the less the better. [m^2] by Eq. 7, [m] of `filter`.
+/// What decides between candidates of one frame: the less the better. [m^2] by Eq. 7, [m] of `intent`.
 inline double deciding_cost(const Candidate& candidate) {
   return candidate.intent ? candidate.intent->total : candidate.cost.total;
 }

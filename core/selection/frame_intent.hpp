@@ -11,7 +11,7 @@ namespace abrazo {
 
 class IntentModel;
 
-/// What the selection `filter` made of one frame beside its candidates.
+/// What the selection `intent` made of one frame beside its candidates.
 struct FrameIntent {
   std::shared_ptr<const IntentModel> model;  ///< null when Eq. 7 selected
   /// Of every block of the model: 255 exp(-excess of its best landing over the best of all / 3 cm).

@@ -75,9 +75,7 @@ void CapsuleContacts::prepare(const PairPose& selected, const CapsuleRadii& acti
     for (const bool passive_left : {true, false}) {
       const auto active_arm = lower_arm(active_left);
       const auto passive_arm = lower_arm(passive_left);
-      const double apart =
-          (selected.row(active_arm[1] + 1) - selected.row(passive_arm[1] + 1 + joint_count)).norm();
-      if (apart >= hold_distance_m) continue;
+      if (!hands_hold(selected, {active_arm[1] + 1, passive_arm[1] + 1})) continue;
       for (const int i : active_arm)
         for (const int j : passive_arm)
           held_[static_cast<std::size_t>(i)][static_cast<std::size_t>(j)] = true;

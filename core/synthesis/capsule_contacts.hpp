@@ -4,13 +4,12 @@
 #include <vector>
 
 #include "core/base/positions.hpp"
+#include "core/mesh/capsules.hpp"
 #include "core/motion/body/joint_set.hpp"
 #include "core/synthesis/constraints.hpp"
 #include "core/synthesis/frame_result.hpp"
 
 namespace abrazo {
-
-using CapsuleRadii = std::array<double, bone_count>;
 
 /// Keeps the capsules of the two bodies apart, as far as the selected pair does itself: recorded contact is
 /// contact, so each pair of capsules may overlap by the depth it has in the selected pair. Hands and forearms

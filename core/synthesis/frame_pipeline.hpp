@@ -38,7 +38,7 @@ class FramePipeline {
   void set_settings(const Settings& settings) { settings_ = settings; }
   /// Nothing: measured on the next poses that can be a person's.
   void set_user_body(const std::optional<Body>& body);
-  /// What the selection `filter` selects by; without it Eq. 7 does. A shared one is prepared by RoleViews.
+  /// What the selection `intent` selects by; without it Eq. 7 does. A shared one is prepared by RoleViews.
   void set_intent(std::shared_ptr<const IntentModel> model);
   bool has_intent() const { return intent_.has_value(); }
   void pin_pair(std::optional<int> pair) { pinned_ = pair; }
@@ -61,7 +61,7 @@ class FramePipeline {
   void retarget(const Pose& user);
   bool select(double dt_s);
   SelectionQuery query_of(double dt_s) const;
-  bool selects_by_intent() const { return settings_.selection == SelectionMethod::Filter && intent_; }
+  bool selects_by_intent() const { return settings_.selection == SelectionMethod::Intent && intent_; }
   void select_pinned(const SelectionQuery& query);
   bool plays() const { return settings_.playback == SourcePlayback::Continuous; }
   void follow_source(double dt_s);

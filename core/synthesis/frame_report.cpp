@@ -1,5 +1,6 @@
 #include <cmath>
 
+#include "core/mesh/other_body.hpp"
 #include "core/synthesis/frame_pipeline.hpp"
 
 namespace abrazo {
@@ -73,18 +74,12 @@ void exchange_roles(const FrameResult& solved, FrameResult& exchanged) {
     pair.topRows<joint_count>() = pair.bottomRows<joint_count>().eval();
     pair.bottomRows<joint_count>() = first;
   };
-  const auto other_body = [](auto vertex) {
-    return static_cast<decltype(vertex)>((vertex + joint_count) % pair_vertex_count);
-  };
   exchange_bodies(exchanged.selected_pair);
   exchange_bodies(exchanged.result);
   for (PairPose& step : exchanged.morph_steps) exchange_bodies(step);
-  for (MeshEdge& edge : exchanged.edges) {
-    edge = {other_body(edge[0]), other_body(edge[1])};
-    if (edge[0] > edge[1]) std::swap(edge[0], edge[1]);
-  }
+  for (MeshEdge& edge : exchanged.edges) edge = edge_of_other_body(edge);
   for (MeshTetrahedron& tetrahedron : exchanged.tetrahedra)
-    for (std::uint8_t& vertex : tetrahedron) vertex = other_body(vertex);
+    tetrahedron = tetrahedron_of_other_body(tetrahedron);
   for (FootLock& lock : exchanged.foot_locks) lock.active_body = !lock.active_body;
   for (HandHold& hold : exchanged.holds) {
     std::swap(hold.active_left, hold.passive_left);
@@ -93,7 +88,7 @@ void exchange_roles(const FrameResult& solved, FrameResult& exchanged) {
   for (CapsuleContact& contact : exchanged.collisions) {
     std::swap(contact.a, contact.b);
     for (int* vertex : {&contact.a[0], &contact.a[1], &contact.b[0], &contact.b[1]})
-      *vertex = other_body(*vertex);
+      *vertex = vertex_of_other_body(*vertex);
   }
   for (Candidate& candidate : exchanged.candidates)
     std::swap(candidate.cost.temporal_active, candidate.cost.temporal_passive);

@@ -70,7 +70,7 @@ struct FrameResult {
   bool source_changed =
       false;  ///< not the same take within 0 to 3 times the expected pace of the previous one
 
-  FrameIntent intent;  ///< with the selection `filter`
+  FrameIntent intent;  ///< with the selection `intent`
 
   PairPose selected_pair = PairPose::Zero();  ///< q''_sel: what was edited
   std::vector<MeshEdge> edges;

@@ -32,17 +32,13 @@ constexpr double least_share = 0.15;
 
 constexpr std::array<int, 2> hands = {joints::left_hand, joints::right_hand};
 
-double hands_apart(const PairPose& pair, int user_hand, int partner_hand) {
-  return (pair.row(user_hand) - pair.row(partner_hand + joint_count)).norm();
-}
-
 bool is_due(const MotionLibrary& library, const SourcePlayhead& playhead, int user_hand, int partner_hand) {
   const double rate = pair_rate(library, playhead.pair);
   for (int look = 1; look <= due_looks; ++look) {
     const int pair =
         library.later_pair(playhead.pair, static_cast<int>(std::lround(look * due_s / due_looks * rate)));
     if (pair < 0) return false;
-    if (hands_apart(library.pose(pair), user_hand, partner_hand) < hold_distance_m) return true;
+    if (hands_hold(library.pose(pair), {user_hand, partner_hand})) return true;
   }
   return false;
 }
@@ -73,7 +69,7 @@ bool HandHolds::look_at_recording(Pair& pair, const MotionLibrary& library, cons
                                   const RecordedMoment& moment, bool source_changed, int user_hand,
                                   int partner_hand) {
   const double ends = pair.recorded && !source_changed ? hold_ends_m : hold_distance_m;
-  pair.recorded = hands_apart(moment.pair, user_hand, partner_hand) < ends ||
+  pair.recorded = hands_apart(moment.pair, {user_hand, partner_hand}) < ends ||
                   is_due(library, playhead, user_hand, partner_hand);
   return pair.recorded;
 }

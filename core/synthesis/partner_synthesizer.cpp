@@ -16,8 +16,6 @@ namespace abrazo {
 
 namespace {
 
-constexpr double tracking_loss_s = 0.3;
-
 Result<std::vector<int>> selectable_pairs(const MotionLibrary& library,
                                           const std::vector<std::string>& excluded) {
   std::vector<bool> is_excluded(library.takes().size(), false);
@@ -48,7 +46,7 @@ std::string_view first_joint_without_position(const Pose& pose) {
 struct PartnerSynthesizer::State {
   std::shared_ptr<const RoleViews> views;
   Settings settings;
-  std::string unlearned;  ///< why the selection `filter` cannot be had; empty when it can
+  std::string unlearned;  ///< why the selection `intent` cannot be had; empty when it can
   std::string unusable;   ///< which setting no step can be solved with; empty when all can be used
   std::optional<Body> user_body;
   std::optional<int> pinned;
@@ -141,7 +139,7 @@ const FrameResult& PartnerSynthesizer::step(const Pose& user, Duration elapsed) 
     } else {
       if (starts) pipeline.forget();
       if (was_lost) pipeline.lose_track();
-      if (state_->settings.selection == SelectionMethod::Filter && !pipeline.has_intent())
+      if (state_->settings.selection == SelectionMethod::Intent && !pipeline.has_intent())
         state_->learn_intent();
       if (!state_->unlearned.empty()) throw std::runtime_error(state_->unlearned);
       pipeline.solve(user, starts || was_lost ? 0.0 : since_solved_s);

@@ -32,14 +32,17 @@ class PartnerSynthesizer {
       const std::vector<std::string>& excluded_takes = {});
   ~PartnerSynthesizer();
 
+  /// Longer without a solved frame, and the next one begins anew.
+  static constexpr double tracking_loss_s = 0.3;
+
   /// Solves one frame. Never throws and never gives a pose that is not finite: what could not be met is in
   /// `status` and `residual`, and after a failure the last good poses are held.
   /// @param user     the user's pose, 25 joints, world [m]; need not be of the library's size
-  /// @param elapsed  since the previous step; more than 0.3 s without a solved frame starts anew
+  /// @param elapsed  since the previous step; more than `tracking_loss_s` without a solved frame starts anew
   /// @return         valid until the next call
   const FrameResult& step(const Pose& user, Duration elapsed);
 
-  /// Applies from the next step on; state is kept. With the selection `filter` the first step learns from
+  /// Applies from the next step on; state is kept. With the selection `intent` the first step learns from
   /// the library, for a second or more, unless `views` was asked for that before. When the user's role
   /// changes, both bodies go on from where they are, the partner as at a change of source. The first change
   /// makes the other role's view of the library unless `views` was asked for it before.
@@ -66,7 +69,7 @@ class PartnerSynthesizer {
   void set_vetoes(const Vetoes& vetoes);
 
   /// From the next step on, while one of them may be selected: by Eq. 7 only these are selected, by the
-  /// selection `filter` others cost more.
+  /// selection `intent` others cost more.
   void set_meant(const std::optional<MeantPairs>& meant);
 
   /// All that the next step depends on beside settings and input.

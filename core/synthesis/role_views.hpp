@@ -17,7 +17,7 @@
 namespace abrazo {
 
 /// A library as the user of each role sees it: for a passive user the roles are exchanged (pair numbers
-/// stay), and what the selection `filter` learns of it. Each is made once, by whoever first asks for it, and
+/// stay), and what the selection `intent` learns of it. Each is made once, by whoever first asks for it, and
 /// shared by all that solve with the library. Safe to call from any thread: prepare it on one, and another
 /// need not wait.
 class RoleViews {
@@ -56,7 +56,7 @@ class RoleViews {
   /// library the whole, exchanged.
   bool is_costly(UserRole role) const { return role == UserRole::Passive && library_->is_mapped(); }
 
-  /// What is learned of the view for the selection `filter`; takes a second or more. The same as the four
+  /// What is learned of the view for the selection `intent`; takes a second or more. The same as the four
   /// above.
   const std::shared_ptr<const IntentModel>& intent(UserRole role) const {
     return intents_[number(role)].get();

@@ -24,6 +24,9 @@ constexpr double highest_weighed_rate_hz =
 /// Sessions that were recorded with it are still read: how a change of source fades is another setting now.
 constexpr std::string_view retired_setting = "transition-half-life";
 
+/// The selection `intent` was called so before: sessions, settings and scripts that say it are still read.
+constexpr std::string_view retired_intent = "filter";
+
 using Kind = SettingInfo::Kind;
 
 /// A setting's description and its place in Settings, as a number (flags 0/1, choices their index).
@@ -41,10 +44,10 @@ Entry entry(const SettingInfo& info, T Settings::*member) {
 
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all = {
-      entry({"selection", "", "method", "Selection", "", Kind::Choice, 0, 1, false, "paper|filter",
+      entry({"selection", "", "method", "Selection", "", Kind::Choice, 0, 1, false, "paper|intent",
              "How a recorded pair is chosen.\n"
              "  paper: the cheapest of the k nearest poses by Eq. 7\n"
-             "  filter: the pair whose partner is expected to be nearest to the one the user means, by the "
+             "  intent: the pair whose partner is expected to be nearest to the one the user means, by the "
              "user's last two seconds; learned from the library in a second or more\n"
              "Paper 3.3.2-3.3.3: paper."},
             &Settings::selection),
@@ -52,7 +55,7 @@ const std::vector<Entry>& entries() {
              "Weight of temporal coherence when a recorded pair is chosen.\n"
              "  cost = \u03a3|p_in \u2212 p_A|\u00b2 + \u03b1 (\u03a3|s_{A,i*} \u2212 q\u2033_A|\u00b2 + "
              "\u03a3|s_{S,i*} \u2212 q\u2033_S|\u00b2)\n"
-             "s_{i*} is the result before, moved on at its speed (Eq. 3-4). The method filter adds \u03b1 "
+             "s_{i*} is the result before, moved on at its speed (Eq. 3-4). The method intent adds \u03b1 "
              "times the mean "
              "distance from the partner that is shown, 0.1 s of the difference in speed, and what the change "
              "does "
@@ -75,22 +78,22 @@ const std::vector<Entry>& entries() {
       entry({"switch-margin", "", "switch margin", "Selection", "m", Kind::Real, 0, 0.5, false, "",
              "What another source must be better by than going on with the current one. Higher: fewer "
              "changes of source, later ones.\n"
-             "Not in the paper; of the method filter."},
+             "Not in the paper; of the method intent."},
             &Settings::switch_margin),
       entry({"leader-weight", "w_l", "leader weight", "Selection", "m", Kind::Real, 0, 2, false, "",
              "Cost of a pair whose recorded leader did not move as the user did.\n"
              "  w_l (1 \u2212 k(user's last 2 s, leader's 2 s before the pair))\n"
-             "Not in the paper; of the method filter."},
+             "Not in the paper; of the method intent."},
             &Settings::leader_weight),
       entry({"move-weight", "w_m", "move weight", "Selection", "m", Kind::Real, 0, 2, false, "",
              "Cost of a pair whose label is unlikely after what the user did.\n"
              "  w_m (1 \u2212 P(label))\n"
-             "Not in the paper; of the method filter. Nothing in a library without labels."},
+             "Not in the paper; of the method intent. Nothing in a library without labels."},
             &Settings::move_weight),
       entry({"meant-weight", "w_p", "named-move weight", "Selection", "m", Kind::Real, 0, 2, false, "",
              "Cost of a pair that is not of the label or take that a person named. Higher: what is named "
              "counts more than what is seen.\n"
-             "Not in the paper; of the method filter. By Eq. 7 only what is named is compared."},
+             "Not in the paper; of the method intent. By Eq. 7 only what is named is compared."},
             &Settings::meant_weight),
       entry({"user-role", "", "user's role", "Selection", "", Kind::Choice, 0, 1, false, "active|passive",
              "Whether the person leads (Role_A) or the partner does (Role_S). Both bodies go on "
@@ -237,7 +240,7 @@ Result<Settings> preset(std::string_view name) {
     return settings;
   }
   if (name == "responsive") {
-    settings.selection = SelectionMethod::Filter;
+    settings.selection = SelectionMethod::Intent;
     settings.step_rate_hz = 0;
     settings.alpha = 0.2;
     settings.velocity_weight = 0;
@@ -276,13 +279,13 @@ bool applies(const Settings& settings, std::string_view key) {
   constexpr std::array<std::string_view, 1> of_paper = {"continuations"};
   constexpr std::array<std::string_view, 1> of_frames = {"morph-steps"};
   constexpr std::array<std::string_view, 3> of_continuous = {"transition-time", "place-rate", "hold-weight"};
-  constexpr std::array<std::string_view, 4> of_filter = {"switch-margin", "leader-weight", "move-weight",
+  constexpr std::array<std::string_view, 4> of_intent = {"switch-margin", "leader-weight", "move-weight",
                                                          "meant-weight"};
   const auto is_of = [key](const auto& keys) {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
   };
   if (settings.playback == SourcePlayback::Frames ? is_of(of_continuous) : is_of(of_frames)) return false;
-  return settings.selection == SelectionMethod::Filter ? !is_of(of_paper) : !is_of(of_filter);
+  return settings.selection == SelectionMethod::Intent ? !is_of(of_paper) : !is_of(of_intent);
 }
 
 double setting_number(const Settings& settings, std::string_view key) {
@@ -308,7 +311,8 @@ Status set_setting(Settings& settings, std::string_view key, std::string_view te
   }
   if (found->info.kind == Kind::Choice) {
     const auto choices = split_fields(found->info.choices, '|');
-    const auto at = std::find(choices.begin(), choices.end(), text);
+    const std::string_view name = key == "selection" && text == retired_intent ? "intent" : text;
+    const auto at = std::find(choices.begin(), choices.end(), name);
     if (at == choices.end())
       return wrong_value(found->info, text, "one of " + std::string(found->info.choices) + " is expected");
     found->set(settings, static_cast<double>(at - choices.begin()));

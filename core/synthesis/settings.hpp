@@ -12,7 +12,7 @@ namespace abrazo {
 
 enum class VelocityForm { Velocity, Predicted };
 enum class UserRole { Active, Passive };
-enum class SelectionMethod { Paper, Filter };
+enum class SelectionMethod { Paper, Intent };
 enum class SourcePlayback { Frames, Continuous };
 
 /// Everything that can be tuned, as one value. Weights of energies are those at 15 steps per second; at other
@@ -33,7 +33,7 @@ struct Settings {
   bool foot_locks = true;
   UserRole user_role = UserRole::Active;
 
-  // Of the selection `filter` [m]: see IntentCost.
+  // Of the selection `intent` [m]: see IntentCost.
   double switch_margin = 0.03;  ///< what another source must be better by
   double leader_weight = 0.2;   ///< w_l
   double move_weight = 0.1;     ///< w_m

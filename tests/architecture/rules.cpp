@@ -90,7 +90,8 @@ bool is_in_place(const SourceFile& file, std::string_view place, std::string& fi
 
 /// What a view may see of core: what was computed, what it can ask for, and plain values.
 bool is_open_to_widgets(const std::string& include) {
-  static const std::set<std::string> open = {"core/session/frames/frame_snapshot.hpp",
+  static const std::set<std::string> open = {"core/session/frames/comparison_plan.hpp",
+                                             "core/session/frames/frame_snapshot.hpp",
                                              "core/session/frames/frame_history.hpp",
                                              "core/session/frames/frame_in_library.hpp",
                                              "core/session/frames/command.hpp",
@@ -119,7 +120,9 @@ bool is_open_to_widgets(const std::string& include) {
                                              "core/motion/body/joint_set.hpp",
                                              "core/motion/body/body.hpp",
                                              "core/motion/body/clip.hpp",
+                                             "core/metrics/holds.hpp",
                                              "core/metrics/movement.hpp",
+                                             "core/metrics/partner_error.hpp",
                                              "core/metrics/run_comparison.hpp"};
   if (open.contains(include)) return true;
   return include.starts_with("core/mesh/") ||
@@ -151,8 +154,8 @@ const std::map<std::string, std::set<std::string>>& core_table() {
       {"stream", {"base", "motion"}},
       {"video", {"base", "motion"}},
       {"session",
-       {"base", "motion", "mesh", "library", "selection", "retarget", "synthesis", "stream", "video",
-        "annotation"}},
+       {"base", "motion", "mesh", "library", "selection", "retarget", "synthesis", "metrics", "stream",
+        "video", "annotation"}},
   };
   return table;
 }

@@ -27,7 +27,7 @@ constexpr double farthest_m = 1e-6;   ///< of every one
 constexpr double step_rate_hz = 60;
 constexpr std::size_t reference_every = 13;  ///< not a multiple of the systems in a frame
 
-/// Selecting by Eq. 7: the selection `filter` would stand beside every solver and bring them nearer.
+/// Selecting by Eq. 7: the selection `intent` would stand beside every solver and bring them nearer.
 Settings settings() {
   Settings settings = *preset("responsive");
   settings.selection = SelectionMethod::Paper;

@@ -40,6 +40,8 @@ TEST_F(SettingsOptions, EachOfTheContractCanBeGiven) {
       {"collisions off", false},
       {"foot-locks off", false},
       {"user-role passive", "passive"},
+      {"selection intent", "intent"},
+      {"selection filter", "intent"},
   };
   for (const auto& [words, value] : given) {
     const std::string key = words.substr(0, words.find(' '));

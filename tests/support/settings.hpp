@@ -15,7 +15,7 @@ inline Settings responsive_by_pose() {
 /// The same, selecting by the user's intent.
 inline Settings responsive_by_intent() {
   Settings settings = *preset("responsive");
-  settings.selection = SelectionMethod::Filter;
+  settings.selection = SelectionMethod::Intent;
   return settings;
 }
 

@@ -13,8 +13,8 @@ std::vector<CandidateRow> rows() {
   return candidate_rows(*test::synthetic_frame(0, 0), *test::two_take_library());
 }
 
-std::vector<CandidateRow> filter_rows() {
-  return candidate_rows(*test::filtered_frame(0, 0), *test::two_take_library());
+std::vector<CandidateRow> rows_by_intent() {
+  return candidate_rows(*test::frame_by_intent(0, 0), *test::two_take_library());
 }
 
 double sum(const CandidateRow& row) {
@@ -31,7 +31,7 @@ TEST(CandidateRows, ComeCheapestFirst) {
 
 TEST(CandidateRows, PartsAddUpToTheTotal) {
   for (const CandidateRow& row : rows()) EXPECT_NEAR(sum(row), row.total, 1e-12);
-  for (const CandidateRow& row : filter_rows()) EXPECT_NEAR(sum(row), row.total, 1e-12);
+  for (const CandidateRow& row : rows_by_intent()) EXPECT_NEAR(sum(row), row.total, 1e-12);
 }
 
 TEST(CandidateRows, SpeakTheTermsOfEquation7) {
@@ -44,9 +44,9 @@ TEST(CandidateRows, SpeakTheTermsOfEquation7) {
   EXPECT_FALSE(first.goes_on);
 }
 
-TEST(CandidateRows, SpeakTheTermsOfTheFilterWhereItDecided) {
-  const CandidateRow second = filter_rows()[1];
-  EXPECT_EQ(second.method, SelectionMethod::Filter);
+TEST(CandidateRows, SpeakTheTermsOfIntentWhereItDecided) {
+  const CandidateRow second = rows_by_intent()[1];
+  EXPECT_EQ(second.method, SelectionMethod::Intent);
   EXPECT_DOUBLE_EQ(value_of(second, CostTerm::Partner), 0.09);
   EXPECT_DOUBLE_EQ(value_of(second, CostTerm::Leader), 0.05);
   EXPECT_DOUBLE_EQ(value_of(second, CostTerm::Move), 0.03);
@@ -57,23 +57,23 @@ TEST(CandidateRows, SpeakTheTermsOfTheFilterWhereItDecided) {
 }
 
 TEST(CandidateRows, MarkTheOneThatGoesOnWithTheSource) {
-  const auto found = filter_rows();
+  const auto found = rows_by_intent();
   EXPECT_TRUE(found[0].goes_on);
   for (std::size_t i = 1; i < found.size(); ++i) EXPECT_FALSE(found[i].goes_on) << i;
 }
 
-TEST(CandidateRows, SpeakOfEquation7WhenACandidateLacksTheCostOfTheFilter) {
-  FrameSnapshot frame = *test::filtered_frame(0, 0);
+TEST(CandidateRows, SpeakOfEquation7WhenACandidateLacksTheCostOfIntent) {
+  FrameSnapshot frame = *test::frame_by_intent(0, 0);
   frame.result.candidates[3].intent.reset();
   for (const CandidateRow& row : candidate_rows(frame, *test::two_take_library()))
     EXPECT_EQ(row.method, SelectionMethod::Paper);
 }
 
-TEST(CandidateRows, ThatAreNotMeantAreOutByEquation7AndDearerWithTheFilter) {
+TEST(CandidateRows, ThatAreNotMeantAreOutByEquation7AndDearerByIntent) {
   CandidateRow row = rows()[0];
   row.not_meant = true;
   EXPECT_TRUE(row.is_out());
-  row = filter_rows()[0];
+  row = rows_by_intent()[0];
   row.not_meant = true;
   EXPECT_FALSE(row.is_out());
   row.vetoed = true;
@@ -82,12 +82,12 @@ TEST(CandidateRows, ThatAreNotMeantAreOutByEquation7AndDearerWithTheFilter) {
 
 TEST(DecidingMethod, IsThatOfTheCandidatesAndUnknownWithoutAny) {
   EXPECT_EQ(deciding_method(test::synthetic_frame(0, 0)->result), SelectionMethod::Paper);
-  EXPECT_EQ(deciding_method(test::filtered_frame(0, 0)->result), SelectionMethod::Filter);
+  EXPECT_EQ(deciding_method(test::frame_by_intent(0, 0)->result), SelectionMethod::Intent);
   EXPECT_FALSE(deciding_method(FrameResult{}));
 }
 
 TEST(CostTerms, EachHaveTheirPlaceAndColumnInOneMethod) {
-  for (const SelectionMethod method : {SelectionMethod::Paper, SelectionMethod::Filter}) {
+  for (const SelectionMethod method : {SelectionMethod::Paper, SelectionMethod::Intent}) {
     const auto terms = cost_terms(method).terms;
     ASSERT_LE(terms.size(), most_cost_terms);
     for (std::size_t i = 0; i < terms.size(); ++i) {
@@ -98,29 +98,29 @@ TEST(CostTerms, EachHaveTheirPlaceAndColumnInOneMethod) {
       EXPECT_THAT(candidate_columns(method), testing::Contains(column_of(terms[i].term)));
     }
   }
-  EXPECT_FALSE(place_of(CostTerm::Pose, SelectionMethod::Filter));
+  EXPECT_FALSE(place_of(CostTerm::Pose, SelectionMethod::Intent));
 }
 
 TEST(CandidateOrder, GoesByRankWhereItsColumnIsOneOfTheOtherMethod) {
   const CandidateOrder by_partner{CandidateColumn::Partner, true};
-  EXPECT_EQ(order_within(by_partner, SelectionMethod::Filter), by_partner);
+  EXPECT_EQ(order_within(by_partner, SelectionMethod::Intent), by_partner);
   EXPECT_EQ(order_within(by_partner, SelectionMethod::Paper), CandidateOrder{});
   const CandidateOrder by_distance{CandidateColumn::Distance, true};
   EXPECT_EQ(order_within(by_distance, SelectionMethod::Paper), by_distance) << "that both have";
 }
 
-TEST(CandidateOrder, SortsByEveryTermOfTheFilter) {
-  auto found = filter_rows();
+TEST(CandidateOrder, SortsByEveryTermOfIntent) {
+  auto found = rows_by_intent();
   sort_rows(found, {CandidateColumn::Leader, false});
   EXPECT_EQ(found.front().rank, 2);
   sort_rows(found, {CandidateColumn::Change, true});
   EXPECT_EQ(found.back().rank, 1) << "only the first is no change";
 }
 
-TEST(CandidateOrder, ShowsFiguresOfTheFilterInMetres) {
+TEST(CandidateOrder, ShowsFiguresOfIntentInMetres) {
   EXPECT_EQ(figure_unit(rows()[0], CandidateColumn::Total), "");
   EXPECT_EQ(figure_unit(rows()[0], CandidateColumn::Distance), " m");
-  EXPECT_EQ(figure_unit(filter_rows()[0], CandidateColumn::Total), " m");
+  EXPECT_EQ(figure_unit(rows_by_intent()[0], CandidateColumn::Total), " m");
 }
 
 TEST(CandidateRows, NameTheirSourceAndMove) {

@@ -21,7 +21,7 @@
 namespace abrazo::widgets::candidate_table_test {
 namespace {
 
-using test::filtered_frame;
+using test::frame_by_intent;
 using test::picture_of;
 using test::pixels_like;
 using test::synthetic_frame;
@@ -147,7 +147,7 @@ TEST(CandidateTable, SortsByAClickOnAColumn) {
 
 TEST(CandidateHeader, HasRoomForItsColumnsInEveryWidthOfThePanel) {
   CandidateHeader header;
-  for (const SelectionMethod method : {SelectionMethod::Paper, SelectionMethod::Filter}) {
+  for (const SelectionMethod method : {SelectionMethod::Paper, SelectionMethod::Intent}) {
     header.setMethod(method);
     for (const int width : {300, 340, 406, 420, 700}) {
       header.resize(width, header.height());
@@ -166,7 +166,7 @@ TEST(CandidateHeader, HasRoomForItsColumnsInEveryWidthOfThePanel) {
 TEST(CandidateTable, SpeaksTheTermsOfTheMethodThatDecidedTheShownFrame) {
   Table t;
   auto* header = t.table.findChild<CandidateHeader*>();
-  t.table.showFrame(filtered_frame(1, 0.03));
+  t.table.showFrame(frame_by_intent(1, 0.03));
   EXPECT_EQ(t.table.reason(), QString("Continues: #2 is 0.020 m better, less than the margin"));
   EXPECT_TRUE(header->area(CandidateColumn::Pose).isEmpty());
   EXPECT_FALSE(header->area(CandidateColumn::Partner).isEmpty());
@@ -180,8 +180,8 @@ TEST(CandidateTable, SpeaksTheTermsOfTheMethodThatDecidedTheShownFrame) {
 
 TEST(CandidateTable, StaysWithTheMethodOverAFrameWithoutCandidates) {
   Table t;
-  t.table.showFrame(filtered_frame(1, 0.03));
-  auto failed = std::make_shared<FrameSnapshot>(*filtered_frame(2, 0.06));
+  t.table.showFrame(frame_by_intent(1, 0.03));
+  auto failed = std::make_shared<FrameSnapshot>(*frame_by_intent(2, 0.06));
   failed->result.candidates.clear();
   failed->result.selected = -1;
   t.table.showFrame(failed);
@@ -200,7 +200,7 @@ TEST(CandidateTable, KeepsTheSortingAndTheScrollWhenTheMethodChanges) {
   scroll->setValue(scroll->maximum());
   const int before = scroll->value();
   EXPECT_GT(before, 0);
-  t.table.showFrame(filtered_frame(1, 0.03));
+  t.table.showFrame(frame_by_intent(1, 0.03));
   (void)picture_of(t.table);
   EXPECT_EQ(t.list->rows().front().candidate, 4) << "both have distances";
   EXPECT_EQ(scroll->value(), before);
@@ -208,7 +208,7 @@ TEST(CandidateTable, KeepsTheSortingAndTheScrollWhenTheMethodChanges) {
   EXPECT_EQ(t.list->rows().front().candidate, 1);
   t.table.showFrame(synthetic_frame(2, 0.06));
   EXPECT_EQ(t.list->rows().front().rank, 1) << "by rank where there is no such column";
-  t.table.showFrame(filtered_frame(3, 0.09));
+  t.table.showFrame(frame_by_intent(3, 0.09));
   EXPECT_EQ(t.list->rows().front().candidate, 1) << "as it was asked for";
 }
 
@@ -220,13 +220,13 @@ TEST(CandidateTable, SaysQuietlyThatTheMethodIsStillBeingLearned) {
   t.table.showFrame(learning);
   EXPECT_EQ(t.table.belief(), QString("Learning the library; Eq. 7 selects meanwhile"));
   EXPECT_TRUE(t.table.reason().startsWith("Winner by"));
-  t.table.showFrame(filtered_frame(2, 0.06));
+  t.table.showFrame(frame_by_intent(2, 0.06));
   EXPECT_EQ(t.table.belief(), QString()) << "of a frame from a file nobody knows the moves";
 }
 
 TEST(CandidateTable, MenuOffersTheColumnsOfTheMethod) {
   Table t;
-  t.table.showFrame(filtered_frame(1, 0.03));
+  t.table.showFrame(frame_by_intent(1, 0.03));
   QContextMenuEvent event(QContextMenuEvent::Mouse, {80, 30}, t.list->mapToGlobal(QPoint(80, 30)));
   QApplication::sendEvent(t.list, &event);
   QStringList offered;
@@ -238,8 +238,8 @@ TEST(CandidateTable, MenuOffersTheColumnsOfTheMethod) {
   t.table.findChild<QMenu*>()->close();
 }
 
-TEST(CandidateTable, PaintsTheTermsOfTheFilterAndMarksWhatGoesOn) {
-  auto without = std::make_shared<FrameSnapshot>(*filtered_frame(1, 0.03));
+TEST(CandidateTable, PaintsTheTermsOfIntentAndMarksWhatGoesOn) {
+  auto without = std::make_shared<FrameSnapshot>(*frame_by_intent(1, 0.03));
   without->result.candidates[0].continuation = false;
   without->result.intent.continued = -1;
   for (const Theme theme : {Theme::Dark, Theme::Light}) {
@@ -247,7 +247,7 @@ TEST(CandidateTable, PaintsTheTermsOfTheFilterAndMarksWhatGoesOn) {
     const Palette& colours = palette_of(theme);
     t.table.showFrame(without);
     const QImage plain = picture_of(*t.list);
-    t.table.showFrame(filtered_frame(1, 0.03));
+    t.table.showFrame(frame_by_intent(1, 0.03));
     const QImage picture = picture_of(*t.list);
     for (const CostTerm term : {CostTerm::Partner, CostTerm::Leader, CostTerm::Move, CostTerm::Change})
       EXPECT_GT(pixels_like(picture, colour_of(term, colours), 8), 100) << info_of(term).name;

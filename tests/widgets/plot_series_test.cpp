@@ -88,23 +88,23 @@ TEST(PlotSeries, ReadTheWinnersCostAndItsMarginToTheCheapestOther) {
   EXPECT_TRUE(std::isnan(of(SeriesReader().read(frame), Series::CostMargin))) << "no runner-up";
 }
 
-TEST(PlotSeries, ReadTheTermsOfTheFilterBesideEquation7) {
-  const SeriesValues values = SeriesReader().read(*test::filtered_frame(0, 0));
+TEST(PlotSeries, ReadTheTermsOfIntentBesideEquation7) {
+  const SeriesValues values = SeriesReader().read(*test::frame_by_intent(0, 0));
   EXPECT_DOUBLE_EQ(of(values, Series::ExpectedPartner), 0.10);
   EXPECT_DOUBLE_EQ(of(values, Series::LeaderMotion), 0.06);
   EXPECT_DOUBLE_EQ(of(values, Series::UnlikelyMove), 0.03);
   EXPECT_DOUBLE_EQ(of(values, Series::NotMeant), 0);
   EXPECT_DOUBLE_EQ(of(values, Series::ChangeOfSource), 0);
-  EXPECT_DOUBLE_EQ(of(values, Series::FilterCost), 0.19);
-  EXPECT_NEAR(of(values, Series::FilterMargin), 0.01, 1e-12);
+  EXPECT_DOUBLE_EQ(of(values, Series::IntentTotal), 0.19);
+  EXPECT_NEAR(of(values, Series::IntentMargin), 0.01, 1e-12);
   EXPECT_DOUBLE_EQ(of(values, Series::PoseCost), 0.1) << "of the same winner";
 }
 
-TEST(PlotSeries, HaveNoTermsOfTheFilterWhereEquation7Decided) {
+TEST(PlotSeries, HaveNoTermsOfIntentWhereEquation7Decided) {
   const SeriesValues values = SeriesReader().read(frame_at(0, 0));
   for (const Series series :
        {Series::ExpectedPartner, Series::LeaderMotion, Series::UnlikelyMove, Series::NotMeant,
-        Series::ChangeOfSource, Series::FilterCost, Series::FilterMargin})
+        Series::ChangeOfSource, Series::IntentTotal, Series::IntentMargin})
     EXPECT_TRUE(std::isnan(of(values, series))) << info_of(series).key;
 }
 

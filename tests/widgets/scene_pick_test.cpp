@@ -231,7 +231,7 @@ TEST(Describe, TellsRankAndCostOfACandidateAndWhenItIsNone) {
 }
 
 TEST(Describe, TellsWhatTheFilterExpectsOfACandidate) {
-  const auto frame = test::filtered_frame(0, 0);
+  const auto frame = test::frame_by_intent(0, 0);
   const auto library = test::two_take_library();
   EXPECT_THAT(describe(*frame, Selection::candidate(0), library.get()).lines,
               ::testing::ElementsAre("turn", "rank 1 of 5, selected, goes on",

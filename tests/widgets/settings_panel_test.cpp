@@ -227,9 +227,9 @@ TEST(SettingsPanel, GreysWhatDoesNotCountWithTheMethodOfSelectionAndSaysWhoseItI
   EXPECT_FALSE(p.slider("transition-time").isEnabled());
   EXPECT_TRUE(p.row("transition-time").toolTip().contains("Only with the playback continuous"));
   EXPECT_FALSE(p.slider("switch-margin").isEnabled());
-  EXPECT_TRUE(p.row("switch-margin").toolTip().contains("Only with the method filter"));
+  EXPECT_TRUE(p.row("switch-margin").toolTip().contains("Only with the method intent"));
   QTest::keyClick(p.row("selection").findChild<QComboBox*>(), Qt::Key_Down);
-  EXPECT_EQ(p.panel.settings().selection, SelectionMethod::Filter);
+  EXPECT_EQ(p.panel.settings().selection, SelectionMethod::Intent);
   EXPECT_TRUE(p.slider("switch-margin").isEnabled());
   EXPECT_FALSE(p.row("switch-margin").toolTip().contains("Only with"));
   EXPECT_FALSE(p.slider("continuations").isEnabled());

@@ -95,9 +95,9 @@ FrameSnapshotPtr synthetic_frame(std::uint64_t index, double time_s) {
   return frame;
 }
 
-FrameSnapshotPtr filtered_frame(std::uint64_t index, double time_s) {
+FrameSnapshotPtr frame_by_intent(std::uint64_t index, double time_s) {
   auto frame = std::make_shared<FrameSnapshot>(*synthetic_frame(index, time_s));
-  frame->settings.selection = SelectionMethod::Filter;
+  frame->settings.selection = SelectionMethod::Intent;
   constexpr std::array<IntentCost, 5> costs = {{{0.10, 0.06, 0.03, 0, 0, 0.19},
                                                 {0.09, 0.05, 0.03, 0, 0.03, 0.20},
                                                 {0.12, 0.08, 0.03, 0, 0.03, 0.26},

@@ -14,8 +14,8 @@ std::shared_ptr<const MotionLibrary> two_take_library();
 /// `two_take_library`, the first of them selected. The passive character sways with the index.
 FrameSnapshotPtr synthetic_frame(std::uint64_t index, double time_s);
 
-/// The same, selected by `filter`. The first candidate goes on with the source [m]: 0.100 partner, 0.060
+/// The same, selected by `intent`. The first candidate goes on with the source [m]: 0.100 partner, 0.060
 /// leader, 0.030 move. The second would be 0.020 better, the margin is 0.030.
-FrameSnapshotPtr filtered_frame(std::uint64_t index, double time_s);
+FrameSnapshotPtr frame_by_intent(std::uint64_t index, double time_s);
 
 }  // namespace abrazo::test

@@ -147,13 +147,13 @@ TEST(TimelineTracks, KnowWhichMethodACostIsOf) {
     TrackRow row;
     row.time_s = 0.1 * i;
     row.take = 0;
-    row.is_of_filter = i >= 3;
+    row.is_by_intent = i >= 3;
     tracks.append(row);
   }
-  EXPECT_FALSE(tracks.is_of_filter_at(0.2));
-  EXPECT_TRUE(tracks.is_of_filter_at(0.35));
-  EXPECT_TRUE(tracks.is_of_filter_at(0.5)) << "also at the newest";
-  EXPECT_FALSE(TimelineTracks().is_of_filter_at(0));
+  EXPECT_FALSE(tracks.is_by_intent_at(0.2));
+  EXPECT_TRUE(tracks.is_by_intent_at(0.35));
+  EXPECT_TRUE(tracks.is_by_intent_at(0.5)) << "also at the newest";
+  EXPECT_FALSE(TimelineTracks().is_by_intent_at(0));
 }
 
 TEST(TimelineTracks, KeepTheRoleThatTheUserWasGiven) {

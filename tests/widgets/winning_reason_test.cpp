@@ -32,12 +32,12 @@ TEST(WinningReason, SayWhenThereIsNothingToCompare) {
   EXPECT_EQ(winning_reason({rows()[0]}), "The only candidate");
 }
 
-/// Rows of the filter, cheapest first; the first is selected. Terms [m] as in IntentCost.
-std::vector<CandidateRow> filter_rows(const std::vector<std::array<double, most_cost_terms>>& terms) {
+/// Rows by intent, cheapest first; the first is selected. Terms [m] as in IntentCost.
+std::vector<CandidateRow> rows_by_intent(const std::vector<std::array<double, most_cost_terms>>& terms) {
   std::vector<CandidateRow> found;
   for (const auto& of_row : terms) {
     CandidateRow row;
-    row.method = SelectionMethod::Filter;
+    row.method = SelectionMethod::Intent;
     row.terms = of_row;
     for (const double term : of_row) row.total += term;
     row.selected = found.empty();
@@ -47,42 +47,42 @@ std::vector<CandidateRow> filter_rows(const std::vector<std::array<double, most_
   return found;
 }
 
-TEST(WinningReasonOfTheFilter, SaysWhatAChangeIsFor) {
-  auto nearer = filter_rows({{0.10, 0.05, 0.02, 0, 0.03}, {0.16, 0.06, 0.02, 0, 0}});
+TEST(WinningReasonOfIntent, SaysWhatAChangeIsFor) {
+  auto nearer = rows_by_intent({{0.10, 0.05, 0.02, 0, 0.03}, {0.16, 0.06, 0.02, 0, 0}});
   nearer[1].goes_on = true;
   EXPECT_EQ(winning_reason(nearer), "Change: partner expected 0.060 m nearer than going on");
-  auto likelier = filter_rows({{0.10, 0.05, 0.02, 0, 0.03}, {0.11, 0.05, 0.09, 0, 0}});
+  auto likelier = rows_by_intent({{0.10, 0.05, 0.02, 0, 0.03}, {0.11, 0.05, 0.09, 0, 0}});
   likelier[1].goes_on = true;
   EXPECT_EQ(winning_reason(likelier), "Change: 0.080 m better than going on — likelier move")
       << "the margin, which it paid, left out";
 }
 
-TEST(WinningReasonOfTheFilter, SaysThatGoingOnWasVetoed) {
-  auto found = filter_rows({{0.10, 0.05, 0.02, 0, 0.03}, {0.16, 0.06, 0.02, 0, 0}});
+TEST(WinningReasonOfIntent, SaysThatGoingOnWasVetoed) {
+  auto found = rows_by_intent({{0.10, 0.05, 0.02, 0, 0.03}, {0.16, 0.06, 0.02, 0, 0}});
   found[1].goes_on = found[1].vetoed = true;
   EXPECT_EQ(winning_reason(found), "Change: continuing is vetoed");
 }
 
-TEST(WinningReasonOfTheFilter, SaysWhetherOnlyTheMarginHeldTheSource) {
-  EXPECT_EQ(winning_reason(candidate_rows(*test::filtered_frame(0, 0), *test::two_take_library())),
+TEST(WinningReasonOfIntent, SaysWhetherOnlyTheMarginHeldTheSource) {
+  EXPECT_EQ(winning_reason(candidate_rows(*test::frame_by_intent(0, 0), *test::two_take_library())),
             "Continues: #2 is 0.020 m better, less than the margin");
-  auto better = filter_rows({{0.10, 0.02, 0.02, 0, 0}, {0.11, 0.05, 0.02, 0, 0.03}});
+  auto better = rows_by_intent({{0.10, 0.02, 0.02, 0, 0}, {0.11, 0.05, 0.02, 0, 0.03}});
   better[0].goes_on = true;
   EXPECT_EQ(winning_reason(better), "Continues, 0.040 m better than #2 — motion of the leader");
-  auto equal = filter_rows({{0.10, 0.02, 0.02, 0, 0}, {0.10, 0.02, 0.02, 0, 0.03}});
+  auto equal = rows_by_intent({{0.10, 0.02, 0.02, 0, 0}, {0.10, 0.02, 0.02, 0, 0.03}});
   equal[0].goes_on = true;
   EXPECT_EQ(winning_reason(equal), "Continues: #2 is as good, but would be a change");
 }
 
-TEST(WinningReasonOfTheFilter, ComparesWithTheSecondWhereNothingGoesOn) {
-  const auto found = filter_rows({{0.10, 0.05, 0.02, 0, 0}, {0.10, 0.05, 0.02, 0.2, 0}});
+TEST(WinningReasonOfIntent, ComparesWithTheSecondWhereNothingGoesOn) {
+  const auto found = rows_by_intent({{0.10, 0.05, 0.02, 0, 0}, {0.10, 0.05, 0.02, 0.2, 0}});
   EXPECT_EQ(winning_reason(found), "Margin 0.200 m to #2 — what is meant");
-  EXPECT_EQ(winning_reason(filter_rows({{0.10, 0.05, 0.02, 0, 0}, {0.10, 0.05, 0.02, 0, 0}})),
+  EXPECT_EQ(winning_reason(rows_by_intent({{0.10, 0.05, 0.02, 0, 0}, {0.10, 0.05, 0.02, 0, 0}})),
             "A tie with #2");
 }
 
-TEST(WinningReasonOfTheFilter, SaysWhenTheSelectedIsNotTheCheapest) {
-  auto found = filter_rows({{0.10, 0.05, 0.02, 0, 0.03}, {0.16, 0.06, 0.02, 0, 0}});
+TEST(WinningReasonOfIntent, SaysWhenTheSelectedIsNotTheCheapest) {
+  auto found = rows_by_intent({{0.10, 0.05, 0.02, 0, 0.03}, {0.16, 0.06, 0.02, 0, 0}});
   found[0].selected = false;
   found[1].selected = true;
   EXPECT_EQ(winning_reason(found), "Not the cheapest: 0.040 m above it");

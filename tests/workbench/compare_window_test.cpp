@@ -111,8 +111,8 @@ TEST_F(CompareInTheWindow, SwapAndAdoptAreOneStepOfUndoEach) {
 
 TEST_F(CompareInTheWindow, ACancelledWhatIfIsNotTakenUpAgainByItself) {
   window().ticker().seek(shown()->time_s - 0.2);
-  panel().setSpan(widgets::WhatIfSpan::TenSeconds);
-  emit panel().spanRequested(widgets::WhatIfSpan::TenSeconds);
+  panel().setSpan(WhatIfSpan::TenSeconds);
+  emit panel().spanRequested(WhatIfSpan::TenSeconds);
   window().settings().change("morph-steps", "20");
   ASSERT_TRUE(until([] { return desk().hasAsked(); }));
   desk().cancel();
@@ -121,8 +121,8 @@ TEST_F(CompareInTheWindow, ACancelledWhatIfIsNotTakenUpAgainByItself) {
   const std::size_t at_cancel = solved();
   QTest::qWait(600);
   EXPECT_EQ(solved(), at_cancel) << "what is there stays, and nothing is added";
-  panel().setSpan(widgets::WhatIfSpan::TwoSeconds);
-  emit panel().spanRequested(widgets::WhatIfSpan::TwoSeconds);
+  panel().setSpan(WhatIfSpan::TwoSeconds);
+  emit panel().spanRequested(WhatIfSpan::TwoSeconds);
   EXPECT_TRUE(until([] { return desk().shown() && desk().shown()->done; }));
 }
 

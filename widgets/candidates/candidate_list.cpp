@@ -248,7 +248,7 @@ QString CandidateList::tip(const CandidateRow& row) const {
   for (const CostTermInfo& info : decides.terms)
     tip += line(info.weighed, value_of(row, info.term), decides.unit);
   tip += line(decides.total, row.total, decides.unit);
-  if (row.method == SelectionMethod::Filter)
+  if (row.method == SelectionMethod::Intent)
     tip += line("Eq. 7, which does not decide", row.equation_7, "m²");
   tip += line("feature distance", row.feature_distance, "m");
   return tip + "</table>";

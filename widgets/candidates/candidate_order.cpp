@@ -12,7 +12,7 @@ using enum CandidateColumn;
 
 constexpr std::array<CandidateColumn, 8> paper_columns = {Rank,   Source,  Label, Pose,
                                                           Active, Passive, Total, Distance};
-constexpr std::array<CandidateColumn, 10> filter_columns = {Rank, Source, Label,  Partner, Leader,
+constexpr std::array<CandidateColumn, 10> intent_columns = {Rank, Source, Label,  Partner, Leader,
                                                             Move, Meant,  Change, Total,   Distance};
 
 /// Negative, zero or positive, as strcmp.
@@ -35,7 +35,7 @@ int compare(const CandidateRow& a, const CandidateRow& b, CandidateColumn column
 }  // namespace
 
 std::span<const CandidateColumn> candidate_columns(SelectionMethod method) {
-  if (method == SelectionMethod::Filter) return filter_columns;
+  if (method == SelectionMethod::Intent) return intent_columns;
   return paper_columns;
 }
 
@@ -86,7 +86,7 @@ double shown_figure(const CandidateRow& row, CandidateColumn column) {
 }
 
 std::string_view figure_unit(const CandidateRow& row, CandidateColumn column) {
-  return column == Distance || row.method == SelectionMethod::Filter ? " m" : "";
+  return column == Distance || row.method == SelectionMethod::Intent ? " m" : "";
 }
 
 }  // namespace abrazo::widgets

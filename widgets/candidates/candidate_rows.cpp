@@ -11,7 +11,7 @@ void read_paper(const Candidate& candidate, double alpha, CandidateRow& row) {
   row.total = cost.total;
 }
 
-void read_filter(const Candidate& candidate, const FrameIntent& intent, CandidateRow& row) {
+void read_intent(const Candidate& candidate, const FrameIntent& intent, CandidateRow& row) {
   const IntentCost& cost = *candidate.intent;
   row.terms = {cost.partner, cost.leader, cost.move, cost.meant, cost.change + cost.temporal};
   row.total = cost.total;
@@ -36,8 +36,8 @@ std::vector<CandidateRow> candidate_rows(const FrameSnapshot& frame, const Motio
     row.swapped = library.source(candidate.pair).swapped;
     row.label = library.label(candidate.pair);
     row.method = method;
-    if (method == SelectionMethod::Filter)
-      read_filter(candidate, result.intent, row);
+    if (method == SelectionMethod::Intent)
+      read_intent(candidate, result.intent, row);
     else
       read_paper(candidate, frame.settings.alpha, row);
     row.equation_7 = candidate.cost.total;

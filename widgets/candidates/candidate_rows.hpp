@@ -22,16 +22,16 @@ struct CandidateRow {
   std::string label;
   SelectionMethod method = SelectionMethod::Paper;
   std::array<double, most_cost_terms> terms{};  ///< weighed, in the order of cost_terms(method)
-  double total = 0;                             ///< [m^2] by Eq. 7, [m] of `filter`
+  double total = 0;                             ///< [m^2] by Eq. 7, [m] of `intent`
   double equation_7 = 0;                        ///< its total, also where it does not decide [m^2]
   double feature_distance = 0;                  ///< [m]
   bool selected = false;
-  bool goes_on = false;  ///< continues the source of the frame before; only told with `filter`
+  bool goes_on = false;  ///< continues the source of the frame before; only told with `intent`
   bool pinned = false;
   bool vetoed = false;     ///< by itself, its take or its label
   bool not_meant = false;  ///< another move is meant
 
-  /// Cannot be selected. Eq. 7 compares only what is meant; with `filter` the others cost more.
+  /// Cannot be selected. Eq. 7 compares only what is meant; with `intent` the others cost more.
   bool is_out() const { return vetoed || (not_meant && method == SelectionMethod::Paper); }
 };
 

@@ -169,7 +169,7 @@ void CandidateTable::resizeEvent(QResizeEvent* event) {
 }
 
 /// The height does not follow the words: those of every frame are others. The map's button stands beside the
-/// belief where there is one, because the reasons of the filter are longer.
+/// belief where there is one, because the reasons by intent are longer.
 void CandidateTable::arrangeFoot(bool has_belief) {
   constexpr int one_line = 24, two_lines = 40, narrow = 400;
   m_reason->setFixedHeight(width() < narrow ? two_lines : one_line);
@@ -200,7 +200,7 @@ void CandidateTable::showBelief() {
     m_beliefWords = "Learning the library; Eq. 7 selects meanwhile";
   else if (m_frame && m_frame->result.intent.model)
     m_beliefWords = text(likely_moves(m_frame->result.intent.model->labels(), m_frame->result.intent.moves));
-  arrangeFoot(is_learning || m_method == SelectionMethod::Filter);
+  arrangeFoot(is_learning || m_method == SelectionMethod::Intent);
   const int room = width() - 36 - m_mapButton->sizeHint().width();
   m_belief->setText(QFontMetrics(m_belief->font()).elidedText(m_beliefWords, Qt::ElideRight, room));
   m_belief->setToolTip(m_beliefWords == m_belief->text() ? QString() : plain_tip(m_beliefWords));

@@ -16,7 +16,7 @@ constexpr std::array<CostTermInfo, 3> paper_terms = {{
      "α · temporal follower", "less temporal cost of the follower"},
 }};
 
-constexpr std::array<CostTermInfo, most_cost_terms> filter_terms = {{
+constexpr std::array<CostTermInfo, most_cost_terms> intent_terms = {{
     {CostTerm::Partner, "partner", "part.", "partner", "part.", "expected distance of the partner",
      "expected distance of the partner", "partner expected nearer"},
     {CostTerm::Leader, "leader", "lead.", "leader", "lead.", "motion of the leader",
@@ -30,7 +30,7 @@ constexpr std::array<CostTermInfo, most_cost_terms> filter_terms = {{
 
 constexpr std::array<CostTerms, 2> of_methods = {{
     {paper_terms, "total (Eq. 7)", "m²"},
-    {filter_terms, "total (filter)", "m"},
+    {intent_terms, "total (intent)", "m"},
 }};
 
 }  // namespace
@@ -41,7 +41,7 @@ const CostTerms& cost_terms(SelectionMethod method) {
 
 const CostTermInfo& info_of(CostTerm term) {
   const auto place = place_of(term, SelectionMethod::Paper);
-  return place ? paper_terms[*place] : filter_terms[*place_of(term, SelectionMethod::Filter)];
+  return place ? paper_terms[*place] : intent_terms[*place_of(term, SelectionMethod::Intent)];
 }
 
 std::optional<std::size_t> place_of(CostTerm term, SelectionMethod method) {
@@ -72,10 +72,10 @@ QColor colour_of(CostTerm term, const Palette& palette) {
 
 std::optional<SelectionMethod> deciding_method(const FrameResult& result) {
   if (result.candidates.empty()) return std::nullopt;
-  // A file may say what it likes; where one of them lacks the filter's cost, Eq. 7 is what all have.
+  // A file may say what it likes; where one of them lacks the cost by intent, Eq. 7 is what all have.
   const bool all =
       std::ranges::all_of(result.candidates, [](const Candidate& c) { return c.intent.has_value(); });
-  return all ? SelectionMethod::Filter : SelectionMethod::Paper;
+  return all ? SelectionMethod::Intent : SelectionMethod::Paper;
 }
 
 }  // namespace abrazo::widgets

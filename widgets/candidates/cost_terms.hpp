@@ -13,7 +13,7 @@ namespace abrazo::widgets {
 
 struct Palette;
 
-/// A part of what decides between candidates: the first three of Eq. 7 [m^2], the others of `filter` [m].
+/// A part of what decides between candidates: the first three of Eq. 7 [m^2], the others of `intent` [m].
 enum class CostTerm { Pose, Active, Passive, Partner, Leader, Move, Meant, Change };
 
 inline constexpr std::size_t most_cost_terms = 5;  ///< that one method has

@@ -60,7 +60,7 @@ std::string change(const CandidateRow& winner, const CandidateRow& going_on) {
   return "Change: " + figure(better) + " m better than going on" + because(gain);
 }
 
-std::string filter_reason(const std::vector<CandidateRow>& rows, const FrameIntent& intent) {
+std::string intent_reason(const std::vector<CandidateRow>& rows, const FrameIntent& intent) {
   const CandidateRow& winner = rows.front();
   const CandidateRow& second = rows[1];
   if (winner.goes_on) return going_on(winner, second);
@@ -86,11 +86,11 @@ std::string winning_reason(const std::vector<CandidateRow>& rows, const FrameInt
   const auto winner = std::ranges::find_if(rows, &CandidateRow::selected);
   if (winner == rows.end()) return "No candidate was selected";
   if (rows.size() == 1) return "The only candidate";
-  const bool is_filter = winner->method == SelectionMethod::Filter;
+  const bool is_by_intent = winner->method == SelectionMethod::Intent;
   if (winner != rows.begin())
-    return "Not the cheapest: " + figure(winner->total - rows.front().total) + (is_filter ? " m" : "") +
+    return "Not the cheapest: " + figure(winner->total - rows.front().total) + (is_by_intent ? " m" : "") +
            " above it";
-  return is_filter ? filter_reason(rows, intent) : paper_reason(rows[0], rows[1]);
+  return is_by_intent ? intent_reason(rows, intent) : paper_reason(rows[0], rows[1]);
 }
 
 std::string likely_moves(std::span<const std::string> labels, std::span<const float> moves) {

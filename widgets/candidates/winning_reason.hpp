@@ -9,7 +9,7 @@
 namespace abrazo::widgets {
 
 /// Of the cheapest-first order. By Eq. 7: "Winner by 0.024 — less temporal cost of the follower", the margin
-/// to the runner-up and the term that decided it. With `filter`: why the source changed, "Change: partner
+/// to the runner-up and the term that decided it. With `intent`: why the source changed, "Change: partner
 /// expected 0.060 m nearer than going on", or why it did not. Says so when the winner is not the cheapest (a
 /// pinned pair), or when there is nothing to compare with.
 /// @param intent  of the same frame

@@ -12,4 +12,11 @@ QToolButton* chip(const QString& text, const QString& tip, QWidget* parent) {
   return button;
 }
 
+QToolButton* text_chip(const QString& text, const QString& tip, QWidget* parent) {
+  auto* button = chip(text, tip, parent);
+  button->setAccessibleName(QString(text).remove("…"));
+  button->setFocusPolicy(Qt::TabFocus);
+  return button;
+}
+
 }  // namespace abrazo::widgets

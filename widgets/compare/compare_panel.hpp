@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/metrics/run_comparison.hpp"
+#include "core/session/frames/comparison_plan.hpp"
 #include "widgets/common/palette.hpp"
 
 class QComboBox;
@@ -18,9 +19,6 @@ namespace abrazo::widgets {
 class CompareCurve;
 class FigureTable;
 class RunCard;
-
-/// Which frames are solved again when the cursor is parked.
-enum class WhatIfSpan { Frame, TwoSeconds, TenSeconds, InToOut };
 
 /// What the panel says about the two runs; plain values.
 struct CompareSides {
@@ -61,7 +59,7 @@ class ComparePanel : public QWidget {
   void adoptRequested();
   void clearRequested();
   void asideRequested(bool on);
-  void spanRequested(abrazo::widgets::WhatIfSpan span);
+  void spanRequested(abrazo::WhatIfSpan span);
   void cancelRequested();
   void seekRequested(double time_s);
 

@@ -287,7 +287,7 @@ void TakeList::showFoot() {
           "the library's own typical neighbour distance, the median distance of its pairs to the nearest "
           "that is not within a second of them in the same take.\n"
           "In a row: the bars below the moves show which parts of a take this session selected, the figure "
-          "how often. The light below the bars is belief, with the selection “filter”: where the user's "
+          "how often. The light below the bars is belief, with the selection “intent”: where the user's "
           "last two seconds say that the partner comes from next; full light is the likeliest place of the "
           "library.")
           .arg(m_typical_m ? QString::number(*m_typical_m, 'f', 3) + " m" : "the typical distance"));

@@ -9,6 +9,7 @@
 
 #include "widgets/common/latency_colours.hpp"
 #include "widgets/common/theme.hpp"
+#include "widgets/plots/plot_colours.hpp"
 
 namespace abrazo::widgets {
 namespace {
@@ -88,21 +89,8 @@ void LatencyPlot::setUp() {
 
 void LatencyPlot::setColours(const Palette& palette) {
   m_palette = palette;
-  m_plot->setBackground(QBrush(palette.panel));
-  const QColor faint = mixed(palette.secondary, palette.panel, 0.22);
-  for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis}) {
-    axis->setBasePen(QPen(faint));
-    axis->setTickPen(Qt::NoPen);
-    axis->setSubTickPen(Qt::NoPen);
-    axis->setTickLabelColor(palette.secondary);
-    axis->setTickLabelFont(interface_font(10));
-    axis->setLabelFont(interface_font(10));
-    axis->setLabelColor(palette.secondary);
-    axis->grid()->setPen(QPen(faint, 1));
-    axis->grid()->setZeroLinePen(QPen(faint, 1));
-  }
+  set_frame_colours(*m_plot, palette);
   m_plot->yAxis->setLabel("ms");
-  m_plot->xAxis->grid()->setVisible(false);
   for (std::size_t i = 0; i < std::size(stacked); ++i) {
     const QColor colour = latency_colour(stacked[i], palette);
     m_stages[i]->setPen(Qt::NoPen);

@@ -1,5 +1,9 @@
 #include "widgets/plots/plot_colours.hpp"
 
+#include <qcustomplot.h>
+
+#include "widgets/common/theme.hpp"
+
 namespace abrazo::widgets {
 
 QColor colour_of(Series series, const Palette& p) {
@@ -40,9 +44,9 @@ QColor colour_of(Series series, const Palette& p) {
       return p.warning;
     case Series::ChangeOfSource:
       return p.user;
-    case Series::FilterCost:
+    case Series::IntentTotal:
       return p.text;
-    case Series::FilterMargin:
+    case Series::IntentMargin:
       return p.energy_velocity;
     case Series::RetargetTime:
       return p.user;
@@ -93,8 +97,25 @@ QColor colour_of(Series series, const Palette& p) {
 }
 
 bool is_dashed(Series series) {
-  return series == Series::TotalCost || series == Series::FilterCost || series == Series::TotalTime ||
+  return series == Series::TotalCost || series == Series::IntentTotal || series == Series::TotalTime ||
          series == Series::EdgeReference;
+}
+
+void set_frame_colours(QCustomPlot& plot, const Palette& palette) {
+  plot.setBackground(QBrush(palette.panel));
+  const QColor faint = mixed(palette.secondary, palette.panel, 0.22);
+  for (QCPAxis* axis : {plot.xAxis, plot.yAxis}) {
+    axis->setBasePen(QPen(faint));
+    axis->setTickPen(Qt::NoPen);
+    axis->setSubTickPen(Qt::NoPen);
+    axis->setTickLabelColor(palette.secondary);
+    axis->setTickLabelFont(interface_font(10));
+    axis->setLabelColor(palette.secondary);
+    axis->setLabelFont(interface_font(10));
+    axis->grid()->setPen(QPen(faint, 1));
+    axis->grid()->setZeroLinePen(QPen(faint, 1));
+  }
+  plot.xAxis->grid()->setVisible(false);
 }
 
 }  // namespace abrazo::widgets

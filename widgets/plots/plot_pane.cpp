@@ -110,18 +110,7 @@ void PlotPane::setTitle(const std::string& title) {
 
 void PlotPane::setColours(const Palette& palette) {
   m_palette = palette;
-  m_plot->setBackground(QBrush(palette.panel));
-  const QColor faint = mixed(palette.secondary, palette.panel, 0.22);
-  for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis}) {
-    axis->setBasePen(QPen(faint));
-    axis->setTickPen(Qt::NoPen);
-    axis->setSubTickPen(Qt::NoPen);
-    axis->setTickLabelColor(palette.secondary);
-    axis->setTickLabelFont(interface_font(10));
-    axis->grid()->setPen(QPen(faint, 1));
-    axis->grid()->setZeroLinePen(QPen(faint, 1));
-  }
-  m_plot->xAxis->grid()->setVisible(false);
+  set_frame_colours(*m_plot, palette);
   for (int c = 0; c < seriesCount(); ++c) {
     const Series series = m_series[static_cast<std::size_t>(c)];
     const QColor colour = colour_of(series, palette);

@@ -6,8 +6,8 @@
 
 #include "core/base/units.hpp"
 #include "core/library/store/motion_library.hpp"
-#include "core/mesh/capsules.hpp"
-#include "core/motion/body/joint_set.hpp"
+#include "core/metrics/holds.hpp"
+#include "core/metrics/partner_error.hpp"
 
 namespace abrazo::widgets {
 namespace {
@@ -31,13 +31,13 @@ void read_residuals(const FrameResidual& residual, SeriesValues& values) {
   at(values, Series::MorphRms) = mm_per_m * residual.morph_rms_m;
 }
 
-void read_filter_cost(const IntentCost& cost, SeriesValues& values) {
+void read_intent_cost(const IntentCost& cost, SeriesValues& values) {
   at(values, Series::ExpectedPartner) = cost.partner;
   at(values, Series::LeaderMotion) = cost.leader;
   at(values, Series::UnlikelyMove) = cost.move;
   at(values, Series::NotMeant) = cost.meant;
   at(values, Series::ChangeOfSource) = cost.change + cost.temporal;
-  at(values, Series::FilterCost) = cost.total;
+  at(values, Series::IntentTotal) = cost.total;
 }
 
 /// How much dearer the cheapest of the others is; NaN without one.
@@ -61,30 +61,9 @@ void read_costs(const FrameSnapshot& frame, SeriesValues& values) {
   at(values, Series::TotalCost) = winner.cost.total;
   at(values, Series::CostMargin) = margin(result, selected, [](const Candidate& c) { return c.cost.total; });
   if (!winner.intent) return;
-  read_filter_cost(*winner.intent, values);
-  at(values, Series::FilterMargin) =
+  read_intent_cost(*winner.intent, values);
+  at(values, Series::IntentMargin) =
       margin(result, selected, [](const Candidate& c) { return c.intent ? c.intent->total : none; });
-}
-
-double mean_joint_distance(const Pose& a, const Pose& b) {
-  return (a - b).rowwise().norm().mean();
-}
-
-/// Mean over the hands that hold one another in the selected pair of |distance in the result - in the
-/// selected pair| [m], as the metric of holds has it; NaN when no hands do.
-double hold_change(const PairPose& result, const PairPose& selected) {
-  double sum = 0;
-  int holds = 0;
-  for (const int active : {joints::left_hand, joints::right_hand})
-    for (const int passive : {joints::left_hand, joints::right_hand}) {
-      const auto apart = [&](const PairPose& pair) {
-        return (pair.row(active) - pair.row(passive + joint_count)).norm();
-      };
-      if (apart(selected) >= hold_distance_m) continue;
-      sum += std::abs(apart(result) - apart(selected));
-      ++holds;
-    }
-  return holds > 0 ? sum / holds : none;
 }
 
 bool partner_is_active(const FrameSnapshot& frame) {
@@ -148,21 +127,21 @@ const std::array<SeriesInfo, series_count>& all_series() {
       {TotalCost, "cost.total", "Cost", "total cost", "total", "m²", 3, "of the winner, Eq. 7"},
       {CostMargin, "cost.margin", "Cost", "margin to the runner-up", "margin", "m²", 3,
        "how much more the cheapest of the others costs; below 0 if that one was cheaper"},
-      {ExpectedPartner, "filter.partner", "Cost of the filter", "expected partner distance", "partner", "m",
-       3, "of the winner: expected mean joint distance of its partner from the one the user means"},
-      {LeaderMotion, "filter.leader", "Cost of the filter", "motion of the leader", "leader", "m", 3,
+      {ExpectedPartner, "intent.partner", "Cost by intent", "expected partner distance", "partner", "m", 3,
+       "of the winner: expected mean joint distance of its partner from the one the user means"},
+      {LeaderMotion, "intent.leader", "Cost by intent", "motion of the leader", "leader", "m", 3,
        "of the winner: w_l (1 − k), the user's last 2 s beside those before the pair"},
-      {UnlikelyMove, "filter.move", "Cost of the filter", "unlikely move", "move", "m", 3,
+      {UnlikelyMove, "intent.move", "Cost by intent", "unlikely move", "move", "m", 3,
        "of the winner: w_m (1 − P(its label))"},
-      {NotMeant, "filter.meant", "Cost of the filter", "not what is meant", "meant", "m", 3,
+      {NotMeant, "intent.meant", "Cost by intent", "not what is meant", "meant", "m", 3,
        "of the winner: w_p when a person named another move"},
-      {ChangeOfSource, "filter.change", "Cost of the filter", "change of source", "change", "m", 3,
+      {ChangeOfSource, "intent.change", "Cost by intent", "change of source", "change", "m", 3,
        "of the winner: the margin if it does not continue the source, and α times its distance from what "
        "is shown"},
-      {FilterCost, "filter.total", "Cost of the filter", "total of the filter", "total", "m", 3,
-       "of the winner: what the selection filter decides by"},
-      {FilterMargin, "filter.margin", "Cost of the filter", "margin of the filter to the runner-up", "margin",
-       "m", 3, "how much more the cheapest of the others costs; below 0 if that one was cheaper"},
+      {IntentTotal, "intent.total", "Cost by intent", "total by intent", "total", "m", 3,
+       "of the winner: what the selection by intent decides by"},
+      {IntentMargin, "intent.margin", "Cost by intent", "margin by intent to the runner-up", "margin", "m", 3,
+       "how much more the cheapest of the others costs; below 0 if that one was cheaper"},
       {RetargetTime, "time.retarget", "Step time", "retarget", "retarget", "ms", 3, "user onto the body"},
       {SelectTime, "time.select", "Step time", "select", "select", "ms", 3, "neighbours and their costs"},
       {MeshTime, "time.mesh", "Step time", "mesh", "mesh", "ms", 3, "reference of the deformation"},
@@ -264,7 +243,7 @@ void SeriesReader::read_energies(const FrameSnapshot& frame, SeriesValues& value
 
 void SeriesReader::read_metrics(const FrameSnapshot& frame, SeriesValues& values) {
   const FrameResult& result = frame.result;
-  at(values, Series::HoldChange) = mm_per_m * hold_change(result.result, result.selected_pair);
+  at(values, Series::HoldChange) = mm_per_m * hold_change_m(result.result, result.selected_pair);
   at(values, Series::BehindSelected) =
       mm_per_m * mean_joint_distance(result.passive(), result.selected_pair.bottomRows<joint_count>());
   if (previous_ && previous_->partner)

@@ -69,7 +69,7 @@ std::string setting_description(const SettingInfo& info) {
 std::string inapplicable_note(const Settings& settings, std::string_view key) {
   Settings other = settings;
   const bool is_paper = settings.selection == SelectionMethod::Paper;
-  other.selection = is_paper ? SelectionMethod::Filter : SelectionMethod::Paper;
+  other.selection = is_paper ? SelectionMethod::Intent : SelectionMethod::Paper;
   const bool is_of_method = applies(other, key);
   const bool is_frames = settings.playback == SourcePlayback::Frames;
   other.playback = is_frames ? SourcePlayback::Continuous : SourcePlayback::Frames;

@@ -34,18 +34,6 @@ bool any_tracked(const StreamHealth& health) {
                      [](const PerformerHealth& performer) { return performer.tracked; });
 }
 
-const char* word_of(StreamDiagnosis::Severity severity) {
-  switch (severity) {
-    case StreamDiagnosis::Severity::Error:
-      return "error";
-    case StreamDiagnosis::Severity::Warning:
-      return "warning";
-    case StreamDiagnosis::Severity::Note:
-      break;
-  }
-  return "note";
-}
-
 }  // namespace
 
 StreamHeadline headline_of(const StreamHealth* health) {
@@ -164,7 +152,7 @@ std::string report_of(const StreamHealth& health) {
   }
   if (!health.diagnoses.empty() || !health.issues.empty()) text += "\n";
   for (const StreamDiagnosis& one : health.diagnoses)
-    text += std::string(word_of(one.severity)) + " " + one.kind + ": " + one.text + "\n";
+    text += std::string(severity_word(one.severity)) + " " + one.kind + ": " + one.text + "\n";
   for (const IssueCount& issue : health.issues)
     text += count_text(issue.count) + " x " + issue.kind + ": " + issue.latest + "\n";
   if (has_unknown_packets(health))

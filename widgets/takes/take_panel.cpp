@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "widgets/common/chip.hpp"
 #include "widgets/common/plain_text.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
@@ -46,16 +47,6 @@ QLabel* secondary(QWidget* parent) {
   label->setObjectName("secondary");
   label->setFont(interface_font(12));
   return label;
-}
-
-QToolButton* panel_button(QWidget* parent, const QString& text, const QString& tip) {
-  auto* button = new QToolButton(parent);
-  button->setObjectName("chip");
-  button->setText(text);
-  button->setToolTip(tip);
-  button->setAccessibleName(QString(text).remove("…"));
-  button->setFocusPolicy(Qt::StrongFocus);
-  return button;
 }
 
 }  // namespace
@@ -149,9 +140,10 @@ QWidget* TakePanel::makeDisk() {
   m_everything->setToolTip(
       "Writes every frame, not only takes: nothing is lost, and the timeline reaches "
       "back beyond the memory");
-  m_saveAs = panel_button(disk, "Save as…", "Copies the whole session to a file of your choice");
-  m_pair = panel_button(disk, "Record pair…",
-                        "Records two streamed performers; at the end they can become a take of the library");
+  m_saveAs = text_chip("Save as…", "Copies the whole session to a file of your choice", disk);
+  m_pair =
+      text_chip("Record pair…",
+                "Records two streamed performers; at the end they can become a take of the library", disk);
   auto* buttons = new QHBoxLayout;
   buttons->setSpacing(6);
   buttons->addWidget(m_saveAs);

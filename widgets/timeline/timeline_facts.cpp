@@ -118,7 +118,7 @@ QString facts_at(const TimelineContent& content, const QPointF& place) {
   const double around_s = std::max(axis.seconds_per_pixel(), 0.01);
   if (on_lane && lane == TimelineLane::Cost)
     facts += figure_facts(content.tracks.costs(), time_s, around_s, "cost",
-                          content.tracks.is_of_filter_at(time_s) ? "m" : "m²");
+                          content.tracks.is_by_intent_at(time_s) ? "m" : "m²");
   if (on_lane && lane == TimelineLane::Energy)
     facts += figure_facts(content.tracks.energies(), time_s, around_s, "energy", "m²");
   if (time_s < content.memory_first_s && !content.lanes.is_of_take()) facts += "<br><i>on disk</i>";

@@ -32,7 +32,7 @@ void TimelineTracks::append(const TrackRow& row) {
   extend(user_roles_, row.time_s, row.user_is_active ? 1 : 0);
   pairs_.push_back({row.time_s, row.pair});
   if (row.take < 0) return;
-  extend(filters_, row.time_s, row.is_of_filter ? 1 : 0);
+  extend(by_intent_, row.time_s, row.is_by_intent ? 1 : 0);
   costs_.append(row.time_s, row.cost);
   energies_.append(row.time_s, row.energy);
 }
@@ -51,7 +51,7 @@ int TimelineTracks::label_key(std::string_view label) {
 }
 
 void TimelineTracks::drop_before(double time_s) {
-  for (Lane* lane : {&sources_, &moves_, &leaders_, &user_roles_, &filters_}) {
+  for (Lane* lane : {&sources_, &moves_, &leaders_, &user_roles_, &by_intent_}) {
     while (!lane->empty() && lane->front().to_s < time_s) lane->pop_front();
     if (!lane->empty()) lane->front().from_s = std::max(lane->front().from_s, time_s);
   }
@@ -95,10 +95,10 @@ int TimelineTracks::pair_at(double time_s) const {
   return time_s - here.time_s < std::max(longest_gap_s(), 2 * apart_s) ? here.pair : -1;
 }
 
-bool TimelineTracks::is_of_filter_at(double time_s) const {
-  const auto after = std::upper_bound(filters_.begin(), filters_.end(), time_s,
+bool TimelineTracks::is_by_intent_at(double time_s) const {
+  const auto after = std::upper_bound(by_intent_.begin(), by_intent_.end(), time_s,
                                       [](double t, const Interval& interval) { return t < interval.from_s; });
-  return after != filters_.begin() && std::prev(after)->key == 1;
+  return after != by_intent_.begin() && std::prev(after)->key == 1;
 }
 
 std::optional<double> TimelineTracks::edge_before(double time_s) const {

@@ -22,11 +22,11 @@ struct TrackRow {
   std::string_view label;  ///< its move; may be empty
   bool source_changed = false;
   Leader leader = Leader::User;
-  double cost = 0;             ///< of the selected pair [m^2], of `filter` [m]
+  double cost = 0;             ///< of the selected pair [m^2], of `intent` [m]
   double energy = 0;           ///< sum of the terms [m^2]
   bool user_is_active = true;  ///< the role the user was given, whoever leads
   double left_out_s = 0;       ///< to the row before, where the frames between them were left out
-  bool is_of_filter = false;   ///< the cost
+  bool is_by_intent = false;   ///< the cost
 };
 
 /// What the lanes of the timeline show, kept up frame by frame. Plain data, no toolkit.
@@ -35,7 +35,7 @@ class TimelineTracks {
   struct Interval {
     double from_s = 0;
     double to_s = 0;
-    int key = -1;  ///< take, index into labels(), Leader, or whether the user is active, whether `filter`
+    int key = -1;  ///< take, index into labels(), Leader, or whether the user is active, whether `intent`
                    ///< decided; -1: nothing
   };
   using Lane = std::deque<Interval>;
@@ -53,7 +53,7 @@ class TimelineTracks {
   const Lane& leaders() const { return leaders_; }
   const Lane& user_roles() const { return user_roles_; }
   const SampleCurve& costs() const { return costs_; }
-  bool is_of_filter_at(double time_s) const;  ///< the cost
+  bool is_by_intent_at(double time_s) const;  ///< the cost
   const SampleCurve& energies() const { return energies_; }
   const std::string& label(int key) const { return labels_[static_cast<std::size_t>(key)]; }
 
@@ -74,7 +74,7 @@ class TimelineTracks {
   void extend(Lane& lane, double time_s, int key, bool begins = false) const;
   int label_key(std::string_view label);
 
-  Lane sources_, moves_, leaders_, user_roles_, filters_;
+  Lane sources_, moves_, leaders_, user_roles_, by_intent_;
   double left_out_s_ = 0;  ///< most there was
   SampleCurve costs_, energies_;
   std::deque<Selection> pairs_;  ///< of every frame, but for older ones

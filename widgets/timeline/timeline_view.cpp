@@ -36,7 +36,7 @@ TrackRow row_of(const FrameSnapshot& frame, const std::shared_ptr<const MotionLi
   row.label = library->label(pair);
   row.source_changed = result.source_changed;
   row.cost = deciding_cost(chosen);
-  row.is_of_filter = chosen.intent.has_value();
+  row.is_by_intent = chosen.intent.has_value();
   const double velocity = dt_s > 0 ? velocity_weight_at(frame.settings, dt_s) * result.energy.velocity : 0;
   row.energy = result.energy.deformation + velocity + result.energy.constraint;
   return row;

@@ -42,9 +42,9 @@ CameraSection::CameraSection(QWidget* parent) : QWidget(parent), m_palette(palet
   makeLens(*column);
   makePicking(*column);
   auto* files = section_row(column);
-  m_clear = chip_button(this, "Forget", "Removes camera and points");
-  m_save = chip_button(this, "Save…", "Lens and place of the camera, as a file that can be loaded again");
-  m_load = chip_button(this, "Load…", "Lens and place that were saved");
+  m_clear = text_chip("Forget", "Removes camera and points", this);
+  m_save = text_chip("Save…", "Lens and place of the camera, as a file that can be loaded again", this);
+  m_load = text_chip("Load…", "Lens and place that were saved", this);
   files->addWidget(m_save);
   files->addWidget(m_load);
   files->addStretch(1);
@@ -59,9 +59,10 @@ void CameraSection::makeLens(QVBoxLayout& column) {
   m_lens = quiet_text(this, "Lens");
   column.addWidget(m_lens);
   auto* row = section_row(&column);
-  m_intrinsics = chip_button(this, "Intrinsics…",
-                             "A calibration of the lens as OpenCV writes it: camera_matrix, "
-                             "distortion_coefficients, image_width, image_height (.yml, .xml, .json)");
+  m_intrinsics = text_chip("Intrinsics…",
+                           "A calibration of the lens as OpenCV writes it: camera_matrix, "
+                           "distortion_coefficients, image_width, image_height (.yml, .xml, .json)",
+                           this);
   m_fov = new QDoubleSpinBox(this);
   m_fov->setAccessibleName("Guessed field of view across");
   m_fov->setRange(narrowest_deg, widest_deg);

@@ -29,7 +29,7 @@ OverlaySection::OverlaySection(QWidget* parent) : QWidget(parent) {
 }
 
 QToolButton* OverlaySection::makeToggle(const QString& text, const QString& tip, bool OverlayParts::*part) {
-  QToolButton* button = chip_button(this, text, tip);
+  QToolButton* button = text_chip(text, tip, this);
   button->setAccessibleName("Overlay: " + text);
   button->setCheckable(true);
   button->setChecked(m_parts.*part);

@@ -2,9 +2,9 @@
 
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QToolButton>
 #include <QVBoxLayout>
 
+#include "widgets/common/chip.hpp"
 #include "widgets/common/theme.hpp"
 
 namespace abrazo::widgets {
@@ -21,16 +21,6 @@ inline QLabel* quiet_text(QWidget* parent, const QString& name) {
   label->setContentsMargins(section_margin, 0, section_margin, 0);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   return label;
-}
-
-inline QToolButton* chip_button(QWidget* parent, const QString& text, const QString& tip) {
-  auto* button = new QToolButton(parent);
-  button->setObjectName("chip");
-  button->setText(text);
-  button->setToolTip(tip);
-  button->setAccessibleName(QString(text).remove("…"));
-  button->setFocusPolicy(Qt::TabFocus);
-  return button;
 }
 
 inline QVBoxLayout* section_column(QWidget* box) {

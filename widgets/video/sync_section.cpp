@@ -27,7 +27,7 @@ SyncSection::SyncSection(QWidget* parent) : QWidget(parent) {
       "The picture that is shown and the timeline's cursor are the same moment. The first such point gives "
       "the "
       "offset, a second one the rate too (Ctrl+M)");
-  m_clear = chip_button(this, "Clear", "Both begin together and run alike again");
+  m_clear = text_chip("Clear", "Both begin together and run alike again", this);
   buttons->addWidget(m_same, 1);
   buttons->addWidget(m_clear);
   m_points = new QVBoxLayout;
@@ -96,8 +96,8 @@ void SyncSection::makeRows() {
     row->setContentsMargins(section_margin, 0, section_margin, 0);
     const QString words = QString("Timeline %1  =  video %2")
                               .arg(text_of(clock_text(point.subject_s)), text_of(clock_text(point.video_s)));
-    auto* go = chip_button(box, words, "The cursor goes there");
-    auto* remove = chip_button(box, "✕", "Removes the point");
+    auto* go = text_chip(words, "The cursor goes there", box);
+    auto* remove = text_chip("✕", "Removes the point", box);
     remove->setAccessibleName(QString("Remove point %1").arg(i + 1));
     row->addWidget(go, 1);
     row->addWidget(remove);

@@ -64,8 +64,8 @@ QWidget* VideoPanel::makeFile() {
   m_files->setAccessibleName("Video that is shown");
   m_files->setMinimumContentsLength(6);
   m_files->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  auto* open = chip_button(box, "Open…", "Another video of what is on the timeline");
-  m_close = chip_button(box, "Close", "Closes this video; undo brings it back");
+  auto* open = text_chip("Open…", "Another video of what is on the timeline", box);
+  m_close = text_chip("Close", "Closes this video; undo brings it back", box);
   row->addWidget(m_files, 1);
   row->addWidget(open);
   row->addWidget(m_close);

@@ -43,11 +43,10 @@ void adopt(MainWindow& window, const ComparisonDesk& desk) {
 }
 
 void add_spans(MainWindow& window, QMenu* menu, ComparePanel& panel) {
-  const std::pair<const char*, widgets::WhatIfSpan> spans[] = {
-      {"What if: this frame", widgets::WhatIfSpan::Frame},
-      {"What if: 2 s to here", widgets::WhatIfSpan::TwoSeconds},
-      {"What if: 10 s to here", widgets::WhatIfSpan::TenSeconds},
-      {"What if: from in to out", widgets::WhatIfSpan::InToOut}};
+  const std::pair<const char*, WhatIfSpan> spans[] = {{"What if: this frame", WhatIfSpan::Frame},
+                                                      {"What if: 2 s to here", WhatIfSpan::TwoSeconds},
+                                                      {"What if: 10 s to here", WhatIfSpan::TenSeconds},
+                                                      {"What if: from in to out", WhatIfSpan::InToOut}};
   for (const auto& [name, span] : spans)
     add_action(window, menu, name, {}, [&window, &panel, span = span] {
       window.panels().want("compare", true);

@@ -5,8 +5,9 @@
 #include <memory>
 #include <optional>
 
-#include "app/workbench/compare/comparison_plan.hpp"
-#include "app/workbench/compare/comparison_runner.hpp"
+#include "core/session/frames/comparison_plan.hpp"
+#include "core/session/run/comparison_runner.hpp"
+#include "widgets/compare/compare_panel.hpp"
 
 namespace abrazo::app {
 

@@ -60,7 +60,7 @@ QString note_of(const Comparison& comparison) {
 QString advice(const CompareSituation& now, const Comparison* tried) {
   if (tried && !tried->trouble.empty()) return QString::fromStdString(tried->trouble) + ".";
   const bool is_following = now.playback.state == Playback::State::Following;
-  if (!is_following && now.span == widgets::WhatIfSpan::InToOut && !(now.playback.out_s > now.playback.in_s))
+  if (!is_following && now.span == WhatIfSpan::InToOut && !(now.playback.out_s > now.playback.in_s))
     return "Mark a range with I and O, or choose another span.";
   if (now.frozen)
     return now.present == *now.frozen ? "A is frozen. Change a setting: what you change is B." : "Solving …";

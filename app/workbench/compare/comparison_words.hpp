@@ -2,7 +2,8 @@
 
 #include <QString>
 
-#include "app/workbench/compare/comparison_plan.hpp"
+#include "core/session/run/comparison.hpp"
+#include "widgets/compare/compare_panel.hpp"
 
 namespace abrazo::app {
 

@@ -7,12 +7,12 @@
 #include <optional>
 #include <vector>
 
-#include "app/workbench/stream/calibration_steps.hpp"
 #include "app/workbench/stream/host_lookup.hpp"
 #include "core/motion/body/clip.hpp"
 #include "core/session/frames/command.hpp"
 #include "core/stream/protocol/stream_health.hpp"
 #include "core/stream/protocol/stream_uri.hpp"
+#include "core/stream/receive/calibration_steps.hpp"
 #include "widgets/stream/sink_rates.hpp"
 
 namespace abrazo {

@@ -1,17 +1,14 @@
 #pragma once
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 #include "core/library/takes/paired_take.hpp"
+#include "core/mesh/capsules.hpp"
 #include "core/motion/body/body.hpp"
 
 namespace abrazo {
-
-/// Radii of the capsules around one body's bones [m].
-using CapsuleRadii = std::array<double, bone_count>;
 
 /// The bodies of a take's performers, as indices.
 struct TakeBodies {

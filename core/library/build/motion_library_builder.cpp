@@ -12,6 +12,7 @@
 #include "core/base/parallel.hpp"
 #include "core/library/build/capsule_calibration.hpp"
 #include "core/library/store/library_bodies.hpp"
+#include "core/library/takes/interval_check.hpp"
 
 namespace abrazo {
 
@@ -42,18 +43,6 @@ std::optional<Error> check_frames(const Clip& clip, const std::string& where) {
   return std::nullopt;
 }
 
-template <typename Interval>
-std::optional<Error> check_intervals(const std::vector<Interval>& intervals, const char* what,
-                                     const std::string& where) {
-  for (std::size_t i = 0; i < intervals.size(); ++i)
-    if (intervals[i].start < 0 || intervals[i].end <= intervals[i].start ||
-        (i > 0 && intervals[i].start < intervals[i - 1].end))
-      return Error{fmt::format("{} {} [{}, {}) is empty, overlaps the one before it, or is out of order",
-                               what, i, intervals[i].start, intervals[i].end),
-                   where};
-  return std::nullopt;
-}
-
 std::optional<Error> check_take(const PairedTake& take) {
   const std::string where = "take " + take.name;
   if (take.a.poses.size() != take.b.poses.size())
@@ -68,8 +57,9 @@ std::optional<Error> check_take(const PairedTake& take) {
     return Error{fmt::format("{} frames per second; give a number above 0", take.fps), where};
   if (auto refusal = check_frames(take.a, where + "/a")) return refusal;
   if (auto refusal = check_frames(take.b, where + "/b")) return refusal;
-  if (auto refusal = check_intervals(take.roles, "role", where)) return refusal;
-  return check_intervals(take.labels, "label", where);
+  if (const Status roles = check_intervals(take.roles, "role", where); !roles) return roles.error();
+  if (const Status labels = check_intervals(take.labels, "label", where); !labels) return labels.error();
+  return std::nullopt;
 }
 
 std::string joined_names(const auto& takes) {

@@ -1,8 +1,5 @@
 #include "core/library/build/saved_build.hpp"
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <optional>
 
 #include "core/base/atomic_file.hpp"
@@ -18,16 +15,7 @@ Status prepare(AtomicFile& file, const Manifest& manifest, const std::filesystem
   std::error_code ignored;
   if (std::filesystem::is_directory(target, ignored))
     return Error{"is a folder; name a file", target.string()};
-  const std::string text = manifest_json(manifest, target.parent_path());
-  std::ofstream out(file.partial(), std::ios::binary);
-  if (!out)
-    return Error{std::string("cannot be created: ") + std::strerror(errno) +
-                     "; choose a folder that exists and can be written",
-                 target.string()};
-  out.write(text.data(), static_cast<std::streamsize>(text.size()));
-  out.close();
-  if (!out) return Error{"could not be written whole; is the disk full?", target.string()};
-  return Done{};
+  return file.write(manifest_json(manifest, target.parent_path()));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "core/library/store/column.hpp"
 #include "core/library/store/normalization.hpp"
 #include "core/library/takes/paired_take.hpp"
+#include "core/mesh/capsules.hpp"
 #include "core/mesh/interaction_mesh.hpp"
 #include "core/motion/body/body.hpp"
 
@@ -49,8 +50,7 @@ struct LibraryTake {
 struct LibraryBody {
   std::string name;  ///< "salsa_01/a", the first take that shows it
   Body body;
-  std::array<double, bone_count>
-      capsule_radii{};  ///< [m], calibrated: recorded contact counts as contact, not as penetration
+  CapsuleRadii capsule_radii{};  ///< [m], calibrated: recorded contact counts as contact, not as penetration
 };
 
 class MappedFile;

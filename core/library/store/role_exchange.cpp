@@ -18,16 +18,10 @@ void exchange_meshes(const MotionLibrary& library, LibraryColumns& columns) {
   tetrahedra.reserve(library.columns().tetrahedra.size());
   std::vector<std::uint64_t> edge_offsets = {0}, tetrahedron_offsets = {0};
   for (int pair = 0; pair < library.pair_count(); ++pair) {
-    for (MeshEdge edge : library.edges(pair)) {
-      edge = {vertex_of_other_body(edge[0]), vertex_of_other_body(edge[1])};
-      if (edge[0] > edge[1]) std::swap(edge[0], edge[1]);
-      edges.push_back(edge);
-    }
+    for (const MeshEdge& edge : library.edges(pair)) edges.push_back(edge_of_other_body(edge));
     std::sort(edges.begin() + static_cast<std::ptrdiff_t>(edge_offsets.back()), edges.end());
-    for (MeshTetrahedron tetrahedron : library.tetrahedra(pair)) {
-      for (std::uint8_t& vertex : tetrahedron) vertex = vertex_of_other_body(vertex);
-      tetrahedra.push_back(tetrahedron);
-    }
+    for (const MeshTetrahedron& tetrahedron : library.tetrahedra(pair))
+      tetrahedra.push_back(tetrahedron_of_other_body(tetrahedron));
     edge_offsets.push_back(edges.size());
     tetrahedron_offsets.push_back(tetrahedra.size());
   }

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <span>
 
+#include "core/base/checksum.hpp"
+
 namespace abrazo {
 
 namespace fs = std::filesystem;
@@ -20,35 +22,18 @@ constexpr std::uint64_t sample_bytes = std::uint64_t{4} << 20;
 constexpr std::array<std::string_view, 7> use_texts = {"library", "manifest",   "motion",   "skeleton",
                                                        "video",   "intrinsics", "joint map"};
 
-/// Mixes 8 bytes at a time: 64 MiB in some 30 ms.
-class ContentHash {
- public:
-  void add(std::span<const char> bytes) {
-    std::size_t at = 0;
-    for (; at + 8 <= bytes.size(); at += 8) {
-      std::uint64_t word = 0;
-      for (std::size_t i = 0; i < 8; ++i)
-        word |= std::uint64_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
-      mix(word);
-    }
-    std::uint64_t rest = 0;
-    for (; at < bytes.size(); ++at) rest = (rest << 8) | static_cast<unsigned char>(bytes[at]);
-    mix(rest);
+void add_bytes(std::span<const char> bytes, ContentHash& hash) {
+  std::size_t at = 0;
+  for (; at + 8 <= bytes.size(); at += 8) {
+    std::uint64_t word = 0;
+    for (std::size_t i = 0; i < 8; ++i)
+      word |= std::uint64_t{static_cast<unsigned char>(bytes[at + i])} << (8 * i);
+    hash.add(word);
   }
-  void mix(std::uint64_t word) {
-    value_ = (value_ ^ word) * 0x9e3779b97f4a7c15ULL;
-    value_ ^= value_ >> 32;
-  }
-  std::string text() const {
-    static constexpr char digits[] = "0123456789abcdef";
-    std::string hex;
-    for (int shift = 60; shift >= 0; shift -= 4) hex += digits[(value_ >> shift) & 0xf];
-    return hex;
-  }
-
- private:
-  std::uint64_t value_ = 0x6a09e667f3bcc908ULL;
-};
+  std::uint64_t rest = 0;
+  for (; at < bytes.size(); ++at) rest = (rest << 8) | static_cast<unsigned char>(bytes[at]);
+  hash.add(rest);
+}
 
 bool add_part(std::ifstream& file, std::uint64_t from, std::uint64_t bytes, ContentHash& hash) {
   std::vector<char> buffer(std::size_t{1} << 20);
@@ -58,7 +43,7 @@ bool add_part(std::ifstream& file, std::uint64_t from, std::uint64_t bytes, Cont
     file.read(buffer.data(), wanted);
     const std::streamsize got = file.gcount();
     if (got <= 0) return false;
-    hash.add({buffer.data(), static_cast<std::size_t>(got)});
+    add_bytes({buffer.data(), static_cast<std::size_t>(got)}, hash);
     bytes -= static_cast<std::uint64_t>(got);
   }
   return bytes == 0;
@@ -67,7 +52,7 @@ bool add_part(std::ifstream& file, std::uint64_t from, std::uint64_t bytes, Cont
 Result<std::string> hash_of(const fs::path& path, std::uint64_t bytes) {
   std::ifstream file(path, std::ios::binary);
   ContentHash hash;
-  hash.mix(bytes);
+  hash.add(bytes);
   bool read = file.good();
   if (bytes <= whole_up_to) {
     read = read && add_part(file, 0, bytes, hash);

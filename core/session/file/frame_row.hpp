@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/checksum.hpp"
 #include "core/base/result.hpp"
 #include "core/session/file/session_database.hpp"
 #include "core/session/frames/frame_snapshot.hpp"
@@ -102,22 +103,6 @@ std::string frame_insert();
 void bind_row(SessionStatement& statement, const FrameRow& row);
 /// From a SELECT of frame_columns() and checksum. An error when the checksum is not the row's.
 Result<FrameRow> read_row(const SessionStatement& statement);
-
-/// FNV-1a, 64 bits: finds bytes that the disk changed.
-class Checksum {
- public:
-  void add(std::span<const std::uint8_t> bytes) {
-    for (const std::uint8_t byte : bytes) value_ = (value_ ^ byte) * 1099511628211ULL;
-  }
-  void add(std::string_view text) {
-    for (const char c : text) value_ = (value_ ^ static_cast<std::uint8_t>(c)) * 1099511628211ULL;
-  }
-  void add(std::uint64_t number) { value_ = (value_ ^ number) * 1099511628211ULL, value_ ^= value_ >> 29; }
-  std::int64_t value() const { return std::bit_cast<std::int64_t>(value_); }
-
- private:
-  std::uint64_t value_ = 14695981039346656037ULL;
-};
 
 /// Poses as they stand in blobs: float64 [25][3], little-endian.
 std::vector<std::uint8_t> pose_bytes(const Pose& pose);

@@ -1,10 +1,10 @@
 #include "core/session/file/library_reference.hpp"
 
 #include <array>
-#include <bit>
 #include <cstring>
 #include <filesystem>
 
+#include "core/base/checksum.hpp"
 #include "core/library/store/motion_library_file.hpp"
 
 namespace abrazo {
@@ -13,14 +13,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Mixes 64 bits at a time: a library has some hundred megabytes, and is summed up while a session runs.
-class Fingerprint {
+/// A library has some hundred megabytes, and is summed up while a session runs.
+class Fingerprint : public ContentHash {
  public:
-  void add(std::uint64_t word) {
-    value_ = (value_ ^ word) * 0x9e3779b97f4a7c15ULL;
-    value_ ^= value_ >> 32;
-  }
-  void add(double value) { add(std::bit_cast<std::uint64_t>(value)); }
+  using ContentHash::add;
   void add(std::string_view text) {
     add(static_cast<std::uint64_t>(text.size()));
     for (const char c : text) add(static_cast<std::uint64_t>(static_cast<unsigned char>(c)));
@@ -36,15 +32,6 @@ class Fingerprint {
     for (const std::uint8_t index : indices) word = (word << 8) | index;
     add(word);
   }
-  std::string text() const {
-    static constexpr char digits[] = "0123456789abcdef";
-    std::string hex;
-    for (int shift = 60; shift >= 0; shift -= 4) hex += digits[(value_ >> shift) & 0xf];
-    return hex;
-  }
-
- private:
-  std::uint64_t value_ = 0x6a09e667f3bcc908ULL;
 };
 
 }  // namespace

@@ -300,7 +300,9 @@ Result<SessionStatement> SessionDatabase::prepare(std::string_view sql) {
                   handle_->path);
 }
 
-Result<std::optional<std::int64_t>> SessionDatabase::integer(std::string_view sql) {
+template <typename Value>
+Result<std::optional<Value>> SessionDatabase::first(std::string_view sql,
+                                                    Value (SessionStatement::*read)(int) const) {
   auto statement = prepare(sql);
   if (!statement) return statement.error();
   const auto row = statement->step();
@@ -308,20 +310,16 @@ Result<std::optional<std::int64_t>> SessionDatabase::integer(std::string_view sq
     fault_ = statement->fault();
     return row.error();
   }
-  if (!*row || statement->is_null(0)) return std::optional<std::int64_t>();
-  return std::optional(statement->integer(0));
+  if (!*row || statement->is_null(0)) return std::optional<Value>();
+  return std::optional((*statement.*read)(0));
+}
+
+Result<std::optional<std::int64_t>> SessionDatabase::integer(std::string_view sql) {
+  return first(sql, &SessionStatement::integer);
 }
 
 Result<std::optional<std::string>> SessionDatabase::text(std::string_view sql) {
-  auto statement = prepare(sql);
-  if (!statement) return statement.error();
-  const auto row = statement->step();
-  if (!row) {
-    fault_ = statement->fault();
-    return row.error();
-  }
-  if (!*row || statement->is_null(0)) return std::optional<std::string>();
-  return std::optional(statement->text(0));
+  return first(sql, &SessionStatement::text);
 }
 
 std::int64_t SessionDatabase::last_row_id() const {

@@ -101,6 +101,8 @@ class SessionDatabase {
  private:
   struct Handle;
   explicit SessionDatabase(std::unique_ptr<Handle> handle);
+  template <typename Value>
+  Result<std::optional<Value>> first(std::string_view sql, Value (SessionStatement::*read)(int) const);
   std::unique_ptr<Handle> handle_;
   DatabaseFault fault_ = DatabaseFault::Other;
 };

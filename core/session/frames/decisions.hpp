@@ -10,7 +10,7 @@ namespace abrazo {
 
 /// "I mean this move": what a person means when the choice is ambiguous (paper 5). By Eq. 7 only pairs
 /// with this label, or of this take, are selected while there are any among those allowed; to the selection
-/// `filter` it is evidence, and other pairs cost `meant-weight` more.
+/// `intent` it is evidence, and other pairs cost `meant-weight` more.
 struct MeantMove {
   std::optional<std::string> label;
   std::optional<std::string> take;

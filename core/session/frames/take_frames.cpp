@@ -118,15 +118,10 @@ FrameSnapshotPtr LibraryTakeFrames::make(std::size_t place) const {
   result.query_root = swapped ? root_frame(result.query_world) : root;
   result.query_normalized = to_normalized(result.query_world, result.query_root);
   result.features = pose_features(result.query_normalized);
-  for (MeshEdge edge : library_->edges(pair)) {
-    if (swapped) edge = {vertex_of_other_body(edge[0]), vertex_of_other_body(edge[1])};
-    result.edges.push_back({std::min(edge[0], edge[1]), std::max(edge[0], edge[1])});
-  }
-  for (MeshTetrahedron tetrahedron : library_->tetrahedra(pair)) {
-    if (swapped)
-      for (std::uint8_t& vertex : tetrahedron) vertex = vertex_of_other_body(vertex);
-    result.tetrahedra.push_back(tetrahedron);
-  }
+  for (const MeshEdge& edge : library_->edges(pair))
+    result.edges.push_back(swapped ? edge_of_other_body(edge) : edge);
+  for (const MeshTetrahedron& tetrahedron : library_->tetrahedra(pair))
+    result.tetrahedra.push_back(swapped ? tetrahedron_of_other_body(tetrahedron) : tetrahedron);
   result.edge_weights = inverse_edge_weights(result.edges, result.selected_pair);
   result.edge_residuals_m.assign(result.edges.size(), 0.0);
   result.candidates.push_back({pair, 0, false, {}, {}});

@@ -17,7 +17,6 @@ constexpr double highest_rate_hz = 120;
 constexpr double interval_smoothing = 0.1;
 /// Solving up to a frame from the last kept state takes a few milliseconds; a state is as large as a frame.
 constexpr std::uint64_t frames_between_states = 32;
-constexpr double tracking_loss_s = 0.3;
 constexpr double intervals_until_loss = 3;  ///< of a slow source
 /// A source whose times are farther from the session's runs on a clock of its own.
 constexpr double same_clock_s = 1;
@@ -170,6 +169,7 @@ double LiveLoop::frame_time(const SourcePose& input, double now_s) const {
 
 double LiveLoop::loss_after_s() const {
   const double rate_hz = source_->rate_hz();
+  constexpr double tracking_loss_s = PartnerSynthesizer::tracking_loss_s;
   return rate_hz > 0 ? std::max(tracking_loss_s, intervals_until_loss / rate_hz) : tracking_loss_s;
 }
 

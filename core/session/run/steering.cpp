@@ -78,7 +78,7 @@ void Steering::apply(Settings wanted) {
   synthesizer_->set_settings(wanted);
 }
 
-/// What the selection `filter` learns first is learned beside the steps, not in one. Then the other role is
+/// What the selection `intent` learns first is learned beside the steps, not in one. Then the other role is
 /// learned too, so that a change of role finds it.
 SelectionMethod Steering::possible_selection(UserRole role) {
   if (asked_selection_ == SelectionMethod::Paper || could_not_learn_[number(role)])
@@ -87,7 +87,7 @@ SelectionMethod Steering::possible_selection(UserRole role) {
   if (views.is_intent_ready(role)) {
     const UserRole other = role == UserRole::Active ? UserRole::Passive : UserRole::Active;
     if (!views.is_costly(other) && !could_not_learn_[number(other)]) views.prepare_intent(other);
-    return SelectionMethod::Filter;
+    return SelectionMethod::Intent;
   }
   if (const auto trouble = views.intent_trouble(role)) {
     could_not_learn_[number(role)] = true;
@@ -202,7 +202,7 @@ void Steering::watch_move(const FrameResult& result) {
   const MotionLibrary& library = synthesizer_->library();
   const int pair = result.candidates[static_cast<std::size_t>(result.selected)].pair;
   const MeantMove& meant = *current_.meant;
-  // What is named is evidence to the selection `filter`: another move may be followed meanwhile.
+  // What is named is evidence to the selection `intent`: another move may be followed meanwhile.
   const bool is_meant = (!meant.label || library.label(pair) == *meant.label) &&
                         (!meant.take || library.take_of(pair).name == *meant.take);
   const bool was_followed = followed_pair_ >= 0 && !result.source_changed;

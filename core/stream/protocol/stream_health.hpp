@@ -7,6 +7,9 @@
 
 namespace abrazo {
 
+/// Without a pose for so long, tracking counts as lost.
+inline constexpr double default_tracking_loss_s = 0.25;
+
 /// What of a stream is measured, per performer. Times over the last second or so.
 struct PerformerHealth {
   std::string performer;
@@ -42,6 +45,19 @@ struct StreamDiagnosis {
   Severity severity = Severity::Warning;
   std::string text;
 };
+
+/// "note", "warning", "error".
+constexpr const char* severity_word(StreamDiagnosis::Severity severity) {
+  switch (severity) {
+    case StreamDiagnosis::Severity::Error:
+      return "error";
+    case StreamDiagnosis::Severity::Warning:
+      return "warning";
+    case StreamDiagnosis::Severity::Note:
+      break;
+  }
+  return "note";
+}
 
 /// Of one kind of issue: how often, and the newest one's text.
 struct IssueCount {

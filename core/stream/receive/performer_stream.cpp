@@ -1,7 +1,9 @@
 #include "core/stream/receive/performer_stream.hpp"
 
 #include <algorithm>
-#include <cstring>
+#include <bit>
+
+#include "core/base/checksum.hpp"
 
 namespace abrazo {
 
@@ -10,16 +12,12 @@ namespace {
 constexpr std::size_t most_calibration_poses = 4000;
 constexpr double between_breaks_s = 0.5;  ///< two senders in one would break off with every frame
 
-/// FNV-1a over the positions' bytes: the same bits give the same number.
+/// The same bits give the same number.
 std::uint64_t content_of(const Positions& positions) {
-  std::uint64_t hash = 14695981039346656037ULL;
-  for (Eigen::Index i = 0; i < positions.size(); ++i) {
-    std::uint64_t bits = 0;
-    std::memcpy(&bits, positions.data() + i, sizeof bits);
-    hash = (hash ^ bits) * 1099511628211ULL;
-    hash ^= hash >> 29U;
-  }
-  return hash;
+  Checksum sum;
+  for (Eigen::Index i = 0; i < positions.size(); ++i)
+    sum.add(std::bit_cast<std::uint64_t>(positions.data()[i]));
+  return static_cast<std::uint64_t>(sum.value());
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ class StreamReceiver;
 struct StreamReceiverOptions {
   double delay_s = 0;  ///< of the jitter buffer: poses are given out so long after they were due
   std::optional<JointMap> joint_map;  ///< nothing = the built-in one that fits
-  double tracking_loss_s = 0.25;      ///< without a pose for so long, tracking counts as lost
+  double tracking_loss_s = default_tracking_loss_s;
   /// Called with the receiver when its port is open and before it takes the first packet: who listens from
   /// here on misses nothing.
   std::function<void(StreamReceiver&)> prepare = {};

@@ -99,5 +99,16 @@ TEST(Capsules, HandsAndForearmsAreFourBones) {
   EXPECT_FALSE(is_hand_or_forearm(joints::left_elbow - 1));
 }
 
+TEST(Hands, HoldOneAnotherWithin13CentimetresOfTheirEnds) {
+  PairPose pair = PairPose::Zero();
+  pair.row(joints::left_hand + joint_count) << 0, 9, 0;
+  pair.row(joints::right_hand) << 0, 5, 0.129;
+  pair.row(joints::right_hand + joint_count) << 0, 5, 0;
+  EXPECT_TRUE(hands_hold(pair, {joints::right_hand, joints::right_hand}));
+  EXPECT_NEAR(hands_apart(pair, {joints::right_hand, joints::left_hand}), std::hypot(4, 0.129), 1e-12);
+  pair(joints::right_hand, 2) = 0.131;
+  for (const HandEnds& hands : all_hand_ends) EXPECT_FALSE(hands_hold(pair, hands));
+}
+
 }  // namespace
 }  // namespace abrazo::capsules_test

@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "core/selection/intent_model.hpp"
+#include "core/session/file/session_database.hpp"
 #include "core/session/run/session_replay.hpp"
 #include "core/session/run/steering.hpp"
 #include "core/synthesis/role_views.hpp"
@@ -21,7 +22,7 @@ using testing::HasSubstr;
 
 constexpr Duration step_time(1.0 / 60);
 
-constexpr auto filter = test::responsive_by_intent;
+constexpr auto by_intent = test::responsive_by_intent;
 constexpr auto equation_7 = test::responsive_by_pose;
 
 std::shared_ptr<PartnerSynthesizer> synthesizer_with(const Settings& settings) {
@@ -58,7 +59,7 @@ struct Steered {
 TEST(LearnedSelection, EquationSevenSelectsUntilTheLibraryIsLearned) {
   Steered session;
   EXPECT_FALSE(session.steering.is_learning());
-  session.steering.set_settings(filter());
+  session.steering.set_settings(by_intent());
   EXPECT_TRUE(session.steering.is_learning());
   EXPECT_EQ(session.steering.synthesizer().settings().selection, SelectionMethod::Paper);
   EXPECT_FALSE(selects_by_intent(session.steering.synthesizer().step(user().poses[0], step_time)));
@@ -66,13 +67,13 @@ TEST(LearnedSelection, EquationSevenSelectsUntilTheLibraryIsLearned) {
   EXPECT_TRUE(selects_by_intent(session.step()));
   EXPECT_TRUE(session.changed) << "the change is told";
   EXPECT_FALSE(session.steering.is_learning());
-  EXPECT_EQ(session.steering.synthesizer().settings(), filter());
+  EXPECT_EQ(session.steering.synthesizer().settings(), by_intent());
   session.step();
   EXPECT_FALSE(session.changed);
 }
 
 TEST(LearnedSelection, OneThatIsAskedForFromTheStartIsLearnedBesideTheStepsToo) {
-  Steered session(filter());
+  Steered session(by_intent());
   EXPECT_TRUE(session.steering.is_learning());
   EXPECT_EQ(session.steering.synthesizer().settings().selection, SelectionMethod::Paper);
   ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
@@ -81,8 +82,8 @@ TEST(LearnedSelection, OneThatIsAskedForFromTheStartIsLearnedBesideTheStepsToo) 
 
 TEST(LearnedSelection, WhatIsSetMeanwhileStays) {
   Steered session;
-  session.steering.set_settings(filter());
-  Settings later = filter();
+  session.steering.set_settings(by_intent());
+  Settings later = by_intent();
   later.neighbours = 7;
   later.leader_weight = 0.75;
   session.steering.set_settings(later);
@@ -93,23 +94,23 @@ TEST(LearnedSelection, WhatIsSetMeanwhileStays) {
 
 TEST(LearnedSelection, TakenBackMeanwhileItDoesNotComeAfterAll) {
   Steered session;
-  session.steering.set_settings(filter());
+  session.steering.set_settings(by_intent());
   session.steering.set_settings(equation_7());
   EXPECT_FALSE(session.steering.is_learning());
   ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
   EXPECT_FALSE(selects_by_intent(session.step()));
-  session.steering.set_settings(filter());
+  session.steering.set_settings(by_intent());
   EXPECT_FALSE(session.steering.is_learning()) << "it was learned";
   EXPECT_TRUE(selects_by_intent(session.step()));
 }
 
 TEST(LearnedSelection, TheOtherRoleIsLearnedBeforeItIsTaken) {
   Steered session;
-  session.steering.set_settings(filter());
+  session.steering.set_settings(by_intent());
   ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
   session.step();
   ASSERT_TRUE(becomes_ready(session.steering.synthesizer(), UserRole::Passive));
-  Settings passive = filter();
+  Settings passive = by_intent();
   passive.user_role = UserRole::Passive;
   session.steering.set_settings(passive);
   EXPECT_FALSE(session.steering.is_learning());
@@ -118,7 +119,7 @@ TEST(LearnedSelection, TheOtherRoleIsLearnedBeforeItIsTaken) {
 }
 
 TEST(LearnedSelection, ARoleThatIsTakenAtOnceIsWaitedForBesideTheSteps) {
-  Settings passive = filter();
+  Settings passive = by_intent();
   passive.user_role = UserRole::Passive;
   Steered session;
   session.steering.set_settings(passive);
@@ -131,7 +132,7 @@ TEST(LearnedSelection, ARoleThatIsTakenAtOnceIsWaitedForBesideTheSteps) {
 
 TEST(LearnedSelection, AnotherLibraryIsLearnedAnew) {
   Steered session;
-  session.steering.set_settings(filter());
+  session.steering.set_settings(by_intent());
   ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
   EXPECT_TRUE(selects_by_intent(session.step()));
   const std::shared_ptr<PartnerSynthesizer> other =
@@ -141,14 +142,14 @@ TEST(LearnedSelection, AnotherLibraryIsLearnedAnew) {
   EXPECT_FALSE(selects_by_intent(other->step(user().poses[2], step_time)));
   ASSERT_TRUE(becomes_ready(*other));
   EXPECT_TRUE(selects_by_intent(session.step()));
-  EXPECT_EQ(other->settings(), filter());
+  EXPECT_EQ(other->settings(), by_intent());
 }
 
 TEST(LearnedSelection, ThatCannotBeLearnedSaysWhyOnceAndEquationSevenStays) {
   Steered session;
   session.step();
   test::refuse_memory(20'000);  // no step takes so much at once
-  session.steering.set_settings(filter());
+  session.steering.set_settings(by_intent());
   std::string said;
   for (int i = 0; i < 20000 && said.empty(); ++i) try {
       EXPECT_FALSE(selects_by_intent(session.step()));
@@ -161,13 +162,13 @@ TEST(LearnedSelection, ThatCannotBeLearnedSaysWhyOnceAndEquationSevenStays) {
   EXPECT_THAT(said, HasSubstr("not enough memory"));
   EXPECT_FALSE(session.steering.is_learning());
   for (int frame = 0; frame < 5; ++frame) EXPECT_FALSE(selects_by_intent(session.step()));
-  Settings other = filter();
+  Settings other = by_intent();
   other.neighbours = 7;
   session.steering.set_settings(other);
   EXPECT_FALSE(session.steering.is_learning()) << "another setting asks for nothing new";
   EXPECT_EQ(session.steering.synthesizer().settings().neighbours, 7);
   session.steering.set_settings(equation_7());
-  session.steering.set_settings(filter());
+  session.steering.set_settings(by_intent());
   EXPECT_TRUE(session.steering.is_learning()) << "asked for again it is tried again";
   ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
   EXPECT_TRUE(selects_by_intent(session.step()));
@@ -201,7 +202,7 @@ TEST(LearnedSelection, WhatIsSteeredMeanwhileHoldsThoughLearningFailed) {
   session.step();
   session.steering.set_vetoes({{}, {"first"}, {}});
   test::refuse_memory(20'000);
-  session.steering.set_settings(filter());
+  session.steering.set_settings(by_intent());
   std::string said;
   for (int i = 0; i < 20000 && said.empty(); ++i) try {
       session.step();
@@ -217,9 +218,9 @@ TEST(LearnedSelection, WhatIsSteeredMeanwhileHoldsThoughLearningFailed) {
 }
 
 TEST(LearnedSelection, AMoveThatIsNotFollowedIsStillMeant) {
-  Steered session(filter());
+  Steered session(by_intent());
   ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
-  Settings settings = filter();
+  Settings settings = by_intent();
   settings.meant_weight = 0;  // nobody goes after what is named
   session.steering.set_settings(settings);
   const MotionLibrary& library = session.steering.synthesizer().library();
@@ -244,21 +245,22 @@ TEST(LearnedSelection, AMoveThatIsNotFollowedIsStillMeant) {
   EXPECT_GT(steps, 2);
 }
 
-/// A session that is recorded: Eq. 7, the filter while it learns and afterwards, a passive user, Eq. 7 again.
+/// A session that is recorded: Eq. 7, then by intent while it learns and afterwards, a passive user, Eq. 7
+/// again.
 struct RecordedSession : test::TemporaryFolder, test::DrivenSession {
   RecordedSession() : path(file("s.abrazo")) {
     loop = std::make_unique<LiveLoop>(synthesizer, std::make_unique<ClipSource>(user()), commands, history,
                                       latest);
     keeper->recorder = *Recorder::open(path, test::session_facts());
     run_until(0.3);
-    commands.push(SetSettings{filter()});
+    commands.push(SetSettings{by_intent()});
     run_until(0.35);
     EXPECT_TRUE(becomes_ready(*synthesizer));
     run_until(1.2);
     commands.push(SetVetoes{{{}, {"first"}, {}}});
     run_until(1.5);
     commands.push(MeanMove{MeantMove{"turn", std::nullopt}});
-    Settings settings = filter();
+    Settings settings = by_intent();
     settings.user_role = UserRole::Passive;
     settings.switch_margin = 0.07;
     commands.push(SetSettings{settings});
@@ -267,7 +269,7 @@ struct RecordedSession : test::TemporaryFolder, test::DrivenSession {
     run_until(2.4);
     commands.push(SetSettings{equation_7()});
     run_until(2.6);
-    commands.push(SetSettings{filter()});
+    commands.push(SetSettings{by_intent()});
     run_until(3.2);
     EXPECT_TRUE(keeper->recorder->finish());
   }
@@ -283,19 +285,19 @@ std::string trace_line(const FrameSnapshot& frame) {
 
 TEST(LearnedSelection, FramesSayThatTheLibraryIsStillLearned) {
   const RecordedSession session;
-  int learning = 0, by_intent = 0;
+  int learning = 0, selected_by_intent = 0;
   for (const FrameSnapshotPtr& frame : session.keeper->frames) {
-    const bool filters = frame->settings.selection == SelectionMethod::Filter;
-    EXPECT_EQ(selects_by_intent(frame->result), filters) << frame->index;
-    EXPECT_FALSE(filters && frame->is_learning) << frame->index;
+    const bool reads_intent = frame->settings.selection == SelectionMethod::Intent;
+    EXPECT_EQ(selects_by_intent(frame->result), reads_intent) << frame->index;
+    EXPECT_FALSE(reads_intent && frame->is_learning) << frame->index;
     if (frame->time_s < 0.3 || (frame->time_s > 2.42 && frame->time_s < 2.6)) {
       EXPECT_FALSE(frame->is_learning) << "Eq. 7 was asked for";
     }
     learning += frame->is_learning;
-    by_intent += filters;
+    selected_by_intent += reads_intent;
   }
   EXPECT_GT(learning, 0);
-  EXPECT_GT(by_intent, 100);
+  EXPECT_GT(selected_by_intent, 100);
 }
 
 TEST(LearnedSelection, TheTermsOfEveryCandidateAreRecordedWithTheSameBits) {
@@ -348,6 +350,28 @@ TEST(LearnedSelection, ASessionIsSolvedAgainToTheSameBits) {
     EXPECT_EQ(replay->differ, 0U);
     EXPECT_GT(frames, 15U);
   }
+}
+
+TEST(LearnedSelection, ASessionThatCallsItFilterIsSolvedAgainToTheSameBits) {
+  const RecordedSession session;
+  {
+    auto database = SessionDatabase::open(session.path, SessionDatabase::Access::Write);
+    ASSERT_TRUE(database) << database.error().text();
+    ASSERT_TRUE(database->execute(R"(UPDATE settings SET json = replace(json, '"intent"', '"filter"'))"));
+    const auto former = database->integer(R"(SELECT count(*) FROM settings WHERE json LIKE '%"filter"%')");
+    ASSERT_TRUE(former);
+    EXPECT_GT(former->value_or(0), 1);
+  }
+  const auto file = SessionFile::open(session.path);
+  ASSERT_TRUE(file) << file.error().text();
+  const auto replay =
+      re_solve_session(**file, test::session_library(), -1e9, 1e9, [&](const FrameSnapshot& frame) -> Status {
+        EXPECT_EQ(frame.settings.selection, session.keeper->frames.at(frame.index)->settings.selection);
+        EXPECT_EQ(trace_line(frame), trace_line(*session.keeper->frames[frame.index]));
+        return Done{};
+      });
+  ASSERT_TRUE(replay) << replay.error().text();
+  EXPECT_EQ(replay->differ, 0U);
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ using Synthesizer = std::unique_ptr<PartnerSynthesizer>;
 
 constexpr Duration step_time(1.0 / 60);
 
-constexpr auto filter = test::responsive_by_intent;
+constexpr auto by_intent = test::responsive_by_intent;
 constexpr auto equation_7 = test::responsive_by_pose;
 
 const std::shared_ptr<const MotionLibrary>& library() {
@@ -63,7 +63,7 @@ std::string content(const FrameResult& frame) {
 }
 
 TEST(IntentSynthesis, AUserWhoRepeatsARecordedLeaderGetsTheRecordedPartner) {
-  auto synthesizer = synthesizer_with(filter());
+  auto synthesizer = synthesizer_with(by_intent());
   synthesizer->set_user_body(library()->usual_active_body().body);
   double off_m = 0;
   int changes = 0;
@@ -83,7 +83,7 @@ TEST(IntentSynthesis, AUserWhoRepeatsARecordedLeaderGetsTheRecordedPartner) {
 }
 
 TEST(IntentSynthesis, NothingIsSelectedOrBelievedOfATakeThatIsLeftOut) {
-  auto synthesizer = synthesizer_with(filter(), {"first"});
+  auto synthesizer = synthesizer_with(by_intent(), {"first"});
   for (std::size_t frame = 0; frame < 180; ++frame) {
     const FrameResult& result = synthesizer->step(first_take().a.poses[frame], step_time);
     ASSERT_NE(result.status, StepStatus::Failed) << result.message;
@@ -96,7 +96,7 @@ TEST(IntentSynthesis, NothingIsSelectedOrBelievedOfATakeThatIsLeftOut) {
 
 TEST(IntentSynthesis, EqualInputGivesTheSameBits) {
   const auto trace = [] {
-    auto synthesizer = synthesizer_with(filter());
+    auto synthesizer = synthesizer_with(by_intent());
     std::string lines;
     for (const Pose& pose : stranger().poses) lines += content(synthesizer->step(pose, step_time));
     return lines;
@@ -107,7 +107,7 @@ TEST(IntentSynthesis, EqualInputGivesTheSameBits) {
 /// Coordinates a kilometre away round by 1e-13 m, which the history turns into 1e-7 here and there; now and
 /// then the solver finds another contact for it.
 TEST(IntentSynthesis, AKilometreAwayTheSameIsSelected) {
-  auto here = synthesizer_with(filter()), there = synthesizer_with(filter());
+  auto here = synthesizer_with(by_intent()), there = synthesizer_with(by_intent());
   for (const auto& way : {Eigen::RowVector3d(1e3, 0, -1e3), Eigen::RowVector3d(-800, 0, 1e3)})
     for (std::size_t frame = 0; frame < stranger().poses.size(); ++frame) {
       const Duration elapsed = frame == 0 ? Duration(0) : step_time;
@@ -124,8 +124,8 @@ TEST(IntentSynthesis, AKilometreAwayTheSameIsSelected) {
 }
 
 TEST(IntentSynthesis, RestoredInTheMiddleItGoesOnWithTheSameBits) {
-  auto first = synthesizer_with(filter()), second = synthesizer_with(filter());
-  auto forgetful = synthesizer_with(filter());
+  auto first = synthesizer_with(by_intent()), second = synthesizer_with(by_intent());
+  auto forgetful = synthesizer_with(by_intent());
   run(*first, stranger(), 0, 100);
   const SynthesizerState state = first->state();
   run(*second, first_take().a, 0, 30);  // what it did before is nothing to it
@@ -145,7 +145,7 @@ TEST(IntentSynthesis, RestoredInTheMiddleItGoesOnWithTheSameBits) {
 
 TEST(IntentSynthesis, AResetAndALossOfTrackingForgetWhatTheUserDid) {
   const Pose& pose = stranger().poses[150];
-  Settings by_frames = filter();  // with the other playback the partner goes on from where it is
+  Settings by_frames = by_intent();  // with the other playback the partner goes on from where it is
   by_frames.playback = SourcePlayback::Frames;
   auto fresh = synthesizer_with(by_frames);
   const std::string expected = content(fresh->step(pose, Duration(0)));
@@ -160,7 +160,7 @@ TEST(IntentSynthesis, AResetAndALossOfTrackingForgetWhatTheUserDid) {
 }
 
 TEST(IntentSynthesis, AFrameThatFailsIsNotRemembered) {
-  auto synthesizer = synthesizer_with(filter());
+  auto synthesizer = synthesizer_with(by_intent());
   run(*synthesizer, stranger(), 0, 50);
   const std::size_t size = synthesizer->state().memory.history.size();
   Pose broken = stranger().poses[50];
@@ -176,7 +176,7 @@ TEST(IntentSynthesis, AFrameThatFailsIsNotRemembered) {
 }
 
 TEST(IntentSynthesis, APassiveUserIsUnderstoodByThePassivesMotion) {
-  Settings settings = filter();
+  Settings settings = by_intent();
   settings.user_role = UserRole::Passive;
   auto synthesizer = synthesizer_with(settings);
   synthesizer->set_user_body(library()->usual_passive_body().body);
@@ -198,15 +198,16 @@ TEST(IntentSynthesis, APassiveUserIsUnderstoodByThePassivesMotion) {
 }
 
 TEST(IntentSynthesis, TheMethodCanChangeInEveryStepAndKnowsWhatTheUserDid) {
-  auto always = synthesizer_with(filter()), now_and_then = synthesizer_with(equation_7());
+  auto always = synthesizer_with(by_intent()), now_and_then = synthesizer_with(equation_7());
   for (std::size_t frame = 0; frame < 200; ++frame) {
-    const bool filters = frame % 30 > 20;
-    now_and_then->set_settings(filters ? filter() : equation_7());
+    const bool reads_intent = frame % 30 > 20;
+    now_and_then->set_settings(reads_intent ? by_intent() : equation_7());
     const FrameResult& expected = always->step(stranger().poses[frame], step_time);
     const FrameResult& result = now_and_then->step(stranger().poses[frame], step_time);
     ASSERT_NE(result.status, StepStatus::Failed);
-    for (const Candidate& candidate : result.candidates) ASSERT_EQ(candidate.intent.has_value(), filters);
-    if (filters) {
+    for (const Candidate& candidate : result.candidates)
+      ASSERT_EQ(candidate.intent.has_value(), reads_intent);
+    if (reads_intent) {
       // Sources differ, but not what is believed of what the user did.
       ASSERT_EQ(result.intent.belief, expected.intent.belief) << frame;
       ASSERT_EQ(result.intent.moves, expected.intent.moves) << frame;
@@ -220,7 +221,7 @@ TEST(IntentSynthesis, TheMethodCanChangeInEveryStepAndKnowsWhatTheUserDid) {
 }
 
 TEST(IntentSynthesis, EquationSevenSelectsAsIfThereWereNoOtherMethod) {
-  auto paper = synthesizer_with(*preset("paper")), learned = synthesizer_with(filter());
+  auto paper = synthesizer_with(*preset("paper")), learned = synthesizer_with(by_intent());
   learned->step(stranger().poses[0], Duration(0));
   learned->set_settings(*preset("paper"));
   learned->reset();
@@ -230,7 +231,7 @@ TEST(IntentSynthesis, EquationSevenSelectsAsIfThereWereNoOtherMethod) {
 }
 
 TEST(IntentSynthesis, APinnedPairIsSelectedAlsoWhenItIsVetoed) {
-  auto synthesizer = synthesizer_with(filter());
+  auto synthesizer = synthesizer_with(by_intent());
   run(*synthesizer, stranger(), 0, 60);
   const int pinned = library()->find_pair("second", 77, false);
   synthesizer->set_vetoes({{}, {"second"}, {}});
@@ -251,7 +252,7 @@ TEST(IntentSynthesis, APinnedPairIsSelectedAlsoWhenItIsVetoed) {
 }
 
 TEST(IntentSynthesis, WithEverythingVetoedAStepFailsAndSaysSo) {
-  auto synthesizer = synthesizer_with(filter());
+  auto synthesizer = synthesizer_with(by_intent());
   const PairPose held = run(*synthesizer, stranger(), 0, 60).result;
   synthesizer->set_vetoes({{}, {"first", "second"}, {}});
   const FrameResult& failed = synthesizer->step(stranger().poses[60], step_time);
@@ -263,7 +264,7 @@ TEST(IntentSynthesis, WithEverythingVetoedAStepFailsAndSaysSo) {
 }
 
 TEST(IntentSynthesis, WhatAPersonNamesIsPreferredNotForced) {
-  Settings settings = filter();
+  Settings settings = by_intent();
   settings.meant_weight = 2;
   auto synthesizer = synthesizer_with(settings);
   synthesizer->set_meant(MeantPairs{{}, "second"});
@@ -276,7 +277,7 @@ TEST(IntentSynthesis, WhatAPersonNamesIsPreferredNotForced) {
 }
 
 TEST(IntentSynthesis, TheTraceTellsTheTermsTheMovesAndWhatWouldHaveGoneOn) {
-  auto synthesizer = synthesizer_with(filter());
+  auto synthesizer = synthesizer_with(by_intent());
   const FrameResult& result = run(*synthesizer, first_take().a, 0, 100);
   const json frame = json::parse(trace_frame_line(result, *library(), 99, 99 / 60.0));
   const auto selected = frame["selected"].get<std::size_t>();
@@ -306,7 +307,7 @@ TEST(IntentSynthesis, TheTraceTellsTheTermsTheMovesAndWhatWouldHaveGoneOn) {
 }
 
 TEST(IntentSynthesis, WhatIsLearnedIsSharedAndPreparedBesideTheSteps) {
-  auto synthesizer = synthesizer_with(filter());
+  auto synthesizer = synthesizer_with(by_intent());
   const RoleViews& views = *synthesizer->views();
   EXPECT_FALSE(views.is_intent_ready(UserRole::Active)) << "nothing is learned before it is needed";
   const auto& learned = views.intent(UserRole::Active);
@@ -317,7 +318,7 @@ TEST(IntentSynthesis, WhatIsLearnedIsSharedAndPreparedBesideTheSteps) {
 }
 
 TEST(IntentSynthesis, PairsBetweenThoseThatMayBeChangedToAreSelectedWhenNothingElseIsLeft) {
-  const Synthesizer synthesizer = synthesizer_with(filter());
+  const Synthesizer synthesizer = synthesizer_with(by_intent());
   const auto& landings = synthesizer->views()->intent(UserRole::Active)->landings();
   Vetoes vetoes;
   vetoes.pairs.insert(landings.begin(), landings.end());

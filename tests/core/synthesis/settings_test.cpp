@@ -1,5 +1,6 @@
 #include "core/synthesis/settings.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,7 +46,7 @@ TEST(Settings, JsonRoundTrips) {
   settings.alpha = 0.1234567890123;
   settings.edge_weights = EdgeWeights::InverseMean;
   settings.collisions = false;
-  settings.selection = SelectionMethod::Filter;
+  settings.selection = SelectionMethod::Intent;
   settings.switch_margin = 0.0625;
   settings.leader_weight = 1.0 / 3;
   settings.move_weight = 0;
@@ -74,7 +75,7 @@ TEST(Settings, WrongValuesAreRefusedWithTheRangeAndChangeNothing) {
            {"neighbours", "10.5", "whole number"},
            {"neighbours", "201", "from 1 to 200"},
            {"collisions", "yes", "on or off"},
-           {"selection", "eq7", "paper|filter"},
+           {"selection", "eq7", "paper|intent"},
            {"switch-margin", "0.51", "from 0 to 0.5"},
            {"switch-margin", "-0.01", "from 0 to 0.5"},
            {"leader-weight", "2.1", "from 0 to 2"},
@@ -91,19 +92,31 @@ TEST(Settings, WrongValuesAreRefusedWithTheRangeAndChangeNothing) {
 TEST(Settings, TheMethodOfSelectionIsSaidByName) {
   Settings settings;
   EXPECT_EQ(setting_text(settings, "selection"), "paper");
-  EXPECT_EQ(preset("responsive")->selection, SelectionMethod::Filter);
-  ASSERT_TRUE(set_setting(settings, "selection", "filter").ok());
-  EXPECT_EQ(settings.selection, SelectionMethod::Filter);
+  EXPECT_EQ(preset("responsive")->selection, SelectionMethod::Intent);
+  ASSERT_TRUE(set_setting(settings, "selection", "intent").ok());
+  EXPECT_EQ(settings.selection, SelectionMethod::Intent);
   const auto read =
-      parse_settings(R"({"selection": "filter", "switch-margin": 0.05})", Settings{}, "mine.json");
+      parse_settings(R"({"selection": "intent", "switch-margin": 0.05})", Settings{}, "mine.json");
   ASSERT_TRUE(read.ok());
-  EXPECT_EQ(read->selection, SelectionMethod::Filter);
+  EXPECT_EQ(read->selection, SelectionMethod::Intent);
   EXPECT_EQ(read->switch_margin, 0.05);
 }
 
+TEST(Settings, TheSelectionByIntentIsReadByItsFormerNameAndSaidByThePresentOne) {
+  Settings settings;
+  ASSERT_TRUE(set_setting(settings, "selection", "filter").ok());
+  EXPECT_EQ(settings.selection, SelectionMethod::Intent);
+  EXPECT_EQ(setting_text(settings, "selection"), "intent");
+  const auto read = parse_settings(R"({"selection": "filter"})", Settings{}, "old.json");
+  ASSERT_TRUE(read.ok());
+  EXPECT_EQ(read->selection, SelectionMethod::Intent);
+  EXPECT_THAT(settings_json(*read), testing::HasSubstr(R"("selection":"intent")"));
+  EXPECT_FALSE(set_setting(settings, "playback", "filter").ok());
+}
+
 TEST(Settings, EachMethodOfSelectionHasItsOwnWeightsAndTheRestIsOfBoth) {
-  Settings paper, filter;
-  filter.selection = SelectionMethod::Filter;
+  Settings paper, intent;
+  intent.selection = SelectionMethod::Intent;
   for (const SettingInfo& info : all_settings()) {
     const bool of_paper = info.key == "continuations";
     const bool of_continuous =
@@ -113,10 +126,10 @@ TEST(Settings, EachMethodOfSelectionHasItsOwnWeightsAndTheRestIsOfBoth) {
       EXPECT_TRUE(applies(*preset("responsive"), info.key)) << info.key;
       continue;
     }
-    const bool of_filter = info.key == "switch-margin" || info.key == "leader-weight" ||
+    const bool of_intent = info.key == "switch-margin" || info.key == "leader-weight" ||
                            info.key == "move-weight" || info.key == "meant-weight";
-    EXPECT_EQ(applies(paper, info.key), !of_filter) << info.key;
-    EXPECT_EQ(applies(filter, info.key), !of_paper) << info.key;
+    EXPECT_EQ(applies(paper, info.key), !of_intent) << info.key;
+    EXPECT_EQ(applies(intent, info.key), !of_paper) << info.key;
   }
 }
 

@@ -54,9 +54,9 @@ std::size_t allocations_of_steps(PartnerSynthesizer& synthesizer, const std::vec
   return allocations_of_steps(synthesizer, user, [](std::size_t) {});
 }
 
-Settings by_filter(UserRole role = UserRole::Active) {
+Settings by_intent(UserRole role = UserRole::Active) {
   Settings settings = *preset("responsive");
-  settings.selection = SelectionMethod::Filter;
+  settings.selection = SelectionMethod::Intent;
   settings.user_role = role;
   return settings;
 }
@@ -104,7 +104,7 @@ TEST(StepAllocation, DoesNotHappenWhileSettingsChangeUnderEveryStep) {
     settings.scale_root_path = n % 100 < 50;
     settings.playback = n % 40 < 30 ? SourcePlayback::Continuous : SourcePlayback::Frames;
     settings.hold_weight = n % 5 == 0 ? 0 : 50;
-    settings.selection = n % 9 < 4 ? SelectionMethod::Filter : SelectionMethod::Paper;
+    settings.selection = n % 9 < 4 ? SelectionMethod::Intent : SelectionMethod::Paper;
     synthesizer->set_settings(settings);
   };
   EXPECT_EQ(allocations_of_steps(*synthesizer, dancing_user(1.1), change), 0U);
@@ -134,7 +134,7 @@ TEST(StepAllocation, DoesNotHappenWithPinsVetoesAndWhatIsMeant) {
 TEST(StepAllocation, DoesNotHappenWhenBodiesCollideAndConstraintsAreLetGo) {
   std::mt19937 random(7);
   Settings by_equation_7 = *preset("responsive");
-  by_equation_7.selection = SelectionMethod::Paper;  // the filter leads around what contradicts itself here
+  by_equation_7.selection = SelectionMethod::Paper;  // intent leads around what contradicts itself here
   by_equation_7.playback = SourcePlayback::Frames;   // and so does a partner that moves on its own
   by_equation_7.velocity_weight = 0.2;
   by_equation_7.alpha = 0;
@@ -170,21 +170,21 @@ TEST(StepAllocation, DoesNotHappenWhenTrackingIsLostAndFound) {
   }
 }
 
-TEST(StepAllocation, DoesNotHappenWithTheSelectionFilterOnceItHasLearned) {
+TEST(StepAllocation, DoesNotHappenWithTheSelectionByIntentOnceItHasLearned) {
   for (const auto role : {UserRole::Active, UserRole::Passive})
     for (const double scale : {1.0, 0.8}) {
-      auto synthesizer = running(by_filter(role));
+      auto synthesizer = running(by_intent(role));
       EXPECT_EQ(allocations_of_steps(*synthesizer, dancing_user(scale)), 0U) << scale;
     }
 }
 
-TEST(StepAllocation, DoesNotHappenWhileTheFiltersWeightsChangeUnderEveryStep) {
+TEST(StepAllocation, DoesNotHappenWhileTheWeightsOfIntentChangeUnderEveryStep) {
   for (const auto role : {UserRole::Active, UserRole::Passive}) {
-    auto synthesizer = running(by_filter(role));
+    auto synthesizer = running(by_intent(role));
     const auto change = [&](std::size_t frame) {
       const int n = static_cast<int>(frame);
-      Settings settings = by_filter(role);
-      settings.selection = n % 25 < 20 ? SelectionMethod::Filter : SelectionMethod::Paper;
+      Settings settings = by_intent(role);
+      settings.selection = n % 25 < 20 ? SelectionMethod::Intent : SelectionMethod::Paper;
       settings.neighbours = n % 11 == 0 ? 200 : 1 + n % 40;
       settings.switch_margin = 0.1 * (n % 6);
       settings.leader_weight = 0.5 * (n % 5);
@@ -196,8 +196,8 @@ TEST(StepAllocation, DoesNotHappenWhileTheFiltersWeightsChangeUnderEveryStep) {
   }
 }
 
-TEST(StepAllocation, DoesNotHappenForTheMostNeighboursOfTheFilterWithPinsVetoesAndWhatIsMeant) {
-  Settings settings = by_filter();
+TEST(StepAllocation, DoesNotHappenForTheMostNeighboursByIntentWithPinsVetoesAndWhatIsMeant) {
+  Settings settings = by_intent();
   settings.neighbours = 200;
   settings.switch_margin = 0;
   auto synthesizer = running(settings);
@@ -214,8 +214,8 @@ TEST(StepAllocation, DoesNotHappenForTheMostNeighboursOfTheFilterWithPinsVetoesA
   EXPECT_EQ(allocations_of_steps(*synthesizer, dancing_user(), change), 0U);
 }
 
-TEST(StepAllocation, DoesNotHappenWhenTheFilterLosesTrackingAndFindsIt) {
-  auto synthesizer = running(by_filter());
+TEST(StepAllocation, DoesNotHappenWhenTheSelectionByIntentLosesTrackingAndFindsIt) {
+  auto synthesizer = running(by_intent());
   std::vector<Pose> user = dancing_user();
   for (std::size_t frame = 20; frame < user.size(); frame += 50) {
     user[frame](7, 1) = std::numeric_limits<double>::quiet_NaN();

@@ -224,10 +224,10 @@ Session run(PartnerSynthesizer& synthesizer, const std::vector<Step>& steps) {
     const FrameResult& frame = synthesizer.step(step.user, step.elapsed);
     holds_together(frame, *library, last_good ? &*last_good : nullptr);
     const Settings& settings = synthesizer.settings();
-    const bool filters = settings.selection == SelectionMethod::Filter;
-    const bool goes_on = filters || settings.playback == SourcePlayback::Continuous;
+    const bool by_intent = settings.selection == SelectionMethod::Intent;
+    const bool goes_on = by_intent || settings.playback == SourcePlayback::Continuous;
     const int most =
-        settings.neighbours + std::max(goes_on ? 1 : 0, filters ? 0 : settings.continuations) + 1;
+        settings.neighbours + std::max(goes_on ? 1 : 0, by_intent ? 0 : settings.continuations) + 1;
     RC_ASSERT(static_cast<int>(frame.candidates.size()) <= std::min(most, library->pair_count()));
     if (frame.status != StepStatus::Failed) last_good = frame.result, ++session.solved;
     session.results.push_back(frame.result);
@@ -248,8 +248,8 @@ PartnerSynthesizer& learned_synthesizer(std::size_t library, const Settings& set
   return *synthesizer;
 }
 
-Settings with_filter(Settings settings) {
-  return settings.selection = SelectionMethod::Filter, settings;
+Settings with_intent(Settings settings) {
+  return settings.selection = SelectionMethod::Intent, settings;
 }
 
 void check(const std::string& what, const std::function<void()>& property) {
@@ -280,7 +280,7 @@ TEST(StepProperty, TheSameSessionGivesTheSameBits) {
 TEST(StepProperty, AKilometreAwayTheSameHappensThere) {
   check("two places", [] {
     Settings settings = *preset(*rc::gen::elementOf(std::vector<std::string_view>{"paper", "responsive"}));
-    settings.selection = SelectionMethod::Paper;  // the filter's: IntentSynthesis
+    settings.selection = SelectionMethod::Paper;  // by intent: IntentSynthesis
     auto* const here = &learned_synthesizer(0, settings, 0);
     auto* const there = &learned_synthesizer(0, settings, 1);
     const Eigen::RowVector3d way(*rc::gen::element(1e3, -1e3), 0, number(-1e3, 1e3));
@@ -295,26 +295,26 @@ TEST(StepProperty, AKilometreAwayTheSameHappensThere) {
   });
 }
 
-TEST(StepProperty, WhateverComesTheFilterSelectsSomethingAndSaysWhy) {
-  check("any session by the filter", [] {
+TEST(StepProperty, WhateverComesTheSelectionByIntentSelectsSomethingAndSaysWhy) {
+  check("any session by intent", [] {
     std::vector<Step> steps = any_steps();
     for (Step& step : steps) {
       if (!step.change) continue;
-      step.change = with_filter(*step.change);
+      step.change = with_intent(*step.change);
       for (double* weight : {&step.change->switch_margin, &step.change->leader_weight,
                              &step.change->move_weight, &step.change->meant_weight})
         if (*rc::gen::arbitrary<bool>()) *weight = *rc::gen::element(0.0, 0.5);
     }
     const auto library = *rc::gen::inRange<std::size_t>(0, libraries().size());
-    const Settings start = with_filter(any_settings());
+    const Settings start = with_intent(any_settings());
     const auto once = run(learned_synthesizer(library, start), steps).results;
     RC_ASSERT((run(learned_synthesizer(library, start), steps).results == once));
   });
 }
 
-TEST(StepProperty, WhatAPersonDoesIsSolvedWithTheFilterInEveryLibrary) {
+TEST(StepProperty, WhatAPersonDoesIsSolvedByIntentInEveryLibrary) {
   for (std::size_t library = 0; library < libraries().size(); ++library) {
-    Settings settings = with_filter(*preset("paper"));
+    Settings settings = with_intent(*preset("paper"));
     settings.neighbours = library % 2 == 0 ? 200 : 1;
     PartnerSynthesizer& synthesizer = learned_synthesizer(library, settings);
     for (const Pose& user : test::swinging_take("user", 90, 17).a.poses) {

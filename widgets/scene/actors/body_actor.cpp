@@ -69,7 +69,7 @@ BodyActor::BodyActor(Outline outline) : m_parts(std::make_unique<Parts>()) {
 
 BodyActor::~BodyActor() = default;
 
-void BodyActor::setRadii(const std::array<double, bone_count>& radii) {
+void BodyActor::setRadii(const CapsuleRadii& radii) {
   m_parts->shape.emplace(radii);
   vtkNew<vtkCellArray> triangles;
   for (const auto& triangle : m_parts->shape->triangles())

@@ -3,7 +3,7 @@
 #include <array>
 #include <memory>
 
-#include "core/motion/body/joint_set.hpp"
+#include "core/mesh/capsules.hpp"
 
 class QColor;
 class vtkRenderer;
@@ -23,7 +23,7 @@ class BodyActor {
   BodyActor& operator=(const BodyActor&) = delete;
 
   /// @param radii  per bone [m]
-  void setRadii(const std::array<double, bone_count>& radii);
+  void setRadii(const CapsuleRadii& radii);
   void setPose(const Pose& pose);
   void setColour(const QColor& colour);
   /// Shades the body as it stands; asked for with every picture, since the light goes with the camera.

@@ -45,7 +45,7 @@ const auto the_circle = circle();
 
 }  // namespace
 
-CapsuleSurface::CapsuleSurface(const std::array<double, bone_count>& radii) {
+CapsuleSurface::CapsuleSurface(const CapsuleRadii& radii) {
   for (int b = 0; b < bone_count; ++b)
     if (radii[static_cast<std::size_t>(b)] > 0)
       bones_.push_back({bone(b).first, bone(b).second, radii[static_cast<std::size_t>(b)]});

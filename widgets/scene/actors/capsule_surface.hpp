@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/positions.hpp"
-#include "core/motion/body/joint_set.hpp"
+#include "core/mesh/capsules.hpp"
 
 namespace abrazo::widgets {
 
@@ -15,7 +15,7 @@ namespace abrazo::widgets {
 class CapsuleSurface {
  public:
   /// @param radii  per bone [m]; a bone of radius 0 is not drawn
-  explicit CapsuleSurface(const std::array<double, bone_count>& radii);
+  explicit CapsuleSurface(const CapsuleRadii& radii);
 
   /// @param inflation_m  added to every radius (for a silhouette)
   void place(const Pose& pose, double inflation_m, std::span<float> points) const;

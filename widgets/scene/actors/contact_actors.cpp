@@ -46,8 +46,7 @@ void ContactActors::setColours(const Palette& palette, double pixel_ratio) {
   m_touches.setWidth(8 * pixel_ratio);
 }
 
-void ContactActors::setRadii(const std::array<double, bone_count>& active,
-                             const std::array<double, bone_count>& passive) {
+void ContactActors::setRadii(const CapsuleRadii& active, const CapsuleRadii& passive) {
   m_radii = {active, passive};
   for (std::size_t body = 0; body < 2; ++body) m_bodies[body].setRadii(m_radii[body]);
 }

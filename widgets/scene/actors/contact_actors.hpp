@@ -14,7 +14,7 @@ class ContactActors {
   ContactActors();
   void addTo(vtkRenderer* in_front, vtkRenderer* topmost);
   void setColours(const Palette& palette, double pixel_ratio);
-  void setRadii(const std::array<double, bone_count>& active, const std::array<double, bone_count>& passive);
+  void setRadii(const CapsuleRadii& active, const CapsuleRadii& passive);
   void setVisible(bool collisions, bool touches);
   void show(const FrameResult& frame);
   /// Outlines are silhouettes: they depend on where they are seen from.
@@ -30,7 +30,7 @@ class ContactActors {
   };
   Palette m_palette;
   bool m_visible = true;
-  std::array<std::array<double, bone_count>, 2> m_radii{};
+  std::array<CapsuleRadii, 2> m_radii{};
   std::vector<Limb> m_limbs;
   std::array<LimbActor, 2> m_bodies;
   LineSet m_outlines, m_lines, m_dots{LineSet::Kind::Dots};

@@ -22,7 +22,7 @@ struct LimbActor::Parts {
   vtkNew<vtkPolyData> data;
   vtkNew<vtkPolyDataMapper> mapper;
   vtkNew<vtkActor> actor;
-  std::array<double, bone_count> radii{};
+  CapsuleRadii radii{};
   std::vector<int> bones;
   std::optional<CapsuleSurface> shape;
 
@@ -44,7 +44,7 @@ LimbActor::LimbActor() : m_parts(std::make_unique<Parts>()) {
 
 LimbActor::~LimbActor() = default;
 
-void LimbActor::setRadii(const std::array<double, bone_count>& radii) {
+void LimbActor::setRadii(const CapsuleRadii& radii) {
   m_parts->radii = radii;
   m_parts->bones.clear();
   m_parts->shape.reset();
@@ -56,7 +56,7 @@ void LimbActor::setColour(const QColor& colour, double opacity) {
 }
 
 void LimbActor::Parts::rebuild() {
-  std::array<double, bone_count> shown{};
+  CapsuleRadii shown{};
   for (const int bone : bones) shown[static_cast<std::size_t>(bone)] = radii[static_cast<std::size_t>(bone)];
   shape.emplace(shown);
   vtkNew<vtkCellArray> triangles;

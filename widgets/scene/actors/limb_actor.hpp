@@ -3,7 +3,7 @@
 #include <memory>
 #include <span>
 
-#include "core/motion/body/joint_set.hpp"
+#include "core/mesh/capsules.hpp"
 
 class QColor;
 class vtkRenderer;
@@ -18,7 +18,7 @@ class LimbActor {
   LimbActor(const LimbActor&) = delete;
   LimbActor& operator=(const LimbActor&) = delete;
 
-  void setRadii(const std::array<double, bone_count>& radii);
+  void setRadii(const CapsuleRadii& radii);
   void setColour(const QColor& colour, double opacity);
   /// @param bones  ascending; none shows nothing
   void show(std::span<const int> bones, const Pose& pose);

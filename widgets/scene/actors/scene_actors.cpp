@@ -36,7 +36,7 @@ std::span<const double> half(const PairPose& pair, std::size_t body) {
 
 /// Bones without a radius of their own would leave holes in the drawn body; calibrated ones may be too thin
 /// to see.
-std::array<double, bone_count> drawn_radii(const std::array<double, bone_count>& radii) {
+CapsuleRadii drawn_radii(const CapsuleRadii& radii) {
   auto drawn = generic_capsule_radii();
   for (std::size_t b = 0; b < drawn.size(); ++b)
     drawn[b] = std::max({0.6 * drawn[b], radii[b], 0.045 * (drawn[b] == 0)});
@@ -101,8 +101,7 @@ void SceneActors::setColours(const Palette& palette, double pixel_ratio) {
   m_cut.setColours(palette, pixel_ratio);
 }
 
-void SceneActors::setRadii(const std::array<double, bone_count>& active,
-                           const std::array<double, bone_count>& passive) {
+void SceneActors::setRadii(const CapsuleRadii& active, const CapsuleRadii& passive) {
   m_leader.setRadii(drawn_radii(active));
   m_follower.setRadii(drawn_radii(passive));
   m_contacts.setRadii(active, passive);

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "core/mesh/capsules.hpp"
 #include "core/session/frames/frame_snapshot.hpp"
 #include "widgets/common/palette.hpp"
 #include "widgets/scene/actors/body_actor.hpp"
@@ -31,7 +32,7 @@ class SceneActors {
   void addTo(vtkRenderer* solid, vtkRenderer* in_front, vtkRenderer* topmost);
   /// @param pixel_ratio  device pixels per logical pixel: widths of lines are in logical ones
   void setColours(const Palette& palette, double pixel_ratio);
-  void setRadii(const std::array<double, bone_count>& active, const std::array<double, bone_count>& passive);
+  void setRadii(const CapsuleRadii& active, const CapsuleRadii& passive);
   void setVisibility(const PartVisibility& visibility);
 
   void show(const FrameSnapshot& frame, const MeshLook& look);

@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <QToolButton>
 
+#include "widgets/common/chip.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/scene/panel/scene_options_panel.hpp"
@@ -13,12 +14,8 @@ namespace abrazo::widgets {
 namespace {
 
 QToolButton* overlay_chip(const QString& text, const QString& tip, QWidget* parent) {
-  auto* button = new QToolButton(parent);
-  button->setObjectName("chip");
-  button->setText(text);
-  button->setToolTip(tip);
+  auto* button = text_chip(text, tip, parent);
   button->setCheckable(true);
-  button->setFocusPolicy(Qt::TabFocus);
   button->setCursor(Qt::PointingHandCursor);
   return button;
 }

@@ -62,7 +62,7 @@ std::string cost_line(const CostBreakdown& cost, double alpha) {
 }
 
 /// Two lines: one would make the card wider than what it is about.
-void add_filter_cost(PickText& told, const IntentCost& cost) {
+void add_intent_cost(PickText& told, const IntentCost& cost) {
   told.lines.push_back(
       text_of_fact("cost %.3f m = partner %.3f + leader %.3f", cost.total, cost.partner, cost.leader));
   std::string rest;
@@ -97,7 +97,7 @@ PickText describe_candidate(const FrameSnapshot& frame, int pair, const MotionLi
                                     frame.result.candidates.size(), is_used ? ", selected" : "",
                                     goes_on ? ", goes on" : ""));
   if (candidate.intent)
-    add_filter_cost(told, *candidate.intent);
+    add_intent_cost(told, *candidate.intent);
   else
     told.lines.push_back(cost_line(candidate.cost, frame.settings.alpha));
   return told;

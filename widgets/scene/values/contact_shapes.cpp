@@ -48,11 +48,8 @@ std::array<std::vector<int>, 2> colliding_bones(const FrameResult& frame) {
 std::vector<std::array<int, 2>> held_hands(const FrameResult& frame) {
   std::vector<std::array<int, 2>> holds;
   const PairPose& pair = frame.selected_pair;
-  for (const int leader : {joints::left_hand, joints::right_hand})
-    for (const int hand : {joints::left_hand, joints::right_hand})
-      if (const int follower = hand + joint_count;
-          (pair.row(leader) - pair.row(follower)).norm() < hold_distance_m)
-        holds.push_back({leader, follower});
+  for (const HandEnds& hands : all_hand_ends)
+    if (hands_hold(pair, hands)) holds.push_back({hands.active, hands.passive + joint_count});
   return holds;
 }
 

@@ -1,10 +1,10 @@
-#include "app/workbench/stream/calibration_steps.hpp"
+#include "core/stream/receive/calibration_steps.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 
-namespace abrazo::app {
+namespace abrazo {
 namespace {
 
 constexpr double lowest_m = 1.0, highest_m = 2.2;         // of the head joint
@@ -20,7 +20,7 @@ double arm_span(const Body& body) {
   return span;
 }
 
-BodyVerdict judge(const Body& body) {
+BodyVerdict judge_body(const Body& body) {
   const double height = body.height(), span = arm_span(body);
   const std::string measures = fmt::format("head at {:.2f} m, {:.2f} m from hand to hand", height, span);
   if (!(height >= lowest_m && height <= highest_m))
@@ -68,7 +68,7 @@ bool CalibrationSteps::advance(double now_s, const Seen& seen) {
   const bool is_new = seen.measured && (!before_ || seen.measured->bone_lengths != before_->bone_lengths);
   // The same person measured twice may come out the same: then the last of the wait decides.
   if (is_new || (seen.measured && elapsed_s >= hold_s + patience_s)) {
-    const BodyVerdict verdict = judge(*seen.measured);
+    const BodyVerdict verdict = judge_body(*seen.measured);
     finish(Stage::Done, (verdict.is_plausible ? "Calibrated: " : "Calibrated, but look: ") + verdict.words);
   } else if (elapsed_s >= hold_s + patience_s) {
     finish(Stage::Failed,
@@ -84,4 +84,4 @@ std::string CalibrationSteps::large(double now_s) const {
   return std::to_string(std::max(1, static_cast<int>(std::ceil(countdown_s - (now_s - since_s_)))));
 }
 
-}  // namespace abrazo::app
+}  // namespace abrazo

@@ -1,18 +1,16 @@
-#include "app/workbench/compare/comparison.hpp"
+#include "core/session/run/comparison.hpp"
 
 #include <gtest/gtest.h>
 
-#include "app/workbench/compare/comparison_plan.hpp"
-#include "app/workbench/compare/comparison_runner.hpp"
+#include "core/session/frames/comparison_plan.hpp"
+#include "core/session/run/comparison_runner.hpp"
 #include "core/session/run/live_loop.hpp"
 #include "core/stream/receive/clip_source.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/support/settings.hpp"
 
-namespace abrazo::app::comparison_test {
+namespace abrazo::comparison_test {
 namespace {
-
-using widgets::WhatIfSpan;
 
 std::shared_ptr<const MotionLibrary> library() {
   static const auto small = test::small_library();
@@ -92,7 +90,7 @@ TEST_F(Recorded, ARunThatGoesOnFollowsTheLiveSolver) {
   run_until(2);
   while (run.advance(8)) {
   }
-  EXPECT_FALSE(run.isDone());
+  EXPECT_FALSE(run.is_done());
   EXPECT_EQ(run.measured()->steps.size(), 61U);
   EXPECT_EQ(run.measured()->a->at(99)->index, latest.newest()->index);
 }
@@ -234,4 +232,4 @@ TEST(ComparisonPlan, WhileFollowingTheShadowIsTheRunThatLiveDoesNotSolve) {
 }
 
 }  // namespace
-}  // namespace abrazo::app::comparison_test
+}  // namespace abrazo::comparison_test

@@ -1,10 +1,10 @@
-#include "app/workbench/compare/comparison.hpp"
+#include "core/session/run/comparison.hpp"
 
 #include <algorithm>
 #include <chrono>
 #include <span>
 
-namespace abrazo::app {
+namespace abrazo {
 namespace {
 
 constexpr double longest_window_s = 10;  ///< that the figures of a live comparison are over
@@ -51,83 +51,83 @@ double settled_since(const std::vector<FrameSnapshotPtr>& frames) {
 }  // namespace
 
 ComparisonRun::ComparisonRun(ComparisonTask task, const FrameHistory& recorded, Solvers& solvers)
-    : m_recorded(recorded),
-      m_solvers(solvers),
-      m_a(std::make_shared<FrameHistory>(bytes_of_a_run)),
-      m_b(std::make_shared<FrameHistory>(bytes_of_a_run)) {
-  m_state.task = std::move(task);
-  m_state.a = m_a;
-  m_state.b = m_b;
+    : recorded_(recorded),
+      solvers_(solvers),
+      a_(std::make_shared<FrameHistory>(bytes_of_a_run)),
+      b_(std::make_shared<FrameHistory>(bytes_of_a_run)) {
+  state_.task = std::move(task);
+  state_.a = a_;
+  state_.b = b_;
   for (const auto& [settings, solver] :
-       {std::pair(&m_state.task.a, &m_solvers.a), {&m_state.task.b, &m_solvers.b}}) {
-    const Status made = *settings ? provide(*solver, m_solvers) : Status(Done{});
+       {std::pair(&state_.task.a, &solvers_.a), {&state_.task.b, &solvers_.b}}) {
+    const Status made = *settings ? provide(*solver, solvers_) : Status(Done{});
     if (!made) fail(made.error().text());
   }
-  if (m_state.done) return;
-  start(m_state.task.from_s, m_state.task.goes_on ? m_state.task.from_s : m_state.task.to_s);
-  if (m_waiting.empty() && !m_state.task.goes_on)
+  if (state_.done) return;
+  start(state_.task.from_s, state_.task.goes_on ? state_.task.from_s : state_.task.to_s);
+  if (waiting_.empty() && !state_.task.goes_on)
     fail("the inputs of these frames are no longer kept; choose later ones");
 }
 
 void ComparisonRun::fail(const std::string& why) {
-  m_state.trouble = why;
-  m_state.done = true;
+  state_.trouble = why;
+  state_.done = true;
 }
 
 /// Both solvers go to before the first frame of the range.
 void ComparisonRun::start(double from_s, double to_s) {
-  auto found = m_recorded.solvable_again(from_s, to_s);
-  m_state.is_short = found.is_short;
-  m_waiting = {};
-  m_solved = 0;
-  m_last = nullptr;
+  auto found = recorded_.solvable_again(from_s, to_s);
+  state_.is_short = found.is_short;
+  waiting_ = {};
+  solved_ = 0;
+  last_ = nullptr;
   const FrameSnapshotPtr first = found.frames.next();
   if (!first) return;
-  if (m_state.task.a) m_solvers.a->go_to(found.run_up, *first);
-  if (m_state.task.b) m_solvers.b->go_to(found.run_up, *first);
-  m_waiting = std::move(found.frames);
-  m_waiting.rewind();
+  if (state_.task.a) solvers_.a->go_to(found.run_up, *first);
+  if (state_.task.b) solvers_.b->go_to(found.run_up, *first);
+  waiting_ = std::move(found.frames);
+  waiting_.rewind();
 }
 
 /// The frames that the live solver has added.
-bool ComparisonRun::findMore() {
-  if (!m_last) {
-    start(m_state.task.from_s, m_state.task.from_s);
-    return !m_waiting.empty();
+bool ComparisonRun::find_more() {
+  if (!last_) {
+    start(state_.task.from_s, state_.task.from_s);
+    return !waiting_.empty();
   }
-  auto more = m_recorded.since(m_last->index + 1);
+  auto more = recorded_.since(last_->index + 1);
   if (more.empty()) return false;
-  const bool is_gapless = more.front()->index == m_last->index + 1;
+  const bool is_gapless = more.front()->index == last_->index + 1;
   if (is_gapless && more.size() <= most_waiting) {
-    m_waiting = {nullptr, 0, 0, std::move(more)};
-    m_solved = 0;
+    waiting_ = {nullptr, 0, 0, std::move(more)};
+    solved_ = 0;
     return true;
   }
-  m_a->clear();
-  m_b->clear();
+  a_->clear();
+  b_->clear();
   start(more.back()->time_s, more.back()->time_s);
-  return !m_waiting.empty();
+  return !waiting_.empty();
 }
 
 bool ComparisonRun::advance(std::size_t frames) {
-  if (m_state.done) return false;
+  if (state_.done) return false;
   const auto began = std::chrono::steady_clock::now();
-  if (m_solved == m_waiting.size() && m_state.task.goes_on && !findMore()) return false;
-  for (; frames > 0 && m_solved < m_waiting.size(); --frames) {
-    const FrameSnapshotPtr recorded = m_waiting.next();
+  if (solved_ == waiting_.size() && state_.task.goes_on && !find_more()) return false;
+  for (; frames > 0 && solved_ < waiting_.size(); --frames) {
+    const FrameSnapshotPtr recorded = waiting_.next();
     if (!recorded) {
-      m_solved = m_waiting.size();  // the rest cannot be read
+      solved_ = waiting_.size();  // the rest cannot be read
       break;
     }
     solve(*recorded);
-    m_last = recorded;
-    ++m_solved;
+    last_ = recorded;
+    ++solved_;
   }
-  if (!m_state.task.goes_on) {
-    m_state.done = m_solved == m_waiting.size();
-    m_state.fraction = static_cast<double>(m_solved) / static_cast<double>(m_waiting.size());
+  if (!state_.task.goes_on) {
+    state_.done = solved_ == waiting_.size();
+    state_.fraction = static_cast<double>(solved_) / static_cast<double>(waiting_.size());
   }
-  m_state.solve_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
+  state_.solve_s += std::chrono::duration<double>(std::chrono::steady_clock::now() - began).count();
   return true;
 }
 
@@ -135,16 +135,16 @@ void ComparisonRun::solve(const FrameSnapshot& recorded) {
   const auto of_run = [&recorded](const std::optional<Settings>& settings, ReSolver* solver) {
     return slim(settings ? solver->solve(recorded, *settings) : std::make_shared<FrameSnapshot>(recorded));
   };
-  m_a->append(of_run(m_state.task.a, m_solvers.a.get()));
-  m_b->append(of_run(m_state.task.b, m_solvers.b.get()));
+  a_->append(of_run(state_.task.a, solvers_.a.get()));
+  b_->append(of_run(state_.task.b, solvers_.b.get()));
 }
 
 std::shared_ptr<const Comparison> ComparisonRun::measured() {
-  auto measured = std::make_shared<Comparison>(m_state);
-  auto a = m_a->since(0), b = m_b->since(0);
+  auto measured = std::make_shared<Comparison>(state_);
+  auto a = a_->since(0), b = b_->since(0);
   if (a.empty() || b.empty()) return measured;
   double from_s = std::max(a.front()->time_s, b.front()->time_s);  // one may have lost more of its oldest
-  if (m_state.task.goes_on)
+  if (state_.task.goes_on)
     from_s = std::max({from_s, settled_since(a), settled_since(b), a.back()->time_s - longest_window_s});
   const auto is_before = [from_s](const FrameSnapshotPtr& frame) { return frame->time_s < from_s; };
   std::erase_if(a, is_before);
@@ -153,10 +153,10 @@ std::shared_ptr<const Comparison> ComparisonRun::measured() {
   measured->settings_b = b.back()->settings;
   const auto steps_a = steps_of(a), steps_b = steps_of(b);
   const UserRole role_a = measured->settings_a.user_role, role_b = measured->settings_b.user_role;
-  measured->figures_a = measure_run(steps_a, *m_solvers.library, role_a);
-  measured->figures_b = measure_run(steps_b, *m_solvers.library, role_b);
+  measured->figures_a = measure_run(steps_a, *solvers_.library, role_a);
+  measured->figures_b = measure_run(steps_b, *solvers_.library, role_b);
   measured->steps = compare_steps(steps_a, role_a, steps_b, role_b);
   return measured;
 }
 
-}  // namespace abrazo::app
+}  // namespace abrazo

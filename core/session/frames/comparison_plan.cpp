@@ -1,11 +1,9 @@
-#include "app/workbench/compare/comparison_plan.hpp"
+#include "core/session/frames/comparison_plan.hpp"
 
 #include <algorithm>
 
-namespace abrazo::app {
+namespace abrazo {
 namespace {
-
-using widgets::WhatIfSpan;
 
 /// From and to; the same time twice is one frame.
 std::optional<std::pair<double, double>> span_of(const CompareSituation& now) {
@@ -62,4 +60,4 @@ std::optional<ComparisonTask> shadow_task(const CompareSituation& now, double si
   return task;
 }
 
-}  // namespace abrazo::app
+}  // namespace abrazo

@@ -1,9 +1,9 @@
 // A calibration in the T-pose, step by step on a clock of the test's own.
 #include <gtest/gtest.h>
 
-#include "app/workbench/stream/calibration_steps.hpp"
+#include "core/stream/receive/calibration_steps.hpp"
 
-namespace abrazo::app::calibration_test {
+namespace abrazo::calibration_steps_test {
 namespace {
 
 using Stage = CalibrationSteps::Stage;
@@ -83,14 +83,14 @@ TEST_F(Calibration, FailsWhenNoMeasuresCome) {
 }
 
 TEST_F(Calibration, AGiantOrArmsThatHangAreSaid) {
-  EXPECT_TRUE(judge(person()).is_plausible);
-  EXPECT_FALSE(judge(person(100)).is_plausible);
-  EXPECT_NE(judge(person(100)).words.find("unit"), std::string::npos);
+  EXPECT_TRUE(judge_body(person()).is_plausible);
+  EXPECT_FALSE(judge_body(person(100)).is_plausible);
+  EXPECT_NE(judge_body(person(100)).words.find("unit"), std::string::npos);
   Body short_arms = person();
   for (const int joint : {joints::left_elbow, joints::left_wrist, joints::right_elbow, joints::right_wrist})
     short_arms.bone_lengths[static_cast<std::size_t>(joint - 1)] = 0.05;
-  EXPECT_FALSE(judge(short_arms).is_plausible);
-  EXPECT_NE(judge(short_arms).words.find("arms"), std::string::npos);
+  EXPECT_FALSE(judge_body(short_arms).is_plausible);
+  EXPECT_NE(judge_body(short_arms).words.find("arms"), std::string::npos);
 }
 
 TEST_F(Calibration, IsCancelled) {
@@ -101,4 +101,4 @@ TEST_F(Calibration, IsCancelled) {
 }
 
 }  // namespace
-}  // namespace abrazo::app::calibration_test
+}  // namespace abrazo::calibration_steps_test

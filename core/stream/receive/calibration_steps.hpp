@@ -5,7 +5,7 @@
 
 #include "core/motion/body/body.hpp"
 
-namespace abrazo::app {
+namespace abrazo {
 
 /// A calibration in the T-pose step by step: counts down, measures while the user holds still, judges. Knows
 /// neither window nor stream; is given the time and what was seen.
@@ -47,9 +47,9 @@ struct BodyVerdict {
   bool is_plausible = false;
   std::string words;
 };
-BodyVerdict judge(const Body& body);
+BodyVerdict judge_body(const Body& body);
 
 /// From hand to hand with both arms stretched out [m].
 double arm_span(const Body& body);
 
-}  // namespace abrazo::app
+}  // namespace abrazo

@@ -2,11 +2,24 @@
 
 #include <optional>
 
-#include "app/workbench/compare/comparison.hpp"
+#include "core/session/frames/frame_snapshot.hpp"
 #include "core/session/frames/playback.hpp"
-#include "widgets/compare/compare_panel.hpp"
+#include "core/synthesis/settings.hpp"
 
-namespace abrazo::app {
+namespace abrazo {
+
+/// Two runs, A and B, over the same inputs of the session.
+struct ComparisonTask {
+  std::optional<Settings> a, b;  ///< solved again with these; none: as it was recorded
+  double from_s = 0;             ///< both start from what the solver knew then
+  double to_s = 0;
+  bool goes_on = false;  ///< along with the live solver, without an end
+
+  bool operator==(const ComparisonTask&) const = default;
+};
+
+/// Which frames are solved again when the cursor is parked.
+enum class WhatIfSpan { Frame, TwoSeconds, TenSeconds, InToOut };
 
 /// All that decides about what is compared; plain data.
 struct CompareSituation {
@@ -15,7 +28,7 @@ struct CompareSituation {
   bool is_aside = false;           ///< the live solver keeps A
   Playback playback;
   FrameSnapshotPtr shown;  ///< at the cursor
-  widgets::WhatIfSpan span = widgets::WhatIfSpan::TwoSeconds;
+  WhatIfSpan span = WhatIfSpan::TwoSeconds;
 };
 
 /// What is to be solved again around a cursor that is parked; nothing where nothing would differ, or no range
@@ -29,4 +42,4 @@ std::optional<ComparisonTask> shadow_task(const CompareSituation& now, double si
 /// Is this instant among the frames of a task with an end?
 bool covers(const ComparisonTask& task, double time_s);
 
-}  // namespace abrazo::app
+}  // namespace abrazo

@@ -8,10 +8,10 @@
 #include <stop_token>
 #include <thread>
 
-#include "app/workbench/compare/comparison.hpp"
 #include "core/session/frames/latest_slot.hpp"
+#include "core/session/run/comparison.hpp"
 
-namespace abrazo::app {
+namespace abrazo {
 
 /// Carries out comparisons on a thread of its own, beside the live solver. A new task takes the place of the
 /// one before, at once. Destruction stops within a frame.
@@ -27,22 +27,22 @@ class ComparisonRunner {
   void cancel();
   /// What came last of any task, if it is newer; @see LatestSlot
   std::shared_ptr<const Comparison> take_if_newer(std::uint64_t& seen) const {
-    return m_results.take_if_newer(seen);
+    return results_.take_if_newer(seen);
   }
 
  private:
   void serve(const std::stop_token& stop);
-  void carryOut(const ComparisonTask& task, std::uint64_t version, const std::stop_token& stop);
-  bool isWanted(std::uint64_t version);
+  void carry_out(const ComparisonTask& task, std::uint64_t version, const std::stop_token& stop);
+  bool is_wanted(std::uint64_t version);
 
-  ComparisonRun::Solvers m_solvers;
-  const FrameHistory& m_recorded;
-  LatestSlot<Comparison> m_results;
-  std::mutex m_mutex;
-  std::condition_variable_any m_asked;
-  std::optional<ComparisonTask> m_task;
-  std::uint64_t m_version = 0;
-  std::jthread m_thread;  // last: joined first
+  ComparisonRun::Solvers solvers_;
+  const FrameHistory& recorded_;
+  LatestSlot<Comparison> results_;
+  std::mutex mutex_;
+  std::condition_variable_any asked_;
+  std::optional<ComparisonTask> task_;
+  std::uint64_t version_ = 0;
+  std::jthread thread_;  // last: joined first
 };
 
-}  // namespace abrazo::app
+}  // namespace abrazo

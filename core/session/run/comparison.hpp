@@ -7,20 +7,11 @@
 #include <vector>
 
 #include "core/metrics/run_comparison.hpp"
+#include "core/session/frames/comparison_plan.hpp"
 #include "core/session/frames/frame_history.hpp"
 #include "core/session/run/re_solver.hpp"
 
-namespace abrazo::app {
-
-/// Two runs, A and B, over the same inputs of the session.
-struct ComparisonTask {
-  std::optional<Settings> a, b;  ///< solved again with these; none: as it was recorded
-  double from_s = 0;             ///< both start from what the solver knew then
-  double to_s = 0;
-  bool goes_on = false;  ///< along with the live solver, without an end
-
-  bool operator==(const ComparisonTask&) const = default;
-};
+namespace abrazo {
 
 /// What came of a task so far.
 struct Comparison {
@@ -52,23 +43,23 @@ class ComparisonRun {
 
   /// Solves up to so many further frames. @return false when there is nothing to do (now, or at all)
   bool advance(std::size_t frames);
-  bool isDone() const { return m_state.done; }
+  bool is_done() const { return state_.done; }
   /// With figures over all that was solved; of one that goes on over the last 10 s with the same settings.
   std::shared_ptr<const Comparison> measured();
 
  private:
   void start(double from_s, double to_s);
-  bool findMore();
+  bool find_more();
   void solve(const FrameSnapshot& recorded);
   void fail(const std::string& why);
 
-  const FrameHistory& m_recorded;
-  Solvers& m_solvers;
-  Comparison m_state;
-  std::shared_ptr<FrameHistory> m_a, m_b;
-  FrameRange m_waiting;
-  std::uint64_t m_solved = 0;  ///< of m_waiting
-  FrameSnapshotPtr m_last;     ///< that was solved; null = none yet
+  const FrameHistory& recorded_;
+  Solvers& solvers_;
+  Comparison state_;
+  std::shared_ptr<FrameHistory> a_, b_;
+  FrameRange waiting_;
+  std::uint64_t solved_ = 0;  ///< of waiting_
+  FrameSnapshotPtr last_;     ///< that was solved; null = none yet
 };
 
-}  // namespace abrazo::app
+}  // namespace abrazo

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+#include "core/base/result.hpp"
+
+namespace abrazo {
+
+/// Whether intervals of frames [start, end) are what a take may have: none is empty, they ascend and do not
+/// overlap.
+/// @param what  "role", "label": of the Error  @param where  which take it names
+template <typename Interval>
+Status check_intervals(const std::vector<Interval>& intervals, const char* what, const std::string& where) {
+  for (std::size_t i = 0; i < intervals.size(); ++i)
+    if (intervals[i].start < 0 || intervals[i].end <= intervals[i].start ||
+        (i > 0 && intervals[i].start < intervals[i - 1].end))
+      return Error{fmt::format("{} {} [{}, {}) is empty, overlaps the one before it, or is out of order",
+                               what, i, intervals[i].start, intervals[i].end),
+                   where};
+  return Done{};
+}
+
+}  // namespace abrazo
