@@ -190,7 +190,16 @@ void look_for_two_senders(const StreamObservation& seen, Advice& advice) {
   else
     advice.add(
         Severity::Warning, "two-senders",
-        who + "Their frames mix where they name the performer alike; end one, or give it another port");
+        who + "Of two machines that name a performer alike the first is heard; two programs of one machine " +
+            "mix: end one, or give it another port");
+}
+
+void look_at_who_is_heard(const StreamObservation& seen, Advice& advice) {
+  if (!seen.stranger.empty())
+    advice.add(Severity::Warning, "stranger",
+               seen.stranger + ". If the server answers from that address, connect to it instead");
+  if (seen.last_sender_change_s >= 0 && seen.now_s - seen.last_sender_change_s < remembered_s)
+    advice.add(Severity::Warning, "sender-changed", seen.sender_change);
 }
 
 void look_at_network(const StreamObservation& seen, Advice& advice) {
@@ -381,6 +390,7 @@ std::vector<StreamDiagnosis> diagnose(const StreamObservation& seen) {
   look_for_other_protocol(seen, advice);
   look_for_bones(seen, advice);
   look_for_two_senders(seen, advice);
+  look_at_who_is_heard(seen, advice);
   look_at_network(seen, advice);
   for (const PerformerObservation& performer : seen.performers)
     PerformerAdvice(seen, performer, advice).look();
