@@ -472,6 +472,28 @@ TEST(StreamFaults, ALowRateIsSaid) {
   EXPECT_THAT(line.advice("low-rate"), HasSubstr("only 12.0 poses a second"));
 }
 
+TEST(StreamFaults, AFrameASecondIsALowRateAllTheTimeAndNotASilence) {
+  std::vector<Packet> packets;
+  append_frames(packets, *encoder_of(xsens), 0, 12, 0, 1);
+  Line line(xsens);
+  line.run(packets, 3.5);
+  for (const double until_s : {11.1, 11.5, 11.95}) {
+    line.run({}, until_s);
+    EXPECT_THAT(line.advice("low-rate"), HasSubstr("only 1.0 poses a second")) << until_s;
+  }
+  line.run({}, 14.5);
+  EXPECT_THAT(line.kinds(), Not(Contains("low-rate"))) << "has stopped";
+}
+
+TEST(StreamFaults, WhatIsNoPersonIsCounted) {
+  std::vector<Packet> packets;
+  append_frames(packets, *encoder_of(vmc), 0, 2, 0);
+  Line line("vmc://0.0.0.0:39539?unit=100");  // as if the sender's metres were hectometres
+  line.run(packets);
+  EXPECT_NEAR(static_cast<double>(line.issues("not-a-person")), 200, 2);
+  EXPECT_EQ(line.performer().unusable, 0U) << "whoever answers it decides";
+}
+
 TEST(StreamFaults, NothingAtAllIsSaidAfterTwoSeconds) {
   Line line(vmc);
   line.run({}, 1.5);

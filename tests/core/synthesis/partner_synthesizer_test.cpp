@@ -353,6 +353,26 @@ TEST(PartnerSynthesizer, AFailedFrameKeepsNothingOfThePreviousOne) {
   }
 }
 
+TEST(PartnerSynthesizer, SomethingThatIsNoPersonIsHeldAndSaidAndAPersonIsFollowedAgainAtOnce) {
+  const Clip user = test::swinging_take("user", 60, 5).a;
+  Pose torn = user.poses[4];
+  torn.row(joints::LeftHand) += Eigen::RowVector3d(2e5, 0, 0);
+  const std::vector<Pose> nobody = {Pose::Constant(1), 100 * user.poses[4], torn,
+                                    test::moved(user.poses[4], 0, Vec3(0, 100, 0))};
+  for (const auto name : preset_names) {
+    auto synthesizer = synthesizer_with(*preset(name));
+    PairPose good = synthesizer->step(user.poses[0], Duration(0)).result;
+    for (std::size_t i = 0; i < nobody.size(); ++i) {
+      const FrameResult& held = synthesizer->step(nobody[i], Duration(1.0 / 60));
+      EXPECT_EQ(held.status_text().find("failed: held: not a person: "), 0U) << held.status_text();
+      EXPECT_EQ(held.result, good);
+      const FrameResult& again = synthesizer->step(user.poses[i + 1], Duration(1.0 / 60));
+      ASSERT_NE(again.status, StepStatus::Failed) << again.message;
+      good = again.result;
+    }
+  }
+}
+
 TEST(PartnerSynthesizer, SomethingThatIsNoPersonIsNotMeasured) {
   auto synthesizer = synthesizer_with(*preset("paper"));
   const FrameResult& refused = synthesizer->step(100 * test::standing_pose(), Duration(0));
