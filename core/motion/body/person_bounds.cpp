@@ -58,7 +58,7 @@ std::optional<std::string> why_not_a_person(const Pose& pose) {
            " % of all bones; of a person's they are at least " + shown_m(100 * least_leg_share) + " %";
   for (const auto& [left, right] : paired_bones) {
     const double a = bones[static_cast<std::size_t>(left)], b = bones[static_cast<std::size_t>(right)];
-    if (std::max(a, b) > most_uneven * std::min(a, b))
+    if (std::max(a, b) > most_uneven * std::min(a, b) && std::abs(a - b) > least_uneven_m)
       return called(left) + " is " + shown_m(a) + " m and " + called(right) + " " + shown_m(b) +
              " m long; both sides of a person are alike";
   }

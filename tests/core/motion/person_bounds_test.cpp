@@ -37,7 +37,7 @@ TEST(PersonBounds, PeopleOfAnySizeAndPlaceArePeople) {
   EXPECT_EQ(reason(test::moved(adult, 1, Vec3(500, 3, -500))), "a person") << "a hall, a trapeze";
   std::mt19937 random(1);
   for (int i = 0; i < 1000; ++i)
-    EXPECT_EQ(reason(test::shaken(adult, 0.02, random)), "a person") << "jitter of two centimetres";
+    EXPECT_EQ(reason(test::shaken(adult, 0.03, random)), "a person") << "jitter of three centimetres";
 }
 
 TEST(PersonBounds, ALostJointIsNamedWithWhatWasExpected) {
@@ -69,7 +69,7 @@ TEST(PersonBounds, PointsAtRandomAreNoPeople) {
   for (const double side_m : {0.2, 0.5, 1.0, 2.0, 10.0, 1000.0}) {
     int people = 0;
     for (int i = 0; i < 2000; ++i) people += !why_not_a_person(random_points(side_m, random));
-    EXPECT_LE(people, 60) << "of 2000 in a cube of " << side_m << " m";
+    EXPECT_LE(people, 100) << "of 2000 in a cube of " << side_m << " m";
   }
 }
 
