@@ -1,5 +1,6 @@
 #include "core/base/atomic_file.hpp"
 
+#include <fcntl.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -7,6 +8,7 @@
 #include <cstring>
 #include <fstream>
 #include <iterator>
+#include <random>
 
 namespace abrazo {
 
@@ -17,13 +19,33 @@ namespace {
 /// An hour of one person at 120 Hz is some 300 MB as BVH text.
 constexpr std::uintmax_t most_bytes_read_whole = std::uintmax_t{4} << 30;
 
+/// Names are drawn anew so often when they are taken; one of 62 bits is taken by accident never.
+constexpr int most_draws = 100;
+
+std::string unforeseeable_text() {
+  constexpr std::string_view letters = "abcdefghijklmnopqrstuvwxyz0123456789";
+  std::random_device device;  // of the system: another program cannot tell what comes next
+  std::uniform_int_distribution<std::size_t> one(0, letters.size() - 1);
+  std::string text;
+  for (int i = 0; i < 12; ++i) text += letters[one(device)];
+  return text;
+}
+
 }  // namespace
 
-AtomicFile::AtomicFile(fs::path target)
-    : target_(std::move(target)), partial_(target_.string() + ".partial-" + std::to_string(::getpid())) {
-  // A link of that name would be written through, to wherever it leads.
-  std::error_code ignored;
-  fs::remove(partial_, ignored);
+bool make_new_file(const fs::path& path) {
+  // Who may read it is up to the umask, as with any file.
+  const int descriptor = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+  if (descriptor < 0) return false;
+  ::close(descriptor);
+  return true;
+}
+
+AtomicFile::AtomicFile(fs::path target, std::string_view extension) : target_(std::move(target)) {
+  for (int draw = 0; draw < most_draws; ++draw) {
+    partial_ = target_.string() + ".partial-" + unforeseeable_text() + std::string(extension);
+    if (make_new_file(partial_) || errno != EEXIST) return;
+  }
 }
 
 AtomicFile::~AtomicFile() {

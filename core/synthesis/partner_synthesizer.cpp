@@ -6,6 +6,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "core/motion/body/person_bounds.hpp"
 #include "core/synthesis/frame_pipeline.hpp"
 #include "core/synthesis/frame_room.hpp"
 #include "core/synthesis/role_views.hpp"
@@ -136,6 +137,8 @@ const FrameResult& PartnerSynthesizer::step(const Pose& user, Duration elapsed) 
       pipeline.refuse(state_->unusable);
     } else if (!user.allFinite()) {
       pipeline.refuse("the user's pose has no finite position for ", first_joint_without_position(user));
+    } else if (const auto reason = why_not_a_person(user)) {
+      pipeline.refuse("held: not a person: ", *reason);
     } else {
       if (starts) pipeline.forget();
       if (was_lost) pipeline.lose_track();

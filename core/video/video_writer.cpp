@@ -1,28 +1,27 @@
 #include "core/video/video_writer.hpp"
 
-#include <unistd.h>
-
 #include <string>
 #include <system_error>
 
+#include "core/base/atomic_file.hpp"
 #include "core/video/video_codec.hpp"
 
 namespace abrazo {
 
 struct VideoWriter::State {
+  explicit State(const std::filesystem::path& file)
+      : target(file), written(file, file.extension().string()) {}  // OpenCV chooses the container by it
+  ~State() {
+    if (video) video->close();
+  }
+
   std::filesystem::path target;
-  std::filesystem::path partial;  ///< ends in the target's extension: OpenCV chooses the container by it
+  AtomicFile written;
   const VideoCodec* codec = nullptr;
   std::unique_ptr<PictureSink> video;
   int width = 0;
   int height = 0;
   int frames = 0;
-
-  ~State() {
-    video->close();
-    std::error_code ignored;
-    std::filesystem::remove(partial, ignored);
-  }
 };
 
 VideoWriter::VideoWriter(std::unique_ptr<State> state) : state_(std::move(state)) {}
@@ -37,18 +36,14 @@ Result<VideoWriter> VideoWriter::open(const std::filesystem::path& file, int wid
                  file.string()};
   const auto codec = video_codec();
   if (!codec) return codec.error();
-  auto state = std::make_unique<State>();
-  state->codec = *codec;
-  state->video = (*codec)->sink();
   // Absolute, so that no name is taken for the address of a server.
   std::error_code failure;
-  state->target = std::filesystem::absolute(file, failure);
-  state->partial = state->target.parent_path() /
-                   (file.stem().string() + ".part-" + std::to_string(::getpid()) + file.extension().string());
-  std::filesystem::remove(state->partial, failure);  // a link would be written through
+  auto state = std::make_unique<State>(std::filesystem::absolute(file, failure));
+  state->codec = *codec;
+  state->video = (*codec)->sink();
   state->width = width;
   state->height = height;
-  if (!state->video->open(state->partial, width, height, fps))
+  if (!state->video->open(state->written.partial(), width, height, fps))
     return Error{
         "cannot be written as MPEG-4 video; check that the folder exists and that the name ends in .mp4",
         file.string()};
@@ -73,15 +68,12 @@ int VideoWriter::frames() const {
 
 Status VideoWriter::finish() {
   state_->video->close();
-  const int found = state_->codec->pictures_in(state_->partial);
+  const int found = state_->codec->pictures_in(state_->written.partial());
   if (found != state_->frames)
     return Error{"the video came out with " + std::to_string(found) + " of " +
                      std::to_string(state_->frames) + " pictures; check that the disk is not full",
                  state_->target.string()};
-  std::error_code failure;
-  std::filesystem::rename(state_->partial, state_->target, failure);
-  if (failure) return Error{"cannot be written: " + failure.message(), state_->target.string()};
-  return Done{};
+  return state_->written.commit();
 }
 
 }  // namespace abrazo

@@ -73,8 +73,7 @@ TEST_F(VideoWriterTest, OnAFullDiskSaysSoAndLeavesTheOldFilmWhole) {
 
 TEST_F(VideoWriterTest, DoesNotWriteThroughALinkThatSomebodyPutThere) {
   ASSERT_TRUE(write_whole_file(folder_ / "thesis.tex", "three years"));
-  for (const std::string& end : {std::string(".part"), ".part-" + std::to_string(::getpid())})
-    fs::create_symlink(folder_ / "thesis.tex", folder_ / ("a" + end + ".mp4"));
+  fs::create_symlink(folder_ / "thesis.tex", folder_ / "a.mp4");
   auto video = VideoWriter::open(folder_ / "a.mp4", 64, 48, 15);
   ASSERT_TRUE(video);
   for (int i = 0; i < 12; ++i) ASSERT_TRUE(video->add(picture_, 64 * 3));

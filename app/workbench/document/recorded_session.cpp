@@ -188,7 +188,11 @@ Result<Material> load_recorded(const std::shared_ptr<const SessionFile>& session
   // Timeline and plots ask for it as soon as it is open, on the window's thread: then it is there.
   const FrameStore::Span span = (*frames)->span();
   report(progress, 0.8, "Reading the recorded frames");
-  (*frames)->between(span.first_index, span.last_index, FrameHistory::overview_frames);
+  const auto overview = (*frames)->between(span.first_index, span.last_index, FrameHistory::overview_frames);
+  if (overview.empty() && (*frames)->damaged() > 0)
+    return Error{"none of its " + std::to_string(span.frames) +
+                     " frames can be read: " + (*frames)->damage() + ". If there is a copy, open that",
+                 file};
   auto recorded = std::make_shared<RecordedSession>();
   recorded->file = file;
   recorded->frames = *frames;
@@ -205,6 +209,8 @@ Result<Material> load_recorded(const std::shared_ptr<const SessionFile>& session
     return std::ranges::find(session->recovery(), sentence) == session->recovery().end();
   });
   material.warnings.insert(material.warnings.end(), found->warnings.begin(), found->warnings.end());
+  if ((*frames)->damaged() > 0)
+    material.warnings.push_back("frames are damaged and passed over (" + (*frames)->damage() + ")");
   material.recorded = std::move(recorded);
   return material;
 }

@@ -15,6 +15,7 @@
 #include "app/workbench/project/relocate_dialog.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/takes/take_desk.hpp"
+#include "core/base/atomic_file.hpp"
 #include "widgets/common/message_bar.hpp"
 
 namespace abrazo::app {
@@ -46,19 +47,13 @@ Status save_elsewhere(const std::string& from, const std::string& to, const Proj
   std::error_code trouble;
   if (fs::exists(to + "-wal", trouble))
     return Error{"another program or window is recording into this file; choose another name", to};
-  const std::string partial = to + ".saving";
-  fs::remove(partial, trouble);
+  AtomicFile file(to);
+  const std::string partial = file.partial().string();
   Status done = from.empty() || !fs::exists(from, trouble) ? Status(Done{}) : copy_session(from, partial);
   if (done) done = save_project(partial, project);
   if (done) done = edit_session_takes(partial, edits);
-  if (done) {
-    fs::rename(partial, to, trouble);
-    if (trouble) done = Error{"cannot be written (" + trouble.message() + "); choose another folder", to};
-  }
-  if (!done) {
-    fs::remove(partial, trouble);
-    return Error{done.error().message, to};
-  }
+  if (done) done = file.commit();
+  if (!done) return Error{done.error().message, to};
   return done;
 }
 

@@ -9,6 +9,7 @@
 #include "core/base/statistics.hpp"
 #include "core/base/text.hpp"
 #include "core/motion/body/body.hpp"
+#include "core/motion/body/person_bounds.hpp"
 #include "core/motion/joints/marker_gaps.hpp"
 #include "core/motion/joints/marker_model.hpp"
 #include "core/motion/joints/performers.hpp"
@@ -262,6 +263,22 @@ void look_for_rest_pose(const std::vector<Pose>& poses, ImportReport& report) {
              " m (mean over the joints) away from the second: probably the rest pose; it was kept");
 }
 
+/// After unit, axes and floor are settled. The frames are kept: a few bad ones make no motion useless.
+void look_for_a_person(const std::vector<Pose>& poses, ImportReport& report) {
+  const PersonDoubts doubts = person_doubts(poses, report.fps);
+  const std::string of_all = " of " + std::to_string(poses.size()) + " frames";
+  if (doubts.poses > 0)
+    warn(report, "not-a-person",
+         std::to_string(doubts.poses) + of_all + " cannot be a person's; the first is frame " +
+             std::to_string(doubts.first_pose) + ": " + doubts.first_reason +
+             ". They are kept, and the partner is held there; leave them out, or set unit and axes");
+  if (doubts.jumps > 0)
+    warn(report, "jumps",
+         "the performer jumps in " + std::to_string(doubts.jumps) + of_all +
+             " faster than anybody moves; the first is frame " + std::to_string(doubts.first_jump) +
+             ". They are kept; look there, or set the rate (--fps) if that is wrong");
+}
+
 }  // namespace
 
 Result<ImportedClip> import_clip(const NamedMotion& file_points, const ImportOptions& options) {
@@ -285,6 +302,7 @@ Result<ImportedClip> import_clip(const NamedMotion& file_points, const ImportOpt
   settle_rate(motion, options, report);
   settle_floor(*poses, report);
   look_for_rest_pose(*poses, report);
+  look_for_a_person(*poses, report);
   result.clip = Clip{motion.name, report.fps, std::move(*poses)};
   return result;
 }

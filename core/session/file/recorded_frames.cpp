@@ -5,6 +5,7 @@
 #include <mutex>
 #include <optional>
 #include <unordered_map>
+#include <unordered_set>
 #include <vector>
 
 #include "core/library/store/motion_library.hpp"
@@ -20,6 +21,8 @@ namespace {
 
 /// Some 4 s at 120 Hz, 10 kB each.
 constexpr std::size_t cached_frames = 512;
+/// Damaged frames before a time, until one that can be read is looked for no longer: some 4 s, too.
+constexpr std::int64_t most_passed_over = 512;
 /// Of the whole file: several views ask for it one after the other, and again when a library is another.
 constexpr std::size_t kept_overview_frames = 4096;
 
@@ -110,6 +113,7 @@ class FileFrames : public RecordedFrames {
     libraries_[fingerprint] = std::move(library);
     by_id_.clear();
     cache_.clear();
+    unreadable_.clear();
     overview_ = {};
   }
 
@@ -134,7 +138,10 @@ class FileFrames : public RecordedFrames {
     const std::scoped_lock lock(mutex_);
     if (!reader_) return nullptr;
     const auto index = noted(reader_->last_until(time_s + origin_.offset_s, first()));
-    return index ? read(*index) : nullptr;
+    if (!index) return nullptr;
+    for (std::int64_t near = *index; near >= first() && *index - near < most_passed_over; --near)
+      if (FrameSnapshotPtr frame = read(near)) return frame;
+    return nullptr;
   }
 
   FrameSnapshotPtr frame(std::uint64_t index) const override {
@@ -258,9 +265,11 @@ class FileFrames : public RecordedFrames {
 
   FrameSnapshotPtr read(std::int64_t index) const {
     if (FrameSnapshotPtr known = cache_.find(index)) return known;
+    if (unreadable_.contains(index)) return nullptr;
     auto found = reader_->frame(index);
     if (!found) {
       note_damage(1, found.error().message);
+      unreadable_.insert(index);  // asked for again and again while a view stands there
       return nullptr;
     }
     if (!*found) return nullptr;
@@ -326,6 +335,7 @@ class FileFrames : public RecordedFrames {
   std::unique_ptr<FrameReader> reader_;
   mutable std::optional<SessionStatement> version_;
   mutable FrameCache cache_;
+  mutable std::unordered_set<std::int64_t> unreadable_;
   mutable Overview overview_;
   std::unordered_map<std::string, Library> libraries_;  ///< by fingerprint
   std::unordered_map<std::int64_t, Library> by_row_;    ///< that were said

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cerrno>
 #include <filesystem>
 #include <fstream>
 #include <utility>
@@ -236,10 +237,23 @@ void defend(sqlite3* database, bool is_salvage) {
   sqlite3_limit(database, SQLITE_LIMIT_WORKER_THREADS, 0);
 }
 
+/// Makes the file unless there is one. SQLite would follow a link to nowhere and make what it leads to.
+Status make_database_file(const std::string& path) {
+  namespace fs = std::filesystem;
+  if (make_new_file(path) || errno != EEXIST) return Done{};  // SQLite says why it cannot be
+  std::error_code failure;
+  if (!fs::is_symlink(path, failure) || fs::exists(path, failure)) return Done{};
+  return Error{"is a link to " + fs::read_symlink(path, failure).string() +
+                   ", which does not exist; remove the link, or name the file itself",
+               path};
+}
+
 }  // namespace
 
 Result<SessionDatabase> SessionDatabase::open(const std::string& path, Access access) {
   if (const Status harmless = check_journal(path); !harmless) return harmless.error();
+  if (access == Access::Create)
+    if (const Status made = make_database_file(path); !made) return made.error();
   auto handle = std::make_unique<Handle>();
   handle->path = path;
   int flags = SQLITE_OPEN_NOMUTEX | SQLITE_OPEN_EXRESCODE;
@@ -249,7 +263,6 @@ Result<SessionDatabase> SessionDatabase::open(const std::string& path, Access ac
     flags |= SQLITE_OPEN_READONLY;
   else
     flags |= SQLITE_OPEN_READWRITE;  // SQLite itself falls back to reading what may not be written
-  if (access == Access::Create) flags |= SQLITE_OPEN_CREATE;
   // A name such as ":memory:" is one of a file, too.
   std::error_code failure;
   const std::string full = std::filesystem::absolute(path, failure).string();
@@ -352,6 +365,22 @@ Status SessionDatabase::copy_to(const std::string& path) {
   const Status copied = execute("VACUUM INTO '" + quoted + "'");
   if (!copied) return Error{copied.error().message, path};
   return file.commit();
+}
+
+// Through SQLite's own descriptor: closing another one would drop the locks that it holds.
+std::optional<std::int64_t> SessionDatabase::bytes_on_disk() const {
+  static constexpr std::string_view begin("SQLite format 3\0", 16);
+  sqlite3_file* file = nullptr;
+  if (!handle_->database ||
+      sqlite3_file_control(handle_->database, "main", SQLITE_FCNTL_FILE_POINTER, &file) != SQLITE_OK ||
+      !file || !file->pMethods)
+    return std::nullopt;
+  sqlite3_int64 bytes = 0;
+  std::array<char, begin.size()> found{};
+  if (file->pMethods->xFileSize(file, &bytes) != SQLITE_OK) return std::nullopt;
+  const int read = file->pMethods->xRead(file, found.data(), static_cast<int>(found.size()), 0);
+  const bool is_database = read == SQLITE_OK && std::string_view(found.data(), found.size()) == begin;
+  return is_database ? bytes : 0;
 }
 
 Status SessionDatabase::abandon() {

@@ -93,6 +93,9 @@ class SessionDatabase {
   bool is_held_elsewhere();
   /// Everything that was committed into a file of its own, which appears whole or not at all.
   Status copy_to(const std::string& path);
+  /// How much of the file itself, without its log, is on the disk now: less than before when another program
+  /// cut it short, 0 when it does not begin as a database any more. Nothing when that cannot be said.
+  std::optional<std::int64_t> bytes_on_disk() const;
   /// Closes without touching what lies beside the file.
   Status abandon();
   /// Moves everything from the write-ahead log into the file, which is all there is then.

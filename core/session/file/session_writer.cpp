@@ -235,7 +235,7 @@ std::uint64_t SessionWriter::bytes() const {
   return total;
 }
 
-std::string SessionWriter::misplaced() const {
+std::string SessionWriter::misplaced() {
   switch (file_.state()) {
     case WatchedFile::State::There:
       break;
@@ -246,6 +246,13 @@ std::string SessionWriter::misplaced() const {
       return "the file was moved or renamed while it is recorded; put it back under its name, or end the "
              "recording now";
   }
+  if (const auto on_disk = database_.bytes_on_disk()) {
+    was_cut_ = was_cut_ || *on_disk < most_on_disk_;
+    most_on_disk_ = std::max(most_on_disk_, *on_disk);
+  }
+  if (was_cut_)
+    return "the file was cut short or written over by another program while it is recorded; end the "
+           "recording now, look whether it opens, and record to another file";
   return {};
 }
 

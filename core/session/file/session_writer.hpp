@@ -57,8 +57,9 @@ class SessionWriter {
   /// How the session's times and indices become those of the file.
   const RecordedFrames::Origin& origin() const { return origin_; }
   std::uint64_t bytes() const;  ///< of the file with its log
-  /// Why what is written will not be found under the file's name: it was deleted or moved. Or empty.
-  std::string misplaced() const;
+  /// Why what is written will not be found under the file's name: it was deleted or moved, or another program
+  /// cut it short or wrote over its beginning. Or empty.
+  std::string misplaced();
 
   /// Commits and makes it one file. One that was deleted meanwhile is written again, whole; the Error says
   /// where when that could not be its own name.
@@ -113,6 +114,8 @@ class SessionWriter {
   bool is_open_ = true;  ///< a transaction
   SessionDatabase database_;
   WatchedFile file_;
+  std::int64_t most_on_disk_ = 0;  ///< bytes of the file that were there: it never becomes shorter
+  bool was_cut_ = false;
   std::optional<WatchedFile> log_, log_index_;  ///< those that this connection made or found
   std::unique_ptr<Statements> statements_;      // after the database: gone before it
 

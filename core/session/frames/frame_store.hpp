@@ -19,7 +19,7 @@ class FrameStore {
     std::uint64_t frames = 0;
   };
   virtual Span span() const = 0;
-  /// The last frame not after a time; null when there is none or it cannot be read.
+  /// The last frame not after a time that can be read; null when there is none, or none near.
   virtual FrameSnapshotPtr at(double time_s) const = 0;
   /// By its index in the session; null when it is not kept.
   virtual FrameSnapshotPtr frame(std::uint64_t index) const = 0;

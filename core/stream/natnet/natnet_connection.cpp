@@ -8,11 +8,24 @@ namespace abrazo {
 
 namespace {
 
-constexpr double connect_every_s = 1, model_every_s = 0.5, keep_alive_every_s = 1, echo_every_s = 5;
+constexpr double connect_every_s = 1, model_every_s = 0.25, keep_alive_every_s = 1, echo_every_s = 5;
 /// After so long a silence the server may be another one, or the same after a restart.
 constexpr double reconnect_after_s = 2;
+/// Frames that could not be read for so long, some six at 60 Hz, are of another version than it said.
+constexpr double doubt_after_s = 0.1;
+constexpr double connect_in_doubt_every_s = 0.25;
+/// An answer takes milliseconds; what comes later is none.
+constexpr double answer_within_s = 2;
+/// Arrivals have the kernel's stamps: an answer may seem to come before its question by this.
+constexpr double stamps_differ_s = 0.05;
+/// Poses read within it show that the version is right.
+constexpr double reading_within_s = 0.5;
 constexpr std::uint16_t command_port = 1510;
 constexpr double smoothing = 0.05;
+
+bool is_answer(const std::optional<double>& asked_s, double arrived_s) {
+  return asked_s && arrived_s >= *asked_s - stamps_differ_s && arrived_s - *asked_s <= answer_within_s;
+}
 
 bool is_due(const std::optional<double>& last, double now_s, double every_s) {
   return !last || now_s - *last >= every_s || now_s < *last;
@@ -33,23 +46,64 @@ std::optional<NatNetVersion> NatNetConnection::version() const {
   return server_ ? std::optional(server_->version) : std::nullopt;
 }
 
-void NatNetConnection::heard(const Datagram& datagram) {
-  heard_s_ = datagram.arrived_s;
-  server_place_ = {datagram.from.address, command_port};
+void NatNetConnection::set_server_place(const Endpoint& from) {
+  server_place_ = {from.address, command_port};
 }
 
-void NatNetConnection::take_server_info(const NatNetServerInfo& info) {
-  if (!server_ || is_reconnecting_) wants_model_ = true;
-  is_reconnecting_ = false;
+std::optional<StreamIssue> NatNetConnection::take_server_info(const NatNetServerInfo& info,
+                                                              double arrived_s) {
+  const bool says_something_new = server_ != info;
+  if (connect_answered_ || !is_answer(connect_s_, arrived_s)) {
+    if (!says_something_new) return std::nullopt;
+    return StreamIssue{"unasked-answer",
+                       "something says unasked that the server is " + info.text() +
+                           "; that is not taken. If the server was changed, it is asked after a silence"};
+  }
+  const bool reads_poses = poses_s_ && arrived_s - *poses_s_ < reading_within_s;
+  if (server_ && info.version != server_->version && reads_poses)
+    return StreamIssue{"contradiction", "an answer says " + info.text() + ", but frames of " +
+                                            server_->text() + " are being read; that is not taken"};
+  if (!server_ || is_reconnecting_) want_model_now();
+  connect_answered_ = true;
+  is_reconnecting_ = is_in_doubt_ = false;
+  unreadable_since_s_.reset();
+  heard_s_ = arrived_s;
   server_ = info;
+  return std::nullopt;
+}
+
+bool NatNetConnection::expects_model(double arrived_s) const {
+  return wants_model_ && is_answer(model_s_, arrived_s);
+}
+
+void NatNetConnection::take_model(double arrived_s) {
+  wants_model_ = false;
+  heard_s_ = arrived_s;
+}
+
+void NatNetConnection::want_model_now() {
+  wants_model_ = true;
+  model_s_.reset();
+}
+
+void NatNetConnection::frame_was_read(bool gave_poses, double arrived_s) {
+  heard_s_ = arrived_s;
+  unreadable_since_s_.reset();
+  if (gave_poses) poses_s_ = arrived_s;
+}
+
+void NatNetConnection::frame_was_unreadable(double arrived_s) {
+  if (!unreadable_since_s_) unreadable_since_s_ = arrived_s;
+  if (arrived_s - *unreadable_since_s_ >= doubt_after_s) doubt_version();
 }
 
 void NatNetConnection::take_echo(ByteReader& reader, double arrived_s) {
   const double sent_s = reader.f64("our time stamp");
   const std::uint64_t server_ticks = reader.u64("the server's time stamp");
   if (reader.failed() || !server_ || server_->clock_hz == 0) return;
-  // What comes back is not our stamp, or late: no measure of anything.
-  if (!(sent_s <= arrived_s && arrived_s - sent_s < 1)) return;
+  if (sent_s != echo_s_) return;  // not what was asked last
+  heard_s_ = arrived_s;
+  if (!(sent_s <= arrived_s && arrived_s - sent_s < 1)) return;  // late: no measure of anything
   server_minus_session_s_ =
       static_cast<double>(server_ticks) / static_cast<double>(server_->clock_hz) - (sent_s + arrived_s) / 2;
 }
@@ -80,8 +134,10 @@ void NatNetConnection::ask(double now_s, std::vector<OutgoingDatagram>& out) {
     is_reconnecting_ = true;
     server_minus_session_s_.reset();
   }
-  if ((!server_ || is_reconnecting_) && is_due(connect_s_, now_s, connect_every_s)) {
+  const double every_s = is_in_doubt_ ? connect_in_doubt_every_s : connect_every_s;
+  if ((!server_ || is_reconnecting_) && is_due(connect_s_, now_s, every_s)) {
     connect_s_ = now_s;
+    connect_answered_ = false;
     request(NatNetMessage::Connect, out);
   }
   if (!server_ && !given_version_) return;

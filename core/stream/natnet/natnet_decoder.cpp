@@ -7,12 +7,16 @@
 #include "core/base/text.hpp"
 #include "core/stream/natnet/natnet_connection.hpp"
 #include "core/stream/natnet/natnet_performer.hpp"
+#include "core/stream/protocol/sender_hold.hpp"
 
 namespace abrazo {
 
 namespace {
 
 constexpr double silence_text_every_s = 5;
+/// Behind what is read of a frame: its end tag, and what a later version may add [bytes]. A frame that is
+/// read as one of another version mostly leaves more.
+constexpr std::size_t longest_end_bytes = 16;
 
 /// What the options say.
 struct NatNetOptions {
@@ -52,7 +56,7 @@ Result<NatNetOptions> parse_natnet_options(const StreamUri& uri) {
 class NatNetDecoder : public StreamDecoder {
  public:
   NatNetDecoder(const NatNetOptions& options, bool knows_host)
-      : options_(options), connection_(knows_host, options.version) {}
+      : options_(options), knows_host_(knows_host), connection_(knows_host, options.version) {}
 
   void take(const Datagram& datagram, Decoded& out) override;
   void pass_time(double now_s, Decoded& out) override;
@@ -61,14 +65,17 @@ class NatNetDecoder : public StreamDecoder {
   std::vector<std::string> facts() const override;
 
  private:
-  void take_server_info(ByteReader& reader, Decoded& out);
-  void take_model(ByteReader& reader, Decoded& out);
+  bool is_from_server(const Datagram& datagram, NatNetMessage id, Decoded& out);
+  void take_server_info(ByteReader& reader, double arrived_s, Decoded& out);
+  void take_model(ByteReader& reader, double arrived_s, Decoded& out);
   void take_frame(ByteReader& reader, const Datagram& datagram, Decoded& out);
   void give(const NatNetFrame& frame, const Datagram& datagram, Decoded& out);
   bool can_read(const ByteReader& reader, std::string_view what, Decoded& out);
   NatNetPerformer* performer_of(std::int32_t skeleton);
 
   NatNetOptions options_;
+  bool knows_host_;
+  SenderHold server_;  ///< when the host is not known: who is taken for it
   NatNetConnection connection_;
   std::optional<NatNetModel> model_;
   std::vector<NatNetPerformer> performers_;
@@ -97,12 +104,12 @@ void NatNetDecoder::take(const Datagram& datagram, Decoded& out) {
                                            std::to_string(reader.left())});
     return;
   }
-  connection_.heard(datagram);
+  if (!is_from_server(datagram, id, out)) return;
   switch (id) {
     case NatNetMessage::ServerInfo:
-      return take_server_info(reader, out);
+      return take_server_info(reader, datagram.arrived_s, out);
     case NatNetMessage::ModelDef:
-      return take_model(reader, out);
+      return take_model(reader, datagram.arrived_s, out);
     case NatNetMessage::Frame:
       return take_frame(reader, datagram, out);
     case NatNetMessage::EchoResponse:
@@ -115,7 +122,35 @@ void NatNetDecoder::take(const Datagram& datagram, Decoded& out) {
   }
 }
 
-void NatNetDecoder::take_server_info(ByteReader& reader, Decoded& out) {
+/// Of a host that the URI names only its packets come here. Of none the first machine that sends frames is
+/// the server; another one becomes it when that one has sent none that can be read for a while.
+bool NatNetDecoder::is_from_server(const Datagram& datagram, NatNetMessage id, Decoded& out) {
+  if (knows_host_ || (id != NatNetMessage::Frame && server_.is_holder(datagram.from))) return true;
+  if (id != NatNetMessage::Frame) return false;  // nobody was asked yet, or somebody else was
+  const std::optional<std::uint32_t> before = server_.address();
+  switch (server_.claim(datagram.from, datagram.arrived_s)) {
+    case SenderHold::Answer::Refused:
+      out.issues.push_back({"other-sender", "frames of " + address_text(datagram.from.address) +
+                                                " are left out: those of " + address_text(*before) +
+                                                " came first. To hear the other, name it as the host"});
+      return false;
+    case SenderHold::Answer::NewHolder:
+      connection_ = NatNetConnection(knows_host_, options_.version);
+      connection_.set_server_place(datagram.from);
+      model_.reset();
+      performers_.clear();
+      if (before)
+        out.issues.push_back({"sender-changed", address_text(datagram.from.address) +
+                                                    " is taken for the server now, since no frame of " +
+                                                    address_text(*before) + " could be read for a while"});
+      return true;
+    case SenderHold::Answer::Holder:
+      break;
+  }
+  return true;
+}
+
+void NatNetDecoder::take_server_info(ByteReader& reader, double arrived_s, Decoded& out) {
   const NatNetServerInfo info = parse_natnet_server_info(reader);
   if (reader.failed()) {
     out.issues.push_back({"truncated", reader.failure()});
@@ -127,8 +162,14 @@ void NatNetDecoder::take_server_info(ByteReader& reader, Decoded& out) {
                                              "2.0 or later"});
     return;
   }
+  if (info.multicast && info.group != 0 && !is_multicast_group(info.group)) {
+    out.issues.push_back({"no-group", "the server names " + address_text(info.group) +
+                                          " as its multicast group; expected 224.0.0.0 to 239.255.255.255. "
+                                          "Set the group in Motive, or choose Unicast there"});
+    return;
+  }
   const auto before = connection_.version();
-  connection_.take_server_info(info);
+  if (auto wrong = connection_.take_server_info(info, arrived_s)) out.issues.push_back(std::move(*wrong));
   if (connection_.version() != before) model_.reset();
 }
 
@@ -141,17 +182,24 @@ bool NatNetDecoder::can_read(const ByteReader& reader, std::string_view what, De
   return false;
 }
 
-void NatNetDecoder::take_model(ByteReader& reader, Decoded& out) {
+void NatNetDecoder::take_model(ByteReader& reader, double arrived_s, Decoded& out) {
   if (!can_read(reader, "a model description", out)) return;
+  if (!connection_.expects_model(arrived_s)) {
+    out.issues.push_back(
+        {"unasked-answer", "a model description came that was not asked for; it is not taken"});
+    return;
+  }
   Result<NatNetModel> parsed = parse_natnet_model(reader, *connection_.version());
   if (!parsed) {
+    connection_.doubt_version();
     out.issues.push_back({"truncated", parsed.error().text()});
     return;
   }
   NatNetModel model = std::move(*parsed);
+  if (model.skeletons.empty() && !model.unread.empty()) connection_.doubt_version();
   for (const std::string& unread : model.unread)
     out.issues.push_back({"unread-description", "model description: " + unread});
-  connection_.take_model();
+  connection_.take_model(arrived_s);
   performers_.clear();
   std::set<std::string> names;
   for (const NatNetSkeleton& skeleton : model.skeletons) {
@@ -178,10 +226,13 @@ void NatNetDecoder::take_frame(ByteReader& reader, const Datagram& datagram, Dec
   if (!can_read(reader, "a frame", out)) return;
   Result<NatNetFrame> parsed = parse_natnet_frame(reader, *connection_.version());
   if (!parsed) {
+    connection_.frame_was_unreadable(datagram.arrived_s);
     out.issues.push_back({"truncated", parsed.error().text()});
     return;
   }
   NatNetFrame frame = std::move(*parsed);
+  const bool is_whole = frame.unread.empty() && reader.left() <= longest_end_bytes;
+  const std::size_t given_before = out.frames.size();
   for (const std::string& unread : frame.unread)
     out.issues.push_back({"unread-section", "frame " + std::to_string(frame.number) + ": " + unread});
   if (frame.models_changed) connection_.want_model();
@@ -193,6 +244,13 @@ void NatNetDecoder::take_frame(ByteReader& reader, const Datagram& datagram, Dec
     out.issues.push_back({"no-model",
                           "a frame came before the description of the skeletons; the server is "
                           "asked for it at its command port"});
+  }
+  const bool gave_poses = out.frames.size() > given_before;
+  if (gave_poses || is_whole) {
+    connection_.frame_was_read(gave_poses, datagram.arrived_s);
+    server_.sent_something_useful(datagram.arrived_s);
+  } else {
+    connection_.frame_was_unreadable(datagram.arrived_s);
   }
   frame.bodies.clear();
   newest_ = std::move(frame);
@@ -266,6 +324,9 @@ std::vector<std::string> NatNetDecoder::facts() const {
     if (connection_.server()->version > newest_natnet)
       facts.push_back("that is newer than " + newest_natnet.text() + ", as which it is read");
   }
+  if (!options_.group)
+    if (const auto group = wanted_group())
+      facts.push_back("frames come to the multicast group " + group->text() + ", as the server says");
   for (const NatNetPerformer& performer : performers_) facts.push_back(performer.fact());
   if (model_ && !model_->rigid_bodies.empty())
     facts.push_back(std::to_string(model_->rigid_bodies.size()) + " rigid bodies beside the skeletons");

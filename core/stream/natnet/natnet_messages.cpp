@@ -39,7 +39,7 @@ std::optional<std::uint32_t> parse_natnet_group(std::string_view text) {
     if (!number || *number < 0 || *number > 255) return std::nullopt;
     address = address << 8 | static_cast<std::uint32_t>(*number);
   }
-  return address >> 28 == 0xE ? std::optional(address) : std::nullopt;
+  return is_multicast_group(address) ? std::optional(address) : std::nullopt;
 }
 
 NatNetServerInfo parse_natnet_server_info(ByteReader& reader) {

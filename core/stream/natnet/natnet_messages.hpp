@@ -52,6 +52,11 @@ std::optional<NatNetVersion> parse_natnet_version(std::string_view text);
 /// "239.255.42.99" -> host byte order; nothing when it is no multicast group.
 std::optional<std::uint32_t> parse_natnet_group(std::string_view text);
 
+/// From 224.0.0.0 to 239.255.255.255. @param address  host byte order
+constexpr bool is_multicast_group(std::uint32_t address) {
+  return address >> 28 == 0xE;
+}
+
 struct NatNetServerInfo {
   std::string application;  ///< "Motive"
   int application_version[4]{};
@@ -62,6 +67,7 @@ struct NatNetServerInfo {
   std::uint32_t group = 0;  ///< IPv4, host byte order
 
   std::string text() const;  ///< "Motive 3.1.0, NatNet 4.1"
+  bool operator==(const NatNetServerInfo&) const = default;
 };
 
 /// What follows the packet's head. Look at `reader.failed()` afterwards.

@@ -8,6 +8,9 @@
 
 namespace abrazo {
 
+/// "192.168.1.7" of an IPv4 address in host byte order.
+std::string address_text(std::uint32_t address);
+
 /// An IPv4 address and port.
 struct Endpoint {
   std::uint32_t address = 0;  ///< host byte order; 0 = any

@@ -4,6 +4,7 @@
 #include <cstdio>
 
 #include "core/base/text.hpp"
+#include "core/motion/body/person_bounds.hpp"
 
 namespace abrazo {
 
@@ -21,7 +22,7 @@ std::string names_of(const std::array<bool, joint_count>& chosen) {
 }
 
 bool is_believable(const Vec3& position) {
-  return position.allFinite() && position.cwiseAbs().maxCoeff() < FrameAssembly::farthest_m;
+  return position.allFinite() && position.cwiseAbs().maxCoeff() < person_bounds::farthest_m;
 }
 
 std::string why_no_map_fits(const JointMap& closest, const JointBinding& binding, std::size_t points) {

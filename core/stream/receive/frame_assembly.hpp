@@ -33,8 +33,6 @@ struct FrameAssemblyOptions {
 /// is finite.
 class FrameAssembly {
  public:
-  /// No joint farther than this from the origin is believed [m].
-  static constexpr double farthest_m = 1e4;
   static constexpr int most_missing = joint_count / 3;
 
   explicit FrameAssembly(FrameAssemblyOptions options) : options_(std::move(options)) {}

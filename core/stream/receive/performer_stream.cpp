@@ -5,6 +5,8 @@
 
 #include "core/base/checksum.hpp"
 
+#include "core/motion/body/person_bounds.hpp"
+
 namespace abrazo {
 
 namespace {
@@ -94,6 +96,10 @@ PerformerStream::Outcome PerformerStream::take(const PerformerFrame& frame, doub
     if (outcome.issue) why_no_pose_ = outcome.issue->text;
     return outcome;
   }
+  // Given out all the same: whoever answers it holds, and says why.
+  if (!outcome.issue)
+    if (const auto reason = why_not_a_person(*assembled.pose))
+      outcome.issue = StreamIssue{"not-a-person", *reason};
   SourcePose pose;
   pose.pose = *assembled.pose;
   pose.time_s = session_time(frame, placed.kind);

@@ -21,6 +21,7 @@ constexpr double low_rate_hz = 25;
 constexpr double shortest_m = 0.8, tallest_m = 2.6, usual_m = 1.7;
 constexpr double lowest_floor_m = -0.08, highest_floor_m = 0.20;
 constexpr std::uint64_t enough_frames = 20;
+constexpr double slow_known_after_s = 3;  ///< since the first frame: three intervals of 1 Hz
 
 std::string number(double value, int digits = 0) {
   char text[48];
@@ -190,7 +191,16 @@ void look_for_two_senders(const StreamObservation& seen, Advice& advice) {
   else
     advice.add(
         Severity::Warning, "two-senders",
-        who + "Their frames mix where they name the performer alike; end one, or give it another port");
+        who + "Of two machines that name a performer alike the first is heard; two programs of one machine " +
+            "mix: end one, or give it another port");
+}
+
+void look_at_who_is_heard(const StreamObservation& seen, Advice& advice) {
+  if (!seen.stranger.empty())
+    advice.add(Severity::Warning, "stranger",
+               seen.stranger + ". If the server answers from that address, connect to it instead");
+  if (seen.last_sender_change_s >= 0 && seen.now_s - seen.last_sender_change_s < remembered_s)
+    advice.add(Severity::Warning, "sender-changed", seen.sender_change);
 }
 
 void look_at_network(const StreamObservation& seen, Advice& advice) {
@@ -282,12 +292,16 @@ class PerformerAdvice {
       add(Severity::Note, "frozen-clock",
           "the sender's time stands still while its poses move; the time of arrival is used instead");
     }
-    if (health_.rate_hz <= 0 || seen_.recent_frames < enough_frames) return;
-    if (health_.rate_hz < low_rate_hz)
+    if (health_.rate_hz <= 0) return;
+    // A slow stream never has many frames; it is known by its intervals.
+    const bool is_known =
+        seen_.recent_frames >= enough_frames || stream_.now_s - seen_.first_s >= slow_known_after_s;
+    if (is_known && health_.rate_hz < low_rate_hz)
       add(Severity::Warning, "low-rate",
           "only " + number(health_.rate_hz, 1) +
               " poses a second; the partner follows well from 60 on, raise the "
               "rate at the sender");
+    if (seen_.recent_frames < enough_frames) return;
     const double spread_ms = health_.interval_p95_ms - health_.interval_p50_ms;
     if (spread_ms > std::max(8.0, health_.interval_p50_ms) && health_.delay_ms < spread_ms)
       add(Severity::Warning, "irregular",
@@ -381,6 +395,7 @@ std::vector<StreamDiagnosis> diagnose(const StreamObservation& seen) {
   look_for_other_protocol(seen, advice);
   look_for_bones(seen, advice);
   look_for_two_senders(seen, advice);
+  look_at_who_is_heard(seen, advice);
   look_at_network(seen, advice);
   for (const PerformerObservation& performer : seen.performers)
     PerformerAdvice(seen, performer, advice).look();

@@ -43,11 +43,14 @@ struct StreamObservation {
   std::size_t first_bytes_count = 0, unknown_size = 0;
   std::uint64_t recent_overflow = 0;
   std::vector<std::string> recent_senders;  ///< that sent something within the last two seconds
-  std::string failure;                      ///< why the socket does not work any longer
-  std::string group_failure;                ///< why a multicast group could not be joined
-  std::string lost_address;                 ///< that is listened at and that this machine has no longer
-  std::string latest_issue;                 ///< text of the newest issue of the decoder
-  std::string unreadable;                   ///< why the newest packet that could not be read could not
+  std::string stranger;                     ///< who was not heard within the last seconds, and why
+  std::string sender_change;                ///< who is followed or heard since then instead of whom
+  double last_sender_change_s = -1;
+  std::string failure;        ///< why the socket does not work any longer
+  std::string group_failure;  ///< why a multicast group could not be joined
+  std::string lost_address;   ///< that is listened at and that this machine has no longer
+  std::string latest_issue;   ///< text of the newest issue of the decoder
+  std::string unreadable;     ///< why the newest packet that could not be read could not
   std::vector<PerformerObservation> performers;
 };
 

@@ -1,5 +1,6 @@
 #include "core/stream/receive/stream_meter.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -11,6 +12,7 @@ namespace abrazo {
 namespace {
 
 constexpr double times_window_s = 1;
+constexpr double intervals_until_silent = 2.5, longest_interval_s = 5;
 constexpr std::size_t fewest_arrivals = 8, most_arrivals = 2048;
 constexpr double posture_window_s = 3, posture_interval_s = 0.05, posture_known_after_s = 0.5;
 constexpr double share_smoothing = 0.05;
@@ -65,9 +67,13 @@ ArrivalMeter::Times ArrivalMeter::times(double now_s) const {
 }
 
 double ArrivalMeter::rate_hz(double now_s) const {
-  if (arrivals_.size() < 2 || now_s - arrivals_.back().arrived_s > times_window_s) return 0;
+  if (arrivals_.size() < 2) return 0;
   const double span = arrivals_.back().arrived_s - arrivals_.front().arrived_s;
-  return span > 0 ? static_cast<double>(arrivals_.size() - 1) / span : 0;
+  if (!(span > 0)) return 0;
+  const double rate = static_cast<double>(arrivals_.size() - 1) / span;
+  // A frame a second is a slow stream and not a silent one.
+  const double silent_after_s = std::clamp(intervals_until_silent / rate, times_window_s, longest_interval_s);
+  return now_s - arrivals_.back().arrived_s > silent_after_s ? 0 : rate;
 }
 
 bool PostureMeter::is_jump(const Pose& from, const Pose& to, double elapsed_s) {

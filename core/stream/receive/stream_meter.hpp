@@ -36,7 +36,7 @@ class ArrivalMeter {
     double assembly_p50_ms = 0, assembly_p95_ms = 0;
   };
   Times times(double now_s) const;
-  /// The rate alone; 0 when nothing has come for a second.
+  /// The rate alone; 0 when nothing has come for a second, or for some intervals of a slow stream.
   double rate_hz(double now_s) const;
 
  private:

@@ -17,6 +17,7 @@ constexpr double forgotten_after_s = 2;  ///< a silent performer then makes room
 constexpr double sender_is_recent_s = 2;
 constexpr double stalled_after_s = 1;
 constexpr double longest_hold_ms = 5000;
+constexpr std::string_view sender_changed = "sender-changed";  ///< an issue that is worth a diagnosis
 
 /// Of a packet that could not be read at all, unlike one that had only something odd.
 bool is_unreadable(const StreamIssue& issue) {
@@ -129,7 +130,10 @@ void StreamPipeline::pass_time(double now_s, Output& out) {
 
 void StreamPipeline::work_off(Decoded& decoded, double now_s, Output& out) {
   for (const StreamIssue& issue : decoded.issues) {
-    note_issue(issue);
+    if (issue.kind == sender_changed)
+      note_sender_change(issue.text, now_s);
+    else
+      note_issue(issue);
     latest_issue_ = issue.text;
   }
   for (const PerformerFrame& frame : decoded.frames) take_frame(frame, now_s, out);
@@ -179,6 +183,19 @@ void StreamPipeline::note_issue(const StreamIssue& issue) {
   }
   ++found->second.count;
   found->second.latest = issue.text;
+}
+
+void StreamPipeline::note_stranger(const Endpoint& stranger, const std::string& server, double now_s) {
+  stranger_ = "only the server " + server + " is heard, and packets of " + address_text(stranger.address) +
+              " are left out";
+  recent_strangers_.add(now_s);
+  note_issue({"stranger", stranger_});
+}
+
+void StreamPipeline::note_sender_change(const std::string& text, double now_s) {
+  sender_change_ = text;
+  last_sender_change_s_ = now_s;
+  note_issue({std::string(sender_changed), text});
 }
 
 void StreamPipeline::note_sender(const Endpoint& sender, double now_s) {
@@ -235,6 +252,9 @@ StreamObservation StreamPipeline::observe(double now_s) const {
   seen.first_bytes_count = first_bytes_count_;
   seen.unknown_size = unknown_size_;
   seen.recent_overflow = recent_overflow_.value(now_s);
+  if (recent_strangers_.value(now_s) > 0) seen.stranger = stranger_;
+  seen.sender_change = sender_change_;
+  seen.last_sender_change_s = last_sender_change_s_;
   for (const auto& [sender, last_s] : senders_)
     if (now_s - last_s <= sender_is_recent_s) seen.recent_senders.push_back(sender.text());
   seen.failure = failure_;

@@ -35,6 +35,10 @@ class StreamPipeline {
   void set_delay(double delay_s);
   std::optional<Endpoint> wanted_group() const { return decoder_->wanted_group(); }
 
+  /// A packet that was not taken, since only `server` is heard: neither read nor counted as one.
+  void note_stranger(const Endpoint& stranger, const std::string& server, double now_s);
+  /// Somebody else is followed or heard than before; said for a while.
+  void note_sender_change(const std::string& text, double now_s);
   /// Packets that the kernel has dropped so far.
   void note_overflow(std::uint64_t total, double now_s);
   void note_failure(const std::string& text) { failure_ = text; }
@@ -67,10 +71,11 @@ class StreamPipeline {
   StreamHealth counted_;  ///< what is only counted
   std::map<std::string, IssueCount> issues_;
   std::map<Endpoint, double> senders_;  ///< when each sent last
-  RecentCount recent_packets_, recent_unknown_, recent_overflow_;
+  RecentCount recent_packets_, recent_unknown_, recent_overflow_, recent_strangers_;
   std::size_t first_bytes_count_ = 0, unknown_size_ = 0;
-  double last_frame_s_ = -1, last_understood_s_ = -1;
-  std::string listening_, failure_, group_failure_, lost_address_, latest_issue_, unreadable_;
+  double last_frame_s_ = -1, last_understood_s_ = -1, last_sender_change_s_ = -1;
+  std::string listening_, failure_, group_failure_, lost_address_, latest_issue_, unreadable_, stranger_,
+      sender_change_;
 };
 
 }  // namespace abrazo

@@ -178,12 +178,16 @@ void UdpStreamReceiver::run(const std::stop_token& stop) {
 }
 
 void UdpStreamReceiver::take_packets() {
-  const Status received = sockets_.receive(stream_->clock, [this](const Datagram& datagram, bool truncated) {
+  using Packet = StreamSockets::Packet;
+  const Status received = sockets_.receive(stream_->clock, [this](const Datagram& datagram, Packet packet) {
     StreamPipeline::Output output;
     const std::scoped_lock handing_out(stream_->handing_out);
     {
       const std::scoped_lock lock(stream_->mutex);
-      stream_->pipeline.take(datagram, stream_->clock.now_s(), output, truncated);
+      if (packet == Packet::OfAStranger)
+        stream_->pipeline.note_stranger(datagram.from, sockets_.server(), stream_->clock.now_s());
+      else
+        stream_->pipeline.take(datagram, stream_->clock.now_s(), output, packet == Packet::Truncated);
     }
     hand_out(output);
   });

@@ -16,6 +16,7 @@ StreamSockets::StreamSockets(UdpSocket main, Endpoint peer, std::uint32_t interf
                              bool follows_network)
     : main_(std::move(main)),
       peer_(peer),
+      peer_is_here_(peer.address != 0 && has_address(peer.address)),
       interface_address_(interface_address),
       follows_network_(follows_network),
       wait_(std::make_unique<SocketWait>()),
@@ -61,10 +62,24 @@ Status StreamSockets::receive(const SessionClock& clock, const Take& take) {
       if (!received) return received.error();
       if (!*received) break;
       const UdpSocket::Received& packet = **received;
-      take(Datagram{packet.from, packet.arrived_s, std::span(buffer_).first(packet.size)}, packet.truncated);
+      take(Datagram{packet.from, packet.arrived_s, std::span(buffer_).first(packet.size)},
+           is_stranger(packet.from) ? Packet::OfAStranger
+           : packet.truncated       ? Packet::Truncated
+                                    : Packet::Whole);
     }
   }
   return Done{};
+}
+
+/// A server on this machine may answer from any of its addresses.
+bool StreamSockets::is_stranger(const Endpoint& from) {
+  if (peer_.address == 0 || from.address == peer_.address) return false;
+  if (!peer_is_here_) return true;
+  if (from.address == own_address_) return false;
+  if (from.address == foreign_address_) return true;
+  const bool is_own = has_address(from.address);
+  (is_own ? own_address_ : foreign_address_) = from.address;
+  return !is_own;
 }
 
 Status StreamSockets::reply(const OutgoingDatagram& datagram) {
@@ -99,6 +114,10 @@ Status StreamSockets::join(const Endpoint& group) {
   joined_ = socket ? socket->join(group.address, interface_address_) : Status(socket.error());
   if (joined_) group_socket_.emplace(std::move(*socket));
   return joined_;
+}
+
+std::string StreamSockets::server() const {
+  return peer_.address == 0 ? std::string() : address_text(peer_.address);
 }
 
 std::string StreamSockets::listening() const {

@@ -23,7 +23,12 @@ class StreamSockets {
   bool wait(int at_most_ms);
   void wake() { wait_->wake(); }
 
-  using Take = std::function<void(const Datagram&, bool truncated)>;
+  enum class Packet {
+    Whole,
+    Truncated,    ///< larger than what can be taken
+    OfAStranger,  ///< a server was named, and this is from another machine
+  };
+  using Take = std::function<void(const Datagram&, Packet)>;
   /// Hands over what has come, at most some hundreds of packets. @return an Error when a socket is broken
   Status receive(const SessionClock& clock, const Take& take);
   /// An address or port of 0 stands for the URI's. The machine may have another address on the way there than
@@ -32,6 +37,8 @@ class StreamSockets {
   /// Joins on the network that the sender is reached through. Nothing happens when that was tried already.
   Status join(const Endpoint& group);
 
+  /// The server that alone is heard, "192.168.1.5"; empty when everybody is.
+  std::string server() const;
   std::string listening() const;
   /// The address that is listened at when this machine has it no longer, and nothing comes in; or empty.
   std::string lost_address() const;
@@ -41,10 +48,13 @@ class StreamSockets {
  private:
   StreamSockets(UdpSocket main, Endpoint peer, std::uint32_t interface_address, bool follows_network);
   Status follow_network();
+  bool is_stranger(const Endpoint& from);
 
   UdpSocket main_;
   std::optional<UdpSocket> group_socket_;
   Endpoint peer_, group_;
+  bool peer_is_here_;                                    ///< on this machine
+  std::uint32_t own_address_ = 0, foreign_address_ = 0;  ///< of this machine or not: looked up last
   Status joined_ = Done{};
   std::uint32_t interface_address_;
   bool follows_network_;  ///< to the peer; not when an interface was named

@@ -13,6 +13,8 @@ namespace {
 
 /// More senders at once than a stage has people: a program that takes another port for every packet.
 constexpr std::size_t most_vmc_senders = 16;
+/// Who sends nothing for so long makes room for another; so does who sends messages but no poses [s].
+constexpr double forgotten_sender_s = 2, no_pose_for_s = 1;
 constexpr std::size_t most_issues_per_packet = 32;
 constexpr const char* shared_name = "all senders";
 
@@ -24,7 +26,8 @@ class VmcDecoder : public StreamDecoder {
     const std::size_t issues_before = out.issues.size();
     const OscPacket packet = read_osc(datagram.bytes);
     for (const OscIssue& issue : packet.issues) out.issues.push_back({issue.kind, issue.text});
-    if (!packet.elements.empty()) performer_of(datagram, out).take(packet, datagram, out);
+    if (!packet.elements.empty())
+      if (VmcPerformer* const performer = performer_of(datagram, out)) performer->take(packet, datagram, out);
     if (out.issues.size() > issues_before + most_issues_per_packet)
       out.issues.resize(issues_before + most_issues_per_packet);
   }
@@ -45,22 +48,30 @@ class VmcDecoder : public StreamDecoder {
   }
 
  private:
-  VmcPerformer& performer_of(const Datagram& datagram, Decoded& out) {
+  /// Null when there is no room: somebody new forgets nobody who sends poses now.
+  VmcPerformer* performer_of(const Datagram& datagram, Decoded& out) {
     const std::string name = splits_by_sender_ ? datagram.from.text() : shared_name;
     for (const auto& performer : performers_)
-      if (performer->name() == name) return *performer;
+      if (performer->name() == name) return performer.get();
     if (performers_.size() >= most_vmc_senders) {
-      out.issues.push_back(
-          {"many-senders",
-           "more than " + std::to_string(most_vmc_senders) +
-               " addresses send here; the one silent for longest is forgotten. A program that takes "
-               "another port for every packet is one performer with the option split=port"});
-      performers_.erase(
-          std::min_element(performers_.begin(), performers_.end(),
-                           [](const auto& a, const auto& b) { return a->last_s() < b->last_s(); }));
+      const double now_s = datagram.arrived_s;
+      const auto idle =
+          std::find_if(performers_.begin(), performers_.end(), [&](const std::unique_ptr<VmcPerformer>& one) {
+            return now_s - one->last_s() > forgotten_sender_s ||
+                   (one->frames() == 0 && now_s - one->first_s() > no_pose_for_s);
+          });
+      if (idle == performers_.end()) {
+        out.issues.push_back(
+            {"many-senders",
+             "more than " + std::to_string(most_vmc_senders) + " addresses send here; " + name +
+                 " is left out until another one falls silent. A program that takes another port for every "
+                 "packet is one performer with the option split=port"});
+        return nullptr;
+      }
+      performers_.erase(idle);
     }
     performers_.push_back(std::make_unique<VmcPerformer>(name));
-    return *performers_.back();
+    return performers_.back().get();
   }
 
   bool splits_by_sender_;

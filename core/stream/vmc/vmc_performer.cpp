@@ -31,6 +31,7 @@ bool VmcPerformer::is_duplicate(const Datagram& datagram) {
 void VmcPerformer::take(const OscPacket& packet, const Datagram& datagram, Decoded& out) {
   finish(framing_.silence(datagram.arrived_s), out);
   last_s_ = datagram.arrived_s;
+  if (first_s_ < 0) first_s_ = last_s_;
   if (is_duplicate(datagram)) {
     out.issues.push_back({"duplicate-packet", name_ + ": a packet came twice; the second one is left out"});
     return;

@@ -25,7 +25,9 @@ class VmcPerformer {
   void calibrate();
 
   const std::string& name() const { return name_; }
+  double first_s() const { return first_s_; }
   double last_s() const { return last_s_; }
+  std::uint64_t frames() const { return frames_; }
   std::string facts() const;
 
  private:
@@ -45,7 +47,7 @@ class VmcPerformer {
   std::string title_;
   Vec3 scale_ = Vec3::Ones();
   std::set<std::string, std::less<>> unknown_bones_;
-  double last_s_ = -1;
+  double first_s_ = -1, last_s_ = -1;
   std::uint64_t frames_ = 0;
   /// Packets of the frame that is open: what came twice must not end it.
   std::deque<std::pair<std::size_t, double>> recent_;

@@ -2,6 +2,7 @@
 
 #include <map>
 
+#include "core/stream/protocol/sender_hold.hpp"
 #include "core/stream/xsens/xsens_character.hpp"
 
 namespace abrazo {
@@ -32,6 +33,7 @@ class XsensDecoder : public StreamDecoder {
   std::vector<std::string> facts() const override;
 
  private:
+  bool is_from_its_sender(const XsensHeader& header, const Datagram& datagram, Decoded& out);
   void take_content(const XsensHeader& header, ByteReader& reader, const Datagram& datagram, Decoded& out);
   XsensCharacter& character(const XsensHeader& header) {
     return characters_.try_emplace(header.character, header.character, conventions_).first->second;
@@ -39,6 +41,7 @@ class XsensDecoder : public StreamDecoder {
 
   XsensConventions conventions_;
   std::map<int, XsensCharacter> characters_;
+  std::map<int, SenderHold> senders_;       ///< of the characters
   std::map<int, std::size_t> other_types_;  ///< datagrams without a pose that can be used, by type
   std::string time_code_;
   std::optional<double> pose_s_, other_s_, told_s_;
@@ -53,8 +56,34 @@ void XsensDecoder::take(const Datagram& datagram, Decoded& out) {
   }
   ByteReader content =
       reader.part(header->payload_bytes > 0 ? header->payload_bytes : reader.left(), "the payload");
+  if (!is_from_its_sender(*header, datagram, out)) return;
   take_content(*header, content, datagram, out);
   if (content.failed()) out.issues.push_back({"truncated", content.failure()});
+}
+
+/// A character's number is all that a datagram says of who it is, and anybody can write it: it belongs to the
+/// machine that sent a pose of it first. Pose, names and measures of another machine are left out.
+bool XsensDecoder::is_from_its_sender(const XsensHeader& header, const Datagram& datagram, Decoded& out) {
+  SenderHold& sender = senders_[header.character];
+  const std::optional<std::uint32_t> before = sender.address();
+  const std::string name = "character " + std::to_string(header.character);
+  switch (sender.claim(datagram.from, datagram.arrived_s)) {
+    case SenderHold::Answer::Refused:
+      out.issues.push_back({"other-sender", name + " of " + address_text(datagram.from.address) +
+                                                " is left out: that of " + address_text(*before) +
+                                                " came first. Give one of them another port"});
+      return false;
+    case SenderHold::Answer::NewHolder:
+      characters_.erase(header.character);
+      if (before)
+        out.issues.push_back({"sender-changed", name + " comes from " + address_text(datagram.from.address) +
+                                                    " now, since " + address_text(*before) +
+                                                    " sent no pose of it for a while"});
+      return true;
+    case SenderHold::Answer::Holder:
+      break;
+  }
+  return true;
 }
 
 void XsensDecoder::take_content(const XsensHeader& header, ByteReader& reader, const Datagram& datagram,
@@ -66,6 +95,7 @@ void XsensDecoder::take_content(const XsensHeader& header, ByteReader& reader, c
       const std::vector<XsensSegment> segments = parse_xsens_segments(reader, header);
       if (reader.failed()) return;
       pose_s_ = datagram.arrived_s;
+      senders_[header.character].sent_something_useful(datagram.arrived_s);
       character(header).take_pose(header, segments, datagram.arrived_s, out);
       return;
     }

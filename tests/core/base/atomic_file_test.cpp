@@ -54,6 +54,24 @@ TEST_F(AtomicFileTest, KeepsTheOldFileUntilTheNewOneIsWhole) {
   EXPECT_EQ(read_whole_file(folder_ / "out.csv").value(), "new");
 }
 
+TEST_F(AtomicFileTest, IsWrittenUnderANameThatNobodyCanForesee) {
+  const AtomicFile one(folder_ / "out.csv"), other(folder_ / "out.csv");
+  EXPECT_NE(one.partial(), other.partial()) << "of one process and one target";
+  EXPECT_TRUE(fs::is_regular_file(one.partial())) << "nobody else can have the name any more";
+  EXPECT_EQ(files(), 2u);
+  EXPECT_EQ(AtomicFile(folder_ / "film.mp4", ".mp4").partial().extension(), ".mp4");
+}
+
+TEST_F(AtomicFileTest, AFileIsMadeOnlyWhereNothingHasItsName) {
+  EXPECT_TRUE(make_new_file(folder_ / "new"));
+  EXPECT_FALSE(make_new_file(folder_ / "new"));
+  EXPECT_EQ(errno, EEXIST);
+  fs::create_symlink(folder_ / "nowhere", folder_ / "link");
+  EXPECT_FALSE(make_new_file(folder_ / "link"));
+  EXPECT_EQ(errno, EEXIST);
+  EXPECT_FALSE(fs::exists(folder_ / "nowhere"));
+}
+
 TEST_F(AtomicFileTest, WritesBytesAsTheyAre) {
   const std::string bytes("a\r\n\0b", 5);
   ASSERT_TRUE(write_whole_file(folder_ / "bytes", bytes));

@@ -79,6 +79,21 @@ TEST(ImportClip, QuestionsAHeightNobodyHas) {
   EXPECT_FALSE(has_warning(imported(standing_motion()).report.warnings, "height"));
 }
 
+TEST(ImportClip, CountsTheFramesThatCannotBeAPersons) {
+  NamedMotion motion = standing_motion();
+  for (int f = 0; f < 15; ++f) motion.frames.push_back(motion.frames.back());
+  for (const std::size_t f : {12U, 13U})
+    motion.frames[f].row(joints::LeftHand) += Eigen::RowVector3d(2e5, 0, 0);
+  for (std::size_t f = 17; f < motion.frames.size(); ++f) motion.frames[f].col(0).array() += 3.0;
+  const ImportedClip result = imported(motion);
+  EXPECT_EQ(result.clip.poses.size(), 20u) << "they are kept";
+  EXPECT_THAT(the_warning(result.report.warnings, "not-a-person").detail,
+              HasSubstr("2 of 20 frames cannot be a person's; the first is frame 12: lhand is 2e+05 m away"));
+  EXPECT_THAT(the_warning(result.report.warnings, "jumps").detail,
+              HasSubstr("jumps in 1 of 20 frames faster than anybody moves; the first is frame 17"));
+  EXPECT_FALSE(has_warning(imported(standing_motion()).report.warnings, "not-a-person"));
+}
+
 TEST(ImportClip, TurnsZUpFilesToYUp) {
   NamedMotion motion = standing_motion();
   for (Positions& frame : motion.frames) {

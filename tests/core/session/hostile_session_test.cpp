@@ -149,11 +149,28 @@ TEST_F(HostileSession, ALinkInPlaceOfItsLogIsNotWrittenThrough) {
   EXPECT_EQ(*read_whole_file(victim), "three years");
 }
 
+TEST_F(HostileSession, ALinkToNowhereIsNotRecordedThrough) {
+  const std::string nowhere = TemporaryFolder::file("startup.desktop"),
+                    link = TemporaryFolder::file("link.abrazo");
+  std::filesystem::create_symlink(nowhere, link);
+  const auto recorder = Recorder::open(link, test::session_facts());
+  ASSERT_FALSE(recorder);
+  EXPECT_NE(recorder.error().text().find("startup.desktop, which does not exist; remove the link"),
+            std::string::npos)
+      << recorder.error().text();
+  EXPECT_FALSE(std::filesystem::exists(nowhere));
+}
+
+TEST_F(HostileSession, ALinkToASessionIsGoneOnIn) {
+  const std::string link = TemporaryFolder::file("link.abrazo");
+  std::filesystem::create_symlink(path_, link);
+  EXPECT_TRUE(Recorder::open(link, test::session_facts()));
+}
+
 TEST_F(HostileSession, ALinkWhereACopyIsWrittenIsReplacedAndNotFollowed) {
   const std::string victim = TemporaryFolder::file("thesis.tex"), copy = TemporaryFolder::file("copy.abrazo");
   ASSERT_TRUE(write_whole_file(victim, "three years"));
-  const std::filesystem::path meanwhile = AtomicFile(copy).partial();
-  std::filesystem::create_symlink(victim, meanwhile);
+  std::filesystem::create_symlink(victim, copy);
   EXPECT_TRUE(copy_session(path_, copy));
   EXPECT_TRUE(SessionFile::open(copy));
   EXPECT_EQ(*read_whole_file(victim), "three years");

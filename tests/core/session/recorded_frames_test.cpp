@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/session/file/session_database.hpp"
 #include "core/session/run/re_solver.hpp"
 #include "tests/core/session/recorded_session.hpp"
 
@@ -141,6 +142,24 @@ TEST_F(RecordedFramesTest, AHistoryWithoutFramesOfItsOwnShowsThoseOfTheFile) {
   EXPECT_EQ(history.at(1)->index, 60U);
   EXPECT_EQ(history.stepped(1, 1)->index, 61U);
   EXPECT_EQ(history.stepped(1, 100000)->index, kept().back()->index);
+}
+
+TEST_F(RecordedFramesTest, AtATimeWhoseFrameIsDamagedTheOneBeforeIsGivenAndTheDamageIsCountedOnce) {
+  record(2);
+  ASSERT_TRUE(session->keeper->recorder->finish());
+  const auto damage = [&](const std::string& which) {
+    auto database = SessionDatabase::open(path, SessionDatabase::Access::Write);
+    ASSERT_TRUE(database) << database.error().text();
+    ASSERT_TRUE(database->execute("UPDATE frames SET active = zeroblob(10) WHERE " + which));
+    ASSERT_TRUE(database->close());
+  };
+  const std::uint64_t last = kept().back()->index;
+  damage("frame > " + std::to_string(last - 3));
+  const auto frames = *RecordedFrames::open(path);
+  for (int look = 0; look < 5; ++look) EXPECT_EQ(frames->at(1e9)->index, last - 3);
+  EXPECT_EQ(frames->damaged(), 3U) << "not with every look";
+  damage("1");
+  EXPECT_EQ((*RecordedFrames::open(path))->at(1e9), nullptr);
 }
 
 TEST_F(RecordedFramesTest, WhatTheyGiveCanBeSolvedAgainToTheSameBits) {

@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
+
 #include "core/base/atomic_file.hpp"
 #include "core/session/file/project.hpp"
 #include "core/session/file/session_database.hpp"
@@ -235,6 +237,22 @@ TEST_F(RecordingFaults, AFileThatIsRenamedWhileItIsRecordedIsSaidAndIsWholeUnder
   ASSERT_FALSE(finished);
   EXPECT_THAT(finished.error().message, HasSubstr("whole, under its new name"));
   expect_all(frames_in(renamed), session.solved());
+}
+
+TEST_F(RecordingFaults, AFileThatIsCutShortOrWrittenOverWhileItIsRecordedIsSaidAtOnce) {
+  // By other programs, as it happens; our own descriptors would drop the locks of the recording.
+  for (const std::string harm :
+       {"truncate -s 100 ", "dd if=/dev/zero bs=64 count=1 conv=notrunc status=none of="}) {
+    const std::string path = file("harmed_" + std::to_string(harm.size()) + ".abrazo");
+    Recorded session(path);
+    session.run_until(0.5);
+    ASSERT_TRUE(session.recorder().flush());
+    EXPECT_THAT(session.recorder().state().failure, IsEmpty());
+    ASSERT_EQ(std::system((harm + path).c_str()), 0);
+    session.run_until(1);
+    (void)session.recorder().flush();
+    EXPECT_THAT(session.recorder().state().failure, HasSubstr("cut short or written over")) << harm;
+  }
 }
 
 TEST_F(RecordingFaults, AFileThatIsPutBackIsNoTroubleAnyMore) {

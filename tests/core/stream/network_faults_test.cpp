@@ -59,7 +59,7 @@ TEST(Loopback, APacketToAnotherAddressOfThisMachineIsNotHeard) {
   int heard = 0;
   while (heard == 0) {
     ASSERT_TRUE(sockets.wait(10'000));
-    ASSERT_TRUE(sockets.receive(SessionClock(), [&](const Datagram&, bool) { ++heard; }));
+    ASSERT_TRUE(sockets.receive(SessionClock(), [&](const Datagram&, auto) { ++heard; }));
   }
   EXPECT_EQ(heard, 1);
 }
@@ -200,12 +200,12 @@ TEST(NetworkGone, AReceiverHearsAgainWhenTheNetworkIsBack) {
     UdpSocket sender = *UdpSocket::bind({0x7F000001, 0});
     EXPECT_TRUE(pull_the_cable());
     EXPECT_FALSE(sender.send(sockets.local(), std::vector<std::uint8_t>{1}));
-    EXPECT_TRUE(sockets.receive(SessionClock(), [](const Datagram&, bool) {})) << "silence is no failure";
+    EXPECT_TRUE(sockets.receive(SessionClock(), [](const Datagram&, auto) {})) << "silence is no failure";
     EXPECT_TRUE(plug_it_in());
     EXPECT_TRUE(sender.send(sockets.local(), std::vector<std::uint8_t>{2}));
     int heard = 0;
     EXPECT_TRUE(sockets.wait(10'000));
-    EXPECT_TRUE(sockets.receive(SessionClock(), [&](const Datagram& one, bool) { heard += one.bytes[0]; }));
+    EXPECT_TRUE(sockets.receive(SessionClock(), [&](const Datagram& one, auto) { heard += one.bytes[0]; }));
     EXPECT_EQ(heard, 2);
     return true;
   });
@@ -305,6 +305,49 @@ TEST(NetworkGone, ThatTheMachineLostTheAddressWhichIsListenedAtIsSaid) {
   });
 }
 
+TEST(Stranger, IsNotTakenForTheServerThatWasNamed) {
+  RUN_IN_OWN_NETWORK([] {
+    EXPECT_TRUE(be_at(at_home));
+    const std::vector<std::uint8_t> bytes{1, 2, 3};
+    const auto heard_from_home = [&](const std::string& uri) {
+      auto sockets = *StreamSockets::open(*parse_stream_uri(uri));
+      UdpSocket sender = *UdpSocket::bind({at_home, 0});
+      EXPECT_TRUE(sender.send({at_home, sockets.local().port}, bytes));
+      std::optional<StreamSockets::Packet> heard;
+      EXPECT_TRUE(sockets.wait(10'000));
+      EXPECT_TRUE(sockets.receive(SessionClock(), [&](const Datagram&, auto packet) { heard = packet; }));
+      return heard;
+    };
+    EXPECT_EQ(heard_from_home("natnet://192.0.2.1"), StreamSockets::Packet::OfAStranger);
+    EXPECT_EQ(heard_from_home("natnet://10.0.0.5"), StreamSockets::Packet::Whole);
+    EXPECT_EQ(heard_from_home("natnet://0.0.0.0:0"), StreamSockets::Packet::Whole) << "no server was named";
+    return true;
+  });
+}
+
+TEST(Stranger, IsCountedAndSaidByTheReceiver) {
+  RUN_IN_OWN_NETWORK([] {
+    EXPECT_TRUE(be_at(at_home));
+    const auto receiver = *StreamReceiver::open(*parse_stream_uri("natnet://192.0.2.1"), SessionClock());
+    const std::string at = receiver->health().listening;
+    const auto port = static_cast<std::uint16_t>(std::stoi(at.substr(at.find(':') + 1)));
+    UdpSocket sender = *UdpSocket::bind({at_home, 0});
+    EXPECT_TRUE(sender.send({at_home, port}, std::vector<std::uint8_t>{1, 2, 3}));
+    const auto until = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    StreamHealth health;
+    while (health.issues.empty() && std::chrono::steady_clock::now() < until) health = receiver->health();
+    EXPECT_EQ(health.packets, 0U) << "a packet that was not heard hides no silence of the server";
+    EXPECT_TRUE(health.senders.empty());
+    EXPECT_EQ(health.diagnoses.size(), 1U);
+    if (health.diagnoses.size() == 1U) {
+      EXPECT_EQ(health.diagnoses[0].kind, "stranger");
+      EXPECT_THAT(health.diagnoses[0].text,
+                  HasSubstr("only the server 192.0.2.1 is heard, and packets of 10.0.0.5 are left out"));
+    }
+    return true;
+  });
+}
+
 TEST(Multicast, OnlyWhatIsSentToTheGroupIsHeardAtItsPort) {
   RUN_IN_OWN_NETWORK([] {
     auto sockets = *StreamSockets::open(*parse_stream_uri("natnet://127.0.0.1"));
@@ -317,7 +360,7 @@ TEST(Multicast, OnlyWhatIsSentToTheGroupIsHeardAtItsPort) {
     EXPECT_TRUE(sender.send(group, std::vector<std::uint8_t>{2}));
     int heard = 0;
     EXPECT_TRUE(sockets.wait(10'000));
-    EXPECT_TRUE(sockets.receive(SessionClock(), [&](const Datagram& one, bool) { heard += one.bytes[0]; }));
+    EXPECT_TRUE(sockets.receive(SessionClock(), [&](const Datagram& one, auto) { heard += one.bytes[0]; }));
     EXPECT_EQ(heard, 2);
     EXPECT_THAT(sockets.listening(), HasSubstr(" and multicast 239.255.42.99:1511"));
     return true;
@@ -337,7 +380,7 @@ TEST(Multicast, AGroupIsHeardWithoutAServer) {
     EXPECT_TRUE(sender.send(group, std::vector<std::uint8_t>{2}));
     int heard = 0;
     EXPECT_TRUE(opened->wait(10'000));
-    EXPECT_TRUE(opened->receive(SessionClock(), [&](const Datagram&, bool) { ++heard; }));
+    EXPECT_TRUE(opened->receive(SessionClock(), [&](const Datagram&, auto) { ++heard; }));
     EXPECT_EQ(heard, 1);
     return true;
   });

@@ -313,7 +313,7 @@ TEST(StreamFaults, ManyShortLivedSendersDoNotLockOutTheOneThatStays) {
   EXPECT_GT(real->frames, 250u) << "from two seconds after the last of the others on";
 }
 
-TEST(StreamFaults, TwoXsensSendersWithOneCharacterNumberMixAndItIsSaid) {
+TEST(StreamFaults, TheXsensSenderThatCameFirstKeepsItsCharacterNumberAndTheOtherIsSaid) {
   auto packets = frames(xsens);
   std::vector<Packet> others;
   append_frames(others, *encoder_of(xsens), 0, 5, 40);
@@ -325,6 +325,56 @@ TEST(StreamFaults, TwoXsensSendersWithOneCharacterNumberMixAndItIsSaid) {
   Line line(xsens);
   line.run(packets);
   EXPECT_THAT(line.advice("two-senders"), HasSubstr("end one, or give it another port"));
+  EXPECT_EQ(line.performer().frames, 500U) << "of the first alone";
+  EXPECT_EQ(line.performer().restarts + line.performer().late, 0U);
+  EXPECT_EQ(breaks(line), 1U);
+  EXPECT_GE(line.issues("other-sender"), 500U);
+}
+
+TEST(StreamFaults, AnXsensCharacterOfAnotherMachineIsHeardAfterASilenceAndItIsSaid) {
+  auto packets = frames(xsens, 2);
+  std::vector<Packet> others;
+  append_frames(others, *encoder_of(xsens), 1, 4, 40);
+  for (Packet& packet : others) packet.from.address += 1;
+  packets.insert(packets.end(), others.begin(), others.end());
+  Line line(xsens);
+  line.run(packets);
+  EXPECT_EQ(line.issues("sender-changed"), 2U)
+      << "the number is another machine's; somebody else is followed";
+  EXPECT_THAT(line.advice("sender-changed"),
+              HasSubstr("is followed now, since Abrazo sent no poses any more"));
+  ASSERT_EQ(line.health().performers.size(), 2U) << "not under the name that the first one sent";
+  EXPECT_NEAR(static_cast<double>(line.health().performers[0].frames), 200, 2);
+  EXPECT_NEAR(static_cast<double>(line.health().performers[1].frames), 200, 5);
+}
+
+TEST(StreamFaults, ManyVmcSendersForgetNobodyWhoSendsPoses) {
+  auto packets = frames(vmc, 4);
+  // From half a second on forty addresses send poses too, each now and then.
+  for (std::uint16_t other = 0; other < 40; ++other) {
+    std::vector<Packet> some;
+    append_frames(some, *encoder_of(vmc), 0.5 + 0.002 * other, 3, 0, 10);
+    for (Packet& packet : some) packet.from.port = static_cast<std::uint16_t>(7000 + other);
+    packets.insert(packets.end(), some.begin(), some.end());
+  }
+  Line line(vmc);
+  line.run(packets);
+  EXPECT_EQ(line.performer().performer, "10.0.0.1:5000");
+  EXPECT_NEAR(static_cast<double>(line.performer().frames), 400, 2);
+  EXPECT_EQ(breaks(line), 1U) << "followed throughout";
+  EXPECT_GT(line.issues("many-senders"), 0U);
+}
+
+TEST(StreamFaults, ASenderThatIsFollowedInPlaceOfAnotherIsSaid) {
+  auto packets = frames(vmc, 2);
+  std::vector<Packet> others;
+  append_frames(others, *encoder_of(vmc), 2.5, 3, 40);
+  for (Packet& packet : others) packet.from.address += 1;
+  packets.insert(packets.end(), others.begin(), others.end());
+  Line line(vmc);
+  line.run(packets);
+  EXPECT_THAT(line.advice("sender-changed"),
+              HasSubstr("10.0.0.2:5000 is followed now, since 10.0.0.1:5000 sent no poses any more"));
 }
 
 /// Sets the 4-byte number at `at` to not-a-number, big-endian.
@@ -420,6 +470,28 @@ TEST(StreamFaults, ALowRateIsSaid) {
   Line line(xsens);
   line.run(packets);
   EXPECT_THAT(line.advice("low-rate"), HasSubstr("only 12.0 poses a second"));
+}
+
+TEST(StreamFaults, AFrameASecondIsALowRateAllTheTimeAndNotASilence) {
+  std::vector<Packet> packets;
+  append_frames(packets, *encoder_of(xsens), 0, 12, 0, 1);
+  Line line(xsens);
+  line.run(packets, 3.5);
+  for (const double until_s : {11.1, 11.5, 11.95}) {
+    line.run({}, until_s);
+    EXPECT_THAT(line.advice("low-rate"), HasSubstr("only 1.0 poses a second")) << until_s;
+  }
+  line.run({}, 14.5);
+  EXPECT_THAT(line.kinds(), Not(Contains("low-rate"))) << "has stopped";
+}
+
+TEST(StreamFaults, WhatIsNoPersonIsCounted) {
+  std::vector<Packet> packets;
+  append_frames(packets, *encoder_of(vmc), 0, 2, 0);
+  Line line("vmc://0.0.0.0:39539?unit=100");  // as if the sender's metres were hectometres
+  line.run(packets);
+  EXPECT_NEAR(static_cast<double>(line.issues("not-a-person")), 200, 2);
+  EXPECT_EQ(line.performer().unusable, 0U) << "whoever answers it decides";
 }
 
 TEST(StreamFaults, NothingAtAllIsSaidAfterTwoSeconds) {

@@ -68,7 +68,7 @@ TEST(PartnerSynthesizer, EveryFrameKeepsBonesAndLocks) {
 }
 
 TEST(PartnerSynthesizer, CollisionsThatContradictTheBonesAreLetGoAndTheFloorIsKept) {
-  // Two people who stand in each other's arms, and a user whose joints are not where any body has them.
+  // Two people who stand in each other's arms, and a user who is somewhere else in every frame.
   std::vector<PairedTake> takes;
   takes.push_back(test::swinging_take("close", 120, 1, 0.35));
   Settings settings = *preset("responsive");
@@ -80,8 +80,10 @@ TEST(PartnerSynthesizer, CollisionsThatContradictTheBonesAreLetGoAndTheFloorIsKe
   synthesizer->set_user_body(body_of(test::standing_pose()));
   std::mt19937 random(7);
   int let_go = 0;
-  for (const Pose& pose : test::swinging_take("user", 200, 17).a.poses) {
-    const FrameResult& result = synthesizer->step(test::shaken(pose, 0.4, random), Duration(1.0 / 60));
+  std::normal_distribution<double> turn(0, 1), away(0, 0.4);
+  for (const Pose& pose : test::swinging_take("user", 1200, 17).a.poses) {
+    const double yaw = turn(random), x = away(random), z = away(random);
+    const FrameResult& result = synthesizer->step(test::moved(pose, yaw, Vec3(x, 0, z)), Duration(1.0 / 60));
     EXPECT_NE(result.message, "only bone lengths were kept");
     let_go += result.message == "foot locks and collisions were let go";
   }
@@ -350,6 +352,26 @@ TEST(PartnerSynthesizer, AFailedFrameKeepsNothingOfThePreviousOne) {
     EXPECT_EQ(failed.edge_weights.size(), failed.edge_residuals_m.size());
     EXPECT_TRUE(failed.edges.empty() || failed.edges.size() == failed.edge_weights.size() ||
                 failed.edge_weights.empty());
+  }
+}
+
+TEST(PartnerSynthesizer, SomethingThatIsNoPersonIsHeldAndSaidAndAPersonIsFollowedAgainAtOnce) {
+  const Clip user = test::swinging_take("user", 60, 5).a;
+  Pose torn = user.poses[4];
+  torn.row(joints::LeftHand) += Eigen::RowVector3d(2e5, 0, 0);
+  const std::vector<Pose> nobody = {Pose::Constant(1), 100 * user.poses[4], torn,
+                                    test::moved(user.poses[4], 0, Vec3(0, 100, 0))};
+  for (const auto name : preset_names) {
+    auto synthesizer = synthesizer_with(*preset(name));
+    PairPose good = synthesizer->step(user.poses[0], Duration(0)).result;
+    for (std::size_t i = 0; i < nobody.size(); ++i) {
+      const FrameResult& held = synthesizer->step(nobody[i], Duration(1.0 / 60));
+      EXPECT_EQ(held.status_text().find("failed: held: not a person: "), 0U) << held.status_text();
+      EXPECT_EQ(held.result, good);
+      const FrameResult& again = synthesizer->step(user.poses[i + 1], Duration(1.0 / 60));
+      ASSERT_NE(again.status, StepStatus::Failed) << again.message;
+      good = again.result;
+    }
   }
 }
 
