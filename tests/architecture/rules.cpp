@@ -227,7 +227,7 @@ std::span<const RoomException> room_exceptions() {
       RoomException{"app/workbench/takes/pair_desk.cpp", "app/workbench/labels/annotation_desk.hpp", labels},
       RoomException{"app/workbench/takes/take_desk.cpp", "app/workbench/labels/annotation_desk.hpp", labels},
       RoomException{"app/workbench/video/video_desk.cpp", "app/workbench/labels/annotation_desk.hpp", labels},
-      RoomException{"app/workbench/keys/key_routing.cpp", "app/workbench/labels/label_keys.hpp",
+      RoomException{"app/workbench/keys/key_routing.cpp", "app/workbench/labels/label_key_filter.hpp",
                     "keys of labels come before those of a focused control"},
       RoomException{"app/workbench/export/export_desk.cpp", "app/workbench/takes/take_desk.hpp", takes},
       RoomException{"app/workbench/project/project_desk.cpp", "app/workbench/takes/take_desk.hpp", takes},

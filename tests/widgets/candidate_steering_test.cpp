@@ -81,7 +81,7 @@ TEST(Steering, WhatIsMeantComesFirstAndPutsOtherMovesOut) {
   const auto decisions = decisions_in_force(steering, *library);
   ASSERT_EQ(decisions.size(), 2U);
   EXPECT_EQ(decisions[0].kind, Decision::Kind::Meant);
-  EXPECT_EQ(decisions[0].text, "meaning: turn");
+  EXPECT_EQ(decisions[0].text, "intended: turn");
   EXPECT_FALSE(decisions[0].without.meant);
   EXPECT_EQ(decisions[0].without.pinned, 6);
   steering.meant = MeantMove{{}, "salsa_02", -1, false};

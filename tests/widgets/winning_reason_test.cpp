@@ -76,7 +76,7 @@ TEST(WinningReasonOfIntent, SaysWhetherOnlyTheMarginHeldTheSource) {
 
 TEST(WinningReasonOfIntent, ComparesWithTheSecondWhereNothingGoesOn) {
   const auto found = rows_by_intent({{0.10, 0.05, 0.02, 0, 0}, {0.10, 0.05, 0.02, 0.2, 0}});
-  EXPECT_EQ(winning_reason(found), "Margin 0.200 m to #2 — what is meant");
+  EXPECT_EQ(winning_reason(found), "Margin 0.200 m to #2 — the intended move");
   EXPECT_EQ(winning_reason(rows_by_intent({{0.10, 0.05, 0.02, 0, 0}, {0.10, 0.05, 0.02, 0, 0}})),
             "A tie with #2");
 }

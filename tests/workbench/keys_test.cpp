@@ -1,9 +1,9 @@
 // Each key of the keymap, pressed in the whole window on the generated dance, by what it does. Keys of
 // labels: annotation_actions_test.
-#include "app/workbench/solve/meaning_desk.hpp"
+#include "app/workbench/solve/intended_move_desk.hpp"
 #include "app/workbench/takes/take_desk.hpp"
 #include "tests/workbench/key_window.hpp"
-#include "widgets/meaning/meaning_popup.hpp"
+#include "widgets/intended/intended_move_popup.hpp"
 
 namespace abrazo::app::keys_test {
 namespace {
@@ -275,7 +275,7 @@ std::vector<KeyRow> program_rows() {
          return newest->settings.user_role == UserRole::Passive;
        }},
       {"W", Qt::Key_W, none, nothing,
-       [](auto&) { return window->findChild<MeaningDesk*>()->popup().isVisible(); }},
+       [](auto&) { return window->findChild<IntendedMoveDesk*>()->popup().isVisible(); }},
       {"CtrlSpace", Qt::Key_Space, ctrl, nothing, [](auto&) { return input_is_held(); }},
       {"P", Qt::Key_P, none, nothing,
        [](auto&) { return window->candidates().steering().pinned.has_value(); }},

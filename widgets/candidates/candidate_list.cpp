@@ -124,7 +124,7 @@ void CandidateList::describe() {
   if (row->goes_on) words += ", goes on";
   if (row->pinned) words += ", pinned";
   if (row->vetoed) words += ", vetoed";
-  if (row->not_meant) words += ", not what is meant";
+  if (row->not_meant) words += ", not the intended move";
   if (words != accessibleDescription()) setAccessibleDescription(words);
 }
 
@@ -242,8 +242,8 @@ QString CandidateList::tip(const CandidateRow& row) const {
                     .arg(row.pinned ? " · pinned" : "")
                     .arg(row.vetoed       ? " · vetoed"
                          : !row.not_meant ? ""
-                         : row.is_out()   ? " · out: another move is meant"
-                                          : " · another move is meant");
+                         : row.is_out()   ? " · out: another move is intended"
+                                          : " · another move is intended");
   const CostTerms& decides = cost_terms(row.method);
   for (const CostTermInfo& info : decides.terms)
     tip += line(info.weighed, value_of(row, info.term), decides.unit);

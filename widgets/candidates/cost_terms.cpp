@@ -22,8 +22,8 @@ constexpr std::array<CostTermInfo, most_cost_terms> intent_terms = {{
     {CostTerm::Leader, "leader", "lead.", "leader", "lead.", "motion of the leader",
      "w_l · other motion of the leader", "motion of the leader"},
     {CostTerm::Move, "move", "move", "move", "move", "unlikely move", "w_m · unlikely move", "likelier move"},
-    {CostTerm::Meant, "meant", "meant", "meant", "meant", "not what is meant", "w_p · not what is meant",
-     "what is meant"},
+    {CostTerm::Meant, "intended", "int.", "intended", "int.", "not the intended move",
+     "w_p · not the intended move", "the intended move"},
     {CostTerm::Change, "change", "chg.", "change", "chg.", "change of source",
      "margin for a change of source, α · distance from what is shown", "it goes on"},
 }};

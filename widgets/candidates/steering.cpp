@@ -98,7 +98,7 @@ std::vector<Decision> decisions_in_force(const Steering& steering, const MotionL
   if (steering.meant) {
     Steering rest = steering;
     rest.meant.reset();
-    found.push_back({Decision::Kind::Meant, "meaning: " + meant_words(*steering.meant), rest});
+    found.push_back({Decision::Kind::Meant, "intended: " + meant_words(*steering.meant), rest});
   }
   if (steering.pinned) {
     Steering rest = steering;

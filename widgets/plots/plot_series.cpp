@@ -133,7 +133,7 @@ const std::array<SeriesInfo, series_count>& all_series() {
        "of the winner: w_l (1 − k), the user's last 2 s beside those before the pair"},
       {UnlikelyMove, "intent.move", "Cost by intent", "unlikely move", "move", "m", 3,
        "of the winner: w_m (1 − P(its label))"},
-      {NotMeant, "intent.meant", "Cost by intent", "not what is meant", "meant", "m", 3,
+      {NotMeant, "intent.meant", "Cost by intent", "not the intended move", "intended", "m", 3,
        "of the winner: w_p when a person named another move"},
       {ChangeOfSource, "intent.change", "Cost by intent", "change of source", "change", "m", 3,
        "of the winner: the margin if it does not continue the source, and α times its distance from what "

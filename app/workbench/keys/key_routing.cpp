@@ -7,7 +7,7 @@
 #include <QKeyEvent>
 #include <QToolButton>
 
-#include "app/workbench/labels/label_keys.hpp"
+#include "app/workbench/labels/label_key_filter.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -42,7 +42,7 @@ void click(QAbstractButton& button) {
 }  // namespace
 
 KeyRouting::KeyRouting(MainWindow& window)
-    : QObject(&window), m_window(window), m_labels(window.findChild<LabelKeys*>()) {
+    : QObject(&window), m_window(window), m_labels(window.findChild<LabelKeyFilter*>()) {
   window.installEventFilter(this);
   for (QDockWidget* panel : window.panels().panels()) panel->installEventFilter(this);  // floating: no way up
 }

@@ -6,7 +6,7 @@ class QKeyEvent;
 
 namespace abrazo::app {
 
-class LabelKeys;
+class LabelKeyFilter;
 class MainWindow;
 
 /// Which of the window's keys a focused control keeps for itself: what a control does not take, comes by
@@ -24,7 +24,7 @@ class KeyRouting : public QObject {
   bool press(const QKeyEvent& event);
 
   MainWindow& m_window;
-  const LabelKeys* m_labels;
+  const LabelKeyFilter* m_labels;
 };
 
 }  // namespace abrazo::app

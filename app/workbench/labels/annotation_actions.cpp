@@ -3,9 +3,9 @@
 #include <QMenu>
 
 #include "app/workbench/labels/annotation_desk.hpp"
-#include "app/workbench/labels/label_edits.hpp"
 #include "app/workbench/labels/label_import.hpp"
-#include "app/workbench/labels/label_keys.hpp"
+#include "app/workbench/labels/label_key_filter.hpp"
+#include "app/workbench/labels/label_questions.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -58,7 +58,7 @@ void add_conflicts(MainWindow& window, QMenu* menu, AnnotationDesk& desk) {
     action->setCheckable(true);
     group->addAction(action);
     const auto show = [action, &desk, way = way] { action->setChecked(desk.conflict() == way); };
-    QObject::connect(&desk, &AnnotationDesk::conflictChanged, action, show);
+    QObject::connect(&desk, &AnnotationDesk::changed, action, show);
     show();
   }
 }
@@ -68,13 +68,10 @@ void name_tier(MainWindow& window, AnnotationDesk& desk, bool is_new) {
   if (!window.session() || (!is_new && !tier))
     return window.messages().showInformation("Nothing is open, or it has no tier yet");
   const auto take = [&desk, is_new](const QString& name) -> QString {
-    Annotations next = desk.annotations();
-    const auto added = is_new ? next.add_tier(name.toStdString(), TierKind::Note, {}) : Result<int>(0);
-    const Status renamed = is_new ? Status(Done{}) : next.rename_tier(desk.activeTier(), name.toStdString());
-    if (!added) return text(added.error().text());
-    if (!renamed) return text(renamed.error().text());
-    desk.change(std::move(next), is_new ? "add tier" : "rename tier");
-    if (is_new) desk.setActiveTier(*added);
+    const auto edit = is_new ? new_tier(desk.annotations(), name.toStdString())
+                             : rename_tier(desk.annotations(), desk.activeTier(), name.toStdString());
+    if (!edit) return text(edit.error().text());
+    desk.edit(edit);
     return {};
   };
   widgets::QuickEntry::open(window.timeline(), QPoint(20, 0),
@@ -82,16 +79,15 @@ void name_tier(MainWindow& window, AnnotationDesk& desk, bool is_new) {
                             is_new ? QString() : text(tier->name), take);
 }
 
-void add_tiers(MainWindow& window, QMenu* menu, AnnotationDesk& desk, LabelEdits& edits) {
-  add_action(window, menu, "Tier above", {QKeySequence("Ctrl+Alt+Up")}, [&edits] { edits.stepTier(-1); });
-  add_action(window, menu, "Tier below", {QKeySequence("Ctrl+Alt+Down")}, [&edits] { edits.stepTier(1); });
+void add_tiers(MainWindow& window, QMenu* menu, AnnotationDesk& desk) {
+  add_action(window, menu, "Tier above", {QKeySequence("Ctrl+Alt+Up")},
+             [&desk] { desk.setActiveTier(tier_beside(desk.annotations(), desk.activeTier(), -1)); });
+  add_action(window, menu, "Tier below", {QKeySequence("Ctrl+Alt+Down")},
+             [&desk] { desk.setActiveTier(tier_beside(desk.annotations(), desk.activeTier(), 1)); });
   add_action(window, menu, "New tier…", {}, [&window, &desk] { name_tier(window, desk, true); });
   add_action(window, menu, "Rename tier…", {}, [&window, &desk] { name_tier(window, desk, false); });
-  add_action(window, menu, "Delete tier", {}, [&desk] {
-    Annotations next = desk.annotations();
-    const Status done = next.remove_tier(desk.activeTier());
-    desk.changeOrTell(done, std::move(next), "delete tier");
-  });
+  add_action(window, menu, "Delete tier", {},
+             [&desk] { desk.edit(delete_tier(desk.annotations(), desk.activeTier())); });
   add_action(window, menu, "Show or hide the tier's lane", {}, [&window, &desk] {
     const AnnotationTier* tier = desk.annotations().tier(desk.activeTier());
     if (!tier) return;
@@ -105,24 +101,25 @@ void add_tiers(MainWindow& window, QMenu* menu, AnnotationDesk& desk, LabelEdits
 
 void add_annotation_actions(MainWindow& window) {
   auto* desk = new AnnotationDesk(window);
-  auto* edits = new LabelEdits(window, *desk);
-  auto* keys = new LabelKeys(window, *desk);
+  auto* questions = new LabelQuestions(window, *desk);
+  auto* keys = new LabelKeyFilter(window, *desk);
   QMenu* menu = window.menu("Annotation");
   add_subjects(window, menu, *desk);
   menu->addSeparator();
-  add_label_actions(window, *edits);
+  add_label_actions(window, *desk, *questions);
   menu->addSeparator();
   QAction* taps =
       add_action(window, menu, "Tap mode: each key starts the next label", {QKeySequence("Shift+T")}, [] {});
   taps->setCheckable(true);
-  QObject::connect(taps, &QAction::toggled, keys, &LabelKeys::setTaps);
+  QObject::connect(taps, &QAction::toggled, keys, &LabelKeyFilter::setTaps);
   menu->addSeparator();
   add_conflicts(window, menu, *desk);
   menu->addSeparator();
-  add_tiers(window, menu, *desk, *edits);
+  add_tiers(window, menu, *desk);
   menu->addSeparator();
   auto* import = new LabelImport(window, *desk);
   add_action(window, menu, "Import labels…", {}, [import] { import->choose(); });
+  add_suggestion_actions(window, *desk);
 }
 
 }  // namespace abrazo::app

@@ -9,60 +9,34 @@
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/subject_stage.hpp"
-#include "core/annotation/annotated_library.hpp"
 #include "widgets/annotation/annotation_panel.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/common/utf8.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 
 namespace abrazo::app {
 namespace {
 
 using widgets::AnnotationPanel;
+using widgets::text;
 using widgets::TimelineView;
 
 constexpr const char* panel_id = "annotation";
 
-/// Every value of a role or move tier has a key: roles a and b, moves digits.
-void give_keys(Annotations& annotations) {
-  for (const AnnotationTier& tier : std::vector<AnnotationTier>(annotations.tiers())) {
-    auto vocabulary = tier.vocabulary;
-    const bool has_keys = std::any_of(vocabulary.begin(), vocabulary.end(),
-                                      [](const VocabularyEntry& entry) { return entry.key != 0; });
-    if (has_keys || tier.kind == TierKind::Note) continue;
-    char digit = '1';
-    for (VocabularyEntry& entry : vocabulary) {
-      const bool is_role = tier.kind == TierKind::Role && entry.value.size() == 1;
-      entry.key = is_role ? entry.value.front() : digit <= '9' ? digit++ : '\0';
-    }
-    (void)annotations.set_vocabulary(tier.id, std::move(vocabulary));
-  }
-}
-
 }  // namespace
 
-/// From one whole value to another. Of no use once another session or project is open.
-class ChangeAnnotations : public QUndoCommand {
+/// Of no use once another session or project is open.
+class AnnotationCommand : public QUndoCommand {
  public:
-  ChangeAnnotations(AnnotationDesk& desk, std::string subject, Annotations after, const QString& what)
-      : QUndoCommand(what),
-        m_desk(desk),
-        m_generation(desk.m_generation),
-        m_subject(std::move(subject)),
-        m_before(desk.annotations_of(m_subject)),
-        m_after(std::move(after)) {}
+  AnnotationCommand(AnnotationDesk& desk, AnnotationStep step)
+      : QUndoCommand(widgets::text(step.what)), m_desk(desk), m_step(std::move(step)) {}
 
-  void redo() override { change(m_after); }
-  void undo() override { change(m_before); }
+  void redo() override { setObsolete(!m_desk.apply(m_step, AnnotationState::Direction::Do)); }
+  void undo() override { setObsolete(!m_desk.apply(m_step, AnnotationState::Direction::Undo)); }
 
  private:
-  void change(const Annotations& annotations) {
-    m_desk.m_generation == m_generation ? m_desk.set(m_subject, annotations, text()) : setObsolete(true);
-  }
-
   AnnotationDesk& m_desk;
-  int m_generation;
-  std::string m_subject;
-  Annotations m_before, m_after;
+  AnnotationStep m_step;
 };
 
 AnnotationDesk::AnnotationDesk(MainWindow& window)
@@ -78,11 +52,11 @@ AnnotationDesk::AnnotationDesk(MainWindow& window)
   connect(&window, &MainWindow::sessionEnding, this, [this] {
     // Whoever ends the recording reads the session's there.
     if (showsTake()) m_window.timeline().showMarkers(m_stage->markers(""));
-    m_subject.clear();
+    m_state.leave();
     m_stage->forget();
   });
   connect(m_feed, &LibraryFeed::fed, this, [this] {
-    if (showsTake()) m_stage->renew(m_subject);
+    if (showsTake()) m_stage->renew(subject());
   });
   connectViews();
 }
@@ -126,100 +100,38 @@ std::shared_ptr<const MotionLibrary> AnnotationDesk::library() const {
   return m_window.session() ? m_window.session()->material().library : nullptr;
 }
 
-const Annotations& AnnotationDesk::annotations_of(const std::string& subject) const {
-  static const Annotations nothing;
-  const auto found = m_book.find(subject);
-  return found == m_book.end() ? nothing : found->second;
-}
-
-/// As the library has it; what is said of a session has the same words.
-Annotations AnnotationDesk::begun(const std::string& subject) const {
-  const auto of = library();
-  Annotations annotations;
-  if (!of || of->takes().empty()) return annotations;
-  const bool is_take = of->find_take(subject) >= 0;
-  annotations = annotations_of_take(*of, is_take ? subject : of->takes().front().name);
-  if (!is_take) {
-    const auto tiers = annotations.tiers();
-    annotations = {};
-    for (const AnnotationTier& tier : tiers) {
-      auto vocabulary = tier.vocabulary;
-      if (tier.kind == TierKind::Role) vocabulary = {{"a", "user leads"}, {"b", "partner leads"}};
-      (void)annotations.add_tier(tier.name, tier.kind, std::move(vocabulary));
-    }
-  }
-  (void)annotations.add_tier("note", TierKind::Note, {});
-  give_keys(annotations);
-  return annotations;
-}
-
-void AnnotationDesk::beginIfNew(const std::string& subject) {
-  if (!annotations_of(subject).empty()) return;
-  m_book[subject] = m_begun[subject] = begun(subject);
-}
-
-AnnotationBook AnnotationDesk::book() const {
-  AnnotationBook changed;
-  for (const auto& [subject, annotations] : m_book) {
-    const auto known = m_begun.find(subject);
-    if (known == m_begun.end() || known->second != annotations) changed[subject] = annotations;
-  }
-  return changed;
-}
-
 void AnnotationDesk::onSessionStarted() {
   const auto of = library();
   if (!of) return;
-  m_book.erase("");
-  if (m_library != of->name()) m_book.clear();
-  std::erase_if(m_book, [&of](const auto& entry) { return of->find_take(entry.first) < 0; });
-  m_library = of->name();
-  ++m_generation;
-  m_subject.clear();
-  beginIfNew("");
-  for (const auto& [subject, annotations] : m_book)
-    if (!subject.empty()) m_feed->put(subject, annotations);
-  m_activeTier = 0;
-  settleChosen();
-  show();
-  emit subjectChanged();
-  emit annotationsChanged();
+  m_state.start(*of);
+  onOtherBook();
 }
 
 void AnnotationDesk::setBook(AnnotationBook book) {
   m_feed->forget();  // what waits there was said of the takes by another project
-  m_book = std::move(book);
-  m_begun.clear();
-  ++m_generation;
-  beginIfNew("");
-  beginIfNew(m_subject);
-  for (const auto& [subject, annotations] : m_book)
+  m_state.set_book(std::move(book), library().get());
+  onOtherBook();
+}
+
+void AnnotationDesk::onOtherBook() {
+  for (const auto& [subject, annotations] : m_state.all())
     if (!subject.empty()) m_feed->put(subject, annotations);
-  settleChosen();
-  show();
   emit subjectChanged();
-  emit annotationsChanged();
+  tell();
 }
 
 void AnnotationDesk::showSubject(const std::string& subject) {
-  if (subject == m_subject && m_window.session()) {
+  if (subject == m_state.subject() && m_window.session()) {
     m_window.panels().want(panel_id, true);
     return;
   }
-  const std::string before = m_subject;
-  const Status shown = m_stage->show(before, subject);
-  if (!shown) return m_window.messages().showError(QString::fromStdString(shown.error().text()));
-  m_subject = subject;
-  beginIfNew(subject);
+  const Status shown = m_stage->show(m_state.subject(), subject);
+  if (!shown) return m_window.messages().showError(text(shown.error().text()));
+  m_state.show(subject, *library());
   if (!subject.empty()) m_window.panels().want(panel_id, true);
-  const AnnotationTier* moves = annotations().first_of(TierKind::Move);
-  m_activeTier = moves ? moves->id : 0;
-  m_selected = 0;
-  settleChosen();
-  show();
-  makeRoom();
   emit subjectChanged();
-  emit annotationsChanged();
+  tell();
+  makeRoom();
 }
 
 const Markers& AnnotationDesk::sessionMarkers() const {
@@ -228,57 +140,49 @@ const Markers& AnnotationDesk::sessionMarkers() const {
 
 std::map<std::string, Markers> AnnotationDesk::takeMarkers() const {
   auto markers = m_stage->markersOfTakes();
-  if (showsTake()) markers[m_subject] = m_window.timeline().markers();
+  if (showsTake()) markers[subject()] = m_window.timeline().markers();
   std::erase_if(markers, [](const auto& of) { return of.second.empty(); });
   return markers;
 }
 
 void AnnotationDesk::showMarkers(const std::string& subject, const Markers& markers) {
-  subject == m_subject ? m_window.timeline().showMarkers(markers) : m_stage->keepMarkers(subject, markers);
+  subject == m_state.subject() ? m_window.timeline().showMarkers(markers)
+                               : m_stage->keepMarkers(subject, markers);
+}
+
+bool AnnotationDesk::edit(const Result<LabelEdit>& edit) {
+  if (!edit) {
+    m_window.messages().showInformation(text(edit.error().text()));
+    return false;
+  }
+  if (!m_window.session()) return true;
+  if (auto step = m_state.step(subject(), edit->next, edit->what))
+    m_window.undoStack().push(new AnnotationCommand(*this, std::move(*step)));
+  if (edit->tier) setActiveTier(*edit->tier);
+  if (edit->selected) select(*edit->selected);
+  return true;
 }
 
 void AnnotationDesk::change(Annotations next, const QString& what) {
-  change(m_subject, std::move(next), what);
+  edit(LabelEdit{std::move(next), what.toStdString()});
 }
 
-void AnnotationDesk::change(const std::string& subject, Annotations next, const QString& what) {
-  if (!m_window.session() || next == annotations_of(subject)) return;
-  m_window.undoStack().push(new ChangeAnnotations(*this, subject, std::move(next), what));
-}
-
-bool AnnotationDesk::changeOrTell(const Status& done, Annotations next, const QString& what) {
-  if (done)
-    change(std::move(next), what);
-  else
-    m_window.messages().showInformation(QString::fromStdString(done.error().text()));
-  return done.ok();
-}
-
-void AnnotationDesk::suggest(Annotations next) {
-  m_book[m_subject] = std::move(next);
-  show();
-  emit annotationsChanged();
-}
-
-void AnnotationDesk::set(const std::string& subject, const Annotations& annotations, const QString& what) {
-  m_book[subject] = annotations;
-  if (!subject.empty()) m_feed->put(subject, annotations);
-  if (subject != m_subject)
-    return m_window.messages().showInformation(
+bool AnnotationDesk::apply(const AnnotationStep& step, AnnotationState::Direction direction) {
+  if (!m_state.apply(step, direction)) return false;
+  if (!step.subject.empty()) m_feed->put(step.subject, m_state.annotations_of(step.subject));
+  tell();
+  if (step.subject != subject())
+    m_window.messages().showInformation(
         QString("%1 of %2, which is not shown")
-            .arg(what, subject.empty() ? "the session" : QString::fromStdString(subject)));
-  settleChosen();
-  show();
-  emit annotationsChanged();
+            .arg(text(step.what), step.subject.empty() ? "the session" : text(step.subject)));
+  return true;
 }
 
-/// What is chosen is there.
-void AnnotationDesk::settleChosen() {
-  const Annotations& shown = annotations();
-  if (!shown.find(m_selected)) m_selected = 0;
-  if (shown.tier(m_activeTier)) return;
-  const AnnotationTier* moves = shown.first_of(TierKind::Move);
-  m_activeTier = moves ? moves->id : shown.empty() ? 0 : shown.tiers().front().id;
+EditPlace AnnotationDesk::place() const {
+  const Playback& playback = m_window.ticker().playback();
+  EditPlace place{activeTier(), selected(), conflict(), range(), fps(), playback.cursor_s};
+  if (const auto chosen = playback.range()) place.in_out = {chosen->from_s, chosen->to_s};
+  return place;
 }
 
 bool AnnotationDesk::isOpen() const {
@@ -302,16 +206,16 @@ void AnnotationDesk::show() {
   const Annotations::Range whole = range();
   TimelineView& timeline = m_window.timeline();
   const bool open = isOpen();
-  timeline.showAnnotations(open ? annotations() : Annotations(), {m_conflict, whole, fps()});
-  timeline.showChosen(open ? m_activeTier : 0, m_selected);
+  timeline.showAnnotations(open ? annotations() : Annotations(), {conflict(), whole, fps()});
+  timeline.showChosen(open ? activeTier() : 0, selected());
   QStringList takes;
   if (const auto of = library())
-    for (const LibraryTake& take : of->takes()) takes << QString::fromStdString(take.name);
-  m_panel->showSubjects(takes, QString::fromStdString(m_subject));
+    for (const LibraryTake& take : of->takes()) takes << text(take.name);
+  m_panel->showSubjects(takes, text(subject()));
   std::set<std::string> hidden;
   for (const widgets::TierLane& lane : timeline.lanes().tiers())
     if (!timeline.lanes().is_shown(lane)) hidden.insert(lane.name);
-  m_panel->show({annotations(), whole, fps(), m_activeTier, m_selected, m_conflict, hidden});
+  m_panel->show({annotations(), whole, fps(), activeTier(), selected(), conflict(), hidden});
 }
 
 Annotations::Range AnnotationDesk::range() const {
@@ -325,25 +229,21 @@ double AnnotationDesk::fps() const {
 }
 
 void AnnotationDesk::setActiveTier(int tier) {
-  if (tier == m_activeTier || !annotations().tier(tier)) return;
-  m_activeTier = tier;
-  if (const AnnotationTier* of = annotations().tier_of(m_selected); of && of->id != tier) m_selected = 0;
-  show();
+  if (m_state.choose_tier(tier)) tell();
 }
 
 void AnnotationDesk::select(int annotation) {
-  if (annotation != 0 && !annotations().find(annotation)) return;
-  if (annotation == m_selected) return;
-  m_selected = annotation;
-  if (const AnnotationTier* of = annotations().tier_of(annotation)) m_activeTier = of->id;
-  show();
-  emit selectionChanged();
+  if (m_state.select(annotation)) tell();
 }
 
 void AnnotationDesk::setConflict(Conflict conflict) {
-  m_conflict = conflict;
+  m_state.set_conflict(conflict);
+  tell();
+}
+
+void AnnotationDesk::tell() {
   show();
-  emit conflictChanged();
+  emit changed();
 }
 
 }  // namespace abrazo::app

@@ -1,39 +1,70 @@
 #include <QMenu>
 
-#include "app/workbench/labels/label_edits.hpp"
+#include "app/workbench/labels/annotation_desk.hpp"
+#include "app/workbench/labels/label_questions.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
+#include "widgets/common/message_bar.hpp"
+#include "widgets/common/utf8.hpp"
+#include "widgets/timeline/transport_bar.hpp"
 
 namespace abrazo::app {
+namespace {
 
-void add_label_actions(MainWindow& window, LabelEdits& edits) {
-  using Edge = LabelEdits::Edge;
-  QMenu* menu = window.menu("Annotation");
-  LabelEdits* on = &edits;
-  add_action(window, menu, "New label…", {QKeySequence("N")}, [on] { on->draw(); });
-  add_action(window, menu, "Edit label…", {QKeySequence("F2")}, [on] { on->ask(); });
-  add_action(window, menu, "Extend label to the cursor", {QKeySequence("E")}, [on] { on->extend(); });
-  add_action(window, menu, "Split label at the cursor", {QKeySequence("S")}, [on] { on->split(); });
-  add_action(window, menu, "Merge label with the next", {QKeySequence("Shift+S")}, [on] { on->merge(); });
-  add_action(window, menu, "Change of role here", {QKeySequence("Shift+U")}, [on] { on->exchangeRole(); });
-  menu->addSeparator();
-  add_action(window, menu, "Previous label", {QKeySequence("Ctrl+Up")}, [on] { on->step(-1); });
-  add_action(window, menu, "Next label", {QKeySequence("Ctrl+Down")}, [on] { on->step(1); });
+/// The next or previous label of the active tier is selected and gone to.
+void step(MainWindow& window, AnnotationDesk& desk, int by) {
+  const auto label = label_beside(desk.annotations(), desk.place(), by);
+  if (!label) return window.messages().showInformation(widgets::text(label.error().text()));
+  desk.select(label->id);
+  window.ticker().seek(label->start_s);
+}
+
+/// @param frames  of the subject, or of the input where the subject has no fixed rate
+void nudge(MainWindow& window, AnnotationDesk& desk, LabelEdge edge, int frames) {
+  const double input_hz = window.transport().rate();
+  const double rate_hz = desk.fps() > 0 ? desk.fps() : input_hz > 0 ? input_hz : 60;
+  desk.edit(nudge_label(desk.annotations(), desk.place(), edge, frames / rate_hz));
+}
+
+void add_nudges(MainWindow& window, AnnotationDesk& desk, QMenu* menu) {
   QMenu* nudges = menu->addMenu("Nudge label");
-  const std::tuple<const char*, const char*, Edge, int> ways[] = {
-      {"Label a frame earlier", "Ctrl+Alt+Left", Edge::Both, -1},
-      {"Label a frame later", "Ctrl+Alt+Right", Edge::Both, 1},
-      {"Start of label a frame earlier", "Ctrl+Shift+Left", Edge::Start, -1},
-      {"Start of label a frame later", "Ctrl+Shift+Right", Edge::Start, 1},
-      {"End of label a frame earlier", "Alt+Shift+Left", Edge::End, -1},
-      {"End of label a frame later", "Alt+Shift+Right", Edge::End, 1}};
+  const std::tuple<const char*, const char*, LabelEdge, int> ways[] = {
+      {"Label a frame earlier", "Ctrl+Alt+Left", LabelEdge::Both, -1},
+      {"Label a frame later", "Ctrl+Alt+Right", LabelEdge::Both, 1},
+      {"Start of label a frame earlier", "Ctrl+Shift+Left", LabelEdge::Start, -1},
+      {"Start of label a frame later", "Ctrl+Shift+Right", LabelEdge::Start, 1},
+      {"End of label a frame earlier", "Alt+Shift+Left", LabelEdge::End, -1},
+      {"End of label a frame later", "Alt+Shift+Right", LabelEdge::End, 1}};
   for (const auto& [name, key, edge, by] : ways)
     add_action(window, nudges, name, {QKeySequence(key)},
-               [on, edge = edge, by = by] { on->nudge(edge, by); });
+               [&window, &desk, edge = edge, by = by] { nudge(window, desk, edge, by); });
+}
+
+}  // namespace
+
+void add_label_actions(MainWindow& window, AnnotationDesk& desk, LabelQuestions& questions) {
+  QMenu* menu = window.menu("Annotation");
+  using Edit = Result<LabelEdit> (*)(const Annotations&, const EditPlace&);
+  const auto add_edit = [&](const char* name, const char* key, Edit edit) {
+    add_action(window, menu, name, {QKeySequence(key)},
+               [&desk, edit] { desk.edit(edit(desk.annotations(), desk.place())); });
+  };
+  add_action(window, menu, "New label…", {QKeySequence("N")}, [&questions] { questions.draw(); });
+  add_action(window, menu, "Edit label…", {QKeySequence("F2")}, [&questions] { questions.ask(); });
+  add_edit("Extend label to the cursor", "E", extend_label);
+  add_edit("Split label at the cursor", "S", split_label);
+  add_edit("Merge label with the next", "Shift+S", merge_label);
+  add_edit("Change of role here", "Shift+U", change_role);
+  menu->addSeparator();
+  add_action(window, menu, "Previous label", {QKeySequence("Ctrl+Up")},
+             [&window, &desk] { step(window, desk, -1); });
+  add_action(window, menu, "Next label", {QKeySequence("Ctrl+Down")},
+             [&window, &desk] { step(window, desk, 1); });
+  add_nudges(window, desk, menu);
   QMenu* copy = menu->addMenu("Copy label to the tier");
-  QObject::connect(copy, &QMenu::aboutToShow, on, [on, copy] {
+  QObject::connect(copy, &QMenu::aboutToShow, &questions, [&questions, copy] {
     copy->clear();
-    on->fillMenu(*copy);
+    questions.fillMenu(*copy);
   });
 }
 

@@ -9,7 +9,6 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QVBoxLayout>
-#include <algorithm>
 
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/shell/main_window.hpp"
@@ -21,87 +20,7 @@ namespace {
 
 using widgets::text;
 
-std::string fresh_name(const Annotations& annotations, const std::string& wanted) {
-  std::string name = wanted;
-  for (int n = 2; annotations.tier_named(name); ++n) name = wanted + " " + std::to_string(n);
-  return name;
-}
-
-/// Values that the vocabulary does not have yet; without the key where another has it.
-std::vector<VocabularyEntry> joined(std::vector<VocabularyEntry> vocabulary, const Tier& read) {
-  const auto has = [&vocabulary](const auto& is) {
-    return std::any_of(vocabulary.begin(), vocabulary.end(), is);
-  };
-  std::vector<VocabularyEntry> more = read.vocabulary;
-  for (const VocabularyEntry& each : vocabulary_of(read.intervals)) more.push_back(each);
-  for (VocabularyEntry& entry : more) {
-    if (entry.value.empty() ||
-        has([&entry](const VocabularyEntry& known) { return known.value == entry.value; }))
-      continue;
-    if (has([&entry](const VocabularyEntry& known) { return known.key == entry.key; })) entry.key = 0;
-    vocabulary.push_back(std::move(entry));
-  }
-  return vocabulary;
-}
-
-Status fill(Annotations& next, int tier, const Tier& read, const Annotations::Range& range) {
-  const auto before = next.tier(tier)->annotations;
-  for (const Annotation& each : before)
-    if (const Status gone = next.remove(each.id); !gone) return gone;
-  for (const TierInterval& each : read.intervals) {
-    const auto drawn = next.draw(tier, each.start_s, each.end_s, each.value, Conflict::Refuse, range);
-    if (!drawn) return drawn.error();
-    const Status said = next.say(*drawn, each.value, each.detail, each.confidence);
-    if (!said) return said;
-  }
-  return Done{};
-}
-
 }  // namespace
-
-TierPlan plan_tiers(const std::vector<Tier>& read, const Annotations& into) {
-  TierPlan plan;
-  for (const Tier& tier : read) {
-    const AnnotationTier* same = into.tier_named(tier.name);
-    if (same && same->kind == tier.kind) {
-      plan.targets.push_back({TierTarget::Way::Into, same->id});
-      continue;
-    }
-    const auto of_kind = [&tier](const auto& each) { return each.kind == tier.kind; };
-    const bool only = std::count_if(read.begin(), read.end(), of_kind) == 1 &&
-                      std::count_if(into.tiers().begin(), into.tiers().end(), of_kind) == 1;
-    if (only && tier.kind != TierKind::Note)
-      plan.targets.push_back({TierTarget::Way::Into, into.first_of(tier.kind)->id});
-    else
-      plan.targets.push_back({TierTarget::Way::New});
-    plan.is_clear = plan.is_clear && only && tier.kind != TierKind::Note;
-  }
-  return plan;
-}
-
-Result<Annotations> imported(const std::vector<Tier>& read, const std::vector<TierTarget>& targets,
-                             const Annotations& into, const Annotations::Range& range) {
-  Annotations next = into;
-  for (std::size_t i = 0; i < read.size(); ++i) {
-    const Tier& tier = read[i];
-    int id = targets[i].tier;
-    if (targets[i].way == TierTarget::Way::LeaveOut) continue;
-    if (targets[i].way == TierTarget::Way::New) {
-      const auto added = next.add_tier(fresh_name(next, tier.name), tier.kind, tier.vocabulary);
-      if (!added) return added.error();
-      id = *added;
-    }
-    const AnnotationTier* known = next.tier(id);
-    if (!known) return Error{"the tier no longer exists", tier.name};
-    const bool has_values = !known->vocabulary.empty() || !tier.vocabulary.empty();
-    if (has_values && known->kind != TierKind::Role)
-      if (const Status set = next.set_vocabulary(id, joined(known->vocabulary, tier)); !set)
-        return set.error();
-    if (const Status filled = fill(next, id, tier, range); !filled)
-      return Error{filled.error().message, tier.name};
-  }
-  return next;
-}
 
 LabelImport::LabelImport(MainWindow& window, AnnotationDesk& desk)
     : QObject(&desk), m_window(window), m_desk(desk) {}
@@ -123,15 +42,7 @@ void LabelImport::read(const QStringList& files) {
     return emit m_window.failed(why);  // who started the program unattended waits for it
   }
   for (const QString& file : files) {
-    TierReading reading;
-    reading.fps = m_desk.fps();
-    reading.take = m_desk.subject();
-    auto document = read_tiers(file.toStdString(), reading);
-    if (!document) {
-      // A label file of one take may be meant for another.
-      reading.take.clear();
-      if (auto any = read_tiers(file.toStdString(), reading)) document = std::move(any);
-    }
+    const auto document = read_labels_for(file.toStdString(), m_desk.fps(), m_desk.subject());
     if (!document) return m_window.messages().showError(text(document.error().text()));
     take(file, *document);
   }
@@ -194,7 +105,7 @@ void LabelImport::ask(const QString& file, const TierDocument& document, const T
 
 void LabelImport::finish(const QString& file, const TierDocument& document,
                          const std::vector<TierTarget>& targets) {
-  const auto next = imported(document.tiers, targets, m_desk.annotations(), m_desk.range());
+  const auto next = with_imported(document.tiers, targets, m_desk.annotations(), m_desk.range());
   if (!next) return m_window.messages().showError(file + ": " + text(next.error().text()));
   std::size_t labels = 0;
   for (std::size_t i = 0; i < targets.size(); ++i)

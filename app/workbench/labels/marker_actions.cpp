@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "app/workbench/labels/annotation_desk.hpp"
-#include "app/workbench/labels/label_edits.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -16,6 +15,11 @@ namespace {
 using widgets::QuickEntry;
 using widgets::TimelineView;
 
+/// There once all actions are.
+AnnotationDesk& desk_of(const MainWindow& window) {
+  return *window.findChild<AnnotationDesk*>();
+}
+
 /// From one whole list to another. Of no use once another session runs: its times are others.
 class ChangeMarkers : public QUndoCommand {
  public:
@@ -23,7 +27,7 @@ class ChangeMarkers : public QUndoCommand {
       : QUndoCommand(what),
         m_window(window),
         m_session(window.timeline().session()),
-        m_subject(desk().subject()),
+        m_subject(desk_of(window).subject()),
         m_before(window.timeline().markers()),
         m_after(std::move(after)) {}
 
@@ -32,9 +36,9 @@ class ChangeMarkers : public QUndoCommand {
 
  private:
   void change(const Markers& markers) {
-    m_window.timeline().session() == m_session ? desk().showMarkers(m_subject, markers) : setObsolete(true);
+    m_window.timeline().session() == m_session ? desk_of(m_window).showMarkers(m_subject, markers)
+                                               : setObsolete(true);
   }
-  AnnotationDesk& desk() const { return *m_window.findChild<AnnotationDesk*>(); }
 
   MainWindow& m_window;
   int m_session;
@@ -86,7 +90,8 @@ void rename(MainWindow& window, int id) {
 }
 
 void remove(MainWindow& window) {
-  if (window.findChild<AnnotationDesk*>()->selected() != 0) return window.findChild<LabelEdits*>()->remove();
+  if (AnnotationDesk& desk = desk_of(window); desk.selected() != 0)
+    return void(desk.edit(remove_label(desk.annotations(), desk.place())));
   Markers next = window.timeline().markers();
   const int id = window.timeline().selectedMarker();
   if (!next.find(id))
@@ -100,10 +105,8 @@ std::vector<double> edges_of(const MainWindow& window, double here, bool on) {
   std::vector<double> edges;
   const auto& tracks = window.timeline().tracks();
   if (const auto edge = on ? tracks.edge_after(here) : tracks.edge_before(here)) edges.push_back(*edge);
-  const auto* desk = window.findChild<AnnotationDesk*>();
-  const AnnotationTier* tier = desk->annotations().tier(desk->activeTier());
-  if (!tier) return edges;
-  for (const Annotation& each : tier->annotations) edges.insert(edges.end(), {each.start_s, each.end_s});
+  const AnnotationDesk& desk = desk_of(window);
+  if (const auto edge = edge_beside(desk.annotations(), desk.place(), on)) edges.push_back(*edge);
   return edges;
 }
 

@@ -1,14 +1,13 @@
 #include <QMenu>
 
-#include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/labels/suggestion_desk.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 
 namespace abrazo::app {
 
-void add_suggestion_actions(MainWindow& window) {
-  auto* desk = new SuggestionDesk(window, *window.findChild<AnnotationDesk*>());
+void add_suggestion_actions(MainWindow& window, AnnotationDesk& annotations) {
+  auto* desk = new SuggestionDesk(window, annotations);
   QMenu* menu = window.menu("Annotation");
   menu->addSeparator();
   add_action(window, menu, "Suggest labels", {QKeySequence("Ctrl+G")},

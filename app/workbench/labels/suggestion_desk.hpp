@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/annotation/suggestions.hpp"
+#include "core/annotation/suggestion_edits.hpp"
 
 namespace abrazo::widgets {
 class SuggestionSection;
@@ -36,7 +36,7 @@ class SuggestionDesk : public QObject {
   widgets::SuggestionSection& section() const { return *m_section; }
 
  private:
-  void take(const std::string& subject, SuggestedTiers suggested, bool moves, bool roles);
+  void take(const SuggestionRequest& request, const SuggestedTiers& suggested);
   void accept(int suggestion);
   void acceptAll(const std::vector<int>& suggestions);
   void edit(int suggestion);

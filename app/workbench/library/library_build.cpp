@@ -5,12 +5,12 @@
 #include <filesystem>
 
 #include "app/workbench/base/job.hpp"
-#include "app/workbench/document/label_files.hpp"
 #include "app/workbench/document/material.hpp"
 #include "app/workbench/document/unmapped_motion.hpp"
 #include "app/workbench/library/mapping_dialog.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/library/build/saved_build.hpp"
+#include "core/library/takes/tier_file.hpp"
 
 namespace abrazo::app {
 
@@ -62,7 +62,7 @@ void LibraryBuild::offer(const QStringList& files) {
     const QString suffix = QFileInfo(file).suffix().toLower();
     if (suffix == "asf") m_skeletons << file;
     const bool motion = is_motion_file(file.toStdString());
-    const bool labels = !motion && (is_label_file(file) || suffix == "csv");
+    const bool labels = !motion && (is_label_file(file.toStdString()) || suffix == "csv");
     if (suffix == "json" && !labels) m_jointMap = file.toStdString();
     if (labels) m_labels = file;
     if (!motion && !labels && suffix != "asf" && suffix != "json") not_of_use << QFileInfo(file).fileName();

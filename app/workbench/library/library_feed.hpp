@@ -2,12 +2,11 @@
 
 #include <QObject>
 #include <QTimer>
-#include <map>
 #include <memory>
 #include <string>
 
 #include "app/workbench/document/live_session.hpp"
-#include "core/annotation/annotated_library.hpp"
+#include "core/annotation/library_updates.hpp"
 
 namespace abrazo::app {
 
@@ -25,7 +24,7 @@ class LibraryFeed : public QObject {
   /// What cannot be put in, an invalid role, is reported once.
   void put(const std::string& take, const Annotations& annotations);
   /// Nothing is waiting or under way.
-  bool isIdle() const { return m_wanted.empty() && m_working.empty(); }
+  bool isIdle() const { return m_updates.is_idle(); }
   void forget();
 
  signals:
@@ -34,12 +33,10 @@ class LibraryFeed : public QObject {
 
  private:
   void begin();
-  void beginAgain();
   void show(PreparedSolver prepared);
 
   MainWindow& m_window;
-  std::map<std::string, TakeAnnotation> m_wanted;   ///< not in the library yet
-  std::map<std::string, TakeAnnotation> m_working;  ///< that the job has
+  LibraryUpdates m_updates;
   std::unique_ptr<Job> m_job;
   QTimer m_soon;  ///< of several changes in a row the last
 };

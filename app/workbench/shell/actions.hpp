@@ -18,7 +18,8 @@ enum class PlotExport;
 
 namespace abrazo::app {
 
-class LabelEdits;
+class AnnotationDesk;
+class LabelQuestions;
 class MainWindow;
 class ViewRecording;
 struct RangeRequest;
@@ -56,8 +57,8 @@ void add_take_actions(MainWindow& window);
 void add_pair_actions(MainWindow& window);
 /// Which role the user has, and who decides about it.
 void add_role_actions(MainWindow& window);
-/// "I mean this move"; after those of candidates.
-void add_meaning_actions(MainWindow& window);
+/// The move that the user intends; after those of candidates.
+void add_intended_move_actions(MainWindow& window);
 /// Opening recorded sessions; after those of takes.
 void add_session_actions(MainWindow& window);
 /// New, save, save as: the session file with the project; after those of sessions and recent files.
@@ -73,9 +74,9 @@ void add_stream_actions(MainWindow& window);
 void add_library_actions(MainWindow& window);
 /// Labels of the session and of takes: the panel, the lanes, their keys; after those of the timeline.
 void add_annotation_actions(MainWindow& window);
-/// After those of annotation, whose panel has the suggestions.
-void add_suggestion_actions(MainWindow& window);
-void add_label_actions(MainWindow& window, LabelEdits& edits);
+/// Called by those of annotation, whose desk they ask.
+void add_label_actions(MainWindow& window, AnnotationDesk& desk, LabelQuestions& questions);
+void add_suggestion_actions(MainWindow& window, AnnotationDesk& desk);
 /// Pin, veto and jump; what the candidate table asks for becomes a step of undo.
 void add_candidate_actions(MainWindow& window);
 /// Freezes settings as A, and solves again with others what was recorded.

@@ -3,7 +3,6 @@
 
 #include "app/workbench/base/job_progress.hpp"
 #include "app/workbench/document/generated_material.hpp"
-#include "app/workbench/document/label_files.hpp"
 #include "app/workbench/document/open_video.hpp"
 #include "app/workbench/document/session_places.hpp"
 #include "app/workbench/labels/label_import.hpp"
@@ -11,6 +10,7 @@
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/status_figures.hpp"
+#include "core/library/takes/tier_file.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/library/take_list.hpp"
@@ -38,9 +38,9 @@ void MainWindow::openDemo() {
 void MainWindow::openFiles(const QStringList& all) {
   QStringList videos, labels, files;
   for (const QString& file : all)
-    (is_video_file(file)                                          ? videos
-     : is_label_file(file) && !is_motion_file(file.toStdString()) ? labels
-                                                                  : files)
+    (is_video_file(file)                                                        ? videos
+     : is_label_file(file.toStdString()) && !is_motion_file(file.toStdString()) ? labels
+                                                                                : files)
         << file;
   if (auto* import = findChild<LabelImport*>(); import && files.isEmpty() && !labels.isEmpty()) {
     if (!videos.isEmpty()) emit videosOffered(videos);

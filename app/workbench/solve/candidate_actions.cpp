@@ -20,7 +20,7 @@ void apply(MainWindow& window, const Steering& steering) {
   if (!window.session()) return;
   window.session()->push(PinPair{steering.pinned});
   window.session()->push(SetVetoes{steering.vetoes});
-  window.session()->push(MeanMove{steering.meant});
+  window.session()->push(IntendMove{steering.meant});
 }
 
 /// From one whole value to another. Of no use once another library is open: its pairs are others.

@@ -14,7 +14,6 @@ void add_all_actions(MainWindow& window) {
   add_playback_actions(window);
   add_timeline_actions(window);
   add_annotation_actions(window);
-  add_suggestion_actions(window);
   add_video_actions(window);
   add_solve_actions(window);
   add_preset_actions(window);
@@ -27,7 +26,7 @@ void add_all_actions(MainWindow& window) {
   add_plot_actions(window);
   add_export_actions(window);
   add_candidate_actions(window);
-  add_meaning_actions(window);
+  add_intended_move_actions(window);
   add_compare_actions(window);
   add_recent_actions(window);
   add_project_actions(window);

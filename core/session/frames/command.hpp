@@ -28,7 +28,7 @@ struct SetVetoes {
   Vetoes vetoes;
 };
 /// Nothing takes it back.
-struct MeanMove {
+struct IntendMove {
   std::optional<MeantMove> move;
 };
 struct SetRoleControl {
@@ -71,7 +71,7 @@ struct DetachSink {
   std::shared_ptr<PoseSink> sink;
 };
 
-using Command = std::variant<SetSettings, PinPair, SetVetoes, MeanMove, SetRoleControl, ResetSolver,
+using Command = std::variant<SetSettings, PinPair, SetVetoes, IntendMove, SetRoleControl, ResetSolver,
                              PauseInput, SeekInput, SetInputSpeed, ReplaceSource, ReplaceSynthesizer,
                              AttachListener, DetachListener, AttachSink, DetachSink>;
 

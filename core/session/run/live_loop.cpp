@@ -45,7 +45,7 @@ void hold(FrameSnapshot& snapshot, const FrameSnapshotPtr& last, const std::stri
 LiveLoop::LiveLoop(std::shared_ptr<PartnerSynthesizer> synthesizer, std::shared_ptr<PoseSource> source,
                    CommandQueue& commands, FrameHistory& history, LatestSlot<FrameSnapshot>& latest,
                    std::function<double()> clock)
-    : steering_(std::move(synthesizer)),
+    : control_(std::move(synthesizer)),
       source_(std::move(source)),
       commands_(commands),
       history_(history),
@@ -59,7 +59,7 @@ LiveLoop::~LiveLoop() {
 }
 
 void LiveLoop::listen_to_source() {
-  source_->set_max_rate(wanted_rate(steering_.synthesizer().settings()));
+  source_->set_max_rate(wanted_rate(control_.synthesizer().settings()));
   source_->on_arrival([wake_up = wake_up()] { wake_up->notify(); });
   source_body_.reset();
   take_measures();
@@ -69,7 +69,7 @@ void LiveLoop::take_measures() {
   const std::optional<Body> body = source_->body();
   if (!body || (source_body_ && same_body(*body, *source_body_))) return;
   source_body_ = body;
-  steering_.synthesizer().set_user_body(*body);
+  control_.synthesizer().set_user_body(*body);
   state_due_ = next_index_;
 }
 
@@ -105,7 +105,7 @@ double LiveLoop::turn(double now_s) {
 }
 
 void LiveLoop::solve(const SourcePose& input, double now_s) {
-  PartnerSynthesizer& synthesizer = steering_.synthesizer();
+  PartnerSynthesizer& synthesizer = control_.synthesizer();
   take_measures();
   if (input.discontinuous) {
     synthesizer.reset();
@@ -113,7 +113,7 @@ void LiveLoop::solve(const SourcePose& input, double now_s) {
     state_due_ = next_index_;
   }
   attempt([&] {
-    if (steering_.before_step(now_s)) state_due_ = next_index_;
+    if (control_.before_step(now_s)) state_due_ = next_index_;
   });
   const double elapsed = time_since_previous(input);
   if (is_first_of_source_) dropped_at_start_ = input.dropped;
@@ -125,10 +125,10 @@ void LiveLoop::solve(const SourcePose& input, double now_s) {
   snapshot->input_frame = input.frame;
   snapshot->user = input.pose;
   snapshot->settings = synthesizer.settings();
-  snapshot->is_learning = steering_.is_learning();
+  snapshot->is_learning = control_.is_learning();
   snapshot->elapsed_s = elapsed > 0 ? elapsed : 0.0;  // not so for a time that is not a number
   snapshot->before = state_if_due();
-  snapshot->decisions = steering_.decisions();
+  snapshot->decisions = control_.decisions();
   snapshot->library = synthesizer.shared_library();
   snapshot->input = input_;
   snapshot->input_rate_hz = smoothed_interval_s_ > 0 ? 1.0 / smoothed_interval_s_ : source_->rate_hz();
@@ -146,7 +146,7 @@ void LiveLoop::solve(const SourcePose& input, double now_s) {
     snapshot->times.sent_s = clock_ ? clock_() : now_s;
   has_solved_ = true;
   const FrameResult& solved = snapshot->result;
-  steering_.after_step(solved, input.pose, snapshot->time_s);
+  control_.after_step(solved, input.pose, snapshot->time_s);
   publish(std::move(snapshot));
   if (damage) state_due_ = next_index_;
 }
@@ -194,8 +194,8 @@ void LiveLoop::replace_source(const ReplaceSource& replacement, double now_s) {
   previous_time_s_ = -1;
   waiting_since_s_ = now_s;
   is_lost_ = false;
-  steering_.synthesizer().forget_user_body();
-  steering_.synthesizer().reset();
+  control_.synthesizer().forget_user_body();
+  control_.synthesizer().reset();
   listen_to_source();
 }
 
@@ -205,18 +205,18 @@ void LiveLoop::apply(const Command& command, double now_s) {
         using Wish = std::decay_t<decltype(wish)>;
         ReplayControl* replay = source_->replay();
         if constexpr (std::is_same_v<Wish, SetSettings>) {
-          steering_.set_settings(wish.settings);
+          control_.set_settings(wish.settings);
           source_->set_max_rate(wanted_rate(wish.settings));
         } else if constexpr (std::is_same_v<Wish, PinPair>) {
-          steering_.pin(wish.pair);
+          control_.pin(wish.pair);
         } else if constexpr (std::is_same_v<Wish, SetVetoes>) {
-          steering_.set_vetoes(wish.vetoes);
-        } else if constexpr (std::is_same_v<Wish, MeanMove>) {
-          steering_.mean(wish.move);
+          control_.set_vetoes(wish.vetoes);
+        } else if constexpr (std::is_same_v<Wish, IntendMove>) {
+          control_.intend(wish.move);
         } else if constexpr (std::is_same_v<Wish, SetRoleControl>) {
-          steering_.control_role(wish.by);
+          control_.control_role(wish.by);
         } else if constexpr (std::is_same_v<Wish, ResetSolver>) {
-          steering_.synthesizer().reset();
+          control_.synthesizer().reset();
         } else if constexpr (std::is_same_v<Wish, PauseInput>) {
           if (replay) replay->set_paused(wish.paused, now_s);
         } else if constexpr (std::is_same_v<Wish, SeekInput>) {
@@ -226,7 +226,7 @@ void LiveLoop::apply(const Command& command, double now_s) {
         } else if constexpr (std::is_same_v<Wish, ReplaceSource>) {
           replace_source(wish, now_s);
         } else if constexpr (std::is_same_v<Wish, ReplaceSynthesizer>) {
-          if (wish.synthesizer) steering_.replace(wish.synthesizer);
+          if (wish.synthesizer) control_.replace(wish.synthesizer);
         } else if constexpr (std::is_same_v<Wish, AttachListener>) {
           if (wish.listener) listeners_.push_back(wish.listener);
         } else if constexpr (std::is_same_v<Wish, DetachListener>) {
@@ -244,7 +244,7 @@ void LiveLoop::apply(const Command& command, double now_s) {
 std::shared_ptr<const SynthesizerState> LiveLoop::state_if_due() {
   if (next_index_ < state_due_) return nullptr;
   state_due_ = next_index_ + frames_between_states;
-  return std::make_shared<const SynthesizerState>(steering_.synthesizer().state());
+  return std::make_shared<const SynthesizerState>(control_.synthesizer().state());
 }
 
 /// Frames of a session that goes on from a recorded one are counted from there.
@@ -270,7 +270,7 @@ void LiveLoop::publish_failure(const std::string& why, double now_s) {
   snapshot->time_s = std::max(now_s, last_frame_s_ + least_between_frames_s);
   snapshot->elapsed_s = -1;
   snapshot->before = nullptr;
-  snapshot->decisions = steering_.decisions();
+  snapshot->decisions = control_.decisions();
   snapshot->input = input_;
   snapshot->times = {};
   snapshot->result.status = StepStatus::Failed;

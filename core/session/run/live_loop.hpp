@@ -13,7 +13,7 @@
 #include "core/session/frames/latest_slot.hpp"
 #include "core/session/run/command_queue.hpp"
 #include "core/session/run/partner_output.hpp"
-#include "core/session/run/steering.hpp"
+#include "core/session/run/solver_control.hpp"
 #include "core/stream/receive/pose_source.hpp"
 
 namespace abrazo {
@@ -57,7 +57,7 @@ class LiveLoop {
   void continue_counting();
   void publish(std::shared_ptr<FrameSnapshot> snapshot);
 
-  Steering steering_;
+  SolverControl control_;
   std::shared_ptr<PoseSource> source_;
   std::shared_ptr<const std::string> input_;  ///< the source's name in a recording
   CommandQueue& commands_;

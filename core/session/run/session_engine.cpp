@@ -162,9 +162,9 @@ void SessionEngine::push(const Command& command) {
   parts_->commands.push(command);
 }
 
-Status SessionEngine::mean(const MeantMove& move) {
+Status SessionEngine::intend(const MeantMove& move) {
   const Status possible = check_meant(*parts_->views, move);
-  if (possible) push(MeanMove{move});
+  if (possible) push(IntendMove{move});
   return possible;
 }
 

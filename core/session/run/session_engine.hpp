@@ -31,10 +31,10 @@ class SessionEngine {
   void push(const Command& command);
   /// `push` of what cannot be taken back by looking at it: an Error when no pair that may be selected is
   /// meant; it lists what could be.
-  Status mean(const MeantMove& move);
+  Status intend(const MeantMove& move);
   /// An Error when the library does not say who leads, and only the hand can decide.
   Status control_role(RoleControl by);
-  /// The moves that could be meant now, best fit to the newest frame first.
+  /// The moves that could be intended now, best fit to the newest frame first.
   std::vector<MeantChoice> meant_choices() const;
   const FrameHistory& history() const;
   const LatestSlot<FrameSnapshot>& latest() const;

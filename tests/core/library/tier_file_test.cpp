@@ -5,6 +5,7 @@
 #include <rapidcheck.h>
 
 #include <cmath>
+#include <filesystem>
 
 #include "core/base/atomic_file.hpp"
 
@@ -267,6 +268,22 @@ TEST(TierFile, EveryBeginningOfAFileIsReadOrRefused) {
     for (std::size_t length = 0; length < text.size(); ++length)
       (void)parse_tiers(text.substr(0, length), name, {});
   }
+}
+
+TEST(TierFile, IsRecognisedByItsNameAndByHowCsvAndJsonBegin) {
+  const auto is_one = [](const std::string& name, const std::string& text) {
+    const auto file = std::filesystem::path(testing::TempDir()) / name;
+    EXPECT_TRUE(write_whole_file(file, text));
+    return is_label_file(file);
+  };
+  EXPECT_TRUE(is_one("labels.eaf", ""));
+  EXPECT_TRUE(is_one("labels.csv", "\nTier,start,end,value\n"));
+  EXPECT_TRUE(is_one("labels.csv", "take,start_frame,end_frame,label\n"));
+  EXPECT_TRUE(is_one("labels.json", "{\"tiers\":[]}"));
+  EXPECT_FALSE(is_one("joints.csv", "time,root_x,root_y\n"));
+  EXPECT_FALSE(is_one("manifest.json", "{\"takes\":[]}"));
+  EXPECT_FALSE(is_one("walk.bvh", "HIERARCHY"));
+  EXPECT_FALSE(is_label_file("not_there.csv"));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include "core/selection/intent_model.hpp"
 #include "core/session/file/session_database.hpp"
 #include "core/session/run/session_replay.hpp"
-#include "core/session/run/steering.hpp"
+#include "core/session/run/solver_control.hpp"
 #include "core/synthesis/role_views.hpp"
 #include "core/synthesis/synthesizer_state.hpp"
 #include "core/synthesis/trace.hpp"
@@ -46,99 +46,99 @@ bool selects_by_intent(const FrameResult& frame) {
 
 /// Somebody who steers, and the steps between.
 struct Steered {
-  explicit Steered(const Settings& settings = equation_7()) : steering(synthesizer_with(settings)) {}
+  explicit Steered(const Settings& settings = equation_7()) : control(synthesizer_with(settings)) {}
   const FrameResult& step() {
-    changed = steering.before_step(static_cast<double>(steps) / 60);
-    return steering.synthesizer().step(user().poses[steps++ % user().poses.size()], step_time);
+    changed = control.before_step(static_cast<double>(steps) / 60);
+    return control.synthesizer().step(user().poses[steps++ % user().poses.size()], step_time);
   }
-  Steering steering;
+  SolverControl control;
   std::size_t steps = 0;
   bool changed = false;
 };
 
 TEST(LearnedSelection, EquationSevenSelectsUntilTheLibraryIsLearned) {
   Steered session;
-  EXPECT_FALSE(session.steering.is_learning());
-  session.steering.set_settings(by_intent());
-  EXPECT_TRUE(session.steering.is_learning());
-  EXPECT_EQ(session.steering.synthesizer().settings().selection, SelectionMethod::Paper);
-  EXPECT_FALSE(selects_by_intent(session.steering.synthesizer().step(user().poses[0], step_time)));
-  ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
+  EXPECT_FALSE(session.control.is_learning());
+  session.control.set_settings(by_intent());
+  EXPECT_TRUE(session.control.is_learning());
+  EXPECT_EQ(session.control.synthesizer().settings().selection, SelectionMethod::Paper);
+  EXPECT_FALSE(selects_by_intent(session.control.synthesizer().step(user().poses[0], step_time)));
+  ASSERT_TRUE(becomes_ready(session.control.synthesizer()));
   EXPECT_TRUE(selects_by_intent(session.step()));
   EXPECT_TRUE(session.changed) << "the change is told";
-  EXPECT_FALSE(session.steering.is_learning());
-  EXPECT_EQ(session.steering.synthesizer().settings(), by_intent());
+  EXPECT_FALSE(session.control.is_learning());
+  EXPECT_EQ(session.control.synthesizer().settings(), by_intent());
   session.step();
   EXPECT_FALSE(session.changed);
 }
 
 TEST(LearnedSelection, OneThatIsAskedForFromTheStartIsLearnedBesideTheStepsToo) {
   Steered session(by_intent());
-  EXPECT_TRUE(session.steering.is_learning());
-  EXPECT_EQ(session.steering.synthesizer().settings().selection, SelectionMethod::Paper);
-  ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
+  EXPECT_TRUE(session.control.is_learning());
+  EXPECT_EQ(session.control.synthesizer().settings().selection, SelectionMethod::Paper);
+  ASSERT_TRUE(becomes_ready(session.control.synthesizer()));
   EXPECT_TRUE(selects_by_intent(session.step()));
 }
 
 TEST(LearnedSelection, WhatIsSetMeanwhileStays) {
   Steered session;
-  session.steering.set_settings(by_intent());
+  session.control.set_settings(by_intent());
   Settings later = by_intent();
   later.neighbours = 7;
   later.leader_weight = 0.75;
-  session.steering.set_settings(later);
-  ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
+  session.control.set_settings(later);
+  ASSERT_TRUE(becomes_ready(session.control.synthesizer()));
   session.step();
-  EXPECT_EQ(session.steering.synthesizer().settings(), later);
+  EXPECT_EQ(session.control.synthesizer().settings(), later);
 }
 
 TEST(LearnedSelection, TakenBackMeanwhileItDoesNotComeAfterAll) {
   Steered session;
-  session.steering.set_settings(by_intent());
-  session.steering.set_settings(equation_7());
-  EXPECT_FALSE(session.steering.is_learning());
-  ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
+  session.control.set_settings(by_intent());
+  session.control.set_settings(equation_7());
+  EXPECT_FALSE(session.control.is_learning());
+  ASSERT_TRUE(becomes_ready(session.control.synthesizer()));
   EXPECT_FALSE(selects_by_intent(session.step()));
-  session.steering.set_settings(by_intent());
-  EXPECT_FALSE(session.steering.is_learning()) << "it was learned";
+  session.control.set_settings(by_intent());
+  EXPECT_FALSE(session.control.is_learning()) << "it was learned";
   EXPECT_TRUE(selects_by_intent(session.step()));
 }
 
 TEST(LearnedSelection, TheOtherRoleIsLearnedBeforeItIsTaken) {
   Steered session;
-  session.steering.set_settings(by_intent());
-  ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
+  session.control.set_settings(by_intent());
+  ASSERT_TRUE(becomes_ready(session.control.synthesizer()));
   session.step();
-  ASSERT_TRUE(becomes_ready(session.steering.synthesizer(), UserRole::Passive));
+  ASSERT_TRUE(becomes_ready(session.control.synthesizer(), UserRole::Passive));
   Settings passive = by_intent();
   passive.user_role = UserRole::Passive;
-  session.steering.set_settings(passive);
-  EXPECT_FALSE(session.steering.is_learning());
+  session.control.set_settings(passive);
+  EXPECT_FALSE(session.control.is_learning());
   EXPECT_TRUE(selects_by_intent(session.step()));
-  EXPECT_EQ(session.steering.synthesizer().settings(), passive);
+  EXPECT_EQ(session.control.synthesizer().settings(), passive);
 }
 
 TEST(LearnedSelection, ARoleThatIsTakenAtOnceIsWaitedForBesideTheSteps) {
   Settings passive = by_intent();
   passive.user_role = UserRole::Passive;
   Steered session;
-  session.steering.set_settings(passive);
-  EXPECT_TRUE(session.steering.is_learning());
-  EXPECT_EQ(session.steering.synthesizer().settings().user_role, UserRole::Passive)
+  session.control.set_settings(passive);
+  EXPECT_TRUE(session.control.is_learning());
+  EXPECT_EQ(session.control.synthesizer().settings().user_role, UserRole::Passive)
       << "the role is not held up";
-  ASSERT_TRUE(becomes_ready(session.steering.synthesizer(), UserRole::Passive));
+  ASSERT_TRUE(becomes_ready(session.control.synthesizer(), UserRole::Passive));
   EXPECT_TRUE(selects_by_intent(session.step()));
 }
 
 TEST(LearnedSelection, AnotherLibraryIsLearnedAnew) {
   Steered session;
-  session.steering.set_settings(by_intent());
-  ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
+  session.control.set_settings(by_intent());
+  ASSERT_TRUE(becomes_ready(session.control.synthesizer()));
   EXPECT_TRUE(selects_by_intent(session.step()));
   const std::shared_ptr<PartnerSynthesizer> other =
       std::move(*PartnerSynthesizer::create(test::small_library(), *preset("paper")));
-  session.steering.replace(other);
-  EXPECT_TRUE(session.steering.is_learning());
+  session.control.replace(other);
+  EXPECT_TRUE(session.control.is_learning());
   EXPECT_FALSE(selects_by_intent(other->step(user().poses[2], step_time)));
   ASSERT_TRUE(becomes_ready(*other));
   EXPECT_TRUE(selects_by_intent(session.step()));
@@ -149,7 +149,7 @@ TEST(LearnedSelection, ThatCannotBeLearnedSaysWhyOnceAndEquationSevenStays) {
   Steered session;
   session.step();
   test::refuse_memory(20'000);  // no step takes so much at once
-  session.steering.set_settings(by_intent());
+  session.control.set_settings(by_intent());
   std::string said;
   for (int i = 0; i < 20000 && said.empty(); ++i) try {
       EXPECT_FALSE(selects_by_intent(session.step()));
@@ -160,17 +160,17 @@ TEST(LearnedSelection, ThatCannotBeLearnedSaysWhyOnceAndEquationSevenStays) {
   test::give_memory_again();
   EXPECT_THAT(said, HasSubstr("Eq. 7 goes on selecting"));
   EXPECT_THAT(said, HasSubstr("not enough memory"));
-  EXPECT_FALSE(session.steering.is_learning());
+  EXPECT_FALSE(session.control.is_learning());
   for (int frame = 0; frame < 5; ++frame) EXPECT_FALSE(selects_by_intent(session.step()));
   Settings other = by_intent();
   other.neighbours = 7;
-  session.steering.set_settings(other);
-  EXPECT_FALSE(session.steering.is_learning()) << "another setting asks for nothing new";
-  EXPECT_EQ(session.steering.synthesizer().settings().neighbours, 7);
-  session.steering.set_settings(equation_7());
-  session.steering.set_settings(by_intent());
-  EXPECT_TRUE(session.steering.is_learning()) << "asked for again it is tried again";
-  ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
+  session.control.set_settings(other);
+  EXPECT_FALSE(session.control.is_learning()) << "another setting asks for nothing new";
+  EXPECT_EQ(session.control.synthesizer().settings().neighbours, 7);
+  session.control.set_settings(equation_7());
+  session.control.set_settings(by_intent());
+  EXPECT_TRUE(session.control.is_learning()) << "asked for again it is tried again";
+  ASSERT_TRUE(becomes_ready(session.control.synthesizer()));
   EXPECT_TRUE(selects_by_intent(session.step()));
 }
 
@@ -200,9 +200,9 @@ TEST(ARoleThereIsNoMemoryFor, IsNotTakenAndStepsGoOn) {
 TEST(LearnedSelection, WhatIsSteeredMeanwhileHoldsThoughLearningFailed) {
   Steered session;
   session.step();
-  session.steering.set_vetoes({{}, {"first"}, {}});
+  session.control.set_vetoes({{}, {"first"}, {}});
   test::refuse_memory(20'000);
-  session.steering.set_settings(by_intent());
+  session.control.set_settings(by_intent());
   std::string said;
   for (int i = 0; i < 20000 && said.empty(); ++i) try {
       session.step();
@@ -217,13 +217,13 @@ TEST(LearnedSelection, WhatIsSteeredMeanwhileHoldsThoughLearningFailed) {
   EXPECT_NE(test::session_library()->take_of(pair).name, "first");
 }
 
-TEST(LearnedSelection, AMoveThatIsNotFollowedIsStillMeant) {
+TEST(LearnedSelection, AMoveThatIsNotFollowedIsStillIntended) {
   Steered session(by_intent());
-  ASSERT_TRUE(becomes_ready(session.steering.synthesizer()));
+  ASSERT_TRUE(becomes_ready(session.control.synthesizer()));
   Settings settings = by_intent();
   settings.meant_weight = 0;  // nobody goes after what is named
-  session.steering.set_settings(settings);
-  const MotionLibrary& library = session.steering.synthesizer().library();
+  session.control.set_settings(settings);
+  const MotionLibrary& library = session.control.synthesizer().library();
   const auto label_of = [&](const FrameResult& result) {
     return std::string(library.label(result.candidates.at(static_cast<std::size_t>(result.selected)).pair));
   };
@@ -234,13 +234,13 @@ TEST(LearnedSelection, AMoveThatIsNotFollowedIsStillMeant) {
   ASSERT_NE(other, followed);
   MeantMove move{other, std::nullopt};
   move.until_done = true;
-  session.steering.mean(move);
+  session.control.intend(move);
   int steps = 0;
   for (; steps < 20; ++steps) {
     const FrameResult& result = session.step();
-    ASSERT_TRUE(session.steering.decisions()) << "taken back after " << steps << " steps";
+    ASSERT_TRUE(session.control.decisions()) << "taken back after " << steps << " steps";
     if (label_of(result) == other) break;
-    session.steering.after_step(result, user().poses[0], steps / 60.0);
+    session.control.after_step(result, user().poses[0], steps / 60.0);
   }
   EXPECT_GT(steps, 2);
 }
@@ -259,7 +259,7 @@ struct RecordedSession : test::TemporaryFolder, test::DrivenSession {
     run_until(1.2);
     commands.push(SetVetoes{{{}, {"first"}, {}}});
     run_until(1.5);
-    commands.push(MeanMove{MeantMove{"turn", std::nullopt}});
+    commands.push(IntendMove{MeantMove{"turn", std::nullopt}});
     Settings settings = by_intent();
     settings.user_role = UserRole::Passive;
     settings.switch_margin = 0.07;

@@ -79,12 +79,12 @@ class LiveCommands : public testing::Test {
     const FrameResult& result = newest().result;
     return result.candidates[static_cast<std::size_t>(result.selected)].pair;
   }
-  void mean(std::optional<std::string> label, double until_s = -1, bool until_done = false) {
+  void intend(std::optional<std::string> label, double until_s = -1, bool until_done = false) {
     MeantMove move;
     move.label = std::move(label);
     move.until_s = until_s;
     move.until_done = until_done;
-    commands.push(MeanMove{move});
+    commands.push(IntendMove{move});
   }
 
   Clip user = test::swinging_take("user", 240, 4).a;
@@ -273,9 +273,9 @@ TEST_F(LiveCommands, MeasuresThatASourceLearnsLaterAreTakenOver) {
   EXPECT_EQ(newest().before->user_body->bone_lengths, body.bone_lengths);
 }
 
-TEST_F(LiveCommands, OnlyTheMoveThatIsMeantIsSelectedUntilItIsTakenBack) {
+TEST_F(LiveCommands, OnlyTheIntendedMoveIsSelectedUntilItIsTakenBack) {
   const auto library = test::small_library();
-  mean("turn");
+  intend("turn");
   dance(30);
   for (const auto& frame : history.since(0)) {
     ASSERT_TRUE(frame->decisions);
@@ -283,13 +283,13 @@ TEST_F(LiveCommands, OnlyTheMoveThatIsMeantIsSelectedUntilItIsTakenBack) {
     for (const Candidate& candidate : frame->result.candidates)
       EXPECT_EQ(library->label(candidate.pair), "turn");
   }
-  commands.push(MeanMove{});
+  commands.push(IntendMove{});
   dance(1);
   EXPECT_FALSE(newest().decisions);
 }
 
-TEST_F(LiveCommands, AMoveIsMeantUntilItsTime) {
-  mean("turn", now_s + 0.25);
+TEST_F(LiveCommands, AMoveIsIntendedUntilItsTime) {
+  intend("turn", now_s + 0.25);
   dance(30);
   const auto frames = history.since(0);
   for (const auto& frame : frames)
@@ -301,7 +301,7 @@ TEST_F(LiveCommands, AMoveIsMeantUntilItsTime) {
 }
 
 TEST_F(LiveCommands, AMoveThatIsVetoedAltogetherIsAsIfItWereNotMeant) {
-  mean("turn");
+  intend("turn");
   commands.push(SetVetoes{{{}, {}, {"turn"}}});
   dance(5);
   EXPECT_EQ(newest().result.status, StepStatus::Ok);
@@ -315,7 +315,7 @@ TEST_F(LiveCommands, AMoveThatWasFollowedToItsEndIsDone) {
   const std::string label(library->label(library->find_pair("first", 0, false)));
   int end = 0;
   while (library->label(library->find_pair("first", end, false)) == label) ++end;
-  mean(label, -1, true);
+  intend(label, -1, true);
   dance(end - 5);
   ASSERT_TRUE(newest().decisions);
   dance(10);

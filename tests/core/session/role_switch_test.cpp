@@ -222,7 +222,7 @@ TEST(SolvedAgain, WithPinsVetoesMeantMovesAndChangesOfRoleTheBitsAreTheSame) {
   MeantMove move;
   move.label = "turn";
   move.until_s = 2.1;
-  live.commands.push(MeanMove{move});
+  live.commands.push(IntendMove{move});
   live.run_until(2.3);
   live.commands.push(PinPair{20});
   live.run_until(2.6);

@@ -282,10 +282,10 @@ TEST_F(Engine, ItsRecordingsShareTheFingerprintsOfLibraries) {
 }
 
 TEST_F(Engine, AMoveThatIsNotThereIsRefusedWithThoseThatAre) {
-  const Status refused = engine.mean(meant("somersault", std::nullopt));
+  const Status refused = engine.intend(meant("somersault", std::nullopt));
   ASSERT_FALSE(refused);
   EXPECT_NE(refused.error().text().find("\"turn\" (165 pairs)"), std::string::npos) << refused.error().text();
-  EXPECT_TRUE(engine.mean(meant(std::nullopt, "second")));
+  EXPECT_TRUE(engine.intend(meant(std::nullopt, "second")));
   EXPECT_TRUE(eventually([&] {
     const FrameSnapshotPtr newest = engine.latest().newest();
     return newest && newest->decisions && newest->decisions->meant;

@@ -67,7 +67,7 @@ void add_intent_cost(PickText& told, const IntentCost& cost) {
       text_of_fact("cost %.3f m = partner %.3f + leader %.3f", cost.total, cost.partner, cost.leader));
   std::string rest;
   for (const auto& [name, value] : {std::pair{"move", cost.move},
-                                    {"meant", cost.meant},
+                                    {"intended", cost.meant},
                                     {"change", cost.change},
                                     {"shown", cost.temporal}})
     if (value != 0) rest += text_of_fact("%s+ %s %.3f", rest.empty() ? "" : " ", name, value);

@@ -1,4 +1,4 @@
-#include "core/session/run/steering.hpp"
+#include "core/session/run/solver_control.hpp"
 
 #include <stdexcept>
 #include <utility>
@@ -50,7 +50,7 @@ std::size_t number(UserRole role) {
 
 }  // namespace
 
-Steering::Steering(std::shared_ptr<PartnerSynthesizer> synthesizer)
+SolverControl::SolverControl(std::shared_ptr<PartnerSynthesizer> synthesizer)
     : synthesizer_(std::move(synthesizer)),
       asked_role_(synthesizer_->settings().user_role),
       asked_selection_(synthesizer_->settings().selection),
@@ -58,7 +58,7 @@ Steering::Steering(std::shared_ptr<PartnerSynthesizer> synthesizer)
   apply(synthesizer_->settings());
 }
 
-void Steering::set_settings(const Settings& settings) {
+void SolverControl::set_settings(const Settings& settings) {
   asked_role_ = settings.user_role;
   if (settings.selection != asked_selection_) could_not_learn_ = {};  // asked for again
   asked_selection_ = settings.selection;
@@ -73,14 +73,14 @@ void Steering::set_settings(const Settings& settings) {
 }
 
 /// The only way settings reach the synthesizer: with a selection that need not be waited for.
-void Steering::apply(Settings wanted) {
+void SolverControl::apply(Settings wanted) {
   wanted.selection = possible_selection(wanted.user_role);
   synthesizer_->set_settings(wanted);
 }
 
 /// What the selection `intent` learns first is learned beside the steps, not in one. Then the other role is
 /// learned too, so that a change of role finds it.
-SelectionMethod Steering::possible_selection(UserRole role) {
+SelectionMethod SolverControl::possible_selection(UserRole role) {
   if (asked_selection_ == SelectionMethod::Paper || could_not_learn_[number(role)])
     return SelectionMethod::Paper;
   const RoleViews& views = *synthesizer_->views();
@@ -98,13 +98,13 @@ SelectionMethod Steering::possible_selection(UserRole role) {
   return SelectionMethod::Paper;
 }
 
-bool Steering::is_learning() const {
+bool SolverControl::is_learning() const {
   const Settings& now = synthesizer_->settings();
   return asked_selection_ != now.selection && !could_not_learn_[number(now.user_role)];
 }
 
 /// A view that is made in memory first is waited for between steps, not in one.
-bool Steering::can_take(UserRole role) {
+bool SolverControl::can_take(UserRole role) {
   const RoleViews& views = *synthesizer_->views();
   if (!views.is_costly(role) || views.is_ready(role)) return true;
   if (const auto trouble = views.trouble(role)) {
@@ -115,26 +115,26 @@ bool Steering::can_take(UserRole role) {
   return false;
 }
 
-void Steering::decide(const Decisions& decisions) {
+void SolverControl::decide(const Decisions& decisions) {
   current_ = decisions;
   decisions_ = current_ == Decisions{} ? nullptr : std::make_shared<const Decisions>(current_);
 }
 
-void Steering::pin(std::optional<int> pair) {
+void SolverControl::pin(std::optional<int> pair) {
   Decisions wanted = current_;
   wanted.pinned = pair;
   decide(wanted);
   synthesizer_->pin_pair(pair);
 }
 
-void Steering::set_vetoes(const Vetoes& vetoes) {
+void SolverControl::set_vetoes(const Vetoes& vetoes) {
   Decisions wanted = current_;
   wanted.vetoes = vetoes;
   decide(wanted);
   synthesizer_->set_vetoes(vetoes);
 }
 
-void Steering::mean(const std::optional<MeantMove>& move) {
+void SolverControl::intend(const std::optional<MeantMove>& move) {
   Decisions wanted = current_;
   wanted.meant = move;
   decide(wanted);
@@ -143,14 +143,14 @@ void Steering::mean(const std::optional<MeantMove>& move) {
   synthesizer_->set_meant(pairs_of(move));
 }
 
-void Steering::control_role(RoleControl by) {
+void SolverControl::control_role(RoleControl by) {
   Decisions wanted = current_;
   wanted.role_control = by;
   decide(wanted);
   role_switch_.control(by, by == RoleControl::Hand ? asked_role_ : synthesizer_->settings().user_role);
 }
 
-void Steering::replace(std::shared_ptr<PartnerSynthesizer> synthesizer) {
+void SolverControl::replace(std::shared_ptr<PartnerSynthesizer> synthesizer) {
   synthesizer->set_settings(synthesizer_->settings());  // throws while all is as it was
   const std::shared_ptr<PartnerSynthesizer> before = std::exchange(synthesizer_, std::move(synthesizer));
   decide(carried_over(current_, before->library(), synthesizer_->library()));
@@ -165,14 +165,14 @@ void Steering::replace(std::shared_ptr<PartnerSynthesizer> synthesizer) {
   followed_pair_ = -1;
 }
 
-bool Steering::is_over(const MeantMove& move, double now_s) const {
+bool SolverControl::is_over(const MeantMove& move, double now_s) const {
   return (move.until_s >= 0 && now_s >= move.until_s) || (move.until_done && move_is_done_);
 }
 
-bool Steering::before_step(double now_s) {
+bool SolverControl::before_step(double now_s) {
   bool changed = false;
   if (current_.meant && is_over(*current_.meant, now_s)) {
-    mean(std::nullopt);
+    intend(std::nullopt);
     changed = true;
   }
   if (synthesizer_->settings().user_role != role_switch_.role() && can_take(role_switch_.role())) {
@@ -189,7 +189,7 @@ bool Steering::before_step(double now_s) {
   return changed;
 }
 
-void Steering::after_step(const FrameResult& result, const Pose& user, double time_s) {
+void SolverControl::after_step(const FrameResult& result, const Pose& user, double time_s) {
   if (current_.meant && current_.meant->until_done) watch_move(result);
   if (current_.role_control == RoleControl::Hand || result.status == StepStatus::Failed) return;
   const std::optional<Body>& body = synthesizer_->user_body();
@@ -197,7 +197,7 @@ void Steering::after_step(const FrameResult& result, const Pose& user, double ti
 }
 
 /// A move has come to its end when the pair that is followed is the last of its label or take.
-void Steering::watch_move(const FrameResult& result) {
+void SolverControl::watch_move(const FrameResult& result) {
   if (result.selected < 0) return;
   const MotionLibrary& library = synthesizer_->library();
   const int pair = result.candidates[static_cast<std::size_t>(result.selected)].pair;

@@ -1,4 +1,4 @@
-#include "widgets/meaning/meaning_choice.hpp"
+#include "widgets/intended/intended_move_choice.hpp"
 
 #include <algorithm>
 #include <array>
@@ -7,19 +7,19 @@
 
 namespace abrazo::widgets {
 
-MeantMove meant_move(const MeaningChoice& choice, MeaningSpan span, double now_s) {
+MeantMove meant_move(const IntendedMoveChoice& choice, IntendedMoveSpan span, double now_s) {
   MeantMove move;
   if (choice.is_take())
     move.take = choice.take;
   else
     move.label = choice.label;
-  move.until_done = span == MeaningSpan::UntilDone;
-  if (span == MeaningSpan::FiveSeconds) move.until_s = now_s + 5;
-  if (span == MeaningSpan::TenSeconds) move.until_s = now_s + 10;
+  move.until_done = span == IntendedMoveSpan::UntilDone;
+  if (span == IntendedMoveSpan::FiveSeconds) move.until_s = now_s + 5;
+  if (span == IntendedMoveSpan::TenSeconds) move.until_s = now_s + 10;
   return move;
 }
 
-std::string choice_title(const MeaningChoice& choice) {
+std::string choice_title(const IntendedMoveChoice& choice) {
   if (choice.is_take()) return "take " + choice.take;
   if (choice.label.empty()) return "no label";
   std::string title = choice.label;
@@ -34,13 +34,13 @@ std::string distance_text(double distance_m) {
   return text.data();
 }
 
-std::vector<MeaningChoice> in_order(std::vector<MeaningChoice> choices) {
-  const auto key = [](const MeaningChoice& choice) {
+std::vector<IntendedMoveChoice> in_order(std::vector<IntendedMoveChoice> choices) {
+  const auto key = [](const IntendedMoveChoice& choice) {
     const bool is_unknown = choice.distance_m < 0;
     return std::tuple(choice.is_take(), is_unknown, is_unknown ? 0 : choice.distance_m);
   };
   std::stable_sort(choices.begin(), choices.end(),
-                   [&](const MeaningChoice& a, const MeaningChoice& b) { return key(a) < key(b); });
+                   [&](const IntendedMoveChoice& a, const IntendedMoveChoice& b) { return key(a) < key(b); });
   return choices;
 }
 

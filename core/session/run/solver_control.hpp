@@ -13,9 +13,9 @@ namespace abrazo {
 
 /// What a person asked of the running solver, and what of it holds at present: settings and decisions.
 /// Applies them to the synthesizer; the only one who does.
-class Steering {
+class SolverControl {
  public:
-  explicit Steering(std::shared_ptr<PartnerSynthesizer> synthesizer);
+  explicit SolverControl(std::shared_ptr<PartnerSynthesizer> synthesizer);
 
   PartnerSynthesizer& synthesizer() const { return *synthesizer_; }
 
@@ -23,7 +23,7 @@ class Steering {
   void set_settings(const Settings& settings);
   void pin(std::optional<int> pair);
   void set_vetoes(const Vetoes& vetoes);
-  void mean(const std::optional<MeantMove>& move);
+  void intend(const std::optional<MeantMove>& move);
   void control_role(RoleControl by);
   /// Settings and decisions stay, but those on pairs, takes and labels that the new library does not have
   /// fall away. Both bodies go on from where they are.
@@ -57,7 +57,7 @@ class Steering {
   std::array<bool, 2> could_not_learn_{};  ///< by role; until it is asked for again
   std::string untold_;                     ///< why, thrown after the next step's changes
   RoleSwitch role_switch_;
-  int followed_pair_ = -1;  ///< of the move that is meant
+  int followed_pair_ = -1;  ///< of the intended move
   bool move_is_done_ = false;
 };
 

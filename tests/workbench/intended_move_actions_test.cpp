@@ -1,30 +1,30 @@
-// The user's role and "I mean this move" in the whole window.
+// The user's role and the intended move in the whole window.
 #include <QListWidget>
 #include <QToolButton>
 
-#include "app/workbench/solve/meaning_desk.hpp"
+#include "app/workbench/solve/intended_move_desk.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/candidates/candidate_table.hpp"
-#include "widgets/meaning/meaning_popup.hpp"
+#include "widgets/intended/intended_move_popup.hpp"
 #include "widgets/settings/settings_panel.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 #include "widgets/timeline/transport_bar.hpp"
 
-namespace abrazo::app::meaning_actions_test {
+namespace abrazo::app::intended_move_actions_test {
 namespace {
 
-class MeaningActions : public DemoWindow {
+class IntendedMoveActions : public DemoWindow {
  protected:
   static void SetUpTestSuite() { showDemo({1400, 900}); }
-  static MeaningDesk& desk() { return *window().findChild<MeaningDesk*>(); }
+  static IntendedMoveDesk& desk() { return *window().findChild<IntendedMoveDesk*>(); }
   static FrameSnapshotPtr newest() { return window().session()->latest().newest(); }
 };
 
-TEST_F(MeaningActions, ADigitChoosesAndFromThenOnOnlyThatMoveIsSelected) {
+TEST_F(IntendedMoveActions, ADigitChoosesAndFromThenOnOnlyThatMoveIsSelected) {
   press(Qt::Key_W);
   ASSERT_TRUE(desk().popup().isVisible());
   ASSERT_FALSE(desk().popup().choices().empty());
-  const widgets::MeaningChoice first = desk().popup().choices().front();
+  const widgets::IntendedMoveChoice first = desk().popup().choices().front();
   EXPECT_FALSE(first.is_take()) << "moves come before takes";
   EXPECT_GE(first.distance_m, 0);
   QTest::keyClick(desk().popup().findChild<QListWidget*>(), Qt::Key_1);
@@ -32,7 +32,7 @@ TEST_F(MeaningActions, ADigitChoosesAndFromThenOnOnlyThatMoveIsSelected) {
   ASSERT_TRUE(window().candidates().steering().meant);
   EXPECT_EQ(window().candidates().steering().meant->label, first.label);
   EXPECT_TRUE(desk().chip().isVisible());
-  EXPECT_TRUE(desk().chip().text().startsWith("meaning: "));
+  EXPECT_TRUE(desk().chip().text().startsWith("intended: "));
   EXPECT_TRUE(until([] { return newest()->decisions && newest()->decisions->meant; }));
   const auto& library = *window().session()->material().library;
   const FrameSnapshotPtr frame = newest();
@@ -45,7 +45,7 @@ TEST_F(MeaningActions, ADigitChoosesAndFromThenOnOnlyThatMoveIsSelected) {
   EXPECT_TRUE(until([] { return !newest()->decisions || !newest()->decisions->meant; }));
 }
 
-TEST_F(MeaningActions, EscapeLeavesItAndUndoTakesItBack) {
+TEST_F(IntendedMoveActions, EscapeLeavesItAndUndoTakesItBack) {
   desk().offer();
   QTest::keyClick(desk().popup().findChild<QListWidget*>(), Qt::Key_Escape);
   EXPECT_FALSE(desk().popup().isVisible());
@@ -57,7 +57,7 @@ TEST_F(MeaningActions, EscapeLeavesItAndUndoTakesItBack) {
   EXPECT_FALSE(window().candidates().steering().meant);
 }
 
-TEST_F(MeaningActions, TheRoleIsSwitchedByKeyAndShown) {
+TEST_F(IntendedMoveActions, TheRoleIsSwitchedByKeyAndShown) {
   ASSERT_TRUE(window().transport().roleText().startsWith("user active"))
       << window().transport().roleText().toStdString();
   press(Qt::Key_U);
@@ -72,7 +72,7 @@ TEST_F(MeaningActions, TheRoleIsSwitchedByKeyAndShown) {
   EXPECT_TRUE(until([] { return newest()->settings.user_role == UserRole::Active; }));
 }
 
-TEST_F(MeaningActions, WhoDecidesAboutTheRoleIsChosenAndTheHandTakesItBack) {
+TEST_F(IntendedMoveActions, WhoDecidesAboutTheRoleIsChosenAndTheHandTakesItBack) {
   action("Role by who leads")->trigger();
   EXPECT_TRUE(
       until([] { return newest()->decisions && newest()->decisions->role_control == RoleControl::Leader; }));
@@ -84,4 +84,4 @@ TEST_F(MeaningActions, WhoDecidesAboutTheRoleIsChosenAndTheHandTakesItBack) {
 }
 
 }  // namespace
-}  // namespace abrazo::app::meaning_actions_test
+}  // namespace abrazo::app::intended_move_actions_test

@@ -1,4 +1,4 @@
-#include "app/workbench/solve/meaning_desk.hpp"
+#include "app/workbench/solve/intended_move_desk.hpp"
 
 #include <QToolButton>
 #include <algorithm>
@@ -9,13 +9,13 @@
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/utf8.hpp"
-#include "widgets/meaning/meaning_popup.hpp"
+#include "widgets/intended/intended_move_popup.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app {
 namespace {
 
-using widgets::MeaningChoice;
+using widgets::IntendedMoveChoice;
 
 constexpr int refresh_interval_ms = 300;
 constexpr double answered_within_s = 0.5;  // by then a frame has been solved under what was said
@@ -25,44 +25,44 @@ using widgets::text;
 
 }  // namespace
 
-MeaningDesk::MeaningDesk(MainWindow& window)
+IntendedMoveDesk::IntendedMoveDesk(MainWindow& window)
     : QObject(&window),
       m_window(window),
-      m_popup(new widgets::MeaningPopup(&window)),
+      m_popup(new widgets::IntendedMovePopup(&window)),
       m_chip(new QToolButton(&window.scene())) {
   m_popup->setColours(window.colours());
   m_chip->setObjectName("chip");
   m_chip->setFocusPolicy(Qt::NoFocus);
   m_chip->setToolTip("Only this is selected. A click cancels it (W)");
   m_chip->hide();
-  connect(m_chip, &QToolButton::clicked, this, &MeaningDesk::takeBack);
-  connect(m_popup, &widgets::MeaningPopup::chosen, this, &MeaningDesk::mean);
-  connect(&window, &MainWindow::coloursChanged, m_popup, &widgets::MeaningPopup::setColours);
-  connect(&window, &MainWindow::sessionEnding, m_popup, &widgets::MeaningPopup::leave);
-  connect(&window.ticker(), &FrameTicker::panelsDue, this, &MeaningDesk::onPanels);
+  connect(m_chip, &QToolButton::clicked, this, &IntendedMoveDesk::takeBack);
+  connect(m_popup, &widgets::IntendedMovePopup::chosen, this, &IntendedMoveDesk::declare);
+  connect(&window, &MainWindow::coloursChanged, m_popup, &widgets::IntendedMovePopup::setColours);
+  connect(&window, &MainWindow::sessionEnding, m_popup, &widgets::IntendedMovePopup::leave);
+  connect(&window.ticker(), &FrameTicker::panelsDue, this, &IntendedMoveDesk::onPanels);
   m_refresh.setInterval(refresh_interval_ms);
-  connect(&m_refresh, &QTimer::timeout, this, &MeaningDesk::refreshDistances);
+  connect(&m_refresh, &QTimer::timeout, this, &IntendedMoveDesk::refreshDistances);
   m_refresh.start();
 }
 
-void MeaningDesk::toggle() {
+void IntendedMoveDesk::toggle() {
   if (m_popup->isVisible()) return m_popup->leave();
   m_window.candidates().steering().meant ? takeBack() : offer();
 }
 
-void MeaningDesk::offer() {
+void IntendedMoveDesk::offer() {
   if (!m_window.session()) return m_window.messages().showInformation("Nothing is open yet");
   auto offered = choices();
   if (offered.empty())
-    return m_window.messages().showInformation("The library has nothing that could be meant");
+    return m_window.messages().showInformation("The library has no move or take to choose");
   m_popup->setChoices(std::move(offered));
   m_popup->openOver(m_window.scene());
 }
 
 /// Moves with the distance of their nearest pair; takes with that of their nearest candidate, if they have
 /// one.
-std::vector<MeaningChoice> MeaningDesk::choices() const {
-  std::vector<MeaningChoice> found;
+std::vector<IntendedMoveChoice> IntendedMoveDesk::choices() const {
+  std::vector<IntendedMoveChoice> found;
   for (const MeantChoice& choice : m_window.session()->engine().meant_choices())
     found.push_back({choice.label, {}, choice.pairs, choice.feature_distance});
   const MotionLibrary& library = *m_window.session()->material().library;
@@ -86,34 +86,34 @@ std::vector<MeaningChoice> MeaningDesk::choices() const {
 }
 
 /// Only the figures: rows that change places would take a digit for another move.
-void MeaningDesk::refreshDistances() {
+void IntendedMoveDesk::refreshDistances() {
   if (!m_popup->isVisible() || !m_window.session()) return;
   const auto fresh = choices();
   auto shown = m_popup->choices();
-  for (MeaningChoice& choice : shown)
-    for (const MeaningChoice& other : fresh)
+  for (IntendedMoveChoice& choice : shown)
+    for (const IntendedMoveChoice& other : fresh)
       if (other.label == choice.label && other.take == choice.take) choice.distance_m = other.distance_m;
   m_popup->setChoices(std::move(shown));
 }
 
-void MeaningDesk::mean(const MeaningChoice& choice, widgets::MeaningSpan span) {
+void IntendedMoveDesk::declare(const IntendedMoveChoice& choice, widgets::IntendedMoveSpan span) {
   m_since_s = m_window.session()->engine().clock().now_s();
   widgets::Steering next = m_window.candidates().steering();
   next.meant = widgets::meant_move(choice, span, m_since_s);
-  emit m_window.candidates().steeringRequested(next, "mean " + text(widgets::choice_title(choice)));
+  emit m_window.candidates().steeringRequested(next, "intend " + text(widgets::choice_title(choice)));
   showChip();
 }
 
-void MeaningDesk::takeBack() {
+void IntendedMoveDesk::takeBack() {
   widgets::Steering next = m_window.candidates().steering();
   if (!next.meant) return;
   next.meant.reset();
-  emit m_window.candidates().steeringRequested(next, "take back what was meant");
+  emit m_window.candidates().steeringRequested(next, "take back the intended move");
   showChip();
 }
 
 /// The solver ends it by itself when its time is over or the move is done.
-void MeaningDesk::onPanels() {
+void IntendedMoveDesk::onPanels() {
   const auto& steering = m_window.candidates().steering();
   const FrameSnapshotPtr newest =
       m_window.session() ? m_window.session()->engine().latest().newest() : nullptr;
@@ -126,11 +126,11 @@ void MeaningDesk::onPanels() {
   showChip();
 }
 
-void MeaningDesk::showChip() {
+void IntendedMoveDesk::showChip() {
   const auto& meant = m_window.candidates().steering().meant;
   m_chip->setVisible(meant.has_value());
   if (!meant) return;
-  const QString words = "meaning: " + text(widgets::meant_words(*meant)) + "  ✕";
+  const QString words = "intended: " + text(widgets::meant_words(*meant)) + "  ✕";
   if (words == m_chip->text()) return;
   m_chip->setText(words);
   m_chip->setAccessibleName("Take it back, " + words);

@@ -1,10 +1,10 @@
-#include "app/workbench/takes/session_labels.hpp"
+#include "core/annotation/session_labels.hpp"
 
 #include <algorithm>
 
 #include "core/annotation/annotated_library.hpp"
 
-namespace abrazo::app {
+namespace abrazo {
 
 PairedTake with_session_labels(PairedTake take, const Annotations& session, double began_s) {
   const int frames = static_cast<int>(take.a.poses.size());
@@ -29,4 +29,4 @@ PairedTake with_session_labels(PairedTake take, const Annotations& session, doub
   return take;
 }
 
-}  // namespace abrazo::app
+}  // namespace abrazo

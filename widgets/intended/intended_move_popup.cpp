@@ -1,4 +1,4 @@
-#include "widgets/meaning/meaning_popup.hpp"
+#include "widgets/intended/intended_move_popup.hpp"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -23,7 +23,7 @@ constexpr int choice_role = Qt::UserRole;
 /// Key, colour of the move, name, and how far away: as a number and as a bar.
 class ChoiceLook : public QStyledItemDelegate {
  public:
-  ChoiceLook(const std::vector<MeaningChoice>& shown, QObject* parent)
+  ChoiceLook(const std::vector<IntendedMoveChoice>& shown, QObject* parent)
       : QStyledItemDelegate(parent), choices(shown), palette(palette_of(Theme::Dark)) {}
 
   QSize sizeHint(const QStyleOptionViewItem&, const QModelIndex&) const override { return {200, row_height}; }
@@ -31,7 +31,7 @@ class ChoiceLook : public QStyledItemDelegate {
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& at) const override {
     const auto row = static_cast<std::size_t>(at.row());
     if (row >= choices.size()) return;
-    const MeaningChoice& choice = choices[row];
+    const IntendedMoveChoice& choice = choices[row];
     painter->setRenderHint(QPainter::Antialiasing);
     if (option.state & QStyle::State_Selected) painter->fillRect(option.rect, palette.accent);
     const bool chosen = option.state & QStyle::State_Selected;
@@ -64,7 +64,7 @@ class ChoiceLook : public QStyledItemDelegate {
     draw_tabular(*painter, area, Qt::AlignRight, text(distance_text(choice.distance_m)));
   }
 
-  const std::vector<MeaningChoice>& choices;
+  const std::vector<IntendedMoveChoice>& choices;
   Palette palette;
 };
 
@@ -75,15 +75,15 @@ int digit_of(const QKeyEvent& event) {
 
 }  // namespace
 
-MeaningPopup::MeaningPopup(QWidget* window) : QFrame(window), m_palette(palette_of(Theme::Dark)) {
-  setObjectName("meaning");
-  setAccessibleName("I mean this move");
+IntendedMovePopup::IntendedMovePopup(QWidget* window) : QFrame(window), m_palette(palette_of(Theme::Dark)) {
+  setObjectName("intendedMove");
+  setAccessibleName("Intended move");
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(1, 8, 1, 8);
   column->setSpacing(6);
   auto* head = new QHBoxLayout;
   head->setContentsMargins(12, 0, 12, 0);
-  auto* title = new QLabel("I mean", this);
+  auto* title = new QLabel("Intended move", this);
   title->setFont(interface_font(13, QFont::DemiBold));
   m_span = new QComboBox(this);
   m_span->addItems({"until I take it back", "until it is done", "for 5 s", "for 10 s"});
@@ -110,15 +110,15 @@ MeaningPopup::MeaningPopup(QWidget* window) : QFrame(window), m_palette(palette_
   hide();
 }
 
-void MeaningPopup::setColours(const Palette& palette) {
+void IntendedMovePopup::setColours(const Palette& palette) {
   m_palette = palette;
   static_cast<ChoiceLook*>(m_list->itemDelegate())->palette = palette;
-  setStyleSheet(QString("QFrame#meaning { background: %1; border: 1px solid %2; border-radius: 6px; }")
+  setStyleSheet(QString("QFrame#intendedMove { background: %1; border: 1px solid %2; border-radius: 6px; }")
                     .arg(palette.panel.name(), palette.secondary.name()));
   m_list->viewport()->update();
 }
 
-void MeaningPopup::openOver(const QWidget& widget) {
+void IntendedMovePopup::openOver(const QWidget& widget) {
   if (!isVisible()) m_before = window()->focusWidget();
   m_over = &widget;
   show();
@@ -127,13 +127,13 @@ void MeaningPopup::openOver(const QWidget& widget) {
   m_list->setFocus(Qt::PopupFocusReason);
 }
 
-void MeaningPopup::leave() {
+void IntendedMovePopup::leave() {
   if (!isVisible()) return;
   hide();
   if (m_before && m_before->isVisible()) m_before->setFocus(Qt::PopupFocusReason);
 }
 
-void MeaningPopup::arrange() {
+void IntendedMovePopup::arrange() {
   if (!m_over) return;
   const int rows = std::clamp(m_list->count(), 1, most_rows);
   m_list->setFixedHeight(rows * row_height + 2);
@@ -144,7 +144,7 @@ void MeaningPopup::arrange() {
   setGeometry(corner.x() + (m_over->width() - wide) / 2, y, wide, high);
 }
 
-void MeaningPopup::setChoices(std::vector<MeaningChoice> choices) {
+void IntendedMovePopup::setChoices(std::vector<IntendedMoveChoice> choices) {
   const int marked = m_list->currentRow();
   const std::string before = marked >= 0 && marked < static_cast<int>(m_choices.size())
                                  ? choice_title(m_choices[static_cast<std::size_t>(marked)])
@@ -154,7 +154,7 @@ void MeaningPopup::setChoices(std::vector<MeaningChoice> choices) {
   while (m_list->count() > static_cast<int>(m_choices.size())) delete m_list->takeItem(m_list->count() - 1);
   while (m_list->count() < static_cast<int>(m_choices.size())) m_list->addItem(new QListWidgetItem);
   int row = 0, keep = 0;
-  for (const MeaningChoice& choice : m_choices) {
+  for (const IntendedMoveChoice& choice : m_choices) {
     const std::string title = choice_title(choice);
     if (title == before) keep = row;
     const QString words =
@@ -168,22 +168,22 @@ void MeaningPopup::setChoices(std::vector<MeaningChoice> choices) {
   if (resized && isVisible()) arrange();
 }
 
-MeaningSpan MeaningPopup::span() const {
-  return static_cast<MeaningSpan>(m_span->currentIndex());
+IntendedMoveSpan IntendedMovePopup::span() const {
+  return static_cast<IntendedMoveSpan>(m_span->currentIndex());
 }
 
-void MeaningPopup::setSpan(MeaningSpan span) {
+void IntendedMovePopup::setSpan(IntendedMoveSpan span) {
   m_span->setCurrentIndex(static_cast<int>(span));
 }
 
-void MeaningPopup::choose(int row) {
+void IntendedMovePopup::choose(int row) {
   if (row < 0 || row >= static_cast<int>(m_choices.size())) return;
-  const MeaningChoice choice = m_choices[static_cast<std::size_t>(row)];
+  const IntendedMoveChoice choice = m_choices[static_cast<std::size_t>(row)];
   leave();
   emit chosen(choice, span());
 }
 
-bool MeaningPopup::eventFilter(QObject* watched, QEvent* event) {
+bool IntendedMovePopup::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() != QEvent::ShortcutOverride && event->type() != QEvent::KeyPress)
     return QFrame::eventFilter(watched, event);
   const auto& key = *static_cast<QKeyEvent*>(event);

@@ -5,7 +5,7 @@
 #include <QPointer>
 
 #include "widgets/common/palette.hpp"
-#include "widgets/meaning/meaning_choice.hpp"
+#include "widgets/intended/intended_move_choice.hpp"
 
 class QComboBox;
 class QLabel;
@@ -13,24 +13,24 @@ class QListWidget;
 
 namespace abrazo::widgets {
 
-/// "I mean this move": the moves and takes there are, nearest first, while a person decides. A click, Return
+/// The moves and takes that may be intended, nearest first, while a person decides. A click, Return
 /// or a digit chooses; Escape leaves it. Stays inside its window.
-class MeaningPopup : public QFrame {
+class IntendedMovePopup : public QFrame {
   Q_OBJECT
  public:
-  explicit MeaningPopup(QWidget* window);
+  explicit IntendedMovePopup(QWidget* window);
   void setColours(const Palette& palette);
   /// Opens it in the upper middle of another widget.
   void openOver(const QWidget& widget);
   void leave();
   /// In the order they are shown; the row that is marked stays the same choice.
-  void setChoices(std::vector<MeaningChoice> choices);
-  const std::vector<MeaningChoice>& choices() const { return m_choices; }
-  MeaningSpan span() const;
-  void setSpan(MeaningSpan span);
+  void setChoices(std::vector<IntendedMoveChoice> choices);
+  const std::vector<IntendedMoveChoice>& choices() const { return m_choices; }
+  IntendedMoveSpan span() const;
+  void setSpan(IntendedMoveSpan span);
 
  signals:
-  void chosen(const abrazo::widgets::MeaningChoice& choice, abrazo::widgets::MeaningSpan span);
+  void chosen(const abrazo::widgets::IntendedMoveChoice& choice, abrazo::widgets::IntendedMoveSpan span);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -40,7 +40,7 @@ class MeaningPopup : public QFrame {
   void arrange();
 
   Palette m_palette;
-  std::vector<MeaningChoice> m_choices;
+  std::vector<IntendedMoveChoice> m_choices;
   QListWidget* m_list;
   QComboBox* m_span;
   QLabel* m_hint;
@@ -50,5 +50,5 @@ class MeaningPopup : public QFrame {
 
 }  // namespace abrazo::widgets
 
-Q_DECLARE_METATYPE(abrazo::widgets::MeaningChoice)
-Q_DECLARE_METATYPE(abrazo::widgets::MeaningSpan)
+Q_DECLARE_METATYPE(abrazo::widgets::IntendedMoveChoice)
+Q_DECLARE_METATYPE(abrazo::widgets::IntendedMoveSpan)

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <QObject>
+
+#include "core/annotation/label_keys.hpp"
+
+class QKeyEvent;
+
+namespace abrazo::app {
+
+class AnnotationDesk;
+class MainWindow;
+
+/// Labelling by the keys of the vocabularies while the timeline has the focus: keys and time go to
+/// `LabelKeys`, and while the cursor stands to `say_at_cursor`; what they say becomes an edit of the desk.
+class LabelKeyFilter : public QObject {
+  Q_OBJECT
+ public:
+  LabelKeyFilter(MainWindow& window, AnnotationDesk& desk);
+
+  void setTaps(bool on);
+  /// A tier has a value of this key.
+  bool means(const QKeyEvent& event) const;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  const AnnotationTier* tierOf(char key) const;
+  LabelKeys::Moment now() const;
+  void press(char key);
+  void draw(const std::vector<LabelKeys::Said>& said);
+  void show();
+
+  MainWindow& m_window;
+  AnnotationDesk& m_desk;
+  LabelKeys m_keys;
+};
+
+}  // namespace abrazo::app

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <QObject>
+#include <functional>
+#include <map>
+#include <string>
+
+#include "core/annotation/label_edits.hpp"
+
+class QMenu;
+class QPoint;
+
+namespace abrazo::app {
+
+class AnnotationDesk;
+class MainWindow;
+
+/// What has to be asked before a label is edited: its value, in a picker at its lane, and what to do with it,
+/// in a menu.
+class LabelQuestions : public QObject {
+  Q_OBJECT
+ public:
+  LabelQuestions(MainWindow& window, AnnotationDesk& desk);
+
+  /// The value of a new label, between in and out, else from the cursor on.
+  void draw();
+  /// Another value of the selected label.
+  void ask();
+  /// Fills in the tiers that a label can be copied to.
+  void fillMenu(QMenu& menu);
+
+ private:
+  void askValue(int tier, double from_s, double to_s);
+  void openMenu(int tier, int annotation, double time_s, const QPoint& global);
+  void openPicker(const AnnotationTier& tier, const Annotations::Range& span, const QPoint& place,
+                  const QString& value, std::function<Result<LabelEdit>(const std::string&)> edit);
+
+  MainWindow& m_window;
+  AnnotationDesk& m_desk;
+  std::map<int, std::string> m_used;  ///< value used last, by tier
+};
+
+}  // namespace abrazo::app

@@ -1,0 +1,61 @@
+#include "core/annotation/library_updates.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace abrazo {
+
+namespace {
+
+bool is_same(const TakeAnnotation& a, const TakeAnnotation& b) {
+  const auto same_role = [](const RoleInterval& x, const RoleInterval& y) {
+    return x.start == y.start && x.end == y.end && x.active == y.active;
+  };
+  const auto same_label = [](const LabelInterval& x, const LabelInterval& y) {
+    return x.start == y.start && x.end == y.end && x.label == y.label && x.detail == y.detail &&
+           x.confidence == y.confidence;
+  };
+  return std::ranges::equal(a.roles, b.roles, same_role) &&
+         std::ranges::equal(a.labels, b.labels, same_label);
+}
+
+}  // namespace
+
+Result<bool> LibraryUpdates::put(const MotionLibrary& library, const std::string& take,
+                                 const Annotations& annotations) {
+  const int found = library.find_take(take);
+  if (found < 0) return false;
+  const LibraryTake& known = library.takes()[static_cast<std::size_t>(found)];
+  auto said = take_annotation(annotations, known.fps, known.frames);
+  if (!said) return said.error();
+  const auto waiting = waiting_.find(take), under_way = under_way_.find(take);
+  const TakeAnnotation last = waiting != waiting_.end()       ? waiting->second
+                              : under_way != under_way_.end() ? under_way->second
+                                                              : TakeAnnotation{known.roles, known.labels};
+  if (is_same(last, *said)) return false;
+  waiting_[take] = std::move(*said);
+  return true;
+}
+
+const LibraryUpdates::Takes& LibraryUpdates::begin() {
+  waiting_.merge(under_way_);
+  under_way_ = std::exchange(waiting_, {});
+  return under_way_;
+}
+
+void LibraryUpdates::forget() {
+  waiting_.clear();
+  under_way_.clear();
+}
+
+Result<std::shared_ptr<const MotionLibrary>> with_updates(std::shared_ptr<const MotionLibrary> library,
+                                                          const LibraryUpdates::Takes& takes) {
+  for (const auto& [take, annotation] : takes) {
+    auto next = with_annotation(*library, take, annotation);
+    if (!next) return next.error();
+    library = std::make_shared<const MotionLibrary>(std::move(next).value());
+  }
+  return library;
+}
+
+}  // namespace abrazo
