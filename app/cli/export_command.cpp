@@ -9,6 +9,7 @@
 #include "app/cli/text_lines.hpp"
 #include "core/base/json_text.hpp"
 #include "core/base/output_file.hpp"
+#include "core/opening/library_search.hpp"
 #include "core/session/export/exporting.hpp"
 
 namespace abrazo::app {
@@ -90,7 +91,8 @@ Status run_export(CommandLine& line, const ExportWords& words) {
     return usable;
   const auto file = open_session(line, words.session);
   if (!file) return file.error();
-  const auto source = export_of_file(*file, words.library);
+  const auto source =
+      export_of_file(*file, library_opener(*file, words.library, "; --library LIB says where it is"));
   auto exported = export_session(*source, *wish, terminal_progress(line));
   if (!exported) return exported.error();
   tell(line, words, *exported);

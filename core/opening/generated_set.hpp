@@ -1,13 +1,18 @@
 #pragma once
 
-#include "app/workbench/document/material.hpp"
+#include "core/base/progress.hpp"
+#include "core/opening/material.hpp"
 
-namespace abrazo::app {
+namespace abrazo {
 
 /// A minute of generated dance, and a leader whom the library has not seen.
-Result<Material> make_demo(const Progress& progress);
+Result<Material> generated_dance(const Progress& progress);
 
 /// A minute of generated sparring, and a fighter whom the library has not seen.
-Result<Material> make_fight(const Progress& progress);
+Result<Material> generated_fight(const Progress& progress);
 
-}  // namespace abrazo::app
+using GenerateMaterial = Result<Material> (*)(const Progress&);
+/// What generates the library of this name; null when it is none that can be generated.
+GenerateMaterial generated_of_name(const std::string& library);
+
+}  // namespace abrazo

@@ -1,35 +1,23 @@
-#include "app/workbench/document/recorded_session.hpp"
+#include "core/opening/library_search.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
-#include <iterator>
-#include <optional>
 
-#include "app/workbench/document/generated_material.hpp"
 #include "core/annotation/annotated_library.hpp"
+#include "core/library/build/motion_library_builder.hpp"
+#include "core/library/store/motion_library_file.hpp"
+#include "core/opening/file_kinds.hpp"
+#include "core/opening/generated_set.hpp"
+#include "core/opening/opened_session.hpp"
 #include "core/session/file/library_reference.hpp"
-#include "core/session/file/recorded_frames.hpp"
-#include "core/session/frames/frame_history.hpp"
 
-namespace abrazo::app {
+namespace abrazo {
 namespace {
 
 using LibraryPtr = std::shared_ptr<const MotionLibrary>;
-
-/// What the frames of the file were solved with last.
-Result<SessionLibrary> reference_of(const SessionContents& contents, const std::string& file) {
-  if (contents.libraries.empty()) return Error{"does not say which library it was solved with", file};
-  return contents.libraries.back();
-}
-
-/// The session's library and where it is from.
-struct Found {
-  LibraryPtr library;
-  std::string file;
-  std::vector<std::string> warnings;
-  /// As it was before takes of it were annotated in the window: earlier frames may be of that. Or null.
-  LibraryPtr before = nullptr;
-};
+using Use = DataReference::Use;
 
 /// With what a person said of its takes, as the window puts it in; null when there is nothing of that.
 LibraryPtr annotated(const LibraryPtr& library, const AnnotationBook& book) {
@@ -47,190 +35,226 @@ LibraryPtr annotated(const LibraryPtr& library, const AnnotationBook& book) {
   return done;
 }
 
-/// The library of the reference made of one that may be it: as it is, or with what was said of its takes.
-std::optional<Found> made_of(const Found& base, const SessionLibrary& reference, const AnnotationBook& book) {
-  if (check_session_library(reference, *base.library)) return base;
-  const LibraryPtr library = annotated(base.library, book);
-  if (!library || !check_session_library(reference, *library)) return std::nullopt;
-  return Found{library, base.file, base.warnings, base.library};
+bool was_a_file(const SessionLibrary& library) {
+  return !library.relative_path.empty() || !library.absolute_path.empty();
 }
 
-/// Another in its place.
-Found instead_of(const SessionLibrary& reference, Found other) {
-  const Status same = check_session_library(reference, *other.library);
-  if (!same)
-    other.warnings.push_back(same.error().text() +
-                             "; meshes and selected pairs of the recorded frames may be wrong");
-  return other;
+bool same(const SessionLibrary& a, const SessionLibrary& b) {
+  return a.fingerprint == b.fingerprint && a.pairs == b.pairs && a.absolute_path == b.absolute_path &&
+         a.relative_path == b.relative_path && a.name == b.name;
 }
 
-Result<Found> given_library(const SessionLibrary& reference, const std::string& given,
-                            const AnnotationBook& book, const Progress& progress) {
-  auto opened = load_material({given}, {}, progress);
-  if (!opened) return opened.error();
-  const Found base{opened->library, given, {}};
-  if (auto found = made_of(base, reference, book)) return *found;
-  return instead_of(reference, base);
-}
-
-/// Files that the recording names for a library of this name, the newest first. What takes of it were
-/// annotated with while it was recorded is a library that was no file.
-std::vector<std::string> session_files_of(const SessionContents& contents, const std::string& name,
-                                          const std::string& session) {
-  namespace fs = std::filesystem;
-  std::vector<std::string> files;
-  std::error_code ignored;
-  for (auto each = contents.libraries.rbegin(); each != contents.libraries.rend(); ++each) {
-    if (each->name != name) continue;
-    for (const fs::path& place :
-         {each->relative_path.empty() ? fs::path()
-                                      : fs::absolute(session).parent_path() / each->relative_path,
-          fs::path(each->absolute_path)}) {
-      const std::string file = place.lexically_normal().string();
-      if (!file.empty() && fs::exists(file, ignored) && std::ranges::find(files, file) == files.end())
-        files.push_back(file);
-    }
-  }
-  return files;
-}
-
-/// What may be the library, by its name: what is open, what the recording names, or what can be generated.
-std::vector<Found> of_that_name(const SessionContents& contents, const OpenedProject& project,
-                                const Material& open, const Progress& progress) {
-  const SessionLibrary& reference = contents.libraries.back();
-  std::vector<Found> bases;
-  const auto add = [&](const LibraryPtr& library, const std::string& file) {
-    if (library && library->name() == reference.name) bases.push_back({library, file, {}});
-  };
-  for (const std::string& file : session_files_of(contents, reference.name, project.file))
-    if (const auto read = load_material({file}, {}, progress)) add(read->library, file);
-  const bool was_a_file = std::ranges::any_of(contents.libraries, [&](const SessionLibrary& each) {
-    return each.name == reference.name && !(each.relative_path.empty() && each.absolute_path.empty());
-  });
-  if (was_a_file) return bases;
-  for (const auto make : {make_demo, make_fight})
-    if (const auto made = make(progress)) add(made->library, "");
-  add(open.library, open.library_file);  // built in the window and never saved, say
-  return bases;
-}
-
-double rate_of(const SessionContents& contents) {
-  double lasted_s = 0;
-  std::uint64_t frames = 0;
-  for (const SessionRun& run : contents.runs)
-    if (run.frames > 1) {
-      lasted_s += run.last_s - run.first_s;
-      frames += run.frames - 1;
-    }
-  return lasted_s > 0 ? static_cast<double>(frames) / lasted_s : 0;
-}
-
-}  // namespace
-
-Markers RecordedSession::markers() const {
-  Markers markers;
-  for (const SessionMarker& marker : contents.markers) markers.add(marker.time_s, marker.name);
-  return markers;
-}
-
-namespace {
-
-Error not_found(const SessionLibrary& reference, const std::string& file) {
-  if (reference.relative_path.empty() && reference.absolute_path.empty())
-    return {"was solved with the library \"" + reference.name +
-                "\", which was not saved as a file; open the session together with that library "
-                "(both files at once)",
-            file};
-  const auto opened = open_session_library(reference, file);
-  const Error why = opened ? Error{"its library has changed", file} : opened.error();
-  return {why.message + "; open the session together with its library (both files at once)", why.where};
-}
-
-/// The library that the frames were solved with; another one where that is all there is of its name, or where
-/// a person said that it will do.
-Result<Found> library_of(const SessionContents& contents, const OpenedProject& project,
-                         const std::string& given, const Material& open, const Progress& progress,
-                         bool may_be_another) {
-  const SessionLibrary& reference = contents.libraries.back();
-  const AnnotationBook& book = project.project().annotations;
-  if (!given.empty()) return given_library(reference, given, book, progress);
-  if (open.library)
-    if (auto found = made_of({open.library, open.library_file, {}}, reference, book)) return *found;
-  const std::vector<Found> bases = of_that_name(contents, project, open, progress);
-  for (const Found& base : bases)
-    if (auto found = made_of(base, reference, book)) return *found;
-  for (const auto use : {DataReference::Use::Library, DataReference::Use::Manifest})
-    if (const std::string place = project.place_of(use); !place.empty())
-      return given_library(reference, place, book, progress);
-  if (!bases.empty()) return instead_of(reference, bases.front());
-  if (!may_be_another) return not_found(reference, project.file);
-  auto demo = make_demo(progress);
-  if (!demo) return demo.error();
-  return Found{demo->library,
-               "",
-               {"its library '" + reference.name +
-                "' is not there: the generated dance stands in for it; the "
-                "bodies are as recorded, meshes and selected pairs of the recorded frames are wrong"}};
-}
-
-Result<Material> load_recorded(const std::shared_ptr<const SessionFile>& session,
-                               const OpenedProject& project, const std::string& library, const Material& open,
-                               const Progress& progress, bool may_be_another) {
-  const std::string& file = project.file;
-  const SessionContents& contents = session->contents();
-  const auto reference = reference_of(contents, file);
-  if (!reference) return reference.error();
-  auto found = library_of(contents, project, library, open, progress, may_be_another);
-  if (!found) return found.error();
-  auto frames = RecordedFrames::open(file, found->library);
-  if (!frames) return frames.error();
-  if (found->before) (*frames)->add_library(found->before);
-  // Timeline and plots ask for it as soon as it is open, on the window's thread: then it is there.
-  const FrameStore::Span span = (*frames)->span();
-  report(progress, 0.8, "Reading the recorded frames");
-  (*frames)->between(span.first_index, span.last_index, FrameHistory::overview_frames);
-  auto recorded = std::make_shared<RecordedSession>();
-  recorded->file = file;
-  recorded->frames = *frames;
-  recorded->contents = contents;
+Result<Material> built_from(const Manifest& manifest, const Progress& progress) {
   Material material;
-  material.library = found->library;
-  material.library_file = found->file;
-  material.excluded_takes = reference->excluded_takes;
-  material.input.name = std::filesystem::path(file).stem().string();
-  material.input.fps = rate_of(contents);
-  material.warnings = session->recovery();
-  const auto& damage = project.reading.damage;
-  std::ranges::copy_if(damage, std::back_inserter(material.warnings), [&](const std::string& sentence) {
-    return std::ranges::find(session->recovery(), sentence) == session->recovery().end();
-  });
-  material.warnings.insert(material.warnings.end(), found->warnings.begin(), found->warnings.end());
-  material.recorded = std::move(recorded);
+  auto library = build_library(manifest, {}, progress, material.warnings);
+  if (!library) return library.error();
+  material.library = std::make_shared<const MotionLibrary>(std::move(*library));
+  return material;
+}
+
+Result<Material> built_again(const OpenedProject& project, const Progress& progress) {
+  auto manifest = kept_manifest(project);
+  if (!manifest) return manifest.error();
+  auto material = built_from(*manifest, progress);
+  if (material) material->manifest = std::make_shared<const Manifest>(std::move(*manifest));
+  return material;
+}
+
+Result<Material> read_from(const std::string& file, const Progress& progress) {
+  if (kind_of_file(file) == FileKind::Manifest) {
+    const auto manifest = read_manifest(file);
+    return manifest ? built_from(*manifest, progress) : Result<Material>(manifest.error());
+  }
+  auto library = read_library(file);
+  if (!library) return library.error();
+  Material material;
+  material.library = std::make_shared<const MotionLibrary>(std::move(*library));
   return material;
 }
 
 }  // namespace
 
-Result<Material> load_session(const std::string& file, const std::string& library, const Material& open,
-                              const Progress& progress, const Places& places) {
+Result<Material> open_library(const std::string& file, const Progress& progress) {
   report(progress, 0, "Opening " + std::filesystem::path(file).filename().string());
-  auto project = open_project(file, places);
-  if (!project) return project.error();
-  std::error_code ignored;
-  std::shared_ptr<const SessionFile> session;
-  if (!(*project)->file.empty() && std::filesystem::exists((*project)->file, ignored)) {
-    auto opened = SessionFile::open((*project)->file);
-    if (!opened) return opened.error();
-    session = *opened;
-  }
-  auto material = session && session->contents().frames > 0
-                      ? load_recorded(session, **project, library, open, progress, !places.empty())
-                  : (*project)->reading.is_saved
-                      ? material_of(**project, progress)
-                      : Result<Material>(Error{"has no frames: nothing was recorded into it", file});
-  if (!material) return material.error();
-  material->project = *project;
+  auto material = read_from(file, progress);
+  if (!material) return material;
+  if (material->library->pair_count() == 0)
+    return Error{"has no pairs; open one with at least one take", file};
+  material->library_file = file;
   return material;
 }
 
-}  // namespace abrazo::app
+/// Where it may be.
+struct LibrarySearch::Place {
+  /// Whether what is there will do where nothing has the content of the reference.
+  enum class Otherwise { No, IfOfThatName, Yes };
+  std::function<Result<Material>(const Progress&)> open;
+  Otherwise otherwise = Otherwise::IfOfThatName;
+};
+
+std::vector<LibrarySearch::Place> LibrarySearch::places(const SessionLibrary* reference) const {
+  using Otherwise = Place::Otherwise;
+  std::vector<Place> places;
+  std::vector<std::string> files;
+  const auto add_file = [&](const std::string& file, Otherwise otherwise) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored) || std::ranges::find(files, file) != files.end()) return;
+    files.push_back(file);
+    places.push_back({[file](const Progress& progress) { return open_library(file, progress); }, otherwise});
+  };
+  const Project& project = clues_.project->project();
+  const std::string name = reference ? reference->name : project.library;
+  const bool named_a_file = reference && std::ranges::any_of(clues_.references, [&](const auto& each) {
+                              return each.name == name && was_a_file(each);
+                            });
+  if (reference && clues_.open.library)
+    places.push_back({[this](const Progress&) { return clues_.open; },
+                      named_a_file ? Otherwise::No : Otherwise::IfOfThatName});
+  // The newest first. What takes of it were annotated with while it was recorded is a library that was no
+  // file.
+  for (auto each = clues_.references.rbegin(); reference && each != clues_.references.rend(); ++each)
+    if (each->name == name)
+      for (const std::string& file : places_of(*each, clues_.session))
+        add_file(file, Otherwise::IfOfThatName);
+  for (const Use use : {Use::Library, Use::Manifest})
+    if (const std::string file = clues_.project->place_of(use); !file.empty()) add_file(file, Otherwise::Yes);
+  if (!project.manifest.empty())
+    places.push_back({[this](const Progress& progress) { return built_again(*clues_.project, progress); },
+                      Otherwise::Yes});
+  if (const auto generate = generated_of_name(name); generate && !named_a_file) places.push_back({generate});
+  return places;
+}
+
+/// The library of the reference made of one that may be it: as it is, or with what was said of its takes.
+FoundLibrary LibrarySearch::made_of(Material base, const SessionLibrary* reference) const {
+  FoundLibrary found{std::move(base), nullptr, Done{}};
+  if (!reference) return found;
+  found.fits = check_session_library(*reference, *found.material.library);
+  if (found.fits) return found;
+  const LibraryPtr library = annotated(found.material.library, clues_.project->project().annotations);
+  if (!library || !check_session_library(*reference, *library)) return found;
+  found.fits = Done{};
+  found.before = std::exchange(found.material.library, library);
+  return found;
+}
+
+Error LibrarySearch::not_found(const SessionLibrary* reference) const {
+  const OpenedProject& project = *clues_.project;
+  for (const std::size_t index : project.missing())
+    if (!reference && is_of_library(project.project().data[index].use))
+      return {std::filesystem::path(project.project().data[index].absolute_path).filename().string() +
+                  " is not there",
+              clues_.session};
+  if (!reference)
+    return {fmt::format("its library \"{}\" was not saved as a file", project.project().library),
+            clues_.session};
+  if (!was_a_file(*reference))
+    return {fmt::format("was solved with the library \"{}\", which was not a file", reference->name),
+            clues_.session};
+  return {
+      fmt::format("its library \"{}\" was looked for as {} and is not there; put it beside the session file",
+                  reference->name, fmt::join(places_of(*reference, clues_.session), " and ")),
+      clues_.session};
+}
+
+Result<FoundLibrary> LibrarySearch::search(const SessionLibrary* reference, const Progress& progress) const {
+  std::optional<FoundLibrary> other;
+  std::optional<Error> trouble;
+  for (const Place& place : places(reference)) {
+    auto base = place.open(progress);
+    if (!base) {
+      if (!trouble) trouble = base.error();
+      continue;
+    }
+    FoundLibrary found = made_of(std::move(*base), reference);
+    if (found.fits) return found;
+    const bool will_do =
+        place.otherwise == Place::Otherwise::Yes || (place.otherwise == Place::Otherwise::IfOfThatName &&
+                                                     found.material.library->name() == reference->name);
+    if (!other && will_do) other = std::move(found);
+  }
+  if (other) return *std::move(other);
+  return trouble ? *trouble : not_found(reference);
+}
+
+Result<FoundLibrary> LibrarySearch::find(const SessionLibrary* reference, const Progress& progress) {
+  if (last_ && reference == last_reference_) return *last_;
+  if (!clues_.given.empty() && !given_) {
+    auto given = open_library(clues_.given, progress);
+    if (!given) return given.error();
+    given_ = std::move(*given);
+  }
+  auto found = given_ ? Result<FoundLibrary>(made_of(*given_, reference)) : search(reference, progress);
+  if (!found) return found;
+  last_ = *found;
+  last_reference_ = reference;
+  return found;
+}
+
+Result<std::vector<LibraryPtr>> LibrarySearch::all(std::vector<std::string>& warnings,
+                                                   const Progress& progress) {
+  std::vector<LibraryPtr> libraries;
+  const auto& references = clues_.references;
+  bool given_fits = references.empty();
+  if (!clues_.given.empty()) {
+    auto given = open_library(clues_.given, progress);
+    if (!given) return given.error();
+    given_ = std::move(*given);
+  }
+  for (auto reference = references.begin(); reference != references.end(); ++reference) {
+    if (std::any_of(references.begin(), reference, [&](const auto& one) { return same(one, *reference); }))
+      continue;
+    if (given_ && made_of(*given_, &*reference).fits) {
+      given_fits = true;
+      continue;
+    }
+    const auto found = search(&*reference, progress);
+    const Status there = found ? found->fits : Status(found.error());
+    if (there)
+      libraries.push_back(found->material.library);
+    else
+      warnings.push_back(there.error().text() + "; frames solved with it have no mesh");
+  }
+  if (given_ && !given_fits)
+    warnings.push_back(check_session_library(references.back(), *given_->library).error().text() +
+                       "; meshes may be wrong");
+  if (given_) libraries.push_back(given_->library);
+  return libraries;
+}
+
+LibraryOpener library_opener(std::shared_ptr<const SessionFile> file, const std::string& given,
+                             const std::string& hint) {
+  struct Lazy {
+    std::optional<LibrarySearch> search;
+  };
+  return [file = std::move(file), given, hint,
+          lazy = std::make_shared<Lazy>()](const SessionLibrary* reference) -> Result<LibraryAtHand> {
+    if (!reference && given.empty())
+      return Error{"does not say which library it was solved with" + hint, file->path()};
+    if (!lazy->search) {
+      auto clues = library_clues(*file, given);
+      if (!clues) return clues.error();
+      lazy->search.emplace(std::move(*clues));
+    }
+    const auto found = lazy->search->find(reference);
+    if (!found)
+      return given.empty() ? Error{found.error().message + hint, found.error().where} : found.error();
+    const Material& material = found->material;
+    if (!found->fits)
+      return Error{found->fits.error().message + (given.empty() ? hint : ""),
+                   material.library_file.empty() ? material.library->name() : material.library_file};
+    return LibraryAtHand{material.library, given.empty() ? reference->name : given};
+  };
+}
+
+Result<LibraryClues> library_clues(const SessionFile& file, const std::string& given) {
+  auto project = file.project();
+  if (!project) return project.error();
+  return LibraryClues{file.path(),
+                      file.contents().libraries,
+                      std::make_shared<const OpenedProject>(located(file.path(), std::move(*project))),
+                      given,
+                      {}};
+}
+
+}  // namespace abrazo

@@ -1,36 +1,59 @@
-#include "app/workbench/document/project_opening.hpp"
+#include "core/opening/opened_session.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
+#include <functional>
 
-#include "app/workbench/base/user_settings.hpp"
-#include "app/workbench/document/generated_material.hpp"
-
-namespace abrazo::app {
+namespace abrazo {
 namespace {
 
 namespace fs = std::filesystem;
 using Use = DataReference::Use;
 
-/// What is written there by Autosave belongs to another file, which it names. Anywhere else a file is what it
-/// is: one from a stranger must not choose what "Save" writes to.
-bool is_in_autosave_folder(const std::string& file) {
+bool lies_in(const std::string& file, const std::string& folder) {
   std::error_code failure;
-  const fs::path folder = fs::path(UserSettings().folder().toStdString()) / "autosave";
-  return fs::equivalent(fs::absolute(file, failure).parent_path(), folder, failure);
+  return !folder.empty() && fs::equivalent(fs::absolute(file, failure).parent_path(), folder, failure);
 }
 
-void warn_of(const OpenedProject& opened, std::vector<std::string>& warnings) {
-  const auto& damage = opened.reading.damage;
-  warnings.insert(warnings.end(), damage.begin(), damage.end());
-  for (std::size_t i = 0; i < opened.found.size(); ++i) {
-    const DataReference& data = opened.project().data[i];
-    const std::string name = fs::path(data.absolute_path).filename().string();
-    if (opened.found[i].state == FoundData::State::Changed)
-      warnings.push_back(name + " has other content than when the session was saved");
-    if (opened.found[i].state == FoundData::State::Missing)
-      warnings.push_back(name + " is not there: " + without(data.use));
+FoundData found_now(const DataReference& data, const std::string& session, const std::string* place) {
+  if (!place) return find_data(data, session);
+  DataReference moved = data;
+  moved.relative_path.clear();
+  moved.absolute_path = *place;
+  return find_data(moved, {});
+}
+
+std::vector<FoundData> found_now(const OpenedProject& project, const Places& places) {
+  std::vector<FoundData> found;
+  for (std::size_t i = 0; i < project.project().data.size(); ++i) {
+    const auto place = places.find(i);
+    found.push_back(
+        found_now(project.project().data[i], project.file, place == places.end() ? nullptr : &place->second));
   }
+  return found;
+}
+
+/// Calls `visit` on every path of a manifest; a joint map may be a built-in one, which is no file.
+void each_file(Manifest& manifest, const std::function<void(fs::path&)>& visit) {
+  for (Manifest::Take& take : manifest.takes) {
+    for (Manifest::Performer* performer : {&take.a, &take.b}) {
+      visit(performer->motion);
+      visit(performer->skeleton);
+      fs::path joint_map = performer->joint_map;
+      if (!joint_map.has_parent_path()) continue;
+      visit(joint_map);
+      performer->joint_map = joint_map.string();
+    }
+    visit(take.labels);
+    visit(take.roles_file);
+  }
+}
+
+std::string whole(const fs::path& path) {
+  std::error_code ignored;
+  return fs::absolute(path, ignored).lexically_normal().string();
 }
 
 }  // namespace
@@ -48,31 +71,50 @@ std::vector<std::size_t> OpenedProject::missing() const {
   return indices;
 }
 
-Result<std::shared_ptr<const OpenedProject>> open_project(const std::string& file, const Places& places) {
-  auto reading = read_project(file);
-  if (!reading) return reading.error();
-  auto opened = std::make_shared<OpenedProject>();
-  opened->file = file;
-  opened->reading = std::move(*reading);
-  auto& view = opened->reading.project.view;
-  if (const auto of = view.find(autosaved_key); of != view.end() && is_in_autosave_folder(file)) {
-    opened->autosave = file;
-    opened->file = of->second;
+OpenedProject located(const std::string& file, ProjectReading reading, const Places& places,
+                      const std::string& autosaves) {
+  OpenedProject opened;
+  opened.file = file;
+  opened.reading = std::move(reading);
+  auto& view = opened.reading.project.view;
+  if (const auto of = view.find(autosaved_key); of != view.end() && lies_in(file, autosaves)) {
+    opened.autosave = file;
+    opened.file = of->second;
   }
   view.erase(autosaved_key);
-  std::size_t index = 0;
-  for (const DataReference& data : opened->project().data) {
-    const auto place = places.find(index++);
-    if (place == places.end()) {
-      opened->found.push_back(find_data(data, opened->file));
-    } else {
-      DataReference moved = data;
-      moved.relative_path.clear();
-      moved.absolute_path = place->second;
-      opened->found.push_back(find_data(moved, {}));
-    }
-  }
-  return std::shared_ptr<const OpenedProject>(std::move(opened));
+  opened.found = found_now(opened, places);
+  return opened;
+}
+
+std::vector<std::string> OpenedSession::damage() const {
+  std::vector<std::string> sentences = recording.recovery;
+  for (const std::string& sentence : project->reading.damage)
+    if (std::ranges::find(sentences, sentence) == sentences.end()) sentences.push_back(sentence);
+  return sentences;
+}
+
+Result<OpenedSession> open_session(const std::string& file, const std::string& autosaves) {
+  auto read = read_session(file);
+  if (!read) return read.error();
+  OpenedSession session;
+  session.project = std::make_shared<const OpenedProject>(located(file, read->project, {}, autosaves));
+  session.recording = std::move(*read);
+  if (session.project->autosave.empty()) return session;
+  const std::string& own = session.project->file;
+  session.recording = {};
+  std::error_code ignored;
+  if (own.empty() || !fs::exists(own, ignored)) return session;
+  auto recording = read_session(own);
+  if (!recording) return recording.error();
+  session.recording = std::move(*recording);
+  return session;
+}
+
+OpenedSession with_places(OpenedSession session, const Places& places) {
+  OpenedProject project = *session.project;
+  project.found = found_now(project, places);
+  session.project = std::make_shared<const OpenedProject>(std::move(project));
+  return session;
 }
 
 std::string without(Use use) {
@@ -80,6 +122,9 @@ std::string without(Use use) {
     case Use::Library:
     case Use::Manifest:
       return "the generated dance answers in its place; annotations of takes are kept, but not shown";
+    case Use::Take:
+      return "the library cannot be built again: the generated dance answers in its place; annotations of "
+             "takes are kept, but not shown";
     case Use::Motion:
       return "a take of the library plays the user";
     case Use::Skeleton:
@@ -93,32 +138,46 @@ std::string without(Use use) {
   return {};
 }
 
-Result<Material> material_of(const OpenedProject& opened, const Progress& progress) {
+std::vector<std::string> files_of(const Manifest& manifest) {
   std::vector<std::string> files;
-  for (const Use use : {Use::Library, Use::Manifest}) {
-    const std::string place = opened.place_of(use);
-    if (!place.empty() && files.empty()) files.push_back(place);
-  }
-  const bool has_library = !files.empty();
-  const std::string motion = opened.place_of(Use::Motion);
-  const auto is_missing = [&](std::size_t i) {
-    const Use use = opened.project().data[i].use;
-    return use == Use::Skeleton || use == Use::JointMap;
-  };
-  if (!motion.empty() && std::ranges::none_of(opened.missing(), is_missing)) {
-    files.push_back(motion);
-    for (const Use use : {Use::Skeleton, Use::JointMap})
-      if (const std::string place = opened.place_of(use); !place.empty()) files.push_back(place);
-  }
-  auto material = files.empty() ? make_demo(progress) : load_material(files, {}, progress);
-  if (!material) return material.error();
-  if (has_library && !opened.project().input.empty()) {
-    const auto& takes = material->library->takes();
-    const auto take = std::ranges::find(takes, opened.project().input, &LibraryTake::name);
-    if (take != takes.end()) material = danced_with(*material, static_cast<int>(take - takes.begin()));
-  }
-  warn_of(opened, material->warnings);
-  return material;
+  Manifest copy = manifest;
+  each_file(copy, [&](const fs::path& path) {
+    if (path.empty() || std::ranges::find(files, whole(path)) != files.end()) return;
+    files.push_back(whole(path));
+  });
+  return files;
 }
 
-}  // namespace abrazo::app
+std::string whole_manifest_json(const Manifest& manifest) {
+  return manifest_json(manifest, "/");
+}
+
+Result<Manifest> kept_manifest(const OpenedProject& opened) {
+  const Project& project = opened.project();
+  if (project.manifest.empty()) return Error{"keeps no manifest of its library", opened.file};
+  auto manifest =
+      parse_manifest(project.manifest, "/manifest of " + fs::path(opened.file).filename().string());
+  if (!manifest) return manifest;
+  std::vector<std::string> missing;
+  each_file(*manifest, [&](fs::path& path) {
+    if (path.empty()) return;
+    const std::string file = whole(path);
+    for (std::size_t i = 0; i < project.data.size(); ++i) {
+      if (project.data[i].use != Use::Take || project.data[i].absolute_path != file) continue;
+      if (!opened.found[i].path.empty())
+        path = opened.found[i].path;
+      else if (std::ranges::find(missing, file) == missing.end())
+        missing.push_back(file);
+    }
+  });
+  if (missing.empty()) return manifest;
+  return Error{fmt::format("its library \"{}\" cannot be built again: {} {} not there", manifest->name,
+                           fmt::join(missing, ", "), missing.size() == 1 ? "is" : "are"),
+               opened.file};
+}
+
+bool is_of_library(Use use) {
+  return use == Use::Library || use == Use::Manifest || use == Use::Take;
+}
+
+}  // namespace abrazo

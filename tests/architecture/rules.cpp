@@ -153,6 +153,9 @@ const std::map<std::string, std::set<std::string>>& core_table() {
       {"session",
        {"base", "motion", "mesh", "library", "selection", "retarget", "synthesis", "stream", "video",
         "annotation"}},
+      {"opening",
+       {"base", "motion", "mesh", "library", "selection", "retarget", "synthesis", "stream", "video",
+        "annotation", "choreography", "session"}},
   };
   return table;
 }

@@ -4,7 +4,6 @@
 #include <QUndoCommand>
 #include <algorithm>
 
-#include "app/workbench/document/recorded_session.hpp"
 #include "app/workbench/library/library_feed.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
@@ -207,6 +206,13 @@ void AnnotationDesk::showSubject(const std::string& subject) {
     return;
   }
   const std::string before = m_subject;
+  if (const auto of = library(); of && !subject.empty() && of->find_take(subject) < 0) {
+    show();  // the list goes back to what is shown
+    return m_window.messages().showError(
+        QString("%1: the library %2 has no such take. What was said of it is kept with the session: open the "
+                "session together with its library (both files at once)")
+            .arg(QString::fromStdString(subject), QString::fromStdString(of->name())));
+  }
   const Status shown = m_stage->show(before, subject);
   if (!shown) return m_window.messages().showError(QString::fromStdString(shown.error().text()));
   m_subject = subject;
@@ -304,10 +310,12 @@ void AnnotationDesk::show() {
   const bool open = isOpen();
   timeline.showAnnotations(open ? annotations() : Annotations(), {m_conflict, whole, fps()});
   timeline.showChosen(open ? m_activeTier : 0, m_selected);
-  QStringList takes;
-  if (const auto of = library())
+  QStringList takes, absent;
+  if (const auto of = library()) {
     for (const LibraryTake& take : of->takes()) takes << QString::fromStdString(take.name);
-  m_panel->showSubjects(takes, QString::fromStdString(m_subject));
+    for (const auto& [take, count] : annotated_elsewhere(m_book, *of)) absent << QString::fromStdString(take);
+  }
+  m_panel->showSubjects(takes, absent, QString::fromStdString(m_subject));
   std::set<std::string> hidden;
   for (const widgets::TierLane& lane : timeline.lanes().tiers())
     if (!timeline.lanes().is_shown(lane)) hidden.insert(lane.name);
