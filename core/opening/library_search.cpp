@@ -35,6 +35,16 @@ LibraryPtr annotated(const LibraryPtr& library, const AnnotationBook& book) {
   return done;
 }
 
+/// Of what is open the library alone, and where it is from.
+Material library_of(const Material& open) {
+  Material material;
+  material.library = open.library;
+  material.library_file = open.library_file;
+  material.manifest = open.manifest;
+  material.is_generated = open.is_generated;
+  return material;
+}
+
 bool was_a_file(const SessionLibrary& library) {
   return !library.relative_path.empty() || !library.absolute_path.empty();
 }
@@ -108,7 +118,7 @@ std::vector<LibrarySearch::Place> LibrarySearch::places(const SessionLibrary* re
                               return each.name == name && was_a_file(each);
                             });
   if (reference && clues_.open.library)
-    places.push_back({[this](const Progress&) { return clues_.open; },
+    places.push_back({[this](const Progress&) { return library_of(clues_.open); },
                       named_a_file ? Otherwise::No : Otherwise::IfOfThatName});
   // The newest first. What takes of it were annotated with while it was recorded is a library that was no
   // file.
@@ -116,11 +126,14 @@ std::vector<LibrarySearch::Place> LibrarySearch::places(const SessionLibrary* re
     if (each->name == name)
       for (const std::string& file : places_of(*each, clues_.session))
         add_file(file, Otherwise::IfOfThatName);
+  // The project's is the one that was used last.
+  const bool is_last = !reference || clues_.references.empty() || clues_.references.back().name == name;
+  const Otherwise of_project = is_last ? Otherwise::Yes : Otherwise::IfOfThatName;
   for (const Use use : {Use::Library, Use::Manifest})
-    if (const std::string file = clues_.project->place_of(use); !file.empty()) add_file(file, Otherwise::Yes);
+    if (const std::string file = clues_.project->place_of(use); !file.empty()) add_file(file, of_project);
   if (!project.manifest.empty())
-    places.push_back({[this](const Progress& progress) { return built_again(*clues_.project, progress); },
-                      Otherwise::Yes});
+    places.push_back(
+        {[this](const Progress& progress) { return built_again(*clues_.project, progress); }, of_project});
   if (const auto generate = generated_of_name(name); generate && !named_a_file) places.push_back({generate});
   return places;
 }

@@ -42,7 +42,7 @@ Result<FoundLibrary> stand_in(const Error& why, const Progress& progress) {
   return FoundLibrary{std::move(*dance), nullptr, Done{}};
 }
 
-Result<FoundLibrary> library_of(const OpenedSession& session, const SessionWish& wish,
+Result<FoundLibrary> library_for(const OpenedSession& session, const SessionWish& wish,
                                 const Progress& progress) {
   const bool has_frames = session.has_frames();
   const auto& references = session.recording.contents.libraries;
@@ -126,7 +126,7 @@ Result<Material> material_of(const OpenedSession& session, const SessionWish& wi
     return Error{"has no frames: nothing was recorded into it", project.file};
   if (has_frames && session.recording.contents.libraries.empty())
     return Error{"does not say which library it was solved with", project.file};
-  auto found = library_of(session, wish, progress);
+  auto found = library_for(session, wish, progress);
   if (!found) return found.error();
   Material material = found->material;
   const Status added =

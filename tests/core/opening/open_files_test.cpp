@@ -75,7 +75,7 @@ TEST_F(OpenFiles, AJointMapThatWasRememberedIsTriedWhereNoneFits) {
   ASSERT_TRUE(unmapped);
   JointMap map = builtin_joint_maps().front();
   map.name = "arm";
-  for (JointRule& rule : map.joints) rule.terms = {{unmapped->points.front(), 1.0}};
+  for (auto& rules : map.rules) rules = {JointRule{{{unmapped->points.front(), 1.0}}}};
   const auto kept = remember_map(map, file("maps"));
   ASSERT_TRUE(kept) << kept.error().text();
   EXPECT_EQ(motion_to_map({arm}, file("maps")), nullptr);

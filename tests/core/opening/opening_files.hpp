@@ -4,6 +4,7 @@
 #include <memory>
 #include <string>
 
+#include "core/annotation/annotated_library.hpp"
 #include "core/choreography/demo_set.hpp"
 #include "core/library/build/motion_library_builder.hpp"
 #include "core/library/store/motion_library_file.hpp"
