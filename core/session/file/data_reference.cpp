@@ -18,7 +18,7 @@ constexpr std::uint64_t whole_up_to = std::uint64_t{64} << 20;
 constexpr std::uint64_t sample_bytes = std::uint64_t{4} << 20;
 
 constexpr std::array<std::string_view, 8> use_texts = {"library", "manifest",   "motion",    "skeleton",
-                                                       "video",   "intrinsics", "joint map", "take"};
+                                                       "video",   "intrinsics", "joint map", "take file"};
 
 /// Mixes 8 bytes at a time: 64 MiB in some 30 ms.
 class ContentHash {
