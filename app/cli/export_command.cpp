@@ -56,7 +56,7 @@ Result<ExportWish> wish_of(const ExportWords& words) {
 }
 
 /// Opens a session file; what a crash did to it, or that it is still being recorded, is said as a warning.
-Result<std::shared_ptr<const SessionFile>> open_session(CommandLine& line, const std::string& path) {
+Result<std::shared_ptr<const SessionFile>> file_of(CommandLine& line, const std::string& path) {
   auto file = SessionFile::open(path);
   if (!file) return file.error();
   for (const std::string& sentence : (*file)->recovery()) warn(line, path + ": " + sentence);
@@ -89,7 +89,7 @@ Status run_export(CommandLine& line, const ExportWords& words) {
   if (const Status checked = check_export(*wish); !checked) return checked;
   if (const Status usable = check_output(wish->output, {words.session, words.library}); !usable)
     return usable;
-  const auto file = open_session(line, words.session);
+  const auto file = file_of(line, words.session);
   if (!file) return file.error();
   const auto source =
       export_of_file(*file, library_opener(*file, words.library, "; --library LIB says where it is"));
