@@ -9,6 +9,7 @@
 #include "app/cli/text_lines.hpp"
 #include "core/base/json_text.hpp"
 #include "core/base/output_file.hpp"
+#include "core/opening/library_search.hpp"
 #include "core/session/export/exporting.hpp"
 
 namespace abrazo::app {
@@ -55,7 +56,7 @@ Result<ExportWish> wish_of(const ExportWords& words) {
 }
 
 /// Opens a session file; what a crash did to it, or that it is still being recorded, is said as a warning.
-Result<std::shared_ptr<const SessionFile>> open_session(CommandLine& line, const std::string& path) {
+Result<std::shared_ptr<const SessionFile>> file_of(CommandLine& line, const std::string& path) {
   auto file = SessionFile::open(path);
   if (!file) return file.error();
   for (const std::string& sentence : (*file)->recovery()) warn(line, path + ": " + sentence);
@@ -88,9 +89,10 @@ Status run_export(CommandLine& line, const ExportWords& words) {
   if (const Status checked = check_export(*wish); !checked) return checked;
   if (const Status usable = check_output(wish->output, {words.session, words.library}); !usable)
     return usable;
-  const auto file = open_session(line, words.session);
+  const auto file = file_of(line, words.session);
   if (!file) return file.error();
-  const auto source = export_of_file(*file, words.library);
+  const auto source =
+      export_of_file(*file, library_opener(*file, words.library, "; --library LIB says where it is"));
   auto exported = export_session(*source, *wish, terminal_progress(line));
   if (!exported) return exported.error();
   tell(line, words, *exported);

@@ -9,8 +9,7 @@
 #include "app/cli/command_line.hpp"
 #include "app/cli/text_lines.hpp"
 #include "core/base/json_text.hpp"
-#include "core/session/file/project.hpp"
-#include "core/session/file/session_file.hpp"
+#include "core/opening/opened_session.hpp"
 #include "core/session/file/session_schema.hpp"
 
 namespace abrazo::app {
@@ -21,23 +20,6 @@ struct SessionInfoArguments {
   std::string session;
   bool json = false;
 };
-
-/// Everything that is reported about a session file.
-struct About {
-  std::shared_ptr<const SessionFile> file;
-  ProjectReading reading;
-  std::vector<FoundData> found;
-};
-
-Result<About> look_into(const std::string& path) {
-  auto file = SessionFile::open(path);
-  if (!file) return file.error();
-  auto reading = read_project(path);
-  if (!reading) return reading.error();
-  About about{*file, std::move(*reading), {}};
-  for (const DataReference& data : about.reading.project.data) about.found.push_back(find_data(data, path));
-  return about;
-}
 
 std::string_view state_text(FoundData::State state) {
   constexpr std::array<std::string_view, 3> texts = {"found", "changed", "missing"};
@@ -64,16 +46,17 @@ std::string part_name(const std::string& subject) {
   return subject.empty() ? "the session" : subject;
 }
 
-std::string as_text(const About& about) {
-  const SessionContents& contents = about.file->contents();
-  const Project& project = about.reading.project;
+std::string as_text(const OpenedSession& session) {
+  const SessionContents& contents = session.recording.contents;
+  const ProjectReading& reading = session.project->reading;
+  const Project& project = reading.project;
   TextLines text;
-  text.add("{}", about.file->path());
-  text.add("  version    {}{}", about.reading.version,
-           about.file->is_being_recorded() ? ", is being recorded" : "");
-  if (const std::string migration = migration_text(about.reading.version); !migration.empty())
+  text.add("{}", session.project->file);
+  text.add("  version    {}{}", reading.version,
+           session.recording.is_being_recorded ? ", is being recorded" : "");
+  if (const std::string migration = migration_text(reading.version); !migration.empty())
     text.add("  migration  {}", migration);
-  text.add("  saved      {}", about.reading.is_saved ? about.reading.saved_at : "never as a project");
+  text.add("  saved      {}", reading.is_saved ? reading.saved_at : "never as a project");
   text.add("  recorded   {} frames, {:.3f} s, in {} part(s)", contents.frames,
            contents.last_s - contents.first_s, contents.runs.size());
   for (const SessionTake& take : contents.takes)
@@ -86,13 +69,13 @@ std::string as_text(const About& about) {
              annotations.tiers().size(),
              suggested > 0 ? fmt::format(", {} suggested", suggested) : std::string());
   }
-  for (std::size_t i = 0; i < about.found.size(); ++i) {
-    const FoundData& found = about.found[i];
+  for (std::size_t i = 0; i < session.project->found.size(); ++i) {
+    const FoundData& found = session.project->found[i];
     text.add("  {:<10} {}: {}", text_of(project.data[i].use), state_text(found.state),
              found.path.empty() ? fmt::format("{}", fmt::join(found.looked, ", ")) : found.path);
   }
-  for (const std::string& sentence : about.file->recovery()) text.add("  note       {}", sentence);
-  for (const std::string& sentence : about.reading.damage) text.add("  damaged    {}", sentence);
+  for (const std::string& sentence : session.recording.recovery) text.add("  note       {}", sentence);
+  for (const std::string& sentence : reading.damage) text.add("  damaged    {}", sentence);
   return text.take();
 }
 
@@ -133,53 +116,54 @@ void write_annotations(JsonText& json, const Project& project) {
   json.end_array();
 }
 
-void write_data(JsonText& json, const About& about) {
+void write_data(JsonText& json, const OpenedSession& session) {
   json.key("data").begin_array();
-  for (std::size_t i = 0; i < about.found.size(); ++i) {
+  for (std::size_t i = 0; i < session.project->found.size(); ++i) {
     json.begin_object()
         .key("use")
-        .value(text_of(about.reading.project.data[i].use))
+        .value(text_of(session.project->project().data[i].use))
         .key("state")
-        .value(state_text(about.found[i].state))
+        .value(state_text(session.project->found[i].state))
         .key("path")
-        .value(about.found[i].path)
+        .value(session.project->found[i].path)
         .key("looked")
         .begin_array();
-    for (const std::string& place : about.found[i].looked) json.value(place);
+    for (const std::string& place : session.project->found[i].looked) json.value(place);
     json.end_array().end_object();
   }
   json.end_array();
 }
 
-std::string as_json(const About& about) {
-  const SessionContents& contents = about.file->contents();
+std::string as_json(const OpenedSession& session) {
+  const SessionContents& contents = session.recording.contents;
+  const ProjectReading& reading = session.project->reading;
   JsonText json;
-  json.begin_object().key("version").value(about.reading.version);
+  json.begin_object().key("version").value(reading.version);
   json.key("newest_version").value(static_cast<long long>(session_schema_version));
-  json.key("migration").value(migration_text(about.reading.version));
-  json.key("saved_at").value(about.reading.saved_at);
-  json.key("is_being_recorded").value(about.file->is_being_recorded());
+  json.key("migration").value(migration_text(reading.version));
+  json.key("saved_at").value(reading.saved_at);
+  json.key("is_being_recorded").value(session.recording.is_being_recorded);
   json.key("recordings").value(static_cast<long long>(contents.runs.size()));
   json.key("frames").value(static_cast<long long>(contents.frames));
   json.key("seconds").value(contents.last_s - contents.first_s);
-  json.key("markers").value(static_cast<long long>(about.reading.project.markers.all().size()));
-  json.key("videos").value(static_cast<long long>(about.reading.project.videos.size()));
+  json.key("markers").value(static_cast<long long>(reading.project.markers.all().size()));
+  json.key("videos").value(static_cast<long long>(reading.project.videos.size()));
   write_takes(json, contents);
-  write_annotations(json, about.reading.project);
-  write_data(json, about);
-  json.key("damaged_rows").value(static_cast<long long>(about.reading.damaged)).key("notes").begin_array();
-  for (const std::string& sentence : about.file->recovery()) json.value(sentence);
-  for (const std::string& sentence : about.reading.damage) json.value(sentence);
+  write_annotations(json, reading.project);
+  write_data(json, session);
+  json.key("damaged_rows").value(static_cast<long long>(reading.damaged)).key("notes").begin_array();
+  for (const std::string& sentence : session.recording.recovery) json.value(sentence);
+  for (const std::string& sentence : reading.damage) json.value(sentence);
   return json.end_array().end_object().take();
 }
 
 void run_info(CommandLine& line, const SessionInfoArguments& arguments) {
-  const auto about = look_into(arguments.session);
-  if (!about) return fail(line, about.error());
+  const auto session = open_session(arguments.session);
+  if (!session) return fail(line, session.error());
   if (arguments.json)
-    answer_json(line, as_json(*about));
+    answer_json(line, as_json(*session));
   else
-    answer(line, as_text(*about));
+    answer(line, as_text(*session));
 }
 
 void run_migrate(CommandLine& line, const std::string& session) {

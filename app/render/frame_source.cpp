@@ -5,33 +5,31 @@
 #include <filesystem>
 
 #include "core/base/text.hpp"
-#include "core/session/file/recorded_frames.hpp"
-#include "core/session/file/session_file.hpp"
-#include "core/session/file/session_libraries.hpp"
+#include "core/opening/library_search.hpp"
+#include "core/opening/opened_session.hpp"
 #include "core/session/frames/trace_frames.hpp"
 
 namespace abrazo::app {
 namespace {
 
 Result<FrameSource> of_session(const std::string& file, const std::string& given) {
-  const auto session = SessionFile::open(file);
+  const auto session = open_session(file);
   if (!session) return session.error();
-  const SessionContents& contents = (*session)->contents();
-  if (contents.frames == 0) return Error{"has no frames: nothing was recorded into it", file};
+  if (!session->has_frames()) return Error{"has no frames: nothing was recorded into it", file};
+  const SessionContents& contents = session->recording.contents;
   FrameSource source;
-  for (const std::string& sentence : (*session)->recovery())
+  for (const std::string& sentence : session->recording.recovery)
     source.warnings.push_back(file + ": " + sentence);
   // Bodies are drawn also where a library is not at hand.
-  const auto libraries = SessionLibraries(*session, given).all(source.warnings);
+  const auto libraries =
+      LibrarySearch({file, contents.libraries, session->project, given, {}}).all(source.warnings);
   if (!libraries) return libraries.error();
   if (!libraries->empty()) source.library = libraries->back();
-  const auto frames = RecordedFrames::open(file);
-  if (!frames) return frames.error();
-  for (const auto& library : *libraries) (*frames)->add_library(library);
+  const auto frames = session->recording.frames;
+  for (const auto& library : *libraries) frames->add_library(library);
   source.first_s = contents.first_s;
   source.last_s = contents.last_s;
-  source.at = [frames = *frames, first_s = contents.first_s,
-               file](double time_s) -> Result<FrameSnapshotPtr> {
+  source.at = [frames, first_s = contents.first_s, file](double time_s) -> Result<FrameSnapshotPtr> {
     if (FrameSnapshotPtr frame = frames->at(std::max(time_s, first_s))) return frame;
     const std::string why = frames->damage();
     return Error{

@@ -156,6 +156,9 @@ const std::map<std::string, std::set<std::string>>& core_table() {
       {"session",
        {"base", "motion", "mesh", "library", "selection", "retarget", "synthesis", "metrics", "stream",
         "video", "annotation"}},
+      {"opening",
+       {"base", "motion", "mesh", "library", "selection", "retarget", "synthesis", "metrics", "stream", "video",
+        "annotation", "choreography", "session"}},
   };
   return table;
 }

@@ -5,7 +5,7 @@
 #include "core/library/store/motion_library_file.hpp"
 #include "core/synthesis/trace.hpp"
 #include "tests/cli/command_line_fixture.hpp"
-#include "tests/core/session/recorded_session.hpp"
+#include "tests/core/opening/opening_files.hpp"
 
 namespace abrazo::test::export_command_test {
 namespace {
@@ -156,6 +156,18 @@ TEST_F(ExportCommand, ALibraryThatMovedIsAskedForAndCanBeGiven) {
   }
   EXPECT_EQ(exported("--what active -o a.bvh").status, 0);  // needs none
   EXPECT_EQ(exported("--what labels -o l.eaf").status, 0);
+}
+
+TEST_F(ExportCommand, ALibraryThatWasBuiltInTheWindowIsBuiltAgain) {
+  make_demo();
+  const Material built = built_of(path("demo/manifest.json").string());
+  record(path("built.abrazo").string(), built.library, "");
+  const std::string mesh = "export built.abrazo --what mesh -o m.vtu";
+  expect_failure(run(mesh), "which was not a file; --library LIB");
+  EXPECT_EQ(run(mesh + " --library demo/manifest.json").status, 0);
+  save(path("built.abrazo").string(), built);
+  const Outcome outcome = run(mesh);
+  EXPECT_EQ(outcome.status, 0) << outcome.err;
 }
 
 TEST_F(ExportCommand, AnotherLibraryIsNotTakenForTheSessions) {

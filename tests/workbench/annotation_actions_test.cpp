@@ -6,7 +6,7 @@
 
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/library/library_feed.hpp"
-#include "core/library/takes/tier_file.hpp"
+#include "core/opening/file_kinds.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/annotation/annotation_panel.hpp"
 #include "widgets/annotation/problem_list.hpp"
@@ -442,7 +442,7 @@ TEST_F(Annotating, LabelFilesComeInAsOneStep) {
   ASSERT_TRUE(out.open(QIODevice::WriteOnly));
   out.write("tier,start,end,value\nmove,1,2,spin\nmove,2,4,one\n");
   out.close();
-  ASSERT_TRUE(is_label_file(file.toStdString()));
+  ASSERT_EQ(kind_of_file(file.toStdString()), FileKind::Labels);
   window().openFiles({file});
   ASSERT_EQ(labels().size(), 2u);
   EXPECT_EQ(labels()[0].value, "spin");

@@ -155,7 +155,7 @@ TEST_F(BuildDialogTest, BuildsSavesAndHandsOverTheLibrary) {
   build->dialog().setOutputs({path("l.h5"), path("l.json")});
   std::shared_ptr<const MotionLibrary> library;
   QObject::connect(build.get(), &LibraryBuild::built, build.get(),
-                   [&](const std::shared_ptr<const MotionLibrary>& now) { library = now; });
+                   [&](const Material& now) { library = now.library; });
   button("Build")->click();
   settle();
   ASSERT_TRUE(library);
@@ -224,7 +224,7 @@ TEST_F(BuildDialogTest, TakesGetTheNamesOfTheirLabels) {
   EXPECT_EQ(cell(0, BuildPlanModel::Take), "salsa_7");
   std::shared_ptr<const MotionLibrary> library;
   QObject::connect(build.get(), &LibraryBuild::built, build.get(),
-                   [&](const std::shared_ptr<const MotionLibrary>& now) { library = now; });
+                   [&](const Material& now) { library = now.library; });
   button("Build")->click();
   settle();
   ASSERT_TRUE(library);

@@ -8,13 +8,13 @@
 #include <filesystem>
 #include <fstream>
 
-#include "app/workbench/document/recorded_session.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/project/autosave.hpp"
 #include "app/workbench/project/project_desk.hpp"
 #include "app/workbench/project/relocate_dialog.hpp"
 #include "app/workbench/takes/take_desk.hpp"
 #include "core/library/store/motion_library_file.hpp"
+#include "core/opening/session_material.hpp"
 #include "core/session/file/library_reference.hpp"
 #include "core/session/file/session_file.hpp"
 #include "tests/workbench/demo_window.hpp"
@@ -169,7 +169,7 @@ TEST_F(ProjectActions, ARecordingMadeAfterATakeWasAnnotatedIsOpenedAgain) {
   ASSERT_TRUE(until([] { return takes().isRecording() && takes().takes().all().back().frames > 20; }));
   takes().toggle();
   save();
-  const auto again = load_session(takes().file().toStdString(), "", {}, {});  // with nothing open
+  const auto again = material_of(*open_session(takes().file().toStdString()), {}, {});  // with nothing open
   ASSERT_TRUE(again) << again.error().text();
   EXPECT_TRUE(again->warnings.empty()) << again->warnings[0];
   EXPECT_EQ(library_fingerprint(*again->library), library_fingerprint(*annotated));

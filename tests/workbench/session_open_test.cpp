@@ -2,7 +2,6 @@
 #include <QFile>
 #include <QPushButton>
 
-#include "app/workbench/document/recorded_session.hpp"
 #include "app/workbench/document/session_places.hpp"
 #include "app/workbench/takes/take_desk.hpp"
 #include "core/session/file/session_file.hpp"

@@ -19,10 +19,10 @@
 #include <functional>
 #include <string>
 
-#include "app/workbench/document/generated_material.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/start/responsiveness.hpp"
+#include "core/opening/generated_set.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app {
@@ -40,7 +40,7 @@ Clip doubled(const Clip& clip) {
 
 /// The demo with a leader who moves at 120 Hz or more.
 Result<Material> fast_demo(const Progress& progress) {
-  auto demo = make_demo(progress);
+  auto demo = generated_dance(progress);
   while (demo && demo->input.fps < 119) demo->input = doubled(demo->input);
   return demo;
 }

@@ -140,7 +140,7 @@ QWidget* AnnotationPanel::makeLists() {
 
 void AnnotationPanel::connectParts() {
   connect(m_subject, QOverload<int>::of(&QComboBox::activated), this,
-          [this](int at) { emit subjectRequested(at == 0 ? QString() : m_subject->itemText(at)); });
+          [this](int at) { emit subjectRequested(m_subject->itemData(at).toString()); });
   connect(m_back, &QToolButton::clicked, this, [this] { emit subjectRequested({}); });
   connect(m_conflict, &QButtonGroup::idClicked, this,
           [this](int way) { emit conflictRequested(static_cast<Conflict>(way)); });
@@ -173,17 +173,23 @@ void AnnotationPanel::setColours(const Palette& palette) {
   fillTable();
 }
 
-void AnnotationPanel::showSubjects(const QStringList& subjects, const QString& shown) {
-  QStringList known;
-  for (int at = 1; at < m_subject->count(); ++at) known << m_subject->itemText(at);
-  const QString before = m_subject->currentIndex() > 0 ? m_subject->currentText() : QString();
-  if (m_subject->count() > 0 && known == subjects && before == shown) return;
+void AnnotationPanel::showSubjects(const QStringList& subjects, const QStringList& absent,
+                                   const QString& shown) {
+  QStringList texts = QStringList("the session") + subjects;
+  for (const QString& take : absent) texts << take + " (not in the library)";
+  const QStringList names = QStringList(QString()) + subjects + absent;
+  const int at = std::max(0, names.indexOf(shown));
+  if (this->subjects() == texts && m_subject->currentIndex() == at) return;
   m_subject->clear();
-  m_subject->addItem("the session");
-  m_subject->addItems(subjects);
-  const int at = shown.isEmpty() ? 0 : m_subject->findText(shown);
+  for (int i = 0; i < texts.size(); ++i) m_subject->addItem(texts[i], names[i]);
   m_subject->setCurrentIndex(at);
   m_back->setVisible(at > 0);
+}
+
+QStringList AnnotationPanel::subjects() const {
+  QStringList listed;
+  for (int at = 0; at < m_subject->count(); ++at) listed << m_subject->itemText(at);
+  return listed;
 }
 
 void AnnotationPanel::show(const Shown& shown) {

@@ -36,8 +36,12 @@ class AnnotationPanel : public QWidget {
   /// height.
   void addSection(QWidget* section);
 
-  /// @param subjects  names of the takes; the session stands before them. @param shown  "" = the session
-  void showSubjects(const QStringList& subjects, const QString& shown);
+  /// @param subjects  names of the takes; the session stands before them
+  /// @param absent    annotated takes that are not there: listed, and marked as that
+  /// @param shown     "" = the session
+  void showSubjects(const QStringList& subjects, const QStringList& absent, const QString& shown);
+  /// As listed, the session first.
+  QStringList subjects() const;
   struct Shown {
     Annotations annotations;
     Annotations::Range range;

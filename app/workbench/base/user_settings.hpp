@@ -12,6 +12,8 @@ class UserSettings {
  public:
   UserSettings();
   QString folder() const { return m_folder; }
+  /// What was not saved is kept there.
+  QString autosaveFolder() const { return m_folder + "/autosave"; }
 
   QByteArray geometry() const { return m_store.value("window/geometry").toByteArray(); }
   void setGeometry(const QByteArray& geometry) { m_store.setValue("window/geometry", geometry); }

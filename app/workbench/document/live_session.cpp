@@ -1,6 +1,5 @@
 #include "app/workbench/document/live_session.hpp"
 
-#include "app/workbench/document/recorded_session.hpp"
 #include "core/stream/receive/clip_source.hpp"
 #include "core/stream/receive/silent_source.hpp"
 
@@ -64,6 +63,12 @@ void LiveSession::lookAt(const std::shared_ptr<const FrameStore>& frames) {
   if (!m_lookedAt) m_lookedAt = std::make_unique<LookedAt>();
   m_lookedAt->history.set_store(frames);
   m_lookedAt->latest.publish(frames->frame(frames->span().last_index));
+}
+
+void LiveSession::setLibraryFile(const std::shared_ptr<const MotionLibrary>& library,
+                                 const std::string& file) {
+  if (const auto recorder = m_engine.recorder()) recorder->set_library_path(library, file);
+  if (m_material.library == library) m_material.library_file = file;
 }
 
 void LiveSession::replaceSolver(PreparedSolver prepared) {

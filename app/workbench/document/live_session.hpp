@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "app/workbench/document/material.hpp"
 #include "core/base/result.hpp"
+#include "core/opening/material.hpp"
 #include "core/session/run/session_engine.hpp"
 
 namespace abrazo::app {
@@ -42,6 +42,8 @@ class LiveSession {
   void lookAt(const std::shared_ptr<const FrameStore>& frames);
   bool looksElsewhere() const { return m_lookedAt != nullptr; }
   const Material& material() const { return m_material; }
+  /// The library was written to a file; one that was replaced meanwhile was not.
+  void setLibraryFile(const std::shared_ptr<const MotionLibrary>& library, const std::string& file);
   /// The same session with a take added to its library, say: it goes on, with this from the next frame on.
   void replaceSolver(PreparedSolver prepared);
   /// Streams, sinks, recording. Commands go through `push`.

@@ -1,19 +1,11 @@
 #include "app/workbench/document/open_video.hpp"
 
-#include <QFileInfo>
 #include <QMetaObject>
 #include <QStringList>
 
+#include "core/opening/file_kinds.hpp"
+
 namespace abrazo::app {
-namespace {
-
-const QStringList& endings() {
-  static const QStringList known = {"mp4", "m4v",  "mov", "avi", "mkv", "webm", "mpg", "mpeg",
-                                    "mts", "m2ts", "ts",  "wmv", "ogv", "3gp",  "flv", "mjpeg"};
-  return known;
-}
-
-}  // namespace
 
 OpenVideo::OpenVideo(const QString& file)
     : m_file(file), m_decoder(std::make_unique<VideoDecoder>(file.toStdString(), [this] { tell(); })) {}
@@ -42,11 +34,14 @@ bool OpenVideo::request(int index) {
 }
 
 bool is_video_file(const QString& file) {
-  return endings().contains(QFileInfo(file).suffix().toLower());
+  return kind_of_file(file.toStdString()) == FileKind::Video;
 }
 
 QString video_filter() {
-  return "Videos (*." + endings().join(" *.") + ")";
+  QStringList patterns;
+  for (const std::string& extension : video_extensions())
+    patterns << "*." + QString::fromStdString(extension);
+  return "Videos (" + patterns.join(" ") + ")";
 }
 
 }  // namespace abrazo::app

@@ -42,8 +42,4 @@ bool discard_session(const QString& file) {
   return true;
 }
 
-bool is_session_file(const QString& file) {
-  return QFileInfo(file).suffix().compare("abrazo", Qt::CaseInsensitive) == 0;
-}
-
 }  // namespace abrazo::app

@@ -19,6 +19,4 @@ QStringList unclosed_sessions(const QString& folder);
 /// The session with all that a crash may have left beside it, into the wastebasket or away.
 bool discard_session(const QString& file);
 
-bool is_session_file(const QString& file);
-
 }  // namespace abrazo::app

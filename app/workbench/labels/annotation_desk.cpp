@@ -4,11 +4,11 @@
 #include <QUndoCommand>
 #include <algorithm>
 
-#include "app/workbench/document/recorded_session.hpp"
 #include "app/workbench/library/library_feed.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/subject_stage.hpp"
+#include "core/opening/material.hpp"
 #include "widgets/annotation/annotation_panel.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/utf8.hpp"
@@ -125,6 +125,13 @@ void AnnotationDesk::showSubject(const std::string& subject) {
     m_window.panels().want(panel_id, true);
     return;
   }
+  if (const auto of = library(); of && !subject.empty() && of->find_take(subject) < 0) {
+    show();  // the list goes back to what is shown
+    return m_window.messages().showError(
+        QString("%1: the library %2 has no such take. What was said of it is kept with the session: open the "
+                "session together with its library (both files at once)")
+            .arg(text(subject), text(of->name())));
+  }
   const Status shown = m_stage->show(m_state.subject(), subject);
   if (!shown) return m_window.messages().showError(text(shown.error().text()));
   m_state.show(subject, *library());
@@ -208,10 +215,12 @@ void AnnotationDesk::show() {
   const bool open = isOpen();
   timeline.showAnnotations(open ? annotations() : Annotations(), {conflict(), whole, fps()});
   timeline.showChosen(open ? activeTier() : 0, selected());
-  QStringList takes;
-  if (const auto of = library())
+  QStringList takes, absent;
+  if (const auto of = library()) {
     for (const LibraryTake& take : of->takes()) takes << text(take.name);
-  m_panel->showSubjects(takes, text(subject()));
+    for (const auto& [take, count] : annotated_elsewhere(m_state.all(), *of)) absent << text(take);
+  }
+  m_panel->showSubjects(takes, absent, text(subject()));
   std::set<std::string> hidden;
   for (const widgets::TierLane& lane : timeline.lanes().tiers())
     if (!timeline.lanes().is_shown(lane)) hidden.insert(lane.name);

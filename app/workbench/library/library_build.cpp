@@ -5,12 +5,12 @@
 #include <filesystem>
 
 #include "app/workbench/base/job.hpp"
-#include "app/workbench/document/material.hpp"
-#include "app/workbench/document/unmapped_motion.hpp"
 #include "app/workbench/library/mapping_dialog.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/library/build/saved_build.hpp"
-#include "core/library/takes/tier_file.hpp"
+#include "core/opening/file_kinds.hpp"
+#include "core/opening/joint_maps.hpp"
+#include "core/opening/open_files.hpp"
 
 namespace abrazo::app {
 
@@ -58,24 +58,29 @@ bool LibraryBuild::isBusy() const {
 
 void LibraryBuild::offer(const QStringList& files) {
   QStringList not_of_use;
+  std::vector<std::string> motions;
   for (const QString& file : files) {
-    const QString suffix = QFileInfo(file).suffix().toLower();
-    if (suffix == "asf") m_skeletons << file;
-    const bool motion = is_motion_file(file.toStdString());
-    const bool labels = !motion && (is_label_file(file.toStdString()) || suffix == "csv");
-    if (suffix == "json" && !labels) m_jointMap = file.toStdString();
-    if (labels) m_labels = file;
-    if (!motion && !labels && suffix != "asf" && suffix != "json") not_of_use << QFileInfo(file).fileName();
+    const FileKind kind = kind_of_file(file.toStdString());
+    const bool is_table = file.endsWith(".csv", Qt::CaseInsensitive);
+    if (kind == FileKind::Motion)
+      motions.push_back(file.toStdString());
+    else if (kind == FileKind::Skeleton)
+      m_skeletons << file;
+    else if (kind == FileKind::JointMap)
+      m_jointMap = file.toStdString();
+    else if (kind == FileKind::Labels || is_table)
+      m_labels = file;
+    else
+      not_of_use << QFileInfo(file).fileName();
   }
   m_dialog->setSkeletons(m_skeletons);
   std::vector<std::string> skeletons;
   for (const QString& skeleton : m_skeletons) skeletons.push_back(skeleton.toStdString());
-  for (const QString& file : files) {
-    if (!is_motion_file(file.toStdString())) continue;
+  for (const std::string& motion : motions) {
     Survey survey;
-    survey.source.motion = file.toStdString();
-    if (file.endsWith(".amc", Qt::CaseInsensitive))
-      survey.source.skeleton = guess_skeleton(file.toStdString(), skeletons);
+    survey.source.motion = motion;
+    if (QString::fromStdString(motion).endsWith(".amc", Qt::CaseInsensitive))
+      survey.source.skeleton = guess_skeleton(motion, skeletons);
     survey.source.joint_map = m_jointMap;
     m_surveys.push_back(survey);
   }
@@ -221,12 +226,16 @@ void LibraryBuild::build() {
       return [this, text = in_words_of_the_window(library.error().text())] {
         m_dialog->showError(QString::fromStdString(text));
       };
-    auto ready = std::make_shared<const MotionLibrary>(std::move(library).value());
-    return [this, ready, warnings, outputs] {
+    for (const QString& file : {outputs.library, outputs.manifest})
+      if (!file.isEmpty()) warnings.push_back("written to " + file.toStdString());
+    const QString& file = outputs.library.isEmpty() ? outputs.manifest : outputs.library;
+    const Material material = built_material(std::make_shared<const MotionLibrary>(std::move(*library)),
+                                             manifest, file.toStdString(), std::move(warnings));
+    return [this, material] {
       m_dialog->endProgress();
       m_finished = true;
       m_dialog->close();
-      emit built(ready, warnings, outputs);
+      emit built(material);
     };
   };
   begin(std::move(work), "Building");

@@ -10,7 +10,7 @@
 
 #include "app/workbench/library/build_dialog.hpp"
 #include "app/workbench/library/mapping_dialog.hpp"
-#include "core/library/store/motion_library.hpp"
+#include "core/opening/material.hpp"
 
 namespace abrazo::app {
 
@@ -34,8 +34,8 @@ class LibraryBuild : public QObject {
   bool isBusy() const;
 
  signals:
-  void built(std::shared_ptr<const abrazo::MotionLibrary> library, const std::vector<std::string>& warnings,
-             const abrazo::app::BuildOutputs& written);
+  /// What was odd or written is among its warnings.
+  void built(const abrazo::Material& material);
   void userChosen(const QStringList& files);
   /// The dialog was closed without a result.
   void givenUp();

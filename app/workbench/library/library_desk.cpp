@@ -109,7 +109,9 @@ void LibraryDesk::offer(const QStringList& files) {
   if (!m_build) {
     m_build = new LibraryBuild(&m_window, m_window.colours());
     m_build->setJointMaps(MappingDesk::folder(m_window));
-    connect(m_build, &LibraryBuild::built, this, &LibraryDesk::open);
+    connect(m_build, &LibraryBuild::built, this, [this](const Material& material) {
+      m_window.openMaterial([material](const Progress&) -> Result<Material> { return material; }, m_videos);
+    });
     connect(m_build, &LibraryBuild::userChosen, this,
             [this](const QStringList& chosen) { m_window.openFiles(chosen + m_videos); });
     const auto end = [this] {
@@ -124,15 +126,6 @@ void LibraryDesk::offer(const QStringList& files) {
   QStringList others;
   for (const QString& file : files) (is_video_file(file) ? m_videos : others) << file;
   m_build->offer(others);
-}
-
-void LibraryDesk::open(const std::shared_ptr<const MotionLibrary>& library, std::vector<std::string> told,
-                       const BuildOutputs& written) {
-  // Behind what the readers found odd, and shown with it once the library is there.
-  for (const QString& file : {written.library, written.manifest})
-    if (!file.isEmpty()) told.push_back("written to " + file.toStdString());
-  m_window.openMaterial(
-      [library, told](const Progress&) -> Result<Material> { return with_library(library, told); }, m_videos);
 }
 
 }  // namespace abrazo::app

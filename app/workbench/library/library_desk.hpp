@@ -10,7 +10,6 @@
 
 namespace abrazo::app {
 
-struct BuildOutputs;
 class Job;
 class LibraryBuild;
 class MainWindow;
@@ -36,8 +35,6 @@ class LibraryDesk : public QObject {
   void onPanels();
   void showRecorded(int pair, bool in_motion);
   void measure(const std::shared_ptr<const MotionLibrary>& library);
-  void open(const std::shared_ptr<const MotionLibrary>& library, std::vector<std::string> told,
-            const BuildOutputs& written);
 
   MainWindow& m_window;
   LibraryBuild* m_build = nullptr;

@@ -1,8 +1,8 @@
 #include "app/workbench/library/mapping_desk.hpp"
 
-#include "app/workbench/document/open_video.hpp"
 #include "app/workbench/library/mapping_dialog.hpp"
 #include "app/workbench/shell/main_window.hpp"
+#include "core/opening/open_files.hpp"
 #include "widgets/common/message_bar.hpp"
 
 namespace abrazo::app {
@@ -31,12 +31,13 @@ void MappingDesk::use(const QStringList& files) {
   const auto map = remember_map(m_dialog->map(), folder(m_window).toStdString());
   if (!map) return m_window.messages().showError(QString::fromStdString(map.error().text()));
   std::vector<std::string> names{*map};
-  for (const QString& file : files)
-    if (!is_video_file(file)) names.push_back(file.toStdString());
-  const Material open = m_window.session() ? m_window.session()->material() : Material{};
-  m_window.openMaterial([names, open, said = m_dialog->said()](
-                            const Progress& progress) { return load_material(names, open, progress, said); },
-                        files);
+  for (const QString& file : files) names.push_back(file.toStdString());
+  OpeningWish wish;
+  wish.files = recognised(names);
+  std::erase_if(wish.files, [](const FileToOpen& file) { return file.kind == FileKind::Video; });
+  if (m_window.session()) wish.open = m_window.session()->material();
+  wish.said = m_dialog->said();
+  m_window.openMaterial([wish](const Progress& progress) { return open_files(wish, progress); }, files);
 }
 
 }  // namespace abrazo::app

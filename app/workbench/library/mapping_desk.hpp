@@ -4,8 +4,8 @@
 #include <QPointer>
 #include <QStringList>
 
-#include "app/workbench/document/unmapped_motion.hpp"
 #include "app/workbench/library/mapping_dialog.hpp"
+#include "core/opening/joint_maps.hpp"
 
 namespace abrazo::app {
 

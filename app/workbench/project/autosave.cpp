@@ -5,16 +5,25 @@
 #include <QFile>
 #include <QFileInfo>
 #include <QUuid>
+#include <optional>
 
 #include "app/workbench/base/job.hpp"
-#include "app/workbench/document/project_opening.hpp"
+#include "app/workbench/base/user_settings.hpp"
 #include "app/workbench/project/project_state.hpp"
+#include "core/opening/opened_session.hpp"
 
 namespace abrazo::app {
 namespace {
 
 QString lock_of(const QString& file) {
   return file.left(file.size() - QString(".abrazo").size()) + ".lock";
+}
+
+/// What was kept there; nothing when it cannot be read.
+std::optional<OpenedProject> kept_in(const QString& file) {
+  auto reading = read_project(file.toStdString());
+  if (!reading) return std::nullopt;
+  return located(file.toStdString(), std::move(*reading), {}, UserSettings().autosaveFolder().toStdString());
 }
 
 QString counted(std::size_t count, const char* one) {
@@ -102,20 +111,20 @@ void Autosave::remove(const QString& file) {
 }
 
 QString session_of_autosave(const QString& file) {
-  const auto read = open_project(file.toStdString(), {});
-  return read ? QString::fromStdString((*read)->file) : QString();
+  const auto kept = kept_in(file);
+  return kept ? QString::fromStdString(kept->file) : QString();
 }
 
 QString words_of_autosave(const QString& file) {
-  const auto read = open_project(file.toStdString(), {});
-  if (!read) return {};
-  const Project& project = (*read)->project();
+  const auto kept = kept_in(file);
+  if (!kept) return {};
+  const Project& project = kept->project();
   std::size_t annotations = 0;
   for (const auto& [subject, said] : project.annotations)
     for (const AnnotationTier& tier : said.tiers()) annotations += tier.annotations.size();
   QStringList holds{counted(annotations, "annotation"), counted(project.markers.all().size(), "marker")};
   if (!project.videos.empty()) holds << counted(project.videos.size(), "video");
-  const QString of = QFileInfo(QString::fromStdString((*read)->file)).fileName();
+  const QString of = QFileInfo(QString::fromStdString(kept->file)).fileName();
   return QString("Changes to %1 of %2 were not saved: %3")
       .arg(of.isEmpty() ? "an untitled session" : of,
            QFileInfo(file).lastModified().toString("d MMM HH:mm:ss"), holds.join(", "));

@@ -5,17 +5,18 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QPushButton>
 #include <algorithm>
 #include <filesystem>
 
 #include "app/workbench/base/job.hpp"
-#include "app/workbench/document/recorded_session.hpp"
-#include "app/workbench/document/session_places.hpp"
 #include "app/workbench/project/project_state.hpp"
 #include "app/workbench/project/relocate_dialog.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/takes/take_desk.hpp"
 #include "core/base/atomic_file.hpp"
+#include "core/library/store/motion_library_file.hpp"
+#include "core/opening/session_material.hpp"
 #include "widgets/common/message_bar.hpp"
 
 namespace abrazo::app {
@@ -38,6 +39,26 @@ ProjectDesk::Answer ask_person(MainWindow& window, const QString& name) {
     default:
       return ProjectDesk::Answer::Cancel;
   }
+}
+
+ProjectDesk::LibraryAnswer ask_about_library(MainWindow& window) {
+  using Answer = ProjectDesk::LibraryAnswer;
+  const Material& material = window.session()->material();
+  QMessageBox box(QMessageBox::Question, "Abrazo",
+                  QString("The library %1 is not in a file yet. Write it beside the session?")
+                      .arg(QString::fromStdString(material.library->name())),
+                  QMessageBox::Cancel, &window);
+  box.setInformativeText(
+      material.manifest ? "Otherwise the session keeps which motion files it was built from, and builds it "
+                          "again from them whenever it is opened."
+                        : "Otherwise it is lost when the window closes: it has takes that were captured "
+                          "here.");
+  QAbstractButton* write = box.addButton("Write it", QMessageBox::AcceptRole);
+  QAbstractButton* without = box.addButton("Save without it", QMessageBox::DestructiveRole);
+  box.exec();
+  return box.clickedButton() == write     ? Answer::Write
+         : box.clickedButton() == without ? Answer::SaveWithout
+                                          : Answer::Cancel;
 }
 
 /// The whole session under another name, with the project in it; whole or not at all.
@@ -63,12 +84,13 @@ ProjectDesk::ProjectDesk(MainWindow& window)
     : QObject(&window),
       m_window(window),
       m_takes(*window.findChild<TakeDesk*>()),
-      m_autosave(window.remembered().folder() + "/autosave") {
+      m_autosave(window.remembered().autosaveFolder()) {
   setObjectName("project desk");
   ask = [this] {
     const QString name = QFileInfo(file()).fileName();
     return ask_person(m_window, name.isEmpty() ? "this session" : name);
   };
+  askLibrary = [this] { return ask_about_library(m_window); };
   connect(&window, &MainWindow::leaving, this, &ProjectDesk::onLeaving);
   connect(&window, &MainWindow::sessionOffered, this, &ProjectDesk::onOffered);
   connect(&window, &MainWindow::sessionStarted, this, &ProjectDesk::onSessionStarted);
@@ -102,15 +124,9 @@ QString ProjectDesk::file() const {
 /// With the references to files that the session was opened without, unless others took their place.
 Project ProjectDesk::current() const {
   Project now = project_of(m_window);
-  const auto is_library = [](const DataReference& data) {
-    return data.use == DataReference::Use::Library || data.use == DataReference::Use::Manifest;
-  };
-  for (const DataReference& carried : m_carried) {
-    const auto takes_its_place = [&](const DataReference& data) {
-      return data.use == carried.use || (is_library(data) && is_library(carried));
-    };
-    if (std::ranges::none_of(now.data, takes_its_place)) now.data.push_back(carried);
-  }
+  for (const DataReference& carried : m_carried)
+    if (std::ranges::find(now.data, carried.use, &DataReference::use) == now.data.end())
+      now.data.push_back(carried);
   return now;
 }
 
@@ -166,16 +182,39 @@ void ProjectDesk::saveAs(const QString& chosen) {
   write(is_same ? file() : chosen, !is_same);
 }
 
+/// Without anyone to ask, what builds it again is kept.
+std::optional<std::string> ProjectDesk::libraryFileFor(const QString& target) {
+  const Material& material = m_window.session()->material();
+  const bool was_asked = m_withoutLibrary && *m_withoutLibrary == material.manifest;
+  if (!m_asks || !material.has_unsaved_library() || was_asked) return "";
+  switch (askLibrary()) {
+    case LibraryAnswer::Write:
+      return library_file_beside(target.toStdString(), material.library->name());
+    case LibraryAnswer::SaveWithout:
+      m_withoutLibrary = material.manifest;
+      return "";
+    case LibraryAnswer::Cancel:
+      break;
+  }
+  return std::nullopt;
+}
+
 /// Written by a worker; while the file is recorded by the recorder's thread, which holds it.
 void ProjectDesk::write(const QString& target, bool is_other) {
   if (m_job) return m_window.messages().showInformation("It is being saved already");
-  const Project now = current();
+  const auto library_file = libraryFileFor(target);
+  if (!library_file) return;
+  const auto library = m_window.session()->material().library;
+  const Project now = library_file->empty() ? current() : with_library_file(current(), *library_file);
   const std::shared_ptr<Recorder> recorder = m_window.session()->engine().recorder();
   const auto work = [now, before = m_saved, to = target.toStdString(), from = file().toStdString(), recorder,
-                     edits = m_takes.edits(), is_other](const Progress&) -> Result<Project> {
+                     edits = m_takes.edits(), is_other, library,
+                     beside = *library_file](const Progress& progress) -> Result<Project> {
+    Status done = beside.empty() ? Status(Done{}) : write_library(*library, beside, progress);
     const Project complete = with_contents(now, before, to);
-    Status done = Done{};
-    if (is_other) {
+    if (!done) {
+      // The session stays as it was.
+    } else if (is_other) {
       if (recorder) done = recorder->flush();
       if (done) done = save_elsewhere(from, to, complete, edits);
     } else if (recorder) {
@@ -184,11 +223,14 @@ void ProjectDesk::write(const QString& target, bool is_other) {
     } else {
       done = save_project(to, complete);
     }
-    if (!done) return done.error();
-    return complete;
+    if (done) return complete;
+    std::error_code ignored;
+    if (!beside.empty()) std::filesystem::remove(beside, ignored);
+    return done.error();
   };
   const auto finish = [this, now, target, is_other, recorder, session = m_takes.session(), from = file(),
-                       takes = m_takes.takes()](const Result<Project>& done) {
+                       takes = m_takes.takes(), library,
+                       beside = *library_file](const Result<Project>& done) {
     if (!done) {
       const QString why = QString::fromStdString(done.error().text());
       m_window.messages().showError(why);
@@ -197,6 +239,10 @@ void ProjectDesk::write(const QString& target, bool is_other) {
     if (m_takes.session() != session) {  // another one has begun meanwhile
       emit m_window.filesOpened({target});
       return emit saved(target);
+    }
+    if (!beside.empty()) {
+      m_window.session()->setLibraryFile(library, beside);
+      m_window.messages().showInformation("The library was written to " + QString::fromStdString(beside));
     }
     const bool has_gone_on = recorder || m_window.session()->engine().recorder() || m_takes.file() != from ||
                              m_takes.takes() != takes;
@@ -250,28 +296,40 @@ bool ProjectDesk::saveAndWait() {
 // ---- opening ----
 
 /// Data that is not where it was is asked for before anything is opened.
-void ProjectDesk::onOffered(const QStringList& files, bool& taken) {
+void ProjectDesk::onOffered(const std::vector<FileToOpen>& files, bool& taken) {
   if (!m_asks || files.size() != 1) return;
   taken = true;
-  const std::string session = files.front().toStdString();
-  const auto open = [this, files, session](const Places& places) {
-    const Material now = m_window.session() ? m_window.session()->material() : Material{};
-    m_window.openMaterial(
-        [session, now, places](const Progress& progress) {
-          return load_session(session, "", now, progress, places);
-        },
-        files);
-  };
+  const QString file = QString::fromStdString(files.front().path);
+  const auto autosaves = m_window.remembered().autosaveFolder().toStdString();
   Job::retire(std::move(m_reading), this);
-  m_reading = std::make_unique<Job>([this, session, open](const Progress&) -> Job::Finish {
-    const auto found = open_project(session, {});
-    if (!found || (*found)->missing().empty()) return [open] { open({}); };  // which says what is wrong
-    return [this, open, project = *found] {
-      auto* dialog = new RelocateDialog(project, &m_window);
-      connect(dialog, &QDialog::accepted, &m_window, [dialog, open] { open(dialog->places()); });
+  m_reading = std::make_unique<Job>([this, file, autosaves](const Progress&) -> Job::Finish {
+    auto session = open_session(file.toStdString(), autosaves);
+    if (!session)
+      return [this, file, why = session.error()] {
+        m_window.openMaterial([why](const Progress&) { return Result<Material>(why); }, {file});
+      };
+    if (session->project->missing().empty())
+      return [this, file, opened = std::move(*session)] { open(opened, file, {}); };
+    return [this, file, opened = std::move(*session)] {
+      auto* dialog = new RelocateDialog(opened.project, &m_window);
+      connect(dialog, &QDialog::accepted, this,
+              [this, dialog, file, opened] { open(opened, file, dialog->places()); });
       dialog->open();
     };
   });
+}
+
+void ProjectDesk::open(const OpenedSession& session, const QString& opened, const Places& places) {
+  SessionWish wish{"", m_window.session() ? m_window.session()->material() : Material{}, !places.empty()};
+  // What is open here may be saved before it is left, into the file that was read.
+  const bool is_own = !file().isEmpty() && QFileInfo(file()) == QFileInfo(opened);
+  m_window.openMaterial(
+      [session, wish, places, name = opened.toStdString(), is_own](const Progress& progress) {
+        const auto newest = is_own ? open_session(name) : Result<OpenedSession>(session);
+        return newest ? material_of(with_places(*newest, places), wish, progress)
+                      : Result<Material>(newest.error());
+      },
+      {opened});
 }
 
 void ProjectDesk::onSessionStarted() {
@@ -279,6 +337,7 @@ void ProjectDesk::onSessionStarted() {
   m_isRestored = false;
   m_saved = {};
   m_carried.clear();
+  m_withoutLibrary.reset();
   m_autosave.drop();
   const auto project = m_window.session()->material().project;
   if (project) restored(*project);
@@ -295,9 +354,10 @@ void ProjectDesk::restored(const OpenedProject& opened) {
       show_annotations(m_window, annotated.annotations);
     return;
   }
-  for (const std::size_t index : opened.missing())
-    if (opened.project().data[index].use != DataReference::Use::Video)
-      m_carried.push_back(opened.project().data[index]);
+  for (const std::size_t index : opened.missing()) {
+    const DataReference& data = opened.project().data[index];
+    if (data.use != DataReference::Use::Video && !is_of_library(data.use)) m_carried.push_back(data);
+  }
   QStringList videos;
   for (const ProjectVideo& video : opened.project().videos) {
     const bool has_file = video.data >= 0 && static_cast<std::size_t>(video.data) < opened.found.size();

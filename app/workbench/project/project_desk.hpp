@@ -4,9 +4,11 @@
 #include <QTimer>
 #include <functional>
 #include <memory>
+#include <optional>
 
-#include "app/workbench/document/project_opening.hpp"
 #include "app/workbench/project/autosave.hpp"
+#include "core/opening/file_kinds.hpp"
+#include "core/opening/opened_session.hpp"
 
 namespace abrazo::app {
 
@@ -45,6 +47,9 @@ class ProjectDesk : public QObject {
   /// What a person answers to "save changes?"; a dialog unless a test says otherwise.
   enum class Answer { Save, Discard, Cancel };
   std::function<Answer()> ask;
+  /// And to "write the library beside it?", where the library is not a file yet.
+  enum class LibraryAnswer { Write, SaveWithout, Cancel };
+  std::function<LibraryAnswer()> askLibrary;
 
  signals:
   void saved(const QString& file);
@@ -55,7 +60,10 @@ class ProjectDesk : public QObject {
  private:
   void write(const QString& file, bool is_other);
   void onLeaving(bool& allowed);
-  void onOffered(const QStringList& files, bool& taken);
+  /// @return whether it is to be saved; then the file the library is written to, empty: it is not
+  std::optional<std::string> libraryFileFor(const QString& target);
+  void onOffered(const std::vector<FileToOpen>& files, bool& taken);
+  void open(const OpenedSession& session, const QString& file, const Places& places);
   void onSessionStarted();
   /// @return whether it was written
   bool waitForSave();
@@ -71,6 +79,8 @@ class ProjectDesk : public QObject {
   Project m_saved;
   std::vector<DataReference> m_carried;  ///< opened without them; kept for when they are there again
   bool m_asks = false, m_isModified = false, m_isRestored = false, m_hasSession = false;
+  /// With which manifest a person saved without writing the library; it is asked once.
+  std::optional<std::shared_ptr<const Manifest>> m_withoutLibrary;
   QString m_leftover;  ///< the autosaved file that the session was restored from
   QTimer m_timer;
   std::unique_ptr<Job> m_job, m_reading;

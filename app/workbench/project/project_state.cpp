@@ -1,7 +1,6 @@
 #include "app/workbench/project/project_state.hpp"
 
 #include <QFile>
-#include <filesystem>
 
 #include "app/workbench/base/own_presets.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
@@ -9,7 +8,6 @@
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/window_layout.hpp"
 #include "app/workbench/video/video_desk.hpp"
-#include "core/base/text.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/plots/plot_panel.hpp"
 #include "widgets/scene/values/scene_memory.hpp"
@@ -20,39 +18,8 @@
 namespace abrazo::app {
 namespace {
 
-using Use = DataReference::Use;
-
 /// In Project::view: before the name of a take, the key of its markers.
 constexpr std::string_view markers_key = "markers:";
-
-std::string extension_of(const std::string& file) {
-  return lower_case(std::filesystem::path(file).extension().string());
-}
-
-Use use_of_library(const std::string& file) {
-  return extension_of(file) == ".json" ? Use::Manifest : Use::Library;
-}
-
-Use use_of_input(const std::string& file) {
-  const std::string extension = extension_of(file);
-  return extension == ".asf" ? Use::Skeleton : extension == ".json" ? Use::JointMap : Use::Motion;
-}
-
-DataReference unread(Use use, const std::string& file) {
-  DataReference reference;
-  reference.use = use;
-  reference.absolute_path = std::filesystem::absolute(file).lexically_normal().string();
-  return reference;
-}
-
-void add_material(const Material& material, Project& project) {
-  if (!material.library_file.empty())
-    project.data.push_back(unread(use_of_library(material.library_file), material.library_file));
-  for (const std::string& file : material.input_files)
-    project.data.push_back(unread(use_of_input(file), file));
-  // Of a recorded session the input is in the recording.
-  if (material.input_files.empty() && !material.recorded) project.input = material.input.name;
-}
 
 void add_videos(const MainWindow& window, Project& project) {
   const auto* desk = window.findChild<VideoDesk*>();
@@ -61,7 +28,8 @@ void add_videos(const MainWindow& window, Project& project) {
   const QStringList files = desk->files();
   for (std::size_t i = 0; i < project.videos.size(); ++i) {
     project.videos[i].data = static_cast<int>(project.data.size());
-    project.data.push_back(unread(Use::Video, files.value(static_cast<int>(i)).toStdString()));
+    project.data.push_back(
+        unread_reference(DataReference::Use::Video, files.value(static_cast<int>(i)).toStdString()));
   }
 }
 
@@ -137,7 +105,7 @@ void show_decisions(MainWindow& window, const Decisions& decisions) {
 Project project_of(MainWindow& window) {
   Project project;
   if (!window.session()) return project;
-  add_material(window.session()->material(), project);
+  describe(window.session()->material(), project);
   add_videos(window, project);
   project.markers = window.timeline().markers();
   if (const auto* desk = window.findChild<AnnotationDesk*>()) {

@@ -141,17 +141,19 @@ std::size_t RelocateDialog::leftMissing() const {
 }
 
 void RelocateDialog::showConsequences() {
-  QStringList lines;
+  std::map<std::string, QStringList> names;  // by what does not work without them
   for (const auto& [index, place] : places()) {
     const DataReference& reference = m_project->project().data[index];
-    if (place.empty())
-      lines << QString("Without %1: %2.")
-                   .arg(name_of(reference), QString::fromStdString(without(reference.use)));
+    if (place.empty()) names[without(reference.use)] << name_of(reference);
   }
+  QStringList lines;
+  for (const auto& [consequence, files] : names)
+    lines << QString("Without %1: %2.").arg(files.join(", "), QString::fromStdString(consequence));
   m_consequences->setText(lines.join("\n"));
-  m_open->setText(lines.isEmpty()                                      ? "Open"
-                  : lines.size() == static_cast<int>(m_choices.size()) ? "Open without them"
-                                                                       : "Open without the rest");
+  const std::size_t left = leftMissing();
+  m_open->setText(left == 0                  ? "Open"
+                  : left == m_choices.size() ? "Open without them"
+                                             : "Open without the rest");
 }
 
 }  // namespace abrazo::app

@@ -3,7 +3,7 @@
 #include <QDialog>
 #include <memory>
 
-#include "app/workbench/document/project_opening.hpp"
+#include "core/opening/opened_session.hpp"
 
 class QLabel;
 class QPushButton;

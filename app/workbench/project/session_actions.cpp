@@ -5,12 +5,12 @@
 #include <algorithm>
 
 #include "app/workbench/base/job.hpp"
-#include "app/workbench/document/recorded_session.hpp"
 #include "app/workbench/document/session_places.hpp"
 #include "app/workbench/project/autosave.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/takes/take_desk.hpp"
+#include "core/session/file/session_file.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/takes/leftover_bar.hpp"
 #include "widgets/takes/recorded_takes.hpp"
@@ -79,12 +79,8 @@ std::vector<LeftoverSession> leftovers(const QStringList& files) {
   return found;
 }
 
-QString autosave_folder(const MainWindow& window) {
-  return window.remembered().folder() + "/autosave";
-}
-
 void discard(MainWindow& window, const QString& file) {
-  if (QFileInfo(file).absolutePath() == QFileInfo(autosave_folder(window)).absoluteFilePath()) {
+  if (QFileInfo(file).absolutePath() == QFileInfo(window.remembered().autosaveFolder()).absoluteFilePath()) {
     Autosave::remove(file);
     return window.messages().showInformation("The changes that were not saved were discarded");
   }
@@ -107,7 +103,7 @@ std::vector<LeftoverSession> unsaved(const QStringList& files) {
 
 void offer_leftovers(MainWindow& window) {
   const QStringList files = unclosed_sessions(sessions_folder());
-  const QStringList kept = Autosave::leftBehind(autosave_folder(window));
+  const QStringList kept = Autosave::leftBehind(window.remembered().autosaveFolder());
   auto* bar = window.findChild<LeftoverBar*>();
   if ((files + kept).isEmpty() || !bar) return;
   new Job(

@@ -3,8 +3,7 @@
 #include <QFileInfo>
 #include <QPainter>
 
-#include "app/workbench/document/material.hpp"
-#include "app/workbench/document/open_video.hpp"
+#include "core/opening/file_kinds.hpp"
 #include "widgets/common/theme.hpp"
 
 namespace abrazo::app {
@@ -12,17 +11,28 @@ namespace {
 
 constexpr int most_lines = 8, line_height = 24, margin = 24;
 
-QString kind_in_words(const QFileInfo& file) {
-  const QString ending = file.suffix().toLower();
-  if (file.isDir()) return "a folder; drop the files in it";
-  if (ending == "h5" || ending == "hdf5") return "a library";
-  if (ending == "json") return "a manifest, or a joint map";
-  if (ending == "abrazo") return "a recorded session";
-  if (ending == "asf") return "the skeleton of a motion";
-  if (ending == "csv" || ending == "tsv")
-    return is_motion_file(file.filePath().toStdString()) ? "positions" : "labels";
-  if (is_motion_file(file.filePath().toStdString())) return "a motion";
-  if (is_video_file(file.filePath())) return "a reference video";
+QString kind_in_words(const QString& file) {
+  if (QFileInfo(file).isDir()) return "a folder; drop the files in it";
+  switch (kind_of_file(file.toStdString())) {
+    case FileKind::Library:
+      return "a library";
+    case FileKind::Manifest:
+      return "a manifest";
+    case FileKind::JointMap:
+      return "a joint map";
+    case FileKind::Session:
+      return "a recorded session";
+    case FileKind::Skeleton:
+      return "the skeleton of a motion";
+    case FileKind::Labels:
+      return "labels";
+    case FileKind::Motion:
+      return "a motion";
+    case FileKind::Video:
+      return "a reference video";
+    case FileKind::Unknown:
+      break;
+  }
   return "not a kind of file that Abrazo opens";
 }
 
@@ -31,7 +41,7 @@ QString kind_in_words(const QFileInfo& file) {
 QStringList dropped_in_words(const QStringList& files) {
   QStringList words;
   for (const QString& file : files.mid(0, most_lines))
-    words << QFileInfo(file).fileName() + ": " + kind_in_words(QFileInfo(file));
+    words << QFileInfo(file).fileName() + ": " + kind_in_words(file);
   if (files.size() > most_lines) words << QString("and %1 more").arg(files.size() - most_lines);
   return words;
 }

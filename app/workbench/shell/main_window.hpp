@@ -4,11 +4,13 @@
 #include <QTimer>
 #include <QUndoStack>
 #include <memory>
+#include <vector>
 
 #include "app/workbench/base/user_settings.hpp"
 #include "app/workbench/document/live_session.hpp"
 #include "app/workbench/shell/frame_ticker.hpp"
 #include "app/workbench/shell/window_layout.hpp"
+#include "core/opening/file_kinds.hpp"
 #include "widgets/common/palette.hpp"
 
 class QDockWidget;
@@ -105,7 +107,7 @@ class MainWindow : public QMainWindow {
   void videosOffered(const QStringList& files);
   void filesOpened(const QStringList& files);
   /// A session file is to be opened, among these; whoever opens it himself says so.
-  void sessionOffered(const QStringList& files, bool& taken);
+  void sessionOffered(const std::vector<abrazo::FileToOpen>& files, bool& taken);
   /// The session is to end, for another one or with the window. Who wants it to stay says so.
   void leaving(bool& allowed);
   void closing();

@@ -2,15 +2,14 @@
 #include <algorithm>
 
 #include "app/workbench/base/job_progress.hpp"
-#include "app/workbench/document/generated_material.hpp"
-#include "app/workbench/document/open_video.hpp"
-#include "app/workbench/document/session_places.hpp"
 #include "app/workbench/labels/label_import.hpp"
 #include "app/workbench/library/mapping_desk.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/status_figures.hpp"
-#include "core/library/takes/tier_file.hpp"
+#include "core/opening/generated_set.hpp"
+#include "core/opening/joint_maps.hpp"
+#include "core/opening/open_files.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/library/take_list.hpp"
@@ -29,43 +28,51 @@ std::vector<std::string> names_of(const QStringList& files) {
   return names;
 }
 
+QStringList names_of(const std::vector<FileToOpen>& files) {
+  QStringList names;
+  for (const FileToOpen& file : files) names << QString::fromStdString(file.path);
+  return names;
+}
+
+QStringList files_of(std::vector<FileToOpen> files, FileKind kind) {
+  std::erase_if(files, [kind](const FileToOpen& file) { return file.kind != kind; });
+  return names_of(files);
+}
+
 }  // namespace
 
 void MainWindow::openDemo() {
-  openMaterial(make_demo);
+  openMaterial(generated_dance);
 }
 
 void MainWindow::openFiles(const QStringList& all) {
-  QStringList videos, labels, files;
-  for (const QString& file : all)
-    (is_video_file(file)                                                        ? videos
-     : is_label_file(file.toStdString()) && !is_motion_file(file.toStdString()) ? labels
-                                                                                : files)
-        << file;
-  if (auto* import = findChild<LabelImport*>(); import && files.isEmpty() && !labels.isEmpty()) {
+  const std::vector<FileToOpen> known = recognised(names_of(all));
+  const auto has = [&known](FileKind kind) { return std::ranges::count(known, kind, &FileToOpen::kind); };
+  const QStringList videos = files_of(known, FileKind::Video);
+  const auto others = static_cast<qsizetype>(known.size()) - videos.size();
+  auto* import = findChild<LabelImport*>();
+  if (import && has(FileKind::Labels) > 0 && has(FileKind::Labels) == others) {
     if (!videos.isEmpty()) emit videosOffered(videos);
-    return import->read(labels);
+    return import->read(files_of(known, FileKind::Labels));
   }
-  files << labels;  // beside something else, that they may be part of
-  if (files.isEmpty() && !videos.isEmpty()) {
+  if (others == 0 && !videos.isEmpty()) {
     emit videosOffered(videos);
     return m_session || m_job ? void() : openDemo();
   }
-  const auto motions = std::count_if(files.begin(), files.end(),
-                                     [](const QString& file) { return is_motion_file(file.toStdString()); });
-  // Without anyone to ask, load_material refuses them.
-  if (motions > 1 && isSignalConnected(QMetaMethod::fromSignal(&MainWindow::motionsOffered)))
-    return emit motionsOffered(files + videos);
+  // Without anyone to ask, open_files refuses them.
+  if (has(FileKind::Motion) > 1 && isSignalConnected(QMetaMethod::fromSignal(&MainWindow::motionsOffered)))
+    return emit motionsOffered(all);
+  OpeningWish wish{known,
+                   m_session ? m_session->material() : Material{},
+                   MappingDesk::folder(*this).toStdString(),
+                   m_remembered.autosaveFolder().toStdString(),
+                   {}};
+  std::erase_if(wish.files, [](const FileToOpen& file) { return file.kind == FileKind::Video; });
   bool taken = false;
-  if (std::any_of(files.begin(), files.end(), is_session_file)) emit sessionOffered(files, taken);
-  if (taken) return offerOnceOpen(videos, files);
-  const std::vector<std::string> names = names_of(files);
-  const Material open = m_session ? m_session->material() : Material{};
-  openMaterial(
-      [names, open, maps = MappingDesk::folder(*this).toStdString()](const Progress& progress) {
-        return load_with_remembered_maps(names, open, maps, progress);
-      },
-      all);
+  if (has(FileKind::Session) > 0) emit sessionOffered(wish.files, taken);
+  if (taken) return offerOnceOpen(videos, names_of(wish.files));
+  openMaterial([wish = std::move(wish)](const Progress& progress) { return open_files(wish, progress); },
+               all);
 }
 
 /// A session that begins closes videos: they come after it, and not at all when something else is opened.

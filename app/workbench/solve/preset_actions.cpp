@@ -7,10 +7,10 @@
 
 #include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/own_presets.hpp"
-#include "app/workbench/document/project_opening.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "core/base/atomic_file.hpp"
+#include "core/opening/opened_session.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/settings/preset_bar.hpp"
 #include "widgets/settings/settings_panel.hpp"

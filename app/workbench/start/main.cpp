@@ -6,7 +6,6 @@
 #include <optional>
 
 #include "app/workbench/base/user_settings.hpp"
-#include "app/workbench/document/generated_material.hpp"
 #include "app/workbench/project/project_desk.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
@@ -19,6 +18,7 @@
 #include "app/workbench/start/unattended.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/file_limit.hpp"
+#include "core/opening/generated_set.hpp"
 #include "widgets/common/icons.hpp"
 #include "widgets/common/plain_text.hpp"
 #include "widgets/scene/view/scene_view.hpp"
@@ -56,8 +56,8 @@ void set_up_toolkit() {
 
 /// The dance that opens when nothing is named, generated while toolkit and window come up.
 app::MainWindow::MakeMaterial dance_begun_early() {
-  auto dance = std::make_shared<std::future<Result<app::Material>>>(
-      std::async(std::launch::async, [] { return app::make_demo({}); }));
+  auto dance = std::make_shared<std::future<Result<Material>>>(
+      std::async(std::launch::async, [] { return generated_dance({}); }));
   return [dance](const Progress&) { return dance->get(); };
 }
 

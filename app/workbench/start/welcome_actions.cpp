@@ -2,10 +2,10 @@
 #include <QMenu>
 
 #include "app/workbench/base/recent_files.hpp"
-#include "app/workbench/document/generated_material.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/start/welcome_page.hpp"
+#include "core/opening/generated_set.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 
@@ -47,7 +47,7 @@ void add_starts(MainWindow& window, WelcomePage& page) {
 void add_welcome_actions(MainWindow& window) {
   QMenu* files = window.menu("File");
   QAction* fight =
-      add_action(window, files, "Generated fight", {}, [&window] { window.openMaterial(make_fight); });
+      add_action(window, files, "Generated fight", {}, [&window] { window.openMaterial(generated_fight); });
   if (QAction* dance = find_action(window, "Generated dance")) {
     files->removeAction(fight);
     files->insertAction(dance, fight);

@@ -144,6 +144,8 @@ void PairDesk::extend(const PairedTake& take) {
     Material next = material;
     next.library = std::make_shared<const MotionLibrary>(std::move(longer).value());
     next.library_file.clear();  // what lies there has not this take
+    next.manifest.reset();
+    next.is_generated = next.stands_in = false;
     auto prepared = prepare_solver(std::move(next), settings);
     if (!prepared) return [this, why = prepared.error().text()] { m_window.messages().showError(text(why)); };
     auto ready = std::make_shared<PreparedSolver>(std::move(prepared).value());
@@ -178,10 +180,10 @@ void PairDesk::show(PreparedSolver prepared) {
 
 void PairDesk::save(const QString& file) {
   if (!m_window.session()) return;
-  const Status written = write_library(*m_window.session()->material().library, file.toStdString());
+  const auto library = m_window.session()->material().library;
+  const Status written = write_library(*library, file.toStdString());
   if (!written) return m_window.messages().showError(text(written.error().text()));
-  if (const auto recorder = m_window.session()->engine().recorder())
-    recorder->set_library_path(m_window.session()->material().library, file.toStdString());
+  m_window.session()->setLibraryFile(library, file.toStdString());
   m_window.messages().showInformation("Library written to " + file);
 }
 

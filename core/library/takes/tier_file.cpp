@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <optional>
 
 #include "core/base/atomic_file.hpp"
@@ -136,20 +135,6 @@ const std::vector<std::string>& tier_file_extensions() {
 bool is_tier_file(std::string_view name) {
   const auto& known = tier_file_extensions();
   return std::find(known.begin(), known.end(), extension_of(name)) != known.end();
-}
-
-bool is_label_file(const std::filesystem::path& file) {
-  if (!is_tier_file(file.string())) return false;
-  const std::string extension = extension_of(file.string());
-  if (extension != ".csv" && extension != ".json") return true;
-  constexpr std::streamsize enough = 400;
-  std::string head(enough, '\0');
-  std::ifstream opened(file, std::ios::binary);
-  opened.read(head.data(), enough);
-  head.resize(static_cast<std::size_t>(opened.gcount()));
-  if (extension == ".json") return head.find("\"tiers\"") != std::string::npos;
-  const std::string columns = lower_case(trimmed(head));
-  return columns.starts_with("take,start") || columns.starts_with("tier,start");
 }
 
 Result<TierDocument> parse_tiers(std::string_view text, const std::string& name, const TierReading& reading) {

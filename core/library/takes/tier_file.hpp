@@ -41,9 +41,6 @@ struct TierText {
 /// ".eaf", ".csv", ".json", ".vtt", ".srt"
 const std::vector<std::string>& tier_file_extensions();
 bool is_tier_file(std::string_view name);
-/// By its name, and for .csv and .json by how it begins: a file of labels, not of joints or takes. False when
-/// it cannot be read.
-bool is_label_file(const std::filesystem::path& file);
 
 /// Tiers from a file of these formats:
 ///   .eaf   ELAN 2.0 to 3.0: alignable and reference annotations, vocabularies, units; see eaf_file.hpp

@@ -9,7 +9,6 @@
 #include "core/session/export/library_take_record.hpp"
 #include "core/session/export/session_tiers.hpp"
 #include "core/session/file/recorded_frames.hpp"
-#include "core/session/file/session_libraries.hpp"
 #include "core/synthesis/trace.hpp"
 
 namespace abrazo {
@@ -18,8 +17,8 @@ namespace {
 
 class FileExport : public ExportSource {
  public:
-  FileExport(std::shared_ptr<const SessionFile> file, const std::string& given)
-      : file_(std::move(file)), libraries_(file_, given) {}
+  FileExport(std::shared_ptr<const SessionFile> file, LibraryOpener libraries)
+      : file_(std::move(file)), open_library_(std::move(libraries)) {}
 
   const SessionRecord& record() const override { return *file_; }
   bool solves_again() const override { return true; }
@@ -27,7 +26,7 @@ class FileExport : public ExportSource {
   Result<FrameSnapshotPtr> with_mesh(std::uint64_t index) override {
     const SessionLibrary* library = library_at(index);
     if (!frames_ || library != library_) {
-      const auto opened = libraries_.open(library);
+      const auto opened = open_library_(library);
       if (!opened) return opened.error();
       auto frames = RecordedFrames::open(file_->path(), opened->library);
       if (!frames) return frames.error();
@@ -45,10 +44,10 @@ class FileExport : public ExportSource {
     SessionReplay all;
     for (std::size_t s = 0; s < segments->size(); ++s) {
       const SessionSegment& segment = (*segments)[s];
-      const auto opened = libraries_.open(segment.library);
+      const auto opened = open_library_(segment.library);
       if (!opened) return opened.error();
       if (s == 0) {
-        const auto header = session_trace_header(*file_, opened->path, range);
+        const auto header = session_trace_header(*file_, opened->name, range);
         if (!header) return header.error();
         if (const Status added = line(*header); !added) return added.error();
       }
@@ -78,7 +77,7 @@ class FileExport : public ExportSource {
   }
 
   std::shared_ptr<const SessionFile> file_;
-  SessionLibraries libraries_;
+  LibraryOpener open_library_;
   const SessionLibrary* library_ = nullptr;
   std::shared_ptr<const RecordedFrames> frames_;
 };
@@ -160,8 +159,8 @@ class TakeExport : public ExportSource {
 }  // namespace
 
 std::unique_ptr<ExportSource> export_of_file(std::shared_ptr<const SessionFile> file,
-                                             const std::string& given_library) {
-  return std::make_unique<FileExport>(std::move(file), given_library);
+                                             LibraryOpener libraries) {
+  return std::make_unique<FileExport>(std::move(file), std::move(libraries));
 }
 
 Result<std::unique_ptr<ExportSource>> export_of_history(RunningExport running, const Progress& progress) {

@@ -31,10 +31,17 @@ class ExportSource {
   virtual Result<std::vector<Tier>> tiers(const SessionRange& range) const = 0;
 };
 
-/// A session file. Meshes and traces need the library: the given one, else where the file says.
-/// @param given_library  path; empty = none
+/// A library that frames of a session were solved with.
+struct LibraryAtHand {
+  std::shared_ptr<const MotionLibrary> library;
+  std::string name;  ///< for the head of a trace: as it was given, else as the session calls it
+};
+/// Opens the library of a part of a session; null: the part names none. See library_opener in core/opening.
+using LibraryOpener = std::function<Result<LibraryAtHand>(const SessionLibrary*)>;
+
+/// A session file. Meshes and traces need its libraries.
 std::unique_ptr<ExportSource> export_of_file(std::shared_ptr<const SessionFile> file,
-                                             const std::string& given_library);
+                                             LibraryOpener libraries);
 
 /// What a running session has, in memory and in the file it is recorded to.
 struct RunningExport {

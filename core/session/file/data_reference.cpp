@@ -19,8 +19,8 @@ constexpr std::uint64_t whole_up_to = std::uint64_t{64} << 20;
 /// Of a larger file so much of its begin, its middle and its end.
 constexpr std::uint64_t sample_bytes = std::uint64_t{4} << 20;
 
-constexpr std::array<std::string_view, 7> use_texts = {"library", "manifest",   "motion",   "skeleton",
-                                                       "video",   "intrinsics", "joint map"};
+constexpr std::array<std::string_view, 8> use_texts = {"library", "manifest",   "motion",    "skeleton",
+                                                       "video",   "intrinsics", "joint map", "take file"};
 
 void add_bytes(std::span<const char> bytes, ContentHash& hash) {
   std::size_t at = 0;
@@ -98,6 +98,13 @@ Result<DataReference::Use> parse_data_use(std::string_view text) {
   for (std::size_t i = 0; i < use_texts.size(); ++i)
     if (use_texts[i] == text) return static_cast<DataReference::Use>(i);
   return Error{"a file is for '" + std::string(text) + "', which this program does not know", {}};
+}
+
+DataReference unread_reference(DataReference::Use use, const std::string& file) {
+  DataReference reference;
+  reference.use = use;
+  reference.absolute_path = absolute(file);
+  return reference;
 }
 
 Result<DataReference> reference_to(const std::string& file, DataReference::Use use,

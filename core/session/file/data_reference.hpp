@@ -12,7 +12,7 @@ namespace abrazo {
 
 /// A file that a project stands on; its content stays where it is.
 struct DataReference {
-  enum class Use { Library, Manifest, Motion, Skeleton, Video, Intrinsics, JointMap };
+  enum class Use { Library, Manifest, Motion, Skeleton, Video, Intrinsics, JointMap, Take };
   Use use = Use::Library;
   std::string relative_path;  ///< to the session file's folder, with '/'; empty where there is no such path
   std::string absolute_path;  ///< when it was saved last
@@ -22,6 +22,9 @@ struct DataReference {
 
   bool operator==(const DataReference&) const = default;
 };
+
+/// A reference with a path only: whole, as it is now.
+DataReference unread_reference(DataReference::Use use, const std::string& file);
 
 /// A reference to a file as it is now.
 Result<DataReference> reference_to(const std::string& file, DataReference::Use use,

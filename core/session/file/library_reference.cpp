@@ -5,7 +5,6 @@
 #include <filesystem>
 
 #include "core/base/checksum.hpp"
-#include "core/library/store/motion_library_file.hpp"
 
 namespace abrazo {
 
@@ -84,33 +83,16 @@ Status check_session_library(const SessionLibrary& reference, const MotionLibrar
                library.name()};
 }
 
-Result<std::shared_ptr<const MotionLibrary>> open_session_library(const SessionLibrary& reference,
-                                                                  const std::string& session_path) {
+std::vector<std::string> places_of(const SessionLibrary& reference, const std::string& session_path) {
   std::error_code failure;
-  std::vector<fs::path> places;
+  std::vector<std::string> places;
   if (!reference.relative_path.empty())
-    places.push_back(
-        (fs::absolute(session_path, failure).parent_path() / reference.relative_path).lexically_normal());
-  if (!reference.absolute_path.empty() &&
-      (places.empty() || places.front() != fs::path(reference.absolute_path)))
-    places.emplace_back(reference.absolute_path);
-  if (places.empty())
-    return Error{"the session was recorded with the library '" + reference.name +
-                     "', which was not a file; open the library first",
-                 session_path};
-  std::string looked;
-  for (const fs::path& place : places) {
-    looked += (looked.empty() ? "" : " and ") + place.string();
-    if (!fs::exists(place, failure)) continue;
-    auto library = read_library(place);
-    if (!library) return library.error();
-    if (const Status same = check_session_library(reference, *library); !same)
-      return Error{same.error().message, place.string()};
-    return std::make_shared<const MotionLibrary>(std::move(*library));
-  }
-  return Error{"its library '" + reference.name + "' was looked for as " + looked +
-                   " and is not there; put it beside the session file, or open it first",
-               session_path};
+    places.push_back((fs::absolute(session_path, failure).parent_path() / reference.relative_path)
+                         .lexically_normal()
+                         .string());
+  const std::string absolute = fs::path(reference.absolute_path).lexically_normal().string();
+  if (!absolute.empty() && (places.empty() || places.front() != absolute)) places.push_back(absolute);
+  return places;
 }
 
 }  // namespace abrazo

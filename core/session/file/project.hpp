@@ -38,6 +38,9 @@ struct Project {
   Decisions decisions;
   std::string
       input;  ///< take of the library, or motion file, that plays the user; empty = as the library says
+  std::string library;  ///< its name; empty where that was not noted
+  std::string
+      manifest;  ///< JSON that builds the library, which is no file; its files are among `data` as Take
   std::string presets;  ///< JSON of a person's own presets
   std::map<std::string, std::string>
       view;  ///< layout of panels, camera, lanes, ...: text or base64, by owner's name

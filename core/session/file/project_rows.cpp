@@ -95,6 +95,8 @@ Status take_settings(const std::map<std::string, std::string>& words, Project& p
   };
   project.input = text("input");
   project.presets = text("presets");
+  project.library = text("library");
+  project.manifest = text("manifest");
   Status good = Done{};
   if (const std::string json = text("settings"); !json.empty()) {
     auto settings = parse_settings(json, Settings{}, "settings");
@@ -129,6 +131,8 @@ Status write_project(SessionDatabase& database, const Project& project) {
       {"decisions", decisions_json(project.decisions)},
       {"input", project.input},
       {"presets", project.presets},
+      {"library", project.library},
+      {"manifest", project.manifest},
       {"next_marker", std::to_string(project.markers.next_id())}};
   if (const Status done = write_words(database, "project", words); !done) return done;
   if (const Status done = write_words(database, "view_state", project.view); !done) return done;

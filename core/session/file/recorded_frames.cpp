@@ -83,8 +83,11 @@ class FileFrames : public RecordedFrames {
 
   Status connect() {
     auto database = open_session_database(path_);
-    if (!database) return database.error();
-    database_.emplace(std::move(*database));
+    return database ? connect(std::move(*database)) : Status(database.error());
+  }
+
+  Status connect(SessionDatabase database) {
+    database_.emplace(std::move(database));
     auto reader = FrameReader::open(*database_);
     if (!reader) return reader.error();
     auto version = database_->prepare("PRAGMA data_version");
@@ -356,6 +359,12 @@ Result<std::shared_ptr<RecordedFrames>> RecordedFrames::open(const std::string& 
   auto frames = open(path, Origin{});
   if (frames) (*frames)->add_library(std::move(library));
   return frames;
+}
+
+Result<std::shared_ptr<RecordedFrames>> RecordedFrames::over(SessionDatabase database) {
+  auto frames = std::make_shared<FileFrames>(database.path(), Origin{});
+  if (const Status connected = frames->connect(std::move(database)); !connected) return connected.error();
+  return std::shared_ptr<RecordedFrames>(std::move(frames));
 }
 
 Result<std::shared_ptr<RecordedFrames>> RecordedFrames::open(const std::string& path, const Origin& origin) {

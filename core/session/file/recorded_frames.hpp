@@ -11,6 +11,7 @@
 namespace abrazo {
 
 class MotionLibrary;
+class SessionDatabase;
 
 /// The frames of a session file as a history asks for them, over a connection of its own: also while the file
 /// is recorded. What needs the library (mesh, selected pair, residuals of edges) is there for frames that
@@ -20,6 +21,9 @@ class RecordedFrames : public FrameStore {
   /// @param library  that the session was solved with, or null
   static Result<std::shared_ptr<RecordedFrames>> open(const std::string& path,
                                                       std::shared_ptr<const MotionLibrary> library = nullptr);
+
+  /// Over a connection that is open already.
+  static Result<std::shared_ptr<RecordedFrames>> over(SessionDatabase database);
 
   /// How a recorder's own times and indices become those of the file; only frames from `first_frame` on are
   /// seen.

@@ -199,8 +199,7 @@ void bound_runs(SessionDatabase& database, SessionContents& contents) {
   }
 }
 
-}  // namespace
-
+/// Reads all small tables. What cannot be read is left out and said in `damage`, one sentence each.
 SessionContents read_contents(SessionDatabase& database, std::vector<std::string>& damage) {
   SessionContents contents;
   if (const auto version = session_version(database)) contents.version = static_cast<int>(*version);
@@ -221,6 +220,7 @@ SessionContents read_contents(SessionDatabase& database, std::vector<std::string
   return contents;
 }
 
+/// What is to be said of sessions that were cut off: how much is there, and which take was open.
 std::vector<std::string> recovery_of(const SessionContents& contents) {
   std::vector<std::string> lines;
   for (const SessionRun& run : contents.runs) {
@@ -236,6 +236,23 @@ std::vector<std::string> recovery_of(const SessionContents& contents) {
       lines.push_back("the take '" + take.name + "' was still being recorded; it ends at " +
                       clock_text(take.end_s));
   return lines;
+}
+
+}  // namespace
+
+Result<SessionFacts> read_facts(SessionDatabase& database) {
+  SessionFacts facts;
+  facts.is_being_recorded = database.is_held_elsewhere();
+  std::vector<std::string> damage;
+  facts.contents = read_contents(database, damage);
+  if (!facts.is_being_recorded) facts.recovery = recovery_of(facts.contents);
+  if (database.is_salvage())
+    facts.recovery.insert(facts.recovery.begin(),
+                          "the file is damaged or cut short; what can still be read is shown");
+  facts.recovery.insert(facts.recovery.end(), damage.begin(), damage.end());
+  if (facts.contents.runs.empty() && facts.contents.frames == 0 && !damage.empty())
+    return Error{"nothing of the file can be read; " + damage.front(), database.path()};
+  return facts;
 }
 
 }  // namespace abrazo

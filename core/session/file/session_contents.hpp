@@ -8,10 +8,13 @@
 
 namespace abrazo {
 
-/// Reads all small tables. What cannot be read is left out and said in `damage`, one sentence each.
-SessionContents read_contents(SessionDatabase& database, std::vector<std::string>& damage);
-
-/// What is to be said of sessions that were cut off: how much is there, and which take was open.
-std::vector<std::string> recovery_of(const SessionContents& contents);
+/// What is known of a session file when it is opened.
+struct SessionFacts {
+  SessionContents contents;
+  std::vector<std::string> recovery;  ///< what is to be said of one that was cut off or damaged
+  bool is_being_recorded = false;
+};
+/// @return an Error when nothing of it can be read
+Result<SessionFacts> read_facts(SessionDatabase& database);
 
 }  // namespace abrazo

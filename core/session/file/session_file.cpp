@@ -5,6 +5,7 @@
 
 #include "core/session/file/frame_reader.hpp"
 #include "core/session/file/frame_row.hpp"
+#include "core/session/file/project_rows.hpp"
 #include "core/session/file/row_scan.hpp"
 #include "core/session/file/session_contents.hpp"
 #include "core/session/file/session_database.hpp"
@@ -16,27 +17,13 @@ namespace {
 
 class OpenSessionFile : public SessionFile {
  public:
-  OpenSessionFile(SessionDatabase database, std::unique_ptr<FrameReader> reader)
-      : database_(std::move(database)), reader_(std::move(reader)) {}
-
-  Status read() {
-    being_recorded_ = database_.is_held_elsewhere();
-    std::vector<std::string> damage;
-    contents_ = read_contents(database_, damage);
-    if (!being_recorded_) recovery_ = recovery_of(contents_);
-    if (database_.is_salvage())
-      recovery_.insert(recovery_.begin(),
-                       "the file is damaged or cut short; what can still be read is shown");
-    recovery_.insert(recovery_.end(), damage.begin(), damage.end());
-    if (contents_.runs.empty() && contents_.frames == 0 && !damage.empty())
-      return Error{"nothing of the file can be read; " + damage.front(), database_.path()};
-    return Done{};
-  }
+  OpenSessionFile(SessionDatabase database, SessionFacts facts, std::unique_ptr<FrameReader> reader)
+      : database_(std::move(database)), reader_(std::move(reader)), facts_(std::move(facts)) {}
 
   const std::string& path() const override { return database_.path(); }
-  const SessionContents& contents() const override { return contents_; }
-  bool is_being_recorded() const override { return being_recorded_; }
-  const std::vector<std::string>& recovery() const override { return recovery_; }
+  const SessionContents& contents() const override { return facts_.contents; }
+  bool is_being_recorded() const override { return facts_.is_being_recorded; }
+  const std::vector<std::string>& recovery() const override { return facts_.recovery; }
 
   Result<RowsRead> each_frame(double from_s, double to_s,
                               const std::function<Status(const FrameSnapshot&)>& visit) const override {
@@ -89,6 +76,11 @@ class OpenSessionFile : public SessionFile {
     }
   }
 
+  Result<ProjectReading> project() const override {
+    const std::scoped_lock lock(mutex_);
+    return read_project(database_);
+  }
+
   Result<FrameSnapshotPtr> frame(std::uint64_t index) const override {
     const std::scoped_lock lock(mutex_);
     auto read = reader_->frame(static_cast<std::int64_t>(index));
@@ -105,7 +97,8 @@ class OpenSessionFile : public SessionFile {
     if (!first || !last) return {lowest, highest};
     if (!*first || !*last) return {1, 0};
     // A damaged file's times may lie; where nothing is asked to be left out, nothing is.
-    const bool all = from_s <= contents_.first_s && to_s >= contents_.last_s && !recovery_.empty();
+    const bool all =
+        from_s <= facts_.contents.first_s && to_s >= facts_.contents.last_s && !facts_.recovery.empty();
     return all ? std::pair{lowest, highest} : std::pair{**first, **last};
   }
 
@@ -115,7 +108,7 @@ class OpenSessionFile : public SessionFile {
     sum.add(bytes);
     if (sum.value() != row.integer(9) || !read_pose(bytes, received.pose.pose))
       return Error{"pose " + std::to_string(row.integer(0)) + " is damaged", {}};
-    for (const SessionPerformer& performer : contents_.performers)
+    for (const SessionPerformer& performer : facts_.contents.performers)
       if (performer.id == row.integer(1)) received.performer = performer.name;
     received.pose.arrived_s = row.is_null(2) ? -1 : row.real(2);
     received.pose.assembled_s = row.is_null(3) ? -1 : row.real(3);
@@ -129,9 +122,7 @@ class OpenSessionFile : public SessionFile {
   mutable std::mutex mutex_;
   mutable SessionDatabase database_;
   std::unique_ptr<FrameReader> reader_;
-  SessionContents contents_;
-  std::vector<std::string> recovery_;
-  bool being_recorded_ = false;
+  SessionFacts facts_;
 };
 
 }  // namespace
@@ -141,9 +132,10 @@ Result<std::shared_ptr<const SessionFile>> SessionFile::open(const std::string& 
   if (!database) return database.error();
   auto reader = FrameReader::open(*database);
   if (!reader) return reader.error();
-  auto file = std::make_shared<OpenSessionFile>(std::move(*database), std::move(*reader));
-  if (const Status read = file->read(); !read) return read.error();
-  return std::shared_ptr<const SessionFile>(std::move(file));
+  auto facts = read_facts(*database);
+  if (!facts) return facts.error();
+  return std::shared_ptr<const SessionFile>(
+      std::make_shared<OpenSessionFile>(std::move(*database), std::move(*facts), std::move(*reader)));
 }
 
 }  // namespace abrazo

@@ -16,6 +16,7 @@
 namespace abrazo {
 
 class MotionLibrary;
+struct ProjectReading;
 
 /// One stretch of a session file: from a recorder's opening of it to its closing.
 struct SessionRun {
@@ -150,6 +151,8 @@ class SessionFile : public SessionRecord {
   virtual bool is_being_recorded() const = 0;
   /// What is to be said of a file that was cut off or damaged, one sentence each; empty when all is well.
   virtual const std::vector<std::string>& recovery() const = 0;
+  /// What a person works on with it; see read_project.
+  virtual Result<ProjectReading> project() const = 0;
   /// By index; null when it is not kept.
   virtual Result<FrameSnapshotPtr> frame(std::uint64_t index) const = 0;
 };

@@ -20,7 +20,7 @@ struct SessionReplay {
 
 /// Solves the frames of [from_s, to_s] again, from the recorded inputs with the recorded settings, decisions
 /// and fresh starts: everything of a frame is there, also what a file does not keep (mesh, morph steps).
-/// @param library  that they were recorded with, see open_session_library; its copy is checked
+/// @param library  that they were recorded with, see LibrarySearch; its copy is checked
 /// @param each     is given every frame in order, time and index as in the session; frames that were skipped
 ///                 are not given
 Result<SessionReplay> re_solve_session(const SessionRecord& session,

@@ -270,21 +270,5 @@ TEST(TierFile, EveryBeginningOfAFileIsReadOrRefused) {
   }
 }
 
-TEST(TierFile, IsRecognisedByItsNameAndByHowCsvAndJsonBegin) {
-  const auto is_one = [](const std::string& name, const std::string& text) {
-    const auto file = std::filesystem::path(testing::TempDir()) / name;
-    EXPECT_TRUE(write_whole_file(file, text));
-    return is_label_file(file);
-  };
-  EXPECT_TRUE(is_one("labels.eaf", ""));
-  EXPECT_TRUE(is_one("labels.csv", "\nTier,start,end,value\n"));
-  EXPECT_TRUE(is_one("labels.csv", "take,start_frame,end_frame,label\n"));
-  EXPECT_TRUE(is_one("labels.json", "{\"tiers\":[]}"));
-  EXPECT_FALSE(is_one("joints.csv", "time,root_x,root_y\n"));
-  EXPECT_FALSE(is_one("manifest.json", "{\"takes\":[]}"));
-  EXPECT_FALSE(is_one("walk.bvh", "HIERARCHY"));
-  EXPECT_FALSE(is_label_file("not_there.csv"));
-}
-
 }  // namespace
 }  // namespace abrazo::tier_file_test

@@ -29,6 +29,8 @@ class ProjectMaker {
     if (below(2)) project.decisions.meant = MeantMove{word(), std::nullopt, number(), true};
     project.decisions.role_control = RoleControl::Library;
     project.input = word();
+    project.library = below(2) ? "" : "generated salsa";
+    project.manifest = below(2) ? "" : R"({"name":"x","takes":[]})";
     project.presets = R"({"abrazo_presets":1,"presets":[]})";
     for (int i = 0; i < below(5); ++i)
       project.view["view " + std::to_string(i)] = word() + std::string("\0z", 2);
@@ -44,7 +46,7 @@ class ProjectMaker {
 
  private:
   DataReference reference() {
-    return {static_cast<DataReference::Use>(below(7)), below(2) ? "" : "../data/a b.h5",
+    return {static_cast<DataReference::Use>(below(8)), below(2) ? "" : "../data/a b.h5",
             "/somewhere/data/" + word(), static_cast<std::uint64_t>(below(1 << 30)) << 20,
             "0123456789abcdef"};
   }

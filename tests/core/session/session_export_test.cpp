@@ -11,7 +11,6 @@
 #include "core/session/export/session_tiers.hpp"
 #include "core/session/file/library_reference.hpp"
 #include "core/session/file/project.hpp"
-#include "core/session/file/session_libraries.hpp"
 #include "core/synthesis/trace.hpp"
 #include "tests/core/session/recorded_session.hpp"
 #include "tests/support/bodies.hpp"
@@ -339,35 +338,6 @@ TEST_F(SessionExport, APartOfTheSessionIsOfOneLibrary) {
   ASSERT_THAT(*segments, SizeIs(1));
   EXPECT_EQ((*segments)[0].library->name, "labelled");
   EXPECT_EQ((*segments)[0].range.last_frame, 9U);
-}
-
-TEST_F(SessionExport, EveryLibraryOfASessionIsOpenedAndTheMissingOnesAreNamed) {
-  std::vector<PairedTake> takes = {test::swinging_take("third", 60, 3)};
-  const std::vector<std::shared_ptr<const MotionLibrary>> others = {
-      test::small_library(),
-      std::make_shared<const MotionLibrary>(*build_library("other", std::move(takes), {}, {}))};
-  for (std::size_t i = 0; i < others.size(); ++i) {
-    const std::string place = TemporaryFolder::file(i == 0 ? "first.h5" : "second.h5");
-    ASSERT_TRUE(write_library(*others[i], place));
-    recorder->set_library_path(others[i], place);
-    library = others[i];
-    for (int f = 0; f < 5; ++f) solved(static_cast<double>(i) + f / 60.0, f);
-  }
-  file();
-  const auto opened = *SessionFile::open(path);
-  std::vector<std::string> warnings;
-  const auto found = SessionLibraries(opened, "").all(warnings);
-  ASSERT_TRUE(found) << found.error().text();
-  ASSERT_THAT(*found, SizeIs(2)) << ::testing::PrintToString(warnings);
-  EXPECT_EQ(library_fingerprint(*(*found)[0]), library_fingerprint(*others[0]));
-  EXPECT_EQ(library_fingerprint(*(*found)[1]), library_fingerprint(*others[1]));
-  const std::size_t before = warnings.size();
-  std::filesystem::remove(TemporaryFolder::file("first.h5"));
-  const auto left = SessionLibraries(opened, TemporaryFolder::file("second.h5")).all(warnings);
-  ASSERT_TRUE(left);
-  ASSERT_THAT(*left, SizeIs(1));
-  ASSERT_THAT(warnings, SizeIs(2 * before + 1));
-  EXPECT_THAT(warnings, ::testing::Contains(HasSubstr("first.h5")));
 }
 
 TEST(SessionTrace, IsThatOfTheLiveSession) {

@@ -1,11 +1,14 @@
-#include "app/workbench/document/generated_material.hpp"
+#include "core/opening/generated_set.hpp"
 
 #include "core/choreography/fight.hpp"
 #include "core/choreography/salsa.hpp"
 #include "core/library/build/motion_library_builder.hpp"
 
-namespace abrazo::app {
+namespace abrazo {
 namespace {
+
+constexpr const char* dance_name = "generated salsa";
+constexpr const char* fight_name = "generated fight";
 
 /// A minute of it as the library; half a minute of another, whose first performer plays the user.
 template <typename Generate>
@@ -17,6 +20,7 @@ Result<Material> generated(const char* name, const char* performer, Generate gen
   if (!library) return library.error();
   Material material;
   material.library = std::make_shared<const MotionLibrary>(std::move(library).value());
+  material.is_generated = true;
   options.seed = 20;
   options.minutes = 0.5;
   options.take_seconds = 30;
@@ -27,14 +31,19 @@ Result<Material> generated(const char* name, const char* performer, Generate gen
 
 }  // namespace
 
-Result<Material> make_demo(const Progress& progress) {
+Result<Material> generated_dance(const Progress& progress) {
   report(progress, 0, "Generating a dance");
-  return generated("generated salsa", "generated leader", generate_salsa, progress);
+  return generated(dance_name, "generated leader", generate_salsa, progress);
 }
 
-Result<Material> make_fight(const Progress& progress) {
+Result<Material> generated_fight(const Progress& progress) {
   report(progress, 0, "Generating a fight");
-  return generated("generated fight", "generated fighter", generate_fight, progress);
+  return generated(fight_name, "generated fighter", generate_fight, progress);
 }
 
-}  // namespace abrazo::app
+GenerateMaterial generated_of_name(const std::string& library) {
+  if (library == dance_name) return generated_dance;
+  return library == fight_name ? generated_fight : nullptr;
+}
+
+}  // namespace abrazo

@@ -1,4 +1,4 @@
-#include "app/workbench/document/unmapped_motion.hpp"
+#include "core/opening/joint_maps.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -7,20 +7,19 @@
 #include "core/base/atomic_file.hpp"
 #include "core/base/text.hpp"
 #include "core/motion/files/import_clip.hpp"
-#include "core/motion/joints/joint_map.hpp"
+#include "core/opening/file_kinds.hpp"
 
-namespace abrazo::app {
+namespace abrazo {
 
 namespace fs = std::filesystem;
 
 UnmappedMotion motion_without_joints(const std::vector<std::string>& files) {
-  if (std::any_of(files.begin(), files.end(), is_joint_map_file)) return nullptr;
-  std::string skeleton;
-  for (const std::string& file : files)
-    if (lower_case(file).ends_with(".asf")) skeleton = file;
-  for (const std::string& file : files) {
-    if (!is_motion_file(file)) continue;
-    auto motions = read_motion_points(file, skeleton);
+  const std::vector<FileToOpen> known = recognised(files);
+  if (std::ranges::count(known, FileKind::JointMap, &FileToOpen::kind) > 0) return nullptr;
+  const auto skeleton = std::ranges::find(known, FileKind::Skeleton, &FileToOpen::kind);
+  for (const FileToOpen& file : known) {
+    if (file.kind != FileKind::Motion) continue;
+    auto motions = read_motion_points(file.path, skeleton == known.end() ? std::string() : skeleton->path);
     if (!motions) continue;
     for (NamedMotion& motion : *motions)
       if (!joints_are_known(motion)) return std::make_shared<const NamedMotion>(std::move(motion));
@@ -70,16 +69,4 @@ Result<std::string> remember_map(const JointMap& map, const std::string& folder)
   }
 }
 
-Result<Material> load_with_remembered_maps(const std::vector<std::string>& files, const Material& open,
-                                           const std::string& folder, const Progress& progress) {
-  Result<Material> material = load_material(files, open, progress);
-  if (material) return material;
-  const UnmappedMotion motion = motion_without_joints(files);
-  const std::string map = motion ? remembered_map(*motion, folder) : std::string();
-  if (map.empty()) return material;
-  std::vector<std::string> with_map = files;
-  with_map.push_back(map);
-  return load_material(with_map, open, progress);
-}
-
-}  // namespace abrazo::app
+}  // namespace abrazo

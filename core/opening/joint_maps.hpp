@@ -4,10 +4,11 @@
 #include <string>
 #include <vector>
 
-#include "app/workbench/document/material.hpp"
+#include "core/base/result.hpp"
+#include "core/motion/joints/joint_map.hpp"
 #include "core/motion/joints/named_motion.hpp"
 
-namespace abrazo::app {
+namespace abrazo {
 
 /// A motion whose file can be read, but whose points are not mapped to joints.
 using UnmappedMotion = std::shared_ptr<const NamedMotion>;
@@ -25,8 +26,4 @@ UnmappedMotion motion_to_map(const std::vector<std::string>& files, const std::s
 /// Keeps a joint map for files with the same points. @return its file
 Result<std::string> remember_map(const JointMap& map, const std::string& folder);
 
-/// load_material; where no built-in joint map fits, with one that was remembered.
-Result<Material> load_with_remembered_maps(const std::vector<std::string>& files, const Material& open,
-                                           const std::string& folder, const Progress& progress);
-
-}  // namespace abrazo::app
+}  // namespace abrazo

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "core/base/progress.hpp"
+#include "core/opening/material.hpp"
+
+namespace abrazo {
+
+/// A minute of generated dance, and a leader whom the library has not seen.
+Result<Material> generated_dance(const Progress& progress);
+
+/// A minute of generated sparring, and a fighter whom the library has not seen.
+Result<Material> generated_fight(const Progress& progress);
+
+using GenerateMaterial = Result<Material> (*)(const Progress&);
+/// What generates the library of this name; null when it is none that can be generated.
+GenerateMaterial generated_of_name(const std::string& library);
+
+}  // namespace abrazo

@@ -1,0 +1,151 @@
+#include "core/opening/session_material.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "core/opening/generated_set.hpp"
+#include "core/opening/library_search.hpp"
+#include "core/opening/open_files.hpp"
+#include "core/session/frames/frame_history.hpp"
+
+namespace abrazo {
+namespace {
+
+namespace fs = std::filesystem;
+using Use = DataReference::Use;
+
+double rate_of(const SessionContents& contents) {
+  double lasted_s = 0;
+  std::uint64_t frames = 0;
+  for (const SessionRun& run : contents.runs)
+    if (run.frames > 1) {
+      lasted_s += run.last_s - run.first_s;
+      frames += run.frames - 1;
+    }
+  return lasted_s > 0 ? static_cast<double>(frames) / lasted_s : 0;
+}
+
+/// The project says nothing of its library: the generated dance, as in files from before that was noted.
+bool says_nothing_of_library(const Project& project) {
+  return project.library.empty() && std::ranges::none_of(project.data, [](const DataReference& data) {
+           return is_of_library(data.use);
+         });
+}
+
+Result<FoundLibrary> stand_in(const Error& why, const Progress& progress) {
+  auto dance = generated_dance(progress);
+  if (!dance) return dance.error();
+  dance->stands_in = true;
+  dance->warnings.push_back(why.text() + ": " + without(Use::Library));
+  return FoundLibrary{std::move(*dance), nullptr, Done{}};
+}
+
+Result<FoundLibrary> library_for(const OpenedSession& session, const SessionWish& wish,
+                                const Progress& progress) {
+  const bool has_frames = session.has_frames();
+  const auto& references = session.recording.contents.libraries;
+  const OpenedProject& project = *session.project;
+  if (!has_frames && wish.library.empty() && says_nothing_of_library(project.project())) {
+    auto dance = generated_dance(progress);
+    return dance ? Result<FoundLibrary>(FoundLibrary{std::move(*dance), nullptr, Done{}}) : dance.error();
+  }
+  LibrarySearch search({project.file, references, session.project, wish.library, wish.open});
+  auto found = search.find(has_frames ? &references.back() : nullptr, progress);
+  if (!found && wish.library.empty() && (wish.may_stand_in || !has_frames))
+    return stand_in(found.error(), progress);
+  if (!found)
+    return Error{found.error().message + "; open the session together with its library (both files at once)",
+                 found.error().where};
+  if (!found->fits)
+    found->material.warnings.push_back(found->fits.error().text() +
+                                       "; meshes and selected pairs of the recorded frames may be wrong");
+  return found;
+}
+
+Status add_frames(const OpenedSession& session, const FoundLibrary& found, const Progress& progress,
+                  Material& material) {
+  const SessionReading& recording = session.recording;
+  const std::string& file = session.project->file;
+  for (const auto& library : {found.material.library, found.before}) recording.frames->add_library(library);
+  // Timeline and plots ask for it as soon as it is open, on the window's thread: then it is there.
+  const FrameStore::Span span = recording.frames->span();
+  report(progress, 0.8, "Reading the recorded frames");
+  const auto overview =
+      recording.frames->between(span.first_index, span.last_index, FrameHistory::overview_frames);
+  if (overview.empty() && recording.frames->damaged() > 0)
+    return Error{"none of its " + std::to_string(span.frames) +
+                     " frames can be read: " + recording.frames->damage() + ". If there is a copy, open that",
+                 file};
+  if (recording.frames->damaged() > 0)
+    material.warnings.push_back("frames are damaged and passed over (" + recording.frames->damage() + ")");
+  material.recorded =
+      std::make_shared<const RecordedSession>(RecordedSession{file, recording.frames, recording.contents});
+  material.excluded_takes = recording.contents.libraries.back().excluded_takes;
+  material.input = {};
+  material.input.name = fs::path(file).stem().string();
+  material.input.fps = rate_of(recording.contents);
+  return Done{};
+}
+
+/// The motion file of the project where all of it is there, else a take of the library.
+Status add_input(const OpenedProject& project, Material& material) {
+  const auto missing = project.missing();
+  const bool can_read = std::ranges::none_of(missing, [&](std::size_t i) {
+    const Use use = project.project().data[i].use;
+    return use == Use::Skeleton || use == Use::JointMap;
+  });
+  if (const std::string motion = project.place_of(Use::Motion); can_read && !motion.empty())
+    return read_input({"", motion, project.place_of(Use::Skeleton), project.place_of(Use::JointMap), ""}, {},
+                      material);
+  const int take = material.library->find_take(project.project().input);
+  if (take < 0 && !material.input.poses.empty()) return Done{};  // of a generated set
+  material = danced_with(material, take < 0 ? static_cast<int>(material.library->takes().size()) - 1 : take);
+  return Done{};
+}
+
+void warn_of_data(const OpenedProject& project, std::vector<std::string>& warnings) {
+  for (std::size_t i = 0; i < project.found.size(); ++i) {
+    const DataReference& data = project.project().data[i];
+    const std::string name = fs::path(data.absolute_path).filename().string();
+    if (project.found[i].state == FoundData::State::Changed)
+      warnings.push_back(name + " has other content than when the session was saved");
+    if (project.found[i].state == FoundData::State::Missing && !is_of_library(data.use))
+      warnings.push_back(name + " is not there: " + without(data.use));
+  }
+}
+
+void warn_of_takes(const Project& project, Material& material) {
+  for (const auto& [take, count] : annotated_elsewhere(project.annotations, *material.library))
+    material.warnings.push_back(
+        fmt::format("{} annotation{} of {} {} kept, and not shown: the library \"{}\" has no such take",
+                    count, count == 1 ? "" : "s", take, count == 1 ? "is" : "are", material.library->name()));
+}
+
+}  // namespace
+
+Result<Material> material_of(const OpenedSession& session, const SessionWish& wish,
+                             const Progress& progress) {
+  const OpenedProject& project = *session.project;
+  const bool has_frames = session.has_frames();
+  if (!has_frames && !project.reading.is_saved)
+    return Error{"has no frames: nothing was recorded into it", project.file};
+  if (has_frames && session.recording.contents.libraries.empty())
+    return Error{"does not say which library it was solved with", project.file};
+  auto found = library_for(session, wish, progress);
+  if (!found) return found.error();
+  Material material = found->material;
+  const Status added =
+      has_frames ? add_frames(session, *found, progress, material) : add_input(project, material);
+  if (!added) return added.error();
+  const auto damage = session.damage();
+  material.warnings.insert(material.warnings.begin(), damage.begin(), damage.end());
+  if (!has_frames) warn_of_data(project, material.warnings);
+  warn_of_takes(project.project(), material);
+  material.stands_in = found->material.stands_in;
+  material.project = session.project;
+  return material;
+}
+
+}  // namespace abrazo

@@ -1,0 +1,91 @@
+#include "core/opening/open_files.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/opening/generated_set.hpp"
+#include "core/opening/joint_maps.hpp"
+#include "tests/core/opening/opening_files.hpp"
+
+namespace abrazo::open_files_test {
+namespace {
+
+using ::testing::Contains;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+
+class OpenFiles : public ::testing::Test, protected test::TemporaryFolder {
+ protected:
+  Result<Material> opened(const std::vector<std::string>& files, const Material& open = {}) const {
+    return open_files({recognised(files), open, "", "", {}}, {});
+  }
+  const std::string manifest = test::two_takes(*this);
+  const std::string motion = file("captures/take_01_a.bvh");
+};
+
+TEST_F(OpenFiles, OfALibraryTheLastTakePlaysTheUser) {
+  const auto material = opened({manifest});
+  ASSERT_TRUE(material) << material.error().text();
+  EXPECT_EQ(material->library_file, manifest);
+  EXPECT_EQ(material->input.name, "take_02");
+  EXPECT_THAT(material->excluded_takes, ElementsAre("take_02"));
+  EXPECT_FALSE(material->has_unsaved_library());
+}
+
+TEST_F(OpenFiles, AMotionReplacesTheUserAndKeepsTheLibrary) {
+  Material open = *opened({manifest});
+  const auto material = opened({motion}, open);
+  ASSERT_TRUE(material) << material.error().text();
+  EXPECT_EQ(material->library, open.library);
+  EXPECT_EQ(material->library_file, manifest);
+  EXPECT_THAT(material->input_files, ElementsAre(motion));
+  EXPECT_THAT(material->excluded_takes, IsEmpty());
+}
+
+TEST_F(OpenFiles, AMotionByItselfIsAnsweredByTheGeneratedDanceWhichIsSaid) {
+  const auto material = opened({motion});
+  ASSERT_TRUE(material) << material.error().text();
+  EXPECT_TRUE(material->is_generated);
+  EXPECT_THAT(material->input_files, ElementsAre(motion));
+  EXPECT_THAT(material->warnings, Contains(HasSubstr("a generated dance answers")));
+}
+
+TEST_F(OpenFiles, ASessionIsOpenedWithTheLibraryBesideItInTheList) {
+  const Material built = test::built_of(manifest);
+  test::record(file("s.abrazo"), built.library, "");
+  const auto alone = opened({file("s.abrazo")});
+  ASSERT_FALSE(alone);
+  EXPECT_THAT(alone.error().text(), HasSubstr("both files at once"));
+  const auto together = opened({file("s.abrazo"), manifest});
+  ASSERT_TRUE(together) << together.error().text();
+  EXPECT_TRUE(together->recorded);
+  EXPECT_EQ(together->library_file, manifest);
+}
+
+TEST_F(OpenFiles, WhatIsOpenIsNotChangedByAFileThatCannotBeRead) {
+  const auto material = opened({manifest, file("none.bvh")});
+  ASSERT_FALSE(material);
+  EXPECT_THAT(material.error().text(), HasSubstr("none.bvh"));
+}
+
+TEST_F(OpenFiles, AJointMapThatWasRememberedIsTriedWhereNoneFits) {
+  const std::string arm = std::string(ABRAZO_FIXTURES) + "/motion/arm.bvh";
+  const UnmappedMotion unmapped = motion_to_map({arm}, file("maps"));
+  ASSERT_TRUE(unmapped);
+  JointMap map = builtin_joint_maps().front();
+  map.name = "arm";
+  for (auto& rules : map.rules) rules = {JointRule{{{unmapped->points.front(), 1.0}}}};
+  const auto kept = remember_map(map, file("maps"));
+  ASSERT_TRUE(kept) << kept.error().text();
+  EXPECT_EQ(motion_to_map({arm}, file("maps")), nullptr);
+  const auto refused = open_files({recognised({arm, manifest}), {}, "", "", {}}, {});
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().text(), HasSubstr("no joint map fits"));
+  const auto tried = open_files({recognised({arm, manifest}), {}, file("maps"), "", {}}, {});
+  EXPECT_TRUE(tried || tried.error().text().find("no joint map fits") == std::string::npos)
+      << tried.error().text();
+}
+
+}  // namespace
+}  // namespace abrazo::open_files_test

@@ -1,0 +1,234 @@
+// A library that is built of motion files in the window and not saved: the session that was worked on with it
+// is whole when it is opened again, and says what is missing where it cannot be.
+#include <QDir>
+#include <QPushButton>
+#include <QTemporaryDir>
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+#include "app/workbench/labels/annotation_desk.hpp"
+#include "app/workbench/library/library_build.hpp"
+#include "app/workbench/library/library_desk.hpp"
+#include "app/workbench/project/project_desk.hpp"
+#include "app/workbench/project/relocate_dialog.hpp"
+#include "app/workbench/takes/take_desk.hpp"
+#include "core/library/store/motion_library_file.hpp"
+#include "core/motion/bvh/bvh.hpp"
+#include "core/session/file/library_reference.hpp"
+#include "tests/support/libraries.hpp"
+#include "tests/workbench/demo_window.hpp"
+#include "widgets/annotation/annotation_panel.hpp"
+#include "widgets/common/message_bar.hpp"
+
+namespace abrazo::app::built_session_test {
+namespace {
+
+class BuiltSession : public DemoWindow {
+ protected:
+  static void SetUpTestSuite() { start(); }
+  void SetUp() override {
+    DemoWindow::SetUp();
+    QDir(folder.path()).mkpath("captures");
+    prepare();
+    build();
+  }
+  void TearDown() override { desk().setAsks(false); }
+
+  static void start() { showWindow({1400, 900}); }
+  /// Without saving; the next window is that of another start.
+  void restart() {
+    desk().setAsks(false);
+    TearDownTestSuite();
+    start();
+    prepare();
+  }
+  void prepare() {
+    desk().setAsks(true);
+    desk().ask = [] { return ProjectDesk::Answer::Discard; };
+    desk().askLibrary = [this] { return ++asked, answer; };
+  }
+
+  static ProjectDesk& desk() { return *window().findChild<ProjectDesk*>("project desk"); }
+  static AnnotationDesk& annotations() { return *window().findChild<AnnotationDesk*>(); }
+  static const Material& material() { return window().session()->material(); }
+  QString file(const QString& name) const { return folder.filePath(name); }
+  static std::string said() { return window().messages().text().toStdString(); }
+
+  QStringList written_motions() const {
+    QStringList files;
+    for (const auto& [take, seed] : {std::pair("one", 1U), {"two", 2U}}) {
+      const PairedTake pair = test::swinging_take(take, 60, seed);
+      for (const auto& [ending, clip] : {std::pair("_leader.bvh", &pair.a), {"_follower.bvh", &pair.b}}) {
+        files << file(QString("captures/") + take + ending);
+        std::ofstream(files.back().toStdString()) << *write_bvh(std::vector<Clip>{*clip});
+      }
+    }
+    return files;
+  }
+  /// As by Library > Build library, without a name for the file.
+  void build() {
+    auto& library = *window().findChild<LibraryDesk*>();
+    library.offer(written_motions());
+    ASSERT_TRUE(until([&library] { return !library.building()->isBusy(); }));
+    const auto build = [&library] {
+      for (auto* button : library.building()->dialog().findChildren<QPushButton*>())
+        if (button->text() == "Build") button->click();
+    };
+    ASSERT_TRUE(begins(build)) << said();
+  }
+  /// @return whether a session began of it, or a question came up before one does
+  static bool begins(const std::function<void()>& doing) {
+    bool begun = false;
+    const auto link =
+        QObject::connect(&window(), &MainWindow::sessionStarted, &window(), [&begun] { begun = true; });
+    doing();
+    const bool done = until([&begun] { return begun || dialog(); });
+    QObject::disconnect(link);
+    turn();
+    return done;
+  }
+  /// As a person draws a move of a take.
+  static void annotate(const std::string& take) {
+    annotations().showSubject(take);
+    Annotations next = annotations().annotations();
+    int note = 0;
+    for (const AnnotationTier& tier : next.tiers())
+      if (tier.kind == TierKind::Note) note = tier.id;
+    ASSERT_TRUE(next.draw(note, 0.2, 0.6, "mind the elbow", Conflict::Replace, annotations().range()));
+    annotations().change(next, "draw");
+  }
+  static std::size_t notes_of(const std::string& take) {
+    std::size_t count = 0;
+    for (const AnnotationTier& tier : annotations().annotations_of(take).tiers())
+      if (tier.kind == TierKind::Note) count += tier.annotations.size();
+    return count;
+  }
+  void save() const {
+    desk().saveAs(file("s.abrazo"));
+    ASSERT_TRUE(until([] { return !desk().isSaving(); }));
+  }
+  void open() const {
+    ASSERT_TRUE(begins([this] { window().openFiles({file("s.abrazo")}); })) << said();
+  }
+  static RelocateDialog* dialog() {
+    for (auto* each : window().findChildren<RelocateDialog*>())
+      if (each->isVisible()) return each;
+    return nullptr;
+  }
+  static void accept() {
+    ASSERT_TRUE(begins([] { dialog()->accept(); })) << said();
+  }
+  static std::string warnings() {
+    std::string all;
+    for (const std::string& warning : material().warnings) all += warning + "\n";
+    return all;
+  }
+
+  QTemporaryDir folder;
+  int asked = 0;
+  ProjectDesk::LibraryAnswer answer = ProjectDesk::LibraryAnswer::SaveWithout;
+};
+
+TEST_F(BuiltSession, IsWholeAgainAfterAQuitWithoutTheLibraryAsAFile) {
+  const std::string fingerprint = library_fingerprint(*material().library);
+  annotate("one");
+  save();
+  EXPECT_EQ(asked, 1);
+  press(Qt::Key_S, Qt::ControlModifier);
+  ASSERT_TRUE(until([] { return !desk().isSaving(); }));
+  EXPECT_EQ(asked, 1) << "it was answered";
+  EXPECT_EQ(load_project(file("s.abrazo").toStdString())->data.size(), 4U) << "the motion files";
+  restart();
+  open();
+  ASSERT_TRUE(window().session()) << said();
+  EXPECT_EQ(library_fingerprint(*material().library), fingerprint);
+  EXPECT_EQ(warnings(), "");
+  EXPECT_EQ(notes_of("one"), 1U);
+  annotations().showSubject("one");
+  EXPECT_EQ(annotations().subject(), "one") << "and can be reached";
+}
+
+TEST_F(BuiltSession, MayBeSavedWithItsLibraryBesideIt) {
+  answer = ProjectDesk::LibraryAnswer::Write;
+  const std::string name = material().library->name();
+  save();
+  EXPECT_EQ(material().library_file, file(QString::fromStdString(name) + ".h5").toStdString());
+  EXPECT_EQ(read_library(material().library_file)->pair_count(), material().library->pair_count());
+  EXPECT_FALSE(window().isWindowModified());
+  annotate("two");
+  desk().save();
+  ASSERT_TRUE(until([] { return !desk().isSaving(); }));
+  EXPECT_EQ(asked, 1) << "it is a file now";
+  QDir(file("captures")).removeRecursively();  // which it does not need any more
+  restart();
+  open();
+  ASSERT_TRUE(window().session()) << said();
+  EXPECT_TRUE(material().library_file.ends_with(".h5"));
+  EXPECT_EQ(warnings(), "");
+  EXPECT_EQ(notes_of("two"), 1U);
+}
+
+TEST_F(BuiltSession, IsNotSavedWhenThePersonChangesTheirMind) {
+  answer = ProjectDesk::LibraryAnswer::Cancel;
+  save();
+  EXPECT_EQ(asked, 1);
+  EXPECT_FALSE(QFile::exists(file("s.abrazo")));
+}
+
+TEST_F(BuiltSession, WithoutItsMotionFilesAsksForThemAndListsWhatWasSaidOfTheirTakes) {
+  annotate("one");
+  save();
+  restart();
+  QDir(file("captures")).removeRecursively();
+  open();
+  ASSERT_TRUE(dialog()) << said();
+  EXPECT_EQ(dialog()->leftMissing(), 4U);
+  accept();
+  EXPECT_NE(said().find("one_leader.bvh"), std::string::npos) << said();
+  EXPECT_NE(warnings().find("of one are kept, and not shown"), std::string::npos) << warnings();
+  EXPECT_TRUE(annotations().panel().subjects().contains("one (not in the library)"));
+  annotations().showSubject("one");
+  EXPECT_EQ(annotations().subject(), "");
+  EXPECT_NE(said().find("open the session together with its library"), std::string::npos) << said();
+  // What cannot be shown is saved with the rest.
+  desk().save();
+  ASSERT_TRUE(until([] { return !desk().isSaving(); }));
+  const auto kept = load_project(file("s.abrazo").toStdString());
+  EXPECT_EQ(kept->data.size(), 4U);
+  EXPECT_FALSE(kept->manifest.empty());
+  EXPECT_TRUE(kept->annotations.contains("one"));
+}
+
+TEST_F(BuiltSession, FindsItsMotionFilesWhereOneOfThemIsPointedOut) {
+  annotate("one");
+  save();
+  restart();
+  std::filesystem::rename(file("captures").toStdString(), file("moved").toStdString());
+  open();
+  ASSERT_TRUE(dialog()) << said();
+  const auto project = load_project(file("s.abrazo").toStdString());
+  const QString first = QFileInfo(QString::fromStdString(project->data[0].absolute_path)).fileName();
+  dialog()->pointOut(0, file("moved/" + first));
+  EXPECT_EQ(dialog()->leftMissing(), 0U);
+  accept();
+  EXPECT_GE(material().library->find_take("one"), 0);
+  EXPECT_EQ(notes_of("one"), 1U);
+}
+
+TEST_F(BuiltSession, ItsRecordingOpensWithItToo) {
+  auto& takes = *window().findChild<TakeDesk*>();
+  save();
+  takes.toggle();
+  ASSERT_TRUE(until([&] { return takes.isRecording() && takes.takes().all().back().frames > 20; }));
+  takes.toggle();
+  restart();
+  open();
+  ASSERT_TRUE(window().session()) << said();
+  EXPECT_TRUE(material().recorded);
+  EXPECT_GE(material().library->find_take("one"), 0) << said();
+  EXPECT_EQ(warnings(), "");
+}
+
+}  // namespace
+}  // namespace abrazo::app::built_session_test
