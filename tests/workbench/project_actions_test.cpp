@@ -67,7 +67,7 @@ class ProjectActions : public DemoWindow {
     for (const AnnotationTier& each : next.tiers())
       if (each.kind == TierKind::Note) tier = each.id;
     ASSERT_TRUE(next.draw(tier, from_s, to_s, value, Conflict::Replace, {0, 1e6}));
-    annotations().change("", next, "draw");
+    annotations().change(next, "draw");
   }
   static std::size_t annotated() {
     std::size_t count = 0;
