@@ -138,7 +138,7 @@ const FrameResult& PartnerSynthesizer::step(const Pose& user, Duration elapsed) 
     } else if (!user.allFinite()) {
       pipeline.refuse("the user's pose has no finite position for ", first_joint_without_position(user));
     } else if (const auto reason = why_not_a_person(user)) {
-      pipeline.refuse("held: not a person: ", *reason);
+      pipeline.refuse("held: not a person: ", reason->sentence());
     } else {
       if (starts) pipeline.forget();
       if (was_lost) pipeline.lose_track();

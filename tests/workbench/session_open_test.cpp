@@ -4,6 +4,8 @@
 
 #include "app/workbench/document/session_places.hpp"
 #include "app/workbench/takes/take_desk.hpp"
+#include "core/session/file/session_database.hpp"
+#include "core/session/file/session_edit.hpp"
 #include "core/session/file/session_file.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/candidates/candidate_table.hpp"
@@ -79,6 +81,23 @@ TEST_F(SessionOpen, ItsFramesCanBeSolvedAgainWithOtherSettings) {
   const FrameSnapshotPtr first = again.run_up.empty() ? again.frames.next() : again.run_up.front();
   ASSERT_TRUE(first);
   EXPECT_NE(first->before, nullptr);
+}
+
+TEST_F(SessionOpen, DamagedFramesArePassedOverAndSaidAndNothingIsOpenedWhenNoneIsLeft) {
+  const std::string copy = s_file.toStdString() + "-copy.abrazo";
+  ASSERT_TRUE(copy_session(s_file.toStdString(), copy));
+  const auto opened_without = [&](const std::string& frames) {
+    auto database = SessionDatabase::open(copy, SessionDatabase::Access::Write);
+    EXPECT_TRUE(database && database->execute("UPDATE frames SET active = zeroblob(10) WHERE " + frames) &&
+                database->close());
+    return load_session(copy, "", window().session()->material(), {});
+  };
+  const auto some = opened_without("frame % 3 = 0");
+  ASSERT_TRUE(some) << some.error().text();
+  EXPECT_NE(some->warnings.back().find("frames are damaged and passed over"), std::string::npos);
+  const auto none = opened_without("1");
+  ASSERT_FALSE(none);
+  EXPECT_NE(none.error().text().find("frames can be read"), std::string::npos) << none.error().text();
 }
 
 TEST_F(SessionOpen, ATakeInWhichNothingMovedIsNotKept) {

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "core/base/positions.hpp"
 
@@ -35,9 +37,15 @@ inline constexpr double least_jump_m = 0.1;
 
 }  // namespace person_bounds
 
+/// A sentence that needs no memory: a step allocates none.
+struct PersonDoubt {
+  std::array<char, 160> text{};
+  std::string_view sentence() const { return text.data(); }
+};
+
 /// Why a pose is no person's: "lfemur is 45.20 m long; no bone of a person is longer than 2 m". Nothing when
 /// it can be one. @param pose  world space [m], Y up, floor near y = 0; need not be finite
-std::optional<std::string> why_not_a_person(const Pose& pose);
+std::optional<PersonDoubt> why_not_a_person(const Pose& pose);
 
 /// Whether no person moves like this. @param elapsed_s  above 0
 bool is_jump_of_nobody(const Pose& from, const Pose& to, double elapsed_s);

@@ -99,7 +99,7 @@ PerformerStream::Outcome PerformerStream::take(const PerformerFrame& frame, doub
   // Given out all the same: whoever answers it holds, and says why.
   if (!outcome.issue)
     if (const auto reason = why_not_a_person(*assembled.pose))
-      outcome.issue = StreamIssue{"not-a-person", *reason};
+      outcome.issue = StreamIssue{"not-a-person", std::string(reason->sentence())};
   SourcePose pose;
   pose.pose = *assembled.pose;
   pose.time_s = session_time(frame, placed.kind);

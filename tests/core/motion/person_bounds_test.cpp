@@ -19,7 +19,8 @@ using testing::HasSubstr;
 using namespace joints;
 
 std::string reason(const Pose& pose) {
-  return why_not_a_person(pose).value_or("a person");
+  const auto doubt = why_not_a_person(pose);
+  return doubt ? std::string(doubt->sentence()) : "a person";
 }
 
 /// Every joint anywhere in a cube.
