@@ -151,7 +151,7 @@ TEST_F(PairActions, TwoStreamedPerformersBecomeATakeOfTheLibraryAndTheSessionGoe
   EXPECT_EQ(take.roles[0].active, ActivePerformer::A);
   ASSERT_EQ(take.labels.size(), 1U);
   EXPECT_EQ(take.labels[0].label, "walk");
-  EXPECT_EQ(window().candidates().library(), after);
+  EXPECT_EQ(window().session()->material().library, after);
   EXPECT_TRUE(until([&] { return ticker().shown()->library == after; })) << "frames are shown as it has them";
 
   EXPECT_TRUE(streams().isConnected());

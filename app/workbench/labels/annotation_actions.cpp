@@ -103,25 +103,22 @@ void add_tiers(MainWindow& window, QMenu* menu, AnnotationDesk& desk, LabelEdits
 
 }  // namespace
 
-void add_annotation_actions(MainWindow& window) {
-  auto* desk = new AnnotationDesk(window);
-  auto* edits = new LabelEdits(window, *desk);
-  auto* keys = new LabelKeys(window, *desk);
+void add_annotation_actions(MainWindow& window, AnnotationDesk& desk, LabelEdits& edits, LabelKeys& keys) {
   QMenu* menu = window.menu("Annotation");
-  add_subjects(window, menu, *desk);
+  add_subjects(window, menu, desk);
   menu->addSeparator();
-  add_label_actions(window, *edits);
+  add_label_actions(window, edits);
   menu->addSeparator();
   QAction* taps =
       add_action(window, menu, "Tap mode: each key starts the next label", {QKeySequence("Shift+T")}, [] {});
   taps->setCheckable(true);
-  QObject::connect(taps, &QAction::toggled, keys, &LabelKeys::setTaps);
+  QObject::connect(taps, &QAction::toggled, &keys, &LabelKeys::setTaps);
   menu->addSeparator();
-  add_conflicts(window, menu, *desk);
+  add_conflicts(window, menu, desk);
   menu->addSeparator();
-  add_tiers(window, menu, *desk, *edits);
+  add_tiers(window, menu, desk, edits);
   menu->addSeparator();
-  auto* import = new LabelImport(window, *desk);
+  auto* import = new LabelImport(window, desk);
   add_action(window, menu, "Import labels…", {}, [import] { import->choose(); });
 }
 

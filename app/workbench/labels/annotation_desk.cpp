@@ -4,8 +4,8 @@
 #include <QUndoCommand>
 #include <algorithm>
 
+#include "app/workbench/document/library_feed.hpp"
 #include "app/workbench/document/recorded_session.hpp"
-#include "app/workbench/library/library_feed.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/subject_stage.hpp"
@@ -69,21 +69,23 @@ AnnotationDesk::AnnotationDesk(MainWindow& window)
     : QObject(&window),
       m_window(window),
       m_panel(new AnnotationPanel),
-      m_feed(new LibraryFeed(window)),
+      m_feed(new LibraryFeed(window.document(), this)),
       m_stage(std::make_unique<SubjectStage>(window)) {
   m_panel->setColours(window.colours());
   window.addPanel(panel_id, "Annotation", m_panel, Qt::RightDockWidgetArea, false);
   connect(&window, &MainWindow::coloursChanged, m_panel, &AnnotationPanel::setColours);
   connect(&window, &MainWindow::sessionStarted, this, &AnnotationDesk::onSessionStarted);
   connect(&window, &MainWindow::sessionEnding, this, [this] {
-    // Whoever ends the recording reads the session's there.
-    if (showsTake()) m_window.timeline().showMarkers(m_stage->markers(""));
-    m_subject.clear();
+    m_feed->forget();
     m_stage->forget();
   });
-  connect(m_feed, &LibraryFeed::fed, this, [this] {
-    if (showsTake()) m_stage->renew(m_subject);
+  connect(m_feed, &LibraryFeed::failed, &window.messages(), &widgets::MessageBar::showError);
+  connect(&window.document(), &Document::libraryReplaced, this, [this] {
+    if (showsTake()) m_stage->renew();
   });
+  connect(&window.document(), &Document::annotationsOpened, this, &AnnotationDesk::setBook);
+  connect(&window, &MainWindow::subjectRequested, this,
+          [this](const QString& wanted) { showSubject(wanted.toStdString()); });
   connectViews();
 }
 
@@ -124,6 +126,10 @@ void AnnotationDesk::connectViews() {
 
 std::shared_ptr<const MotionLibrary> AnnotationDesk::library() const {
   return m_window.session() ? m_window.session()->material().library : nullptr;
+}
+
+const std::string& AnnotationDesk::subject() const {
+  return m_window.document().subject();
 }
 
 const Annotations& AnnotationDesk::annotations_of(const std::string& subject) const {
@@ -175,10 +181,10 @@ void AnnotationDesk::onSessionStarted() {
   std::erase_if(m_book, [&of](const auto& entry) { return of->find_take(entry.first) < 0; });
   m_library = of->name();
   ++m_generation;
-  m_subject.clear();
   beginIfNew("");
   for (const auto& [subject, annotations] : m_book)
     if (!subject.empty()) m_feed->put(subject, annotations);
+  keep();
   m_activeTier = 0;
   settleChosen();
   show();
@@ -192,26 +198,25 @@ void AnnotationDesk::setBook(AnnotationBook book) {
   m_begun.clear();
   ++m_generation;
   beginIfNew("");
-  beginIfNew(m_subject);
+  beginIfNew(subject());
   for (const auto& [subject, annotations] : m_book)
     if (!subject.empty()) m_feed->put(subject, annotations);
+  keep();
   settleChosen();
   show();
   emit subjectChanged();
   emit annotationsChanged();
 }
 
-void AnnotationDesk::showSubject(const std::string& subject) {
-  if (subject == m_subject && m_window.session()) {
+void AnnotationDesk::showSubject(const std::string& wanted) {
+  if (wanted == subject() && m_window.session()) {
     m_window.panels().want(panel_id, true);
     return;
   }
-  const std::string before = m_subject;
-  const Status shown = m_stage->show(before, subject);
+  const Status shown = m_stage->show(wanted);
   if (!shown) return m_window.messages().showError(QString::fromStdString(shown.error().text()));
-  m_subject = subject;
-  beginIfNew(subject);
-  if (!subject.empty()) m_window.panels().want(panel_id, true);
+  beginIfNew(wanted);
+  if (showsTake()) m_window.panels().want(panel_id, true);
   const AnnotationTier* moves = annotations().first_of(TierKind::Move);
   m_activeTier = moves ? moves->id : 0;
   m_selected = 0;
@@ -222,23 +227,8 @@ void AnnotationDesk::showSubject(const std::string& subject) {
   emit annotationsChanged();
 }
 
-const Markers& AnnotationDesk::sessionMarkers() const {
-  return showsTake() ? m_stage->markers("") : m_window.timeline().markers();
-}
-
-std::map<std::string, Markers> AnnotationDesk::takeMarkers() const {
-  auto markers = m_stage->markersOfTakes();
-  if (showsTake()) markers[m_subject] = m_window.timeline().markers();
-  std::erase_if(markers, [](const auto& of) { return of.second.empty(); });
-  return markers;
-}
-
-void AnnotationDesk::showMarkers(const std::string& subject, const Markers& markers) {
-  subject == m_subject ? m_window.timeline().showMarkers(markers) : m_stage->keepMarkers(subject, markers);
-}
-
 void AnnotationDesk::change(Annotations next, const QString& what) {
-  change(m_subject, std::move(next), what);
+  change(subject(), std::move(next), what);
 }
 
 void AnnotationDesk::change(const std::string& subject, Annotations next, const QString& what) {
@@ -255,18 +245,25 @@ bool AnnotationDesk::changeOrTell(const Status& done, Annotations next, const QS
 }
 
 void AnnotationDesk::suggest(Annotations next) {
-  m_book[m_subject] = std::move(next);
+  m_book[subject()] = std::move(next);
+  keep();
   show();
   emit annotationsChanged();
 }
 
-void AnnotationDesk::set(const std::string& subject, const Annotations& annotations, const QString& what) {
-  m_book[subject] = annotations;
-  if (!subject.empty()) m_feed->put(subject, annotations);
-  if (subject != m_subject)
+/// Where it is saved and exported from.
+void AnnotationDesk::keep() {
+  m_window.document().put(book());
+}
+
+void AnnotationDesk::set(const std::string& of, const Annotations& annotations, const QString& what) {
+  m_book[of] = annotations;
+  keep();
+  if (!of.empty()) m_feed->put(of, annotations);
+  if (of != subject())
     return m_window.messages().showInformation(
         QString("%1 of %2, which is not shown")
-            .arg(what, subject.empty() ? "the session" : QString::fromStdString(subject)));
+            .arg(what, of.empty() ? "the session" : QString::fromStdString(of)));
   settleChosen();
   show();
   emit annotationsChanged();
@@ -307,7 +304,7 @@ void AnnotationDesk::show() {
   QStringList takes;
   if (const auto of = library())
     for (const LibraryTake& take : of->takes()) takes << QString::fromStdString(take.name);
-  m_panel->showSubjects(takes, QString::fromStdString(m_subject));
+  m_panel->showSubjects(takes, QString::fromStdString(subject()));
   std::set<std::string> hidden;
   for (const widgets::TierLane& lane : timeline.lanes().tiers())
     if (!timeline.lanes().is_shown(lane)) hidden.insert(lane.name);

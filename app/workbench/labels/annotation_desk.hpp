@@ -6,7 +6,6 @@
 #include <string>
 
 #include "core/annotation/annotations.hpp"
-#include "core/session/frames/markers.hpp"
 
 namespace abrazo {
 class MotionLibrary;
@@ -35,12 +34,12 @@ class AnnotationDesk : public QObject {
   ~AnnotationDesk() override;
 
   /// "" = the session.
-  const std::string& subject() const { return m_subject; }
-  bool showsTake() const { return !m_subject.empty(); }
+  const std::string& subject() const;
+  bool showsTake() const { return !subject().empty(); }
   /// Lanes and keys of labels are there: for a take, once something is said of the session, and while the
   /// panel is open.
   bool isOpen() const;
-  const Annotations& annotations() const { return annotations_of(m_subject); }
+  const Annotations& annotations() const { return annotations_of(subject()); }
   /// Of any subject; empty when nothing was said of it and it was not shown.
   const Annotations& annotations_of(const std::string& subject) const;
   /// Of the shown subject, as a step of undo. @param what  "draw turn": for the menu and the message
@@ -61,12 +60,6 @@ class AnnotationDesk : public QObject {
   /// Shows a take of the library in place of the session, or the session again (""). What is in the way is
   /// told.
   void showSubject(const std::string& subject);
-  /// Markers of the session, whichever subject is shown.
-  const Markers& sessionMarkers() const;
-  /// Of the takes that have any, by name.
-  std::map<std::string, Markers> takeMarkers() const;
-  /// Of a subject that need not be shown.
-  void showMarkers(const std::string& subject, const Markers& markers);
 
   /// Times of the shown subject that annotations may have.
   Annotations::Range range() const;
@@ -102,6 +95,7 @@ class AnnotationDesk : public QObject {
   Annotations begun(const std::string& subject) const;
   void beginIfNew(const std::string& subject);
   void onSessionStarted();
+  void keep();
   void settleChosen();
   void show();
   void makeRoom();
@@ -112,9 +106,8 @@ class AnnotationDesk : public QObject {
   std::unique_ptr<SubjectStage> m_stage;
   AnnotationBook m_book;
   AnnotationBook m_begun;  ///< as they were when they were first shown
-  std::string m_subject;
-  std::string m_library;  ///< name of the one that the book's takes are of
-  int m_generation = 0;   ///< counts the books
+  std::string m_library;   ///< name of the one that the book's takes are of
+  int m_generation = 0;    ///< counts the books
   int m_activeTier = 0;
   int m_selected = 0;
   Conflict m_conflict = Conflict::Replace;

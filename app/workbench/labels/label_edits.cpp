@@ -265,9 +265,8 @@ void LabelEdits::fillMenu(QMenu& menu) {
 
 void LabelEdits::openMenu(int tier, int annotation, double time_s, const QPoint& global) {
   QMenu menu(&m_window);
-  const auto add = [&](const QString& words) {
-    for (QAction* each : m_window.actions())
-      if (each->text() == words) menu.addAction(each);
+  const auto add = [&](const char* id) {
+    if (QAction* action = action_of(m_window, QString("annotation.") + id)) menu.addAction(action);
   };
   const AnnotationTier* of = m_desk.annotations().tier(tier);
   if (annotation != 0) {
@@ -284,19 +283,19 @@ void LabelEdits::openMenu(int tier, int annotation, double time_s, const QPoint&
         });
       }
     menu.addSeparator();
-    for (const char* words : {"Edit label…", "Split label at the cursor", "Merge label with the next",
-                              "Extend label to the cursor"})
-      add(words);
+    for (const char* id : {"edit_label", "split_label_at_the_cursor", "merge_label_with_the_next",
+                           "extend_label_to_the_cursor"})
+      add(id);
     fillMenu(menu);
     menu.addSeparator();
-    add("Delete label or marker");
+    menu.addAction(action_of(m_window, "timeline.delete_label_or_marker"));
   } else {
     menu.addAction("New label here…", this, [this, tier, time_s] {
       m_window.ticker().seek(time_s);
       m_desk.setActiveTier(tier);
       draw();
     });
-    add("Change of role here");
+    add("change_of_role_here");
   }
   menu.exec(global);
 }

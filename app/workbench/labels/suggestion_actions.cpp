@@ -7,8 +7,8 @@
 
 namespace abrazo::app {
 
-void add_suggestion_actions(MainWindow& window) {
-  auto* desk = new SuggestionDesk(window, *window.findChild<AnnotationDesk*>());
+void add_suggestion_actions(MainWindow& window, AnnotationDesk& annotations) {
+  auto* desk = new SuggestionDesk(window, annotations);
   QMenu* menu = window.menu("Annotation");
   menu->addSeparator();
   add_action(window, menu, "Suggest labels", {QKeySequence("Ctrl+G")},

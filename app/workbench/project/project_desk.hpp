@@ -19,7 +19,7 @@ class TakeDesk;
 class ProjectDesk : public QObject {
   Q_OBJECT
  public:
-  explicit ProjectDesk(MainWindow& window);
+  ProjectDesk(MainWindow& window, TakeDesk& takes);
   ~ProjectDesk() override;
 
   /// A person is there: is asked before changes are lost and where missing files are, and what was not saved
@@ -31,7 +31,7 @@ class ProjectDesk : public QObject {
   /// Empty while the session has none.
   QString file() const;
   bool isModified() const { return m_isModified; }
-  /// As it is now against as it was saved.
+  /// As it is now against as it was saved; with every change of the document.
   void refresh();
 
   /// Into the session's file, or one that is asked for.
@@ -62,6 +62,7 @@ class ProjectDesk : public QObject {
   bool saveAndWait();
   void restored(const OpenedProject& project);
   void showTitle();
+  void keep();
   Project current() const;
   QString askFile();
 
@@ -72,7 +73,7 @@ class ProjectDesk : public QObject {
   std::vector<DataReference> m_carried;  ///< opened without them; kept for when they are there again
   bool m_asks = false, m_isModified = false, m_isRestored = false, m_hasSession = false;
   QString m_leftover;  ///< the autosaved file that the session was restored from
-  QTimer m_timer;
+  QTimer m_soon;       ///< of several changes in a row the last is kept
   std::unique_ptr<Job> m_job, m_reading;
 };
 

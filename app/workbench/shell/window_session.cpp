@@ -6,8 +6,7 @@
 #include "app/workbench/document/label_files.hpp"
 #include "app/workbench/document/open_video.hpp"
 #include "app/workbench/document/session_places.hpp"
-#include "app/workbench/labels/label_import.hpp"
-#include "app/workbench/library/mapping_desk.hpp"
+#include "app/workbench/document/unmapped_motion.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/status_figures.hpp"
@@ -16,7 +15,6 @@
 #include "widgets/library/take_list.hpp"
 #include "widgets/plots/plot_panel.hpp"
 #include "widgets/scene/view/scene_view.hpp"
-#include "widgets/settings/settings_panel.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 #include "widgets/timeline/transport_bar.hpp"
 
@@ -42,14 +40,14 @@ void MainWindow::openFiles(const QStringList& all) {
      : is_label_file(file) && !is_motion_file(file.toStdString()) ? labels
                                                                   : files)
         << file;
-  if (auto* import = findChild<LabelImport*>(); import && files.isEmpty() && !labels.isEmpty()) {
+  if (files.isEmpty() && !labels.isEmpty()) {
     if (!videos.isEmpty()) emit videosOffered(videos);
-    return import->read(labels);
+    return emit labelsOffered(labels);
   }
   files << labels;  // beside something else, that they may be part of
   if (files.isEmpty() && !videos.isEmpty()) {
     emit videosOffered(videos);
-    return m_session || m_job ? void() : openDemo();
+    return session() || m_job ? void() : openDemo();
   }
   const auto motions = std::count_if(files.begin(), files.end(),
                                      [](const QString& file) { return is_motion_file(file.toStdString()); });
@@ -60,9 +58,9 @@ void MainWindow::openFiles(const QStringList& all) {
   if (std::any_of(files.begin(), files.end(), is_session_file)) emit sessionOffered(files, taken);
   if (taken) return offerOnceOpen(videos, files);
   const std::vector<std::string> names = names_of(files);
-  const Material open = m_session ? m_session->material() : Material{};
+  const Material open = session() ? session()->material() : Material{};
   openMaterial(
-      [names, open, maps = MappingDesk::folder(*this).toStdString()](const Progress& progress) {
+      [names, open, maps = m_remembered.jointMapFolder().toStdString()](const Progress& progress) {
         return load_with_remembered_maps(names, open, maps, progress);
       },
       all);
@@ -84,23 +82,22 @@ void MainWindow::openMaterial(MakeMaterial make, const QStringList& files) {
   bool allowed = true;
   emit leaving(allowed);
   if (!allowed) return;
-  const Settings wanted = m_settings->settings();
+  const Settings wanted = m_document->settings();
   Job::retire(std::move(m_job), this);
-  const auto open = [this, make = std::move(make), wanted, files,
-                     maps =
-                         MappingDesk::folder(*this).toStdString()](const Progress& progress) -> Job::Finish {
+  const auto open =
+      [this, make = std::move(make), wanted, files,
+       maps = m_remembered.jointMapFolder().toStdString()](const Progress& progress) -> Job::Finish {
     auto material = make(progress);
     if (!material)
       return [this, files, unmapped = motion_to_map(names_of(files), maps), text = material.error().text()] {
         // Without anyone to ask it is a failure like any other.
         if (unmapped && isSignalConnected(QMetaMethod::fromSignal(&MainWindow::mappingOffered)))
           return emit mappingOffered(files, unmapped);
-        showFailure(QString::fromStdString(text));
+        fail(QString::fromStdString(text));
       };
     report(progress, 1, "Indexing the library");
     auto prepared = prepare_solver(std::move(material).value(), wanted);
-    if (!prepared)
-      return [this, text = prepared.error().text()] { showFailure(QString::fromStdString(text)); };
+    if (!prepared) return [this, text = prepared.error().text()] { fail(QString::fromStdString(text)); };
     // Shared only because std::function must be copyable.
     auto ready = std::make_shared<PreparedSolver>(std::move(prepared).value());
     return [this, ready, files] {
@@ -122,10 +119,8 @@ void MainWindow::start(const std::shared_ptr<PreparedSolver>& prepared) {
   emit sessionEnding();
   m_ticker.setSources(nullptr, nullptr);
   m_plots->clear();
-  m_session.reset();
-  m_session = std::make_unique<LiveSession>(std::move(*prepared));
-  m_session->push(SetSettings{m_settings->settings()});  // they may have changed while the worker ran
-  const Material& material = m_session->material();
+  m_document->beginSession(std::move(*prepared));
+  const Material& material = session()->material();
   m_scene->setLibrary(material.library);
   m_candidates->setLibrary(material.library);
   m_timeline->setLibrary(material.library);
@@ -139,19 +134,14 @@ void MainWindow::start(const std::shared_ptr<PreparedSolver>& prepared) {
   m_status->setInput(input, material.library->pair_count());
   setWindowTitle(input + " with " + library + " — Abrazo");
   m_ticker.setLibrary(material.library);
-  m_ticker.setSources(&m_session->history(), &m_session->latest());
+  m_ticker.setSources(&session()->history(), &session()->latest());
   QStringList warnings;
   for (const std::string& warning : material.warnings) warnings << QString::fromStdString(warning);
   m_messages->showWarnings(warnings);
   emit sessionStarted();
 }
 
-void MainWindow::startWith(const Settings& settings) {
-  m_settings->showSettings(settings);
-  if (m_session) m_session->push(SetSettings{settings});
-}
-
-void MainWindow::showFailure(const QString& message) {
+void MainWindow::fail(const QString& message) {
   m_messages->showError(message);
   emit failed(message);
 }

@@ -115,6 +115,13 @@ Result<DataReference::Use> parse_data_use(std::string_view text) {
   return Error{"a file is for '" + std::string(text) + "', which this program does not know", {}};
 }
 
+DataReference unread_reference(DataReference::Use use, const std::string& file) {
+  DataReference reference;
+  reference.use = use;
+  reference.absolute_path = fs::absolute(file).lexically_normal().string();
+  return reference;
+}
+
 Result<DataReference> reference_to(const std::string& file, DataReference::Use use,
                                    const std::string& session_path) {
   if (!is_file(file)) return Error{"there is no such file", file};

@@ -23,6 +23,9 @@ struct DataReference {
   bool operator==(const DataReference&) const = default;
 };
 
+/// A reference by place alone; `reference_to` completes it, which reads the file.
+DataReference unread_reference(DataReference::Use use, const std::string& file);
+
 /// A reference to a file as it is now.
 Result<DataReference> reference_to(const std::string& file, DataReference::Use use,
                                    const std::string& session_path);

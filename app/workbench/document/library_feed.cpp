@@ -1,19 +1,9 @@
-#include "app/workbench/library/library_feed.hpp"
+#include "app/workbench/document/library_feed.hpp"
 
 #include <algorithm>
 #include <utility>
 
 #include "app/workbench/base/job.hpp"
-#include "app/workbench/library/library_desk.hpp"
-#include "app/workbench/shell/main_window.hpp"
-#include "app/workbench/shell/status_figures.hpp"
-#include "core/session/frames/frame_in_library.hpp"
-#include "widgets/candidates/candidate_table.hpp"
-#include "widgets/common/message_bar.hpp"
-#include "widgets/library/take_list.hpp"
-#include "widgets/scene/view/scene_view.hpp"
-#include "widgets/settings/settings_panel.hpp"
-#include "widgets/timeline/timeline_view.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -52,26 +42,12 @@ Result<PreparedSolver> annotated(Material material, const std::map<std::string, 
   return prepare_solver(std::move(material), settings);
 }
 
-/// Decisions that name pairs, numbered as in the other library.
-widgets::Steering carried(widgets::Steering steering, const MotionLibrary& from, const MotionLibrary& to) {
-  const auto there = [&](int pair) { return same_pair(from, pair, to); };
-  if (steering.pinned && there(*steering.pinned) < 0) steering.pinned.reset();
-  if (steering.pinned) steering.pinned = there(*steering.pinned);
-  std::set<int> pairs;
-  for (const int pair : steering.vetoes.pairs)
-    if (there(pair) >= 0) pairs.insert(there(pair));
-  steering.vetoes.pairs.clear();
-  for (const int pair : pairs) steering.vetoes.pairs.insert(pair);
-  return steering;
-}
-
 }  // namespace
 
-LibraryFeed::LibraryFeed(MainWindow& window) : QObject(&window), m_window(window) {
+LibraryFeed::LibraryFeed(Document& document, QObject* parent) : QObject(parent), m_document(document) {
   m_soon.setSingleShot(true);
   m_soon.setInterval(settle_ms);
   connect(&m_soon, &QTimer::timeout, this, &LibraryFeed::begin);
-  connect(&window, &MainWindow::sessionEnding, this, &LibraryFeed::forget);
 }
 
 LibraryFeed::~LibraryFeed() = default;
@@ -84,13 +60,13 @@ void LibraryFeed::forget() {
 }
 
 void LibraryFeed::put(const std::string& take, const Annotations& annotations) {
-  if (!m_window.session()) return;
-  const LibraryTake* known = take_named(*m_window.session()->material().library, take);
+  if (!m_document.session()) return;
+  const LibraryTake* known = take_named(*m_document.session()->material().library, take);
   if (!known) return;
   const auto said = take_annotation(annotations, known->fps, known->frames);
   if (!said)
-    return m_window.messages().showError(QString::fromStdString(said.error().text()) +
-                                         "; the library keeps the roles it has until then");
+    return emit failed(QString::fromStdString(said.error().text()) +
+                       "; the library keeps the roles it has until then");
   const auto waiting = m_wanted.find(take), working = m_working.find(take);
   const TakeAnnotation in_library{known->roles, known->labels};
   const TakeAnnotation& last = waiting != m_wanted.end()    ? waiting->second
@@ -102,23 +78,25 @@ void LibraryFeed::put(const std::string& take, const Annotations& annotations) {
 }
 
 void LibraryFeed::begin() {
-  if (!m_window.session() || m_wanted.empty()) return;
+  if (!m_document.session() || m_wanted.empty()) return;
   // What the job before did not finish is included: the newest of each take.
   for (auto& [take, annotation] : m_working) m_wanted.emplace(take, annotation);
   m_working = std::move(m_wanted);
   m_wanted.clear();
   Job::retire(std::move(m_job), this);
-  m_job = std::make_unique<Job>([this, material = m_window.session()->material(), takes = m_working,
-                                 settings = m_window.settings().settings()](const Progress&) -> Job::Finish {
+  m_job = std::make_unique<Job>([this, material = m_document.session()->material(), takes = m_working,
+                                 settings = m_document.settings()](const Progress&) -> Job::Finish {
     auto prepared = annotated(material, takes, settings);
     if (!prepared)
       return [this, why = prepared.error().text()] {
         m_working.clear();
-        m_window.messages().showError(QString::fromStdString(why));
+        emit failed(QString::fromStdString(why));
       };
     auto ready = std::make_shared<PreparedSolver>(std::move(prepared).value());
     return [this, ready, base = material.library] {
-      m_window.session()->material().library == base ? show(std::move(*ready)) : beginAgain();
+      if (m_document.session()->material().library != base) return beginAgain();
+      m_working.clear();
+      m_document.replaceSolver(std::move(*ready));
     };
   });
 }
@@ -127,26 +105,6 @@ void LibraryFeed::begin() {
 void LibraryFeed::beginAgain() {
   for (auto& [take, annotation] : std::exchange(m_working, {})) m_wanted.emplace(take, annotation);
   begin();
-}
-
-void LibraryFeed::show(PreparedSolver prepared) {
-  const auto before = m_window.session()->material().library;
-  const auto library = prepared.material.library;
-  m_working.clear();
-  m_window.session()->replaceSolver(std::move(prepared));
-  m_window.ticker().setLibrary(library);
-  m_window.scene().setLibrary(library);
-  const auto steering = carried(m_window.candidates().steering(), *before, *library);
-  m_window.candidates().setLibrary(library);
-  m_window.candidates().showSteering(steering);  // the solver carries it over, too
-  m_window.timeline().extendLibrary(library);
-  const int take = m_window.takes().selectedTake();
-  m_window.takes().setLibrary(library);
-  if (take >= 0) m_window.takes().setSelectedTake(take);
-  if (auto* of_library = m_window.findChild<LibraryDesk*>()) of_library->onSession();
-  m_window.status().setLibrary(library->pair_count());
-  if (auto* browser = m_window.findChild<LibraryDesk*>()) browser->onSession();
-  emit fed();
 }
 
 }  // namespace abrazo::app
