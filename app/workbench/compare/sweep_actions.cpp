@@ -132,9 +132,8 @@ void add_sweep_actions(MainWindow& window) {
     run->setLibrary(library);
     panel->form().setTakes(takes);
   });
-  QObject::connect(&window.document(), &Document::changed, panel, [=, &window](ProjectPart part) {
-    if (part == ProjectPart::Settings && dialog->isVisible() && !run->running())
-      panel->form().setSettings(window.document().settings());
+  QObject::connect(&window.document(), &Document::changed, panel, [=, &window] {
+    if (dialog->isVisible() && !run->running()) panel->form().setSettings(window.document().settings());
   });
   const auto open = [=, &window](const QString& key) {
     if (!run->running()) panel->form().setSettings(window.document().settings());

@@ -78,7 +78,6 @@ void Autosave::keepNext() {
 
 void Autosave::drop() {
   m_dropWhenDone = true;
-  m_next.reset();
   if (!m_job) finish();
 }
 
@@ -92,6 +91,7 @@ void Autosave::leave(const Project& project, const QString& session_file) {
 
 void Autosave::finish() {
   m_job.reset();  // waits for a write under way
+  m_next.reset();
   m_kept.reset();
   if (m_lock) remove(m_file);
   m_lock.reset();
