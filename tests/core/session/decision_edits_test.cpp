@@ -100,19 +100,21 @@ TEST(DecisionEdits, AVetoOfATakeByNameLetsAPinInItGo) {
 
 TEST(DecisionEdits, WhatAnotherLibraryDoesNotHaveFallsAway) {
   const auto from = test::two_take_library();
-  const auto to = test::small_library();  // other takes, without labels
+  const auto to = test::small_library();  // other takes, the same labels
   Decisions decided = with_pin_toggled({}, 5);
   decided.vetoes.pairs = {1};
   decided.vetoes.takes = {"salsa_01", to->takes().front().name};
-  decided.vetoes.labels = {"turn"};
-  decided.meant = MeantMove{"turn", {}, -1, false};
+  decided.vetoes.labels = {"turn", "dip"};
+  decided.meant = MeantMove{"dip", {}, -1, false};
   decided.role_control = RoleControl::Leader;
   const Decisions carried = carried_over(decided, *from, *to);
   EXPECT_FALSE(carried.pinned);
   EXPECT_TRUE(carried.vetoes.pairs.empty());
   EXPECT_EQ(carried.vetoes.takes, std::set<std::string>{to->takes().front().name});
-  EXPECT_TRUE(carried.vetoes.labels.empty());
+  EXPECT_EQ(carried.vetoes.labels, std::set<std::string>{"turn"});
   EXPECT_FALSE(carried.meant);
+  decided.meant = MeantMove{"turn", {}, -1, false};
+  EXPECT_TRUE(carried_over(decided, *from, *to).meant);
   EXPECT_EQ(carried.role_control, RoleControl::Leader);
   EXPECT_EQ(carried_over(with_pin_toggled({}, 5), *from, *from).pinned, 5);
 }
