@@ -44,8 +44,6 @@ class AnnotationState {
   void set_book(AnnotationBook book, const MotionLibrary* library);
   /// Shows a subject; its first tier of moves is active.
   void show(const std::string& subject, const MotionLibrary& library);
-  /// The session ends: whatever take was shown is not.
-  void leave() { subject_.clear(); }
 
   int tier() const { return tier_; }          ///< id of the active one; 0 = none
   int selected() const { return selected_; }  ///< id of the selected annotation; 0 = none

@@ -96,6 +96,7 @@ bool is_open_to_widgets(const std::string& include) {
                                              "core/session/frames/frame_in_library.hpp",
                                              "core/session/frames/command.hpp",
                                              "core/session/frames/decisions.hpp",
+                                             "core/session/frames/decision_edits.hpp",
                                              "core/session/frames/frame_store.hpp",
                                              "core/stream/protocol/stream_health.hpp",
                                              "core/stream/protocol/stream_uri.hpp",
@@ -110,6 +111,7 @@ bool is_open_to_widgets(const std::string& include) {
                                              "core/video/video_frame.hpp",
                                              "core/video/video_sync.hpp",
                                              "core/synthesis/settings.hpp",
+                                             "core/synthesis/preset_choice.hpp",
                                              "core/synthesis/frame_result.hpp",
                                              "core/synthesis/look_ahead.hpp",
                                              "core/library/store/motion_library.hpp",
@@ -187,6 +189,7 @@ const std::map<std::string, Rooms>& room_table() {
       {"core/session",
        {{"frames", {}},
         {"file", {"frames"}},
+        {"edit", {"frames", "file"}},
         {"run", {"frames", "file"}},
         {"export", {"frames", "file", "run"}}}},
       {"widgets/scene",
@@ -217,36 +220,11 @@ const std::map<std::string, Rooms>& room_table() {
 }
 
 std::span<const RoomException> room_exceptions() {
-  static constexpr std::string_view labels =
-      "what is said of the session and its takes is kept by the desk of labels";
-  static constexpr std::string_view takes = "recording is begun and ended by the desk of takes";
-  static constexpr std::string_view streams = "who is connected is known to the desk of streams";
-  static constexpr std::string_view opening = "the window itself opens files, and asks features about them";
+  static constexpr std::string_view takes =
+      "the file of the session and its takes are kept by the desk of takes";
   static constexpr std::array exceptions = {
-      RoomException{"app/workbench/export/export_desk.cpp", "app/workbench/labels/annotation_desk.hpp",
-                    labels},
-      RoomException{"app/workbench/project/project_state.cpp", "app/workbench/labels/annotation_desk.hpp",
-                    labels},
-      RoomException{"app/workbench/takes/pair_desk.cpp", "app/workbench/labels/annotation_desk.hpp", labels},
-      RoomException{"app/workbench/takes/take_desk.cpp", "app/workbench/labels/annotation_desk.hpp", labels},
-      RoomException{"app/workbench/video/video_desk.cpp", "app/workbench/labels/annotation_desk.hpp", labels},
-      RoomException{"app/workbench/keys/key_routing.cpp", "app/workbench/labels/label_key_filter.hpp",
-                    "keys of labels come before those of a focused control"},
-      RoomException{"app/workbench/export/export_desk.cpp", "app/workbench/takes/take_desk.hpp", takes},
       RoomException{"app/workbench/project/project_desk.cpp", "app/workbench/takes/take_desk.hpp", takes},
       RoomException{"app/workbench/project/session_actions.cpp", "app/workbench/takes/take_desk.hpp", takes},
-      RoomException{"app/workbench/takes/pair_desk.cpp", "app/workbench/stream/stream_desk.hpp", streams},
-      RoomException{"app/workbench/takes/take_actions.cpp", "app/workbench/stream/stream_desk.hpp", streams},
-      RoomException{"app/workbench/takes/pair_actions.cpp", "app/workbench/library/library_desk.hpp",
-                    "a captured pair is put into the library by its desk"},
-      RoomException{"app/workbench/labels/annotation_desk.cpp", "app/workbench/library/library_feed.hpp",
-                    "what is said of a take is put into the library"},
-      RoomException{"app/workbench/project/project_state.cpp", "app/workbench/video/video_desk.hpp",
-                    "which videos are open is known to their desk"},
-      RoomException{"app/workbench/shell/window_session.cpp", "app/workbench/labels/label_import.hpp",
-                    opening},
-      RoomException{"app/workbench/shell/window_session.cpp", "app/workbench/library/mapping_desk.hpp",
-                    opening},
   };
   return exceptions;
 }
@@ -455,6 +433,19 @@ Violations no_path_of_a_machine(std::span<const SourceFile> files) {
             at(file, static_cast<int>(i) + 1, "names a path of one machine (" + beginning + "...)"));
       }
     }
+  }
+  return found;
+}
+
+Violations signals_are_of_their_own_object(std::span<const SourceFile> files) {
+  static const std::regex foreign(R"re(\bemit\s+(?!this->)\w+(\(\))?(\.|->))re");
+  Violations found;
+  for (const SourceFile& file : files) {
+    if (!file.is_cpp() || !(file.is_under("app/") || file.is_under("widgets/"))) continue;
+    for (std::size_t i = 0; i < file.lines.size(); ++i)
+      if (std::regex_search(file.lines[i], foreign))
+        found.push_back(
+            at(file, static_cast<int>(i) + 1, "emits a signal of another object; ask it instead"));
   }
   return found;
 }

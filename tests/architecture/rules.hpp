@@ -47,6 +47,9 @@ Violations widget_folders_are_strangers(std::span<const SourceFile> files);
 Violations headers_have_pragma_once(std::span<const SourceFile> files);
 Violations no_path_of_a_machine(std::span<const SourceFile> files);
 
+/// A signal says what became of its object; whoever wants something of another asks it.
+Violations signals_are_of_their_own_object(std::span<const SourceFile> files);
+
 /// Files whose path starts with `prefix` and ends in `ending` have at most `most` lines.
 Violations at_most_lines(std::span<const SourceFile> files, std::string_view prefix, int most,
                          std::string_view ending = {});

@@ -249,6 +249,14 @@ TEST(ArchitectureRules, CatchWidgetFoldersThatKnowEachOther) {
               IsEmpty());
 }
 
+TEST(ArchitectureRules, CatchASignalOfAnotherObject) {
+  for (const char* foreign :
+       {"emit m_window.failed(why);", "emit panel->chosen(1);", "emit view()->sought(2);"})
+    EXPECT_THAT(signals_are_of_their_own_object(one("app/a/b.cpp", foreign)), SizeIs(1)) << foreign;
+  for (const char* own : {"emit chosen(1);", "emit this->kept();", "return emit failed(error.text());"})
+    EXPECT_THAT(signals_are_of_their_own_object(one("widgets/a/b.cpp", own)), IsEmpty()) << own;
+}
+
 TEST(ArchitectureRules, CatchFilesThatGrewTooLong) {
   EXPECT_THAT(at_most_lines(one("docs/a.md", "1\n2\n3\n"), "docs/a.md", 2),
               ElementsAre(StartsWith("docs/a.md:3: 3 lines")));

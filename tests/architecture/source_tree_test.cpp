@@ -77,6 +77,10 @@ TEST(Architecture, WidgetFoldersDoNotKnowEachOther) {
   EXPECT_TRUE(holds(widget_folders_are_strangers(tree())));
 }
 
+TEST(Architecture, SignalsAreEmittedByTheirOwnObject) {
+  EXPECT_TRUE(holds(signals_are_of_their_own_object(tree())));
+}
+
 TEST(Architecture, TheMainWindowStaysSmall) {
   EXPECT_TRUE(holds(at_most_lines(tree(), "app/workbench/shell/main_window.cpp", 300)));
 }

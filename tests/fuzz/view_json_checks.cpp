@@ -9,6 +9,7 @@
 #include "app/workbench/project/remembered_view.hpp"
 #include "app/workbench/shell/dock_state.hpp"
 #include "app/workbench/shell/window_layout.hpp"
+#include "core/session/frames/markers.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 #include "widgets/scene/values/scene_memory.hpp"
 
@@ -31,7 +32,7 @@ void expect_layout(std::string_view text) {
 }
 
 void expect_markers(const std::string& text) {
-  const Markers markers = app::markers_of(text);
+  const Markers markers = parse_markers(text);
   std::set<int> ids;
   double before_s = -std::numeric_limits<double>::infinity();
   for (const Marker& marker : markers.all()) {
@@ -43,13 +44,13 @@ void expect_markers(const std::string& text) {
   }
   // Ids that no hand has reached are given anew.
   constexpr int many = 1'000'000'000;
-  const Markers written = app::markers_of(app::text_of(markers));
+  const Markers written = parse_markers(markers_json(markers));
   expect(std::ranges::equal(written.all(), markers.all(),
                             [](const Marker& a, const Marker& b) {
                               return (a.id == b.id || a.id >= many) && a.time_s == b.time_s;
                             }),
          "markers come back as others");
-  expect(markers.next_id() > many || app::markers_of(app::text_of(written)) == written,
+  expect(markers.next_id() > many || parse_markers(markers_json(written)) == written,
          "markers do not come to rest");
 }
 

@@ -17,4 +17,7 @@ PairedTake swinging_take(const std::string& name, int frames, unsigned seed, dou
 /// Two such takes, performer A active.
 std::shared_ptr<const MotionLibrary> small_library();
 
+/// A library of two takes, "salsa_01" (a turn) and "salsa_02" (open hold), of a few pairs each.
+std::shared_ptr<const MotionLibrary> two_take_library();
+
 }  // namespace abrazo::test

@@ -31,6 +31,7 @@ using test::two_take_library;
 struct Table {
   CandidateTable table;
   std::vector<QString> asked;
+  Decisions decided;
   std::vector<std::pair<int, int>> jumps;
   std::vector<int> hovered;
   CandidateList* list = table.findChild<CandidateList*>();
@@ -38,10 +39,11 @@ struct Table {
 
   explicit Table(Theme theme = Theme::Dark) {
     table.setColours(palette_of(theme));
-    QObject::connect(&table, &CandidateTable::steeringRequested, &table,
-                     [this](const Steering& next, const QString& what) {
+    QObject::connect(&table, &CandidateTable::decisionsRequested, &table,
+                     [this](const Decisions& next, const QString& what) {
                        asked.push_back(what);
-                       table.showSteering(next);
+                       decided = next;
+                       table.showDecisions(next);
                      });
     QObject::connect(&table, &CandidateTable::jumpRequested, &table,
                      [this](int take, int frame) { jumps.emplace_back(take, frame); });
@@ -115,7 +117,7 @@ TEST(CandidateTable, KeepsASelectedPairThatIsNoCandidateForAWhile) {
   t.table.showFrame(without);
   EXPECT_FALSE(t.list->current());
   t.table.togglePin();
-  EXPECT_EQ(t.table.steering().pinned, 4) << "keys are about what is selected, not about the winner";
+  EXPECT_EQ(t.decided.pinned, 4) << "keys are about what is selected, not about the winner";
   t.table.showFrame(synthetic_frame(2, 0.06));
   ASSERT_TRUE(t.list->current());
   EXPECT_EQ(t.list->current()->pair, 4);
@@ -263,31 +265,31 @@ TEST(CandidateTable, PinsAndVetoesTheChosenRowAndOneClickLiftsIt) {
   Table t;
   t.list->setCurrent(4);
   t.table.togglePin();
-  EXPECT_EQ(t.table.steering().pinned, 4);
+  EXPECT_EQ(t.decided.pinned, 4);
   EXPECT_TRUE(t.list->rows()[4].pinned);
   t.table.toggleVeto(Reach::Take);
-  EXPECT_FALSE(t.table.steering().pinned);
+  EXPECT_FALSE(t.decided.pinned);
   EXPECT_TRUE(t.list->rows()[4].vetoed);
   EXPECT_EQ(t.asked, (std::vector<QString>{"use salsa_02 0", "veto take salsa_02"}));
   const auto& buttons = t.table.findChild<DecisionBar*>()->buttons();
   ASSERT_EQ(buttons.size(), 1U);
   EXPECT_EQ(buttons[0]->accessibleName(), QString("Remove the veto: take salsa_02"));
   QTest::keyClick(buttons[0], Qt::Key_Return);
-  EXPECT_TRUE(t.table.steering().empty());
+  EXPECT_TRUE(is_neutral(t.decided));
 }
 
 TEST(CandidateTable, WithoutAChosenRowDecidesAboutTheWinner) {
   Table t;
   t.table.toggleVeto(Reach::Pair);
-  EXPECT_EQ(t.table.steering().vetoes.pairs, std::set<int>{0});
+  EXPECT_EQ(t.decided.vetoes.pairs, std::set<int>{0});
 }
 
 TEST(CandidateTable, AClickBesideTheRankPinsAndLetsGo) {
   Table t;
   QTest::mouseClick(t.list, Qt::LeftButton, {}, {8, CandidateList::row_height + 12});
-  EXPECT_EQ(t.table.steering().pinned, 1);
+  EXPECT_EQ(t.decided.pinned, 1);
   QTest::mouseClick(t.list, Qt::LeftButton, {}, {8, CandidateList::row_height + 12});
-  EXPECT_TRUE(t.table.steering().empty());
+  EXPECT_TRUE(is_neutral(t.decided));
 }
 
 TEST(CandidateTable, ItsMenuHasEveryDecisionAndColumn) {
@@ -302,17 +304,8 @@ TEST(CandidateTable, ItsMenuHasEveryDecisionAndColumn) {
                              "Go to its take and frame", "Sort by"})
     EXPECT_TRUE(texts.contains(wanted)) << wanted;
   menu->actions().front()->trigger();
-  EXPECT_EQ(t.table.steering().pinned, 1);
+  EXPECT_EQ(t.decided.pinned, 1);
   menu->close();
-}
-
-TEST(CandidateTable, AnotherLibraryDropsTheDecisionsAndTheSameKeepsThem) {
-  Table t;
-  t.table.togglePin();
-  t.table.setLibrary(t.table.library());
-  EXPECT_TRUE(t.table.steering().pinned);
-  t.table.setLibrary(two_take_library());
-  EXPECT_TRUE(t.table.steering().empty());
 }
 
 TEST(CandidateTable, MarksPinAndVetoInDarkAndLight) {

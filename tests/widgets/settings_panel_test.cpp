@@ -12,8 +12,8 @@
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
-#include <QUndoStack>
 
+#include "core/session/edit/live_project.hpp"
 #include "tests/widgets/pictures.hpp"
 #include "widgets/common/value_slider.hpp"
 #include "widgets/settings/preset_bar.hpp"
@@ -23,62 +23,56 @@
 namespace abrazo::widgets::settings_panel_test {
 namespace {
 
+/// The panel with a project that answers what it asks for, as the window does.
 struct Panel {
-  QUndoStack undo;
-  SettingsPanel panel{undo};
-  std::vector<Settings> sent;
+  SettingsPanel panel;
+  LiveProject live;
+  std::vector<ProjectEdit> steps;
+  std::vector<Settings> asked;
   QString mistake;
+
   Panel() {
-    QObject::connect(&panel, &SettingsPanel::commandRequested, [this](const Command& command) {
-      sent.push_back(std::get<SetSettings>(command).settings);
+    QObject::connect(&panel, &SettingsPanel::entryRequested,
+                     [this](const QString& key, const QString& text, int gesture) {
+                       answer(live.with_setting(key.toStdString(), text.toStdString()), key, gesture);
+                     });
+    QObject::connect(&panel, &SettingsPanel::presetRequested, [this](const QString& name, bool own) {
+      answer(live.with_preset(name.toStdString(), own), {}, 0);
     });
-    QObject::connect(&panel, &SettingsPanel::mistaken, [this](const QString& text) { mistake = text; });
+    QObject::connect(&panel, &SettingsPanel::settingsRequested,
+                     [this](const Settings& settings) { answer(live.with_settings(settings), {}, 0); });
   }
+  void answer(const Result<ChosenSettings>& next, const QString& key, int gesture) {
+    if (!next) {
+      mistake = QString::fromStdString(next.error().text());
+      return show();
+    }
+    asked.push_back(next->settings);
+    auto edit = live.edit(*next, "edit");
+    if (!edit) return show();
+    edit->key = key.toStdString();
+    edit->gesture = gesture;
+    live.put(edit->after);
+    if (steps.empty() || !steps.back().absorb(*edit)) steps.push_back(*edit);
+    if (steps.back().is_nothing()) steps.pop_back();
+    show();
+  }
+  void undo() {
+    live.put(steps.back().before);
+    steps.pop_back();
+    show();
+  }
+  void show() { panel.showSettings(live.project().settings, live.preset()); }
+  void enter(const QString& key, const QString& text) { emit panel.entryRequested(key, text, 0); }
+  const Settings& settings() const { return live.project().settings; }
 };
 
-TEST(SettingsPanel, SendsTheWholeValueAtOnce) {
+TEST(SettingsPanel, AnEntryThatIsRefusedIsTakenBack) {
   Panel p;
-  p.panel.change("alpha", "0.7");
-  ASSERT_EQ(p.sent.size(), 1u);
-  Settings wanted = preset("paper").value();
-  wanted.alpha = 0.7;
-  EXPECT_EQ(p.sent[0], wanted);
-}
-
-TEST(SettingsPanel, OneDragIsOneStepOfUndo) {
-  Panel p;
-  const Settings before = p.panel.settings();
-  for (const char* value : {"0.6", "0.7", "0.8"}) p.panel.change("alpha", value, 1);
-  EXPECT_EQ(p.undo.count(), 1);
-  EXPECT_EQ(p.sent.size(), 3u) << "every move goes to the solver";
-  p.undo.undo();
-  EXPECT_EQ(p.panel.settings(), before);
-  p.undo.redo();
-  EXPECT_DOUBLE_EQ(p.panel.settings().alpha, 0.8);
-}
-
-TEST(SettingsPanel, TwoDragsAreTwoSteps) {
-  Panel p;
-  p.panel.change("alpha", "0.6", 1);
-  p.panel.change("alpha", "0.7", 2);
-  EXPECT_EQ(p.undo.count(), 2);
-}
-
-TEST(SettingsPanel, AnEntryThatCannotBeUsedChangesNothingAndSaysWhy) {
-  Panel p;
-  const Settings before = p.panel.settings();
-  p.panel.change("alpha", "much");
-  EXPECT_EQ(p.panel.settings(), before);
-  EXPECT_TRUE(p.sent.empty());
+  p.enter("alpha", "much");
+  EXPECT_EQ(p.settings(), preset("paper").value());
+  EXPECT_TRUE(p.asked.empty());
   EXPECT_TRUE(p.mistake.contains("alpha")) << p.mistake.toStdString();
-}
-
-TEST(SettingsPanel, APresetCanBeUndone) {
-  Panel p;
-  p.panel.choosePreset("responsive");
-  EXPECT_EQ(p.panel.settings(), preset("responsive").value());
-  p.undo.undo();
-  EXPECT_EQ(p.panel.settings(), preset("paper").value());
 }
 
 struct ShownPanel : Panel {
@@ -111,42 +105,40 @@ void drag(ValueSlider& slider, const std::vector<int>& to) {
 TEST(SettingsPanel, DraggingWithTheMouseIsOneStepOfUndo) {
   ShownPanel p;
   drag(p.slider("alpha"), {120, 140, 160, 200});
-  EXPECT_EQ(p.undo.count(), 1);
-  EXPECT_GE(p.sent.size(), 4u) << "every move goes to the solver";
-  EXPECT_GT(p.panel.settings().alpha, 2);
-  EXPECT_EQ(p.undo.undoText(),
-            "temporal smoothness to " + QString::fromStdString(setting_text(p.panel.settings(), "alpha")));
-  p.undo.undo();
-  EXPECT_EQ(p.panel.settings(), *preset("paper"));
+  EXPECT_EQ(p.steps.size(), 1U);
+  EXPECT_GE(p.asked.size(), 4u) << "every move goes to the solver";
+  EXPECT_GT(p.settings().alpha, 2);
+  p.undo();
+  EXPECT_EQ(p.settings(), *preset("paper"));
   drag(p.slider("alpha"), {150});
   drag(p.slider("alpha"), {180});
-  EXPECT_EQ(p.undo.count(), 2) << "two drags";
+  EXPECT_EQ(p.steps.size(), 2U) << "two drags";
 }
 
 TEST(SettingsPanel, ADragThatEndsWhereItBeganIsNoStep) {
   ShownPanel p;
   const int home = static_cast<int>(p.slider("alpha").handleX());
   drag(p.slider("alpha"), {200, home});
-  EXPECT_EQ(p.undo.count(), 0);
-  EXPECT_EQ(p.panel.settings(), *preset("paper"));
+  EXPECT_EQ(p.steps.size(), 0U);
+  EXPECT_EQ(p.settings(), *preset("paper"));
 }
 
 TEST(SettingsPanel, TakingTheHandleDoesNotMoveIt) {
   ShownPanel p;
   const int home = static_cast<int>(p.slider("velocity-weight").handleX());
   QTest::mouseClick(&p.slider("velocity-weight"), Qt::LeftButton, {}, {home + 3, 8});
-  EXPECT_TRUE(p.sent.empty());
+  EXPECT_TRUE(p.asked.empty());
 }
 
 TEST(SettingsPanel, ADoubleClickGoesBackToTheDefaultInOneStep) {
   ShownPanel p;
-  p.panel.change("alpha", "1.5");
+  p.enter("alpha", "1.5");
   QTest::mousePress(&p.slider("alpha"), Qt::LeftButton, {}, {250, 8});
   QTest::mouseRelease(&p.slider("alpha"), Qt::LeftButton, {}, {250, 8});
   QTest::mouseDClick(&p.slider("alpha"), Qt::LeftButton, {}, {250, 8});
-  EXPECT_EQ(p.panel.settings().alpha, 0.5);
-  p.undo.undo();
-  EXPECT_EQ(p.panel.settings().alpha, 1.5);
+  EXPECT_EQ(p.settings().alpha, 0.5);
+  p.undo();
+  EXPECT_EQ(p.settings().alpha, 1.5);
 }
 
 TEST(SettingsPanel, ArrowKeysStepAndAHeldKeyIsOneStepOfUndo) {
@@ -154,19 +146,19 @@ TEST(SettingsPanel, ArrowKeysStepAndAHeldKeyIsOneStepOfUndo) {
   ValueSlider& slider = p.slider("neighbours");
   slider.setFocus();
   QTest::keyClick(&slider, Qt::Key_Right);
-  EXPECT_EQ(p.panel.settings().neighbours, 11);
+  EXPECT_EQ(p.settings().neighbours, 11);
   QTest::keyClick(&slider, Qt::Key_Left, Qt::ShiftModifier);
-  EXPECT_EQ(p.panel.settings().neighbours, 1);
-  EXPECT_EQ(p.undo.count(), 2);
+  EXPECT_EQ(p.settings().neighbours, 1);
+  EXPECT_EQ(p.steps.size(), 2U);
   QTest::keyPress(&slider, Qt::Key_Up);
   for (int repeat = 0; repeat < 3; ++repeat) {
     QKeyEvent held(QEvent::KeyPress, Qt::Key_Up, {}, {}, true);
     QApplication::sendEvent(&slider, &held);
   }
-  EXPECT_EQ(p.panel.settings().neighbours, 5);
-  EXPECT_EQ(p.undo.count(), 3);
+  EXPECT_EQ(p.settings().neighbours, 5);
+  EXPECT_EQ(p.steps.size(), 3U);
   QTest::keyClick(&slider, Qt::Key_Backspace);
-  EXPECT_EQ(p.panel.settings().neighbours, 10);
+  EXPECT_EQ(p.settings().neighbours, 10);
 }
 
 TEST(SettingsPanel, AValueCanBeTypedWithOrWithoutItsUnit) {
@@ -175,7 +167,7 @@ TEST(SettingsPanel, AValueCanBeTypedWithOrWithoutItsUnit) {
   QTest::mouseClick(&field, Qt::LeftButton);
   QTest::keyClicks(&field, "0.25 m/s");
   QTest::keyClick(&field, Qt::Key_Return);
-  EXPECT_EQ(p.panel.settings().foot_lock_speed, 0.25);
+  EXPECT_EQ(p.settings().foot_lock_speed, 0.25);
   EXPECT_EQ(field.text(), "0.25 m/s");
 }
 
@@ -184,13 +176,13 @@ TEST(SettingsPanel, SwitchesAndListsWorkByKeyAndAreSteps) {
   Toggle& locks = *p.row("foot-locks").findChild<Toggle*>();
   locks.setFocus();
   QTest::keyClick(&locks, Qt::Key_Space);
-  EXPECT_FALSE(p.panel.settings().foot_locks);
+  EXPECT_FALSE(p.settings().foot_locks);
   QTest::keyClick(&locks, Qt::Key_Space);
-  EXPECT_TRUE(p.panel.settings().foot_locks);
+  EXPECT_TRUE(p.settings().foot_locks);
   QComboBox& form = *p.row("velocity-form").findChild<QComboBox*>();
   QTest::keyClick(&form, Qt::Key_Down);
-  EXPECT_EQ(p.panel.settings().velocity_form, VelocityForm::Predicted);
-  EXPECT_EQ(p.undo.count(), 3);
+  EXPECT_EQ(p.settings().velocity_form, VelocityForm::Predicted);
+  EXPECT_EQ(p.steps.size(), 3U);
 }
 
 TEST(SettingsPanel, EveryControlHasANameAndADescription) {
@@ -211,13 +203,13 @@ TEST(SettingsPanel, EveryControlHasANameAndADescription) {
 TEST(SettingsPanel, AStarMarksThePresetAndTheRowThatWereChanged) {
   ShownPanel p;
   EXPECT_FALSE(p.title("alpha").contains("*"));
-  p.panel.change("alpha", "0.7");
+  p.enter("alpha", "0.7");
   EXPECT_TRUE(p.title("alpha").contains("*"));
   EXPECT_FALSE(p.title("morph-steps").contains("*"));
   EXPECT_EQ(p.panel.presets().findChildren<QToolButton*>().front()->text(), "paper *");
-  p.panel.choosePreset("responsive");
+  emit p.panel.presetRequested("responsive", false);
   EXPECT_EQ(p.panel.presets().findChildren<QToolButton*>().front()->text(), "paper");
-  p.undo.undo();
+  p.undo();
   EXPECT_EQ(p.panel.presets().findChildren<QToolButton*>().front()->text(), "paper *");
 }
 
@@ -229,13 +221,13 @@ TEST(SettingsPanel, GreysWhatDoesNotCountWithTheMethodOfSelectionAndSaysWhoseItI
   EXPECT_FALSE(p.slider("switch-margin").isEnabled());
   EXPECT_TRUE(p.row("switch-margin").toolTip().contains("Only with the method intent"));
   QTest::keyClick(p.row("selection").findChild<QComboBox*>(), Qt::Key_Down);
-  EXPECT_EQ(p.panel.settings().selection, SelectionMethod::Intent);
+  EXPECT_EQ(p.settings().selection, SelectionMethod::Intent);
   EXPECT_TRUE(p.slider("switch-margin").isEnabled());
   EXPECT_FALSE(p.row("switch-margin").toolTip().contains("Only with"));
   EXPECT_FALSE(p.slider("continuations").isEnabled());
   EXPECT_TRUE(p.row("continuations").toolTip().contains("Only with the method paper"));
   EXPECT_TRUE(p.slider("alpha").isEnabled()) << "both have it";
-  p.undo.undo();
+  p.undo();
   EXPECT_TRUE(p.slider("continuations").isEnabled());
 }
 
@@ -268,11 +260,11 @@ TEST(SettingsPanel, TellsWhatAShownFrameWasSolvedWithAndTakesItOverInOneStep) {
             test::pixels_of_hue(before, palette_of(Theme::Dark).warning) + 20)
       << "the mark on the slider";
   QTest::mouseClick(use, Qt::LeftButton);
-  EXPECT_EQ(p.panel.settings(), of_frame);
+  EXPECT_EQ(p.settings(), of_frame);
   EXPECT_FALSE(use->isVisible());
-  EXPECT_EQ(p.undo.count(), 1);
-  p.undo.undo();
-  EXPECT_EQ(p.panel.settings(), *preset("paper"));
+  EXPECT_EQ(p.steps.size(), 1U);
+  p.undo();
+  EXPECT_EQ(p.settings(), *preset("paper"));
   EXPECT_TRUE(use->isVisible());
   p.panel.showFrameSettings(std::nullopt);
   EXPECT_FALSE(use->isVisible());
@@ -282,11 +274,12 @@ TEST(SettingsPanel, OwnPresetsCanBeChosenAndAreDefaultsThen) {
   ShownPanel p;
   Settings calm = *preset("paper");
   calm.alpha = 2;
-  p.panel.setOwnPresets({{"calm", calm}});
-  p.panel.chooseOwnPreset("calm");
-  EXPECT_EQ(p.panel.settings(), calm);
-  EXPECT_TRUE(p.panel.choice().own);
-  p.panel.change("alpha", "1");
+  p.panel.presets().setOwn({{"calm", calm}});
+  p.live.put(std::vector<OwnPreset>{{"calm", calm}});
+  emit p.panel.presetRequested("calm", true);
+  EXPECT_EQ(p.settings(), calm);
+  EXPECT_TRUE(p.live.preset().own);
+  p.enter("alpha", "1");
   EXPECT_TRUE(p.title("alpha").contains("*"));
   QMenu menu;
   p.panel.presets().fillMenu(menu);
@@ -294,9 +287,10 @@ TEST(SettingsPanel, OwnPresetsCanBeChosenAndAreDefaultsThen) {
   for (const QAction* action : menu.actions()) offered << action->text();
   EXPECT_TRUE(offered.contains("calm"));
   EXPECT_TRUE(offered.join("|").contains("Rename")) << offered.join("|").toStdString();
-  p.panel.setOwnPresets({});
-  EXPECT_FALSE(p.panel.choice().own) << "what is gone cannot be chosen";
-  p.panel.chooseOwnPreset("calm");
+  p.panel.presets().setOwn({});
+  p.live.put(std::vector<OwnPreset>{});
+  EXPECT_FALSE(p.live.preset().own) << "what is gone cannot be chosen";
+  emit p.panel.presetRequested("calm", true);
   EXPECT_TRUE(p.mistake.contains("calm"));
 }
 

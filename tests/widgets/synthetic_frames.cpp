@@ -7,52 +7,6 @@
 #include "tests/support/bodies.hpp"
 
 namespace abrazo::test {
-namespace {
-
-constexpr int pairs_per_take = 4;
-
-void add_take(LibraryColumns& columns, const std::string& name, const std::string& label) {
-  const auto take = static_cast<std::uint32_t>(columns.takes.size());
-  LibraryTake about;
-  about.name = name;
-  about.frames = pairs_per_take;
-  about.labels = {{0, pairs_per_take, label, "", ""}};
-  columns.takes.push_back(about);
-  for (std::uint32_t frame = 0; frame < pairs_per_take; ++frame) {
-    const PairPose world = facing_pair(0.6 + 0.05 * frame);
-    const RootFrame root = root_frame(world.topRows<joint_count>());
-    PairPose pose;
-    pose.topRows<joint_count>() = to_normalized(world.topRows<joint_count>(), root);
-    pose.bottomRows<joint_count>() = to_normalized(world.bottomRows<joint_count>(), root);
-    columns.sources.push_back({take, frame, false, ActivePerformer::A});
-    columns.roots.push_back(root);
-    columns.poses.push_back(pose);
-    columns.features.push_back(pose_features(pose.topRows<joint_count>()));
-    const InteractionMesh mesh = tetrahedralize(pose);
-    columns.edges.insert(columns.edges.end(), mesh.edges.begin(), mesh.edges.end());
-    columns.tetrahedra.insert(columns.tetrahedra.end(), mesh.tetrahedra.begin(), mesh.tetrahedra.end());
-    columns.edge_offsets.push_back(columns.edges.size());
-    columns.tetrahedron_offsets.push_back(columns.tetrahedra.size());
-    columns.mesh_quality.push_back(0);
-  }
-}
-
-}  // namespace
-
-std::shared_ptr<const MotionLibrary> two_take_library() {
-  LibraryColumns columns;
-  columns.name = "small";
-  LibraryBody body;
-  body.name = "salsa_01/a";
-  body.body = body_of(standing_pose());
-  body.capsule_radii = generic_capsule_radii();
-  columns.bodies = {body};
-  columns.edge_offsets = std::vector<std::uint64_t>{0};
-  columns.tetrahedron_offsets = std::vector<std::uint64_t>{0};
-  add_take(columns, "salsa_01", "turn");
-  add_take(columns, "salsa_02", "open_hold");
-  return std::make_shared<const MotionLibrary>(std::move(columns));
-}
 
 FrameSnapshotPtr synthetic_frame(std::uint64_t index, double time_s) {
   auto frame = std::make_shared<FrameSnapshot>();

@@ -1,14 +1,9 @@
 #pragma once
 
-#include <memory>
-
-#include "core/library/store/motion_library.hpp"
 #include "core/session/frames/frame_snapshot.hpp"
+#include "tests/support/libraries.hpp"
 
 namespace abrazo::test {
-
-/// A library of two takes, "salsa_01" (a turn) and "salsa_02" (open hold), of a few pairs each.
-std::shared_ptr<const MotionLibrary> two_take_library();
 
 /// A solved frame as the solver would freeze it: two people face to face, five candidates of
 /// `two_take_library`, the first of them selected. The passive character sways with the index.

@@ -4,8 +4,8 @@
 #include <QLineEdit>
 #include <QTableWidget>
 
+#include "app/workbench/document/library_feed.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
-#include "app/workbench/library/library_feed.hpp"
 #include "core/opening/file_kinds.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/annotation/annotation_panel.hpp"
@@ -362,7 +362,7 @@ TEST_F(Annotating, TheLibraryOfTheRunningSessionFollows) {
   ASSERT_FALSE(about.roles.empty());
   EXPECT_EQ(about.roles.front().active, ActivePerformer::B);
   EXPECT_GE(library().find_pair(take(), 10, true), 0) << "B is the active one of its pairs";
-  EXPECT_EQ(window().candidates().library()->takes().front().labels.front().label, "one");
+  EXPECT_EQ(window().session()->material().library->takes().front().labels.front().label, "one");
   turn();
   ASSERT_TRUE(ticker().shown());
   EXPECT_EQ(ticker().shown()->library, window().session()->material().library);

@@ -21,7 +21,7 @@ class CompareInTheWindow : public DemoWindow {
  protected:
   static void SetUpTestSuite() {
     showWindow({1600, 1000});
-    window().startWith(*preset("responsive"));
+    window().document().putSettings(*preset("responsive"));
     window().openDemo();
     until([] { return shown() && shown()->index > 60; });
   }
@@ -39,10 +39,7 @@ class CompareInTheWindow : public DemoWindow {
   static widgets::ComparePanel& panel() { return *window().findChild<widgets::ComparePanel*>(); }
   static const FrameSnapshotPtr& shown() { return window().ticker().shown(); }
   static const FrameSnapshot& live() { return *window().session()->latest().newest(); }
-  static void choose(const Settings& settings) {
-    window().settings().showSettings(settings);
-    window().session()->push(SetSettings{settings});
-  }
+  static void choose(const Settings& settings) { window().document().putSettings(settings); }
   static void trigger(const QString& text) {
     for (QAction* action : window().actions())
       if (action->text() == text) return action->trigger();
@@ -54,7 +51,7 @@ class CompareInTheWindow : public DemoWindow {
 TEST_F(CompareInTheWindow, AFrozenRunGoesOnBesideTheLiveOne) {
   trigger("Freeze the settings as A");
   EXPECT_EQ(desk().frozen(), *preset("responsive"));
-  window().settings().change("velocity-weight", "2");
+  window().document().changeSetting("velocity-weight", "2");
   ASSERT_TRUE(until([] { return desk().shown() && desk().shown()->steps.size() > 60; }));
   const Comparison& comparison = *desk().shown();
   EXPECT_TRUE(comparison.task.goes_on);
@@ -69,7 +66,7 @@ TEST_F(CompareInTheWindow, AParkedCursorIsSolvedAgainWhileLiveGoesOn) {
   ASSERT_TRUE(until([] { return window().ticker().playback().state == State::Parked; }));
   const double parked_s = window().ticker().playback().cursor_s;
   const std::uint64_t before = live().index;
-  window().settings().change("velocity-weight", "2");
+  window().document().changeSetting("velocity-weight", "2");
   ASSERT_TRUE(until([] { return desk().shown() && desk().shown()->done; }));
   EXPECT_FALSE(desk().shown()->task.goes_on);
   EXPECT_FALSE(desk().shown()->task.a) << "A is what was recorded";
@@ -82,7 +79,7 @@ TEST_F(CompareInTheWindow, LiveKeepsAWhileBIsTriedAside) {
   trigger("Freeze the settings as A");
   trigger("Live keeps A");
   EXPECT_TRUE(desk().isAside());
-  window().settings().change("velocity-weight", "2");
+  window().document().changeSetting("velocity-weight", "2");
   ASSERT_TRUE(
       until([] { return desk().shown() && desk().shown()->task.b && desk().shown()->steps.size() > 30; }));
   EXPECT_EQ(live().settings, *preset("responsive"));
@@ -94,26 +91,26 @@ TEST_F(CompareInTheWindow, LiveKeepsAWhileBIsTriedAside) {
 
 TEST_F(CompareInTheWindow, SwapAndAdoptAreOneStepOfUndoEach) {
   trigger("Freeze the settings as A");
-  window().settings().change("velocity-weight", "2");
+  window().document().changeSetting("velocity-weight", "2");
   const int steps = window().undoStack().index();
   trigger("Swap A and B");
   EXPECT_EQ(desk().frozen()->velocity_weight, 2);
-  EXPECT_EQ(window().settings().settings(), *preset("responsive"));
+  EXPECT_EQ(window().document().settings(), *preset("responsive"));
   EXPECT_EQ(window().undoStack().index(), steps + 1);
   window().undoStack().undo();
   EXPECT_EQ(desk().frozen(), *preset("responsive"));
-  EXPECT_EQ(window().settings().settings().velocity_weight, 2);
+  EXPECT_EQ(window().document().settings().velocity_weight, 2);
   trigger("Adopt the settings of A");
-  EXPECT_EQ(window().settings().settings(), *preset("responsive"));
+  EXPECT_EQ(window().document().settings(), *preset("responsive"));
   window().undoStack().undo();
-  EXPECT_EQ(window().settings().settings().velocity_weight, 2);
+  EXPECT_EQ(window().document().settings().velocity_weight, 2);
 }
 
 TEST_F(CompareInTheWindow, ACancelledWhatIfIsNotTakenUpAgainByItself) {
   window().ticker().seek(shown()->time_s - 0.2);
   panel().setSpan(WhatIfSpan::TenSeconds);
   emit panel().spanRequested(WhatIfSpan::TenSeconds);
-  window().settings().change("morph-steps", "20");
+  window().document().changeSetting("morph-steps", "20");
   ASSERT_TRUE(until([] { return desk().hasAsked(); }));
   desk().cancel();
   QTest::qWait(100);
@@ -128,7 +125,7 @@ TEST_F(CompareInTheWindow, ACancelledWhatIfIsNotTakenUpAgainByItself) {
 
 TEST_F(CompareInTheWindow, AnotherSessionKeepsAAndStartsItsRunsAnew) {
   trigger("Freeze the settings as A");
-  window().settings().change("velocity-weight", "2");
+  window().document().changeSetting("velocity-weight", "2");
   ASSERT_TRUE(until([] { return desk().shown() != nullptr; }));
   const auto before = window().session();
   window().openDemo();

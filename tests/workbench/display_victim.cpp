@@ -22,13 +22,6 @@ namespace {
 double monotonic_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
-
-QAction* action_of(app::MainWindow& window, const QString& text) {
-  for (QAction* action : window.actions())
-    if (action->text() == text) return action;
-  return nullptr;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -38,10 +31,10 @@ int main(int argc, char** argv) {
   app::MainWindow window(remembered);
   window.setTheme(widgets::Theme::Dark);
   window.resize(1000, 700);
-  app::add_all_actions(window);
-  window.findChild<app::ProjectDesk*>()->setAsks(true);
+  const app::Rooms rooms = app::add_all_actions(window);
+  rooms.project.setAsks(true);
   const app::Termination termination;
-  app::close_when_told(window, termination);
+  app::close_when_told(window, rooms.project, termination);
   window.show();
   window.openDemo();
   auto* takes = window.findChild<app::TakeDesk*>();
@@ -53,7 +46,7 @@ int main(int argc, char** argv) {
     if (!is_recording) {
       is_recording = true;
       takes->toggle();
-      if (QAction* mark = action_of(window, "Marker")) mark->trigger();
+      if (QAction* mark = app::action_of(window, "timeline.marker")) mark->trigger();
       return;
     }
     const auto recorder = session->engine().recorder();

@@ -20,6 +20,7 @@
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
+#include "app/workbench/stream/stream_desk.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/choreography/salsa.hpp"
 #include "core/motion/bvh/bvh.hpp"
@@ -144,7 +145,7 @@ QStringList written_couples(const QDir& folder) {
 void compare(MainWindow& window) {
   for (QAction* action : window.actions())
     if (action->text() == "Freeze the settings as A") action->trigger();
-  window.settings().change("velocity-weight", "0.4");
+  window.document().changeSetting("velocity-weight", "0.4");
 }
 
 /// A take half annotated: its second half is only suggested.
@@ -169,12 +170,13 @@ void annotate(MainWindow& window, Pictures& pictures) {
 
 /// The take that plays the user, sent as VMC packets to the window itself; the partner is sent back.
 void live(MainWindow& window, Pictures& pictures) {
-  connect_to_stream(window, "vmc://127.0.0.1:39539");
+  auto& streams = *window.findChild<StreamDesk*>();
+  streams.connectTo("vmc://127.0.0.1:39539");
   const Clip clip = window.session()->material().input;
   const auto to = parse_stream_uri("vmc://127.0.0.1:39539");
   auto sender = PoseSink::open(*to, body_of(clip.poses), "user");
   if (!sender || !window.session()->engine().receiver()) return;
-  send_partner_to(window, "vmc://127.0.0.1:39540?framing=t-last");
+  send_partner_to(window, streams, "vmc://127.0.0.1:39540?framing=t-last");
   const double rate = std::min(clip.fps, live_rate_hz);
   std::size_t sent = 0;
   QTimer packets;
@@ -205,7 +207,7 @@ int make_pictures(const QString& out, widgets::Theme theme, const QStringList& f
   MainWindow window(remembered);
   window.setTheme(theme);
   add_all_actions(window);
-  window.startWith(preset("responsive").value());
+  window.document().putSettings(preset("responsive").value());
   window.resize(window_size);
   window.show();
   files.isEmpty() ? window.openDemo() : window.openFiles(files);

@@ -29,8 +29,8 @@ TEST_F(IntendedMoveActions, ADigitChoosesAndFromThenOnOnlyThatMoveIsSelected) {
   EXPECT_GE(first.distance_m, 0);
   QTest::keyClick(desk().popup().findChild<QListWidget*>(), Qt::Key_1);
   EXPECT_FALSE(desk().popup().isVisible());
-  ASSERT_TRUE(window().candidates().steering().meant);
-  EXPECT_EQ(window().candidates().steering().meant->label, first.label);
+  ASSERT_TRUE(window().document().decisions().meant);
+  EXPECT_EQ(window().document().decisions().meant->label, first.label);
   EXPECT_TRUE(desk().chip().isVisible());
   EXPECT_TRUE(desk().chip().text().startsWith("intended: "));
   EXPECT_TRUE(until([] { return newest()->decisions && newest()->decisions->meant; }));
@@ -40,7 +40,7 @@ TEST_F(IntendedMoveActions, ADigitChoosesAndFromThenOnOnlyThatMoveIsSelected) {
   const int pair = frame->result.candidates[static_cast<std::size_t>(frame->result.selected)].pair;
   EXPECT_EQ(library.label(pair), first.label);
   press(Qt::Key_W);
-  EXPECT_FALSE(window().candidates().steering().meant) << "again takes it back";
+  EXPECT_FALSE(window().document().decisions().meant) << "again takes it back";
   EXPECT_FALSE(desk().chip().isVisible());
   EXPECT_TRUE(until([] { return !newest()->decisions || !newest()->decisions->meant; }));
 }
@@ -49,12 +49,12 @@ TEST_F(IntendedMoveActions, EscapeLeavesItAndUndoTakesItBack) {
   desk().offer();
   QTest::keyClick(desk().popup().findChild<QListWidget*>(), Qt::Key_Escape);
   EXPECT_FALSE(desk().popup().isVisible());
-  EXPECT_FALSE(window().candidates().steering().meant);
+  EXPECT_FALSE(window().document().decisions().meant);
   desk().offer();
   QTest::keyClick(desk().popup().findChild<QListWidget*>(), Qt::Key_Return);
-  ASSERT_TRUE(window().candidates().steering().meant);
+  ASSERT_TRUE(window().document().decisions().meant);
   window().undoStack().undo();
-  EXPECT_FALSE(window().candidates().steering().meant);
+  EXPECT_FALSE(window().document().decisions().meant);
 }
 
 TEST_F(IntendedMoveActions, TheRoleIsSwitchedByKeyAndShown) {
@@ -80,7 +80,7 @@ TEST_F(IntendedMoveActions, WhoDecidesAboutTheRoleIsChosenAndTheHandTakesItBack)
   EXPECT_TRUE(action("Role by who leads")->isChecked());
   press(Qt::Key_U);
   EXPECT_TRUE(action("Role by hand")->isChecked());
-  window().settings().change("user-role", "active");
+  window().document().changeSetting("user-role", "active");
 }
 
 }  // namespace

@@ -56,7 +56,7 @@ TEST_F(Routing, NoSingleKeyReachesAnActionWhileAnEditorHasTheFocus) {
     EXPECT_EQ(markers(), 0U) << editor->metaObject()->className();
     EXPECT_EQ(scene().visibility(), parts);
     EXPECT_FALSE(scene().options().is_parallel);
-    EXPECT_FALSE(window->candidates().steering().pinned);
+    EXPECT_FALSE(window->document().decisions().pinned);
     EXPECT_EQ(playback().state, State::Parked);
     EXPECT_EQ(playback().speed, 1);
     EXPECT_EQ(playback().cursor_s, 1.5);

@@ -96,7 +96,7 @@ inline bool looks_from(double azimuth_rad, double elevation_rad) {
 inline void mark(double time_s) {
   Markers next = window->timeline().markers();
   const int id = next.add(time_s);
-  window->timeline().showMarkers(next);
+  window->document().put(SubjectMarkers{"", next});
   window->timeline().selectMarker(id);
 }
 
@@ -154,7 +154,7 @@ class KeyWindow : public testing::Test {
         if (action->isChecked()) action->trigger();
     window->findChild<ComparisonDesk*>()->setFrozen({});
     window->candidates().liftAll();
-    window->settings().change("alpha", "0.5");
+    window->document().changeSetting("alpha", "0.5");
     window->undoStack().clear();
     window->selection().select({});
     scene().showHidden();
@@ -162,7 +162,7 @@ class KeyWindow : public testing::Test {
     scene().setVisibility(widgets::default_visibility);
     scene().setMorphStep(1'000);
     if (window->takes().isPlaying()) window->takes().togglePlay();
-    window->timeline().showMarkers({});
+    window->document().put(SubjectMarkers{"", {}});
     window->timeline().selectMarker(0);
     ticker().setRange(0, 0);
     ticker().setLoop(false);

@@ -94,14 +94,14 @@ QImage newest_picture() {
 }
 
 void change_alpha() {
-  window->settings().change("alpha", "0.77");
+  window->document().changeSetting("alpha", "0.77");
 }
 void change_alpha_and_undo() {
   change_alpha();
   window->undoStack().undo();
 }
 bool alpha_is_changed() {
-  return std::abs(window->settings().settings().alpha - 0.77) < 1e-12;
+  return std::abs(window->document().settings().alpha - 0.77) < 1e-12;
 }
 void freeze() {
   window->findChild<ComparisonDesk*>()->freeze();
@@ -278,14 +278,14 @@ std::vector<KeyRow> program_rows() {
        [](auto&) { return window->findChild<IntendedMoveDesk*>()->popup().isVisible(); }},
       {"CtrlSpace", Qt::Key_Space, ctrl, nothing, [](auto&) { return input_is_held(); }},
       {"P", Qt::Key_P, none, nothing,
-       [](auto&) { return window->candidates().steering().pinned.has_value(); }},
-      {"V", Qt::Key_V, none, nothing, [](auto&) { return !window->candidates().steering().vetoes.empty(); }},
+       [](auto&) { return window->document().decisions().pinned.has_value(); }},
+      {"V", Qt::Key_V, none, nothing, [](auto&) { return !window->document().decisions().vetoes.empty(); }},
       {"ShiftV", Qt::Key_V, shift, nothing,
-       [](auto&) { return !window->candidates().steering().vetoes.takes.empty(); }},
+       [](auto&) { return !window->document().decisions().vetoes.takes.empty(); }},
       {"AltV", Qt::Key_V, alt, nothing,
-       [](auto&) { return !window->candidates().steering().vetoes.labels.empty(); }},
+       [](auto&) { return !window->document().decisions().vetoes.labels.empty(); }},
       {"ShiftP", Qt::Key_P, shift, [] { window->candidates().togglePin(); },
-       [](auto&) { return window->candidates().steering().empty(); }},
+       [](auto&) { return is_neutral(window->document().decisions()); }},
       {"AltC", Qt::Key_C, alt, nothing,
        [](auto&) { return QApplication::focusWidget() == window->candidates().focusProxy(); }},
       {"A", Qt::Key_A, none, nothing,

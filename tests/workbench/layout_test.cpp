@@ -309,18 +309,5 @@ TEST(RememberedView, ACameraComesBackAndWhatIsNoneDoesNot) {
     EXPECT_FALSE(camera_turn_of(none)) << none;
 }
 
-TEST(RememberedView, MarkersComeBackAndWhatIsNoneIsLeftOut) {
-  Markers markers;
-  markers.add(2, "turn");
-  markers.add(1);
-  EXPECT_EQ(markers_of(text_of(markers)), markers);
-  const Markers odd = markers_of(
-      R"([{"id":5,"time_s":1},{"id":5,"time_s":2},{"id":-3,"time_s":0.5},{"id":9},3,{"time_s":"late"}])");
-  ASSERT_EQ(odd.all().size(), 3U);
-  EXPECT_EQ(odd.all()[1].id, 5);
-  EXPECT_NE(odd.all()[2].id, 5) << "no id is there twice";
-  EXPECT_TRUE(markers_of("no markers").empty());
-}
-
 }  // namespace
 }  // namespace abrazo::app::layout_test

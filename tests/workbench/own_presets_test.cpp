@@ -48,7 +48,7 @@ TEST_F(PresetFile, GivesBackWhatWasSavedInItsOrder) {
   OwnPresets again(file());
   ASSERT_TRUE(again.read());
   ASSERT_EQ(again.all().size(), 2U);
-  EXPECT_EQ(again.all()[0], (widgets::OwnPreset{"calm", calm()}));
+  EXPECT_EQ(again.all()[0], (OwnPreset{"calm", calm()}));
   EXPECT_EQ(again.all()[1].name, "\u00e9lan");
   EXPECT_EQ(again.all()[1].settings, *preset("responsive"));
   const std::string text = *read_whole_file(file());

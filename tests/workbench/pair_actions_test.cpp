@@ -7,8 +7,8 @@
 #include <QPushButton>
 #include <QSignalSpy>
 
+#include "app/workbench/document/library_feed.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
-#include "app/workbench/library/library_feed.hpp"
 #include "app/workbench/stream/stream_desk.hpp"
 #include "app/workbench/takes/pair_desk.hpp"
 #include "app/workbench/takes/pair_dialog.hpp"
@@ -151,7 +151,7 @@ TEST_F(PairActions, TwoStreamedPerformersBecomeATakeOfTheLibraryAndTheSessionGoe
   EXPECT_EQ(take.roles[0].active, ActivePerformer::A);
   ASSERT_EQ(take.labels.size(), 1U);
   EXPECT_EQ(take.labels[0].label, "walk");
-  EXPECT_EQ(window().candidates().library(), after);
+  EXPECT_EQ(window().session()->material().library, after);
   EXPECT_TRUE(until([&] { return ticker().shown()->library == after; })) << "frames are shown as it has them";
 
   EXPECT_TRUE(streams().isConnected());

@@ -94,14 +94,14 @@ TEST_F(ProjectActions, WhatASessionHadIsThereAgainWhenItIsOpened) {
   annotate(0.5, 1.5, "a long look");
   Markers markers = window().timeline().markers();
   markers.add(0.7, "clap");
-  window().timeline().showMarkers(markers);
-  window().settings().change("alpha", "0.77");
+  window().document().put(SubjectMarkers{"", markers});
+  window().document().changeSetting("alpha", "0.77");
   EXPECT_TRUE(is_modified());
   save_as("one.abrazo");
   EXPECT_FALSE(is_modified());
   EXPECT_TRUE(window().windowTitle().startsWith("one[*]")) << window().windowTitle().toStdString();
   EXPECT_EQ(remembered().recent().value(0), file("one.abrazo"));
-  window().settings().change("alpha", "0.2");
+  window().document().changeSetting("alpha", "0.2");
   desk().setAsks(false);
   reopen([] { window().openDemo(); });
   EXPECT_EQ(annotated(), 0U);
@@ -110,9 +110,16 @@ TEST_F(ProjectActions, WhatASessionHadIsThereAgainWhenItIsOpened) {
   EXPECT_EQ(annotated(), 1U);
   ASSERT_EQ(window().timeline().markers().all().size(), 1U);
   EXPECT_EQ(window().timeline().markers().all()[0].name, "clap");
-  EXPECT_NEAR(window().settings().settings().alpha, 0.77, 1e-12);
+  EXPECT_NEAR(window().document().settings().alpha, 0.77, 1e-12);
   EXPECT_EQ(desk().file(), file("one.abrazo"));
   EXPECT_FALSE(is_modified());
+}
+
+TEST_F(ProjectActions, AChangeIsSeenAtOnceAndItsUndoToo) {
+  window().document().changeSetting("alpha", "0.31");  // settings stay from session to session
+  EXPECT_TRUE(window().isWindowModified()) << "without anyone looking";
+  window().undoStack().undo();
+  EXPECT_FALSE(window().isWindowModified());
 }
 
 TEST_F(ProjectActions, MarkersOfATakeAreKeptWithIt) {
@@ -121,7 +128,7 @@ TEST_F(ProjectActions, MarkersOfATakeAreKeptWithIt) {
   Markers markers;
   markers.add(0.4, "heel: \"down\"");
   markers.add(0.9);
-  annotations().showMarkers(take, markers);
+  window().document().put(SubjectMarkers{take, markers});
   EXPECT_TRUE(is_modified());
   save_as("marked take.abrazo");
   EXPECT_FALSE(is_modified());
@@ -129,7 +136,7 @@ TEST_F(ProjectActions, MarkersOfATakeAreKeptWithIt) {
   EXPECT_FALSE(is_modified()) << "what is shown is no work";
   desk().setAsks(false);
   reopen([] { window().openDemo(); });
-  EXPECT_TRUE(annotations().takeMarkers().empty());
+  EXPECT_TRUE(window().document().project().take_markers.empty());
   reopen([] { window().openFiles({file("marked take.abrazo")}); });
   desk().setAsks(true);
   EXPECT_TRUE(window().timeline().markers().empty()) << "they are not the session's";
@@ -148,7 +155,7 @@ TEST_F(ProjectActions, WhoDecidesAboutTheRoleIsWorkThatIsKept) {
   desk().setAsks(false);
   reopen([] { window().openFiles({file("role.abrazo")}); });
   desk().setAsks(true);
-  EXPECT_EQ(window().session()->roleControl(), RoleControl::Library);
+  EXPECT_EQ(window().document().decisions().role_control, RoleControl::Library);
   EXPECT_TRUE(until([] { return action("Role from the library's annotation")->isChecked(); }));
   EXPECT_FALSE(is_modified());
   action("Role by hand")->trigger();

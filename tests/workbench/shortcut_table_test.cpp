@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "app/workbench/base/action_id.hpp"
+
 namespace abrazo::app::shortcut_table_test {
 namespace {
 
@@ -138,8 +140,8 @@ TEST(ShortcutTable, SomethingElseThanAListOfShortcutsIsTold) {
 }
 
 TEST(ShortcutId, IsMadeOfMenuAndWords) {
-  EXPECT_EQ(shortcut_id("View > Layouts", "Save layout…"), "view_layouts.save_layout");
-  EXPECT_EQ(shortcut_id("Play", "Play or pause"), "play.play_or_pause");
+  EXPECT_EQ(action_id("View > Layouts", "Save layout…"), "view_layouts.save_layout");
+  EXPECT_EQ(action_id("Play", "Play or pause"), "play.play_or_pause");
 }
 
 }  // namespace

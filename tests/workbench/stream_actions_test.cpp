@@ -168,16 +168,16 @@ TEST_F(StreamActions, CtrlTAgainCancelsTheCalibration) {
 }
 
 TEST_F(StreamActions, TheStepRateOfThePanelIsASettingAndAStepOfUndo) {
-  const double before_hz = window().settings().settings().step_rate_hz;
+  const double before_hz = window().document().settings().step_rate_hz;
   emit panel().stepRateRequested("30");
-  EXPECT_EQ(window().settings().settings().step_rate_hz, 30);
+  EXPECT_EQ(window().document().settings().step_rate_hz, 30);
   desk().poll();
   QComboBox* rate = nullptr;
   for (auto* box : panel().findChildren<QComboBox*>())
     if (box->accessibleName() == "Solver step rate") rate = box;
   EXPECT_EQ(rate->currentText(), "30 Hz");
   window().undoStack().undo();
-  EXPECT_EQ(window().settings().settings().step_rate_hz, before_hz);
+  EXPECT_EQ(window().document().settings().step_rate_hz, before_hz);
 }
 
 TEST_F(StreamActions, ConnectionsAreRememberedLatestFirst) {

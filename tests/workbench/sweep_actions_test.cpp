@@ -41,9 +41,9 @@ class SettingsWindow : public DemoWindow {
 TEST_F(SettingsWindow, AFrameSolvedUnderOtherSettingsSaysSoAndGivesThemBack) {
   FrameTicker& ticker = window().ticker();
   ticker.follow();
-  const Settings before = panel().settings();
+  const Settings before = window().document().settings();
   auto* use = panel().findChild<QPushButton*>("useFrameSettings");
-  panel().change("alpha", "0.77");
+  window().document().changeSetting("alpha", "0.77");
   ASSERT_TRUE(until([&] { return ticker.shown()->settings.alpha == 0.77; }));
   EXPECT_TRUE(use->parentWidget()->isHidden()) << "while following";
   ticker.seek(0.2);
@@ -51,7 +51,7 @@ TEST_F(SettingsWindow, AFrameSolvedUnderOtherSettingsSaysSoAndGivesThemBack) {
   EXPECT_FALSE(use->parentWidget()->isHidden());
   const int steps = window().undoStack().count();
   use->click();
-  EXPECT_EQ(panel().settings(), before);
+  EXPECT_EQ(window().document().settings(), before);
   EXPECT_EQ(window().undoStack().count(), steps + 1);
   EXPECT_TRUE(use->parentWidget()->isHidden());
   ticker.follow();
@@ -59,14 +59,14 @@ TEST_F(SettingsWindow, AFrameSolvedUnderOtherSettingsSaysSoAndGivesThemBack) {
 }
 
 TEST_F(SettingsWindow, OwnPresetsAreKeptInTheHomeFolder) {
-  panel().change("alpha", "0.9");
+  window().document().changeSetting("alpha", "0.9");
   action("Save settings as preset\u2026")->trigger();
   auto* dialog = window().findChild<QInputDialog*>("presetName");
   ASSERT_NE(dialog, nullptr);
   dialog->setTextValue("mine");
   dialog->accept();
-  EXPECT_TRUE(panel().choice().own);
-  EXPECT_EQ(panel().choice().name, "mine");
+  EXPECT_TRUE(window().document().live().preset().own);
+  EXPECT_EQ(window().document().live().preset().name, "mine");
   OwnPresets kept((home().path() + "/presets.json").toStdString());
   ASSERT_TRUE(kept.read());
   ASSERT_EQ(kept.all().size(), 1U);
@@ -74,11 +74,11 @@ TEST_F(SettingsWindow, OwnPresetsAreKeptInTheHomeFolder) {
   emit panel().presets().removeRequested("mine");
   ASSERT_TRUE(kept.read());
   EXPECT_TRUE(kept.all().empty());
-  EXPECT_FALSE(panel().choice().own);
+  EXPECT_FALSE(window().document().live().preset().own);
 }
 
 TEST_F(SettingsWindow, ASweepFillsItsMapWhileTheLiveSolverGoesOnAndItsBestCellIsAdoptedInOneStep) {
-  panel().choosePreset("paper");
+  window().document().choosePreset("paper");
   action("Sweep two settings\u2026")->trigger();
   auto* dialog = window().findChild<QDialog*>("sweep");
   ASSERT_TRUE(dialog && dialog->isVisible());
@@ -104,16 +104,16 @@ TEST_F(SettingsWindow, ASweepFillsItsMapWhileTheLiveSolverGoesOnAndItsBestCellIs
   const int best = *sweep.map().grid().best();
   sweep.map().select(best);
   const int steps = window().undoStack().count();
-  const Settings before = panel().settings();
+  const Settings before = window().document().settings();
   sweep.findChild<QPushButton*>("adoptCell")->click();
   const auto [column, row] = sweep.map().grid().place_of(best);
-  EXPECT_EQ(setting_text(panel().settings(), "alpha"),
+  EXPECT_EQ(setting_text(window().document().settings(), "alpha"),
             sweep.map().grid().x().values[static_cast<std::size_t>(column)]);
-  EXPECT_EQ(setting_text(panel().settings(), "velocity-weight"),
+  EXPECT_EQ(setting_text(window().document().settings(), "velocity-weight"),
             sweep.map().grid().y().values[static_cast<std::size_t>(row)]);
   EXPECT_LE(window().undoStack().count(), steps + 1);
-  if (panel().settings() != before) window().undoStack().undo();
-  EXPECT_EQ(panel().settings(), before);
+  if (window().document().settings() != before) window().undoStack().undo();
+  EXPECT_EQ(window().document().settings(), before);
   dialog->close();
 }
 

@@ -27,7 +27,7 @@ class TimelineActions : public DemoWindow {
   void SetUp() override {
     ASSERT_TRUE(ticker().shown()) << "the demo did not start";
     DemoWindow::SetUp();
-    timeline().showMarkers({});
+    window().document().put(SubjectMarkers{"", {}});
     ticker().setRange(0, 0);
     ticker().setLoop(false);
     ticker().setEveryFrame(false);
@@ -83,7 +83,7 @@ TEST_F(TimelineActions, CtrlArrowsGoToMarkersAndEdgesOfMoves) {
   Markers two;
   two.add(0.8);
   two.add(2.2);
-  timeline().showMarkers(two);
+  window().document().put(SubjectMarkers{"", two});
   double before = playback().cursor_s;
   for (int steps = 0; steps < 50 && playback().cursor_s < 2.2 - 1e-9; ++steps) {
     press(Qt::Key_Right, Qt::ControlModifier);
@@ -100,7 +100,7 @@ TEST_F(TimelineActions, CtrlArrowsGoToMarkersAndEdgesOfMoves) {
 TEST_F(TimelineActions, ADraggedMarkerIsOneStepOfUndo) {
   Markers one;
   const int id = one.add(1);
-  timeline().showMarkers(one);
+  window().document().put(SubjectMarkers{"", one});
   Markers moved = one;
   moved.move(id, 2);
   emit timeline().markersRequested(moved, "move marker");

@@ -301,14 +301,16 @@ TEST_F(Video, WhatIsNoVideoIsTold) {
 TEST_F(Video, IsRestoredByWhatAProjectKeeps) {
   openInTime();
   desk().changeCurrent([](VideoState& state) { state.camera = s_camera; }, "camera");
-  const auto kept = desk().videos();
-  const QStringList files = desk().files();
+  const auto kept = window().document().project().videos;
+  const auto& of = window().document().live().video_files();
+  ASSERT_EQ(of.size(), 1U);
+  const QStringList files{QString::fromStdString(of.front().absolute_path)};
   ASSERT_EQ(files, QStringList{s_file});
   desk().setVideos({}, {});
   EXPECT_FALSE(desk().current());
   desk().setVideos(kept, files);
   ASSERT_TRUE(until([] { return desk().shownPicture() != nullptr; }));
-  EXPECT_EQ(desk().videos(), kept);
+  EXPECT_EQ(window().document().project().videos, kept);
   EXPECT_TRUE(until([] { return !panel().view().overlay().empty(); })) << "the overlay is there again";
 }
 
@@ -316,7 +318,7 @@ TEST_F(Video, AFileThatIsGoneIsToldAndWhatWasDecidedIsKept) {
   desk().setVideos({ProjectVideo{-1, "", {{{0.5, 0}}, 1}, {}, {}}}, {home().filePath("gone.mp4")});
   EXPECT_TRUE(until([] { return panel().view().notice().contains("gone.mp4"); }))
       << panel().view().notice().toStdString();
-  EXPECT_EQ(desk().videos().front().sync.points.size(), 1u);
+  EXPECT_EQ(window().document().project().videos.front().sync.points.size(), 1u);
 }
 
 TEST_F(Video, ClosingWhileItIsReadIsUndone) {

@@ -241,7 +241,7 @@ void measure(MainWindow& window, Responsiveness& responsiveness, const Asked& as
   std::printf("input: %.0f Hz, step rate: %.0f Hz\n", window.session()->material().input.fps,
               settings.step_rate_hz);
 
-  window.startWith(settings);
+  window.document().putSettings(settings);
   measurement.during("solving at 120 Hz, shown live");
   FrameTicker& ticker = window.ticker();
   ticker.goToStart();
@@ -260,7 +260,7 @@ void measure(MainWindow& window, Responsiveness& responsiveness, const Asked& as
   window.session()->push(PauseInput{false});
   measurement.during("dragging a setting", [&, step = 0]() mutable {
     settings.alpha = 0.5 + 0.4 * std::sin(0.07 * ++step);
-    window.startWith(settings);
+    window.document().putSettings(settings);
   });
   measurement.until(
       "changing the colours",

@@ -40,28 +40,28 @@ TEST_F(Window, PPinsTheSelectedPairVVetoesItAndBothCanBeUndone) {
     const FrameResult& result = window().ticker().shown()->result;
     return result.selected < 0 ? -1 : result.candidates[static_cast<std::size_t>(result.selected)].pair;
   };
-  const auto pinned = [] { return window().candidates().steering().pinned; };
+  const auto pinned = [] { return window().document().decisions().pinned; };
   press(Qt::Key_P);
   ASSERT_TRUE(pinned());
   const int pair = *pinned();
   EXPECT_TRUE(until([&] { return winner() == pair; }));
   press(Qt::Key_V, Qt::ShiftModifier);
   EXPECT_FALSE(pinned());
-  const std::string take = window().candidates().library()->take_of(pair).name;
-  const auto source = [&] { return window().candidates().library()->take_of(winner()).name; };
+  const std::string take = window().session()->material().library->take_of(pair).name;
+  const auto source = [&] { return window().session()->material().library->take_of(winner()).name; };
   EXPECT_TRUE(until([&] { return winner() >= 0 && source() != take; }));
   press(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_EQ(pinned(), pair) << "the pin that the veto let go is back";
   EXPECT_TRUE(until([&] { return winner() == pair; }));
   press(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_TRUE(window().candidates().steering().empty());
+  EXPECT_TRUE(is_neutral(window().document().decisions()));
 }
 
 TEST_F(Window, WithEveryTakeVetoedTheFrameSaysSoAndThePartnerIsHeld) {
-  const std::shared_ptr<const MotionLibrary> library = window().candidates().library();
-  widgets::Steering all;
+  const std::shared_ptr<const MotionLibrary> library = window().session()->material().library;
+  Decisions all;
   for (const LibraryTake& take : library->takes()) all.vetoes.takes.insert(take.name);
-  emit window().candidates().steeringRequested(all, "veto everything");
+  window().document().change(all, "veto everything");
   EXPECT_TRUE(until([] { return window().ticker().shown()->result.status == StepStatus::Failed; }));
   EXPECT_NE(window().ticker().shown()->result.message.find("vetoed"), std::string::npos);
   press(Qt::Key_P, Qt::ShiftModifier);
@@ -88,8 +88,8 @@ TEST_F(Window, AltCGoesToTheCandidatesAndReturnTellsTheFactsOfTheFrame) {
       << qPrintable(window().messages().text());
   const int take = window().takes().selectedTake();
   ASSERT_GE(take, 0);
-  EXPECT_TRUE(window().messages().text().startsWith(
-      QString::fromStdString(table.library()->takes()[static_cast<std::size_t>(take)].name)));
+  EXPECT_TRUE(window().messages().text().startsWith(QString::fromStdString(
+      window().session()->material().library->takes()[static_cast<std::size_t>(take)].name)));
   EXPECT_EQ(QApplication::focusWidget(), table.focusProxy());
   QTest::keyClick(QApplication::focusWidget(), Qt::Key_Escape);
   window().setFocus();
@@ -151,8 +151,9 @@ TEST_F(Window, KeysGoToAFieldThatIsBeingEdited) {
 }
 
 TEST_F(Window, ASettingReachesTheRunningSolverAndUndoTakesItBack) {
-  const double before = window().settings().settings().alpha;
-  window().settings().change("alpha", "0.77");
+  const double before = window().document().settings().alpha;
+  window().document().changeSetting("alpha", "0.77");
+  EXPECT_EQ(window().undoStack().undoText(), "temporal smoothness to 0.77");
   EXPECT_TRUE(until([] { return ticker().shown()->settings.alpha == 0.77; }));
   press(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_TRUE(until([before] { return ticker().shown()->settings.alpha == before; }));

@@ -48,7 +48,7 @@ CandidateTable::CandidateTable(QWidget* parent)
       m_columns(new CandidateHeader(this)),
       m_list(new CandidateList(this)),
       m_scroll(new QScrollArea(this)),
-      m_decisions(new DecisionBar(this)),
+      m_inForce(new DecisionBar(this)),
       m_reason(new QLabel(this)),
       m_belief(new QLabel(this)),
       m_mapButton(new QToolButton(this)),
@@ -73,7 +73,7 @@ void CandidateTable::arrange() {
   column->addWidget(m_header);
   column->addWidget(m_columns);
   column->addWidget(m_scroll, 8);
-  column->addWidget(m_decisions);
+  column->addWidget(m_inForce);
   column->addWidget(makeFoot());
   column->addWidget(m_map, 1);
   setFocusProxy(m_list);
@@ -133,24 +133,23 @@ void CandidateTable::connectParts() {
       if (row.candidate == candidate) return askJump(row);
   });
   connect(m_columns, &CandidateHeader::columnClicked, this, &CandidateTable::sortBy);
-  connect(m_decisions, &DecisionBar::lifted, this, [this](const Decision& decision) {
-    emit steeringRequested(decision.without, (decision.kind == Decision::Kind::Pin     ? "let go of "
-                                              : decision.kind == Decision::Kind::Meant ? "take back "
-                                                                                       : "remove veto of ") +
-                                                 text(decision.text));
+  connect(m_inForce, &DecisionBar::lifted, this, [this](const Decision& decision) {
+    emit decisionsRequested(decision.without, (decision.kind == Decision::Kind::Pin     ? "let go of "
+                                               : decision.kind == Decision::Kind::Meant ? "take back "
+                                                                                        : "remove veto of ") +
+                                                  text(decision.text));
   });
   connect(m_mapButton, &QToolButton::toggled, this, &CandidateTable::showMap);
 }
 
 void CandidateTable::setLibrary(std::shared_ptr<const MotionLibrary> library) {
-  const bool another = library != m_library;
   m_library = std::move(library);
   m_frame.reset();
   m_ranked.clear();
   m_list->setRows({});
   m_map->setLibrary(m_library);
   m_reason->clear();
-  if (another) showSteering({});
+  showDecisions(m_decisions);
 }
 
 void CandidateTable::setColours(const Palette& palette) {
@@ -159,7 +158,7 @@ void CandidateTable::setColours(const Palette& palette) {
   showKeys();
   m_columns->setColours(palette);
   m_list->setColours(palette);
-  m_decisions->setColours(palette);
+  m_inForce->setColours(palette);
   m_map->setColours(palette);
 }
 
@@ -224,9 +223,9 @@ void CandidateTable::showFrame(const FrameSnapshotPtr& frame) {
 }
 
 void CandidateTable::mark(CandidateRow& row) const {
-  row.pinned = m_steering.pinned == row.pair;
-  row.vetoed = is_vetoed(m_steering, row.pair, *m_library);
-  row.not_meant = is_not_meant(m_steering, row.pair, *m_library);
+  row.pinned = m_decisions.pinned == row.pair;
+  row.vetoed = is_vetoed(m_decisions, row.pair, *m_library);
+  row.not_meant = is_not_meant(m_decisions, row.pair, *m_library);
 }
 
 void CandidateTable::showRows() {
@@ -240,9 +239,9 @@ void CandidateTable::showRows() {
   keepSelectedRow();
 }
 
-void CandidateTable::showSteering(const Steering& steering) {
-  m_steering = steering;
-  m_decisions->setDecisions(m_library ? decisions_in_force(steering, *m_library) : std::vector<Decision>{});
+void CandidateTable::showDecisions(const Decisions& decisions) {
+  m_decisions = decisions;
+  m_inForce->setDecisions(m_library ? decisions_in_force(decisions, *m_library) : std::vector<Decision>{});
   showRows();
 }
 
@@ -289,15 +288,15 @@ const CandidateRow* CandidateTable::chosen() const {
 }
 
 void CandidateTable::askPin(const CandidateRow& row) {
-  const bool lets_go = m_steering.pinned == row.pair;
-  emit steeringRequested(with_pin_toggled(m_steering, row.pair),
-                         (lets_go ? "let go of " : "use ") + subject(Reach::Pair, row));
+  const bool lets_go = m_decisions.pinned == row.pair;
+  emit decisionsRequested(with_pin_toggled(m_decisions, row.pair),
+                          (lets_go ? "let go of " : "use ") + subject(Reach::Pair, row));
 }
 
 void CandidateTable::askVeto(Reach reach, const CandidateRow& row) {
-  const bool lifts = is_vetoed(m_steering, reach, row.pair, *m_library);
-  emit steeringRequested(with_veto_toggled(m_steering, reach, row.pair, *m_library),
-                         (lifts ? "remove veto of " : "veto ") + subject(reach, row));
+  const bool lifts = is_vetoed(m_decisions, reach, row.pair, *m_library);
+  emit decisionsRequested(with_veto_toggled(m_decisions, reach, row.pair, *m_library),
+                          (lifts ? "remove veto of " : "veto ") + subject(reach, row));
 }
 
 void CandidateTable::askJump(const CandidateRow& row) {
@@ -306,10 +305,10 @@ void CandidateTable::askJump(const CandidateRow& row) {
 
 void CandidateTable::togglePin() {
   if (const CandidateRow* row = chosen()) return askPin(CandidateRow(*row));
-  if (m_steering.pinned) {  // a frame without candidates must not keep the pin in force
-    Steering next = m_steering;
+  if (m_decisions.pinned) {  // a frame without candidates must not keep the pin in force
+    Decisions next = m_decisions;
     next.pinned.reset();
-    emit steeringRequested(next, "unpin the pair");
+    emit decisionsRequested(next, "unpin the pair");
   }
 }
 
@@ -322,7 +321,7 @@ void CandidateTable::jump() {
 }
 
 void CandidateTable::liftAll() {
-  if (!m_steering.empty()) emit steeringRequested({}, "clear pin and vetoes");
+  if (!is_neutral(m_decisions)) emit decisionsRequested({}, "clear pin and vetoes");
 }
 
 void CandidateTable::addSorting(QMenu& menu) {
@@ -338,14 +337,14 @@ void CandidateTable::addSorting(QMenu& menu) {
 void CandidateTable::showMenu(const CandidateRow& row, const QPoint& at) {
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
-  const bool pinned = m_steering.pinned == row.pair;
+  const bool pinned = m_decisions.pinned == row.pair;
   const auto add = [&](const QString& words, const char* key, auto act) {
     connect(menu->addAction(with_key(words, key)), &QAction::triggered, this, std::move(act));
   };
   add(pinned ? "Unpin this one" : "Use this one", "P", [this, row] { askPin(row); });
   menu->addSeparator();
   const auto veto = [&](Reach reach, const char* key) {
-    const bool vetoed = is_vetoed(m_steering, reach, row.pair, *m_library);
+    const bool vetoed = is_vetoed(m_decisions, reach, row.pair, *m_library);
     add((vetoed ? "Remove veto of " : "Veto ") + subject(reach, row), key,
         [this, row, reach] { askVeto(reach, row); });
   };
@@ -355,7 +354,7 @@ void CandidateTable::showMenu(const CandidateRow& row, const QPoint& at) {
   menu->addSeparator();
   add("Go to its take and frame", "Return", [this, row] { askJump(row); });
   addSorting(*menu);
-  if (!m_steering.empty()) {
+  if (!is_neutral(m_decisions)) {
     menu->addSeparator();
     add("Clear pin and vetoes", "Shift+P", [this] { liftAll(); });
   }

@@ -5,11 +5,11 @@
 #include <optional>
 #include <vector>
 
+#include "core/session/frames/decision_edits.hpp"
 #include "core/session/frames/frame_history.hpp"
 #include "core/session/frames/frame_snapshot.hpp"
 #include "widgets/candidates/candidate_order.hpp"
 #include "widgets/candidates/candidate_rows.hpp"
-#include "widgets/candidates/steering.hpp"
 #include "widgets/common/palette.hpp"
 #include "widgets/common/selection_model.hpp"
 
@@ -33,22 +33,19 @@ class CandidateTable : public QWidget {
   Q_OBJECT
  public:
   explicit CandidateTable(QWidget* parent = nullptr);
-  /// Another library than before drops the decisions: they were about the pairs of the old one.
   void setLibrary(std::shared_ptr<const MotionLibrary> library);
-  const std::shared_ptr<const MotionLibrary>& library() const { return m_library; }
   void setColours(const Palette& palette);
   /// As they are shown, in the order of the sorted column.
   const std::vector<CandidateRow>& rows() const;
   QString reason() const;
   /// The line below it: what is believed of the user's move, or that this is still being learned.
   const QString& belief() const { return m_beliefWords; }
-  const Steering& steering() const { return m_steering; }
   /// As it was asked for. A column that the shown frame's method does not have waits for its method.
   const CandidateOrder& order() const { return m_order; }
 
  public slots:
   void showFrame(const abrazo::FrameSnapshotPtr& frame);
-  void showSteering(const abrazo::widgets::Steering& steering);
+  void showDecisions(const abrazo::Decisions& decisions);
   /// The way of the user up to a time, in the feature map.
   void showPath(const abrazo::FrameHistory& history, double until_s);
   void sortBy(abrazo::widgets::CandidateColumn column);
@@ -59,7 +56,7 @@ class CandidateTable : public QWidget {
 
   // About the current row; without one, about the winner.
   void togglePin();
-  void toggleVeto(abrazo::widgets::Reach reach);
+  void toggleVeto(abrazo::Reach reach);
   void jump();
   void liftAll();
 
@@ -67,7 +64,7 @@ class CandidateTable : public QWidget {
   /// Index into the frame's candidates; -1 when the pointer left.
   void candidateHovered(int candidate);
   /// @param what  the change in words, for the undo list
-  void steeringRequested(const abrazo::widgets::Steering& next, const QString& what);
+  void decisionsRequested(const abrazo::Decisions& next, const QString& what);
   void selectionRequested(const abrazo::widgets::Selection& selection);
   /// To this frame of this take of the library.
   void jumpRequested(int take, int frame);
@@ -99,7 +96,7 @@ class CandidateTable : public QWidget {
   CandidateHeader* m_columns;
   CandidateList* m_list;
   QScrollArea* m_scroll;
-  DecisionBar* m_decisions;
+  DecisionBar* m_inForce;
   QLabel* m_reason;
   QLabel* m_belief;
   QToolButton* m_mapButton;
@@ -108,7 +105,7 @@ class CandidateTable : public QWidget {
   std::shared_ptr<const MotionLibrary> m_library;
   FrameSnapshotPtr m_frame;
   std::vector<CandidateRow> m_ranked;  ///< of the shown frame, cheapest first
-  Steering m_steering;
+  Decisions m_decisions;
   CandidateOrder m_order;
   SelectionMethod m_method = SelectionMethod::Paper;  ///< that decided in the shown frame
   QString m_beliefWords;

@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "widgets/candidates/steering.hpp"
+#include "core/session/frames/decision_edits.hpp"
 #include "widgets/common/palette.hpp"
 
 class QToolButton;
@@ -22,7 +22,7 @@ class DecisionBar : public QWidget {
   QSize minimumSizeHint() const override;
 
  signals:
-  void lifted(const abrazo::widgets::Decision& decision);
+  void lifted(const abrazo::Decision& decision);
 
  protected:
   void resizeEvent(QResizeEvent* event) override;

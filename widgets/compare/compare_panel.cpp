@@ -180,6 +180,11 @@ WhatIfSpan ComparePanel::span() const {
   return WhatIfSpan::TwoSeconds;
 }
 
+void ComparePanel::chooseSpan(WhatIfSpan span) {
+  setSpan(span);
+  emit spanRequested(span);
+}
+
 void ComparePanel::setSpan(WhatIfSpan span) {
   m_spans[static_cast<std::size_t>(span)]->setChecked(true);
 }

@@ -38,6 +38,8 @@ class ComparePanel : public QWidget {
 
   WhatIfSpan span() const;
   void setSpan(WhatIfSpan span);
+  /// As if a person had chosen it.
+  void chooseSpan(WhatIfSpan span);
   const CompareCurve& curve() const { return *m_curve; }
   const FigureTable& table() const { return *m_table; }
   QString note() const;

@@ -36,7 +36,7 @@ void add_series(QMenu& menu, PlotPanel& panel, int pane) {
 
 void add_export(QMenu& menu, PlotPanel& panel) {
   const auto add = [&](const QString& name, PlotExport what) {
-    menu.addAction(name, &panel, [&panel, what] { emit panel.exportRequested(what); });
+    menu.addAction(name, &panel, [&panel, what] { panel.askFor(what); });
   };
   add("Export samples (CSV)…", PlotExport::Csv);
   add("Export picture (PNG)…", PlotExport::Png);
@@ -64,7 +64,7 @@ void fill_pane_menu(QMenu& menu, PlotPanel& panel, int pane) {
   const int arranged = static_cast<int>(panel.arrangement().size());
   if (pane == panel.selectionPane()) {
     menu.addAction("Same part of the other character", &panel,
-                   [&panel] { emit panel.selectionRequested(other_character(panel.selection())); });
+                   [&panel] { panel.askFor(other_character(panel.selection())); });
     menu.addAction("Select nothing", &panel, [&panel, pane] { panel.removePane(pane); });
   } else {
     move("Move to the left", -1, pane > 0);

@@ -50,6 +50,8 @@ class PlotPanel : public QWidget {
   /// The pane of what is selected; -1 while nothing is that has one.
   int selectionPane() const;
   const Selection& selection() const;
+  void askFor(const Selection& selection) { emit selectionRequested(selection); }
+  void askFor(PlotExport what) { emit exportRequested(what); }
   PlotPane& pane(int which) const;
   /// Where a time is in the first pane, in pixels of this widget; for tests.
   double cursorX() const;

@@ -5,9 +5,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QUndoStack>
 #include <QVBoxLayout>
-#include <algorithm>
 
 #include "widgets/common/section_header.hpp"
 #include "widgets/common/typeset.hpp"
@@ -32,37 +30,7 @@ QString differing(const Settings& of_frame, const Settings& now) {
 
 }  // namespace
 
-/// From one whole value to another. Moves of one drag become one change, and none when it ends where it
-/// began.
-class ChangeSettings : public QUndoCommand {
- public:
-  ChangeSettings(SettingsPanel& panel, SettingsPanel::State after, QString key, int gesture)
-      : m_panel(panel),
-        m_before{panel.m_settings, panel.m_choice},
-        m_after(std::move(after)),
-        m_key(std::move(key)),
-        m_gesture(gesture) {}
-
-  void redo() override { m_panel.apply(m_after); }
-  void undo() override { m_panel.apply(m_before); }
-  int id() const override { return m_gesture > 0 ? 1 : -1; }
-  bool mergeWith(const QUndoCommand* other) override {
-    const auto* next = dynamic_cast<const ChangeSettings*>(other);
-    if (next == nullptr || next->m_key != m_key || next->m_gesture != m_gesture) return false;
-    m_after = next->m_after;
-    setText(next->text());
-    setObsolete(m_after.settings == m_before.settings);
-    return true;
-  }
-
- private:
-  SettingsPanel& m_panel;
-  SettingsPanel::State m_before, m_after;
-  QString m_key;
-  int m_gesture;
-};
-
-SettingsPanel::SettingsPanel(QUndoStack& undo, QWidget* parent) : QWidget(parent), m_undo(undo) {
+SettingsPanel::SettingsPanel(QWidget* parent) : QWidget(parent) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
@@ -81,9 +49,11 @@ SettingsPanel::SettingsPanel(QUndoStack& undo, QWidget* parent) : QWidget(parent
   scroll->viewport()->setAutoFillBackground(false);
   scroll->widget()->setAutoFillBackground(false);
   column->addWidget(scroll, 1);
-  connect(m_presets, &PresetBar::chosen, this, &SettingsPanel::choosePreset);
-  connect(m_presets, &PresetBar::ownChosen, this, &SettingsPanel::chooseOwnPreset);
-  showSettings(m_choice.settings);
+  connect(m_presets, &PresetBar::chosen, this,
+          [this](const QString& name) { emit presetRequested(name, false); });
+  connect(m_presets, &PresetBar::ownChosen, this,
+          [this](const QString& name) { emit presetRequested(name, true); });
+  showSettings(m_choice.settings, m_choice);
 }
 
 QWidget* SettingsPanel::filterField() {
@@ -117,7 +87,7 @@ QWidget* SettingsPanel::frameNotice() {
   row->addWidget(use);
   m_notice->hide();
   connect(use, &QPushButton::clicked, this, [this] {
-    if (m_ofFrame) adopt(*m_ofFrame, "settings of the shown frame");
+    if (m_ofFrame) emit settingsRequested(*m_ofFrame, "settings of the shown frame");
   });
   return m_notice;
 }
@@ -136,7 +106,7 @@ QWidget* SettingsPanel::rowList() {
     }
     m_rows.push_back(new SettingRow(info, list));
     m_groups.back().rows.push_back(m_rows.back());
-    connect(m_rows.back(), &SettingRow::changed, this, &SettingsPanel::change);
+    connect(m_rows.back(), &SettingRow::changed, this, &SettingsPanel::entryRequested);
     connect(m_rows.back(), &SettingRow::sweepRequested, this, &SettingsPanel::sweepRequested);
     column->addWidget(m_rows.back());
   }
@@ -172,21 +142,9 @@ void SettingsPanel::setColours(const Palette& palette) {
   refresh();
 }
 
-void SettingsPanel::setOwnPresets(std::vector<OwnPreset> own) {
-  m_own = own;
-  m_presets->setOwn(std::move(own));
-  const bool is_gone = m_choice.own && std::none_of(m_own.begin(), m_own.end(), [this](const OwnPreset& p) {
-                         return p.name == m_choice.name;
-                       });
-  if (is_gone) m_choice = {};
-  for (const OwnPreset& preset : m_own)
-    if (m_choice.own && preset.name == m_choice.name) m_choice.settings = preset.settings;
-  showSettings(m_settings);
-}
-
-void SettingsPanel::showSettings(const Settings& settings) {
+void SettingsPanel::showSettings(const Settings& settings, const PresetChoice& choice) {
   m_settings = settings;
-  m_choice = choice_for(settings, m_choice, m_own);
+  m_choice = choice;
   refresh();
 }
 
@@ -204,53 +162,6 @@ void SettingsPanel::refresh() {
     m_noticeText->setText("The shown frame was solved with other settings: " +
                           differing(*m_ofFrame, m_settings));
   m_notice->setVisible(differs);
-}
-
-void SettingsPanel::apply(const State& state) {
-  m_settings = state.settings;
-  m_choice = state.choice;
-  refresh();
-  emit commandRequested(SetSettings{state.settings});
-}
-
-void SettingsPanel::push(const State& next, const QString& what, const QString& key, int gesture) {
-  if (next.settings == m_settings) {  // of another name, perhaps: nothing that a step of undo would show
-    m_choice = next.choice;
-    return refresh();
-  }
-  auto* command = new ChangeSettings(*this, next, key, gesture);
-  command->setText(what);
-  m_undo.push(command);
-}
-
-void SettingsPanel::choosePreset(const QString& name) {
-  const auto chosen = preset(name.toStdString());
-  if (!chosen) return emit mistaken(QString::fromStdString(chosen.error().text()));
-  push({*chosen, {name.toStdString(), false, *chosen}}, "preset " + name, "preset", 0);
-}
-
-void SettingsPanel::chooseOwnPreset(const QString& name) {
-  const std::string wanted = name.toStdString();
-  const auto found =
-      std::find_if(m_own.begin(), m_own.end(), [&](const OwnPreset& p) { return p.name == wanted; });
-  if (found == m_own.end()) return emit mistaken("There is no own preset \u201c" + name + "\u201d");
-  push({found->settings, {wanted, true, found->settings}}, "preset " + name, "preset", 0);
-}
-
-void SettingsPanel::adopt(const Settings& settings, const QString& what) {
-  push({settings, choice_for(settings, m_choice, m_own)}, what, "adopt", 0);
-}
-
-void SettingsPanel::change(const QString& key, const QString& entry, int gesture) {
-  Settings next = m_settings;
-  const Status set = set_setting(next, key.toStdString(), entry.toStdString());
-  if (!set) {
-    refresh();
-    return emit mistaken(QString::fromStdString(set.error().text()));
-  }
-  const SettingInfo* info = find_setting(key.toStdString());
-  const QString value = QString::fromStdString(setting_text(next, info->key));
-  push({next, choice_for(next, m_choice, m_own)}, text(info->title) + " to " + value, key, gesture);
 }
 
 }  // namespace abrazo::widgets

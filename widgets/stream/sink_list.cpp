@@ -27,7 +27,7 @@ class SinkCard : public QWidget {
     m_stop->setFocusPolicy(Qt::TabFocus);
     m_stop->setToolTip("Stop sending");
     connect(m_stop, &QToolButton::clicked, parent,
-            [this, parent] { emit parent->stopRequested(QString::fromStdString(m_row.health.uri)); });
+            [this, parent] { parent->askStop(QString::fromStdString(m_row.health.uri)); });
   }
   void setColours(const Palette& palette) {
     m_palette = palette;

@@ -26,6 +26,7 @@ class SinkList : public QWidget {
   /// "vmc://127.0.0.1:39540?framing=t-last" of the form.
   QString uri() const;
   void setAddress(const QString& host, int port);
+  void askStop(const QString& uri) { emit stopRequested(uri); }
   void takeFocus();
 
  signals:

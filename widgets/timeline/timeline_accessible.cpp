@@ -31,7 +31,7 @@ class AccessibleTimeline : public QAccessibleWidget, public QAccessibleValueInte
     return time + QString(", parked %1 s behind live").arg(playback.behind_live_s(), 0, 'f', 1);
   }
   QVariant currentValue() const override { return view()->playback().cursor_s; }
-  void setCurrentValue(const QVariant& value) override { emit view()->seekRequested(value.toDouble()); }
+  void setCurrentValue(const QVariant& value) override { view()->askSeek(value.toDouble()); }
   QVariant minimumValue() const override { return view()->playback().first_s; }
   QVariant maximumValue() const override { return view()->playback().last_s; }
   QVariant minimumStepSize() const override { return view()->axis().seconds_per_pixel(); }

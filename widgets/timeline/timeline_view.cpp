@@ -78,7 +78,6 @@ void TimelineView::setLibrary(std::shared_ptr<const MotionLibrary> library) {
   m_content.palette = palette;
   m_content.lanes = lanes;
   m_content.library = std::move(library);
-  ++m_session;
   m_nextIndex = 0;
   m_isBegun = false;
   m_previousTime = 0;

@@ -26,7 +26,6 @@ class TimelineView : public QWidget {
   /// The session goes on with another library, whose takes were in the one before or are behind them: a take
   /// longer, or with other roles and labels.
   void extendLibrary(std::shared_ptr<const MotionLibrary> library);
-  int session() const { return m_session; }  ///< counts them
   void setColours(const Palette& palette);
 
   const TimelineAxis& axis() const { return m_content.axis(); }
@@ -58,6 +57,7 @@ class TimelineView : public QWidget {
 
   /// For frames that do not come from a history.
   void append(std::span<const TrackRow> rows);
+  void askSeek(double time_s) { emit seekRequested(time_s); }
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override;
 
@@ -130,7 +130,6 @@ class TimelineView : public QWidget {
   TimelineContent m_content;
   QPixmap m_layer;
   bool m_layerIsOld = true;
-  int m_session = 0;
   std::uint64_t m_nextIndex = 0;
   bool m_isBegun = false;           ///< a frame was taken
   double m_previousTime = 0;        ///< of the frame taken last

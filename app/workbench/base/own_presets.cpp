@@ -12,7 +12,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-using widgets::OwnPreset;
 
 constexpr std::size_t longest_name = 60;
 

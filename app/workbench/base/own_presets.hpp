@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/result.hpp"
-#include "widgets/settings/preset_choice.hpp"
+#include "core/synthesis/preset_choice.hpp"
 
 namespace abrazo::app {
 
@@ -18,7 +18,7 @@ class OwnPresets {
 
   /// An Error names the file and what is wrong with it; there are no presets then.
   Status read();
-  const std::vector<widgets::OwnPreset>& all() const { return presets_; }
+  const std::vector<OwnPreset>& all() const { return presets_; }
 
   /// Under a new name, or in place of those of that name.
   Status save(const std::string& name, const Settings& settings);
@@ -28,10 +28,10 @@ class OwnPresets {
   Status remove(const std::string& name);
 
  private:
-  Status write(std::vector<widgets::OwnPreset> presets);
+  Status write(std::vector<OwnPreset> presets);
 
   std::filesystem::path file_;
-  std::vector<widgets::OwnPreset> presets_;
+  std::vector<OwnPreset> presets_;
 };
 
 /// Every setting, one to a line, as `--settings` takes it.

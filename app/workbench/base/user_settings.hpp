@@ -14,6 +14,8 @@ class UserSettings {
   QString folder() const { return m_folder; }
   /// What was not saved is kept there.
   QString autosaveFolder() const { return m_folder + "/autosave"; }
+  /// Of the maps that a person made for motions whose joints nobody knew.
+  QString jointMapFolder() const { return m_folder + "/joint-maps"; }
 
   QByteArray geometry() const { return m_store.value("window/geometry").toByteArray(); }
   void setGeometry(const QByteArray& geometry) { m_store.setValue("window/geometry", geometry); }

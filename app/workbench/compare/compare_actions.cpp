@@ -29,17 +29,17 @@ class ChangeFrozen : public QUndoCommand {
 };
 
 void swap(MainWindow& window, ComparisonDesk& desk) {
-  const Settings b = window.settings().settings();
+  const Settings b = window.document().settings();
   if (!desk.frozen() || *desk.frozen() == b) return;
   const Settings a = *desk.frozen();
   window.undoStack().beginMacro("swap A and B");
   window.undoStack().push(new ChangeFrozen(desk, b));
-  window.settings().adopt(a, "settings of A");
+  window.document().adopt(a, "settings of A");
   window.undoStack().endMacro();
 }
 
 void adopt(MainWindow& window, const ComparisonDesk& desk) {
-  if (desk.frozen()) window.settings().adopt(*desk.frozen(), "settings of A");
+  if (desk.frozen()) window.document().adopt(*desk.frozen(), "settings of A");
 }
 
 void add_spans(MainWindow& window, QMenu* menu, ComparePanel& panel) {
@@ -51,8 +51,7 @@ void add_spans(MainWindow& window, QMenu* menu, ComparePanel& panel) {
     add_action(window, menu, name, {}, [&window, &panel, span = span] {
       window.panels().want("compare", true);
       if (window.ticker().playback().state != Playback::State::Parked) window.ticker().pause();
-      panel.setSpan(span);
-      emit panel.spanRequested(span);
+      panel.chooseSpan(span);
     });
 }
 

@@ -59,7 +59,7 @@ void ComparisonDesk::endSession() {
 }
 
 void ComparisonDesk::freeze() {
-  setFrozen(m_window.settings().settings());
+  setFrozen(m_window.document().settings());
 }
 
 void ComparisonDesk::setFrozen(const std::optional<Settings>& settings) {
@@ -88,7 +88,7 @@ void ComparisonDesk::cancel() {
 
 CompareSituation ComparisonDesk::situation() const {
   return {m_frozen,
-          m_window.settings().settings(),
+          m_window.document().settings(),
           m_isAside,
           m_window.ticker().playback(),
           m_window.ticker().shown(),

@@ -46,7 +46,7 @@ double step_us(MainWindow& window) {
 void show_estimate(MainWindow& window, SweepPanel& panel, const SweepRun& run) {
   if (run.running()) return;
   const SweepRequest request = panel.form().request();
-  const auto sweep = run.sweepOf(request, window.settings().settings());
+  const auto sweep = run.sweepOf(request, window.document().settings());
   if (!sweep) return panel.showEstimate(QString::fromStdString(sweep.error().text()), false);
   const double steps = run.stepsOf(*sweep, request.takes);
   const double cores = std::max(1u, std::thread::hardware_concurrency());
@@ -61,13 +61,13 @@ void show_estimate(MainWindow& window, SweepPanel& panel, const SweepRun& run) {
 
 void adopt(MainWindow& window, const SweepRun& run, int point) {
   if (point < 0 || point >= run.grid().points()) return;
-  Settings settings = window.settings().settings();
+  Settings settings = window.document().settings();
   const auto [column, row] = run.grid().place_of(point);
   for (const auto& [side, index] : {std::pair(&run.grid().x(), column), std::pair(&run.grid().y(), row)})
     if (const Status set = set_setting(settings, side->key, side->values[static_cast<std::size_t>(index)]);
         !set)
       return window.messages().showError(QString::fromStdString(set.error().text()));
-  window.settings().adopt(settings, "sweep: " + QString::fromStdString(run.grid().place_text(point)));
+  window.document().adopt(settings, "sweep: " + QString::fromStdString(run.grid().place_text(point)));
 }
 
 void export_report(MainWindow& window, QWidget* over, const SweepRun& run) {
@@ -83,7 +83,7 @@ void export_report(MainWindow& window, QWidget* over, const SweepRun& run) {
 void connect_run(MainWindow& window, SweepPanel& panel, SweepRun& run) {
   QObject::connect(&panel, &SweepPanel::edited, &run, [&] { show_estimate(window, panel, run); });
   QObject::connect(&panel, &SweepPanel::startRequested, &run, [&](const SweepRequest& request) {
-    const auto sweep = run.sweepOf(request, window.settings().settings());
+    const auto sweep = run.sweepOf(request, window.document().settings());
     if (!sweep) return panel.showEstimate(QString::fromStdString(sweep.error().text()), false);
     panel.setRunning(true);
     run.start(*sweep, request.takes);
@@ -132,11 +132,11 @@ void add_sweep_actions(MainWindow& window) {
     run->setLibrary(library);
     panel->form().setTakes(takes);
   });
-  QObject::connect(&window.settings(), &widgets::SettingsPanel::commandRequested, panel, [=, &window] {
-    if (dialog->isVisible() && !run->running()) panel->form().setSettings(window.settings().settings());
+  QObject::connect(&window.document(), &Document::changed, panel, [=, &window] {
+    if (dialog->isVisible() && !run->running()) panel->form().setSettings(window.document().settings());
   });
   const auto open = [=, &window](const QString& key) {
-    if (!run->running()) panel->form().setSettings(window.settings().settings());
+    if (!run->running()) panel->form().setSettings(window.document().settings());
     if (!key.isEmpty() && !run->running()) panel->form().setColumns(key.toStdString());
     dialog->show();
     dialog->raise();

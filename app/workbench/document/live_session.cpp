@@ -45,12 +45,6 @@ void LiveSession::push(const Command& command) {
     m_engine.push(command);
 }
 
-Status LiveSession::controlRole(RoleControl by) {
-  const Status possible = m_engine.control_role(by);
-  if (possible) m_roleControl = by;
-  return possible;
-}
-
 void LiveSession::holdSettings(bool on) {
   m_isHeld = on;
   if (on || !m_heldBack) return;

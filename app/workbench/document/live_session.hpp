@@ -25,9 +25,6 @@ class LiveSession {
   explicit LiveSession(PreparedSolver prepared);
 
   void push(const Command& command);
-  /// Who decides about the user's role from the next frame on; an Error when the library cannot.
-  Status controlRole(RoleControl by);
-  RoleControl roleControl() const { return m_roleControl; }
   /// While held, the solver keeps its settings; the last that were asked for meanwhile come when it is let
   /// go.
   void holdSettings(bool on);
@@ -59,7 +56,6 @@ class LiveSession {
   std::unique_ptr<LookedAt> m_lookedAt;
   bool m_isHeld = false;
   std::optional<SetSettings> m_heldBack;
-  RoleControl m_roleControl = RoleControl::Hand;
   SessionEngine m_engine;
 };
 

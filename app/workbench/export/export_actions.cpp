@@ -45,12 +45,6 @@ QString ask_file(MainWindow& window, ExportDialog& dialog, const ExportRequest& 
   return file;
 }
 
-QAction* action_named(QMenu* menu, const QString& text) {
-  for (QAction* action : menu->actions())
-    if (action->text() == text) return action;
-  return nullptr;
-}
-
 void start(MainWindow& window, ExportDialog& dialog, ExportDesk& desk) {
   const ExportRequest request = dialog.request();
   const QString file = ask_file(window, dialog, request);
@@ -63,11 +57,10 @@ void start(MainWindow& window, ExportDialog& dialog, ExportDesk& desk) {
 
 }  // namespace
 
-void add_export_actions(MainWindow& window) {
-  auto* desk = new ExportDesk(window);
+void add_export_actions(MainWindow& window, ExportSources sources) {
+  auto* desk = new ExportDesk(window, std::move(sources));
   auto* dialog = new ExportDialog(&window);
   QMenu* menu = window.menu("File");
-  QAction* before = action_named(menu, "Save picture of the window");
   QAction* open = add_action(window, menu, "Export…", {}, [&window, dialog, desk] {
     if (!window.session()) return window.messages().showInformation("Nothing is open yet");
     dialog->offer(desk->offer());
@@ -75,15 +68,12 @@ void add_export_actions(MainWindow& window) {
     dialog->show();
     dialog->activateWindow();
   });
-  if (before) {
-    menu->removeAction(open);
-    menu->insertAction(before, open);
-  }
+  move_before(*menu, open, action_of(window, "file.save_picture_of_the_window"));
   QObject::connect(dialog, &ExportDialog::exportRequested, dialog,
                    [&window, dialog, desk] { start(window, *dialog, *desk); });
-  QObject::connect(dialog, &ExportDialog::videoRequested, dialog, [menu, dialog] {
+  QObject::connect(dialog, &ExportDialog::videoRequested, dialog, [&window, dialog] {
     dialog->hide();
-    if (QAction* render = action_named(menu, "Render range…")) render->trigger();
+    if (QAction* render = action_of(window, "file.render_range")) render->trigger();
   });
 }
 

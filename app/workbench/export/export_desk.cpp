@@ -6,10 +6,8 @@
 #include <QUrl>
 
 #include "app/workbench/base/job.hpp"
-#include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
-#include "app/workbench/takes/take_desk.hpp"
 #include "core/base/output_file.hpp"
 #include "core/session/export/exporting.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -30,19 +28,10 @@ double rate_of(const FrameHistory& history) {
   return static_cast<double>(last.size() - 1) / (last.back()->time_s - last.front()->time_s);
 }
 
-std::vector<Tier> noted_tiers(const MainWindow& window, const std::string& subject) {
-  const auto* desk = window.findChild<AnnotationDesk*>();
-  return desk ? tiers_of(desk->annotations_of(subject)) : std::vector<Tier>();
-}
-
-const Markers& session_markers(const MainWindow& window) {
-  const auto* desk = window.findChild<AnnotationDesk*>();
-  return desk ? desk->sessionMarkers() : window.timeline().markers();
-}
-
 }  // namespace
 
-ExportDesk::ExportDesk(MainWindow& window) : QObject(&window), m_window(window) {
+ExportDesk::ExportDesk(MainWindow& window, ExportSources sources)
+    : QObject(&window), m_window(window), m_sources(std::move(sources)) {
   m_bar = new widgets::OfferBar(window.messages().parentWidget());
   m_bar->setColours(window.colours());
   if (auto* column = qobject_cast<QBoxLayout*>(window.messages().parentWidget()->layout()))
@@ -73,9 +62,9 @@ ExportOffer ExportDesk::offer() const {
     offer.range = playback.range();
     offer.cursor_s = m_window.ticker().shown() ? m_window.ticker().shown()->time_s : playback.cursor_s;
   }
-  if (const auto* takes = m_window.findChild<TakeDesk*>())
-    for (const widgets::RecordedTake& take : takes->takes().all())
-      offer.takes.push_back({QString::fromStdString(take.name), {take.from_s, take.to_s}, 0});
+  const widgets::RecordedTakes takes = m_sources.takes();
+  for (const widgets::RecordedTake& take : takes.all())
+    offer.takes.push_back({QString::fromStdString(take.name), {take.from_s, take.to_s}, 0});
   for (const LibraryTake& take : material.library->takes())
     offer.library_takes.push_back({QString::fromStdString(take.name),
                                    {0, std::max(0, take.frames - 1) / take.fps},
@@ -98,13 +87,12 @@ RunningExport ExportDesk::running(const ExportWish& wish) const {
   running.library = material.library;
   running.library_name = material.library_file.empty() ? material.library->name() : material.library_file;
   running.input = material.input.name;
-  if (const auto* takes = m_window.findChild<TakeDesk*>())
-    for (const widgets::RecordedTake& take : takes->takes().all())
-      running.takes.push_back(
-          {static_cast<int>(take.id), take.name, take.from_s, take.to_s, 0, 0, {}, false});
-  for (const Marker& marker : session_markers(m_window).all())
+  const widgets::RecordedTakes takes = m_sources.takes();
+  for (const widgets::RecordedTake& take : takes.all())
+    running.takes.push_back({static_cast<int>(take.id), take.name, take.from_s, take.to_s, 0, 0, {}, false});
+  for (const Marker& marker : m_window.document().project().markers.all())
     running.markers.push_back({marker.id, marker.time_s, marker.name});
-  running.noted = noted_tiers(m_window, "");
+  running.noted = tiers_of(m_sources.said(""));
   return running;
 }
 
@@ -115,7 +103,7 @@ ExportDesk::MakeSource ExportDesk::source_of(const ExportRequest& request) const
     };
   const std::string take = request.library_take.toStdString();
   return [library = m_window.session()->material().library, take,
-          noted = noted_tiers(m_window, take)](const Progress&) -> Result<std::unique_ptr<ExportSource>> {
+          noted = tiers_of(m_sources.said(take))](const Progress&) -> Result<std::unique_ptr<ExportSource>> {
     if (library->find_take(take) < 0) return Error{"is not in the library any more", take};
     return export_of_take(library, take, noted);
   };

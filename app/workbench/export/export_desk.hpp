@@ -1,10 +1,14 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 #include <memory>
+#include <string>
 
 #include "app/workbench/export/export_dialog.hpp"
+#include "core/annotation/annotations.hpp"
 #include "core/session/export/export_source.hpp"
+#include "widgets/takes/recorded_takes.hpp"
 
 namespace abrazo::widgets {
 class OfferBar;
@@ -15,12 +19,19 @@ namespace abrazo::app {
 class Job;
 class MainWindow;
 
+/// What other rooms know of what can be exported.
+struct ExportSources {
+  /// What was said of a subject, the session ("") or a take.
+  std::function<Annotations(const std::string& subject)> said;
+  std::function<widgets::RecordedTakes()> takes;
+};
+
 /// Exports from the window: knows what there is, writes it on a worker with progress and cancel, and tells
 /// the end.
 class ExportDesk : public QObject {
   Q_OBJECT
  public:
-  explicit ExportDesk(MainWindow& window);
+  ExportDesk(MainWindow& window, ExportSources sources);
   ~ExportDesk() override;
 
   /// What the running session and its library have.
@@ -43,6 +54,7 @@ class ExportDesk : public QObject {
   void finish();
 
   MainWindow& m_window;
+  ExportSources m_sources;
   widgets::OfferBar* m_bar;
   std::unique_ptr<Job> m_job;
 };

@@ -118,7 +118,7 @@ void render_range(MainWindow& window, const RangeRequest& request) {
   delete rendering;
 }
 
-void add_recording_actions(MainWindow& window) {
+void add_recording_actions(MainWindow& window, RenderDialog& dialog) {
   auto* mark = new QLabel(&window);
   mark->setTextFormat(Qt::RichText);
   mark->hide();
@@ -135,14 +135,13 @@ void add_recording_actions(MainWindow& window) {
     QObject::connect(film.recording, &ViewRecording::progressed, mark, show);
     QObject::connect(film.recording, &ViewRecording::stopped, mark, show);
   }
-  auto* dialog = new RenderDialog(&window);
   add_action(window, window.menu("File"), "Render range…", {},
-             [&window, dialog] { open_dialog(window, *dialog); });
-  QObject::connect(dialog, &RenderDialog::renderRequested, &window, [&window, dialog] {
-    RangeRequest request = dialog->request();
-    request.file = ask_file(window, dialog, "Render as video");
+             [&window, &dialog] { open_dialog(window, dialog); });
+  QObject::connect(&dialog, &RenderDialog::renderRequested, &window, [&window, &dialog] {
+    RangeRequest request = dialog.request();
+    request.file = ask_file(window, &dialog, "Render as video");
     if (request.file.isEmpty()) return;
-    dialog->hide();
+    dialog.hide();
     render_range(window, request);
   });
 }

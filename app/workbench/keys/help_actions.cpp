@@ -10,7 +10,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
-#include "app/workbench/keys/key_routing.hpp"
 #include "app/workbench/keys/key_sheet.hpp"
 #include "app/workbench/keys/shortcut_dialog.hpp"
 #include "app/workbench/keys/shortcuts.hpp"
@@ -23,14 +22,12 @@ namespace {
 
 constexpr int column_width = 360;  // of keys
 
-void show_shortcuts(MainWindow& window) {
-  auto* shortcuts = window.findChild<Shortcuts*>();
+void show_shortcuts(MainWindow& window, Shortcuts& shortcuts) {
   auto* dialog = window.findChild<ShortcutDialog*>();
-  if (!dialog && shortcuts) {
-    dialog = new ShortcutDialog(*shortcuts, &window);
+  if (!dialog) {
+    dialog = new ShortcutDialog(shortcuts, &window);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
   }
-  if (!dialog) return;
   dialog->show();
   dialog->raise();
   dialog->activateWindow();
@@ -60,12 +57,10 @@ QDialog* show_sheet(MainWindow& window, const QString& title, const QString& htm
   return dialog;
 }
 
-void show_keys(MainWindow& window) {
-  const auto* shortcuts = window.findChild<Shortcuts*>();
-  if (!shortcuts) return;
+void show_keys(MainWindow& window, Shortcuts& shortcuts) {
   const int width = QGuiApplication::primaryScreen()->availableSize().width();
   const int columns = std::clamp(width / column_width, 2, 4);
-  QDialog* dialog = show_sheet(window, "Keys", key_sheet(shortcuts->table(), window.colours(), columns));
+  QDialog* dialog = show_sheet(window, "Keys", key_sheet(shortcuts.table(), window.colours(), columns));
   if (!dialog) return;
   for (const char* key : {"F1", "?"})
     QObject::connect(new QShortcut(QKeySequence(key), dialog), &QShortcut::activated, dialog,
@@ -74,9 +69,9 @@ void show_keys(MainWindow& window) {
   change->setAutoDefault(false);
   dialog->layout()->addWidget(change);
   dialog->layout()->setAlignment(change, Qt::AlignRight);
-  QObject::connect(change, &QPushButton::clicked, dialog, [&window, dialog] {
+  QObject::connect(change, &QPushButton::clicked, dialog, [&window, &shortcuts, dialog] {
     dialog->close();
-    show_shortcuts(window);
+    show_shortcuts(window, shortcuts);
   });
   dialog->show();
   dialog->activateWindow();
@@ -84,10 +79,11 @@ void show_keys(MainWindow& window) {
 
 }  // namespace
 
-void add_help_actions(MainWindow& window) {
+void add_help_actions(MainWindow& window, Shortcuts& shortcuts) {
   QMenu* menu = window.menu("Help");
-  add_action(window, menu, "Keys", {QKeySequence("F1"), QKeySequence("?")}, [&window] { show_keys(window); });
-  add_action(window, menu, "Shortcuts…", {}, [&window] { show_shortcuts(window); });
+  add_action(window, menu, "Keys", {QKeySequence("F1"), QKeySequence("?")},
+             [&window, &shortcuts] { show_keys(window, shortcuts); });
+  add_action(window, menu, "Shortcuts…", {}, [&window, &shortcuts] { show_shortcuts(window, shortcuts); });
   add_action(window, menu, "About Abrazo", {}, [&window] {
     QDialog* about = show_sheet(
         window, "About Abrazo",
@@ -97,11 +93,6 @@ void add_help_actions(MainWindow& window) {
             .arg(version()));
     if (about) about->show();
   });
-}
-
-void add_shortcuts(MainWindow& window) {
-  new Shortcuts(window);
-  new KeyRouting(window);
 }
 
 }  // namespace abrazo::app

@@ -7,7 +7,6 @@
 #include <QKeyEvent>
 #include <QToolButton>
 
-#include "app/workbench/labels/label_key_filter.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -41,8 +40,8 @@ void click(QAbstractButton& button) {
 
 }  // namespace
 
-KeyRouting::KeyRouting(MainWindow& window)
-    : QObject(&window), m_window(window), m_labels(window.findChild<LabelKeyFilter*>()) {
+KeyRouting::KeyRouting(MainWindow& window, Means timeline)
+    : QObject(&window), m_window(window), m_timeline(std::move(timeline)) {
   window.installEventFilter(this);
   for (QDockWidget* panel : window.panels().panels()) panel->installEventFilter(this);  // floating: no way up
 }
@@ -50,7 +49,7 @@ KeyRouting::KeyRouting(MainWindow& window)
 bool KeyRouting::isKept(const QKeyEvent& event) const {
   const QWidget* focused = QApplication::focusWidget();
   if (qobject_cast<const QComboBox*>(focused)) return is_of_a_choice(event);
-  return focused == &m_window.timeline() && (is_digit(event) || (m_labels && m_labels->means(event)));
+  return focused == &m_window.timeline() && (is_digit(event) || m_timeline(event));
 }
 
 /// Space plays wherever the focus is, so Return presses a button.

@@ -1,12 +1,12 @@
 #pragma once
 
 #include <QObject>
+#include <functional>
 
 class QKeyEvent;
 
 namespace abrazo::app {
 
-class LabelKeyFilter;
 class MainWindow;
 
 /// Which of the window's keys a focused control keeps for itself: what a control does not take, comes by
@@ -14,7 +14,10 @@ class MainWindow;
 class KeyRouting : public QObject {
   Q_OBJECT
  public:
-  explicit KeyRouting(MainWindow& window);
+  /// Whether a key says something to what has the focus, before it is an action's.
+  using Means = std::function<bool(const QKeyEvent&)>;
+  /// @param timeline  of the timeline
+  KeyRouting(MainWindow& window, Means timeline);
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -24,7 +27,7 @@ class KeyRouting : public QObject {
   bool press(const QKeyEvent& event);
 
   MainWindow& m_window;
-  const LabelKeyFilter* m_labels;
+  Means m_timeline;
 };
 
 }  // namespace abrazo::app

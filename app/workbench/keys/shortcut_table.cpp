@@ -27,19 +27,6 @@ std::string named(const std::string& text) {
   return "'" + text + "'";
 }
 
-std::string slug(std::string_view text) {
-  std::string result;
-  for (const char c : text) {
-    const auto letter = static_cast<unsigned char>(c);
-    if (letter < 128 && std::isalnum(letter) != 0)
-      result += static_cast<char>(std::tolower(letter));
-    else if (!result.empty() && result.back() != '_' && letter < 128)
-      result += '_';
-  }
-  while (!result.empty() && result.back() == '_') result.pop_back();
-  return result;
-}
-
 /// @return the keys; `why` says what is wrong where they are none
 std::vector<std::string> keys_of(const Json& entry, const ShortcutTable::Normal& normal, std::string& why) {
   std::vector<std::string> keys;
@@ -66,10 +53,6 @@ std::string_view words_of(KeyPlace place) {
       break;
   }
   return "";
-}
-
-std::string shortcut_id(std::string_view menu, std::string_view text) {
-  return slug(menu) + "." + slug(text);
 }
 
 const Shortcut* ShortcutTable::find(std::string_view id) const {

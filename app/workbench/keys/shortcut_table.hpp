@@ -63,7 +63,4 @@ class ShortcutTable {
   std::map<std::string, std::string> m_unused;  ///< by id, the JSON of what could not be used
 };
 
-/// "play.play_or_pause" of "Play" and "Play or pause".
-std::string shortcut_id(std::string_view menu, std::string_view text);
-
 }  // namespace abrazo::app

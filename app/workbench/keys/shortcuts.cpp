@@ -6,6 +6,8 @@
 #include <QKeySequence>
 #include <QMenu>
 
+#include "app/workbench/base/action_id.hpp"
+#include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "core/base/atomic_file.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -58,15 +60,6 @@ const std::vector<Shortcut>& fixed_keys() {
 
 }  // namespace
 
-QString menu_path(const QAction& action) {
-  for (const QWidget* widget : action.associatedWidgets())
-    if (const auto* menu = qobject_cast<const QMenu*>(widget)) {
-      const QString above = menu_path(*menu->menuAction());
-      return above.isEmpty() ? menu->title() : above + " > " + menu->title();
-    }
-  return {};
-}
-
 std::string Shortcuts::normal(const std::string& key) {
   const QKeySequence parsed(QString::fromStdString(key), QKeySequence::PortableText);
   const bool is_one = parsed.count() == 1 && (parsed[0] & ~Qt::KeyboardModifierMask) != Qt::Key_unknown;
@@ -79,9 +72,11 @@ QString Shortcuts::shown(const std::string& key) {
 }
 
 Shortcuts::Shortcuts(MainWindow& window)
-    : QObject(&window), m_window(window), m_file(window.remembered().folder() + "/shortcuts.json") {
+    : QObject(&window), m_window(window), m_file(window.remembered().folder() + "/shortcuts.json") {}
+
+void Shortcuts::begin() {
   collect();
-  window.installEventFilter(this);
+  m_window.installEventFilter(this);
 }
 
 QAction* Shortcuts::action(const std::string& id) const {
@@ -93,7 +88,7 @@ void Shortcuts::add(QAction& action) {
   if (!action.property(usual_keys).isValid()) action.setProperty(usual_keys, keys_of(action));
   const QString menu = menu_path(action);
   // Named once, for some actions change their words: "Undo alpha 0.5". A name that others share is no id.
-  std::string id = shortcut_id(menu.toStdString(), action.text().toStdString());
+  std::string id = action_id(menu.toStdString(), action.text().toStdString());
   if (action.objectName().isEmpty()) action.setObjectName(QString::fromStdString(id));
   if (action.objectName().contains('.')) id = action.objectName().toStdString();
   if (m_table.find(id)) return;

@@ -18,6 +18,8 @@ class Shortcuts : public QObject {
   Q_OBJECT
  public:
   explicit Shortcuts(MainWindow& window);
+  /// Once there are all actions; those that come later are seen.
+  void begin();
 
   const ShortcutTable& table() const { return m_table; }
   QAction* action(const std::string& id) const;
@@ -49,8 +51,5 @@ class Shortcuts : public QObject {
   bool m_isDamaged = false;  ///< the file: put aside before another is written
   QStringList m_told;
 };
-
-/// "View > Layouts" of an action in a menu of a menu.
-QString menu_path(const QAction& action);
 
 }  // namespace abrazo::app

@@ -99,27 +99,25 @@ void add_tiers(MainWindow& window, QMenu* menu, AnnotationDesk& desk) {
 
 }  // namespace
 
-void add_annotation_actions(MainWindow& window) {
-  auto* desk = new AnnotationDesk(window);
-  auto* questions = new LabelQuestions(window, *desk);
-  auto* keys = new LabelKeyFilter(window, *desk);
+void add_annotation_actions(MainWindow& window, AnnotationDesk& desk, LabelKeyFilter& keys) {
+  auto* questions = new LabelQuestions(window, desk);
   QMenu* menu = window.menu("Annotation");
-  add_subjects(window, menu, *desk);
+  add_subjects(window, menu, desk);
   menu->addSeparator();
-  add_label_actions(window, *desk, *questions);
+  add_label_actions(window, desk, *questions);
   menu->addSeparator();
   QAction* taps =
       add_action(window, menu, "Tap mode: each key starts the next label", {QKeySequence("Shift+T")}, [] {});
   taps->setCheckable(true);
-  QObject::connect(taps, &QAction::toggled, keys, &LabelKeyFilter::setTaps);
+  QObject::connect(taps, &QAction::toggled, &keys, &LabelKeyFilter::setTaps);
   menu->addSeparator();
-  add_conflicts(window, menu, *desk);
+  add_conflicts(window, menu, desk);
   menu->addSeparator();
-  add_tiers(window, menu, *desk);
+  add_tiers(window, menu, desk);
   menu->addSeparator();
-  auto* import = new LabelImport(window, *desk);
+  auto* import = new LabelImport(window, desk);
   add_action(window, menu, "Import labels…", {}, [import] { import->choose(); });
-  add_suggestion_actions(window, *desk);
+  add_suggestion_actions(window, desk);
 }
 
 }  // namespace abrazo::app

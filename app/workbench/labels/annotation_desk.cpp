@@ -4,7 +4,7 @@
 #include <QUndoCommand>
 #include <algorithm>
 
-#include "app/workbench/library/library_feed.hpp"
+#include "app/workbench/document/library_feed.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/subject_stage.hpp"
@@ -43,21 +43,26 @@ AnnotationDesk::AnnotationDesk(MainWindow& window)
     : QObject(&window),
       m_window(window),
       m_panel(new AnnotationPanel),
-      m_feed(new LibraryFeed(window)),
+      m_feed(new LibraryFeed(window.document(), this)),
       m_stage(std::make_unique<SubjectStage>(window)) {
   m_panel->setColours(window.colours());
   window.addPanel(panel_id, "Annotation", m_panel, Qt::RightDockWidgetArea, false);
   connect(&window, &MainWindow::coloursChanged, m_panel, &AnnotationPanel::setColours);
   connect(&window, &MainWindow::sessionStarted, this, &AnnotationDesk::onSessionStarted);
   connect(&window, &MainWindow::sessionEnding, this, [this] {
-    // Whoever ends the recording reads the session's there.
-    if (showsTake()) m_window.timeline().showMarkers(m_stage->markers(""));
-    m_state.leave();
+    m_feed->forget();
     m_stage->forget();
   });
-  connect(m_feed, &LibraryFeed::fed, this, [this] {
-    if (showsTake()) m_stage->renew(subject());
+  connect(m_feed, &LibraryFeed::failed, &window.messages(), &widgets::MessageBar::showError);
+  connect(&window.document(), &Document::libraryReplaced, this, [this] {
+    if (showsTake()) m_stage->renew();
   });
+  connect(&window.document(), &Document::subjectChanged, this, [this] {
+    if (const auto of = library()) m_state.show(m_window.document().subject(), *of);
+  });
+  connect(&window.document(), &Document::annotationsOpened, this, &AnnotationDesk::setBook);
+  connect(&window, &MainWindow::subjectRequested, this,
+          [this](const QString& wanted) { showSubject(wanted.toStdString()); });
   connectViews();
 }
 
@@ -116,45 +121,29 @@ void AnnotationDesk::setBook(AnnotationBook book) {
 void AnnotationDesk::onOtherBook() {
   for (const auto& [subject, annotations] : m_state.all())
     if (!subject.empty()) m_feed->put(subject, annotations);
+  keep();
   emit subjectChanged();
   tell();
 }
 
-void AnnotationDesk::showSubject(const std::string& subject) {
-  if (subject == m_state.subject() && m_window.session()) {
+void AnnotationDesk::showSubject(const std::string& wanted) {
+  if (wanted == subject() && m_window.session()) {
     m_window.panels().want(panel_id, true);
     return;
   }
-  if (const auto of = library(); of && !subject.empty() && of->find_take(subject) < 0) {
+  if (const auto of = library(); of && !wanted.empty() && of->find_take(wanted) < 0) {
     show();  // the list goes back to what is shown
     return m_window.messages().showError(
         QString("%1: the library %2 has no such take. What was said of it is kept with the session: open the "
                 "session together with its library (both files at once)")
-            .arg(text(subject), text(of->name())));
+            .arg(text(wanted), text(of->name())));
   }
-  const Status shown = m_stage->show(m_state.subject(), subject);
+  const Status shown = m_stage->show(wanted);
   if (!shown) return m_window.messages().showError(text(shown.error().text()));
-  m_state.show(subject, *library());
-  if (!subject.empty()) m_window.panels().want(panel_id, true);
+  if (showsTake()) m_window.panels().want(panel_id, true);
   emit subjectChanged();
   tell();
   makeRoom();
-}
-
-const Markers& AnnotationDesk::sessionMarkers() const {
-  return showsTake() ? m_stage->markers("") : m_window.timeline().markers();
-}
-
-std::map<std::string, Markers> AnnotationDesk::takeMarkers() const {
-  auto markers = m_stage->markersOfTakes();
-  if (showsTake()) markers[subject()] = m_window.timeline().markers();
-  std::erase_if(markers, [](const auto& of) { return of.second.empty(); });
-  return markers;
-}
-
-void AnnotationDesk::showMarkers(const std::string& subject, const Markers& markers) {
-  subject == m_state.subject() ? m_window.timeline().showMarkers(markers)
-                               : m_stage->keepMarkers(subject, markers);
 }
 
 bool AnnotationDesk::edit(const Result<LabelEdit>& edit) {
@@ -174,8 +163,14 @@ void AnnotationDesk::change(Annotations next, const QString& what) {
   edit(LabelEdit{std::move(next), what.toStdString()});
 }
 
+/// Where it is saved and exported from.
+void AnnotationDesk::keep() {
+  m_window.document().put(m_state.changed());
+}
+
 bool AnnotationDesk::apply(const AnnotationStep& step, AnnotationState::Direction direction) {
   if (!m_state.apply(step, direction)) return false;
+  keep();
   if (!step.subject.empty()) m_feed->put(step.subject, m_state.annotations_of(step.subject));
   tell();
   if (step.subject != subject())

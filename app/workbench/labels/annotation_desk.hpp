@@ -6,7 +6,6 @@
 #include <string>
 
 #include "core/annotation/annotation_state.hpp"
-#include "core/session/frames/markers.hpp"
 
 namespace abrazo::widgets {
 class AnnotationPanel;
@@ -52,8 +51,6 @@ class AnnotationDesk : public QObject {
   void select(int annotation);
   void setConflict(Conflict conflict);
 
-  /// Of the subjects of which something else is said than was when they were first shown.
-  AnnotationBook book() const { return m_state.changed(); }
   /// In place of all there is: what a project had. Forgets steps of undo of what was there; the library is
   /// told of its takes.
   void setBook(AnnotationBook book);
@@ -61,12 +58,6 @@ class AnnotationDesk : public QObject {
   /// Shows a take of the library in place of the session, or the session again (""). What is in the way is
   /// told.
   void showSubject(const std::string& subject);
-  /// Markers of the session, whichever subject is shown.
-  const Markers& sessionMarkers() const;
-  /// Of the takes that have any, by name.
-  std::map<std::string, Markers> takeMarkers() const;
-  /// Of a subject that need not be shown.
-  void showMarkers(const std::string& subject, const Markers& markers);
 
   /// Times of the shown subject that annotations may have.
   Annotations::Range range() const;
@@ -91,6 +82,7 @@ class AnnotationDesk : public QObject {
   bool apply(const AnnotationStep& step, AnnotationState::Direction direction);
   void onSessionStarted();
   void onOtherBook();
+  void keep();
   void tell();
   void show();
   void makeRoom();

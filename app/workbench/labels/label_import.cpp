@@ -23,7 +23,9 @@ using widgets::text;
 }  // namespace
 
 LabelImport::LabelImport(MainWindow& window, AnnotationDesk& desk)
-    : QObject(&desk), m_window(window), m_desk(desk) {}
+    : QObject(&desk), m_window(window), m_desk(desk) {
+  connect(&window, &MainWindow::labelsOffered, this, &LabelImport::read);
+}
 
 void LabelImport::choose() {
   const QStringList files =
@@ -35,12 +37,9 @@ void LabelImport::choose() {
 }
 
 void LabelImport::read(const QStringList& files) {
-  if (!m_window.session()) {
-    const QString why =
-        "Labels belong to a take or a session; open a library or a session first, then the labels";
-    m_window.messages().showError(why);
-    return emit m_window.failed(why);  // who started the program unattended waits for it
-  }
+  if (!m_window.session())
+    return m_window.fail(
+        "Labels belong to a take or a session; open a library or a session first, then the labels");
   for (const QString& file : files) {
     const auto document = read_labels_for(file.toStdString(), m_desk.fps(), m_desk.subject());
     if (!document) return m_window.messages().showError(text(document.error().text()));

@@ -3,6 +3,7 @@
 #include <QMenu>
 
 #include "app/workbench/labels/annotation_desk.hpp"
+#include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "widgets/annotation/value_picker.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -86,9 +87,8 @@ void LabelQuestions::fillMenu(QMenu& menu) {
 
 void LabelQuestions::openMenu(int tier, int annotation, double time_s, const QPoint& global) {
   QMenu menu(&m_window);
-  const auto add = [&](const QString& words) {
-    for (QAction* each : m_window.actions())
-      if (each->text() == words) menu.addAction(each);
+  const auto add = [&](const char* id) {
+    if (QAction* action = action_of(m_window, id)) menu.addAction(action);
   };
   if (annotation == 0) {
     menu.addAction("New label here…", this, [this, tier, time_s] {
@@ -96,7 +96,7 @@ void LabelQuestions::openMenu(int tier, int annotation, double time_s, const QPo
       m_desk.setActiveTier(tier);
       draw();
     });
-    add("Change of role here");
+    add("annotation.change_of_role_here");
     menu.exec(global);
     return;
   }
@@ -109,12 +109,12 @@ void LabelQuestions::openMenu(int tier, int annotation, double time_s, const QPo
       });
     }
   menu.addSeparator();
-  for (const char* words : {"Edit label…", "Split label at the cursor", "Merge label with the next",
-                            "Extend label to the cursor"})
-    add(words);
+  for (const char* id : {"annotation.edit_label", "annotation.split_label_at_the_cursor",
+                         "annotation.merge_label_with_the_next", "annotation.extend_label_to_the_cursor"})
+    add(id);
   fillMenu(menu);
   menu.addSeparator();
-  add("Delete label or marker");
+  add("timeline.delete_label_or_marker");
   menu.exec(global);
 }
 

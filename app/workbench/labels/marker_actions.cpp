@@ -1,5 +1,4 @@
 #include <QMenu>
-#include <QUndoCommand>
 #include <algorithm>
 
 #include "app/workbench/labels/annotation_desk.hpp"
@@ -15,45 +14,10 @@ namespace {
 using widgets::QuickEntry;
 using widgets::TimelineView;
 
-AnnotationDesk& desk_of(const MainWindow& window) {
-  return *window.findChild<AnnotationDesk*>();
-}
-
-/// From one whole list to another. Of no use once another session runs: its times are others.
-class ChangeMarkers : public QUndoCommand {
- public:
-  ChangeMarkers(MainWindow& window, Markers after, const QString& what)
-      : QUndoCommand(what),
-        m_window(window),
-        m_session(window.timeline().session()),
-        m_subject(desk_of(window).subject()),
-        m_before(window.timeline().markers()),
-        m_after(std::move(after)) {}
-
-  void redo() override { change(m_after); }
-  void undo() override { change(m_before); }
-
- private:
-  void change(const Markers& markers) {
-    m_window.timeline().session() == m_session ? desk_of(m_window).showMarkers(m_subject, markers)
-                                               : setObsolete(true);
-  }
-
-  MainWindow& m_window;
-  int m_session;
-  std::string m_subject;
-  Markers m_before, m_after;
-};
-
-void change(MainWindow& window, const Markers& next, const QString& what) {
-  if (window.session() && next != window.timeline().markers())
-    window.undoStack().push(new ChangeMarkers(window, next, what));
-}
-
 void add(MainWindow& window, double time_s, const QString& name) {
-  Markers next = window.timeline().markers();
+  Markers next = window.document().markers();
   const int id = next.add(time_s, name.toStdString());
-  change(window, next, "add marker");
+  window.document().changeMarkers(next, "add marker");
   window.timeline().selectMarker(id);
 }
 
@@ -74,32 +38,30 @@ void add_named(MainWindow& window) {
 
 void rename(MainWindow& window, int id) {
   TimelineView& timeline = window.timeline();
-  const Marker* marker = timeline.markers().find(id);
+  const Marker* marker = window.document().markers().find(id);
   if (!marker) return window.messages().showInformation("Select a marker first: click its flag");
   QuickEntry::open(timeline, over_the_timeline(timeline, marker->time_s), "Name of the marker",
                    QString::fromStdString(marker->name), [&window, id](const QString& name) -> QString {
-                     Markers next = window.timeline().markers();
+                     Markers next = window.document().markers();
                      next.rename(id, name.toStdString());
-                     change(window, next, "rename marker");
+                     window.document().changeMarkers(next, "rename marker");
                      return {};
                    });
 }
 
-void remove(MainWindow& window) {
-  if (AnnotationDesk& desk = desk_of(window); desk.selected() != 0)
-    return void(desk.edit(remove_label(desk.annotations(), desk.place())));
-  Markers next = window.timeline().markers();
+void remove(MainWindow& window, AnnotationDesk& desk) {
+  if (desk.selected() != 0) return void(desk.edit(remove_label(desk.annotations(), desk.place())));
+  Markers next = window.document().markers();
   const int id = window.timeline().selectedMarker();
   if (!next.find(id))
     return window.messages().showInformation("Select a label or a marker first: click it in the timeline");
   next.remove(id);
-  change(window, next, "delete marker");
+  window.document().changeMarkers(next, "delete marker");
 }
 
 /// Of moves of the sources and of labels.
-std::vector<double> edges_of(const MainWindow& window, double here, bool on) {
+std::vector<double> edges_of(const MainWindow& window, const AnnotationDesk& desk, double here, bool on) {
   const auto& tracks = window.timeline().tracks();
-  const AnnotationDesk& desk = desk_of(window);
   std::vector<double> edges;
   if (const auto edge = on ? tracks.edge_after(here) : tracks.edge_before(here)) edges.push_back(*edge);
   if (const auto edge = edge_beside(desk.annotations(), desk.place(), on)) edges.push_back(*edge);
@@ -107,14 +69,14 @@ std::vector<double> edges_of(const MainWindow& window, double here, bool on) {
 }
 
 /// To the nearest marker or edge in that direction.
-void jump(MainWindow& window, bool on) {
-  const TimelineView& timeline = window.timeline();
+void jump(MainWindow& window, const AnnotationDesk& desk, bool on) {
+  const Markers& markers = window.document().markers();
   constexpr double apart_s = 1e-6;
   const double here = window.ticker().playback().cursor_s;
-  const Marker* marker = on ? timeline.markers().after(here) : timeline.markers().before(here);
+  const Marker* marker = on ? markers.after(here) : markers.before(here);
   std::optional<double> there;
   if (marker) there = marker->time_s;
-  for (const double edge : edges_of(window, here, on))
+  for (const double edge : edges_of(window, desk, here, on))
     if (on ? edge > here + apart_s && (!there || edge < *there)
            : edge < here - apart_s && (!there || edge > *there))
       there = edge;
@@ -127,7 +89,7 @@ void jump(MainWindow& window, bool on) {
 
 }  // namespace
 
-void add_marker_actions(MainWindow& window) {
+void add_marker_actions(MainWindow& window, AnnotationDesk& desk) {
   QMenu* menu = window.menu("Timeline");
   TimelineView& timeline = window.timeline();
   add_action(window, menu, "Marker", {QKeySequence("M")},
@@ -135,14 +97,13 @@ void add_marker_actions(MainWindow& window) {
   add_action(window, menu, "Marker with a name…", {QKeySequence("Shift+M")},
              [&window] { add_named(window); });
   add_action(window, menu, "Previous marker or edge", {QKeySequence("Ctrl+Left")},
-             [&window] { jump(window, false); });
+             [&window, &desk] { jump(window, desk, false); });
   add_action(window, menu, "Next marker or edge", {QKeySequence("Ctrl+Right")},
-             [&window] { jump(window, true); });
+             [&window, &desk] { jump(window, desk, true); });
   add_action(window, menu, "Rename marker…", {},
              [&window] { rename(window, window.timeline().selectedMarker()); });
-  add_action(window, menu, "Delete label or marker", {QKeySequence("Del")}, [&window] { remove(window); });
-  QObject::connect(&timeline, &TimelineView::markersRequested, &window,
-                   [&window](const Markers& next, const QString& what) { change(window, next, what); });
+  add_action(window, menu, "Delete label or marker", {QKeySequence("Del")},
+             [&window, &desk] { remove(window, desk); });
   QObject::connect(&timeline, &TimelineView::markerEntryRequested, &window,
                    [&window](int id) { rename(window, id); });
 }

@@ -145,7 +145,7 @@ QLineEdit* BuildDialog::addPath(QGridLayout* grid, int row, const QString& name,
                                   : QFileDialog::getOpenFileName(this, name, field->text(), filter);
     if (file.isEmpty()) return;
     field->setText(file);
-    emit field->editingFinished();
+    if (field == m_labels) offerLabels();
   });
   const int column = to_write ? 3 : 0;
   grid->addWidget(label, row, column);
@@ -203,6 +203,11 @@ QWidget* BuildDialog::makeFoot() {
   return foot;
 }
 
+void BuildDialog::offerLabels() {
+  if (m_labels->text().toStdString() != m_model.plan().labels.string())
+    emit labelsRequested(m_labels->text());
+}
+
 void BuildDialog::connectParts() {
   connect(&m_model, &BuildPlanModel::planChanged, this, &BuildDialog::showPlan);
   connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this, &BuildDialog::showChosen);
@@ -212,10 +217,7 @@ void BuildDialog::connectParts() {
     if (performer >= 0) m_table->selectRow(performer);
   });
   connect(m_name, &QLineEdit::textEdited, &m_model, &BuildPlanModel::setName);
-  connect(m_labels, &QLineEdit::editingFinished, this, [this] {
-    if (m_labels->text().toStdString() != m_model.plan().labels.string())
-      emit labelsRequested(m_labels->text());
-  });
+  connect(m_labels, &QLineEdit::editingFinished, this, &BuildDialog::offerLabels);
   connect(m_cancel, &QPushButton::clicked, this, &BuildDialog::reject);
   connect(m_build, &QPushButton::clicked, this, &BuildDialog::buildRequested);
 }

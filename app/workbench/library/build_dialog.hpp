@@ -76,6 +76,7 @@ class BuildDialog : public QDialog {
   QLineEdit* addPath(QGridLayout* grid, int row, const QString& name, const QString& tip,
                      const QString& filter, bool to_write);
   void connectParts();
+  void offerLabels();
   void showPlan();
   void showChosen();
   void showUserRow();

@@ -5,9 +5,9 @@
 #include "app/workbench/base/job.hpp"
 #include "app/workbench/document/open_video.hpp"
 #include "app/workbench/library/library_build.hpp"
-#include "app/workbench/library/mapping_desk.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "core/library/store/neighbour_distance.hpp"
+#include "core/session/frames/decision_edits.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/library/take_list.hpp"
 #include "widgets/scene/view/scene_view.hpp"
@@ -17,6 +17,7 @@ namespace abrazo::app {
 LibraryDesk::LibraryDesk(MainWindow& window) : QObject(&window), m_window(window) {
   connectBrowser();
   connect(&window, &MainWindow::sessionStarted, this, &LibraryDesk::onSession);
+  connect(&window.document(), &Document::libraryReplaced, this, &LibraryDesk::onSession);
   connect(&window, &MainWindow::sessionEnding, this, [this] { m_window.takes().stop(); });
   connect(&window.ticker(), &FrameTicker::panelsDue, this, &LibraryDesk::onPanels);
   connect(&window, &MainWindow::motionsOffered, this, &LibraryDesk::offer);
@@ -66,7 +67,6 @@ void LibraryDesk::onPanels() {
   if (!session) return;
   widgets::TakeList& takes = m_window.takes();
   takes.refresh(session->engine().history());
-  takes.setVetoedTakes(m_window.candidates().steering().vetoes.takes);
   const auto& shown = m_window.ticker().shown();
   if (!shown || shown->result.selected < 0) return takes.setSource(-1, 0);
   const auto selected = static_cast<std::size_t>(shown->result.selected);
@@ -93,22 +93,19 @@ void LibraryDesk::danceWith(int take) {
 }
 
 void LibraryDesk::toggleVeto(int take) {
-  const auto& library = m_window.candidates().library();
-  if (!library) return;
-  const std::string& name = library->takes()[static_cast<std::size_t>(take)].name;
-  widgets::Steering next = m_window.candidates().steering();
-  const bool lifts = next.vetoes.takes.erase(name) > 0;
-  if (!lifts) next.vetoes.takes.insert(name);
-  const bool pinned_there = next.pinned && library->take_of(*next.pinned).name == name;
-  if (!lifts && pinned_there) next.pinned.reset();  // a pin would be stronger than the veto
-  emit m_window.candidates().steeringRequested(
-      next, (lifts ? "use of take " : "veto of take ") + QString::fromStdString(name));
+  if (!m_window.session()) return;
+  const MotionLibrary& library = *m_window.session()->material().library;
+  const std::string& name = library.takes()[static_cast<std::size_t>(take)].name;
+  const Decisions& now = m_window.document().decisions();
+  m_window.document().change(
+      with_take_toggled(now, name, library),
+      (now.vetoes.takes.contains(name) ? "use of take " : "veto of take ") + QString::fromStdString(name));
 }
 
 void LibraryDesk::offer(const QStringList& files) {
   if (!m_build) {
     m_build = new LibraryBuild(&m_window, m_window.colours());
-    m_build->setJointMaps(MappingDesk::folder(m_window));
+    m_build->setJointMaps(m_window.remembered().jointMapFolder());
     connect(m_build, &LibraryBuild::built, this, [this](const Material& material) {
       m_window.openMaterial([material](const Progress&) -> Result<Material> { return material; }, m_videos);
     });

@@ -14,10 +14,6 @@ MappingDesk::MappingDesk(MainWindow& window) : QObject(&window), m_window(window
   });
 }
 
-QString MappingDesk::folder(const MainWindow& window) {
-  return window.remembered().folder() + "/joint-maps";
-}
-
 void MappingDesk::offer(const QStringList& files, const UnmappedMotion& motion) {
   delete m_dialog;
   m_dialog = new MappingDialog(*motion, &m_window);
@@ -28,7 +24,7 @@ void MappingDesk::offer(const QStringList& files, const UnmappedMotion& motion) 
 }
 
 void MappingDesk::use(const QStringList& files) {
-  const auto map = remember_map(m_dialog->map(), folder(m_window).toStdString());
+  const auto map = remember_map(m_dialog->map(), m_window.remembered().jointMapFolder().toStdString());
   if (!map) return m_window.messages().showError(QString::fromStdString(map.error().text()));
   std::vector<std::string> names{*map};
   for (const QString& file : files) names.push_back(file.toStdString());

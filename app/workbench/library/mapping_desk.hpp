@@ -20,7 +20,6 @@ class MappingDesk : public QObject {
   /// Null while nothing is asked.
   MappingDialog* dialog() const { return m_dialog; }
   /// Where answers are kept.
-  static QString folder(const MainWindow& window);
 
  private:
   void offer(const QStringList& files, const UnmappedMotion& motion);

@@ -4,16 +4,18 @@
 #include <QDir>
 #include <QFile>
 #include <QFileInfo>
+#include <QTimer>
 #include <QUuid>
 #include <optional>
 
 #include "app/workbench/base/job.hpp"
 #include "app/workbench/base/user_settings.hpp"
-#include "app/workbench/project/project_state.hpp"
 #include "core/opening/opened_session.hpp"
 
 namespace abrazo::app {
 namespace {
+
+constexpr int retry_ms = 500;
 
 QString lock_of(const QString& file) {
   return file.left(file.size() - QString(".abrazo").size()) + ".lock";
@@ -52,28 +54,35 @@ bool Autosave::prepare() {
 }
 
 void Autosave::keep(const Project& project, const QString& session_file) {
-  if (m_job || (m_kept && is_same_work(*m_kept, project) && m_keptFor == session_file)) return;
   m_dropWhenDone = false;
+  if (m_job) return void(m_next.emplace(project, session_file));
+  if (m_kept && is_same_work(*m_kept, project) && m_keptFor == session_file) return;
   if (!prepare()) {
     if (m_told.isEmpty()) emit failed(m_told = m_folder + ": changes cannot be kept there; save often");
     return;
   }
   m_kept = project;
   m_keptFor = session_file;
-  Project kept = project;
-  kept.view[autosaved_key] = session_file.toStdString();
-  m_job = std::make_unique<Job>([this, kept = std::move(kept), file = m_file.toStdString()](const Progress&) {
-    const Status saved = save_project(file, kept);
+  Project next = project;
+  next.view[autosaved_key] = session_file.toStdString();
+  m_job = std::make_unique<Job>([this, next = std::move(next), file = m_file.toStdString()](const Progress&) {
+    const Status saved = save_project(file, next);
     return Job::Finish([this, why = saved ? QString() : QString::fromStdString(saved.error().text())] {
-      if (why.isEmpty()) return m_dropWhenDone ? void() : emit this->kept();
+      if (why.isEmpty()) return m_dropWhenDone ? void() : emit kept();
+      if (!m_next) m_next.emplace(*m_kept, m_keptFor);  // the disk may have room again
       m_kept.reset();
       if (why != m_told) emit failed(m_told = why);
     });
   });
   connect(m_job.get(), &Job::finished, this, [this] {
     m_job.release()->deleteLater();
-    if (m_dropWhenDone) finish();
+    if (m_dropWhenDone) return finish();
+    if (m_next) QTimer::singleShot(m_kept ? 0 : retry_ms, this, &Autosave::keepNext);
   });
+}
+
+void Autosave::keepNext() {
+  if (const auto waiting = std::exchange(m_next, std::nullopt)) keep(waiting->first, waiting->second);
 }
 
 void Autosave::drop() {
@@ -82,6 +91,7 @@ void Autosave::drop() {
 }
 
 void Autosave::leave(const Project& project, const QString& session_file) {
+  m_next.reset();
   m_job.reset();  // waits for a write under way
   keep(project, session_file);
   m_job.reset();
@@ -90,6 +100,7 @@ void Autosave::leave(const Project& project, const QString& session_file) {
 
 void Autosave::finish() {
   m_job.reset();  // waits for a write under way
+  m_next.reset();
   m_kept.reset();
   if (m_lock) remove(m_file);
   m_lock.reset();

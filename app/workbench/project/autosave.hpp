@@ -6,6 +6,7 @@
 #include <QStringList>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "core/session/file/project.hpp"
 
@@ -22,7 +23,7 @@ class Autosave : public QObject {
   explicit Autosave(const QString& folder, QObject* parent = nullptr);
   ~Autosave() override;
 
-  /// Writes it on a worker unless it is there already, or one is being written: then the next call does.
+  /// Writes it on a worker unless it is there already; while one is being written the newest waits.
   /// @param session_file  that the project belongs to; empty when it was never saved
   void keep(const Project& project, const QString& session_file);
   /// What was kept is saved, or not wanted any more.
@@ -43,11 +44,13 @@ class Autosave : public QObject {
 
  private:
   void finish();
+  void keepNext();
   bool prepare();
 
   QString m_folder, m_file;
   std::unique_ptr<QLockFile> m_lock;
   std::optional<Project> m_kept;
+  std::optional<std::pair<Project, QString>> m_next;
   QString m_keptFor, m_told;
   std::unique_ptr<Job> m_job;
   bool m_dropWhenDone = false;

@@ -22,7 +22,7 @@
 namespace abrazo::app {
 namespace {
 
-constexpr int look_ms = 500;  // with the writing, changes are on disk well within 2 s
+constexpr int settle_ms = 500;  // with the writing, changes are on disk well within 2 s
 
 ProjectDesk::Answer ask_person(MainWindow& window, const QString& name) {
   QMessageBox box(QMessageBox::Question, "Abrazo", "Save the changes to " + name + "?",
@@ -80,11 +80,8 @@ Status save_elsewhere(const std::string& from, const std::string& to, const Proj
 
 }  // namespace
 
-ProjectDesk::ProjectDesk(MainWindow& window)
-    : QObject(&window),
-      m_window(window),
-      m_takes(*window.findChild<TakeDesk*>()),
-      m_autosave(window.remembered().autosaveFolder()) {
+ProjectDesk::ProjectDesk(MainWindow& window, TakeDesk& takes)
+    : QObject(&window), m_window(window), m_takes(takes), m_autosave(window.remembered().autosaveFolder()) {
   setObjectName("project desk");
   ask = [this] {
     const QString name = QFileInfo(file()).fileName();
@@ -101,14 +98,17 @@ ProjectDesk::ProjectDesk(MainWindow& window)
     if (!m_leftover.isEmpty()) Autosave::remove(m_leftover);  // the same is now in this program's own
     m_leftover.clear();
   });
-  connect(&m_timer, &QTimer::timeout, this, &ProjectDesk::refresh);
-  m_timer.start(look_ms);
+  connect(&window.document(), &Document::changed, this, &ProjectDesk::refresh);
+  connect(&m_soon, &QTimer::timeout, this, &ProjectDesk::keep);
+  m_soon.setSingleShot(true);
+  m_soon.setInterval(settle_ms);
 }
 
 ProjectDesk::~ProjectDesk() = default;
 
 void ProjectDesk::setAsks(bool on) {
   m_asks = on;
+  refresh();
 }
 
 void ProjectDesk::leaveChanges() {
@@ -132,14 +132,18 @@ Project ProjectDesk::current() const {
 
 void ProjectDesk::refresh() {
   if (!m_hasSession) return;
-  const Project now = current();
-  const bool modified = m_isRestored || !is_same_work(now, m_saved);
+  const bool modified = m_isRestored || !is_same_work(m_window.document().project(), m_saved);
   if (modified != m_isModified) {
     m_isModified = modified;
     showTitle();
   }
   if (!m_asks) return;
-  modified ? m_autosave.keep(now, file()) : m_autosave.drop();
+  if (modified && !m_soon.isActive()) m_soon.start();
+  if (!modified) m_soon.stop(), m_autosave.drop();
+}
+
+void ProjectDesk::keep() {
+  if (m_hasSession && m_asks && m_isModified) m_autosave.keep(current(), file());
 }
 
 void ProjectDesk::showTitle() {
@@ -237,7 +241,7 @@ void ProjectDesk::write(const QString& target, bool is_other) {
       return emit notSaved(why);
     }
     if (m_takes.session() != session) {  // another one has begun meanwhile
-      emit m_window.filesOpened({target});
+      m_window.noteOpened({target});
       return emit saved(target);
     }
     if (!beside.empty()) {
@@ -257,7 +261,7 @@ void ProjectDesk::write(const QString& target, bool is_other) {
     m_window.undoStack().setClean();
     refresh();
     showTitle();
-    emit m_window.filesOpened({target});  // among the recent ones
+    m_window.noteOpened({target});  // among the recent ones
     emit saved(target);
   };
   m_job = std::make_unique<Job>([work, finish](const Progress& progress) -> Job::Finish {
@@ -346,12 +350,13 @@ void ProjectDesk::onSessionStarted() {
   m_window.undoStack().setClean();
   m_isModified = m_isRestored;
   showTitle();
+  refresh();
 }
 
 void ProjectDesk::restored(const OpenedProject& opened) {
   if (!opened.reading.is_saved) {
-    if (auto annotated = opened.project(); !annotated.annotations.empty())
-      show_annotations(m_window, annotated.annotations);
+    if (const AnnotationBook& said = opened.project().annotations; !said.empty())
+      m_window.document().openAnnotations(said);
     return;
   }
   for (const std::size_t index : opened.missing()) {
@@ -367,7 +372,8 @@ void ProjectDesk::restored(const OpenedProject& opened) {
                                      : has_file     ? opened.project().data[index].absolute_path
                                                     : std::string());
   }
-  show_project(m_window, opened.project(), videos);
+  m_window.document().open(opened.project(), videos);
+  show_view(m_window, opened.project().view);
   const QString own = QString::fromStdString(opened.file);
   if (!own.isEmpty() && m_takes.file().isEmpty()) m_takes.setFile(own);
   m_isRestored = !opened.autosave.empty();

@@ -21,7 +21,7 @@ class TakeDesk;
 class ProjectDesk : public QObject {
   Q_OBJECT
  public:
-  explicit ProjectDesk(MainWindow& window);
+  ProjectDesk(MainWindow& window, TakeDesk& takes);
   ~ProjectDesk() override;
 
   /// A person is there: is asked before changes are lost and where missing files are, and what was not saved
@@ -33,7 +33,7 @@ class ProjectDesk : public QObject {
   /// Empty while the session has none.
   QString file() const;
   bool isModified() const { return m_isModified; }
-  /// As it is now against as it was saved.
+  /// As it is now against as it was saved; with every change of the document.
   void refresh();
 
   /// Into the session's file, or one that is asked for.
@@ -70,6 +70,7 @@ class ProjectDesk : public QObject {
   bool saveAndWait();
   void restored(const OpenedProject& project);
   void showTitle();
+  void keep();
   Project current() const;
   QString askFile();
 
@@ -82,7 +83,7 @@ class ProjectDesk : public QObject {
   /// With which manifest a person saved without writing the library; it is asked once.
   std::optional<std::shared_ptr<const Manifest>> m_withoutLibrary;
   QString m_leftover;  ///< the autosaved file that the session was restored from
-  QTimer m_timer;
+  QTimer m_soon;       ///< of several changes in a row the last is kept
   std::unique_ptr<Job> m_job, m_reading;
 };
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <QStringList>
-
 #include "core/session/file/project.hpp"
 
 namespace abrazo::app {
@@ -12,17 +10,12 @@ class MainWindow;
 /// `with_contents` completes them, which reads the files.
 Project project_of(MainWindow& window);
 
-/// The window as a project has it; its session has just started. What does not fit this version is left as it
+/// Panels, lanes, plots, scene and camera as a project has them. What does not fit this version is left as it
 /// is.
-void show_project(MainWindow& window, const Project& project, const QStringList& videos);
-
-void show_annotations(MainWindow& window, const AnnotationBook& book);
+void show_view(MainWindow& window, const std::map<std::string, std::string>& view);
 
 /// The references completed for a session file at `session_file`; those of files that no longer exist
 /// as they were in `before`.
 Project with_contents(Project project, const Project& before, const std::string& session_file);
-
-/// Whether a person has to be asked before it is lost: all but where panels and camera stand.
-bool is_same_work(const Project& a, const Project& b);
 
 }  // namespace abrazo::app

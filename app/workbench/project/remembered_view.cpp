@@ -1,13 +1,7 @@
 #include "app/workbench/project/remembered_view.hpp"
 
-#include <QJsonArray>
-#include <QJsonDocument>
-#include <QJsonObject>
-#include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
-#include <vector>
 
 #include "core/base/text.hpp"
 
@@ -24,27 +18,6 @@ std::optional<CameraTurn> camera_turn_of(const std::string& text) {
   if (!azimuth || !elevation || !std::isfinite(*azimuth)) return std::nullopt;
   if (!(std::abs(*elevation) <= std::numbers::pi / 2)) return std::nullopt;
   return CameraTurn{std::remainder(*azimuth, 2 * std::numbers::pi), *elevation};
-}
-
-std::string text_of(const Markers& markers) {
-  QJsonArray list;
-  for (const Marker& marker : markers.all())
-    list.append(QJsonObject{
-        {"id", marker.id}, {"time_s", marker.time_s}, {"name", QString::fromStdString(marker.name)}});
-  return QJsonDocument(list).toJson(QJsonDocument::Compact).toStdString();
-}
-
-Markers markers_of(const std::string& text) {
-  std::vector<Marker> markers;
-  int last_id = 0;
-  for (const QJsonValue& each : QJsonDocument::fromJson(QByteArray::fromStdString(text)).array()) {
-    const double time_s = each["time_s"].toDouble(std::nan(""));
-    if (!std::isfinite(time_s)) continue;
-    const int id = std::clamp(each["id"].toInt(), 0, 1'000'000'000);
-    markers.push_back({id, time_s, each["name"].toString().toStdString()});
-    last_id = std::max(last_id, id);
-  }
-  return Markers::restored(std::move(markers), last_id + 1);
 }
 
 }  // namespace abrazo::app

@@ -3,8 +3,6 @@
 #include <optional>
 #include <string>
 
-#include "core/session/frames/markers.hpp"
-
 namespace abrazo::app {
 
 // What a project remembers of the view, as text; what comes back is from a file, perhaps a stranger's.
@@ -18,9 +16,5 @@ struct CameraTurn {
 std::string text_of(const CameraTurn& turn);
 /// Nothing where it is none.
 std::optional<CameraTurn> camera_turn_of(const std::string& text);
-
-std::string text_of(const Markers& markers);
-/// What is no marker is left out.
-Markers markers_of(const std::string& text);
 
 }  // namespace abrazo::app

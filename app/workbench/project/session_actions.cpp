@@ -14,7 +14,6 @@
 #include "widgets/common/message_bar.hpp"
 #include "widgets/takes/leftover_bar.hpp"
 #include "widgets/takes/recorded_takes.hpp"
-#include "widgets/timeline/timeline_view.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -40,13 +39,14 @@ widgets::RecordedTakes takes_of(const SessionContents& contents) {
 }
 
 /// What the window shows of a recorded session beside its frames; the cursor stands at its beginning.
-void show_recorded(MainWindow& window) {
+void show_recorded(MainWindow& window, TakeDesk& takes) {
   const auto recorded = window.session()->material().recorded;
   if (!recorded) return;
-  window.timeline().showMarkers(recorded->markers());  // first: who goes on writing there writes these
-  if (auto* desk = window.findChild<TakeDesk*>())
-    desk->setOpened(QString::fromStdString(recorded->file), takes_of(recorded->contents));
-  if (!recorded->contents.settings.empty()) window.startWith(recorded->contents.settings.back().settings);
+  // First: who goes on writing there writes these.
+  window.document().put(SubjectMarkers{"", recorded->markers()});
+  takes.setOpened(QString::fromStdString(recorded->file), takes_of(recorded->contents));
+  if (!recorded->contents.settings.empty())
+    window.document().putSettings(recorded->contents.settings.back().settings);
   window.ticker().tick();
   window.ticker().goToStart();
 }
@@ -101,11 +101,11 @@ std::vector<LeftoverSession> unsaved(const QStringList& files) {
 
 }  // namespace
 
-void offer_leftovers(MainWindow& window) {
+void offer_leftovers(MainWindow& window, LeftoverBar& shown) {
   const QStringList files = unclosed_sessions(sessions_folder());
   const QStringList kept = Autosave::leftBehind(window.remembered().autosaveFolder());
-  auto* bar = window.findChild<LeftoverBar*>();
-  if ((files + kept).isEmpty() || !bar) return;
+  if ((files + kept).isEmpty()) return;
+  LeftoverBar* bar = &shown;
   new Job(
       [files, kept, bar](const Progress&) -> Job::Finish {
         // What was not saved opens together with what was recorded.
@@ -118,7 +118,7 @@ void offer_leftovers(MainWindow& window) {
       bar);
 }
 
-void add_session_actions(MainWindow& window) {
+LeftoverBar& add_session_actions(MainWindow& window, TakeDesk& takes) {
   QMenu* menu = window.menu("File");
   add_action(window, menu, "Open session…", {}, [&window] { choose_session(window); });
   QAction* open = menu->actions().back();
@@ -134,7 +134,9 @@ void add_session_actions(MainWindow& window) {
                    [&window](const QString& file) { window.openFiles({file}); });
   QObject::connect(bar, &LeftoverBar::discardRequested, &window,
                    [&window](const QString& file) { discard(window, file); });
-  QObject::connect(&window, &MainWindow::sessionStarted, bar, [&window] { show_recorded(window); });
+  QObject::connect(&window, &MainWindow::sessionStarted, bar,
+                   [&window, &takes] { show_recorded(window, takes); });
+  return *bar;
 }
 
 }  // namespace abrazo::app

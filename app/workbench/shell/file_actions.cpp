@@ -78,28 +78,17 @@ void add_pictures(MainWindow& window, QMenu* menu) {
 
 }  // namespace
 
-QAction* add_action(MainWindow& window, QMenu* menu, const QString& text,
-                    std::initializer_list<QKeySequence> keys, std::function<void()> act) {
-  auto* action = new QAction(text, &window);
-  action->setShortcuts(QList<QKeySequence>(keys));
-  action->setShortcutContext(Qt::WindowShortcut);
-  QObject::connect(action, &QAction::triggered, &window, std::move(act));
-  menu->addAction(action);
-  window.addAction(action);
-  return action;
-}
-
 QString save_screenshot(MainWindow& window, const QString& file) {
   return write_picture(picture_of(window), file);
 }
 
-void add_file_actions(MainWindow& window) {
+void add_file_actions(MainWindow& window, RenderDialog& dialog) {
   QMenu* menu = window.menu("File");
   add_action(window, menu, "Open…", {QKeySequence("Ctrl+O")}, [&window] { choose_files(window); });
   add_action(window, menu, "Generated dance", {}, [&window] { window.openDemo(); });
   menu->addSeparator();
   add_pictures(window, menu);
-  add_recording_actions(window);
+  add_recording_actions(window, dialog);
   menu->addSeparator();
   add_action(window, menu, "Quit", {QKeySequence("Ctrl+Q")}, [&window] { window.close(); });
 }

@@ -23,9 +23,8 @@ void ask_name_and_save(MainWindow& window, Layouts& layouts) {
 }
 
 /// A person's own layouts in a menu; those of the same object name are taken out first.
-void fill(MainWindow& window, QMenu* menu, QAction* before, const QString& verb,
+void fill(MainWindow& window, const Layouts& layouts, QMenu* menu, QAction* before, const QString& verb,
           const std::function<void(const QString&)>& act) {
-  auto& layouts = *window.findChild<Layouts*>();
   for (QAction* old : menu->actions())
     if (old->objectName() == "own layout") delete old;
   for (const QString& name : layouts.own()) {
@@ -39,7 +38,7 @@ void fill(MainWindow& window, QMenu* menu, QAction* before, const QString& verb,
 
 }  // namespace
 
-void add_layout_actions(MainWindow& window) {
+Layouts& add_layout_actions(MainWindow& window) {
   auto* layouts = new Layouts(window);
   QObject::connect(&window, &MainWindow::closing, layouts, &Layouts::saveLast);
   QMenu* menu = window.menu("View")->addMenu("Layouts");
@@ -50,8 +49,9 @@ void add_layout_actions(MainWindow& window) {
   QMenu* remove = menu->addMenu("Delete layout");
   add_action(window, menu, "Reset layout", {}, [&window] { window.resetLayout(); });
   const auto refill = [&window, menu, remove, end_of_own, layouts] {
-    fill(window, menu, end_of_own, "Layout: ", [layouts](const QString& name) { layouts->choose(name); });
-    fill(window, remove, nullptr,
+    fill(window, *layouts, menu, end_of_own,
+         "Layout: ", [layouts](const QString& name) { layouts->choose(name); });
+    fill(window, *layouts, remove, nullptr,
          "Delete layout: ", [layouts](const QString& name) { layouts->remove(name); });
     remove->setEnabled(!remove->isEmpty());
   };
@@ -69,14 +69,15 @@ void add_layout_actions(MainWindow& window) {
   window.addPanel("messages", "Messages", log, Qt::BottomDockWidgetArea, false);
   add_action(window, window.menu("View"), "Messages", {},
              [&window] { window.panels().want("messages", true); });
+  return *layouts;
 }
 
-void restore_last_layout(MainWindow& window) {
+void restore_last_layout(MainWindow& window, Layouts& layouts) {
   window.restoreGeometry(window.remembered().geometry());
   if (const QScreen* screen = window.screen())
     window.resize(window.size().boundedTo(screen->availableSize()));
   bring_onto_screen(window);
-  if (auto* layouts = window.findChild<Layouts*>()) layouts->restoreLast();
+  layouts.restoreLast();
 }
 
 }  // namespace abrazo::app

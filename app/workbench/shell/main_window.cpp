@@ -16,6 +16,7 @@
 #include <QVBoxLayout>
 
 #include "app/workbench/base/job.hpp"
+#include "app/workbench/shell/document_views.hpp"
 #include "app/workbench/shell/drop_hint.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/status_figures.hpp"
@@ -63,7 +64,9 @@ QStringList local_files(const QMimeData& data) {
 }  // namespace
 
 MainWindow::MainWindow(UserSettings& remembered)
-    : m_remembered(remembered), m_palette(&widgets::palette_of(widgets::Theme::Dark)) {
+    : m_remembered(remembered),
+      m_palette(&widgets::palette_of(widgets::Theme::Dark)),
+      m_document(std::make_unique<Document>()) {
   setWindowTitle("Abrazo");
   setAcceptDrops(true);
   setMinimumSize(smallest_window);
@@ -95,7 +98,7 @@ MainWindow::~MainWindow() {
   m_job.reset();
   emit sessionEnding();
   m_ticker.setSources(nullptr, nullptr);
-  m_undo.clear();  // its commands point at the settings panel
+  m_document->endSession();
 }
 
 /// The scene is made in the place it keeps: a native OpenGL view does not survive being moved to another
@@ -120,7 +123,7 @@ void MainWindow::makePanels() {
   m_tree = new widgets::SceneTree;
   m_takes = new widgets::TakeList;
   m_candidates = new widgets::CandidateTable;
-  m_settings = new widgets::SettingsPanel(m_undo);
+  m_settings = new widgets::SettingsPanel;
   m_plots = new widgets::PlotPanel;
   addPanel("scene", "Scene", m_tree, Qt::LeftDockWidgetArea, true);
   addPanel("library", "Library", m_takes, Qt::LeftDockWidgetArea, true);
@@ -158,6 +161,7 @@ QDockWidget* MainWindow::addPanel(const QString& id, const QString& title, QWidg
 }
 
 void MainWindow::addBesideScene(QWidget* page) {
+  m_besideScene = page;
   m_sceneRow->insertWidget(0, page);
 }
 
@@ -200,15 +204,12 @@ void MainWindow::wireViews() {
   connect(m_tree, &SceneTree::visibilityRequested, m_scene, &SceneView::setVisibility);
   connect(m_scene, &SceneView::visibilityChanged, m_tree, &SceneTree::setVisibility);
   connect(m_scene, &SceneView::countsChanged, m_tree, &SceneTree::setCounts);
-  connect(m_settings, &SettingsPanel::commandRequested, this, [this](const Command& command) {
-    if (m_session) m_session->push(command);
-  });
-  connect(m_settings, &SettingsPanel::mistaken, m_messages, &MessageBar::showError);
+  show_document(*this);
   connect(m_messages, &MessageBar::cancelRequested, this, [this] {
     if (m_job) m_job->cancel();
   });
   connect(&m_statusTimer, &QTimer::timeout, this, [this] {
-    if (m_session) m_status->refresh(m_session->engine().history(), m_scene->renderedFrames());
+    if (session()) m_status->refresh(session()->engine().history(), m_scene->renderedFrames());
   });
   m_statusTimer.start(status_interval_ms);
 }
@@ -230,16 +231,16 @@ void MainWindow::wireTransport() {
 }
 
 void MainWindow::showPanels() {
-  if (!m_session) return;
-  m_timeline->refresh(m_session->history(), m_ticker.playback());
-  m_plots->refresh(m_session->history(), m_ticker.playback(), m_ticker.shown());
-  m_candidates->showPath(m_session->history(), m_ticker.playback().cursor_s);
+  if (!session()) return;
+  m_timeline->refresh(session()->history(), m_ticker.playback());
+  m_plots->refresh(session()->history(), m_ticker.playback(), m_ticker.shown());
+  m_candidates->showPath(session()->history(), m_ticker.playback().cursor_s);
   const auto& shown = m_ticker.shown();
   const bool has_source = shown && shown->result.selected >= 0;
   const auto selected = has_source ? static_cast<std::size_t>(shown->result.selected) : 0;
   m_takes->setCurrentTake(
       has_source ? static_cast<int>(
-                       m_session->material().library->source(shown->result.candidates[selected].pair).take)
+                       session()->material().library->source(shown->result.candidates[selected].pair).take)
                  : -1);
 }
 

@@ -2,12 +2,11 @@
 
 #include <QMainWindow>
 #include <QTimer>
-#include <QUndoStack>
 #include <memory>
 #include <vector>
 
 #include "app/workbench/base/user_settings.hpp"
-#include "app/workbench/document/live_session.hpp"
+#include "app/workbench/document/document.hpp"
 #include "app/workbench/shell/frame_ticker.hpp"
 #include "app/workbench/shell/window_layout.hpp"
 #include "core/opening/file_kinds.hpp"
@@ -52,7 +51,12 @@ class MainWindow : public QMainWindow {
   void openMaterial(MakeMaterial make, const QStringList& files = {});
   void openFiles(const QStringList& files);
   void openDemo();
-  void startWith(const Settings& settings);
+  /// Among the recent ones from now on.
+  void noteOpened(const QStringList& files) { emit filesOpened(files); }
+  /// A take of the library by name in place of the session, or the session again ("").
+  void requestSubject(const QString& subject) { emit subjectRequested(subject); }
+  /// Shown, and told to whoever started the program unattended.
+  void fail(const QString& message);
 
   void setTheme(widgets::Theme theme);
   const widgets::Palette& colours() const { return *m_palette; }
@@ -72,14 +76,17 @@ class MainWindow : public QMainWindow {
 
   /// Between the message bar and the timeline, left of the scene.
   void addBesideScene(QWidget* page);
+  QWidget* besideScene() const { return m_besideScene; }  ///< null where nothing was added
   WindowLayout layoutOfPanels() const;
   bool setLayoutOfPanels(const WindowLayout& layout);
   void resetLayout();
 
   FrameTicker& ticker() { return m_ticker; }
-  QUndoStack& undoStack() { return m_undo; }
+  /// What is worked on: who shows a part of it listens there.
+  Document& document() const { return *m_document; }
+  QUndoStack& undoStack() { return m_document->undoStack(); }
   UserSettings& remembered() const { return m_remembered; }
-  LiveSession* session() { return m_session.get(); }
+  LiveSession* session() const { return m_document->session(); }
   widgets::SceneView& scene() const { return *m_scene; }
   widgets::SceneTree& sceneTree() { return *m_tree; }
   /// The one selection of scene, scene tree, candidates and plots.
@@ -103,6 +110,9 @@ class MainWindow : public QMainWindow {
   void motionsOffered(const QStringList& files);
   /// Nobody knows which points of this motion are which joints: a person says so.
   void mappingOffered(const QStringList& files, const std::shared_ptr<const abrazo::NamedMotion>& motion);
+  void subjectRequested(const QString& subject);
+  /// Files of labels alone, for what is shown.
+  void labelsOffered(const QStringList& files);
   /// Reference videos are to be opened, beside what else is.
   void videosOffered(const QStringList& files);
   void filesOpened(const QStringList& files);
@@ -129,11 +139,9 @@ class MainWindow : public QMainWindow {
   void showPanels();
   void start(const std::shared_ptr<PreparedSolver>& prepared);
   void offerOnceOpen(const QStringList& videos, const QStringList& files);
-  void showFailure(const QString& message);
 
   UserSettings& m_remembered;
   const widgets::Palette* m_palette;
-  QUndoStack m_undo;
 
   widgets::SelectionModel* m_selection = nullptr;
   widgets::SceneView* m_scene = nullptr;
@@ -149,12 +157,13 @@ class MainWindow : public QMainWindow {
   QSplitter* m_split = nullptr;  ///< panels above, timeline below
   PanelArea* m_panels = nullptr;
   QHBoxLayout* m_sceneRow = nullptr;
+  QWidget* m_besideScene = nullptr;
   QMenu* m_panelMenu = nullptr;
   DropHint* m_dropHint = nullptr;
   QTimer m_statusTimer;
 
   FrameTicker m_ticker;
-  std::unique_ptr<LiveSession> m_session;  // after the ticker that reads it: see the destructor
+  std::unique_ptr<Document> m_document;  // after the ticker that reads its session: see the destructor
   std::unique_ptr<Job> m_job;
 };
 

@@ -35,8 +35,7 @@ bool holds(const QWidget& place, const QWidget* widget) {
 
 std::vector<QWidget*> focus_places(const MainWindow& window) {
   std::vector<QWidget*> places;
-  if (auto* welcome = window.findChild<QWidget*>("welcome"); welcome && welcome->isVisible())
-    places.push_back(welcome);
+  if (QWidget* page = window.besideScene(); page && page->isVisible()) places.push_back(page);
   places.push_back(&window.scene());
   for (QDockWidget* panel : window.panels().panels())
     if (panel->isVisible() && !panel->visibleRegion().isEmpty()) places.push_back(panel->widget());

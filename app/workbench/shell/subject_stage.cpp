@@ -3,6 +3,7 @@
 #include <QAction>
 #include <cmath>
 
+#include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "widgets/plots/plot_panel.hpp"
 #include "widgets/timeline/timeline_view.hpp"
@@ -13,31 +14,30 @@ namespace {
 
 /// By hand: then it stays so.
 bool is_held(const MainWindow& window) {
-  for (const QAction* action : window.actions())
-    if (action->text() == "Hold the input still") return action->isChecked();
-  return false;
+  const QAction* hold = action_of(window, "solve.hold_the_input_still");
+  return hold && hold->isChecked();
 }
 
 }  // namespace
 
-Status SubjectStage::show(const std::string& from, const std::string& to) {
+Status SubjectStage::show(const std::string& subject) {
   LiveSession* session = m_window.session();
   if (!session) return Error{"nothing is open yet; open a library or the demo first", ""};
   std::shared_ptr<const TakeFrames> take;
-  if (!to.empty()) {
-    auto frames = TakeFrames::create(session->material().library, to);
+  if (!subject.empty()) {
+    auto frames = TakeFrames::create(session->material().library, subject);
     if (!frames) return frames.error();
     take = *frames;
   }
-  m_places[from] = m_window.ticker().playback();
-  m_markers[from] = m_window.timeline().markers();
+  m_places[m_window.document().subject()] = m_window.ticker().playback();
   // The clip that stands in for the user waits; a stream does not.
-  const bool clip_waits = !to.empty() && !session->engine().receiver() && !is_held(m_window);
+  const bool clip_waits = !subject.empty() && !session->engine().receiver() && !is_held(m_window);
   if (clip_waits != m_heldInput) session->push(PauseInput{clip_waits});
   m_heldInput = clip_waits;
   look(take);
-  restore(to);
-  write(to);
+  m_window.document().setSubject(subject);
+  restore(subject);
+  write(subject);
   return Done{};
 }
 
@@ -54,7 +54,6 @@ void SubjectStage::look(const std::shared_ptr<const TakeFrames>& take) {
 
 void SubjectStage::restore(const std::string& subject) {
   const auto known = m_places.find(subject);
-  m_window.timeline().showMarkers(m_markers[subject]);
   Playback place;
   place.state = Playback::State::Parked;  // at the beginning
   if (known != m_places.end()) place = known->second;
@@ -79,8 +78,9 @@ void SubjectStage::write(const std::string& subject) {
   m_window.transport().setRate(material.input.fps);
 }
 
-void SubjectStage::renew(const std::string& take) {
-  const auto frames = TakeFrames::create(m_window.session()->material().library, take);
+void SubjectStage::renew() {
+  const auto frames =
+      TakeFrames::create(m_window.session()->material().library, m_window.document().subject());
   if (!frames) return;
   m_window.session()->lookAt(*frames);
   m_take = *frames;
@@ -89,21 +89,9 @@ void SubjectStage::renew(const std::string& take) {
 void SubjectStage::forget() {
   m_take.reset();
   m_places.clear();
-  m_markers.clear();
+  m_window.document().setSubject("");
   m_heldInput = false;
   m_window.timeline().showOfTake(false);
-}
-
-const Markers& SubjectStage::markers(const std::string& subject) const {
-  static const Markers none;
-  const auto found = m_markers.find(subject);
-  return found == m_markers.end() ? none : found->second;
-}
-
-std::map<std::string, Markers> SubjectStage::markersOfTakes() const {
-  auto takes = m_markers;
-  takes.erase("");
-  return takes;
 }
 
 }  // namespace abrazo::app

@@ -4,7 +4,6 @@
 #include <memory>
 #include <string>
 
-#include "core/session/frames/markers.hpp"
 #include "core/session/frames/playback.hpp"
 #include "core/session/frames/take_frames.hpp"
 
@@ -13,24 +12,20 @@ namespace abrazo::app {
 class MainWindow;
 
 /// Which frames the window shows: those of the session, which goes on meanwhile, or of a take of its library.
-/// Each keeps its cursor, its in and out and its markers while another is shown.
+/// Each keeps its cursor and its in and out while another is shown.
 class SubjectStage {
  public:
   explicit SubjectStage(MainWindow& window) : m_window(window) {}
 
-  /// @param from  that was shown so far; "" = the session, in both. @return what prevents it
-  Status show(const std::string& from, const std::string& to);
+  /// @param subject  a take by name; "" = the session. @return what prevents it
+  Status show(const std::string& subject);
   /// The shown take as it is in the session's library now: it was replaced.
-  void renew(const std::string& take);
+  void renew();
   /// The session ended, and what was shown of it.
   void forget();
 
   /// Of the shown take; null while the session is shown.
   const TakeFrames* take() const { return m_take.get(); }
-  const Markers& markers(const std::string& subject) const;
-  /// By name, as they were when another subject was shown.
-  std::map<std::string, Markers> markersOfTakes() const;
-  void keepMarkers(const std::string& subject, const Markers& markers) { m_markers[subject] = markers; }
 
  private:
   void look(const std::shared_ptr<const TakeFrames>& take);
@@ -40,7 +35,6 @@ class SubjectStage {
   MainWindow& m_window;
   std::shared_ptr<const TakeFrames> m_take;
   std::map<std::string, Playback> m_places;
-  std::map<std::string, Markers> m_markers;
   bool m_heldInput = false;  ///< the clip was stopped for the take
 };
 

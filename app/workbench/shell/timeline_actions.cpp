@@ -117,12 +117,15 @@ void add_formats(MainWindow& window, QMenu* menu) {
 
 void add_timeline_actions(MainWindow& window) {
   QMenu* menu = window.menu("Timeline");
-  TimelineView& timeline = window.timeline();
   add_action(window, menu, "Go to frame or time…", {QKeySequence("G")}, [&window] { ask_place(window); });
   add_action(window, menu, "In and out by number…", {}, [&window] { ask_range(window); });
   add_action(window, menu, "Speed by number…", {}, [&window] { ask_speed(window); });
   menu->addSeparator();
-  add_marker_actions(window);
+}
+
+void add_lane_actions(MainWindow& window) {
+  QMenu* menu = window.menu("Timeline");
+  TimelineView& timeline = window.timeline();
   menu->addSeparator();
   add_action(window, menu, "Timeline: show all", {QKeySequence("Z")}, [&timeline] { timeline.showAll(); });
   add_action(window, menu, "Timeline: zoom to in and out", {QKeySequence("Shift+Z")},

@@ -2,8 +2,6 @@
 #include <algorithm>
 
 #include "app/workbench/base/job_progress.hpp"
-#include "app/workbench/labels/label_import.hpp"
-#include "app/workbench/library/mapping_desk.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/status_figures.hpp"
@@ -15,7 +13,6 @@
 #include "widgets/library/take_list.hpp"
 #include "widgets/plots/plot_panel.hpp"
 #include "widgets/scene/view/scene_view.hpp"
-#include "widgets/settings/settings_panel.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 #include "widgets/timeline/transport_bar.hpp"
 
@@ -50,21 +47,20 @@ void MainWindow::openFiles(const QStringList& all) {
   const auto has = [&known](FileKind kind) { return std::ranges::count(known, kind, &FileToOpen::kind); };
   const QStringList videos = files_of(known, FileKind::Video);
   const auto others = static_cast<qsizetype>(known.size()) - videos.size();
-  auto* import = findChild<LabelImport*>();
-  if (import && has(FileKind::Labels) > 0 && has(FileKind::Labels) == others) {
+  if (has(FileKind::Labels) > 0 && has(FileKind::Labels) == others) {
     if (!videos.isEmpty()) emit videosOffered(videos);
-    return import->read(files_of(known, FileKind::Labels));
+    return emit labelsOffered(files_of(known, FileKind::Labels));
   }
   if (others == 0 && !videos.isEmpty()) {
     emit videosOffered(videos);
-    return m_session || m_job ? void() : openDemo();
+    return session() || m_job ? void() : openDemo();
   }
   // Without anyone to ask, open_files refuses them.
   if (has(FileKind::Motion) > 1 && isSignalConnected(QMetaMethod::fromSignal(&MainWindow::motionsOffered)))
     return emit motionsOffered(all);
   OpeningWish wish{known,
-                   m_session ? m_session->material() : Material{},
-                   MappingDesk::folder(*this).toStdString(),
+                   session() ? session()->material() : Material{},
+                   m_remembered.jointMapFolder().toStdString(),
                    m_remembered.autosaveFolder().toStdString(),
                    {}};
   std::erase_if(wish.files, [](const FileToOpen& file) { return file.kind == FileKind::Video; });
@@ -91,23 +87,22 @@ void MainWindow::openMaterial(MakeMaterial make, const QStringList& files) {
   bool allowed = true;
   emit leaving(allowed);
   if (!allowed) return;
-  const Settings wanted = m_settings->settings();
+  const Settings wanted = m_document->settings();
   Job::retire(std::move(m_job), this);
-  const auto open = [this, make = std::move(make), wanted, files,
-                     maps =
-                         MappingDesk::folder(*this).toStdString()](const Progress& progress) -> Job::Finish {
+  const auto open =
+      [this, make = std::move(make), wanted, files,
+       maps = m_remembered.jointMapFolder().toStdString()](const Progress& progress) -> Job::Finish {
     auto material = make(progress);
     if (!material)
       return [this, files, unmapped = motion_to_map(names_of(files), maps), text = material.error().text()] {
         // Without anyone to ask it is a failure like any other.
         if (unmapped && isSignalConnected(QMetaMethod::fromSignal(&MainWindow::mappingOffered)))
           return emit mappingOffered(files, unmapped);
-        showFailure(QString::fromStdString(text));
+        fail(QString::fromStdString(text));
       };
     report(progress, 1, "Indexing the library");
     auto prepared = prepare_solver(std::move(material).value(), wanted);
-    if (!prepared)
-      return [this, text = prepared.error().text()] { showFailure(QString::fromStdString(text)); };
+    if (!prepared) return [this, text = prepared.error().text()] { fail(QString::fromStdString(text)); };
     // Shared only because std::function must be copyable.
     auto ready = std::make_shared<PreparedSolver>(std::move(prepared).value());
     return [this, ready, files] {
@@ -129,10 +124,8 @@ void MainWindow::start(const std::shared_ptr<PreparedSolver>& prepared) {
   emit sessionEnding();
   m_ticker.setSources(nullptr, nullptr);
   m_plots->clear();
-  m_session.reset();
-  m_session = std::make_unique<LiveSession>(std::move(*prepared));
-  m_session->push(SetSettings{m_settings->settings()});  // they may have changed while the worker ran
-  const Material& material = m_session->material();
+  m_document->beginSession(std::move(*prepared));
+  const Material& material = session()->material();
   m_scene->setLibrary(material.library);
   m_candidates->setLibrary(material.library);
   m_timeline->setLibrary(material.library);
@@ -146,19 +139,14 @@ void MainWindow::start(const std::shared_ptr<PreparedSolver>& prepared) {
   m_status->setInput(input, material.library->pair_count());
   setWindowTitle(input + " with " + library + " — Abrazo");
   m_ticker.setLibrary(material.library);
-  m_ticker.setSources(&m_session->history(), &m_session->latest());
+  m_ticker.setSources(&session()->history(), &session()->latest());
   QStringList warnings;
   for (const std::string& warning : material.warnings) warnings << QString::fromStdString(warning);
   m_messages->showWarnings(warnings);
   emit sessionStarted();
 }
 
-void MainWindow::startWith(const Settings& settings) {
-  m_settings->showSettings(settings);
-  if (m_session) m_session->push(SetSettings{settings});
-}
-
-void MainWindow::showFailure(const QString& message) {
+void MainWindow::fail(const QString& message) {
   m_messages->showError(message);
   emit failed(message);
 }

@@ -1,6 +1,5 @@
 #include <QAction>
 #include <QMenu>
-#include <QUndoCommand>
 
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
@@ -12,40 +11,6 @@ namespace abrazo::app {
 namespace {
 
 using widgets::CandidateTable;
-using widgets::Reach;
-using widgets::Steering;
-
-void apply(MainWindow& window, const Steering& steering) {
-  window.candidates().showSteering(steering);
-  if (!window.session()) return;
-  window.session()->push(PinPair{steering.pinned});
-  window.session()->push(SetVetoes{steering.vetoes});
-  window.session()->push(IntendMove{steering.meant});
-}
-
-/// From one whole value to another. Of no use once another library is open: its pairs are others.
-class ChangeSteering : public QUndoCommand {
- public:
-  ChangeSteering(MainWindow& window, Steering after, const QString& what)
-      : QUndoCommand(what),
-        m_window(window),
-        m_library(window.candidates().library()),
-        m_before(window.candidates().steering()),
-        m_after(std::move(after)) {}
-
-  void redo() override { change(m_after); }
-  void undo() override { change(m_before); }
-
- private:
-  void change(const Steering& steering) {
-    const bool same = m_library.lock() == m_window.candidates().library();
-    same ? apply(m_window, steering) : setObsolete(true);
-  }
-
-  MainWindow& m_window;
-  std::weak_ptr<const MotionLibrary> m_library;
-  Steering m_before, m_after;
-};
 
 /// The facts of a recorded frame in one line.
 QString facts(const MotionLibrary& library, int take, int frame) {
@@ -64,18 +29,9 @@ QString facts(const MotionLibrary& library, int take, int frame) {
 
 void connect_table(MainWindow& window) {
   CandidateTable& table = window.candidates();
-  QObject::connect(&table, &CandidateTable::steeringRequested, &window,
-                   [&window](const Steering& next, const QString& what) {
-                     if (next != window.candidates().steering())
-                       window.undoStack().push(new ChangeSteering(window, next, what));
-                   });
   QObject::connect(&table, &CandidateTable::jumpRequested, &window, [&window](int take, int frame) {
     window.takes().setSelectedTake(take);
-    window.messages().showInformation(facts(*window.candidates().library(), take, frame));
-  });
-  // The next session on the same library goes on with what was decided.
-  QObject::connect(&window, &MainWindow::sessionStarted, &window, [&window] {
-    if (!window.candidates().steering().empty()) apply(window, window.candidates().steering());
+    window.messages().showInformation(facts(*window.session()->material().library, take, frame));
   });
 }
 

@@ -5,8 +5,8 @@
 #include <map>
 
 #include "app/workbench/shell/main_window.hpp"
+#include "core/session/frames/decision_edits.hpp"
 #include "core/session/frames/frame_in_library.hpp"
-#include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/utf8.hpp"
 #include "widgets/intended/intended_move_popup.hpp"
@@ -47,7 +47,7 @@ IntendedMoveDesk::IntendedMoveDesk(MainWindow& window)
 
 void IntendedMoveDesk::toggle() {
   if (m_popup->isVisible()) return m_popup->leave();
-  m_window.candidates().steering().meant ? takeBack() : offer();
+  m_window.document().decisions().meant ? takeBack() : offer();
 }
 
 void IntendedMoveDesk::offer() {
@@ -98,39 +98,39 @@ void IntendedMoveDesk::refreshDistances() {
 
 void IntendedMoveDesk::declare(const IntendedMoveChoice& choice, widgets::IntendedMoveSpan span) {
   m_since_s = m_window.session()->engine().clock().now_s();
-  widgets::Steering next = m_window.candidates().steering();
+  Decisions next = m_window.document().decisions();
   next.meant = widgets::meant_move(choice, span, m_since_s);
-  emit m_window.candidates().steeringRequested(next, "intend " + text(widgets::choice_title(choice)));
+  m_window.document().change(next, "intend " + text(widgets::choice_title(choice)));
   showChip();
 }
 
 void IntendedMoveDesk::takeBack() {
-  widgets::Steering next = m_window.candidates().steering();
+  Decisions next = m_window.document().decisions();
   if (!next.meant) return;
   next.meant.reset();
-  emit m_window.candidates().steeringRequested(next, "take back the intended move");
+  m_window.document().change(next, "take back the intended move");
   showChip();
 }
 
 /// The solver ends it by itself when its time is over or the move is done.
 void IntendedMoveDesk::onPanels() {
-  const auto& steering = m_window.candidates().steering();
+  const Decisions& decisions = m_window.document().decisions();
   const FrameSnapshotPtr newest =
       m_window.session() ? m_window.session()->engine().latest().newest() : nullptr;
-  if (steering.meant && newest && newest->time_s > m_since_s + answered_within_s &&
+  if (decisions.meant && newest && newest->time_s > m_since_s + answered_within_s &&
       !(newest->decisions && newest->decisions->meant)) {
-    widgets::Steering rest = steering;
+    Decisions rest = decisions;
     rest.meant.reset();
-    m_window.candidates().showSteering(rest);
+    m_window.document().put(rest);
   }
   showChip();
 }
 
 void IntendedMoveDesk::showChip() {
-  const auto& meant = m_window.candidates().steering().meant;
+  const auto& meant = m_window.document().decisions().meant;
   m_chip->setVisible(meant.has_value());
   if (!meant) return;
-  const QString words = "intended: " + text(widgets::meant_words(*meant)) + "  ✕";
+  const QString words = "intended: " + text(meant_words(*meant)) + "  ✕";
   if (words == m_chip->text()) return;
   m_chip->setText(words);
   m_chip->setAccessibleName("Take it back, " + words);

@@ -22,13 +22,18 @@ using widgets::PresetBar;
 using widgets::SettingsPanel;
 using Store = std::shared_ptr<OwnPresets>;
 
+void show(MainWindow& window, const Store& store) {
+  window.settings().presets().setOwn(store->all());
+  window.document().put(store->all());
+}
+
 /// Shows what is kept now, or why it could not be changed. @return whether it could
 bool settle(MainWindow& window, const Store& store, const Status& done) {
-  if (!done)
-    window.messages().showError(words(done.error()));
+  if (done)
+    show(window, store);
   else
-    window.settings().setOwnPresets(store->all());
-  return static_cast<bool>(done);
+    window.messages().showError(words(done.error()));
+  return done.ok();
 }
 
 /// Without waiting for the answer, so that the picture goes on.
@@ -45,16 +50,16 @@ void ask_name(MainWindow& window, const QString& title, const QString& proposal,
 }
 
 void save_as(MainWindow& window, const Store& store, const QString& name) {
-  if (settle(window, store, store->save(name.toStdString(), window.settings().settings())))
-    window.settings().chooseOwnPreset(name.trimmed());
+  if (settle(window, store, store->save(name.toStdString(), window.document().settings())))
+    window.document().choosePreset(name.trimmed(), true);
 }
 
 void rename(MainWindow& window, const Store& store, const QString& from, const QString& to) {
-  const bool was_chosen = window.settings().choice().own &&
-                          window.settings().choice().name == from.toStdString() &&
-                          window.settings().choice().settings == window.settings().settings();
+  const PresetChoice& chosen = window.document().live().preset();
+  const bool was_chosen =
+      chosen.own && chosen.name == from.toStdString() && chosen.settings == window.document().settings();
   if (settle(window, store, store->rename(from.toStdString(), to.toStdString())) && was_chosen)
-    window.settings().chooseOwnPreset(to.trimmed());
+    window.document().choosePreset(to.trimmed(), true);
 }
 
 void export_settings(MainWindow& window) {
@@ -63,7 +68,7 @@ void export_settings(MainWindow& window) {
       &window, "Export these settings", QDir(folder).filePath("settings.json"), "Settings (*.json)");
   if (file.isEmpty()) return;
   const Status written =
-      write_whole_file(file.toStdString(), readable_settings(window.settings().settings()));
+      write_whole_file(file.toStdString(), readable_settings(window.document().settings()));
   written ? window.messages().showInformation("Settings written to " + file)
           : window.messages().showError(words(written.error()));
 }
@@ -72,9 +77,9 @@ void import_settings(MainWindow& window) {
   const QString file = QFileDialog::getOpenFileName(&window, "Import settings",
                                                     window.remembered().lastFolder(), "Settings (*.json)");
   if (file.isEmpty()) return;
-  const auto settings = read_settings_file(file.toStdString(), window.settings().settings());
+  const auto settings = read_settings_file(file.toStdString(), window.document().settings());
   if (!settings) return window.messages().showError(words(settings.error()));
-  window.settings().adopt(*settings, "import of " + QFileInfo(file).fileName());
+  window.document().adopt(*settings, "import of " + QFileInfo(file).fileName());
 }
 
 /// A session brings the presets along that were a person's own when it was saved.
@@ -85,7 +90,7 @@ void adopt_with(MainWindow& window, const Store& store) {
     const auto added = store->adopt(opened->project().presets, "presets of the session");
     if (!added) return window.messages().showError(words(added.error()));
     if (*added == 0) return;
-    window.settings().setOwnPresets(store->all());
+    show(window, store);
     window.messages().showInformation(QString("Presets that came with the session: %1").arg(*added));
   });
 }

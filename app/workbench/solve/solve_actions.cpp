@@ -3,7 +3,6 @@
 
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
-#include "widgets/settings/settings_panel.hpp"
 
 namespace abrazo::app {
 
@@ -12,7 +11,7 @@ void add_solve_actions(MainWindow& window) {
   for (const std::string_view name : preset_names) {
     const QString preset = QString::fromUtf8(name.data(), static_cast<int>(name.size()));
     add_action(window, menu, "Preset " + preset, {},
-               [&window, preset] { window.settings().choosePreset(preset); });
+               [&window, preset] { window.document().choosePreset(preset); });
   }
   menu->addSeparator();
   QAction* hold = add_action(window, menu, "Hold the input still", {}, [] {});

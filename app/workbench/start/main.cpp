@@ -16,6 +16,7 @@
 #include "app/workbench/start/termination.hpp"
 #include "app/workbench/start/thread_priorities.hpp"
 #include "app/workbench/start/unattended.hpp"
+#include "app/workbench/stream/stream_desk.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/file_limit.hpp"
 #include "core/opening/generated_set.hpp"
@@ -104,7 +105,7 @@ int main(int argc, char** argv) {
   app::MainWindow window(remembered);
   const QString theme = asked.theme.empty() ? remembered.theme() : QString::fromStdString(asked.theme);
   window.setTheme(theme == "light" ? widgets::Theme::Light : widgets::Theme::Dark);
-  app::add_all_actions(window);
+  const app::Rooms rooms = app::add_all_actions(window);
   start.reached("window built");
   start.follow(window);
   let_drawing_stand_back(window);
@@ -112,11 +113,11 @@ int main(int argc, char** argv) {
   app::watch(window, responsiveness);
   std::optional<app::StatusLines> status;
   if (asked.status_every_s > 0) status.emplace(window, responsiveness, asked.status_every_s, write_line);
-  window.startWith(*settings);
+  window.document().putSettings(*settings);
   if (asked.size.isValid())
     window.resize(asked.size);
   else if (!asked.unattended())
-    app::restore_last_layout(window);
+    app::restore_last_layout(window, rooms.layouts);
 
   std::unique_ptr<app::Unattended> unattended;
   if (asked.unattended()) {
@@ -127,16 +128,17 @@ int main(int argc, char** argv) {
     unattended = std::make_unique<app::Unattended>(window, asked, responsiveness, start);
   }
   const app::Termination termination;
-  app::close_when_told(window, termination);
+  app::close_when_told(window, rooms.project, termination);
   window.show();
   start.reached("window shown");
   if (!asked.unattended() && !asked.demo && files.isEmpty()) app::welcome_at_start(window);
   if (!asked.unattended()) {
-    window.findChild<app::ProjectDesk*>()->setAsks(true);
-    app::offer_leftovers(window);
+    rooms.project.setAsks(true);
+    app::offer_leftovers(window, rooms.leftovers);
   }
-  if (!asked.listen.empty()) app::connect_to_stream(window, QString::fromStdString(asked.listen));
-  for (const std::string& uri : asked.send) app::send_partner_to(window, QString::fromStdString(uri));
+  if (!asked.listen.empty()) rooms.streams.connectTo(QString::fromStdString(asked.listen));
+  for (const std::string& uri : asked.send)
+    app::send_partner_to(window, rooms.streams, QString::fromStdString(uri));
   dance ? window.openMaterial(std::move(dance)) : window.openFiles(files);
   return QApplication::exec();
 }

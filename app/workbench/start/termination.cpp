@@ -61,9 +61,9 @@ Termination::~Termination() {
   ::close(write_end.exchange(-1));
 }
 
-void close_when_told(MainWindow& window, const Termination& termination) {
-  QObject::connect(&termination, &Termination::requested, &window, [&window] {
-    window.findChild<ProjectDesk*>()->leaveChanges();
+void close_when_told(MainWindow& window, ProjectDesk& project, const Termination& termination) {
+  QObject::connect(&termination, &Termination::requested, &window, [&window, &project] {
+    project.leaveChanges();
     window.close();
     QApplication::quit();
   });

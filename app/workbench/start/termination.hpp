@@ -7,6 +7,7 @@ class QSocketNotifier;
 namespace abrazo::app {
 
 class MainWindow;
+class ProjectDesk;
 
 /// The wish of the system that the program ends (SIGTERM, SIGINT, SIGHUP), as a signal of the window's
 /// thread: a recording is closed and the layout kept, as by the close button. A second wish ends the program
@@ -26,6 +27,6 @@ class Termination : public QObject {
 
 /// Ends the program as the close button does, without a dialog: changes that were not saved are
 /// kept for the next start to offer.
-void close_when_told(MainWindow& window, const Termination& termination);
+void close_when_told(MainWindow& window, ProjectDesk& project, const Termination& termination);
 
 }  // namespace abrazo::app

@@ -25,17 +25,11 @@ void show_recent(const MainWindow& window, WelcomePage& page) {
   page.setRecent(labels, tips);
 }
 
-QAction* find_action(const MainWindow& window, const QString& beginning) {
-  for (QAction* action : window.actions())
-    if (action->text().startsWith(beginning)) return action;
-  return nullptr;
-}
-
-/// What other parts of the program offer to begin with, by the names of their actions.
+/// What other parts of the program offer to begin with, by the ids of their actions.
 void add_starts(MainWindow& window, WelcomePage& page) {
-  for (const char* name : {"Open…", "Generated dance", "Generated fight", "Build a library", "Build library",
-                           "Connect to a stream"}) {
-    QAction* action = find_action(window, name);
+  for (const char* id : {"file.open", "file.generated_dance", "file.generated_fight", "library.build_library",
+                         "live.connect_to_a_stream"}) {
+    QAction* action = action_of(window, id);
     if (!action) continue;
     page.addStart(action->text(), action->shortcut().toString(QKeySequence::NativeText),
                   [action] { action->trigger(); });
@@ -48,7 +42,7 @@ void add_welcome_actions(MainWindow& window) {
   QMenu* files = window.menu("File");
   QAction* fight =
       add_action(window, files, "Generated fight", {}, [&window] { window.openMaterial(generated_fight); });
-  if (QAction* dance = find_action(window, "Generated dance")) {
+  if (QAction* dance = action_of(window, "file.generated_dance")) {
     files->removeAction(fight);
     files->insertAction(dance, fight);
     files->removeAction(dance);
@@ -81,7 +75,7 @@ void add_welcome_actions(MainWindow& window) {
 }
 
 void welcome_at_start(MainWindow& window) {
-  QAction* show = find_action(window, "Welcome");
+  QAction* show = action_of(window, "help.welcome");
   if (show && window.remembered().welcome() && window.width() >= least_width) show->setChecked(true);
 }
 

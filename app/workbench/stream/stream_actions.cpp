@@ -58,28 +58,21 @@ void freeze(MainWindow& window, const StreamDesk& desk) {
     const bool follows = window.ticker().playback().state == Playback::State::Following;
     return follows ? window.ticker().pause() : window.ticker().follow();
   }
-  for (QAction* action : window.actions())
-    if (action->text() == "Hold the input still") action->trigger();
+  if (QAction* hold = action_of(window, "solve.hold_the_input_still")) hold->trigger();
 }
 
 }  // namespace
 
-void connect_to_stream(MainWindow& window, const QString& uri) {
-  if (auto* desk = window.findChild<StreamDesk*>()) desk->connectTo(uri);
-}
-
-void send_partner_to(MainWindow& window, const QString& uri) {
-  auto* desk = window.findChild<StreamDesk*>();
-  if (!desk) return;
-  if (window.session()) return desk->send(uri, Character::Partner);
+void send_partner_to(MainWindow& window, StreamDesk& desk, const QString& uri) {
+  if (window.session()) return desk.send(uri, Character::Partner);
   const auto once = std::make_shared<QMetaObject::Connection>();
-  *once = QObject::connect(&window, &MainWindow::sessionStarted, desk, [desk, uri, once] {
+  *once = QObject::connect(&window, &MainWindow::sessionStarted, &desk, [&desk, uri, once] {
     QObject::disconnect(*once);
-    desk->send(uri, Character::Partner);
+    desk.send(uri, Character::Partner);
   });
 }
 
-void add_stream_actions(MainWindow& window) {
+StreamDesk& add_stream_actions(MainWindow& window) {
   auto* panel = new ConnectionPanel;
   panel->setColours(window.colours());
   window.addPanel("connection", "Connection", panel, Qt::RightDockWidgetArea, false);
@@ -109,6 +102,7 @@ void add_stream_actions(MainWindow& window) {
   menu->addSeparator();
   add_action(window, menu, "Freeze the input", {QKeySequence("Ctrl+Space")},
              [&window, desk] { freeze(window, *desk); });
+  return *desk;
 }
 
 }  // namespace abrazo::app

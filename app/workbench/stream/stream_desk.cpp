@@ -76,7 +76,7 @@ StreamDesk::StreamDesk(MainWindow& window, ConnectionPanel& panel)
     if (engine() && engine()->receiver()) engine()->receiver()->set_delay(ms / 1000.0);
   });
   connect(&panel, &ConnectionPanel::stepRateRequested, this,
-          [this](const QString& value) { m_window.settings().change("step-rate", value); });
+          [this](const QString& value) { m_window.document().changeSetting("step-rate", value); });
   connect(&panel.sinks(), &SinkList::sendRequested, this, &StreamDesk::send);
   connect(&panel.sinks(), &SinkList::stopRequested, this, &StreamDesk::stopSending);
   connect(&window, &MainWindow::sessionStarted, this, &StreamDesk::beginSession);
@@ -118,8 +118,7 @@ void StreamDesk::connectTo(const QString& text) {
 
 /// Nothing is connected any more.
 void StreamDesk::refuse(const Error& error) {
-  m_window.messages().showError(words(error));
-  emit m_window.failed(words(error));  // who started the program unattended waits for it
+  m_window.fail(words(error));
   m_uri.clear();
   m_found.reset();
   poll();
@@ -287,7 +286,7 @@ void StreamDesk::poll() {
   const auto receiver = running ? running->receiver() : nullptr;
   m_health = receiver && isConnected() ? std::optional(receiver->health()) : std::nullopt;
   m_panel.showHealth(m_health ? &*m_health : nullptr);
-  m_panel.setStepRate(m_window.settings().settings().step_rate_hz);
+  m_panel.setStepRate(m_window.document().settings().step_rate_hz);
   m_panel.showSinks(running ? m_rates.update(running->sinks(), running->clock().now_s())
                             : std::vector<widgets::SinkRow>{});
   showInput();

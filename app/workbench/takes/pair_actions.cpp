@@ -4,7 +4,6 @@
 #include <QFileInfo>
 #include <QMenu>
 
-#include "app/workbench/library/library_desk.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/takes/pair_desk.hpp"
@@ -28,14 +27,9 @@ void save_library(MainWindow& window, PairDesk& desk) {
 
 }  // namespace
 
-void add_pair_actions(MainWindow& window) {
-  auto* takes = window.findChild<TakeDesk*>();
-  if (!takes) return;
-  auto* desk = new PairDesk(window, *takes);
-  if (auto* panel = window.findChild<widgets::TakePanel*>())
-    QObject::connect(panel, &widgets::TakePanel::pairRequested, desk, &PairDesk::toggle);
-  if (auto* library = window.findChild<LibraryDesk*>())
-    QObject::connect(desk, &PairDesk::extended, library, &LibraryDesk::onSession);
+void add_pair_actions(MainWindow& window, TakeDesk& takes, PairSources sources) {
+  auto* desk = new PairDesk(window, takes, std::move(sources));
+  QObject::connect(&takes.panel(), &widgets::TakePanel::pairRequested, desk, &PairDesk::toggle);
   add_action(window, window.menu("Live"), "Record a pair for the library", {}, [desk] { desk->toggle(); });
   add_action(window, window.menu("Library"), "Save library…", {},
              [&window, desk] { save_library(window, *desk); });

@@ -4,23 +4,15 @@
 #include <set>
 
 #include "app/workbench/base/job_progress.hpp"
-#include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/shell/main_window.hpp"
-#include "app/workbench/shell/status_figures.hpp"
-#include "app/workbench/stream/stream_desk.hpp"
 #include "app/workbench/takes/pair_dialog.hpp"
 #include "app/workbench/takes/take_desk.hpp"
 #include "core/annotation/session_labels.hpp"
 #include "core/library/build/library_extension.hpp"
 #include "core/library/store/motion_library_file.hpp"
-#include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/utf8.hpp"
-#include "widgets/library/take_list.hpp"
-#include "widgets/scene/view/scene_view.hpp"
-#include "widgets/settings/settings_panel.hpp"
 #include "widgets/takes/take_name.hpp"
-#include "widgets/timeline/timeline_view.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -44,7 +36,8 @@ QStringList labels_of(const MotionLibrary& library) {
 
 }  // namespace
 
-PairDesk::PairDesk(MainWindow& window, TakeDesk& takes) : QObject(&window), m_window(window), m_takes(takes) {
+PairDesk::PairDesk(MainWindow& window, TakeDesk& takes, PairSources sources)
+    : QObject(&window), m_window(window), m_takes(takes), m_sources(std::move(sources)) {
   connect(&takes, &TakeDesk::begun, this, &PairDesk::listen);
   connect(&takes, &TakeDesk::taken, this, [this] {
     if (m_capture && !m_dialog) ask();
@@ -73,16 +66,15 @@ void PairDesk::toggle() {
 }
 
 void PairDesk::begin() {
-  auto* streams = m_window.findChild<StreamDesk*>();
   const auto receiver = m_window.session() ? m_window.session()->engine().receiver() : nullptr;
   const auto performers = receiver ? receiver->performers() : std::vector<std::string>();
   if (performers.size() < 2)
     return m_window.messages().showInformation(
         "A pair needs two performers in the stream; connect to one that has them (Live > Connect to a "
         "stream…)");
-  const std::string a =
-      streams && !streams->user().isEmpty() ? streams->user().toStdString() : performers.front();
-  std::string b = streams ? streams->second().toStdString() : std::string();
+  const auto [user, second] = m_sources.performers();
+  const std::string a = user.isEmpty() ? performers.front() : user.toStdString();
+  std::string b = second.toStdString();
   if (b.empty() || b == a)
     b = *std::find_if(performers.begin(), performers.end(), [&](const auto& other) { return other != a; });
   m_capture = std::make_shared<PairCapture>(a, b);
@@ -125,16 +117,15 @@ void PairDesk::add(PairDialog& dialog) {
   const auto take = m_capture->take(wishes);
   if (!take) return dialog.showTrouble(text(take.error().text()));
   dialog.accept();
-  const auto* annotation = m_window.findChild<AnnotationDesk*>();
-  if (!annotation || m_takes.takes().empty()) return extend(*take);
+  if (m_takes.takes().empty()) return extend(*take);
   const double began_s = m_takes.takes().all().back().from_s + wishes.in_s;
-  extend(with_session_labels(*take, annotation->annotations_of(""), began_s));
+  extend(with_session_labels(*take, m_sources.said(), began_s));
 }
 
 void PairDesk::extend(const PairedTake& take) {
   if (!m_window.session()) return;
   Material material = m_window.session()->material();
-  const Settings settings = m_window.settings().settings();
+  const Settings settings = m_window.document().settings();
   auto& messages = m_window.messages();
   Job::retire(std::move(m_job), this);
   messages.showProgress("Adding " + text(take.name), 0);
@@ -152,30 +143,16 @@ void PairDesk::extend(const PairedTake& take) {
     return [this, ready, take, base = material.library] {
       // What was said of other takes meanwhile is not in what was made.
       if (m_window.session()->material().library != base) return extend(take);
-      show(std::move(*ready));
+      m_window.document().replaceSolver(std::move(*ready));
+      const LibraryTake& added = m_window.session()->material().library->takes().back();
+      m_window.messages().showInformation(
+          QString("%1 is in the library: %2 frames. Library > Save library… keeps it")
+              .arg(text(added.name))
+              .arg(added.frames));
       emit extended(text(take.name));
     };
   });
   show_progress(*m_job, messages);
-}
-
-/// Views go on with the longer library: pairs and takes that were there keep their numbers.
-void PairDesk::show(PreparedSolver prepared) {
-  const auto library = prepared.material.library;
-  m_window.session()->replaceSolver(std::move(prepared));
-  m_window.ticker().setLibrary(library);
-  m_window.scene().setLibrary(library);
-  const auto steering = m_window.candidates().steering();
-  m_window.candidates().setLibrary(library);
-  m_window.candidates().showSteering(steering);  // the solver keeps it, too
-  m_window.timeline().extendLibrary(library);
-  m_window.takes().setLibrary(library);
-  m_window.status().setLibrary(library->pair_count());
-  const LibraryTake& added = library->takes().back();
-  m_window.messages().showInformation(
-      QString("%1 is in the library: %2 frames. Library > Save library… keeps it")
-          .arg(text(added.name))
-          .arg(added.frames));
 }
 
 void PairDesk::save(const QString& file) {

@@ -2,11 +2,18 @@
 
 #include <QObject>
 #include <QPointer>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <utility>
 
-#include "app/workbench/document/live_session.hpp"
+#include "core/annotation/annotations.hpp"
+#include "core/library/takes/paired_take.hpp"
 #include "core/session/run/pair_capture.hpp"
+
+namespace abrazo {
+class StreamReceiver;
+}
 
 namespace abrazo::app {
 
@@ -15,11 +22,19 @@ class MainWindow;
 class PairDialog;
 class TakeDesk;
 
+/// What other rooms know of a pair that is recorded.
+struct PairSources {
+  /// Of the connected stream, who plays the user and who dances with him; empty where nobody was chosen.
+  std::function<std::pair<QString, QString>()> performers;
+  /// What was said of the session.
+  std::function<Annotations()> said;
+};
+
 /// Two streamed performers recorded as a take of the open library, which goes on without a restart.
 class PairDesk : public QObject {
   Q_OBJECT
  public:
-  PairDesk(MainWindow& window, TakeDesk& takes);
+  PairDesk(MainWindow& window, TakeDesk& takes, PairSources sources);
   ~PairDesk() override;
 
   /// Begins, or ends and asks what the take is to be.
@@ -39,10 +54,10 @@ class PairDesk : public QObject {
   void stopListening();
   void ask();
   void add(PairDialog& dialog);
-  void show(PreparedSolver prepared);
 
   MainWindow& m_window;
   TakeDesk& m_takes;
+  PairSources m_sources;
   std::shared_ptr<PairCapture> m_capture;
   std::weak_ptr<StreamReceiver> m_receiver;
   std::optional<int> m_listener;

@@ -6,7 +6,6 @@
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
-#include "app/workbench/stream/stream_desk.hpp"
 #include "app/workbench/takes/take_desk.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/takes/take_panel.hpp"
@@ -92,7 +91,7 @@ void connect_panel(MainWindow& window, TakePanel& panel, TakeDesk& desk) {
 
 }  // namespace
 
-void add_take_actions(MainWindow& window) {
+TakeDesk& add_take_actions(MainWindow& window) {
   auto* panel = new TakePanel;
   panel->setColours(window.colours());
   panel->setTypedName(window.remembered().takeName());
@@ -100,8 +99,6 @@ void add_take_actions(MainWindow& window) {
   QDockWidget* dock = window.addPanel("recording", "Recording", panel, Qt::LeftDockWidgetArea, false);
   auto* desk = new TakeDesk(window, *panel);
   connect_panel(window, *panel, *desk);
-  if (auto* streams = window.findChild<StreamDesk*>())
-    QObject::connect(streams, &StreamDesk::aboutToReceive, desk, &TakeDesk::prepareStream);
   const auto show = [&window, dock] {
     window.panels().want("recording", true);
     dock->raise();
@@ -125,6 +122,7 @@ void add_take_actions(MainWindow& window) {
   keep->setChecked(window.remembered().keepsEverything());
   QObject::connect(panel, &TakePanel::everythingRequested, keep, &QAction::setChecked);
   menu->addSeparator();
+  return *desk;
 }
 
 }  // namespace abrazo::app

@@ -5,7 +5,6 @@
 #include <QFileInfo>
 
 #include "app/workbench/document/session_places.hpp"
-#include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/scene/view/scene_view.hpp"
@@ -174,8 +173,7 @@ void TakeDesk::goTo(std::int64_t id) {
   const RecordedTake* take = m_takes.find(id);
   if (!take) return;
   // Its times are the session's.
-  if (auto* subjects = m_window.findChild<AnnotationDesk*>(); subjects && subjects->showsTake())
-    subjects->showSubject("");
+  if (!m_window.document().subject().empty()) m_window.requestSubject("");
   if (take->to_s > take->from_s) m_window.ticker().setRange(take->from_s, take->to_s);
   m_window.ticker().seek(take->from_s);
 }
@@ -229,12 +227,11 @@ void TakeDesk::writeEdits() {
     if (const auto found = names.find(name); found != names.end()) name = *found->second;
 }
 
-/// Those of the timeline, when they are not the ones in the file.
+/// Those of the session, when they are not the ones in the file.
 void TakeDesk::writeMarkers() {
   const auto recorder = m_window.session() ? m_window.session()->engine().recorder() : nullptr;
   if (!recorder) return;
-  const auto* annotation = m_window.findChild<AnnotationDesk*>();
-  const Markers& markers = annotation ? annotation->sessionMarkers() : m_window.timeline().markers();
+  const Markers& markers = m_window.document().project().markers;
   if (m_markersInFile == markers) return;
   m_markersInFile = markers;
   recorder->set_markers(*m_markersInFile);

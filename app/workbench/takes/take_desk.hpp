@@ -26,6 +26,8 @@ class TakeDesk : public QObject {
   TakeDesk(MainWindow& window, widgets::TakePanel& panel);
   ~TakeDesk() override;
 
+  widgets::TakePanel& panel() const { return m_panel; }
+
   /// Starts a take, gives up its countdown, or ends it.
   void toggle();
   /// Starts the next take of the same name.

@@ -61,25 +61,30 @@ CameraDesk::CameraDesk(MainWindow& window, VideoDesk& videos)
   update();
 }
 
+void CameraDesk::askIntrinsics() {
+  const QString file = askFile(false, "Intrinsics of the camera", "Calibrations (*.yml *.yaml *.xml *.json)");
+  if (!file.isEmpty()) loadIntrinsics(file);
+}
+
+void CameraDesk::askCamera() {
+  const QString file = askFile(false, "Load camera", "Cameras (*.json)");
+  if (!file.isEmpty()) loadCamera(file);
+}
+
+void CameraDesk::askWhereToSave() {
+  const QString file = askFile(true, "Save camera", "Cameras (*.json)");
+  if (!file.isEmpty()) saveCamera(file);
+}
+
 void CameraDesk::connectSection() {
   using namespace widgets;
   connect(m_section, &CameraSection::pickingRequested, this, &CameraDesk::setPicking);
   connect(m_section, &CameraSection::jointChosen, this, &CameraDesk::setJoint);
   connect(m_section, &CameraSection::pickSelected, this, &CameraDesk::goToPick);
   connect(m_section, &CameraSection::pickRemoveRequested, this, &CameraDesk::removePick);
-  connect(m_section, &CameraSection::intrinsicsRequested, this, [this] {
-    const QString file =
-        askFile(false, "Intrinsics of the camera", "Calibrations (*.yml *.yaml *.xml *.json)");
-    if (!file.isEmpty()) loadIntrinsics(file);
-  });
-  connect(m_section, &CameraSection::loadRequested, this, [this] {
-    const QString file = askFile(false, "Load camera", "Cameras (*.json)");
-    if (!file.isEmpty()) loadCamera(file);
-  });
-  connect(m_section, &CameraSection::saveRequested, this, [this] {
-    const QString file = askFile(true, "Save camera", "Cameras (*.json)");
-    if (!file.isEmpty()) saveCamera(file);
-  });
+  connect(m_section, &CameraSection::intrinsicsRequested, this, &CameraDesk::askIntrinsics);
+  connect(m_section, &CameraSection::loadRequested, this, &CameraDesk::askCamera);
+  connect(m_section, &CameraSection::saveRequested, this, &CameraDesk::askWhereToSave);
   connect(m_section, &CameraSection::guessRequested, this, [this](double degrees) {
     edit(
         [degrees](VideoState& state) {

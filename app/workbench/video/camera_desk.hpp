@@ -5,6 +5,7 @@
 #include <optional>
 #include <vector>
 
+#include "core/session/edit/video_state.hpp"
 #include "core/video/camera_model.hpp"
 #include "core/video/video_sync.hpp"
 
@@ -17,7 +18,6 @@ namespace abrazo::app {
 
 class MainWindow;
 class VideoDesk;
-struct VideoState;
 
 /// The camera of the shown video: its lens, the joints that were pointed at, and what place of the camera
 /// follows from them.
@@ -29,6 +29,10 @@ class CameraDesk : public QObject {
   void setPicking(bool on);
   /// @param vertex  of the pair
   void setJoint(int vertex);
+  /// A person names the file.
+  void askIntrinsics();
+  void askCamera();
+  void askWhereToSave();
   void loadIntrinsics(const QString& file);
   void loadCamera(const QString& file);
   void saveCamera(const QString& file);

@@ -44,8 +44,7 @@ void add_stepping(MainWindow& window, QMenu* menu, VideoDesk& desk) {
              {QKeySequence("Ctrl+Shift+L")}, [&desk] { desk.setLinked(!desk.isLinked()); });
   add_action(window, menu, "Video and timeline show the same moment", {QKeySequence("Ctrl+M")},
              [&desk] { desk.setSyncPoint(); });
-  add_action(window, menu, "Clear the video's synchronisation", {},
-             [&desk] { emit desk.panel().sync().clearRequested(); });
+  add_action(window, menu, "Clear the video's synchronisation", {}, [&desk] { desk.clearSync(); });
   menu->addSeparator();
 }
 
@@ -56,17 +55,14 @@ void add_camera(MainWindow& window, QMenu* menu, VideoDesk& desk, CameraDesk& ca
     show();
     camera.setPicking(!section.isPicking());
   });
-  add_action(window, menu, "Intrinsics of the camera…", {},
-             [&section] { emit section.intrinsicsRequested(); });
-  add_action(window, menu, "Load camera…", {}, [&section] { emit section.loadRequested(); });
-  add_action(window, menu, "Save camera…", {}, [&section] { emit section.saveRequested(); });
+  add_action(window, menu, "Intrinsics of the camera…", {}, [&camera] { camera.askIntrinsics(); });
+  add_action(window, menu, "Load camera…", {}, [&camera] { camera.askCamera(); });
+  add_action(window, menu, "Save camera…", {}, [&camera] { camera.askWhereToSave(); });
   menu->addSeparator();
 }
 
 /// The dialog that renders ranges of the scene does so of the video.
-void add_rendering(MainWindow& window, VideoDesk& desk) {
-  auto* dialog = window.findChild<RenderDialog*>();
-  if (!dialog) return;
+void add_rendering(MainWindow& window, VideoDesk& desk, RenderDialog* dialog) {
   QObject::connect(&desk, &VideoDesk::currentChanged, dialog, [&desk, dialog] {
     const auto facts = desk.currentVideo() ? desk.currentVideo()->facts() : nullptr;
     dialog->offerVideo(facts ? QSize(facts->width, facts->height) : QSize(), facts ? facts->rate_hz : 0);
@@ -84,7 +80,7 @@ void add_rendering(MainWindow& window, VideoDesk& desk) {
 
 }  // namespace
 
-void add_video_actions(MainWindow& window) {
+void add_video_actions(MainWindow& window, RenderDialog& dialog) {
   auto* desk = new VideoDesk(window);
   auto* camera = new CameraDesk(window, *desk);
   widgets::VideoPanel& panel = desk->panel();
@@ -97,7 +93,7 @@ void add_video_actions(MainWindow& window) {
   add_stepping(window, menu, *desk);
   add_camera(window, menu, *desk, *camera);
   add_action(window, menu, "Close the video", {}, [desk] { desk->close(); });
-  add_rendering(window, *desk);
+  add_rendering(window, *desk, &dialog);
 }
 
 }  // namespace abrazo::app

@@ -2,12 +2,10 @@
 
 #include <QFileInfo>
 #include <QSet>
-#include <QUndoCommand>
 #include <algorithm>
 #include <cmath>
 
 #include "app/workbench/document/open_video.hpp"
-#include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -29,38 +27,6 @@ using widgets::text;
 
 }  // namespace
 
-/// From one state of all videos to another.
-class ChangeVideos : public QUndoCommand {
- public:
-  ChangeVideos(VideoDesk& desk, VideoStates after, const QString& what, int merges)
-      : QUndoCommand(what),
-        m_desk(desk),
-        m_merges(merges),
-        m_generation(desk.m_generation),
-        m_before(desk.states()),
-        m_after(std::move(after)) {}
-  void redo() override { go(m_after); }
-  void undo() override { go(m_before); }
-  int id() const override { return m_merges == 0 ? -1 : command_id; }
-  bool mergeWith(const QUndoCommand* other) override {
-    const auto* next = static_cast<const ChangeVideos*>(other);
-    if (&next->m_desk != &m_desk || next->m_merges != m_merges) return false;
-    m_after = next->m_after;
-    return true;
-  }
-
- private:
-  /// Of no use once another session or project is there: its videos are others.
-  void go(const VideoStates& states) {
-    m_generation == m_desk.m_generation ? m_desk.set(states) : setObsolete(true);
-  }
-
-  static constexpr int command_id = 7201;
-  VideoDesk& m_desk;
-  int m_merges, m_generation;
-  VideoStates m_before, m_after;
-};
-
 VideoDesk::VideoDesk(MainWindow& window)
     : QObject(&window), m_window(window), m_panel(new widgets::VideoPanel) {
   m_panel->setColours(window.colours());
@@ -73,8 +39,11 @@ VideoDesk::VideoDesk(MainWindow& window)
     if (!videos.isEmpty()) open(videos);
   });
   connect(&window.ticker(), &FrameTicker::playbackChanged, this, &VideoDesk::follow);
-  if (auto* annotations = window.findChild<AnnotationDesk*>())
-    connect(annotations, &AnnotationDesk::subjectChanged, this, &VideoDesk::onSubject);
+  connect(&window.document(), &Document::subjectChanged, this, &VideoDesk::onSubject);
+  connect(&window.document(), &Document::changed, this, [this](ProjectPart part) {
+    if (part == ProjectPart::Videos) onVideos();
+  });
+  connect(&window.document(), &Document::videosOpened, this, &VideoDesk::setVideos);
   connectPanel();
 }
 
@@ -83,7 +52,7 @@ VideoDesk::~VideoDesk() = default;
 void VideoDesk::connectPanel() {
   using namespace widgets;
   connect(m_panel, &VideoPanel::chosen, this, [this](int index) {
-    for (const VideoState& state : m_states)
+    for (const VideoState& state : states())
       if (state.subject == m_subject && index-- == 0) return show(state.id);
   });
   connect(m_panel, &VideoPanel::closeRequested, this, &VideoDesk::close);
@@ -112,45 +81,31 @@ void VideoDesk::connectPanel() {
                "remove sync point"));
   connect(&sync, &SyncSection::offsetEntered, this, edit(with_offset, "offset of the video"));
   connect(&sync, &SyncSection::rateEntered, this, edit(with_rate, "rate of the video"));
-  connect(&sync, &SyncSection::clearRequested, this,
-          edit([](const VideoSync&) { return VideoSync{}; }, "clear synchronisation"));
+  connect(&sync, &SyncSection::clearRequested, this, &VideoDesk::clearSync);
 }
 
 // ---- what is open
 
-std::vector<ProjectVideo> VideoDesk::videos() const {
-  std::vector<ProjectVideo> kept;
-  for (const VideoState& state : m_states) kept.push_back(project_video(state));
-  return kept;
-}
-
-QStringList VideoDesk::files() const {
-  QStringList names;
-  for (const VideoState& state : m_states) names << state.file;
-  return names;
-}
-
 void VideoDesk::setVideos(const std::vector<ProjectVideo>& videos, const QStringList& files) {
   VideoStates next;
   for (std::size_t i = 0; i < videos.size() && static_cast<int>(i) < files.size(); ++i) {
-    next.push_back(video_state(videos[i], files[static_cast<int>(i)]));
+    next.push_back(video_state(videos[i], files[static_cast<int>(i)].toStdString()));
     next.back().id = m_nextId++;
   }
-  ++m_generation;
-  set(next);
+  m_window.document().replaceVideos(std::move(next));
   if (current()) m_window.panels().want("video", true);
 }
 
 void VideoDesk::open(const QStringList& files) {
-  VideoStates next = m_states;
+  VideoStates next = states();
   for (const QString& file : files) {
     VideoState state;
     state.id = m_nextId++;
-    state.file = file;
+    state.file = file.toStdString();
     state.subject = m_subject;
     next.push_back(state);
   }
-  if (next.size() == m_states.size()) return;
+  if (next.size() == states().size()) return;
   m_current = next.back().id;
   m_linked = true;
   change(next, files.size() == 1 ? "open video " + QFileInfo(files.front()).fileName()
@@ -159,13 +114,17 @@ void VideoDesk::open(const QStringList& files) {
 }
 
 void VideoDesk::close() {
-  VideoStates next = m_states;
+  VideoStates next = states();
   std::erase_if(next, [this](const VideoState& state) { return state.id == m_current; });
-  if (next.size() != m_states.size()) change(next, "close video");
+  if (next.size() != states().size()) change(next, "close video");
+}
+
+const VideoStates& VideoDesk::states() const {
+  return m_window.document().live().videos();
 }
 
 const VideoState* VideoDesk::current() const {
-  for (const VideoState& state : m_states)
+  for (const VideoState& state : states())
     if (state.id == m_current) return &state;
   return nullptr;
 }
@@ -182,11 +141,11 @@ void VideoDesk::show(int id) {
 }
 
 void VideoDesk::change(VideoStates next, const QString& what, int merges) {
-  if (next != m_states) m_window.undoStack().push(new ChangeVideos(*this, std::move(next), what, merges));
+  m_window.document().change(next, what, "video", merges);
 }
 
 void VideoDesk::changeCurrent(const std::function<void(VideoState&)>& edit, const QString& what, int merges) {
-  VideoStates next = m_states;
+  VideoStates next = states();
   for (VideoState& state : next) {
     if (state.id != m_current) continue;
     const VideoSync before = state.sync;
@@ -202,52 +161,42 @@ void VideoDesk::changeCurrent(const std::function<void(VideoState&)>& edit, cons
 }
 
 /// Decoders follow what is to be open.
-void VideoDesk::set(const VideoStates& states) {
-  m_states = states;
+void VideoDesk::onVideos() {
   std::erase_if(m_open, [this](const auto& open) {
-    return std::ranges::none_of(m_states, [&](const VideoState& state) {
-      return state.id == open.first && state.file == open.second->file();
+    return std::ranges::none_of(states(), [&](const VideoState& state) {
+      return state.id == open.first && QString::fromStdString(state.file) == open.second->file();
     });
   });
-  for (const VideoState& state : m_states) {
+  for (const VideoState& state : states()) {
     m_nextId = std::max(m_nextId, state.id + 1);
     auto& open = m_open[state.id];
     if (open) continue;
-    open = std::make_unique<OpenVideo>(state.file);
+    open = std::make_unique<OpenVideo>(QString::fromStdString(state.file));
     connect(open.get(), &OpenVideo::news, this, [this, id = state.id] {
       if (id == m_current) onPicture();
     });
   }
   onSubject();
-  emit changed();
-}
-
-std::string VideoDesk::subjectOfWindow() const {
-  const auto* annotations = m_window.findChild<AnnotationDesk*>();
-  return annotations ? annotations->subject() : std::string();
 }
 
 /// A video of the session before has nothing to do with this one; those of takes stay.
 void VideoDesk::onSessionStarted() {
-  VideoStates rest = m_states;
-  if (std::exchange(m_hadSession, true)) {
-    ++m_generation;  // a step of undo would bring back one that was closed before
-    std::erase_if(rest, [](const VideoState& state) { return state.subject.empty(); });
-  }
-  if (rest.size() != m_states.size()) {
-    set(rest);
+  VideoStates rest = states();
+  if (!std::exchange(m_hadSession, true)) return onSubject();
+  std::erase_if(rest, [](const VideoState& state) { return state.subject.empty(); });
+  const bool closed = rest.size() != states().size();
+  m_window.document().replaceVideos(std::move(rest));
+  if (closed)
     m_window.messages().showInformation("The video belonged to the previous session and was closed");
-  }
-  onSubject();
 }
 
 void VideoDesk::onSubject() {
-  m_subject = subjectOfWindow();
+  m_subject = m_window.document().subject();
   const VideoState* shown = current();
   if (!shown || shown->subject != m_subject) {
     m_current = 0;
     m_shown = nullptr;
-    for (const VideoState& state : m_states)
+    for (const VideoState& state : states())
       if (state.subject == m_subject) m_current = state.id;
   }
   onState();
@@ -279,6 +228,10 @@ void VideoDesk::setSyncPoint() {
   const SyncPoint point{m_window.ticker().playback().cursor_s, m_shown->time_s};
   changeCurrent([&](VideoState& state) { state.sync = widgets::with_sync_point(state.sync, point); },
                 "same moment in video and timeline");
+}
+
+void VideoDesk::clearSync() {
+  changeCurrent([](VideoState& state) { state.sync = {}; }, "clear synchronisation");
 }
 
 /// Each tick of the display: the newest time counts.
@@ -316,10 +269,10 @@ void VideoDesk::onPicture() {
 void VideoDesk::onState() {
   QStringList names;
   int place = -1;
-  for (const VideoState& state : m_states) {
+  for (const VideoState& state : states()) {
     if (state.subject != m_subject) continue;
     if (state.id == m_current) place = names.size();
-    names << QFileInfo(state.file).fileName();
+    names << QFileInfo(QString::fromStdString(state.file)).fileName();
   }
   m_panel->showFiles(names, place);
   showFacts();
@@ -361,7 +314,7 @@ void VideoDesk::showSync() {
 QString VideoDesk::notice() const {
   const OpenVideo* video = currentVideo();
   if (!video)
-    return m_states.empty() ? "No video. File > Open video…, or drop one here"
+    return states().empty() ? "No video. File > Open video…, or drop one here"
                             : "No video of what is on the timeline now";
   if (video->state() == VideoDecoder::State::Failed) return video->trouble();
   const auto facts = video->facts();

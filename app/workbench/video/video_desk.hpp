@@ -6,9 +6,9 @@
 #include <map>
 #include <memory>
 
-#include "app/workbench/video/video_state.hpp"
 #include "core/base/positions.hpp"
 #include "core/mesh/interaction_mesh.hpp"
+#include "core/session/edit/video_state.hpp"
 #include "core/video/video_frame.hpp"
 
 namespace abrazo::widgets {
@@ -29,9 +29,6 @@ class VideoDesk : public QObject {
   explicit VideoDesk(MainWindow& window);
   ~VideoDesk() override;
 
-  /// For a project: what is to be kept of each video, `data` left at -1, and the files in the same order.
-  std::vector<ProjectVideo> videos() const;
-  QStringList files() const;
   /// In place of what is open, without a step of undo. A missing file is reported; what was decided
   /// about it is kept.
   void setVideos(const std::vector<ProjectVideo>& videos, const QStringList& files);
@@ -44,7 +41,7 @@ class VideoDesk : public QObject {
   using Retime = std::function<void(VideoState&, const VideoSync& before)>;
   void setRetime(Retime retime) { m_retime = std::move(retime); }
 
-  const VideoStates& states() const { return m_states; }
+  const VideoStates& states() const;
   /// Of the shown subject; null when there is none.
   const VideoState* current() const;
   OpenVideo* currentVideo() const;
@@ -60,6 +57,7 @@ class VideoDesk : public QObject {
   void step(int pictures);
   /// The shown picture and the cursor are the same moment.
   void setSyncPoint();
+  void clearSync();
 
   /// What is drawn over the picture: both bodies at a time of the subject; nothing where there is none.
   struct Moment {
@@ -78,15 +76,12 @@ class VideoDesk : public QObject {
   double latency_ms() const { return m_latency_ms; }
 
  signals:
-  /// Anything a project keeps.
-  void changed();
   /// Another video or none, or its file was read.
   void currentChanged();
   void pictureShown();
 
  private:
-  friend class ChangeVideos;
-  void set(const VideoStates& states);
+  void onVideos();
   void follow();
   void request(int index);
   void onPicture();
@@ -99,16 +94,13 @@ class VideoDesk : public QObject {
   void showOverlay();
   QString notice() const;
   void connectPanel();
-  std::string subjectOfWindow() const;
 
   MainWindow& m_window;
   widgets::VideoPanel* m_panel;
-  VideoStates m_states;
   std::map<int, std::unique_ptr<OpenVideo>> m_open;  ///< by the id of its state
   std::string m_subject;
   int m_current = 0;
   int m_nextId = 1;
-  int m_generation = 0;  ///< counts what came without a step of undo
   bool m_linked = true;
   bool m_hadSession = false;
   VideoFramePtr m_shown;

@@ -19,7 +19,7 @@ OverlayFilm overlay_film(const MainWindow& window, const VideoDesk& desk, const 
   OverlayFilm film;
   film.plan = request.plan;
   film.size = request.size;
-  film.video = desk.current()->file;
+  film.video = QString::fromStdString(desk.current()->file);
   film.file = request.file;
   film.sync = desk.current()->sync;
   film.camera = desk.current()->camera;
@@ -38,11 +38,11 @@ void render_video(MainWindow& window, VideoDesk& desk, const RangeRequest& reque
   const OverlayFilm film = overlay_film(window, desk, request);
   const FrameRange frames = history->stretch(film.plan.from_s - around_s, film.plan.to_s + around_s);
   auto& messages = window.messages();
-  const auto tell = [&window, &messages](const QString& file, const Status& written) {
+  const auto is_cancelled = std::make_shared<bool>(false);
+  const auto tell = [&messages, is_cancelled](const QString& file, const Status& written) {
     messages.endProgress();
     if (written) return messages.showInformation("Video written to " + file);
-    const auto* job = window.findChild<Job*>(job_name);
-    if (job && job->wasCancelled())
+    if (*is_cancelled)
       messages.showInformation("Rendering was cancelled; nothing was written");
     else
       messages.showError(QString::fromStdString(written.error().text()));
@@ -56,7 +56,10 @@ void render_video(MainWindow& window, VideoDesk& desk, const RangeRequest& reque
       &window);
   job->setObjectName(job_name);
   show_progress(*job, messages);
-  QObject::connect(&messages, &widgets::MessageBar::cancelRequested, job, &Job::cancel);
+  QObject::connect(&messages, &widgets::MessageBar::cancelRequested, job, [job, is_cancelled] {
+    *is_cancelled = true;
+    job->cancel();
+  });
   QObject::connect(job, &Job::finished, job, &QObject::deleteLater);
 }
 

@@ -23,7 +23,7 @@ struct DataReference {
   bool operator==(const DataReference&) const = default;
 };
 
-/// A reference with a path only: whole, as it is now.
+/// A reference by place alone; `reference_to` completes it, which reads the file.
 DataReference unread_reference(DataReference::Use use, const std::string& file);
 
 /// A reference to a file as it is now.

@@ -1,5 +1,6 @@
 #include "core/session/file/project.hpp"
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 
@@ -51,6 +52,22 @@ Result<SessionDatabase> open_to_write(const std::string& path) {
 }
 
 }  // namespace
+
+bool is_same_work(const Project& a, const Project& b) {
+  const auto takes = [](const std::map<std::string, Markers>& x, const std::map<std::string, Markers>& y) {
+    return std::ranges::equal(x, y, [](const auto& one, const auto& other) {
+      return one.first == other.first && one.second.all() == other.second.all();
+    });
+  };
+  const auto videos = [](const ProjectVideo& x, ProjectVideo y) {
+    y.data = x.data;
+    return x == y;
+  };
+  return a.settings == b.settings && a.decisions.pinned == b.decisions.pinned &&
+         a.decisions.vetoes == b.decisions.vetoes && a.decisions.role_control == b.decisions.role_control &&
+         a.markers.all() == b.markers.all() && takes(a.take_markers, b.take_markers) &&
+         std::ranges::equal(a.videos, b.videos, videos) && a.annotations == b.annotations;
+}
 
 Status save_project(const std::string& path, const Project& project) {
   std::error_code failure;

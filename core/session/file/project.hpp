@@ -33,7 +33,8 @@ struct Project {
   std::vector<DataReference> data;
   AnnotationBook annotations;
   std::vector<ProjectVideo> videos;
-  Markers markers;
+  Markers markers;                              ///< of the session
+  std::map<std::string, Markers> take_markers;  ///< by the take's name; none is empty
   Settings settings;
   Decisions decisions;
   std::string
@@ -47,6 +48,10 @@ struct Project {
 
   bool operator==(const Project&) const = default;
 };
+
+/// Whether a person has to be asked before it is lost: all but where panels and camera stand, what is meant
+/// at the moment, and which files it is made of; videos are compared by what was decided about them.
+bool is_same_work(const Project& a, const Project& b);
 
 /// Puts the project into a session file, whole or not at all; what was recorded in it stays. The file is made
 /// when there is none, and one of an older version is migrated. Not while it is being recorded by another:

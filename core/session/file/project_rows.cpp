@@ -88,6 +88,25 @@ void take_from_recording(TableReader& tables, Project& project) {
               });
 }
 
+/// A row of the views begins like this where it has the markers of a take; its name follows.
+constexpr std::string_view markers_key = "markers:";
+
+std::map<std::string, std::string> view_rows(const Project& project) {
+  auto rows = project.view;
+  for (const auto& [take, markers] : project.take_markers)
+    rows[std::string(markers_key) + take] = markers_json(markers);
+  return rows;
+}
+
+void take_views(std::map<std::string, std::string> rows, Project& project) {
+  for (const auto& [key, text] : rows)
+    if (key.starts_with(markers_key) && key.size() > markers_key.size())
+      if (Markers markers = parse_markers(text); !markers.empty())
+        project.take_markers[key.substr(markers_key.size())] = std::move(markers);
+  std::erase_if(rows, [](const auto& row) { return row.first.starts_with(markers_key); });
+  project.view = std::move(rows);
+}
+
 Status take_settings(const std::map<std::string, std::string>& words, Project& project) {
   const auto text = [&](const char* key) {
     const auto found = words.find(key);
@@ -135,7 +154,7 @@ Status write_project(SessionDatabase& database, const Project& project) {
       {"manifest", project.manifest},
       {"next_marker", std::to_string(project.markers.next_id())}};
   if (const Status done = write_words(database, "project", words); !done) return done;
-  if (const Status done = write_words(database, "view_state", project.view); !done) return done;
+  if (const Status done = write_words(database, "view_state", view_rows(project)); !done) return done;
   if (const Status done = write_markers(database, project.markers); !done) return done;
   if (const Status done = write_annotations(database, project.annotations); !done) return done;
   return write_data_and_videos(database, project);
@@ -154,7 +173,7 @@ Result<ProjectReading> read_project(SessionDatabase& database) {
     words = read_words(tables, "facts", "project");
     reading.is_saved = words.contains("saved_at");
     if (reading.is_saved) reading.saved_at = words["saved_at"];
-    project.view = read_words(tables, "views", "view_state");
+    take_views(read_words(tables, "views", "view_state"), project);
     project.annotations = read_annotations(tables);
     read_data_and_videos(tables, project);
   } else if (const auto noted = noted_intervals(database, more); !noted.empty()) {

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 #include <set>
 
+#include "core/base/json_nesting.hpp"
+#include "core/base/json_text.hpp"
 #include "core/base/text.hpp"
 
 namespace abrazo {
@@ -77,6 +80,41 @@ const Marker* Markers::near(double time_s, double reach_s) const {
 
 std::string marker_title(const Marker& marker) {
   return marker.name.empty() ? std::to_string(marker.id) : marker.name;
+}
+
+std::string markers_json(const Markers& markers) {
+  JsonText json;
+  json.begin_array();
+  for (const Marker& marker : markers.all())
+    json.begin_object()
+        .key("id")
+        .value(marker.id)
+        .key("name")
+        .value(marker.name)
+        .key("time_s")
+        .value(marker.time_s)
+        .end_object();
+  json.end_array();
+  return json.take();
+}
+
+Markers parse_markers(std::string_view json) {
+  constexpr int most = 1'000'000'000;
+  if (nests_too_deep(json)) return {};
+  std::vector<Marker> markers;
+  int last_id = 0;
+  const auto list = nlohmann::json::parse(json, nullptr, false);
+  if (!list.is_array()) return {};
+  for (const auto& each : list) {
+    if (!each.is_object()) continue;
+    const auto time = each.find("time_s"), name = each.find("name"), id = each.find("id");
+    if (time == each.end() || !time->is_number() || !std::isfinite(time->get<double>())) continue;
+    const double number = id != each.end() && id->is_number() ? id->get<double>() : 0;
+    markers.push_back({static_cast<int>(std::clamp<double>(number, 0, most)), time->get<double>(),
+                       name != each.end() && name->is_string() ? name->get<std::string>() : std::string()});
+    last_id = std::max(last_id, markers.back().id);
+  }
+  return Markers::restored(std::move(markers), last_id + 1);
 }
 
 }  // namespace abrazo

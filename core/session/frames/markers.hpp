@@ -52,4 +52,9 @@ class Markers {
 /// The name, or its number where it has none.
 std::string marker_title(const Marker& marker);
 
+/// [{"id":1,"name":"clap","time_s":0.7}], as the markers of a take stand in a session file.
+std::string markers_json(const Markers& markers);
+/// What is no marker is left out: the text is from a file, perhaps a stranger's.
+Markers parse_markers(std::string_view json);
+
 }  // namespace abrazo

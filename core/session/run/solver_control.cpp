@@ -3,46 +3,13 @@
 #include <stdexcept>
 #include <utility>
 
+#include "core/session/frames/decision_edits.hpp"
 #include "core/synthesis/role_views.hpp"
 #include "core/synthesis/synthesizer_state.hpp"
 
 namespace abrazo {
 
 namespace {
-
-bool has_label(const MotionLibrary& library, const std::string& label) {
-  if (label.empty()) return true;
-  for (const LibraryTake& take : library.takes())
-    for (const LabelInterval& interval : take.labels)
-      if (interval.label == label) return true;
-  return false;
-}
-
-/// The pair of another library that is the same recorded frame; -1 when it has none.
-int matching_pair(const MotionLibrary& from, int pair, const MotionLibrary& to) {
-  if (pair < 0 || pair >= from.pair_count()) return -1;
-  const PairSource& source = from.source(pair);
-  return to.find_pair(from.take_of(pair).name, static_cast<int>(source.frame), source.swapped);
-}
-
-/// What of the decisions on one library means something in another.
-Decisions carried_over(const Decisions& decisions, const MotionLibrary& from, const MotionLibrary& to) {
-  Decisions carried;
-  carried.role_control = decisions.role_control;
-  const auto pair_there = [&](int pair) { return matching_pair(from, pair, to); };
-  if (decisions.pinned && pair_there(*decisions.pinned) >= 0) carried.pinned = pair_there(*decisions.pinned);
-  for (const int pair : decisions.vetoes.pairs)
-    if (pair_there(pair) >= 0) carried.vetoes.pairs.insert(pair_there(pair));
-  for (const std::string& take : decisions.vetoes.takes)
-    if (to.find_take(take) >= 0) carried.vetoes.takes.insert(take);
-  for (const std::string& label : decisions.vetoes.labels)
-    if (has_label(to, label)) carried.vetoes.labels.insert(label);
-  const auto& meant = decisions.meant;
-  if (meant && (!meant->take || to.find_take(*meant->take) >= 0) &&
-      (!meant->label || has_label(to, *meant->label)))
-    carried.meant = meant;
-  return carried;
-}
 
 std::size_t number(UserRole role) {
   return role == UserRole::Passive ? 1 : 0;

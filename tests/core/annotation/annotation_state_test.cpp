@@ -175,11 +175,5 @@ TEST_F(AnnotationStateTest, WhatIsChosenIsThereAfterEveryStep) {
   EXPECT_TRUE(state.annotations().tier(state.tier()));
 }
 
-TEST_F(AnnotationStateTest, WhenTheSessionEndsNoTakeIsShown) {
-  state.show("one", library());
-  state.leave();
-  EXPECT_FALSE(state.shows_take());
-}
-
 }  // namespace
 }  // namespace abrazo::annotation_state_test

@@ -68,5 +68,18 @@ TEST(Markers, AreCalledByTheirNumberWithoutAName) {
   EXPECT_EQ(marker_title(markers.all()[1]), "turn");
 }
 
+TEST(Markers, ComeBackFromTheirTextAndWhatIsNoneIsLeftOut) {
+  Markers markers;
+  markers.add(2, "turn");
+  markers.add(1);
+  EXPECT_EQ(parse_markers(markers_json(markers)), markers);
+  const Markers odd = parse_markers(
+      R"([{"id":5,"time_s":1},{"id":5,"time_s":2},{"id":-3,"time_s":0.5},{"id":9},3,{"time_s":"late"}])");
+  ASSERT_EQ(odd.all().size(), 3U);
+  EXPECT_EQ(odd.all()[1].id, 5);
+  EXPECT_NE(odd.all()[2].id, 5) << "no id is there twice";
+  EXPECT_TRUE(parse_markers("no markers").empty());
+}
+
 }  // namespace
 }  // namespace abrazo::markers_test

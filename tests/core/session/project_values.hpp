@@ -21,6 +21,7 @@ class ProjectMaker {
     for (int i = 0; i < below(3); ++i) project.videos.push_back(video(static_cast<int>(project.data.size())));
     for (int i = 0; i < below(6); ++i) project.markers.add(number(), word());
     if (!project.markers.empty()) project.markers.remove(project.markers.all().front().id);
+    if (below(2)) project.take_markers["salsa 1"].add(number(), word());
     project.settings.alpha = 0.1 + 0.01 * below(100);
     project.settings.neighbours = 1 + below(50);
     project.settings.user_role = below(2) ? UserRole::Passive : UserRole::Active;

@@ -5,37 +5,35 @@
 #include <memory>
 #include <string>
 
-#include "app/workbench/document/live_session.hpp"
+#include "app/workbench/document/document.hpp"
 #include "core/annotation/library_updates.hpp"
 
 namespace abrazo::app {
 
 class Job;
-class MainWindow;
 
 /// Puts what is said of takes into the library of the running session, on a worker: the newest counts. The
-/// session goes on with it, and so do the views.
+/// document goes on with it.
 class LibraryFeed : public QObject {
   Q_OBJECT
  public:
-  explicit LibraryFeed(MainWindow& window);
+  explicit LibraryFeed(Document& document, QObject* parent = nullptr);
   ~LibraryFeed() override;
 
-  /// What cannot be put in, an invalid role, is reported once.
+  /// What cannot be put in, an invalid role, is reported once by `failed`.
   void put(const std::string& take, const Annotations& annotations);
   /// Nothing is waiting or under way.
   bool isIdle() const { return m_updates.is_idle(); }
+  /// What waits: it was said of the takes of a session or project that is gone.
   void forget();
 
  signals:
-  /// The session goes on with another library.
-  void fed();
+  void failed(const QString& why);
 
  private:
   void begin();
-  void show(PreparedSolver prepared);
 
-  MainWindow& m_window;
+  Document& m_document;
   LibraryUpdates m_updates;
   std::unique_ptr<Job> m_job;
   QTimer m_soon;  ///< of several changes in a row the last

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <QString>
 #include <optional>
 #include <string>
 #include <vector>
@@ -9,12 +8,12 @@
 #include "core/video/camera_model.hpp"
 #include "core/video/video_sync.hpp"
 
-namespace abrazo::app {
+namespace abrazo {
 
 /// What a person decided about one open video: what undo goes back to and a project keeps.
 struct VideoState {
-  int id = 0;  ///< of the window, never used twice
-  QString file;
+  int id = 0;  ///< of the project while it is worked on, never used twice
+  std::string file;
   std::string subject;  ///< a take of the library, or "" for the session
   VideoSync sync;
   /// Nothing: a field of view is guessed.
@@ -33,7 +32,7 @@ inline ProjectVideo project_video(const VideoState& state) {
   return {-1, state.subject, state.sync, state.camera, state.picked};
 }
 
-inline VideoState video_state(const ProjectVideo& video, const QString& file) {
+inline VideoState video_state(const ProjectVideo& video, const std::string& file) {
   VideoState state;
   state.file = file;
   state.subject = video.subject;
@@ -48,4 +47,4 @@ inline VideoState video_state(const ProjectVideo& video, const QString& file) {
   return state;
 }
 
-}  // namespace abrazo::app
+}  // namespace abrazo

@@ -8,7 +8,7 @@
 
 #include "core/synthesis/settings.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo {
 
 /// Settings that a person keeps under a name.
 struct OwnPreset {
@@ -38,4 +38,4 @@ inline PresetChoice choice_for(const Settings& settings, const PresetChoice& bef
   return found == own.end() ? before : PresetChoice{found->name, true, settings};
 }
 
-}  // namespace abrazo::widgets
+}  // namespace abrazo

@@ -1,0 +1,132 @@
+#include "app/workbench/document/document.hpp"
+
+#include <QUndoCommand>
+
+namespace abrazo::app {
+namespace {
+
+QString title_of(const std::string& key) {
+  const SettingInfo* info = find_setting(key);
+  return info ? QString::fromUtf8(info->title.data(), static_cast<int>(info->title.size())) : QString();
+}
+
+}  // namespace
+
+/// The one step of undo there is for what a document owns; the rules are ProjectEdit's.
+class DocumentStep : public QUndoCommand {
+ public:
+  DocumentStep(Document& document, ProjectEdit edit)
+      : QUndoCommand(QString::fromStdString(edit.what)), m_document(document), m_edit(std::move(edit)) {}
+
+  void redo() override { put(m_edit.after); }
+  void undo() override { put(m_edit.before); }
+  int id() const override { return m_edit.gesture > 0 ? 1 : -1; }
+  bool mergeWith(const QUndoCommand* other) override {
+    const auto* next = dynamic_cast<const DocumentStep*>(other);
+    if (next == nullptr || !m_edit.absorb(next->m_edit)) return false;
+    setText(next->text());
+    setObsolete(m_edit.is_nothing());
+    return true;
+  }
+
+ private:
+  void put(const ProjectValue& value) {
+    m_document.m_live.is_valid(m_edit) ? m_document.put(value) : setObsolete(true);
+  }
+
+  Document& m_document;
+  ProjectEdit m_edit;
+};
+
+void Document::change(const ProjectValue& next, const QString& what, const QString& key, int gesture) {
+  auto edit = m_live.edit(next, what.toStdString());
+  if (!edit) {  // of another preset's name, perhaps: nothing that a step of undo would show
+    if (std::holds_alternative<ChosenSettings>(next)) put(next);
+    return;
+  }
+  edit->key = key.toStdString();
+  edit->gesture = gesture;
+  m_undo.push(new DocumentStep(*this, std::move(*edit)));
+}
+
+void Document::take(const Result<ChosenSettings>& next, const QString& what, const QString& key,
+                    int gesture) {
+  next ? change(*next, what, key, gesture) : emit refused(QString::fromStdString(next.error().text()));
+}
+
+void Document::changeSetting(const QString& key, const QString& text, int gesture) {
+  const std::string name = key.toStdString();
+  const auto next = m_live.with_setting(name, text.toStdString());
+  const QString what =
+      next ? title_of(name) + " to " + QString::fromStdString(setting_text(next->settings, name)) : QString();
+  take(next, what, key, gesture);
+}
+
+void Document::choosePreset(const QString& name, bool own) {
+  take(m_live.with_preset(name.toStdString(), own), "preset " + name, {}, 0);
+}
+
+void Document::adopt(const Settings& settings, const QString& what) {
+  change(m_live.with_settings(settings), what);
+}
+
+void Document::changeMarkers(const Markers& next, const QString& what) {
+  if (m_session) change(SubjectMarkers{m_subject, next}, what);
+}
+
+bool Document::controlRole(RoleControl by) {
+  const Status possible = m_session ? m_session->engine().control_role(by) : Status(Done{});
+  possible ? put(by) : emit refused(QString::fromStdString(possible.error().text()));
+  return possible.ok();
+}
+
+void Document::open(const Project& saved, const QStringList& videos) {
+  announce(m_live.open(saved));
+  controlRole(saved.decisions.role_control);
+  openAnnotations(saved.annotations);
+  emit videosOpened(saved.videos, videos);
+}
+
+void Document::beginSession(PreparedSolver prepared) {
+  const bool same_library = m_session && m_session->material().library == prepared.material.library;
+  m_session.reset();
+  m_session = std::make_unique<LiveSession>(std::move(prepared));
+  m_subject.clear();
+  const auto changed = m_live.begin_session(same_library);
+  tellSolver(ProjectPart::Settings);  // they may have changed while it was prepared
+  tellSolver(ProjectPart::Decisions);
+  announce(changed);
+}
+
+void Document::replaceSolver(PreparedSolver prepared) {
+  const auto before = m_session->material().library, after = prepared.material.library;
+  m_session->replaceSolver(std::move(prepared));
+  const auto changed = m_live.replace_library(*before, *after);
+  emit libraryReplaced(before, after);
+  announce(changed);
+}
+
+void Document::setSubject(const std::string& subject) {
+  if (subject == m_subject) return;
+  m_subject = subject;
+  emit subjectChanged();
+  emit changed(ProjectPart::Markers);
+}
+
+void Document::announce(const LiveProject::Parts& parts) {
+  for (const ProjectPart part : parts) {
+    tellSolver(part);
+    emit changed(part);
+  }
+}
+
+void Document::tellSolver(ProjectPart part) {
+  if (!m_session) return;
+  if (part == ProjectPart::Settings) m_session->push(SetSettings{settings()});
+  if (part != ProjectPart::Decisions) return;
+  m_session->push(PinPair{decisions().pinned});
+  m_session->push(SetVetoes{decisions().vetoes});
+  m_session->push(IntendMove{decisions().meant});
+}
+
+}  // namespace abrazo::app

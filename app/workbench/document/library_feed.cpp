@@ -1,0 +1,68 @@
+#include "app/workbench/document/library_feed.hpp"
+
+#include <utility>
+
+#include "app/workbench/base/job.hpp"
+#include "widgets/common/utf8.hpp"
+
+namespace abrazo::app {
+namespace {
+
+using widgets::text;
+
+constexpr int settle_ms = 120;
+
+Result<PreparedSolver> annotated(Material material, const LibraryUpdates::Takes& takes,
+                                 const Settings& settings) {
+  auto library = with_updates(material.library, takes);
+  if (!library) return library.error();
+  material.library = std::move(*library);
+  return prepare_solver(std::move(material), settings);
+}
+
+}  // namespace
+
+LibraryFeed::LibraryFeed(Document& document, QObject* parent) : QObject(parent), m_document(document) {
+  m_soon.setSingleShot(true);
+  m_soon.setInterval(settle_ms);
+  connect(&m_soon, &QTimer::timeout, this, &LibraryFeed::begin);
+}
+
+LibraryFeed::~LibraryFeed() = default;
+
+void LibraryFeed::forget() {
+  m_soon.stop();
+  m_updates.forget();
+  Job::retire(std::move(m_job), this);
+}
+
+void LibraryFeed::put(const std::string& take, const Annotations& annotations) {
+  if (!m_document.session()) return;
+  const auto waits = m_updates.put(*m_document.session()->material().library, take, annotations);
+  if (!waits)
+    return emit failed(text(waits.error().text()) + "; the library keeps the roles it has until then");
+  if (*waits) m_soon.start();
+}
+
+void LibraryFeed::begin() {
+  if (!m_document.session() || m_updates.is_idle()) return;
+  Job::retire(std::move(m_job), this);
+  m_job = std::make_unique<Job>([this, material = m_document.session()->material(), takes = m_updates.begin(),
+                                 settings = m_document.settings()](const Progress&) -> Job::Finish {
+    auto prepared = annotated(material, takes, settings);
+    if (!prepared)
+      return [this, why = prepared.error().text()] {
+        m_updates.end();
+        emit failed(text(why));
+      };
+    auto ready = std::make_shared<PreparedSolver>(std::move(prepared).value());
+    return [this, ready, base = material.library] {
+      // The library got a take meanwhile, say, which is not in what was made.
+      if (m_document.session()->material().library != base) return begin();
+      m_updates.end();
+      m_document.replaceSolver(std::move(*ready));
+    };
+  });
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,45 @@
+#include "app/workbench/shell/actions.hpp"
+
+#include <QAction>
+#include <QMenu>
+
+#include "app/workbench/base/action_id.hpp"
+#include "app/workbench/shell/main_window.hpp"
+
+namespace abrazo::app {
+
+QString menu_path(const QAction& action) {
+  for (const QWidget* widget : action.associatedWidgets())
+    if (const auto* menu = qobject_cast<const QMenu*>(widget)) {
+      const QString above = menu_path(*menu->menuAction());
+      return above.isEmpty() ? menu->title() : above + " > " + menu->title();
+    }
+  return {};
+}
+
+QAction* add_action(MainWindow& window, QMenu* menu, const QString& text,
+                    std::initializer_list<QKeySequence> keys, std::function<void()> act) {
+  auto* action = new QAction(text, &window);
+  action->setShortcuts(QList<QKeySequence>(keys));
+  action->setShortcutContext(Qt::WindowShortcut);
+  QObject::connect(action, &QAction::triggered, &window, std::move(act));
+  menu->addAction(action);
+  action->setObjectName(
+      QString::fromStdString(action_id(menu_path(*action).toStdString(), text.toStdString())));
+  window.addAction(action);
+  return action;
+}
+
+QAction* action_of(const MainWindow& window, const QString& id) {
+  for (QAction* action : window.actions())
+    if (action->objectName() == id) return action;
+  return nullptr;
+}
+
+void move_before(QMenu& menu, QAction* action, QAction* other) {
+  if (!other) return;
+  menu.removeAction(action);
+  menu.insertAction(other, action);
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,65 @@
+#include "app/workbench/shell/document_views.hpp"
+
+#include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/shell/status_figures.hpp"
+#include "widgets/candidates/candidate_table.hpp"
+#include "widgets/common/message_bar.hpp"
+#include "widgets/library/take_list.hpp"
+#include "widgets/scene/view/scene_view.hpp"
+#include "widgets/settings/settings_panel.hpp"
+#include "widgets/timeline/timeline_view.hpp"
+
+namespace abrazo::app {
+namespace {
+
+using widgets::CandidateTable;
+using widgets::SettingsPanel;
+using widgets::TimelineView;
+
+void show_part(MainWindow& window, ProjectPart part) {
+  const Document& document = window.document();
+  if (part == ProjectPart::Settings)
+    window.settings().showSettings(document.settings(), document.live().preset());
+  if (part == ProjectPart::Decisions) {
+    window.candidates().showDecisions(document.decisions());
+    window.takes().setVetoedTakes(document.decisions().vetoes.takes);
+  }
+  if (part == ProjectPart::Markers) window.timeline().showMarkers(document.markers());
+}
+
+/// Pairs and takes that were there may have other numbers, roles and labels.
+void show_library(MainWindow& window, const std::shared_ptr<const MotionLibrary>& library) {
+  window.ticker().setLibrary(library);
+  window.scene().setLibrary(library);
+  window.candidates().setLibrary(library);
+  window.timeline().extendLibrary(library);
+  const int take = window.takes().selectedTake();
+  window.takes().setLibrary(library);
+  if (take >= 0) window.takes().setSelectedTake(take);
+  window.status().setLibrary(library->pair_count());
+}
+
+}  // namespace
+
+void show_document(MainWindow& window) {
+  Document& document = window.document();
+  const auto connect = [&document](auto& view, auto asked, auto answer) {
+    QObject::connect(&view, asked, &document, answer);
+  };
+  connect(window.settings(), &SettingsPanel::entryRequested, &Document::changeSetting);
+  connect(window.settings(), &SettingsPanel::presetRequested, &Document::choosePreset);
+  connect(window.settings(), &SettingsPanel::settingsRequested, &Document::adopt);
+  connect(window.candidates(), &CandidateTable::decisionsRequested,
+          [&document](const Decisions& next, const QString& what) { document.change(next, what); });
+  connect(window.timeline(), &TimelineView::markersRequested, &Document::changeMarkers);
+  QObject::connect(&document, &Document::changed, &window,
+                   [&window](ProjectPart part) { show_part(window, part); });
+  QObject::connect(&document, &Document::refused, &window, [&window](const QString& why) {
+    show_part(window, ProjectPart::Settings);  // what was typed is taken back
+    window.messages().showError(why);
+  });
+  QObject::connect(&document, &Document::libraryReplaced, &window,
+                   [&window](const auto&, const auto& library) { show_library(window, library); });
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,220 @@
+#include "core/session/edit/live_project.hpp"
+
+#include <gtest/gtest.h>
+
+#include "core/session/frames/decision_edits.hpp"
+#include "tests/support/libraries.hpp"
+
+namespace abrazo::live_project_test {
+namespace {
+
+/// What a window does with a project: steps of undo, of which those of one gesture are one.
+struct Worked {
+  LiveProject live;
+  std::vector<ProjectEdit> steps;
+
+  bool change(const ProjectValue& value, const std::string& key = {}, int gesture = 0) {
+    auto edit = live.edit(value, "edit");
+    if (!edit) return false;
+    edit->key = key;
+    edit->gesture = gesture;
+    live.put(edit->after);
+    if (steps.empty() || !steps.back().absorb(*edit)) steps.push_back(*edit);
+    if (steps.back().is_nothing()) steps.pop_back();
+    return true;
+  }
+  bool set(const std::string& key, const std::string& text, int gesture = 0) {
+    const auto next = live.with_setting(key, text);
+    return next && change(*next, key, gesture);
+  }
+  void undo() {
+    live.put(steps.back().before);
+    steps.pop_back();
+  }
+  const Settings& settings() const { return live.project().settings; }
+};
+
+Markers marked(double time_s) {
+  Markers markers;
+  markers.add(time_s, "clap");
+  return markers;
+}
+
+TEST(LiveProject, AnEntryIsOneSettingOfTheWholeValueAndCanBeUndone) {
+  Worked work;
+  EXPECT_TRUE(work.set("alpha", "0.7"));
+  Settings wanted = *preset("paper");
+  wanted.alpha = 0.7;
+  EXPECT_EQ(work.settings(), wanted);
+  EXPECT_EQ(work.live.preset().name, "paper") << "the preset that it is measured by stays";
+  work.undo();
+  EXPECT_EQ(work.settings(), *preset("paper"));
+}
+
+TEST(LiveProject, MovesOfOneGestureAreOneStepAndTwoGesturesAreTwo) {
+  Worked work;
+  for (const char* value : {"0.6", "0.7", "0.8"}) work.set("alpha", value, 1);
+  EXPECT_EQ(work.steps.size(), 1U);
+  work.set("alpha", "0.9", 2);
+  EXPECT_EQ(work.steps.size(), 2U);
+  work.set("velocity-weight", "0.9", 2);
+  EXPECT_EQ(work.steps.size(), 3U) << "of another setting";
+  work.undo(), work.undo(), work.undo();
+  EXPECT_EQ(work.settings(), *preset("paper"));
+}
+
+TEST(LiveProject, AGestureThatEndsWhereItBeganIsNoStep) {
+  Worked work;
+  for (const char* value : {"0.6", "0.5"}) work.set("alpha", value, 1);
+  EXPECT_TRUE(work.steps.empty());
+}
+
+TEST(LiveProject, AnEntryThatCannotBeUsedNamesItsSetting) {
+  const auto next = LiveProject().with_setting("alpha", "much");
+  ASSERT_FALSE(next);
+  EXPECT_NE(next.error().text().find("alpha"), std::string::npos) << next.error().text();
+}
+
+TEST(LiveProject, UndoGoesBackToThePresetThatWasChosenToo) {
+  Worked work;
+  work.set("alpha", "0.7");
+  work.change(*work.live.with_preset("responsive", false));
+  EXPECT_EQ(work.live.preset().name, "responsive");
+  work.undo();
+  EXPECT_EQ(work.live.preset().name, "paper");
+  EXPECT_EQ(work.settings().alpha, 0.7);
+}
+
+TEST(LiveProject, AnOwnPresetThatIsGoneIsNotChosenAnyMore) {
+  Worked work;
+  Settings calm = *preset("paper");
+  calm.alpha = 2;
+  work.live.put(std::vector<OwnPreset>{{"calm", calm}});
+  work.change(*work.live.with_preset("calm", true));
+  EXPECT_EQ(work.settings(), calm);
+  EXPECT_TRUE(work.live.preset().own);
+  work.live.put(std::vector<OwnPreset>{});
+  EXPECT_FALSE(work.live.preset().own);
+  EXPECT_EQ(work.settings(), calm) << "the settings stay";
+  EXPECT_FALSE(work.live.with_preset("calm", true));
+}
+
+TEST(LiveProject, SettingsThatArePresetsAreKnownAsSuch) {
+  LiveProject live;
+  EXPECT_EQ(live.with_settings(*preset("responsive")).preset.name, "responsive");
+}
+
+TEST(LiveProject, AStepOfDecisionsLeavesAloneWhoDecidesAboutTheRole) {
+  Worked work;
+  EXPECT_TRUE(work.change(with_pin_toggled({}, 3)));
+  work.live.put(RoleControl::Leader);
+  work.undo();
+  EXPECT_FALSE(work.live.project().decisions.pinned);
+  EXPECT_EQ(work.live.project().decisions.role_control, RoleControl::Leader);
+  EXPECT_FALSE(work.change(Decisions{})) << "of the role alone nothing is to be undone";
+}
+
+TEST(LiveProject, MarkersOfTheSessionAndOfEachTakeAreTheirOwn) {
+  Worked work;
+  work.change(SubjectMarkers{"", marked(1)});
+  work.change(SubjectMarkers{"salsa_01", marked(2)});
+  EXPECT_EQ(work.live.project().markers, marked(1));
+  EXPECT_EQ(work.live.markers("salsa_01"), marked(2));
+  EXPECT_TRUE(work.live.markers("salsa_02").empty());
+  work.undo();
+  EXPECT_TRUE(work.live.project().take_markers.empty()) << "a take without any has no entry";
+  EXPECT_EQ(work.live.markers(""), marked(1));
+}
+
+TEST(LiveProject, StepsOfMarkersEndWithTheirSessionAndThoseOfSettingsDoNot) {
+  Worked work;
+  work.set("alpha", "0.7");
+  work.change(SubjectMarkers{"", marked(1)});
+  work.live.begin_session(true);
+  EXPECT_TRUE(work.live.markers("").empty());
+  EXPECT_TRUE(work.live.is_valid(work.steps[0]));
+  EXPECT_FALSE(work.live.is_valid(work.steps[1])) << "its times are others";
+}
+
+TEST(LiveProject, DecisionsStayInASessionOnTheSameLibraryAndGoWithAnother) {
+  Worked work;
+  work.change(with_pin_toggled({}, 3));
+  work.live.begin_session(true);
+  EXPECT_TRUE(work.live.is_valid(work.steps[0]));
+  EXPECT_EQ(work.live.project().decisions.pinned, 3);
+  work.live.put(RoleControl::Leader);
+  work.live.begin_session(false);
+  EXPECT_FALSE(work.live.is_valid(work.steps[0])) << "its pairs are others";
+  EXPECT_FALSE(work.live.project().decisions.pinned);
+  EXPECT_EQ(work.live.project().decisions.role_control, RoleControl::Leader);
+}
+
+TEST(LiveProject, AnotherLibraryInTheSameSessionKeepsWhatItHas) {
+  const auto before = test::two_take_library(), after = test::small_library();
+  Worked work;
+  work.change(SubjectMarkers{"", marked(1)});
+  Decisions decided = with_pin_toggled({}, 3);
+  decided.vetoes.takes = {after->takes().front().name, "salsa_01"};
+  work.change(decided);
+  work.live.replace_library(*before, *after);
+  EXPECT_FALSE(work.live.project().decisions.pinned);
+  EXPECT_EQ(work.live.project().decisions.vetoes.takes, std::set<std::string>{after->takes().front().name});
+  EXPECT_TRUE(work.live.is_valid(work.steps[0])) << "markers are of the session, which goes on";
+  EXPECT_FALSE(work.live.is_valid(work.steps[1]));
+}
+
+TEST(LiveProject, WhatWasMeantWhenAProjectWasSavedIsNotMeantWhenItIsOpened) {
+  Project saved;
+  saved.settings.alpha = 2;
+  saved.decisions.pinned = 4;
+  saved.decisions.meant = MeantMove{"turn", {}, 5, false};
+  saved.markers = marked(1);
+  saved.take_markers["salsa_01"] = marked(2);
+  LiveProject live;
+  live.open(saved);
+  EXPECT_TRUE(is_same_work(live.project(), [&] {
+    Project wanted = saved;
+    wanted.decisions.meant.reset();
+    return wanted;
+  }()));
+  EXPECT_FALSE(live.project().decisions.meant);
+}
+
+TEST(LiveProject, AVideoIsSavedWithAReferenceToItsFile) {
+  VideoState video;
+  video.id = 7;
+  video.file = "/films/a.mp4";
+  video.subject = "salsa_01";
+  Worked work;
+  EXPECT_TRUE(work.change(VideoStates{video}));
+  ASSERT_EQ(work.live.project().videos.size(), 1U);
+  EXPECT_EQ(work.live.project().videos[0].subject, "salsa_01");
+  EXPECT_EQ(work.live.project().videos[0].data, 0);
+  ASSERT_EQ(work.live.video_files().size(), 1U);
+  EXPECT_EQ(work.live.video_files()[0].absolute_path, "/films/a.mp4");
+  EXPECT_EQ(work.live.video_files()[0].use, DataReference::Use::Video);
+  work.undo();
+  EXPECT_TRUE(work.live.project().videos.empty());
+}
+
+TEST(LiveProject, StepsOfVideosEndWhenOthersComeInTheirPlace) {
+  VideoState video;
+  video.id = 1;
+  Worked work;
+  work.change(VideoStates{video});
+  EXPECT_TRUE(work.live.is_valid(work.steps[0]));
+  work.live.replace_videos({});
+  EXPECT_TRUE(work.live.videos().empty());
+  EXPECT_FALSE(work.live.is_valid(work.steps[0])) << "it would bring back one that was closed";
+}
+
+TEST(Project, IsTheSameWorkWhereverItsPanelsStandAndOtherWorkWithAnotherMarker) {
+  Project a, b;
+  b.view["camera"] = "1 0";
+  EXPECT_TRUE(is_same_work(a, b));
+  b.take_markers["salsa_01"] = marked(1);
+  EXPECT_FALSE(is_same_work(a, b));
+}
+
+}  // namespace
+}  // namespace abrazo::live_project_test
