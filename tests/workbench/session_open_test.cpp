@@ -1,9 +1,12 @@
 // A recorded session in the window again: the same frames, takes and markers, and it can go on.
+#include <gmock/gmock.h>
+
 #include <QFile>
 #include <QPushButton>
 
 #include "app/workbench/document/session_places.hpp"
 #include "app/workbench/takes/take_desk.hpp"
+#include "core/opening/session_material.hpp"
 #include "core/session/file/session_database.hpp"
 #include "core/session/file/session_edit.hpp"
 #include "core/session/file/session_file.hpp"
@@ -86,15 +89,19 @@ TEST_F(SessionOpen, ItsFramesCanBeSolvedAgainWithOtherSettings) {
 TEST_F(SessionOpen, DamagedFramesArePassedOverAndSaidAndNothingIsOpenedWhenNoneIsLeft) {
   const std::string copy = s_file.toStdString() + "-copy.abrazo";
   ASSERT_TRUE(copy_session(s_file.toStdString(), copy));
-  const auto opened_without = [&](const std::string& frames) {
+  const auto opened_without = [&](const std::string& frames) -> Result<Material> {
     auto database = SessionDatabase::open(copy, SessionDatabase::Access::Write);
     EXPECT_TRUE(database && database->execute("UPDATE frames SET active = zeroblob(10) WHERE " + frames) &&
                 database->close());
-    return load_session(copy, "", window().session()->material(), {});
+    auto opened = open_session(copy);
+    if (!opened) return opened.error();
+    SessionWish wish;
+    wish.open = window().session()->material();
+    return material_of(*opened, wish, {});
   };
   const auto some = opened_without("frame % 3 = 0");
   ASSERT_TRUE(some) << some.error().text();
-  EXPECT_NE(some->warnings.back().find("frames are damaged and passed over"), std::string::npos);
+  EXPECT_THAT(some->warnings, testing::Contains(testing::HasSubstr("frames are damaged and passed over")));
   const auto none = opened_without("1");
   ASSERT_FALSE(none);
   EXPECT_NE(none.error().text().find("frames can be read"), std::string::npos) << none.error().text();
