@@ -15,7 +15,6 @@ namespace {
 using widgets::QuickEntry;
 using widgets::TimelineView;
 
-/// There once all actions are.
 AnnotationDesk& desk_of(const MainWindow& window) {
   return *window.findChild<AnnotationDesk*>();
 }
@@ -51,9 +50,9 @@ void change(MainWindow& window, const Markers& next, const QString& what) {
     window.undoStack().push(new ChangeMarkers(window, next, what));
 }
 
-void add(MainWindow& window, const QString& name) {
+void add(MainWindow& window, double time_s, const QString& name) {
   Markers next = window.timeline().markers();
-  const int id = next.add(window.ticker().playback().cursor_s, name.toStdString());
+  const int id = next.add(time_s, name.toStdString());
   change(window, next, "add marker");
   window.timeline().selectMarker(id);
 }
@@ -68,10 +67,7 @@ void add_named(MainWindow& window) {
   TimelineView& timeline = window.timeline();
   QuickEntry::open(timeline, over_the_timeline(timeline, time_s), "Name of the marker", {},
                    [&window, time_s](const QString& name) -> QString {
-                     Markers next = window.timeline().markers();
-                     const int id = next.add(time_s, name.toStdString());
-                     change(window, next, "add marker");
-                     window.timeline().selectMarker(id);
+                     add(window, time_s, name);
                      return {};
                    });
 }
@@ -102,10 +98,10 @@ void remove(MainWindow& window) {
 
 /// Of moves of the sources and of labels.
 std::vector<double> edges_of(const MainWindow& window, double here, bool on) {
-  std::vector<double> edges;
   const auto& tracks = window.timeline().tracks();
-  if (const auto edge = on ? tracks.edge_after(here) : tracks.edge_before(here)) edges.push_back(*edge);
   const AnnotationDesk& desk = desk_of(window);
+  std::vector<double> edges;
+  if (const auto edge = on ? tracks.edge_after(here) : tracks.edge_before(here)) edges.push_back(*edge);
   if (const auto edge = edge_beside(desk.annotations(), desk.place(), on)) edges.push_back(*edge);
   return edges;
 }
@@ -134,7 +130,8 @@ void jump(MainWindow& window, bool on) {
 void add_marker_actions(MainWindow& window) {
   QMenu* menu = window.menu("Timeline");
   TimelineView& timeline = window.timeline();
-  add_action(window, menu, "Marker", {QKeySequence("M")}, [&window] { add(window, {}); });
+  add_action(window, menu, "Marker", {QKeySequence("M")},
+             [&window] { add(window, window.ticker().playback().cursor_s, {}); });
   add_action(window, menu, "Marker with a name…", {QKeySequence("Shift+M")},
              [&window] { add_named(window); });
   add_action(window, menu, "Previous marker or edge", {QKeySequence("Ctrl+Left")},
