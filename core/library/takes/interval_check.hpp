@@ -1,7 +1,5 @@
 #pragma once
 
-#include <fmt/format.h>
-
 #include <string>
 #include <vector>
 
@@ -17,8 +15,9 @@ Status check_intervals(const std::vector<Interval>& intervals, const char* what,
   for (std::size_t i = 0; i < intervals.size(); ++i)
     if (intervals[i].start < 0 || intervals[i].end <= intervals[i].start ||
         (i > 0 && intervals[i].start < intervals[i - 1].end))
-      return Error{fmt::format("{} {} [{}, {}) is empty, overlaps the one before it, or is out of order",
-                               what, i, intervals[i].start, intervals[i].end),
+      return Error{std::string(what) + " " + std::to_string(i) + " [" + std::to_string(intervals[i].start) +
+                       ", " + std::to_string(intervals[i].end) +
+                       ") is empty, overlaps the one before it, or is out of order",
                    where};
   return Done{};
 }
