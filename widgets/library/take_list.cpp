@@ -20,6 +20,15 @@ constexpr int play_interval_ms = 15;
 constexpr const char* no_library =
     "No library. Open one (Ctrl+O), build one of motion files, or drop files here.";
 
+/// The panel keeps its width, and the scene beside it too, when the button changes its word.
+void keep_room_for(QToolButton& button, const QString& other) {
+  const QString word = button.text();
+  const int width = button.sizeHint().width();
+  button.setText(other);
+  button.setMinimumWidth(std::max(width, button.sizeHint().width()));
+  button.setText(word);
+}
+
 QToolButton* button(QWidget* parent, const QString& text, const QString& name, const QString& tip) {
   auto* button = new QToolButton(parent);
   button->setObjectName("chip");
@@ -96,6 +105,9 @@ QWidget* TakeList::makeFoot() {
       foot, "Dance", "Dance with this take",
       "Its active performer plays the user; the take is then not selected from (Return, double click)");
   m_veto = button(foot, "Exclude", "Exclude the take from selection", "No pair of the take is selected");
+  keep_room_for(*m_play, "Stop");
+  keep_room_for(*m_veto, "Use again");
+  m_coverage->setMinimumWidth(1);  // of the buttons
   for (QToolButton* one : {m_play, m_dance, m_veto}) buttons->addWidget(one);
   column->addWidget(m_coverage);
   column->addLayout(buttons);
