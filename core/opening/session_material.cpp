@@ -43,7 +43,7 @@ Result<FoundLibrary> stand_in(const Error& why, const Progress& progress) {
 }
 
 Result<FoundLibrary> library_for(const OpenedSession& session, const SessionWish& wish,
-                                const Progress& progress) {
+                                 const Progress& progress) {
   const bool has_frames = session.has_frames();
   const auto& references = session.recording.contents.libraries;
   const OpenedProject& project = *session.project;

@@ -157,8 +157,8 @@ const std::map<std::string, std::set<std::string>>& core_table() {
        {"base", "motion", "mesh", "library", "selection", "retarget", "synthesis", "metrics", "stream",
         "video", "annotation"}},
       {"opening",
-       {"base", "motion", "mesh", "library", "selection", "retarget", "synthesis", "metrics", "stream", "video",
-        "annotation", "choreography", "session"}},
+       {"base", "motion", "mesh", "library", "selection", "retarget", "synthesis", "metrics", "stream",
+        "video", "annotation", "choreography", "session"}},
   };
   return table;
 }

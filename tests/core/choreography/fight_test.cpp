@@ -13,8 +13,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "core/motion/body/body_segments.hpp"
 #include "core/motion/body/body.hpp"
+#include "core/motion/body/body_segments.hpp"
 #include "core/motion/body/joint_set.hpp"
 
 namespace abrazo::fight_test {
