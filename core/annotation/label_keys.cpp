@@ -59,9 +59,13 @@ std::vector<LabelKeys::Said> LabelKeys::follow(const Moment& now) {
   if (!running_.empty() && (now.is_parked || starts_over)) {
     const auto running = running_;
     const double until_s = now.is_parked ? now.cursor_s : std::max(last_s_, now.out_s.value_or(last_s_));
-    for (const auto& [key, each] : running) end(key, until_s, now.fps, said);
-    if (taps_ && !now.is_parked)
-      for (const auto& [key, each] : running) running_[key] = {each.tier, each.value, now.cursor_s};
+    for (const auto& [key, each] : running) {
+      const std::size_t said_before = said.size();
+      end(key, until_s, now.fps, said);
+      // Pressed within the last frame of the loop, it has said nothing yet: it is meant for what follows.
+      const bool said_nothing = said.size() == said_before;
+      if (!now.is_parked && (taps_ || said_nothing)) running_[key] = {each.tier, each.value, now.cursor_s};
+    }
   }
   last_s_ = now.cursor_s;
   return said;

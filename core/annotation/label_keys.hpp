@@ -47,8 +47,8 @@ class LabelKeys {
   std::vector<Said> press(char key, const AnnotationTier& tier, const Moment& now);
   std::vector<Said> release(char key, const Moment& now);
   std::vector<Said> finish(const Moment& now);
-  /// Time passed. A cursor that stands ends what is being said; so does a loop that starts over, at its end,
-  /// and in tapping mode what was said goes on from its beginning.
+  /// Time passed. A cursor that stands ends what is being said; so does a loop that starts over, at its end.
+  /// In tapping mode, and of a key that was pressed within its last frame, it goes on from the beginning.
   std::vector<Said> follow(const Moment& now);
   /// Another subject: nothing is being said.
   void forget() { running_.clear(); }

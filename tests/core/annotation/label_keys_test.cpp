@@ -118,6 +118,19 @@ TEST_F(LabelKeysTest, ALoopThatStartsOverEndsItAtOut) {
   EXPECT_TRUE(keys.running().empty());
 }
 
+TEST_F(LabelKeysTest, AKeyPressedInTheLastFrameOfALoopSaysTheNextRound) {
+  press('1', 2.499);
+  LabelKeys::Moment again = at(2.01);
+  again.fps = 60;
+  again.out_s = 2.5;
+  EXPECT_THAT(follow(again), IsEmpty()) << "no frame was said yet";
+  EXPECT_TRUE(keys.is_running('1'));
+  follow(at(2.48));
+  again.cursor_s = 2;
+  EXPECT_THAT(follow(again), testing::SizeIs(1));
+  EXPECT_TRUE(keys.running().empty());
+}
+
 TEST_F(LabelKeysTest, InTappingModeItGoesOnWhereTheLoopBegins) {
   keys.set_taps(true, at(0));
   press('1', 2.2);
