@@ -9,7 +9,8 @@ namespace abrazo {
 
 namespace {
 
-constexpr std::uint8_t format_version = 3;
+constexpr std::uint8_t format_version = 4;
+constexpr std::uint8_t of_the_root = 3;      ///< was written while the partner's place was that of its root
 constexpr std::uint8_t without_motion = 2;   ///< was written before the partner had a motion of its own
 constexpr std::uint8_t without_history = 1;  ///< was written before there was one
 
@@ -226,6 +227,21 @@ void skip_glide(BlobReader& in) {
   in.matrix(velocity);
 }
 
+/// While the place was the root's: where the centre of mass goes cannot be had from it. It is not kept, and
+/// the partner goes on from what is shown.
+void skip_motion_of_the_root(BlobReader& in) {
+  constexpr std::size_t number = sizeof(double), point = 3 * number;
+  constexpr std::size_t playhead = sizeof(std::int32_t) + 2 * number + 1;  // with the settings that moved it
+  constexpr std::size_t place = 2 * point + 3 * number;                    // with the time since a change
+  constexpr std::size_t transition = 2 * bone_count * point + 4 * number;
+  constexpr std::size_t adaptation = 4 * sizeof(Pose);
+  constexpr std::size_t foot = 4 + 6 * point + 4 * number;
+  constexpr std::size_t hold = 2 + number + 5 * point;
+  constexpr std::size_t arm = 1 + 2 * point;
+  constexpr std::size_t all = playhead + place + transition + adaptation + 2 * foot + 4 * hold + 2 * arm;
+  for (std::size_t i = 0; i < all; ++i) in.byte();
+}
+
 // The names stand for the fields: a field that is added to a struct stops these lines from compiling, and is
 // then written and read below under a new version.
 void write(BlobWriter& out, const FrameMemory& memory) {
@@ -262,7 +278,7 @@ bool read(BlobReader& in, std::uint8_t version, FrameMemory& memory) {
     skip_glide(in);
     memory.partner_is_shown = memory.has_good_result;
   } else {
-    memory.motion = read_motion(in);
+    version == of_the_root ? skip_motion_of_the_root(in) : void(memory.motion = read_motion(in));
     memory.partner_is_shown = in.flag();
   }
   const bool has_history = version == without_history || read(in, memory.history);

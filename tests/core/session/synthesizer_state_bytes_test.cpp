@@ -112,6 +112,28 @@ TEST(SynthesizerStateBytes, OfTheVersionBeforeThePartnerHadAMotionAreReadWithout
             StepStatus::Failed);
 }
 
+TEST(SynthesizerStateBytes, OfTheVersionWhosePlaceWasTheRootsGoOnFromWhatIsShown) {
+  const SynthesizerState state = used_state();
+  const auto begin = place_of(state, [](auto& s) { s.memory.motion.playhead.pair ^= 1; });
+  const auto end = place_of(state, [](auto& s) { s.memory.partner_is_shown ^= true; });
+  auto old = synthesizer_state_bytes(state);
+  old.erase(old.begin() + begin, old.begin() + end);
+  // Two more poses of the adaptation; no lead of the feet and its speed.
+  const auto size = static_cast<std::size_t>(end - begin) + 2 * sizeof(Pose) - 4 * 3 * sizeof(double);
+  old.insert(old.begin() + begin, size, 0);
+  old[0] = 3;
+  const auto read = parse_synthesizer_state(old);
+  ASSERT_TRUE(read) << read.error().text();
+  EXPECT_EQ(read->memory.motion.playhead.pair, -1);
+  EXPECT_EQ(read->memory.partner_is_shown, state.memory.partner_is_shown);
+  EXPECT_EQ(read->memory.user.seen(), state.memory.user.seen());
+  EXPECT_EQ(read->unsolved_s, state.unsolved_s);
+  auto solver = std::move(*PartnerSynthesizer::create(test::session_library(), *preset("responsive")));
+  solver->restore(*read);
+  EXPECT_NE(solver->step(test::swinging_take("user", 2, 4).a.poses[0], Duration(1.0 / 60)).status,
+            StepStatus::Failed);
+}
+
 TEST(SynthesizerStateBytes, ADamagedHistoryIsRefused) {
   const SynthesizerState state = used_state();
   const auto bytes = synthesizer_state_bytes(state);
