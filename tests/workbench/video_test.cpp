@@ -3,6 +3,7 @@
 #include <QLabel>
 #include <QMouseEvent>
 #include <QPushButton>
+#include <QThread>
 
 #include "app/workbench/document/open_video.hpp"
 #include "app/workbench/shell/panel_area.hpp"
@@ -92,6 +93,17 @@ TEST_F(Video, OpensBesideTheSessionAndShowsItsPanel) {
   EXPECT_TRUE(window().panels().isWanted("video"));
   EXPECT_TRUE(until([] { return panel().facts().contains("640 × 360"); })) << panel().facts().toStdString();
   EXPECT_TRUE(window().session()) << "what was open goes on";
+}
+
+/// A busy window hears of the file when its first picture is there already.
+TEST_F(Video, SaysWhatTheFileIsThoughItsFirstPictureCameAtTheSameTime) {
+  window().openFiles({s_file});
+  while (!desk().currentVideo()->newest()) {  // no event is handled meanwhile
+    QThread::msleep(1);
+    desk().setLinked(true);  // asks for the picture of the cursor
+  }
+  turn();
+  EXPECT_TRUE(panel().facts().contains("640 × 360")) << panel().facts().toStdString();
 }
 
 TEST_F(Video, ShowsThePictureOfTheCursorsTime) {

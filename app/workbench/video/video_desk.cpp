@@ -173,7 +173,7 @@ void VideoDesk::onVideos() {
     if (open) continue;
     open = std::make_unique<OpenVideo>(QString::fromStdString(state.file));
     connect(open.get(), &OpenVideo::news, this, [this, id = state.id] {
-      if (id == m_current) onPicture();
+      if (id == m_current) onNews();
     });
   }
   onSubject();
@@ -251,12 +251,16 @@ void VideoDesk::request(int index) {
   if (currentVideo()->request(index)) m_asked.start();
 }
 
+/// What the file is may be news together with its first picture.
+void VideoDesk::onNews() {
+  const bool is_read = currentVideo()->newest() && currentVideo()->facts() == m_shownFacts;
+  is_read ? onPicture() : onState();
+}
+
 void VideoDesk::onPicture() {
   const OpenVideo* video = currentVideo();
-  if (!video) return;
-  const VideoFramePtr newest = video->newest();
-  if (!newest) return onState();
-  if (newest == m_shown) return;
+  const VideoFramePtr newest = video ? video->newest() : nullptr;
+  if (!newest || newest == m_shown) return;
   m_shown = newest;
   m_panel->view().showPicture(newest);
   m_panel->steps().showPicture(newest->index, video->facts()->frames(), newest->time_s);
@@ -286,17 +290,13 @@ void VideoDesk::onState() {
   m_panel->view().setNotice(notice());
   showSync();
   emit currentChanged();
-  onPictureIfThere();
+  onPicture();
   if (m_shown) showOverlay();  // of another camera
-}
-
-void VideoDesk::onPictureIfThere() {
-  if (currentVideo() && currentVideo()->newest()) onPicture();
 }
 
 void VideoDesk::showFacts() {
   const OpenVideo* video = currentVideo();
-  const auto facts = video ? video->facts() : nullptr;
+  const auto facts = m_shownFacts = video ? video->facts() : nullptr;
   if (!facts) return m_panel->showFacts({}, video ? video->trouble() : QString());
   QStringList warnings;
   for (const std::string& warning : facts->warnings) warnings << text(warning);

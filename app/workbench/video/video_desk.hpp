@@ -84,8 +84,8 @@ class VideoDesk : public QObject {
   void onVideos();
   void follow();
   void request(int index);
+  void onNews();
   void onPicture();
-  void onPictureIfThere();
   void onSubject();
   void onSessionStarted();
   void onState();
@@ -104,6 +104,7 @@ class VideoDesk : public QObject {
   bool m_linked = true;
   bool m_hadSession = false;
   VideoFramePtr m_shown;
+  std::shared_ptr<const VideoFacts> m_shownFacts;
   Retime m_retime;
   QElapsedTimer m_asked;
   double m_latency_ms = 0;
