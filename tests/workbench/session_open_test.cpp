@@ -45,7 +45,7 @@ class SessionOpen : public DemoWindow {
   }
   static TakeDesk& desk() { return *window().findChild<TakeDesk*>(); }
   static const FrameHistory& history() { return window().session()->history(); }
-  static inline widgets::RecordedTake s_take;
+  static inline RecordedTake s_take;
   static inline FrameSnapshotPtr s_middle;
   static inline QString s_file;
 };

@@ -27,7 +27,7 @@ class TakeActions : public DemoWindow {
   }
   static TakeDesk& desk() { return *window().findChild<TakeDesk*>(); }
   static widgets::TakePanel& panel() { return *window().findChild<widgets::TakePanel*>(); }
-  static const widgets::RecordedTake& last() { return desk().takes().all().back(); }
+  static const RecordedTake& last() { return desk().takes().all().back(); }
   static void record_a_take(std::uint64_t frames = 20) {
     desk().toggle();
     ASSERT_TRUE(desk().isRecording());
@@ -94,7 +94,7 @@ TEST_F(TakeActions, ACountdownStandsOverTheSceneAndCanBeGivenUp) {
 
 TEST_F(TakeActions, RenamingAndDeletingAreStepsOfUndoAndReachTheFile) {
   record_a_take();
-  const widgets::RecordedTake take = last();
+  const RecordedTake take = last();
   emit panel().renameRequested(take.id, "warm-up");
   EXPECT_EQ(last().name, "warm-up");
   EXPECT_EQ(names_in_file().back(), "warm-up");

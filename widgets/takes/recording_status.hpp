@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "widgets/takes/take_sequence.hpp"
+#include "core/session/edit/take_sequence.hpp"
 
 namespace abrazo::widgets {
 
@@ -33,5 +33,10 @@ struct DiskWords {
   Weight weight = Weight::Fine;
 };
 DiskWords disk_words(const RecordingStatus& status);
+
+/// "00:35", "1:02:03".
+std::string duration_text(double seconds);
+/// "812 kB", "12.4 MB", "1.24 GB": powers of ten, as file managers have them.
+std::string disk_size_text(std::uint64_t bytes);
 
 }  // namespace abrazo::widgets

@@ -11,11 +11,11 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "core/session/edit/take_name.hpp"
 #include "widgets/common/chip.hpp"
 #include "widgets/common/plain_text.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
-#include "widgets/takes/take_name.hpp"
 #include "widgets/takes/take_rows.hpp"
 
 namespace abrazo::widgets {

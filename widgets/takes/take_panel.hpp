@@ -2,8 +2,8 @@
 
 #include <QWidget>
 
+#include "core/session/edit/recorded_takes.hpp"
 #include "widgets/common/palette.hpp"
-#include "widgets/takes/recorded_takes.hpp"
 #include "widgets/takes/recording_status.hpp"
 
 class QCheckBox;

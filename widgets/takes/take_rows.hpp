@@ -2,8 +2,8 @@
 
 #include <QListWidget>
 
+#include "core/session/edit/recorded_takes.hpp"
 #include "widgets/common/palette.hpp"
-#include "widgets/takes/recorded_takes.hpp"
 
 namespace abrazo::widgets {
 

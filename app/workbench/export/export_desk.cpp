@@ -62,8 +62,8 @@ ExportOffer ExportDesk::offer() const {
     offer.range = playback.range();
     offer.cursor_s = m_window.ticker().shown() ? m_window.ticker().shown()->time_s : playback.cursor_s;
   }
-  const widgets::RecordedTakes takes = m_sources.takes();
-  for (const widgets::RecordedTake& take : takes.all())
+  const RecordedTakes takes = m_sources.takes();
+  for (const RecordedTake& take : takes.all())
     offer.takes.push_back({QString::fromStdString(take.name), {take.from_s, take.to_s}, 0});
   for (const LibraryTake& take : material.library->takes())
     offer.library_takes.push_back({QString::fromStdString(take.name),
@@ -87,8 +87,8 @@ RunningExport ExportDesk::running(const ExportWish& wish) const {
   running.library = material.library;
   running.library_name = material.library_file.empty() ? material.library->name() : material.library_file;
   running.input = material.input.name;
-  const widgets::RecordedTakes takes = m_sources.takes();
-  for (const widgets::RecordedTake& take : takes.all())
+  const RecordedTakes takes = m_sources.takes();
+  for (const RecordedTake& take : takes.all())
     running.takes.push_back({static_cast<int>(take.id), take.name, take.from_s, take.to_s, 0, 0, {}, false});
   for (const Marker& marker : m_window.document().project().markers.all())
     running.markers.push_back({marker.id, marker.time_s, marker.name});

@@ -7,8 +7,8 @@
 
 #include "app/workbench/export/export_dialog.hpp"
 #include "core/annotation/annotations.hpp"
+#include "core/session/edit/recorded_takes.hpp"
 #include "core/session/export/export_source.hpp"
-#include "widgets/takes/recorded_takes.hpp"
 
 namespace abrazo::widgets {
 class OfferBar;
@@ -23,7 +23,7 @@ class MainWindow;
 struct ExportSources {
   /// What was said of a subject, the session ("") or a take.
   std::function<Annotations(const std::string& subject)> said;
-  std::function<widgets::RecordedTakes()> takes;
+  std::function<RecordedTakes()> takes;
 };
 
 /// Exports from the window: knows what there is, writes it on a worker with progress and cancel, and tells

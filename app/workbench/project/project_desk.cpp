@@ -7,16 +7,14 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <algorithm>
-#include <filesystem>
 
 #include "app/workbench/base/job.hpp"
 #include "app/workbench/project/project_state.hpp"
 #include "app/workbench/project/relocate_dialog.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/takes/take_desk.hpp"
-#include "core/base/atomic_file.hpp"
-#include "core/library/store/motion_library_file.hpp"
 #include "core/opening/session_material.hpp"
+#include "core/session/run/save_session.hpp"
 #include "widgets/common/message_bar.hpp"
 
 namespace abrazo::app {
@@ -59,23 +57,6 @@ ProjectDesk::LibraryAnswer ask_about_library(MainWindow& window) {
   return box.clickedButton() == write     ? Answer::Write
          : box.clickedButton() == without ? Answer::SaveWithout
                                           : Answer::Cancel;
-}
-
-/// The whole session under another name, with the project in it; whole or not at all.
-Status save_elsewhere(const std::string& from, const std::string& to, const Project& project,
-                      const TakeEdits& edits) {
-  namespace fs = std::filesystem;
-  std::error_code trouble;
-  if (fs::exists(to + "-wal", trouble))
-    return Error{"another program or window is recording into this file; choose another name", to};
-  AtomicFile file(to);
-  const std::string partial = file.partial().string();
-  Status done = from.empty() || !fs::exists(from, trouble) ? Status(Done{}) : copy_session(from, partial);
-  if (done) done = save_project(partial, project);
-  if (done) done = edit_session_takes(partial, edits);
-  if (done) done = file.commit();
-  if (!done) return Error{done.error().message, to};
-  return done;
 }
 
 }  // namespace
@@ -162,7 +143,7 @@ void ProjectDesk::showTitle() {
 
 void ProjectDesk::save() {
   if (!m_hasSession) return m_window.messages().showInformation("Nothing is open yet");
-  file().isEmpty() ? askSaveAs() : write(file(), false);
+  file().isEmpty() ? askSaveAs() : write(file());
 }
 
 QString ProjectDesk::askFile() {
@@ -183,7 +164,7 @@ void ProjectDesk::askSaveAs() {
 
 void ProjectDesk::saveAs(const QString& chosen) {
   const bool is_same = !file().isEmpty() && QFileInfo(chosen) == QFileInfo(file());
-  write(is_same ? file() : chosen, !is_same);
+  write(is_same ? file() : chosen);
 }
 
 /// Without anyone to ask, what builds it again is kept.
@@ -204,37 +185,21 @@ std::optional<std::string> ProjectDesk::libraryFileFor(const QString& target) {
 }
 
 /// Written by a worker; while the file is recorded by the recorder's thread, which holds it.
-void ProjectDesk::write(const QString& target, bool is_other) {
+void ProjectDesk::write(const QString& target) {
   if (m_job) return m_window.messages().showInformation("It is being saved already");
   const auto library_file = libraryFileFor(target);
   if (!library_file) return;
-  const auto library = m_window.session()->material().library;
-  const Project now = library_file->empty() ? current() : with_library_file(current(), *library_file);
-  const std::shared_ptr<Recorder> recorder = m_window.session()->engine().recorder();
-  const auto work = [now, before = m_saved, to = target.toStdString(), from = file().toStdString(), recorder,
-                     edits = m_takes.edits(), is_other, library,
-                     beside = *library_file](const Progress& progress) -> Result<Project> {
-    Status done = beside.empty() ? Status(Done{}) : write_library(*library, beside, progress);
-    const Project complete = with_contents(now, before, to);
-    if (!done) {
-      // The session stays as it was.
-    } else if (is_other) {
-      if (recorder) done = recorder->flush();
-      if (done) done = save_elsewhere(from, to, complete, edits);
-    } else if (recorder) {
-      recorder->save_project(std::make_shared<const Project>(complete));
-      done = recorder->flush();
-    } else {
-      done = save_project(to, complete);
-    }
-    if (done) return complete;
-    std::error_code ignored;
-    if (!beside.empty()) std::filesystem::remove(beside, ignored);
-    return done.error();
-  };
-  const auto finish = [this, now, target, is_other, recorder, session = m_takes.session(), from = file(),
-                       takes = m_takes.takes(), library,
-                       beside = *library_file](const Result<Project>& done) {
+  SessionToSave what;
+  what.project = library_file->empty() ? current() : with_library_file(current(), *library_file);
+  what.saved = m_saved;
+  what.file = file().toStdString();
+  what.to = target.toStdString();
+  what.takes = m_takes.edits();
+  what.recorder = m_window.session()->engine().recorder();
+  what.library = m_window.session()->material().library;
+  what.library_file = *library_file;
+  const auto finish = [this, what, target, session = m_takes.session(), from = file(),
+                       takes = m_takes.takes()](const Result<Project>& done) {
     if (!done) {
       const QString why = QString::fromStdString(done.error().text());
       m_window.messages().showError(why);
@@ -244,18 +209,19 @@ void ProjectDesk::write(const QString& target, bool is_other) {
       m_window.noteOpened({target});
       return emit saved(target);
     }
-    if (!beside.empty()) {
-      m_window.session()->setLibraryFile(library, beside);
-      m_window.messages().showInformation("The library was written to " + QString::fromStdString(beside));
+    if (!what.library_file.empty()) {
+      m_window.session()->setLibraryFile(what.library, what.library_file);
+      m_window.messages().showInformation("The library was written to " +
+                                          QString::fromStdString(what.library_file));
     }
-    const bool has_gone_on = recorder || m_window.session()->engine().recorder() || m_takes.file() != from ||
-                             m_takes.takes() != takes;
-    if (is_other && has_gone_on) {
+    const bool has_gone_on = what.recorder || m_window.session()->engine().recorder() ||
+                             m_takes.file() != from || m_takes.takes() != takes;
+    if (target != from && has_gone_on) {
       m_window.messages().showInformation("Copied to " + target + "; the session goes on in " + file());
       return emit saved(target);
     }
     if (m_takes.file() != target) m_takes.setFile(target);
-    m_saved = now;
+    m_saved = what.project;
     m_saved.data = done->data;
     m_isRestored = false;
     m_window.undoStack().setClean();
@@ -264,8 +230,8 @@ void ProjectDesk::write(const QString& target, bool is_other) {
     m_window.noteOpened({target});  // among the recent ones
     emit saved(target);
   };
-  m_job = std::make_unique<Job>([work, finish](const Progress& progress) -> Job::Finish {
-    return [finish, done = work(progress)] { finish(done); };
+  m_job = std::make_unique<Job>([what, finish](const Progress& progress) -> Job::Finish {
+    return [finish, done = save_session(what, progress)] { finish(done); };
   });
   connect(m_job.get(), &Job::finished, this, [this] { m_job.release()->deleteLater(); });
 }

@@ -58,7 +58,7 @@ class ProjectDesk : public QObject {
   void changed();
 
  private:
-  void write(const QString& file, bool is_other);
+  void write(const QString& target);
   void onLeaving(bool& allowed);
   /// @return whether it is to be saved; then the file the library is written to, empty: it is not
   std::optional<std::string> libraryFileFor(const QString& target);

@@ -75,17 +75,4 @@ void show_view(MainWindow& window, const std::map<std::string, std::string>& vie
     window.scene().lookFrom(turn->azimuth_rad, turn->elevation_rad);
 }
 
-Project with_contents(Project project, const Project& before, const std::string& session_file) {
-  for (DataReference& data : project.data) {
-    auto completed = reference_to(data.absolute_path, data.use, session_file);
-    if (completed) {
-      data = std::move(*completed);
-      continue;
-    }
-    for (const DataReference& old : before.data)
-      if (old.use == data.use && old.absolute_path == data.absolute_path) data = old;
-  }
-  return project;
-}
-
 }  // namespace abrazo::app

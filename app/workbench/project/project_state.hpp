@@ -7,15 +7,11 @@ namespace abrazo::app {
 class MainWindow;
 
 /// What a person works on in the window, as it is now. The references to data have a path and a use only:
-/// `with_contents` completes them, which reads the files.
+/// `save_session` completes them, which reads the files.
 Project project_of(MainWindow& window);
 
 /// Panels, lanes, plots, scene and camera as a project has them. What does not fit this version is left as it
 /// is.
 void show_view(MainWindow& window, const std::map<std::string, std::string>& view);
-
-/// The references completed for a session file at `session_file`; those of files that no longer exist
-/// as they were in `before`.
-Project with_contents(Project project, const Project& before, const std::string& session_file);
 
 }  // namespace abrazo::app

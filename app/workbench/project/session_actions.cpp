@@ -13,7 +13,6 @@
 #include "core/session/file/session_file.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/takes/leftover_bar.hpp"
-#include "widgets/takes/recorded_takes.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -28,23 +27,13 @@ void choose_session(MainWindow& window) {
   if (!files.isEmpty()) window.openFiles(files);
 }
 
-widgets::RecordedTakes takes_of(const SessionContents& contents) {
-  std::vector<std::string> performers;
-  for (const SessionPerformer& performer : contents.performers) performers.push_back(performer.name);
-  std::vector<widgets::RecordedTake> takes;
-  for (const SessionTake& take : contents.takes)
-    takes.push_back(
-        {take.id, take.name, take.start_s, take.end_s, take.last_frame + 1 - take.first_frame, performers});
-  return widgets::RecordedTakes(std::move(takes));
-}
-
 /// What the window shows of a recorded session beside its frames; the cursor stands at its beginning.
 void show_recorded(MainWindow& window, TakeDesk& takes) {
   const auto recorded = window.session()->material().recorded;
   if (!recorded) return;
   // First: who goes on writing there writes these.
   window.document().put(SubjectMarkers{"", recorded->markers()});
-  takes.setOpened(QString::fromStdString(recorded->file), takes_of(recorded->contents));
+  takes.setOpened(QString::fromStdString(recorded->file), recorded->contents);
   if (!recorded->contents.settings.empty())
     window.document().putSettings(recorded->contents.settings.back().settings);
   window.ticker().tick();

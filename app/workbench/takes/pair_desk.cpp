@@ -10,9 +10,9 @@
 #include "core/annotation/session_labels.hpp"
 #include "core/library/build/library_extension.hpp"
 #include "core/library/store/motion_library_file.hpp"
+#include "core/session/edit/take_name.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/utf8.hpp"
-#include "widgets/takes/take_name.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -101,7 +101,7 @@ void PairDesk::ask() {
   stopListening();
   const MotionLibrary& library = *m_window.session()->material().library;
   const std::string recorded = m_takes.takes().empty() ? "pair" : m_takes.takes().all().back().name;
-  const std::string name = widgets::next_take_name(recorded, names_of(library));
+  const std::string name = next_take_name(recorded, names_of(library));
   m_dialog = new PairDialog(*m_capture, text(name), labels_of(library), &m_window);
   m_dialog->setAttribute(Qt::WA_DeleteOnClose);
   connect(m_dialog, &PairDialog::addRequested, this, [this] { add(*m_dialog); });

@@ -20,7 +20,7 @@ using widgets::TakePanel;
 /// Of no use once another session runs: its takes are others.
 class TakeChange : public QUndoCommand {
  public:
-  TakeChange(TakeDesk& desk, widgets::RecordedTake take, const QString& what)
+  TakeChange(TakeDesk& desk, RecordedTake take, const QString& what)
       : QUndoCommand(what), m_desk(desk), m_take(std::move(take)), m_session(desk.session()) {}
   void redo() final { is_of_this_session() ? apply(m_desk) : setObsolete(true); }
   void undo() final { is_of_this_session() ? revert(m_desk) : setObsolete(true); }
@@ -28,19 +28,19 @@ class TakeChange : public QUndoCommand {
  protected:
   virtual void apply(TakeDesk& desk) = 0;
   virtual void revert(TakeDesk& desk) = 0;
-  const widgets::RecordedTake& take() const { return m_take; }
+  const RecordedTake& take() const { return m_take; }
 
  private:
   bool is_of_this_session() const { return m_session == m_desk.session(); }
 
   TakeDesk& m_desk;
-  widgets::RecordedTake m_take;
+  RecordedTake m_take;
   int m_session;
 };
 
 class RenameTake : public TakeChange {
  public:
-  RenameTake(TakeDesk& desk, const widgets::RecordedTake& take, std::string name)
+  RenameTake(TakeDesk& desk, const RecordedTake& take, std::string name)
       : TakeChange(desk, take, "rename take"), m_name(std::move(name)) {}
 
  private:
@@ -51,7 +51,7 @@ class RenameTake : public TakeChange {
 
 class RemoveTake : public TakeChange {
  public:
-  RemoveTake(TakeDesk& desk, const widgets::RecordedTake& take) : TakeChange(desk, take, "delete take") {}
+  RemoveTake(TakeDesk& desk, const RecordedTake& take) : TakeChange(desk, take, "delete take") {}
 
  private:
   void apply(TakeDesk& desk) override { desk.remove(take().id); }
@@ -59,14 +59,14 @@ class RemoveTake : public TakeChange {
 };
 
 void rename(MainWindow& window, TakeDesk& desk, qint64 id, const QString& name) {
-  const widgets::RecordedTake* take = desk.takes().find(id);
+  const RecordedTake* take = desk.takes().find(id);
   const std::string why_not = desk.takes().why_not(id, name.toStdString());
   if (!why_not.empty()) return window.messages().showError(QString::fromStdString(why_not));
   if (take) window.undoStack().push(new RenameTake(desk, *take, name.trimmed().toStdString()));
 }
 
 void remove(MainWindow& window, TakeDesk& desk, qint64 id) {
-  const widgets::RecordedTake* take = desk.takes().find(id);
+  const RecordedTake* take = desk.takes().find(id);
   if (!take || (desk.isRecording() && take == &desk.takes().all().back()))
     return window.messages().showInformation("This take is being recorded; end it first (Ctrl+R)");
   window.undoStack().push(new RemoveTake(desk, *take));

@@ -6,10 +6,10 @@
 
 #include "app/workbench/document/session_places.hpp"
 #include "app/workbench/shell/main_window.hpp"
+#include "core/session/edit/take_name.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 #include "widgets/takes/countdown.hpp"
-#include "widgets/takes/take_name.hpp"
 #include "widgets/takes/take_panel.hpp"
 #include "widgets/takes/take_rows.hpp"
 #include "widgets/timeline/timeline_view.hpp"
@@ -18,15 +18,14 @@
 namespace abrazo::app {
 namespace {
 
-using widgets::RecordedTake;
-using Phase = widgets::TakeSequence::Phase;
+using Phase = TakeSequence::Phase;
 
 constexpr int update_interval_ms = 100;
 
-std::vector<widgets::TimelineTake> on_timeline(const widgets::RecordedTakes& takes, std::int64_t running) {
+std::vector<widgets::TimelineTake> on_timeline(const SessionTakes& takes) {
   std::vector<widgets::TimelineTake> shown;
-  for (const RecordedTake& take : takes.all())
-    shown.push_back({take.id, take.from_s, take.to_s, take.name, take.id == running});
+  for (const RecordedTake& take : takes.list().all())
+    shown.push_back({take.id, take.from_s, take.to_s, take.name, take.id == takes.running()});
   return shown;
 }
 
@@ -82,13 +81,13 @@ void TakeDesk::toggle() {
 }
 
 void TakeDesk::again() {
-  if (!m_window.session() || m_takes.empty()) return;
+  if (!m_window.session() || takes().empty()) return;
   if (m_sequence.stop()) endTake();
-  begin(widgets::again_name(m_takes.names()), 0);
+  begin(again_name(takes().names()), 0);
 }
 
 std::string TakeDesk::freshName(const std::string& typed) const {
-  return widgets::next_take_name(typed, m_takes.names());
+  return next_take_name(typed, takes().names());
 }
 
 void TakeDesk::begin(const std::string& name, double countdown_s) {
@@ -103,19 +102,10 @@ void TakeDesk::beginTake() {
     return emit cameToNothing();
   }
   m_window.session()->engine().recorder()->begin_take(m_sequence.name);
-  RecordedTake take;
-  take.id = m_running = m_nextId++;
-  take.name = m_sequence.name;
   const FrameSnapshotPtr latest = m_window.session()->engine().latest().newest();
-  take.from_s = take.to_s = latest ? latest->time_s : now();
-  m_firstFrame = latest ? latest->index + 1 : 0;
   const auto receiver = m_window.session()->engine().receiver();
-  if (receiver)
-    take.performers = receiver->performers();
-  else
-    take.performers = {m_window.session()->material().input.name};
-  m_takes.put(take);
-  m_namesInFile[take.id] = take.name;
+  m_takes.begin(m_sequence.name, latest ? latest->time_s : now(), latest ? latest->index + 1 : 0,
+                receiver ? receiver->performers() : std::vector{m_window.session()->material().input.name});
   update();
   showTakes();
   emit begun();
@@ -123,54 +113,41 @@ void TakeDesk::beginTake() {
 
 void TakeDesk::endTake() {
   follow();
-  const std::int64_t id = std::exchange(m_running, -1);
   if (const auto recorder = m_window.session()->engine().recorder()) recorder->end_take();
   if (!m_window.remembered().keepsEverything() || !m_hasStream) stopRecorder();
-  const RecordedTake* take = m_takes.find(id);
-  const bool is_empty = take && take->frames == 0;
-  if (is_empty) {
-    m_window.messages().showInformation(QString::fromStdString(take->name) +
+  const RecordedTake take = m_takes.end();
+  if (take.frames == 0)
+    m_window.messages().showInformation(QString::fromStdString(take.name) +
                                         " has no frames, because nothing came in; it was not kept");
-    m_takes.remove(id);
-  }
   update();
   showTakes();
-  is_empty ? emit cameToNothing() : emit taken(id);
+  take.frames == 0 ? emit cameToNothing() : emit taken(take.id);
 }
 
-/// The running take lasts until the newest frame of the session, whatever is looked at meanwhile.
 void TakeDesk::follow() {
-  const RecordedTake* running = m_takes.find(m_running);
   const FrameSnapshotPtr latest =
       m_window.session() ? m_window.session()->engine().latest().newest() : nullptr;
-  if (!running || !latest) return;
-  RecordedTake take = *running;
-  take.to_s = std::max(take.from_s, latest->time_s);
-  take.frames = latest->index + 1 > m_firstFrame ? latest->index + 1 - m_firstFrame : 0;
-  m_takes.put(take);
+  if (latest) m_takes.follow(latest->time_s, latest->index);
 }
 
 void TakeDesk::rename(std::int64_t id, const std::string& name) {
   m_takes.rename(id, name);
-  if (m_namesInFile.contains(id)) m_edits[m_namesInFile[id]] = name;
   writeEdits();
   showTakes();
 }
 
 void TakeDesk::remove(std::int64_t id) {
   m_takes.remove(id);
-  if (m_namesInFile.contains(id)) m_edits[m_namesInFile[id]] = std::nullopt;
   showTakes();
 }
 
 void TakeDesk::restore(const RecordedTake& take) {
-  m_takes.put(take);
-  if (m_namesInFile.contains(take.id)) m_edits[m_namesInFile[take.id]] = take.name;
+  m_takes.restore(take);
   showTakes();
 }
 
 void TakeDesk::goTo(std::int64_t id) {
-  const RecordedTake* take = m_takes.find(id);
+  const RecordedTake* take = takes().find(id);
   if (!take) return;
   // Its times are the session's.
   if (!m_window.document().subject().empty()) m_window.requestSubject("");
@@ -211,20 +188,15 @@ void TakeDesk::stopRecorder() {
   writeEdits();
 }
 
-/// Names in the file follow those on the list, by way of the recorder while there is one. What was taken off
-/// goes last: until the session ends it can come back.
+/// Names in the file follow those on the list, by way of the recorder while there is one.
 void TakeDesk::writeEdits() {
-  if (m_edits.empty() || m_file.isEmpty() || !m_window.session()) return;
-  TakeEdits names;
-  for (const auto& [name, now] : m_edits)
-    if (now) names[name] = now;
+  const TakeEdits names = m_takes.renames();
+  if (names.empty() || m_file.isEmpty() || !m_window.session()) return;
   const auto recorder = m_window.session()->engine().recorder();
   if (recorder) recorder->edit_takes(names);
   const Status written = recorder ? Status(Done{}) : edit_session_takes(m_file.toStdString(), names);
   if (!written) return m_window.messages().showError(QString::fromStdString(written.error().text()));
-  for (const auto& [name, now] : names) m_edits.erase(name);
-  for (auto& [id, name] : m_namesInFile)
-    if (const auto found = names.find(name); found != names.end()) name = *found->second;
+  m_takes.written(names);
 }
 
 /// Those of the session, when they are not the ones in the file.
@@ -255,7 +227,7 @@ void TakeDesk::prepareStream() {
 /// Of a stream that could not be opened nothing is left.
 void TakeDesk::discardIfUnused() {
   stopRecorder();
-  if (m_isForStream && m_takes.empty()) {
+  if (m_isForStream && takes().empty()) {
     discard_session(m_file);
     m_file.clear();
     m_lastState = {};
@@ -263,15 +235,11 @@ void TakeDesk::discardIfUnused() {
   m_isForStream = false;
 }
 
-void TakeDesk::setOpened(const QString& file, const widgets::RecordedTakes& takes) {
+void TakeDesk::setOpened(const QString& file, const SessionContents& contents) {
   m_file = file;
-  m_takes = takes;
+  m_takes = SessionTakes(contents);
   m_lastState = {};
   m_lastState.bytes = static_cast<std::uint64_t>(QFileInfo(file).size());
-  for (const RecordedTake& take : takes.all()) {
-    m_nextId = std::max(m_nextId, take.id + 1);
-    m_namesInFile[take.id] = take.name;
-  }
   update();
   showTakes();
   emit fileChanged();
@@ -289,17 +257,13 @@ void TakeDesk::onSessionEnding() {
   if (m_window.session()) {
     if (m_sequence.stop()) endTake();
     stopRecorder();
-    if (!m_file.isEmpty() && !m_edits.empty()) {
-      const Status written = edit_session_takes(m_file.toStdString(), m_edits);
+    if (!m_file.isEmpty()) {
+      const Status written = edit_session_takes(m_file.toStdString(), m_takes.edits());
       if (!written) m_window.messages().showError(QString::fromStdString(written.error().text()));
     }
   }
   m_sequence = {};
   m_takes = {};
-  m_running = -1;
-  m_nextId = 1;
-  m_edits.clear();
-  m_namesInFile.clear();
   m_file.clear();
   m_lastState = {};
   m_toldFailure.clear();
@@ -318,7 +282,7 @@ void TakeDesk::update() {
   m_hasStream = has_stream;
   if (m_sequence.advance(now())) beginTake();
   writeMarkers();
-  if (m_running >= 0) {
+  if (m_takes.running() >= 0) {
     follow();
     showTakes();
   }
@@ -353,9 +317,9 @@ widgets::RecordingStatus TakeDesk::status() const {
 }
 
 void TakeDesk::showTakes() {
-  m_panel.rows().setRunning(m_running);
-  m_panel.setTakes(m_takes);
-  m_window.timeline().showTakes(on_timeline(m_takes, m_running));
+  m_panel.rows().setRunning(m_takes.running());
+  m_panel.setTakes(takes());
+  m_window.timeline().showTakes(on_timeline(m_takes));
 }
 
 }  // namespace abrazo::app

@@ -4,9 +4,9 @@
 #include <QTimer>
 #include <optional>
 
-#include "core/session/file/session_edit.hpp"
+#include "core/session/edit/session_takes.hpp"
+#include "core/session/edit/take_sequence.hpp"
 #include "core/session/run/recorder.hpp"
-#include "widgets/takes/recorded_takes.hpp"
 #include "widgets/takes/recording_status.hpp"
 
 namespace abrazo::widgets {
@@ -32,28 +32,28 @@ class TakeDesk : public QObject {
   void toggle();
   /// Starts the next take of the same name.
   void again();
-  bool isRecording() const { return m_sequence.phase == widgets::TakeSequence::Phase::Recording; }
+  bool isRecording() const { return m_sequence.phase == TakeSequence::Phase::Recording; }
 
   /// Everything that comes in is written from now on, or only takes.
   void keepEverything(bool on);
   /// Before a stream is opened: its first frame is to be on disk, too.
   void prepareStream();
 
-  const widgets::RecordedTakes& takes() const { return m_takes; }
+  const RecordedTakes& takes() const { return m_takes.list(); }
   void rename(std::int64_t id, const std::string& name);
   void remove(std::int64_t id);
-  void restore(const widgets::RecordedTake& take);
+  void restore(const RecordedTake& take);
   /// In and out there, and the cursor at its beginning.
   void goTo(std::int64_t id);
 
   /// Where the session is kept; empty while it is not.
   const QString& file() const { return m_file; }
   /// A session that was opened from a file, with its takes.
-  void setOpened(const QString& file, const widgets::RecordedTakes& takes);
+  void setOpened(const QString& file, const SessionContents& contents);
   /// The session goes on in this file. Not while it is recorded.
   void setFile(const QString& file);
   /// What is still to be changed in the file, of its takes.
-  const TakeEdits& edits() const { return m_edits; }
+  const TakeEdits& edits() const { return m_takes.edits(); }
   int session() const { return m_session; }  ///< counts them
 
  signals:
@@ -87,13 +87,8 @@ class TakeDesk : public QObject {
   widgets::TakePanel& m_panel;
   widgets::Countdown* m_countdown;
   QTimer m_timer;
-  widgets::TakeSequence m_sequence;
-  widgets::RecordedTakes m_takes;
-  std::int64_t m_running = -1;  ///< id of the take that is being recorded
-  std::int64_t m_nextId = 1;
-  std::uint64_t m_firstFrame = 0;  ///< of the running take
-  TakeEdits m_edits;               ///< by the names in the file, what is to be changed there
-  std::map<std::int64_t, std::string> m_namesInFile;
+  TakeSequence m_sequence;
+  SessionTakes m_takes;
   QString m_file;
   std::optional<Markers> m_markersInFile;  ///< as given to the recorder; nothing = not yet
   Recorder::State m_lastState;

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <string>
 
-namespace abrazo::widgets {
+namespace abrazo {
 
 /// Recording a take from the key to its end: perhaps a countdown first. Plain data and rules; the caller says
 /// what time it is.
@@ -49,4 +49,4 @@ struct TakeSequence {
   double elapsed_s(double now_s) const { return phase == Phase::Recording ? now_s - since_s : 0; }
 };
 
-}  // namespace abrazo::widgets
+}  // namespace abrazo

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-namespace abrazo::widgets {
+namespace abrazo {
 
 /// "salsa 003": what the takes of a series share, and which of them it is.
 struct TakeName {
@@ -25,4 +25,4 @@ std::string next_take_name(std::string_view typed, const std::vector<std::string
 /// The same stem, a number up, whatever was typed since. Empty when there is no name yet.
 std::string again_name(const std::vector<std::string>& names);
 
-}  // namespace abrazo::widgets
+}  // namespace abrazo

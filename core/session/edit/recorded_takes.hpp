@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-namespace abrazo::widgets {
+namespace abrazo {
 
 /// A stretch of a session that has a name.
 struct RecordedTake {
@@ -44,9 +44,4 @@ class RecordedTakes {
   std::vector<RecordedTake> takes_;
 };
 
-/// "00:35", "1:02:03".
-std::string duration_text(double seconds);
-/// "812 kB", "12.4 MB", "1.24 GB": powers of ten, as file managers have them.
-std::string disk_size_text(std::uint64_t bytes);
-
-}  // namespace abrazo::widgets
+}  // namespace abrazo

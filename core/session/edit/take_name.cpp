@@ -1,11 +1,11 @@
-#include "widgets/takes/take_name.hpp"
+#include "core/session/edit/take_name.hpp"
 
 #include <algorithm>
 #include <cctype>
 
 #include "core/base/text.hpp"
 
-namespace abrazo::widgets {
+namespace abrazo {
 namespace {
 
 constexpr std::size_t most_digits = 6, least_digits = 3;
@@ -58,4 +58,4 @@ std::string again_name(const std::vector<std::string>& names) {
   return next_take_name(last.stem.empty() ? std::to_string(last.number) : last.stem, names);
 }
 
-}  // namespace abrazo::widgets
+}  // namespace abrazo
