@@ -106,6 +106,17 @@ std::vector<AnnotationProblem> problems_of(const Annotations& annotations, const
   return problems;
 }
 
+double on_frame(double time_s, double fps) {
+  return fps > 0 ? std::round(time_s * fps) / fps : time_s;
+}
+
+Annotations::Range on_frames(const Annotations::Range& span, double fps) {
+  Annotations::Range on{on_frame(span.first_s, fps), on_frame(span.last_s, fps)};
+  if (fps > 0 && span.last_s > span.first_s)
+    on.last_s = std::max(on.last_s, on_frame(on.first_s + 1 / fps, fps));
+  return on;
+}
+
 double snapped(double time_s, const SnapTargets& targets, double reach_s) {
   std::optional<double> nearest;
   const auto offer = [&](double target_s) {
@@ -114,7 +125,7 @@ double snapped(double time_s, const SnapTargets& targets, double reach_s) {
   };
   if (targets.cursor_s) offer(*targets.cursor_s);
   for (const double other_s : targets.others_s) offer(other_s);
-  if (!nearest && targets.fps > 0) offer(std::round(time_s * targets.fps) / targets.fps);
+  if (!nearest) offer(on_frame(time_s, targets.fps));
   return nearest.value_or(time_s);
 }
 

@@ -144,6 +144,11 @@ struct AnnotationProblem {
 std::vector<AnnotationProblem> problems_of(const Annotations& annotations, const Annotations::Range& range,
                                            double fps);
 
+/// The time of the frame that is nearest. @param fps  0 = no fixed rate: the time itself
+double on_frame(double time_s, double fps);
+/// Both ends on frames; what has a length keeps at least a frame.
+Annotations::Range on_frames(const Annotations::Range& span, double fps);
+
 /// Where an edge may snap: to frames, to the cursor, to edges of other annotations and to markers. The
 /// nearest within reach; frames last. @return the time itself when nothing is near
 struct SnapTargets {

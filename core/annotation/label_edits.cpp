@@ -33,10 +33,6 @@ Status check_role(const AnnotationTier& tier, std::string_view value) {
   return Done{};
 }
 
-double at_frame(double time_s, double fps) {
-  return fps > 0 ? std::round(time_s * fps) / fps : time_s;
-}
-
 /// Where the next label of a tier begins, at most `to_s`.
 double free_until(const AnnotationTier& tier, double from_s, double to_s) {
   for (const Annotation& each : tier.annotations)
@@ -82,10 +78,11 @@ Result<Annotation> chosen_label(const Annotations& annotations, const EditPlace&
 Result<Annotations::Range> span_at(const Annotations& annotations, const EditPlace& place) {
   const AnnotationTier* tier = annotations.tier(place.tier);
   if (!tier) return no_tier_yet();
-  if (place.in_out) return *place.in_out;
+  if (place.in_out) return on_frames(*place.in_out, place.fps);
   constexpr double usual_s = 1;
-  const double to_s = std::min(place.cursor_s + usual_s, place.range.last_s);
-  return Annotations::Range{place.cursor_s, free_until(*tier, place.cursor_s, to_s)};
+  const double from_s = on_frame(place.cursor_s, place.fps);
+  const double to_s = on_frame(std::min(from_s + usual_s, place.range.last_s), place.fps);
+  return Annotations::Range{from_s, free_until(*tier, from_s, to_s)};
 }
 
 Result<LabelEdit> draw_label(const Annotations& annotations, const EditPlace& place, int tier,
@@ -94,10 +91,11 @@ Result<LabelEdit> draw_label(const Annotations& annotations, const EditPlace& pl
   if (!of) return Error{"The tier no longer exists", ""};
   if (value.empty() && of->kind != TierKind::Note) return Error{"Choose or type its value", ""};
   if (const Status good = check_role(*of, value); !good) return good.error();
-  return edited(annotations, "draw " + plain(value), [&](LabelEdit& edit) {
-    return selecting(edit,
-                     edit.next.draw(tier, span.first_s, span.last_s, value, place.conflict, place.range));
-  });
+  const auto [first_s, last_s] = on_frames(span, place.fps);
+  return edited(
+      annotations, "draw " + plain(value), [&, first_s = first_s, last_s = last_s](LabelEdit& edit) {
+        return selecting(edit, edit.next.draw(tier, first_s, last_s, value, place.conflict, place.range));
+      });
 }
 
 Result<LabelEdit> say_label(const Annotations& annotations, int annotation, std::string_view value) {
@@ -111,9 +109,11 @@ Result<LabelEdit> say_label(const Annotations& annotations, int annotation, std:
 
 Result<LabelEdit> label_span(const Annotations& annotations, const EditPlace& place, int tier,
                              const Annotations::Range& span, std::string_view value) {
-  return edited(annotations, "label " + plain(value), [&](LabelEdit& edit) {
-    return only_done(edit.next.draw(tier, span.first_s, span.last_s, value, place.conflict, place.range));
-  });
+  const auto [first_s, last_s] = on_frames(span, place.fps);
+  return edited(annotations, "label " + plain(value),
+                [&, first_s = first_s, last_s = last_s](LabelEdit& edit) {
+                  return only_done(edit.next.draw(tier, first_s, last_s, value, place.conflict, place.range));
+                });
 }
 
 Result<LabelEdit> say_at_cursor(const Annotations& annotations, const EditPlace& place, int tier,
@@ -128,7 +128,7 @@ Result<LabelEdit> say_at_cursor(const Annotations& annotations, const EditPlace&
   if (place.in_out) return label_span(annotations, place, tier, *place.in_out, value);
   const AnnotationTier* of = annotations.tier(tier);
   if (!of) return no_tier_yet();
-  const double from_s = at_frame(place.cursor_s, place.fps);
+  const double from_s = on_frame(place.cursor_s, place.fps);
   EditPlace here = place;
   here.conflict = Conflict::Replace;  // it begins here, whatever is said here now
   return label_span(annotations, here, tier, {from_s, free_until(*of, from_s, place.range.last_s)}, value);
@@ -142,7 +142,7 @@ Result<LabelEdit> remove_label(const Annotations& annotations, const EditPlace& 
 }
 
 Result<LabelEdit> extend_label(const Annotations& annotations, const EditPlace& place) {
-  const double here_s = place.cursor_s;
+  const double here_s = on_frame(place.cursor_s, place.fps);
   const Annotation* label = annotations.find(place.selected);
   if (const AnnotationTier* tier = annotations.tier(place.tier); !label && tier)
     label = last_label(*tier, [&](const Annotation& each) { return each.start_s < here_s - same_time_s; });
@@ -158,8 +158,9 @@ Result<LabelEdit> extend_label(const Annotations& annotations, const EditPlace& 
 Result<LabelEdit> split_label(const Annotations& annotations, const EditPlace& place) {
   const auto label = chosen_label(annotations, place);
   if (!label) return label.error();
-  return edited(annotations, "split " + label_words(*label),
-                [&](LabelEdit& edit) { return selecting(edit, edit.next.split(label->id, place.cursor_s)); });
+  return edited(annotations, "split " + label_words(*label), [&](LabelEdit& edit) {
+    return selecting(edit, edit.next.split(label->id, on_frame(place.cursor_s, place.fps)));
+  });
 }
 
 Result<LabelEdit> merge_label(const Annotations& annotations, const EditPlace& place) {
@@ -193,7 +194,7 @@ Result<LabelEdit> copy_label(const Annotations& annotations, const EditPlace& pl
 Result<LabelEdit> change_role(const Annotations& annotations, const EditPlace& place) {
   const AnnotationTier* tier = annotations.first_of(TierKind::Role);
   if (!tier) return Error{"There is no tier that says who leads", ""};
-  const double here_s = at_frame(place.cursor_s, place.fps);
+  const double here_s = on_frame(place.cursor_s, place.fps);
   return edited(annotations, "change of role", [&](LabelEdit& edit) {
     const Annotation* now = tier->at(here_s);
     const Annotation* before =

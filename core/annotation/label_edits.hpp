@@ -27,7 +27,8 @@ struct LabelEdit {
   std::optional<int> tier = {};      ///< id of the tier that is active then; nothing = as before
 };
 
-// Every edit below either is done whole, or its Error is a message that says why not.
+// Every edit below either is done whole, or its Error is a message that says why not. New edges are on frames
+// of the subject, where it has a fixed rate.
 
 /// The selected label, else the one of the active tier at the cursor.
 Result<Annotation> chosen_label(const Annotations& annotations, const EditPlace& place);

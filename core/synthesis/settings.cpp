@@ -67,13 +67,15 @@ const std::vector<Entry>& entries() {
       entry({"neighbours", "k", "neighbours", "Selection", "", Kind::Integer, 1, 200, true, "",
              "Recorded pairs nearest to the user's pose, by the positions of head, hands and feet, that are "
              "compared by Eq. 7.\n"
-             "Higher: the best pair is missed more rarely, and a step takes longer.\n"
+             "Higher: the best pair is missed more rarely, and a step takes longer. The method intent "
+             "compares all "
+             "pairs: so many of the best are weighed in full and listed.\n"
              "Paper 3.3.2: 10."},
             &Settings::neighbours),
       entry({"continuations", "", "continuations", "Selection", "frames", Kind::Integer, 0, 15, false, "",
              "So many recorded successors of the current source join the candidates, so that going on is "
              "always a choice.\n"
-             "Not in the paper: 0."},
+             "Not in the paper: 0. Of the method paper with the playback frames."},
             &Settings::continuations),
       entry({"switch-margin", "", "switch margin", "Selection", "m", Kind::Real, 0, 0.5, false, "",
              "What another source must be better by than going on with the current one. Higher: fewer "
@@ -277,7 +279,8 @@ const SettingInfo* find_setting(std::string_view key) {
 
 bool applies(const Settings& settings, std::string_view key) {
   constexpr std::array<std::string_view, 1> of_paper = {"continuations"};
-  constexpr std::array<std::string_view, 1> of_frames = {"morph-steps"};
+  // A recording that runs goes on by itself: its next moment is always a candidate.
+  constexpr std::array<std::string_view, 2> of_frames = {"morph-steps", "continuations"};
   constexpr std::array<std::string_view, 3> of_continuous = {"transition-time", "place-rate", "hold-weight"};
   constexpr std::array<std::string_view, 4> of_intent = {"switch-margin", "leader-weight", "move-weight",
                                                          "meant-weight"};
@@ -286,6 +289,25 @@ bool applies(const Settings& settings, std::string_view key) {
   };
   if (settings.playback == SourcePlayback::Frames ? is_of(of_continuous) : is_of(of_frames)) return false;
   return settings.selection == SelectionMethod::Intent ? !is_of(of_paper) : !is_of(of_intent);
+}
+
+std::string why_it_does_not_apply(const Settings& settings, std::string_view key) {
+  Settings of_method = settings, of_playback = settings;
+  of_method.selection =
+      settings.selection == SelectionMethod::Paper ? SelectionMethod::Intent : SelectionMethod::Paper;
+  of_playback.playback =
+      settings.playback == SourcePlayback::Frames ? SourcePlayback::Continuous : SourcePlayback::Frames;
+  const bool by_method = applies(of_method, key), by_playback = applies(of_playback, key);
+  std::string needed, now;
+  const auto need = [&](const char* what, const std::string& wanted, const std::string& is) {
+    needed += (needed.empty() ? "" : " and ") + (what + (" " + wanted));
+    now += (now.empty() ? "" : " and ") + is;
+  };
+  if (!by_playback)
+    need("the method", setting_text(of_method, "selection"), setting_text(settings, "selection"));
+  if (!by_method)
+    need("the playback", setting_text(of_playback, "playback"), setting_text(settings, "playback"));
+  return "Only with " + needed + "; it is " + now + " now";
 }
 
 double setting_number(const Settings& settings, std::string_view key) {

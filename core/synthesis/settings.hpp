@@ -80,8 +80,10 @@ struct SettingInfo {
 /// In the order in which they are shown.
 std::span<const SettingInfo> all_settings();
 const SettingInfo* find_setting(std::string_view key);
-/// Whether a setting counts with the method of selection that is set; most do with both.
+/// Whether a setting counts with the method of selection and the playback that are set; most do with all.
 bool applies(const Settings& settings, std::string_view key);
+/// "Only with the method intent; it is paper now": of a setting that does not apply.
+std::string why_it_does_not_apply(const Settings& settings, std::string_view key);
 
 /// A setting by key as text ("0.5", "on", "inverse-mean"). The key must exist.
 std::string setting_text(const Settings& settings, std::string_view key);

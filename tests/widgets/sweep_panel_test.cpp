@@ -4,9 +4,11 @@
 
 #include <QApplication>
 #include <QComboBox>
+#include <QLabel>
 #include <QMouseEvent>
 #include <QPushButton>
 #include <QSignalSpy>
+#include <QStandardItemModel>
 #include <QTest>
 
 #include "tests/widgets/pictures.hpp"
@@ -141,6 +143,27 @@ TEST(SweepForm, AsksForWhatIsChosen) {
   EXPECT_TRUE(QString::fromStdString(request.y).startsWith("alpha=")) << "the sides change places";
   form.setColumns("edge-weights");
   EXPECT_EQ(form.request().x, "edge-weights=inverse,inverse-mean,uniform");
+}
+
+TEST(SweepForm, DoesNotOfferASettingWithoutEffectAndSaysWhy) {
+  SweepForm form;
+  auto* columns = form.findChild<QComboBox*>();
+  const auto item = [columns](const char* key) {
+    return qobject_cast<QStandardItemModel*>(columns->model())->item(columns->findData(key));
+  };
+  form.setSettings(*preset("paper"));
+  EXPECT_FALSE(item("switch-margin")->isEnabled());
+  EXPECT_TRUE(item("switch-margin")->toolTip().contains("Only with the method intent"));
+  EXPECT_TRUE(item("alpha")->isEnabled());
+  form.setColumns("morph-steps");
+  form.setSettings(*preset("responsive"));
+  EXPECT_TRUE(item("switch-margin")->isEnabled());
+  EXPECT_TRUE(item("switch-margin")->toolTip().isEmpty());
+  EXPECT_TRUE(item("alpha")->isEnabled()) << "the temporal terms of both methods";
+  EXPECT_FALSE(item("morph-steps")->isEnabled());
+  bool said = false;
+  for (const QLabel* label : form.findChildren<QLabel*>()) said = said || label->text() == "no effect now";
+  EXPECT_TRUE(said) << "it was chosen before";
 }
 
 TEST(SweepPanel, StartsWhatTheFormAsksForAndTheButtonCancelsWhileItRuns) {

@@ -145,7 +145,14 @@ TEST(TierDrag, AnEdgeSnapsToTheCursorAMarkerAndAnEdgeOfAnotherAndShowsIt) {
   EXPECT_EQ(scene.dragged(25, 27.1).snapped_s, 27.0);
   EXPECT_EQ(scene.dragged(25, 29.95).snapped_s, 30.0);
   EXPECT_FALSE(scene.dragged(25, 28.4, 0).snapped_s) << "Alt";
-  EXPECT_NEAR(scene.dragged(25, 28.4, 0).to_s, 28.4, 1e-9);
+  EXPECT_NEAR(scene.dragged(25, 28.404, 0).to_s, 28.4, 1e-9) << "the frame, not the cursor beside it";
+}
+
+TEST(TierDrag, ACursorOrAMarkerBetweenFramesIsTheFrameThere) {
+  const auto targets = snap_targets({}, {}, 60, 28.505, {27.004});
+  EXPECT_NEAR(*targets.cursor_s, 28.5, 1e-9);
+  EXPECT_NEAR(targets.others_s.at(0), 27, 1e-9);
+  EXPECT_EQ(snap_targets({}, {}, 0, 28.505, {}).cursor_s, 28.505) << "no fixed rate";
 }
 
 TEST(TierDrag, MovesWholeAndTheNearerEndSnaps) {

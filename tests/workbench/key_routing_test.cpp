@@ -2,6 +2,7 @@
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "tests/workbench/key_window.hpp"
+#include "widgets/common/value_slider.hpp"
 
 namespace abrazo::app::key_routing_test {
 namespace {
@@ -63,6 +64,37 @@ TEST_F(Routing, NoSingleKeyReachesAnActionWhileAnEditorHasTheFocus) {
     EXPECT_FALSE(selection());
   }
   EXPECT_TRUE(text.text().contains("mt5a")) << text.text().toStdString();
+}
+
+/// Ctrl+Z took back the text of a filter in place of the setting that was just changed.
+TEST_F(Routing, UndoIsOfTheLastChangeWhereverThatWas) {
+  const double usual = window->document().settings().alpha;
+  QLineEdit field(window);
+  field.show();
+  field.setFocus();
+  QTest::keyClicks(&field, "turn");
+  window->document().changeSetting("alpha", "0.9", 0);
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(window->document().settings().alpha, usual) << "it came after the text";
+  EXPECT_EQ(field.text(), "turn");
+  press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_EQ(window->document().settings().alpha, 0.9);
+  QTest::keyClicks(&field, "s");
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_NE(field.text(), "turns") << "the text came last";
+  EXPECT_EQ(window->document().settings().alpha, 0.9);
+  window->undoStack().undo();
+}
+
+TEST_F(Routing, ASliderThatIsDraggedTakesTheKeysFromAFieldThatWasTypedInto) {
+  QLineEdit field(window);
+  field.show();
+  field.setFocus();
+  auto* slider = window->settings().findChild<widgets::ValueSlider*>();
+  QTest::mouseClick(slider, Qt::LeftButton, {}, QPoint(slider->width() / 3, 8));
+  EXPECT_FALSE(field.hasFocus());
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_FALSE(window->undoStack().canUndo());
 }
 
 TEST_F(Routing, DigitsAreLabelsInATimelineThatHasTheFocusAndViewsInTheScene) {

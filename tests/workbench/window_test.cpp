@@ -10,6 +10,7 @@
 #include <QTest>
 #include <QUrl>
 
+#include "app/workbench/shell/status_figures.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -157,6 +158,20 @@ TEST_F(Window, ASettingReachesTheRunningSolverAndUndoTakesItBack) {
   EXPECT_TRUE(until([] { return ticker().shown()->settings.alpha == 0.77; }));
   press(Qt::Key_Z, Qt::ControlModifier);
   EXPECT_TRUE(until([before] { return ticker().shown()->settings.alpha == before; }));
+}
+
+/// Every fourth pose of a clip was "lost" with the preset paper, and came "in 15 Hz".
+TEST_F(Window, TheStatusBarTellsWhatComesInFromWhatIsSolved) {
+  const auto says = [](const QString& words) {
+    return until([&] { return window().status().words().contains(words); });
+  };
+  window().document().choosePreset("paper", false);
+  EXPECT_TRUE(says("steps 15 Hz")) << window().status().words().join("; ").toStdString();
+  EXPECT_TRUE(says("in 60 Hz"));
+  for (const QString& figure : window().status().words())
+    EXPECT_FALSE(figure.startsWith("lost")) << "a clip loses nothing";
+  window().document().choosePreset("responsive", false);
+  EXPECT_TRUE(says("steps 60 Hz"));
 }
 
 TEST_F(Window, AFileThatCannotBeOpenedSaysWhatToDoAndLeavesTheSessionRunning) {

@@ -1,6 +1,8 @@
 #include "widgets/common/value_slider.hpp"
 
+#include <QApplication>
 #include <QKeyEvent>
+#include <QLineEdit>
 #include <QMouseEvent>
 #include <QPainter>
 #include <algorithm>
@@ -101,6 +103,8 @@ void ValueSlider::dragTo(double x) {
 
 void ValueSlider::mousePressEvent(QMouseEvent* event) {
   if (event->button() != Qt::LeftButton) return;
+  // Else the keys after it, as Undo, would be those of a field that was typed into before.
+  if (auto* field = qobject_cast<QLineEdit*>(QApplication::focusWidget())) field->clearFocus();
   ++m_gesture;
   m_dragging = true;
   const double off = event->localPos().x() - xOf(m_place);

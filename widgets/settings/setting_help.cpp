@@ -66,19 +66,6 @@ std::string setting_description(const SettingInfo& info) {
   return text + "Range " + value_range(info) + ", default " + preset_values(info);
 }
 
-std::string inapplicable_note(const Settings& settings, std::string_view key) {
-  Settings other = settings;
-  const bool is_paper = settings.selection == SelectionMethod::Paper;
-  other.selection = is_paper ? SelectionMethod::Intent : SelectionMethod::Paper;
-  const bool is_of_method = applies(other, key);
-  const bool is_frames = settings.playback == SourcePlayback::Frames;
-  other.playback = is_frames ? SourcePlayback::Continuous : SourcePlayback::Frames;
-  const std::string_view what = is_of_method ? "selection" : "playback";
-  return std::string("<div style='margin-top: 6px'><b>Only with the ") +
-         (is_of_method ? "method " : "playback ") + setting_text(other, what) + "</b>; it is " +
-         setting_text(settings, what) + " now</div>";
-}
-
 bool matches(const SettingInfo& info, std::string_view wanted) {
   std::string where;
   for (const std::string_view part : {info.key, info.symbol, info.title, info.group, info.help})

@@ -20,10 +20,6 @@ std::string setting_tooltip(const SettingInfo& info);
 /// The same without markup, for those who hear it.
 std::string setting_description(const SettingInfo& info);
 
-/// What the tooltip adds for a setting that does not apply with the method of selection or the playback that
-/// is set.
-std::string inapplicable_note(const Settings& settings, std::string_view key);
-
 /// Every word of `wanted` occurs in key, symbol, title, group or help of the setting, in any case. Nothing
 /// wanted: all match.
 bool matches(const SettingInfo& info, std::string_view wanted);

@@ -194,8 +194,11 @@ void SettingRow::showApplies(const Settings& settings) {
   m_applies = !m_applies;
   for (QWidget* part : std::initializer_list<QWidget*>{m_title, m_slider, m_value, m_toggle, m_choice})
     if (part) part->setEnabled(m_applies);
-  setToolTip(QString::fromStdString(setting_tooltip(m_info) +
-                                    (m_applies ? "" : inapplicable_note(settings, m_info.key))));
+  QString help = QString::fromStdString(setting_tooltip(m_info));
+  if (!m_applies)
+    help += "<div style='margin-top: 6px'><b>" +
+            text(why_it_does_not_apply(settings, m_info.key)).toHtmlEscaped() + "</b></div>";
+  setToolTip(help);
 }
 
 void SettingRow::show(const Settings& settings, const Settings& defaults, const Settings* of_frame) {

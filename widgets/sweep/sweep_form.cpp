@@ -7,6 +7,7 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QSpinBox>
+#include <QStandardItemModel>
 #include <QToolButton>
 #include <algorithm>
 
@@ -121,7 +122,11 @@ void SweepForm::propose(Side& side) {
        {static_cast<QWidget*>(side.from), static_cast<QWidget*>(side.to), static_cast<QWidget*>(side.count)})
     field->setEnabled(counted);
   const QString unit = info.unit.empty() ? QString() : text(info.unit) + ", ";
-  side.scale->setText(!counted ? "all values" : unit + (info.logarithmic ? "equal ratios" : "equal steps"));
+  side.scale->setText(!applies(m_settings, info.key) ? "no effect now"
+                      : !counted                     ? "all values"
+                                 : unit + (info.logarithmic ? "equal ratios" : "equal steps"));
+  side.scale->setToolTip(applies(m_settings, info.key) ? QString()
+                                                       : text(why_it_does_not_apply(m_settings, info.key)));
   if (!counted) {
     side.from->clear();
     side.to->clear();
@@ -136,9 +141,23 @@ void SweepForm::propose(Side& side) {
 
 void SweepForm::setSettings(const Settings& settings) {
   m_settings = settings;
-  for (Side* side : {&m_x, &m_y})
+  for (Side* side : {&m_x, &m_y}) {
+    offer(*side);
     if (!side->touched) propose(*side);
+  }
   emit changed();
+}
+
+/// A setting without effect now would give equal columns: it is shown, and cannot be chosen.
+void SweepForm::offer(Side& side) {
+  auto* model = qobject_cast<QStandardItemModel*>(side.setting->model());
+  for (int row = 0; row < side.setting->count(); ++row) {
+    const std::string key = side.setting->itemData(row).toString().toStdString();
+    const bool has_effect = applies(m_settings, key);
+    model->item(row)->setEnabled(has_effect);
+    side.setting->setItemData(row, has_effect ? QString() : text(why_it_does_not_apply(m_settings, key)),
+                              Qt::ToolTipRole);
+  }
 }
 
 void SweepForm::setMetrics(const std::vector<std::string>& names, const std::string& proposed) {

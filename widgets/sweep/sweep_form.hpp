@@ -21,7 +21,8 @@ class SweepForm : public QWidget {
   Q_OBJECT
  public:
   explicit SweepForm(QWidget* parent = nullptr);
-  /// Ranges that were not touched yet are proposed around these.
+  /// Ranges that were not touched yet are proposed around these; what has no effect with them cannot be
+  /// chosen.
   void setSettings(const Settings& settings);
   /// @param proposed  chosen while nothing else was
   void setMetrics(const std::vector<std::string>& names, const std::string& proposed);
@@ -45,6 +46,7 @@ class SweepForm : public QWidget {
     bool touched = false;
   };
   void addSide(Side& side, const QString& name, int row, int chosen);
+  void offer(Side& side);
   void propose(Side& side);
   std::string axis(const Side& side) const;
   void refillTakes();

@@ -31,7 +31,7 @@ struct Snap {
 };
 
 Snap snap(double time_s, const SnapTargets& targets, double reach_s) {
-  if (reach_s <= 0) return {time_s, {}};
+  if (reach_s <= 0) return {on_frame(time_s, targets.fps), {}};
   const double there = snapped(time_s, targets, reach_s);
   const bool at_cursor = targets.cursor_s && std::abs(*targets.cursor_s - there) < same_s;
   const bool at_other = std::any_of(targets.others_s.begin(), targets.others_s.end(),
@@ -146,7 +146,8 @@ std::string TierDrag::words() const {
 
 SnapTargets snap_targets(const Annotations& annotations, const TierHit& dragged, double fps, double cursor_s,
                          const std::vector<double>& markers_s) {
-  SnapTargets targets{fps, cursor_s, markers_s};
+  SnapTargets targets{fps, on_frame(cursor_s, fps), {}};
+  for (const double marker_s : markers_s) targets.others_s.push_back(on_frame(marker_s, fps));
   for (const AnnotationTier& tier : annotations.tiers())
     for (const Annotation& each : tier.annotations) {
       if (each.id == dragged.annotation || each.id == dragged.next) continue;

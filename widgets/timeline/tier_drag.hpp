@@ -37,7 +37,7 @@ class TierDrag {
   Kind kind() const { return kind_; }
   int tier() const { return hit_.tier; }
   int annotation() const { return hit_.annotation; }
-  /// @param targets  without edges of its own; @param reach_s 0: nothing snaps
+  /// @param targets  without edges of its own; @param reach_s 0: to frames only
   Outcome to(double time_s, const SnapTargets& targets, double reach_s) const;
   /// "resize turn", "draw".
   std::string words() const;
@@ -55,8 +55,8 @@ class TierDrag {
   Annotation dragged_, next_;  ///< as they were
 };
 
-/// Where edges may snap: edges of all annotations but those that are dragged, markers, in and out, the
-/// cursor and frames.
+/// Where edges may snap: edges of all annotations but those that are dragged, and the frames nearest to
+/// markers, in and out and the cursor.
 SnapTargets snap_targets(const Annotations& annotations, const TierHit& dragged, double fps, double cursor_s,
                          const std::vector<double>& markers_s);
 

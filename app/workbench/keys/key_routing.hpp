@@ -10,7 +10,8 @@ namespace abrazo::app {
 class MainWindow;
 
 /// Which of the window's keys a focused control keeps for itself: what a control does not take, comes by
-/// here on its way up, before any action may have it. Text fields and spin boxes keep theirs by themselves.
+/// here on its way up, before any action may have it. Text fields and spin boxes keep theirs by themselves,
+/// but for Undo and Redo (UndoOfText).
 class KeyRouting : public QObject {
   Q_OBJECT
  public:

@@ -17,6 +17,10 @@ void keep_latest(std::vector<double>& values) {
     values.erase(values.begin(), values.end() - static_cast<std::ptrdiff_t>(values_kept));
 }
 
+QString hertz(double rate_hz) {
+  return QString("%1 Hz").arg(rate_hz, 0, 'f', 0);
+}
+
 }  // namespace
 
 double percentile(std::vector<double> values, double share) {
@@ -38,8 +42,8 @@ void StatusFigures::setColours(const widgets::Palette& palette) {
   update();
 }
 
-void StatusFigures::setInput(const QString& name, int library_pairs) {
-  m_input = name;
+void StatusFigures::setInput(const Input& input, int library_pairs) {
+  m_input = input;
   m_pairs = library_pairs;
   m_nextIndex = 0;
   m_solve_us.clear();
@@ -47,11 +51,17 @@ void StatusFigures::setInput(const QString& name, int library_pairs) {
   update();
 }
 
-void StatusFigures::showInput(const QString& name, bool comes) {
-  if (name == m_input && comes == m_comes) return;
-  m_input = name;
-  m_comes = comes;
+void StatusFigures::showInput(const Input& input) {
+  if (input == m_input) return;
+  m_input = input;
   update();
+}
+
+QStringList StatusFigures::words() const {
+  QStringList words{m_input.name};
+  for (const auto* figures : {&m_left, &m_right})
+    for (const Figure& figure : *figures) words << figure.name + " " + figure.value;
+  return words;
 }
 
 void StatusFigures::refresh(const FrameHistory& history, std::uint64_t rendered_frames) {
@@ -72,17 +82,22 @@ void StatusFigures::refresh(const FrameHistory& history, std::uint64_t rendered_
   const auto ms = [this](double share) {
     return QString::number(percentile(m_solve_us, share) / 1000, 'f', 2);
   };
+  const QString render = "render", rendered = QString("%1 fps").arg(m_renderRate, 0, 'f', 0);
   if (newest) {
     m_ok = newest->result.status != StepStatus::Failed;
-    m_left = {{"in", QString("%1 Hz").arg(newest->input_rate_hz, 0, 'f', 0)},
-              {"loss", QString::number(newest->dropped_inputs)},
-              {"solve", ms(0.5) + " ms"},
-              {"p99", ms(0.99) + " ms"},
-              {"render", QString("%1 fps").arg(m_renderRate, 0, 'f', 0)},
-              {"partner p99", QString("%1 m/s").arg(percentile(m_speed_m_s, 0.99), 0, 'f', 1)}};
-  } else if (m_left.size() >= 5) {
-    m_left[0].value = "0 Hz";
-    m_left[4].value = QString("%1 fps").arg(m_renderRate, 0, 'f', 0);
+    m_left = {{"in", hertz(m_input.comes ? m_input.rate_hz : 0)}, {"steps", hertz(newest->input_rate_hz)}};
+    if (m_input.lost) m_left.push_back({"lost", QString::number(*m_input.lost)});
+    m_left.insert(m_left.end(),
+                  {{"solve", ms(0.5) + " ms"},
+                   {"p99", ms(0.99) + " ms"},
+                   {render, rendered},
+                   {"partner p99", QString("%1 m/s").arg(percentile(m_speed_m_s, 0.99), 0, 'f', 1)}});
+    if (newest->dropped_inputs > 0) m_left.push_back({"replaced", QString::number(newest->dropped_inputs)});
+  } else {
+    for (Figure& figure : m_left) {
+      if (figure.name == "in" || figure.name == "steps") figure.value = hertz(0);
+      if (figure.name == render) figure.value = rendered;
+    }
   }
   m_right = {{"library", QString("%L1 pairs").arg(m_pairs)},
              {"history", QString("%1 s · %2 MB")
@@ -112,12 +127,12 @@ void StatusFigures::paintEvent(QPaintEvent*) {
     x += draw(x, figure->name, plain, m_palette.secondary) + 5;
     draw(x, figure->value, strong, m_palette.text);
   }
-  const QColor state = !m_comes ? m_palette.warning : m_ok ? m_palette.good : m_palette.live;
+  const QColor state = !m_input.comes ? m_palette.warning : m_ok ? m_palette.good : m_palette.live;
   double x = 26;
   painter.setPen(Qt::NoPen);
   painter.setBrush(state);
   painter.drawEllipse(QPointF(16, height() / 2.0), 4, 4);
-  x += draw(x, m_input, plain, state) + 22;
+  x += draw(x, m_input.name, plain, state) + 22;
   for (const Figure& figure : m_left) {
     if (x + wide(figure) > right) break;  // rather nothing than two texts over one another
     const double after = x + wide(figure);

@@ -2,8 +2,10 @@
 
 #include <QElapsedTimer>
 #include <QString>
+#include <QStringList>
 #include <QWidget>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "core/session/frames/frame_history.hpp"
@@ -16,13 +18,26 @@ namespace abrazo::app {
 class StatusFigures : public QWidget {
   Q_OBJECT
  public:
+  /// What comes in, whatever of it is solved.
+  struct Input {
+    QString name;
+    bool comes = true;   ///< anything, now
+    double rate_hz = 0;  ///< of the poses
+    std::optional<std::uint64_t> lost =
+        {};  ///< frames that were sent and did not arrive; nothing = cannot be lost
+
+    bool operator==(const Input&) const = default;
+  };
+
   explicit StatusFigures(QWidget* parent = nullptr);
   void setColours(const widgets::Palette& palette);
-  void setInput(const QString& name, int library_pairs);
+  void setInput(const Input& input, int library_pairs);
   void setLibrary(int pairs) { m_pairs = pairs; }
-  /// @param comes  whether anything comes in from it now
-  void showInput(const QString& name, bool comes);
+  void showInput(const Input& input);
   void refresh(const FrameHistory& history, std::uint64_t rendered_frames);
+
+  /// What is shown, from left to right, as "in 60 Hz".
+  QStringList words() const;
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -32,9 +47,9 @@ class StatusFigures : public QWidget {
     QString name, value;
   };
   widgets::Palette m_palette;
-  QString m_input;
+  Input m_input;
   int m_pairs = 0;
-  bool m_ok = true, m_comes = true;
+  bool m_ok = true;
   std::vector<Figure> m_left, m_right;
   std::uint64_t m_nextIndex = 0;
   std::uint64_t m_rendered = 0;

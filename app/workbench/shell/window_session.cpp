@@ -136,7 +136,7 @@ void MainWindow::start(const std::shared_ptr<PreparedSolver>& prepared) {
   m_transport->setInput(QString("%1 %2 · %3 Hz")
                             .arg(material.recorded ? "recorded" : "clip", input)
                             .arg(material.input.fps, 0, 'f', 0));
-  m_status->setInput(input, material.library->pair_count());
+  m_status->setInput({input, true, material.input.fps}, material.library->pair_count());
   setWindowTitle(input + " with " + library + " — Abrazo");
   m_ticker.setLibrary(material.library);
   m_ticker.setSources(&session()->history(), &session()->latest());

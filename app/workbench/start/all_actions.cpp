@@ -2,6 +2,7 @@
 #include "app/workbench/export/export_desk.hpp"
 #include "app/workbench/keys/key_routing.hpp"
 #include "app/workbench/keys/shortcuts.hpp"
+#include "app/workbench/keys/undo_of_text.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/labels/label_key_filter.hpp"
 #include "app/workbench/project/project_desk.hpp"
@@ -59,6 +60,7 @@ Rooms add_all_actions(MainWindow& window) {
   add_welcome_actions(window);
   add_command_search(window);
   shortcuts->begin();
+  new UndoOfText(window, window.undoStack());
   new KeyRouting(window, [label_keys](const QKeyEvent& event) { return label_keys->means(event); });
   return {project, streams, layouts, leftovers};
 }

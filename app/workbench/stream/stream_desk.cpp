@@ -303,13 +303,14 @@ void StreamDesk::showInput() {
     const char* kind = material.recorded ? "recorded" : "clip";
     nameInput(QString("%1 %2 · %3 Hz").arg(kind, clip).arg(material.input.fps, 0, 'f', 0));
     m_window.sceneTree().setInputName(kind);
-    return m_window.status().showInput(clip, true);
+    return m_window.status().showInput({clip, true, material.input.fps});
   }
   const PerformerHealth* user_health = userHealth();
   const bool comes = m_health->state == StreamHealth::State::Receiving && user_health && user_health->tracked;
   const QString name = short_name(*m_health) + (comes ? QString() : " " + short_state(*m_health));
   nameInput(comes ? QString("%1 · %2 Hz").arg(name).arg(user_health->rate_hz, 0, 'f', 0) : name);
-  m_window.status().showInput(name, comes);
+  m_window.status().showInput(
+      {name, comes, user_health ? user_health->rate_hz : 0, user_health ? user_health->lost : 0});
   m_window.sceneTree().setInputName("stream");
 }
 

@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <random>
+
 #include "tests/core/annotation/label_tiers.hpp"
 
 namespace abrazo::label_edits_test {
@@ -114,6 +116,45 @@ TEST_F(LabelEdits, WithoutASelectionTheLabelBeforeTheCursorIsExtended) {
   EXPECT_THAT(moves(extend_label(annotations, place)), ElementsAre("1-2 one", "3-5.5 two", "6-7 one"));
   place.cursor_s = 0.5;
   EXPECT_FALSE(extend_label(annotations, place));
+}
+
+/// A cursor, in and out that a click or a playing clip left between frames.
+TEST_F(LabelEdits, NoEdgeIsMadeBetweenFrames) {
+  const auto made_by = [this](int kind) -> Result<LabelEdit> {
+    switch (kind) {
+      case 0: {
+        const auto span = span_at(annotations, place);
+        return span ? draw_label(annotations, place, move, *span, "one") : Result<LabelEdit>(span.error());
+      }
+      case 1:
+        return label_span(annotations, place, move, {place.cursor_s, place.cursor_s + 0.03}, "two");
+      case 2:
+        return say_at_cursor(annotations, place, move, "one");
+      case 3:
+        return extend_label(annotations, place);
+      case 4:
+        return split_label(annotations, place);
+      default:
+        return change_role(annotations, place);
+    }
+  };
+  std::mt19937 random(5);
+  std::uniform_real_distribution<double> anywhere(0, 10);
+  int made = 0;
+  for (int i = 0; i < 600; ++i) {
+    place.cursor_s = anywhere(random);
+    place.selected = i % 3 ? 0 : second;
+    place.in_out.reset();
+    if (i % 5 == 0) place.in_out = {place.cursor_s, place.cursor_s + 0.2 + 0.1 * anywhere(random)};
+    const auto edit = made_by(i % 6);
+    if (!edit) continue;
+    ++made;
+    for (const AnnotationProblem& problem : problems_of(edit->next, place.range, place.fps))
+      EXPECT_TRUE(problem.kind != AnnotationProblem::Kind::OffFrame &&
+                  problem.kind != AnnotationProblem::Kind::TooShort)
+          << i << ": " << problem.text;
+  }
+  EXPECT_GT(made, 400);
 }
 
 TEST_F(LabelEdits, SplitAtTheCursorSelectsTheLaterPart) {

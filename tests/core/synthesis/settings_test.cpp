@@ -133,6 +133,15 @@ TEST(Settings, EachMethodOfSelectionHasItsOwnWeightsAndTheRestIsOfBoth) {
   }
 }
 
+TEST(Settings, OneThatDoesNotApplySaysWhatItNeeds) {
+  const Settings paper = *preset("paper"), responsive = *preset("responsive");
+  EXPECT_EQ(why_it_does_not_apply(paper, "switch-margin"), "Only with the method intent; it is paper now");
+  EXPECT_EQ(why_it_does_not_apply(paper, "place-rate"),
+            "Only with the playback continuous; it is frames now");
+  EXPECT_EQ(why_it_does_not_apply(responsive, "continuations"),
+            "Only with the method paper and the playback frames; it is intent and continuous now");
+}
+
 TEST(Settings, AnUnknownKeyInAFileIsAnError) {
   const auto parsed = parse_settings(R"({"alhpa": 0.3})", Settings{}, "mine.json");
   ASSERT_FALSE(parsed);
