@@ -16,7 +16,7 @@ std::vector<CandidateRow> rows() {
 
 TEST(WinningReason, SayTheMarginAndTheTermThatDecidedIt) {
   // The second costs 0.02 more in pose and 0.5 x 0.05 more for the follower.
-  EXPECT_THAT(winning_reason(rows()), HasSubstr("Winner by 0.045"));
+  EXPECT_THAT(winning_reason(rows()), HasSubstr("Winner by 0.045 m²"));
   EXPECT_THAT(winning_reason(rows()), HasSubstr("follower"));
 }
 
@@ -50,11 +50,11 @@ std::vector<CandidateRow> rows_by_intent(const std::vector<std::array<double, mo
 TEST(WinningReasonOfIntent, SaysWhatAChangeIsFor) {
   auto nearer = rows_by_intent({{0.10, 0.05, 0.02, 0, 0.03}, {0.16, 0.06, 0.02, 0, 0}});
   nearer[1].goes_on = true;
-  EXPECT_EQ(winning_reason(nearer), "Change: partner expected 0.060 m nearer than going on");
+  EXPECT_EQ(winning_reason(nearer), "Change: going on costs 0.040 m more — partner expected nearer");
   auto likelier = rows_by_intent({{0.10, 0.05, 0.02, 0, 0.03}, {0.11, 0.05, 0.09, 0, 0}});
   likelier[1].goes_on = true;
-  EXPECT_EQ(winning_reason(likelier), "Change: 0.080 m better than going on — likelier move")
-      << "the margin, which it paid, left out";
+  EXPECT_EQ(winning_reason(likelier), "Change: going on costs 0.050 m more — likelier move")
+      << "as the totals say, in which it paid for the change";
 }
 
 TEST(WinningReasonOfIntent, SaysThatGoingOnWasVetoed) {
@@ -63,20 +63,23 @@ TEST(WinningReasonOfIntent, SaysThatGoingOnWasVetoed) {
   EXPECT_EQ(winning_reason(found), "Change: continuing is vetoed");
 }
 
-TEST(WinningReasonOfIntent, SaysWhetherOnlyTheMarginHeldTheSource) {
+TEST(WinningReasonOfIntent, SaysHowMuchOfTheDifferenceIsForTheChange) {
   EXPECT_EQ(winning_reason(candidate_rows(*test::frame_by_intent(0, 0), *test::two_take_library())),
-            "Continues: #2 is 0.020 m better, less than the margin");
+            "Continues: #2 costs 0.010 m more, by the 0.030 m for the change");
   auto better = rows_by_intent({{0.10, 0.02, 0.02, 0, 0}, {0.11, 0.05, 0.02, 0, 0.03}});
   better[0].goes_on = true;
-  EXPECT_EQ(winning_reason(better), "Continues, 0.040 m better than #2 — motion of the leader");
+  EXPECT_EQ(winning_reason(better), "Continues: #2 costs 0.070 m more — motion of the leader");
+  auto mostly = rows_by_intent({{0.10, 0.02, 0.02, 0, 0}, {0.11, 0.02, 0.02, 0, 0.06}});
+  mostly[0].goes_on = true;
+  EXPECT_EQ(winning_reason(mostly), "Continues: #2 costs 0.070 m more, 0.060 m of it for the change");
   auto equal = rows_by_intent({{0.10, 0.02, 0.02, 0, 0}, {0.10, 0.02, 0.02, 0, 0.03}});
   equal[0].goes_on = true;
-  EXPECT_EQ(winning_reason(equal), "Continues: #2 is as good, but would be a change");
+  EXPECT_EQ(winning_reason(equal), "Continues: #2 costs 0.030 m more, all of it for the change");
 }
 
 TEST(WinningReasonOfIntent, ComparesWithTheSecondWhereNothingGoesOn) {
   const auto found = rows_by_intent({{0.10, 0.05, 0.02, 0, 0}, {0.10, 0.05, 0.02, 0.2, 0}});
-  EXPECT_EQ(winning_reason(found), "Margin 0.200 m to #2 — the intended move");
+  EXPECT_EQ(winning_reason(found), "#2 costs 0.200 m more — the intended move");
   EXPECT_EQ(winning_reason(rows_by_intent({{0.10, 0.05, 0.02, 0, 0}, {0.10, 0.05, 0.02, 0, 0}})),
             "A tie with #2");
 }

@@ -36,28 +36,33 @@ std::string because(const Gain& gain) {
   return gain.term ? " — " + std::string(gain.term->gain) : std::string();
 }
 
+/// "0.024 m": with the unit of the totals.
+std::string amount(double value, SelectionMethod method) {
+  return figure(value) + " " + std::string(cost_terms(method).unit);
+}
+
 std::string paper_reason(const CandidateRow& winner, const CandidateRow& second) {
   const Gain gain = largest_gain(winner, second);
   if (!gain.term || second.total - winner.total < least_shown) return "A tie with the second";
-  return "Winner by " + figure(second.total - winner.total) + because(gain);
+  return "Winner by " + amount(second.total - winner.total, winner.method) + because(gain);
 }
 
-/// Of a winner that continues its source: others have to be better by the margin.
+/// Of a winner that continues its source: others pay for the change, and are compared with what they pay.
 std::string going_on(const CandidateRow& winner, const CandidateRow& second) {
-  const double behind = (winner.total - value_of(winner, CostTerm::Change)) -
-                        (second.total - value_of(second, CostTerm::Change));
-  if (behind >= least_shown) return "Continues: #2 is " + figure(behind) + " m better, less than the margin";
-  if (behind > -least_shown) return "Continues: #2 is as good, but would be a change";
-  return "Continues, " + figure(-behind) + " m better than #2" + because(largest_gain(winner, second));
+  const double more = second.total - winner.total;
+  const double paid = value_of(second, CostTerm::Change) - value_of(winner, CostTerm::Change);
+  if (more < least_shown) return "Continues: #2 costs as much";
+  const std::string words = "Continues: #2 costs " + amount(more, winner.method) + " more";
+  if (paid > more + least_shown) return words + ", by the " + amount(paid, winner.method) + " for the change";
+  if (paid > more - least_shown) return words + ", all of it for the change";
+  if (2 * paid > more) return words + ", " + amount(paid, winner.method) + " of it for the change";
+  return words + because(largest_gain(winner, second));
 }
 
 std::string change(const CandidateRow& winner, const CandidateRow& going_on) {
   if (going_on.is_out()) return "Change: continuing is vetoed";
-  const Gain gain = largest_gain(winner, going_on);
-  if (gain.term && gain.term->term == CostTerm::Partner)
-    return "Change: partner expected " + figure(gain.value) + " m nearer than going on";
-  const double better = going_on.total - winner.total + value_of(winner, CostTerm::Change);
-  return "Change: " + figure(better) + " m better than going on" + because(gain);
+  return "Change: going on costs " + amount(going_on.total - winner.total, winner.method) + " more" +
+         because(largest_gain(winner, going_on));
 }
 
 std::string intent_reason(const std::vector<CandidateRow>& rows, const FrameIntent& intent) {
@@ -70,7 +75,8 @@ std::string intent_reason(const std::vector<CandidateRow>& rows, const FrameInte
   const std::string before = intent.model && intent.continued < 0 ? "No source to continue. " : "";
   const double margin = second.total - winner.total;
   if (margin < least_shown) return before + "A tie with #2";
-  return before + "Margin " + figure(margin) + " m to #2" + because(largest_gain(winner, second));
+  return before + "#2 costs " + amount(margin, winner.method) + " more" +
+         because(largest_gain(winner, second));
 }
 
 std::string move_name(std::string label) {
@@ -88,8 +94,7 @@ std::string winning_reason(const std::vector<CandidateRow>& rows, const FrameInt
   if (rows.size() == 1) return "The only candidate";
   const bool is_by_intent = winner->method == SelectionMethod::Intent;
   if (winner != rows.begin())
-    return "Not the cheapest: " + figure(winner->total - rows.front().total) + (is_by_intent ? " m" : "") +
-           " above it";
+    return "Not the cheapest: " + amount(winner->total - rows.front().total, winner->method) + " above it";
   return is_by_intent ? intent_reason(rows, intent) : paper_reason(rows[0], rows[1]);
 }
 

@@ -8,10 +8,11 @@
 
 namespace abrazo::widgets {
 
-/// Of the cheapest-first order. By Eq. 7: "Winner by 0.024 — less temporal cost of the follower", the margin
-/// to the runner-up and the term that decided it. With `intent`: why the source changed, "Change: partner
-/// expected 0.060 m nearer than going on", or why it did not. Says so when the winner is not the cheapest (a
-/// pinned pair), or when there is nothing to compare with.
+/// Of the cheapest-first order, by the totals that are shown. By Eq. 7: "Winner by 0.024 m² — less temporal
+/// cost of the follower", the margin to the runner-up and the term that decided it. With `intent`: why the
+/// source changed, "Change: going on costs 0.060 m more — partner expected nearer", or why it did not,
+/// "Continues: #2 costs 0.130 m more, 0.113 m of it for the change". Says so when the winner is not the
+/// cheapest (a pinned pair), or when there is nothing to compare with.
 /// @param intent  of the same frame
 std::string winning_reason(const std::vector<CandidateRow>& rows, const FrameIntent& intent = {});
 
