@@ -101,7 +101,6 @@ LAYOUTS = [
     ("bone_axes", "fbx", (30, 1), {"primary_bone_axis": "X", "secondary_bone_axis": "Z"}, {}),
     ("baked_space", "fbx", (30, 1), {"bake_space_transform": True}, {}),
     ("root_node", "fbx", (30, 1), {"armature_nodetype": "ROOT"}, {}),
-    ("limb_node", "fbx", (30, 1), {"armature_nodetype": "LIMBNODE"}, {}),
     ("two_takes", "fbx", (30, 1), {"bake_anim_use_all_actions": True}, {"second": 40}),
     ("thinned", "fbx", (30, 1), {"bake_anim_simplify_factor": 1.0}, {}),
     ("moved_armature", "fbx", (30, 1), {}, {"object": (0.5, -0.2, 0.1)}),

@@ -36,7 +36,8 @@ int main(int count, char** words) {
   json.end_object();
   json.key("warnings").begin_array();
   for (const abrazo::NamedMotion& motion : *motions)
-    for (const abrazo::ImportWarning& warning : motion.warnings) json.value(warning.kind + ": " + warning.detail);
+    for (const abrazo::ImportWarning& warning : motion.warnings)
+      json.value(warning.kind + ": " + warning.detail);
   json.end_array();
   json.end_object();
   std::puts(json.text().c_str());

@@ -254,7 +254,8 @@ void SceneReader::clear_helpers() {
       if (!helper.is_helper || !helper.name.starts_with(node.name + helper_mark)) break;
       helpers.push_back(static_cast<std::size_t>(above));
     }
-    if (std::any_of(helpers.begin(), helpers.end(), [&](std::size_t h) { return moves(nodes_[h]); })) continue;
+    if (std::any_of(helpers.begin(), helpers.end(), [&](std::size_t h) { return moves(nodes_[h]); }))
+      continue;
     for (const std::size_t helper : helpers) nodes_[helper].rest.setIdentity();
   }
 }
@@ -268,7 +269,8 @@ void SceneReader::settle(NamedMotion& motion) const {
   motion.up_axis = UpAxis::Y;
 }
 
-/// Turns the points so that the file's front is where it is in files of the usual axes: Z of Y up, -Y of Z up.
+/// Turns the points so that the file's front is where it is in files of the usual axes: Z of Y up, -Y of Z
+/// up.
 void turn_to_front(NamedMotion& motion, const Eigen::Matrix3d& right_up_front) {
   Eigen::Matrix3d usual = right_up_front;
   if (motion.up_axis == UpAxis::Z) {
@@ -293,7 +295,8 @@ void SceneReader::settle_fbx_space(NamedMotion& motion) const {
   for (const char* name : {"CoordAxis", "UpAxis", "FrontAxis"}) {
     int32_t axis = -1, sign = 1;
     scene_.mMetaData->Get(std::string(name) + "Sign", sign);
-    if (scene_.mMetaData->Get(name, axis) && axis >= 0 && axis < 3) right_up_front(row, axis) = sign < 0 ? -1 : 1;
+    if (scene_.mMetaData->Get(name, axis) && axis >= 0 && axis < 3)
+      right_up_front(row, axis) = sign < 0 ? -1 : 1;
     if (row++ == 1) up = axis;
   }
   if (up == 1 || up == 2) motion.up_axis = up == 1 ? UpAxis::Y : UpAxis::Z;

@@ -168,8 +168,7 @@ Status Skeletons::settle_times() {
   }
   // Keys on every frame of the file's rate, or thinned out to every second or third one.
   const double frames_between = rate_ ? *step * *rate_ : 0;
-  const bool on_frames =
-      frames_between > 0.5 && std::abs(frames_between - std::round(frames_between)) < 0.01;
+  const bool on_frames = frames_between > 0.5 && std::abs(frames_between - std::round(frames_between)) < 0.01;
   const bool own_rate = !on_frames && *step < 0.08;
   if (own_rate) {
     // Median steps are exact to the digits of the file: rates within 0.05 % of a whole one are whole.
