@@ -10,6 +10,7 @@
 #include "core/base/text.hpp"
 #include "core/motion/body/body.hpp"
 #include "core/motion/body/person_bounds.hpp"
+#include "core/motion/joints/map_choice.hpp"
 #include "core/motion/joints/marker_gaps.hpp"
 #include "core/motion/joints/marker_model.hpp"
 #include "core/motion/joints/performers.hpp"
@@ -44,58 +45,43 @@ std::string names_of(const std::vector<int>& joint_list) {
   return names;
 }
 
-Error no_map_fits(const NamedMotion& motion, const JointMap& closest, const JointBinding& binding,
-                  bool only_one) {
-  std::string message = only_one ? "the joint map '" + closest.name + "' does not fit: the file lacks "
-                                 : "no joint map fits; the closest, '" + closest.name + "', lacks ";
-  for (std::size_t i = 0; i < binding.missing.size() && i < 6; ++i)
-    message += (i > 0 ? ", " : "") + describe_joint(closest, binding.missing[i]);
-  if (binding.missing.size() > 6) message += " and " + std::to_string(binding.missing.size() - 6) + " more";
+Error no_map_fits(const NamedMotion& motion, const ChosenMap& closest, bool only_one) {
+  constexpr std::size_t most_joints = 3, most_points = 6;
+  const std::vector<int>& missing = closest.binding.missing;
+  std::string message = only_one ? "the joint map '" + closest.map.name + "' does not fit: the file lacks "
+                                 : "no joint map fits; the closest, '" + closest.map.name + "', lacks ";
+  for (std::size_t i = 0; i < missing.size() && i < most_joints; ++i)
+    message += (i > 0 ? ", " : "") + describe_joint(closest.map, missing[i]);
+  if (missing.size() > most_joints)
+    message += " and " + std::to_string(missing.size() - most_joints) + " more";
   for (const ImportWarning& warning : motion.warnings)
     if (warning.kind == "never-seen") message += " (" + warning.detail + ")";
   message +=
       R"(. Say which point is which joint in a JSON file {"name": "mine", "joints": {"root": "Hips", "head": )"
-      R"({"Neck": 0.3, "Top": 0.7}, ...}} with all 25 joints (--joint-map FILE). The file's points: )";
-  for (std::size_t p = 0; p < motion.points.size() && p < 40; ++p)
-    message += (p > 0 ? ", " : "") + motion.points[p];
-  if (motion.points.size() > 40) message += ", ...";
+      R"({"Neck": 0.3, "Top": 0.7}, ...}} with all 25 joints (--joint-map FILE). The file's points: )" +
+      some_of(motion.points, most_points);
   return Error{message, motion.name};
 }
 
 Result<JointBinding> bind(const NamedMotion& motion, const ImportOptions& options, ImportReport& report) {
-  const std::vector<JointMap> given =
-      options.joint_map ? std::vector<JointMap>{*options.joint_map} : std::vector<JointMap>{};
-  const std::vector<JointMap>& maps = options.joint_map ? given : builtin_joint_maps();
-  const JointMap* closest = nullptr;
-  JointBinding closest_binding;
-  for (const JointMap& map : maps) {
-    JointBinding binding = bind_joints(map, motion.points);
-    if (closest && binding.missing.size() >= closest_binding.missing.size()) continue;
-    closest = &map;
-    closest_binding = std::move(binding);
-    if (closest_binding.missing.empty()) break;
-  }
-  if (!closest_binding.missing.empty())
-    return no_map_fits(motion, *closest, closest_binding, options.joint_map.has_value());
-  if (report.joint_map.empty()) report.joint_map = closest->name;
-  if (!closest_binding.estimated.empty())
+  ChosenMap chosen = choose_map(motion, options.joint_map);
+  if (!chosen.fits()) return no_map_fits(motion, chosen, options.joint_map.has_value());
+  if (report.joint_map.empty()) report.joint_map = chosen.map.name;
+  if (!chosen.binding.estimated.empty())
     warn(report, "estimated-joints",
-         names_of(closest_binding.estimated) + ": not in the file, estimated from neighbouring points");
-  return closest_binding;
-}
-
-/// Whether a joint map, given or built in, finds all joints.
-bool a_map_fits(const NamedMotion& motion, const ImportOptions& options) {
-  if (options.joint_map) return true;  // bind reports what it lacks
-  for (const JointMap& map : builtin_joint_maps())
-    if (bind_joints(map, motion.points).missing.empty()) return true;
-  return false;
+         names_of(chosen.binding.estimated) + ": not in the file, estimated from neighbouring points");
+  if (!chosen.inferred.empty())
+    warn(report, "inferred-joints",
+         std::to_string(chosen.inferred.size()) +
+             " of the 25 joints are not in the file and were inferred: " + names_of(chosen.inferred));
+  return std::move(chosen.binding);
 }
 
 /// Where markers were captured, the joints by the marker model that was said or fits; nothing otherwise.
 Result<std::optional<NamedMotion>> joints_by_markers(const NamedMotion& motion, const ImportOptions& options,
                                                      ImportReport& report) {
-  if (options.marker_model.empty() && a_map_fits(motion, options)) return std::optional<NamedMotion>();
+  if (options.marker_model.empty() && (options.joint_map || choose_map(motion, {}).fits()))
+    return std::optional<NamedMotion>();
   const MarkerModel* chosen = nullptr;
   for (const MarkerModel& model : builtin_marker_models()) {
     const bool said = model.name == options.marker_model;
@@ -309,9 +295,9 @@ Result<ImportedClip> import_clip(const NamedMotion& file_points, const ImportOpt
 
 bool joints_are_known(const NamedMotion& motion) {
   const auto& models = builtin_marker_models();
-  return a_map_fits(motion, {}) || std::any_of(models.begin(), models.end(), [&](const MarkerModel& model) {
-           return missing_markers(model, motion.points).empty();
-         });
+  return choose_map(motion, {}).fits() ||
+         std::any_of(models.begin(), models.end(),
+                     [&](const MarkerModel& model) { return missing_markers(model, motion.points).empty(); });
 }
 
 Status choose_joints(const std::string& name_or_file, ImportOptions& options) {
