@@ -80,6 +80,8 @@ struct SettingInfo {
 /// In the order in which they are shown.
 std::span<const SettingInfo> all_settings();
 const SettingInfo* find_setting(std::string_view key);
+/// "selection, alpha, ...": all keys, for messages.
+std::string setting_names();
 /// Whether a setting counts with the method of selection that is set; most do with both.
 bool applies(const Settings& settings, std::string_view key);
 
