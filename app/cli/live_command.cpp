@@ -63,7 +63,7 @@ Status check_words_of_input(const LiveOptions& options, const StreamUri& listen)
   if (is_clip && options.calibrate_after_s > 0)
     return Error{"--calibrate is for streams; a clip is measured as a whole", listen.text};
   if (!is_clip && (!clip.skeleton.empty() || !clip.joint_map.empty() || !clip.up.empty() ||
-                   clip.metres_per_unit > 0 || clip.fps > 0 || clip.performer > 0))
+                   clip.metres_per_unit || clip.fps || clip.performer))
     return Error{
         "--skeleton, --metres-per-unit, --fps, --joint-map, --up and --performer are for clip:FILE; "
         "a stream has options in its URI, such as ?performer=NAME, ?map=FILE.json, ?up=z",

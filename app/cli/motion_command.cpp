@@ -125,7 +125,7 @@ void run_positions(CommandLine& line, const MotionWords& words) {
 
 /// All performers of a file, or the chosen one.
 Result<std::vector<Clip>> clips_to_convert(CommandLine& line, const MotionWords& words) {
-  if (words.reading.performer > 0) {
+  if (words.reading.performer) {
     auto imported = read_performer(line, words.reading);
     if (!imported) return imported.error();
     return std::vector<Clip>{std::move(imported->clip)};

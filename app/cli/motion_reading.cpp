@@ -1,9 +1,5 @@
 #include "app/cli/motion_reading.hpp"
 
-#include <fmt/core.h>
-
-#include "core/motion/joints/motion_format.hpp"
-
 namespace abrazo::app {
 
 void add_reading_options(CLI::App& command, MotionReading& reading) {
@@ -31,40 +27,14 @@ void add_performer_option(CLI::App& command, MotionReading& reading) {
       ->type_name("N");
 }
 
-Result<std::vector<ImportedClip>> read_performers(const MotionReading& reading) {
-  ImportOptions options;
-  if (reading.metres_per_unit > 0) options.metres_per_unit = reading.metres_per_unit;
-  if (reading.fps > 0) options.fps = reading.fps;
-  if (!reading.up.empty()) options.up_axis = reading.up == "z" ? UpAxis::Z : UpAxis::Y;
-  if (!reading.joint_map.empty())
-    if (const Status chosen = choose_joints(reading.joint_map, options); !chosen) return chosen.error();
-  const auto format = format_of_name(reading.file);
-  if (!reading.skeleton.empty() && format && format != MotionFormat::Amc)
-    return Error{"a " + std::string(name_of(*format)) + " file has its own skeleton; leave out --skeleton",
-                 reading.file};
-  return load_motion(reading.file, reading.skeleton, options);
-}
-
 Result<ImportedClip> read_performer(CommandLine& line, const MotionReading& reading) {
-  Result<std::vector<ImportedClip>> clips = read_performers(reading);
-  if (!clips) return clips.error();
-  const std::size_t count = clips->size();
-  if (reading.performer == 0 && count > 1)
-    return Error{fmt::format("holds {} performers; choose one with --performer 1 to {}", count, count),
-                 reading.file};
-  const std::size_t chosen = reading.performer == 0 ? 0 : static_cast<std::size_t>(reading.performer - 1);
-  if (chosen >= count)
-    return Error{fmt::format("has no performer {}; it holds {}", reading.performer, count), reading.file};
-  ImportedClip& imported = (*clips)[chosen];
-  warn_of_import(line, reading, imported);
-  return std::move(imported);
+  Result<ImportedClip> imported = read_performer(reading);
+  if (imported) warn_of_import(line, reading, *imported);
+  return imported;
 }
 
 void warn_of_import(CommandLine& line, const MotionReading& reading, const ImportedClip& imported) {
-  for (const ImportWarning& warning : imported.report.warnings)
-    warn(line,
-         fmt::format("{}{}: {}: {}", reading.file, warning.line > 0 ? fmt::format(":{}", warning.line) : "",
-                     warning.kind, warning.detail));
+  for (const std::string& sentence : warnings_of_import(reading, imported)) warn(line, sentence);
 }
 
 void add_space_options(CLI::App& command, std::string& units, std::string& up) {

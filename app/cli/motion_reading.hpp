@@ -2,31 +2,19 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
-#include <vector>
 
 #include "app/cli/command_line.hpp"
 #include "core/base/result.hpp"
 #include "core/motion/files/clip_file.hpp"
-#include "core/motion/files/import_clip.hpp"
+#include "core/motion/files/performer_reading.hpp"
 
 namespace abrazo::app {
-
-/// Options of a command about a motion file that it reads.
-struct MotionReading {
-  std::string file, skeleton, joint_map, up;
-  double metres_per_unit = 0, fps = 0;  ///< 0 = not given
-  int performer = 0;                    ///< from 1; 0 = not given
-};
 
 /// The options beside the file itself, the same for each subcommand that reads a motion.
 void add_reading_options(CLI::App& command, MotionReading& reading);
 void add_performer_option(CLI::App& command, MotionReading& reading);
 
-/// All performers of the file.
-Result<std::vector<ImportedClip>> read_performers(const MotionReading& reading);
-
-/// The one performer wanted: an Error that says how many there are when that is not clear. What the reader
-/// found odd about this one is printed.
+/// The one performer wanted. What the reader found odd about this one is printed.
 Result<ImportedClip> read_performer(CommandLine& line, const MotionReading& reading);
 
 /// What was odd about a file, as warnings.

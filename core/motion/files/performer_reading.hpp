@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "core/motion/files/import_clip.hpp"
+
+namespace abrazo {
+
+/// A motion file, and what a person said of it as words. What is not given is found out.
+struct MotionReading {
+  std::string file, skeleton;             ///< the .asf of an .amc
+  std::string joint_map;                  ///< a built-in map or marker model by its name, or a JSON file
+  std::string up;                         ///< "y" or "z"
+  std::optional<double> metres_per_unit;  ///< above 0
+  std::optional<double> fps;              ///< above 0 [Hz]
+  std::optional<int> performer;           ///< which one of a file with several, from 1
+};
+
+/// All performers of the file.
+Result<std::vector<ImportedClip>> read_performers(const MotionReading& reading);
+
+/// The one performer wanted: an Error that says how many there are when that is not clear.
+Result<ImportedClip> read_performer(const MotionReading& reading);
+
+/// What was odd about a file, a sentence each: "walk.bvh:17: glued-numbers: ...".
+std::vector<std::string> warnings_of_import(const MotionReading& reading, const ImportedClip& imported);
+
+}  // namespace abrazo
