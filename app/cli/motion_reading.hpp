@@ -13,7 +13,7 @@ namespace abrazo::app {
 
 /// Options of a command about a motion file that it reads.
 struct MotionReading {
-  std::string file, skeleton, joint_map, up;
+  std::string file, skeleton, joint_map, joints, up;
   double metres_per_unit = 0, fps = 0;  ///< 0 = not given
   int performer = 0;                    ///< from 1; 0 = not given
 };
@@ -32,8 +32,11 @@ Result<ImportedClip> read_performer(CommandLine& line, const MotionReading& read
 /// What was odd about a file, as warnings.
 void warn_of_import(CommandLine& line, const MotionReading& reading, const ImportedClip& imported);
 
-/// --out-units and --out-up of a motion file that is written.
-void add_space_options(CLI::App& command, std::string& units, std::string& up);
-ClipFileSpace file_space(const std::string& units, const std::string& up);
+/// --out-units, --out-up and --out-joints of a motion file that is written.
+struct WrittenSpace {
+  std::string units, up, joints;
+};
+void add_space_options(CLI::App& command, WrittenSpace& words);
+Result<ClipFileSpace> file_space(const WrittenSpace& words);
 
 }  // namespace abrazo::app
