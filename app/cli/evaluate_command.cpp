@@ -58,6 +58,11 @@ std::string summary(const Evaluation& evaluation, const std::filesystem::path& f
       line("holds, mean distance change",
            fmt::format("{:.1f} mm over {}", 1000 * result->contact.holds.change_mean_m,
                        result->contact.holds.holds));
+    if (result->published)
+      line("MPJPE, nearest neighbour's",
+           fmt::format("{:.0f} mm, {:.0f} mm; FID_cd {:.1f}, {:.1f}", 1000 * result->published->made.mpjpe_m,
+                       1000 * result->published->nearest.mpjpe_m, result->published->made.fid_cd,
+                       result->published->nearest.fid_cd));
     line("partner from the captured one",
          fmt::format("{:.3f} m mean, {:.3f} m median", result->partner.mean_joint_error_m,
                      result->partner.median_joint_error_m));
@@ -111,9 +116,10 @@ void add_evaluate_command(CommandLine& line) {
       ->add_option(
           "parts", arguments->parts,
           "selection (Table I), timing (Table II), moves (Table III), zmp (Table IV), contact (holds, "
-          "penetration, sliding, partner error, robustness), or all")
+          "penetration, sliding, partner error, robustness), published (figures of the recent literature), "
+          "or all")
       ->required()
-      ->check(CLI::IsMember({"selection", "timing", "moves", "zmp", "contact", "all"}))
+      ->check(CLI::IsMember({"selection", "timing", "moves", "zmp", "contact", "published", "all"}))
       ->type_name("PART");
   add_evaluation_source(*command, arguments->source);
   command

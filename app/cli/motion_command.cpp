@@ -24,12 +24,15 @@ namespace {
 /// Options of `motion info`, `motion positions` and `motion convert`.
 struct MotionWords {
   MotionReading reading;
-  std::string output, units, up;
+  WrittenSpace space;
+  std::string output;
   bool json = false;
 };
 
 void add_file(CLI::App& command, MotionWords& words) {
-  command.add_option("FILE", words.reading.file, "motion: .bvh, or .amc with its .asf")
+  command
+      .add_option("FILE", words.reading.file,
+                  "motion: .bvh, .amc with its .asf, .c3d, .trc, .csv, .glb, .fbx, .dae, .npy, .npz")
       ->required()
       ->type_name("");
   add_reading_options(command, words.reading);
@@ -141,15 +144,16 @@ Result<std::vector<Clip>> clips_to_convert(CommandLine& line, const MotionWords&
 }
 
 void run_convert(CommandLine& line, const MotionWords& words) {
-  const ClipFileSpace space = file_space(words.units, words.up);
-  if (const Status known = check_clip_file(words.output, space); !known) return fail(line, known.error());
+  const auto space = file_space(words.space);
+  if (!space) return fail(line, space.error());
+  if (const Status known = check_clip_file(words.output, *space); !known) return fail(line, known.error());
   const std::vector<std::string> inputs = {words.reading.file, words.reading.skeleton,
                                            words.reading.joint_map};
   if (const Status usable = check_output(words.output, inputs); !usable) return fail(line, usable.error());
   const auto clips = clips_to_convert(line, words);
   if (!clips) return fail(line, clips.error());
   if (interrupted()) return fail(line, {"cancelled", words.output});
-  if (const Status written = write_clip_file(words.output, *clips, space); !written)
+  if (const Status written = write_clip_file(words.output, *clips, *space); !written)
     return fail(line, written.error());
   if (!line.quiet)
     answer(line, fmt::format("{}: {} of {} frames at {} Hz\n", words.output,
@@ -183,10 +187,10 @@ void add_motion_command(CommandLine& line) {
       "convert", "write the 25 joints of all performers, or of one, as another motion file");
   add_file(*convert, *convert_words);
   add_performer_option(*convert, convert_words->reading);
-  convert->add_option("-o,--output", convert_words->output, "the .bvh, .glb or .csv to write")
+  convert->add_option("-o,--output", convert_words->output, "the .bvh, .glb, .csv, .npz or .npy to write")
       ->required()
       ->type_name("FILE");
-  add_space_options(*convert, convert_words->units, convert_words->up);
+  add_space_options(*convert, convert_words->space);
   convert->callback([&line, convert_words] { run_convert(line, *convert_words); });
 }
 

@@ -16,6 +16,11 @@ void add_reading_options(CLI::App& command, MotionReading& reading) {
       .add_option("--joint-map", reading.joint_map,
                   "which point is which joint: a built-in map or marker model, or a JSON file")
       ->type_name("NAME|JSON");
+  command
+      .add_option("--joints", reading.joints,
+                  "order of the joints of a .npy or .npz without names: " + joint_order_names() +
+                      ", or a file with a name a line")
+      ->type_name("NAME|FILE");
   command.add_option("--up", reading.up, "the file's axis that points up")
       ->check(CLI::IsMember({"y", "z"}))
       ->type_name("AXIS");
@@ -37,17 +42,33 @@ void warn_of_import(CommandLine& line, const MotionReading& reading, const Impor
   for (const std::string& sentence : warnings_of_import(reading, imported)) warn(line, sentence);
 }
 
-void add_space_options(CLI::App& command, std::string& units, std::string& up) {
-  command.add_option("--out-units", units, "unit of the written .bvh or .csv; by default metres")
+void add_space_options(CLI::App& command, WrittenSpace& words) {
+  command
+      .add_option("--out-units", words.units,
+                  "unit of the written .bvh, .csv, .npz or .npy; by default metres")
       ->check(CLI::IsMember({"m", "cm", "mm"}))
       ->type_name("UNIT");
-  command.add_option("--out-up", up, "axis that points up in the written .bvh or .csv; by default y")
+  command
+      .add_option("--out-up", words.up,
+                  "axis that points up in the written .bvh, .csv, .npz or .npy; by default y")
       ->check(CLI::IsMember({"y", "z"}))
       ->type_name("AXIS");
+  command
+      .add_option("--out-joints", words.joints,
+                  "joints of the written .npz or .npy and their order; by default abrazo25, the 25")
+      ->type_name("NAME|FILE");
 }
 
-ClipFileSpace file_space(const std::string& units, const std::string& up) {
-  return {units == "cm" ? 100.0 : units == "mm" ? 1000.0 : 1.0, up == "z" ? UpAxis::Z : UpAxis::Y};
+Result<ClipFileSpace> file_space(const WrittenSpace& words) {
+  ClipFileSpace space{words.units == "cm"   ? 100.0
+                      : words.units == "mm" ? 1000.0
+                                            : 1.0,
+                      words.up == "z" ? UpAxis::Z : UpAxis::Y};
+  if (words.joints.empty()) return space;
+  auto order = find_joint_order(words.joints);
+  if (!order) return order.error();
+  space.joints = std::move(*order);
+  return space;
 }
 
 }  // namespace abrazo::app

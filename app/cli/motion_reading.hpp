@@ -20,8 +20,11 @@ Result<ImportedClip> read_performer(CommandLine& line, const MotionReading& read
 /// What was odd about a file, as warnings.
 void warn_of_import(CommandLine& line, const MotionReading& reading, const ImportedClip& imported);
 
-/// --out-units and --out-up of a motion file that is written.
-void add_space_options(CLI::App& command, std::string& units, std::string& up);
-ClipFileSpace file_space(const std::string& units, const std::string& up);
+/// --out-units, --out-up and --out-joints of a motion file that is written.
+struct WrittenSpace {
+  std::string units, up, joints;
+};
+void add_space_options(CLI::App& command, WrittenSpace& words);
+Result<ClipFileSpace> file_space(const WrittenSpace& words);
 
 }  // namespace abrazo::app

@@ -38,7 +38,7 @@ Status check_outputs(const SynthOptions& options) {
                                            options.input.joint_map};
   std::vector<std::string> outputs;
   if (!options.output.empty()) {
-    if (const Status known = check_clip_file(options.output); !known) return known;
+    if (const Status known = check_clip_file(options.output, {}, options.split ? 1 : 2); !known) return known;
     if (options.split)
       outputs = {with_suffix(options.output, "_active"), with_suffix(options.output, "_passive")};
     else
@@ -114,10 +114,11 @@ void add_synth_command(CommandLine& line) {
       ->allow_extra_args(false)  // otherwise it also takes the words that follow
       ->take_all()
       ->type_name("TAKE");
-  CLI::Option* output = synth
-                            ->add_option("-o,--output", options->output,
-                                         "both characters at the step rate: .bvh (two roots), .glb or .csv")
-                            ->type_name("FILE");
+  CLI::Option* output =
+      synth
+          ->add_option("-o,--output", options->output,
+                       "both characters at the step rate: .bvh (two roots), .glb, .csv, .npz")
+          ->type_name("FILE");
   synth->add_flag("--split", options->split, "two files instead: OUT_active and OUT_passive")->needs(output);
   synth
       ->add_option("--trace", options->trace,

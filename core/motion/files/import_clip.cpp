@@ -19,7 +19,7 @@ namespace abrazo {
 
 namespace {
 
-using joints::left_ankle, joints::right_ankle, joints::Head;
+using joints::left_ankle, joints::right_ankle, joints::left_toe_base, joints::right_toe_base, joints::Head;
 
 constexpr double smallest_adult_m = 1.0, tallest_adult_m = 2.3;  ///< standing heights that raise no question
 constexpr double usual_height_m = 1.7;
@@ -127,7 +127,23 @@ Result<std::vector<Pose>> extract(const NamedMotion& motion, const JointBinding&
   return poses;
 }
 
-/// The axis the head is along as seen from the feet, median over the frames. Y unless Z is clearly meant.
+/// Whether a floor at 0 lies below the toes and the head is above the feet in a tenth of the frames at least,
+/// if that axis points up.
+bool stands_on_zero(const std::vector<Pose>& poses, int axis) {
+  std::vector<double> toes, above, sizes;
+  for (const Pose& pose : poses) {
+    toes.push_back(std::min(pose(left_toe_base, axis), pose(right_toe_base, axis)));
+    const Vec3 up = (pose.row(Head) - 0.5 * (pose.row(left_ankle) + pose.row(right_ankle))).transpose();
+    above.push_back(up[axis] / up.norm());
+    sizes.push_back(up.norm());
+  }
+  const double metre = quantile(sizes, 0.9) / usual_height_m;
+  const double rest = quantile(toes, 0.05);
+  return quantile(above, 0.9) > 0.9 && rest > lowest_floor_m * metre && rest < highest_floor_m * metre;
+}
+
+/// The axis the head is along as seen from the feet, median over the frames. Y unless Z is clearly meant. Who
+/// crawls has the head ahead of the feet for longer than above them: where they stand at all decides then.
 UpAxis guess_up_axis(const std::vector<Pose>& poses, ImportReport& report) {
   std::vector<double> values;
   Vec3 up;
@@ -138,6 +154,9 @@ UpAxis guess_up_axis(const std::vector<Pose>& poses, ImportReport& report) {
     up[axis] = upper_median(values);
   }
   const UpAxis guess = up.z() > std::abs(up.y()) ? UpAxis::Z : UpAxis::Y;
+  const UpAxis other = guess == UpAxis::Y ? UpAxis::Z : UpAxis::Y;
+  const auto stands_along = [&](UpAxis axis) { return stands_on_zero(poses, axis == UpAxis::Y ? 1 : 2); };
+  if (!stands_along(guess) && stands_along(other)) return other;
   const double along = guess == UpAxis::Z ? up.z() : up.y();
   if (along < 0.7 * up.norm())
     warn(report, "up-axis",

@@ -7,6 +7,7 @@
 #include "core/base/result.hpp"
 #include "core/motion/body/clip.hpp"
 #include "core/motion/joints/joint_map.hpp"
+#include "core/motion/joints/joint_order.hpp"
 #include "core/motion/joints/named_motion.hpp"
 
 namespace abrazo {
@@ -17,6 +18,7 @@ struct ImportOptions {
   std::optional<double> fps;
   std::optional<UpAxis> up_axis;
   std::optional<JointMap> joint_map;
+  std::optional<JointOrder> joint_order;  ///< of arrays of positions without names
   std::string marker_model;  ///< name of a built-in marker model, in place of a joint map; empty = none said
 };
 
@@ -54,7 +56,9 @@ Status choose_joints(const std::string& name_or_file, ImportOptions& options);
 /// The points of any known motion file (motion_format.hpp), one motion for each performer. What the content
 /// is decides over the file's extension. Gaps of markers are filled where that is safe, and reported.
 /// @param skeleton  as for load_motion
-Result<std::vector<NamedMotion>> read_motion_points(const std::string& file, const std::string& skeleton);
+/// @param order     of an array of positions without names (read_numpy)
+Result<std::vector<NamedMotion>> read_motion_points(const std::string& file, const std::string& skeleton,
+                                                    const std::optional<JointOrder>& order = {});
 
 /// Reads any known motion file and imports it. Several performers in one file give several clips.
 /// @param skeleton  the .asf of an .amc; when empty, the one .asf beside the file that fits by name

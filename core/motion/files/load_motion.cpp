@@ -24,7 +24,7 @@ void share_floor(std::vector<ImportedClip>& clips) {
 
 Result<std::vector<ImportedClip>> load_motion(const std::string& file, const std::string& skeleton,
                                               const ImportOptions& options) {
-  const Result<std::vector<NamedMotion>> motions = read_motion_points(file, skeleton);
+  const Result<std::vector<NamedMotion>> motions = read_motion_points(file, skeleton, options.joint_order);
   if (!motions) return motions.error();
   std::vector<ImportedClip> clips;
   ImportOptions settled = options;

@@ -9,6 +9,7 @@
 #include "core/motion/files/import_clip.hpp"
 #include "core/motion/joints/marker_gaps.hpp"
 #include "core/motion/joints/motion_format.hpp"
+#include "core/motion/numpy/numpy_reader.hpp"
 #include "core/motion/scenes/assimp_scene.hpp"
 #include "core/motion/tables/c3d_reader.hpp"
 #include "core/motion/tables/point_csv.hpp"
@@ -62,12 +63,13 @@ struct MotionFile {
   fs::path path;
   std::string skeleton;
   std::string_view bytes;
+  const std::optional<JointOrder>& order;
   std::string where() const { return path.string(); }
 };
 
 /// The reader of each format, in the order of MotionFormat.
 using Read = Result<std::vector<NamedMotion>> (*)(const MotionFile& file);
-constexpr std::array<Read, 9> readers = {
+constexpr std::array<Read, 10> readers = {
     [](const MotionFile& file) { return read_bvh(file.bytes, file.where()); },
     [](const MotionFile& file) { return read_acclaim(file.path, file.skeleton, file.bytes); },
     [](const MotionFile& file) -> Result<std::vector<NamedMotion>> {
@@ -80,6 +82,7 @@ constexpr std::array<Read, 9> readers = {
     [](const MotionFile& file) { return read_scene(file.bytes, MotionFormat::Gltf, file.where()); },
     [](const MotionFile& file) { return read_scene(file.bytes, MotionFormat::Fbx, file.where()); },
     [](const MotionFile& file) { return read_scene(file.bytes, MotionFormat::Collada, file.where()); },
+    [](const MotionFile& file) { return read_numpy(file.bytes, file.order, file.where()); },
 };
 
 std::string known_formats() {
@@ -105,10 +108,11 @@ Result<MotionFormat> format_of(const MotionFile& file) {
 
 }  // namespace
 
-Result<std::vector<NamedMotion>> read_motion_points(const std::string& name, const std::string& skeleton) {
+Result<std::vector<NamedMotion>> read_motion_points(const std::string& name, const std::string& skeleton,
+                                                    const std::optional<JointOrder>& order) {
   const Result<std::string> content = read_whole_file(name);
   if (!content) return content.error();
-  const MotionFile file{name, skeleton, *content};
+  const MotionFile file{name, skeleton, *content, order};
   const Result<MotionFormat> format = format_of(file);
   if (!format) return format.error();
   Result<std::vector<NamedMotion>> motions = readers[static_cast<std::size_t>(*format)](file);

@@ -3,8 +3,10 @@
 #include <fmt/core.h>
 
 #include <cmath>
+#include <utility>
 
 #include "core/base/text.hpp"
+#include "core/motion/joints/joint_order.hpp"
 #include "core/motion/joints/motion_format.hpp"
 
 namespace abrazo {
@@ -30,6 +32,11 @@ Result<ImportOptions> options_of(const MotionReading& reading) {
   if (!reading.up.empty()) options.up_axis = reading.up == "z" ? UpAxis::Z : UpAxis::Y;
   if (!reading.joint_map.empty())
     if (const Status chosen = choose_joints(reading.joint_map, options); !chosen) return chosen.error();
+  if (!reading.joints.empty()) {
+    auto order = find_joint_order(reading.joints);
+    if (!order) return order.error();
+    options.joint_order = std::move(*order);
+  }
   return options;
 }
 

@@ -13,6 +13,7 @@ namespace abrazo {
 struct MotionReading {
   std::string file, skeleton;             ///< the .asf of an .amc
   std::string joint_map;                  ///< a built-in map or marker model by its name, or a JSON file
+  std::string joints;                     ///< order of the joints of an array: its name, or a JSON file
   std::string up;                         ///< "y" or "z"
   std::optional<double> metres_per_unit;  ///< above 0
   std::optional<double> fps;              ///< above 0 [Hz]
