@@ -41,6 +41,7 @@ def read_motion(
     metres_per_unit: float | None = None,
     fps: float | None = None,
     joint_map: str = "",
+    joints: str = "",
     up: str = "",
     performer: int | None = None,
 ) -> Clip: ...
