@@ -2,6 +2,7 @@
 
 #include <fmt/core.h>
 
+#include "core/base/text.hpp"
 #include "core/motion/joints/motion_format.hpp"
 
 namespace abrazo::app {
@@ -23,13 +24,35 @@ void add_reading_options(CLI::App& command, MotionReading& reading) {
   command.add_option("--up", reading.up, "the file's axis that points up")
       ->check(CLI::IsMember({"y", "z"}))
       ->type_name("AXIS");
+  command.add_option("--performer", reading.performer, "which performer of a file with several")
+      ->type_name("N|NAME");
+  command
+      .add_option("--animation", reading.animation,
+                  "which animation of a file with several; by default the longest")
+      ->type_name("NAME");
 }
 
-void add_performer_option(CLI::App& command, MotionReading& reading) {
-  command.add_option("--performer", reading.performer, "which performer of a file with several, from 1")
-      ->check(above_zero)
-      ->type_name("N");
+namespace {
+
+/// "1 Anna, 2 Ben".
+std::string who_is_there(const std::vector<ImportedClip>& clips) {
+  std::string names;
+  for (std::size_t c = 0; c < clips.size(); ++c)
+    names += fmt::format("{}{} {}", c > 0 ? ", " : "", c + 1, clips[c].clip.name);
+  return names;
 }
+
+/// Of the clips the one that is meant by its number or its name.
+Result<std::vector<ImportedClip>> only(std::vector<ImportedClip> clips, const MotionReading& reading) {
+  const auto number = parse_number(reading.performer);
+  for (std::size_t c = 0; c < clips.size(); ++c)
+    if (clips[c].clip.name == reading.performer || (number && *number == static_cast<double>(c + 1)))
+      return std::vector<ImportedClip>{std::move(clips[c])};
+  return Error{fmt::format("has no performer {}; it holds {}", reading.performer, who_is_there(clips)),
+               reading.file};
+}
+
+}  // namespace
 
 Result<std::vector<ImportedClip>> read_performers(const MotionReading& reading) {
   ImportOptions options;
@@ -42,20 +65,20 @@ Result<std::vector<ImportedClip>> read_performers(const MotionReading& reading) 
   if (!reading.skeleton.empty() && format && format != MotionFormat::Amc)
     return Error{"a " + std::string(name_of(*format)) + " file has its own skeleton; leave out --skeleton",
                  reading.file};
-  return load_motion(reading.file, reading.skeleton, options);
+  options.animation = reading.animation;
+  auto clips = load_motion(reading.file, reading.skeleton, options);
+  if (!clips || reading.performer.empty()) return clips;
+  return only(std::move(*clips), reading);
 }
 
 Result<ImportedClip> read_performer(CommandLine& line, const MotionReading& reading) {
   Result<std::vector<ImportedClip>> clips = read_performers(reading);
   if (!clips) return clips.error();
-  const std::size_t count = clips->size();
-  if (reading.performer == 0 && count > 1)
-    return Error{fmt::format("holds {} performers; choose one with --performer 1 to {}", count, count),
+  if (clips->size() > 1)
+    return Error{fmt::format("holds {} performers; choose one with --performer: {}", clips->size(),
+                             who_is_there(*clips)),
                  reading.file};
-  const std::size_t chosen = reading.performer == 0 ? 0 : static_cast<std::size_t>(reading.performer - 1);
-  if (chosen >= count)
-    return Error{fmt::format("has no performer {}; it holds {}", reading.performer, count), reading.file};
-  ImportedClip& imported = (*clips)[chosen];
+  ImportedClip& imported = clips->front();
   warn_of_import(line, reading, imported);
   return std::move(imported);
 }

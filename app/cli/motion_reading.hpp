@@ -15,14 +15,14 @@ namespace abrazo::app {
 struct MotionReading {
   std::string file, skeleton, joint_map, up;
   double metres_per_unit = 0, fps = 0;  ///< 0 = not given
-  int performer = 0;                    ///< from 1; 0 = not given
+  std::string performer;                ///< a number from 1, or a name; empty = not given
+  std::string animation;                ///< empty = not given
 };
 
 /// The options beside the file itself, the same for each subcommand that reads a motion.
 void add_reading_options(CLI::App& command, MotionReading& reading);
-void add_performer_option(CLI::App& command, MotionReading& reading);
 
-/// All performers of the file.
+/// All performers of the file, or the one that is asked for.
 Result<std::vector<ImportedClip>> read_performers(const MotionReading& reading);
 
 /// The one performer wanted: an Error that says how many there are when that is not clear. What the reader

@@ -97,7 +97,8 @@ std::string in_words_of_the_window(std::string message) {
                                           "(--skeleton FILE)", "(open it together with the motion)"},
                                       {"(--joint-map FILE)", "(open it together with the motion)"},
                                       {"set the unit (--metres-per-unit)", "set the unit"},
-                                      {"set it with --fps", "set it if it is another"}}) {
+                                      {"set it with --fps", "set it if it is another"},
+                                      {"; choose one with --animation NAME", ""}}) {
     const auto place = message.find(option);
     if (place != std::string::npos) message.replace(place, option.size(), words);
   }
