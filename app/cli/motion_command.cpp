@@ -15,6 +15,7 @@
 #include "core/base/text.hpp"
 #include "core/motion/files/clip_file.hpp"
 #include "core/motion/files/import_clip.hpp"
+#include "core/motion/joints/performers.hpp"
 #include "core/motion/tables/clip_csv.hpp"
 
 namespace abrazo::app {
@@ -53,6 +54,7 @@ void add_performer(TextLines& text, const ImportedClip& imported) {
   text.add("  height   {:.3f} m to the head joint", report.height_m);
   text.add("  floor    toe bases rest at {:.3f} m{}", report.floor_y_m,
            report.floor_shift_m == 0 ? "" : fmt::format("; moved by {:.3f} m", report.floor_shift_m));
+  if (report.animations.size() > 1) text.add("  animations {}", some_of(report.animations, 40));
   for (const ImportWarning& warning : report.warnings)
     text.add("  warning  {}{}: {}", warning.kind,
              warning.line > 0 ? fmt::format(" (line {})", warning.line) : "", warning.detail);
@@ -77,6 +79,9 @@ void put_performer(JsonText& json, const ImportedClip& imported) {
   json.key("metres_per_unit").value(report.unit_guessed);
   json.key("up").value(report.up_axis_guessed);
   json.end_object();
+  json.key("animations").begin_array();
+  for (const std::string& animation : report.animations) json.value(animation);
+  json.end_array();
   json.key("warnings").begin_array();
   for (const ImportWarning& warning : report.warnings) {
     json.begin_object();
@@ -126,13 +131,7 @@ void run_positions(CommandLine& line, const MotionWords& words) {
   if (const Status written = write_whole_file(words.output, *csv); !written) fail(line, written.error());
 }
 
-/// All performers of a file, or the chosen one.
 Result<std::vector<Clip>> clips_to_convert(CommandLine& line, const MotionWords& words) {
-  if (words.reading.performer) {
-    auto imported = read_performer(line, words.reading);
-    if (!imported) return imported.error();
-    return std::vector<Clip>{std::move(imported->clip)};
-  }
   auto all = read_performers(words.reading);
   if (!all) return all.error();
   std::vector<Clip> clips;
@@ -178,7 +177,6 @@ void add_motion_command(CommandLine& line) {
   CLI::App* positions =
       motion->add_subcommand("positions", "write the world positions of the 25 joints, in metres, Y up");
   add_file(*positions, *words);
-  add_performer_option(*positions, words->reading);
   positions->add_option("-o,--output", words->output, "the CSV file to write")->required()->type_name("CSV");
   positions->callback([&line, words] { run_positions(line, *words); });
 
@@ -186,7 +184,6 @@ void add_motion_command(CommandLine& line) {
   CLI::App* convert = motion->add_subcommand(
       "convert", "write the 25 joints of all performers, or of one, as another motion file");
   add_file(*convert, *convert_words);
-  add_performer_option(*convert, convert_words->reading);
   convert->add_option("-o,--output", convert_words->output, "the .bvh, .glb, .csv, .npz or .npy to write")
       ->required()
       ->type_name("FILE");

@@ -24,12 +24,12 @@ void add_reading_options(CLI::App& command, MotionReading& reading) {
   command.add_option("--up", reading.up, "the file's axis that points up")
       ->check(CLI::IsMember({"y", "z"}))
       ->type_name("AXIS");
-}
-
-void add_performer_option(CLI::App& command, MotionReading& reading) {
-  command.add_option("--performer", reading.performer, "which performer of a file with several, from 1")
-      ->check(above_zero)
-      ->type_name("N");
+  command.add_option("--performer", reading.performer, "which performer of a file with several")
+      ->type_name("N|NAME");
+  command
+      .add_option("--animation", reading.animation,
+                  "which animation of a file with several; by default the longest")
+      ->type_name("NAME");
 }
 
 Result<ImportedClip> read_performer(CommandLine& line, const MotionReading& reading) {

@@ -12,7 +12,6 @@ namespace abrazo::app {
 
 /// The options beside the file itself, the same for each subcommand that reads a motion.
 void add_reading_options(CLI::App& command, MotionReading& reading);
-void add_performer_option(CLI::App& command, MotionReading& reading);
 
 /// The one performer wanted. What the reader found odd about this one is printed.
 Result<ImportedClip> read_performer(CommandLine& line, const MotionReading& reading);

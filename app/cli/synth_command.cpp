@@ -108,7 +108,6 @@ void add_synth_command(CommandLine& line) {
       ->required()
       ->type_name("FILE");
   add_reading_options(*synth, options->input);
-  add_performer_option(*synth, options->input);
   synth->add_option("--exclude", options->excluded, "a take that is never selected; may be repeated")
       ->expected(1)
       ->allow_extra_args(false)  // otherwise it also takes the words that follow

@@ -294,6 +294,7 @@ Result<ImportedClip> import_clip(const NamedMotion& file_points, const ImportOpt
   ImportedClip result;
   ImportReport& report = result.report;
   report.warnings = file_points.warnings;
+  report.animations = file_points.animations;
   Result<std::optional<NamedMotion>> by_markers = joints_by_markers(file_points, options, report);
   if (!by_markers) return by_markers.error();
   const NamedMotion& motion = *by_markers ? **by_markers : file_points;
