@@ -11,12 +11,13 @@ namespace abrazo {
 
 /// A motion file, and what a person said of it as words. What is not given is found out.
 struct MotionReading {
-  std::string file, skeleton;             ///< the .asf of an .amc
-  std::string joint_map;                  ///< a built-in map or marker model by its name, or a JSON file
-  std::string up;                         ///< "y" or "z"
-  std::optional<double> metres_per_unit;  ///< above 0
-  std::optional<double> fps;              ///< above 0 [Hz]
-  std::optional<int> performer;           ///< which one of a file with several, from 1
+  std::string file = {};
+  std::string skeleton = {};                   ///< the .asf of an .amc
+  std::string joint_map = {};                  ///< a built-in map or marker model by its name, or a JSON file
+  std::string up = {};                         ///< "y" or "z"
+  std::optional<double> metres_per_unit = {};  ///< above 0
+  std::optional<double> fps = {};              ///< above 0 [Hz]
+  std::optional<int> performer = {};           ///< which one of a file with several, from 1
 };
 
 /// All performers of the file.
