@@ -63,8 +63,7 @@ Status check_words_of_input(const LiveOptions& options, const StreamUri& listen)
   if (is_clip && options.calibrate_after_s > 0)
     return Error{"--calibrate is for streams; a clip is measured as a whole", listen.text};
   if (!is_clip && (!clip.skeleton.empty() || !clip.joint_map.empty() || !clip.up.empty() ||
-                   clip.metres_per_unit || clip.fps || !clip.performer.empty() ||
-                   !clip.animation.empty()))
+                   clip.metres_per_unit || clip.fps || !clip.performer.empty() || !clip.animation.empty()))
     return Error{
         "--skeleton, --metres-per-unit, --fps, --joint-map, --up, --performer and --animation are for "
         "clip:FILE; "

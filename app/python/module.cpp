@@ -35,6 +35,9 @@ py::object from_json(const std::string& json) {
 }
 
 PYBIND11_MODULE(_abrazo, module) {
+  // What people write and see is the package; this module is a part of it.
+  const py::object own_name = module.attr("__name__");
+  module.attr("__name__") = "abrazo";
   module.doc() = "The engine of Abrazo; import abrazo, which has all of it.";
   py::register_exception<EngineError>(module, "Error").doc() =
       "Why a file, a setting or another word from outside could not be used: the sentence that the command "
@@ -53,9 +56,7 @@ PYBIND11_MODULE(_abrazo, module) {
   bind_synthesis(module);
   bind_evaluation(module);
   bind_session(module);
-  // What people write and see is the package; this module is a part of it.
-  for (const auto& [name, value] : module.attr("__dict__").cast<py::dict>())
-    if (py::isinstance<py::type>(value)) value.attr("__module__") = "abrazo";
+  module.attr("__name__") = own_name;
 }
 
 }  // namespace abrazo::python

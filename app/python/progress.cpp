@@ -17,7 +17,7 @@ void write_stderr(const std::string& text) {
 bool CalledProgress::call(double fraction, std::string_view doing) {
   if (stopped_) return false;
   const Clock::rep now = Clock::now().time_since_epoch().count();
-  if (now < next_) return true;
+  if (now < next_ && fraction < 1) return true;
   const py::gil_scoped_acquire acquired;
   next_ = now + Clock::duration(std::chrono::milliseconds(100)).count();
   try {

@@ -92,7 +92,7 @@ class Refusals(unittest.TestCase):
         self.same([demo_set.leader_file(), "--joint-map", "nothing"], joint_map="nothing")
 
     def test_of_numbers_and_axes_that_cannot_be(self):
-        for said in ({"fps": 0}, {"fps": -1}, {"metres_per_unit": float("nan")}, {"performer": 0}):
+        for said in ({"fps": 0}, {"fps": -1}, {"metres_per_unit": float("nan")}):
             with self.assertRaisesRegex(abrazo.Error, "expected a number above 0, found"):
                 abrazo.read_motion(demo_set.leader_file(), **said)
         with self.assertRaisesRegex(abrazo.Error, "'x' is not an axis; use y or z"):
@@ -106,6 +106,7 @@ class Refusals(unittest.TestCase):
         with self.assertRaisesRegex(abrazo.Error, "two.bvh: has no performer 3; it holds 2"):
             abrazo.read_motion(pair, performer=3)
         self.assertEqual(abrazo.read_motion(pair, performer=2).name, "passive")
+        self.assertEqual(abrazo.read_motion(pair, performer="passive").name, "passive")
 
 
 if __name__ == "__main__":

@@ -1,8 +1,10 @@
 """Recorded sessions: their frames, one after the other."""
 
+import contextlib
 import functools
 import gc
 import json
+import sqlite3
 import unittest
 
 import abrazo
@@ -84,6 +86,20 @@ class Sessions(unittest.TestCase):
         del session
         gc.collect()
         np.testing.assert_array_equal(passive, [frame.passive for frame in iterator])
+
+    def test_say_which_frame_cannot_be_read_and_go_on(self):
+        broken = demo_set.folder() / "broken.abrazo"
+        broken.write_bytes(recorded().read_bytes())
+        with contextlib.closing(sqlite3.connect(broken)) as database:
+            database.execute("UPDATE frames SET active = zeroblob(10) WHERE frame = 3")
+            database.commit()
+        session = abrazo.open_session(broken)
+        for _ in range(2):
+            frames = session.frames()
+            self.assertEqual([next(frames).index for _ in range(3)], [0, 1, 2])
+            with self.assertRaisesRegex(abrazo.Error, "broken.abrazo: its frame 3 cannot be read: "):
+                next(frames)
+            self.assertEqual(next(frames).index, 4)
 
     def test_may_be_gone_through_again(self):
         session = abrazo.open_session(recorded())

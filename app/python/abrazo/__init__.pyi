@@ -43,7 +43,8 @@ def read_motion(
     joint_map: str = "",
     joints: str = "",
     up: str = "",
-    performer: int | None = None,
+    performer: int | str | None = None,
+    animation: str = "",
 ) -> Clip: ...
 @final
 class Energy:

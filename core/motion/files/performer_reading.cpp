@@ -22,8 +22,6 @@ Result<ImportOptions> options_of(const MotionReading& reading) {
   if (const Status usable = check_above_zero(reading.metres_per_unit, "--metres-per-unit"); !usable)
     return usable.error();
   if (const Status usable = check_above_zero(reading.fps, "--fps"); !usable) return usable.error();
-  if (const Status usable = check_above_zero(reading.performer, "--performer"); !usable)
-    return usable.error();
   if (!reading.up.empty() && reading.up != "y" && reading.up != "z")
     return Error{"'" + reading.up + "' is not an axis; use y or z", "--up"};
   ImportOptions options;
@@ -37,7 +35,26 @@ Result<ImportOptions> options_of(const MotionReading& reading) {
     if (!order) return order.error();
     options.joint_order = std::move(*order);
   }
+  options.animation = reading.animation;
   return options;
+}
+
+/// "1 Anna, 2 Ben".
+std::string who_is_there(const std::vector<ImportedClip>& clips) {
+  std::string names;
+  for (std::size_t c = 0; c < clips.size(); ++c)
+    names += fmt::format("{}{} {}", c > 0 ? ", " : "", c + 1, clips[c].clip.name);
+  return names;
+}
+
+/// Of the clips the one that is meant by its name or its number.
+Result<std::vector<ImportedClip>> only(std::vector<ImportedClip> clips, const MotionReading& reading) {
+  const auto number = parse_number(reading.performer);
+  for (std::size_t c = 0; c < clips.size(); ++c)
+    if (clips[c].clip.name == reading.performer || (number && *number == static_cast<double>(c + 1)))
+      return std::vector<ImportedClip>{std::move(clips[c])};
+  return Error{fmt::format("has no performer {}; it holds {}", reading.performer, who_is_there(clips)),
+               reading.file};
 }
 
 }  // namespace
@@ -49,20 +66,19 @@ Result<std::vector<ImportedClip>> read_performers(const MotionReading& reading) 
   if (!reading.skeleton.empty() && format && format != MotionFormat::Amc)
     return Error{"a " + std::string(name_of(*format)) + " file has its own skeleton; leave out --skeleton",
                  reading.file};
-  return load_motion(reading.file, reading.skeleton, *options);
+  auto clips = load_motion(reading.file, reading.skeleton, *options);
+  if (!clips || reading.performer.empty()) return clips;
+  return only(std::move(*clips), reading);
 }
 
 Result<ImportedClip> read_performer(const MotionReading& reading) {
   Result<std::vector<ImportedClip>> clips = read_performers(reading);
   if (!clips) return clips.error();
-  const std::size_t count = clips->size();
-  if (!reading.performer && count > 1)
-    return Error{fmt::format("holds {} performers; choose one with --performer 1 to {}", count, count),
+  if (clips->size() > 1)
+    return Error{fmt::format("holds {} performers; choose one with --performer: {}", clips->size(),
+                             who_is_there(*clips)),
                  reading.file};
-  const auto chosen = static_cast<std::size_t>(reading.performer.value_or(1) - 1);
-  if (chosen >= count)
-    return Error{fmt::format("has no performer {}; it holds {}", *reading.performer, count), reading.file};
-  return std::move((*clips)[chosen]);
+  return std::move(clips->front());
 }
 
 std::vector<std::string> warnings_of_import(const MotionReading& reading, const ImportedClip& imported) {
