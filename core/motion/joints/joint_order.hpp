@@ -26,7 +26,7 @@ Result<JointOrder> find_joint_order(const std::string& name_or_file);
 /// @param where  the file, for messages
 Result<JointOrder> parse_joint_order(std::string_view text, std::string_view where);
 
-/// The names, with those of how many joints behind: "abrazo25, lafan22, ...".
+/// Of the built-in ones: "abrazo25, lafan22, ...".
 std::string joint_order_names();
 
 /// How the points of an order come from the 25 joints: the other way of the joint map that reads them. A
