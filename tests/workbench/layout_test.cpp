@@ -4,6 +4,7 @@
 #include <QDockWidget>
 #include <QFile>
 #include <QGuiApplication>
+#include <QMouseEvent>
 #include <QScreen>
 #include <QSplitter>
 #include <QTest>
@@ -235,6 +236,38 @@ TEST_F(Layout, ASmallWindowHidesPanelsWithoutForgettingThem) {
   QTest::qWait(20);
   EXPECT_TRUE(panel("scene").isVisible());
   EXPECT_TRUE(panel("plots").isVisible());
+}
+
+/// A person drags the border between two panels, or between panels and scene.
+void drag(QWidget& area, QPoint from, QPoint by) {
+  QTest::mousePress(&area, Qt::LeftButton, {}, from);
+  for (const double part : {0.3, 0.7, 1.0}) {
+    QMouseEvent move(QEvent::MouseMove, from + by * part, area.mapToGlobal(from + by * part), Qt::LeftButton,
+                     Qt::LeftButton, {});
+    QApplication::sendEvent(&area, &move);
+    QTest::qWait(20);
+  }
+  QTest::mouseRelease(&area, Qt::LeftButton, {}, from + by);
+  QTest::qWait(40);
+}
+
+/// After 640 x 400 the right column stayed at 240 pixels and the plots without height.
+TEST_F(Layout, SizesThatAPersonChoseComeBackWhenThereIsRoomAgain) {
+  const QRect candidates = panel("candidates").geometry(), plots = panel("plots").geometry();
+  drag(area(), {candidates.left() - 2, candidates.center().y()}, {-90, 0});
+  drag(area(), {plots.center().x(), plots.top() - 2}, {0, -60});
+  const int width = panel("candidates").width(), height = panel("plots").height();
+  ASSERT_NEAR(width, candidates.width() + 90, 10);
+  ASSERT_NEAR(height, plots.height() + 60, 10);
+  const int settings = panel("settings").height(), left = panel("library").width();
+  for (const QSize size : {QSize(640, 400), QSize(1280, 720), QSize(900, 560), QSize(1600, 1000)}) {
+    window().resize(size);
+    QTest::qWait(40);
+  }
+  EXPECT_NEAR(panel("candidates").width(), width, 2);
+  EXPECT_NEAR(panel("plots").height(), height, 2);
+  EXPECT_NEAR(panel("settings").height(), settings, 4);
+  EXPECT_NEAR(panel("library").width(), left, 2);
 }
 
 TEST_F(Layout, ASideWhosePanelsWereAllClosedCanBeAskedBack) {

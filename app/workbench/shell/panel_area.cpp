@@ -4,6 +4,7 @@
 #include <QDockWidget>
 #include <QScrollArea>
 #include <QTabBar>
+#include <QTimer>
 #include <algorithm>
 
 #include "app/workbench/shell/dock_state.hpp"
@@ -16,7 +17,7 @@ namespace {
 
 constexpr int plots_height = 172;
 constexpr int low_head = 24;          // where height is scarce
-constexpr int candidates_share = 63;  // per cent of the right side
+constexpr int candidates_share = 50;  // per cent of the right side
 // More panels of a side share the last place as tabs: each needs some height to be read.
 constexpr int most_stacked_beside = 2, most_stacked_below = 1;
 
@@ -166,21 +167,45 @@ void PanelArea::showWhatFits() {
 
 void PanelArea::arrangeFor(QSize window) {
   m_window = window;
-  const PanelPlan before = m_room;
   m_room = plan_panels(window, m_wishes);
   showWhatFits();
-  if (before.left_width != m_room.left_width || before.right_width != m_room.right_width) followPlan(before);
+  restoreSizes();
 }
 
-/// A width that a person gave stays; one that followed the plan follows the new plan.
-void PanelArea::followPlan(const PanelPlan& before) {
+int PanelArea::planned(Qt::DockWidgetArea side) const {
+  return side == Qt::LeftDockWidgetArea ? m_room.left_width : m_room.right_width;
+}
+
+/// As they are now: after a person moved a border, or a layout was chosen. Not while the window is resized.
+void PanelArea::rememberSizes() {
+  int tabs_height = 0;  // at the sides it counts with the panels of a place
+  for (const auto* tabs : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+    if (tabs->isVisible()) tabs_height = tabs->height();
   for (const Panel& panel : m_panels) {
+    const QDockWidget& dock = *panel.dock;
+    if (dock.isHidden() || dock.isFloating() || dock.visibleRegion().isEmpty()) continue;
     const Qt::DockWidgetArea side = dockWidgetArea(panel.dock);
-    if (panel.dock->isFloating() || panel.dock->isHidden() || side == Qt::BottomDockWidgetArea) continue;
-    const bool left = side == Qt::LeftDockWidgetArea;
-    if (std::abs(panel.dock->width() - (left ? before.left_width : before.right_width)) > 2) continue;
-    resizeDocks({panel.dock}, {left ? m_room.left_width : m_room.right_width}, Qt::Horizontal);
+    const bool follows = side != Qt::BottomDockWidgetArea && std::abs(dock.width() - planned(side)) <= 2;
+    const bool shares = side != Qt::BottomDockWidgetArea && !tabifiedDockWidgets(panel.dock).isEmpty();
+    m_sizes[dock.objectName()] = {follows ? 0 : dock.width(), dock.height() + (shares ? tabs_height : 0)};
   }
+}
+
+void PanelArea::restoreSizes() {
+  QList<QDockWidget*> beside, all;
+  QList<int> widths, heights;
+  for (const Panel& panel : m_panels) {
+    const auto known = m_sizes.find(panel.dock->objectName());
+    if (known == m_sizes.end() || panel.dock->isHidden() || panel.dock->isFloating()) continue;
+    all << panel.dock;
+    heights << known->second.height();
+    const Qt::DockWidgetArea side = dockWidgetArea(panel.dock);
+    if (side == Qt::BottomDockWidgetArea) continue;
+    beside << panel.dock;
+    widths << (known->second.width() > 0 ? known->second.width() : planned(side));
+  }
+  resizeDocks(beside, widths, Qt::Horizontal);
+  resizeDocks(all, heights, Qt::Vertical);
 }
 
 void PanelArea::applyUsualSizes() {
@@ -197,6 +222,8 @@ void PanelArea::applyUsualSizes() {
       upper && lower && !upper->isHidden() && !lower->isHidden())
     resizeDocks({upper, lower}, {candidates_share, 100 - candidates_share}, Qt::Vertical);
   raiseFirstOfEachPlace();
+  m_sizes.clear();
+  QTimer::singleShot(0, this, &PanelArea::rememberSizes);
 }
 
 void PanelArea::raiseFirstOfEachPlace() {
@@ -207,7 +234,20 @@ void PanelArea::raiseFirstOfEachPlace() {
 
 void PanelArea::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
-  if (!m_hasSizes) applyUsualSizes();
+  if (!m_hasSizes) return applyUsualSizes();
+  if (m_sizes.empty()) QTimer::singleShot(0, this, &PanelArea::rememberSizes);
+}
+
+void PanelArea::resizeEvent(QResizeEvent* event) {
+  QMainWindow::resizeEvent(event);
+  restoreSizes();
+}
+
+/// A border between panels is let go.
+bool PanelArea::event(QEvent* event) {
+  const bool done = QMainWindow::event(event);
+  if (event->type() == QEvent::MouseButtonRelease) QTimer::singleShot(0, this, &PanelArea::rememberSizes);
+  return done;
 }
 
 void PanelArea::reset() {
@@ -238,6 +278,7 @@ bool PanelArea::setState(const WindowLayout& layout) {
   if (!is_dock_state(layout.docks, layout_version) || !restoreState(layout.docks, layout_version))
     return false;
   m_hasSizes = true;
+  m_sizes.clear();
   m_wishes = layout.sides;
   for (Panel& panel : m_panels) {
     const QString id = panel.dock->objectName();
@@ -249,6 +290,7 @@ bool PanelArea::setState(const WindowLayout& layout) {
     emit wantedChanged(id, panel.wanted);
   }
   arrangeFor(m_window);
+  if (isVisible()) QTimer::singleShot(0, this, &PanelArea::rememberSizes);
   return true;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <QMainWindow>
+#include <map>
 #include <vector>
 
 #include "app/workbench/shell/window_layout.hpp"
@@ -11,8 +12,8 @@ namespace abrazo::app {
 class PanelTitle;
 
 /// The scene in the middle and the panels around it, which a person moves, floats, stacks and closes. A panel
-/// is shown where it is wanted and there is room at its side; a small window hides sides without forgetting
-/// what was wanted there.
+/// is shown where it is wanted and there is room at its side; a small window hides sides and narrows panels
+/// without forgetting what was wanted there, and how large.
 class PanelArea : public QMainWindow {
   Q_OBJECT
  public:
@@ -48,6 +49,8 @@ class PanelArea : public QMainWindow {
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
+  bool event(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void showEvent(QShowEvent* event) override;
 
  private:
@@ -62,7 +65,9 @@ class PanelArea : public QMainWindow {
   void place(Panel& panel);
   bool hasRoom(const Panel& panel) const;
   void showWhatFits();
-  void followPlan(const PanelPlan& before);
+  int planned(Qt::DockWidgetArea side) const;
+  void rememberSizes();
+  void restoreSizes();
   void applyUsualSizes();
   void raiseFirstOfEachPlace();
 
@@ -70,6 +75,8 @@ class PanelArea : public QMainWindow {
   PanelWishes m_wishes;
   PanelPlan m_room;
   QSize m_window{1600, 1000};
+  /// Of each panel that was seen, as a person has it while there is room. A width of 0 follows the plan.
+  std::map<QString, QSize> m_sizes;
   bool m_hasSizes = false;  ///< of a layout, or once they were given at the first show
 };
 
