@@ -12,7 +12,8 @@ set(abrazo_engine_libraries
   "assimp=assimp=libassimp-dev"
   "tet=tet=libtet1.5-dev"
   # FLANN's own code is compiled in; what could save an index calls this.
-  "lz4=lz4=liblz4-dev")
+  "lz4=lz4=liblz4-dev"
+  "zlib=z=zlib1g-dev")
 
 # abrazo_find_engine_libraries(MISSING): makes a target of every library; MISSING is what is not there, and how to get it.
 macro(abrazo_find_engine_libraries missing)

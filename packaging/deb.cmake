@@ -1,4 +1,4 @@
-# Two Debian packages, abrazo and abrazo-dev: `cmake --workflow --preset package`, or cpack in any build folder whose prefix is /usr.
+# Debian packages, abrazo, abrazo-dev and, where the module is built, python3-abrazo: `cmake --workflow --preset package`, or cpack in any build folder whose prefix is /usr.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME abrazo)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
@@ -8,6 +8,9 @@ set(CPACK_PACKAGE_DIRECTORY ${CMAKE_BINARY_DIR}/packages)
 set(CPACK_PACKAGE_CHECKSUM SHA256)
 set(CPACK_THREADS 0)
 set(CPACK_COMPONENTS_ALL programs development)
+if(ABRAZO_PYTHON_BUILT)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+endif()
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
   OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
@@ -50,6 +53,23 @@ spatial relations of the two bodies.
 .
 This package has the engine as a static library with its headers, found by
 CMake's find_package(abrazo) as abrazo::core, and an example.")
+
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-abrazo)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+# A module of one version of Python is not found by another.
+if(ABRAZO_PYTHON_BUILT)
+  string(REGEX MATCH "[0-9]+$" next "${ABRAZO_PYTHON_VERSION}")
+  math(EXPR next "${next} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= ${ABRAZO_PYTHON_VERSION}~), python3 (<< 3.${next}), python3-numpy")
+endif()
+set(CPACK_DEBIAN_PYTHON_DESCRIPTION "virtual partner for close interactions: Python module
+Abrazo animates a virtual partner that responds to a person's movement. The
+partner's motion comes from recorded pairs; an interaction mesh preserves the
+spatial relations of the two bodies.
+.
+This package has the engine as a module for Python 3, with NumPy arrays in and
+out: libraries, the synthesizer frame by frame, evaluations, recorded sessions.")
 
 set(CPACK_PROJECT_CONFIG_FILE ${CMAKE_CURRENT_SOURCE_DIR}/deb/time.cmake)
 set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_SOURCE_DIR}/deb/tidy.cmake)

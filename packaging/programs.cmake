@@ -33,7 +33,7 @@ configure_file(deb/copyright.in ${CMAKE_CURRENT_BINARY_DIR}/copyright @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/copyright DESTINATION ${ABRAZO_DOC_DIR} COMPONENT programs)
 # Whose code is inside the programs: their notices go with it, as Debian has them for what was compiled (deb/tidy.cmake wants them
 # all). Elsewhere than on Debian there may be none.
-foreach(package IN ITEMS libeigen3-dev libflann-dev nlohmann-json3-dev libcli11-dev libfmt-dev)
+foreach(package IN ITEMS libeigen3-dev libflann-dev nlohmann-json3-dev libcli11-dev libfmt-dev pybind11-dev)
   install(FILES /usr/share/doc/${package}/copyright DESTINATION ${ABRAZO_DOC_DIR}/third-party RENAME ${package}.txt
     COMPONENT programs OPTIONAL)
 endforeach()

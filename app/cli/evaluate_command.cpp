@@ -2,27 +2,21 @@
 
 #include <cmath>
 #include <filesystem>
-#include <map>
 #include <memory>
+#include <utility>
 
 #include "app/cli/command_line.hpp"
 #include "app/cli/evaluation_data.hpp"
 #include "app/cli/report_folder.hpp"
 #include "app/cli/settings_options.hpp"
 #include "core/base/atomic_file.hpp"
-#include "core/evaluation/evaluate.hpp"
+#include "core/evaluation/evaluation_source.hpp"
 #include "core/evaluation/report_html.hpp"
 #include "core/evaluation/report_json.hpp"
 
 namespace abrazo::app {
 
 namespace {
-
-const std::map<std::string, EvaluationPart> part_names = {{"selection", EvaluationPart::Selection},
-                                                          {"timing", EvaluationPart::Timing},
-                                                          {"moves", EvaluationPart::Moves},
-                                                          {"zmp", EvaluationPart::Zmp},
-                                                          {"contact", EvaluationPart::Contact}};
 
 struct EvaluateArguments {
   std::vector<std::string> parts;
@@ -32,14 +26,6 @@ struct EvaluateArguments {
   EvaluationOptions options;
   bool no_variants = false, json = false;
 };
-
-std::set<EvaluationPart> chosen_parts(const std::vector<std::string>& words) {
-  std::set<EvaluationPart> parts;
-  for (const auto& [name, part] : part_names)
-    for (const std::string& word : words)
-      if (word == name || word == "all") parts.insert(part);
-  return parts;
-}
 
 /// The figures a person asks for first.
 std::string summary(const Evaluation& evaluation, const std::filesystem::path& folder) {
@@ -72,6 +58,11 @@ std::string summary(const Evaluation& evaluation, const std::filesystem::path& f
       line("holds, mean distance change",
            fmt::format("{:.1f} mm over {}", 1000 * result->contact.holds.change_mean_m,
                        result->contact.holds.holds));
+    if (result->published)
+      line("MPJPE, nearest neighbour's",
+           fmt::format("{:.0f} mm, {:.0f} mm; FID_cd {:.1f}, {:.1f}", 1000 * result->published->made.mpjpe_m,
+                       1000 * result->published->nearest.mpjpe_m, result->published->made.fid_cd,
+                       result->published->nearest.fid_cd));
     line("partner from the captured one",
          fmt::format("{:.3f} m mean, {:.3f} m median", result->partner.mean_joint_error_m,
                      result->partner.median_joint_error_m));
@@ -86,7 +77,9 @@ Status run_evaluate(CommandLine& line, const EvaluateArguments& arguments) {
   const auto settings = arguments.settings.read();
   if (!settings) return settings.error();
   EvaluationOptions options = arguments.options;
-  options.parts = chosen_parts(arguments.parts);
+  auto parts = evaluation_parts(arguments.parts);
+  if (!parts) return parts.error();
+  options.parts = std::move(*parts);
   options.settings = *settings;
   options.variants = !arguments.no_variants;
   options.hold_out = arguments.source.hold_out;
@@ -123,9 +116,10 @@ void add_evaluate_command(CommandLine& line) {
       ->add_option(
           "parts", arguments->parts,
           "selection (Table I), timing (Table II), moves (Table III), zmp (Table IV), contact (holds, "
-          "penetration, sliding, partner error, robustness), or all")
+          "penetration, sliding, partner error, robustness), published (figures of the recent literature), "
+          "or all")
       ->required()
-      ->check(CLI::IsMember({"selection", "timing", "moves", "zmp", "contact", "all"}))
+      ->check(CLI::IsMember({"selection", "timing", "moves", "zmp", "contact", "published", "all"}))
       ->type_name("PART");
   add_evaluation_source(*command, arguments->source);
   command

@@ -1,7 +1,5 @@
 #include "app/cli/evaluation_data.hpp"
 
-#include <utility>
-
 namespace abrazo::app {
 
 void add_evaluation_source(CLI::App& command, EvaluationSource& source) {
@@ -26,25 +24,9 @@ void add_evaluation_source(CLI::App& command, EvaluationSource& source) {
       ->type_name("TAKE,...");
 }
 
-Result<EvaluationManifests> read_manifests(const EvaluationSource& source) {
-  auto manifest = read_manifest(source.manifest);
-  if (!manifest) return manifest.error();
-  EvaluationManifests manifests{.manifest = std::move(*manifest), .users = {}};
-  if (!source.users.empty()) {
-    auto users = read_manifest(source.users);
-    if (!users) return users.error();
-    manifests.users = std::move(*users);
-  }
-  const Manifest* const users = manifests.users ? &*manifests.users : nullptr;
-  if (const Status usable = check_answered(manifests.manifest, users, source.hold_out); !usable)
-    return usable.error();
-  return manifests;
-}
-
 Result<EvaluationData> read_takes(CommandLine& line, const EvaluationManifests& manifests, bool both_roles,
                                   const Progress& progress) {
-  auto data = read_evaluation_data(manifests.manifest, manifests.users ? &*manifests.users : nullptr,
-                                   both_roles, progress);
+  auto data = read_evaluation_data(manifests, both_roles, progress);
   if (data)
     for (const std::string& warning : data->warnings) warn(line, warning);
   return data;

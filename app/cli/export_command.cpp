@@ -18,7 +18,8 @@ namespace {
 
 /// What `abrazo export` was asked for.
 struct ExportWords {
-  std::string session, library, performer, units, up;
+  std::string session, library, performer;
+  WrittenSpace space;
   std::vector<std::string> what;
   std::optional<long long> frame;
   ExportWish wish;
@@ -51,7 +52,9 @@ Result<ExportWish> wish_of(const ExportWords& words) {
   if (words.frame && *words.frame < 0)
     return Error{fmt::format("has no frame {}; they count from 0", *words.frame), words.session};
   if (words.frame) wish.at_frame = static_cast<std::uint64_t>(*words.frame);
-  wish.space = file_space(words.units, words.up);
+  auto space = file_space(words.space);
+  if (!space) return space.error();
+  wish.space = std::move(*space);
   return wish;
 }
 
@@ -115,7 +118,8 @@ void add_options(CLI::App& command, ExportWords& words) {
       ->type_name("WHAT");
   command
       .add_option("-o,--output", wish.output,
-                  "bodies: .bvh, .glb or .csv; mesh: .vtu or .pvd; labels: .eaf, .csv, .json, .vtt or .srt; "
+                  "bodies: .bvh, .glb, .csv, .npz or .npy; mesh: .vtu or .pvd; labels: .eaf, .csv, .json, "
+                  ".vtt or .srt; "
                   "trace: .jsonl")
       ->required()
       ->type_name("FILE");
@@ -135,7 +139,7 @@ void add_options(CLI::App& command, ExportWords& words) {
                   "poses per second; by default that of the frames. For a mesh series: the maximum")
       ->check(above_zero)
       ->type_name("HZ");
-  add_space_options(command, words.units, words.up);
+  add_space_options(command, words.space);
   command.add_option("--library", words.library, "mesh, trace: the library, if it was moved")
       ->type_name("LIB");
   command.add_flag("--json", words.json, "what was written as one JSON object on stdout");

@@ -63,9 +63,10 @@ Status check_words_of_input(const LiveOptions& options, const StreamUri& listen)
   if (is_clip && options.calibrate_after_s > 0)
     return Error{"--calibrate is for streams; a clip is measured as a whole", listen.text};
   if (!is_clip && (!clip.skeleton.empty() || !clip.joint_map.empty() || !clip.up.empty() ||
-                   clip.metres_per_unit > 0 || clip.fps > 0 || clip.performer > 0))
+                   clip.metres_per_unit || clip.fps || !clip.performer.empty() || !clip.animation.empty()))
     return Error{
-        "--skeleton, --metres-per-unit, --fps, --joint-map, --up and --performer are for clip:FILE; "
+        "--skeleton, --metres-per-unit, --fps, --joint-map, --up, --performer and --animation are for "
+        "clip:FILE; "
         "a stream has options in its URI, such as ?performer=NAME, ?map=FILE.json, ?up=z",
         listen.text};
   return Done{};
@@ -338,8 +339,8 @@ void add_live_command(CommandLine& line) {
       "live", "a stream in, the partner out: the live loop without a window, with statistics at the end");
   add_options(*live, *options);
   add_reading_options(*live, options->clip);
-  add_performer_option(*live, options->clip);
-  for (const char* name : {"--skeleton", "--metres-per-unit", "--fps", "--joint-map", "--up", "--performer"})
+  for (const char* name :
+       {"--skeleton", "--metres-per-unit", "--fps", "--joint-map", "--up", "--performer", "--animation"})
     live->get_option(name)->group("How clip:FILE is read");
   live->callback([&line, options] {
     if (const Status done = run_live(line, *options); !done) fail(line, done.error());

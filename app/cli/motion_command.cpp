@@ -15,6 +15,7 @@
 #include "core/base/text.hpp"
 #include "core/motion/files/clip_file.hpp"
 #include "core/motion/files/import_clip.hpp"
+#include "core/motion/joints/performers.hpp"
 #include "core/motion/tables/clip_csv.hpp"
 
 namespace abrazo::app {
@@ -24,12 +25,15 @@ namespace {
 /// Options of `motion info`, `motion positions` and `motion convert`.
 struct MotionWords {
   MotionReading reading;
-  std::string output, units, up;
+  WrittenSpace space;
+  std::string output;
   bool json = false;
 };
 
 void add_file(CLI::App& command, MotionWords& words) {
-  command.add_option("FILE", words.reading.file, "motion: .bvh, or .amc with its .asf")
+  command
+      .add_option("FILE", words.reading.file,
+                  "motion: .bvh, .amc with its .asf, .c3d, .trc, .csv, .glb, .fbx, .dae, .npy, .npz")
       ->required()
       ->type_name("");
   add_reading_options(command, words.reading);
@@ -50,6 +54,7 @@ void add_performer(TextLines& text, const ImportedClip& imported) {
   text.add("  height   {:.3f} m to the head joint", report.height_m);
   text.add("  floor    toe bases rest at {:.3f} m{}", report.floor_y_m,
            report.floor_shift_m == 0 ? "" : fmt::format("; moved by {:.3f} m", report.floor_shift_m));
+  if (report.animations.size() > 1) text.add("  animations {}", some_of(report.animations, 40));
   for (const ImportWarning& warning : report.warnings)
     text.add("  warning  {}{}: {}", warning.kind,
              warning.line > 0 ? fmt::format(" (line {})", warning.line) : "", warning.detail);
@@ -74,6 +79,9 @@ void put_performer(JsonText& json, const ImportedClip& imported) {
   json.key("metres_per_unit").value(report.unit_guessed);
   json.key("up").value(report.up_axis_guessed);
   json.end_object();
+  json.key("animations").begin_array();
+  for (const std::string& animation : report.animations) json.value(animation);
+  json.end_array();
   json.key("warnings").begin_array();
   for (const ImportWarning& warning : report.warnings) {
     json.begin_object();
@@ -123,13 +131,7 @@ void run_positions(CommandLine& line, const MotionWords& words) {
   if (const Status written = write_whole_file(words.output, *csv); !written) fail(line, written.error());
 }
 
-/// All performers of a file, or the chosen one.
 Result<std::vector<Clip>> clips_to_convert(CommandLine& line, const MotionWords& words) {
-  if (words.reading.performer > 0) {
-    auto imported = read_performer(line, words.reading);
-    if (!imported) return imported.error();
-    return std::vector<Clip>{std::move(imported->clip)};
-  }
   auto all = read_performers(words.reading);
   if (!all) return all.error();
   std::vector<Clip> clips;
@@ -141,15 +143,16 @@ Result<std::vector<Clip>> clips_to_convert(CommandLine& line, const MotionWords&
 }
 
 void run_convert(CommandLine& line, const MotionWords& words) {
-  const ClipFileSpace space = file_space(words.units, words.up);
-  if (const Status known = check_clip_file(words.output, space); !known) return fail(line, known.error());
+  const auto space = file_space(words.space);
+  if (!space) return fail(line, space.error());
+  if (const Status known = check_clip_file(words.output, *space); !known) return fail(line, known.error());
   const std::vector<std::string> inputs = {words.reading.file, words.reading.skeleton,
                                            words.reading.joint_map};
   if (const Status usable = check_output(words.output, inputs); !usable) return fail(line, usable.error());
   const auto clips = clips_to_convert(line, words);
   if (!clips) return fail(line, clips.error());
   if (interrupted()) return fail(line, {"cancelled", words.output});
-  if (const Status written = write_clip_file(words.output, *clips, space); !written)
+  if (const Status written = write_clip_file(words.output, *clips, *space); !written)
     return fail(line, written.error());
   if (!line.quiet)
     answer(line, fmt::format("{}: {} of {} frames at {} Hz\n", words.output,
@@ -174,7 +177,6 @@ void add_motion_command(CommandLine& line) {
   CLI::App* positions =
       motion->add_subcommand("positions", "write the world positions of the 25 joints, in metres, Y up");
   add_file(*positions, *words);
-  add_performer_option(*positions, words->reading);
   positions->add_option("-o,--output", words->output, "the CSV file to write")->required()->type_name("CSV");
   positions->callback([&line, words] { run_positions(line, *words); });
 
@@ -182,11 +184,10 @@ void add_motion_command(CommandLine& line) {
   CLI::App* convert = motion->add_subcommand(
       "convert", "write the 25 joints of all performers, or of one, as another motion file");
   add_file(*convert, *convert_words);
-  add_performer_option(*convert, convert_words->reading);
-  convert->add_option("-o,--output", convert_words->output, "the .bvh, .glb or .csv to write")
+  convert->add_option("-o,--output", convert_words->output, "the .bvh, .glb, .csv, .npz or .npy to write")
       ->required()
       ->type_name("FILE");
-  add_space_options(*convert, convert_words->units, convert_words->up);
+  add_space_options(*convert, convert_words->space);
   convert->callback([&line, convert_words] { run_convert(line, *convert_words); });
 }
 

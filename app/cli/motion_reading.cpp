@@ -1,9 +1,5 @@
 #include "app/cli/motion_reading.hpp"
 
-#include <fmt/core.h>
-
-#include "core/motion/joints/motion_format.hpp"
-
 namespace abrazo::app {
 
 void add_reading_options(CLI::App& command, MotionReading& reading) {
@@ -20,64 +16,59 @@ void add_reading_options(CLI::App& command, MotionReading& reading) {
       .add_option("--joint-map", reading.joint_map,
                   "which point is which joint: a built-in map or marker model, or a JSON file")
       ->type_name("NAME|JSON");
+  command
+      .add_option("--joints", reading.joints,
+                  "order of the joints of a .npy or .npz without names: " + joint_order_names() +
+                      ", or a file with a name a line")
+      ->type_name("NAME|FILE");
   command.add_option("--up", reading.up, "the file's axis that points up")
       ->check(CLI::IsMember({"y", "z"}))
       ->type_name("AXIS");
-}
-
-void add_performer_option(CLI::App& command, MotionReading& reading) {
-  command.add_option("--performer", reading.performer, "which performer of a file with several, from 1")
-      ->check(above_zero)
-      ->type_name("N");
-}
-
-Result<std::vector<ImportedClip>> read_performers(const MotionReading& reading) {
-  ImportOptions options;
-  if (reading.metres_per_unit > 0) options.metres_per_unit = reading.metres_per_unit;
-  if (reading.fps > 0) options.fps = reading.fps;
-  if (!reading.up.empty()) options.up_axis = reading.up == "z" ? UpAxis::Z : UpAxis::Y;
-  if (!reading.joint_map.empty())
-    if (const Status chosen = choose_joints(reading.joint_map, options); !chosen) return chosen.error();
-  const auto format = format_of_name(reading.file);
-  if (!reading.skeleton.empty() && format && format != MotionFormat::Amc)
-    return Error{"a " + std::string(name_of(*format)) + " file has its own skeleton; leave out --skeleton",
-                 reading.file};
-  return load_motion(reading.file, reading.skeleton, options);
+  command.add_option("--performer", reading.performer, "which performer of a file with several")
+      ->type_name("N|NAME");
+  command
+      .add_option("--animation", reading.animation,
+                  "which animation of a file with several; by default the longest")
+      ->type_name("NAME");
 }
 
 Result<ImportedClip> read_performer(CommandLine& line, const MotionReading& reading) {
-  Result<std::vector<ImportedClip>> clips = read_performers(reading);
-  if (!clips) return clips.error();
-  const std::size_t count = clips->size();
-  if (reading.performer == 0 && count > 1)
-    return Error{fmt::format("holds {} performers; choose one with --performer 1 to {}", count, count),
-                 reading.file};
-  const std::size_t chosen = reading.performer == 0 ? 0 : static_cast<std::size_t>(reading.performer - 1);
-  if (chosen >= count)
-    return Error{fmt::format("has no performer {}; it holds {}", reading.performer, count), reading.file};
-  ImportedClip& imported = (*clips)[chosen];
-  warn_of_import(line, reading, imported);
-  return std::move(imported);
+  Result<ImportedClip> imported = read_performer(reading);
+  if (imported) warn_of_import(line, reading, *imported);
+  return imported;
 }
 
 void warn_of_import(CommandLine& line, const MotionReading& reading, const ImportedClip& imported) {
-  for (const ImportWarning& warning : imported.report.warnings)
-    warn(line,
-         fmt::format("{}{}: {}: {}", reading.file, warning.line > 0 ? fmt::format(":{}", warning.line) : "",
-                     warning.kind, warning.detail));
+  for (const std::string& sentence : warnings_of_import(reading, imported)) warn(line, sentence);
 }
 
-void add_space_options(CLI::App& command, std::string& units, std::string& up) {
-  command.add_option("--out-units", units, "unit of the written .bvh or .csv; by default metres")
+void add_space_options(CLI::App& command, WrittenSpace& words) {
+  command
+      .add_option("--out-units", words.units,
+                  "unit of the written .bvh, .csv, .npz or .npy; by default metres")
       ->check(CLI::IsMember({"m", "cm", "mm"}))
       ->type_name("UNIT");
-  command.add_option("--out-up", up, "axis that points up in the written .bvh or .csv; by default y")
+  command
+      .add_option("--out-up", words.up,
+                  "axis that points up in the written .bvh, .csv, .npz or .npy; by default y")
       ->check(CLI::IsMember({"y", "z"}))
       ->type_name("AXIS");
+  command
+      .add_option("--out-joints", words.joints,
+                  "joints of the written .npz or .npy and their order; by default abrazo25, the 25")
+      ->type_name("NAME|FILE");
 }
 
-ClipFileSpace file_space(const std::string& units, const std::string& up) {
-  return {units == "cm" ? 100.0 : units == "mm" ? 1000.0 : 1.0, up == "z" ? UpAxis::Z : UpAxis::Y};
+Result<ClipFileSpace> file_space(const WrittenSpace& words) {
+  ClipFileSpace space{words.units == "cm"   ? 100.0
+                      : words.units == "mm" ? 1000.0
+                                            : 1.0,
+                      words.up == "z" ? UpAxis::Z : UpAxis::Y};
+  if (words.joints.empty()) return space;
+  auto order = find_joint_order(words.joints);
+  if (!order) return order.error();
+  space.joints = std::move(*order);
+  return space;
 }
 
 }  // namespace abrazo::app

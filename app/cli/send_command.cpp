@@ -125,7 +125,6 @@ void add_send_command(CommandLine& line) {
   CLI::App* send = line.app.add_subcommand("send", "replays a clip as a live stream, in real time");
   send->add_option("FILE", options->input.file, "the motion: .bvh, or .amc with its .asf")->required();
   add_reading_options(*send, options->input);
-  add_performer_option(*send, options->input);
   send->add_option("--to", options->to,
                    "vmc://HOST:PORT[?framing=t-last|t-first], natnet://HOST[:PORT] (answers clients there), "
                    "xsens://HOST:PORT")

@@ -9,9 +9,8 @@
 #include "core/base/line_file.hpp"
 #include "core/base/output_file.hpp"
 #include "core/library/store/motion_library_file.hpp"
-#include "core/metrics/run_summary.hpp"
+#include "core/metrics/clip_run.hpp"
 #include "core/motion/files/clip_file.hpp"
-#include "core/synthesis/clip_synthesis.hpp"
 #include "core/synthesis/trace.hpp"
 
 namespace abrazo::app {
@@ -39,7 +38,7 @@ Status check_outputs(const SynthOptions& options) {
                                            options.input.joint_map};
   std::vector<std::string> outputs;
   if (!options.output.empty()) {
-    if (const Status known = check_clip_file(options.output); !known) return known;
+    if (const Status known = check_clip_file(options.output, {}, options.split ? 1 : 2); !known) return known;
     if (options.split)
       outputs = {with_suffix(options.output, "_active"), with_suffix(options.output, "_passive")};
     else
@@ -55,31 +54,10 @@ Status check_outputs(const SynthOptions& options) {
   return Done{};
 }
 
-/// What is kept of the steps of a run.
-struct Run {
-  Clip active, passive;
-  RunSummary summary;
-  std::unique_ptr<LineFile> trace;
-};
-
-Status solve(CommandLine& line, PartnerSynthesizer& synthesizer, const Clip& clip,
-             const MotionLibrary& library, Run& run) {
-  return synthesize_clip(
-      synthesizer, clip,
-      [&](const ClipStep& step) -> Status {
-        if (run.trace) run.trace->add(trace_frame_line(step.result, library, step.input_frame, step.time_s));
-        run.active.poses.emplace_back(step.result.active());
-        run.passive.poses.emplace_back(step.result.passive());
-        run.summary.add(step.result, step.time_s);
-        return Done{};
-      },
-      terminal_progress(line));
-}
-
-Status write_outputs(const SynthOptions& options, Run& run) {
+Status write_outputs(const SynthOptions& options, const ClipRun& run, LineFile* trace) {
   if (interrupted()) return Error{"cancelled", options.input.file};
-  if (run.trace)
-    if (const Status finished = run.trace->finish(); !finished) return finished;
+  if (trace)
+    if (const Status finished = trace->finish(); !finished) return finished;
   if (!options.output.empty()) return write_clips(options, run.active, run.passive);
   return Done{};
 }
@@ -96,21 +74,24 @@ Status run_synth(CommandLine& line, const SynthOptions& options) {
   auto synthesizer = PartnerSynthesizer::create(library, *settings, options.excluded);
   if (!synthesizer) return synthesizer.error();
 
-  const double rate = clip_step_rate(input->clip, *settings);
-  Run run{{"active", rate, {}}, {"passive", rate, {}}, RunSummary(*library, settings->user_role), nullptr};
+  std::unique_ptr<LineFile> trace;
   if (!options.trace.empty()) {
     auto opened = LineFile::open(options.trace);
     if (!opened) return opened.error();
-    run.trace = std::move(*opened);
-    run.trace->add(trace_header_line({options.library, options.input.file, rate, *settings}));
+    trace = std::move(*opened);
+    const double rate = clip_step_rate(input->clip, *settings);
+    trace->add(trace_header_line({options.library, options.input.file, rate, *settings}));
   }
-  if (const Status solved = solve(line, **synthesizer, input->clip, *library, run); !solved) return solved;
-  if (auto damage = library->damage()) return *damage;
-  if (const Status written = write_outputs(options, run); !written) return written;
+  const auto add_to_trace = [&](const ClipStep& step) {
+    if (trace) trace->add(trace_frame_line(step.result, *library, step.input_frame, step.time_s));
+  };
+  const auto run = run_clip(**synthesizer, input->clip, add_to_trace, terminal_progress(line));
+  if (!run) return run.error();
+  if (const Status written = write_outputs(options, *run, trace.get()); !written) return written;
   if (options.json)
-    answer_json(line, run.summary.json(rate));
+    answer_json(line, run->summary.json(run->rate_hz()));
   else if (!line.quiet)
-    answer(line, run.summary.text(rate));
+    answer(line, run->summary.text(run->rate_hz()));
   return Done{};
 }
 
@@ -127,16 +108,16 @@ void add_synth_command(CommandLine& line) {
       ->required()
       ->type_name("FILE");
   add_reading_options(*synth, options->input);
-  add_performer_option(*synth, options->input);
   synth->add_option("--exclude", options->excluded, "a take that is never selected; may be repeated")
       ->expected(1)
       ->allow_extra_args(false)  // otherwise it also takes the words that follow
       ->take_all()
       ->type_name("TAKE");
-  CLI::Option* output = synth
-                            ->add_option("-o,--output", options->output,
-                                         "both characters at the step rate: .bvh (two roots), .glb or .csv")
-                            ->type_name("FILE");
+  CLI::Option* output =
+      synth
+          ->add_option("-o,--output", options->output,
+                       "both characters at the step rate: .bvh (two roots), .glb, .csv, .npz")
+          ->type_name("FILE");
   synth->add_flag("--split", options->split, "two files instead: OUT_active and OUT_passive")->needs(output);
   synth
       ->add_option("--trace", options->trace,

@@ -5,31 +5,23 @@
 #include <filesystem>
 
 #include "core/base/text.hpp"
-#include "core/opening/library_search.hpp"
-#include "core/opening/opened_session.hpp"
+#include "core/opening/session_frames.hpp"
 #include "core/session/frames/trace_frames.hpp"
 
 namespace abrazo::app {
 namespace {
 
 Result<FrameSource> of_session(const std::string& file, const std::string& given) {
-  const auto session = open_session(file);
+  const auto session = open_session_frames(file, given);
   if (!session) return session.error();
-  if (!session->has_frames()) return Error{"has no frames: nothing was recorded into it", file};
-  const SessionContents& contents = session->recording.contents;
-  FrameSource source;
-  for (const std::string& sentence : session->recording.recovery)
-    source.warnings.push_back(file + ": " + sentence);
   // Bodies are drawn also where a library is not at hand.
-  const auto libraries =
-      LibrarySearch({file, contents.libraries, session->project, given, {}}).all(source.warnings);
-  if (!libraries) return libraries.error();
-  if (!libraries->empty()) source.library = libraries->back();
-  const auto frames = session->recording.frames;
-  for (const auto& library : *libraries) frames->add_library(library);
-  source.first_s = contents.first_s;
-  source.last_s = contents.last_s;
-  source.at = [frames, first_s = contents.first_s, file](double time_s) -> Result<FrameSnapshotPtr> {
+  FrameSource source;
+  source.warnings = session->warnings;
+  if (!session->libraries.empty()) source.library = session->libraries.back();
+  const auto frames = session->frames;
+  source.first_s = session->contents.first_s;
+  source.last_s = session->contents.last_s;
+  source.at = [frames, first_s = source.first_s, file](double time_s) -> Result<FrameSnapshotPtr> {
     if (FrameSnapshotPtr frame = frames->at(std::max(time_s, first_s))) return frame;
     const std::string why = frames->damage();
     return Error{

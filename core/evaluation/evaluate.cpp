@@ -38,14 +38,15 @@ Result<std::vector<PairedTake>> read_takes(const Manifest& manifest, const Progr
 
 /// What is measured for one kind of user.
 struct Wanted {
-  bool moves = false, zmp = false, contact = false;
-  bool any() const { return moves || zmp || contact; }
+  bool moves = false, zmp = false, contact = false, published = false;
+  bool any() const { return moves || zmp || contact || published; }
 };
 
 Wanted wanted_of(const EvaluationOptions& options) {
   return {.moves = options.parts.contains(EvaluationPart::Moves),
           .zmp = options.parts.contains(EvaluationPart::Zmp),
-          .contact = options.parts.contains(EvaluationPart::Contact)};
+          .contact = options.parts.contains(EvaluationPart::Contact),
+          .published = options.parts.contains(EvaluationPart::Published)};
 }
 
 Result<std::vector<SynthesisedTake>> synthesise(const EvaluationData& data,
@@ -85,6 +86,10 @@ Result<UserResult> measure_user(const EvaluationData& data, const std::vector<co
   result.partner = measure_partner(*runs);
   result.movement = measure_movement(*runs);
   result.solve = measure_solve_times(*runs);
+  if (!wanted_of(options).published || variant.name != UserVariant{}.name) return result;
+  auto published = measure_published(*runs, data.library, data.both_roles);
+  if (!published) return published.error();
+  result.published = *published;
   return result;
 }
 

@@ -15,7 +15,7 @@
 
 namespace abrazo {
 
-enum class EvaluationPart { Selection, Timing, Moves, Zmp, Contact };
+enum class EvaluationPart { Selection, Timing, Moves, Zmp, Contact, Published };
 
 struct EvaluationOptions {
   std::set<EvaluationPart> parts;

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/evaluation/movement_table.hpp"
+#include "core/evaluation/published_table.hpp"
 #include "core/metrics/continuity.hpp"
 #include "core/metrics/holds.hpp"
 #include "core/metrics/penetration.hpp"
@@ -109,6 +110,7 @@ struct UserResult {
   PartnerTable partner;
   MovementTable movement;
   SolveTimes solve;
+  std::optional<PublishedTable> published;  ///< if asked for; of the takes as they are only
 };
 
 /// Everything an evaluation measured; what was not asked for is empty.

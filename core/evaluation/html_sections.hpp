@@ -19,6 +19,8 @@ std::optional<HtmlSection> zmp_section(const Evaluation& evaluation);        ///
 std::optional<HtmlSection> movement_section(
     const Evaluation& evaluation);  ///< how the partner moves, beside the captured one
 std::optional<HtmlSection> contact_section(const Evaluation& evaluation);  ///< what the paper does not print
+std::optional<HtmlSection> published_section(
+    const Evaluation& evaluation);  ///< figures of the recent literature
 std::optional<HtmlSection> robustness_section(
     const Evaluation& evaluation);  ///< other users, disturbed input
 /// @param swept  keys of settings that vary instead

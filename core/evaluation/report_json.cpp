@@ -273,6 +273,17 @@ void write_movement(JsonText& json, const MovementTable& movement) {
   }
 }
 
+void write_published(JsonText& json, const PublishedTable& published) {
+  const Object object(json, "published");
+  json.key("clips").value(published.clips);
+  for (const PublishedRow& row : published_rows()) {
+    const Object figure(json, row.key);
+    json.key("synthesised").value(published.made.*row.figure);
+    json.key("nearest_neighbour").value(published.nearest.*row.figure);
+    json.key("recording").value(published.captured.*row.figure);
+  }
+}
+
 void write_solve(JsonText& json, const SolveTimes& solve) {
   const Object object(json, "solve_us");
   json.key("p50").value(solve.p50_us);
@@ -328,6 +339,7 @@ std::string report_json(const Evaluation& evaluation) {
     if (evaluation.has_contact) write_contact(json, result.contact);
     write_partner(json, result.partner);
     write_movement(json, result.movement);
+    if (result.published) write_published(json, *result.published);
     write_solve(json, result.solve);
   }
   write_users(json, "builds", evaluation, evaluation.builds);

@@ -17,12 +17,6 @@ constexpr std::string_view forms =
     "SETTING=FROM:TO:COUNT is expected, as in alpha=0:1:5, or SETTING=log:FROM:TO:COUNT, or the values "
     "themselves: SETTING=A,B,C";
 
-std::string setting_names() {
-  std::string names;
-  for (const SettingInfo& info : all_settings()) names += (names.empty() ? "" : ", ") + std::string(info.key);
-  return names;
-}
-
 /// A value as one would write it: equal steps of 0.1 without the last bits, equal ratios with few digits.
 double rounded(double value, int digits) {
   return *parse_number(fmt::format("{:.{}g}", value, digits));

@@ -14,8 +14,8 @@ namespace abrazo {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> groups = {"moves",   "zmp",      "contact",
-                                                    "partner", "movement", "solve_us"};
+constexpr std::array<std::string_view, 7> groups = {"moves",    "zmp",       "contact", "partner",
+                                                    "movement", "published", "solve_us"};
 
 void collect(const nlohmann::json& value, const std::string& path, Figures& figures) {
   if (value.is_number()) figures[path] = value.get<double>();
@@ -31,6 +31,7 @@ bool depends_on_data(std::string_view metric) {
 Evaluation complete_evaluation() {
   Evaluation evaluation;
   evaluation.result.emplace();
+  evaluation.result->published.emplace();
   evaluation.result->moves.all.total = 1;
   ZmpTable& zmp = evaluation.result->zmp;
   zmp.original_m = zmp.common.first_m = zmp.common_partner.first_m = zmp.partner_frames = 1;
@@ -48,13 +49,14 @@ Figures figures_of(const Evaluation& evaluation) {
       collect(*found, std::string(group), figures);
   // Nothing is better for a higher or a lower one of these.
   std::erase_if(figures, [](const auto& figure) {
-    return figure.first.starts_with("zmp.settings.") || figure.first.starts_with("movement.pace.p");
+    return figure.first.starts_with("zmp.settings.") || figure.first == "published.clips" ||
+           figure.first.starts_with("movement.pace.p");
   });
   return figures;
 }
 
 std::set<EvaluationPart> sweep_parts() {
-  return {EvaluationPart::Moves, EvaluationPart::Zmp, EvaluationPart::Contact};
+  return {EvaluationPart::Moves, EvaluationPart::Zmp, EvaluationPart::Contact, EvaluationPart::Published};
 }
 
 std::vector<std::string> metric_names() {
@@ -92,6 +94,9 @@ MetricGoal goal_of(std::string_view metric) {
                                                      "captured_hold_recall",
                                                      "captured_hold_precision",
                                                      "own_share"};
+  for (const PublishedRow& row : published_rows())
+    if (metric.starts_with("published.") && metric.substr(10).starts_with(row.key))
+      return row.better == PublishedRow::Better::Higher ? MetricGoal::Highest : MetricGoal::Lowest;
   const std::string_view last = metric.substr(metric.rfind('.') + 1);
   const bool highest = std::find(high.begin(), high.end(), last) != high.end();
   return highest ? MetricGoal::Highest : MetricGoal::Lowest;

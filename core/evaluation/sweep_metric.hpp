@@ -15,8 +15,8 @@ namespace abrazo {
 /// Numbers of report.json by their path, as in "partner.lag_ms".
 using Figures = std::map<std::string, double>;
 
-/// All numbers under moves, zmp, contact, partner, movement and solve_us; those that are not defined (null)
-/// are missing.
+/// All numbers under moves, zmp, contact, partner, movement, published and solve_us; those that are not
+/// defined (null) are missing.
 Figures figures_of(const Evaluation& evaluation);
 
 /// What has to be evaluated for the figures: one synthesis gives them all.

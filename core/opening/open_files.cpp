@@ -96,8 +96,10 @@ std::string in_words_of_the_window(std::string message) {
   for (const auto& [option, words] : {std::pair<std::string_view, std::string_view>{
                                           "(--skeleton FILE)", "(open it together with the motion)"},
                                       {"(--joint-map FILE)", "(open it together with the motion)"},
+                                      {"with --joints NAME|FILE, or with an array", "with an array"},
                                       {"set the unit (--metres-per-unit)", "set the unit"},
-                                      {"set it with --fps", "set it if it is another"}}) {
+                                      {"set it with --fps", "set it if it is another"},
+                                      {"; choose one with --animation NAME", ""}}) {
     const auto place = message.find(option);
     if (place != std::string::npos) message.replace(place, option.size(), words);
   }

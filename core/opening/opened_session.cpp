@@ -35,16 +35,18 @@ std::vector<FoundData> found_now(const OpenedProject& project, const Places& pla
   return found;
 }
 
-/// Calls `visit` on every path of a manifest; a joint map may be a built-in one, which is no file.
+/// Calls `visit` on every path of a manifest; joint maps and orders may be built-in ones, which are no files.
 void each_file(Manifest& manifest, const std::function<void(fs::path&)>& visit) {
   for (Manifest::Take& take : manifest.takes) {
     for (Manifest::Performer* performer : {&take.a, &take.b}) {
       visit(performer->motion);
       visit(performer->skeleton);
-      fs::path joint_map = performer->joint_map;
-      if (!joint_map.has_parent_path()) continue;
-      visit(joint_map);
-      performer->joint_map = joint_map.string();
+      for (std::string* named : {&performer->joint_map, &performer->joints}) {
+        fs::path file = *named;
+        if (!file.has_parent_path()) continue;
+        visit(file);
+        *named = file.string();
+      }
     }
     visit(take.labels);
     visit(take.roles_file);

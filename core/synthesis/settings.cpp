@@ -277,6 +277,12 @@ const SettingInfo* find_setting(std::string_view key) {
   return found ? &found->info : nullptr;
 }
 
+std::string setting_names() {
+  std::string names;
+  for (const SettingInfo& info : all_settings()) names += (names.empty() ? "" : ", ") + std::string(info.key);
+  return names;
+}
+
 bool applies(const Settings& settings, std::string_view key) {
   constexpr std::array<std::string_view, 1> of_paper = {"continuations"};
   // A recording that runs goes on by itself: its next moment is always a candidate.
@@ -380,8 +386,7 @@ Result<Settings> parse_settings(std::string_view json, const Settings& start, st
     if (key == retired_setting) continue;
     const Entry* found = find_entry(key);
     if (!found)
-      return Error{"'" + key + "' is not a setting; see abrazo synth --help for their names",
-                   std::string(where)};
+      return Error{in_quotes(key) + " is not a setting; there are " + setting_names(), std::string(where)};
     const Status set = set_json(settings, *found, value);
     if (!set) return Error{set.error().text(), std::string(where)};
   }

@@ -80,6 +80,8 @@ struct SettingInfo {
 /// In the order in which they are shown.
 std::span<const SettingInfo> all_settings();
 const SettingInfo* find_setting(std::string_view key);
+/// "selection, alpha, ...": all keys, for messages.
+std::string setting_names();
 /// Whether a setting counts with the method of selection and the playback that are set; most do with all.
 bool applies(const Settings& settings, std::string_view key);
 /// "Only with the method intent; it is paper now": of a setting that does not apply.

@@ -1,12 +1,13 @@
-# Read by cpack when the files of both packages are in place: what Debian's policy wants of them.
+# Read by cpack when the files of all packages are in place: what Debian's policy wants of them.
 function(run)
   execute_process(COMMAND ${ARGN} COMMAND_ERROR_IS_FATAL ANY)
 endfunction()
 
 set(programs ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/programs/usr)
 set(development ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/development/usr)
+set(python ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/python/usr)
 
-file(GLOB_RECURSE binaries ${programs}/bin/* ${programs}/lib/*.so)
+file(GLOB_RECURSE binaries ${programs}/bin/* ${programs}/lib/*.so ${python}/lib/*.so)
 run(strip --remove-section=.comment --remove-section=.note ${binaries})
 file(GLOB_RECURSE archives ${development}/lib/*.a)
 run(strip --strip-debug --remove-section=.comment --remove-section=.note --enable-deterministic-archives ${archives})
@@ -27,10 +28,18 @@ endforeach()
 
 # A package of one's own has Debian's list of changes; the real one is CHANGELOG.md.
 string(TIMESTAMP day "%a, %d %b %Y %H:%M:%S +0000" UTC)
-foreach(package abrazo abrazo-dev)
+set(packages abrazo abrazo-dev)
+if(EXISTS ${python})
+  list(APPEND packages python3-abrazo)
+endif()
+foreach(package IN LISTS packages)
   set(doc ${programs}/share/doc/${package})
   if(package STREQUAL "abrazo-dev")
     set(doc ${development}/share/doc/${package})
+  elseif(package STREQUAL "python3-abrazo")
+    set(doc ${python}/share/doc/${package})
+  endif()
+  if(NOT package STREQUAL "abrazo")
     file(COPY ${programs}/share/doc/abrazo/copyright ${programs}/share/doc/abrazo/third-party DESTINATION ${doc})
   endif()
   file(WRITE ${doc}/changelog "${CPACK_PACKAGE_NAME} (${CPACK_PACKAGE_VERSION}) bookworm; urgency=medium

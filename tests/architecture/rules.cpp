@@ -74,7 +74,9 @@ constexpr std::array third_parties = {
     ThirdParty{"pugixml", "^pugi", "core/library/takes/eaf_"},
     ThirdParty{"tinygltf", "^tiny_gltf", "core/motion/scenes/glb_writer.cpp"},
     ThirdParty{"assimp", "^assimp/", "core/motion/scenes/assimp_scene.cpp"},
+    ThirdParty{"zlib", "^zlib", "core/motion/numpy/zip_archive.cpp"},
     ThirdParty{"CLI11", "^CLI/", "app/"},
+    ThirdParty{"pybind11", "^(pybind11/|Python\\.h|numpy/)", "app/python/"},
     ThirdParty{"QCustomPlot", "^qcustomplot", "widgets/plots/"},
     ThirdParty{"VTK", "^(vtk|QVTK)", "widgets/scene/"},
 };
@@ -178,7 +180,8 @@ const std::map<std::string, Rooms>& room_table() {
         {"acclaim", {"body", "joints"}},
         {"tables", {"body", "joints"}},
         {"scenes", {"body", "joints"}},
-        {"files", {"body", "joints", "bvh", "acclaim", "tables", "scenes"}}}},
+        {"numpy", {"body", "joints"}},
+        {"files", {"body", "joints", "bvh", "acclaim", "tables", "scenes", "numpy"}}}},
       {"core/library", {{"takes", {}}, {"store", {"takes"}}, {"build", {"takes", "store"}}}},
       {"core/stream",
        {{"net", {}},
@@ -357,6 +360,16 @@ Violations command_line_knows_no_widgets(std::span<const SourceFile> files) {
   return check_includes(files, "app/cli/", [](const SourceFile&, const std::string& include) {
     const bool toolkit = include.starts_with("widgets/") || is_qt(include) || is_vtk(include);
     return toolkit ? "the command line is built without Qt and VTK, but includes " + include : std::string();
+  });
+}
+
+Violations python_knows_core_alone(std::span<const SourceFile> files) {
+  return check_includes(files, "app/python/", [](const SourceFile&, const std::string& include) {
+    const bool layer = include.starts_with("widgets/") || include.starts_with("app/");
+    const bool own = include.starts_with("app/python/");
+    return (layer && !own) || is_qt(include) || is_vtk(include)
+               ? "the Python module is core's alone, but includes " + include
+               : std::string();
   });
 }
 

@@ -39,6 +39,8 @@ Violations folders_are_not_crowded(std::span<const SourceFile> files);
 Violations scene_values_know_no_toolkit(std::span<const SourceFile> files);
 Violations layers_point_down(std::span<const SourceFile> files);
 Violations command_line_knows_no_widgets(std::span<const SourceFile> files);
+/// The Python module is core's alone: no toolkit, nothing of the programs.
+Violations python_knows_core_alone(std::span<const SourceFile> files);
 /// The renderer draws the scene alone: no window, no other views. Its options know no toolkit.
 Violations renderer_draws_only_the_scene(std::span<const SourceFile> files);
 Violations third_parties_have_one_place(std::span<const SourceFile> files);

@@ -183,6 +183,21 @@ TEST(ArchitectureRules, CatchTheCommandLineReachingForWidgets) {
               IsEmpty());
 }
 
+TEST(ArchitectureRules, CatchAPythonModuleThatNeedsMoreThanCore) {
+  EXPECT_THAT(python_knows_core_alone(one("app/python/a.cpp", "#include <vtkActor.h>\n")), SizeIs(1));
+  EXPECT_THAT(python_knows_core_alone(one("app/python/a.cpp", "#include \"widgets/scene/b.hpp\"\n")),
+              SizeIs(1));
+  EXPECT_THAT(python_knows_core_alone(one("app/python/a.cpp", "#include \"app/cli/command_line.hpp\"\n")),
+              SizeIs(1));
+  EXPECT_THAT(python_knows_core_alone(one(
+                  "app/python/a.cpp", "#include \"app/python/b.hpp\"\n#include \"core/base/text.hpp\"\n")),
+              IsEmpty());
+  EXPECT_THAT(third_parties_have_one_place(one("core/base/a.cpp", "#include <pybind11/numpy.h>\n")),
+              SizeIs(1));
+  EXPECT_THAT(third_parties_have_one_place(one("app/python/a.cpp", "#include <pybind11/numpy.h>\n")),
+              IsEmpty());
+}
+
 TEST(ArchitectureRules, CatchARendererThatOpensAWindow) {
   EXPECT_THAT(renderer_draws_only_the_scene(one("app/render/a.cpp", "#include \"widgets/plots/b.hpp\"\n")),
               SizeIs(1));

@@ -61,6 +61,10 @@ TEST(Architecture, TheCommandLineNeedsNoToolkit) {
   EXPECT_TRUE(holds(command_line_knows_no_widgets(tree())));
 }
 
+TEST(Architecture, ThePythonModuleIsCoresAlone) {
+  EXPECT_TRUE(holds(python_knows_core_alone(tree())));
+}
+
 TEST(Architecture, TheRendererDrawsOnlyTheScene) {
   EXPECT_TRUE(holds(renderer_draws_only_the_scene(tree())));
 }

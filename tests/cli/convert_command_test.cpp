@@ -62,9 +62,25 @@ TEST_F(ConvertCommand, AllPerformersComeAlongOrTheChosenOne) {
   EXPECT_LT(distance_m(positions("pair.bvh", "--performer 2"), parse_table(read("passive.csv"))), 1e-9);
 }
 
+TEST_F(ConvertCommand, ANumPyFileComesBackToTheLastBitAndHasTheOrderThatWasAskedFor) {
+  ASSERT_EQ(run("motion convert demo/salsa_01_a.bvh -o a.npz").status, 0);
+  EXPECT_EQ(distance_m(positions("demo/salsa_01_a.bvh"), positions("a.npz")), 0);
+  ASSERT_EQ(run("motion convert demo/salsa_01_a.bvh -o lafan.npy --out-joints lafan22").status, 0);
+  expect_failure(run("motion info lafan.npy"),
+                 "may be lafan22 or smplx22; say which joint is which with --joints");
+  ASSERT_EQ(run("motion convert lafan.npy --joints lafan22 --fps 60 --up y --metres-per-unit 1 -o again.npy "
+                "--out-joints lafan22")
+                .status,
+            0);
+  EXPECT_EQ(read("again.npy"), read("lafan.npy"));
+  expect_failure(run("motion info lafan.npy --joints nobody"), "is no built-in joint order");
+  expect_failure(run("motion convert a.npz -o a.bvh --out-joints lafan22"),
+                 "an order of joints is for .npz and .npy");
+}
+
 TEST_F(ConvertCommand, WhatCannotBeWrittenIsRefusedBeforeTheWork) {
   expect_failure(run("motion convert demo/salsa_01_a.bvh -o a.fbx"),
-                 "a.fbx: this file type cannot be written; use .bvh, .glb or .csv");
+                 "a.fbx: this file type cannot be written; use .bvh, .glb, .csv, .npz or .npy");
   expect_failure(run("motion convert demo/salsa_01_a.bvh -o a.glb --out-units cm"),
                  "a.glb: a GLB is in metres with Y up");
   expect_failure(run("motion convert demo/salsa_01_a.bvh -o demo/salsa_01_a.bvh"), "is also read");

@@ -16,14 +16,14 @@ class EvaluateCommand : public CommandLineTest {
 };
 
 TEST_F(EvaluateCommand, WritesTheContractsReportAndAPage) {
-  const Outcome outcome = run(
-      "evaluate selection moves zmp contact --manifest demo/manifest.json --report deep/report --queries 50 "
-      "--no-variants");
+  const Outcome outcome =
+      run("evaluate selection moves zmp contact published --manifest demo/manifest.json --report deep/report "
+          "--queries 50 --no-variants");
   ASSERT_EQ(outcome.status, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("successful moves"));
   EXPECT_THAT(outcome.out, HasSubstr("deep/report/report.html"));
   const auto report = nlohmann::json::parse(read("deep/report/report.json"));
-  for (const char* part : {"selection", "moves", "zmp", "contact", "partner", "solve_us"})
+  for (const char* part : {"selection", "moves", "zmp", "contact", "published", "partner", "solve_us"})
     EXPECT_TRUE(report.contains(part)) << part;
   EXPECT_FALSE(report.contains("timing"));
   EXPECT_EQ(report["selection"].size(), 10u);

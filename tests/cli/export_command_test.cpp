@@ -195,7 +195,7 @@ TEST_F(ExportCommand, WhatDoesNotFitIsRefusedWithWhatDoes) {
                  "m.bvh: meshes cannot be written as this file type; use .vtu or .pvd");
   expect_failure(exported("--what labels -o l.bvh"), "use .eaf, .csv, .json, .vtt or .srt");
   expect_failure(exported("--what trace -o t.csv"), "use .jsonl");
-  expect_failure(exported("--what active -o a.vtu"), "use .bvh, .glb or .csv");
+  expect_failure(exported("--what active -o a.vtu"), "use .bvh, .glb, .csv, .npz or .npy");
   expect_failure(exported("--what active,mesh -o a.bvh"), "mesh needs one of its own");
   expect_failure(exported("--what active --performer Ana -o a.bvh"), "--performer is for --what user");
   expect_failure(exported("--what active --frame 3 -o a.bvh"), "use --from and --to");

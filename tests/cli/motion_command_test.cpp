@@ -92,9 +92,26 @@ TEST_F(MotionCommand, AJointMapThatIsNoneIsRefused) {
 TEST_F(MotionCommand, OneOfSeveralPerformersMustBeChosen) {
   make_library();
   ASSERT_EQ(run("synth --library demo.h5 --input demo/salsa_01_a.bvh -o pair.bvh").status, 0);
-  expect_failure(run("motion positions pair.bvh -o a.csv"), "choose one with --performer 1 to 2");
-  expect_failure(run("motion positions pair.bvh -o a.csv --performer 3"), "has no performer 3; it holds 2");
+  expect_failure(run("motion positions pair.bvh -o a.csv"),
+                 "choose one with --performer: 1 active, 2 passive");
+  expect_failure(run("motion positions pair.bvh -o a.csv --performer 3"),
+                 "has no performer 3; it holds 1 active, 2 passive");
   EXPECT_EQ(run("motion positions pair.bvh -o a.csv --performer 2").status, 0);
+  EXPECT_EQ(run("motion positions pair.bvh -o b.csv --performer passive").status, 0);
+  EXPECT_EQ(read("a.csv"), read("b.csv"));
+  const auto info = nlohmann::json::parse(run("motion info pair.bvh --performer passive --json").out);
+  EXPECT_THAT(info["performers"], SizeIs(1));
+  EXPECT_EQ(info["name"], "passive");
+}
+
+TEST_F(MotionCommand, AnAnimationIsChosenWhereAFileMayHoldSeveral) {
+  make_demo();
+  ASSERT_EQ(run("motion convert demo/salsa_01_a.bvh -o one.glb").status, 0);
+  expect_failure(run("motion info one.glb --animation sleep"), "has no animation 'sleep'; it holds");
+  expect_failure(run("motion info demo/salsa_01_a.bvh --animation walk"), "leave out the animation 'walk'");
+  const auto info = nlohmann::json::parse(run("motion info one.glb --json").out);
+  ASSERT_THAT(info["animations"], SizeIs(1));
+  EXPECT_EQ(run({"motion", "info", "one.glb", "--animation", info["animations"][0]}).status, 0);
 }
 
 // From an implementation of the ASF/AMC definition in Python, apart from this program, printed to 1e-9 m.

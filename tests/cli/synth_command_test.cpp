@@ -140,7 +140,8 @@ TEST_F(SynthCommand, WrongFilesAreRefusedWithTheirName) {
   expect_failure(run("synth --library demo/labels.csv" + user), "demo/labels.csv: is not an HDF5 file");
   expect_failure(run("synth --library demo.h5 --input gone.bvh"), "gone.bvh: cannot be opened");
   expect_failure(run("synth --library demo.h5 --input demo.h5"), "demo.h5: is an HDF5 file");
-  expect_failure(synth("-o pair.fbx"), "pair.fbx: this file type cannot be written; use .bvh, .glb or .csv");
+  expect_failure(synth("-o pair.fbx"),
+                 "pair.fbx: this file type cannot be written; use .bvh, .glb, .csv, .npz or .npy");
 }
 
 TEST_F(SynthCommand, ACapturedFollowerOfAnotherBuildIsAnswered) {

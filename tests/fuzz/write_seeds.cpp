@@ -107,6 +107,23 @@ void write_tables() {
     seed("bvh", name, content_of(std::string("tests/fixtures/motion/") + name));
 }
 
+/// Fuzzers find no checksums, and little of deflated data: plain arrays, archives with and without damage.
+void write_numpy() {
+  const std::vector<Clip> two = dancers(2);
+  for (const std::size_t people : {1U, 2U})
+    seed("numpy", fmt::format("people_{}.npz", people),
+         *clip_file_content("a.npz", std::span(two).first(people)));
+  for (const JointOrder& order : builtin_joint_orders())
+    seed("numpy", order.name + ".npy",
+         *clip_file_content("a.npy", std::span(two).first(1), {1, UpAxis::Y, order}));
+  for (const char* name :
+       {"damaged_deflate.npz", "huge_shape.npy", "infinite.npy", "nan.npy", "python_objects.npy",
+        "smpl_parameters.npz", "two_orders.npy", "wrong_checksum.npz"})
+    seed("numpy", name, content_of(std::string("tests/fixtures/motion/broken/") + name));
+  seed("numpy", "order.txt", "Hips\nSpine\nHead\n");
+  seed("numpy", "order.json", R"(["Pelvis", "L_Hip"])");
+}
+
 void write_c3d() {
   using Writer = test::C3dBytesWriter;
   int number = 0;
@@ -397,13 +414,14 @@ void write_databases() {
 void write_all() {
   write_tables();
   write_c3d();
+  write_numpy();
   write_scenes();
   write_labels();
   write_json();
   write_views();
   write_streams();
   write_databases();
-  for (const char* format : {"bvh", "c3d", "trc", "point_csv", "amc", "asf"})
+  for (const char* format : {"bvh", "c3d", "trc", "point_csv", "amc", "asf", "numpy"})
     for (const fs::directory_entry& entry : fs::directory_iterator(root / format))
       if (entry.file_size() < 5000)
         seed("motion_format", entry.path().filename().string(), content_of(entry.path()));

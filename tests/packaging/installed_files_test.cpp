@@ -56,9 +56,9 @@ std::vector<std::string> packages_below(const std::string& heading) {
 TEST(Licences, NameEveryLibraryThatTheProgramsAreBuiltWith) {
   const std::string licences = content_of(installed("share/doc/abrazo/copyright"));
   EXPECT_THAT(licences, HasSubstr("GNU AFFERO GENERAL PUBLIC LICENSE"));
-  for (const char* heading : {"engine and command line", "workbench"}) {
+  for (const char* heading : {"engine and command line", "Python module", "workbench"}) {
     const std::vector<std::string> packages = packages_below(heading);
-    EXPECT_GT(packages.size(), 5U) << heading;
+    EXPECT_GT(packages.size(), 2U) << heading;
     for (const std::string& package : packages) {
       if (package.starts_with("fonts-")) continue;
       EXPECT_THAT(licences, HasSubstr(package));
@@ -68,7 +68,7 @@ TEST(Licences, NameEveryLibraryThatTheProgramsAreBuiltWith) {
 
 TEST(Licences, NameNothingThatTheProgramsAreNotBuiltWith) {
   std::set<std::string> built_with;
-  for (const char* heading : {"engine and command line", "workbench"})
+  for (const char* heading : {"engine and command line", "Python module", "workbench"})
     for (const std::string& package : packages_below(heading)) built_with.insert(package);
   const std::string licences = content_of(installed("share/doc/abrazo/copyright"));
   const std::string tables = licences.substr(0, licences.find("GNU AFFERO GENERAL PUBLIC LICENSE"));
@@ -84,6 +84,17 @@ TEST(Licences, ComeWithTheNoticesOfWhatIsCompiledIn) {
     EXPECT_FALSE(
         content_of(installed("share/doc/abrazo/third-party/" + std::string(package) + ".txt")).empty())
         << package;
+}
+
+TEST(Installation, HasThePythonModuleWithItsStubs) {
+  if (!ABRAZO_HAS_PYTHON) GTEST_SKIP() << "built without the Python module";
+  const fs::path package = installed("lib/python3/dist-packages/abrazo");
+  for (const char* name : {"__init__.py", "__init__.pyi", "py.typed"})
+    EXPECT_TRUE(fs::is_regular_file(package / name)) << name;
+  std::size_t modules = 0;
+  for (const fs::path& file : installed_files("lib/python3/dist-packages/abrazo"))
+    if (file.extension() == ".so") ++modules;
+  EXPECT_EQ(modules, 1U);
 }
 
 TEST(Installation, HasThePartThatReadsVideos) {

@@ -169,12 +169,12 @@ TEST_F(ExportWindow, UnitAndAxesAreForTypesThatLeaveThemOpen) {
 TEST_F(ExportWindow, CancellingLeavesNothingOrSaysWhatIsThere) {
   choose("What", 1);
   choose("As", ".pvd");
-  desk().write(dialog().request(), file("cancelled.pvd"));
+  desk().write(dialog().request(), file("series.pvd"));
   emit window().messages().cancelRequested();
   ASSERT_TRUE(until([] { return !desk().isBusy(); }));
   const bool is_cancelled = window().messages().text().contains("cancelled");
-  EXPECT_EQ(QDir(home().path()).entryList({"cancelled*"}).isEmpty(), is_cancelled);
-  EXPECT_NE(window().findChild<widgets::OfferBar*>()->text().contains("cancelled.pvd"), is_cancelled);
+  EXPECT_EQ(QDir(home().path()).entryList({"series*"}).isEmpty(), is_cancelled);
+  EXPECT_NE(window().findChild<widgets::OfferBar*>()->text().contains("series.pvd"), is_cancelled);
 }
 
 TEST_F(ExportWindow, WhatWasWrittenBeforeCancellingWasSeenIsTold) {

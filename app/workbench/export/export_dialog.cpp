@@ -20,10 +20,12 @@ constexpr double fastest_hz = 480;
 struct TypeWords {
   const char *ending, *words;
 };
-constexpr std::array<TypeWords, 12> type_words = {{
+constexpr std::array<TypeWords, 14> type_words = {{
     {".glb", "glTF binary (.glb): skinned bodies for Blender, engines, viewers"},
     {".bvh", "BVH (.bvh): skeletons for animation tools"},
     {".csv", "Table (.csv)"},
+    {".npz", "NumPy (.npz): positions with names, rate, unit and axis"},
+    {".npy", "NumPy (.npy): positions of one body"},
     {".vtu", "VTK mesh (.vtu): one frame for ParaView"},
     {".pvd", "VTK series (.pvd and .vtu): for ParaView"},
     {".eaf", "ELAN (.eaf)"},
@@ -191,7 +193,7 @@ void ExportDialog::whatChanged() {
     for (const char* ending : {".csv", ".png", ".svg"}) m_type->addItem(type_words_of(ending), ending);
   } else {
     auto endings = export_types(static_cast<ExportContent>(what()));
-    if (what() == Motion) endings = {".glb", ".bvh", ".csv"};  // what most people want first
+    if (what() == Motion) endings = {".glb", ".bvh", ".csv", ".npz", ".npy"};  // what most people want first
     for (const std::string& ending : endings)
       m_type->addItem(type_words_of(QString::fromStdString(ending)), QString::fromStdString(ending));
   }

@@ -44,8 +44,16 @@ const char* rule_words(JointGuess::By by) {
 
 /// A recording may be hundreds of megabytes.
 NamedMotion without_frames(const NamedMotion& motion) {
-  return {motion.name, motion.points,          motion.parents, {},
-          motion.fps,  motion.metres_per_unit, motion.up_axis, motion.warnings};
+  NamedMotion about;
+  about.name = motion.name;
+  about.points = motion.points;
+  about.parents = motion.parents;
+  about.fps = motion.fps;
+  about.metres_per_unit = motion.metres_per_unit;
+  about.up_axis = motion.up_axis;
+  about.animations = motion.animations;
+  about.warnings = motion.warnings;
+  return about;
 }
 
 }  // namespace

@@ -191,6 +191,11 @@ Result<ImportOptions> import_options(const Manifest::Performer& performer, std::
   options.fps = fps;
   options.metres_per_unit = performer.metres_per_unit;
   options.up_axis = performer.up_axis;
+  if (!performer.joints.empty()) {
+    auto order = find_joint_order(performer.joints);
+    if (!order) return order.error();
+    options.joint_order = std::move(*order);
+  }
   if (!performer.joint_map.empty())
     if (const Status chosen = choose_joints(performer.joint_map, options); !chosen) return chosen.error();
   return options;

@@ -151,7 +151,8 @@ bool is_builtin_joint_map(const std::string& name) {
 }
 
 Manifest::Performer parse_manifest_performer(const ManifestNode& node, const fs::path& folder) {
-  node.expect_object({"motion", "skeleton", "performer", "start", "metres_per_unit", "up_axis", "joint_map"});
+  node.expect_object(
+      {"motion", "skeleton", "performer", "start", "metres_per_unit", "up_axis", "joints", "joint_map"});
   Manifest::Performer performer;
   performer.motion = folder / node.required("motion", "the performer's motion file").string();
   if (node.has("skeleton")) performer.skeleton = folder / node.at("skeleton").string();
@@ -159,6 +160,9 @@ Manifest::Performer parse_manifest_performer(const ManifestNode& node, const fs:
   if (node.has("start")) performer.start = node.at("start").frame();
   if (node.has("metres_per_unit")) performer.metres_per_unit = node.at("metres_per_unit").positive();
   if (node.has("up_axis")) performer.up_axis = parse_up_axis(node.at("up_axis"));
+  if (node.has("joints")) performer.joints = node.at("joints").string();
+  if (!performer.joints.empty() && !is_builtin_joint_order(performer.joints))
+    performer.joints = (folder / performer.joints).string();
   if (node.has("joint_map")) performer.joint_map = node.at("joint_map").string();
   if (!performer.joint_map.empty() && !is_builtin_joint_map(performer.joint_map))
     performer.joint_map = (folder / performer.joint_map).string();

@@ -24,6 +24,7 @@ struct Manifest {
     int start = 0;                                         ///< first frame of the file that is used
     std::optional<double> metres_per_unit = std::nullopt;  ///< over that of the take
     std::optional<UpAxis> up_axis = std::nullopt;
+    std::string joints = {};     ///< order of an array's joints: a built-in one or a file; empty = as it says
     std::string joint_map = {};  ///< a built-in one by name, or the path of a file; empty = the one that fits
   };
   struct Take {

@@ -34,6 +34,9 @@ OrderedJson performer_json(const Manifest::Performer& performer, const fs::path&
   if (performer.start > 0) object["start"] = performer.start;
   if (performer.metres_per_unit) object["metres_per_unit"] = *performer.metres_per_unit;
   if (performer.up_axis) object["up_axis"] = *performer.up_axis == UpAxis::Z ? "z" : "y";
+  if (!performer.joints.empty())
+    object["joints"] =
+        is_builtin_joint_order(performer.joints) ? performer.joints : portable(performer.joints, folder);
   if (!performer.joint_map.empty())
     object["joint_map"] =
         is_builtin(performer.joint_map) ? performer.joint_map : portable(performer.joint_map, folder);

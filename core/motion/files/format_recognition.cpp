@@ -7,6 +7,7 @@
 
 #include "core/base/line_reader.hpp"
 #include "core/base/text.hpp"
+#include "core/motion/numpy/numpy_reader.hpp"
 #include "core/motion/tables/point_csv.hpp"
 
 namespace abrazo {
@@ -52,9 +53,6 @@ constexpr std::array foreign_files = {
     Foreign{"PXR-USDC", "", "a USD file; open it in Blender, Maya or Omniverse and "},
     Foreign{"#usda", "", "a USD file; open it in Blender, Maya or Omniverse and "},
     Foreign{"PK\x03\x04", ".usdz", "a USD file; open it in Blender, Maya or Omniverse and "},
-    Foreign{"PK\x03\x04", ".npz",
-            "a NumPy archive (AMASS, SMPL); load it in Blender with the SMPL-X add-on and "},
-    Foreign{"\x93NUMPY", "", "a NumPy array; write it as CSV with columns name_x, name_y, name_z, or "},
     Foreign{"BLENDER", "", "a Blender file; open it in Blender and "},
     Foreign{"//Maya ASCII", "", "a Maya scene; open it in Maya and "},
     Foreign{"FOR4", "", "a Maya scene; open it in Maya and "},
@@ -80,7 +78,8 @@ constexpr std::array named_files = {
     Named{".mcp", "a session of Vicon Shogun; open it in Shogun and export FBX or C3D"},
     Named{".x2d", "camera data of Vicon; reconstruct it in Nexus or Shogun and export C3D"},
     Named{".cap", "a capture of Cortex; open it in Cortex and export C3D or TRC"},
-    Named{".pkl", "a Python pickle, which may run anything when it is read; write its positions as CSV"},
+    Named{".pkl",
+          "a Python pickle, which may run anything when it is read; write its positions as .npz or CSV"},
     Named{".max", "a 3ds Max scene; open it in 3ds Max and export the motion as FBX"},
     Named{".bip", "a Character Studio file; open it in 3ds Max and export the motion as FBX or BVH"},
     Named{".mot", "joint angles of OpenSim; export the marker positions as TRC"},
@@ -93,6 +92,7 @@ std::optional<MotionFormat> format_of_content(std::string_view head) {
   if (is_c3d(head)) return MotionFormat::C3d;
   if (head.starts_with("glTF")) return MotionFormat::Gltf;
   if (head.starts_with("Kaydara FBX Binary") || head.starts_with("; FBX")) return MotionFormat::Fbx;
+  if (head.starts_with("\x93NUMPY") || begins_as_npz(head)) return MotionFormat::Numpy;
   const std::string_view start = head.substr(0, 65536);
   if (start.find('\0') != std::string_view::npos) return std::nullopt;
   if (start.substr(0, 4096).find("<COLLADA") != std::string_view::npos) return MotionFormat::Collada;
@@ -109,6 +109,8 @@ std::optional<MotionFormat> format_of_content(std::string_view head) {
 
 std::string foreign_kind(std::string_view head, std::string_view file) {
   const std::string extension = lower_case(std::filesystem::path(file).extension().string());
+  // What is called .npz is read as one, and its reader says what is wrong with it.
+  if (extension == ".npz" && head.starts_with("PK")) return {};
   for (const Foreign& foreign : foreign_files) {
     if (!head.starts_with(foreign.begins)) continue;
     if (!foreign.extension.empty() && foreign.extension != extension) continue;

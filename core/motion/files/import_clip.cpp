@@ -10,6 +10,7 @@
 #include "core/base/text.hpp"
 #include "core/motion/body/body.hpp"
 #include "core/motion/body/person_bounds.hpp"
+#include "core/motion/joints/map_choice.hpp"
 #include "core/motion/joints/marker_gaps.hpp"
 #include "core/motion/joints/marker_model.hpp"
 #include "core/motion/joints/performers.hpp"
@@ -18,7 +19,7 @@ namespace abrazo {
 
 namespace {
 
-using joints::left_ankle, joints::right_ankle, joints::Head;
+using joints::left_ankle, joints::right_ankle, joints::left_toe_base, joints::right_toe_base, joints::Head;
 
 constexpr double smallest_adult_m = 1.0, tallest_adult_m = 2.3;  ///< standing heights that raise no question
 constexpr double usual_height_m = 1.7;
@@ -44,58 +45,43 @@ std::string names_of(const std::vector<int>& joint_list) {
   return names;
 }
 
-Error no_map_fits(const NamedMotion& motion, const JointMap& closest, const JointBinding& binding,
-                  bool only_one) {
-  std::string message = only_one ? "the joint map '" + closest.name + "' does not fit: the file lacks "
-                                 : "no joint map fits; the closest, '" + closest.name + "', lacks ";
-  for (std::size_t i = 0; i < binding.missing.size() && i < 6; ++i)
-    message += (i > 0 ? ", " : "") + describe_joint(closest, binding.missing[i]);
-  if (binding.missing.size() > 6) message += " and " + std::to_string(binding.missing.size() - 6) + " more";
+Error no_map_fits(const NamedMotion& motion, const ChosenMap& closest, bool only_one) {
+  constexpr std::size_t most_joints = 3, most_points = 6;
+  const std::vector<int>& missing = closest.binding.missing;
+  std::string message = only_one ? "the joint map '" + closest.map.name + "' does not fit: the file lacks "
+                                 : "no joint map fits; the closest, '" + closest.map.name + "', lacks ";
+  for (std::size_t i = 0; i < missing.size() && i < most_joints; ++i)
+    message += (i > 0 ? ", " : "") + describe_joint(closest.map, missing[i]);
+  if (missing.size() > most_joints)
+    message += " and " + std::to_string(missing.size() - most_joints) + " more";
   for (const ImportWarning& warning : motion.warnings)
     if (warning.kind == "never-seen") message += " (" + warning.detail + ")";
   message +=
       R"(. Say which point is which joint in a JSON file {"name": "mine", "joints": {"root": "Hips", "head": )"
-      R"({"Neck": 0.3, "Top": 0.7}, ...}} with all 25 joints (--joint-map FILE). The file's points: )";
-  for (std::size_t p = 0; p < motion.points.size() && p < 40; ++p)
-    message += (p > 0 ? ", " : "") + motion.points[p];
-  if (motion.points.size() > 40) message += ", ...";
+      R"({"Neck": 0.3, "Top": 0.7}, ...}} with all 25 joints (--joint-map FILE). The file's points: )" +
+      some_of(motion.points, most_points);
   return Error{message, motion.name};
 }
 
 Result<JointBinding> bind(const NamedMotion& motion, const ImportOptions& options, ImportReport& report) {
-  const std::vector<JointMap> given =
-      options.joint_map ? std::vector<JointMap>{*options.joint_map} : std::vector<JointMap>{};
-  const std::vector<JointMap>& maps = options.joint_map ? given : builtin_joint_maps();
-  const JointMap* closest = nullptr;
-  JointBinding closest_binding;
-  for (const JointMap& map : maps) {
-    JointBinding binding = bind_joints(map, motion.points);
-    if (closest && binding.missing.size() >= closest_binding.missing.size()) continue;
-    closest = &map;
-    closest_binding = std::move(binding);
-    if (closest_binding.missing.empty()) break;
-  }
-  if (!closest_binding.missing.empty())
-    return no_map_fits(motion, *closest, closest_binding, options.joint_map.has_value());
-  if (report.joint_map.empty()) report.joint_map = closest->name;
-  if (!closest_binding.estimated.empty())
+  ChosenMap chosen = choose_map(motion, options.joint_map);
+  if (!chosen.fits()) return no_map_fits(motion, chosen, options.joint_map.has_value());
+  if (report.joint_map.empty()) report.joint_map = chosen.map.name;
+  if (!chosen.binding.estimated.empty())
     warn(report, "estimated-joints",
-         names_of(closest_binding.estimated) + ": not in the file, estimated from neighbouring points");
-  return closest_binding;
-}
-
-/// Whether a joint map, given or built in, finds all joints.
-bool a_map_fits(const NamedMotion& motion, const ImportOptions& options) {
-  if (options.joint_map) return true;  // bind reports what it lacks
-  for (const JointMap& map : builtin_joint_maps())
-    if (bind_joints(map, motion.points).missing.empty()) return true;
-  return false;
+         names_of(chosen.binding.estimated) + ": not in the file, estimated from neighbouring points");
+  if (!chosen.inferred.empty())
+    warn(report, "inferred-joints",
+         std::to_string(chosen.inferred.size()) +
+             " of the 25 joints are not in the file and were inferred: " + names_of(chosen.inferred));
+  return std::move(chosen.binding);
 }
 
 /// Where markers were captured, the joints by the marker model that was said or fits; nothing otherwise.
 Result<std::optional<NamedMotion>> joints_by_markers(const NamedMotion& motion, const ImportOptions& options,
                                                      ImportReport& report) {
-  if (options.marker_model.empty() && a_map_fits(motion, options)) return std::optional<NamedMotion>();
+  if (options.marker_model.empty() && (options.joint_map || choose_map(motion, {}).fits()))
+    return std::optional<NamedMotion>();
   const MarkerModel* chosen = nullptr;
   for (const MarkerModel& model : builtin_marker_models()) {
     const bool said = model.name == options.marker_model;
@@ -141,7 +127,23 @@ Result<std::vector<Pose>> extract(const NamedMotion& motion, const JointBinding&
   return poses;
 }
 
-/// The axis the head is along as seen from the feet, median over the frames. Y unless Z is clearly meant.
+/// Whether a floor at 0 lies below the toes and the head is above the feet in a tenth of the frames at least,
+/// if that axis points up.
+bool stands_on_zero(const std::vector<Pose>& poses, int axis) {
+  std::vector<double> toes, above, sizes;
+  for (const Pose& pose : poses) {
+    toes.push_back(std::min(pose(left_toe_base, axis), pose(right_toe_base, axis)));
+    const Vec3 up = (pose.row(Head) - 0.5 * (pose.row(left_ankle) + pose.row(right_ankle))).transpose();
+    above.push_back(up[axis] / up.norm());
+    sizes.push_back(up.norm());
+  }
+  const double metre = quantile(sizes, 0.9) / usual_height_m;
+  const double rest = quantile(toes, 0.05);
+  return quantile(above, 0.9) > 0.9 && rest > lowest_floor_m * metre && rest < highest_floor_m * metre;
+}
+
+/// The axis the head is along as seen from the feet, median over the frames. Y unless Z is clearly meant. Who
+/// crawls has the head ahead of the feet for longer than above them: where they stand at all decides then.
 UpAxis guess_up_axis(const std::vector<Pose>& poses, ImportReport& report) {
   std::vector<double> values;
   Vec3 up;
@@ -152,6 +154,9 @@ UpAxis guess_up_axis(const std::vector<Pose>& poses, ImportReport& report) {
     up[axis] = upper_median(values);
   }
   const UpAxis guess = up.z() > std::abs(up.y()) ? UpAxis::Z : UpAxis::Y;
+  const UpAxis other = guess == UpAxis::Y ? UpAxis::Z : UpAxis::Y;
+  const auto stands_along = [&](UpAxis axis) { return stands_on_zero(poses, axis == UpAxis::Y ? 1 : 2); };
+  if (!stands_along(guess) && stands_along(other)) return other;
   const double along = guess == UpAxis::Z ? up.z() : up.y();
   if (along < 0.7 * up.norm())
     warn(report, "up-axis",
@@ -289,6 +294,7 @@ Result<ImportedClip> import_clip(const NamedMotion& file_points, const ImportOpt
   ImportedClip result;
   ImportReport& report = result.report;
   report.warnings = file_points.warnings;
+  report.animations = file_points.animations;
   Result<std::optional<NamedMotion>> by_markers = joints_by_markers(file_points, options, report);
   if (!by_markers) return by_markers.error();
   const NamedMotion& motion = *by_markers ? **by_markers : file_points;
@@ -309,9 +315,9 @@ Result<ImportedClip> import_clip(const NamedMotion& file_points, const ImportOpt
 
 bool joints_are_known(const NamedMotion& motion) {
   const auto& models = builtin_marker_models();
-  return a_map_fits(motion, {}) || std::any_of(models.begin(), models.end(), [&](const MarkerModel& model) {
-           return missing_markers(model, motion.points).empty();
-         });
+  return choose_map(motion, {}).fits() ||
+         std::any_of(models.begin(), models.end(),
+                     [&](const MarkerModel& model) { return missing_markers(model, motion.points).empty(); });
 }
 
 Status choose_joints(const std::string& name_or_file, ImportOptions& options) {

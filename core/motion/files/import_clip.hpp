@@ -7,6 +7,7 @@
 #include "core/base/result.hpp"
 #include "core/motion/body/clip.hpp"
 #include "core/motion/joints/joint_map.hpp"
+#include "core/motion/joints/joint_order.hpp"
 #include "core/motion/joints/named_motion.hpp"
 
 namespace abrazo {
@@ -17,7 +18,9 @@ struct ImportOptions {
   std::optional<double> fps;
   std::optional<UpAxis> up_axis;
   std::optional<JointMap> joint_map;
+  std::optional<JointOrder> joint_order;  ///< of arrays of positions without names
   std::string marker_model;  ///< name of a built-in marker model, in place of a joint map; empty = none said
+  std::string animation;     ///< name of the one to read, of a file with several; empty = the longest
 };
 
 /// How a file was understood. Every guess is marked as one.
@@ -29,9 +32,10 @@ struct ImportReport {
   bool fps_guessed = false;
   UpAxis up_axis = UpAxis::Y;
   bool up_axis_guessed = false;
-  double height_m = 0;       ///< of the head joint while standing (Body::height)
-  double floor_y_m = 0;      ///< 5th percentile of the toe-base height before any correction
-  double floor_shift_m = 0;  ///< added to every y when the floor was far from 0; 0 otherwise
+  double height_m = 0;                  ///< of the head joint while standing (Body::height)
+  double floor_y_m = 0;                 ///< 5th percentile of the toe-base height before any correction
+  double floor_shift_m = 0;             ///< added to every y when the floor was far from 0; 0 otherwise
+  std::vector<std::string> animations;  ///< NamedMotion::animations
   std::vector<ImportWarning> warnings;
 };
 
@@ -53,10 +57,15 @@ Status choose_joints(const std::string& name_or_file, ImportOptions& options);
 
 /// The points of any known motion file (motion_format.hpp), one motion for each performer. What the content
 /// is decides over the file's extension. Gaps of markers are filled where that is safe, and reported.
-/// @param skeleton  as for load_motion
-Result<std::vector<NamedMotion>> read_motion_points(const std::string& file, const std::string& skeleton);
+/// @param skeleton   as for load_motion
+/// @param order      of an array of positions without names (read_numpy)
+/// @param animation  ImportOptions::animation
+Result<std::vector<NamedMotion>> read_motion_points(const std::string& file, const std::string& skeleton,
+                                                    const std::optional<JointOrder>& order = {},
+                                                    const std::string& animation = {});
 
-/// Reads any known motion file and imports it. Several performers in one file give several clips.
+/// Reads any known motion file and imports it. Several performers in one file give several clips. What is no
+/// performer (a box with markers on it) is left out with a warning, unless there is nobody else.
 /// @param skeleton  the .asf of an .amc; when empty, the one .asf beside the file that fits by name
 /// ("60_01.amc" -> "60.asf")
 Result<std::vector<ImportedClip>> load_motion(const std::string& file, const std::string& skeleton,

@@ -1,5 +1,6 @@
 #include "core/base/text.hpp"
 #include "core/motion/files/import_clip.hpp"
+#include "core/motion/joints/performers.hpp"
 
 namespace abrazo {
 
@@ -20,31 +21,69 @@ void share_floor(std::vector<ImportedClip>& clips) {
   }
 }
 
+/// Performers of one file share unit and axes: a second guess could differ from the first.
+void share_space(const ImportReport& first, ImportedClip& imported) {
+  imported.report.unit_guessed = first.unit_guessed;
+  imported.report.up_axis_guessed = first.up_axis_guessed;
+}
+
+/// "Box (8 points)" of one that is no body; of a body why it cannot be read.
+std::string why_left_out(const NamedMotion& motion, const Error& error) {
+  if (!joints_are_known(motion))
+    return motion.name + " (" + std::to_string(motion.points.size()) + " points)";
+  return motion.name + " (" + error.message + ")";
+}
+
+/// Of a file in which nobody can be read: about whom is most known.
+Error nobody(const std::string& file, const std::vector<NamedMotion>& motions,
+             const std::vector<Error>& errors) {
+  std::size_t most = 0;
+  std::vector<std::string> names;
+  for (std::size_t m = 0; m < motions.size(); ++m) {
+    names.push_back(motions[m].name + " with " + std::to_string(motions[m].points.size()) + " points");
+    const bool better = joints_are_known(motions[m]) && !joints_are_known(motions[most]);
+    if (better ||
+        (motions[m].points.size() > motions[most].points.size() && !joints_are_known(motions[most])))
+      most = m;
+  }
+  Error error = errors[most];
+  error.where = motions.size() > 1 ? file + ": " + error.where : file;
+  if (motions.size() > 1) error.message += ". The file holds " + some_of(names);
+  return error;
+}
+
 }  // namespace
 
 Result<std::vector<ImportedClip>> load_motion(const std::string& file, const std::string& skeleton,
                                               const ImportOptions& options) {
-  const Result<std::vector<NamedMotion>> motions = read_motion_points(file, skeleton);
+  const Result<std::vector<NamedMotion>> motions =
+      read_motion_points(file, skeleton, options.joint_order, options.animation);
   if (!motions) return motions.error();
   std::vector<ImportedClip> clips;
+  std::vector<Error> errors;
+  std::vector<std::string> left_out;
   ImportOptions settled = options;
   for (const NamedMotion& motion : *motions) {
     Result<ImportedClip> imported = import_clip(motion, settled);
     if (!imported) {
-      Error error = imported.error();
-      error.where = motions->size() > 1 ? file + ": " + error.where : file;
-      return error;
+      errors.push_back(imported.error());
+      left_out.push_back(why_left_out(motion, imported.error()));
+      continue;
     }
     if (clips.empty()) {
-      // Performers of one file share unit and axes; a second guess could differ from the first.
       settled.metres_per_unit = imported->report.metres_per_unit;
       settled.up_axis = imported->report.up_axis;
     } else {
-      imported->report.unit_guessed = clips.front().report.unit_guessed;
-      imported->report.up_axis_guessed = clips.front().report.up_axis_guessed;
+      share_space(clips.front().report, *imported);
     }
     clips.push_back(std::move(*imported));
   }
+  if (clips.empty()) return nobody(file, *motions, errors);
+  if (!left_out.empty())
+    clips.front().report.warnings.push_back(
+        {"left-out", 0,
+         std::to_string(left_out.size()) + " of " + std::to_string(motions->size()) +
+             " in the file cannot be read as performers and were left out: " + some_of(left_out)});
   share_floor(clips);
   return clips;
 }

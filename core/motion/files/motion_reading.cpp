@@ -9,6 +9,7 @@
 #include "core/motion/files/import_clip.hpp"
 #include "core/motion/joints/marker_gaps.hpp"
 #include "core/motion/joints/motion_format.hpp"
+#include "core/motion/numpy/numpy_reader.hpp"
 #include "core/motion/scenes/assimp_scene.hpp"
 #include "core/motion/tables/c3d_reader.hpp"
 #include "core/motion/tables/point_csv.hpp"
@@ -62,12 +63,14 @@ struct MotionFile {
   fs::path path;
   std::string skeleton;
   std::string_view bytes;
+  const std::optional<JointOrder>& order;
+  const std::string& animation;
   std::string where() const { return path.string(); }
 };
 
 /// The reader of each format, in the order of MotionFormat.
 using Read = Result<std::vector<NamedMotion>> (*)(const MotionFile& file);
-constexpr std::array<Read, 9> readers = {
+constexpr std::array<Read, 10> readers = {
     [](const MotionFile& file) { return read_bvh(file.bytes, file.where()); },
     [](const MotionFile& file) { return read_acclaim(file.path, file.skeleton, file.bytes); },
     [](const MotionFile& file) -> Result<std::vector<NamedMotion>> {
@@ -77,10 +80,21 @@ constexpr std::array<Read, 9> readers = {
     [](const MotionFile& file) { return read_c3d(file.bytes, file.where()); },
     [](const MotionFile& file) { return read_trc(file.bytes, file.where()); },
     [](const MotionFile& file) { return read_point_csv(file.bytes, file.where()); },
-    [](const MotionFile& file) { return read_scene(file.bytes, MotionFormat::Gltf, file.where()); },
-    [](const MotionFile& file) { return read_scene(file.bytes, MotionFormat::Fbx, file.where()); },
-    [](const MotionFile& file) { return read_scene(file.bytes, MotionFormat::Collada, file.where()); },
+    [](const MotionFile& file) {
+      return read_scene(file.bytes, MotionFormat::Gltf, file.where(), file.animation);
+    },
+    [](const MotionFile& file) {
+      return read_scene(file.bytes, MotionFormat::Fbx, file.where(), file.animation);
+    },
+    [](const MotionFile& file) {
+      return read_scene(file.bytes, MotionFormat::Collada, file.where(), file.animation);
+    },
+    [](const MotionFile& file) { return read_numpy(file.bytes, file.order, file.where()); },
 };
+
+bool may_hold_animations(MotionFormat format) {
+  return format == MotionFormat::Gltf || format == MotionFormat::Fbx || format == MotionFormat::Collada;
+}
 
 std::string known_formats() {
   std::string names;
@@ -105,12 +119,18 @@ Result<MotionFormat> format_of(const MotionFile& file) {
 
 }  // namespace
 
-Result<std::vector<NamedMotion>> read_motion_points(const std::string& name, const std::string& skeleton) {
+Result<std::vector<NamedMotion>> read_motion_points(const std::string& name, const std::string& skeleton,
+                                                    const std::optional<JointOrder>& order,
+                                                    const std::string& animation) {
   const Result<std::string> content = read_whole_file(name);
   if (!content) return content.error();
-  const MotionFile file{name, skeleton, *content};
+  const MotionFile file{name, skeleton, *content, order, animation};
   const Result<MotionFormat> format = format_of(file);
   if (!format) return format.error();
+  if (!animation.empty() && !may_hold_animations(*format))
+    return Error{"a " + std::string(name_of(*format)) +
+                     " file holds one motion without a name; leave out the animation " + in_quotes(animation),
+                 file.where()};
   Result<std::vector<NamedMotion>> motions = readers[static_cast<std::size_t>(*format)](file);
   if (!motions) return motions.error();
   // A lone performer is called like the file; several keep their names.

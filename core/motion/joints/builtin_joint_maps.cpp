@@ -1,6 +1,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -231,6 +232,7 @@ JointMap motive() {
       hand.push_back(along(hands[n], hands[n] + "_End", knuckles_in_hand));
       toe_tip.push_back(at(toes[n] + "_End"));
     }
+    hand.push_back(at(side.word + "HandMiddle1"));
     for (std::size_t n = 0; n < hands.size(); ++n) {
       hand.push_back(along(forearms[n], hands[n], hand_beyond_forearm));
       toe_tip.push_back(along(feet[n], toes[n], toe_tip_beyond_foot));
@@ -241,11 +243,52 @@ JointMap motive() {
   return map;
 }
 
+/// SMPL and its kin, whose joints are called L_Hip or left_hip; the foot's joint is the ball of the foot.
+JointMap smpl() {
+  using namespace joints;
+  JointMap map{"smpl", {}};
+  const auto both = [&](int left_joint, const std::vector<std::string>& names) {
+    for (const auto& [joint, shorter, longer] :
+         {std::tuple(left_joint, "L_", "left_"), std::tuple(mirrored_joint(left_joint), "R_", "right_")}) {
+      Rules rules;
+      for (const std::string& name : names) rules.push_back(at(shorter + name));
+      for (const std::string& name : names) rules.push_back(at(longer + name));
+      set(map, joint, std::move(rules));
+    }
+  };
+  const auto add_both = [&](int left_joint, const std::string& from, const std::string& to, double fraction) {
+    for (const auto& [joint, sides] : {std::pair(left_joint, std::array{"L_", "left_"}),
+                                       std::pair(mirrored_joint(left_joint), std::array{"R_", "right_"})})
+      for (const std::string side : sides)
+        map.rules[static_cast<std::size_t>(joint)].push_back(along(side + from, side + to, fraction));
+  };
+  set(map, Root, {at("Pelvis")});
+  both(LeftHipJoint, {"Hip"});
+  both(LeftFemur, {"Knee"});
+  both(LeftTibia, {"Ankle"});
+  both(LeftFoot, {"Toe", "Foot"});
+  add_both(LeftToes, "Ankle", "Toe", toe_tip_beyond_foot);
+  add_both(LeftToes, "Ankle", "Foot", toe_tip_beyond_foot);
+  set(map, LowerBack, {at("Torso"), at("Spine1")});
+  set(map, UpperBack, {at("Spine2"), at("Spine")});
+  set(map, Thorax, {at("Spine3"), at("Chest")});
+  set(map, LowerNeck, {at("Neck")});
+  set(map, UpperNeck, {at("Head")});
+  set(map, Head, {along("Neck", "Head", head_beyond_neck)});
+  both(LeftClavicle, {"Shoulder"});
+  both(LeftHumerus, {"Elbow"});
+  both(LeftWrist, {"Wrist"});
+  both(LeftHand, {"Middle1", "Hand"});
+  add_both(LeftHand, "Elbow", "Wrist", hand_beyond_forearm);
+  return map;
+}
+
 }  // namespace
 
 const std::vector<JointMap>& builtin_joint_maps() {
   // Stricter maps first: the first one that finds all joints is used.
-  static const std::vector<JointMap> maps = {cmu(), cmu_bvh(), mixamo(), lafan(), unity(), xsens(), motive()};
+  static const std::vector<JointMap> maps = {cmu(),   cmu_bvh(), mixamo(), lafan(),
+                                             unity(), xsens(),   motive(), smpl()};
   return maps;
 }
 

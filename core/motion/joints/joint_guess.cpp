@@ -2,11 +2,11 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <set>
 
 #include "core/base/text.hpp"
+#include "core/motion/joints/sided_name.hpp"
 
 namespace abrazo {
 
@@ -37,39 +37,6 @@ constexpr std::array<Words, 16> vocabulary = {{
     {joints::left_wrist, {"wrist", "hand", "wjc", "wri", "palm", nullptr, nullptr}},
     {joints::left_hand, {"handend", "middle1", "hand", "middlefinger", "finger", "knuckle", "index1"}},
 }};
-
-/// A name without the word for its side. side: +1 left, -1 right, 0 neither.
-struct Sided {
-  std::string word;
-  int side = 0;
-};
-Sided sided(std::string_view name) {
-  if (const auto colon = name.rfind(':'); colon != std::string_view::npos) name.remove_prefix(colon + 1);
-  std::vector<std::string> parts(1);
-  for (std::size_t i = 0; i < name.size(); ++i) {
-    const auto c = static_cast<unsigned char>(name[i]);
-    const bool breaks = !std::isalnum(c) ||
-                        (i > 0 && std::isupper(c) && std::islower(static_cast<unsigned char>(name[i - 1])));
-    const bool second_capital =
-        i == 1 && std::isupper(c) && name.size() > 2 && (name[0] == 'L' || name[0] == 'R');
-    if ((breaks || second_capital) && !parts.back().empty()) parts.emplace_back();
-    if (std::isalnum(c)) parts.back() += static_cast<char>(std::tolower(c));
-  }
-  Sided result;
-  for (const std::string& part : parts) {
-    const int side = part == "l" || part == "left" || part == "lft"    ? 1
-                     : part == "r" || part == "right" || part == "rgt" ? -1
-                                                                       : 0;
-    if (side != 0 && result.side == 0)
-      result.side = side;
-    else
-      result.word += part;
-  }
-  for (const auto& [word, side] : {std::pair<std::string, int>("left", 1), {"right", -1}})
-    if (result.side == 0 && result.word.starts_with(word))
-      result.side = side, result.word.erase(0, word.size());
-  return result;
-}
 
 /// 1 for the clearest word, less for others, 0 when the name says nothing of the joint.
 double similarity(const std::string& name, const Words& words) {
@@ -129,7 +96,7 @@ void Guesser::by_names() {
   };
   std::vector<Match> matches;
   for (int p = 0; p < static_cast<int>(motion_.points.size()); ++p) {
-    const Sided name = sided(motion_.points[static_cast<std::size_t>(p)]);
+    const SidedName name = sided_name(motion_.points[static_cast<std::size_t>(p)]);
     for (const Words& words : vocabulary) {
       const int other = mirrored_joint(words.joint);
       const bool is_sided = other != words.joint;

@@ -170,7 +170,8 @@ std::string describe_joint(const JointMap& map, int joint) {
     for (std::size_t t = 0; t < rule.terms.size(); ++t)
       points += (t > 0 ? " with " : "") + rule.terms[t].point;
   }
-  return std::string(joint_names[static_cast<std::size_t>(joint)]) + " (" + points + ")";
+  const std::string name(joint_names[static_cast<std::size_t>(joint)]);
+  return points.empty() ? name : name + " (" + points + ")";
 }
 
 }  // namespace abrazo

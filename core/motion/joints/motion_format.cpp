@@ -19,6 +19,7 @@ constexpr std::array formats = {
     MotionFormatInfo{MotionFormat::Gltf, "glTF", ".gltf .glb .vrm"},
     MotionFormatInfo{MotionFormat::Fbx, "FBX", ".fbx"},
     MotionFormatInfo{MotionFormat::Collada, "Collada", ".dae"},
+    MotionFormatInfo{MotionFormat::Numpy, "NumPy", ".npy .npz"},
 };
 
 std::string extension_of(std::string_view file) {

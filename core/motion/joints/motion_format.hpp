@@ -7,7 +7,7 @@
 
 namespace abrazo {
 
-enum class MotionFormat { Bvh, Amc, Asf, C3d, Trc, PointCsv, Gltf, Fbx, Collada };
+enum class MotionFormat { Bvh, Amc, Asf, C3d, Trc, PointCsv, Gltf, Fbx, Collada, Numpy };
 
 struct MotionFormatInfo {
   MotionFormat format;

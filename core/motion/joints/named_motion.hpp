@@ -29,6 +29,7 @@ struct NamedMotion {
   std::optional<double> fps;        ///< nothing where the format does not say (AMC) or says nonsense
   std::optional<double> metres_per_unit;  ///< nothing where the format does not say
   std::optional<UpAxis> up_axis;          ///< nothing where the format does not say
+  std::vector<std::string> animations;    ///< that the file holds, those that were read first; empty: one
   std::vector<ImportWarning> warnings;
 };
 

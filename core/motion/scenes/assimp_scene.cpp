@@ -25,9 +25,11 @@ constexpr const char* helper_mark = "_$AssimpFbx$_";  ///< in names of nodes tha
 constexpr std::size_t most_nodes = 100'000;
 constexpr std::size_t deepest = 1000;  ///< levels: Assimp descends by recursion
 
+/// Below 0 where Assimp does not know the time mode of an FBX file; the keys' ticks are then too.
 double ticks_per_second(const aiAnimation& animation) {
-  return animation.mTicksPerSecond > 0 && std::isfinite(animation.mTicksPerSecond) ? animation.mTicksPerSecond
-                                                                                   : 25.0;
+  return animation.mTicksPerSecond != 0 && std::isfinite(animation.mTicksPerSecond)
+             ? animation.mTicksPerSecond
+             : 25.0;
 }
 
 /// In seconds, as the keys have it: `mDuration` may be wrong.
@@ -45,23 +47,28 @@ double length_s(const aiAnimation& animation) {
 
 class SceneReader {
  public:
-  SceneReader(const aiScene& scene, MotionFormat format, const std::string& file)
-      : scene_(scene), format_(format), file_(file) {}
+  SceneReader(const aiScene& scene, MotionFormat format, const std::string& file,
+              const std::string& animation)
+      : scene_(scene), format_(format), file_(file), wanted_(animation) {}
   Result<std::vector<NamedMotion>> read();
 
  private:
   Status add_nodes();
   void note_bones();
   Status check_names() const;
-  std::vector<const aiAnimation*> choose_animations();
+  Result<std::vector<const aiAnimation*>> choose_animations();
+  std::optional<double> stated_rate(const aiAnimation& animation) const;
   Status add_channel(const aiNodeAnim& channel, double ticks);
+  void clear_helpers();
   void settle(NamedMotion& motion) const;
+  void settle_fbx_space(NamedMotion& motion) const;
 
   const aiScene& scene_;
   MotionFormat format_;
-  std::string file_;
+  std::string file_, wanted_;
   std::vector<SceneNode> nodes_;
   std::map<std::string, std::size_t> places_;
+  std::vector<std::string> animations_;  ///< names of all, those that were taken first
   std::vector<ImportWarning> warnings_;
 };
 
@@ -138,9 +145,16 @@ Status SceneReader::check_names() const {
                file_};
 }
 
+/// What an animation is called: exporters put the armature in front, "Anna|Walk", or a layer behind.
+bool is_called(const std::string& animation, const std::string& wanted) {
+  if (animation == wanted) return true;
+  const std::vector<std::string_view> parts = split_fields(animation, '|');
+  return std::find(parts.begin() + (parts.size() > 1 ? 1 : 0), parts.end(), wanted) != parts.end();
+}
+
 /// Exporters give every armature an animation of its own: those that move different nodes belong together. Of
-/// several of the same nodes the longest is taken.
-std::vector<const aiAnimation*> SceneReader::choose_animations() {
+/// several of the same nodes the one that is wanted is taken, or the longest.
+Result<std::vector<const aiAnimation*>> SceneReader::choose_animations() {
   std::vector<const aiAnimation*> by_length(scene_.mAnimations, scene_.mAnimations + scene_.mNumAnimations);
   std::stable_sort(by_length.begin(), by_length.end(),
                    [](const aiAnimation* a, const aiAnimation* b) { return length_s(*a) > length_s(*b); });
@@ -151,17 +165,24 @@ std::vector<const aiAnimation*> SceneReader::choose_animations() {
     std::set<std::string> nodes;
     for (unsigned c = 0; c < animation->mNumChannels; ++c)
       nodes.insert(animation->mChannels[c]->mNodeName.C_Str());
-    const bool apart =
+    const std::string name = animation->mName.C_Str();
+    const bool takes =
+        (wanted_.empty() || is_called(name, wanted_)) &&
         std::none_of(nodes.begin(), nodes.end(), [&](const auto& node) { return moved.contains(node); });
-    (apart ? names : left_out).emplace_back(animation->mName.C_Str());
-    if (!apart) continue;
+    (takes ? names : left_out).push_back(name);
+    if (!takes) continue;
     chosen.push_back(animation);
     moved.merge(nodes);
   }
-  if (!left_out.empty())
+  if (chosen.empty())
+    return Error{"has no animation " + in_quotes(wanted_) + "; it holds " + some_of(left_out, 40), file_};
+  if (!left_out.empty() && wanted_.empty())
     warnings_.push_back({"animations", 0,
                          "holds " + std::to_string(by_length.size()) + " animations; the longest, " +
-                             in_quotes(some_of(names)) + ", was taken, and left out: " + some_of(left_out)});
+                             in_quotes(some_of(names)) + ", was taken, and left out: " + some_of(left_out) +
+                             "; choose one with --animation NAME"});
+  animations_ = names;
+  animations_.insert(animations_.end(), left_out.begin(), left_out.end());
   return chosen;
 }
 
@@ -207,14 +228,60 @@ Status SceneReader::add_channel(const aiNodeAnim& channel, double ticks) {
   return Done{};
 }
 
+/// FBX says it; Assimp's ticks are its frames.
+std::optional<double> SceneReader::stated_rate(const aiAnimation& animation) const {
+  int32_t mode = 0;
+  if (format_ != MotionFormat::Fbx || !scene_.mMetaData || !scene_.mMetaData->Get("FrameRate", mode))
+    return std::nullopt;
+  constexpr double slowest = 2, fastest = 1000;
+  const double rate = animation.mTicksPerSecond;
+  return mode > 0 && rate >= slowest && rate <= fastest ? std::optional(rate) : std::nullopt;
+}
+
+/// Assimp splits a node with pivots or a turn of its joint into helpers above it. Where the keys stand at the
+/// node itself, they hold all of its transform, and the helpers would turn it a second time; where they stand
+/// at helpers, each has its part.
+void SceneReader::clear_helpers() {
+  const auto moves = [](const SceneNode& node) {
+    return !node.translations.times_s.empty() || !node.rotations.times_s.empty() ||
+           !node.scales.times_s.empty();
+  };
+  for (const SceneNode& node : nodes_) {
+    if (node.is_helper || !moves(node)) continue;
+    std::vector<std::size_t> helpers;
+    for (int above = node.parent; above >= 0; above = nodes_[helpers.back()].parent) {
+      const SceneNode& helper = nodes_[static_cast<std::size_t>(above)];
+      if (!helper.is_helper || !helper.name.starts_with(node.name + helper_mark)) break;
+      helpers.push_back(static_cast<std::size_t>(above));
+    }
+    if (std::any_of(helpers.begin(), helpers.end(), [&](std::size_t h) { return moves(nodes_[h]); }))
+      continue;
+    for (const std::size_t helper : helpers) nodes_[helper].rest.setIdentity();
+  }
+}
+
 void SceneReader::settle(NamedMotion& motion) const {
   motion.warnings.insert(motion.warnings.end(), warnings_.begin(), warnings_.end());
-  if (format_ != MotionFormat::Fbx) {
-    // glTF is in metres, Y up; the Collada reader has turned and scaled the scene to that.
-    motion.metres_per_unit = 1.0;
-    motion.up_axis = UpAxis::Y;
-    return;
+  motion.animations = animations_;
+  if (format_ == MotionFormat::Fbx) return settle_fbx_space(motion);
+  // glTF is in metres, Y up; the Collada reader has turned and scaled the scene to that.
+  motion.metres_per_unit = 1.0;
+  motion.up_axis = UpAxis::Y;
+}
+
+/// Turns the points so that the file's front is where it is in files of the usual axes: Z of Y up, -Y of Z
+/// up.
+void turn_to_front(NamedMotion& motion, const Eigen::Matrix3d& right_up_front) {
+  Eigen::Matrix3d usual = right_up_front;
+  if (motion.up_axis == UpAxis::Z) {
+    usual.row(1) = -right_up_front.row(2);
+    usual.row(2) = right_up_front.row(1);
   }
+  if (usual.isIdentity()) return;
+  for (Positions& frame : motion.frames) frame *= usual.transpose();
+}
+
+void SceneReader::settle_fbx_space(NamedMotion& motion) const {
   if (!scene_.mMetaData) return;
   double centimetres = 0;
   float as_float = 0;
@@ -222,9 +289,20 @@ void SceneReader::settle(NamedMotion& motion) const {
       scene_.mMetaData->Get("UnitScaleFactor", as_float))
     centimetres = static_cast<double>(as_float);
   if (centimetres > 0 && std::isfinite(centimetres)) motion.metres_per_unit = centimetres / 100;
+  Eigen::Matrix3d right_up_front = Eigen::Matrix3d::Zero();
   int32_t up = -1;
-  if (scene_.mMetaData->Get("UpAxis", up) && (up == 1 || up == 2))
-    motion.up_axis = up == 1 ? UpAxis::Y : UpAxis::Z;
+  int row = 0;
+  for (const char* name : {"CoordAxis", "UpAxis", "FrontAxis"}) {
+    int32_t axis = -1, sign = 1;
+    scene_.mMetaData->Get(std::string(name) + "Sign", sign);
+    if (scene_.mMetaData->Get(name, axis) && axis >= 0 && axis < 3)
+      right_up_front(row, axis) = sign < 0 ? -1 : 1;
+    if (row++ == 1) up = axis;
+  }
+  if (up == 1 || up == 2) motion.up_axis = up == 1 ? UpAxis::Y : UpAxis::Z;
+  if (right_up_front.determinant() != 1) return;  // no axes that a right-handed space can have
+  if (up == 0) motion.up_axis = UpAxis::Y;
+  turn_to_front(motion, right_up_front);
 }
 
 Result<std::vector<NamedMotion>> SceneReader::read() {
@@ -233,11 +311,14 @@ Result<std::vector<NamedMotion>> SceneReader::read() {
   if (scene_.mNumAnimations == 0)
     return Error{"holds no animation; export it with its animation baked", file_};
   if (const Status told_apart = check_names(); !told_apart) return told_apart.error();
-  for (const aiAnimation* animation : choose_animations())
+  const auto animations = choose_animations();
+  if (!animations) return animations.error();
+  for (const aiAnimation* animation : *animations)
     for (unsigned c = 0; c < animation->mNumChannels; ++c)
       if (const Status added = add_channel(*animation->mChannels[c], ticks_per_second(*animation)); !added)
         return added.error();
-  Result<std::vector<NamedMotion>> motions = skeletons_of(nodes_, std::nullopt, file_);
+  clear_helpers();
+  Result<std::vector<NamedMotion>> motions = skeletons_of(nodes_, stated_rate(*animations->front()), file_);
   if (!motions) return motions.error();
   for (NamedMotion& motion : *motions) settle(motion);
   return motions;
@@ -261,7 +342,7 @@ std::string assimp_words(const std::string& text) {
 }  // namespace
 
 Result<std::vector<NamedMotion>> read_scene(std::string_view bytes, MotionFormat format,
-                                            const std::string& file) {
+                                            const std::string& file, const std::string& animation) {
   Assimp::Importer importer;
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_TEXTURES, false);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_FBX_READ_MATERIALS, false);
@@ -284,7 +365,7 @@ Result<std::vector<NamedMotion>> read_scene(std::string_view bytes, MotionFormat
                      assimp_words(importer.GetErrorString()) +
                      "); export it again, or as another of FBX, GLB and BVH",
                  file};
-  return SceneReader(*scene, format, file).read();
+  return SceneReader(*scene, format, file, animation).read();
 }
 
 }  // namespace abrazo

@@ -10,10 +10,11 @@
 
 namespace abrazo {
 
-/// Reads the animated skeletons of an FBX, glTF or Collada file: one motion for each. Of several animations
-/// the longest is taken, and said. Sampled at the rate of its keys.
-/// @param bytes  of the file; parts that stand in files beside it are read from there
+/// Reads the animated skeletons of an FBX, glTF or Collada file: one motion for each. Sampled at the rate of
+/// its keys.
+/// @param bytes      of the file; parts that stand in files beside it are read from there
+/// @param animation  of several the one of this name; empty: the longest, which is said
 Result<std::vector<NamedMotion>> read_scene(std::string_view bytes, MotionFormat format,
-                                            const std::string& file);
+                                            const std::string& file, const std::string& animation = {});
 
 }  // namespace abrazo

@@ -4,7 +4,7 @@
 #include <cctype>
 #include <optional>
 
-#include "core/motion/scenes/little_endian.hpp"
+#include "core/base/little_endian.hpp"
 
 namespace abrazo {
 

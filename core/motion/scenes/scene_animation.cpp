@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 #include <tuple>
 
 #include "core/base/text.hpp"
@@ -65,6 +66,7 @@ class Skeletons {
   bool animated(const SceneNode& node) const {
     return !node.translations.times_s.empty() || !node.rotations.times_s.empty();
   }
+  std::optional<double> step_of_most() const;
   Status settle_times();
   NamedMotion motion_below(int root) const;
   std::vector<int> points_below(int root) const;
@@ -126,37 +128,55 @@ void Skeletons::find_roots(int node, std::vector<int>& roots) const {
   }
 }
 
-/// Frames are taken where the densest keys are; of sparse ones, 60 in a second.
+/// The spacing that the keys of most channels have; nothing when most have fewer than two.
+std::optional<double> Skeletons::step_of_most() const {
+  std::map<long long, std::pair<std::size_t, double>> votes;  // by rate in hundredths of Hz
+  for (const SceneNode& node : nodes_)
+    for (const std::vector<double>* times : {&node.translations.times_s, &node.rotations.times_s}) {
+      if (times->size() < 2) continue;
+      std::vector<double> steps;
+      for (std::size_t k = 1; k < times->size(); ++k) steps.push_back((*times)[k] - (*times)[k - 1]);
+      const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
+      std::nth_element(steps.begin(), middle, steps.end());
+      if (!(*middle > 1 / fastest_fps)) continue;
+      auto& [count, step] = votes[std::llround(100 / *middle)];
+      ++count, step = *middle;
+    }
+  const auto most = std::max_element(votes.begin(), votes.end(), [](const auto& a, const auto& b) {
+    return a.second.first < b.second.first;
+  });
+  return most == votes.end() ? std::nullopt : std::optional(most->second.second);
+}
+
+/// Frames are taken where the keys of most channels are; where those are thinned out, at the file's own rate,
+/// or 60 in a second.
 Status Skeletons::settle_times() {
-  const std::vector<double>* densest = nullptr;
   double first = std::numeric_limits<double>::infinity(), last = -first;
   for (const SceneNode& node : nodes_)
     for (const std::vector<double>* times : {&node.translations.times_s, &node.rotations.times_s}) {
       if (times->empty()) continue;
       first = std::min(first, times->front()), last = std::max(last, times->back());
-      if (!densest || times->size() > densest->size()) densest = times;
     }
-  if (!densest) return Error{"holds no animation; export it with its animation baked", file_};
+  if (first > last) return Error{"holds no animation; export it with its animation baked", file_};
   if (!std::isfinite(first) || !std::isfinite(last)) return Error{"its key times are no numbers", file_};
-  std::vector<double> steps;
-  for (std::size_t k = 1; k < densest->size(); ++k) steps.push_back((*densest)[k] - (*densest)[k - 1]);
   begin_s_ = first;
-  if (steps.empty() || last <= first) {
-    fps_ = rate_.value_or(60), frames_ = 1;
+  const std::optional<double> step = step_of_most();
+  fps_ = rate_.value_or(60);
+  if (!step || last <= first) {
+    frames_ = last > first ? static_cast<std::size_t>(std::llround((last - first) * fps_)) + 1 : 1;
     return Done{};
   }
-  const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-  std::nth_element(steps.begin(), middle, steps.end());
-  const double step = *middle;
-  const bool dense = step > 1 / fastest_fps && step < 0.08;
-  fps_ = rate_.value_or(60);
-  if (dense) {
+  // Keys on every frame of the file's rate, or thinned out to every second or third one.
+  const double frames_between = rate_ ? *step * *rate_ : 0;
+  const bool on_frames = frames_between > 0.5 && std::abs(frames_between - std::round(frames_between)) < 0.01;
+  const bool own_rate = !on_frames && *step < 0.08;
+  if (own_rate) {
     // Median steps are exact to the digits of the file: rates within 0.05 % of a whole one are whole.
-    const double rate = 1 / step, whole = std::round(rate);
+    const double rate = 1 / *step, whole = std::round(rate);
     fps_ = std::abs(rate - whole) < 5e-4 * whole ? whole : rate;
   }
   frames_ = static_cast<std::size_t>(std::llround((last - first) * fps_)) + 1;
-  if (!dense)
+  if (!own_rate && !(on_frames && frames_between < 1.5))
     warnings_.push_back({"sampled", 0,
                          "its keys are sparse or uneven; positions between them were found " +
                              exact_text(fps_) + " times a second"});

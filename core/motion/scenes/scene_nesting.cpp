@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/base/little_endian.hpp"
 #include "core/base/text.hpp"
-#include "core/motion/scenes/little_endian.hpp"
 #include "core/motion/scenes/xml_tags.hpp"
 
 namespace abrazo {

@@ -17,15 +17,6 @@ using Fields = std::vector<std::string_view>;
 constexpr int header_lines = 40;  ///< no header is longer
 constexpr std::size_t most_columns = 100'000;
 
-/// The separator that stands most often in the line.
-char separator_of(std::string_view line) {
-  char best = ',';
-  for (const char candidate : {',', ';', '\t'})
-    if (std::count(line.begin(), line.end(), candidate) > std::count(line.begin(), line.end(), best))
-      best = candidate;
-  return best;
-}
-
 int axis_of(std::string_view word) {
   if (word.size() != 1) return -1;
   const char c = static_cast<char>(std::tolower(static_cast<unsigned char>(word.front())));
@@ -224,7 +215,7 @@ Result<PointCsvHeader> parse_point_csv_header(LineReader& lines, std::string_vie
   Fields before;
   for (int n = 0; n < header_lines && lines.next(line); ++n) {
     if (trimmed(line).empty()) continue;
-    header.separator = separator_of(line);
+    header.separator = table_separator(line, ',');
     const Fields fields = table_fields(line, header.separator);
     if (n == 0 && lower_case(fields[0]) == "format version") {
       if (const Status read = MotiveHeader(lines, where, header).read(fields); !read) return read.error();

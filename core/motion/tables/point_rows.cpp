@@ -151,6 +151,14 @@ std::optional<double> rate_of_times(const std::vector<double>& times_s,
   return whole >= 1 && std::abs(fps - whole) <= std::min(doubt, 5e-4 * whole) ? whole : fps;
 }
 
+char table_separator(std::string_view line, char usual) {
+  char best = usual;
+  for (const char candidate : {',', ';', '\t'})
+    if (std::count(line.begin(), line.end(), candidate) > std::count(line.begin(), line.end(), best))
+      best = candidate;
+  return best;
+}
+
 std::optional<double> metres_of_unit(std::string_view word) {
   struct Unit {
     std::string_view name;

@@ -55,6 +55,10 @@ std::vector<std::size_t> time_jumps(const std::vector<double>& times_s, double r
 std::optional<double> rate_of_times(const std::vector<double>& times_s,
                                     const std::vector<std::size_t>& jumps = {});
 
+/// What stands most often in a line of a table: a comma, a semicolon or a tab; `usual` where they are as
+/// many.
+char table_separator(std::string_view line, char usual);
+
 /// "mm", "cm", "m", "in", "ft", spelled out as well; nothing for any other word.
 std::optional<double> metres_of_unit(std::string_view word);
 

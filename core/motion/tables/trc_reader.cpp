@@ -20,9 +20,9 @@ std::size_t positions_allowed(std::size_t bytes) {
   return std::min<std::size_t>(1'000'000 + 16 * bytes, 400'000'000);
 }
 
-/// The fields of a line between tabs; of a line without tabs, its words.
-std::vector<std::string_view> fields_of(std::string_view line) {
-  return line.find('\t') == std::string_view::npos ? split_words(line) : split_fields(line, '\t');
+/// The fields of a line between separators; of a line without any, its words.
+std::vector<std::string_view> fields_of(std::string_view line, char separator) {
+  return line.find(separator) == std::string_view::npos ? split_words(line) : split_fields(line, separator);
 }
 
 class TrcParser {
@@ -47,6 +47,7 @@ class TrcParser {
   LineReader lines_;
   std::string where_;
   std::size_t most_positions_;
+  char separator_ = '\t';
   std::map<std::string, std::string> header_;
   int header_line_ = 0;
   int short_rows_ = 0, first_short_row_ = 0;
@@ -64,7 +65,15 @@ Status TrcParser::read_header() {
     return error(
         "ends in its header; expected a line of names (DataRate, ...), one of values, and one of markers");
   header_line_ = lines_.number();
-  const auto name_fields = fields_of(names), value_fields = fields_of(values);
+  separator_ = table_separator(names, '\t');
+  auto name_fields = fields_of(names, separator_), value_fields = fields_of(values, separator_);
+  // Some programs write two separators between values: then the n-th value belongs to the n-th name.
+  const auto words = [](const std::vector<std::string_view>& fields) {
+    return std::ranges::count_if(fields, [](std::string_view field) { return !field.empty(); });
+  };
+  if (words(name_fields) == words(value_fields))
+    for (auto* fields : {&name_fields, &value_fields})
+      std::erase_if(*fields, [](std::string_view field) { return field.empty(); });
   for (std::size_t i = 0; i < name_fields.size() && i < value_fields.size(); ++i)
     header_[lower_case(name_fields[i])] = std::string(value_fields[i]);
   while (lines_.next(line)) {
@@ -76,11 +85,13 @@ Status TrcParser::read_header() {
 
 /// "Frame#  Time  LASI    RASI ...": a marker's name stands over its x.
 Status TrcParser::read_names(std::string_view line) {
-  const auto fields = fields_of(line);
+  if (const char here = table_separator(line, '\t'); line.find(here) != std::string_view::npos)
+    separator_ = here;
+  const auto fields = fields_of(line, separator_);
   if (fields.empty() || !lower_case(fields[0]).starts_with("frame"))
     return error("expected the line of marker names, which begins with Frame# and Time, found " +
                  in_quotes(line));
-  const bool spread = line.find("\t\t") != std::string_view::npos;
+  const bool spread = line.find(std::string(2, separator_)) != std::string_view::npos;
   std::size_t next = 2;
   for (std::size_t f = 2; f < fields.size(); ++f) {
     if (fields[f].empty()) continue;
@@ -114,7 +125,8 @@ Status TrcParser::read_rows(PointRows& rows) {
   std::string_view line;
   while (lines_.next(line)) {
     if (trimmed(line).empty()) continue;
-    const auto fields = fields_of(line);
+    const auto fields = fields_of(line, separator_);
+    if (std::ranges::all_of(fields, [](std::string_view field) { return field.empty(); })) continue;
     if (!parse_number(fields[0])) {
       if (rows.frames() == 0) continue;  // X1 Y1 Z1 ... below the names
       return error("expected a frame number, found " + in_quotes(fields[0]));
@@ -175,7 +187,7 @@ void TrcParser::settle(NamedMotion& motion) const {
 
 Result<std::vector<NamedMotion>> TrcParser::parse() {
   if (const Status header = read_header(); !header) return header.error();
-  PointRows rows(columns_, 1, false);
+  PointRows rows(columns_, 1, separator_ != ',');
   if (const Status read = read_rows(rows); !read) return read.error();
   if (rows.frames() == 0) return error("has no frames below its header");
   if (short_rows_ > 0)

@@ -40,13 +40,14 @@ Status check_motion(const ExportWish& wish) {
   std::ranges::sort(sorted);
   if (std::ranges::adjacent_find(sorted) != sorted.end())
     return Error{"a body is asked for twice", wish.output};
-  return check_clip_file(wish.output, wish.space);
+  return check_clip_file(wish.output, wish.space, wish.bodies.size());
 }
 
 constexpr double highest_export_rate_hz = 1000;
 
 // Bytes per frame, measured over generated dances.
 constexpr double bvh_bytes = 885, csv_bytes = 1480, glb_bytes = 620;  // of a body
+constexpr double point_bytes = 24;                                    // of a point in a .npz or .npy
 constexpr double glb_skin_bytes = 155e3;                              // of a body, once
 constexpr double vtu_bytes = 40e3, trace_bytes = 29e3, label_bytes = 40;
 
@@ -81,9 +82,10 @@ Status check_export(const ExportWish& wish) {
     return Error{"only motion is received of a performer; leave the performer out", wish.output};
   if (wish.one_mesh() && wish.output.ends_with(".pvd"))
     return Error{"a .pvd is a series; write the one frame as .vtu", wish.output};
-  if (!wish.space.is_usual())
-    return Error{kind_name(wish.content) + " cannot have a unit and axes of choice; those are for motion",
-                 wish.output};
+  if (!wish.space.is_usual() || wish.space.joints)
+    return Error{
+        kind_name(wish.content) + " cannot have unit, axes and joints of choice; those are for motion",
+        wish.output};
   if (wish.rate_hz > 0 && wish.content == ExportContent::Trace)
     return Error{"a trace has the frames as they were solved; leave the rate out", wish.output};
   return Done{};
@@ -98,7 +100,11 @@ ExportEstimate estimate_export(const ExportWish& wish, double length_s, double r
     case ExportContent::Motion:
       bytes = bodies * (wish.output.ends_with(".bvh")   ? frames * bvh_bytes
                         : wish.output.ends_with(".glb") ? frames * glb_bytes + glb_skin_bytes
-                                                        : frames * csv_bytes);
+                        : wish.output.ends_with(".npz") || wish.output.ends_with(".npy")
+                            ? frames * point_bytes *
+                                  static_cast<double>(wish.space.joints ? wish.space.joints->points.size()
+                                                                        : joint_count)
+                            : frames * csv_bytes);
       break;
     case ExportContent::Mesh:
       bytes = frames * vtu_bytes;

@@ -91,10 +91,24 @@ std::string without_times(Evaluation evaluation) {
   return report_json(evaluation);
 }
 
+TEST(Evaluate, TheFiguresOfTheLiteratureAreOfTheTakesAsTheyAre) {
+  EvaluationOptions options = of_parts({EvaluationPart::Contact, EvaluationPart::Published});
+  const auto evaluation = evaluate(three_takes(), options, {});
+  ASSERT_TRUE(evaluation) << evaluation.error().text();
+  ASSERT_TRUE(evaluation->result->published);
+  EXPECT_NEAR(evaluation->result->published->captured.mpjpe_m, 0, 1e-12);
+  EXPECT_GT(evaluation->result->published->made.mpjpe_m, 0);
+  for (const UserResult& user : evaluation->disturbed) EXPECT_FALSE(user.published) << user.user;
+  const auto without = evaluate(three_takes(), of_parts({EvaluationPart::Moves}), {});
+  ASSERT_TRUE(without);
+  EXPECT_FALSE(without->result->published);
+}
+
 TEST(Evaluate, TwiceTheSameGivesTheSameFigures) {
   const EvaluationData data = three_takes();
-  const EvaluationOptions options = of_parts(
-      {EvaluationPart::Selection, EvaluationPart::Moves, EvaluationPart::Zmp, EvaluationPart::Contact});
+  const EvaluationOptions options =
+      of_parts({EvaluationPart::Selection, EvaluationPart::Moves, EvaluationPart::Zmp,
+                EvaluationPart::Contact, EvaluationPart::Published});
   const auto first = evaluate(data, options, {}), second = evaluate(data, options, {});
   ASSERT_TRUE(first && second);
   EXPECT_EQ(without_times(*first), without_times(*second));

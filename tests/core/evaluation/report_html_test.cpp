@@ -186,6 +186,14 @@ TEST(ReportHtml, ShowsHowThePartnerMovesBesideTheCapturedOne) {
   EXPECT_EQ(xml_fault(html), "");
 }
 
+TEST(ReportHtml, ShowsTheFiguresOfTheLiteratureBesideTheNearestNeighbourAndTheRecording) {
+  const std::string html = report_html(test::example_evaluation());
+  for (const PublishedRow& row : published_rows())
+    EXPECT_NE(html.find(std::string(row.title)), std::string::npos) << row.title;
+  EXPECT_NE(html.find("nearest neighbour"), std::string::npos);
+  EXPECT_NE(html.find("Here 44 clips of 2 s each"), std::string::npos);
+}
+
 TEST(ReportHtml, SaysWhatIsLeftOutOfTheZmpError) {
   Evaluation evaluation = test::example_evaluation();
   std::string html = report_html(evaluation);

@@ -44,6 +44,17 @@ TEST(ReportJson, HasTheFieldsOfTheContract) {
   expect_keys(json.at("solve_us"), {"p50", "p95", "p99"});
 }
 
+TEST(ReportJson, HasTheFiguresOfTheLiteratureWithTheirBaselines) {
+  const nlohmann::json published = report(test::example_evaluation()).at("published");
+  EXPECT_EQ(published.at("clips"), 44);
+  expect_keys(published, {"mpjpe_m", "mpjve_m", "foot_sliding_m", "skating_share", "jitter_10_m_s3",
+                          "penetration_share", "penetration_depth_m", "contact_precision", "contact_recall",
+                          "contact_f1", "turned_away_share", "beat_echo_degree", "fid_cd", "diversity"});
+  EXPECT_NEAR(published.at("mpjpe_m").at("synthesised"), 0.02, 1e-12);
+  EXPECT_NEAR(published.at("mpjpe_m").at("nearest_neighbour"), 0.16, 1e-12);
+  EXPECT_NEAR(published.at("mpjpe_m").at("recording"), 0.3, 1e-12);
+}
+
 TEST(ReportJson, KeepsEveryNumberToTheLastBit) {
   Evaluation evaluation = test::example_evaluation();
   evaluation.result->partner.mean_joint_error_m = 1.0 / 3;

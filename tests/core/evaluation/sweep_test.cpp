@@ -194,13 +194,26 @@ TEST(Sweep, AReportCanBeMadeOfFiguresGatheredByHandEvenWithGaps) {
 }
 
 TEST(SweepMetric, CanBeEveryFigureOfTheContract) {
-  for (const char* name :
-       {"moves.rate", "zmp.original_m", "zmp.synthesised_m", "zmp.synthesised_asf",
-        "contact.hold_change_mean_m", "contact.hold_change_p95_m", "contact.holds_kept",
-        "contact.penetration_excess_p99_m", "contact.foot_slide_m_per_s.synthesised",
-        "contact.bone_length_max", "partner.mean_joint_error_m", "partner.median_joint_error_m",
-        "partner.source_changes_per_100", "partner.displacement_p99_m", "partner.lag_ms", "solve_us.p50",
-        "solve_us.p95", "solve_us.p99"})
+  for (const char* name : {"moves.rate",
+                           "zmp.original_m",
+                           "zmp.synthesised_m",
+                           "zmp.synthesised_asf",
+                           "contact.hold_change_mean_m",
+                           "contact.hold_change_p95_m",
+                           "contact.holds_kept",
+                           "contact.penetration_excess_p99_m",
+                           "contact.foot_slide_m_per_s.synthesised",
+                           "contact.bone_length_max",
+                           "partner.mean_joint_error_m",
+                           "partner.median_joint_error_m",
+                           "partner.source_changes_per_100",
+                           "partner.displacement_p99_m",
+                           "partner.lag_ms",
+                           "solve_us.p50",
+                           "solve_us.p95",
+                           "solve_us.p99",
+                           "published.mpjpe_m.synthesised",
+                           "published.fid_cd.synthesised"})
     EXPECT_TRUE(check_metric(name)) << name;
   for (const char* name : {"selection.10", "zmp.settings.floor_m", "moves", "", "seconds"})
     EXPECT_FALSE(check_metric(name)) << name;
@@ -214,6 +227,8 @@ TEST(SweepMetric, KnowsWhichValueIsBetter) {
   EXPECT_TRUE(is_better(goal_of("solve_us.p99"), 200, 300));
   EXPECT_TRUE(is_better(goal_of("partner.lag_ms"), -10, 40));
   EXPECT_FALSE(is_better(goal_of("partner.lag_ms"), -50, 40));
+  EXPECT_TRUE(is_better(goal_of("published.contact_f1.synthesised"), 0.9, 0.8));
+  EXPECT_TRUE(is_better(goal_of("published.fid_cd.synthesised"), 3, 8));
 }
 
 TEST_F(SweepFolder, AnUnshardedSweepFindsTheBestPoint) {

@@ -85,6 +85,17 @@ TEST(Manifest, NamesItselfAfterTheFileWhenItHasNoName) {
   EXPECT_EQ(manifest->name, "salsa");
 }
 
+TEST(Manifest, AnOrderOfJointsIsABuiltInOneOrAFileBesideIt) {
+  const auto manifest = parse_manifest(
+      R"({"takes": [{"name": "one", "a": {"motion": "a.npy", "joints": "lafan22"},
+          "b": {"motion": "b.npy", "joints": "orders/mine.txt"}}]})",
+      "data/m.json");
+  ASSERT_TRUE(manifest) << manifest.error().text();
+  EXPECT_EQ(manifest->takes[0].a.joints, "lafan22");
+  EXPECT_EQ(manifest->takes[0].b.joints, "data/orders/mine.txt");
+  EXPECT_THAT(manifest->warnings, IsEmpty());
+}
+
 TEST(Manifest, WarnsOfKeysThatNobodyReads) {
   const auto manifest = parse_manifest(manifest_of(take_with(R"("frame_rate": 60)")), "m.json");
   ASSERT_TRUE(manifest.ok());

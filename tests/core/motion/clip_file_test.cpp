@@ -89,7 +89,7 @@ TEST(ClipFile, ACsvHasTheUnitAndAxisThatWereAskedFor) {
 }
 
 TEST(ClipFile, WhatATypeCannotHoldIsRefused) {
-  EXPECT_THAT(check_clip_file("a.fbx").error().message, HasSubstr(".bvh, .glb or .csv"));
+  EXPECT_THAT(check_clip_file("a.fbx").error().message, HasSubstr(".bvh, .glb, .csv, .npz or .npy"));
   EXPECT_THAT(check_clip_file("a.glb", {100, UpAxis::Y}).error().message, HasSubstr("metres with Y up"));
   EXPECT_TRUE(check_clip_file("a.glb"));
   EXPECT_FALSE(clip_file_content("a.glb", couple(), {1, UpAxis::Z}));

@@ -118,6 +118,26 @@ TEST(ImportClip, QuestionsThePersonWhoLies) {
   EXPECT_TRUE(has_warning(imported(motion).report.warnings, "up-axis"));
 }
 
+TEST(ImportClip, WhoMostlyCrawlsStandsOnTheFloorThatLiesAtZero) {
+  for (const bool z_up : {true, false}) {
+    NamedMotion motion = standing_motion();
+    motion.frames.clear();
+    for (int f = 0; f < 10; ++f) {
+      // Two metres from the origin; in seven of ten frames along the floor, which is where the axis may
+      // point.
+      Positions pose = f < 3 ? test::moved(test::standing_pose(), 0, Vec3(0, 0, -2)) : test::standing_pose();
+      if (f >= 3) {
+        const Eigen::VectorXd up = pose.col(1);
+        pose.col(1) = pose.col(2).array() + 0.3;
+        pose.col(2) = up.array() - 2;
+      }
+      if (z_up) pose.col(1).swap(pose.col(2));
+      motion.frames.push_back(pose);
+    }
+    EXPECT_EQ(imported(motion).report.up_axis, z_up ? UpAxis::Z : UpAxis::Y);
+  }
+}
+
 TEST(ImportClip, GuessesTheRateWhenTheFileDoesNotSayAndSaysSo) {
   NamedMotion motion = standing_motion();
   motion.fps.reset();
@@ -170,12 +190,13 @@ TEST(ImportClip, KeepsTheReadersWarnings) {
 
 TEST(ImportClip, NamesWhatTheClosestMapLacks) {
   NamedMotion motion = standing_motion();
-  motion.points[joints::Head] = "skull";
+  motion.points[joints::Root] = "middle";
   const auto result = import_clip(motion, {});
   ASSERT_FALSE(result);
-  EXPECT_THAT(result.error().message, HasSubstr("no joint map fits; the closest, 'cmu', lacks head (head)"));
+  EXPECT_THAT(result.error().message, HasSubstr("no joint map fits; the closest, 'cmu', lacks root (root)."));
   EXPECT_THAT(result.error().message, HasSubstr("--joint-map"));
-  EXPECT_THAT(result.error().message, HasSubstr("skull"));
+  EXPECT_THAT(result.error().message, HasSubstr("middle, lhipjoint"));
+  EXPECT_THAT(result.error().message, HasSubstr("and 19 more")) << "of 25 points";
 }
 
 TEST(ImportClip, UsesOnlyTheMapItIsGiven) {

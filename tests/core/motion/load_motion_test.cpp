@@ -94,6 +94,59 @@ TEST(LoadMotion, MovesPerformersOfOneFileTogether) {
   EXPECT_NEAR((*loaded)[1].clip.poses[0](0, 1) - (*loaded)[0].clip.poses[0](0, 1), -0.20, 1e-5);
 }
 
+/// A table with a person's joints under a name, and more points.
+std::string table_with(const std::string& person, const std::vector<std::string>& others) {
+  std::vector<std::string> points;
+  for (const std::string_view joint : joint_names) points.push_back(person + ":" + std::string(joint));
+  points.insert(points.end(), others.begin(), others.end());
+  std::string text = "time";
+  for (const std::string& point : points) text += "," + point + "_x," + point + "_y," + point + "_z";
+  for (int f = 0; f < 4; ++f) {
+    text += "\n" + std::to_string(f / 60.0);
+    for (std::size_t p = 0; p < points.size(); ++p)
+      for (int axis = 0; axis < 3; ++axis)
+        text += "," + std::to_string(p < joint_count ? test::standing_pose()(static_cast<int>(p), axis)
+                                                     : 0.1 * static_cast<double>(p));
+  }
+  return text + "\n";
+}
+
+std::vector<std::string> box(const std::string& name) {
+  std::vector<std::string> points;
+  for (int corner = 1; corner <= 8; ++corner) points.push_back(name + ":corner" + std::to_string(corner));
+  return points;
+}
+
+TEST(LoadMotion, LeavesOutABoxThatWasCapturedWithAPerson) {
+  const TemporaryFolder folder;
+  const auto loaded = load(folder.write("session.csv", table_with("Anna", box("Box"))));
+  ASSERT_TRUE(loaded) << loaded.error().text();
+  ASSERT_EQ(loaded->size(), 1u);
+  EXPECT_EQ(loaded->front().clip.name, "Anna");
+  EXPECT_THAT(test::the_warning(loaded->front().report.warnings, "left-out").detail,
+              HasSubstr("1 of 2 in the file cannot be read as performers and were left out: Box (8 points)"));
+}
+
+TEST(LoadMotion, WhereNobodyCanBeReadSaysWhoIsThere) {
+  const TemporaryFolder folder;
+  std::string text = table_with("Anna", box("Box"));
+  for (auto at = text.find("Anna:root"); at != std::string::npos; at = text.find("Anna:root"))
+    text.replace(at, 9, "Anna:rood");
+  const auto loaded = load(folder.write("session.csv", text));
+  ASSERT_FALSE(loaded);
+  EXPECT_THAT(loaded.error().message, HasSubstr("the closest, 'cmu', lacks root (root)"));
+  EXPECT_THAT(loaded.error().message, HasSubstr("The file holds Anna with 25 points, Box with 8 points"));
+}
+
+TEST(LoadMotion, RefusesAnAnimationWhereAFileHoldsOne) {
+  ImportOptions options;
+  options.animation = "walk";
+  const auto loaded = load_motion(motion_fixture("lafan_metres.bvh").string(), "", options);
+  ASSERT_FALSE(loaded);
+  EXPECT_THAT(loaded.error().message,
+              HasSubstr("a BVH file holds one motion without a name; leave out the animation 'walk'"));
+}
+
 TEST(LoadMotion, FindsTheSkeletonBesideAnAmcByName) {
   const TemporaryFolder folder;
   folder.write("other.asf", "not read");

@@ -39,7 +39,8 @@ TEST(MotionFormat, IsKnownByTheContentWhateverTheName) {
 
 TEST(MotionFormat, NamesFilesOfOtherProgramsAndSaysWhatToDo) {
   EXPECT_THAT(foreign_kind("#usda 1.0", "dance.usda"), HasSubstr("is a USD file; open it in Blender"));
-  EXPECT_THAT(foreign_kind(std::string_view("PK\x03\x04zip"), "poses.npz"), HasSubstr("NumPy archive"));
+  EXPECT_EQ(foreign_kind(std::string_view("PK\x03\x04zip"), "poses.npz"), "")
+      << "its reader says what is wrong";
   EXPECT_THAT(foreign_kind(std::string_view("PK\x03\x04zip"), "takes.zip"), HasSubstr("unpack it first"));
   EXPECT_THAT(foreign_kind("BLENDER-v304", "dance.blend"), HasSubstr("Blender file"));
   EXPECT_THAT(foreign_kind("whatever", "walk.tak"), HasSubstr("open it in Motive"));

@@ -41,6 +41,47 @@ TEST(TrcReader, ReadsMarkersRateAndUnit) {
   EXPECT_EQ(place(motion, 1, "RASI"), Vec3(4, 5, -60));
 }
 
+/// The text with another separator, and as many of them behind each line as programs for tables write.
+std::string separated(std::string text, const std::string& separator, const std::string& trailing = "") {
+  std::string result;
+  for (const char c : text) result += c == '\t' ? separator : c == '\n' ? trailing + "\n" : std::string(1, c);
+  return result;
+}
+
+TEST(TrcReader, ReadsCommasAndSemicolonsAsItReadsTabs) {
+  const std::string text = head + "1\t0.0\t1.5\t2\t3\t\t\t\n2\t0.00833\t1\t2\t3\t4\t5\t6\n";
+  for (const std::string& separator : std::vector<std::string>{"\t", ",", ";"})
+    for (const std::string& trailing : {std::string(), separator, std::string(40, separator[0])}) {
+      SCOPED_TRACE(separator + trailing);
+      const NamedMotion motion = read_one(separated(text, separator, trailing));
+      EXPECT_TRUE(motion.warnings.empty());
+      EXPECT_EQ(motion.fps, 120.0);
+      EXPECT_EQ(motion.metres_per_unit, 0.001);
+      ASSERT_EQ(motion.frames.size(), 2U);
+      EXPECT_EQ(place(motion, 0, "LASI"), Vec3(1.5, 2, 3));
+      EXPECT_FALSE(place(motion, 0, "RASI").allFinite());
+      EXPECT_EQ(place(motion, 1, "RASI"), Vec3(4, 5, 6));
+    }
+  const std::string decimal_commas = separated(head, ";") + "1;0,0;1,5;2;3;4;5;6\n2;0,00833;1;2;3;4;5;6\n";
+  EXPECT_EQ(place(read_one(decimal_commas), 0, "LASI"), Vec3(1.5, 2, 3));
+}
+
+TEST(TrcReader, ReadsValuesThatStandTwoTabsApart) {
+  std::string text = head + "1\t0.0\t1\t2\t3\t4\t5\t6\n";
+  text.replace(text.find("120\t120\t2\t2\tmm"), 14, "  120.0\t\t 120.0\t\t  1\t\t 2\t\tmm");
+  const NamedMotion motion = read_one(text);
+  EXPECT_EQ(motion.metres_per_unit, 0.001);
+  EXPECT_FALSE(has_warning(motion.warnings, "frame-count"));
+}
+
+TEST(TrcReader, SaysWhatIsWrongBetweenCommasToo) {
+  const std::string commas = separated(head, ",");
+  EXPECT_THAT(message_of(commas), HasSubstr("has no frames"));
+  EXPECT_THAT(message_of(commas + "1,0,1,2,x3,4,5,6\n"), HasSubstr("LASI's z (column 5), found 'x3'"));
+  EXPECT_THAT(message_of(commas + "1,0,1,2,3,4,5,6,7\n"), HasSubstr("expected at most 8 fields"));
+  EXPECT_THAT(message_of(separated(head.substr(0, head.find("LASI")), ",")), HasSubstr("names no marker"));
+}
+
 TEST(TrcReader, TakesEmptyFieldsAsGaps) {
   const NamedMotion motion =
       read_one(head + "1\t0.0\t\t\t\t4\t5\t6\n2\t0.00833\t1\t2\t3\n3\t0.01\t1\t2\t3\t1\t1\t1\n");

@@ -147,6 +147,8 @@ TEST(Settings, AnUnknownKeyInAFileIsAnError) {
   ASSERT_FALSE(parsed);
   EXPECT_NE(parsed.error().text().find("alhpa"), std::string::npos);
   EXPECT_NE(parsed.error().text().find("mine.json"), std::string::npos);
+  for (const SettingInfo& info : all_settings())
+    EXPECT_NE(parsed.error().text().find(info.key), std::string::npos) << "what there is: " << info.key;
 }
 
 TEST(VelocityWeight, IsAsGivenAtFifteenStepsPerSecond) {

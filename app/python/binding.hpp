@@ -1,0 +1,78 @@
+#pragma once
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/base/positions.hpp"
+#include "core/base/result.hpp"
+#include "core/synthesis/settings.hpp"
+
+namespace abrazo::python {
+
+namespace py = pybind11;
+
+/// An Error of the engine on its way to Python, where it is abrazo.Error: the command line's sentence.
+class EngineError : public std::runtime_error {
+ public:
+  explicit EngineError(const Error& error) : std::runtime_error(error.text()) {}
+};
+
+/// The value, or the reason why there is none as an exception.
+template <typename T>
+T unwrap(Result<T> result) {
+  if (!result) throw EngineError(result.error());
+  return std::move(*result);
+}
+
+/// Runs work of the engine while other threads of Python go on. The work may not touch Python.
+template <typename Work>
+auto without_gil(Work work) {
+  const py::gil_scoped_release released;
+  return work();
+}
+
+using Shape = std::vector<py::ssize_t>;
+
+/// Numbers of the engine as a read-only array, without a copy. @param owner  what keeps them, kept by the
+/// array
+template <typename Number>
+py::array view_of(const Number* numbers, Shape shape, py::handle owner) {
+  py::array_t<Number> array(std::move(shape), numbers, owner);
+  py::detail::array_proxy(array.ptr())->flags &= ~py::detail::npy_api::NPY_ARRAY_WRITEABLE_;
+  return array;
+}
+
+/// (T, 25, 3) of poses that stand one after the other.
+py::array view_of(const std::vector<Pose>& poses, py::handle owner);
+
+/// What a caller gives in place of a pose or of several: anything NumPy makes doubles of.
+using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
+
+/// One pose. @throws py::value_error when the shape is not (25, 3); `name` is that of the argument
+Pose pose_of(const Numbers& numbers, const char* name);
+
+/// A dict of settings as the text that parse_settings reads.
+std::string settings_text(const py::object& changes);
+
+/// The settings of a preset with some of them changed. @param changes  a dict by key, or None
+Settings settings_of(const std::string& preset_name, const py::object& changes);
+
+/// A dict, or what else the text is.
+py::object from_json(const std::string& json);
+
+// One function per file: what it adds to the module.
+void bind_motion(py::module_& module);
+void bind_library(py::module_& module);
+void bind_frame(py::module_& module);
+void bind_synthesis(py::module_& module);
+void bind_evaluation(py::module_& module);
+void bind_session(py::module_& module);
+
+}  // namespace abrazo::python

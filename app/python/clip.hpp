@@ -1,0 +1,16 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/motion/body/clip.hpp"
+
+namespace abrazo::python {
+
+/// A clip with what was odd about its file.
+struct ReadClip {
+  Clip clip;
+  std::vector<std::string> warnings;
+};
+
+}  // namespace abrazo::python

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/metrics/run_summary.hpp"
+#include "core/motion/body/clip.hpp"
+#include "core/synthesis/clip_synthesis.hpp"
+
+namespace abrazo {
+
+/// A recorded input, answered: both characters at the step rate, and what the run came to.
+struct ClipRun {
+  Clip active, passive;
+  std::vector<double> times_s;  ///< of the input, one for each step
+  RunSummary summary;           ///< refers to the synthesizer's library
+
+  double rate_hz() const { return active.fps; }
+};
+
+/// Solves all of a clip as synthesize_clip does. @param each  called after every step; may be empty
+/// @return an Error also when the library's file was damaged meanwhile
+Result<ClipRun> run_clip(PartnerSynthesizer& synthesizer, const Clip& clip,
+                         const std::function<void(const ClipStep&)>& each, const Progress& progress);
+
+}  // namespace abrazo

@@ -1,0 +1,93 @@
+#include "core/motion/files/performer_reading.hpp"
+
+#include <fmt/core.h>
+
+#include <cmath>
+#include <utility>
+
+#include "core/base/text.hpp"
+#include "core/motion/joints/joint_order.hpp"
+#include "core/motion/joints/motion_format.hpp"
+
+namespace abrazo {
+
+namespace {
+
+Status check_above_zero(std::optional<double> number, const char* option) {
+  if (!number || (std::isfinite(*number) && *number > 0)) return Done{};
+  return Error{"expected a number above 0, found '" + exact_text(*number) + "'", option};
+}
+
+Result<ImportOptions> options_of(const MotionReading& reading) {
+  if (const Status usable = check_above_zero(reading.metres_per_unit, "--metres-per-unit"); !usable)
+    return usable.error();
+  if (const Status usable = check_above_zero(reading.fps, "--fps"); !usable) return usable.error();
+  if (!reading.up.empty() && reading.up != "y" && reading.up != "z")
+    return Error{"'" + reading.up + "' is not an axis; use y or z", "--up"};
+  ImportOptions options;
+  options.metres_per_unit = reading.metres_per_unit;
+  options.fps = reading.fps;
+  if (!reading.up.empty()) options.up_axis = reading.up == "z" ? UpAxis::Z : UpAxis::Y;
+  if (!reading.joint_map.empty())
+    if (const Status chosen = choose_joints(reading.joint_map, options); !chosen) return chosen.error();
+  if (!reading.joints.empty()) {
+    auto order = find_joint_order(reading.joints);
+    if (!order) return order.error();
+    options.joint_order = std::move(*order);
+  }
+  options.animation = reading.animation;
+  return options;
+}
+
+/// "1 Anna, 2 Ben".
+std::string who_is_there(const std::vector<ImportedClip>& clips) {
+  std::string names;
+  for (std::size_t c = 0; c < clips.size(); ++c)
+    names += fmt::format("{}{} {}", c > 0 ? ", " : "", c + 1, clips[c].clip.name);
+  return names;
+}
+
+/// Of the clips the one that is meant by its name or its number.
+Result<std::vector<ImportedClip>> only(std::vector<ImportedClip> clips, const MotionReading& reading) {
+  const auto number = parse_number(reading.performer);
+  for (std::size_t c = 0; c < clips.size(); ++c)
+    if (clips[c].clip.name == reading.performer || (number && *number == static_cast<double>(c + 1)))
+      return std::vector<ImportedClip>{std::move(clips[c])};
+  return Error{fmt::format("has no performer {}; it holds {}", reading.performer, who_is_there(clips)),
+               reading.file};
+}
+
+}  // namespace
+
+Result<std::vector<ImportedClip>> read_performers(const MotionReading& reading) {
+  const auto options = options_of(reading);
+  if (!options) return options.error();
+  const auto format = format_of_name(reading.file);
+  if (!reading.skeleton.empty() && format && format != MotionFormat::Amc)
+    return Error{"a " + std::string(name_of(*format)) + " file has its own skeleton; leave out --skeleton",
+                 reading.file};
+  auto clips = load_motion(reading.file, reading.skeleton, *options);
+  if (!clips || reading.performer.empty()) return clips;
+  return only(std::move(*clips), reading);
+}
+
+Result<ImportedClip> read_performer(const MotionReading& reading) {
+  Result<std::vector<ImportedClip>> clips = read_performers(reading);
+  if (!clips) return clips.error();
+  if (clips->size() > 1)
+    return Error{fmt::format("holds {} performers; choose one with --performer: {}", clips->size(),
+                             who_is_there(*clips)),
+                 reading.file};
+  return std::move(clips->front());
+}
+
+std::vector<std::string> warnings_of_import(const MotionReading& reading, const ImportedClip& imported) {
+  std::vector<std::string> sentences;
+  for (const ImportWarning& warning : imported.report.warnings)
+    sentences.push_back(fmt::format("{}{}: {}: {}", reading.file,
+                                    warning.line > 0 ? fmt::format(":{}", warning.line) : "", warning.kind,
+                                    warning.detail));
+  return sentences;
+}
+
+}  // namespace abrazo
