@@ -1,5 +1,9 @@
 #include "app/cli/motion_reading.hpp"
 
+#include <cmath>
+
+#include "core/base/text.hpp"
+
 namespace abrazo::app {
 
 void add_reading_options(CLI::App& command, MotionReading& reading) {
@@ -25,6 +29,11 @@ void add_reading_options(CLI::App& command, MotionReading& reading) {
       ->check(CLI::IsMember({"y", "z"}))
       ->type_name("AXIS");
   command.add_option("--performer", reading.performer, "which performer of a file with several")
+      ->check([](const std::string& word) {
+        const auto number = parse_number(word);
+        const bool usable = !number || (*number >= 1 && *number == std::floor(*number));
+        return usable ? std::string() : "expected a number from 1, or a name, found '" + word + "'";
+      })
       ->type_name("N|NAME");
   command
       .add_option("--animation", reading.animation,

@@ -1,3 +1,4 @@
+#include "core/base/printable.hpp"
 #include "core/base/text.hpp"
 #include "core/motion/files/import_clip.hpp"
 #include "core/motion/joints/performers.hpp"
@@ -30,8 +31,8 @@ void share_space(const ImportReport& first, ImportedClip& imported) {
 /// "Box (8 points)" of one that is no body; of a body why it cannot be read.
 std::string why_left_out(const NamedMotion& motion, const Error& error) {
   if (!joints_are_known(motion))
-    return motion.name + " (" + std::to_string(motion.points.size()) + " points)";
-  return motion.name + " (" + error.message + ")";
+    return printable_line(motion.name) + " (" + std::to_string(motion.points.size()) + " points)";
+  return printable_line(motion.name) + " (" + error.message + ")";
 }
 
 /// Of a file in which nobody can be read: about whom is most known.
@@ -40,7 +41,8 @@ Error nobody(const std::string& file, const std::vector<NamedMotion>& motions,
   std::size_t most = 0;
   std::vector<std::string> names;
   for (std::size_t m = 0; m < motions.size(); ++m) {
-    names.push_back(motions[m].name + " with " + std::to_string(motions[m].points.size()) + " points");
+    names.push_back(printable_line(motions[m].name) + " with " + std::to_string(motions[m].points.size()) +
+                    " points");
     const bool better = joints_are_known(motions[m]) && !joints_are_known(motions[most]);
     if (better ||
         (motions[m].points.size() > motions[most].points.size() && !joints_are_known(motions[most])))

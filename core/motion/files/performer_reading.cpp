@@ -5,6 +5,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/printable.hpp"
 #include "core/base/text.hpp"
 #include "core/motion/joints/joint_order.hpp"
 #include "core/motion/joints/motion_format.hpp"
@@ -43,7 +44,7 @@ Result<ImportOptions> options_of(const MotionReading& reading) {
 std::string who_is_there(const std::vector<ImportedClip>& clips) {
   std::string names;
   for (std::size_t c = 0; c < clips.size(); ++c)
-    names += fmt::format("{}{} {}", c > 0 ? ", " : "", c + 1, clips[c].clip.name);
+    names += fmt::format("{}{} {}", c > 0 ? ", " : "", c + 1, printable_line(clips[c].clip.name));
   return names;
 }
 
@@ -53,8 +54,9 @@ Result<std::vector<ImportedClip>> only(std::vector<ImportedClip> clips, const Mo
   for (std::size_t c = 0; c < clips.size(); ++c)
     if (clips[c].clip.name == reading.performer || (number && *number == static_cast<double>(c + 1)))
       return std::vector<ImportedClip>{std::move(clips[c])};
-  return Error{fmt::format("has no performer {}; it holds {}", reading.performer, who_is_there(clips)),
-               reading.file};
+  return Error{
+      fmt::format("has no performer {}; it holds {}", printable_line(reading.performer), who_is_there(clips)),
+      reading.file};
 }
 
 }  // namespace
