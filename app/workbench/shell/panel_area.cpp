@@ -17,7 +17,7 @@ namespace {
 
 constexpr int plots_height = 172;
 constexpr int low_head = 24;          // where height is scarce
-constexpr int candidates_share = 50;  // per cent of the right side
+constexpr int candidates_share = 55;  // per cent of the right side
 // More panels of a side share the last place as tabs: each needs some height to be read.
 constexpr int most_stacked_beside = 2, most_stacked_below = 1;
 
