@@ -149,6 +149,11 @@ bool PanelArea::hasRoom(const Panel& panel) const {
   }
 }
 
+/// Of panels that share a place.
+QList<QTabBar*> PanelArea::tabBars() const {
+  return findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly);
+}
+
 void PanelArea::showWhatFits() {
   PanelPlan shown = m_room;
   shown.left = shown.right = shown.plots = false;
@@ -161,7 +166,7 @@ void PanelArea::showWhatFits() {
     shown.right |= side == Qt::RightDockWidgetArea;
     shown.plots |= side == Qt::BottomDockWidgetArea;
   }
-  for (auto* tabs : findChildren<QTabBar*>()) tabs->setAccessibleName("Panels that share a place");
+  for (QTabBar* tabs : tabBars()) tabs->setAccessibleName("Panels that share a place");
   emit arranged(shown);
 }
 
@@ -179,7 +184,7 @@ int PanelArea::planned(Qt::DockWidgetArea side) const {
 /// As they are now: after a person moved a border, or a layout was chosen. Not while the window is resized.
 void PanelArea::rememberSizes() {
   int tabs_height = 0;  // at the sides it counts with the panels of a place
-  for (const auto* tabs : findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly))
+  for (const QTabBar* tabs : tabBars())
     if (tabs->isVisible()) tabs_height = tabs->height();
   for (const Panel& panel : m_panels) {
     const QDockWidget& dock = *panel.dock;

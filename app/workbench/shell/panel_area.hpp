@@ -1,11 +1,14 @@
 #pragma once
 
+#include <QList>
 #include <QMainWindow>
 #include <map>
 #include <vector>
 
 #include "app/workbench/shell/window_layout.hpp"
 #include "widgets/common/palette.hpp"
+
+class QTabBar;
 
 namespace abrazo::app {
 
@@ -64,6 +67,7 @@ class PanelArea : public QMainWindow {
   const Panel* find(const QString& id) const;
   void place(Panel& panel);
   bool hasRoom(const Panel& panel) const;
+  QList<QTabBar*> tabBars() const;
   void showWhatFits();
   int planned(Qt::DockWidgetArea side) const;
   void rememberSizes();
