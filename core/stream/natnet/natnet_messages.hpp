@@ -12,7 +12,7 @@
 
 namespace abrazo {
 
-/// First number of a NatNet packet (workbench.md section 5.2).
+/// First number of a NatNet packet (docs/guide/live/natnet.md).
 enum class NatNetMessage : std::uint16_t {
   Connect = 0,
   ServerInfo = 1,

@@ -59,7 +59,7 @@ struct StreamObservation {
 std::optional<std::string> protocol_of(const std::array<std::uint8_t, 16>& first_bytes, std::size_t count,
                                        std::size_t packet_size);
 
-/// Advice, most severe first (workbench.md section 5.8). A pure function.
+/// Advice, most severe first (docs/guide/live/diagnoses.md). A pure function.
 std::vector<StreamDiagnosis> diagnose(const StreamObservation& seen);
 
 }  // namespace abrazo

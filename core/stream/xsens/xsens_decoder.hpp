@@ -6,7 +6,7 @@
 
 namespace abrazo {
 
-/// Xsens MVN network streaming, MXTP (workbench.md section 5.3): poses as positions and quaternions (02), as
+/// Xsens MVN network streaming, MXTP (docs/guide/live/xsens.md): poses as positions and quaternions (02), as
 /// positions and Euler angles (01) or for Unity (05); names (12), scale (13) and time code (25). One
 /// performer per character id. Option "units=m|cm"; without it they are found from the height of the pelvis.
 /// @return an Error for an option's value that is none

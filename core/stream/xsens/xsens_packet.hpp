@@ -13,7 +13,7 @@
 
 namespace abrazo {
 
-/// The two digits behind "MXTP" (workbench.md section 5.3). Others are known to exist and left alone.
+/// The two digits behind "MXTP" (docs/guide/live/xsens.md). Others are known to exist and left alone.
 enum class XsensType : int {
   PoseEuler = 1,
   PoseQuaternion = 2,
