@@ -169,7 +169,7 @@ TEST(CandidateTable, SpeaksTheTermsOfTheMethodThatDecidedTheShownFrame) {
   Table t;
   auto* header = t.table.findChild<CandidateHeader*>();
   t.table.showFrame(frame_by_intent(1, 0.03));
-  EXPECT_EQ(t.table.reason(), QString("Continues: #2 is 0.020 m better, less than the margin"));
+  EXPECT_EQ(t.table.reason(), QString("Continues: #2 costs 0.010 m more, by the 0.030 m for the change"));
   EXPECT_TRUE(header->area(CandidateColumn::Pose).isEmpty());
   EXPECT_FALSE(header->area(CandidateColumn::Partner).isEmpty());
   QTest::keyClick(t.list, Qt::Key_Down);
