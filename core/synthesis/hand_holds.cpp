@@ -1,5 +1,6 @@
 #include "core/synthesis/hand_holds.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
