@@ -106,7 +106,7 @@ void bind_run(py::module_& module) {
                   write_clip_file(file.string(), std::array<Clip, 2>{self.run.active, self.run.passive}));
             });
           },
-          py::arg("file"), "Writes both characters as .bvh, .glb or .csv. Raises abrazo.Error.")
+          py::arg("file"), "Writes both characters as .bvh, .glb, .csv or .npz. Raises abrazo.Error.")
       .def("__len__", [](const Run& self) { return self.run.times_s.size(); })
       .def("__repr__", [](const Run& self) {
         return fmt::format("<abrazo.Run: {} steps at {} Hz>", self.run.times_s.size(), self.run.rate_hz());

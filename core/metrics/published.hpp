@@ -18,12 +18,16 @@ struct Duet {
   std::vector<Pose> user, partner;
 };
 
-// Figures of the literature on two people, by the definitions of the official code:
-//   Duolando  Siyao et al., ICLR 2024, github.com/lisiyao21/Duolando: utils/metrics_duet.py,
-//   utils/metric_footskating_dur.py R2R       Cen et al., Ready-to-React, ICLR 2025,
-//   github.com/zju3dv/ready_to_react:
-//             reactmotion/runners/evaluators/reactive_mocon_evaluator.py
-//   ReMoS     Ghosh et al., ECCV 2024, arXiv:2311.17057
+// Figures of the literature on two people, by the definitions of the official code.
+//
+// Duolando: Siyao et al., ICLR 2024, github.com/lisiyao21/Duolando: utils/metrics_duet.py and
+// utils/metric_footskating_dur.py.
+//
+// R2R: Cen et al., Ready-to-React, ICLR 2025, github.com/zju3dv/ready_to_react:
+// reactmotion/runners/evaluators/reactive_mocon_evaluator.py.
+//
+// ReMoS: Ghosh et al., ECCV 2024, arXiv:2311.17057.
+//
 // Joints of SMPL-X are taken as those of the 25 at the same place (foot: toe base, head: upper neck).
 
 /// MPJPE (ReMoS; mean over joints and frames) of a reaction against the captured one [m], in world space.

@@ -69,6 +69,21 @@ TEST_F(Routing, NoSingleKeyReachesAnActionWhileAnEditorHasTheFocus) {
 /// Ctrl+Z took back the text of a filter in place of the setting that was just changed.
 TEST_F(Routing, UndoIsOfTheLastChangeWhereverThatWas) {
   const double usual = window->document().settings().alpha;
+  QSpinBox number(window);
+  number.show();
+  number.setFocus();
+  number.selectAll();
+  QTest::keyClicks(&number, "12");
+  window->document().changeSetting("alpha", "0.8", 0);
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(window->document().settings().alpha, usual) << "it came after the number";
+  EXPECT_EQ(number.value(), 12);
+  QTest::keyClicks(&number, "3");
+  window->undoStack().redo();
+  QTest::keyClicks(&number, "4");
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_EQ(window->document().settings().alpha, 0.8) << "the number came last";
+  window->undoStack().undo();
   QLineEdit field(window);
   field.show();
   field.setFocus();

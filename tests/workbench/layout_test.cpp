@@ -270,6 +270,18 @@ TEST_F(Layout, SizesThatAPersonChoseComeBackWhenThereIsRoomAgain) {
   EXPECT_NEAR(panel("library").width(), left, 2);
 }
 
+TEST_F(Layout, APanelThatIsMovedForgetsTheSizeItHadElsewhere) {
+  QTest::qWait(40);
+  area().want("plots", false);
+  area().addDockWidget(Qt::BottomDockWidgetArea, &panel("settings"));
+  area().resizeDocks({&panel("settings")}, {150}, Qt::Vertical);
+  QTest::qWait(40);
+  const int height = panel("settings").height();
+  window().resize(1590, 1000);
+  QTest::qWait(40);
+  EXPECT_NEAR(panel("settings").height(), height, 2);
+}
+
 TEST_F(Layout, ASideWhosePanelsWereAllClosedCanBeAskedBack) {
   area().want("scene", false);
   area().want("library", false);

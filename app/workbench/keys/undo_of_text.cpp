@@ -1,5 +1,6 @@
 #include "app/workbench/keys/undo_of_text.hpp"
 
+#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QDockWidget>
 #include <QKeyEvent>
@@ -26,13 +27,17 @@ void UndoOfText::watch(QWidget* focused) {
     connect(line, &QLineEdit::textEdited, this, type);
   else if (auto* text = qobject_cast<QPlainTextEdit*>(focused))
     connect(text, &QPlainTextEdit::textChanged, this, type);
-  else
+  else if (!qobject_cast<QAbstractSpinBox*>(focused))
     return;
   m_watched = focused;
   focused->installEventFilter(this);
 }
 
 bool UndoOfText::eventFilter(QObject* watched, QEvent* event) {
+  // The field of a number tells nobody of its text. What it takes over becomes a step, which comes after
+  // this.
+  if (event->type() == QEvent::KeyPress && qobject_cast<QAbstractSpinBox*>(watched))
+    m_typed = m_typed || !static_cast<QKeyEvent*>(event)->text().isEmpty();
   if (event->type() != QEvent::ShortcutOverride || m_typed) return QObject::eventFilter(watched, event);
   const auto* key = static_cast<QKeyEvent*>(event);
   if (!key->matches(QKeySequence::Undo) && !key->matches(QKeySequence::Redo)) return false;

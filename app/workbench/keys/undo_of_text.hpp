@@ -8,8 +8,8 @@ class QWidget;
 
 namespace abrazo::app {
 
-/// Which Undo and Redo a text field with the focus keeps: only those of what was typed there after the last
-/// step of the window. The others are the window's, whatever was typed before them.
+/// Which Undo and Redo a text or number field with the focus keeps: only those of what was typed there after
+/// the last step of the window. The others are the window's, whatever was typed before them.
 class UndoOfText : public QObject {
   Q_OBJECT
  public:

@@ -60,6 +60,8 @@ QDockWidget* PanelArea::add(const QString& id, const QString& title, QWidget* co
     want(dock->objectName(), true);  // also where there was no room for panels at that side
   });
   connect(dock, &QDockWidget::topLevelChanged, this, &PanelArea::showWhatFits, Qt::QueuedConnection);
+  // Elsewhere it had another size, and others made room for it.
+  connect(dock, &QDockWidget::dockLocationChanged, this, [this, id] { m_sizes.erase(id); });
   m_panels.push_back({dock, head, area, shown, shown});
   place(m_panels.back());
   dock->setVisible(shown && hasRoom(m_panels.back()));

@@ -53,14 +53,15 @@ Status save_to(const SessionToSave& what, const Project& project) {
 
 Result<Project> save_session(const SessionToSave& what, const Progress& progress) {
   const bool with_library = !what.library_file.empty();
+  std::error_code ignored;
+  const bool was_there = with_library && fs::exists(what.library_file, ignored);
   if (with_library)
     if (const Status written = write_library(*what.library, what.library_file, progress); !written)
       return written.error();
   Project project = with_contents(what);
   const Status saved = save_to(what, project);
   if (saved) return project;
-  std::error_code ignored;
-  if (with_library) fs::remove(what.library_file, ignored);
+  if (with_library && !was_there) fs::remove(what.library_file, ignored);
   return saved.error();
 }
 

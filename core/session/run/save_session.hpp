@@ -24,7 +24,7 @@ struct SessionToSave {
   std::string library_file;  ///< where to write the library as well; empty = nowhere
 };
 
-/// Each file whole or not at all; a library that was written for nothing is removed.
+/// Each file whole or not at all; a new file with a library that was written for nothing is removed.
 /// @return the project with complete references, as it is in the file
 Result<Project> save_session(const SessionToSave& what, const Progress& progress);
 

@@ -131,6 +131,9 @@ TEST_F(SaveSession, ThatFailsLeavesNothingBehind) {
   ASSERT_FALSE(saved);
   EXPECT_THAT(saved.error().text(), HasSubstr("no/where/p.abrazo"));
   EXPECT_THAT(files(), ElementsAre());
+  ASSERT_TRUE(write_library(*what.library, what.library_file));
+  EXPECT_FALSE(save_session(what, {}));
+  EXPECT_THAT(files(), ElementsAre("small.h5")) << "it was there before";
 }
 
 TEST_F(SaveSession, ACopyThatFailsLeavesTheFileThatWasThere) {
