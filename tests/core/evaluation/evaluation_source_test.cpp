@@ -28,9 +28,9 @@ TEST(EvaluationParts, AreAllOfThemWithOneWord) {
 
 TEST(EvaluationParts, ThatThereAreNotAreRefusedWithThoseThereAre) {
   const std::vector<std::string> names = {"moves", "tempo"};
-  EXPECT_EQ(
-      evaluation_parts(names).error().text(),
-      "'tempo' is no part of the evaluation; there are selection, timing, moves, zmp, contact, published, and all");
+  EXPECT_EQ(evaluation_parts(names).error().text(),
+            "'tempo' is no part of the evaluation; there are selection, timing, moves, zmp, contact, "
+            "published, and all");
 }
 
 }  // namespace
