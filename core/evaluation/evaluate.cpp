@@ -149,7 +149,7 @@ void remark_on(const std::vector<const PairedTake*>& takes, Evaluation& evaluati
       evaluation.remarks.push_back(fmt::format(
           "take {0} has {1:g} frames a second, which {2:g} steps a second do not divide: steps are unevenly "
           "apart, which distorts accelerations, and so the ZMP errors of capture and synthesis; choose a "
-          "--step-rate that divides {1:g}",
+          "step rate that divides {1:g}",
           take->name, take->a.fps, rate_hz));
   }
 }
@@ -165,10 +165,8 @@ std::vector<std::string> names_of(const Takes& takes) {
 Status check_names(const std::vector<std::string>& known, bool leave_out,
                    const std::vector<std::string>& hold_out, const std::string& data) {
   if (leave_out && known.size() < 2)
-    return Error{
-        "leaving a take out needs at least two takes; name more of them, or give other users' takes "
-        "with --users",
-        data};
+    return Error{"leaving a take out needs at least two takes; name more of them, or give other users' takes",
+                 data, Hint::NameUsers};
   for (const std::string& name : hold_out)
     if (std::find(known.begin(), known.end(), name) == known.end())
       return Error{

@@ -110,7 +110,8 @@ Status check_sweep(const Sweep& sweep) {
     }
   }
   if (sweep.x.key == sweep.y.key)
-    return Error{fmt::format("both axes are {}; sweep two different settings", sweep.x.key), "--y"};
+    return Error{fmt::format("both axes are {}; sweep two different settings", sweep.x.key), "",
+                 Hint::SetSweepAxis};
   return check_metric(sweep.metric);
 }
 
@@ -187,7 +188,7 @@ Result<SweepShard> parse_sweep_shard(std::string_view text) {
       return SweepShard{static_cast<int>(*index), static_cast<int>(*count)};
   }
   return Error{fmt::format("{} cannot be used: I/N is expected, I from 1 to N, as in 1/8", in_quotes(text)),
-               "--shard"};
+               "shard", Hint::SetShard};
 }
 
 std::vector<int> points_of(const Sweep& sweep, const SweepShard& shard) {
@@ -228,7 +229,8 @@ Result<SweepOutcome> merge_sweep(const fs::path& folder, std::string_view metric
   const auto files = read_shard_files(folder);
   if (!files) return files.error();
   if (files->empty())
-    return Error{"holds no shards (shard-I-of-N.json); name the folder of --report", folder.string()};
+    return Error{"holds no shards (shard-I-of-N.json); name the folder of a sweep's report", folder.string(),
+                 Hint::NameReport};
   Sweep sweep = files->front().sweep;
   if (!metric.empty()) sweep.metric = metric;
   if (const Status usable = check_metric(sweep.metric); !usable) return usable.error();

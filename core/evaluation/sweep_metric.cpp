@@ -73,7 +73,7 @@ Status check_metric(std::string_view metric) {
   return Error{fmt::format("{} is not a figure of report.json that a sweep can be about; there are {}, and "
                            "moves.per_label.LABEL.rate",
                            in_quotes(metric), list),
-               "--metric"};
+               "", Hint::ChooseMetric};
 }
 
 MetricGoal goal_of(std::string_view metric) {

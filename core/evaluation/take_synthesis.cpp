@@ -83,9 +83,8 @@ Result<ActivePerformer> user_of(const PairedTake& take, UserRole role, bool both
   if (!active)
     return Error{
         "the performers change roles, so a user who keeps to one role cannot be either of them; evaluate "
-        "with "
-        "--both-roles",
-        "take " + take.name};
+        "both roles",
+        "take " + take.name, Hint::EvaluateBothRoles};
   if (*active == ActivePerformer::Unknown) return ActivePerformer::A;
   return role == UserRole::Active ? *active : other(*active);
 }

@@ -1,15 +1,16 @@
 #pragma once
 
 #include <QString>
+#include <string_view>
 
 #include "core/base/error.hpp"
-#include "widgets/common/utf8.hpp"
 
 namespace abrazo::app {
 
+/// What the window offers for a hint, as the end of a sentence.
+std::string_view window_words(Hint hint);
+
 /// An error as it is told in the window.
-inline QString words(const Error& error) {
-  return widgets::text(error.text());
-}
+QString words(const Error& error);
 
 }  // namespace abrazo::app

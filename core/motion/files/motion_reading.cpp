@@ -39,8 +39,8 @@ Result<fs::path> skeleton_beside(const fs::path& motion) {
   const std::string found = skeletons.empty() ? "there is no .asf beside it"
                                               : "none of the " + std::to_string(skeletons.size()) +
                                                     " .asf files beside it has its name";
-  return Error{"an .amc needs its skeleton and " + found + "; name the .asf (--skeleton FILE)",
-               motion.string()};
+  return Error{"an .amc needs its skeleton and " + found + "; name the .asf", motion.string(),
+               Hint::NameSkeleton};
 }
 
 Result<std::vector<NamedMotion>> read_acclaim(const fs::path& file, const std::string& skeleton,

@@ -14,17 +14,19 @@ namespace abrazo {
 
 namespace {
 
-Status check_above_zero(std::optional<double> number, const char* option) {
+Status check_above_zero(std::optional<double> number, const char* name, Hint hint) {
   if (!number || (std::isfinite(*number) && *number > 0)) return Done{};
-  return Error{"expected a number above 0, found '" + exact_text(*number) + "'", option};
+  return Error{"expected a number above 0, found '" + exact_text(*number) + "'", name, hint};
 }
 
 Result<ImportOptions> options_of(const MotionReading& reading) {
-  if (const Status usable = check_above_zero(reading.metres_per_unit, "--metres-per-unit"); !usable)
+  if (const Status usable = check_above_zero(reading.metres_per_unit, "metres per unit", Hint::SetUnit);
+      !usable)
     return usable.error();
-  if (const Status usable = check_above_zero(reading.fps, "--fps"); !usable) return usable.error();
+  if (const Status usable = check_above_zero(reading.fps, "frame rate", Hint::SetFrameRate); !usable)
+    return usable.error();
   if (!reading.up.empty() && reading.up != "y" && reading.up != "z")
-    return Error{"'" + reading.up + "' is not an axis; use y or z", "--up"};
+    return Error{"'" + reading.up + "' is not an axis; use y or z", "axis that points up", Hint::SetUpAxis};
   ImportOptions options;
   options.metres_per_unit = reading.metres_per_unit;
   options.fps = reading.fps;
@@ -66,8 +68,8 @@ Result<std::vector<ImportedClip>> read_performers(const MotionReading& reading) 
   if (!options) return options.error();
   const auto format = format_of_name(reading.file);
   if (!reading.skeleton.empty() && format && format != MotionFormat::Amc)
-    return Error{"a " + std::string(name_of(*format)) + " file has its own skeleton; leave out --skeleton",
-                 reading.file};
+    return Error{"a " + std::string(name_of(*format)) + " file has its own skeleton; leave out the other one",
+                 reading.file, Hint::LeaveOutSkeleton};
   auto clips = load_motion(reading.file, reading.skeleton, *options);
   if (!clips || reading.performer.empty()) return clips;
   return only(std::move(*clips), reading);
@@ -77,18 +79,18 @@ Result<ImportedClip> read_performer(const MotionReading& reading) {
   Result<std::vector<ImportedClip>> clips = read_performers(reading);
   if (!clips) return clips.error();
   if (clips->size() > 1)
-    return Error{fmt::format("holds {} performers; choose one with --performer: {}", clips->size(),
-                             who_is_there(*clips)),
-                 reading.file};
+    return Error{fmt::format("holds {} performers: {}; choose one", clips->size(), who_is_there(*clips)),
+                 reading.file, Hint::ChoosePerformer};
   return std::move(clips->front());
 }
 
-std::vector<std::string> warnings_of_import(const MotionReading& reading, const ImportedClip& imported) {
-  std::vector<std::string> sentences;
+std::vector<Warning> warnings_of_import(const MotionReading& reading, const ImportedClip& imported) {
+  std::vector<Warning> sentences;
   for (const ImportWarning& warning : imported.report.warnings)
-    sentences.push_back(fmt::format("{}{}: {}: {}", reading.file,
-                                    warning.line > 0 ? fmt::format(":{}", warning.line) : "", warning.kind,
-                                    warning.detail));
+    sentences.push_back(
+        {fmt::format("{}{}: {}: {}", reading.file, warning.line > 0 ? fmt::format(":{}", warning.line) : "",
+                     warning.kind, warning.detail),
+         warning.hint});
   return sentences;
 }
 

@@ -29,6 +29,6 @@ Result<std::vector<ImportedClip>> read_performers(const MotionReading& reading);
 Result<ImportedClip> read_performer(const MotionReading& reading);
 
 /// What was odd about a file, a sentence each: "walk.bvh:17: glued-numbers: ...".
-std::vector<std::string> warnings_of_import(const MotionReading& reading, const ImportedClip& imported);
+std::vector<Warning> warnings_of_import(const MotionReading& reading, const ImportedClip& imported);
 
 }  // namespace abrazo
