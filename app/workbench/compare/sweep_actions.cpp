@@ -13,7 +13,7 @@
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "core/base/atomic_file.hpp"
-#include "core/evaluation/sweep_report.hpp"
+#include "core/evaluation/sweep/sweep_report.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/settings/settings_panel.hpp"
 #include "widgets/sweep/sweep_form.hpp"

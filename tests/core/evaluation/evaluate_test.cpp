@@ -1,9 +1,9 @@
-#include "core/evaluation/evaluate.hpp"
+#include "core/evaluation/run/evaluate.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/evaluation/report_json.hpp"
+#include "core/evaluation/report/report_json.hpp"
 #include "core/library/build/motion_library_builder.hpp"
 #include "evaluation_takes.hpp"
 #include "tests/support/libraries.hpp"

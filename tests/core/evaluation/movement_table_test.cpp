@@ -1,14 +1,14 @@
 // How the partner moves, in a dance that is given by formulas. The expected figures were printed for the same
 // dance by a program that was written apart from this one (another language, from traces), and are therefore
 // a check of every definition.
-#include "core/evaluation/movement_table.hpp"
+#include "core/evaluation/tables/movement_table.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/evaluation/take_synthesis.hpp"
+#include "core/evaluation/takes/take_synthesis.hpp"
 #include "core/motion/body/joint_set.hpp"
 #include "tests/core/evaluation/evaluation_takes.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/evaluation/sweep.hpp"
+#include "core/evaluation/sweep/sweep.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <set>
 
 #include "core/base/atomic_file.hpp"
-#include "core/evaluation/sweep_report.hpp"
+#include "core/evaluation/sweep/sweep_report.hpp"
 #include "tests/core/evaluation/report_example.hpp"
 
 namespace abrazo::sweep_test {

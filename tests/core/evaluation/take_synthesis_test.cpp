@@ -1,4 +1,4 @@
-#include "core/evaluation/take_synthesis.hpp"
+#include "core/evaluation/takes/take_synthesis.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
