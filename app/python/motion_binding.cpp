@@ -9,7 +9,7 @@
 #include "app/python/clip.hpp"
 #include "core/motion/body/joint_set.hpp"
 #include "core/motion/files/clip_file.hpp"
-#include "core/motion/files/performer_reading.hpp"
+#include "core/motion/files/motion_reading.hpp"
 
 namespace abrazo::python {
 

@@ -1,4 +1,4 @@
-#include "core/motion/files/performer_reading.hpp"
+#include "core/motion/files/motion_reading.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,7 +7,7 @@
 
 #include "tests/core/motion/motion_fixtures.hpp"
 
-namespace abrazo::performer_reading_test {
+namespace abrazo::motion_reading_test {
 namespace {
 
 using test::motion_fixture;
@@ -19,7 +19,7 @@ MotionReading of(const std::string& name) {
   return {.file = motion_fixture(name).string()};
 }
 
-TEST(PerformerReading, FollowsWhatIsSaidOfTheFile) {
+TEST(MotionReading, FollowsWhatIsSaidOfTheFile) {
   MotionReading reading = of("lafan_metres.bvh");
   reading.metres_per_unit = 2;
   reading.fps = 48;
@@ -30,7 +30,7 @@ TEST(PerformerReading, FollowsWhatIsSaidOfTheFile) {
   EXPECT_FALSE(read->report.unit_guessed);
 }
 
-TEST(PerformerReading, RefusesNumbersThatAreNoneAndNamesTheOption) {
+TEST(MotionReading, RefusesNumbersThatAreNoneAndNamesTheOption) {
   for (const double number : {0.0, -1.0, std::numeric_limits<double>::infinity()}) {
     MotionReading reading = of("lafan_metres.bvh");
     reading.fps = number;
@@ -42,13 +42,13 @@ TEST(PerformerReading, RefusesNumbersThatAreNoneAndNamesTheOption) {
   }
 }
 
-TEST(PerformerReading, RefusesAnAxisThatIsNeitherYNorZ) {
+TEST(MotionReading, RefusesAnAxisThatIsNeitherYNorZ) {
   MotionReading reading = of("lafan_metres.bvh");
   reading.up = "x";
   EXPECT_EQ(read_performer(reading).error().text(), "--up: 'x' is not an axis; use y or z");
 }
 
-TEST(PerformerReading, RefusesAPerformerThatIsNotThere) {
+TEST(MotionReading, RefusesAPerformerThatIsNotThere) {
   MotionReading reading = of("lafan_metres.bvh");
   for (const char* who : {"2", "0", "Anna"}) {
     reading.performer = who;
@@ -59,7 +59,7 @@ TEST(PerformerReading, RefusesAPerformerThatIsNotThere) {
   EXPECT_TRUE(read_performer(reading));
 }
 
-TEST(PerformerReading, SaysWhatWasOddWithTheFilesName) {
+TEST(MotionReading, SaysWhatWasOddWithTheFilesName) {
   const MotionReading reading = of("lafan_rest_first.bvh");
   const auto read = read_performer(reading);
   ASSERT_TRUE(read) << read.error().text();
@@ -67,4 +67,4 @@ TEST(PerformerReading, SaysWhatWasOddWithTheFilesName) {
 }
 
 }  // namespace
-}  // namespace abrazo::performer_reading_test
+}  // namespace abrazo::motion_reading_test
