@@ -79,7 +79,7 @@ void add_result_tiles(const Evaluation& evaluation, std::vector<HtmlTile>& tiles
        "median " + number_text(100 * result.partner.median_joint_error_m) + " cm; not in the paper"});
   if (const MovementFigures& f = result.movement.all; !result.movement.takes.empty())
     tiles.push_back({"partner's speed, 99th percentile", number_text(f.speed_p99_m_s) + " m/s",
-                     "captured " + number_text(f.own_speed_p99_m_s) + " m/s; accelerated " +
+                     "captured " + number_text(f.captured_speed_p99_m_s) + " m/s; accelerated " +
                          number_text(f.acceleration_ratio, 2) + " times as hard"});
   if (evaluation.has_contact && result.contact.holds.holds > 0)
     tiles.push_back({"change of hand holds, mean",

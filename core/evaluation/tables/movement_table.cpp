@@ -23,27 +23,27 @@ constexpr std::array movement_row_table = {
                 &TakeFigures::selected_error_m},
     MovementRow{"lag_s", "lag", "ms", 1000, &TakeFigures::lag_s},
     MovementRow{"speed_p50_m_per_s", "speed, median", "m/s", 1, &TakeFigures::speed_p50_m_s,
-                &TakeFigures::own_speed_p50_m_s},
+                &TakeFigures::captured_speed_p50_m_s},
     MovementRow{"speed_p99_m_per_s", "speed, 99th percentile", "m/s", 1, &TakeFigures::speed_p99_m_s,
-                &TakeFigures::own_speed_p99_m_s},
+                &TakeFigures::captured_speed_p99_m_s},
     MovementRow{"speed_rms_m_per_s", "speed, root mean square", "m/s", 1, &TakeFigures::speed_rms_m_s,
-                &TakeFigures::own_speed_rms_m_s},
+                &TakeFigures::captured_speed_rms_m_s},
     MovementRow{"acceleration_p50", "acceleration, median", "m/s\u00b2", 1,
-                &TakeFigures::acceleration_p50_m_s2, &TakeFigures::own_acceleration_p50_m_s2},
+                &TakeFigures::acceleration_p50_m_s2, &TakeFigures::captured_acceleration_p50_m_s2},
     MovementRow{"acceleration_p99", "acceleration, 99th percentile", "m/s\u00b2", 1,
-                &TakeFigures::acceleration_p99_m_s2, &TakeFigures::own_acceleration_p99_m_s2},
+                &TakeFigures::acceleration_p99_m_s2, &TakeFigures::captured_acceleration_p99_m_s2},
     MovementRow{"acceleration_rms", "acceleration, root mean square", "m/s\u00b2", 1,
-                &TakeFigures::acceleration_rms_m_s2, &TakeFigures::own_acceleration_rms_m_s2},
+                &TakeFigures::acceleration_rms_m_s2, &TakeFigures::captured_acceleration_rms_m_s2},
     MovementRow{"acceleration_ratio", "acceleration, times the captured", "", 1,
                 &TakeFigures::acceleration_ratio},
     MovementRow{"step_max_m", "largest step", "cm", 100, &TakeFigures::largest_step_m,
-                &TakeFigures::own_largest_step_m, true},
+                &TakeFigures::captured_largest_step_m, true},
     MovementRow{"slide_m_per_s", "sliding of landed feet, mean", "m/s", 1, &TakeFigures::slide_m_s,
-                &TakeFigures::own_slide_m_s},
+                &TakeFigures::captured_slide_m_s},
     MovementRow{"slide_share_fast", "sliding of landed feet, share faster than 0.3 m/s", "%", 100,
-                &TakeFigures::slide_share_fast, &TakeFigures::own_slide_share_fast},
+                &TakeFigures::slide_share_fast, &TakeFigures::captured_slide_share_fast},
     MovementRow{"landed_share", "share of the feet's steps that are landed", "%", 100,
-                &TakeFigures::landed_share, &TakeFigures::own_landed_share},
+                &TakeFigures::landed_share, &TakeFigures::captured_landed_share},
     MovementRow{"hover_mean_m", "height of locked toe bases above their rest, mean", "mm", 1000,
                 &TakeFigures::hover_mean_m},
     MovementRow{"hover_p90_m", "height of locked toe bases above their rest, 90th percentile", "mm", 1000,
@@ -69,7 +69,7 @@ constexpr std::array movement_row_table = {
     MovementRow{"pace.standing_share", "steps in which the source stands (pace below 0.25)", "%", 100,
                 &TakeFigures::standing_share},
     MovementRow{"pace.own_share", "steps at the source's own pace (0.75 to 1.25)", "%", 100,
-                &TakeFigures::own_pace_share},
+                &TakeFigures::source_pace_share},
 };
 
 /// What all takes have together, for the curves.
@@ -110,21 +110,21 @@ void set_quality(const MotionQuality::Figures& quality, MovementFigures& f) {
   f.pace_p50 = quality.pace_p50;
   f.pace_p95 = quality.pace_p95;
   f.standing_share = quality.standing_share;
-  f.own_pace_share = quality.own_pace_share;
+  f.source_pace_share = quality.source_pace_share;
 }
 
 void set_captured(const MovementMetric::Figures& captured, MovementFigures& f) {
-  f.own_speed_p50_m_s = captured.speed_p50_m_s;
-  f.own_speed_p99_m_s = captured.speed_p99_m_s;
-  f.own_speed_rms_m_s = captured.speed_rms_m_s;
-  f.own_acceleration_p50_m_s2 = captured.acceleration_p50_m_s2;
-  f.own_acceleration_p99_m_s2 = captured.acceleration_p99_m_s2;
-  f.own_acceleration_rms_m_s2 = captured.acceleration_rms_m_s2;
+  f.captured_speed_p50_m_s = captured.speed_p50_m_s;
+  f.captured_speed_p99_m_s = captured.speed_p99_m_s;
+  f.captured_speed_rms_m_s = captured.speed_rms_m_s;
+  f.captured_acceleration_p50_m_s2 = captured.acceleration_p50_m_s2;
+  f.captured_acceleration_p99_m_s2 = captured.acceleration_p99_m_s2;
+  f.captured_acceleration_rms_m_s2 = captured.acceleration_rms_m_s2;
   f.acceleration_ratio = f.acceleration_rms_m_s2 / captured.acceleration_rms_m_s2;
-  f.own_largest_step_m = captured.largest_step_m;
-  f.own_slide_m_s = captured.slide.mean_m_s;
-  f.own_slide_share_fast = captured.slide.share_fast;
-  f.own_landed_share = captured.slide.landed_share;
+  f.captured_largest_step_m = captured.largest_step_m;
+  f.captured_slide_m_s = captured.slide.mean_m_s;
+  f.captured_slide_share_fast = captured.slide.share_fast;
+  f.captured_landed_share = captured.slide.landed_share;
 }
 
 void set_holds(const HoldMetric::Figures& of_pairs, const HoldMetric::Figures& of_capture,
