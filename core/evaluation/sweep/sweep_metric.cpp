@@ -6,6 +6,8 @@
 #include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
 
 #include "core/base/text.hpp"
 #include "core/evaluation/report/report_json.hpp"
@@ -16,6 +18,85 @@ namespace {
 
 constexpr std::array<std::string_view, 7> groups = {"moves",    "zmp",       "contact", "partner",
                                                     "movement", "published", "solve_us"};
+
+/// A figure of report.json, or all of an object, whose name then ends with a dot.
+struct StatedGoal {
+  std::string_view name;
+  FigureGoal goal;
+};
+
+/// Of the tables without rows of their own. Of several that fit the first counts.
+constexpr std::array stated_goals = {
+    StatedGoal{"moves.", FigureGoal::Highest},
+    StatedGoal{"contact.bone_length_max", FigureGoal::Lowest},
+    StatedGoal{"contact.foot_lock_drift_max_m", FigureGoal::Lowest},
+    StatedGoal{"contact.foot_slide_m_per_s.", FigureGoal::Lowest},
+    StatedGoal{"contact.hold_change_mean_m", FigureGoal::Lowest},
+    StatedGoal{"contact.hold_change_p95_m", FigureGoal::Lowest},
+    StatedGoal{"contact.hold_f1", FigureGoal::Highest},
+    StatedGoal{"contact.hold_precision", FigureGoal::Highest},
+    StatedGoal{"contact.holds", FigureGoal::Highest},
+    StatedGoal{"contact.holds_kept", FigureGoal::Highest},
+    StatedGoal{"contact.original_penetration.", FigureGoal::Lowest},
+    StatedGoal{"contact.penetration.", FigureGoal::Lowest},
+    StatedGoal{"contact.penetration_excess_p99_m", FigureGoal::Lowest},
+    StatedGoal{"partner.behind_selected_mean_m", FigureGoal::Lowest},
+    StatedGoal{"partner.displacement_max_m", FigureGoal::Lowest},
+    StatedGoal{"partner.displacement_mean_m", FigureGoal::Lowest},
+    StatedGoal{"partner.displacement_p95_m", FigureGoal::Lowest},
+    StatedGoal{"partner.displacement_p99_m", FigureGoal::Lowest},
+    StatedGoal{"partner.lag_correlation", FigureGoal::Highest},
+    StatedGoal{"partner.lag_ms", FigureGoal::NearestZero},
+    StatedGoal{"partner.mean_joint_error_m", FigureGoal::Lowest},
+    StatedGoal{"partner.median_joint_error_m", FigureGoal::Lowest},
+    StatedGoal{"partner.original.", FigureGoal::Lowest},
+    StatedGoal{"partner.p95_joint_error_m", FigureGoal::Lowest},
+    StatedGoal{"partner.second_difference_mean_m", FigureGoal::Lowest},
+    StatedGoal{"partner.second_difference_p99_m", FigureGoal::Lowest},
+    StatedGoal{"partner.source_changes_per_100", FigureGoal::Lowest},
+    StatedGoal{"published.clips", FigureGoal::None},
+    StatedGoal{"solve_us.failed", FigureGoal::Lowest},
+    StatedGoal{"solve_us.p50", FigureGoal::Lowest},
+    StatedGoal{"solve_us.p95", FigureGoal::Lowest},
+    StatedGoal{"solve_us.p99", FigureGoal::Lowest},
+    StatedGoal{"solve_us.relaxed", FigureGoal::Lowest},
+    StatedGoal{"solve_us.steps", FigureGoal::Lowest},
+    StatedGoal{"zmp.common_frames.", FigureGoal::Lowest},
+    StatedGoal{"zmp.frames", FigureGoal::Lowest},
+    StatedGoal{"zmp.original_asf", FigureGoal::Lowest},
+    StatedGoal{"zmp.original_m", FigureGoal::Lowest},
+    StatedGoal{"zmp.original_skipped_frames", FigureGoal::Lowest},
+    StatedGoal{"zmp.partner.", FigureGoal::Lowest},
+    StatedGoal{"zmp.partner_between_changes.", FigureGoal::Lowest},
+    StatedGoal{"zmp.partner_common_frames.", FigureGoal::Lowest},
+    StatedGoal{"zmp.partner_left_out.", FigureGoal::Lowest},
+    StatedGoal{"zmp.ratio", FigureGoal::Lowest},
+    StatedGoal{"zmp.settings.", FigureGoal::None},
+    StatedGoal{"zmp.skipped_frames", FigureGoal::Lowest},
+    StatedGoal{"zmp.synthesised_asf", FigureGoal::Lowest},
+    StatedGoal{"zmp.synthesised_m", FigureGoal::Lowest},
+};
+
+/// "slide_m_per_s" is the row of "slide_m_per_s" and of "slide_m_per_s.captured".
+bool is_of_row(std::string_view figure, std::string_view row) {
+  return figure.starts_with(row) && (figure.size() == row.size() || figure[row.size()] == '.');
+}
+
+/// Nothing where none is stated: a figure that was added without one.
+std::optional<FigureGoal> stated_goal(std::string_view metric) {
+  constexpr std::string_view movement = "movement.", published = "published.";
+  if (metric.starts_with(movement))
+    for (const MovementRow& row : movement_rows())
+      if (is_of_row(metric.substr(movement.size()), row.key)) return row.goal;
+  if (metric.starts_with(published))
+    for (const PublishedRow& row : published_rows())
+      if (is_of_row(metric.substr(published.size()), row.key))
+        return row.better == PublishedRow::Better::Higher ? FigureGoal::Highest : FigureGoal::Lowest;
+  for (const StatedGoal& stated : stated_goals)
+    if (stated.name.ends_with('.') ? metric.starts_with(stated.name) : metric == stated.name)
+      return stated.goal;
+  return std::nullopt;
+}
 
 void collect(const nlohmann::json& value, const std::string& path, Figures& figures) {
   if (value.is_number()) figures[path] = value.get<double>();
@@ -47,11 +128,7 @@ Figures figures_of(const Evaluation& evaluation) {
   for (const std::string_view group : groups)
     if (const auto found = report.find(std::string(group)); found != report.end())
       collect(*found, std::string(group), figures);
-  // Nothing is better for a higher or a lower one of these.
-  std::erase_if(figures, [](const auto& figure) {
-    return figure.first.starts_with("zmp.settings.") || figure.first == "published.clips" ||
-           figure.first.starts_with("movement.pace.p");
-  });
+  std::erase_if(figures, [](const auto& figure) { return stated_goal(figure.first) == FigureGoal::None; });
   return figures;
 }
 
@@ -76,42 +153,24 @@ Status check_metric(std::string_view metric) {
                "", Hint::ChooseMetric};
 }
 
-MetricGoal goal_of(std::string_view metric) {
-  if (metric == "partner.lag_ms" || metric == "movement.lag_s") return MetricGoal::NearestZero;
-  constexpr std::array<std::string_view, 16> high = {"lenient_rate",
-                                                     "rate",
-                                                     "successful",
-                                                     "lenient",
-                                                     "step_accuracy",
-                                                     "by_chance",
-                                                     "holds_kept",
-                                                     "hold_precision",
-                                                     "hold_f1",
-                                                     "lag_correlation",
-                                                     "holds",
-                                                     "total",
-                                                     "captured_holds_held",
-                                                     "captured_hold_recall",
-                                                     "captured_hold_precision",
-                                                     "own_share"};
-  for (const PublishedRow& row : published_rows())
-    if (metric.starts_with("published.") && metric.substr(10).starts_with(row.key))
-      return row.better == PublishedRow::Better::Higher ? MetricGoal::Highest : MetricGoal::Lowest;
-  const std::string_view last = metric.substr(metric.rfind('.') + 1);
-  const bool highest = std::find(high.begin(), high.end(), last) != high.end();
-  return highest ? MetricGoal::Highest : MetricGoal::Lowest;
+FigureGoal goal_of(std::string_view metric) {
+  const auto goal = stated_goal(metric);
+  if (!goal) throw std::invalid_argument("no goal is stated for the figure " + std::string(metric));
+  return *goal;
 }
 
-bool is_better(MetricGoal goal, double a, double b) {
+bool is_better(FigureGoal goal, double a, double b) {
   switch (goal) {
-    case MetricGoal::Highest:
+    case FigureGoal::Highest:
       return a > b;
-    case MetricGoal::NearestZero:
+    case FigureGoal::NearestZero:
       return std::abs(a) < std::abs(b);
-    case MetricGoal::Lowest:
+    case FigureGoal::Lowest:
+      return a < b;
+    case FigureGoal::None:
       break;
   }
-  return a < b;
+  return false;
 }
 
 }  // namespace abrazo

@@ -9,6 +9,7 @@
 #include "core/base/result.hpp"
 #include "core/evaluation/run/evaluate.hpp"
 #include "core/evaluation/tables/evaluation.hpp"
+#include "core/evaluation/tables/figure_goal.hpp"
 
 namespace abrazo {
 
@@ -28,9 +29,9 @@ std::vector<std::string> metric_names();
 /// An Error lists the names.
 Status check_metric(std::string_view metric);
 
-enum class MetricGoal { Lowest, Highest, NearestZero };
-/// Which value of a metric is best. Rates and shares of what is right: the highest; lag: the nearest to zero.
-MetricGoal goal_of(std::string_view metric);
-bool is_better(MetricGoal goal, double a, double b);
+/// Which value of a figure is best, as its row or the table in sweep_metric.cpp states.
+/// @throws std::invalid_argument for a figure that states none
+FigureGoal goal_of(std::string_view metric);
+bool is_better(FigureGoal goal, double a, double b);
 
 }  // namespace abrazo

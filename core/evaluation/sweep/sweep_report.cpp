@@ -53,11 +53,12 @@ const std::string& y_value(const Sweep& sweep, int point) {
 
 std::string_view goal_name(std::string_view metric) {
   switch (goal_of(metric)) {
-    case MetricGoal::Highest:
+    case FigureGoal::Highest:
       return "highest";
-    case MetricGoal::NearestZero:
+    case FigureGoal::NearestZero:
       return "nearest to zero";
-    case MetricGoal::Lowest:
+    case FigureGoal::Lowest:
+    case FigureGoal::None:
       break;
   }
   return "lowest";

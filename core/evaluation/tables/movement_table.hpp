@@ -5,12 +5,14 @@
 #include <string_view>
 #include <vector>
 
+#include "core/evaluation/tables/figure_goal.hpp"
+
 namespace abrazo {
 
 struct SynthesisedTake;
 
-/// How the partner moves in one take, or on average: of what was made, and of the captured partner (`captured_`)
-/// at the same steps. Not a number where there was nothing to measure.
+/// How the partner moves in one take, or on average: of what was made, and of the captured partner
+/// (`captured_`) at the same steps. Not a number where there was nothing to measure.
 struct MovementFigures {
   double partner_error_m = 0, selected_error_m = 0;
   double lag_s = 0;  ///< positive: late
@@ -39,6 +41,7 @@ struct MovementRow {
   std::string_view key;    ///< in report.json; "pace.p50" is p50 in the object pace
   std::string_view title;  ///< in report.html
   std::string_view unit;
+  FigureGoal goal = FigureGoal::None;
   double scale = 1;  ///< shown = scale times the value
   double MovementFigures::*made = nullptr;
   double MovementFigures::*captured = nullptr;  ///< of the captured partner; none for most

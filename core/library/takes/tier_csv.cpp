@@ -10,6 +10,7 @@
 #include "core/base/text.hpp"
 #include "core/library/takes/csv_text.hpp"
 #include "core/library/takes/manifest.hpp"
+#include "core/library/takes/take_labels.hpp"
 
 namespace abrazo {
 
@@ -124,9 +125,7 @@ Result<TierDocument> parse_label_file(std::string_view text, std::string_view wh
     document.warnings.push_back(
         fmt::format("has no labels of the take {}; it has {}", document.take, fmt::join(takes, ", ")));
   Tier tier{"move", {}, {}, TierKind::Move};
-  for (const LabelInterval& label : *labels)
-    tier.intervals.push_back(
-        {label.start / reading.fps, label.end / reading.fps, label.label, label.detail, label.confidence});
+  for (const LabelInterval& label : *labels) tier.intervals.push_back(interval_of(label, reading.fps));
   document.tiers.push_back(std::move(tier));
   return document;
 }

@@ -219,6 +219,15 @@ TEST(SweepMetric, CanBeEveryFigureOfTheContract) {
     EXPECT_FALSE(check_metric(name)) << name;
 }
 
+TEST(SweepMetric, EveryFigureStatesItsGoal) {
+  for (const std::string& name : metric_names()) {
+    EXPECT_NO_THROW(goal_of(name)) << name;
+    EXPECT_NE(goal_of(name), FigureGoal::None) << name;
+  }
+  EXPECT_EQ(goal_of("movement.pace.p50"), FigureGoal::None);
+  EXPECT_THROW(goal_of("contact.hugs"), std::invalid_argument);
+}
+
 TEST(SweepMetric, KnowsWhichValueIsBetter) {
   EXPECT_TRUE(is_better(goal_of("moves.rate"), 0.9, 0.8));
   EXPECT_TRUE(is_better(goal_of("moves.per_label.turn.lenient_rate"), 0.9, 0.8));

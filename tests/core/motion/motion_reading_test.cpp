@@ -30,7 +30,7 @@ TEST(MotionReading, FollowsWhatIsSaidOfTheFile) {
   EXPECT_FALSE(read->report.unit_guessed);
 }
 
-TEST(MotionReading, RefusesNumbersThatAreNoneAndNamesTheOption) {
+TEST(MotionReading, RefusesNumbersThatAreNoneAndNamesWhatToChange) {
   for (const double number : {0.0, -1.0, std::numeric_limits<double>::infinity()}) {
     MotionReading reading = of("lafan_metres.bvh");
     reading.fps = number;
