@@ -412,6 +412,24 @@ Violations third_parties_have_one_place(std::span<const SourceFile> files) {
   return found;
 }
 
+Violations core_names_no_option(std::span<const SourceFile> files) {
+  // The report of a sweep says how the command line evaluates a point again.
+  constexpr std::string_view reminder = "core/evaluation/sweep/sweep_report.cpp";
+  static const std::regex comment(R"re((^|\s)//.*$)re"), variable_of_a_page(R"re(var\(--)re"),
+      option_in_text(R"re("[^"]*--[a-z])re");
+  Violations found;
+  for (const SourceFile& file : files) {
+    if (!file.is_under("core/") || !file.is_cpp() || file.path == reminder) continue;
+    for (std::size_t i = 0; i < file.lines.size(); ++i) {
+      const std::string code = std::regex_replace(file.lines[i], comment, "");
+      if (std::regex_search(std::regex_replace(code, variable_of_a_page, ""), option_in_text))
+        found.push_back(at(file, static_cast<int>(i) + 1,
+                           "a text of core names an option of the command line; give the Error a Hint"));
+    }
+  }
+  return found;
+}
+
 Violations widgets_see_only_snapshots(std::span<const SourceFile> files) {
   return check_includes(files, "widgets/", [](const SourceFile&, const std::string& include) {
     if (!include.starts_with("core/") || is_open_to_widgets(include)) return std::string();

@@ -264,6 +264,15 @@ TEST(ArchitectureRules, CatchWidgetFoldersThatKnowEachOther) {
               IsEmpty());
 }
 
+TEST(ArchitectureRules, CatchAnOptionInASentenceOfCore) {
+  for (const char* named : {R"(return Error{"set the rate (--fps)", where};)", R"(return Error{"no", "--up"};)",
+                            R"(  "with --joints NAME";  // why)"})
+    EXPECT_THAT(core_names_no_option(one("core/motion/a.cpp", named)), SizeIs(1)) << named;
+  for (const char* fine : {R"(colour = "var(--ink,#fff)";)", "--count;  // \"--fps\""})
+    EXPECT_THAT(core_names_no_option(one("core/motion/a.cpp", fine)), IsEmpty()) << fine;
+  EXPECT_THAT(core_names_no_option(one("app/cli/a.cpp", R"(return " (--fps)";)")), IsEmpty());
+}
+
 TEST(ArchitectureRules, CatchASignalOfAnotherObject) {
   for (const char* foreign :
        {"emit m_window.failed(why);", "emit panel->chosen(1);", "emit view()->sought(2);"})

@@ -34,18 +34,21 @@ TEST(MotionReading, RefusesNumbersThatAreNoneAndNamesWhatToChange) {
   for (const double number : {0.0, -1.0, std::numeric_limits<double>::infinity()}) {
     MotionReading reading = of("lafan_metres.bvh");
     reading.fps = number;
-    EXPECT_THAT(read_performer(reading).error().text(),
-                StartsWith("--fps: expected a number above 0, found '"));
+    const Error of_rate = read_performer(reading).error();
+    EXPECT_THAT(of_rate.text(), StartsWith("frame rate: expected a number above 0, found '"));
+    EXPECT_EQ(of_rate.hint, Hint::SetFrameRate);
     reading.fps.reset();
     reading.metres_per_unit = number;
-    EXPECT_THAT(read_performers(reading).error().text(), StartsWith("--metres-per-unit: "));
+    const Error of_unit = read_performers(reading).error();
+    EXPECT_THAT(of_unit.text(), StartsWith("metres per unit: "));
+    EXPECT_EQ(of_unit.hint, Hint::SetUnit);
   }
 }
 
 TEST(MotionReading, RefusesAnAxisThatIsNeitherYNorZ) {
   MotionReading reading = of("lafan_metres.bvh");
   reading.up = "x";
-  EXPECT_EQ(read_performer(reading).error().text(), "--up: 'x' is not an axis; use y or z");
+  EXPECT_EQ(read_performer(reading).error().text(), "axis that points up: 'x' is not an axis; use y or z");
 }
 
 TEST(MotionReading, RefusesAPerformerThatIsNotThere) {
@@ -63,7 +66,7 @@ TEST(MotionReading, SaysWhatWasOddWithTheFilesName) {
   const MotionReading reading = of("lafan_rest_first.bvh");
   const auto read = read_performer(reading);
   ASSERT_TRUE(read) << read.error().text();
-  EXPECT_THAT(warnings_of_import(reading, *read), Contains(StartsWith(reading.file + ": units: ")));
+  EXPECT_THAT(warnings_of_import(reading, *read), Contains(testing::Field(&Warning::message, StartsWith(reading.file + ": units: "))));
 }
 
 }  // namespace
