@@ -143,9 +143,9 @@ Status evaluate_points(const Sweep& sweep, std::span<const int> points, const Sw
     if (!report(progress, done, name)) return Error{"cancelled", sweep.data};
     const auto evaluation = evaluate(settings_at(sweep, point), part(progress, done, done + share));
     if (!evaluation && evaluation.error().message == "cancelled") return evaluation.error();
-    const Result<Figures> figures =
-        evaluation ? Result<Figures>(figures_of(*evaluation))
-                   : Error{evaluation.error().message + " (at " + name + ")", evaluation.error().where};
+    const Result<Figures> figures = evaluation ? Result<Figures>(figures_of(*evaluation))
+                                               : Error{evaluation.error().message + " (at " + name + ")",
+                                                       evaluation.error().where, evaluation.error().hint};
     if (!listener(point, figures)) return Error{"cancelled", sweep.data};
     done += share;
   }
