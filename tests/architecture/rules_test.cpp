@@ -265,12 +265,12 @@ TEST(ArchitectureRules, CatchWidgetFoldersThatKnowEachOther) {
 }
 
 TEST(ArchitectureRules, CatchAnOptionInASentenceOfCore) {
-  for (const char* named : {R"(return Error{"set the rate (--fps)", where};)", R"(return Error{"no", "--up"};)",
-                            R"(  "with --joints NAME";  // why)"})
+  for (const char* named : {R"re(return Error{"set the rate (--fps)", where};)re",
+                            R"re(return {"no", "--up"};)re", R"re(  "with --joints NAME";  // why)re"})
     EXPECT_THAT(core_names_no_option(one("core/motion/a.cpp", named)), SizeIs(1)) << named;
-  for (const char* fine : {R"(colour = "var(--ink,#fff)";)", "--count;  // \"--fps\""})
+  for (const char* fine : {R"re(colour = "var(--ink,#fff)";)re", R"re(--count;  // "--fps")re"})
     EXPECT_THAT(core_names_no_option(one("core/motion/a.cpp", fine)), IsEmpty()) << fine;
-  EXPECT_THAT(core_names_no_option(one("app/cli/a.cpp", R"(return " (--fps)";)")), IsEmpty());
+  EXPECT_THAT(core_names_no_option(one("app/cli/a.cpp", R"re(return " (--fps)";)re")), IsEmpty());
 }
 
 TEST(ArchitectureRules, CatchASignalOfAnotherObject) {

@@ -140,7 +140,8 @@ TEST(MovementTable, IsTheMeanOverTheTakesAndOfLargestStepsTheLargest) {
   const MovementFigures &one = table.per_take[0], &two = table.per_take[1];
   EXPECT_NEAR(table.all.speed_p99_m_s, (one.speed_p99_m_s + two.speed_p99_m_s) / 2, 1e-12);
   EXPECT_EQ(table.all.step_at_change_max_m, std::max(one.step_at_change_max_m, two.step_at_change_max_m));
-  EXPECT_EQ(table.all.captured_largest_step_m, std::max(one.captured_largest_step_m, two.captured_largest_step_m));
+  EXPECT_EQ(table.all.captured_largest_step_m,
+            std::max(one.captured_largest_step_m, two.captured_largest_step_m));
   EXPECT_GT(table.all.step_at_change_max_m, 0.1) << "it leaps at changes";
   EXPECT_LT(table.all.step_at_change_max_m, 0.2);
 }

@@ -34,7 +34,7 @@ TEST(UserOf, WherePerformersChangeRolesSaysHowToEvaluate) {
   const auto user = user_of(take, UserRole::Active, false);
   ASSERT_FALSE(user);
   EXPECT_THAT(user.error().text(), HasSubstr("sparring"));
-  EXPECT_THAT(user.error().text(), HasSubstr("--both-roles"));
+  EXPECT_EQ(user.error().hint, Hint::EvaluateBothRoles);
   EXPECT_EQ(*user_of(take, UserRole::Active, true), ActivePerformer::A);
 }
 

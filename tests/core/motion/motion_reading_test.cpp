@@ -66,7 +66,8 @@ TEST(MotionReading, SaysWhatWasOddWithTheFilesName) {
   const MotionReading reading = of("lafan_rest_first.bvh");
   const auto read = read_performer(reading);
   ASSERT_TRUE(read) << read.error().text();
-  EXPECT_THAT(warnings_of_import(reading, *read), Contains(testing::Field(&Warning::message, StartsWith(reading.file + ": units: "))));
+  EXPECT_THAT(warnings_of_import(reading, *read),
+              Contains(testing::Field(&Warning::message, StartsWith(reading.file + ": units: "))));
 }
 
 }  // namespace
