@@ -23,7 +23,6 @@ namespace abrazo::app {
 namespace {
 
 using widgets::SweepPanel;
-using widgets::SweepRequest;
 
 constexpr double usual_step_us = 800;       ///< until a step was measured
 constexpr double share_of_measuring = 1.4;  ///< of a point's time, to that of its steps alone
@@ -46,7 +45,7 @@ double step_us(MainWindow& window) {
 /// What the form asks for would take, or why it cannot be done.
 void show_estimate(MainWindow& window, SweepPanel& panel, const SweepRun& run) {
   if (run.running()) return;
-  const SweepRequest request = panel.form().request();
+  const widgets::SweepRequest request = panel.form().request();
   const auto sweep = run.sweepOf(request, window.document().settings());
   if (!sweep) return panel.showEstimate(words(sweep.error()), false);
   const double steps = run.stepsOf(*sweep, request.takes);
@@ -83,7 +82,7 @@ void export_report(MainWindow& window, QWidget* over, const SweepRun& run) {
 
 void connect_run(MainWindow& window, SweepPanel& panel, SweepRun& run) {
   QObject::connect(&panel, &SweepPanel::edited, &run, [&] { show_estimate(window, panel, run); });
-  QObject::connect(&panel, &SweepPanel::startRequested, &run, [&](const SweepRequest& request) {
+  QObject::connect(&panel, &SweepPanel::startRequested, &run, [&](const widgets::SweepRequest& request) {
     const auto sweep = run.sweepOf(request, window.document().settings());
     if (!sweep) return panel.showEstimate(words(sweep.error()), false);
     panel.setRunning(true);
