@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/cli/hint_words.hpp"
 #include "app/cli/interruption.hpp"
 #include "core/base/printable.hpp"
 #include "core/base/text.hpp"
@@ -14,7 +15,7 @@ namespace abrazo::app {
 
 void fail(CommandLine& line, const Error& error) {
   clear_progress(line);
-  fmt::print(stderr, "abrazo: {}\n", error.text());
+  fmt::print(stderr, "abrazo: {}\n", error.text(option_words));
   line.status = 1;
 }
 
@@ -22,6 +23,10 @@ void warn(CommandLine& line, std::string_view text) {
   if (line.quiet) return;
   clear_progress(line);
   fmt::print(stderr, "abrazo: warning: {}\n", printable_line(text));
+}
+
+void warn(CommandLine& line, const Warning& warning) {
+  warn(line, warning.text(option_words));
 }
 
 void note(CommandLine& line, std::string_view text) {

@@ -18,11 +18,12 @@ struct CommandLine {
   bool progress_visible = false;  ///< a progress line stands on the terminal
 };
 
-/// Prints one sentence on stderr and sets the exit status to 1.
+/// Prints one sentence on stderr, with the option that it is about, and sets the exit status to 1.
 void fail(CommandLine& line, const Error& error);
 
 /// A remark on stderr about something odd that did not stop the work; nothing with --quiet.
 void warn(CommandLine& line, std::string_view text);
+void warn(CommandLine& line, const Warning& warning);
 
 /// What is going on, as a line on stderr; nothing with --quiet.
 void note(CommandLine& line, std::string_view text);

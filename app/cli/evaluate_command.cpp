@@ -10,9 +10,9 @@
 #include "app/cli/report_folder.hpp"
 #include "app/cli/settings_options.hpp"
 #include "core/base/atomic_file.hpp"
-#include "core/evaluation/evaluation_source.hpp"
-#include "core/evaluation/report_html.hpp"
-#include "core/evaluation/report_json.hpp"
+#include "core/evaluation/report/report_html.hpp"
+#include "core/evaluation/report/report_json.hpp"
+#include "core/evaluation/run/evaluation_source.hpp"
 
 namespace abrazo::app {
 

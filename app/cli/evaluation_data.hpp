@@ -5,7 +5,7 @@
 #include "app/cli/command_line.hpp"
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
-#include "core/evaluation/evaluation_source.hpp"
+#include "core/evaluation/run/evaluation_source.hpp"
 
 namespace abrazo::app {
 

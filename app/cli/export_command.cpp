@@ -69,7 +69,7 @@ Result<std::shared_ptr<const SessionFile>> file_of(CommandLine& line, const std:
 }
 
 void tell(CommandLine& line, const ExportWords& words, ExportReport& exported) {
-  for (const std::string& warning : exported.warnings) warn(line, warning);
+  for (const Warning& warning : exported.warnings) warn(line, warning);
   if (words.json) {
     JsonText json;
     json.begin_object().key("what").begin_array();

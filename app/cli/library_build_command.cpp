@@ -37,6 +37,7 @@ void run_build(CommandLine& line, const BuildArguments& arguments) {
   const auto library = build(arguments, progress, warnings);
   for (const std::string& warning : warnings) warn(line, warning);
   if (!library) return fail(line, library.error());
+  if (!has_one_rate(*library)) note(line, "--rate HZ brings the pairs of all takes to one rate");
   if (const Status written = write_library(*library, arguments.output, progress); !written)
     return fail(line, written.error());
   const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - begin;

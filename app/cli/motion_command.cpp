@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/cli/command_line.hpp"
+#include "app/cli/hint_words.hpp"
 #include "app/cli/interruption.hpp"
 #include "app/cli/motion_reading.hpp"
 #include "app/cli/text_lines.hpp"
@@ -57,7 +58,8 @@ void add_performer(TextLines& text, const ImportedClip& imported) {
   if (report.animations.size() > 1) text.add("  animations {}", some_of(report.animations, 40));
   for (const ImportWarning& warning : report.warnings)
     text.add("  warning  {}{}: {}", warning.kind,
-             warning.line > 0 ? fmt::format(" (line {})", warning.line) : "", warning.detail);
+             warning.line > 0 ? fmt::format(" (line {})", warning.line) : "",
+             warning.detail + std::string(option_words(warning.hint)));
 }
 
 /// The fields of one performer, into an object that is open.
@@ -87,7 +89,7 @@ void put_performer(JsonText& json, const ImportedClip& imported) {
     json.begin_object();
     json.key("kind").value(warning.kind);
     json.key("line").value(warning.line);
-    json.key("detail").value(warning.detail);
+    json.key("detail").value(warning.detail + std::string(option_words(warning.hint)));
     json.end_object();
   }
   json.end_array();

@@ -48,7 +48,7 @@ Result<ImportedClip> read_performer(CommandLine& line, const MotionReading& read
 }
 
 void warn_of_import(CommandLine& line, const MotionReading& reading, const ImportedClip& imported) {
-  for (const std::string& sentence : warnings_of_import(reading, imported)) warn(line, sentence);
+  for (const Warning& warning : warnings_of_import(reading, imported)) warn(line, warning);
 }
 
 void add_space_options(CLI::App& command, WrittenSpace& words) {

@@ -6,7 +6,7 @@
 #include "app/cli/command_line.hpp"
 #include "core/base/result.hpp"
 #include "core/motion/files/clip_file.hpp"
-#include "core/motion/files/performer_reading.hpp"
+#include "core/motion/files/motion_reading.hpp"
 
 namespace abrazo::app {
 

@@ -8,8 +8,8 @@
 #include "app/cli/report_folder.hpp"
 #include "app/cli/settings_options.hpp"
 #include "core/base/json_text.hpp"
-#include "core/evaluation/sweep.hpp"
-#include "core/evaluation/sweep_report.hpp"
+#include "core/evaluation/sweep/sweep.hpp"
+#include "core/evaluation/sweep/sweep_report.hpp"
 
 namespace abrazo::app {
 

@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/python/hint_words.hpp"
 #include "core/base/positions.hpp"
 #include "core/base/result.hpp"
 #include "core/synthesis/settings.hpp"
@@ -18,10 +19,10 @@ namespace abrazo::python {
 
 namespace py = pybind11;
 
-/// An Error of the engine on its way to Python, where it is abrazo.Error: the command line's sentence.
+/// An Error of the engine on its way to Python, where it is abrazo.Error.
 class EngineError : public std::runtime_error {
  public:
-  explicit EngineError(const Error& error) : std::runtime_error(error.text()) {}
+  explicit EngineError(const Error& error) : std::runtime_error(error.text(argument_words)) {}
 };
 
 /// The value, or the reason why there is none as an exception.

@@ -1,6 +1,6 @@
 #include "app/python/progress.hpp"
-#include "core/evaluation/evaluation_source.hpp"
-#include "core/evaluation/report_json.hpp"
+#include "core/evaluation/report/report_json.hpp"
+#include "core/evaluation/run/evaluation_source.hpp"
 
 namespace abrazo::python {
 

@@ -9,7 +9,7 @@
 #include "app/python/clip.hpp"
 #include "core/motion/body/joint_set.hpp"
 #include "core/motion/files/clip_file.hpp"
-#include "core/motion/files/performer_reading.hpp"
+#include "core/motion/files/motion_reading.hpp"
 
 namespace abrazo::python {
 
@@ -57,7 +57,9 @@ std::shared_ptr<ReadClip> read_clip(const std::filesystem::path& file, const std
                               .animation = std::move(animation)};
   return without_gil([&] {
     ImportedClip imported = unwrap(read_performer(reading));
-    std::vector<std::string> warnings = warnings_of_import(reading, imported);
+    std::vector<std::string> warnings;
+    for (const Warning& warning : warnings_of_import(reading, imported))
+      warnings.push_back(warning.text(argument_words));
     return std::make_shared<ReadClip>(ReadClip{std::move(imported.clip), std::move(warnings)});
   });
 }

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/library/takes/interval_check.hpp"
+#include "core/library/takes/take_labels.hpp"
 #include "core/mesh/other_body.hpp"
 
 namespace abrazo {
@@ -173,9 +174,7 @@ Annotations annotations_of_take(const MotionLibrary& library, std::string_view t
       roles.intervals.push_back(
           {role.start / from.fps, role.end / from.fps, role.active == ActivePerformer::A ? "a" : "b"});
   Tier moves{move_tier, {}, labels_in(library), TierKind::Move};
-  for (const LabelInterval& label : from.labels)
-    moves.intervals.push_back(
-        {label.start / from.fps, label.end / from.fps, label.label, label.detail, label.confidence});
+  for (const LabelInterval& label : from.labels) moves.intervals.push_back(interval_of(label, from.fps));
   const auto annotations = annotations_of(std::vector<Tier>{std::move(roles), std::move(moves)});
   if (!annotations) throw std::invalid_argument(annotations.error().text());
   return *annotations;
@@ -202,8 +201,7 @@ Result<TakeAnnotation> take_annotation(const Annotations& annotations, double fp
       const FrameSpan span = frames_of(annotation, fps, frames);
       // A move without a value does not count.
       if (span.end > span.start && !annotation.value.empty())
-        taken.labels.push_back(
-            {span.start, span.end, annotation.value, annotation.detail, annotation.confidence});
+        taken.labels.push_back(label_over(annotation, span.start, span.end));
     }
   return taken;
 }

@@ -13,9 +13,7 @@ std::vector<Tier> tiers_of(const Annotations& annotations) {
   std::vector<Tier> tiers;
   for (const AnnotationTier& from : annotations.tiers()) {
     Tier tier{from.name, {}, from.vocabulary, from.kind};
-    for (const Annotation& annotation : from.annotations)
-      tier.intervals.push_back(
-          {annotation.start_s, annotation.end_s, annotation.value, annotation.detail, annotation.confidence});
+    tier.intervals.assign(from.annotations.begin(), from.annotations.end());
     tiers.push_back(std::move(tier));
   }
   return tiers;
@@ -41,8 +39,7 @@ Status take_intervals(std::vector<TierInterval> intervals, AnnotationTier& tier,
     if (before && one.start_s <= before->end_s + same_time_s) one.start_s = before->end_s;
     if (one.end_s - one.start_s <= same_time_s)
       return not_taken(one, "an interval needs some length", tier.name);
-    tier.annotations.push_back({next_id++, one.start_s, one.end_s, std::move(one.value),
-                                std::move(one.detail), std::move(one.confidence)});
+    tier.annotations.push_back({std::move(one), next_id++});
   }
   return Done{};
 }

@@ -201,7 +201,7 @@ Result<int> Annotations::draw(int tier, double from_s, double to_s, std::string_
                               [&] { return next_id++; });
   if (!span) return span.error();
   next_id_ = next_id;
-  insert(drawn->annotations, {id, span->start_s, span->end_s, std::string(value)});
+  insert(drawn->annotations, {{span->start_s, span->end_s, std::string(value)}, id});
   return id;
 }
 

@@ -14,12 +14,8 @@ namespace abrazo {
 
 /// An interval that was drawn, typed or accepted. Start inclusive, end exclusive, seconds of its subject:
 /// of a session its file's time, of a take frame / fps.
-struct Annotation {
+struct Annotation : TierInterval {
   int id = 0;  ///< of its Annotations, never used twice in them
-  double start_s = 0, end_s = 0;
-  std::string value;
-  std::string detail = {};
-  std::string confidence = {};
 
   double duration_s() const { return end_s - start_s; }
   bool operator==(const Annotation&) const = default;

@@ -8,15 +8,7 @@ namespace abrazo {
 namespace {
 
 bool is_same(const TakeAnnotation& a, const TakeAnnotation& b) {
-  const auto same_role = [](const RoleInterval& x, const RoleInterval& y) {
-    return x.start == y.start && x.end == y.end && x.active == y.active;
-  };
-  const auto same_label = [](const LabelInterval& x, const LabelInterval& y) {
-    return x.start == y.start && x.end == y.end && x.label == y.label && x.detail == y.detail &&
-           x.confidence == y.confidence;
-  };
-  return std::ranges::equal(a.roles, b.roles, same_role) &&
-         std::ranges::equal(a.labels, b.labels, same_label);
+  return a.roles == b.roles && a.labels == b.labels;
 }
 
 }  // namespace

@@ -10,6 +10,10 @@ std::string Error::text() const {
   return (where.empty() ? std::string() : printable_line(where) + ": ") + printable(message);
 }
 
+std::string Error::text(HintWords words) const {
+  return text() + std::string(words(hint));
+}
+
 Error error_at_line(std::string_view where, std::size_t line, std::string message) {
   return {std::move(message), std::string(where) + ":" + std::to_string(line)};
 }

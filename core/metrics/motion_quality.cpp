@@ -11,7 +11,7 @@ namespace {
 
 constexpr double longest_advance_s = 1.0 / 3;
 constexpr double time_tolerance_s = 1e-6;
-constexpr double standing_pace = 0.25, own_pace_low = 0.75, own_pace_high = 1.25;
+constexpr double standing_pace = 0.25, source_pace_low = 0.75, source_pace_high = 1.25;
 
 double mean_or_nothing(const std::vector<double>& values) {
   return values.empty() ? quantile({}, 0) : mean(values);
@@ -84,7 +84,7 @@ MotionQuality::Figures MotionQuality::figures() const {
   f.pace_p50 = quantile(paces_, 0.5);
   f.pace_p95 = quantile(paces_, 0.95);
   f.standing_share = share_between(paces_, -1, standing_pace);
-  f.own_pace_share = share_between(paces_, own_pace_low, own_pace_high);
+  f.source_pace_share = share_between(paces_, source_pace_low, source_pace_high);
   f.step_at_change_max_m = quantile(steps_at_change_m_, 1);
   f.step_at_change_mean_m = mean_or_nothing(steps_at_change_m_);
   f.hover_mean_m = mean_or_nothing(hovers_m_);

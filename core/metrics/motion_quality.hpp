@@ -51,7 +51,7 @@ class MotionQuality {
     /// Pace: time in the take by the time that passed, of the steps that go on.
     double pace_p05 = 0, pace_p50 = 0, pace_p95 = 0;
     double standing_share = 0;  ///< pace below 0.25
-    double own_pace_share = 0;  ///< pace from 0.75 to 1.25
+    double source_pace_share = 0;  ///< pace from 0.75 to 1.25
     /// At a change: mean over the joints of the distance from where the last velocities lead.
     double step_at_change_max_m = 0, step_at_change_mean_m = 0;
     double hover_mean_m = 0;  ///< of locked toe bases above their rest

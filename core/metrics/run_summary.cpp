@@ -38,7 +38,7 @@ void write_motion(JsonText& json, const MotionQuality::Figures& motion) {
   number("p50", motion.pace_p50);
   number("p95", motion.pace_p95);
   number("standing_share", motion.standing_share);
-  number("own_share", motion.own_pace_share);
+  number("own_share", motion.source_pace_share);
   json.end_object();
   json.end_object();
 }

@@ -1,7 +1,6 @@
 #include "core/opening/open_files.hpp"
 
 #include <filesystem>
-#include <string_view>
 
 #include "core/base/atomic_file.hpp"
 #include "core/opening/generated_set.hpp"
@@ -77,33 +76,19 @@ Status read_input(const SortedFiles& files, const ImportOptions& said, Material&
     options.joint_map = std::move(map).value();
   }
   auto clips = load_motion(files.motion, files.skeleton, options);
-  if (!clips) return Error{in_words_of_the_window(clips.error().message), clips.error().where};
+  if (!clips) return clips.error();
   ImportedClip& first = clips->front();
   if (clips->size() > 1)
     material.warnings.push_back(name + ": has " + std::to_string(clips->size()) + " performers; the first, " +
                                 first.clip.name + ", plays the user");
   for (const ImportWarning& warning : first.report.warnings)
-    material.warnings.push_back(name + ": " + in_words_of_the_window(warning.detail));
+    material.warnings.push_back(name + ": " + warning.detail);
   material.input = std::move(first.clip);
   material.input_files = {files.motion};
   for (const std::string& file : {files.skeleton, files.joint_map})
     if (!file.empty()) material.input_files.push_back(file);
   material.excluded_takes.clear();
   return Done{};
-}
-
-std::string in_words_of_the_window(std::string message) {
-  for (const auto& [option, words] : {std::pair<std::string_view, std::string_view>{
-                                          "(--skeleton FILE)", "(open it together with the motion)"},
-                                      {"(--joint-map FILE)", "(open it together with the motion)"},
-                                      {"with --joints NAME|FILE, or with an array", "with an array"},
-                                      {"set the unit (--metres-per-unit)", "set the unit"},
-                                      {"set it with --fps", "set it if it is another"},
-                                      {"; choose one with --animation NAME", ""}}) {
-    const auto place = message.find(option);
-    if (place != std::string::npos) message.replace(place, option.size(), words);
-  }
-  return message;
 }
 
 }  // namespace abrazo

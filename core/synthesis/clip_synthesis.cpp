@@ -23,9 +23,8 @@ Status synthesize_clip(PartnerSynthesizer& synthesizer, const Clip& clip,
   if (clip.poses.empty()) return Error{"the input has no frames", clip.name};
   if (!(clip.fps >= lowest_rate_hz))
     return Error{"the input has " + exact_text(clip.fps) +
-                     " frames per second; at least 5 are needed (set --fps if the file's "
-                     "rate is wrong)",
-                 clip.name};
+                     " frames per second; at least 5 are needed; set the rate if the file's is wrong",
+                 clip.name, Hint::SetFrameRate};
   synthesizer.set_user_body(body_of(clip.poses));
   const double rate = clip_step_rate(clip, synthesizer.settings());
   const auto frames = static_cast<long long>(clip.poses.size());

@@ -253,7 +253,8 @@ Result<Settings> preset(std::string_view name) {
     settings.switch_margin = 0.1;
     return settings;
   }
-  return Error{"'" + std::string(name) + "' is not a preset; use paper or responsive", "--preset"};
+  return Error{"'" + std::string(name) + "' is not a preset; use paper or responsive", "",
+               Hint::ChoosePreset};
 }
 
 double velocity_weight_at(const Settings& settings, double dt_s) {

@@ -49,6 +49,10 @@ Violations widget_folders_are_strangers(std::span<const SourceFile> files);
 Violations headers_have_pragma_once(std::span<const SourceFile> files);
 Violations no_path_of_a_machine(std::span<const SourceFile> files);
 
+/// Core's sentences name no option of the command line, which other programs do not have: an Error carries a
+/// Hint, and each program adds its words.
+Violations core_names_no_option(std::span<const SourceFile> files);
+
 /// A signal says what became of its object; whoever wants something of another asks it.
 Violations signals_are_of_their_own_object(std::span<const SourceFile> files);
 

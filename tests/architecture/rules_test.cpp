@@ -264,6 +264,15 @@ TEST(ArchitectureRules, CatchWidgetFoldersThatKnowEachOther) {
               IsEmpty());
 }
 
+TEST(ArchitectureRules, CatchAnOptionInASentenceOfCore) {
+  for (const char* named : {R"re(return Error{"set the rate (--fps)", where};)re",
+                            R"re(return {"no", "--up"};)re", R"re(  "with --joints NAME";  // why)re"})
+    EXPECT_THAT(core_names_no_option(one("core/motion/a.cpp", named)), SizeIs(1)) << named;
+  for (const char* fine : {R"re(colour = "var(--ink,#fff)";)re", R"re(--count;  // "--fps")re"})
+    EXPECT_THAT(core_names_no_option(one("core/motion/a.cpp", fine)), IsEmpty()) << fine;
+  EXPECT_THAT(core_names_no_option(one("app/cli/a.cpp", R"re(return " (--fps)";)re")), IsEmpty());
+}
+
 TEST(ArchitectureRules, CatchASignalOfAnotherObject) {
   for (const char* foreign :
        {"emit m_window.failed(why);", "emit panel->chosen(1);", "emit view()->sought(2);"})

@@ -81,6 +81,10 @@ TEST(Architecture, WidgetFoldersDoNotKnowEachOther) {
   EXPECT_TRUE(holds(widget_folders_are_strangers(tree())));
 }
 
+TEST(Architecture, CoreNamesNoOption) {
+  EXPECT_TRUE(holds(core_names_no_option(tree())));
+}
+
 TEST(Architecture, SignalsAreEmittedByTheirOwnObject) {
   EXPECT_TRUE(holds(signals_are_of_their_own_object(tree())));
 }

@@ -8,7 +8,7 @@
 #include <cstring>
 
 #include "core/choreography/salsa.hpp"
-#include "core/evaluation/library_takes.hpp"
+#include "core/evaluation/run/library_takes.hpp"
 #include "core/library/build/motion_library_builder.hpp"
 #include "core/library/store/motion_library_file.hpp"
 

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "core/choreography/salsa.hpp"
-#include "core/evaluation/pose_queries.hpp"
+#include "core/evaluation/takes/pose_queries.hpp"
 #include "core/retarget/body_retargeter.hpp"
 
 namespace abrazo::bench {

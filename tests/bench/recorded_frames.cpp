@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/evaluation/pose_queries.hpp"
+#include "core/evaluation/takes/pose_queries.hpp"
 #include "core/synthesis/partner_synthesizer.hpp"
 #include "tests/bench/recording_pipeline.hpp"
 

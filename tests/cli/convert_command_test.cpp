@@ -67,7 +67,8 @@ TEST_F(ConvertCommand, ANumPyFileComesBackToTheLastBitAndHasTheOrderThatWasAsked
   EXPECT_EQ(distance_m(positions("demo/salsa_01_a.bvh"), positions("a.npz")), 0);
   ASSERT_EQ(run("motion convert demo/salsa_01_a.bvh -o lafan.npy --out-joints lafan22").status, 0);
   expect_failure(run("motion info lafan.npy"),
-                 "may be lafan22 or smplx22; say which joint is which with --joints");
+                 "may be lafan22 or smplx22; say which joint is which with an array joint_names in a .npz, "
+                 "or with --joints NAME|FILE");
   ASSERT_EQ(run("motion convert lafan.npy --joints lafan22 --fps 60 --up y --metres-per-unit 1 -o again.npy "
                 "--out-joints lafan22")
                 .status,

@@ -78,7 +78,7 @@ TEST_F(LabelsCommand, CheckListsProblemsWithStatus1) {
 
 TEST_F(LabelsCommand, WhatCannotBeDoneIsSaid) {
   expect_failure(run("labels info moves.csv --fps 60"), "has labels of 2 takes: one, two");
-  expect_failure(run("labels info moves.csv --take one"), "counts frames; give their rate, as --fps 60");
+  expect_failure(run("labels info moves.csv --take one"), "counts frames; give their rate (--fps)");
   expect_failure(run("labels convert gaps.csv -o x.doc"), ".eaf, .csv, .json, .vtt, .srt");
   expect_failure(run("labels convert gaps.csv -o gaps.csv"), "gaps.csv");
   expect_failure(run("labels convert gaps.csv -o x.json --tier note"),

@@ -79,7 +79,8 @@ TEST_F(MotionCommand, FilesThatAreNoMotionAreRefusedWithTheirName) {
 
 TEST_F(MotionCommand, ASkeletonForABvhIsRefusedRatherThanIgnored) {
   make_demo();
-  expect_failure(run("motion info demo/salsa_01_a.bvh --skeleton x.asf"), "leave out --skeleton");
+  expect_failure(run("motion info demo/salsa_01_a.bvh --skeleton x.asf"),
+                 "leave out the other one (--skeleton)");
 }
 
 TEST_F(MotionCommand, AJointMapThatIsNoneIsRefused) {
@@ -93,7 +94,7 @@ TEST_F(MotionCommand, OneOfSeveralPerformersMustBeChosen) {
   make_library();
   ASSERT_EQ(run("synth --library demo.h5 --input demo/salsa_01_a.bvh -o pair.bvh").status, 0);
   expect_failure(run("motion positions pair.bvh -o a.csv"),
-                 "choose one with --performer: 1 active, 2 passive");
+                 "holds 2 performers: 1 active, 2 passive; choose one (--performer)");
   expect_failure(run("motion positions pair.bvh -o a.csv --performer 3"),
                  "has no performer 3; it holds 1 active, 2 passive");
   EXPECT_EQ(run("motion positions pair.bvh -o a.csv --performer 2").status, 0);

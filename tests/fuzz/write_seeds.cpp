@@ -9,7 +9,7 @@
 #include <fstream>
 #include <iterator>
 
-#include "core/evaluation/sweep_file.hpp"
+#include "core/evaluation/sweep/sweep_file.hpp"
 #include "core/library/build/motion_library_builder.hpp"
 #include "core/library/store/motion_library_file.hpp"
 #include "core/library/takes/manifest.hpp"

@@ -86,7 +86,8 @@ class Refusals(unittest.TestCase):
         self.same([demo_set.folder() / "demo.h5"])
 
     def test_of_a_skeleton_where_there_is_one(self):
-        self.same([demo_set.leader_file(), "--skeleton", "x.asf"], skeleton="x.asf")
+        with self.assertRaisesRegex(abrazo.Error, r"leave out the other one \(skeleton\)$"):
+            abrazo.read_motion(demo_set.leader_file(), skeleton="x.asf")
 
     def test_of_a_joint_map_that_does_not_exist(self):
         self.same([demo_set.leader_file(), "--joint-map", "nothing"], joint_map="nothing")

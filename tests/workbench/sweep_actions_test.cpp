@@ -12,7 +12,7 @@
 
 #include "app/workbench/base/own_presets.hpp"
 #include "core/base/atomic_file.hpp"
-#include "core/evaluation/sweep.hpp"
+#include "core/evaluation/sweep/sweep.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/settings/preset_bar.hpp"
 #include "widgets/settings/settings_panel.hpp"

@@ -48,9 +48,7 @@ AddressForm::AddressForm(QWidget* parent) : QWidget(parent), m_palette(palette_o
 void AddressForm::makeFields() {
   m_scheme = new QComboBox(this);
   m_scheme->setAccessibleName("Kind of stream");
-  for (const auto scheme :
-       {StreamUri::Scheme::Vmc, StreamUri::Scheme::NatNet, StreamUri::Scheme::Xsens, StreamUri::Scheme::Clip})
-    m_scheme->addItem(text(info_of(scheme).name));
+  for (const SchemeFacts& facts : stream_schemes()) m_scheme->addItem(text(facts.title));
   m_host = field(this, "Address", {});
   m_port = field(this, "Port", "UDP port; empty: the protocol's usual one");
   m_port->setValidator(new QIntValidator(1, 65535, m_port));
@@ -191,14 +189,17 @@ void AddressForm::uriChanged(const QString& uri) {
 }
 
 void AddressForm::showScheme(StreamUri::Scheme scheme) {
-  const SchemeInfo& info = info_of(scheme);
+  const SchemeFacts& facts = facts_of(scheme);
   const bool is_clip = scheme == StreamUri::Scheme::Clip;
   m_scheme->setCurrentIndex(static_cast<int>(scheme));
   m_host->setEnabled(!is_clip);
   m_port->setEnabled(!is_clip);
-  m_host->setPlaceholderText(text(info.host));
-  m_port->setPlaceholderText(is_clip ? QString() : QString::number(info.port));
-  m_host->setToolTip(text(info.host_help));
+  m_host->setPlaceholderText(is_clip ? QString() : text(usual_stream_host));
+  m_port->setPlaceholderText(is_clip ? QString() : QString::number(facts.port));
+  m_host->setToolTip(is_clip             ? ""
+                     : facts.asks_server ? "Address of the machine that runs Motive"
+                                         : "Address that this machine listens on: 127.0.0.1 for this machine "
+                                           "only, 0.0.0.0 for every network");
   m_more->setCurrentIndex(is_clip ? File : Group);
   m_more->setVisible(is_clip || scheme == StreamUri::Scheme::NatNet);
 }

@@ -20,25 +20,14 @@ std::string encoded(std::string_view text) {
 
 }  // namespace
 
-const SchemeInfo& info_of(StreamUri::Scheme scheme) {
-  static constexpr std::array<SchemeInfo, 4> infos = {
-      {{"vmc", "VMC", "127.0.0.1", 39539,
-        "Address that this machine listens on: 127.0.0.1 for this machine only, 0.0.0.0 for every network"},
-       {"natnet", "NatNet (Motive)", "127.0.0.1", 1510, "Address of the machine that runs Motive"},
-       {"xsens", "Xsens MVN", "127.0.0.1", 9763,
-        "Address that this machine listens on: 127.0.0.1 for this machine only, 0.0.0.0 for every network"},
-       {"clip", "Clip, replayed", "", 0, ""}}};
-  return infos[static_cast<std::size_t>(scheme)];
-}
-
 std::string uri_of(const StreamAddress& address) {
-  const SchemeInfo& info = info_of(address.scheme);
-  std::string uri = std::string(info.word) + ":";
+  const SchemeFacts& facts = facts_of(address.scheme);
+  std::string uri = std::string(facts.word) + ":";
   if (address.scheme == StreamUri::Scheme::Clip) {
     uri += address.file;
   } else {
-    uri += "//" + (address.host.empty() ? std::string(info.host) : address.host);
-    uri += ":" + std::to_string(address.port == 0 ? info.port : address.port);
+    uri += "//" + (address.host.empty() ? std::string(usual_stream_host) : address.host);
+    uri += ":" + std::to_string(address.port == 0 ? facts.port : address.port);
   }
   auto options = address.options;
   if (!address.group.empty()) options["multicast"] = address.group;
@@ -51,12 +40,12 @@ std::string uri_of(const StreamAddress& address) {
 }
 
 std::string reach_of(const StreamAddress& address) {
-  const SchemeInfo& info = info_of(address.scheme);
+  const SchemeFacts& facts = facts_of(address.scheme);
   if (address.scheme == StreamUri::Scheme::Clip) return {};
-  const std::string host = address.host.empty() ? std::string(info.host) : address.host;
-  const std::string place = host + ":" + std::to_string(address.port == 0 ? info.port : address.port);
+  const std::string host = address.host.empty() ? std::string(usual_stream_host) : address.host;
+  const std::string place = host + ":" + std::to_string(address.port == 0 ? facts.port : address.port);
   const bool is_everywhere = host == "0.0.0.0" || host == "*";
-  if (address.scheme == StreamUri::Scheme::NatNet)
+  if (facts.asks_server)
     return is_everywhere ? "Asks no server; listens " + listening_words("0.0.0.0:1511")
                          : "Asks Motive at " + place + "; listens on the network that leads there";
   const std::string words = "Listens " + listening_words(place);

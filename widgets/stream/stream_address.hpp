@@ -26,13 +26,4 @@ std::string reach_of(const StreamAddress& address);
 /// The error says what is wrong with the text.
 Result<StreamAddress> address_of(std::string_view uri);
 
-struct SchemeInfo {
-  std::string_view word;       ///< of the URI
-  std::string_view name;       ///< for people
-  std::string_view host;       ///< usual
-  int port = 0;                ///< usual
-  std::string_view host_help;  ///< what the field means
-};
-const SchemeInfo& info_of(StreamUri::Scheme scheme);
-
 }  // namespace abrazo::widgets

@@ -1,5 +1,6 @@
 #include "app/workbench/base/film_writer.hpp"
 
+#include "app/workbench/base/error_words.hpp"
 #include "widgets/scene/view/scene_pictures.hpp"
 
 namespace abrazo::app {
@@ -53,7 +54,7 @@ void FilmWriter::run() {
   }
   if (m_isGivenUp) return;
   if (all) all = m_video.finish();
-  if (!all) m_trouble = QString::fromStdString(all.error().text());
+  if (!all) m_trouble = words(all.error());
   QMetaObject::invokeMethod(
       this, [this] { emit ended(m_trouble); }, Qt::QueuedConnection);
 }

@@ -1,5 +1,6 @@
 #include "app/workbench/base/range_rendering.hpp"
 
+#include "app/workbench/base/error_words.hpp"
 #include "widgets/scene/view/scene_pictures.hpp"
 
 namespace abrazo::app {
@@ -22,7 +23,7 @@ QString RangeRendering::start(const RangeRequest& request, const widgets::SceneV
   if (m_isEmpty) return "There is no frame in this range; choose another";
   m_request = request;
   auto writer = FilmWriter::open(request.file, request.size, request.plan.rate_hz);
-  if (!writer) return QString::fromStdString(writer.error().text());
+  if (!writer) return words(writer.error());
   m_writer = std::move(writer).value();
   m_pictures = std::make_unique<widgets::ScenePictures>(request.size, like, request.captions);
   connect(m_writer.get(), &FilmWriter::hasRoom, this, [this] {

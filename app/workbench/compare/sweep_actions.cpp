@@ -7,12 +7,13 @@
 #include <thread>
 #include <vector>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/range_words.hpp"
 #include "app/workbench/compare/sweep_run.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "core/base/atomic_file.hpp"
-#include "core/evaluation/sweep_report.hpp"
+#include "core/evaluation/sweep/sweep_report.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/settings/settings_panel.hpp"
 #include "widgets/sweep/sweep_form.hpp"
@@ -22,7 +23,6 @@ namespace abrazo::app {
 namespace {
 
 using widgets::SweepPanel;
-using widgets::SweepRequest;
 
 constexpr double usual_step_us = 800;       ///< until a step was measured
 constexpr double share_of_measuring = 1.4;  ///< of a point's time, to that of its steps alone
@@ -45,9 +45,9 @@ double step_us(MainWindow& window) {
 /// What the form asks for would take, or why it cannot be done.
 void show_estimate(MainWindow& window, SweepPanel& panel, const SweepRun& run) {
   if (run.running()) return;
-  const SweepRequest request = panel.form().request();
+  const widgets::SweepRequest request = panel.form().request();
   const auto sweep = run.sweepOf(request, window.document().settings());
-  if (!sweep) return panel.showEstimate(QString::fromStdString(sweep.error().text()), false);
+  if (!sweep) return panel.showEstimate(words(sweep.error()), false);
   const double steps = run.stepsOf(*sweep, request.takes);
   const double cores = std::max(1u, std::thread::hardware_concurrency());
   const double seconds = 1e-6 * steps * step_us(window) * share_of_measuring / cores;
@@ -66,7 +66,7 @@ void adopt(MainWindow& window, const SweepRun& run, int point) {
   for (const auto& [side, index] : {std::pair(&run.grid().x(), column), std::pair(&run.grid().y(), row)})
     if (const Status set = set_setting(settings, side->key, side->values[static_cast<std::size_t>(index)]);
         !set)
-      return window.messages().showError(QString::fromStdString(set.error().text()));
+      return window.messages().showError(words(set.error()));
   window.document().adopt(settings, "sweep: " + QString::fromStdString(run.grid().place_text(point)));
 }
 
@@ -82,9 +82,9 @@ void export_report(MainWindow& window, QWidget* over, const SweepRun& run) {
 
 void connect_run(MainWindow& window, SweepPanel& panel, SweepRun& run) {
   QObject::connect(&panel, &SweepPanel::edited, &run, [&] { show_estimate(window, panel, run); });
-  QObject::connect(&panel, &SweepPanel::startRequested, &run, [&](const SweepRequest& request) {
+  QObject::connect(&panel, &SweepPanel::startRequested, &run, [&](const widgets::SweepRequest& request) {
     const auto sweep = run.sweepOf(request, window.document().settings());
-    if (!sweep) return panel.showEstimate(QString::fromStdString(sweep.error().text()), false);
+    if (!sweep) return panel.showEstimate(words(sweep.error()), false);
     panel.setRunning(true);
     run.start(*sweep, request.takes);
   });
@@ -108,7 +108,7 @@ QString save_sweep(const SweepOutcome& outcome, const QString& file) {
   const bool json = file.endsWith(".json", Qt::CaseInsensitive);
   const Status written =
       write_whole_file(file.toStdString(), json ? sweep_json(outcome) : sweep_html(outcome));
-  return written ? QString() : QString::fromStdString(written.error().text());
+  return written ? QString() : words(written.error());
 }
 
 void add_sweep_actions(MainWindow& window) {

@@ -10,7 +10,7 @@
 #include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/job.hpp"
 #include "app/workbench/base/range_words.hpp"
-#include "core/evaluation/library_takes.hpp"
+#include "core/evaluation/run/library_takes.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -36,11 +36,12 @@ SweepSide side_of(const SweepAxis& axis) {
 
 SweepGoal shown_goal(const std::string& metric) {
   switch (goal_of(metric)) {
-    case MetricGoal::Highest:
+    case FigureGoal::Highest:
       return SweepGoal::Highest;
-    case MetricGoal::NearestZero:
+    case FigureGoal::NearestZero:
       return SweepGoal::NearestZero;
-    case MetricGoal::Lowest:
+    case FigureGoal::Lowest:
+    case FigureGoal::None:
       break;
   }
   return SweepGoal::Lowest;

@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "core/evaluation/evaluate.hpp"
-#include "core/evaluation/sweep.hpp"
+#include "core/evaluation/run/evaluate.hpp"
+#include "core/evaluation/sweep/sweep.hpp"
 #include "widgets/sweep/sweep_grid.hpp"
 #include "widgets/sweep/sweep_request.hpp"
 

@@ -2,6 +2,8 @@
 
 #include <QUndoCommand>
 
+#include "app/workbench/base/error_words.hpp"
+
 namespace abrazo::app {
 namespace {
 
@@ -51,7 +53,7 @@ void Document::change(const ProjectValue& next, const QString& what, const QStri
 
 void Document::take(const Result<ChosenSettings>& next, const QString& what, const QString& key,
                     int gesture) {
-  next ? change(*next, what, key, gesture) : emit refused(QString::fromStdString(next.error().text()));
+  next ? change(*next, what, key, gesture) : emit refused(words(next.error()));
 }
 
 void Document::changeSetting(const QString& key, const QString& text, int gesture) {
@@ -76,7 +78,7 @@ void Document::changeMarkers(const Markers& next, const QString& what) {
 
 bool Document::controlRole(RoleControl by) {
   const Status possible = m_session ? m_session->engine().control_role(by) : Status(Done{});
-  possible ? put(by) : emit refused(QString::fromStdString(possible.error().text()));
+  possible ? put(by) : emit refused(words(possible.error()));
   return possible.ok();
 }
 

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/job.hpp"
 #include "widgets/common/utf8.hpp"
 
@@ -39,8 +40,7 @@ void LibraryFeed::forget() {
 void LibraryFeed::put(const std::string& take, const Annotations& annotations) {
   if (!m_document.session()) return;
   const auto waits = m_updates.put(*m_document.session()->material().library, take, annotations);
-  if (!waits)
-    return emit failed(text(waits.error().text()) + "; the library keeps the roles it has until then");
+  if (!waits) return emit failed(words(waits.error()) + "; the library keeps the roles it has until then");
   if (*waits) m_soon.start();
 }
 

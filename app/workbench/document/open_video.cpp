@@ -3,6 +3,7 @@
 #include <QMetaObject>
 #include <QStringList>
 
+#include "app/workbench/base/error_words.hpp"
 #include "core/opening/file_kinds.hpp"
 
 namespace abrazo::app {
@@ -24,7 +25,7 @@ void OpenVideo::tell() {
 
 QString OpenVideo::trouble() const {
   const Status status = m_decoder->trouble();
-  return status ? QString() : QString::fromStdString(status.error().text());
+  return status ? QString() : words(status.error());
 }
 
 bool OpenVideo::request(int index) {

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QUrl>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/job.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
@@ -127,14 +128,14 @@ void ExportDesk::write(const ExportRequest& request, const QString& file) {
   ExportWish wish = request.wish;
   wish.output = file.toStdString();
   if (const Status usable = check_output(wish.output, {m_window.session()->material().library_file}); !usable)
-    return messages.showError(QString::fromStdString(usable.error().text()));
+    return messages.showError(words(usable.error()));
   run(source_of(request), wish);
 }
 
 void ExportDesk::run(const MakeSource& make, const ExportWish& wish) {
   m_job = std::make_unique<Job>([this, make, wish](const Progress& progress) -> Job::Finish {
     const auto failed = [this](const Error& error) {
-      return [this, text = QString::fromStdString(error.text())] {
+      return [this, text = words(error)] {
         if (m_job->wasCancelled())
           m_window.messages().showInformation("The export was cancelled; nothing was written");
         else
@@ -165,7 +166,7 @@ void ExportDesk::finish() {
 void ExportDesk::tell(const ExportReport& done) {
   const QString file = QString::fromStdString(done.files.back());
   QStringList warnings;
-  for (const std::string& warning : done.warnings) warnings << QString::fromStdString(warning);
+  for (const Warning& warning : done.warnings) warnings << QString::fromStdString(warning.text(window_words));
   QString text = QString("%1: %2").arg(QFileInfo(file).fileName(), QString::fromStdString(done.text));
   if (done.files.size() > 1) text += QString(", %1 files").arg(done.files.size());
   if (!warnings.isEmpty()) text += QString(" · %1").arg(warnings.join(" · "));

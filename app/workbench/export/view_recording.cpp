@@ -1,5 +1,7 @@
 #include "app/workbench/export/view_recording.hpp"
 
+#include "app/workbench/base/error_words.hpp"
+
 namespace abrazo::app {
 
 ViewRecording::ViewRecording(TakePicture take, QObject* parent) : QObject(parent), m_take(std::move(take)) {
@@ -13,7 +15,7 @@ ViewRecording::~ViewRecording() = default;
 QString ViewRecording::start(const QString& file) {
   const QSize now = m_take().size();
   auto writer = FilmWriter::open(file, {now.width() & ~1, now.height() & ~1}, rate_hz);
-  if (!writer) return QString::fromStdString(writer.error().text());
+  if (!writer) return words(writer.error());
   m_writer = std::move(writer).value();
   connect(m_writer.get(), &FilmWriter::ended, this, &ViewRecording::onEnded);
   m_file = file;

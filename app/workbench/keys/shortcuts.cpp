@@ -7,6 +7,7 @@
 #include <QMenu>
 
 #include "app/workbench/base/action_id.hpp"
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "core/base/atomic_file.hpp"
@@ -109,7 +110,7 @@ void Shortcuts::collect() {
   const auto text = read_whole_file(m_file.toStdString());
   QStringList troubles;
   if (!text)
-    troubles << QString::fromStdString(text.error().text());
+    troubles << words(text.error());
   else
     for (const std::string& trouble : m_table.read(*text, normal))
       troubles << m_file + ": " + QString::fromStdString(trouble);
@@ -149,7 +150,7 @@ void Shortcuts::save() {
     m_isDamaged = false;
   }
   const Status written = write_whole_file(m_file.toStdString(), m_table.text());
-  if (!written) m_window.messages().showError(QString::fromStdString(written.error().text()));
+  if (!written) m_window.messages().showError(words(written.error()));
 }
 
 bool Shortcuts::eventFilter(QObject* watched, QEvent* event) {

@@ -2,6 +2,7 @@
 #include <QActionGroup>
 #include <QMenu>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/labels/label_import.hpp"
 #include "app/workbench/labels/label_key_filter.hpp"
@@ -70,7 +71,7 @@ void name_tier(MainWindow& window, AnnotationDesk& desk, bool is_new) {
   const auto take = [&desk, is_new](const QString& name) -> QString {
     const auto edit = is_new ? new_tier(desk.annotations(), name.toStdString())
                              : rename_tier(desk.annotations(), desk.activeTier(), name.toStdString());
-    if (!edit) return text(edit.error().text());
+    if (!edit) return words(edit.error());
     desk.edit(edit);
     return {};
   };

@@ -4,6 +4,7 @@
 #include <QUndoCommand>
 #include <algorithm>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/document/library_feed.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
@@ -139,7 +140,7 @@ void AnnotationDesk::showSubject(const std::string& wanted) {
             .arg(text(wanted), text(of->name())));
   }
   const Status shown = m_stage->show(wanted);
-  if (!shown) return m_window.messages().showError(text(shown.error().text()));
+  if (!shown) return m_window.messages().showError(words(shown.error()));
   if (showsTake()) m_window.panels().want(panel_id, true);
   emit subjectChanged();
   tell();
@@ -148,7 +149,7 @@ void AnnotationDesk::showSubject(const std::string& wanted) {
 
 bool AnnotationDesk::edit(const Result<LabelEdit>& edit) {
   if (!edit) {
-    m_window.messages().showInformation(text(edit.error().text()));
+    m_window.messages().showInformation(words(edit.error()));
     return false;
   }
   if (!m_window.session()) return true;

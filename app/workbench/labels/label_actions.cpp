@@ -1,5 +1,6 @@
 #include <QMenu>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/labels/label_questions.hpp"
 #include "app/workbench/shell/actions.hpp"
@@ -14,7 +15,7 @@ namespace {
 /// The next or previous label of the active tier is selected and gone to.
 void step(MainWindow& window, AnnotationDesk& desk, int by) {
   const auto label = label_beside(desk.annotations(), desk.place(), by);
-  if (!label) return window.messages().showInformation(widgets::text(label.error().text()));
+  if (!label) return window.messages().showInformation(words(label.error()));
   desk.select(label->id);
   window.ticker().seek(label->start_s);
 }

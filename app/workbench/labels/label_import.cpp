@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -42,7 +43,7 @@ void LabelImport::read(const QStringList& files) {
         "Labels belong to a take or a session; open a library or a session first, then the labels");
   for (const QString& file : files) {
     const auto document = read_labels_for(file.toStdString(), m_desk.fps(), m_desk.subject());
-    if (!document) return m_window.messages().showError(text(document.error().text()));
+    if (!document) return m_window.messages().showError(words(document.error()));
     take(file, *document);
   }
 }
@@ -105,7 +106,7 @@ void LabelImport::ask(const QString& file, const TierDocument& document, const T
 void LabelImport::finish(const QString& file, const TierDocument& document,
                          const std::vector<TierTarget>& targets) {
   const auto next = with_imported(document.tiers, targets, m_desk.annotations(), m_desk.range());
-  if (!next) return m_window.messages().showError(file + ": " + text(next.error().text()));
+  if (!next) return m_window.messages().showError(file + ": " + words(next.error()));
   std::size_t labels = 0;
   for (std::size_t i = 0; i < targets.size(); ++i)
     if (targets[i].way != TierTarget::Way::LeaveOut) labels += document.tiers[i].intervals.size();

@@ -2,6 +2,7 @@
 
 #include <QMenu>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
@@ -35,7 +36,7 @@ LabelQuestions::LabelQuestions(MainWindow& window, AnnotationDesk& desk)
 void LabelQuestions::draw() {
   const auto span = span_at(m_desk.annotations(), m_desk.place());
   span ? askValue(m_desk.activeTier(), span->first_s, span->last_s)
-       : m_window.messages().showInformation(text(span.error().text()));
+       : m_window.messages().showInformation(words(span.error()));
 }
 
 /// The interval is there only once it says something.
@@ -51,7 +52,7 @@ void LabelQuestions::askValue(int tier, double from_s, double to_s) {
 
 void LabelQuestions::ask() {
   const auto label = chosen_label(m_desk.annotations(), m_desk.place());
-  if (!label) return m_window.messages().showInformation(text(label.error().text()));
+  if (!label) return m_window.messages().showInformation(words(label.error()));
   const AnnotationTier& tier = *m_desk.annotations().tier_of(label->id);
   openPicker(tier, {label->start_s, label->end_s},
              m_window.timeline().placeOf(tier.id, label->start_s) + QPoint(0, lane_px), text(label->value),
@@ -68,7 +69,7 @@ void LabelQuestions::openPicker(const AnnotationTier& tier, const Annotations::R
   widgets::ValuePicker::open(m_window.timeline(), place, {tier, title, value}, m_window.colours(),
                              [this, tier = tier.id, edit = std::move(edit)](const QString& said) -> QString {
                                const auto edited = edit(said.toStdString());
-                               if (!edited) return text(edited.error().text());
+                               if (!edited) return words(edited.error());
                                m_used[tier] = said.toStdString();
                                m_desk.edit(edited);
                                return {};

@@ -2,6 +2,7 @@
 
 #include <QListWidget>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/job.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/shell/main_window.hpp"
@@ -60,8 +61,7 @@ void SuggestionDesk::suggest(bool moves, bool roles) {
   m_window.panels().want("annotation", true);
   m_job = std::make_unique<Job>([this, library, request](const Progress& progress) -> Job::Finish {
     auto suggested = suggest_annotations(*library, request, progress);
-    if (!suggested)
-      return [this, why = text(suggested.error().text())] { m_window.messages().showError(why); };
+    if (!suggested) return [this, why = words(suggested.error())] { m_window.messages().showError(why); };
     return [this, request, suggested = std::move(*suggested)] { take(request, suggested); };
   });
   m_section->showProgress(0, "Suggesting");
@@ -133,7 +133,7 @@ void SuggestionDesk::edit(int suggestion) {
                                const auto accepted =
                                    accept_suggestion_as(m_annotations.annotations(), m_annotations.place(),
                                                         suggestion, value.toStdString());
-                               if (!accepted) return text(accepted.error().text());
+                               if (!accepted) return words(accepted.error());
                                m_annotations.edit(accepted);
                                return {};
                              });

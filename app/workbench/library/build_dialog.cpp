@@ -19,6 +19,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/library/build_form.hpp"
 #include "core/motion/joints/motion_format.hpp"
 #include "widgets/common/icons.hpp"
@@ -271,10 +272,10 @@ void BuildDialog::showPlan() {
     const QString head = remark.kind == PlanRemark::Kind::Obstacle   ? "To do: "
                          : remark.kind == PlanRemark::Kind::Question ? "Check: "
                                                                      : "";
-    auto* item =
-        new QListWidgetItem(widgets::icon(warning ? widgets::Icon::Information : widgets::Icon::Warning,
-                                          warning ? m_palette.secondary : m_palette.warning),
-                            head + QString::fromStdString(remark.whole()), m_remarks);
+    auto* item = new QListWidgetItem(
+        widgets::icon(warning ? widgets::Icon::Information : widgets::Icon::Warning,
+                      warning ? m_palette.secondary : m_palette.warning),
+        head + QString::fromStdString(Warning{remark.whole(), remark.hint}.text(window_words)), m_remarks);
     item->setToolTip(widgets::plain_tip(item->text()));
     item->setData(Qt::UserRole, remark.performer);
   }

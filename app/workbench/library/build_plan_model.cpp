@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 
+#include "app/workbench/base/error_words.hpp"
 #include "widgets/common/icons.hpp"
 #include "widgets/common/plain_text.hpp"
 #include "widgets/common/theme.hpp"
@@ -214,7 +215,7 @@ bool BuildPlanModel::isTrouble(int row, int column) const {
 
 QString BuildPlanModel::tip(int row, int column) const {
   const PlannedPerformer& one = performer(row);
-  if (!one.trouble.empty()) return cell_text(one.trouble);
+  if (one.trouble) return cell_text(one.trouble->text(window_words));
   if (column == Performer) {
     QString words = cell_text(one.source.motion.string());
     if (!one.source.skeleton.empty()) words += "\nskeleton " + cell_text(one.source.skeleton.string());

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/job.hpp"
 #include "app/workbench/library/mapping_dialog.hpp"
 #include "core/base/atomic_file.hpp"
@@ -134,7 +135,7 @@ void LibraryBuild::readNext() {
       if (!report(progress, static_cast<double>(i) / static_cast<double>(surveys.size()), "Reading " + name))
         return {};
       auto found = survey_motion(surveys[i].source, surveys[i].fps);
-      if (const auto unmapped = found.front().trouble.empty() || !surveys[i].source.joint_map.empty()
+      if (const auto unmapped = !found.front().trouble || !surveys[i].source.joint_map.empty()
                                     ? nullptr
                                     : motion_without_joints({surveys[i].source.motion.string()})) {
         Survey again = surveys[i];
@@ -147,11 +148,6 @@ void LibraryBuild::readNext() {
         }
       }
       read->files.push_back(std::move(found));
-      for (PlannedPerformer& performer : read->files.back()) {
-        performer.trouble = in_words_of_the_window(performer.trouble);
-        for (ImportWarning& warning : performer.report.warnings)
-          warning.detail = in_words_of_the_window(warning.detail);
-      }
     }
     if (!labels.isEmpty()) {
       const auto csv = read_whole_file(labels.toStdString());
@@ -159,7 +155,7 @@ void LibraryBuild::readNext() {
       if (csv)
         read->labels = labels, read->labelled = table ? takes_in_labels(*csv) : std::vector<std::string>();
       else
-        read->trouble = QString::fromStdString(csv.error().text());
+        read->trouble = words(csv.error());
     }
     return [this, read] { show(*read); };
   };
@@ -201,7 +197,7 @@ void LibraryBuild::askForJoints(const Read& read) {
   m_mapping->setColours(m_palette);
   connect(m_mapping, &QDialog::accepted, this, [this, again = read.without_joints] {
     const auto map = remember_map(m_mapping->map(), m_maps.toStdString());
-    if (!map) return m_dialog->showError(QString::fromStdString(map.error().text()));
+    if (!map) return m_dialog->showError(words(map.error()));
     const ImportOptions said = m_mapping->said();
     for (Survey survey : again) {
       if (said.up_axis) survey.source.up_axis = said.up_axis;
@@ -222,10 +218,7 @@ void LibraryBuild::build() {
     std::vector<std::string> warnings;
     auto library = build_and_save(manifest, {outputs.library.toStdString(), outputs.manifest.toStdString()},
                                   progress, warnings);
-    if (!library)
-      return [this, text = in_words_of_the_window(library.error().text())] {
-        m_dialog->showError(QString::fromStdString(text));
-      };
+    if (!library) return [this, why = words(library.error())] { m_dialog->showError(why); };
     for (const QString& file : {outputs.library, outputs.manifest})
       if (!file.isEmpty()) warnings.push_back("written to " + file.toStdString());
     const QString& file = outputs.library.isEmpty() ? outputs.manifest : outputs.library;

@@ -1,5 +1,6 @@
 #include "app/workbench/library/mapping_desk.hpp"
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/library/mapping_dialog.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "core/opening/open_files.hpp"
@@ -25,7 +26,7 @@ void MappingDesk::offer(const QStringList& files, const UnmappedMotion& motion) 
 
 void MappingDesk::use(const QStringList& files) {
   const auto map = remember_map(m_dialog->map(), m_window.remembered().jointMapFolder().toStdString());
-  if (!map) return m_window.messages().showError(QString::fromStdString(map.error().text()));
+  if (!map) return m_window.messages().showError(words(map.error()));
   std::vector<std::string> names{*map};
   for (const QString& file : files) names.push_back(file.toStdString());
   OpeningWish wish;

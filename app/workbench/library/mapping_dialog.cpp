@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/library/mapping_words.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/text.hpp"
@@ -223,7 +224,7 @@ void MappingDialog::setPoints(int joint, const QString& text) {
     m_filling = true;
     showRow(joint);
     m_filling = false;
-    m_state->setText(QString::fromStdString(rule.error().text()));
+    m_state->setText(words(rule.error()));
     return;
   }
   auto& rules = m_map.rules[at(joint)];
@@ -307,7 +308,7 @@ void MappingDialog::showFacts() {
   ImportOptions options = said();
   options.joint_map = m_map;
   const auto clip = import_clip(few, options);
-  if (!clip) return m_state->setText(QString::fromStdString(clip.error().text()));
+  if (!clip) return m_state->setText(words(clip.error()));
   const ImportReport& report = clip->report;
   const auto mark = [](bool guessed) { return guessed ? " ?" : ""; };
   m_facts->setText(QString("%1 up%2 · %3 m per unit%4 · %5 fps%6 · head at %7 m")
@@ -329,7 +330,7 @@ void MappingDialog::saveMap() {
       this, "Save joint map", QString::fromStdString(m_motion.name) + ".json", "Joint maps (*.json)");
   if (file.isEmpty()) return;
   const Status written = write_whole_file(file.toStdString(), joint_map_json(m_map));
-  m_state->setText(written ? "Joint map written to " + file : QString::fromStdString(written.error().text()));
+  m_state->setText(written ? "Joint map written to " + file : words(written.error()));
 }
 
 void MappingDialog::loadMap() {
@@ -338,7 +339,7 @@ void MappingDialog::loadMap() {
   if (file.isEmpty()) return;
   const auto text = read_whole_file(file.toStdString());
   const auto map = text ? parse_joint_map(*text, file.toStdString()) : Result<JointMap>(text.error());
-  if (!map) return m_state->setText(QString::fromStdString(map.error().text()));
+  if (!map) return m_state->setText(words(map.error()));
   m_map = *map;
   m_by.fill(JointGuess::By::Nothing);
   changed();

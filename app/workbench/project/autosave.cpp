@@ -8,6 +8,7 @@
 #include <QUuid>
 #include <optional>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/job.hpp"
 #include "app/workbench/base/user_settings.hpp"
 #include "core/opening/opened_session.hpp"
@@ -67,7 +68,7 @@ void Autosave::keep(const Project& project, const QString& session_file) {
   next.view[autosaved_key] = session_file.toStdString();
   m_job = std::make_unique<Job>([this, next = std::move(next), file = m_file.toStdString()](const Progress&) {
     const Status saved = save_project(file, next);
-    return Job::Finish([this, why = saved ? QString() : QString::fromStdString(saved.error().text())] {
+    return Job::Finish([this, why = saved ? QString() : words(saved.error())] {
       if (why.isEmpty()) return m_dropWhenDone ? void() : emit kept();
       if (!m_next) m_next.emplace(*m_kept, m_keptFor);  // the disk may have room again
       m_kept.reset();

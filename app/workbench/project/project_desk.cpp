@@ -8,6 +8,7 @@
 #include <QPushButton>
 #include <algorithm>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/job.hpp"
 #include "app/workbench/project/project_state.hpp"
 #include "app/workbench/project/relocate_dialog.hpp"
@@ -201,7 +202,7 @@ void ProjectDesk::write(const QString& target) {
   const auto finish = [this, what, target, session = m_takes.session(), from = file(),
                        takes = m_takes.takes()](const Result<Project>& done) {
     if (!done) {
-      const QString why = QString::fromStdString(done.error().text());
+      const QString why = words(done.error());
       m_window.messages().showError(why);
       return emit notSaved(why);
     }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/workbench/base/error_words.hpp"
 #include "core/session/frames/frame_in_library.hpp"
 
 namespace abrazo::app {
@@ -130,7 +131,7 @@ void FrameTicker::seek(double time_s) {
 QString FrameTicker::goTo(const TimePlace& place) {
   if (!m_history) return "Nothing is open yet";
   const auto time_s = find_time(place, *m_history, m_playback.cursor_s);
-  if (!time_s) return QString::fromStdString(time_s.error().text());
+  if (!time_s) return words(time_s.error());
   seek(*time_s);
   return {};
 }

@@ -5,6 +5,7 @@
 #include <QFile>
 #include <QUrl>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "core/base/atomic_file.hpp"
@@ -37,7 +38,7 @@ QString Layouts::fileOf(const QString& name) const {
 }
 
 bool Layouts::tell(const Status& done) {
-  if (!done) m_window.messages().showError(QString::fromStdString(done.error().text()));
+  if (!done) m_window.messages().showError(words(done.error()));
   return bool(done);
 }
 

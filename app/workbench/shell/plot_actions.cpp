@@ -5,6 +5,7 @@
 #include <QFileInfo>
 #include <QMenu>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "core/base/atomic_file.hpp"
@@ -77,7 +78,7 @@ void follow_with(MainWindow& window) {
 
 QString save_plots(MainWindow& window, widgets::PlotExport what, const QString& file) {
   const Status written = write_whole_file(file.toStdString(), content_of(window.plots(), what));
-  return written ? QString() : QString::fromStdString(written.error().text());
+  return written ? QString() : words(written.error());
 }
 
 void add_plot_actions(MainWindow& window) {

@@ -1,6 +1,7 @@
 #include <QAction>
 #include <QMenu>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "core/base/text.hpp"
@@ -23,10 +24,10 @@ const QPoint above_the_time(150, 0);
 QString find(MainWindow& window, const QString& text, double& time_s) {
   const FrameTicker& ticker = window.ticker();
   const auto place = parse_time_place(text.toStdString(), window.transport().rate());
-  if (!place) return QString::fromStdString(place.error().text());
+  if (!place) return words(place.error());
   if (!ticker.history()) return "Nothing is open yet";
   const auto found = find_time(*place, *ticker.history(), ticker.playback().cursor_s);
-  if (!found) return QString::fromStdString(found.error().text());
+  if (!found) return words(found.error());
   time_s = *found;
   return {};
 }

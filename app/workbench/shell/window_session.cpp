@@ -1,6 +1,7 @@
 #include <QMetaMethod>
 #include <algorithm>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/job_progress.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
@@ -94,15 +95,15 @@ void MainWindow::openMaterial(MakeMaterial make, const QStringList& files) {
        maps = m_remembered.jointMapFolder().toStdString()](const Progress& progress) -> Job::Finish {
     auto material = make(progress);
     if (!material)
-      return [this, files, unmapped = motion_to_map(names_of(files), maps), text = material.error().text()] {
+      return [this, files, unmapped = motion_to_map(names_of(files), maps), why = words(material.error())] {
         // Without anyone to ask it is a failure like any other.
         if (unmapped && isSignalConnected(QMetaMethod::fromSignal(&MainWindow::mappingOffered)))
           return emit mappingOffered(files, unmapped);
-        fail(QString::fromStdString(text));
+        fail(why);
       };
     report(progress, 1, "Indexing the library");
     auto prepared = prepare_solver(std::move(material).value(), wanted);
-    if (!prepared) return [this, text = prepared.error().text()] { fail(QString::fromStdString(text)); };
+    if (!prepared) return [this, why = words(prepared.error())] { fail(why); };
     // Shared only because std::function must be copyable.
     auto ready = std::make_shared<PreparedSolver>(std::move(prepared).value());
     return [this, ready, files] {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/start/responsiveness.hpp"
@@ -80,14 +81,14 @@ void Unattended::recordPicture() {
     const QDir folder(QString::fromStdString(m_asked.record));
     if (!folder.mkpath(".")) return quit(folder.path() + ": cannot be made; choose another folder");
     auto video = VideoWriter::open(folder.filePath("abrazo.mp4").toStdString(), width, height, video_rate_hz);
-    if (!video) return quit(QString::fromStdString(video.error().text()));
+    if (!video) return quit(words(video.error()));
     m_video.emplace(std::move(video).value());
   }
   const double due = static_cast<double>(m_sinceFirst.elapsed()) * video_rate_hz / 1000;
   do {
     const Status added = m_video->add({picture.constBits(), static_cast<std::size_t>(picture.sizeInBytes())},
                                       static_cast<std::size_t>(picture.bytesPerLine()));
-    if (!added) return quit(QString::fromStdString(added.error().text()));
+    if (!added) return quit(words(added.error()));
   } while (m_video->frames() < due);
 }
 
@@ -97,7 +98,7 @@ void Unattended::finishRecording() {
   if (!m_video || m_done) return;
   const QDir folder(QString::fromStdString(m_asked.record));
   const Status video = m_video->finish();
-  if (!video) return quit(QString::fromStdString(video.error().text()));
+  if (!video) return quit(words(video.error()));
   QString failure = save_screenshot(m_window, folder.filePath("abrazo.png"));
   if (failure.isEmpty()) failure = writeMotion(folder.filePath("abrazo.bvh"));
   if (failure.isEmpty())
@@ -118,9 +119,9 @@ QString Unattended::writeMotion(const QString& file) const {
   active.fps = passive.fps = lasted > 0 ? static_cast<double>(frames.size() - 1) / lasted : 60;
   const std::array<Clip, 2> both = {std::move(active), std::move(passive)};
   const auto text = write_bvh(both);
-  if (!text) return QString::fromStdString(text.error().text());
+  if (!text) return words(text.error());
   const Status written = write_whole_file(file.toStdString(), *text);
-  return written ? QString() : QString::fromStdString(written.error().text());
+  return written ? QString() : words(written.error());
 }
 
 void Unattended::quit(const QString& failure) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <set>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/job_progress.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/takes/pair_dialog.hpp"
@@ -115,7 +116,7 @@ void PairDesk::add(PairDialog& dialog) {
   if (m_window.session()->material().library->find_take(wishes.name) >= 0)
     return dialog.showTrouble("The library has a take " + text(wishes.name) + " already; give another name");
   const auto take = m_capture->take(wishes);
-  if (!take) return dialog.showTrouble(text(take.error().text()));
+  if (!take) return dialog.showTrouble(words(take.error()));
   dialog.accept();
   if (m_takes.takes().empty()) return extend(*take);
   const double began_s = m_takes.takes().all().back().from_s + wishes.in_s;
@@ -159,7 +160,7 @@ void PairDesk::save(const QString& file) {
   if (!m_window.session()) return;
   const auto library = m_window.session()->material().library;
   const Status written = write_library(*library, file.toStdString());
-  if (!written) return m_window.messages().showError(text(written.error().text()));
+  if (!written) return m_window.messages().showError(words(written.error()));
   m_window.session()->setLibraryFile(library, file.toStdString());
   m_window.messages().showInformation("Library written to " + file);
 }

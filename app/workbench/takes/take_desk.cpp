@@ -4,6 +4,7 @@
 #include <QDir>
 #include <QFileInfo>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/document/session_places.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "core/session/edit/take_name.hpp"
@@ -172,7 +173,7 @@ bool TakeDesk::record() {
     emit fileChanged();
     return true;
   }
-  m_window.messages().showError(QString::fromStdString(started.error().text()));
+  m_window.messages().showError(words(started.error()));
   if (!QFileInfo::exists(m_file)) m_file.clear();
   return false;
 }
@@ -182,7 +183,7 @@ void TakeDesk::stopRecorder() {
   if (!engine.recorder()) return;
   writeMarkers();
   const Status written = engine.stop_recording();
-  if (!written) m_window.messages().showError(QString::fromStdString(written.error().text()));
+  if (!written) m_window.messages().showError(words(written.error()));
   m_lastState.bytes = static_cast<std::uint64_t>(QFileInfo(m_file).size());
   m_lastState.behind_s = 0;
   writeEdits();
@@ -195,7 +196,7 @@ void TakeDesk::writeEdits() {
   const auto recorder = m_window.session()->engine().recorder();
   if (recorder) recorder->edit_takes(names);
   const Status written = recorder ? Status(Done{}) : edit_session_takes(m_file.toStdString(), names);
-  if (!written) return m_window.messages().showError(QString::fromStdString(written.error().text()));
+  if (!written) return m_window.messages().showError(words(written.error()));
   m_takes.written(names);
 }
 
@@ -259,7 +260,7 @@ void TakeDesk::onSessionEnding() {
     stopRecorder();
     if (!m_file.isEmpty()) {
       const Status written = edit_session_takes(m_file.toStdString(), m_takes.edits());
-      if (!written) m_window.messages().showError(QString::fromStdString(written.error().text()));
+      if (!written) m_window.messages().showError(words(written.error()));
     }
   }
   m_sequence = {};

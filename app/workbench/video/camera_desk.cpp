@@ -8,6 +8,7 @@
 #include <limits>
 #include <set>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/document/open_video.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/video/video_desk.hpp"
@@ -224,7 +225,7 @@ void CameraDesk::loadIntrinsics(const QString& file) {
   if (!facts) return m_window.messages().showInformation("Open the video first that the camera took");
   const auto read = read_intrinsics(file.toStdString());
   const auto fitting = read ? scaled(*read, facts->width, facts->height) : read;
-  if (!fitting) return m_window.messages().showError(QString::fromStdString(fitting.error().text()));
+  if (!fitting) return m_window.messages().showError(words(fitting.error()));
   edit(
       [&](VideoState& state) {
         state.intrinsics = *fitting;
@@ -237,9 +238,9 @@ void CameraDesk::loadCamera(const QString& file) {
   const auto facts = m_videos.currentVideo() ? m_videos.currentVideo()->facts() : nullptr;
   if (!facts) return m_window.messages().showInformation("Open the video first that the camera took");
   auto read = read_camera(file.toStdString());
-  if (!read) return m_window.messages().showError(QString::fromStdString(read.error().text()));
+  if (!read) return m_window.messages().showError(words(read.error()));
   const auto fitting = scaled(read->intrinsics, facts->width, facts->height);
-  if (!fitting) return m_window.messages().showError(QString::fromStdString(fitting.error().text()));
+  if (!fitting) return m_window.messages().showError(words(fitting.error()));
   m_videos.changeCurrent(
       [&](VideoState& state) {
         state.intrinsics = *fitting;
@@ -256,7 +257,7 @@ void CameraDesk::saveCamera(const QString& file) {
     return m_window.messages().showInformation("There is no camera yet: pick joints, or load one");
   const Status written = write_camera(*state->camera, file.toStdString());
   written ? m_window.messages().showInformation("Camera written to " + file)
-          : m_window.messages().showError(QString::fromStdString(written.error().text()));
+          : m_window.messages().showError(words(written.error()));
 }
 
 // ---- what is shown
@@ -271,7 +272,7 @@ void CameraDesk::update() {
     if (solved)
       m_solved = std::move(solved).value();
     else
-      m_trouble = QString::fromStdString(solved.error().text());
+      m_trouble = words(solved.error());
   }
   const int id = state ? state->id : 0;
   if (std::exchange(m_shownId, id) != id) {

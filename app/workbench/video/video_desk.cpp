@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/document/open_video.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
@@ -153,7 +154,7 @@ void VideoDesk::changeCurrent(const std::function<void(VideoState&)>& edit, cons
     const Status possible = check_sync(state.sync);
     if (!possible) {
       showSync();  // what was entered is taken back
-      return m_window.messages().showError(text(possible.error().text()));
+      return m_window.messages().showError(words(possible.error()));
     }
     if (m_retime && state.sync != before) m_retime(state, before);
   }

@@ -1,5 +1,6 @@
 #include "app/workbench/video/video_rendering.hpp"
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/job_progress.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/video/video_desk.hpp"
@@ -45,7 +46,7 @@ void render_video(MainWindow& window, VideoDesk& desk, const RangeRequest& reque
     if (*is_cancelled)
       messages.showInformation("Rendering was cancelled; nothing was written");
     else
-      messages.showError(QString::fromStdString(written.error().text()));
+      messages.showError(words(written.error()));
   };
   auto* job = new Job(
       [tell, film, frames](const Progress& progress) -> Job::Finish {

@@ -69,12 +69,12 @@ bool is_question(const ImportWarning& warning) {
 
 void remark_on_performer(const PlannedPerformer& performer, int index, std::vector<PlanRemark>& remarks) {
   using Kind = PlanRemark::Kind;
-  const auto add = [&](Kind kind, const std::string& text) {
-    remarks.push_back({kind, index, file_of(performer), text});
+  const auto add = [&](Kind kind, const std::string& text, Hint hint = Hint::None) {
+    remarks.push_back({kind, index, file_of(performer), text, hint});
   };
-  if (!performer.trouble.empty()) {
-    remarks.push_back(
-        {performer.take.empty() ? Kind::Warning : Kind::Obstacle, index, "", performer.trouble});
+  if (performer.trouble) {
+    remarks.push_back({performer.take.empty() ? Kind::Warning : Kind::Obstacle, index, "",
+                       performer.trouble->text(), performer.trouble->hint});
     return;
   }
   if (performer.take.empty())
@@ -85,7 +85,7 @@ void remark_on_performer(const PlannedPerformer& performer, int index, std::vect
   for (const ImportWarning& warning : performer.report.warnings)
     if (warning.kind != "height")
       add(is_question(warning) ? Kind::Question : Kind::Warning,
-          (warning.line > 0 ? fmt::format("line {}: ", warning.line) : "") + warning.detail);
+          (warning.line > 0 ? fmt::format("line {}: ", warning.line) : "") + warning.detail, warning.hint);
 }
 
 /// Median horizontal distance of two roots [m], over the frames that are used.

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,7 @@ struct PlannedPerformer {
   int in_the_file = 1;  ///< performers that the file shows
   ImportReport report;
   std::shared_ptr<const Clip> clip;  ///< whole; null when the file could not be read
-  std::string trouble;               ///< then why
+  std::optional<Error> trouble;      ///< then why
 
   std::string take;  ///< two performers with the same are its pair; empty = not used
   PlannedRole role = PlannedRole::Either;
@@ -68,6 +69,7 @@ struct PlanRemark {
   int performer = -1;  ///< -1 when it is about the whole
   std::string about;   ///< a file or take; may be empty
   std::string text;    ///< with what to change
+  Hint hint = Hint::None;
   std::string whole() const { return about.empty() ? text : about + ": " + text; }
 };
 /// Obstacles first, then questions.

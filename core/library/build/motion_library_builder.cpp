@@ -242,18 +242,30 @@ Result<std::vector<PairedTake>> load_takes(const std::vector<Manifest::Take>& wa
   return takes;
 }
 
+double rate_of(const LibraryTake& take) {
+  return take.fps / take.frame_stride;
+}
+
+bool has_rate_of(const MotionLibrary& library, const LibraryTake& take) {
+  return std::abs(rate_of(take) - library.rate_hz()) <= 0.01 * library.rate_hz();
+}
+
 void warn_of_unequal_rates(const MotionLibrary& library, std::vector<std::string>& warnings) {
   for (const LibraryTake& take : library.takes()) {
-    const double rate_hz = take.fps / take.frame_stride;
-    if (std::abs(rate_hz - library.rate_hz()) > 0.01 * library.rate_hz())
+    if (!has_rate_of(library, take))
       warnings.push_back(
           fmt::format("take {}: its pairs come at {:.4g} Hz, those of the fastest take at {:.4g} Hz; build "
-                      "with --rate to bring them together",
-                      take.name, rate_hz, library.rate_hz()));
+                      "at one rate to bring them together",
+                      take.name, rate_of(take), library.rate_hz()));
   }
 }
 
 }  // namespace
+
+bool has_one_rate(const MotionLibrary& library) {
+  return std::ranges::all_of(library.takes(),
+                             [&](const LibraryTake& take) { return has_rate_of(library, take); });
+}
 
 Result<MotionLibrary> build_library(std::string name, std::vector<PairedTake> takes,
                                     const LibraryBuildOptions& options, const Progress& progress) {

@@ -26,6 +26,9 @@ struct LibraryBuildOptions {
 Result<MotionLibrary> build_library(std::string name, std::vector<PairedTake> takes,
                                     const LibraryBuildOptions& options, const Progress& progress);
 
+/// Whether the pairs of every take come at the rate of the library, within 1 %.
+bool has_one_rate(const MotionLibrary& library);
+
 /// Reads a manifest and all its takes, and builds. An excluded take that does not exist is an error that
 /// lists the names.
 /// @param warnings  what the readers found odd

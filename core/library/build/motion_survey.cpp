@@ -25,7 +25,7 @@ PlannedPerformer unread(const Manifest::Performer& source, std::optional<double>
   performer.source = source;
   performer.fps = fps;
   performer.name = source.motion.stem().string();
-  performer.trouble = error.text();
+  performer.trouble = error;
   return performer;
 }
 

@@ -52,7 +52,11 @@ void read_takes(const Hdf5Reader& reader, LibraryColumns& columns) {
   const auto confidences = reader.texts("labels/confidence", label_takes.size());
   for (std::size_t i = 0; i < label_takes.size(); ++i)
     take_at(columns, label_takes[i], "labels/take")
-        .labels.push_back({label_starts[i], label_ends[i], labels[i], details[i], confidences[i]});
+        .labels.push_back({.start = label_starts[i],
+                           .end = label_ends[i],
+                           .label = labels[i],
+                           .detail = details[i],
+                           .confidence = confidences[i]});
 }
 
 void read_bodies(const Hdf5Reader& reader, LibraryColumns& columns) {

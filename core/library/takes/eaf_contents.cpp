@@ -152,8 +152,11 @@ Status TierBuilder::add(const TierElement& element, const EafTimes& times) {
       ++empty_;
       continue;
     }
-    tier.intervals.push_back(
-        {span.start_s, span.end_s, one.value, remark(details_, one.id), remark(confidences_, one.id)});
+    tier.intervals.push_back({.start_s = span.start_s,
+                              .end_s = span.end_s,
+                              .value = one.value,
+                              .detail = remark(details_, one.id),
+                              .confidence = remark(confidences_, one.id)});
   }
   std::stable_sort(tier.intervals.begin(), tier.intervals.end(),
                    [](const TierInterval& a, const TierInterval& b) { return a.start_s < b.start_s; });

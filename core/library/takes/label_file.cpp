@@ -42,7 +42,8 @@ Result<LabelInterval> parse_row(const std::vector<std::string>& fields, std::str
   if (fields[3].empty())
     return error_at_line(where, line, "the label is empty; name it or leave the line out");
   const auto field = [&](std::size_t i) { return i < fields.size() ? fields[i] : std::string(); };
-  return LabelInterval{*start, *end, field(3), field(4), field(5)};
+  return LabelInterval{
+      .start = *start, .end = *end, .label = field(3), .detail = field(4), .confidence = field(5)};
 }
 
 /// Sorts by start and refuses what overlaps.

@@ -16,10 +16,28 @@ namespace abrazo {
 
 namespace {
 
+/// Where a manifest says what a reader asks for.
+std::string_view manifest_words(Hint hint) {
+  switch (hint) {
+    case Hint::NameSkeleton:
+      return R"( ("skeleton" of the performer))";
+    case Hint::NameJointMap:
+      return R"( ("joint_map" of the performer))";
+    case Hint::NameJointOrder:
+      return R"(, or with "joints" of the performer)";
+    case Hint::SetUnit:
+      return R"( ("metres_per_unit" of the performer or the take))";
+    case Hint::SetFrameRate:
+      return R"( ("fps" of the take))";
+    default:
+      return "";
+  }
+}
+
 void add_warnings(const ImportReport& report, const std::string& file, std::vector<std::string>& warnings) {
   for (const ImportWarning& warning : report.warnings) {
     const std::string line = warning.line > 0 ? fmt::format(":{}", warning.line) : "";
-    warnings.push_back(fmt::format("{}{}: {}", file, line, warning.detail));
+    warnings.push_back(fmt::format("{}{}: {}{}", file, line, warning.detail, manifest_words(warning.hint)));
   }
 }
 
@@ -30,7 +48,9 @@ Result<std::vector<ImportedClip>> load_clips(const Manifest::Take& take, const M
   if (!options) return options.error();
   if (!options->metres_per_unit) options->metres_per_unit = take.metres_per_unit;
   auto clips = load_motion(performer.motion.string(), performer.skeleton.string(), *options);
-  if (!clips) return clips.error();
+  if (!clips)
+    return Error{clips.error().message + std::string(manifest_words(clips.error().hint)),
+                 clips.error().where};
   for (const ImportedClip& clip : *clips) add_warnings(clip.report, performer.motion.string(), warnings);
   return clips;
 }

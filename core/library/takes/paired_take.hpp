@@ -17,6 +17,8 @@ struct RoleInterval {
   int start = 0;
   int end = 0;
   ActivePerformer active = ActivePerformer::Unknown;
+
+  bool operator==(const RoleInterval&) const = default;
 };
 
 /// A move: frames [start, end), 0-based, end exclusive.
@@ -26,6 +28,8 @@ struct LabelInterval {
   std::string label;
   std::string detail;
   std::string confidence;
+
+  bool operator==(const LabelInterval&) const = default;
 };
 
 /// Two performers captured together, frame for frame, with what is known of them.

@@ -66,6 +66,22 @@ Result<const Tier*> tier_for_take(std::span<const Tier> tiers, std::string_view 
                std::string(where)};
 }
 
+TierInterval interval_of(const LabelInterval& label, double fps) {
+  return {.start_s = label.start / fps,
+          .end_s = label.end / fps,
+          .value = label.label,
+          .detail = label.detail,
+          .confidence = label.confidence};
+}
+
+LabelInterval label_over(const TierInterval& interval, int start, int end) {
+  return {.start = start,
+          .end = end,
+          .label = interval.value,
+          .detail = interval.detail,
+          .confidence = interval.confidence};
+}
+
 std::vector<LabelInterval> labels_of(const Tier& tier, double fps, std::string_view where,
                                      std::vector<std::string>& warnings) {
   std::vector<LabelInterval> labels;
@@ -76,7 +92,7 @@ std::vector<LabelInterval> labels_of(const Tier& tier, double fps, std::string_v
       ++lost.left_out;
     else {
       lost.cut += frames.is_cut ? 1 : 0;
-      labels.push_back({frames.start, frames.end, one.value, one.detail, one.confidence});
+      labels.push_back(label_over(one, frames.start, frames.end));
     }
   }
   warn_of(lost, tier, where, warnings);

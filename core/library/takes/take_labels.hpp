@@ -17,6 +17,10 @@ namespace abrazo {
 Result<const Tier*> tier_for_take(std::span<const Tier> tiers, std::string_view name, TierKind kind,
                                   std::string_view take, std::string_view where);
 
+/// A label at its times, and back over the frames [start, end): the two places that know the fields of both.
+TierInterval interval_of(const LabelInterval& label, double fps);
+LabelInterval label_over(const TierInterval& interval, int start, int end);
+
 /// A tier's values as labels of frames, rounded to the nearest. What is left out is counted in `warnings`:
 /// intervals shorter than a frame or before the first one, and those that say nothing.
 std::vector<LabelInterval> labels_of(const Tier& tier, double fps, std::string_view where,

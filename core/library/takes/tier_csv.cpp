@@ -10,6 +10,7 @@
 #include "core/base/text.hpp"
 #include "core/library/takes/csv_text.hpp"
 #include "core/library/takes/manifest.hpp"
+#include "core/library/takes/take_labels.hpp"
 
 namespace abrazo {
 
@@ -118,14 +119,13 @@ Result<TierDocument> parse_label_file(std::string_view text, std::string_view wh
   }
   const auto labels = parse_labels(text, document.take, where);
   if (!labels) return labels.error();
-  if (!(reading.fps > 0)) return Error{"counts frames; give their rate, as --fps 60", std::string(where)};
+  if (!(reading.fps > 0))
+    return Error{"counts frames; give their rate", std::string(where), Hint::SetFrameRate};
   if (labels->empty())
     document.warnings.push_back(
         fmt::format("has no labels of the take {}; it has {}", document.take, fmt::join(takes, ", ")));
   Tier tier{"move", {}, {}, TierKind::Move};
-  for (const LabelInterval& label : *labels)
-    tier.intervals.push_back(
-        {label.start / reading.fps, label.end / reading.fps, label.label, label.detail, label.confidence});
+  for (const LabelInterval& label : *labels) tier.intervals.push_back(interval_of(label, reading.fps));
   document.tiers.push_back(std::move(tier));
   return document;
 }
@@ -181,7 +181,7 @@ TierText tier_csv(std::span<const Tier> tiers) {
 
 Result<TierText> label_csv(std::span<const Tier> tiers, std::string_view where, const TierWriting& writing) {
   if (!(writing.fps > 0))
-    return Error{"a label file counts frames; give their rate, as --fps 60", std::string(where)};
+    return Error{"a label file counts frames; give their rate", std::string(where), Hint::SetFrameRate};
   const Tier* moves = tier_of_moves(tiers);
   if (!moves) return Error{"a label file holds one tier; say which", std::string(where)};
   TierText written{"take,start_frame,end_frame,label,detail,confidence\n", {}};

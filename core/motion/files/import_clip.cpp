@@ -34,8 +34,8 @@ std::string rounded(double value, int digits) {
   return text;
 }
 
-void warn(ImportReport& report, std::string kind, std::string detail) {
-  report.warnings.push_back({std::move(kind), 0, std::move(detail)});
+void warn(ImportReport& report, std::string kind, std::string detail, Hint hint = Hint::None) {
+  report.warnings.push_back({std::move(kind), 0, std::move(detail), hint});
 }
 
 std::string names_of(const std::vector<int>& joint_list) {
@@ -57,10 +57,10 @@ Error no_map_fits(const NamedMotion& motion, const ChosenMap& closest, bool only
   for (const ImportWarning& warning : motion.warnings)
     if (warning.kind == "never-seen") message += " (" + warning.detail + ")";
   message +=
+      ". The file's points: " + some_of(motion.points, most_points) +
       R"(. Say which point is which joint in a JSON file {"name": "mine", "joints": {"root": "Hips", "head": )"
-      R"({"Neck": 0.3, "Top": 0.7}, ...}} with all 25 joints (--joint-map FILE). The file's points: )" +
-      some_of(motion.points, most_points);
-  return Error{message, motion.name};
+      R"({"Neck": 0.3, "Top": 0.7}, ...}} with all 25 joints)";
+  return Error{message, motion.name, Hint::NameJointMap};
 }
 
 Result<JointBinding> bind(const NamedMotion& motion, const ImportOptions& options, ImportReport& report) {
@@ -222,9 +222,10 @@ void settle_unit(const NamedMotion& motion, const ImportOptions& options, std::v
   for (Pose& pose : poses) pose *= report.metres_per_unit;
   report.height_m = raw_height * report.metres_per_unit;
   if (report.height_m < smallest_adult_m || report.height_m > tallest_adult_m)
-    warn(report, "height",
-         "the performer would stand " + rounded(report.height_m, 2) +
-             " m tall; set the unit (--metres-per-unit) if that is wrong");
+    warn(
+        report, "height",
+        "the performer would stand " + rounded(report.height_m, 2) + " m tall; set the unit if that is wrong",
+        Hint::SetUnit);
 }
 
 void settle_rate(const NamedMotion& motion, const ImportOptions& options, ImportReport& report) {
@@ -235,7 +236,9 @@ void settle_rate(const NamedMotion& motion, const ImportOptions& options, Import
   } else {
     report.fps = cmu_rate_fps;
     report.fps_guessed = true;
-    warn(report, "fps", "the file does not state its frame rate; 120 fps was guessed, set it with --fps");
+    warn(report, "fps",
+         "the file does not state its frame rate; 120 fps was guessed, set it if it is another",
+         Hint::SetFrameRate);
   }
 }
 
@@ -281,7 +284,8 @@ void look_for_a_person(const std::vector<Pose>& poses, ImportReport& report) {
     warn(report, "jumps",
          "the performer jumps in " + std::to_string(doubts.jumps) + of_all +
              " faster than anybody moves; the first is frame " + std::to_string(doubts.first_jump) +
-             ". They are kept; look there, or set the rate (--fps) if that is wrong");
+             ". They are kept; look there, or set the rate if that is wrong",
+         Hint::SetFrameRate);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/error.hpp"
 #include "core/base/positions.hpp"
 
 namespace abrazo {
@@ -17,6 +18,7 @@ struct ImportWarning {
       kind;  ///< short and stable: "frame-count", "glued-numbers", "duplicate-name", "units", "up-axis", ...
   int line = 0;  ///< 1-based; 0 when it concerns the whole file
   std::string detail;
+  Hint hint = Hint::None;
 };
 
 /// A motion as its file has it: world positions of named points in the file's own unit and axes.

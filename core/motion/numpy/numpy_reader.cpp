@@ -218,16 +218,15 @@ Result<FoundNames> order_by_count(std::size_t joints, const std::string& where) 
   std::vector<const JointOrder*> fitting;
   for (const JointOrder& order : builtin_joint_orders())
     if (order.points.size() == joints) fitting.push_back(&order);
-  const std::string says_it =
-      "say which joint is which with --joints NAME|FILE, or with an array joint_names in a .npz";
+  const std::string says_it = "say which joint is which with an array joint_names in a .npz";
   if (fitting.empty())
     return Error{std::to_string(joints) + " joints without names, and no known order has so many (" +
                      joint_order_names() + "); " + says_it,
-                 where};
+                 where, Hint::NameJointOrder};
   if (fitting.size() > 1)
     return Error{std::to_string(joints) + " joints without names may be " + fitting[0]->name + " or " +
                      fitting[1]->name + "; " + says_it,
-                 where};
+                 where, Hint::NameJointOrder};
   return FoundNames{fitting.front()->points,
                     {{"joint-order", 0,
                       "the joints have no names; the order " + fitting.front()->name +

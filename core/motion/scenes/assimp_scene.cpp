@@ -179,8 +179,8 @@ Result<std::vector<const aiAnimation*>> SceneReader::choose_animations() {
   if (!left_out.empty() && wanted_.empty())
     warnings_.push_back({"animations", 0,
                          "holds " + std::to_string(by_length.size()) + " animations; the longest, " +
-                             in_quotes(some_of(names)) + ", was taken, and left out: " + some_of(left_out) +
-                             "; choose one with --animation NAME"});
+                             in_quotes(some_of(names)) + ", was taken, and left out: " + some_of(left_out),
+                         Hint::ChooseAnimation});
   animations_ = names;
   animations_.insert(animations_.end(), left_out.begin(), left_out.end());
   return chosen;

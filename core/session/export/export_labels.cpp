@@ -37,7 +37,8 @@ Result<ExportReport> export_labels(const ExportSource& source, const ExportWish&
   if (const Status written = write_whole_file(wish.output, content->text); !written) return written.error();
   ExportReport done;
   done.files = {wish.output};
-  for (const std::string& warning : content->warnings) done.warnings.push_back(wish.output + ": " + warning);
+  for (const std::string& warning : content->warnings)
+    done.warnings.push_back({wish.output + ": " + warning});
   write_range(done.figures, *range);
   done.figures.key("tiers").begin_array();
   for (const Tier& tier : *tiers) {

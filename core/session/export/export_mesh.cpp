@@ -121,7 +121,7 @@ Result<ExportReport> export_mesh_series(ExportSource& source, const ExportWish& 
   ExportReport done;
   if (without > 0)
     done.warnings.push_back(
-        fmt::format("{}: {} frames have no mesh and are left out", session.where(), without));
+        {fmt::format("{}: {} frames have no mesh and are left out", session.where(), without)});
   done.files = series.paths();
   done.text = fmt::format("{} frames", entries.size());
   write_range(done.figures, range);
@@ -141,9 +141,11 @@ Result<ExportReport> export_mesh(ExportSource& source, const ExportWish& wish, c
     return export_mesh_series(source, wish, *range, progress);
   auto done = export_one_mesh(source, wish, *range);
   if (done && !wish.one_mesh())
-    done->warnings.emplace_back(
-        "only the first frame is written; choose another with --time or --frame, or a series with "
-        "--from, --to, --take or a name that ends with .pvd");
+    done->warnings.push_back(
+        {"only the first frame is written; choose another, or a series by a part of the session or a name "
+         "that "
+         "ends with .pvd",
+         Hint::ChooseFrames});
   return done;
 }
 

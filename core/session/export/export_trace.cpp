@@ -28,13 +28,13 @@ Result<ExportReport> export_trace(ExportSource& source, const ExportWish& wish, 
   if (const Status finished = (*lines)->finish(); !finished) return finished.error();
   ExportReport done;
   if (all->skipped > 0)
-    done.warnings.push_back(fmt::format("{}: {} frames could not be {} and are left out: {}", session.where(),
-                                        all->skipped, how, all->note));
+    done.warnings.push_back({fmt::format("{}: {} frames could not be {} and are left out: {}",
+                                         session.where(), all->skipped, how, all->note)});
   if (all->differ > 0)
     done.warnings.push_back(
-        fmt::format("{}: {} of {} frames differ from what was recorded; they were recorded by another "
-                    "version of the program or on another machine",
-                    session.where(), all->differ, all->frames));
+        {fmt::format("{}: {} of {} frames differ from what was recorded; they were recorded by another "
+                     "version of the program or on another machine",
+                     session.where(), all->differ, all->frames)});
   done.files = {wish.output};
   done.text =
       again ? fmt::format("{} frames solved again, {} as recorded", all->frames, all->frames - all->differ)

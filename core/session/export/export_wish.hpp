@@ -38,9 +38,9 @@ Status check_export(const ExportWish& wish);
 /// What was written: a sentence for people, figures for programs.
 struct ExportReport {
   std::vector<std::string> files;
-  std::string text;                   ///< "1234 frames at 120 Hz"
-  std::vector<std::string> warnings;  ///< what was left out or bridged, one sentence each
-  JsonText figures;                   ///< members of an object that is still open
+  std::string text;               ///< "1234 frames at 120 Hz"
+  std::vector<Warning> warnings;  ///< what was left out or bridged
+  JsonText figures;               ///< members of an object that is still open
 };
 
 /// What an export comes to, before it is made.

@@ -189,8 +189,12 @@ class Reader {
                    if (!others.empty() && row.real(3) < others.back().end_s)
                      return Error{"'" + row.text(5) + "' begins before the one before it ends", {}};
                    if (Status fresh = take_id(*tier->first, row.integer(2)); !fresh) return fresh;
-                   others.push_back({static_cast<int>(row.integer(2)), row.real(3), row.real(4), row.text(5),
-                                     row.text(6), row.text(7)});
+                   others.push_back({{.start_s = row.real(3),
+                                      .end_s = row.real(4),
+                                      .value = row.text(5),
+                                      .detail = row.text(6),
+                                      .confidence = row.text(7)},
+                                     static_cast<int>(row.integer(2))});
                    return Done{};
                  });
   }

@@ -31,8 +31,8 @@ Result<TraceHeader> read_header(const std::string& line, const std::string& wher
   const nlohmann::json json = nlohmann::json::parse(line, nullptr, false);
   if (!json.is_object() || !json.contains("abrazo_trace"))
     return Error{
-        "is no trace: its first line has to be a header with \"abrazo_trace\", as abrazo synth "
-        "--trace writes it",
+        "is no trace: its first line has to be a header with \"abrazo_trace\", as the traces "
+        "of abrazo synth have it",
         where};
   if (json["abrazo_trace"] != 1)
     return Error{"is a trace of a newer version of Abrazo; render it with that version", where};

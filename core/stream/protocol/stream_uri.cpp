@@ -13,15 +13,18 @@ namespace {
 
 using Scheme = StreamUri::Scheme;
 
-struct SchemeFacts {
-  std::string_view name;
-  Scheme scheme;
-  std::uint16_t port;  ///< the usual one
-};
-
 constexpr std::array schemes = {
-    SchemeFacts{"vmc", Scheme::Vmc, 39539}, SchemeFacts{"natnet", Scheme::NatNet, 1510},
-    SchemeFacts{"xsens", Scheme::Xsens, 9763}, SchemeFacts{"clip", Scheme::Clip, 0}};
+    SchemeFacts{Scheme::Vmc, "vmc", "VMC", "VMC", 39539, false},
+    SchemeFacts{Scheme::NatNet, "natnet", "NatNet", "NatNet (Motive)", 1510, true},
+    SchemeFacts{Scheme::Xsens, "xsens", "Xsens MVN", "Xsens MVN", 9763, false},
+    SchemeFacts{Scheme::Clip, "clip", "clip", "Clip, replayed", 0, false}};
+
+constexpr bool is_in_order() {
+  for (std::size_t i = 0; i < schemes.size(); ++i)
+    if (static_cast<std::size_t>(schemes[i].scheme) != i) return false;
+  return true;
+}
+static_assert(is_in_order());
 
 /// An option, where it may stand and what it means; the text is what an error shows.
 struct OptionFacts {
@@ -53,15 +56,9 @@ constexpr std::array option_table = {
     OptionFacts{"character", "xsens", false, true, "character=ID"},
 };
 
-const SchemeFacts& facts_of(Scheme scheme) {
-  for (const SchemeFacts& facts : schemes)
-    if (facts.scheme == scheme) return facts;
-  return schemes.front();
-}
-
 bool names_scheme(const OptionFacts& option, Scheme scheme) {
   for (const std::string_view name : split_words(option.schemes))
-    if (name == facts_of(scheme).name) return true;
+    if (name == facts_of(scheme).word) return true;
   return false;
 }
 
@@ -109,7 +106,7 @@ Status parse_options(std::string_view text, StreamUri& uri) {
       return false;
     }();
     if (!is_known)
-      return Error{"there is no option " + in_quotes(key) + " for " + std::string(facts_of(uri.scheme).name) +
+      return Error{"there is no option " + in_quotes(key) + " for " + std::string(facts_of(uri.scheme).word) +
                        "; " + possible_options(uri.scheme, true, true),
                    uri.text};
     if (!uri.options.emplace(key, decoded(field.substr(equals + 1))).second)
@@ -122,7 +119,7 @@ Status parse_place(std::string_view place, StreamUri& uri) {
   while (place.ends_with('/')) place.remove_suffix(1);
   if (place.find('/') != std::string_view::npos)
     return Error{
-        "there is nothing below a port: write " + std::string(facts_of(uri.scheme).name) + "://HOST:PORT",
+        "there is nothing below a port: write " + std::string(facts_of(uri.scheme).word) + "://HOST:PORT",
         uri.text};
   const auto colon = place.find(':');
   if (place.find('[') != std::string_view::npos ||
@@ -130,7 +127,7 @@ Status parse_place(std::string_view place, StreamUri& uri) {
     return Error{"only IPv4 is spoken here; write a name or an address such as 192.168.1.7", uri.text};
   uri.host = std::string(place.substr(0, colon));
   // Packets from a network are accepted only on request.
-  if (uri.host.empty()) uri.host = "127.0.0.1";
+  if (uri.host.empty()) uri.host = usual_stream_host;
   if (uri.host == "*") uri.host = "0.0.0.0";
   for (const char c : uri.host)
     if (std::isalnum(static_cast<unsigned char>(c)) == 0 && c != '.' && c != '-' && c != '_')
@@ -151,6 +148,14 @@ constexpr std::string_view usage =
 
 }  // namespace
 
+std::span<const SchemeFacts> stream_schemes() {
+  return schemes;
+}
+
+const SchemeFacts& facts_of(StreamUri::Scheme scheme) {
+  return schemes[static_cast<std::size_t>(scheme)];
+}
+
 std::string StreamUri::option(std::string_view key, std::string_view otherwise) const {
   const auto found = options.find(key);
   return found == options.end() ? std::string(otherwise) : found->second;
@@ -163,7 +168,7 @@ Result<StreamUri> parse_stream_uri(std::string_view text) {
   const auto colon = text.find(':');
   const SchemeFacts* facts = nullptr;
   for (const SchemeFacts& candidate : schemes)
-    if (colon != std::string_view::npos && lower_case(text.substr(0, colon)) == candidate.name)
+    if (colon != std::string_view::npos && lower_case(text.substr(0, colon)) == candidate.word)
       facts = &candidate;
   if (!facts) return Error{in_quotes(text) + " is no stream; " + std::string(usage), ""};
   uri.scheme = facts->scheme;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
@@ -25,6 +26,22 @@ struct StreamUri {
 
   std::string option(std::string_view key, std::string_view otherwise = {}) const;
 };
+
+/// What there is to know of a protocol, for the URI, for messages and for a list to choose from.
+struct SchemeFacts {
+  StreamUri::Scheme scheme = StreamUri::Scheme::Vmc;
+  std::string_view word;     ///< of the URI
+  std::string_view sender;   ///< whose packets they are
+  std::string_view title;    ///< to choose it by
+  std::uint16_t port = 0;    ///< the usual one; 0 = none
+  bool asks_server = false;  ///< the host is a server that is asked, not an address that is listened at
+};
+/// In the order of Scheme.
+std::span<const SchemeFacts> stream_schemes();
+const SchemeFacts& facts_of(StreamUri::Scheme scheme);
+
+/// The host where none is written.
+inline constexpr std::string_view usual_stream_host = "127.0.0.1";
 
 Result<StreamUri> parse_stream_uri(std::string_view text);
 

@@ -39,18 +39,8 @@ bool is_share(std::uint64_t part, std::uint64_t whole, double least) {
   return part > 0 && static_cast<double>(part) > least * static_cast<double>(whole);
 }
 
-std::string sender_name(Scheme scheme) {
-  switch (scheme) {
-    case Scheme::Vmc:
-      return "VMC";
-    case Scheme::NatNet:
-      return "NatNet";
-    case Scheme::Xsens:
-      return "Xsens MVN";
-    case Scheme::Clip:
-      break;
-  }
-  return "clip";
+std::string sender_name(const StreamObservation& seen) {
+  return std::string(facts_of(seen.uri.scheme).sender);
 }
 
 std::string listed(const std::vector<std::string>& names) {
@@ -147,10 +137,9 @@ void look_for_other_protocol(const StreamObservation& seen, Advice& advice) {
                      " of the packets cannot be read. The newest: " + seen.unreadable);
     return;
   }
-  std::string text =
-      "packets come, but not as " + sender_name(seen.uri.scheme) + ". They begin with " + shown(seen);
+  std::string text = "packets come, but not as " + sender_name(seen) + ". They begin with " + shown(seen);
   const auto protocol = protocol_of(seen.first_bytes, seen.first_bytes_count, seen.unknown_size);
-  if (protocol && !protocol->starts_with(sender_name(seen.uri.scheme)))
+  if (protocol && !protocol->starts_with(sender_name(seen)))
     text += ", which looks like " + *protocol + "; choose that protocol here, or another port";
   else
     text += ": " + (seen.unreadable.empty() ? "choose the protocol that the sender speaks" : seen.unreadable);
@@ -161,7 +150,7 @@ void look_for_bones(const StreamObservation& seen, Advice& advice) {
   const bool understood = seen.last_understood_s >= 0 && seen.now_s - seen.last_understood_s < stalled_s;
   const double frame_s = std::max(seen.last_frame_s, seen.opened_s);
   if (!understood || seen.now_s - frame_s < patience_s) return;
-  std::string text = sender_name(seen.uri.scheme) + " packets come, but no bones";
+  std::string text = sender_name(seen) + " packets come, but no bones";
   switch (seen.uri.scheme) {
     case Scheme::Vmc:
       text +=

@@ -21,6 +21,17 @@ TEST(Result, HoldsTheReasonWhyThereIsNone) {
   EXPECT_EQ(result.error().text(), "walk.bvh:17: expected 6 numbers");
 }
 
+TEST(Error, EndsWithTheWordsThatAProgramHasForItsHint) {
+  const HintWords words = [](Hint hint) -> std::string_view {
+    return hint == Hint::SetFrameRate ? " (--fps)" : "";
+  };
+  const Error error{"set the rate", "walk.trc", Hint::SetFrameRate};
+  EXPECT_EQ(error.text(), "walk.trc: set the rate");
+  EXPECT_EQ(error.text(words), "walk.trc: set the rate (--fps)");
+  EXPECT_EQ((Error{"is empty", "walk.trc"}).text(words), "walk.trc: is empty");
+  EXPECT_EQ((Warning{"120 fps was guessed", Hint::SetFrameRate}).text(words), "120 fps was guessed (--fps)");
+}
+
 TEST(Result, ThrowsWhenAskedForAValueThatIsNotThere) {
   const Result<int> result = Error{"no", ""};
   EXPECT_THROW(static_cast<void>(result.value()), std::logic_error);

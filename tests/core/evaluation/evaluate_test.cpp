@@ -1,9 +1,9 @@
-#include "core/evaluation/evaluate.hpp"
+#include "core/evaluation/run/evaluate.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/evaluation/report_json.hpp"
+#include "core/evaluation/report/report_json.hpp"
 #include "core/library/build/motion_library_builder.hpp"
 #include "evaluation_takes.hpp"
 #include "tests/support/libraries.hpp"
@@ -57,7 +57,7 @@ TEST(Evaluate, ASingleTakeCannotBeLeftOut) {
   data.takes.resize(1);
   const auto evaluation = evaluate(data, of_parts({EvaluationPart::Moves}), {});
   ASSERT_FALSE(evaluation);
-  EXPECT_THAT(evaluation.error().text(), HasSubstr("--users"));
+  EXPECT_EQ(evaluation.error().hint, Hint::NameUsers);
 }
 
 TEST(Evaluate, OtherPeoplesTakesAreAnsweredByTheWholeLibrary) {
@@ -155,7 +155,7 @@ TEST(Evaluate, RoleChangesNeedBothRoles) {
   };
   const auto refused = with(false);
   ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error().text(), HasSubstr("--both-roles"));
+  EXPECT_EQ(refused.error().hint, Hint::EvaluateBothRoles);
   const auto evaluation = with(true);
   ASSERT_TRUE(evaluation);
   EXPECT_EQ(evaluation->library_pairs, 720);

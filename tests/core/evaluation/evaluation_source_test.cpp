@@ -1,4 +1,4 @@
-#include "core/evaluation/evaluation_source.hpp"
+#include "core/evaluation/run/evaluation_source.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -3,8 +3,8 @@
 #include <memory>
 #include <vector>
 
-#include "core/evaluation/evaluate.hpp"
-#include "core/evaluation/take_synthesis.hpp"
+#include "core/evaluation/run/evaluate.hpp"
+#include "core/evaluation/takes/take_synthesis.hpp"
 
 namespace abrazo::test {
 

@@ -1,8 +1,8 @@
-#include "core/evaluation/library_takes.hpp"
+#include "core/evaluation/run/library_takes.hpp"
 
 #include <gtest/gtest.h>
 
-#include "core/evaluation/sweep_metric.hpp"
+#include "core/evaluation/sweep/sweep_metric.hpp"
 #include "core/library/build/motion_library_builder.hpp"
 #include "tests/core/evaluation/evaluation_takes.hpp"
 #include "tests/support/libraries.hpp"

@@ -1,4 +1,4 @@
-#include "core/evaluation/move_table.hpp"
+#include "core/evaluation/tables/move_table.hpp"
 
 #include <gtest/gtest.h>
 

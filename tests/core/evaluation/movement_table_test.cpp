@@ -1,14 +1,14 @@
 // How the partner moves, in a dance that is given by formulas. The expected figures were printed for the same
 // dance by a program that was written apart from this one (another language, from traces), and are therefore
 // a check of every definition.
-#include "core/evaluation/movement_table.hpp"
+#include "core/evaluation/tables/movement_table.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/evaluation/take_synthesis.hpp"
+#include "core/evaluation/takes/take_synthesis.hpp"
 #include "core/motion/body/joint_set.hpp"
 #include "tests/core/evaluation/evaluation_takes.hpp"
 
@@ -116,18 +116,18 @@ TEST(MovementTable, AgreesWithAProgramThatWasWrittenApart) {
   expect(f.selected_error_m, 0.03);
   expect(f.changes_per_s, 1.404682274);
   expect(f.standing_share, 0.140410959);
-  expect(f.own_pace_share, 0.784246575);
+  expect(f.source_pace_share, 0.784246575);
   expect(f.speed_p50_m_s, 0.263341069);
-  expect(f.own_speed_p50_m_s, 0.225414124);
+  expect(f.captured_speed_p50_m_s, 0.225414124);
   expect(f.speed_p99_m_s, 8.993039511);
-  expect(f.own_speed_p99_m_s, 0.232449457);
+  expect(f.captured_speed_p99_m_s, 0.232449457);
   expect(f.acceleration_rms_m_s2, 108.575363990);
-  expect(f.own_acceleration_rms_m_s2, 1.054478725);
+  expect(f.captured_acceleration_rms_m_s2, 1.054478725);
   expect(f.acceleration_ratio, 102.966145134);
   expect(f.slide_m_s, 0.377816821);
-  expect(f.own_slide_m_s, 0.205151126);
+  expect(f.captured_slide_m_s, 0.205151126);
   expect(f.slide_share_fast, 0.224584159);
-  expect(f.own_slide_share_fast, 0.012396694);
+  expect(f.captured_slide_share_fast, 0.012396694);
   expect(f.hold_change_m, 0.039465461703);
   expect(f.captured_holds_held, 0.971880570);
   const auto& takes = measured().per_take;
@@ -140,7 +140,8 @@ TEST(MovementTable, IsTheMeanOverTheTakesAndOfLargestStepsTheLargest) {
   const MovementFigures &one = table.per_take[0], &two = table.per_take[1];
   EXPECT_NEAR(table.all.speed_p99_m_s, (one.speed_p99_m_s + two.speed_p99_m_s) / 2, 1e-12);
   EXPECT_EQ(table.all.step_at_change_max_m, std::max(one.step_at_change_max_m, two.step_at_change_max_m));
-  EXPECT_EQ(table.all.own_largest_step_m, std::max(one.own_largest_step_m, two.own_largest_step_m));
+  EXPECT_EQ(table.all.captured_largest_step_m,
+            std::max(one.captured_largest_step_m, two.captured_largest_step_m));
   EXPECT_GT(table.all.step_at_change_max_m, 0.1) << "it leaps at changes";
   EXPECT_LT(table.all.step_at_change_max_m, 0.2);
 }

@@ -1,4 +1,4 @@
-#include "core/evaluation/published_table.hpp"
+#include "core/evaluation/tables/published_table.hpp"
 
 #include <gtest/gtest.h>
 
@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "core/evaluation/take_synthesis.hpp"
+#include "core/evaluation/takes/take_synthesis.hpp"
 #include "core/library/build/motion_library_builder.hpp"
 #include "tests/core/evaluation/evaluation_takes.hpp"
 #include "tests/support/libraries.hpp"

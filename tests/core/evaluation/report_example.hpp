@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/evaluation/evaluation.hpp"
+#include "core/evaluation/tables/evaluation.hpp"
 
 namespace abrazo::test {
 

@@ -1,4 +1,4 @@
-#include "core/evaluation/report_html.hpp"
+#include "core/evaluation/report/report_html.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -7,8 +7,8 @@
 #include <regex>
 #include <vector>
 
-#include "core/evaluation/html_paper.hpp"
-#include "core/evaluation/html_sections.hpp"
+#include "core/evaluation/report/html_paper.hpp"
+#include "core/evaluation/report/html_sections.hpp"
 #include "tests/core/evaluation/report_example.hpp"
 
 namespace abrazo::report_html_test {

@@ -1,4 +1,4 @@
-#include "core/evaluation/report_json.hpp"
+#include "core/evaluation/report/report_json.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/evaluation/run_measures.hpp"
+#include "core/evaluation/tables/run_measures.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,11 +1,11 @@
-#include "core/evaluation/selection_table.hpp"
+#include "core/evaluation/run/selection_table.hpp"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/evaluation/pose_queries.hpp"
+#include "core/evaluation/takes/pose_queries.hpp"
 #include "evaluation_takes.hpp"
 
 namespace abrazo::selection_table_test {

@@ -1,11 +1,11 @@
-#include "core/evaluation/suggestion_agreement.hpp"
+#include "core/evaluation/tables/suggestion_agreement.hpp"
 
 #include <gtest/gtest.h>
 
 #include <nlohmann/json.hpp>
 
 #include "core/choreography/salsa.hpp"
-#include "core/evaluation/suggestion_report.hpp"
+#include "core/evaluation/report/suggestion_report.hpp"
 #include "core/library/build/motion_library_builder.hpp"
 
 namespace abrazo::suggestion_agreement_test {

@@ -1,11 +1,11 @@
-#include "core/evaluation/svg_plot.hpp"
+#include "core/evaluation/plots/svg_plot.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 
-#include "core/evaluation/html_text.hpp"
+#include "core/evaluation/plots/html_text.hpp"
 
 namespace abrazo::svg_plot_test {
 namespace {

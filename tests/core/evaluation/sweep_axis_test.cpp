@@ -1,4 +1,4 @@
-#include "core/evaluation/sweep_axis.hpp"
+#include "core/evaluation/sweep/sweep_axis.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-#include "core/evaluation/sweep.hpp"
+#include "core/evaluation/sweep/sweep.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <set>
 
 #include "core/base/atomic_file.hpp"
-#include "core/evaluation/sweep_report.hpp"
+#include "core/evaluation/sweep/sweep_report.hpp"
 #include "tests/core/evaluation/report_example.hpp"
 
 namespace abrazo::sweep_test {
@@ -217,6 +217,15 @@ TEST(SweepMetric, CanBeEveryFigureOfTheContract) {
     EXPECT_TRUE(check_metric(name)) << name;
   for (const char* name : {"selection.10", "zmp.settings.floor_m", "moves", "", "seconds"})
     EXPECT_FALSE(check_metric(name)) << name;
+}
+
+TEST(SweepMetric, EveryFigureStatesItsGoal) {
+  for (const std::string& name : metric_names()) {
+    EXPECT_NO_THROW(goal_of(name)) << name;
+    EXPECT_NE(goal_of(name), FigureGoal::None) << name;
+  }
+  EXPECT_EQ(goal_of("movement.pace.p50"), FigureGoal::None);
+  EXPECT_THROW(goal_of("contact.hugs"), std::invalid_argument);
 }
 
 TEST(SweepMetric, KnowsWhichValueIsBetter) {

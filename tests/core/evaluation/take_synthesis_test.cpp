@@ -1,4 +1,4 @@
-#include "core/evaluation/take_synthesis.hpp"
+#include "core/evaluation/takes/take_synthesis.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -34,7 +34,7 @@ TEST(UserOf, WherePerformersChangeRolesSaysHowToEvaluate) {
   const auto user = user_of(take, UserRole::Active, false);
   ASSERT_FALSE(user);
   EXPECT_THAT(user.error().text(), HasSubstr("sparring"));
-  EXPECT_THAT(user.error().text(), HasSubstr("--both-roles"));
+  EXPECT_EQ(user.error().hint, Hint::EvaluateBothRoles);
   EXPECT_EQ(*user_of(take, UserRole::Active, true), ActivePerformer::A);
 }
 

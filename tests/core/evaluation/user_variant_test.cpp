@@ -1,4 +1,4 @@
-#include "core/evaluation/user_variant.hpp"
+#include "core/evaluation/takes/user_variant.hpp"
 
 #include <gtest/gtest.h>
 

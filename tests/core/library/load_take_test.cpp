@@ -14,6 +14,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::Contains;
+using testing::EndsWith;
 using testing::HasSubstr;
 
 /// A folder with a.bvh and b.bvh of 12 frames, both.bvh with both, and short.bvh with 9 frames of B.
@@ -114,6 +115,12 @@ TEST_F(LoadTake, WarnsOfALabelFileThatDoesNotNameTheTake) {
   std::ofstream(take.labels) << "other,0,15,turn\n";
   EXPECT_TRUE(loaded().labels.empty());
   EXPECT_THAT(warnings, Contains(HasSubstr("moves.csv: no labels of take t")));
+}
+
+TEST_F(LoadTake, SaysWhereTheManifestGivesWhatAReaderAsksFor) {
+  take.a.motion = folder / "lonely.amc";
+  std::ofstream(take.a.motion) << ":FULLY-SPECIFIED\n:DEGREES\n1\nroot 0 0 0 0 0 0\n";
+  EXPECT_THAT(refusal(), EndsWith("name the .asf (\"skeleton\" of the performer)"));
 }
 
 TEST_F(LoadTake, RefusesLabelAndMotionFilesThatAreNotThere) {

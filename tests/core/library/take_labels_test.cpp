@@ -45,6 +45,13 @@ TEST(TakeLabels, TheTierIsTheNamedOneOrTheFirstOfItsKind) {
               HasSubstr("it has x, one"));
 }
 
+TEST(TakeLabels, KeepEveryFieldAsAnIntervalAndBack) {
+  const LabelInterval label{.start = 30, .end = 90, .label = "turn", .detail = "left", .confidence = "low"};
+  const TierInterval interval = interval_of(label, 60);
+  EXPECT_EQ(interval, (TierInterval{0.5, 1.5, "turn", "left", "low"}));
+  EXPECT_EQ(label_over(interval, 30, 90), label);
+}
+
 TEST(TakeLabels, AreInFramesAndWhatIsLeftOutIsCounted) {
   std::vector<std::string> warnings;
   const auto labels = labels_of(tiers[1], 60, "x.eaf", warnings);

@@ -158,7 +158,7 @@ TEST(TierFile, ALabelFileCountsWhatItCannotHold) {
   EXPECT_THAT(written->warnings,
               ElementsAre(HasSubstr("2 of 3 intervals were left out"), HasSubstr("here 'move'; 1 left out")));
   writing.fps = 0;
-  EXPECT_THAT(write_tiers(tiers, "y.csv", writing).error().text(), HasSubstr("--fps"));
+  EXPECT_EQ(write_tiers(tiers, "y.csv", writing).error().hint, Hint::SetFrameRate);
 }
 
 TEST(TierFile, OtherPeoplesTablesAreReadByTheirHeader) {

@@ -37,7 +37,7 @@ TEST(MotionQuality, PaceIsTheTimeInTheTakeByTheTimeThatPassed) {
   EXPECT_NEAR(f.pace_p05, 0, 1e-9);
   EXPECT_NEAR(f.pace_p95, 2, 1e-9);
   EXPECT_NEAR(f.standing_share, 0.25, 1e-12);
-  EXPECT_NEAR(f.own_pace_share, 0.5, 1e-12);
+  EXPECT_NEAR(f.source_pace_share, 0.5, 1e-12);
   EXPECT_EQ(f.changes_per_s, 0);
   EXPECT_TRUE(std::isnan(f.step_at_change_max_m)) << "there was no change";
 }

@@ -21,8 +21,7 @@ std::string with(std::string text, const std::string& what, const std::string& b
 
 /// One cell of a table: long lists of points are cut, bars would end the cell.
 std::string cell(std::string text) {
-  if (const auto points = text.find(" Say which point is which joint"); points != std::string::npos)
-    text.resize(points);
+  if (const auto points = text.find(" The file's points: "); points != std::string::npos) text.resize(points);
   text = with(text, "|", "\\|");
   return text.size() > 400 ? text.substr(0, 400) + "..." : text;
 }

@@ -141,8 +141,7 @@ TEST(ReadFbx, TakesTheAnimationThatIsAskedFor) {
   const NamedMotion longest = read_one(text);
   EXPECT_EQ(longest.frames.size(), 31U);
   EXPECT_THAT(longest.animations, ElementsAre("dance", "Armature|rest|Layer0"));
-  EXPECT_THAT(the_warning(longest.warnings, "animations").detail,
-              HasSubstr("choose one with --animation NAME"));
+  EXPECT_EQ(the_warning(longest.warnings, "animations").hint, Hint::ChooseAnimation);
   const NamedMotion rest = read_one(text, "rest");
   EXPECT_EQ(rest.frames.size(), 16U);
   EXPECT_THAT(rest.animations, ElementsAre("Armature|rest|Layer0", "dance"));

@@ -156,7 +156,7 @@ TEST(LoadMotion, FindsTheSkeletonBesideAnAmcByName) {
   EXPECT_THAT(found.error().message, HasSubstr("no joint map fits"));
   const auto lost = load(folder.write("arm_01.amc", test::fixture_text("leg.amc")));
   ASSERT_FALSE(lost);
-  EXPECT_THAT(lost.error().message, HasSubstr("--skeleton"));
+  EXPECT_EQ(lost.error().hint, Hint::NameSkeleton);
 }
 
 TEST(LoadMotion, SaysWhatItCannotOpen) {

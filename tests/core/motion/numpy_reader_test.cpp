@@ -149,7 +149,7 @@ TEST(NumpyReader, GuessesTheOrderByTheCountWhereThatTellsAndSaysSo) {
   EXPECT_THAT(test::the_warning(motion.warnings, "joint-order").detail, HasSubstr("mocap53 was guessed"));
   const std::string either = NpyBytes{"<f8", false, {1, 22, 3}}.of(std::vector<double>(66, 0.5));
   EXPECT_THAT(refusal(either),
-              HasSubstr("may be lafan22 or smplx22; say which joint is which with --joints"));
+              HasSubstr("may be lafan22 or smplx22; say which joint is which with an array joint_names"));
   EXPECT_EQ(read_one(either, find_joint_order("lafan22").value()).points[1], "RightUpLeg");
   EXPECT_THAT(refusal(either, find_joint_order("smplh52").value()), HasSubstr("the order smplh52 has 52"));
 }

@@ -115,6 +115,14 @@ TEST_F(Exporting, AMeshIsOfTheFrameShownThen) {
   EXPECT_THAT(files(), ElementsAre("mesh.vtu"));
 }
 
+TEST_F(Exporting, AMeshOfNoFrameIsOfTheFirstAndSaysSo) {
+  const auto done = export_session(*source(), wish(ExportContent::Mesh, "mesh.vtu"));
+  ASSERT_TRUE(done) << done.error().text();
+  ASSERT_EQ(done->warnings.size(), 1U);
+  EXPECT_THAT(done->warnings[0].message, HasSubstr("only the first frame is written"));
+  EXPECT_EQ(done->warnings[0].hint, Hint::ChooseFrames);
+}
+
 TEST_F(Exporting, ATraceOfARunningSessionIsThatOfItsFrames) {
   const auto done = export_session(*source(), wish(ExportContent::Trace, "t.jsonl"));
   ASSERT_TRUE(done) << done.error().text();

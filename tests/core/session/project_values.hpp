@@ -66,7 +66,7 @@ class ProjectMaker {
       for (int i = 0; i < below(20); ++i) {
         const double start = at += below(2) ? 0 : 0.3;
         at += 0.1 + 0.001 * below(1000);
-        tier.annotations.push_back({next += 1 + below(2), start, at, word(), word(), word()});
+        tier.annotations.push_back({{start, at, word(), word(), word()}, next += 1 + below(2)});
         ++next;
       }
       for (int i = 0; i < below(3); ++i)

@@ -67,6 +67,21 @@ TEST(StreamUri, SaysWhatIsPossibleWhenItIsWrong) {
   EXPECT_THAT(error_of("clip:"), HasSubstr("motion file"));
 }
 
+TEST(StreamSchemes, AreReadByTheirWordAndStandInTheOrderOfTheirNumbers) {
+  for (std::size_t i = 0; i < stream_schemes().size(); ++i) {
+    const SchemeFacts& facts = stream_schemes()[i];
+    EXPECT_EQ(static_cast<std::size_t>(facts.scheme), i);
+    EXPECT_EQ(&facts_of(facts.scheme), &facts);
+    EXPECT_FALSE(facts.sender.empty() || facts.title.empty()) << facts.word;
+    const bool is_clip = facts.scheme == StreamUri::Scheme::Clip;
+    const auto uri = parse_stream_uri(std::string(facts.word) + (is_clip ? ":walk.bvh" : "://"));
+    ASSERT_TRUE(uri) << uri.error().text();
+    EXPECT_EQ(uri->scheme, facts.scheme);
+    EXPECT_EQ(uri->port, facts.port);
+    EXPECT_EQ(uri->host, is_clip ? "" : usual_stream_host);
+  }
+}
+
 TEST(StreamUri, TellsOptionsOfSendingFromThoseOfListening) {
   const auto uri = parse_stream_uri("vmc://host?framing=t-last");
   ASSERT_TRUE(uri);

@@ -1,4 +1,4 @@
-#include "core/evaluation/sweep_file.hpp"
+#include "core/evaluation/sweep/sweep_file.hpp"
 #include "tests/fuzz/fuzz_target.hpp"
 
 namespace fuzz = abrazo::fuzz;

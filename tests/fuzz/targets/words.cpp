@@ -1,5 +1,5 @@
 #include "core/base/text.hpp"
-#include "core/evaluation/sweep.hpp"
+#include "core/evaluation/sweep/sweep.hpp"
 #include "core/session/file/data_reference.hpp"
 #include "core/session/frames/time_place.hpp"
 #include "core/stream/natnet/natnet_messages.hpp"

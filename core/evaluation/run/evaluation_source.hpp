@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/evaluation/run/evaluate.hpp"
+
+namespace abrazo {
+
+/// Parts of an evaluation by name, in the order of EvaluationPart.
+inline constexpr std::array<std::string_view, 6> evaluation_part_names = {
+    "selection", "timing", "moves", "zmp", "contact", "published"};
+
+/// The parts of these names; "all" means every one. An Error lists the names.
+Result<std::set<EvaluationPart>> evaluation_parts(std::span<const std::string> names);
+
+/// Which takes an evaluation or a sweep is made on.
+struct EvaluationSource {
+  std::string manifest;
+  std::string users;  ///< manifest of other people's takes; empty: leave one take out
+  bool both_roles = false;
+  std::vector<std::string> hold_out;  ///< takes to be answered; empty = all
+};
+
+/// The manifests of a source: read, and checked for the takes to be answered, in no time.
+struct EvaluationManifests {
+  Manifest manifest;
+  std::optional<Manifest> users;
+};
+Result<EvaluationManifests> read_manifests(const EvaluationSource& source);
+
+/// The takes themselves and their library. @param both_roles  as EvaluationSource::both_roles
+Result<EvaluationData> read_evaluation_data(const EvaluationManifests& manifests, bool both_roles,
+                                            const Progress& progress);
+
+}  // namespace abrazo

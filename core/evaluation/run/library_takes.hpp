@@ -1,0 +1,21 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "core/evaluation/run/evaluate.hpp"
+#include "core/library/store/motion_library.hpp"
+
+namespace abrazo {
+
+/// The takes that a library was built from, put together again from its pairs: both performers, world, at
+/// the library's rate, with roles and labels. For evaluations of a library whose files are not at hand.
+/// An Error names a take of which frames are missing.
+Result<std::vector<PairedTake>> takes_of_library(const MotionLibrary& library);
+
+/// As `read_evaluation_data` gives it for the manifest of this library: each take can be left out.
+Result<EvaluationData> evaluation_data_of(std::shared_ptr<const MotionLibrary> library);
+
+}  // namespace abrazo

@@ -1,0 +1,10 @@
+#pragma once
+
+#include <cstdint>
+
+namespace abrazo {
+
+/// Which value of a figure is best. None: neither more nor less of it is better.
+enum class FigureGoal : std::uint8_t { None, Lowest, Highest, NearestZero };
+
+}  // namespace abrazo

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "core/evaluation/tables/evaluation.hpp"
+#include "core/evaluation/takes/take_synthesis.hpp"
+#include "core/library/store/motion_library.hpp"
+
+namespace abrazo {
+
+/// Labels of what is no move: standing, walking in, footwork between exchanges.
+bool is_move(std::string_view label);
+
+/// What another annotator would have said, as a label's detail has it ("alt=turn"); empty when it has none.
+std::string alternative_label(const LabelInterval& label);
+
+/// Table III (Eq. 12) over takes answered by `library`. A step's label is that of the pair it was made from.
+/// Where either performer may be the active one (`both_roles`), who attacks belongs to the move:
+/// "kick_block (user)" is not "kick_block (partner)". A move of which no step could be solved is a miss.
+MoveTable count_moves(std::span<const SynthesisedTake> takes, const MotionLibrary& library, bool both_roles);
+
+}  // namespace abrazo

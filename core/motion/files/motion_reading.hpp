@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "core/motion/files/import_clip.hpp"
+
+namespace abrazo {
+
+/// A motion file, and what a person said of it as words. What is not given is found out.
+struct MotionReading {
+  std::string file = {};
+  std::string skeleton = {};                   ///< the .asf of an .amc
+  std::string joint_map = {};                  ///< a built-in map or marker model by its name, or a JSON file
+  std::string joints = {};                     ///< order of the joints of an array: its name, or a file
+  std::string up = {};                         ///< "y" or "z"
+  std::optional<double> metres_per_unit = {};  ///< above 0
+  std::optional<double> fps = {};              ///< above 0 [Hz]
+  std::string performer = {};  ///< which one of a file with several: its name, or a number from 1
+  std::string animation = {};  ///< which one of a file with several; the longest by default
+};
+
+/// All performers of the file, or the one that is asked for.
+Result<std::vector<ImportedClip>> read_performers(const MotionReading& reading);
+
+/// The one performer wanted: an Error that says how many there are when that is not clear.
+Result<ImportedClip> read_performer(const MotionReading& reading);
+
+/// What was odd about a file, a sentence each: "walk.bvh:17: glued-numbers: ...".
+std::vector<Warning> warnings_of_import(const MotionReading& reading, const ImportedClip& imported);
+
+}  // namespace abrazo
