@@ -8,6 +8,7 @@
 #include "core/motion/body/clip.hpp"
 #include "core/motion/joints/joint_map.hpp"
 #include "core/motion/joints/joint_order.hpp"
+#include "core/motion/joints/marker_model.hpp"
 #include "core/motion/joints/named_motion.hpp"
 
 namespace abrazo {
@@ -18,9 +19,9 @@ struct ImportOptions {
   std::optional<double> fps;
   std::optional<UpAxis> up_axis;
   std::optional<JointMap> joint_map;
-  std::optional<JointOrder> joint_order;  ///< of arrays of positions without names
-  std::string marker_model;  ///< name of a built-in marker model, in place of a joint map; empty = none said
-  std::string animation;     ///< name of the one to read, of a file with several; empty = the longest
+  std::optional<JointOrder> joint_order;    ///< of arrays of positions without names
+  std::optional<MarkerModel> marker_model;  ///< in place of a joint map
+  std::string animation;  ///< name of the one to read, of a file with several; empty = the longest
 };
 
 /// How a file was understood. Every guess is marked as one.
@@ -51,8 +52,7 @@ Result<ImportedClip> import_clip(const NamedMotion& motion, const ImportOptions&
 /// Whether a built-in joint map or marker model finds all joints among the points.
 bool joints_are_known(const NamedMotion& motion);
 
-/// Sets how points become joints: a built-in joint map or marker model by its name, or the file of a joint
-/// map.
+/// Sets how points become joints: a built-in joint map or marker model by its name, or the file of one.
 Status choose_joints(const std::string& name_or_file, ImportOptions& options);
 
 /// The points of any known motion file (motion_format.hpp), one motion for each performer. What the content
