@@ -332,6 +332,12 @@ bool joints_are_known(const NamedMotion& motion) {
   return choose_map(motion, {}).fits() || nearest_marker_model(motion.points).missing.empty();
 }
 
+bool is_builtin_joint_map(const std::string& name) {
+  const auto called = [&](const auto& each) { return each.name == name; };
+  return std::ranges::any_of(builtin_joint_maps(), called) ||
+         std::ranges::any_of(builtin_marker_models(), called);
+}
+
 Status choose_joints(const std::string& name_or_file, ImportOptions& options) {
   for (const MarkerModel& model : builtin_marker_models())
     if (model.name == name_or_file) {
