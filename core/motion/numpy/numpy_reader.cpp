@@ -188,6 +188,48 @@ void warn_of_unused(const NumpyFile& file, const std::vector<const StoredArray*>
   if (!unused.empty()) motion.warnings.push_back({"arrays", 0, "not read: " + some_of(unused)});
 }
 
+/// A row of InterHuman (Liang et al., InterGen, IJCV 2024): places of 62 joints, then turns of 51. The first
+/// 22 are the body's, as SMPL-X orders them; the others are of the hands.
+constexpr std::uint64_t interhuman_columns = 62 * 3 + 51 * 6;
+
+bool are_interhuman_rows(const StoredArray& array) {
+  const auto& shape = array.layout.shape;
+  return !array.trouble && array.layout.is_number() && shape.size() == 2 && shape[1] == interhuman_columns &&
+         shape[0] > 0;
+}
+
+Result<NamedMotion> interhuman_motion(const NumpyFile& file, const StoredArray& array) {
+  const auto content = file.content_of(array);
+  if (!content) return content.error();
+  const NpyArray rows(array.layout, *content);
+  const auto order = find_joint_order("smplx22");
+  if (!order) return order.error();
+  NamedMotion motion;
+  motion.name = array.name;
+  motion.points = order->points;
+  motion.parents.assign(motion.points.size(), -1);
+  motion.metres_per_unit = 1.0;
+  const std::uint64_t frames = array.layout.shape[0];
+  for (std::uint64_t f = 0; f < frames; ++f) {
+    Positions places(static_cast<Eigen::Index>(motion.points.size()), 3);
+    for (Eigen::Index i = 0; i < places.size(); ++i) {
+      const auto column = static_cast<std::uint64_t>(i);
+      const double value =
+          rows.number(array.layout.column_order ? column * frames + f : f * interhuman_columns + column);
+      if (std::isinf(value))
+        return Error{"frame " + std::to_string(f) + " (counted from 0) has an infinite position",
+                     file.place(array)};
+      places(i / 3, i % 3) = value;
+    }
+    motion.frames.push_back(std::move(places));
+  }
+  motion.warnings.push_back(
+      {"joint-order", 0,
+       "rows of 492 numbers were taken for InterHuman's: of its 62 joints the 22 of the body were "
+       "read"});
+  return motion;
+}
+
 }  // namespace
 
 bool begins_as_npz(std::string_view head) {
@@ -205,6 +247,11 @@ Result<std::vector<NamedMotion>> read_numpy(std::string_view bytes, const std::o
       return Error{"holds no parameters of an SMPL body (poses, trans, betas); leave out the body model",
                    file->where()};
     auto motion = read_smpl(*file, body);
+    if (!motion) return motion.error();
+    return std::vector<NamedMotion>{std::move(*motion)};
+  }
+  if (const StoredArray* rows = file->find({""}); rows && !order && are_interhuman_rows(*rows)) {
+    auto motion = interhuman_motion(*file, *rows);
     if (!motion) return motion.error();
     return std::vector<NamedMotion>{std::move(*motion)};
   }
