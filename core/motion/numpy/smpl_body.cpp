@@ -121,7 +121,7 @@ Result<Numbers> betas_of(const NumpyFile& file) {
   if (!array) return Numbers();
   auto betas = numbers_of(file, *array);
   if (!betas) return betas.error();
-  if (betas->shape.empty() || betas->shape.size() > 2)
+  if (betas->shape.empty() || betas->shape.size() > 2 || betas->values.size() < betas->shape.back())
     return Error{"has the shape " + array->layout.shape_text() + "; expected (betas,) or (frames, betas)",
                  file.place(*array)};
   betas->values.resize(betas->shape.back());

@@ -35,7 +35,8 @@ TEST(ElanText, IsReadAsElanExportsIt) {
 
 TEST(ElanText, IsReadWithTitlesWithoutEndsAndInMilliseconds) {
   const TierDocument titled = read(
-      "\"#file:///dance.eaf\"\nTier\tBegin Time - ss.msec\tDuration - ss.msec\tAnnotation\nmoves\t2.0\t0.5\tturn\n"
+      "\"#file:///dance.eaf\"\nTier\tBegin Time - ss.msec\tDuration - "
+      "ss.msec\tAnnotation\nmoves\t2.0\t0.5\tturn\n"
       "moves\t1.0\t0.5\tbasic\n");
   ASSERT_EQ(titled.tiers.size(), 1U);
   EXPECT_EQ(titled.tiers[0].intervals[0].value, "basic") << "in the order of their begin";
