@@ -1,6 +1,6 @@
 """SMPL parameters by the program against an independent calculation in NumPy, with a made-up body.
 
-    smpl_body.py --abrazo PROGRAM        exit status 77 where NumPy is not installed
+    smpl_body_check.py --abrazo PROGRAM        exit status 77 where NumPy is not installed
 """
 import argparse
 import csv
