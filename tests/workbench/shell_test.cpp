@@ -125,7 +125,7 @@ TEST_F(Shell, ARecentFileThatIsGoneIsToldAndCanBeTakenOffTheList) {
 
 TEST_F(Shell, FilesInTheAirAreNamedWithWhatTheyAre) {
   QMimeData dragged;
-  dragged.setUrls({QUrl::fromLocalFile("/a/walk.bvh"), QUrl::fromLocalFile("/a/notes.doc")});
+  dragged.setUrls({QUrl::fromLocalFile("/a/walk.bvh"), QUrl::fromLocalFile("/a/notes.txt")});
   QDragEnterEvent enter({100, 100}, Qt::CopyAction, &dragged, Qt::LeftButton, Qt::NoModifier);
   QApplication::sendEvent(&window(), &enter);
   const auto* hint = window().findChild<QWidget*>("drop hint");
@@ -134,8 +134,8 @@ TEST_F(Shell, FilesInTheAirAreNamedWithWhatTheyAre) {
   QDragLeaveEvent leave;
   QApplication::sendEvent(&window(), &leave);
   EXPECT_FALSE(hint->isVisible());
-  EXPECT_EQ(dropped_in_words({"/a/walk.bvh", "/a/notes.doc"}),
-            (QStringList{"walk.bvh: a motion", "notes.doc: not a kind of file that Abrazo opens"}));
+  EXPECT_EQ(dropped_in_words({"/a/walk.bvh", "/a/notes.txt"}),
+            (QStringList{"walk.bvh: a motion", "notes.txt: not a kind of file that Abrazo opens"}));
 }
 
 TEST_F(Shell, TheHistoryListsTheChangesAndAClickGoesBackToOne) {

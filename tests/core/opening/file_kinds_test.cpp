@@ -32,7 +32,7 @@ TEST_F(FileKinds, AreToldByTheName) {
   EXPECT_EQ(kind_of_file("a.asf"), FileKind::Skeleton);
   EXPECT_EQ(kind_of_file("a.eaf"), FileKind::Labels);
   EXPECT_EQ(kind_of_file("a.MP4"), FileKind::Video);
-  EXPECT_EQ(kind_of_file("a.xyz"), FileKind::Unknown);
+  EXPECT_EQ(kind_of_file("a.txt"), FileKind::Unknown);
   EXPECT_EQ(kind_of_file("a"), FileKind::Unknown);
 }
 
@@ -55,7 +55,7 @@ TEST_F(FileKinds, WhatCannotBeOpenedTogetherIsRefusedWithWhatToDo) {
   EXPECT_THAT(refusal({session, motion}), HasSubstr("open it alone, or together with its library"));
   EXPECT_THAT(refusal({with("l.h5", ""), with("m.json", "{}")}), HasSubstr("second of its kind"));
   EXPECT_THAT(refusal({with("a.asf", "")}), HasSubstr("open it together with one"));
-  EXPECT_THAT(refusal({with("a.xyz", "x")}), HasSubstr("use a motion"));
+  EXPECT_THAT(refusal({with("a.txt", "x")}), HasSubstr("use a motion"));
   EXPECT_THAT(refusal({file("none.bvh")}), HasSubstr("there is no such file"));
   std::filesystem::create_directory(file("folder"));
   EXPECT_THAT(refusal({file("folder")}), HasSubstr("is a folder"));
