@@ -116,7 +116,8 @@ Result<TierDocument> parse_elan_text(std::string_view text, std::string_view whe
       columns = titled_columns(row);
       if (columns) continue;
       columns = usual_columns(row);
-      if (!columns) return error_at_line(where, number, std::string(elan_form) + ", found " + in_quotes(line));
+      if (!columns)
+        return error_at_line(where, number, std::string(elan_form) + ", found " + in_quotes(line));
     }
     const auto field = [&](int at) {
       return at >= 0 && static_cast<std::size_t>(at) < row.size() ? trimmed(row[static_cast<std::size_t>(at)])
