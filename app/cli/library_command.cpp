@@ -7,6 +7,7 @@ void add_library_command(CommandLine& line) {
   library->require_subcommand(1);
   add_library_build(*library, line);
   add_library_info(*library, line);
+  add_library_plan(*library, line);
   add_library_pair(*library, line);
 }
 

@@ -7,6 +7,7 @@ namespace abrazo::app {
 // One function per file: declares a subcommand of `library` and what it runs.
 void add_library_build(CLI::App& library, CommandLine& line);
 void add_library_info(CLI::App& library, CommandLine& line);
+void add_library_plan(CLI::App& library, CommandLine& line);
 void add_library_pair(CLI::App& library, CommandLine& line);
 
 }  // namespace abrazo::app

@@ -62,10 +62,12 @@ Status check_words_of_input(const LiveOptions& options, const StreamUri& listen)
   const bool is_clip = listen.scheme == StreamUri::Scheme::Clip;
   if (is_clip && options.calibrate_after_s > 0)
     return Error{"--calibrate is for streams; a clip is measured as a whole", listen.text};
-  if (!is_clip && (!clip.skeleton.empty() || !clip.joint_map.empty() || !clip.up.empty() ||
-                   clip.metres_per_unit || clip.fps || !clip.performer.empty() || !clip.animation.empty()))
+  if (!is_clip &&
+      (!clip.skeleton.empty() || !clip.joint_map.empty() || !clip.up.empty() || clip.metres_per_unit ||
+       clip.fps || !clip.performer.empty() || !clip.animation.empty() || !clip.body_model.empty()))
     return Error{
-        "--skeleton, --metres-per-unit, --fps, --joint-map, --up, --performer and --animation are for "
+        "--skeleton, --metres-per-unit, --fps, --joint-map, --up, --performer, --animation and --body-model "
+        "are for "
         "clip:FILE; "
         "a stream has options in its URI, such as ?performer=NAME, ?map=FILE.json, ?up=z",
         listen.text};
@@ -339,8 +341,8 @@ void add_live_command(CommandLine& line) {
       "live", "a stream in, the partner out: the live loop without a window, with statistics at the end");
   add_options(*live, *options);
   add_reading_options(*live, options->clip);
-  for (const char* name :
-       {"--skeleton", "--metres-per-unit", "--fps", "--joint-map", "--up", "--performer", "--animation"})
+  for (const char* name : {"--skeleton", "--metres-per-unit", "--fps", "--joint-map", "--up", "--performer",
+                           "--animation", "--body-model"})
     live->get_option(name)->group("How clip:FILE is read");
   live->callback([&line, options] {
     if (const Status done = run_live(line, *options); !done) fail(line, done.error());

@@ -39,6 +39,10 @@ void add_reading_options(CLI::App& command, MotionReading& reading) {
       .add_option("--animation", reading.animation,
                   "which animation of a file with several; by default the longest")
       ->type_name("NAME");
+  command
+      .add_option("--body-model", reading.body_model,
+                  "of a .npz with SMPL or SMPL-X parameters: the .npz of the body model")
+      ->type_name("NPZ");
 }
 
 Result<ImportedClip> read_performer(CommandLine& line, const MotionReading& reading) {

@@ -42,7 +42,7 @@ std::shared_ptr<ReadClip> read_clip(const std::filesystem::path& file, const std
                                     std::optional<double> metres_per_unit, std::optional<double> fps,
                                     std::string joint_map, std::string joints, std::string up,
                                     std::optional<std::variant<int, std::string>> performer,
-                                    std::string animation) {
+                                    std::string animation, const std::filesystem::path& body_model) {
   const MotionReading reading{.file = file.string(),
                               .skeleton = skeleton.string(),
                               .joint_map = std::move(joint_map),
@@ -54,7 +54,8 @@ std::shared_ptr<ReadClip> read_clip(const std::filesystem::path& file, const std
                                            : std::holds_alternative<int>(*performer)
                                                ? std::to_string(std::get<int>(*performer))
                                                : std::get<std::string>(*performer),
-                              .animation = std::move(animation)};
+                              .animation = std::move(animation),
+                              .body_model = body_model.string()};
   return without_gil([&] {
     ImportedClip imported = unwrap(read_performer(reading));
     std::vector<std::string> warnings;
@@ -91,17 +92,19 @@ void bind_motion(py::module_& module) {
                            self.clip.fps);
       });
 
-  module.def("read_motion", &read_clip, py::arg("file"), py::kw_only(), py::arg("skeleton") = "",
-             py::arg("metres_per_unit") = py::none(), py::arg("fps") = py::none(), py::arg("joint_map") = "",
-             py::arg("joints") = "", py::arg("up") = "", py::arg("performer") = py::none(),
-             py::arg("animation") = "",
-             "Reads a motion file of any known format as 25 joints in metres.\n\n"
-             "skeleton: the .asf of an .amc; metres_per_unit: length of the file's unit; fps: in place of "
-             "the file's;\njoint_map: a built-in map or marker model by its name, or a JSON file; joints: "
-             "order of the joints of an array without\nnames, as 'smplh52'; up: 'y' or 'z';\nperformer: "
-             "which one of a file with several, a number from 1 or a name;\nanimation: which one of a file "
-             "with several, the longest by default. What is not given is found out, and "
-             "each guess is among\nthe clip's warnings. Raises abrazo.Error.");
+  module.def(
+      "read_motion", &read_clip, py::arg("file"), py::kw_only(), py::arg("skeleton") = "",
+      py::arg("metres_per_unit") = py::none(), py::arg("fps") = py::none(), py::arg("joint_map") = "",
+      py::arg("joints") = "", py::arg("up") = "", py::arg("performer") = py::none(),
+      py::arg("animation") = "", py::arg("body_model") = "",
+      "Reads a motion file of any known format as 25 joints in metres.\n\n"
+      "skeleton: the .asf of an .amc; metres_per_unit: length of the file's unit; fps: in place of "
+      "the file's;\njoint_map: a built-in map or marker model by its name, or a JSON file; joints: "
+      "order of the joints of an array without\nnames, as 'smplh52'; up: 'y' or 'z';\nperformer: "
+      "which one of a file with several, a number from 1 or a name;\nanimation: which one of a file "
+      "with several, the longest by default;\nbody_model: of SMPL or SMPL-X parameters, the .npz of the "
+      "body model. What is not given is found out, and "
+      "each guess is among\nthe clip's warnings. Raises abrazo.Error.");
 }
 
 }  // namespace abrazo::python

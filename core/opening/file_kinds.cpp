@@ -44,6 +44,14 @@ FileKind kind_of_table(const std::string& file) {
                                                                             : FileKind::Unknown;
 }
 
+/// ELAN exports labels as text with tabs; most other texts have none.
+FileKind kind_of_text(const std::string& file) {
+  const std::string head = head_of(file);
+  const auto tabs = std::ranges::count(std::string_view(head).substr(0, head.find('\n')), '\t');
+  constexpr int fewest_tabs = 3;
+  return tabs >= fewest_tabs ? FileKind::Labels : FileKind::Unknown;
+}
+
 /// What an unknown file is, as far as that is known, and what to do.
 Error unknown_file(const std::string& file) {
   const std::string foreign = foreign_kind(head_of(file), file);
@@ -108,6 +116,7 @@ FileKind kind_of_file(const std::string& file) {
   if (extension == ".asf") return FileKind::Skeleton;
   if (const auto format = format_of_name(file))
     return *format == MotionFormat::PointCsv ? kind_of_table(file) : FileKind::Motion;
+  if (extension == ".txt") return kind_of_text(file);
   if (is_tier_file(file)) return FileKind::Labels;
   const bool is_video = !extension.empty() && std::ranges::find(video_extensions(), extension.substr(1)) !=
                                                   video_extensions().end();

@@ -9,7 +9,9 @@
 
 int main(int count, char** words) {
   if (count < 2) return 2;
-  const auto motions = abrazo::read_motion_points(words[1], "", {}, count > 2 ? words[2] : "");
+  abrazo::ImportOptions options;
+  options.animation = count > 2 ? words[2] : "";
+  const auto motions = abrazo::read_motion_points(words[1], "", options);
   if (!motions) {
     std::fprintf(stderr, "%s\n", motions.error().text().c_str());
     return 1;

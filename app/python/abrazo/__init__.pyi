@@ -45,6 +45,7 @@ def read_motion(
     up: str = "",
     performer: int | str | None = None,
     animation: str = "",
+    body_model: _Path = "",
 ) -> Clip: ...
 @final
 class Energy:

@@ -211,6 +211,8 @@ Result<ImportOptions> import_options(const Manifest::Performer& performer, std::
   options.fps = fps;
   options.metres_per_unit = performer.metres_per_unit;
   options.up_axis = performer.up_axis;
+  options.animation = performer.animation;
+  options.body_model = performer.body_model.string();
   if (!performer.joints.empty()) {
     auto order = find_joint_order(performer.joints);
     if (!order) return order.error();

@@ -145,14 +145,9 @@ UpAxis parse_up_axis(const ManifestNode& node) {
   node.refuse(fmt::format("expected \"y\" or \"z\", found \"{}\"", text));
 }
 
-bool is_builtin_joint_map(const std::string& name) {
-  const auto& maps = builtin_joint_maps();
-  return std::any_of(maps.begin(), maps.end(), [&](const JointMap& map) { return map.name == name; });
-}
-
 Manifest::Performer parse_manifest_performer(const ManifestNode& node, const fs::path& folder) {
-  node.expect_object(
-      {"motion", "skeleton", "performer", "start", "metres_per_unit", "up_axis", "joints", "joint_map"});
+  node.expect_object({"motion", "skeleton", "performer", "start", "metres_per_unit", "up_axis", "joints",
+                      "joint_map", "animation", "body_model"});
   Manifest::Performer performer;
   performer.motion = folder / node.required("motion", "the performer's motion file").string();
   if (node.has("skeleton")) performer.skeleton = folder / node.at("skeleton").string();
@@ -160,6 +155,8 @@ Manifest::Performer parse_manifest_performer(const ManifestNode& node, const fs:
   if (node.has("start")) performer.start = node.at("start").frame();
   if (node.has("metres_per_unit")) performer.metres_per_unit = node.at("metres_per_unit").positive();
   if (node.has("up_axis")) performer.up_axis = parse_up_axis(node.at("up_axis"));
+  if (node.has("animation")) performer.animation = node.at("animation").string();
+  if (node.has("body_model")) performer.body_model = folder / node.at("body_model").string();
   if (node.has("joints")) performer.joints = node.at("joints").string();
   if (!performer.joints.empty() && !is_builtin_joint_order(performer.joints))
     performer.joints = (folder / performer.joints).string();

@@ -26,6 +26,8 @@ struct Manifest {
     std::optional<UpAxis> up_axis = std::nullopt;
     std::string joints = {};     ///< order of an array's joints: a built-in one or a file; empty = as it says
     std::string joint_map = {};  ///< a built-in one by name, or the path of a file; empty = the one that fits
+    std::string animation = {};  ///< which one of a file with several; empty = the longest
+    std::filesystem::path body_model = {};  ///< of a file with SMPL parameters; empty = none
   };
   struct Take {
     std::string name;

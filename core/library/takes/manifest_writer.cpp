@@ -22,11 +22,6 @@ std::string portable(const fs::path& path, const fs::path& folder) {
   return (relative.empty() || climbs > 2 ? whole : relative).generic_string();
 }
 
-bool is_builtin(const std::string& joint_map) {
-  const auto& maps = builtin_joint_maps();
-  return std::any_of(maps.begin(), maps.end(), [&](const JointMap& map) { return map.name == joint_map; });
-}
-
 OrderedJson performer_json(const Manifest::Performer& performer, const fs::path& folder) {
   OrderedJson object = {{"motion", portable(performer.motion, folder)}};
   if (!performer.skeleton.empty()) object["skeleton"] = portable(performer.skeleton, folder);
@@ -38,8 +33,10 @@ OrderedJson performer_json(const Manifest::Performer& performer, const fs::path&
     object["joints"] =
         is_builtin_joint_order(performer.joints) ? performer.joints : portable(performer.joints, folder);
   if (!performer.joint_map.empty())
-    object["joint_map"] =
-        is_builtin(performer.joint_map) ? performer.joint_map : portable(performer.joint_map, folder);
+    object["joint_map"] = is_builtin_joint_map(performer.joint_map) ? performer.joint_map
+                                                                    : portable(performer.joint_map, folder);
+  if (!performer.animation.empty()) object["animation"] = performer.animation;
+  if (!performer.body_model.empty()) object["body_model"] = portable(performer.body_model, folder);
   return object;
 }
 

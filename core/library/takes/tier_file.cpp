@@ -10,6 +10,7 @@
 #include "core/base/text.hpp"
 #include "core/base/utf8.hpp"
 #include "core/library/takes/eaf_file.hpp"
+#include "core/library/takes/elan_text.hpp"
 #include "core/library/takes/subtitle_file.hpp"
 #include "core/library/takes/tier_csv.hpp"
 
@@ -19,6 +20,7 @@ namespace {
 
 constexpr std::uintmax_t most_bytes = 64u << 20;
 constexpr std::size_t most_intervals = 1'000'000;
+constexpr std::string_view elan_text_extension = ".txt";  ///< is read, never written
 constexpr double half_millisecond_s = 0.0005;
 
 std::string extension_of(std::string_view name) {
@@ -27,7 +29,8 @@ std::string extension_of(std::string_view name) {
 }
 
 bool has_whole_milliseconds(const std::string& extension) {
-  return extension == ".eaf" || extension == ".vtt" || extension == ".srt";
+  return extension == ".eaf" || extension == ".vtt" || extension == ".srt" ||
+         extension == elan_text_extension;
 }
 
 Error unknown_format(const std::string& name) {
@@ -51,6 +54,9 @@ Result<TierDocument> parsed(std::string_view text, const std::string& name, cons
   if (extension == ".csv") return parse_tier_csv(text, name, reading);
   if (extension == ".vtt") return parse_subtitles(text, name, SubtitleForm::WebVtt);
   if (extension == ".srt") return parse_subtitles(text, name, SubtitleForm::SubRip);
+  if (extension == elan_text_extension && text.find('\t') == std::string_view::npos)
+    return parse_tier_csv(text, name, reading);
+  if (extension == elan_text_extension) return parse_elan_text(text, name);
   if (extension == ".json") {
     auto tiers = parse_tiers_json(text, name, document.warnings);
     if (!tiers) return tiers.error();
@@ -133,6 +139,7 @@ const std::vector<std::string>& tier_file_extensions() {
 }
 
 bool is_tier_file(std::string_view name) {
+  if (extension_of(name) == elan_text_extension) return true;
   const auto& known = tier_file_extensions();
   return std::find(known.begin(), known.end(), extension_of(name)) != known.end();
 }
@@ -166,7 +173,7 @@ Result<TierDocument> read_tiers(const std::filesystem::path& file, const TierRea
 
 Result<TierText> write_tiers(std::span<const Tier> tiers, const std::string& name,
                              const TierWriting& writing) {
-  if (!is_tier_file(name)) return unknown_format(name);
+  if (!is_tier_file(name) || extension_of(name) == elan_text_extension) return unknown_format(name);
   std::vector<Tier> kept(tiers.begin(), tiers.end());
   const int left_out = leave_out_empty(kept);
   if (const Status checked = check_tiers(kept, name); !checked) return checked.error();

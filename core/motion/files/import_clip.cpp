@@ -45,6 +45,13 @@ std::string names_of(const std::vector<int>& joint_list) {
   return names;
 }
 
+std::string never_seen(const NamedMotion& motion) {
+  std::string words;
+  for (const ImportWarning& warning : motion.warnings)
+    if (warning.kind == "never-seen") words += " (" + warning.detail + ")";
+  return words;
+}
+
 Error no_map_fits(const NamedMotion& motion, const ChosenMap& closest, bool only_one) {
   constexpr std::size_t most_joints = 3, most_points = 6;
   const std::vector<int>& missing = closest.binding.missing;
@@ -54,8 +61,7 @@ Error no_map_fits(const NamedMotion& motion, const ChosenMap& closest, bool only
     message += (i > 0 ? ", " : "") + describe_joint(closest.map, missing[i]);
   if (missing.size() > most_joints)
     message += " and " + std::to_string(missing.size() - most_joints) + " more";
-  for (const ImportWarning& warning : motion.warnings)
-    if (warning.kind == "never-seen") message += " (" + warning.detail + ")";
+  message += never_seen(motion);
   message +=
       ". The file's points: " + some_of(motion.points, most_points) +
       R"(. Say which point is which joint in a JSON file {"name": "mine", "joints": {"root": "Hips", "head": )"
@@ -77,22 +83,31 @@ Result<JointBinding> bind(const NamedMotion& motion, const ImportOptions& option
   return std::move(chosen.binding);
 }
 
+/// Points without bones between them, of which some are called like markers of a set, or none like a joint.
+bool looks_like_markers(const MarkerFit& fit, const NamedMotion& motion) {
+  constexpr std::size_t fewest_markers = 6, fewest_points = 12;
+  if (std::any_of(motion.parents.begin(), motion.parents.end(), [](int parent) { return parent >= 0; }))
+    return false;
+  return fit.found >= fewest_markers || (motion.points.size() >= fewest_points &&
+                                         choose_map(motion, {}).binding.missing.size() == joint_count);
+}
+
 /// Where markers were captured, the joints by the marker model that was said or fits; nothing otherwise.
 Result<std::optional<NamedMotion>> joints_by_markers(const NamedMotion& motion, const ImportOptions& options,
                                                      ImportReport& report) {
-  if (options.marker_model.empty() && (options.joint_map || choose_map(motion, {}).fits()))
+  if (!options.marker_model && (options.joint_map || choose_map(motion, {}).fits()))
     return std::optional<NamedMotion>();
-  const MarkerModel* chosen = nullptr;
-  for (const MarkerModel& model : builtin_marker_models()) {
-    const bool said = model.name == options.marker_model;
-    if (!said && !options.marker_model.empty()) continue;
-    const std::vector<std::string> missing = missing_markers(model, motion.points);
-    if (said && !missing.empty())
-      return Error{"the marker model '" + model.name + "' does not fit: the file lacks " + some_of(missing),
-                   motion.name};
-    if (!chosen && missing.empty()) chosen = &model;
+  const MarkerFit fit = options.marker_model ? fit_of(*options.marker_model, motion.points)
+                                             : nearest_marker_model(motion.points);
+  if (options.marker_model && !fit.missing.empty())
+    return Error{
+        "the marker model '" + fit.model->name + "' does not fit: the file lacks " + some_of(fit.missing),
+        motion.name};
+  if (!fit.missing.empty()) {
+    if (looks_like_markers(fit, motion)) return Error{why_no_body(fit) + never_seen(motion), motion.name};
+    return std::optional<NamedMotion>();
   }
-  if (!chosen) return std::optional<NamedMotion>();
+  const MarkerModel* chosen = fit.model;
   const double unit =
       options.metres_per_unit.value_or(motion.metres_per_unit.value_or(unit_of_markers(*chosen, motion)));
   Result<NamedMotion> joints = joints_of_markers(*chosen, motion, unit);
@@ -318,16 +333,19 @@ Result<ImportedClip> import_clip(const NamedMotion& file_points, const ImportOpt
 }
 
 bool joints_are_known(const NamedMotion& motion) {
-  const auto& models = builtin_marker_models();
-  return choose_map(motion, {}).fits() ||
-         std::any_of(models.begin(), models.end(),
-                     [&](const MarkerModel& model) { return missing_markers(model, motion.points).empty(); });
+  return choose_map(motion, {}).fits() || nearest_marker_model(motion.points).missing.empty();
+}
+
+bool is_builtin_joint_map(const std::string& name) {
+  const auto called = [&](const auto& each) { return each.name == name; };
+  return std::ranges::any_of(builtin_joint_maps(), called) ||
+         std::ranges::any_of(builtin_marker_models(), called);
 }
 
 Status choose_joints(const std::string& name_or_file, ImportOptions& options) {
   for (const MarkerModel& model : builtin_marker_models())
     if (model.name == name_or_file) {
-      options.marker_model = model.name;
+      options.marker_model = model;
       return Done{};
     }
   for (const JointMap& map : builtin_joint_maps())
@@ -337,6 +355,12 @@ Status choose_joints(const std::string& name_or_file, ImportOptions& options) {
     }
   const auto text = read_whole_file(name_or_file);
   if (!text) return text.error();
+  if (is_marker_model(*text)) {
+    auto model = parse_marker_model(*text, name_or_file);
+    if (!model) return model.error();
+    options.marker_model = std::move(*model);
+    return Done{};
+  }
   auto map = parse_joint_map(*text, name_or_file);
   if (!map) return map.error();
   options.joint_map = std::move(*map);

@@ -8,6 +8,7 @@
 #include "core/motion/body/clip.hpp"
 #include "core/motion/joints/joint_map.hpp"
 #include "core/motion/joints/joint_order.hpp"
+#include "core/motion/joints/marker_model.hpp"
 #include "core/motion/joints/named_motion.hpp"
 
 namespace abrazo {
@@ -18,9 +19,10 @@ struct ImportOptions {
   std::optional<double> fps;
   std::optional<UpAxis> up_axis;
   std::optional<JointMap> joint_map;
-  std::optional<JointOrder> joint_order;  ///< of arrays of positions without names
-  std::string marker_model;  ///< name of a built-in marker model, in place of a joint map; empty = none said
-  std::string animation;     ///< name of the one to read, of a file with several; empty = the longest
+  std::optional<JointOrder> joint_order;    ///< of arrays of positions without names
+  std::optional<MarkerModel> marker_model;  ///< in place of a joint map
+  std::string animation;   ///< name of the one to read, of a file with several; empty = the longest
+  std::string body_model;  ///< file of the body that SMPL parameters are for (SmplBodyFile); empty = none
 };
 
 /// How a file was understood. Every guess is marked as one.
@@ -51,18 +53,18 @@ Result<ImportedClip> import_clip(const NamedMotion& motion, const ImportOptions&
 /// Whether a built-in joint map or marker model finds all joints among the points.
 bool joints_are_known(const NamedMotion& motion);
 
-/// Sets how points become joints: a built-in joint map or marker model by its name, or the file of a joint
-/// map.
+/// Whether a built-in joint map or marker model is called so: a name, and no file.
+bool is_builtin_joint_map(const std::string& name);
+
+/// Sets how points become joints: a built-in joint map or marker model by its name, or the file of one.
 Status choose_joints(const std::string& name_or_file, ImportOptions& options);
 
 /// The points of any known motion file (motion_format.hpp), one motion for each performer. What the content
 /// is decides over the file's extension. Gaps of markers are filled where that is safe, and reported.
-/// @param skeleton   as for load_motion
-/// @param order      of an array of positions without names (read_numpy)
-/// @param animation  ImportOptions::animation
+/// @param skeleton  as for load_motion
+/// @param options   of which joint_order, animation and body_model say how to read
 Result<std::vector<NamedMotion>> read_motion_points(const std::string& file, const std::string& skeleton,
-                                                    const std::optional<JointOrder>& order = {},
-                                                    const std::string& animation = {});
+                                                    const ImportOptions& options = {});
 
 /// Reads any known motion file and imports it. Several performers in one file give several clips. What is no
 /// performer (a box with markers on it) is left out with a warning, unless there is nobody else.

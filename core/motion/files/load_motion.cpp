@@ -58,8 +58,7 @@ Error nobody(const std::string& file, const std::vector<NamedMotion>& motions,
 
 Result<std::vector<ImportedClip>> load_motion(const std::string& file, const std::string& skeleton,
                                               const ImportOptions& options) {
-  const Result<std::vector<NamedMotion>> motions =
-      read_motion_points(file, skeleton, options.joint_order, options.animation);
+  const Result<std::vector<NamedMotion>> motions = read_motion_points(file, skeleton, options);
   if (!motions) return motions.error();
   std::vector<ImportedClip> clips;
   std::vector<Error> errors;

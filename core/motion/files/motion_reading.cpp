@@ -39,6 +39,7 @@ Result<ImportOptions> options_of(const MotionReading& reading) {
     options.joint_order = std::move(*order);
   }
   options.animation = reading.animation;
+  options.body_model = reading.body_model;
   return options;
 }
 

@@ -18,8 +18,9 @@ struct MotionReading {
   std::string up = {};                         ///< "y" or "z"
   std::optional<double> metres_per_unit = {};  ///< above 0
   std::optional<double> fps = {};              ///< above 0 [Hz]
-  std::string performer = {};  ///< which one of a file with several: its name, or a number from 1
-  std::string animation = {};  ///< which one of a file with several; the longest by default
+  std::string performer = {};   ///< which one of a file with several: its name, or a number from 1
+  std::string animation = {};   ///< which one of a file with several; the longest by default
+  std::string body_model = {};  ///< file of the body that SMPL parameters are for
 };
 
 /// All performers of the file, or the one that is asked for.

@@ -63,10 +63,16 @@ struct MotionFile {
   fs::path path;
   std::string skeleton;
   std::string_view bytes;
-  const std::optional<JointOrder>& order;
-  const std::string& animation;
+  const ImportOptions& options;
   std::string where() const { return path.string(); }
 };
+
+Result<std::vector<NamedMotion>> read_parameters_or_positions(const MotionFile& file) {
+  if (file.options.body_model.empty()) return read_numpy(file.bytes, file.options.joint_order, file.where());
+  const Result<std::string> body = read_whole_file(file.options.body_model);
+  if (!body) return body.error();
+  return read_numpy(file.bytes, file.options.joint_order, file.where(), {*body, file.options.body_model});
+}
 
 /// The reader of each format, in the order of MotionFormat.
 using Read = Result<std::vector<NamedMotion>> (*)(const MotionFile& file);
@@ -81,15 +87,15 @@ constexpr std::array<Read, 10> readers = {
     [](const MotionFile& file) { return read_trc(file.bytes, file.where()); },
     [](const MotionFile& file) { return read_point_csv(file.bytes, file.where()); },
     [](const MotionFile& file) {
-      return read_scene(file.bytes, MotionFormat::Gltf, file.where(), file.animation);
+      return read_scene(file.bytes, MotionFormat::Gltf, file.where(), file.options.animation);
     },
     [](const MotionFile& file) {
-      return read_scene(file.bytes, MotionFormat::Fbx, file.where(), file.animation);
+      return read_scene(file.bytes, MotionFormat::Fbx, file.where(), file.options.animation);
     },
     [](const MotionFile& file) {
-      return read_scene(file.bytes, MotionFormat::Collada, file.where(), file.animation);
+      return read_scene(file.bytes, MotionFormat::Collada, file.where(), file.options.animation);
     },
-    [](const MotionFile& file) { return read_numpy(file.bytes, file.order, file.where()); },
+    [](const MotionFile& file) { return read_parameters_or_positions(file); },
 };
 
 bool may_hold_animations(MotionFormat format) {
@@ -120,16 +126,20 @@ Result<MotionFormat> format_of(const MotionFile& file) {
 }  // namespace
 
 Result<std::vector<NamedMotion>> read_motion_points(const std::string& name, const std::string& skeleton,
-                                                    const std::optional<JointOrder>& order,
-                                                    const std::string& animation) {
+                                                    const ImportOptions& options) {
   const Result<std::string> content = read_whole_file(name);
   if (!content) return content.error();
-  const MotionFile file{name, skeleton, *content, order, animation};
+  const MotionFile file{name, skeleton, *content, options};
   const Result<MotionFormat> format = format_of(file);
   if (!format) return format.error();
-  if (!animation.empty() && !may_hold_animations(*format))
+  if (!options.body_model.empty() && *format != MotionFormat::Numpy)
+    return Error{
+        "a " + std::string(name_of(*format)) + " file has its own skeleton; leave out the body model",
+        file.where()};
+  if (!options.animation.empty() && !may_hold_animations(*format))
     return Error{"a " + std::string(name_of(*format)) +
-                     " file holds one motion without a name; leave out the animation " + in_quotes(animation),
+                     " file holds one motion without a name; leave out the animation " +
+                     in_quotes(options.animation),
                  file.where()};
   Result<std::vector<NamedMotion>> motions = readers[static_cast<std::size_t>(*format)](file);
   if (!motions) return motions.error();

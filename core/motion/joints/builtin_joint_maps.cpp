@@ -283,12 +283,81 @@ JointMap smpl() {
   return map;
 }
 
+/// Joint centres without a skeleton: as Xsens MVN writes them to C3D ("jRightHip"), as Visual3D and Theia
+/// users export them ("RHJC"), and the key points of OpenPose and HALPE that Pose2Sim writes to TRC ("RHip").
+JointMap joint_centres() {
+  using namespace joints;
+  JointMap map{"joint-centres", {}};
+  const auto middle = [](const std::string& left, const std::string& right) {
+    return along(left, right, 0.5);
+  };
+  const auto both = [&](int left_joint, const std::string& xsens, const Rules& others) {
+    for (const bool is_left : {true, false}) {
+      Rules rules =
+          xsens.empty() ? Rules{} : Rules{at("j" + std::string(is_left ? "Left" : "Right") + xsens)};
+      for (JointRule rule : others) {
+        for (JointRule::Term& term : rule.terms)
+          if (const auto mark = term.point.find('%'); mark != std::string::npos)
+            term.point.replace(
+                mark, 1, term.point.starts_with('j') ? (is_left ? "Left" : "Right") : (is_left ? "L" : "R"));
+        rules.push_back(std::move(rule));
+      }
+      set(map, is_left ? left_joint : mirrored_joint(left_joint), std::move(rules));
+    }
+  };
+  both(LeftHipJoint, "Hip", {at("%HJC"), at("%_HJC"), at("%Hip")});
+  both(LeftFemur, "Knee", {at("%KJC"), at("%_KJC"), at("%Knee")});
+  both(LeftTibia, "Ankle", {at("%AJC"), at("%_AJC"), at("%Ankle")});
+  constexpr double ball_of_foot = 1 / toe_tip_beyond_foot;
+  both(LeftFoot, "BallFoot",
+       {at("%MTP"), along("%AJC", "%TOE", ball_of_foot), along("%Ankle", "%BigToe", ball_of_foot),
+        along("%KJC", "%AJC", 1.15)});
+  both(LeftToes, "",
+       {along("j%Ankle", "j%BallFoot", toe_tip_beyond_foot), along("%AJC", "%MTP", toe_tip_beyond_foot),
+        at("%TOE"), at("%BigToe"), along("%KJC", "%AJC", 1.2)});
+  both(LeftClavicle, "Shoulder", {at("%SJC"), at("%_SJC"), at("%Shoulder")});
+  both(LeftHumerus, "Elbow", {at("%EJC"), at("%_EJC"), at("%Elbow")});
+  both(LeftWrist, "Wrist", {at("%WJC"), at("%_WJC"), at("%Wrist")});
+  both(LeftHand, "",
+       {along("j%Elbow", "j%Wrist", hand_beyond_forearm), along("%EJC", "%WJC", hand_beyond_forearm),
+        along("%_EJC", "%_WJC", hand_beyond_forearm), along("%Elbow", "%Wrist", hand_beyond_forearm)});
+  struct Named {
+    std::string root_left, root_right, neck_left, neck_right;
+  };
+  const std::array<Named, 4> named = {{{"jLeftHip", "jRightHip", "jLeftShoulder", "jRightShoulder"},
+                                       {"LHJC", "RHJC", "LSJC", "RSJC"},
+                                       {"L_HJC", "R_HJC", "L_SJC", "R_SJC"},
+                                       {"LHip", "RHip", "LShoulder", "RShoulder"}}};
+  Rules root = {at("CHip"), at("midHip")}, neck = {at("jT1C7"), at("Neck")};
+  for (const Named& each : named) {
+    root.push_back(middle(each.root_left, each.root_right));
+    neck.push_back(middle(each.neck_left, each.neck_right));
+  }
+  set(map, Root, root);
+  set(map, LowerNeck, neck);
+  // Of the four points, the weights of a place on the line from the hips to the shoulders and beyond.
+  const auto on_trunk = [&](double share, Rules before) {
+    for (const Named& each : named)
+      before.push_back(JointRule{{{each.root_left, (1 - share) / 2},
+                                  {each.root_right, (1 - share) / 2},
+                                  {each.neck_left, share / 2},
+                                  {each.neck_right, share / 2}}});
+    return before;
+  };
+  set(map, LowerBack, on_trunk(0.27, {at("jL4L3")}));
+  set(map, UpperBack, on_trunk(0.53, {at("jL1T12")}));
+  set(map, Thorax, on_trunk(0.79, {at("jT9T8")}));
+  set(map, UpperNeck, on_trunk(1.2, {at("jC1Head"), along("Neck", "Head", 0.4)}));
+  set(map, Head, on_trunk(1.41, {along("jT1C7", "jC1Head", head_beyond_neck), along("Neck", "Head", 0.7)}));
+  return map;
+}
+
 }  // namespace
 
 const std::vector<JointMap>& builtin_joint_maps() {
   // Stricter maps first: the first one that finds all joints is used.
-  static const std::vector<JointMap> maps = {cmu(),   cmu_bvh(), mixamo(), lafan(),
-                                             unity(), xsens(),   motive(), smpl()};
+  static const std::vector<JointMap> maps = {cmu(),   cmu_bvh(), mixamo(), lafan(),        unity(),
+                                             xsens(), motive(),  smpl(),   joint_centres()};
   return maps;
 }
 

@@ -2,15 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <optional>
 #include <utility>
 
 #include "core/base/statistics.hpp"
 #include "core/motion/body/body_proportions.hpp"
 #include "core/motion/body/joint_set.hpp"
-#include "core/motion/joints/joint_map.hpp"
 #include "core/motion/joints/marker_gaps.hpp"
 #include "core/motion/joints/marker_geometry.hpp"
+#include "core/motion/joints/marker_set.hpp"
 #include "core/motion/joints/performers.hpp"
 
 namespace abrazo {
@@ -27,43 +27,13 @@ constexpr double shoulder_below_acromion =
 constexpr double hand_depth_m = 0.0125, foot_depth_m = 0.013;  ///< from the skin to the middle
 constexpr double head_below_band_m = 0.05, head_below_top_m = 0.12;
 constexpr double toe_tip_of_foot = 0.27;
+constexpr double head_of_trunk = 0.41;              ///< from the neck's base on, of root to neck
+constexpr double half_neck_of_shoulders = 1.0 / 6;  ///< from C7 or the collar bones to the neck's base
+constexpr double neck_above_shoulders = 0.06;       ///< both of the distance between the acromia
 constexpr double lower_back_share = 0.265, upper_back_share = 0.527,
                  thorax_share = 0.79;  ///< of root to neck
 
 constexpr double sides[2] = {1.0, -1.0};
-
-/// The points of a file that are a model's markers; several for one place are averaged.
-class MarkerSet {
- public:
-  MarkerSet(const MarkerModel& model, const std::vector<std::string>& points) {
-    std::map<std::string, int> known;
-    for (std::size_t p = 0; p < points.size(); ++p)
-      known.emplace(plain_point_name(points[p]), static_cast<int>(p));
-    for (std::size_t place = 0; place < marker_place_count; ++place)
-      for (const std::size_t side : {0U, 1U})
-        for (const std::string& name : model.names[place][side]) {
-          const auto found = known.find(plain_point_name(name));
-          if (found == known.end()) continue;
-          auto& chosen = points_[place][side];
-          const bool mean = model.toes_are_mean && place == static_cast<std::size_t>(Toe);
-          if (chosen.empty() || mean) chosen.push_back(found->second);
-        }
-  }
-  bool has(MarkerPlace place, std::size_t side = 0) const { return !of(place, side).empty(); }
-  bool has_both(MarkerPlace place) const { return has(place, 0) && has(place, 1); }
-  const std::vector<int>& of(MarkerPlace place, std::size_t side) const {
-    return points_[static_cast<std::size_t>(place)][side];
-  }
-  std::vector<int> all() const {
-    std::vector<int> every;
-    for (const auto& both : points_)
-      for (const auto& some : both) every.insert(every.end(), some.begin(), some.end());
-    return every;
-  }
-
- private:
-  std::array<std::array<std::vector<int>, 2>, marker_place_count> points_;
-};
 
 /// Sizes of one person, the same in all frames [m].
 struct Sizes {
@@ -76,10 +46,9 @@ class FrameSolver {
   FrameSolver(const MarkerSet& set, const Sizes& sizes, Positions frame)
       : set_(set), sizes_(sizes), frame_(std::move(frame)) {}
   Vec3 marker(MarkerPlace place, std::size_t side = 0) const {
-    Vec3 sum = Vec3::Zero();
-    for (const int point : set_.of(place, side)) sum += frame_.row(point).transpose();
-    return sum / static_cast<double>(set_.of(place, side).size());
+    return frame_.row(set_.of(place, side)).transpose();
   }
+  Vec3 middle(MarkerPlace place) const { return (marker(place, 0) + marker(place, 1)) / 2; }
   Vec3 pelvis_back() const {
     if (set_.has_both(PelvisBack)) return (marker(PelvisBack, 0) + marker(PelvisBack, 1)) / 2;
     return marker(Sacrum);
@@ -90,9 +59,11 @@ class FrameSolver {
   Vec3 joint(int index) const { return pose_.row(index).transpose(); }
   void put(int index, const Vec3& place) { pose_.row(index) = place.transpose(); }
   void pelvis();
+  Vec3 neck_base() const;
   void trunk();
   void head();
   void leg(std::size_t side);
+  Vec3 toe_marker(std::size_t side, const Vec3& heel) const;
   void foot(std::size_t side);
   void arm(std::size_t side);
   void hand(std::size_t side);
@@ -115,11 +86,29 @@ void FrameSolver::pelvis() {
   put(joints::right_hip, front + axes * hip_centre(sizes_.pelvis_width, sizes_.pelvis_depth, -1));
 }
 
+/// Between C7 and the collar bones; where one of both is not marked, as far from the other as in an average
+/// adult, and above the shoulders where neither is.
+Vec3 FrameSolver::neck_base() const {
+  std::optional<Vec3> front;
+  if (set_.has(Clavicle))
+    front = marker(Clavicle);
+  else if (set_.has_both(ClavicleSide))
+    front = middle(ClavicleSide);
+  else if (set_.has(Sternum))
+    front = marker(Sternum);
+  if (front && set_.has(Neck)) return (marker(Neck) + *front) / 2;
+  const Vec3 across = marker(Shoulder, 0) - marker(Shoulder, 1), between = middle(Shoulder);
+  const Vec3 trunk = between - joint(joints::Root);
+  const Vec3 forward = across.cross(trunk).normalized();
+  if (front) return *front - half_neck_of_shoulders * across.norm() * forward;
+  if (set_.has(Neck)) return marker(Neck) + half_neck_of_shoulders * across.norm() * forward;
+  return between + neck_above_shoulders * across.norm() * trunk.normalized();
+}
+
 /// The spine is a parabola from the root over the middle of the chest to the neck's base.
 void FrameSolver::trunk() {
   const Vec3 root = joint(joints::Root);
-  const Vec3 front = set_.has(Clavicle) ? marker(Clavicle) : marker(Sternum);
-  neck_ = (marker(Neck) + front) / 2;
+  neck_ = neck_base();
   const Vec3 line = neck_ - root;
   Vec3 bow = Vec3::Zero();
   double middle = 0.5;
@@ -144,20 +133,23 @@ void FrameSolver::trunk() {
 }
 
 void FrameSolver::head() {
-  Vec3 middle;
+  Vec3 centre;
   if (set_.has_both(HeadFrontSide) && set_.has_both(HeadBackSide)) {
-    const Vec3 front = (marker(HeadFrontSide, 0) + marker(HeadFrontSide, 1)) / 2;
-    const Vec3 back = (marker(HeadBackSide, 0) + marker(HeadBackSide, 1)) / 2;
+    const Vec3 front = middle(HeadFrontSide), back = middle(HeadBackSide);
     const Vec3 left = marker(HeadFrontSide, 0) - marker(HeadFrontSide, 1);
     const Vec3 up = (front - back).cross(left).normalized();
-    middle = (front + back) / 2 - head_below_band_m * up;
+    centre = (front + back) / 2 - head_below_band_m * up;
+  } else if (set_.has_both(Ear)) {
+    centre = middle(Ear);
   } else if (set_.has(HeadTop)) {
-    middle = marker(HeadTop) + head_below_top_m * (neck_ - marker(HeadTop)).normalized();
+    centre = marker(HeadTop) + head_below_top_m * (neck_ - marker(HeadTop)).normalized();
+  } else if (set_.has_both(HeadFrontSide)) {
+    centre = middle(HeadFrontSide);
   } else {
-    middle = (marker(HeadFrontSide, 0) + marker(HeadFrontSide, 1)) / 2;
+    centre = neck_ + head_of_trunk * (neck_ - joint(joints::Root));
   }
-  put(joints::Head, middle);
-  put(joints::UpperNeck, (neck_ + middle) / 2);
+  put(joints::Head, centre);
+  put(joints::UpperNeck, (neck_ + centre) / 2);
 }
 
 void FrameSolver::leg(std::size_t side) {
@@ -189,10 +181,22 @@ void FrameSolver::leg(std::size_t side) {
   put(left ? joints::left_ankle : joints::right_ankle, ankle);
 }
 
+/// The head of the 2nd metatarsal; of an outer or inner one alone, what of the foot's line is beside it.
+Vec3 FrameSolver::toe_marker(std::size_t side, const Vec3& heel) const {
+  if (set_.has(Toe, side)) return marker(Toe, side);
+  if (set_.has(ToeInner, side) && set_.has(ToeOuter, side))
+    return (marker(ToeInner, side) + marker(ToeOuter, side)) / 2;
+  const Vec3 beside = marker(set_.has(ToeOuter, side) ? ToeOuter : ToeInner, side);
+  if (!set_.has(ToeTip, side)) return beside;
+  const Vec3 foot = marker(ToeTip, side) - heel;
+  return foot.squaredNorm() > 0 ? Vec3(heel + (beside - heel).dot(foot) / foot.squaredNorm() * foot) : beside;
+}
+
 void FrameSolver::foot(std::size_t side) {
   const bool left = side == 0;
-  const Vec3 ankle = joint(left ? joints::left_ankle : joints::right_ankle), toe = marker(Toe, side);
+  const Vec3 ankle = joint(left ? joints::left_ankle : joints::right_ankle);
   const Vec3 heel = set_.has(Heel, side) ? marker(Heel, side) : ankle;
+  const Vec3 toe = toe_marker(side, heel);
   const Vec3 along = (toe - heel).normalized();
   Vec3 up = ankle - (heel + toe) / 2;
   up -= up.dot(along) * along;
@@ -254,6 +258,8 @@ void FrameSolver::hand(std::size_t side) {
           (marker(WristThumb, side) - marker(WristLittle, side)).cross(hand - wrist).stableNormalized();
       hand -= (marker_radius_m + hand_depth_m) * back_of_hand;
     }
+  } else if (set_.has(HandThumb, side) && set_.has(HandLittle, side)) {
+    hand = (marker(HandThumb, side) + marker(HandLittle, side)) / 2;
   }
   put(left ? joints::left_hand : joints::right_hand, hand);
 }
@@ -286,27 +292,26 @@ Sizes sizes_of(const MarkerSet& set, const std::vector<Positions>& frames, doubl
   return {upper_median(widths), upper_median(depths), upper_median(legs) - 0.08};
 }
 
-}  // namespace
-
-std::vector<std::string> missing_markers(const MarkerModel& model, const std::vector<std::string>& points) {
-  const MarkerSet set(model, points);
-  std::vector<std::string> missing;
-  const auto need = [&](bool there, MarkerPlace place, std::size_t side) {
-    const auto& names = model.names[static_cast<std::size_t>(place)][side];
-    if (!there && !names.empty()) missing.push_back(names.front());
-  };
-  need(set.has(Neck), Neck, 0);
-  need(set.has(Clavicle) || set.has(Sternum), Clavicle, 0);
-  const bool head = set.has(HeadTop) || set.has_both(HeadFrontSide);
-  need(head, model.names[static_cast<std::size_t>(HeadTop)][0].empty() ? HeadFrontSide : HeadTop, 0);
+/// The joints that no marker is near to.
+std::vector<std::string> inferred_joints(const MarkerSet& set) {
+  using namespace joints;
+  std::vector<int> inferred;
+  const bool front = set.has(Clavicle) || set.has_both(ClavicleSide) || set.has(Sternum);
+  if (!front || !set.has(Neck)) inferred.push_back(LowerNeck);
+  if (!set.has_both(HeadFrontSide) && !set.has_both(Ear) && !set.has(HeadTop))
+    inferred.insert(inferred.end(), {UpperNeck, Head});
   for (const std::size_t side : {0U, 1U}) {
-    need(set.has(PelvisBack, side) || set.has(Sacrum), PelvisBack, side);
-    for (const MarkerPlace place : {PelvisFront, Shoulder, Elbow, Knee, Ankle, Toe})
-      need(set.has(place, side), place, side);
-    need(set.has(WristThumb, side) || set.has(WristLittle, side), WristThumb, side);
+    if (!set.has(ToeTip, side) && !set.has(Heel, side))
+      inferred.push_back(side == 0 ? left_toe_tip : right_toe_tip);
+    if (!set.has(Hand, side) && !(set.has(HandThumb, side) && set.has(HandLittle, side)))
+      inferred.push_back(side == 0 ? left_hand : right_hand);
   }
-  return missing;
+  std::vector<std::string> names;
+  for (const int joint : inferred) names.emplace_back(joint_names[static_cast<std::size_t>(joint)]);
+  return names;
 }
+
+}  // namespace
 
 double unit_of_markers(const MarkerModel& model, const NamedMotion& markers) {
   const MarkerSet set(model, markers.points);
@@ -345,6 +350,12 @@ Result<NamedMotion> joints_of_markers(const MarkerModel& model, const NamedMotio
   if (!with_gaps.empty())
     joints.warnings.push_back(
         {"done-without", 0, some_of(with_gaps) + ": not always seen, and done without"});
+  if (const auto inferred = inferred_joints(set); !inferred.empty())
+    joints.warnings.push_back(
+        {"inferred-joints", 0,
+         std::to_string(inferred.size()) +
+             " of the 25 joints have no marker and were inferred from those beside them: " +
+             some_of(inferred, 25)});
   const Sizes sizes = sizes_of(set, markers.frames, metres_per_unit);
   joints.points.assign(joint_names.begin(), joint_names.end());
   joints.parents.assign(joint_parents.begin(), joint_parents.end());

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/base/result.hpp"
@@ -21,15 +22,19 @@ enum class MarkerPlace {
   HeadSide,
   HeadFrontSide,  ///< temples; sided from here on
   HeadBackSide,
-  PelvisFront,  ///< ASIS
-  PelvisBack,   ///< PSIS
-  Shoulder,     ///< acromion
+  Ear,
+  ClavicleSide,  ///< on each collar bone, where there is none between them
+  PelvisFront,   ///< ASIS
+  PelvisBack,    ///< PSIS
+  Shoulder,      ///< acromion
   UpperArm,
   Elbow,  ///< outer epicondyle
   ElbowInner,
   WristThumb,
   WristLittle,
-  Hand,  ///< head of a middle metacarpal
+  Hand,       ///< head of a middle metacarpal
+  HandThumb,  ///< head of the 2nd metacarpal; with the next in place of a middle one
+  HandLittle,
   Thigh,
   Knee,  ///< outer
   KneeInner,
@@ -37,29 +42,60 @@ enum class MarkerPlace {
   Ankle,  ///< outer malleolus
   AnkleInner,
   Heel,
-  Toe,  ///< head of the 2nd metatarsal; several: their mean
+  Toe,       ///< head of the 2nd metatarsal
+  ToeInner,  ///< of the 1st; with the next in place of the 2nd
+  ToeOuter,  ///< of the 5th
   ToeTip,
   Count
 };
 inline constexpr std::size_t marker_place_count = static_cast<std::size_t>(MarkerPlace::Count);
+inline constexpr std::size_t first_sided_place = static_cast<std::size_t>(MarkerPlace::HeadFrontSide);
+
+/// "outer knee", as in files; with the side before it where there are two: "left outer knee".
+std::string name_of_place(MarkerPlace place, std::size_t side);
 
 /// A named set of markers on a body, from which the 25 joints can be estimated.
 struct MarkerModel {
   std::string name;  ///< "plug-in-gait"
   /// Per place and side the names a marker may have; the first that exists is taken. Unsided: side 0.
   std::array<std::array<std::vector<std::string>, 2>, marker_place_count> names;
-  bool toes_are_mean = false;  ///< all of the toe's names are one point's surroundings, not alternatives
 };
 
-/// "plug-in-gait" (Vicon's full body, with or without inner markers), "cmu-markers" (the 41 of the CMU
-/// laboratory), "optitrack-baseline" (37 or 41).
+/// The sets of laboratories that are known by name; docs/guide/formats.md lists them. The last, "landmarks",
+/// has the names of all others, for files that mix them.
 const std::vector<MarkerModel>& builtin_marker_models();
+
+/// A model from a JSON file: {"name": "...", "markers": {"neck": "C7", "left shoulder": ["LSHO", "LACR"],
+/// ...}}.
+Result<MarkerModel> parse_marker_model(std::string_view json, std::string_view where);
+
+/// Whether a file's text is meant as a marker model, and not as a joint map.
+bool is_marker_model(std::string_view json);
+
+/// The JSON that reads back to the same model.
+std::string marker_model_json(const MarkerModel& model);
 
 /// Markers without which the model cannot be used and which are not among the points. Empty: it fits.
 std::vector<std::string> missing_markers(const MarkerModel& model, const std::vector<std::string>& points);
 
+/// How much of a model is among some points.
+struct MarkerFit {
+  const MarkerModel* model = nullptr;
+  std::size_t found = 0;             ///< of its places
+  std::vector<std::string> missing;  ///< missing_markers
+  bool legs = false, arms = false;   ///< the pelvis, knees and ankles; elbows and wrists of both sides
+};
+
+/// Of the built-in models the first that fits; else the one that finds most places, of those with as many the
+/// one that lacks least.
+MarkerFit nearest_marker_model(const std::vector<std::string>& points);
+MarkerFit fit_of(const MarkerModel& model, const std::vector<std::string>& points);
+
+/// A sentence on why the points are no whole body by that model: "the markers are of the lower body ...".
+std::string why_no_body(const MarkerFit& fit);
+
 /// The 25 joints, named as in the joint set, in the file's unit: docs/guide/formats.md says how each is
-/// found.
+/// found. Joints that no marker tells of (a head without one, hands) are inferred and named in a warning.
 /// @param metres_per_unit  the estimates know sizes of bodies and markers
 /// @return an Error that names the marker and the frames, when one that is needed has gaps
 Result<NamedMotion> joints_of_markers(const MarkerModel& model, const NamedMotion& markers,

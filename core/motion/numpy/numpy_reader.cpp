@@ -4,137 +4,15 @@
 #include <cmath>
 #include <map>
 
-#include "core/base/available_memory.hpp"
 #include "core/base/little_endian.hpp"
 #include "core/base/text.hpp"
 #include "core/motion/joints/performers.hpp"
-#include "core/motion/numpy/npy_array.hpp"
-#include "core/motion/numpy/zip_archive.hpp"
+#include "core/motion/numpy/numpy_file.hpp"
+#include "core/motion/numpy/smpl_body.hpp"
 
 namespace abrazo {
 
 namespace {
-
-/// An array that may be read: of a .npz only what is used is.
-struct StoredArray {
-  std::string name;  ///< empty in a .npy
-  NpyLayout layout;
-  const ZipEntry* entry = nullptr;
-  std::optional<Error> trouble = {};  ///< why its elements cannot be read; nobody has to want them
-
-  bool is_positions() const {
-    return !trouble && layout.is_number() && layout.shape.size() == 3 && layout.shape[2] == 3;
-  }
-  std::string described() const {
-    return (name.empty() ? "" : name + " ") + (trouble ? "(cannot be read)" : layout.shape_text());
-  }
-};
-
-class NumpyFile {
- public:
-  static Result<NumpyFile> open(std::string_view bytes, std::string_view where);
-
-  const std::vector<StoredArray>& arrays() const { return arrays_; }
-  const std::string& where() const { return where_; }
-  const StoredArray* find(std::initializer_list<std::string_view> names) const {
-    for (const std::string_view name : names)
-      for (const StoredArray& array : arrays_)
-        if (array.name == name) return &array;
-    return nullptr;
-  }
-  bool has(std::string_view name) const { return find({name}) != nullptr; }
-  std::string place(const StoredArray& array) const {
-    return array.name.empty() ? where_ : where_ + ": " + array.name;
-  }
-  /// The bytes of the whole .npy, checked to hold all elements.
-  Result<std::string> content_of(const StoredArray& array) const;
-  std::string listed(std::size_t most) const;
-
- private:
-  std::string_view bytes_;
-  std::string where_;
-  std::optional<ZipArchive> archive_;
-  std::vector<StoredArray> arrays_;
-};
-
-Result<NumpyFile> NumpyFile::open(std::string_view bytes, std::string_view where) {
-  NumpyFile file;
-  file.bytes_ = bytes;
-  file.where_ = where;
-  if (!bytes.starts_with("PK")) {
-    auto layout = parse_npy_header(bytes.substr(0, npy_header_most), where);
-    if (!layout) return layout.error();
-    file.arrays_.push_back({"", std::move(*layout)});
-    return file;
-  }
-  auto archive = ZipArchive::open(bytes, where);
-  if (!archive) return archive.error();
-  file.archive_ = std::move(*archive);
-  for (const ZipEntry& entry : file.archive_->entries()) {
-    if (!entry.name.ends_with(".npy")) continue;
-    StoredArray array{entry.name.substr(0, entry.name.size() - 4), {}, &entry};
-    const auto head = file.archive_->beginning_of(entry, npy_header_most);
-    if (!head) return head.error();
-    auto layout = parse_npy_header(*head, file.place(array));
-    if (layout)
-      array.layout = std::move(*layout);
-    else
-      array.trouble = layout.error();
-    file.arrays_.push_back(std::move(array));
-  }
-  if (file.arrays_.empty())
-    return Error{"holds no arrays; expected positions (frames, joints, 3) in a .npy inside", file.where_};
-  return file;
-}
-
-std::string NumpyFile::listed(std::size_t most) const {
-  std::vector<std::string> names;
-  for (const StoredArray& array : arrays_) names.push_back(array.described());
-  return some_of(names, most);
-}
-
-Result<std::string> NumpyFile::content_of(const StoredArray& array) const {
-  if (array.trouble) return *array.trouble;
-  const std::uint64_t needed = array.layout.bytes();
-  const std::uint64_t there = array.entry ? array.entry->size : bytes_.size();
-  if (there < needed)
-    return Error{"announces " + array.layout.shape_text() + " elements of " +
-                     std::to_string(array.layout.item_bytes) + " bytes and holds " +
-                     std::to_string(there - std::min<std::uint64_t>(there, array.layout.header_bytes)) +
-                     " bytes of them; it is cut off, or its header is damaged",
-                 place(array)};
-  // What is inflated, and the doubles that come of it.
-  const std::uint64_t free = available_memory_bytes();
-  if (there > free / 4)
-    return Error{"would take " + std::to_string(there >> 20U) + " MiB and as much again, and " +
-                     std::to_string(free >> 20U) + " MiB of memory are free; write fewer frames at once",
-                 place(array)};
-  if (!array.entry) return std::string(bytes_);
-  return archive_->content_of(*array.entry);
-}
-
-Result<std::optional<double>> number_in(const NumpyFile& file, std::initializer_list<std::string_view> names,
-                                        std::string_view what) {
-  const StoredArray* array = file.find(names);
-  if (!array) return std::optional<double>();
-  const Error expected{"expected " + std::string(what) + ": one number above 0", file.place(*array)};
-  if (array->trouble) return *array->trouble;
-  if (!array->layout.is_number() || array->layout.count() != 1) return expected;
-  const auto content = file.content_of(*array);
-  if (!content) return content.error();
-  const double value = NpyArray(array->layout, *content).number(0);
-  if (!std::isfinite(value) || value <= 0) return expected;
-  return std::optional<double>(value);
-}
-
-Result<std::vector<std::string>> texts_in(const NumpyFile& file, const StoredArray& array) {
-  const auto content = file.content_of(array);
-  if (!content) return content.error();
-  const NpyArray texts(array.layout, *content);
-  std::vector<std::string> values;
-  for (std::uint64_t i = 0; i < array.layout.count(); ++i) values.push_back(texts.text(i));
-  return values;
-}
 
 Result<std::optional<UpAxis>> up_axis_in(const NumpyFile& file) {
   const StoredArray* array = file.find({"up", "up_axis"});
@@ -151,12 +29,12 @@ Result<std::optional<UpAxis>> up_axis_in(const NumpyFile& file) {
 
 /// What a file without positions of joints is, as far as its arrays tell.
 Status refuse_what_is_no_positions(const NumpyFile& file) {
-  if ((file.has("poses") && file.has("trans")) || file.has("pose_body") || file.has("body_pose"))
+  if (holds_smpl_parameters(file))
     return Error{
         "holds the parameters of an SMPL body (poses, trans, betas), from which joints follow only with the "
-        "body model, which is missing: it may not be shipped with Abrazo. Write the joints' positions "
-        "(frames, joints, 3) with joint_names and fps by the program that has the model, or export FBX from "
-        "Blender with the SMPL-X add-on",
+        "body model, which is missing: it may not be shipped with Abrazo. Name the file of the model (.npz) "
+        "that you have, or write the joints' positions (frames, joints, 3) with joint_names and fps by the "
+        "program that has it",
         file.where()};
   const bool is_simulated = file.has("body_pos_w") || (file.has("joint_pos") && file.has("joint_vel"));
   if (is_simulated || file.has("qpos"))
@@ -309,6 +187,48 @@ void warn_of_unused(const NumpyFile& file, const std::vector<const StoredArray*>
   if (!unused.empty()) motion.warnings.push_back({"arrays", 0, "not read: " + some_of(unused)});
 }
 
+/// A row of InterHuman (Liang et al., InterGen, IJCV 2024): places of 62 joints, then turns of 51. The first
+/// 22 are the body's, as SMPL-X orders them; the others are of the hands.
+constexpr std::uint64_t interhuman_columns = 62 * 3 + 51 * 6;
+
+bool are_interhuman_rows(const StoredArray& array) {
+  const auto& shape = array.layout.shape;
+  return !array.trouble && array.layout.is_number() && shape.size() == 2 && shape[1] == interhuman_columns &&
+         shape[0] > 0;
+}
+
+Result<NamedMotion> interhuman_motion(const NumpyFile& file, const StoredArray& array) {
+  const auto content = file.content_of(array);
+  if (!content) return content.error();
+  const NpyArray rows(array.layout, *content);
+  const auto order = find_joint_order("smplx22");
+  if (!order) return order.error();
+  NamedMotion motion;
+  motion.name = array.name;
+  motion.points = order->points;
+  motion.parents.assign(motion.points.size(), -1);
+  motion.metres_per_unit = 1.0;
+  const std::uint64_t frames = array.layout.shape[0];
+  for (std::uint64_t f = 0; f < frames; ++f) {
+    Positions places(static_cast<Eigen::Index>(motion.points.size()), 3);
+    for (Eigen::Index i = 0; i < places.size(); ++i) {
+      const auto column = static_cast<std::uint64_t>(i);
+      const double value =
+          rows.number(array.layout.column_order ? column * frames + f : f * interhuman_columns + column);
+      if (std::isinf(value))
+        return Error{"frame " + std::to_string(f) + " (counted from 0) has an infinite position",
+                     file.place(array)};
+      places(i / 3, i % 3) = value;
+    }
+    motion.frames.push_back(std::move(places));
+  }
+  motion.warnings.push_back(
+      {"joint-order", 0,
+       "rows of 492 numbers were taken for InterHuman's: of its 62 joints the 22 of the body were "
+       "read"});
+  return motion;
+}
+
 }  // namespace
 
 bool begins_as_npz(std::string_view head) {
@@ -318,9 +238,22 @@ bool begins_as_npz(std::string_view head) {
 }
 
 Result<std::vector<NamedMotion>> read_numpy(std::string_view bytes, const std::optional<JointOrder>& order,
-                                            std::string_view where) {
+                                            std::string_view where, const SmplBodyFile& body) {
   const auto file = NumpyFile::open(bytes, where);
   if (!file) return file.error();
+  if (!body.where.empty()) {
+    if (!holds_smpl_parameters(*file))
+      return Error{"holds no parameters of an SMPL body (poses, trans, betas); leave out the body model",
+                   file->where()};
+    auto motion = read_smpl(*file, body);
+    if (!motion) return motion.error();
+    return std::vector<NamedMotion>{std::move(*motion)};
+  }
+  if (const StoredArray* rows = file->find({""}); rows && !order && are_interhuman_rows(*rows)) {
+    auto motion = interhuman_motion(*file, *rows);
+    if (!motion) return motion.error();
+    return std::vector<NamedMotion>{std::move(*motion)};
+  }
   const auto persons = arrays_of_performers(*file);
   if (!persons) return persons.error();
   const auto fps =

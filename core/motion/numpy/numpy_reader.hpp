@@ -7,6 +7,7 @@
 #include "core/base/result.hpp"
 #include "core/motion/joints/joint_order.hpp"
 #include "core/motion/joints/named_motion.hpp"
+#include "core/motion/numpy/smpl_body.hpp"
 
 namespace abrazo {
 
@@ -16,10 +17,11 @@ namespace abrazo {
 /// are never read.
 /// @param order  which joint is which, over what the file says; where neither says it, the built-in order
 /// that alone has so many joints is taken, with a warning
+/// @param body  of a file with the parameters of an SMPL body
 /// @return an Error that says what is missing: names for the joints, the body file of SMPL parameters, a
 /// person where there is a robot
 Result<std::vector<NamedMotion>> read_numpy(std::string_view bytes, const std::optional<JointOrder>& order,
-                                            std::string_view where);
+                                            std::string_view where, const SmplBodyFile& body = {});
 
 /// Whether a ZIP archive begins with a .npy: what a .npz is. @param head  of a file
 bool begins_as_npz(std::string_view head);

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/result.hpp"
+#include "core/motion/numpy/npy_array.hpp"
+#include "core/motion/numpy/zip_archive.hpp"
+
+namespace abrazo {
+
+/// An array that may be read: of a .npz only what is used is.
+struct StoredArray {
+  std::string name;  ///< empty in a .npy
+  NpyLayout layout;
+  const ZipEntry* entry = nullptr;
+  std::optional<Error> trouble = {};  ///< why its elements cannot be read; nobody has to want them
+
+  bool is_positions() const {
+    return !trouble && layout.is_number() && layout.shape.size() == 3 && layout.shape[2] == 3;
+  }
+  std::string described() const {
+    return (name.empty() ? "" : name + " ") + (trouble ? "(cannot be read)" : layout.shape_text());
+  }
+};
+
+/// The arrays of a .npy or .npz, of which only those that are wanted are inflated. The bytes have to outlive
+/// it.
+class NumpyFile {
+ public:
+  static Result<NumpyFile> open(std::string_view bytes, std::string_view where);
+
+  const std::vector<StoredArray>& arrays() const { return arrays_; }
+  const std::string& where() const { return where_; }
+  const StoredArray* find(std::initializer_list<std::string_view> names) const {
+    for (const std::string_view name : names)
+      for (const StoredArray& array : arrays_)
+        if (array.name == name) return &array;
+    return nullptr;
+  }
+  bool has(std::string_view name) const { return find({name}) != nullptr; }
+  std::string place(const StoredArray& array) const {
+    return array.name.empty() ? where_ : where_ + ": " + array.name;
+  }
+  /// The bytes of the whole .npy, checked to hold all elements.
+  Result<std::string> content_of(const StoredArray& array) const;
+  std::string listed(std::size_t most) const;
+
+ private:
+  std::string_view bytes_;
+  std::string where_;
+  std::optional<ZipArchive> archive_;
+  std::vector<StoredArray> arrays_;
+};
+
+/// One number above 0 under one of these names; nothing where there is none. @param what  for the Error
+Result<std::optional<double>> number_in(const NumpyFile& file, std::initializer_list<std::string_view> names,
+                                        std::string_view what);
+Result<std::vector<std::string>> texts_in(const NumpyFile& file, const StoredArray& array);
+
+}  // namespace abrazo

@@ -1,0 +1,103 @@
+#include "core/library/takes/dataset_plan.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <climits>
+#include <fstream>
+
+namespace abrazo::dataset_plan_test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+class DatasetPlan : public testing::Test {
+ protected:
+  void SetUp() override {
+    folder_ = std::filesystem::path(testing::TempDir()) /
+              (std::string("plan_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+    std::filesystem::remove_all(folder_);
+  }
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+  void touch(const std::string& file) {
+    const auto path = folder_ / file;
+    std::filesystem::create_directories(path.parent_path());
+    std::ofstream(path) << "x";
+  }
+  Manifest plan(const std::string& layout) {
+    auto manifest = plan_dataset(layout, folder_, "/models/body.npz");
+    EXPECT_TRUE(manifest) << (manifest ? "" : manifest.error().text());
+    return manifest ? *manifest : Manifest{};
+  }
+  std::string refusal(const std::string& layout) {
+    const auto manifest = plan_dataset(layout, folder_);
+    return manifest ? "planned" : manifest.error().text();
+  }
+  std::filesystem::path folder_;
+};
+
+std::vector<std::string> names(const Manifest& manifest) {
+  std::vector<std::string> all;
+  for (const Manifest::Take& take : manifest.takes) all.push_back(take.name);
+  return all;
+}
+
+TEST_F(DatasetPlan, PairsLeadersAndFollowersOfCompas3d) {
+  touch("Pair1/Pair1_song1_take1_leader.npz"), touch("Pair1/Pair1_song1_take1_follower.npz");
+  touch("annotations/Pair1_song1_take1.txt"), touch("Pair1/Pair1_song2_take1_leader.npz");
+  const Manifest manifest = plan("compas3d");
+  ASSERT_THAT(names(manifest), ElementsAre("Pair1_Pair1_song1_take1"));
+  const Manifest::Take& take = manifest.takes[0];
+  EXPECT_EQ(take.a.motion.filename(), "Pair1_song1_take1_leader.npz");
+  EXPECT_EQ(take.b.motion.filename(), "Pair1_song1_take1_follower.npz");
+  EXPECT_EQ(take.labels.filename(), "Pair1_song1_take1.txt");
+  EXPECT_EQ(take.a.body_model, "/models/body.npz");
+  EXPECT_EQ(take.a.up_axis, UpAxis::Z);
+  ASSERT_EQ(take.roles.size(), 1U);
+  EXPECT_EQ(take.roles[0].end, INT_MAX);
+  EXPECT_EQ(take.roles[0].active, ActivePerformer::A);
+  ASSERT_EQ(manifest.warnings.size(), 1U);
+  EXPECT_THAT(manifest.warnings[0], HasSubstr("1 motion files have no partner and were left out: "));
+}
+
+TEST_F(DatasetPlan, KnowsRatesAndFoldersOfInterXAndInterHuman) {
+  touch("motions/G001T000A000R000/P1.npz"), touch("motions/G001T000A000R000/P2.npz");
+  const Manifest interx = plan("interx");
+  ASSERT_THAT(names(interx), ElementsAre("motions_G001T000A000R000"));
+  EXPECT_EQ(interx.takes[0].fps, 120);
+  EXPECT_TRUE(interx.takes[0].roles.empty());
+  EXPECT_FALSE(interx.takes[0].a.up_axis) << "found out from the motion";
+  touch("person1/7.npy"), touch("person2/7.npy");
+  const Manifest interhuman = plan("interhuman");
+  ASSERT_THAT(names(interhuman), ElementsAre("7"));
+  EXPECT_EQ(interhuman.takes[0].fps, 30);
+  EXPECT_EQ(interhuman.takes[0].b.motion, folder_ / "person2/7.npy");
+}
+
+TEST_F(DatasetPlan, PairsFilesThatDifferByOneWord) {
+  touch("lindy_1_leader.bvh"), touch("lindy_1_follower.bvh"), touch("b/p2/x.fbx"), touch("b/p1/x.fbx");
+  EXPECT_THAT(names(plan("folder")), ElementsAre("b_x", "lindy_1"));
+  const Manifest remocap = plan("remocap");
+  ASSERT_THAT(names(remocap), ElementsAre("lindy_1"));
+  EXPECT_EQ(remocap.takes[0].metres_per_unit, 0.001);
+}
+
+TEST_F(DatasetPlan, IsAManifestThatReadsBack) {
+  touch("m_leader.npz"), touch("m_follower.npz");
+  const auto again = parse_manifest(manifest_json(plan("compas3d"), folder_), folder_ / "manifest.json");
+  ASSERT_TRUE(again) << again.error().text();
+  EXPECT_EQ(again->takes[0].a.motion, folder_ / "m_leader.npz");
+  EXPECT_EQ(again->takes[0].b.body_model.lexically_normal(), "/models/body.npz");
+}
+
+TEST_F(DatasetPlan, SaysWhatWasExpected) {
+  touch("a.bvh");
+  EXPECT_THAT(refusal("interx"),
+              HasSubstr("holds no pair of the dataset interx among 1 files; expected a folder"));
+  EXPECT_THAT(refusal("salsa"), HasSubstr("no dataset 'salsa'; expected one of compas3d, interx"));
+  EXPECT_THAT(plan_dataset("folder", "/nowhere/at/all").error().text(), HasSubstr("is no folder"));
+}
+
+}  // namespace
+}  // namespace abrazo::dataset_plan_test
