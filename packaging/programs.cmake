@@ -8,6 +8,8 @@ foreach(program IN LISTS abrazo_programs)
   target_link_options(${program} PRIVATE LINKER:--as-needed LINKER:-z,relro,-z,now)
 endforeach()
 install(TARGETS ${abrazo_programs} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT programs)
+# Started by those programs, not by people.
+install(TARGETS abrazo-scene-reader RUNTIME DESTINATION ${ABRAZO_READER_DIR} COMPONENT programs)
 
 set(abrazo_pages)
 foreach(program IN LISTS abrazo_programs)

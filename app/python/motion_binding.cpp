@@ -7,6 +7,7 @@
 
 #include "app/python/binding.hpp"
 #include "app/python/clip.hpp"
+#include "app/python/progress.hpp"
 #include "core/motion/body/joint_set.hpp"
 #include "core/motion/files/clip_file.hpp"
 #include "core/motion/files/performer_reading.hpp"
@@ -55,10 +56,11 @@ std::shared_ptr<ReadClip> read_clip(const std::filesystem::path& file, const std
                                                ? std::to_string(std::get<int>(*performer))
                                                : std::get<std::string>(*performer),
                               .animation = std::move(animation)};
-  return without_gil([&] {
-    ImportedClip imported = unwrap(read_performer(reading));
-    std::vector<std::string> warnings = warnings_of_import(reading, imported);
-    return std::make_shared<ReadClip>(ReadClip{std::move(imported.clip), std::move(warnings)});
+  return CalledProgress(py::none()).run([&](const Progress& progress) -> Result<std::shared_ptr<ReadClip>> {
+    Result<ImportedClip> imported = read_performer(reading, progress);
+    if (!imported) return imported.error();
+    std::vector<std::string> warnings = warnings_of_import(reading, *imported);
+    return std::make_shared<ReadClip>(ReadClip{std::move(imported->clip), std::move(warnings)});
   });
 }
 

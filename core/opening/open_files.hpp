@@ -25,7 +25,8 @@ struct OpeningWish {
 Result<Material> open_files(const OpeningWish& wish, const Progress& progress);
 
 /// Reads the motion of these files as the input.
-Status read_input(const SortedFiles& files, const ImportOptions& said, Material& material);
+Status read_input(const SortedFiles& files, const ImportOptions& said, Material& material,
+                  const Progress& progress = {});
 
 /// The core's messages name options of `abrazo`; in the window the same is done otherwise.
 std::string in_words_of_the_window(std::string message);
