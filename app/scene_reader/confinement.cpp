@@ -57,7 +57,7 @@ bool confine(const Confinement& to) {
   constexpr rlim_t most_files = 16, grace_s = 2;
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
   bool good = ::prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) == 0;
-#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)  // these map terabytes of addresses
+#ifndef ABRAZO_INSTRUMENTED  // sanitizers map terabytes of addresses
   good = good && limit(RLIMIT_AS, to.memory_bytes, to.memory_bytes);
 #endif
   good = good && limit(RLIMIT_CPU, to.processor_s, to.processor_s + grace_s) && limit(RLIMIT_FSIZE, 0, 0) &&
