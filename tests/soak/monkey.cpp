@@ -126,8 +126,8 @@ class Monkey : public QObject {
     std::printf(
         "monkey: seed %u, %.1f min, %zu things done, %d windows, %d times unanswered (longest %.2f s), "
         "%.0f MB after a quarter, %.0f MB at the end\n",
-        m_wish.seed, m_clock.elapsed() / 60e3, diary.count(), m_windows, m_unanswered, m_longest,
-        m_memoryEarly, m_memoryLast);
+        m_wish.seed, static_cast<double>(m_clock.elapsed()) / 60e3, diary.count(), m_windows, m_unanswered,
+        m_longest, m_memoryEarly, m_memoryLast);
     std::fflush(stdout);
     const bool good = m_unanswered == 0 && grown < growth_mb;
     if (!good) diary.write_to(STDOUT_FILENO);

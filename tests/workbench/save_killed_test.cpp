@@ -75,16 +75,25 @@ class SaveKilled : public testing::Test {
       if (what == "refused") ++said.refused;
       if (what == "saved") said.saved = markers, ++said.saves;
     };
-    while (said.saves == 0) {
-      const std::string line = victim.line();
-      if (line.empty()) {
-        ADD_FAILURE() << "it ended by itself";
-        return said;
+    const auto listen_until = [&](const auto& reached) {
+      while (!reached()) {
+        const std::string line = victim.line();
+        if (line.empty()) return false;
+        take(line);
       }
-      take(line);
+      return true;
+    };
+    if (!listen_until([&] { return said.saves > 0; })) {
+      ADD_FAILURE() << "it ended by itself";
+      return said;
     }
     if (full) full();
-    std::uniform_real_distribution<double> moments(0.2, 5.0);
+    // Anywhere, or while it saves for the third time or so.
+    const bool amid = std::bernoulli_distribution(0.5)(random_);
+    const std::size_t before = said.saving;
+    if (amid && !listen_until([&] { return said.saving > before + 1; }))
+      ADD_FAILURE() << "it ended by itself";
+    std::uniform_real_distribution<double> moments(amid ? 0.0 : 0.2, amid ? 0.06 : 5.0);
     std::this_thread::sleep_for(std::chrono::duration<double>(moments(random_)));
     const double killed_s = now_s();
     victim.end(SIGKILL);
@@ -92,6 +101,8 @@ class SaveKilled : public testing::Test {
     constexpr double on_disk_within_s = 2;
     for (const auto& [markers, at_s] : marked)
       if (at_s < killed_s - on_disk_within_s) said.settled = markers;
+    ++runs_;
+    saves_ += said.saves + said.refused;
     judge(file, (home.path() + "/autosave").toStdString(), said, static_cast<bool>(full));
     return said;
   }
@@ -117,6 +128,14 @@ class SaveKilled : public testing::Test {
                 said.refused, is_full ? ", then the disk was full" : "", found, offered, said.settled);
   }
 
+  /// That it did save again and again, and was not killed before it came to that.
+  void TearDown() override {
+    if (!number_.empty() && !HasFailure() && !IsSkipped()) {
+      EXPECT_GT(saves_, runs_);
+    }
+  }
+
+  int saves_ = 0, runs_ = 0;
   const int kills_ = number_from("ABRAZO_KILLS", 3);
   Process display_;
   std::string number_;

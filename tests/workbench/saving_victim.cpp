@@ -41,6 +41,7 @@ int main(int argc, char** argv) {
   rooms.project.setAsks(true);
   rooms.project.askLibrary = [] { return app::ProjectDesk::LibraryAnswer::SaveWithout; };
   window.show();
+  QApplication::setActiveWindow(&window);  // a bare display has nobody who would
   window.openDemo();
   const auto markers = [&window] {
     const Project& project = window.document().project();
