@@ -8,8 +8,8 @@
 #include <cstring>
 
 #include "core/base/available_memory.hpp"
-#include "core/base/helper_process.hpp"
 #include "core/base/text.hpp"
+#include "core/motion/scenes/helper_process.hpp"
 #include "core/motion/scenes/scene_answer.hpp"
 
 namespace abrazo {

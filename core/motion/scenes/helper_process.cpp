@@ -1,4 +1,4 @@
-#include "core/base/helper_process.hpp"
+#include "core/motion/scenes/helper_process.hpp"
 
 #include <fcntl.h>
 #include <poll.h>
