@@ -24,6 +24,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using ::testing::AllOf;
+using ::testing::AnyOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using Motions = Result<std::vector<NamedMotion>>;
@@ -144,13 +145,14 @@ TEST_F(SceneProcess, GivesToTheBitWhatReadingInThisProcessGives) {
   }
 }
 
-TEST_F(SceneProcess, AFileThatWouldTakeAllMemoryIsGivenUpAtItsLimit) {
+TEST_F(SceneProcess, AFileThatWouldTakeAllMemoryIsGivenUpAtALimit) {
 #if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
   GTEST_SKIP() << "instrumented programs have no limit of addresses";
 #endif
+  // Of memory after 7 s; on a busy machine, where that takes three times as long, of time.
   EXPECT_THAT(message(fbx_with_a_huge_turn(), MotionFormat::Fbx, "turn.fbx"),
-              AllOf(HasSubstr("turn.fbx: takes more than"), HasSubstr("memory to read, so it was given up"),
-                    HasSubstr("export it again, or as GLB or BVH")));
+              AllOf(AnyOf(HasSubstr("turn.fbx: takes more than"), HasSubstr("turn.fbx: takes longer than")),
+                    HasSubstr("to read, so it was given up; export it again, or as GLB or BVH")));
 }
 
 TEST_F(SceneProcess, AskingToStopKillsItAtOnce) {
