@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 #include <sys/mount.h>
 
+#include <QCoreApplication>
 #include <QDir>
+#include <QEventLoop>
 #include <QTemporaryDir>
 #include <chrono>
 #include <cstdlib>
@@ -186,6 +188,30 @@ TEST_F(SaveKilled, AlsoOnADiskThatIsFull) {
     if (!disk.is_there()) GTEST_SKIP() << "needs the right to mount a file system";
     killed_while_saving(disk.folder() + "/waltz.abrazo", [&disk] { disk.fill(); });
   }
+}
+
+QStringList complaints;
+
+TEST(Autosave, ThatIsNotNeededAnyMoreGoesWithItsLockAndWithoutAComplaint) {
+  int count = 1;
+  char name[] = "test";
+  char* words[] = {name, nullptr};
+  const QCoreApplication application(count, words);
+  const QTemporaryDir folder;
+  const auto before = qInstallMessageHandler(
+      [](QtMsgType, const QMessageLogContext&, const QString& text) { complaints << text; });
+  {
+    Autosave autosave(folder.path());
+    QEventLoop kept;
+    QObject::connect(&autosave, &Autosave::kept, &kept, &QEventLoop::quit);
+    autosave.keep({}, {});
+    kept.exec();
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files).size(), 2) << "the file and its lock";
+    autosave.drop();
+    EXPECT_EQ(QDir(folder.path()).entryList(QDir::Files), QStringList());
+  }
+  qInstallMessageHandler(before);
+  EXPECT_TRUE(complaints.isEmpty()) << complaints.join("\n").toStdString();
 }
 
 }  // namespace
