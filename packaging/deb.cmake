@@ -36,7 +36,7 @@ command line and the user guide.")
 
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME abrazo-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
-set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SHLIBDEPS ON)
 set(abrazo_needed)
 foreach(entry IN LISTS abrazo_engine_packages abrazo_engine_libraries)
   string(REGEX REPLACE ".*=" "" package "${entry}")

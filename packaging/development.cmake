@@ -13,11 +13,14 @@ foreach(header IN LISTS abrazo_headers)
   endif()
 endforeach()
 
+# For the programs that embed the engine to ship: it is of the engine's version.
+set(abrazo_reader_dir ${CMAKE_INSTALL_LIBEXECDIR}/abrazo-dev)
+install(TARGETS abrazo-scene-reader RUNTIME DESTINATION ${abrazo_reader_dir} COMPONENT development)
 set_target_properties(abrazo_core PROPERTIES EXPORT_NAME core)
 install(TARGETS abrazo_core EXPORT abrazo ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 install(EXPORT abrazo NAMESPACE abrazo:: FILE abrazo-targets.cmake DESTINATION ${abrazo_config_dir} COMPONENT development)
 configure_package_config_file(cmake/abrazo-config.cmake.in ${CMAKE_CURRENT_BINARY_DIR}/abrazo-config.cmake
-  INSTALL_DESTINATION ${abrazo_config_dir})
+  INSTALL_DESTINATION ${abrazo_config_dir} PATH_VARS abrazo_reader_dir)
 write_basic_package_version_file(${CMAKE_CURRENT_BINARY_DIR}/abrazo-config-version.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/abrazo-config.cmake ${CMAKE_CURRENT_BINARY_DIR}/abrazo-config-version.cmake
               ${PROJECT_SOURCE_DIR}/cmake/engine_libraries.cmake

@@ -8,6 +8,8 @@ foreach(program IN LISTS abrazo_programs)
   target_link_options(${program} PRIVATE LINKER:--as-needed LINKER:-z,relro,-z,now)
 endforeach()
 install(TARGETS ${abrazo_programs} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT programs)
+# Started by those programs, not by people.
+install(TARGETS abrazo-scene-reader RUNTIME DESTINATION ${ABRAZO_READER_DIR} COMPONENT programs)
 
 set(abrazo_pages)
 foreach(program IN LISTS abrazo_programs)
@@ -24,7 +26,7 @@ add_custom_target(abrazo_manual ALL DEPENDS ${abrazo_pages})
 install(FILES ${abrazo_pages} DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT programs)
 
 # The guide's links work from where it is installed: docs/ and data/ keep their places beside each other.
-install(FILES ${PROJECT_SOURCE_DIR}/CHANGELOG.md DESTINATION ${ABRAZO_DOC_DIR} COMPONENT programs)
+install(FILES ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_SOURCE_DIR}/SECURITY.md DESTINATION ${ABRAZO_DOC_DIR} COMPONENT programs)
 install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs ${PROJECT_SOURCE_DIR}/data DESTINATION ${ABRAZO_DOC_DIR} COMPONENT programs
   PATTERN docs/images/make EXCLUDE PATTERN docs/images/README.md EXCLUDE)
 # Debian's policy wants the licence under this name, and it does no harm elsewhere.

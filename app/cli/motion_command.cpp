@@ -96,7 +96,7 @@ void put_performer(JsonText& json, const ImportedClip& imported) {
 }
 
 void run_info(CommandLine& line, const MotionWords& words) {
-  const Result<std::vector<ImportedClip>> clips = read_performers(words.reading);
+  const Result<std::vector<ImportedClip>> clips = read_performers(words.reading, until_interrupted);
   if (!clips) return fail(line, clips.error());
   if (!words.json) {
     TextLines text;
@@ -134,7 +134,7 @@ void run_positions(CommandLine& line, const MotionWords& words) {
 }
 
 Result<std::vector<Clip>> clips_to_convert(CommandLine& line, const MotionWords& words) {
-  auto all = read_performers(words.reading);
+  auto all = read_performers(words.reading, until_interrupted);
   if (!all) return all.error();
   std::vector<Clip> clips;
   for (ImportedClip& imported : *all) {

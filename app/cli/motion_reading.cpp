@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "app/cli/interruption.hpp"
 #include "core/base/text.hpp"
 
 namespace abrazo::app {
@@ -45,8 +46,12 @@ void add_reading_options(CLI::App& command, MotionReading& reading) {
       ->type_name("NPZ");
 }
 
+bool until_interrupted(double /*fraction*/, std::string_view /*doing*/) {
+  return !interrupted();
+}
+
 Result<ImportedClip> read_performer(CommandLine& line, const MotionReading& reading) {
-  Result<ImportedClip> imported = read_performer(reading);
+  Result<ImportedClip> imported = read_performer(reading, until_interrupted);
   if (imported) warn_of_import(line, reading, *imported);
   return imported;
 }

@@ -13,6 +13,9 @@ namespace abrazo::app {
 /// The options beside the file itself, the same for each subcommand that reads a motion.
 void add_reading_options(CLI::App& command, MotionReading& reading);
 
+/// A Progress that shows nothing and stops when the program is asked to end.
+bool until_interrupted(double fraction, std::string_view doing);
+
 /// The one performer wanted. What the reader found odd about this one is printed.
 Result<ImportedClip> read_performer(CommandLine& line, const MotionReading& reading);
 

@@ -7,6 +7,7 @@
 
 #include "app/python/binding.hpp"
 #include "app/python/clip.hpp"
+#include "app/python/progress.hpp"
 #include "core/motion/body/joint_set.hpp"
 #include "core/motion/files/clip_file.hpp"
 #include "core/motion/files/motion_reading.hpp"
@@ -56,12 +57,13 @@ std::shared_ptr<ReadClip> read_clip(const std::filesystem::path& file, const std
                                                : std::get<std::string>(*performer),
                               .animation = std::move(animation),
                               .body_model = body_model.string()};
-  return without_gil([&] {
-    ImportedClip imported = unwrap(read_performer(reading));
+  return CalledProgress(py::none()).run([&](const Progress& progress) -> Result<std::shared_ptr<ReadClip>> {
+    Result<ImportedClip> imported = read_performer(reading, progress);
+    if (!imported) return imported.error();
     std::vector<std::string> warnings;
-    for (const Warning& warning : warnings_of_import(reading, imported))
+    for (const Warning& warning : warnings_of_import(reading, *imported))
       warnings.push_back(warning.text(argument_words));
-    return std::make_shared<ReadClip>(ReadClip{std::move(imported.clip), std::move(warnings)});
+    return std::make_shared<ReadClip>(ReadClip{std::move(imported->clip), std::move(warnings)});
   });
 }
 

@@ -13,13 +13,14 @@ namespace abrazo {
 
 namespace fs = std::filesystem;
 
-UnmappedMotion motion_without_joints(const std::vector<std::string>& files) {
+UnmappedMotion motion_without_joints(const std::vector<std::string>& files, const Progress& progress) {
   const std::vector<FileToOpen> known = recognised(files);
   if (std::ranges::count(known, FileKind::JointMap, &FileToOpen::kind) > 0) return nullptr;
   const auto skeleton = std::ranges::find(known, FileKind::Skeleton, &FileToOpen::kind);
   for (const FileToOpen& file : known) {
     if (file.kind != FileKind::Motion) continue;
-    auto motions = read_motion_points(file.path, skeleton == known.end() ? std::string() : skeleton->path);
+    auto motions = read_motion_points(file.path, skeleton == known.end() ? std::string() : skeleton->path, {},
+                                      {}, progress);
     if (!motions) continue;
     for (NamedMotion& motion : *motions)
       if (!joints_are_known(motion)) return std::make_shared<const NamedMotion>(std::move(motion));

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/motion/joints/joint_map.hpp"
 #include "core/motion/joints/named_motion.hpp"
@@ -14,8 +15,8 @@ namespace abrazo {
 using UnmappedMotion = std::shared_ptr<const NamedMotion>;
 
 /// The first performer of these files that no built-in joint map and no marker model fits; null when there is
-/// none, or a joint map is among the files. Reads the files.
-UnmappedMotion motion_without_joints(const std::vector<std::string>& files);
+/// none, or a joint map is among the files. Reads the files, until progress asks to stop.
+UnmappedMotion motion_without_joints(const std::vector<std::string>& files, const Progress& progress = {});
 
 /// Of the joint maps in a folder the file of the one that fits; empty when none does.
 std::string remembered_map(const NamedMotion& motion, const std::string& folder);

@@ -12,14 +12,15 @@ namespace abrazo {
 namespace {
 
 /// The same with a joint map that was remembered for points like these.
-Status read_input_with_remembered_map(SortedFiles files, const OpeningWish& wish, Material& material) {
-  Status read = read_input(files, wish.said, material);
+Status read_input_with_remembered_map(SortedFiles files, const OpeningWish& wish, Material& material,
+                                      const Progress& progress) {
+  Status read = read_input(files, wish.said, material, progress);
   if (read || wish.joint_maps.empty() || !files.joint_map.empty()) return read;
   std::vector<std::string> motion = {files.motion};
   if (!files.skeleton.empty()) motion.push_back(files.skeleton);
-  const UnmappedMotion unmapped = motion_without_joints(motion);
+  const UnmappedMotion unmapped = motion_without_joints(motion, progress);
   if (unmapped) files.joint_map = remembered_map(*unmapped, wish.joint_maps);
-  return files.joint_map.empty() ? read : read_input(files, wish.said, material);
+  return files.joint_map.empty() ? read : read_input(files, wish.said, material, progress);
 }
 
 Result<Material> open_as_session(const SortedFiles& files, const OpeningWish& wish,
@@ -57,7 +58,7 @@ Result<Material> open_files(const OpeningWish& wish, const Progress& progress) {
   material.stands_in = false;
   const bool has_motion = !files->motion.empty();
   if (has_motion)
-    if (const Status read = read_input_with_remembered_map(*files, wish, material); !read)
+    if (const Status read = read_input_with_remembered_map(*files, wish, material, progress); !read)
       return read.error();
   if (!files->library.empty() || !material.library)
     if (const Status added = add_library(*files, progress, material); !added) return added.error();
@@ -65,7 +66,8 @@ Result<Material> open_files(const OpeningWish& wish, const Progress& progress) {
   return danced_with(material, static_cast<int>(material.library->takes().size()) - 1);
 }
 
-Status read_input(const SortedFiles& files, const ImportOptions& said, Material& material) {
+Status read_input(const SortedFiles& files, const ImportOptions& said, Material& material,
+                  const Progress& progress) {
   const std::string name = std::filesystem::path(files.motion).filename().string();
   ImportOptions options = said;
   if (!files.joint_map.empty()) {
@@ -75,7 +77,7 @@ Status read_input(const SortedFiles& files, const ImportOptions& said, Material&
     if (!map) return map.error();
     options.joint_map = std::move(map).value();
   }
-  auto clips = load_motion(files.motion, files.skeleton, options);
+  auto clips = load_motion(files.motion, files.skeleton, options, progress);
   if (!clips) return clips.error();
   ImportedClip& first = clips->front();
   if (clips->size() > 1)

@@ -25,6 +25,7 @@ struct OpeningWish {
 Result<Material> open_files(const OpeningWish& wish, const Progress& progress);
 
 /// Reads the motion of these files as the input.
-Status read_input(const SortedFiles& files, const ImportOptions& said, Material& material);
+Status read_input(const SortedFiles& files, const ImportOptions& said, Material& material,
+                  const Progress& progress = {});
 
 }  // namespace abrazo

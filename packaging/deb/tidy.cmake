@@ -7,7 +7,8 @@ set(programs ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/programs/usr)
 set(development ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/development/usr)
 set(python ${CPACK_TEMPORARY_INSTALL_DIRECTORY}/python/usr)
 
-file(GLOB_RECURSE binaries ${programs}/bin/* ${programs}/lib/*.so ${python}/lib/*.so)
+file(GLOB_RECURSE binaries ${programs}/bin/* ${programs}/lib/*.so ${python}/lib/*.so ${programs}/libexec/* ${python}/lib/abrazo-scene-reader
+  ${development}/libexec/*)
 run(strip --remove-section=.comment --remove-section=.note ${binaries})
 file(GLOB_RECURSE archives ${development}/lib/*.a)
 run(strip --strip-debug --remove-section=.comment --remove-section=.note --enable-deterministic-archives ${archives})

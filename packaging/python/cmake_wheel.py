@@ -6,6 +6,7 @@ pip install . --config-settings=build-dir=FOLDER       takes what was built in a
 
 import base64
 import hashlib
+import os
 import pathlib
 import re
 import subprocess
@@ -54,7 +55,9 @@ def info_folder():
 def write_wheel(package, folder):
     """The wheel of an installed package: its files, and what pip wants to know of it."""
     info = info_folder()
-    contents = {f"abrazo/{file.name}": file.read_bytes() for file in sorted(package.iterdir()) if file.is_file()}
+    files = [file for file in sorted(package.iterdir()) if file.is_file()]
+    contents = {f"abrazo/{file.name}": file.read_bytes() for file in files}
+    programs = {f"abrazo/{file.name}" for file in files if os.access(file, os.X_OK)}
     contents[f"{info}/METADATA"] = metadata().encode()
     contents[f"{info}/LICENSE"] = (ROOT / "LICENSE").read_bytes()
     contents[f"{info}/WHEEL"] = f"Wheel-Version: 1.0\nGenerator: cmake_wheel\nRoot-Is-Purelib: false\nTag: {tag()}\n".encode()
@@ -63,7 +66,10 @@ def write_wheel(package, folder):
     name = f"abrazo-{version()}-{tag()}.whl"
     with zipfile.ZipFile(pathlib.Path(folder) / name, "w", zipfile.ZIP_DEFLATED) as wheel:
         for path, content in contents.items():
-            wheel.writestr(path, content)
+            entry = zipfile.ZipInfo(path, date_time=(1980, 1, 1, 0, 0, 0))
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            entry.external_attr = (0o100755 if path in programs else 0o100644) << 16
+            wheel.writestr(entry, content)
     return name
 
 

@@ -74,5 +74,21 @@ TEST_F(Interruption, WhatStoodThereStaysWhenARunIsInterrupted) {
   EXPECT_THAT(names(), ::testing::ElementsAre("demo", "demo.h5", "t.jsonl"));
 }
 
+TEST_F(Interruption, AFileOfAStrangerThatHoldsItsReaderUpIsLetGoAtTheFirstSignal) {
+  write("slow.fbx", "; FBX 7.4.0 project file\n");
+  write("reader", "#!/bin/sh\ntouch begun\ntrap '' TERM INT HUP\nwhile :; do :; done\n");
+  std::filesystem::permissions(path("reader"), std::filesystem::perms::owner_all);
+  RunningCommand command({"/usr/bin/env", "ABRAZO_SCENE_READER=" + path("reader").string(), ABRAZO_PROGRAM,
+                          "motion", "info", "slow.fbx"},
+                         folder());
+  while (names().size() < 3 && !command.finished()) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  const auto begin = std::chrono::steady_clock::now();
+  command.signal(SIGTERM);
+  const Outcome outcome = command.wait();
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("slow.fbx: cancelled"));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(1));
+}
+
 }  // namespace
 }  // namespace abrazo::test::interruption_test

@@ -28,7 +28,11 @@ std::vector<std::string> matches(const std::string& text, const std::string& exp
 }
 
 TEST(Installation, HasTheProgramsTheirPagesTheGuideAndTheLicence) {
-  std::vector<std::string> wanted = {"bin/abrazo", "share/man/man1/abrazo.1", "share/doc/abrazo/copyright",
+  std::vector<std::string> wanted = {"bin/abrazo",
+                                     "libexec/abrazo/abrazo-scene-reader",
+                                     "libexec/abrazo-dev/abrazo-scene-reader",
+                                     "share/man/man1/abrazo.1",
+                                     "share/doc/abrazo/copyright",
                                      "share/doc/abrazo/docs/guide/index.md"};
   if (ABRAZO_HAS_WORKBENCH) {
     for (const char* name :
@@ -91,6 +95,7 @@ TEST(Installation, HasThePythonModuleWithItsStubs) {
   const fs::path package = installed("lib/python3/dist-packages/abrazo");
   for (const char* name : {"__init__.py", "__init__.pyi", "py.typed"})
     EXPECT_TRUE(fs::is_regular_file(package / name)) << name;
+  EXPECT_TRUE(fs::is_regular_file(package / "abrazo-scene-reader"));
   std::size_t modules = 0;
   for (const fs::path& file : installed_files("lib/python3/dist-packages/abrazo"))
     if (file.extension() == ".so") ++modules;
@@ -119,6 +124,38 @@ TEST(Installation, RunsTheProgramFromAnyPlace) {
   fs::remove_all(elsewhere);
   EXPECT_EQ(told.status, 0) << told.err;
   EXPECT_THAT(told.out, ::testing::StartsWith("abrazo 0."));
+}
+
+/// Of reading a scene without an animation, which only its reader can tell.
+std::string told_of_a_scene(const fs::path& program) {
+  return RunningCommand(
+             {program.string(), "motion", "info", ABRAZO_FIXTURES "/motion/broken/no_animation.gltf"},
+             fs::temp_directory_path())
+      .wait()
+      .err;
+}
+
+TEST(Installation, FindsWhatReadsScenesAndRefusesThemWithoutIt) {
+  EXPECT_THAT(told_of_a_scene(installed("bin/abrazo")), HasSubstr("holds no animation"));
+  const fs::path elsewhere = fs::temp_directory_path() / ("abrazo-alone-" + std::to_string(::getpid()));
+  fs::create_directories(elsewhere);
+  fs::copy_file(installed("bin/abrazo"), elsewhere / "abrazo");
+  EXPECT_THAT(told_of_a_scene(elsewhere / "abrazo"),
+              HasSubstr("abrazo-scene-reader, which reads FBX, glTF and Collada, is missing"));
+  fs::copy_file(installed("libexec/abrazo-dev/abrazo-scene-reader"), elsewhere / "abrazo-scene-reader");
+  EXPECT_THAT(told_of_a_scene(elsewhere / "abrazo"), HasSubstr("holds no animation"));
+  fs::remove_all(elsewhere);
+}
+
+TEST(Installation, OnlyWhatReadsScenesIsLinkedWithTheirLibrary) {
+  for (const fs::path& file : installed_files()) {
+    const std::string content = content_of(file);
+    if (!content.starts_with("\x7f"
+                             "ELF"))
+      continue;
+    const bool is_linked = content.find("libassimp.so") != std::string::npos;
+    EXPECT_EQ(is_linked, file.filename() == "abrazo-scene-reader") << file;
+  }
 }
 
 TEST(Installation, LinksOfTheGuideLeadToWhatIsInstalled) {

@@ -25,6 +25,11 @@ class Clips(unittest.TestCase):
         numbers = np.array([[float(field) for field in row[2:]] for row in rows[1:]])
         np.testing.assert_array_equal(numbers.reshape(-1, 25, 3), demo_set.leader().positions)
 
+    def test_are_read_from_scenes_by_the_program_beside_the_module(self):
+        scene = demo_set.folder() / "leader.glb"
+        demo_set.command_line("motion", "convert", demo_set.leader_file(), "-o", scene)
+        np.testing.assert_allclose(abrazo.read_motion(scene).positions, demo_set.leader().positions, atol=1e-4)
+
     def test_show_their_positions_without_a_copy(self):
         clip = demo_set.leader()
         self.assertTrue(np.shares_memory(clip.positions, clip.positions))

@@ -33,7 +33,12 @@ class Wheel(unittest.TestCase):
         names = {name.split("/", 1)[1] for name in self.wheel.namelist()}
         self.assertLessEqual({"__init__.py", "__init__.pyi", "py.typed", "METADATA", "WHEEL", "RECORD", "LICENSE"}, names)
         self.assertEqual(len([name for name in names if name.startswith("_abrazo.cpython")]), 1)
-        self.assertEqual(len(names), 8)
+        self.assertIn("abrazo-scene-reader", names)
+        self.assertEqual(len(names), 9)
+
+    def test_lets_what_reads_scenes_be_started(self):
+        mode = self.wheel.getinfo("abrazo/abrazo-scene-reader").external_attr >> 16
+        self.assertEqual(mode & 0o777, 0o755)
 
     def test_records_every_file_with_its_sum(self):
         record = next(name for name in self.wheel.namelist() if name.endswith("/RECORD"))

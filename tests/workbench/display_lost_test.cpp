@@ -1,15 +1,11 @@
 // The workbench ends while it records: its display is gone (the X server was killed, a remote desktop cut
 // off), or the system tells it to.
-#include <fcntl.h>
 #include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <QDir>
 #include <QTemporaryDir>
 #include <cstdio>
-#include <functional>
 #include <optional>
 #include <sstream>
 #include <string>
@@ -17,74 +13,20 @@
 #include "app/workbench/document/session_places.hpp"
 #include "app/workbench/project/autosave.hpp"
 #include "core/session/file/session_file.hpp"
+#include "tests/workbench/process.hpp"
 
 namespace abrazo::app::display_lost_test {
 namespace {
 
-/// A program of its own whose standard output is read; ended at the latest when it goes out of scope.
-class Process {
- public:
-  explicit Process(const std::function<void()>& become) {
-    int ends[2];
-    EXPECT_EQ(pipe2(ends, O_CLOEXEC), 0);
-    pid_ = fork();
-    if (pid_ == 0) {
-      dup2(ends[1], STDOUT_FILENO);
-      become();
-      _exit(127);
-    }
-    close(ends[1]);
-    said_ = fdopen(ends[0], "r");
-  }
-  ~Process() {
-    end(SIGKILL);
-    std::fclose(said_);
-  }
-  Process(const Process&) = delete;
-  Process& operator=(const Process&) = delete;
-
-  /// Empty at the end.
-  std::string line() {
-    char text[1024];
-    return std::fgets(text, sizeof text, said_) ? text : "";
-  }
-  /// @return how it ended, as waitpid says it
-  int wait() {
-    int status = 0;
-    if (pid_ > 0) waitpid(pid_, &status, 0);
-    pid_ = -1;
-    return status;
-  }
-  void tell(int signal) const {
-    if (pid_ > 0) kill(pid_, signal);
-  }
-  void end(int signal) {
-    if (pid_ <= 0) return;
-    kill(pid_, signal);
-    wait();
-  }
-
- private:
-  pid_t pid_ = -1;
-  std::FILE* said_ = nullptr;
-};
-
 /// The workbench on a display of its own while it records, with a marker that was autosaved.
 class RecordingWorkbench : public testing::Test {
  protected:
-  RecordingWorkbench()
-      : display_([] {
-          execlp("Xvfb", "Xvfb", "-displayfd", "1", "-screen", "0", "1280x800x24", "-nolisten", "tcp",
-                 nullptr);
-        }) {
-    qputenv("ABRAZO_HOME", home_.path().toUtf8());
-  }
+  RecordingWorkbench() : display_(become_display) { qputenv("ABRAZO_HOME", home_.path().toUtf8()); }
   void SetUp() override {
     const std::string number = display_.line();
     if (number.empty()) GTEST_SKIP() << "needs Xvfb";
     workbench_.emplace([&number] {
-      setenv("DISPLAY", (":" + number.substr(0, number.find('\n'))).c_str(), 1);
-      setenv("QT_QPA_PLATFORM", "xcb", 1);
+      use_display(number);
       execl(ABRAZO_DISPLAY_VICTIM, ABRAZO_DISPLAY_VICTIM, nullptr);
     });
     // Autosaving takes its time; the lines come every 50 ms.

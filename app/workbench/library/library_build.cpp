@@ -132,16 +132,17 @@ void LibraryBuild::readNext() {
     auto read = std::make_shared<Read>();
     for (std::size_t i = 0; i < surveys.size(); ++i) {
       const std::string name = surveys[i].source.motion.filename().string();
-      if (!report(progress, static_cast<double>(i) / static_cast<double>(surveys.size()), "Reading " + name))
-        return {};
-      auto found = survey_motion(surveys[i].source, surveys[i].fps);
+      const double fraction = static_cast<double>(i) / static_cast<double>(surveys.size());
+      if (!report(progress, fraction, "Reading " + name)) return {};
+      const Progress going_on = part(progress, fraction, fraction);
+      auto found = survey_motion(surveys[i].source, surveys[i].fps, going_on);
       if (const auto unmapped = !found.front().trouble || !surveys[i].source.joint_map.empty()
                                     ? nullptr
-                                    : motion_without_joints({surveys[i].source.motion.string()})) {
+                                    : motion_without_joints({surveys[i].source.motion.string()}, going_on)) {
         Survey again = surveys[i];
         again.source.joint_map = remembered_map(*unmapped, maps);
         if (!again.source.joint_map.empty()) {
-          found = survey_motion(again.source, again.fps);
+          found = survey_motion(again.source, again.fps, going_on);
         } else {
           read->without_joints.push_back(again);
           if (!read->unmapped) read->unmapped = unmapped;

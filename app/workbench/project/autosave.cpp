@@ -22,6 +22,11 @@ QString lock_of(const QString& file) {
   return file.left(file.size() - QString(".abrazo").size()) + ".lock";
 }
 
+/// All but its lock.
+void remove_content(const QString& file) {
+  for (const char* end : {"", "-journal", "-wal", "-shm"}) QFile::remove(file + end);
+}
+
 /// What was kept there; nothing when it cannot be read.
 std::optional<OpenedProject> kept_in(const QString& file) {
   auto reading = read_project(file.toStdString());
@@ -103,8 +108,8 @@ void Autosave::finish() {
   m_job.reset();  // waits for a write under way
   m_next.reset();
   m_kept.reset();
-  if (m_lock) remove(m_file);
-  m_lock.reset();
+  if (m_lock) remove_content(m_file);
+  m_lock.reset();  // removes its own file, and complains where that is gone
 }
 
 QStringList Autosave::leftBehind(const QString& folder) {
@@ -118,7 +123,7 @@ QStringList Autosave::leftBehind(const QString& folder) {
 }
 
 void Autosave::remove(const QString& file) {
-  for (const char* end : {"", "-journal", "-wal", "-shm"}) QFile::remove(file + end);
+  remove_content(file);
   QFile::remove(lock_of(file));
 }
 

@@ -29,7 +29,7 @@ Result<std::vector<PairedTake>> read_takes(const Manifest& manifest, const Progr
   for (const Manifest::Take& entry : manifest.takes) {
     const double fraction = static_cast<double>(takes.size()) / static_cast<double>(manifest.takes.size());
     if (!report(progress, fraction, "reading " + entry.name)) return Error{"cancelled", manifest.name};
-    auto take = load_take(entry, warnings);
+    auto take = load_take(entry, warnings, part(progress, fraction, fraction));
     if (!take) return take.error();
     takes.push_back(std::move(*take));
   }

@@ -40,7 +40,8 @@ struct LibraryPlan {
 
 /// Reads a motion file as the plan says. One entry for each of its performers; a single one with `trouble`
 /// when it cannot be read.
-std::vector<PlannedPerformer> survey_motion(const Manifest::Performer& source, std::optional<double> fps);
+std::vector<PlannedPerformer> survey_motion(const Manifest::Performer& source, std::optional<double> fps,
+                                            const Progress& progress = {});
 
 /// Guesses the pairs among the performers that are in no take yet and could be read. Takes in use keep
 /// theirs. Performers of a pair then stand one after the other, the one that leads first.

@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <numeric>
 #include <optional>
 #include <set>
+#include <thread>
 #include <utility>
 
 #include "core/base/parallel.hpp"
@@ -229,9 +231,21 @@ Result<std::vector<PairedTake>> load_takes(const std::vector<Manifest::Take>& wa
     std::vector<std::string> warnings;
   };
   std::vector<Loaded> loaded(wanted.size());
-  const auto load = [&](std::size_t t) { loaded[t].take = load_take(wanted[t], loaded[t].warnings); };
-  if (!report(progress, 0, "reading takes") ||
-      !for_each_row(wanted.size(), 1, progress, "reading takes", load))
+  // Only this thread may ask; the others hear of it.
+  std::atomic<bool> stopped = false;
+  double reached = 0;
+  const Progress asked = [&](double fraction, std::string_view doing) {
+    reached = fraction;
+    if (!report(progress, fraction, doing)) stopped = true;
+    return !stopped;
+  };
+  const Progress while_loading = [&, asking = std::this_thread::get_id()](double, std::string_view) {
+    return std::this_thread::get_id() == asking ? asked(reached, "reading takes") : !stopped;
+  };
+  const auto load = [&](std::size_t t) {
+    loaded[t].take = load_take(wanted[t], loaded[t].warnings, while_loading);
+  };
+  if (!asked(0, "reading takes") || !for_each_row(wanted.size(), 1, asked, "reading takes", load) || stopped)
     return cancelled();
   std::vector<PairedTake> takes;
   for (Loaded& one : loaded) {

@@ -31,13 +31,14 @@ PlannedPerformer unread(const Manifest::Performer& source, std::optional<double>
 
 }  // namespace
 
-std::vector<PlannedPerformer> survey_motion(const Manifest::Performer& wanted, std::optional<double> fps) {
+std::vector<PlannedPerformer> survey_motion(const Manifest::Performer& wanted, std::optional<double> fps,
+                                            const Progress& progress) {
   Manifest::Performer source = wanted;
   const bool needs_skeleton = lower_case(source.motion.extension().string()) == ".amc";
   if (needs_skeleton && source.skeleton.empty()) source.skeleton = skeleton_beside(source.motion);
   const auto options = import_options(source, fps);
   if (!options) return {unread(source, fps, options.error())};
-  auto clips = load_motion(source.motion.string(), source.skeleton.string(), *options);
+  auto clips = load_motion(source.motion.string(), source.skeleton.string(), *options, progress);
   if (!clips) return {unread(source, fps, clips.error())};
   std::vector<PlannedPerformer> performers;
   for (ImportedClip& imported : *clips) {

@@ -43,11 +43,11 @@ void add_warnings(const ImportReport& report, const std::string& file, std::vect
 
 /// The clips of a file, with the readers' warnings appended.
 Result<std::vector<ImportedClip>> load_clips(const Manifest::Take& take, const Manifest::Performer& performer,
-                                             std::vector<std::string>& warnings) {
+                                             std::vector<std::string>& warnings, const Progress& progress) {
   auto options = import_options(performer, take.fps);
   if (!options) return options.error();
   if (!options->metres_per_unit) options->metres_per_unit = take.metres_per_unit;
-  auto clips = load_motion(performer.motion.string(), performer.skeleton.string(), *options);
+  auto clips = load_motion(performer.motion.string(), performer.skeleton.string(), *options, progress);
   if (!clips)
     return Error{clips.error().message + std::string(manifest_words(clips.error().hint)),
                  clips.error().where};
@@ -71,8 +71,8 @@ Result<Clip> taken_from(std::vector<ImportedClip>& clips, const Manifest::Perfor
 }
 
 Result<Clip> load_single(const Manifest::Take& take, const Manifest::Performer& performer,
-                         std::vector<std::string>& warnings) {
-  auto clips = load_clips(take, performer, warnings);
+                         std::vector<std::string>& warnings, const Progress& progress) {
+  auto clips = load_clips(take, performer, warnings, progress);
   if (!clips) return clips.error();
   if (clips->size() != 1 && !performer.index)
     return Error{fmt::format("shows {} performers; expected one (say which with \"performer\": 0, 1, ..., or "
@@ -83,10 +83,11 @@ Result<Clip> load_single(const Manifest::Take& take, const Manifest::Performer& 
 }
 
 /// Both performers, from two files or from one that shows both.
-Status load_performers(const Manifest::Take& take, PairedTake& result, std::vector<std::string>& warnings) {
+Status load_performers(const Manifest::Take& take, PairedTake& result, std::vector<std::string>& warnings,
+                       const Progress& progress) {
   Result<Clip> a = Clip{}, b = Clip{};
   if (take.a.motion == take.b.motion) {
-    auto clips = load_clips(take, take.a, warnings);
+    auto clips = load_clips(take, take.a, warnings, progress);
     if (!clips) return clips.error();
     const int index_a = take.a.index.value_or(0), index_b = take.b.index.value_or(1);
     if (clips->size() != 2 && !(take.a.index && take.b.index))
@@ -99,8 +100,8 @@ Status load_performers(const Manifest::Take& take, PairedTake& result, std::vect
     a = taken_from(*clips, take.a, index_a);
     b = taken_from(*clips, take.b, index_b);
   } else {
-    a = load_single(take, take.a, warnings);
-    if (a) b = load_single(take, take.b, warnings);
+    a = load_single(take, take.a, warnings, progress);
+    if (a) b = load_single(take, take.b, warnings, progress);
   }
   if (!a) return a.error();
   if (!b) return b.error();
@@ -223,10 +224,11 @@ Result<ImportOptions> import_options(const Manifest::Performer& performer, std::
   return options;
 }
 
-Result<PairedTake> load_take(const Manifest::Take& take, std::vector<std::string>& warnings) {
+Result<PairedTake> load_take(const Manifest::Take& take, std::vector<std::string>& warnings,
+                             const Progress& progress) {
   PairedTake result;
   result.name = take.name;
-  if (const Status loaded = load_performers(take, result, warnings); !loaded) return loaded.error();
+  if (const Status loaded = load_performers(take, result, warnings, progress); !loaded) return loaded.error();
   if (const Status cut = cut_to_frames(take, result); !cut) return cut.error();
   if (const Status lengths = check_lengths(result); !lengths) return lengths.error();
   result.fps = result.a.fps;

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/motion/body/clip.hpp"
 #include "core/motion/joints/joint_map.hpp"
@@ -63,14 +64,17 @@ Status choose_joints(const std::string& name_or_file, ImportOptions& options);
 /// is decides over the file's extension. Gaps of markers are filled where that is safe, and reported.
 /// @param skeleton  as for load_motion
 /// @param options   of which joint_order, animation and body_model say how to read
+/// @param progress  asking to stop ends the reading of a scene (FBX, glTF, Collada); the others are quick
 Result<std::vector<NamedMotion>> read_motion_points(const std::string& file, const std::string& skeleton,
-                                                    const ImportOptions& options = {});
+                                                    const ImportOptions& options = {},
+                                                    const Progress& progress = {});
 
 /// Reads any known motion file and imports it. Several performers in one file give several clips. What is no
 /// performer (a box with markers on it) is left out with a warning, unless there is nobody else.
 /// @param skeleton  the .asf of an .amc; when empty, the one .asf beside the file that fits by name
 /// ("60_01.amc" -> "60.asf")
+/// @param progress  as for read_motion_points
 Result<std::vector<ImportedClip>> load_motion(const std::string& file, const std::string& skeleton,
-                                              const ImportOptions& options);
+                                              const ImportOptions& options, const Progress& progress = {});
 
 }  // namespace abrazo

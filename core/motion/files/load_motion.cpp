@@ -57,8 +57,8 @@ Error nobody(const std::string& file, const std::vector<NamedMotion>& motions,
 }  // namespace
 
 Result<std::vector<ImportedClip>> load_motion(const std::string& file, const std::string& skeleton,
-                                              const ImportOptions& options) {
-  const Result<std::vector<NamedMotion>> motions = read_motion_points(file, skeleton, options);
+                                              const ImportOptions& options, const Progress& progress) {
+  const Result<std::vector<NamedMotion>> motions = read_motion_points(file, skeleton, options, progress);
   if (!motions) return motions.error();
   std::vector<ImportedClip> clips;
   std::vector<Error> errors;

@@ -64,20 +64,20 @@ Result<std::vector<ImportedClip>> only(std::vector<ImportedClip> clips, const Mo
 
 }  // namespace
 
-Result<std::vector<ImportedClip>> read_performers(const MotionReading& reading) {
+Result<std::vector<ImportedClip>> read_performers(const MotionReading& reading, const Progress& progress) {
   const auto options = options_of(reading);
   if (!options) return options.error();
   const auto format = format_of_name(reading.file);
   if (!reading.skeleton.empty() && format && format != MotionFormat::Amc)
     return Error{"a " + std::string(name_of(*format)) + " file has its own skeleton; leave out the other one",
                  reading.file, Hint::LeaveOutSkeleton};
-  auto clips = load_motion(reading.file, reading.skeleton, *options);
+  auto clips = load_motion(reading.file, reading.skeleton, *options, progress);
   if (!clips || reading.performer.empty()) return clips;
   return only(std::move(*clips), reading);
 }
 
-Result<ImportedClip> read_performer(const MotionReading& reading) {
-  Result<std::vector<ImportedClip>> clips = read_performers(reading);
+Result<ImportedClip> read_performer(const MotionReading& reading, const Progress& progress) {
+  Result<std::vector<ImportedClip>> clips = read_performers(reading, progress);
   if (!clips) return clips.error();
   if (clips->size() > 1)
     return Error{fmt::format("holds {} performers: {}; choose one", clips->size(), who_is_there(*clips)),

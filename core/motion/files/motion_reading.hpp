@@ -24,10 +24,12 @@ struct MotionReading {
 };
 
 /// All performers of the file, or the one that is asked for.
-Result<std::vector<ImportedClip>> read_performers(const MotionReading& reading);
+/// @param progress  as for load_motion
+Result<std::vector<ImportedClip>> read_performers(const MotionReading& reading,
+                                                  const Progress& progress = {});
 
 /// The one performer wanted: an Error that says how many there are when that is not clear.
-Result<ImportedClip> read_performer(const MotionReading& reading);
+Result<ImportedClip> read_performer(const MotionReading& reading, const Progress& progress = {});
 
 /// What was odd about a file, a sentence each: "walk.bvh:17: glued-numbers: ...".
 std::vector<Warning> warnings_of_import(const MotionReading& reading, const ImportedClip& imported);

@@ -10,7 +10,7 @@
 #include "core/motion/joints/marker_gaps.hpp"
 #include "core/motion/joints/motion_format.hpp"
 #include "core/motion/numpy/numpy_reader.hpp"
-#include "core/motion/scenes/assimp_scene.hpp"
+#include "core/motion/scenes/scene_process.hpp"
 #include "core/motion/tables/c3d_reader.hpp"
 #include "core/motion/tables/point_csv.hpp"
 #include "core/motion/tables/trc_reader.hpp"
@@ -64,6 +64,7 @@ struct MotionFile {
   std::string skeleton;
   std::string_view bytes;
   const ImportOptions& options;
+  const Progress& progress;
   std::string where() const { return path.string(); }
 };
 
@@ -87,13 +88,16 @@ constexpr std::array<Read, 10> readers = {
     [](const MotionFile& file) { return read_trc(file.bytes, file.where()); },
     [](const MotionFile& file) { return read_point_csv(file.bytes, file.where()); },
     [](const MotionFile& file) {
-      return read_scene(file.bytes, MotionFormat::Gltf, file.where(), file.options.animation);
+      return read_scene_apart(file.bytes, MotionFormat::Gltf, file.where(), file.options.animation,
+                              file.progress);
     },
     [](const MotionFile& file) {
-      return read_scene(file.bytes, MotionFormat::Fbx, file.where(), file.options.animation);
+      return read_scene_apart(file.bytes, MotionFormat::Fbx, file.where(), file.options.animation,
+                              file.progress);
     },
     [](const MotionFile& file) {
-      return read_scene(file.bytes, MotionFormat::Collada, file.where(), file.options.animation);
+      return read_scene_apart(file.bytes, MotionFormat::Collada, file.where(), file.options.animation,
+                              file.progress);
     },
     [](const MotionFile& file) { return read_parameters_or_positions(file); },
 };
@@ -126,10 +130,10 @@ Result<MotionFormat> format_of(const MotionFile& file) {
 }  // namespace
 
 Result<std::vector<NamedMotion>> read_motion_points(const std::string& name, const std::string& skeleton,
-                                                    const ImportOptions& options) {
+                                                    const ImportOptions& options, const Progress& progress) {
   const Result<std::string> content = read_whole_file(name);
   if (!content) return content.error();
-  const MotionFile file{name, skeleton, *content, options};
+  const MotionFile file{name, skeleton, *content, options, progress};
   const Result<MotionFormat> format = format_of(file);
   if (!format) return format.error();
   if (!options.body_model.empty() && *format != MotionFormat::Numpy)

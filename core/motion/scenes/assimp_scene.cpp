@@ -1,18 +1,23 @@
 #include "core/motion/scenes/assimp_scene.hpp"
 
+#include <assimp/MemoryIOWrapper.h>
 #include <assimp/config.h>
 #include <assimp/postprocess.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
+#include <assimp/IOStream.hpp>
+#include <assimp/IOSystem.hpp>
 #include <assimp/Importer.hpp>
 #include <cmath>
 #include <map>
+#include <new>
 #include <set>
 
 #include "core/base/line_reader.hpp"
 #include "core/base/text.hpp"
 #include "core/motion/joints/performers.hpp"
+#include "core/motion/scenes/files_beside.hpp"
 #include "core/motion/scenes/scene_animation.hpp"
 #include "core/motion/scenes/scene_hierarchy.hpp"
 #include "core/motion/scenes/scene_nesting.hpp"
@@ -330,6 +335,62 @@ const char* hint_of(MotionFormat format, std::string_view bytes) {
   return bytes.starts_with("glTF") ? "glb" : "gltf";
 }
 
+/// Content that the stream owns.
+class OwnedStream : public Assimp::IOStream {
+ public:
+  explicit OwnedStream(std::string content)
+      : content_(std::move(content)),
+        stream_(reinterpret_cast<const uint8_t*>(content_.data()), content_.size()) {}
+  std::size_t Read(void* into, std::size_t size, std::size_t count) override {
+    return stream_.Read(into, size, count);
+  }
+  std::size_t Write(const void* /*from*/, std::size_t /*size*/, std::size_t /*count*/) override { return 0; }
+  aiReturn Seek(std::size_t offset, aiOrigin origin) override { return stream_.Seek(offset, origin); }
+  std::size_t Tell() const override { return stream_.Tell(); }
+  std::size_t FileSize() const override { return stream_.FileSize(); }
+  void Flush() override {}
+
+ private:
+  std::string content_;
+  Assimp::MemoryIOStream stream_;
+};
+
+/// All that Assimp sees of the disk: the bytes of the scene under a name of ours, and for .gltf, which may
+/// name further files, what lies beside it.
+class SceneFiles : public Assimp::IOSystem {
+ public:
+  SceneFiles(std::string_view bytes, const std::string& hint, const std::string& file)
+      : name_("scene." + hint), bytes_(bytes) {
+    if (hint == "gltf") beside_.emplace(file);
+  }
+  const std::string& name() const { return name_; }
+  /// Why a file that the scene names was not opened; nothing when all were.
+  const std::optional<Error>& refused() const { return refused_; }
+
+  bool Exists(const char* file) const override { return file == name_; }
+  char getOsSeparator() const override { return '/'; }
+  Assimp::IOStream* Open(const char* file, const char* mode) override {
+    if (std::string_view(mode).find_first_of("wa+") != std::string_view::npos) return nullptr;
+    if (file == name_)
+      return new Assimp::MemoryIOStream(reinterpret_cast<const uint8_t*>(bytes_.data()), bytes_.size());
+    if (!beside_) return nullptr;
+    Result<std::string> content = beside_->read(file);
+    if (content) return new OwnedStream(std::move(*content));
+    refused_ = content.error();
+    return nullptr;
+  }
+  void Close(Assimp::IOStream* stream) override { delete stream; }
+  bool CreateDirectory(const std::string& /*path*/) override { return false; }
+  bool ChangeDirectory(const std::string& /*path*/) override { return false; }
+  bool DeleteFile(const std::string& /*file*/) override { return false; }
+
+ private:
+  std::string name_;
+  std::string_view bytes_;
+  std::optional<FilesBeside> beside_;
+  std::optional<Error> refused_;
+};
+
 /// Assimp's words for the reader's name in front are of no use to anyone.
 std::string assimp_words(const std::string& text) {
   std::string words = text.empty() ? "no reason was given" : text.substr(0, 300);
@@ -356,10 +417,12 @@ Result<std::vector<NamedMotion>> read_scene(std::string_view bytes, MotionFormat
   const Result<SceneHierarchy> hierarchy = scene_hierarchy(bytes, format, file);
   if (!hierarchy) return hierarchy.error();
   if (const Status tree = check_hierarchy(*hierarchy, deepest, most_nodes, file); !tree) return tree.error();
-  // A .gltf may name files beside it; the others hold everything.
-  const bool by_name = hint == std::string_view("gltf");
-  const aiScene* scene =
-      by_name ? importer.ReadFile(file, 0) : importer.ReadFileFromMemory(bytes.data(), bytes.size(), 0, hint);
+  auto* files = new SceneFiles(bytes, hint, file);
+  importer.SetIOHandler(files);  // which deletes it
+  const aiScene* scene = importer.ReadFile(files->name(), 0);
+  if ((!scene || !scene->mRootNode) && files->refused()) return *files->refused();
+  if (!scene && std::string_view(importer.GetErrorString()).find("bad_alloc") != std::string_view::npos)
+    throw std::bad_alloc();
   if (!scene || !scene->mRootNode)
     return Error{"cannot be read as " + std::string(name_of(format)) + " (" +
                      assimp_words(importer.GetErrorString()) +
