@@ -18,7 +18,8 @@ constexpr int due_looks = 8;   ///< into that time
 constexpr double ramp_s = 0.18;
 constexpr double ramp_speed = 4;  ///< of a hand on its way [m/s]
 constexpr double longest_ramp_s = 0.4;
-constexpr double reach_lost_m = 0.15;  ///< beyond the stretched arm
+constexpr double turns_round_s = 0.02;  ///< a ramp that is half way up and is to go down again
+constexpr double reach_lost_m = 0.15;   ///< beyond the stretched arm
 constexpr double reach_found_m = 0.05;
 // A hand at the shoulder: the arm points nowhere.
 constexpr double near_lost_m = 0.12, near_found_m = 0.16;
@@ -98,10 +99,12 @@ void HandHolds::follow(Pair& pair, const Vec3& offset, bool begins, double elaps
 void HandHolds::update(const Surroundings& now, double elapsed_s) {
   const Eigen::Matrix3d heading = now.user_root.rotation(), own = now.place.rotation();
   const Vec3 stands(now.place.position.x(), 0, now.place.position.z());
+  for (std::size_t side = 0; side < hands.size(); ++side)
+    user_hands_[side].follow(now.user.row(hands[side]), elapsed_s);
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     Pair& pair = pairs_[p];
     const int user_hand = hands[p / 2], partner_hand = hands[p % 2];
-    const Vec3 at_user = now.user.row(user_hand);
+    const Vec3 at_user = user_hands_[p / 2].at;
     const bool was_held = pair.recorded && !pair.out_of_reach;
     const bool is_recorded = look_at_recording(pair, now.library, now.playhead, now.moment,
                                                now.source_changed, user_hand, partner_hand);
@@ -122,8 +125,14 @@ void HandHolds::update(const Surroundings& now, double elapsed_s) {
       pair.offset = heading.transpose() * (stands + own * pair.asked - at_user);
     }
     const double way = (at_user + heading * pair.offset - Vec3(now.partner.row(partner_hand))).norm();
-    const double step = elapsed_s / std::clamp(ramp_s + way / ramp_speed, ramp_s, longest_ramp_s);
-    pair.ramp = std::clamp(pair.ramp + (is_held ? step : -step), 0.0, 1.0);
+    const double pace = 1 / std::clamp(ramp_s + way / ramp_speed, ramp_s, longest_ramp_s);
+    pair.ramp_pace +=
+        ((is_held ? pace : -pace) - pair.ramp_pace) * (1 - std::exp(-elapsed_s / turns_round_s));
+    pair.ramp += pair.ramp_pace * elapsed_s;
+    if (pair.ramp <= 0 || pair.ramp >= 1) {
+      pair.ramp = std::clamp(pair.ramp, 0.0, 1.0);
+      pair.ramp_pace = 0;
+    }
   }
 }
 
@@ -135,7 +144,7 @@ void HandHolds::place_arms(Pose& partner, const Surroundings& now, double elapse
     for (std::size_t user_side = 0; user_side < hands.size(); ++user_side) {
       const Pair& pair = pairs_[2 * user_side + partner_side];
       const double weight = smooth(pair.ramp);
-      sum += weight * (Vec3(now.user.row(hands[user_side])) + heading * pair.offset);
+      sum += weight * (user_hands_[user_side].at + heading * pair.offset);
       weights += weight;
       most = std::max(most, weight);
     }
@@ -195,9 +204,10 @@ void HandHolds::list(const Pose& partner, const Pose& user, const RootFrame& use
   for (std::size_t p = 0; p < pairs_.size(); ++p) {
     if (pairs_[p].ramp <= 0) continue;
     const double strength = smooth(pairs_[p].ramp);
-    const Vec3 reached = partner.row(hands[p % 2]) - user.row(hands[p / 2]);
-    holds.push_back(
-        {p / 2 == 0, p % 2 == 0, strength, reached + strength * (heading * pairs_[p].offset - reached)});
+    const Vec3 at_user = user.row(hands[p / 2]);
+    const Vec3 reached = Vec3(partner.row(hands[p % 2])) - at_user;
+    const Vec3 asked = user_hands_[p / 2].at + heading * pairs_[p].offset - at_user;
+    holds.push_back({p / 2 == 0, p % 2 == 0, strength, reached + strength * (asked - reached)});
   }
 }
 

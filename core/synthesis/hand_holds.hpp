@@ -6,6 +6,7 @@
 #include "core/mesh/capsules.hpp"
 #include "core/selection/source_playhead.hpp"
 #include "core/synthesis/frame_result.hpp"
+#include "core/synthesis/steady_hand.hpp"
 
 namespace abrazo {
 
@@ -18,6 +19,7 @@ class HandHolds {
     bool recorded = false;  ///< between the two distances: held
     bool out_of_reach = false;
     double ramp = 0;             ///< 0 = not held, 1 = held
+    double ramp_pace = 0;        ///< does not jump where a hold is let go half way [1/s]
     Vec3 offset = Vec3::Zero();  ///< partner's hand from the user's, from the user's heading [m]
     Vec3 lag = Vec3::Zero();     ///< what is left in `offset` of a source before
     Vec3 lag_speed = Vec3::Zero();
@@ -36,8 +38,11 @@ class HandHolds {
   };
   using Arms = std::array<Arm, 2>;  ///< left, right
 
+  using UserHands = std::array<SteadyHand, 2>;  ///< left, right
+
   HandHolds() = default;
-  HandHolds(const Pairs& pairs, const Arms& arms) : pairs_(pairs), arms_(arms) {}
+  HandHolds(const Pairs& pairs, const Arms& arms, const UserHands& user_hands)
+      : pairs_(pairs), arms_(arms), user_hands_(user_hands) {}
 
   void reset() { *this = HandHolds(); }
   /// What decides about holds in one frame. World [m].
@@ -65,6 +70,7 @@ class HandHolds {
 
   const Pairs& pairs() const { return pairs_; }
   const Arms& arms() const { return arms_; }
+  const UserHands& user_hands() const { return user_hands_; }
 
  private:
   /// Whether the recording has these hands hold one another now or soon.
@@ -78,6 +84,7 @@ class HandHolds {
 
   Pairs pairs_;
   Arms arms_;
+  UserHands user_hands_;
 };
 
 }  // namespace abrazo

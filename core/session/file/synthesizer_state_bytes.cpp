@@ -9,8 +9,10 @@ namespace abrazo {
 
 namespace {
 
-constexpr std::uint8_t format_version = 4;
-constexpr std::uint8_t of_the_root = 3;      ///< was written while the partner's place was that of its root
+constexpr std::uint8_t format_version = 5;
+constexpr std::uint8_t without_hold_pace =
+    4;                                   ///< was written before a hold had a pace and user's hands a filter
+constexpr std::uint8_t of_the_root = 3;  ///< was written while the partner's place was that of its root
 constexpr std::uint8_t without_motion = 2;   ///< was written before the partner had a motion of its own
 constexpr std::uint8_t without_history = 1;  ///< was written before there was one
 
@@ -136,12 +138,21 @@ void each_field(auto& foot, const auto& flag, const auto& real, const auto& poin
 }
 
 /// The same of two hands.
-void each_field_of_hold(auto& hold, const auto& flag, const auto& real, const auto& point) {
-  auto& [recorded, out_of_reach, ramp, offset, lag, lag_speed, asked, asked_speed] = hold;
+void each_field_of_hold(auto& hold, std::uint8_t version, const auto& flag, const auto& real,
+                        const auto& point) {
+  auto& [recorded, out_of_reach, ramp, ramp_pace, offset, lag, lag_speed, asked, asked_speed] = hold;
   flag(recorded);
   flag(out_of_reach);
   real(ramp);
   for (auto* one : {&offset, &lag, &lag_speed, &asked, &asked_speed}) point(*one);
+  if (version > without_hold_pace) real(ramp_pace);
+}
+
+/// The same of a hand of the user.
+void each_field_of_hand(auto& hand, const auto& flag, const auto& point) {
+  auto& [is_seen, at, speed, last_off] = hand;
+  flag(is_seen);
+  for (auto* one : {&at, &speed, &last_off}) point(*one);
 }
 
 void write(BlobWriter& out, const PartnerMotion& motion) {
@@ -161,15 +172,17 @@ void write(BlobWriter& out, const PartnerMotion& motion) {
   const auto real = [&](double value) { out.real(value); };
   const auto point = [&](const Vec3& value) { out.matrix(value); };
   for (const FootPlants::Foot& foot : plants.feet()) each_field(foot, flag, real, point);
-  for (const HandHolds::Pair& hold : holds.pairs()) each_field_of_hold(hold, flag, real, point);
+  for (const HandHolds::Pair& hold : holds.pairs())
+    each_field_of_hold(hold, format_version, flag, real, point);
   for (const HandHolds::Arm& arm : holds.arms()) {
     out.flag(arm.reaches);
     out.matrix(arm.along);
     out.matrix(arm.side);
   }
+  for (const SteadyHand& hand : holds.user_hands()) each_field_of_hand(hand, flag, point);
 }
 
-PartnerMotion read_motion(BlobReader& in) {
+PartnerMotion read_motion(BlobReader& in, std::uint8_t version) {
   PartnerMotion motion;
   motion.playhead.pair = in.small_integer();
   motion.playhead.fraction = in.real();
@@ -194,14 +207,17 @@ PartnerMotion read_motion(BlobReader& in) {
   for (FootPlants::Foot& foot : feet) each_field(foot, flag, real, point);
   motion.plants = FootPlants(feet);
   HandHolds::Pairs holds;
-  for (HandHolds::Pair& hold : holds) each_field_of_hold(hold, flag, real, point);
+  for (HandHolds::Pair& hold : holds) each_field_of_hold(hold, version, flag, real, point);
   HandHolds::Arms arms;
   for (HandHolds::Arm& arm : arms) {
     arm.reaches = in.flag();
     in.matrix(arm.along);
     in.matrix(arm.side);
   }
-  motion.holds = HandHolds(holds, arms);
+  HandHolds::UserHands user_hands;
+  if (version > without_hold_pace)
+    for (SteadyHand& hand : user_hands) each_field_of_hand(hand, flag, point);
+  motion.holds = HandHolds(holds, arms, user_hands);
   return motion;
 }
 
@@ -278,7 +294,7 @@ bool read(BlobReader& in, std::uint8_t version, FrameMemory& memory) {
     skip_glide(in);
     memory.partner_is_shown = memory.has_good_result;
   } else {
-    version == of_the_root ? skip_motion_of_the_root(in) : void(memory.motion = read_motion(in));
+    version == of_the_root ? skip_motion_of_the_root(in) : void(memory.motion = read_motion(in, version));
     memory.partner_is_shown = in.flag();
   }
   const bool has_history = version == without_history || read(in, memory.history);
@@ -311,7 +327,7 @@ std::shared_ptr<const Vetoes> read_vetoes(BlobReader& in) {
 std::vector<std::uint8_t> synthesizer_state_bytes(const SynthesizerState& state) {
   const auto& [user_role, memory, user_body, pinned, vetoes, meant, unsolved_s] = state;
   BlobWriter out;
-  out.reserve(29696);
+  out.reserve(30208);
   out.byte(format_version);
   out.byte(user_role == UserRole::Passive ? 1 : 0);
   write(out, memory);
