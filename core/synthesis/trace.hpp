@@ -9,7 +9,7 @@
 
 namespace abrazo {
 
-/// Says what a trace was made from.
+/// The origin of a trace.
 struct TraceHeader {
   std::string library;
   std::string input;

@@ -22,7 +22,7 @@ struct SessionReplay {
 /// and fresh starts: the frames are complete, including what a file does not keep (mesh, morph steps).
 /// @param library of the recording, see LibrarySearch; its fingerprint is checked
 /// @param each     is given every frame in order, time and index as in the session; frames that were skipped
-///                 are not given
+///                 are not passed on
 Result<SessionReplay> re_solve_session(const SessionRecord& session,
                                        std::shared_ptr<const MotionLibrary> library, double from_s,
                                        double to_s, const std::function<Status(const FrameSnapshot&)>& each,
