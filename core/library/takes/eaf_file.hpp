@@ -25,7 +25,7 @@ struct EafFacts {
 /// times before 0 or beyond 2^32 ms, characters that XML does not have
 Result<std::string> write_eaf(std::span<const Tier> tiers, const EafFacts& facts);
 
-/// What stands in an ELAN document (EAF 2.0 to 3.0). A DOCTYPE is refused: nothing is fetched or expanded.
+/// Parses an ELAN document (EAF 2.0 to 3.0). A DOCTYPE is refused: nothing is fetched or expanded.
 Result<EafContents> parse_eaf(std::string_view text, std::string_view where);
 
 }  // namespace abrazo

@@ -12,18 +12,18 @@
 
 namespace abrazo {
 
-/// What a person knows of a file; nothing = find out and say so in the report.
+/// Options set by a person; none = detected and noted in the report.
 struct ImportOptions {
   std::optional<double> metres_per_unit;
   std::optional<double> fps;
   std::optional<UpAxis> up_axis;
   std::optional<JointMap> joint_map;
   std::optional<JointOrder> joint_order;  ///< of arrays of positions without names
-  std::string marker_model;  ///< name of a built-in marker model, in place of a joint map; empty = none said
-  std::string animation;     ///< name of the one to read, of a file with several; empty = the longest
+  std::string marker_model;  ///< name of a built-in marker model, instead of a joint map; empty = not set
+  std::string animation;     ///< name of the animation to read; empty = the longest
 };
 
-/// How a file was understood. Every guess is marked as one.
+/// How a file was interpreted. Every guess is marked.
 struct ImportReport {
   std::string joint_map;  ///< name of the map or marker model used
   double metres_per_unit = 1;
@@ -34,7 +34,7 @@ struct ImportReport {
   bool up_axis_guessed = false;
   double height_m = 0;                  ///< of the head joint while standing (Body::height)
   double floor_y_m = 0;                 ///< 5th percentile of the toe-base height before any correction
-  double floor_shift_m = 0;             ///< added to every y when the floor was far from 0; 0 otherwise
+  double floor_shift_m = 0;             ///< added to every y if the floor was far from 0; otherwise 0
   std::vector<std::string> animations;  ///< NamedMotion::animations
   std::vector<ImportWarning> warnings;
 };
@@ -44,19 +44,18 @@ struct ImportedClip {
   ImportReport report;
 };
 
-/// Turns a file's points into the 25 joints in metres, Y up.
-/// @return an Error when no joint map fits, or positions are not finite throughout
+/// Converts a file's points to the 25 joints in metres, Y up.
+/// @return an Error if no joint map fits, or positions are not all finite
 Result<ImportedClip> import_clip(const NamedMotion& motion, const ImportOptions& options);
 
 /// Whether a built-in joint map or marker model finds all joints among the points.
 bool joints_are_known(const NamedMotion& motion);
 
-/// Sets how points become joints: a built-in joint map or marker model by its name, or the file of a joint
-/// map.
+/// Sets the joint map: a built-in joint map or marker model by name, or the file of a joint map.
 Status choose_joints(const std::string& name_or_file, ImportOptions& options);
 
-/// The points of any known motion file (motion_format.hpp), one motion for each performer. What the content
-/// is decides over the file's extension. Gaps of markers are filled where that is safe, and reported.
+/// The points of any known motion file (motion_format.hpp), one motion for each performer. The content takes
+/// precedence over the file's extension. Marker gaps are filled where that is safe, and reported.
 /// @param skeleton   as for load_motion
 /// @param order      of an array of positions without names (read_numpy)
 /// @param animation  ImportOptions::animation
@@ -64,9 +63,9 @@ Result<std::vector<NamedMotion>> read_motion_points(const std::string& file, con
                                                     const std::optional<JointOrder>& order = {},
                                                     const std::string& animation = {});
 
-/// Reads any known motion file and imports it. Several performers in one file give several clips. What is no
-/// performer (a box with markers on it) is left out with a warning, unless there is nobody else.
-/// @param skeleton  the .asf of an .amc; when empty, the one .asf beside the file that fits by name
+/// Reads any known motion file and imports it. Several performers in one file give several clips. Objects
+/// that are not performers (a box with markers) are left out with a warning, unless there is nothing else.
+/// @param skeleton the .asf of an .amc; when empty, the .asf beside the file that matches by name
 /// ("60_01.amc" -> "60.asf")
 Result<std::vector<ImportedClip>> load_motion(const std::string& file, const std::string& skeleton,
                                               const ImportOptions& options);

@@ -9,7 +9,7 @@
 
 namespace abrazo {
 
-/// A motion file, and what a person said of it as words. What is not given is found out.
+/// A motion file with a person's options as text. Options that are not set are detected.
 struct MotionReading {
   std::string file = {};
   std::string skeleton = {};                   ///< the .asf of an .amc
@@ -18,17 +18,17 @@ struct MotionReading {
   std::string up = {};                         ///< "y" or "z"
   std::optional<double> metres_per_unit = {};  ///< above 0
   std::optional<double> fps = {};              ///< above 0 [Hz]
-  std::string performer = {};  ///< which one of a file with several: its name, or a number from 1
-  std::string animation = {};  ///< which one of a file with several; the longest by default
+  std::string performer = {};                  ///< name, or number from 1, in a file with several
+  std::string animation = {};                  ///< name in a file with several; default: the longest
 };
 
-/// All performers of the file, or the one that is asked for.
+/// All performers of the file, or the requested one.
 Result<std::vector<ImportedClip>> read_performers(const MotionReading& reading);
 
-/// The one performer wanted: an Error that says how many there are when that is not clear.
+/// The requested performer; an Error with the number of performers if it is ambiguous.
 Result<ImportedClip> read_performer(const MotionReading& reading);
 
-/// What was odd about a file, a sentence each: "walk.bvh:17: glued-numbers: ...".
+/// Warnings about a file, one sentence each: "walk.bvh:17: glued-numbers: ...".
 std::vector<std::string> warnings_of_import(const MotionReading& reading, const ImportedClip& imported);
 
 }  // namespace abrazo

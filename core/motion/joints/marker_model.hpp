@@ -9,13 +9,13 @@
 
 namespace abrazo {
 
-/// Where on a body a marker is. All but the first eight come in pairs: index 0 left, 1 right.
+/// Places of markers on a body. All except the first eight come in pairs: index 0 left, 1 right.
 enum class MarkerPlace {
   Neck,      ///< C7, at the back
   Back,      ///< T10
   Clavicle,  ///< between the collar bones, in front
   Sternum,
-  Sacrum,  ///< where there are no two at the back of the pelvis
+  Sacrum,  ///< if the pelvis has no two markers at the back
   HeadTop,
   HeadFront,
   HeadSide,
@@ -46,27 +46,26 @@ inline constexpr std::size_t marker_place_count = static_cast<std::size_t>(Marke
 /// A named set of markers on a body, from which the 25 joints can be estimated.
 struct MarkerModel {
   std::string name;  ///< "plug-in-gait"
-  /// Per place and side the names a marker may have; the first that exists is taken. Unsided: side 0.
+  /// Possible names of a marker per place and side; the first that exists is used. Unsided places: side 0.
   std::array<std::array<std::vector<std::string>, 2>, marker_place_count> names;
-  bool toes_are_mean = false;  ///< all of the toe's names are one point's surroundings, not alternatives
+  bool toes_are_mean = false;  ///< the toe is the mean of all its markers; the names are not alternatives
 };
 
 /// "plug-in-gait" (Vicon's full body, with or without inner markers), "cmu-markers" (the 41 of the CMU
 /// laboratory), "optitrack-baseline" (37 or 41).
 const std::vector<MarkerModel>& builtin_marker_models();
 
-/// Markers without which the model cannot be used and which are not among the points. Empty: it fits.
+/// Required markers that are not among the points. Empty: the model fits.
 std::vector<std::string> missing_markers(const MarkerModel& model, const std::vector<std::string>& points);
 
-/// The 25 joints, named as in the joint set, in the file's unit: docs/guide/formats.md says how each is
-/// found.
-/// @param metres_per_unit  the estimates know sizes of bodies and markers
-/// @return an Error that names the marker and the frames, when one that is needed has gaps
+/// The 25 joints, named as in the joint set, in the file's unit: docs/guide/formats.md gives the definitions.
+/// @param metres_per_unit the estimates depend on sizes of bodies and markers
+/// @return an Error that names the marker and the frames, if a required marker has gaps
 Result<NamedMotion> joints_of_markers(const MarkerModel& model, const NamedMotion& markers,
                                       double metres_per_unit);
 
-/// The unit, of millimetres, centimetres, inches and metres, in which a person with these markers has a
-/// usual size [m].
+/// The unit (millimetre, centimetre, inch or metre) in which a person with these markers has a usual size
+/// [m].
 double unit_of_markers(const MarkerModel& model, const NamedMotion& markers);
 
 }  // namespace abrazo

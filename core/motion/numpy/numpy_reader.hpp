@@ -14,14 +14,14 @@ namespace abrazo {
 /// `positions` (or as its only such array), or several as `person1`, `person2`, ... Beside them
 /// `joint_names`, `fps`, `up` ("y", "z") and `metres_per_unit` are honoured. NaN is a gap. Pickled objects
 /// are never read.
-/// @param order  which joint is which, over what the file says; where neither says it, the built-in order
-/// that alone has so many joints is taken, with a warning
-/// @return an Error that says what is missing: names for the joints, the body file of SMPL parameters, a
-/// person where there is a robot
+/// @param order order of joints, overrides the file; if neither states it, the only built-in order with that
+/// number of joints is used, with a warning
+/// @return an Error that says what is missing: joint names, the body file of SMPL parameters, a person
+/// instead of a robot
 Result<std::vector<NamedMotion>> read_numpy(std::string_view bytes, const std::optional<JointOrder>& order,
                                             std::string_view where);
 
-/// Whether a ZIP archive begins with a .npy: what a .npz is. @param head  of a file
+/// Whether a ZIP archive begins with a .npy, which makes it a .npz. @param head of a file
 bool begins_as_npz(std::string_view head);
 
 }  // namespace abrazo
