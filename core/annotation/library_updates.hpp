@@ -28,7 +28,7 @@ class LibraryUpdates {
   Takes waiting_, under_way_;
 };
 
-/// The library with the updates; unknown takes are an Error. See `with_annotation`.
+/// The library with the updates; an unknown take is an Error. See `with_annotation`.
 Result<std::shared_ptr<const MotionLibrary>> with_updates(std::shared_ptr<const MotionLibrary> library,
                                                           const LibraryUpdates::Takes& takes);
 
