@@ -9,8 +9,8 @@
 
 namespace abrazo {
 
-/// The tier to which a key applies: the active one; for a digit also the only other one that has it. Letters
-/// of inactive tiers keep their function in the window. Null if there is none.
+/// The tier to which a key applies: the active one if it has the key, else for a digit the only tier that has
+/// it. Letters of inactive tiers keep their function in the window. Null if there is none.
 /// @param key  '1' ... '9', 'a' ... 'z'
 const AnnotationTier* tier_of_key(const Annotations& annotations, int active_tier, char key);
 
