@@ -10,13 +10,13 @@
 
 namespace abrazo::app {
 
-/// The options beside the file itself, the same for each subcommand that reads a motion.
+/// Options of all subcommands that read a motion, without the file itself.
 void add_reading_options(CLI::App& command, MotionReading& reading);
 
-/// The one performer wanted. What the reader found odd about this one is printed.
+/// Reads the requested performer and prints its warnings.
 Result<ImportedClip> read_performer(CommandLine& line, const MotionReading& reading);
 
-/// What was odd about a file, as warnings.
+/// Prints the warnings about a file.
 void warn_of_import(CommandLine& line, const MotionReading& reading, const ImportedClip& imported);
 
 /// --out-units, --out-up and --out-joints of a motion file that is written.

@@ -7,7 +7,7 @@
 
 namespace abrazo::app {
 
-/// An error as it is told in the window.
+/// Text of an Error in the window.
 inline QString words(const Error& error) {
   return widgets::text(error.text());
 }
