@@ -12,7 +12,7 @@
 namespace abrazo::app {
 namespace {
 
-/// The program that draws stands beside this one, which links no toolkit and starts quickly.
+/// The drawing program is beside this one, which links no toolkit and therefore starts quickly.
 Result<std::string> renderer() {
   std::error_code failure;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", failure);

@@ -35,7 +35,7 @@ Result<VirtualDisplay> VirtualDisplay::start() {
   std::array<int, 2> number{};
   if (::pipe2(number.data(), O_CLOEXEC) != 0)
     return Error{"no pipe to the virtual display can be made", "Xvfb"};
-  // Out of reach of Ctrl-C: it has to outlive what is being stopped in order.
+  // Does not receive Ctrl-C: it must outlive the processes that are being stopped.
   auto server = ChildProcess::start(
       {{"Xvfb", "-displayfd", std::to_string(number[1]), "-screen", "0", "1280x1024x24", "-nolisten", "tcp"},
        {},

@@ -13,7 +13,7 @@ namespace {
 constexpr int smallest_px = 64, largest_px = 8192;
 constexpr double slowest_hz = 0.1, fastest_hz = 240;
 
-/// Where the number of a series stands in its name.
+/// Position of the number in the name of a series.
 struct NumberPlace {
   std::size_t at = std::string::npos, length = 0;
   int digits = 0;

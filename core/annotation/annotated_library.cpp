@@ -53,7 +53,7 @@ const Interval* holding(const std::vector<Interval>& intervals, int frame) {
   return found == intervals.end() ? nullptr : &*found;
 }
 
-/// Both bodies of a recorded frame may be active in a library even where the roles say otherwise.
+/// A library may have both bodies of a frame as active even if the roles name one.
 bool has_both_roles(const MotionLibrary& library) {
   return std::any_of(library.columns().sources.begin(), library.columns().sources.end(),
                      [](const PairSource& source) {
@@ -137,7 +137,7 @@ void add_take(const MotionLibrary& library, const LibraryTake& take, const std::
         rows.copy(own, annotated);
       else if (wanted)
         rows.exchange(others, annotated, heading_rad);
-      // The heading of a frame whose hips say none is that of the frame before, whether or not it is a pair.
+      // A frame with an unreliable hip axis has the heading of the previous frame, which need not be a pair.
       if (own >= 0)
         heading_rad = library.root(own).heading_rad;
       else

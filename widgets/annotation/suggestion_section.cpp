@@ -123,7 +123,7 @@ void SuggestionSection::showSuggestions(const Annotations& annotations) {
   // What was decided is gone: the one that took its place is next.
   if (last >= 0) m_list->setCurrentRow(again >= 0 ? again : std::clamp(before, 0, last));
   m_filling = false;
-  // Only a decision goes on to another place; any other edit leaves the cursor where it is.
+  // Only a decision moves on; any other edit leaves the cursor in place.
   if (id != 0 && again < 0 && last >= 0)
     emit chosen(current(), m_rows[static_cast<std::size_t>(m_list->currentRow())].start_s);
   m_head->setTitle(m_rows.empty() ? "Suggestions" : QString("Suggestions (%1)").arg(m_rows.size()));

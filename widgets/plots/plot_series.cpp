@@ -40,7 +40,7 @@ void read_intent_cost(const IntentCost& cost, SeriesValues& values) {
   at(values, Series::IntentTotal) = cost.total;
 }
 
-/// How much dearer the cheapest of the others is; NaN without one.
+/// Additional cost of the cheapest other candidate; NaN without one.
 /// @param total  of a candidate; NaN where it has none
 template <typename Total>
 double margin(const FrameResult& result, std::size_t selected, Total total) {
@@ -70,7 +70,7 @@ bool partner_is_active(const FrameSnapshot& frame) {
   return frame.settings.user_role == UserRole::Passive;
 }
 
-/// Where a foot of the partner rests; of a usual adult where the library is not at hand.
+/// Rest height of the partner's feet; of an average adult without a library.
 ToeRest rest_of_partner(const FrameSnapshot& frame) {
   if (!frame.library) return toe_rest(Body{});
   const MotionLibrary& library = *frame.library;

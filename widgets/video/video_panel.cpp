@@ -132,7 +132,7 @@ QString VideoPanel::facts() const {
   return m_facts->text();
 }
 
-/// The picture comes first: as wide as there is room, unless a person moved the line between both.
+/// The picture has priority: as wide as possible, unless the user moved the splitter.
 void VideoPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   const bool wide = width() > wide_from * height();

@@ -76,7 +76,7 @@ Status OwnPresets::read() {
 }
 
 Status OwnPresets::write(std::vector<OwnPreset> presets) {
-  // Another window may have broken or changed it since: what is there must be readable to be replaced.
+  // Another window may have changed or damaged it: only a readable file is replaced.
   if (const auto there = read_presets(file_); !there) return there.error();
   if (const Status written = write_whole_file(file_, preset_text(presets)); !written) return written;
   presets_ = std::move(presets);

@@ -113,7 +113,7 @@ void StreamDesk::connectTo(const QString& text) {
   });
   if (m_found || !isConnected()) return;
   poll();
-  emit connectionChanged();  // so that it can be given up
+  emit connectionChanged();  // so that it can be cancelled
 }
 
 /// Nothing is connected any more.
@@ -176,7 +176,7 @@ void StreamDesk::beginSession() {
     disconnectStream();
     m_window.messages().showInformation(name + " plays the user; " + was + " was disconnected");
   } else if (isConnected()) {
-    // After all others have begun the session: whoever records has to know its file by then.
+    // After all other receivers, because the recorder must know its file by then.
     QTimer::singleShot(0, this, [this] { receiveOnceFound(); });
   }
 }
@@ -321,7 +321,7 @@ void StreamDesk::nameInput(const QString& words) {
   m_window.transport().setInput(words);
 }
 
-/// What is to be known over the scene; nothing over a frame of the past.
+/// The notice over the scene; none for past frames.
 void StreamDesk::showNotice() {
   if (!m_notice || m_calibration.is_under_way()) return;
   const bool follows = m_window.ticker().playback().state == Playback::State::Following;

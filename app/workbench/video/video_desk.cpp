@@ -21,7 +21,7 @@ namespace abrazo::app {
 namespace {
 
 constexpr double longest_gap_s = 0.5;  // between two frames that poses are interpolated in
-constexpr double edge_s = 0.02;        // so far before and after what was recorded still counts as recorded
+constexpr double edge_s = 0.02;        // tolerance before and after the recorded range [s]
 
 using widgets::text;
 
@@ -152,7 +152,7 @@ void VideoDesk::changeCurrent(const std::function<void(VideoState&)>& edit, cons
     edit(state);
     const Status possible = check_sync(state.sync);
     if (!possible) {
-      showSync();  // what was entered is taken back
+      showSync();  // restores the field
       return m_window.messages().showError(text(possible.error().text()));
     }
     if (m_retime && state.sync != before) m_retime(state, before);
@@ -160,7 +160,7 @@ void VideoDesk::changeCurrent(const std::function<void(VideoState&)>& edit, cons
   change(std::move(next), what, merges);
 }
 
-/// Decoders follow what is to be open.
+/// Opens and closes decoders to match the states.
 void VideoDesk::onVideos() {
   std::erase_if(m_open, [this](const auto& open) {
     return std::ranges::none_of(states(), [&](const VideoState& state) {
@@ -310,7 +310,7 @@ void VideoDesk::showSync() {
   m_panel->steps().setLinked(m_linked);
 }
 
-/// Why there is no picture of this time.
+/// The reason why there is no picture at this time.
 QString VideoDesk::notice() const {
   const OpenVideo* video = currentVideo();
   if (!video)

@@ -62,7 +62,7 @@ LonePerformer lone(const PlannedPerformer& performer) {
 
 // ---- remarks ----
 
-/// Of a reader's warnings those about what a file cannot say.
+/// The reader's warnings about facts that a file cannot state.
 bool is_question(const ImportWarning& warning) {
   return warning.kind == "fps" || warning.kind == "units";
 }
@@ -291,7 +291,7 @@ Manifest manifest_of(const LibraryPlan& plan) {
   manifest.name = plan.name;
   for (int i = 0; i < static_cast<int>(plan.performers.size()); ++i) {
     const int partner = partner_of(plan, i);
-    if (partner < i) continue;  // in no take, or told already
+    if (partner < i) continue;  // in no take, or reported already
     const PlannedPerformer &a = at(plan, i), &b = at(plan, partner);
     Manifest::Take take;
     take.name = a.take;

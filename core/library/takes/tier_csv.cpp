@@ -17,7 +17,7 @@ namespace {
 
 enum Column { TierName, Start, End, Value, Detail, Confidence, column_count };
 
-/// Where the columns of the exchange form stand; -1 = nowhere.
+/// Column indices of the exchange form; -1 = missing.
 using Columns = std::array<int, column_count>;
 
 int column_of(const std::string& title) {
@@ -60,7 +60,7 @@ Result<double> seconds(const std::string& field, const char* what, std::string_v
   return *number;
 }
 
-/// The tier of a name; a new one when there is none.
+/// The tier of a name; created if missing.
 Tier& tier_named(std::vector<Tier>& tiers, std::map<std::string, std::size_t>& places,
                  const std::string& name) {
   const auto [place, is_new] = places.emplace(name, tiers.size());

@@ -108,7 +108,8 @@ Result<MotionFormat> format_of(const MotionFile& file) {
   const auto named = format_of_name(file.where());
   if (file.bytes.empty()) return Error{"is empty; copy or export it again", file.where()};
   if (const auto found = format_of_content(file.bytes)) {
-    // A .json may hold "asset" as well; only what is named like a scene or nothing known is one.
+    // Other .json files may contain "asset" too; only a file named like a scene, or with an unknown name, is
+    // one.
     if (named != MotionFormat::Amc || *found != MotionFormat::PointCsv) return *found;
   }
   if (const std::string foreign = foreign_kind(file.bytes, file.where()); !foreign.empty())

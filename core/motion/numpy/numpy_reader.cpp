@@ -15,12 +15,12 @@ namespace abrazo {
 
 namespace {
 
-/// An array that may be read: of a .npz only what is used is.
+/// An array, read on demand: only used arrays of a .npz are read.
 struct StoredArray {
   std::string name;  ///< empty in a .npy
   NpyLayout layout;
   const ZipEntry* entry = nullptr;
-  std::optional<Error> trouble = {};  ///< why its elements cannot be read; nobody has to want them
+  std::optional<Error> trouble = {};  ///< why its elements are unreadable, if needed
 
   bool is_positions() const {
     return !trouble && layout.is_number() && layout.shape.size() == 3 && layout.shape[2] == 3;
@@ -175,7 +175,7 @@ bool are_of_a_robot(const std::vector<std::string>& names) {
   return 2 * static_cast<std::size_t>(links) > names.size();
 }
 
-/// person1, person2, ... as far as they go; else `positions`, else the only array that has the shape.
+/// person1, person2, ... as long as they exist; else `positions`, else the only array of matching shape.
 Result<std::vector<const StoredArray*>> arrays_of_performers(const NumpyFile& file) {
   std::vector<const StoredArray*> persons;
   while (const StoredArray* person = file.find({"person" + std::to_string(persons.size() + 1)}))
@@ -208,7 +208,7 @@ Result<std::vector<const StoredArray*>> arrays_of_performers(const NumpyFile& fi
   return persons;
 }
 
-/// Names of so many joints, and how they were found.
+/// Names of the joints, and their origin.
 struct FoundNames {
   std::vector<std::string> names;
   std::vector<ImportWarning> warnings;
@@ -296,7 +296,7 @@ Result<NamedMotion> motion_of(const NumpyFile& file, const StoredArray& array, c
   return motion;
 }
 
-/// Nothing of a file is left out silently.
+/// Nothing in a file is ignored silently.
 void warn_of_unused(const NumpyFile& file, const std::vector<const StoredArray*>& persons,
                     NamedMotion& motion) {
   constexpr std::array<std::string_view, 9> honoured = {

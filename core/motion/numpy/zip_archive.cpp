@@ -31,7 +31,7 @@ struct Contents {
 };
 
 Result<Contents> find_contents(std::string_view bytes, std::string_view where) {
-  // A comment of up to 65535 bytes may stand behind the end record.
+  // A comment of up to 65535 bytes may follow the end record.
   const std::size_t end = bytes.rfind(end_mark);
   if (end == std::string_view::npos || bytes.size() - end < end_bytes)
     return damaged_archive(where, "its table of contents, which stands at the end, is missing");
@@ -57,7 +57,7 @@ Result<Contents> find_contents(std::string_view bytes, std::string_view where) {
   return found;
 }
 
-/// Sizes and places above 4 GiB stand in an extra field, in this order, those that did not fit.
+/// Sizes and offsets above 4 GiB are in an extra field, in this order.
 void read_zip64(std::string_view extra, ZipEntry& entry) {
   while (extra.size() >= 4) {
     const std::uint64_t id = little_endian(extra, 0, 2);

@@ -14,11 +14,11 @@ namespace abrazo {
 namespace {
 
 constexpr double silence_text_every_s = 5;
-/// Behind what is read of a frame: its end tag, and what a later version may add [bytes]. A frame that is
-/// read as one of another version mostly leaves more.
+/// Bytes left after a frame: its end tag, and additions of later versions. Reading a frame in a wrong version
+/// mostly leaves more.
 constexpr std::size_t longest_end_bytes = 16;
 
-/// What the options say.
+/// Values of the options.
 struct NatNetOptions {
   NatNetConventions conventions;
   std::optional<NatNetVersion> version;
@@ -75,7 +75,7 @@ class NatNetDecoder : public StreamDecoder {
 
   NatNetOptions options_;
   bool knows_host_;
-  SenderHold server_;  ///< when the host is not known: who is taken for it
+  SenderHold server_;  ///< if the host is unknown: the assumed server
   NatNetConnection connection_;
   std::optional<NatNetModel> model_;
   std::vector<NatNetPerformer> performers_;
@@ -122,11 +122,11 @@ void NatNetDecoder::take(const Datagram& datagram, Decoded& out) {
   }
 }
 
-/// Of a host that the URI names only its packets come here. Of none the first machine that sends frames is
-/// the server; another one becomes it when that one has sent none that can be read for a while.
+/// If the URI names a host, only its packets arrive here. Otherwise the first machine that sends frames is
+/// the server; another one replaces it after a while without readable frames.
 bool NatNetDecoder::is_from_server(const Datagram& datagram, NatNetMessage id, Decoded& out) {
   if (knows_host_ || (id != NatNetMessage::Frame && server_.is_holder(datagram.from))) return true;
-  if (id != NatNetMessage::Frame) return false;  // nobody was asked yet, or somebody else was
+  if (id != NatNetMessage::Frame) return false;  // no request yet, or to another machine
   const std::optional<std::uint32_t> before = server_.address();
   switch (server_.claim(datagram.from, datagram.arrived_s)) {
     case SenderHold::Answer::Refused:

@@ -23,7 +23,7 @@ constexpr std::array schemes = {
     SchemeFacts{"vmc", Scheme::Vmc, 39539}, SchemeFacts{"natnet", Scheme::NatNet, 1510},
     SchemeFacts{"xsens", Scheme::Xsens, 9763}, SchemeFacts{"clip", Scheme::Clip, 0}};
 
-/// An option, where it may stand and what it means; the text is what an error shows.
+/// An option with its valid schemes and meaning; messages show the text.
 struct OptionFacts {
   std::string_view key;
   std::string_view schemes;  ///< names, separated by blanks
@@ -65,7 +65,7 @@ bool names_scheme(const OptionFacts& option, Scheme scheme) {
   return false;
 }
 
-/// The options there are, for an error.
+/// The valid options, for an Error.
 std::string possible_options(Scheme scheme, bool listen, bool send) {
   std::string list;
   for (const OptionFacts& option : option_table)

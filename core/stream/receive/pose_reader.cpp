@@ -6,7 +6,7 @@ namespace abrazo {
 
 namespace {
 
-constexpr double silent_s = 1;        ///< a performer who may be followed by a newcomer
+constexpr double silent_s = 1;        ///< a performer that a new one may replace
 constexpr double look_again_s = 0.1;  ///< when nothing is known to come
 constexpr double rates_alike = 1.1;   ///< a rate so little above the wanted one is not thinned
 constexpr double smallest_step_s = 1e-4;

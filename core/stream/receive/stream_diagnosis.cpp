@@ -16,7 +16,7 @@ using Scheme = StreamUri::Scheme;
 constexpr double patience_s = 2;  ///< before silence or strangeness is worth a word
 constexpr double stalled_s = 1;
 constexpr double frozen_after_s = 1;
-constexpr double remembered_s = 10;  ///< for so long a jump or restart is shown
+constexpr double remembered_s = 10;  ///< time for which a jump or restart is shown
 constexpr double low_rate_hz = 25;
 constexpr double shortest_m = 0.8, tallest_m = 2.6, usual_m = 1.7;
 constexpr double lowest_floor_m = -0.08, highest_floor_m = 0.20;
