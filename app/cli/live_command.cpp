@@ -311,7 +311,7 @@ void add_options(CLI::App& live, LiveOptions& options) {
   CLI::Option* record = live.add_option("--record", options.record,
                                         "everything into a session file; an existing one is continued")
                             ->type_name("S.abrazo");
-  live.add_option("--take", options.take, "name of what is recorded; else take 1, take 2, ...")
+  live.add_option("--take", options.take, "name of the recorded take; by default take 1, take 2, ...")
       ->needs(record)
       ->type_name("NAME");
   live.add_option("--seconds", options.seconds, "end after this time; else at Ctrl-C, or with the clip")

@@ -46,13 +46,12 @@ Result<VirtualDisplay> VirtualDisplay::start() {
   const std::string name = server ? read_number(number[0]) : "";
   ::close(number[0]);
   if (!server)
-    return Error{
-        std::string("there is no display to draw on, and Xvfb, which would make one in memory, is not "
-                    "installed: ") +
-            advice,
-        "DISPLAY"};
+    return Error{std::string("there is no display, and Xvfb, which would provide a virtual one, is not "
+                             "installed: ") +
+                     advice,
+                 "DISPLAY"};
   if (!parse_integer(name))
-    return Error{std::string("there is no display to draw on, and Xvfb did not start: ") + advice, "DISPLAY"};
+    return Error{std::string("there is no display, and Xvfb did not start: ") + advice, "DISPLAY"};
   return VirtualDisplay(std::move(server).value(), ":" + name);
 }
 

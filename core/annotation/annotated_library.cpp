@@ -183,7 +183,7 @@ Annotations annotations_of_take(const MotionLibrary& library, std::string_view t
 
 Result<TakeAnnotation> take_annotation(const Annotations& annotations, double fps, int frames) {
   if (!(fps > 0) || !std::isfinite(fps) || frames < 0)
-    throw std::invalid_argument("a take has frames, so many a second");
+    throw std::invalid_argument("a take has frames and a frame rate");
   TakeAnnotation taken;
   if (const AnnotationTier* roles = annotations.first_of(TierKind::Role))
     for (const Annotation& annotation : roles->annotations) {

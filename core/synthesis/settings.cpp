@@ -69,7 +69,7 @@ const std::vector<Entry>& entries() {
              "compared by Eq. 7.\n"
              "Higher: the best pair is missed more rarely, and a step takes longer. The method intent "
              "compares all "
-             "pairs: so many of the best are weighed in full and listed.\n"
+             "pairs: this number of the best is fully evaluated and listed.\n"
              "Paper 3.3.2: 10."},
             &Settings::neighbours),
       entry({"continuations", "", "continuations", "Selection", "frames", Kind::Integer, 0, 15, false, "",

@@ -76,7 +76,7 @@ std::string words_of(ProblemFix fix) {
     case ProblemFix::Remove:
       return "remove it";
     case ProblemFix::KeepInRange:
-      return "cut off what is beyond";
+      return "cut off the part beyond";
     case ProblemFix::ToFrames:
       return "move to the frames";
     case ProblemFix::AddToVocabulary:

@@ -92,7 +92,7 @@ QWidget* SuggestionSection::makeThreshold() {
   m_slider->setValue(usual_threshold);
   m_slider->setAccessibleName("Minimum confidence for accepting all, per cent");
   m_threshold = new QLabel(bar);
-  m_acceptAll = chip({}, "Accept all whose confidence is at least that of the slider; one undo step", bar);
+  m_acceptAll = chip({}, "Accept all with at least the slider's confidence; one undo step", bar);
   auto* clear = chip("Clear", "Remove all suggestions", bar);
   row->addWidget(m_slider, 1);
   row->addWidget(m_threshold);
@@ -158,10 +158,9 @@ void SuggestionSection::describe() {
   const int row = m_list->currentRow();
   const bool is_chosen = row >= 0 && row < static_cast<int>(m_rows.size());
   for (QToolButton* button : {m_accept, m_edit, m_reject}) button->setEnabled(is_chosen);
-  m_reason->setText(is_chosen
-                        ? text(m_rows[static_cast<std::size_t>(row)].reason)
-                        : QString("There are no suggestions. Labels and roles of the other takes are what "
-                                  "suggestions are made from."));
+  m_reason->setText(is_chosen ? text(m_rows[static_cast<std::size_t>(row)].reason)
+                              : QString("There are no suggestions. They are made from labels and "
+                                        "roles of the other takes."));
 }
 
 void SuggestionSection::count() {

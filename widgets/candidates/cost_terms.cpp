@@ -25,7 +25,7 @@ constexpr std::array<CostTermInfo, most_cost_terms> intent_terms = {{
     {CostTerm::Meant, "intended", "int.", "intended", "int.", "not the intended move",
      "w_p · not the intended move", "the intended move"},
     {CostTerm::Change, "change", "chg.", "change", "chg.", "change of source",
-     "margin for a change of source, α · distance from what is shown", "it goes on"},
+     "margin for a change of source, α · distance from the shown pose", "it goes on"},
 }};
 
 constexpr std::array<CostTerms, 2> of_methods = {{

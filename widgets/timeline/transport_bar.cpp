@@ -36,7 +36,7 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent), m_palette(palette
   m_frame = new TabularLabel(this);
   m_frame->setAccessibleName("Frame");
   for (QWidget* field : {m_time, m_frame}) {
-    field->setToolTip("Double click to go to a frame or a time (G), right click for how it is written");
+    field->setToolTip("Double click to go to a frame or a time (G), right click for the time format");
     field->installEventFilter(this);
   }
   m_state = new TabularLabel(this);

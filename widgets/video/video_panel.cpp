@@ -64,7 +64,7 @@ QWidget* VideoPanel::makeFile() {
   m_files->setAccessibleName("Video that is shown");
   m_files->setMinimumContentsLength(6);
   m_files->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  auto* open = text_chip("Open…", "Another video of what is on the timeline", box);
+  auto* open = text_chip("Open…", "Another video of the subject on the timeline", box);
   m_close = text_chip("Close", "Closes this video; undo brings it back", box);
   row->addWidget(m_files, 1);
   row->addWidget(open);

@@ -17,7 +17,7 @@ constexpr std::size_t longest_name = 60;
 
 Result<std::vector<OwnPreset>> interpreted(const std::string& text, const std::string& place) {
   const Error unreadable{
-      "is not a list of presets, or is damaged; repair it or move it away. It is left as it is", place};
+      "is not a list of presets, or is damaged; repair it or move it away. It stays unchanged", place};
   if (nests_too_deep(text)) return Error{too_deep_words, place};
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object() || !json.contains("abrazo_presets")) return unreadable;

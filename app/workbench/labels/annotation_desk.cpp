@@ -134,7 +134,7 @@ void AnnotationDesk::showSubject(const std::string& wanted) {
   if (const auto of = library(); of && !wanted.empty() && of->find_take(wanted) < 0) {
     show();  // the list returns to the shown subject
     return m_window.messages().showError(
-        QString("%1: the library %2 has no such take. What was said of it is kept with the session: open the "
+        QString("%1: it is not in the library %2. Its annotations are kept with the session: open the "
                 "session together with its library (both files at once)")
             .arg(text(wanted), text(of->name())));
   }

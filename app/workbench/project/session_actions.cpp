@@ -74,7 +74,7 @@ void discard(MainWindow& window, const QString& file) {
     return window.messages().showInformation("The changes that were not saved were discarded");
   }
   discard_session(file) ? window.messages().showInformation(file + " was discarded")
-                        : window.messages().showError(file + ": cannot be removed; check who owns it");
+                        : window.messages().showError(file + ": cannot be removed; check its owner");
 }
 
 /// Changes that were kept for programs that are gone; what cannot be read is offered, too, to be thrown away.

@@ -236,7 +236,7 @@ void StreamDesk::calibrate() {
   if (m_calibration.is_under_way()) {
     m_calibration.cancel();
     m_soon.stop();
-    m_panel.showCalibration("Cancelled; the calibration is as it was", false);
+    m_panel.showCalibration("Cancelled; the calibration is unchanged", false);
     return showNotice();
   }
   if (!isConnected() || !userHealth())
@@ -278,7 +278,7 @@ void StreamDesk::forgetCalibration() {
   if (!isConnected() || !engine()) return;
   m_calibration.cancel();
   engine()->stop_receiving();
-  if (receive()) m_panel.showCalibration("Forgotten; the rest pose is the sender's again", false);
+  if (receive()) m_panel.showCalibration("Reset; the rest pose is the sender's again", false);
 }
 
 void StreamDesk::poll() {

@@ -315,7 +315,7 @@ QString VideoDesk::notice() const {
   const OpenVideo* video = currentVideo();
   if (!video)
     return states().empty() ? "No video. File > Open video…, or drop one here"
-                            : "No video of what is on the timeline now";
+                            : "No video of the subject on the timeline";
   if (video->state() == VideoDecoder::State::Failed) return video->trouble();
   const auto facts = video->facts();
   if (!facts) return QString("Reading the video, %1 %").arg(static_cast<int>(100 * video->opened()));

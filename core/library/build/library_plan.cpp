@@ -137,8 +137,7 @@ void remark_on_pair(const LibraryPlan& plan, const std::string& take, int a, int
     add(Kind::Warning,
         fmt::format("they are {:.1f} m apart (median); are they one pair, in one unit?", distance));
   else if (distance < 0.15)
-    add(Kind::Warning,
-        "they stand on top of one another; each seems to be recorded about an origin of its own");
+    add(Kind::Warning, "they stand on top of one another; each seems to be recorded about a separate origin");
 }
 
 void remark_on_labels(const LibraryPlan& plan, const std::string& take, int performer,

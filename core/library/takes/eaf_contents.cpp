@@ -188,8 +188,7 @@ void TierBuilder::add_warnings(std::vector<std::string>& warnings) const {
        "tiers have a linguistic type that the file does not have; taken as free text");
   warn(warnings, elsewhere_, "tier has its vocabulary in another file, which is not read",
        "tiers have their vocabulary in another file, which is not read");
-  warn(warnings, missing_words_,
-       "vocabulary entry without a word of its own in the tier's language was left out",
+  warn(warnings, missing_words_, "vocabulary entry without a word in the tier's language was left out",
        "vocabulary entries without a word of their own in the tier's language were left out");
   warn(warnings, contents_.external_references, "reference to something outside the file was left out",
        "references to something outside the file were left out");

@@ -111,8 +111,8 @@ Result<TierDocument> parse_label_file(std::string_view text, std::string_view wh
   if (document.take.empty()) {
     if (takes.size() != 1)
       return Error{takes.empty() ? "has no labels; expected lines take,start_frame,end_frame,label"
-                                 : fmt::format("has labels of {} takes: {}; name the one that is meant",
-                                               takes.size(), fmt::join(takes, ", ")),
+                                 : fmt::format("has labels of {} takes: {}; name one of them", takes.size(),
+                                               fmt::join(takes, ", ")),
                    std::string(where)};
     document.take = takes.front();
   }

@@ -221,7 +221,7 @@ Result<FoundNames> order_by_count(std::size_t joints, const std::string& where) 
   const std::string says_it =
       "say which joint is which with --joints NAME|FILE, or with an array joint_names in a .npz";
   if (fitting.empty())
-    return Error{std::to_string(joints) + " joints without names, and no known order has so many (" +
+    return Error{std::to_string(joints) + " joints without names, and no known order has this number (" +
                      joint_order_names() + "); " + says_it,
                  where};
   if (fitting.size() > 1)

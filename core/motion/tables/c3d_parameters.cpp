@@ -134,7 +134,7 @@ Status ParameterParser::parse(std::size_t at) {
     if (offset < 2)
       return at_byte(where_, behind_name,
                      "the parameter behind " + in_quotes(name) +
-                         " is said to begin before it ends; the file is damaged here, export it again");
+                         " is stated to begin before it ends; the file is damaged here, export it again");
     at = behind_name + offset;
   }
   return Done{};

@@ -58,7 +58,7 @@ SelectionMethod SolverControl::possible_selection(UserRole role) {
   }
   if (const auto trouble = views.intent_trouble(role)) {
     could_not_learn_[number(role)] = true;
-    untold_ = "Eq. 7 goes on selecting: the library could not be learned, " + trouble->message;
+    untold_ = "Eq. 7 continues to select: learning the library failed, " + trouble->message;
   } else {
     views.prepare_intent(role);
   }

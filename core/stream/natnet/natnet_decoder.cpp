@@ -141,7 +141,7 @@ bool NatNetDecoder::is_from_server(const Datagram& datagram, NatNetMessage id, D
       performers_.clear();
       if (before)
         out.issues.push_back({"sender-changed", address_text(datagram.from.address) +
-                                                    " is taken for the server now, since no frame of " +
+                                                    " is used as the server now, because no frame of " +
                                                     address_text(*before) + " could be read for a while"});
       return true;
     case SenderHold::Answer::Holder:
@@ -177,7 +177,7 @@ void NatNetDecoder::take_server_info(ByteReader& reader, double arrived_s, Decod
 bool NatNetDecoder::can_read(const ByteReader& reader, std::string_view what, Decoded& out) {
   if (reader.failed() || connection_.version()) return !reader.failed();
   out.issues.push_back({"no-version", std::string(what) +
-                                          " came before the server said its version; it is asked for that. "
+                                          " arrived before the server's version; the version is requested. "
                                           "If its command port is closed, give version=3.1 or the like"});
   return false;
 }
@@ -185,8 +185,7 @@ bool NatNetDecoder::can_read(const ByteReader& reader, std::string_view what, De
 void NatNetDecoder::take_model(ByteReader& reader, double arrived_s, Decoded& out) {
   if (!can_read(reader, "a model description", out)) return;
   if (!connection_.expects_model(arrived_s)) {
-    out.issues.push_back(
-        {"unasked-answer", "a model description came that was not asked for; it is not taken"});
+    out.issues.push_back({"unasked-answer", "an unsolicited model description arrived; it is ignored"});
     return;
   }
   Result<NatNetModel> parsed = parse_natnet_model(reader, *connection_.version());
@@ -242,8 +241,8 @@ void NatNetDecoder::take_frame(ByteReader& reader, const Datagram& datagram, Dec
   } else {
     connection_.want_model();
     out.issues.push_back({"no-model",
-                          "a frame came before the description of the skeletons; the server is "
-                          "asked for it at its command port"});
+                          "a frame arrived before the description of the skeletons, which is "
+                          "requested at its command port"});
   }
   const bool gave_poses = out.frames.size() > given_before;
   if (gave_poses || is_whole) {
@@ -274,7 +273,7 @@ void NatNetDecoder::give(const NatNetFrame& frame, const Datagram& datagram, Dec
                                                     std::to_string(skeleton.id) + " and " +
                                                     std::to_string(skeleton.bones.size()) +
                                                     " bones is not the one described; the description is "
-                                                    "asked for again"});
+                                                    "requested again"});
       continue;
     }
     std::optional<Positions> positions = performer->positions(skeleton, out.issues);

@@ -148,7 +148,7 @@ std::uint32_t address_towards(const Endpoint& peer) {
 Result<UdpSocket> UdpSocket::bind(const Endpoint& local, bool shared) {
   UdpSocket socket(::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   const int descriptor = socket.descriptor_;
-  if (descriptor < 0) return Error{"no socket is to be had: " + reason(), local.text()};
+  if (descriptor < 0) return Error{"no socket is available: " + reason(), local.text()};
   // Without these options the stream still works: smaller buffer, read times, no count of dropped packets.
   set_option(descriptor, SOL_SOCKET, SO_RCVBUF, receive_buffer_bytes);
   set_option(descriptor, SOL_SOCKET, SO_TIMESTAMPNS, 1);
@@ -261,7 +261,7 @@ Status UdpSocket::send(const Endpoint& to, std::span<const std::uint8_t> bytes) 
   if (size < 0 && errno == ECONNREFUSED) {
     // The refusal was of a packet before; this one was not sent yet.
     [[maybe_unused]] const ssize_t again = hand_over();
-    return Error{"nobody listens there; start the receiver or correct the port", to.text()};
+    return Error{"no program listens there; start the receiver or correct the port", to.text()};
   }
   if (size < 0 && (errno == ENETUNREACH || errno == EHOSTUNREACH))
     return Error{"there is no way to that address; is the network connected?", to.text()};

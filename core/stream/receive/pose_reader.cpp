@@ -30,7 +30,7 @@ PerformerStream* PoseReader::follow(StreamPipeline& pipeline, double now_s) {
   if (chosen && (chosen->name() != followed_ || chosen->first_seen_s() != followed_since_s_)) {
     if (wanted_.empty() && !followed_.empty() && chosen->name() != followed_)
       pipeline.note_sender_change(chosen->name() + " is followed now, since " + followed_ +
-                                      " sent no poses any more; name the performer to follow nobody else",
+                                      " stopped sending poses; name the performer to follow only that one",
                                   now_s);
     followed_ = chosen->name();
     followed_since_s_ = chosen->first_seen_s();

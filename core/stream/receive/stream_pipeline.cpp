@@ -186,7 +186,7 @@ void StreamPipeline::note_issue(const StreamIssue& issue) {
 }
 
 void StreamPipeline::note_stranger(const Endpoint& stranger, const std::string& server, double now_s) {
-  stranger_ = "only the server " + server + " is heard, and packets of " + address_text(stranger.address) +
+  stranger_ = "only the server " + server + " is accepted; packets of " + address_text(stranger.address) +
               " are left out";
   recent_strangers_.add(now_s);
   note_issue({"stranger", stranger_});
