@@ -47,8 +47,8 @@ class MotionQuality {
   /// NaN if there was nothing to measure.
   struct Figures {
     MovementMetric::Figures movement;
-    double changes_per_s = 0;  ///< of source: it says so, or does not go on
-    /// Pace: time in the take by the time that passed, of the steps that go on.
+    double changes_per_s = 0;  ///< changes of source: marked as such, or not a continuation
+    /// Pace: time in the take per elapsed time, over steps that continue the source.
     double pace_p05 = 0, pace_p50 = 0, pace_p95 = 0;
     double standing_share = 0;  ///< pace below 0.25
     double own_pace_share = 0;  ///< pace from 0.75 to 1.25

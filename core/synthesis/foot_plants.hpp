@@ -16,14 +16,13 @@ struct FootMoment {
   double recorded_height = 0;     ///< of the toe base in the recording, for this body
   Vec3 body_goes = Vec3::Zero();  ///< remaining way of the body to its place, without the recorded motion
   bool lands = false;             ///< the foot stands in the recording
-  double lands_in_s = 0;          ///< until it stands again; while it does not
+  double lands_in_s = 0;          ///< time until it stands again, while it does not
 };
 
-/// Feet of the partner that stand where they landed. Toe base x and z are held, its height is that of the
-/// recording, the ankle follows, so a planted foot rolls and does not hover. When the recording lifts the
-/// foot it first leaves the floor, then what it was held off by fades until it lands again. A foot that is
-/// too far off takes a step, one at a time. One that the edit could not hold is not planted again before the
-/// recorded one lifted.
+/// Planted feet of the partner. Toe base x and z are held, its height is that of the recording, and the ankle
+/// follows, so a planted foot rolls and does not hover. When the recording lifts the foot, it first leaves
+/// the floor, then its offset fades until it lands again. A foot that is too far away takes a step, one foot
+/// at a time. A foot that the edit could not hold is not planted again before the recorded foot lifts.
 class FootPlants {
  public:
   struct Foot {

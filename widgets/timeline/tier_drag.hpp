@@ -37,7 +37,7 @@ class TierDrag {
   Kind kind() const { return kind_; }
   int tier() const { return hit_.tier; }
   int annotation() const { return hit_.annotation; }
-  /// @param targets  without edges of its own; @param reach_s 0: to frames only
+  /// @param targets without the dragged edges; @param reach_s 0 = frames only
   Outcome to(double time_s, const SnapTargets& targets, double reach_s) const;
   /// "resize turn", "draw".
   std::string words() const;

@@ -147,9 +147,9 @@ class Hdf5Reader {
     read(table, path, result.data());
     return result;
   }
-  /// What a table takes in the file.
+  /// Size of a table in the file.
   std::uint64_t stored_bytes(const char* path) const;
-  /// Of the very file that is open, whatever its name leads to by now; null when it cannot be mapped.
+  /// Mapping of the open file itself, even if its name now refers to another; null if it cannot be mapped.
   std::shared_ptr<const MappedFile> mapping() const;
 
  private:

@@ -25,7 +25,7 @@ struct ClipFileSpace {
 };
 
 /// Checks that clips can be written to a file of this name. The Error lists the types, or says that the type
-/// has fixed unit and axes, cannot hold so many bodies, or does not support the order of joints.
+/// has fixed unit and axes, cannot hold this number of bodies, or does not support the order of joints.
 Status check_clip_file(const std::string& path, const ClipFileSpace& space = {}, std::size_t bodies = 1);
 
 /// The content of a file of that type with these clips.

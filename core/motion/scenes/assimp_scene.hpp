@@ -13,7 +13,7 @@ namespace abrazo {
 /// Reads the animated skeletons of an FBX, glTF or Collada file: one motion for each. Sampled at the rate of
 /// its keys.
 /// @param bytes      of the file; parts that stand in files beside it are read from there
-/// @param animation  of several the one of this name; empty: the longest, which is said
+/// @param animation name of the animation; empty = the longest, with a warning
 Result<std::vector<NamedMotion>> read_scene(std::string_view bytes, MotionFormat format,
                                             const std::string& file, const std::string& animation = {});
 

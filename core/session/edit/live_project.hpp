@@ -54,7 +54,7 @@ class LiveProject {
   /// Begins a session. Drops markers and annotations of the previous one and, if the library differs, the
   /// decisions about its pairs. Settings and role control stay.
   Parts begin_session(bool same_library);
-  /// The session goes on with another library.
+  /// The session continues with another library.
   Parts replace_library(const MotionLibrary& before, const MotionLibrary& after);
   /// Takes over a saved project in the new session, except annotations and videos: the reader of their files
   /// sets them.
