@@ -90,7 +90,7 @@ int ChildProcess::wait() {
     if (done < 0 && errno != EINTR) break;
     if (done < 0) done = 0;
     if (done == 0 && interrupted() && !was_told) {
-      ::kill(pid_, SIGTERM);  // it notes the first one and stops in order, whoever else told it
+      ::kill(pid_, SIGTERM);  // it handles the first signal and stops properly, even if it got another one
       was_told = true;
     }
     if (done == 0) std::this_thread::sleep_for(between_looks);

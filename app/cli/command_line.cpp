@@ -42,7 +42,7 @@ void answer(CommandLine& line, std::string_view text) {
 
 void answer_json(CommandLine& line, std::string_view json) {
   clear_progress(line);
-  // JSON escapes neither DEL nor what begins at U+0080, which programs must get as they are.
+  // JSON does not escape DEL and characters from U+0080 on, which programs must receive unchanged.
   fmt::print("{}{}", ::isatty(STDOUT_FILENO) == 0 ? std::string(json) : printable(json),
              json.ends_with('\n') ? "" : "\n");
 }
@@ -87,7 +87,7 @@ std::string usage_message(const CLI::App* app, const CLI::Error& refusal) {
     command += ' ' + innermost->get_name();
   }
   std::string what = refusal.what();
-  // CLI11 says only that a command is missing, also when one is there that it does not know.
+  // CLI11 reports only a missing command, even if an unknown one was given.
   const auto commands =
       innermost->get_subcommands([](const CLI::App* one) { return !one->get_name().empty(); });
   if (!commands.empty()) {

@@ -55,7 +55,7 @@ std::string summary(const std::vector<PairedTake>& takes, const std::filesystem:
                             manifest.string(), (manifest.parent_path() / "library.h5").string());
 }
 
-/// The value for performer 0 or 1; what was not given stays.
+/// The value for performer 0 or 1; without one the default stays.
 void take_over(const OneOrTwo& given, std::size_t performer, double& value) {
   if (!given.empty()) value = given[std::min(performer, given.size() - 1)];
 }

@@ -27,7 +27,7 @@ struct EvaluateArguments {
   bool no_variants = false, json = false;
 };
 
-/// The figures a person asks for first.
+/// The most important figures.
 std::string summary(const Evaluation& evaluation, const std::filesystem::path& folder) {
   std::string text;
   const auto line = [&](std::string_view what, const std::string& value) {

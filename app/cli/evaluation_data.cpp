@@ -18,7 +18,7 @@ void add_evaluation_source(CLI::App& command, EvaluationSource& source) {
       "whose users attack and defend in turn");
   command
       .add_option("--hold-out", source.hold_out,
-                  "takes to be answered, each by all the others, with commas between; by default all")
+                  "takes to evaluate, each with all the others, separated by commas; by default all")
       ->delimiter(',')
       ->allow_extra_args(false)
       ->type_name("TAKE,...");

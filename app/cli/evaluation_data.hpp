@@ -11,7 +11,7 @@ namespace abrazo::app {
 
 void add_evaluation_source(CLI::App& command, EvaluationSource& source);
 
-/// The takes themselves and their library. What was odd about them is said on stderr.
+/// Reads the takes and their library. Warnings go to stderr.
 Result<EvaluationData> read_takes(CommandLine& line, const EvaluationManifests& manifests, bool both_roles,
                                   const Progress& progress);
 

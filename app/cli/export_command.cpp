@@ -16,7 +16,7 @@ namespace abrazo::app {
 
 namespace {
 
-/// What `abrazo export` was asked for.
+/// Options of `abrazo export`.
 struct ExportWords {
   std::string session, library, performer;
   WrittenSpace space;
@@ -58,7 +58,7 @@ Result<ExportWish> wish_of(const ExportWords& words) {
   return wish;
 }
 
-/// Opens a session file; what a crash did to it, or that it is still being recorded, is said as a warning.
+/// Opens a session file; warns about damage by a crash and running recording.
 Result<std::shared_ptr<const SessionFile>> file_of(CommandLine& line, const std::string& path) {
   auto file = SessionFile::open(path);
   if (!file) return file.error();

@@ -2,12 +2,11 @@
 
 namespace abrazo::app {
 
-/// From here on Ctrl-C, a request to end and a closed terminal are noted instead of ending the program, so
-/// that the job can stop and take its partial files away. The second such signal ends the program
-/// immediately.
+/// Makes Ctrl-C, a request to end and a closed terminal set a flag instead of ending the program, so that the
+/// job can stop and remove its partial files. The second such signal ends the program immediately.
 void note_interruptions();
 
-/// One of those signals came.
+/// Whether such a signal was received.
 bool interrupted();
 
 }  // namespace abrazo::app

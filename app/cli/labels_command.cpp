@@ -218,7 +218,7 @@ void add_file(CLI::App& command, LabelWords& words) {
   command.add_option("FILE", words.file, "labels: .eaf, .csv, .json, .vtt or .srt")
       ->required()
       ->type_name("");
-  command.add_option("--fps", words.reading.fps, "frame rate of what is labelled")
+  command.add_option("--fps", words.reading.fps, "frame rate of the labelled motion")
       ->check(above_zero)
       ->type_name("N");
   command.add_option("--take", words.reading.take, "which take of a label file that has several")

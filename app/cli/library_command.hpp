@@ -4,7 +4,7 @@
 
 namespace abrazo::app {
 
-// One function per file: declares a subcommand of `library` and what it runs.
+// One function per file: declares a subcommand of `library` and its action.
 void add_library_build(CLI::App& library, CommandLine& line);
 void add_library_info(CLI::App& library, CommandLine& line);
 void add_library_plan(CLI::App& library, CommandLine& line);

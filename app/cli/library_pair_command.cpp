@@ -72,7 +72,7 @@ std::string pair_text(const MotionLibrary& library, int pair) {
   return text.take();
 }
 
-/// Why a frame has no pair, and which one to ask for instead.
+/// Why a frame has no pair, and which frame to use instead.
 Error no_such_pair(const MotionLibrary& library, const PairArguments& arguments) {
   const int index = library.find_take(arguments.take);
   if (index < 0) {

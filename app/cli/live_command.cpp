@@ -35,7 +35,7 @@ struct LiveOptions {
   bool json = false;
 };
 
-/// What the words say, before anything is opened.
+/// Checks the options before anything is opened.
 struct LivePlan {
   StreamUri listen;
   std::vector<StreamUri> send, send_user;
@@ -56,7 +56,7 @@ Result<std::vector<StreamUri>> sinks_of(const std::vector<std::string>& texts) {
   return uris;
 }
 
-/// An Error for words that the other kind of input has: nothing is left out silently.
+/// An Error for options of the other kind of input: nothing is ignored silently.
 Status check_words_of_input(const LiveOptions& options, const StreamUri& listen) {
   const MotionReading& clip = options.clip;
   const bool is_clip = listen.scheme == StreamUri::Scheme::Clip;
@@ -154,7 +154,7 @@ Status open_all(SessionEngine& engine, const LiveOptions& options, const LivePla
   if (plan.listen.scheme == StreamUri::Scheme::Clip) return Done{};
   const Status open = engine.receive(plan.listen, plan.listen.option("performer"));
   if (!open && engine.recorder()) {
-    [[maybe_unused]] const Status ended = engine.stop_recording();  // the port is what is wrong
+    [[maybe_unused]] const Status ended = engine.stop_recording();  // the error is about the port
     if (is_new_file) std::filesystem::remove(options.record, ignored);
   }
   return open;
@@ -210,7 +210,7 @@ std::vector<LiveEnd::Diagnosis> run(CommandLine& line, const LiveOptions& option
   return diagnoses;
 }
 
-/// Stops what is open. @return why the recording is not whole
+/// Stops everything. @return why the recording is incomplete
 Status end_session(CommandLine& line, SessionEngine& engine, const std::shared_ptr<ClipSource>& clip,
                    LiveEnd& end) {
   if (const auto receiver = engine.receiver()) {
@@ -230,7 +230,7 @@ Status end_session(CommandLine& line, SessionEngine& engine, const std::shared_p
   return written;
 }
 
-/// Why there is no pose.
+/// The reason why there is no pose.
 Error no_pose(const LiveEnd& end, const StreamUri& uri) {
   if (end.stream && !end.stream->diagnoses.empty()) return {end.stream->diagnoses.front().text, uri.text};
   if (!end.diagnoses.empty()) return {end.diagnoses.back().newest.text, uri.text};
@@ -313,7 +313,7 @@ void add_options(CLI::App& live, LiveOptions& options) {
   CLI::Option* record = live.add_option("--record", options.record,
                                         "everything into a session file; an existing one is continued")
                             ->type_name("S.abrazo");
-  live.add_option("--take", options.take, "name of what is recorded; else take 1, take 2, ...")
+  live.add_option("--take", options.take, "name of the recorded take; by default take 1, take 2, ...")
       ->needs(record)
       ->type_name("NAME");
   live.add_option("--seconds", options.seconds, "end after this time; else at Ctrl-C, or with the clip")

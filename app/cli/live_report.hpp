@@ -12,30 +12,30 @@
 
 namespace abrazo::app {
 
-/// What is known when a live session is over.
+/// Results of a finished live session.
 struct LiveEnd {
-  /// A diagnosis that there was at some time, with its newest text.
+  /// A diagnosis of any time of the session, with its newest text.
   struct Diagnosis {
     double first_s = 0, last_s = 0;  ///< session clock
     StreamDiagnosis newest;
   };
   double seconds = 0;
   std::optional<StreamHealth> stream;  ///< at the end; none for a clip
-  std::vector<Diagnosis> diagnoses;    ///< of the whole session, as they came
+  std::vector<Diagnosis> diagnoses;    ///< of the whole session, in order of appearance
   std::vector<SinkHealth> sinks;
   std::optional<Recorder::State> recording;
 };
 
-/// Keeps of every frame of a live session what its statistics are made of.
+/// Collects the statistics of the frames of a live session.
 class LiveReport : public FrameListener {
  public:
   void frame_solved(const FrameSnapshotPtr& frame) override;
 
   std::size_t frames() const;
-  /// How it goes, for a line on the terminal.
+  /// Present state, for a line on the terminal.
   std::string line(double now_s) const;
   std::string text(const LiveEnd& end) const;
-  /// Times in milliseconds; the stages of a packet's way add up to in_to_out.
+  /// Times in milliseconds; the latency stages sum to in_to_out.
   std::string json(const LiveEnd& end) const;
 
  private:

@@ -20,7 +20,7 @@ int main(int argc, char** argv) {
   line.app.fallthrough();
   line.app.failure_message(app::usage_message);
   line.app.add_flag("--quiet", line.quiet,
-                    "no progress, warnings or summary: only errors and what was asked for");
+                    "no progress, warnings or summary: only errors and the requested output");
   app::add_motion_command(line);
   app::add_library_command(line);
   app::add_synth_command(line);

@@ -103,7 +103,7 @@ void run_info(CommandLine& line, const MotionWords& words) {
     for (const ImportedClip& imported : *clips) add_performer(text, imported);
     return answer(line, text.take());
   }
-  // The fields of the first performer stand at the top; all performers stand in the list.
+  // The fields of the first performer are at the top level; the list has all performers.
   JsonText json;
   json.begin_object();
   json.key("file").value(words.reading.file);

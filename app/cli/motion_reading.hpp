@@ -10,7 +10,7 @@
 
 namespace abrazo::app {
 
-/// The options beside the file itself, the same for each subcommand that reads a motion.
+/// Options of all subcommands that read a motion, without the file itself.
 void add_reading_options(CLI::App& command, MotionReading& reading);
 
 /// A Progress that shows nothing and stops when the program is asked to end.
@@ -19,7 +19,7 @@ bool until_interrupted(double fraction, std::string_view doing);
 /// The one performer wanted. What the reader found odd about this one is printed.
 Result<ImportedClip> read_performer(CommandLine& line, const MotionReading& reading);
 
-/// What was odd about a file, as warnings.
+/// Prints the warnings about a file.
 void warn_of_import(CommandLine& line, const MotionReading& reading, const ImportedClip& imported);
 
 /// --out-units, --out-up and --out-joints of a motion file that is written.

@@ -12,14 +12,14 @@
 namespace abrazo::app {
 namespace {
 
-/// The program that draws stands beside this one, which links no toolkit and starts quickly.
+/// The drawing program is beside this one, which links no toolkit and therefore starts quickly.
 Result<std::string> renderer() {
   std::error_code failure;
   const std::filesystem::path self = std::filesystem::read_symlink("/proc/self/exe", failure);
   const std::filesystem::path beside = self.parent_path() / "abrazo-render";
   if (!failure && ::access(beside.c_str(), X_OK) == 0) return beside.string();
   return Error{
-      "is not there: the program that draws comes with the workbench; build Abrazo with "
+      "is missing: the drawing program comes with the workbench; build Abrazo with "
       "ABRAZO_WORKBENCH=ON",
       beside.string()};
 }
@@ -52,7 +52,7 @@ Result<int> run(const RenderOptions& options, bool quiet) {
   if (status <= 2) return status;
   return Error{
       "the drawing ended without an answer (status " + std::to_string(status) +
-          "): the display may not be there, or has no OpenGL 3.2; unset DISPLAY to draw on one in memory",
+          "): the display may be missing, or has no OpenGL 3.2; unset DISPLAY to draw on one in memory",
       *program};
 }
 

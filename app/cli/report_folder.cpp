@@ -25,7 +25,7 @@ Status ReportFolder::make() {
                  path_.string()};
   is_new_ = !was_there;
   if (::access(path_.c_str(), W_OK | X_OK) != 0)
-    return Error{std::string("nothing can be written into the folder (") + std::strerror(errno) +
+    return Error{std::string("the folder is not writable (") + std::strerror(errno) +
                      "); choose another or change its permissions",
                  path_.string()};
   return Done{};

@@ -7,7 +7,7 @@
 
 namespace abrazo::app {
 
-/// The folder a report goes into. A folder that was made for a report that did not come about is taken away.
+/// The output folder of a report. A newly created folder is removed if the report fails.
 class ReportFolder {
  public:
   explicit ReportFolder(const std::string& path) : path_(path) {}
@@ -15,8 +15,8 @@ class ReportFolder {
   ReportFolder(const ReportFolder&) = delete;
   ReportFolder& operator=(const ReportFolder&) = delete;
 
-  /// Makes it, with the folders above, when it is not there. An Error when that fails or nothing can be
-  /// written into it: asked before the work rather than after it.
+  /// Creates the folder and its parents if missing. An Error if that fails or the folder is not writable;
+  /// called before the work.
   Status make();
 
  private:

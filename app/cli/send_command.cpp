@@ -33,7 +33,7 @@ struct Sent {
   std::uint64_t skipped = 0;         ///< poses that were not sent since a newer one was due
 };
 
-/// The clip at the rate asked for.
+/// The clip at the requested rate.
 Clip at_rate(const Clip& clip, double rate_hz) {
   if (rate_hz <= 0 || rate_hz == clip.fps) return clip;
   std::vector<StampedPose> stamped;
@@ -112,7 +112,7 @@ Status run_send(CommandLine& line, const SendOptions& options) {
     answer_json(line, summary_json(options, sent, health));
   else if (!line.quiet)
     answer(line, summary(options, sent, health));
-  // UDP tells of a receiver that is not there only now and then; all refused means nobody ever was.
+  // UDP reports a missing receiver only occasionally; if all packets are refused, there never was one.
   if (health.packets == 0 && health.failures > 0)
     return Error{"nothing could be sent: " + health.latest_failure, options.to};
   return Done{};

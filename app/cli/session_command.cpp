@@ -26,7 +26,7 @@ std::string_view state_text(FoundData::State state) {
   return texts[static_cast<std::size_t>(state)];
 }
 
-/// What migration will do; empty when there is nothing to do.
+/// Effect of a migration; empty if there is nothing to do.
 std::string migration_text(int version) {
   if (version >= session_schema_version) return {};
   return fmt::format(

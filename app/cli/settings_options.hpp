@@ -13,12 +13,12 @@ namespace abrazo::app {
 /// solves.
 class SettingsOptions {
  public:
-  /// @param preset  that holds where none is given
+  /// @param preset default preset
   explicit SettingsOptions(std::string preset = "paper") : preset_(std::move(preset)) {}
 
   void add_to(CLI::App& command);
 
-  /// The preset with what was given changed.
+  /// The preset with the given options applied.
   Result<Settings> read() const;
 
  private:

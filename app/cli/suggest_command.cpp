@@ -148,7 +148,7 @@ void add_suggest_command(CommandLine& line) {
       ->required()
       ->type_name("MANIFEST_OR_LIB");
   CLI::Option* take =
-      command->add_option("--take", arguments->take, "the take to be labelled; its own labels are not used")
+      command->add_option("--take", arguments->take, "the take to label; its own labels are ignored")
           ->type_name("TAKE");
   command
       ->add_option("-o,--output", arguments->output,

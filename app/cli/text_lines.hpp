@@ -9,7 +9,7 @@
 
 namespace abrazo::app {
 
-/// Text for people, line by line: what a file calls itself stays on its line and steers no terminal.
+/// Text for people, line by line: names from files stay on their line and cannot control the terminal.
 class TextLines {
  public:
   template <typename... Values>

@@ -35,7 +35,7 @@ Result<VirtualDisplay> VirtualDisplay::start() {
   std::array<int, 2> number{};
   if (::pipe2(number.data(), O_CLOEXEC) != 0)
     return Error{"no pipe to the virtual display can be made", "Xvfb"};
-  // Out of reach of Ctrl-C: it has to outlive what is being stopped in order.
+  // Does not receive Ctrl-C: it must outlive the processes that are being stopped.
   auto server = ChildProcess::start(
       {{"Xvfb", "-displayfd", std::to_string(number[1]), "-screen", "0", "1280x1024x24", "-nolisten", "tcp"},
        {},
@@ -46,13 +46,12 @@ Result<VirtualDisplay> VirtualDisplay::start() {
   const std::string name = server ? read_number(number[0]) : "";
   ::close(number[0]);
   if (!server)
-    return Error{
-        std::string("there is no display to draw on, and Xvfb, which would make one in memory, is not "
-                    "installed: ") +
-            advice,
-        "DISPLAY"};
+    return Error{std::string("there is no display, and Xvfb, which would provide a virtual one, is not "
+                             "installed: ") +
+                     advice,
+                 "DISPLAY"};
   if (!parse_integer(name))
-    return Error{std::string("there is no display to draw on, and Xvfb did not start: ") + advice, "DISPLAY"};
+    return Error{std::string("there is no display, and Xvfb did not start: ") + advice, "DISPLAY"};
   return VirtualDisplay(std::move(server).value(), ":" + name);
 }
 

@@ -6,7 +6,7 @@
 
 namespace abrazo::app {
 
-/// An X server in memory (Xvfb) for as long as this lives. It chooses a number that is free by itself.
+/// A virtual X server (Xvfb) during the lifetime of this object. It chooses a free display number.
 class VirtualDisplay {
  public:
   static Result<VirtualDisplay> start();

@@ -25,14 +25,14 @@ class EngineError : public std::runtime_error {
   explicit EngineError(const Error& error) : std::runtime_error(error.text(argument_words)) {}
 };
 
-/// The value, or the reason why there is none as an exception.
+/// The value; throws EngineError if there is none.
 template <typename T>
 T unwrap(Result<T> result) {
   if (!result) throw EngineError(result.error());
   return std::move(*result);
 }
 
-/// Runs work of the engine while other threads of Python go on. The work may not touch Python.
+/// Runs work of the engine without the GIL. The work must not use Python.
 template <typename Work>
 auto without_gil(Work work) {
   const py::gil_scoped_release released;
@@ -41,8 +41,8 @@ auto without_gil(Work work) {
 
 using Shape = std::vector<py::ssize_t>;
 
-/// Numbers of the engine as a read-only array, without a copy. @param owner  what keeps them, kept by the
-/// array
+/// Numbers of the engine as a read-only array, without a copy. @param owner owner of the numbers, kept alive
+/// by the array
 template <typename Number>
 py::array view_of(const Number* numbers, Shape shape, py::handle owner) {
   py::array_t<Number> array(std::move(shape), numbers, owner);
@@ -50,10 +50,10 @@ py::array view_of(const Number* numbers, Shape shape, py::handle owner) {
   return array;
 }
 
-/// (T, 25, 3) of poses that stand one after the other.
+/// (T, 25, 3) view of contiguous poses.
 py::array view_of(const std::vector<Pose>& poses, py::handle owner);
 
-/// What a caller gives in place of a pose or of several: anything NumPy makes doubles of.
+/// Argument for one or several poses: anything that NumPy converts to doubles.
 using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 
 /// One pose. @throws py::value_error when the shape is not (25, 3); `name` is that of the argument
@@ -65,10 +65,10 @@ std::string settings_text(const py::object& changes);
 /// The settings of a preset with some of them changed. @param changes  a dict by key, or None
 Settings settings_of(const std::string& preset_name, const py::object& changes);
 
-/// A dict, or what else the text is.
+/// The Python value of a JSON text, usually a dict.
 py::object from_json(const std::string& json);
 
-// One function per file: what it adds to the module.
+// One function per file that adds its part to the module.
 void bind_motion(py::module_& module);
 void bind_library(py::module_& module);
 void bind_frame(py::module_& module);

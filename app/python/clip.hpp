@@ -7,7 +7,7 @@
 
 namespace abrazo::python {
 
-/// A clip with what was odd about its file.
+/// A clip with the warnings about its file.
 struct ReadClip {
   Clip clip;
   std::vector<std::string> warnings;

@@ -11,25 +11,25 @@
 
 namespace abrazo::python {
 
-/// One solved frame: arrays are views of the result, which therefore outlives the synthesizer.
+/// One solved frame: arrays are views of the result, which may outlive the synthesizer.
 struct Frame {
   std::shared_ptr<const FrameResult> result;
-  std::shared_ptr<const MotionLibrary> library;  ///< whose pairs the candidates are; null when not at hand
+  std::shared_ptr<const MotionLibrary> library;  ///< library of the candidates; null if unknown
 };
 
-/// A frame out of a session file.
+/// A frame from a session file.
 struct RecordedFrame : Frame {
   explicit RecordedFrame(FrameSnapshotPtr recorded);
   FrameSnapshotPtr snapshot;
 };
 
-/// Where a pair of a library was recorded.
+/// The recorded frame of a library pair.
 struct Source {
   int pair = -1;
   std::string take;
   int frame = 0;
   bool swapped = false;
-  std::string label;  ///< empty when it has none
+  std::string label;  ///< empty = none
 };
 Source source_of(const MotionLibrary& library, int pair);
 

@@ -8,7 +8,7 @@
 
 namespace abrazo::python {
 
-/// A library with what was odd about the files it was built from.
+/// A library with the warnings about its source files.
 struct ReadLibrary {
   std::shared_ptr<const MotionLibrary> library;
   std::vector<std::string> warnings;

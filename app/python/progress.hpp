@@ -12,15 +12,15 @@
 
 namespace abrazo::python {
 
-/// What the argument `progress` of a long job asks for: None or False nothing, True a line on sys.stderr, a
-/// function is called with (fraction, doing) some ten times a second and stops the job by returning False.
-/// Ctrl+C stops it in each case.
+/// The argument `progress` of a long job: None or False for none, True for a line on sys.stderr, or a
+/// function called with (fraction, doing) about ten times per second that cancels the job by returning False.
+/// Ctrl+C always cancels.
 class CalledProgress {
  public:
   explicit CalledProgress(py::object wish) : wish_(std::move(wish)) {}
 
-  /// Runs `job(progress)` without the GIL and gives its value.
-  /// @throws what stopped it: KeyboardInterrupt or what the function raised; EngineError
+  /// Runs `job(progress)` without the GIL and returns its value.
+  /// @throws KeyboardInterrupt, the exception of the function, or EngineError
   template <typename Job>
   auto run(Job job) {
     auto result = without_gil([&] {
@@ -33,7 +33,7 @@ class CalledProgress {
 
  private:
   bool call(double fraction, std::string_view doing);
-  /// With the GIL. @return false when the job should stop
+  /// Called with the GIL. @return false if the job should stop
   bool tell(double fraction, std::string_view doing);
   void end_line();
 

@@ -18,7 +18,7 @@ namespace abrazo::python {
 
 namespace {
 
-/// A synthesizer that threads of Python may share: who comes second waits.
+/// A synthesizer that Python threads may share: calls are serialised.
 class Synthesizer {
  public:
   Synthesizer(const ReadLibrary& library, const std::string& preset_name,

@@ -14,7 +14,7 @@ namespace {
 Result<FrameSource> of_session(const std::string& file, const std::string& given) {
   const auto session = open_session_frames(file, given);
   if (!session) return session.error();
-  // Bodies are drawn also where a library is not at hand.
+  // Bodies are drawn even without a library.
   FrameSource source;
   source.warnings = session->warnings;
   if (!session->libraries.empty()) source.library = session->libraries.back();

@@ -12,16 +12,16 @@
 
 namespace abrazo::app {
 
-/// Frames to be drawn, of a session or a trace; few of them in memory at a time.
+/// Frames of a session or trace for drawing; only a few are in memory at a time.
 struct FrameSource {
   double first_s = 0, last_s = 0;
-  std::shared_ptr<const MotionLibrary> library;  ///< null where it is not at hand
+  std::shared_ptr<const MotionLibrary> library;  ///< null if unavailable
   std::vector<std::string> warnings;
-  /// The frame that is shown at a time; the first before it.
+  /// The frame shown at a time; the first before its time.
   std::function<Result<FrameSnapshotPtr>(double time_s)> at;
 };
 
-/// By the file's extension. @param library  a session's library where it is not where it was; may be empty
+/// By the file's extension. @param library a session's library, if it moved; may be empty
 Result<FrameSource> open_frames(const std::string& file, const std::string& library,
                                 const Progress& progress);
 

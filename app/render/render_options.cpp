@@ -13,7 +13,7 @@ namespace {
 constexpr int smallest_px = 64, largest_px = 8192;
 constexpr double slowest_hz = 0.1, fastest_hz = 240;
 
-/// Where the number of a series stands in its name.
+/// Position of the number in the name of a series.
 struct NumberPlace {
   std::size_t at = std::string::npos, length = 0;
   int digits = 0;
@@ -93,7 +93,7 @@ Result<RenderKind> render_kind(const std::string& output) {
         "a rendering is a film (.mp4), a picture (.png) or a series of pictures (such as frame_%05d.png)",
         output};
   const auto place = number_place(path.filename().string());
-  if (!place) return Error{"has a '%' that is no number; the name of a series has one %d or %05d", output};
+  if (!place) return Error{"has a '%' that is not a number; the name of a series has one %d or %05d", output};
   return place->at == std::string::npos ? RenderKind::Picture : RenderKind::Series;
 }
 

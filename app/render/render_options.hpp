@@ -9,12 +9,13 @@
 
 namespace abrazo::app {
 
-/// What `abrazo render` is asked for. Knows no toolkit: the command line reads the words, the renderer again.
+/// Options of `abrazo render`. Independent of Qt; parsed by the command line and again by the renderer
+/// process.
 struct RenderOptions {
   std::string input;   ///< session (.abrazo) or trace (.jsonl)
-  std::string output;  ///< .mp4; .png for one picture, or a series where the name has %d
+  std::string output;  ///< .mp4; .png for one picture, or a series if the name has %d
   std::string library;
-  std::optional<double> from_s, to_s;  ///< of the session or trace; nothing: all
+  std::optional<double> from_s, to_s;  ///< of the session or trace; none = all
   std::string size = "1280x720";
   double rate_hz = 30;
   std::string camera = "follow";
@@ -24,30 +25,30 @@ struct RenderOptions {
 
 /// Declares them for a command.
 void add_render_options(CLI::App& command, RenderOptions& options);
-/// The words that say the same.
+/// The options as command-line arguments.
 std::vector<std::string> words_of(const RenderOptions& options);
 
 struct PictureSize {
   int width = 0, height = 0;
 };
-/// Of "1280x720".
+/// Parses "1280x720".
 std::optional<PictureSize> picture_size(const std::string& text);
 
-/// Whence a camera looks.
+/// Direction from which a camera looks.
 struct ViewDirection {
   double azimuth_deg = 0;    ///< about the upward axis; 0 is from the front (+Z)
   double elevation_deg = 0;  ///< above the horizon
 };
-/// Of "front", "right", "top", "iso" or "AZIMUTH,ELEVATION". @return false where it is none of these
+/// Parses "front", "right", "top", "iso" or "AZIMUTH,ELEVATION". @return false for other text
 bool view_direction(const std::string& text, std::optional<ViewDirection>& direction);
 
 enum class RenderKind { Film, Picture, Series };
-/// Of the output's name; the error says which names there are.
+/// The kind for the output's name; the Error lists the valid names.
 Result<RenderKind> render_kind(const std::string& output);
 /// The name of one of a series: its "%d" or "%05d" is the number.
 std::string series_name(const std::string& output, int number);
 
-/// What the words say that cannot be, without looking at the input.
+/// Checks the options without reading the input.
 Status check_render(const RenderOptions& options);
 
 }  // namespace abrazo::app

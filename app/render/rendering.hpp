@@ -10,8 +10,8 @@ struct Rendered {
   int pictures = 0;
 };
 
-/// Draws the frames off screen, one picture after the other, and writes them. The same frames and options
-/// give the same pictures. Leaves nothing behind when it fails or is stopped. Needs a QApplication.
+/// Draws the frames off screen and writes them. The same frames and options give the same pictures. Leaves
+/// nothing behind on failure or cancellation. Needs a QApplication.
 Result<Rendered> render(const FrameSource& source, const RenderOptions& options, const Progress& progress);
 
 }  // namespace abrazo::app

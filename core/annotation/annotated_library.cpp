@@ -54,7 +54,7 @@ const Interval* holding(const std::vector<Interval>& intervals, int frame) {
   return found == intervals.end() ? nullptr : &*found;
 }
 
-/// Both bodies of a recorded frame may be active in a library even where the roles say otherwise.
+/// A library may have both bodies of a frame as active even if the roles name one.
 bool has_both_roles(const MotionLibrary& library) {
   return std::any_of(library.columns().sources.begin(), library.columns().sources.end(),
                      [](const PairSource& source) {
@@ -138,7 +138,7 @@ void add_take(const MotionLibrary& library, const LibraryTake& take, const std::
         rows.copy(own, annotated);
       else if (wanted)
         rows.exchange(others, annotated, heading_rad);
-      // The heading of a frame whose hips say none is that of the frame before, whether or not it is a pair.
+      // A frame with an unreliable hip axis has the heading of the previous frame, which need not be a pair.
       if (own >= 0)
         heading_rad = library.root(own).heading_rad;
       else
@@ -182,7 +182,7 @@ Annotations annotations_of_take(const MotionLibrary& library, std::string_view t
 
 Result<TakeAnnotation> take_annotation(const Annotations& annotations, double fps, int frames) {
   if (!(fps > 0) || !std::isfinite(fps) || frames < 0)
-    throw std::invalid_argument("a take has frames, so many a second");
+    throw std::invalid_argument("a take has frames and a frame rate");
   TakeAnnotation taken;
   if (const AnnotationTier* roles = annotations.first_of(TierKind::Role))
     for (const Annotation& annotation : roles->annotations) {

@@ -10,29 +10,29 @@
 
 namespace abrazo {
 
-/// Times closer than this are one: a thousandth of what a label file resolves.
+/// Times closer than this count as equal: a thousandth of the resolution of a label file.
 constexpr double same_time_s = 1e-6;
 
-/// A time without an end on either side.
+/// An unlimited range.
 constexpr Annotations::Range everywhere{-std::numeric_limits<double>::infinity(),
                                         std::numeric_limits<double>::infinity()};
 
-/// [start, end) that an annotation is to have.
+/// The wanted [start, end) of an annotation.
 struct Span {
   double start_s = 0, end_s = 0;
 };
 
-/// How an edit found its span: which of its neighbours are pushed to which side follows from it.
+/// Origin of a span; determines the direction in which neighbours are pushed.
 enum class Placing {
   Anywhere,  ///< drawn or moved: neighbours whose middle is earlier go to earlier times
-  Resized    ///< neighbours stay on the side where they are
+  Resized    ///< neighbours stay on their side
 };
 
-/// Makes room for a span among annotations that do not have it yet.
-/// @param annotations  ascending, not overlapping; changed only when the answer is a span
-/// @param neighbour_side_s  of Placing::Resized: what starts before it is an earlier neighbour
-/// @param new_id  gives the later part of an annotation that is cut in two its id
-/// @return the span that is free now: the wanted one with its edges on those of neighbours that they meant
+/// Makes room for a new span among annotations.
+/// @param annotations ascending, not overlapping; changed only on success
+/// @param neighbour_side_s of Placing::Resized: annotations that start before it are earlier neighbours
+/// @param new_id id for the later part of an annotation that is split
+/// @return the free span: the wanted one, with its edges snapped to those of neighbours
 Result<Span> make_room(std::vector<Annotation>& annotations, Span wanted, Conflict conflict,
                        const Annotations::Range& range, Placing placing, double neighbour_side_s,
                        std::string_view tier, const std::function<int()>& new_id);

@@ -24,7 +24,7 @@ void give_keys(Annotations& annotations) {
   }
 }
 
-/// The tiers and words that takes have, with nothing said.
+/// The tiers and vocabularies of takes, without annotations.
 Annotations without_labels(const Annotations& of_take) {
   Annotations annotations;
   for (const AnnotationTier& tier : of_take.tiers()) {

@@ -244,7 +244,7 @@ Result<int> Annotations::split(int annotation, double at_s) {
   if (!tier) return no_such("annotation", annotation);
   std::vector<Annotation>& annotations = with_id(tiers_, tier->id)->annotations;
   Annotation& earlier = *with_id(annotations, annotation);
-  // Negated, so that what is not a number fails too.
+  // Negated, so that NaN fails too.
   if (!(at_s > earlier.start_s + same_time_s && at_s < earlier.end_s - same_time_s))
     return Error{fmt::format("{:.3f} s is not within {}; split it where it has some length on both sides",
                              at_s, spoken(earlier)),

@@ -30,37 +30,35 @@ struct AnnotationTier {
 
   const VocabularyEntry* entry(std::string_view value) const;
   const VocabularyEntry* entry_of_key(char key) const;
-  /// The one that holds a time; null when there is none.
+  /// The annotation at a time; null if there is none.
   const Annotation* at(double time_s) const;
   bool operator==(const AnnotationTier&) const = default;
 };
 
-/// What happens to annotations that a new or longer one overlaps.
+/// Treatment of annotations that a new or longer one overlaps.
 enum class Conflict {
-  Replace,  ///< they are cut, and those that are covered go
-  Push,     ///< they move on with their lengths (ELAN's bulldozer), within the subject's range
-  Refuse    ///< nothing changes, and the error names the overlapped annotations
+  Replace,  ///< they are cut; covered ones are removed
+  Push,     ///< they move with unchanged length (ELAN's bulldozer mode), within the subject's range
+  Refuse    ///< nothing changes; the Error names the overlapped annotations
 };
 
-/// Something a program proposes. Becomes an annotation only when a person accepts it.
+/// A proposal of a program. Becomes an annotation only if a person accepts it.
 struct Suggestion {
   int id = 0;
-  int tier = 0;  ///< id of the tier it is for
+  int tier = 0;  ///< id of its tier
   double start_s = 0, end_s = 0;
   std::string value;
-  double confidence = 0;  ///< 0 to 1: share of such suggestions that were right when it was measured
+  double confidence = 0;  ///< 0 to 1: share of such suggestions that were right in tests
   std::string reason;     ///< "left hand of A holds right hand of B; 7 of 9 neighbours: turn"
 
   bool operator==(const Suggestion&) const = default;
 };
 
-/// What is said of one subject, a session or a take: tiers of annotations, and beside them what is only
-/// suggested. A value: what an undo step keeps is a copy. Every edit either is done whole or changes nothing
-/// and says why.
+/// The annotations of one subject (a session or a take): tiers of annotations, and suggestions. A value type:
+/// undo steps keep copies. Every edit either succeeds completely or changes nothing and returns an Error.
 class Annotations {
  public:
-  /// Times that an annotation may have; edits that go beyond are held at the ends, and refused when nothing
-  /// is left of them.
+  /// Valid times of annotations; edits beyond are limited to it, and refused if nothing is left.
   struct Range {
     double first_s = 0, last_s = 0;
     bool operator==(const Range&) const = default;
@@ -75,10 +73,10 @@ class Annotations {
   const Suggestion* find_suggestion(int id) const;
   bool empty() const { return tiers_.empty(); }
 
-  /// Tiers; names are unique, and an empty or taken one is refused. @return the tier's id
+  /// Adds a tier; an empty or existing name is refused. @return the tier's id
   Result<int> add_tier(std::string_view name, TierKind kind, std::vector<VocabularyEntry> vocabulary);
   Status rename_tier(int tier, std::string_view name);
-  /// Values that the new vocabulary does not have stay; `problems_of` names them.
+  /// Values that are not in the new vocabulary stay; `problems_of` lists them.
   Status set_vocabulary(int tier, std::vector<VocabularyEntry> vocabulary);
   Status remove_tier(int tier);
   Status move_tier(int tier, int position);
@@ -86,27 +84,27 @@ class Annotations {
   /// @return the new annotation's id
   Result<int> draw(int tier, double from_s, double to_s, std::string_view value, Conflict conflict,
                    const Range& range);
-  /// New start and end: a resize, a move, a nudge.
+  /// Sets start and end (resize, move, nudge).
   Status place(int annotation, double from_s, double to_s, Conflict conflict, const Range& range);
   Status say(int annotation, std::string_view value, std::string_view detail, std::string_view confidence);
-  /// At a time within it; both parts say the same. @return the id of the later part
+  /// Splits at a time within it; both parts keep the value. @return the id of the later part
   Result<int> split(int annotation, double at_s);
-  /// With the next one of its tier; what is between them is filled. The earlier one's value stays.
+  /// Merges with the next annotation of its tier, including a gap. The earlier value stays.
   Status merge_with_next(int annotation);
   Status remove(int annotation);
-  /// The same interval in another tier. @return its id
+  /// Copies the interval to another tier. @return its id
   Result<int> copy_to(int annotation, int tier, Conflict conflict);
 
-  /// In place of all suggestions for those tiers.
+  /// Replaces all suggestions for these tiers.
   void suggest(std::span<const int> tiers, std::vector<Suggestion> suggestions);
-  /// The suggestion becomes an annotation. @return the annotation's id
+  /// Turns a suggestion into an annotation. @return the annotation's id
   Result<int> accept(int suggestion, Conflict conflict, const Range& range);
   Status reject(int suggestion);
   void clear_suggestions();
 
-  /// As they were kept somewhere, with their ids. The error names the first thing that cannot be: an id that
-  /// is there twice or not before `next_id`, names alike, annotations that are empty, overlap or are out of
-  /// order, a suggestion for no tier.
+  /// Restores stored annotations with their ids. The Error names the first inconsistency: an id that is not
+  /// unique or not below `next_id`, equal names, annotations that are empty, overlapping or unordered, a
+  /// suggestion without a tier.
   static Result<Annotations> restored(std::vector<AnnotationTier> tiers, std::vector<Suggestion> suggestions,
                                       int next_id);
   int next_id() const { return next_id_; }
@@ -116,18 +114,18 @@ class Annotations {
  private:
   std::vector<AnnotationTier> tiers_;
   std::vector<Suggestion> suggestions_;
-  int next_id_ = 1;  ///< of tiers, annotations and suggestions alike
+  int next_id_ = 1;  ///< shared by tiers, annotations and suggestions
 };
 
-/// Of each subject by name: a take of the library, or the session ("").
+/// Annotations by subject: a take of the library, or the session ("").
 using AnnotationBook = std::map<std::string, Annotations>;
 
-/// Confirmed tiers in their exchange form, and back. Suggestions are not among them.
+/// Conversion of tiers to their exchange form and back, without suggestions.
 std::vector<Tier> tiers_of(const Annotations& annotations);
 Result<Annotations> annotations_of(std::span<const Tier> tiers);
 
-/// What is odd in annotations that are allowed to stand: gaps in role and move tiers, values that the
-/// vocabulary does not have, intervals shorter than a frame or beyond the range, edges off the frames.
+/// A questionable but permitted state: gaps in role and move tiers, values outside the vocabulary, intervals
+/// shorter than a frame or beyond the range, edges between frames.
 struct AnnotationProblem {
   enum class Kind { Gap, UnknownValue, TooShort, OutOfRange, OffFrame, EmptyTier };
   Kind kind;
@@ -140,15 +138,15 @@ struct AnnotationProblem {
 std::vector<AnnotationProblem> problems_of(const Annotations& annotations, const Annotations::Range& range,
                                            double fps);
 
-/// The time of the frame that is nearest. @param fps  0 = no fixed rate: the time itself
+/// The time of the nearest frame. @param fps 0 = no fixed rate: the time itself
 double on_frame(double time_s, double fps);
-/// Both ends on frames; what has a length keeps at least a frame.
+/// Moves both ends to frames; a span that is not empty keeps at least one frame.
 Annotations::Range on_frames(const Annotations::Range& span, double fps);
 
-/// Where an edge may snap: to frames, to the cursor, to edges of other annotations and to markers. The
-/// nearest within reach; frames last. @return the time itself when nothing is near
+/// Snap targets of an edge: frames, the cursor, edges of other annotations and markers. Snaps to the nearest
+/// within reach; frames last. @return the time itself if nothing is near
 struct SnapTargets {
-  double fps = 0;  ///< 0 = not to frames
+  double fps = 0;  ///< 0 = no snapping to frames
   std::optional<double> cursor_s = {};
   std::vector<double> others_s = {};
 };

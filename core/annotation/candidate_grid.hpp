@@ -6,8 +6,8 @@
 
 namespace abrazo {
 
-/// Which stretches of a take can be moves: those between two points of a regular grid, of lengths as the
-/// labelled moves have them.
+/// Candidate stretches for moves: those between two points of a regular grid with lengths similar to labelled
+/// moves.
 struct CandidateGrid {
   int cell = 1;      ///< frames between two possible cuts
   int cells = 1;     ///< of the take
@@ -19,14 +19,14 @@ struct CandidateGrid {
   int end(int at, int length) const { return std::min(frames, (at + length) * cell); }
 };
 
-/// Lengths of the labelled moves with some room on both sides [s].
+/// Range of lengths of labelled moves, with a margin [s].
 struct CandidateLengths {
   double shortest_s = 1, longest_s = 2;
 };
 CandidateLengths candidate_lengths(const LabelledMoves& moves);
 CandidateGrid candidate_grid(const MotionChannels& channels, const CandidateLengths& lengths);
 
-/// Shared by two stretches, of what they cover together: intersection over union.
+/// Intersection over union of two stretches.
 double overlap(int begin, int end, int other_begin, int other_end);
 
 }  // namespace abrazo

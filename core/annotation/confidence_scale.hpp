@@ -5,14 +5,14 @@
 
 namespace abrazo {
 
-/// From what speaks for a suggestion to the share of such suggestions that were right when tried:
-/// p = 1 / (1 + exp(-(o + s logit(probability) + t strength))), fitted by maximum likelihood (Platt 1999)
-/// with a weak pull towards p = probability.
+/// Maps the evidence for a suggestion to the share of such suggestions that were right in trials: p = 1 / (1
+/// + exp(-(o + s logit(probability) + t strength))), fitted by maximum likelihood (Platt 1999) with a weak
+/// pull towards p = probability.
 class ConfidenceScale {
  public:
   struct Evidence {
     double probability = 0;  ///< 0 to 1, of the model
-    double strength = 0;     ///< log odds of the stretch by itself
+    double strength = 0;     ///< log odds of the stretch alone
   };
   struct Trial {
     Evidence evidence;
@@ -21,7 +21,7 @@ class ConfidenceScale {
   /// Without trials p = probability.
   static ConfidenceScale fit(const std::vector<Trial>& trials);
 
-  /// 0.01 to 0.99: nothing is more certain than that.
+  /// 0.01 to 0.99: limited to that range.
   double operator()(const Evidence& evidence) const;
   int trials() const { return trials_; }
 

@@ -90,7 +90,7 @@ class DecisionForest::Grower {
     float threshold = 0;
   };
 
-  /// A third of the groups, one at least; none when there are fewer than three.
+  /// A third of the groups, at least one; none if there are fewer than three.
   std::vector<bool> drawn_groups() {
     const int groups = examples_.group_count;
     std::vector<bool> out(static_cast<std::size_t>(groups), false);

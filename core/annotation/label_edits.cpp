@@ -40,7 +40,7 @@ double free_until(const AnnotationTier& tier, double from_s, double to_s) {
   return to_s;
 }
 
-/// The last label that `is` so; null when there is none.
+/// The last label for which `is` is true; null if there is none.
 template <typename Is>
 const Annotation* last_label(const AnnotationTier& tier, Is is) {
   const auto found = std::find_if(tier.annotations.rbegin(), tier.annotations.rend(), is);
@@ -130,7 +130,7 @@ Result<LabelEdit> say_at_cursor(const Annotations& annotations, const EditPlace&
   if (!of) return no_tier_yet();
   const double from_s = on_frame(place.cursor_s, place.fps);
   EditPlace here = place;
-  here.conflict = Conflict::Replace;  // it begins here, whatever is said here now
+  here.conflict = Conflict::Replace;  // it begins here, whatever the present value
   return label_span(annotations, here, tier, {from_s, free_until(*of, from_s, place.range.last_s)}, value);
 }
 
@@ -200,7 +200,7 @@ Result<LabelEdit> change_role(const Annotations& annotations, const EditPlace& p
     const Annotation* before =
         last_label(*tier, [&](const Annotation& each) { return each.end_s <= here_s + same_time_s; });
     std::string leads = now ? now->value : before ? before->value : "b";
-    // The first change there is: A led so far.
+    // The first change: A is assumed to lead before.
     if (tier->annotations.empty() && here_s > place.range.first_s + same_time_s) {
       const auto first =
           edit.next.draw(tier->id, place.range.first_s, here_s, "a", Conflict::Refuse, place.range);

@@ -62,7 +62,7 @@ std::vector<LabelKeys::Said> LabelKeys::follow(const Moment& now) {
     for (const auto& [key, each] : running) {
       const std::size_t said_before = said.size();
       end(key, until_s, now.fps, said);
-      // Pressed within the last frame of the loop, it has said nothing yet: it is meant for what follows.
+      // Pressed within the last frame of the loop: the label is still empty and applies to the next pass.
       const bool said_nothing = said.size() == said_before;
       if (!now.is_parked && (taps_ || said_nothing)) running_[key] = {each.tier, each.value, now.cursor_s};
     }

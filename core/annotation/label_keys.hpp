@@ -9,22 +9,22 @@
 
 namespace abrazo {
 
-/// The tier in which a key says something: the active one, or else, of a digit, the only one. Letters of
-/// other tiers stay what they are in the window. Null when there is none.
+/// The tier to which a key applies: the active one if it has the key, else for a digit the only tier that has
+/// it. Letters of inactive tiers keep their function in the window. Null if there is none.
 /// @param key  '1' ... '9', 'a' ... 'z'
 const AnnotationTier* tier_of_key(const Annotations& annotations, int active_tier, char key);
 
-/// Labelling by keys while time goes on (playing, looping, live): a held key says its value from the press to
-/// the release; in tapping mode each tap ends the last value of its tier and begins the next, and the same
-/// key again only ends it. A tier says one value at a time. Keeps what is being said; what was said is given
-/// back to be drawn.
+/// Labelling by keys while time advances (playing, looping, live): a held key sets its value from press to
+/// release; in tapping mode each tap ends the last value of its tier and begins the next, and the same key
+/// again only ends it. A tier has one value at a time. Keeps the open labels; returns finished ones to be
+/// drawn.
 class LabelKeys {
  public:
-  /// What time does at a moment.
+  /// State of the time cursor.
   struct Moment {
     double cursor_s = 0;               ///< of the subject
     double fps = 0;                    ///< of its frames; 0 = no fixed rate
-    bool is_parked = false;            ///< the cursor stands
+    bool is_parked = false;            ///< the cursor is parked
     double speed = 1;                  ///< negative = backwards
     std::optional<double> out_s = {};  ///< end of the range between in and out, where it is set
   };
@@ -33,7 +33,7 @@ class LabelKeys {
     std::string value;
     double from_s = 0;
   };
-  /// What was said, from frame to frame; some length, start before end.
+  /// A finished label, from frame to frame; start before end.
   struct Said {
     int tier = 0;  ///< id
     std::string value;
@@ -41,16 +41,16 @@ class LabelKeys {
   };
 
   bool taps() const { return taps_; }
-  /// Ends what is being said.
+  /// Switches tapping mode; ends open labels.
   std::vector<Said> set_taps(bool on, const Moment& now);
-  /// @param tier  of `tier_of_key`, which has a value of the key
+  /// @param tier from `tier_of_key`
   std::vector<Said> press(char key, const AnnotationTier& tier, const Moment& now);
   std::vector<Said> release(char key, const Moment& now);
   std::vector<Said> finish(const Moment& now);
-  /// Time passed. A cursor that stands ends what is being said; so does a loop that starts over, at its end.
-  /// In tapping mode, and of a key that was pressed within its last frame, it goes on from the beginning.
+  /// Advances the time. A parked cursor ends open labels; so does the restart of a loop, at the loop's end.
+  /// In tapping mode, and for a key pressed within the last frame, the label continues from the beginning.
   std::vector<Said> follow(const Moment& now);
-  /// Another subject: nothing is being said.
+  /// Drops open labels, for another subject.
   void forget() { running_.clear(); }
 
   bool is_running(char key) const { return running_.contains(key); }
@@ -61,7 +61,7 @@ class LabelKeys {
 
   bool taps_ = false;
   std::map<char, Running> running_;  ///< by key
-  double last_s_ = 0;                ///< cursor of the moment before
+  double last_s_ = 0;                ///< previous cursor
 };
 
 }  // namespace abrazo

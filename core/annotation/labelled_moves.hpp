@@ -13,29 +13,30 @@ namespace abrazo {
 struct LabelledMove {
   int begin = 0, end = 0;
   int label = 0;    ///< index into LabelledMoves::labels
-  int active = -1;  ///< 0 = a, 1 = b, -1 = not known
+  int active = -1;  ///< 0 = a, 1 = b, -1 = unknown
 };
 
-/// A take, or a piece of one, that others can be compared with.
+/// A take, or a piece of one, for comparison.
 struct LabelledTake {
   int take = 0;                            ///< of the library
   std::array<MotionChannels, 2> channels;  ///< a active, b active
   std::vector<LabelledMove> moves;         ///< ascending
 };
 
-/// What the takes of a library say of moves and roles.
+/// Labelled moves and roles of the takes of a library.
 struct LabelledMoves {
   std::vector<std::string> labels;
   std::vector<LabelledTake> takes;
-  bool has_labels = false;  ///< else every stretch of one role is a "move" with the label ""
+  bool has_labels = false;  ///< otherwise every stretch of one role is a "move" with the label ""
   bool has_roles = false;
   int move_count = 0;
 };
 
-/// Quantities are looked at this often [Hz].
+/// Sampling rate of the quantities [Hz].
 inline constexpr double suggestion_rate_hz = 30;
 
-/// Of all takes but one. Few takes are cut into pieces at moves, so that there are some to test with.
+/// From all takes except one. A small number of takes is cut into pieces at moves, so that some can be used
+/// for testing.
 /// @param without  index of a take; -1 = none
 LabelledMoves labelled_moves(const MotionLibrary& library, int without);
 

@@ -8,18 +8,18 @@
 
 namespace abrazo {
 
-/// What was said of takes and is not in the library of the session yet: the newest of each take, until a
-/// library that has it is in use.
+/// Annotations of takes that are not yet in the session's library: the newest per take, until a library that
+/// has them is in use.
 class LibraryUpdates {
  public:
   using Takes = std::map<std::string, TakeAnnotation>;  ///< by name
 
-  /// What is said of a take, when the library, or what is on its way there, has something else.
-  /// @return whether something waits now that did not; an Error when a role is neither a nor b
+  /// Puts the annotations of a take in the queue if they differ from the library and from the pending update.
+  /// @return whether the queue changed; an Error if a role is neither a nor b
   Result<bool> put(const MotionLibrary& library, const std::string& take, const Annotations& annotations);
-  /// All that waits is under way now, together with what was before and did not arrive.
+  /// Begins an update with everything in the queue, and with the previous update if it did not finish.
   const Takes& begin();
-  /// What is under way is in the library, or cannot be put there.
+  /// Ends the update: it is in the library, or failed.
   void end() { under_way_.clear(); }
   void forget();
   bool is_idle() const { return waiting_.empty() && under_way_.empty(); }
@@ -28,7 +28,7 @@ class LibraryUpdates {
   Takes waiting_, under_way_;
 };
 
-/// A library with them; takes that it does not have are an Error. See `with_annotation`.
+/// The library with the updates; an unknown take is an Error. See `with_annotation`.
 Result<std::shared_ptr<const MotionLibrary>> with_updates(std::shared_ptr<const MotionLibrary> library,
                                                           const LibraryUpdates::Takes& takes);
 

@@ -7,8 +7,8 @@
 
 namespace abrazo {
 
-/// What is looked at in a couple's motion, as curves over its frames, with the performers in the order of
-/// their roles: x is taken for the active one, y for the passive one.
+/// Quantities of a couple's motion as curves over its frames, with the performers in order of role: x is
+/// assumed active, y passive.
 struct MotionChannels {
   double fps = 0;
   /// One row per frame, one column per quantity: distances and heights [m], speeds [m/s], angles [turns].
@@ -20,7 +20,7 @@ struct MotionChannels {
   int count() const { return static_cast<int>(values.cols()); }
 };
 
-/// The last columns: above 0 on average where x moves first and y answers (hand, root, head).
+/// The last columns: above 0 on average if x moves first and y follows (hand, root, head).
 inline constexpr int lead_channel_count = 3;
 
 /// @param b_is_active  x is performer b

@@ -10,7 +10,7 @@ namespace abrazo {
 namespace {
 
 constexpr double good_overlap = 0.8;   ///< a candidate that overlaps a move this much is it
-constexpr double poor_overlap = 0.65;  ///< less is none; between the two nothing is learned
+constexpr double poor_overlap = 0.65;  ///< less is none; values between are not used
 constexpr double known_share = 0.8;    ///< of a candidate that is none must be labelled
 constexpr double none_per_move = 3;    ///< weight of candidates that are none, for every move
 constexpr int none_rows_per_move = 60;
@@ -33,7 +33,7 @@ int nearest_move(const std::vector<LabelledMove>& moves, int begin, int end) {
   return nearest;
 }
 
-/// Share of a stretch that the labels say something about.
+/// Share of a stretch covered by labels.
 double labelled_share(const std::vector<LabelledMove>& moves, int begin, int end) {
   int frames = 0;
   for (const LabelledMove& move : moves)
@@ -98,7 +98,7 @@ class Collection {
       const int order = std::max(0, move.active);
       add(features[static_cast<std::size_t>(order)], candidate, move.label, weight,
           first_move_ + candidate.move);
-      const bool both = move.active < 0;  // either order is right if it is unknown who is active
+      const bool both = move.active < 0;  // both orders are valid if the active performer is unknown
       add(features[static_cast<std::size_t>(1 - order)], candidate, both ? move.label : none, weight,
           both ? first_move_ + candidate.move : -1);
     }

@@ -5,12 +5,12 @@
 
 namespace abrazo {
 
-/// What a forest learns moves from: candidates of the labelled takes. Their class is the label of the move
-/// that they nearly cover; the last class, "none", has candidates that cover no move well, and moves with the
-/// performers in each other's place. Takes are the groups; origins count the moves of all takes on.
+/// Training examples for moves: candidates of the labelled takes. Their class is the label of the move that
+/// they nearly cover; the last class, "none", has candidates that match no move, and moves with the
+/// performers exchanged. Takes are the groups; origins number the moves of all takes.
 ///
-/// Every label weighs the same, since its frequency is in the order of labels, and a move weighs
-/// the same however many candidates cover it.
+/// Every label has the same total weight, because LabelOrder has its frequency; a move has the same weight
+/// however many candidates cover it.
 ForestExamples move_examples(const LabelledMoves& moves, const CandidateLengths& lengths);
 
 }  // namespace abrazo

@@ -10,7 +10,7 @@ namespace abrazo {
 namespace {
 
 constexpr double right_overlap = 0.5;  ///< a suggestion that overlaps a move of its label this much is right
-constexpr double temperature = 2;      ///< overlapping candidates say the same more than once
+constexpr double temperature = 2;      ///< overlapping candidates are redundant
 constexpr double least_share = 0.01;   ///< no forest is surer than that
 constexpr int shown_neighbours = 9;
 constexpr std::size_t fewest_takes_to_try = 3;

@@ -12,7 +12,7 @@
 
 namespace abrazo {
 
-/// A stretch that a model takes for one move, in frames of the CoupleMotion.
+/// A stretch proposed as one move, in frames of the CoupleMotion.
 struct ProposedMove {
   int begin = 0, end = 0;
   int label = 0;
@@ -20,34 +20,33 @@ struct ProposedMove {
   ConfidenceScale::Evidence move_evidence, role_evidence;
   double confidence = 0;                              ///< that there is a move of that label, 0 to 1
   double role_confidence = 0;                         ///< that the role is right
-  std::vector<DecisionForest::Neighbour> neighbours;  ///< labelled moves, counted on over the takes
+  std::vector<DecisionForest::Neighbour> neighbours;  ///< labelled moves, numbered over all takes
 };
 
 /// Learns from labelled takes which stretches of motion are which move, and who is active in them.
 ///
-/// Every stretch between two cuts is a candidate. A forest over its features says which label it has, or that
-/// it is none: no whole move, or one with the performers in each other's place. A hidden semi-Markov model
-/// over label and role then finds the tiling with the greatest sum of log(share of the label / share of none)
-/// and of how often labels follow one another. Tilings differ in which candidates they say are moves, so the
-/// odds of those, against being none, are what compares them.
+/// Every stretch between two cuts is a candidate. A forest classifies its features as a label or as none (not
+/// a whole move, or one with the performers exchanged). A hidden semi-Markov model over label and role then
+/// finds the tiling with the greatest sum of log(share of the label / share of none) and log probabilities of
+/// label succession. Tilings contain different candidates, so they are compared by the odds against none.
 class MoveModel {
  public:
   /// @param moves  with at least one take; must outlive the model
   static Result<MoveModel> learn(const LabelledMoves& moves, const Progress& progress);
 
-  /// They tile the take. Empty when it has no frames.
+  /// The moves tile the take. Empty if it has no frames.
   std::vector<ProposedMove> propose(const std::array<MotionChannels, 2>& channels) const;
 
-  /// Suggestions that were tried for the confidences; 0 = too few takes to try any.
+  /// Number of trials behind the confidences; 0 = too few takes.
   int trials() const { return move_scale_.trials(); }
 
  private:
-  /// What of the tiling's terms is chosen by trying on the labelled takes.
+  /// Weights of the tiling's terms, chosen by trials on the labelled takes.
   struct Weights {
     double segment = 0;  ///< added for every segment: the greater, the shorter they are
     double follows = 1;  ///< of the log probability that a label follows another
   };
-  /// What came of trying on the labelled takes, each with trees that did not see it.
+  /// Results of trials on the labelled takes, each with trees that did not see it.
   struct Trials {
     std::vector<ConfidenceScale::Trial> moves, roles;
     double agreed_frames = 0, frames = 0;

@@ -10,7 +10,7 @@ namespace abrazo {
 
 namespace {
 
-/// Ids and names that were seen so far.
+/// Ids and names seen so far.
 struct Seen {
   int next_id = 1;
   std::set<int> ids;

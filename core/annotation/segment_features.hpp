@@ -6,8 +6,8 @@
 
 namespace abrazo {
 
-/// What a stretch of a couple's motion is described by: of every channel the mean, least, greatest, first and
-/// last value, and the turns made, the places changed, rise and fall of the turns, and the duration.
+/// Features of a stretch of a couple's motion: mean, minimum, maximum, first and last value of every channel,
+/// the turns, change of places, rise and fall of the turns, and the duration.
 class SegmentFeatures {
  public:
   explicit SegmentFeatures(const MotionChannels& channels);
@@ -21,10 +21,10 @@ class SegmentFeatures {
  private:
   static constexpr int own_features = 14;
   const MotionChannels& channels_;
-  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> sums_;  ///< of the frames before
+  Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> sums_;  ///< cumulative sums
 };
 
-/// Net turn of a stretch, and how far it went to and fro [turns].
+/// Net turn of a stretch, and its extremes [turns].
 struct TurnCount {
   double net = 0;   ///< last - first
   double rise = 0;  ///< greatest rise from an earlier to a later frame

@@ -6,7 +6,7 @@ namespace abrazo {
 
 namespace {
 
-/// The tier that suggestions of a kind go to; made when there is none.
+/// The tier for suggestions of a kind; created if missing.
 Result<int> tier_for(Annotations& annotations, TierKind kind) {
   if (const AnnotationTier* tier = annotations.first_of(kind)) return tier->id;
   return annotations.add_tier(kind == TierKind::Role ? "role" : "move", kind, {});

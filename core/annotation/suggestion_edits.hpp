@@ -10,12 +10,12 @@
 
 namespace abrazo {
 
-/// Suggestions in place of those before, in the first tiers of moves and roles; a tier is made where there is
-/// none. An Error when there is nothing to suggest, which says why.
+/// Replaces the suggestions in the first tiers of moves and roles; creates missing tiers. An Error with the
+/// reason if there is nothing to suggest.
 Result<LabelEdit> with_suggestions(const Annotations& annotations, const SuggestedTiers& suggested,
                                    const SuggestionRequest& request);
 
-/// The suggestion becomes a label.
+/// Turns a suggestion into a label.
 Result<LabelEdit> accept_suggestion(const Annotations& annotations, const EditPlace& place, int suggestion);
 /// The same with another value.
 Result<LabelEdit> accept_suggestion_as(const Annotations& annotations, const EditPlace& place, int suggestion,
@@ -23,11 +23,11 @@ Result<LabelEdit> accept_suggestion_as(const Annotations& annotations, const Edi
 Result<LabelEdit> reject_suggestion(const Annotations& annotations, int suggestion);
 LabelEdit clear_suggestions(const Annotations& annotations);
 
-/// Each that can be becomes a label, one after another.
+/// Accepts suggestions one by one.
 struct AcceptedSuggestions {
   LabelEdit edit;
-  std::size_t refused = 0;  ///< that stay suggestions
-  std::string why = {};     ///< of the last that was refused
+  std::size_t refused = 0;  ///< number that stay suggestions
+  std::string why = {};     ///< reason of the last refusal
 };
 AcceptedSuggestions accept_suggestions(const Annotations& annotations, const EditPlace& place,
                                        std::span<const int> suggestions);

@@ -7,9 +7,8 @@
 
 namespace abrazo {
 
-/// What a person can see in a stretch of a take, in words: holds and hands on backs with the share of the
-/// stretch, turns relative to the partner, places changed, being apart, the fastest hand or foot. Empty when
-/// nothing of this is there.
+/// Visible properties of a stretch as text: holds and hands on backs with their share of the stretch, turns
+/// relative to the partner, change of places, distance, the fastest hand or foot. Empty if there are none.
 std::string seen_geometry(const CoupleMotion& motion, const CoupleGeometry& geometry, int begin, int end);
 
 /// "7 of 9 nearest labelled moves: turn".

@@ -11,15 +11,15 @@
 
 namespace abrazo {
 
-/// What to propose for a take, from its geometry (holds, facing, turns, places changed, who moves first) and
-/// from labelled neighbours: frames of the library's other takes that look alike.
+/// Request of suggestions for a take, from its geometry (holds, facing, turns, change of places, who moves
+/// first) and from labelled neighbours: similar frames of the library's other takes.
 struct SuggestionRequest {
-  std::string take;  ///< of the library; its own roles and labels are not looked at
+  std::string take;  ///< of the library; its own roles and labels are ignored
   bool moves = true;
   bool roles = true;
 };
 
-/// Suggested intervals without tier and id, tiling what can be said of the take, in seconds = frame / fps.
+/// Suggested intervals without tier and id that tile the take, in seconds = frame / fps.
 struct SuggestedTiers {
   std::vector<Suggestion> moves;
   std::vector<Suggestion> roles;  ///< "a" or "b"

@@ -36,7 +36,7 @@ int longest_before(const TilingScores& scores, int cut) {
   return std::min(scores.longest(), cut);
 }
 
-/// log of the sum over the tilings of [0, cut) that go on with a segment in the state.
+/// log of the sum over the tilings of [0, cut) that continue with a segment in the state.
 void sum_before(const TilingScores& scores, double temperature, CutTable& entered) {
   std::vector<double> ended(static_cast<std::size_t>(scores.states()));  // in the state, at this cut
   for (int cut = 0; cut <= scores.cells(); ++cut)

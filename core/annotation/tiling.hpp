@@ -5,7 +5,7 @@
 
 namespace abrazo {
 
-/// What speaks for each way to cut a row of cells into segments with a state each, as log odds.
+/// Scores, as log odds, of the ways to cut a row of cells into segments with one state each.
 class TilingScores {
  public:
   /// @param cells     at least 1
@@ -16,10 +16,10 @@ class TilingScores {
   int longest() const { return longest_; }
   int states() const { return states_; }
 
-  /// Of the segment of cells [begin, begin + length) in a state; begin at 0.
+  /// Score of the segment [begin, begin + length) in a state; initially 0.
   double& segment(int begin, int length, int state) { return segments_[index(begin, length, state)]; }
   double segment(int begin, int length, int state) const { return segments_[index(begin, length, state)]; }
-  /// Of a segment that follows one in another state.
+  /// Score of a segment that follows one in another state.
   double& follows(int before, int state) {
     return follows_[static_cast<std::size_t>(before * states_ + state)];
   }
@@ -46,12 +46,12 @@ struct TilingSegment {
 };
 
 /// The tiling with the greatest sum, found by dynamic programming over the cuts (a segmental Viterbi search).
-/// Empty when no tiling is possible (every one has a score of -infinity).
+/// Empty if no tiling is possible (all scores are -infinity).
 std::vector<TilingSegment> best_tiling(const TilingScores& scores);
 
-/// Probability of each state in each cell, cells x states, when a tiling is exp(score / temperature) likely:
-/// the forward-backward sums of a hidden semi-Markov model.
-/// @param temperature  above 0; the higher, the less is taken for certain
+/// Probability of each state in each cell, cells x states, if the probability of a tiling is proportional to
+/// exp(score / temperature): forward-backward sums of a hidden semi-Markov model.
+/// @param temperature above 0; higher values give less certain results
 std::vector<double> state_probabilities(const TilingScores& scores, double temperature);
 
 }  // namespace abrazo

@@ -8,29 +8,28 @@
 
 namespace abrazo {
 
-/// Makes an empty file, and nothing else: what has the name already, a link to nowhere too, is left alone and
-/// not followed. @return whether it was made; if not, errno says why (EEXIST: the name is taken)
+/// Creates an empty file. An existing file of this name is left alone; links, even dangling ones, are not
+/// followed. @return whether it was created; if not, errno says why (EEXIST: the name is taken)
 bool make_new_file(const std::filesystem::path& path);
 
-/// A file that appears under its name whole or not at all: written beside it under another name, then
-/// renamed. Not committed when it goes out of scope: the partial file is removed.
+/// A file that appears under its name complete or not at all: written beside it under another name, then
+/// renamed. The destructor removes a partial file that was not committed.
 class AtomicFile {
  public:
-  /// Makes the partial file, empty, under a name that nobody can foresee. Where it cannot be made, whoever
-  /// opens it finds out why.
-  /// @param extension  that the partial file ends in, where its writer goes by that (".mp4")
+  /// Creates the empty partial file under an unpredictable name. If that fails, opening it reports why.
+  /// @param extension of the partial file, if its writer depends on it (".mp4")
   explicit AtomicFile(std::filesystem::path target, std::string_view extension = {});
   ~AtomicFile();
   AtomicFile(const AtomicFile&) = delete;
   AtomicFile& operator=(const AtomicFile&) = delete;
 
-  /// Where to write meanwhile: to this file, in the folder of the target.
+  /// The file to write to, in the folder of the target.
   const std::filesystem::path& partial() const { return partial_; }
 
-  /// Writes the whole content beside the target.
+  /// Writes the content to the partial file.
   Status write(std::string_view content) const;
 
-  /// Moves the finished file to its name, replacing what was there.
+  /// Renames the finished file to its target, replacing an existing file.
   Status commit();
 
  private:
@@ -39,10 +38,10 @@ class AtomicFile {
   bool committed_ = false;
 };
 
-/// Writes `content` to `target`, whole or not at all.
+/// Writes `content` to `target`, completely or not at all.
 Status write_whole_file(const std::filesystem::path& target, std::string_view content);
 
-/// The content of a file, or an Error that names it: also for a pipe or a device, and for more than 4 GB.
+/// The content of a file. An Error that names it, also for pipes, devices and files above 4 GB.
 Result<std::string> read_whole_file(const std::filesystem::path& path);
 
 }  // namespace abrazo

@@ -4,8 +4,8 @@
 
 namespace abrazo {
 
-/// What programs may still take without others being moved out of memory [bytes]: the kernel's own estimate,
-/// which counts caches that it can give up. The greatest number where it does not say.
+/// Memory available without swapping [bytes]: the kernel's estimate, including caches that it can drop. The
+/// maximum value if unknown.
 std::uint64_t available_memory_bytes();
 
 }  // namespace abrazo

@@ -8,7 +8,7 @@
 
 namespace abrazo {
 
-/// FNV-1a, 64 bits, byte by byte: finds bytes that the disk changed. Of what session files keep.
+/// FNV-1a, 64 bits, byte by byte: detects corrupted bytes in session files.
 class Checksum {
  public:
   void add(std::span<const std::uint8_t> bytes) {
@@ -24,7 +24,7 @@ class Checksum {
   std::uint64_t value_ = 14695981039346656037ULL;
 };
 
-/// Mixes 64 bits at a time, 64 MiB in some 30 ms: tells contents of files and libraries apart.
+/// Mixes 64 bits at a time, 64 MiB in some 30 ms: distinguishes contents of files and libraries.
 class ContentHash {
  public:
   void add(std::uint64_t word) {

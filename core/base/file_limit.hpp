@@ -4,9 +4,8 @@
 
 namespace abrazo {
 
-/// From here on a file that may grow no further (a limit of the shell or of the file system) fails to be
-/// written, as on a full disk, instead of ending the program. Programs that are started from here take it
-/// over.
+/// Makes writes beyond a file size limit (of the shell or the file system) fail as on a full disk, instead of
+/// ending the program by a signal. Child processes inherit this.
 inline void take_file_limit_for_full_disk() {
   std::signal(SIGXFSZ, SIG_IGN);
 }

@@ -8,13 +8,12 @@
 
 namespace abrazo {
 
-/// Several files that appear together, once all of them are written; none of them where one cannot be
-/// written, a folder has its name, or the series goes out of scope before. Where one cannot get its name
-/// after others have theirs, those are taken away again; older files that they replaced are lost, and the
-/// Error counts them.
+/// Several files that appear together once all are written; none if one cannot be written, a folder has its
+/// name, or the series is destroyed before. If one cannot be renamed after others were, those are removed
+/// again; older files that they replaced are lost, and the Error counts them.
 class FileSeries {
  public:
-  /// No path twice. After an Error the series cannot be committed any more.
+  /// Every path only once. After an Error the series can no longer be committed.
   Status add(const std::string& path, const std::string& content);
   Status commit();
   const std::vector<std::string>& paths() const { return paths_; }

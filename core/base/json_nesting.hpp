@@ -4,12 +4,11 @@
 
 namespace abrazo {
 
-/// Whether brackets of a JSON text stand deeper inside each other than in anything this program reads. To be
-/// asked before it is parsed: values are written, copied and compared by recursion, and the file decides how
-/// deep.
+/// Whether a JSON text is nested deeper than anything this program reads. Check it before parsing: values are
+/// written, copied and compared by recursion, to a depth set by the file.
 bool nests_too_deep(std::string_view json);
 
-/// What to say of such a text.
+/// Message for such a text.
 inline constexpr const char* too_deep_words =
     "has brackets more than 100 deep inside each other; it is damaged";
 

@@ -9,7 +9,7 @@
 namespace abrazo {
 
 /// Writes JSON straight into a string: a trace line holds thousands of numbers and is written per frame.
-/// Numbers read back to the same double; what is not finite is written as null.
+/// Numbers read back to the same double; numbers that are not finite are written as null.
 class JsonText {
  public:
   JsonText& begin_object() { return open('{'); }
@@ -48,7 +48,7 @@ class JsonText {
   void separate();
 
   std::string text_;
-  bool first_ = true;  ///< nothing stands yet in the innermost object or array, or a key was just written
+  bool first_ = true;  ///< the innermost object or array is empty, or a key was just written
 };
 
 }  // namespace abrazo

@@ -9,7 +9,7 @@
 
 namespace abrazo {
 
-/// Lines written one after another to a file that appears whole at the end.
+/// Lines written in sequence to a file that appears complete at the end.
 class LineFile {
  public:
   static Result<std::unique_ptr<LineFile>> open(const std::string& path);

@@ -18,7 +18,7 @@ class LineReader {
   /// Number of the line last returned, 1-based.
   int number() const { return number_; }
 
-  /// What has not been returned yet.
+  /// The text not yet returned.
   std::string_view rest() const { return rest_; }
 
  private:

@@ -15,16 +15,15 @@
 
 namespace abrazo {
 
-/// A value that takes long to make, made once by whoever first asks for it and shared by all. Safe to call
-/// from any thread: prepare it on one, and another need not wait.
+/// A value that takes long to compute, computed once on first request and shared. Thread-safe: one thread can
+/// prepare it so that another need not wait.
 template <typename T>
 class MadeOnce {
  public:
-  /// @param make  may throw; then nothing is made and the next call tries again. When progress says stop, its
-  /// value is dropped.
+  /// @param make may throw; the next call then tries again. If `progress` cancels, its value is dropped.
   explicit MadeOnce(std::function<T(const Progress&)> make) : make_(std::move(make)) {}
 
-  /// Ends what prepare() began; waits for what cannot be interrupted.
+  /// Cancels prepare(); waits for steps that cannot be interrupted.
   ~MadeOnce() {
     stop_ = true;
     if (worker_.joinable()) worker_.join();
@@ -32,10 +31,11 @@ class MadeOnce {
   MadeOnce(const MadeOnce&) = delete;
   MadeOnce& operator=(const MadeOnce&) = delete;
 
-  /// Made now if it was not; waits while another thread makes it. Rethrows what making throws.
+  /// Computes the value if needed; waits while another thread computes it. Rethrows exceptions of `make`.
   const T& get() const {
     if (ready_) return value_;
-    // Not std::call_once: where pthread_once knows nothing of exceptions, a throw would lock it for ever.
+    // Not std::call_once: on systems whose pthread_once does not support exceptions, a throw would block it
+    // for ever.
     const std::scoped_lock lock(making_);
     if (!ready_) {
       value_ = make_([&](double, std::string_view) { return !stop_; });
@@ -44,10 +44,10 @@ class MadeOnce {
     }
     return value_;
   }
-  /// `get` would return immediately.
+  /// Whether `get` would return immediately.
   bool is_ready() const { return ready_; }
 
-  /// Has it made on a thread of its own, unless that was done. @see trouble
+  /// Computes it on a separate thread, unless that was done. @see trouble
   void prepare() const {
     const std::scoped_lock lock(preparing_);
     if (ready_ || is_preparing_ || stop_) return;
@@ -64,9 +64,9 @@ class MadeOnce {
       trouble_ = std::move(trouble);
       is_preparing_ = false;
     });
-    is_preparing_ = true;  // not when there was no thread to be had
+    is_preparing_ = true;  // stays false if no thread could be started
   }
-  /// Why prepare() could not make it; said once, and prepare() may then be asked again.
+  /// Why prepare() failed; returned once, after which prepare() may be called again.
   std::optional<std::string> trouble() const {
     const std::scoped_lock lock(preparing_);
     return std::exchange(trouble_, std::nullopt);

@@ -30,9 +30,9 @@ std::array<Watch, most_mappings> watches;
 std::uintptr_t page_bytes = 4096;
 struct sigaction handler_before;
 
-/// Puts zeros where the file's page is gone, so that the interrupted read goes on; and behind it, where
-/// no caller relies on the contents any more: pages that are replaced one by one would be mappings of their
-/// own, of which the kernel allows some ten thousand.
+/// Maps zeros over the lost page, so that the interrupted read continues, and over all pages after it, whose
+/// contents no caller relies on any more: replacing pages one by one would create a mapping each, and the
+/// kernel limits them to some ten thousand.
 bool replace_lost_page(std::uintptr_t address) {
   for (Watch& watch : watches) {
     if (address < watch.begin || address >= watch.end) continue;
@@ -49,7 +49,7 @@ bool replace_lost_page(std::uintptr_t address) {
 void on_bus_error(int signal, siginfo_t* info, void* context) {
   const int errno_before = errno;
   if (!replace_lost_page(reinterpret_cast<std::uintptr_t>(info->si_addr))) {
-    // Not ours: whoever was there before decides; the read is tried again and faults again.
+    // Not our mapping: restores the previous handler; the read is repeated and faults again.
     if ((handler_before.sa_flags & SA_SIGINFO) != 0)
       handler_before.sa_sigaction(signal, info, context);
     else

@@ -9,11 +9,10 @@
 
 namespace abrazo {
 
-/// A file's bytes as memory, read page by page as they are touched; shared by all who map it. Never writes.
-/// Whoever replaces the file by renaming another to its name, or deletes it, leaves the mapping as it was.
-/// Whoever cuts it short takes pages from under it: they read as zeros from then on, and the file says so
-/// (without this the system would end the program, SIGBUS). Whoever writes into the file changes what is
-/// read here, at any moment: what is read must be checked as it is used.
+/// A read-only memory mapping of a file, loaded page by page on access. Replacing the file by a rename, or
+/// deleting it, does not affect the mapping. Truncating it removes pages: they then read as zeros, and
+/// lost_pages() is true (otherwise the system would end the program with SIGBUS). Writing to the file changes
+/// the mapped bytes at any moment, so data must be checked on use.
 class MappedFile {
  public:
   /// @param descriptor  of a file open for reading; may be closed afterwards
@@ -24,14 +23,14 @@ class MappedFile {
   MappedFile& operator=(const MappedFile&) = delete;
 
   std::span<const std::byte> bytes() const { return bytes_; }
-  /// A page could not be read when it was touched: the file was cut short, or its disk failed.
+  /// Whether a page could not be read: the file was truncated, or its disk failed.
   bool lost_pages() const;
-  /// The file was written to, cut short or grown since it was mapped. Asks the system: some hundred
+  /// Whether the file was written, truncated or extended since it was mapped. A system call: some hundred
   /// nanoseconds.
   bool was_changed() const;
 
  private:
-  /// What changes with a file's content.
+  /// Properties that change with a file's content.
   struct State {
     std::int64_t bytes = 0, changed_s = 0, changed_ns = 0;
     bool operator==(const State&) const = default;
@@ -42,9 +41,9 @@ class MappedFile {
   static State state_of(int descriptor);
 
   std::span<const std::byte> bytes_;
-  std::size_t watch_;  ///< row of the table that the signal handler reads
-  int descriptor_;     ///< its own
-  State state_;        ///< when it was mapped
+  std::size_t watch_;  ///< row in the signal handler's table
+  int descriptor_;     ///< owned
+  State state_;        ///< at the time of mapping
 };
 
 }  // namespace abrazo

@@ -8,8 +8,8 @@
 
 namespace abrazo {
 
-/// Whether a file can be written there, asked before the work rather than after it: the folder exists, what
-/// stands at the name is a regular file or nothing, and it is none of the `inputs`.
+/// Checks before long work that a file can be written: the folder exists, the path is a regular file or free,
+/// and it is none of the `inputs`.
 Status check_output(const std::string& path, const std::vector<std::string>& inputs);
 
 /// "dance.bvh" with "_active" is "dance_active.bvh"; a name without extension gets it at the end.

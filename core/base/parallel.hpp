@@ -13,9 +13,9 @@
 
 namespace abrazo {
 
-/// Calls `work(i)` for i in [0, count) from every core, `block` of them at a time. The order of calls is not
-/// fixed, so `work` must write to row i only.
-/// @return false when progress asked to stop. Rethrows what `work` throws.
+/// Calls `work(i)` for i in [0, count) on all processor cores, in blocks of `block`. The order of calls is
+/// undefined, so `work` must write to row i only.
+/// @return false if `progress` cancelled. Rethrows what `work` throws.
 template <typename Work>
 bool for_each_row(std::size_t count, std::size_t block, const Progress& progress, std::string_view doing,
                   const Work& work) {

@@ -18,12 +18,12 @@ using Pose = Eigen::Matrix<double, joint_count, 3, Eigen::RowMajor>;
 /// Both bodies: rows 0..24 active, 25..49 passive [m].
 using PairPose = Eigen::Matrix<double, pair_vertex_count, 3, Eigen::RowMajor>;
 
-/// Where a joint is, as a column [m].
+/// Position of a joint, as a column [m].
 inline Vec3 joint_at(const Pose& pose, int joint) {
   return pose.row(joint).transpose();
 }
 
-/// The part of a vector that runs along the floor.
+/// The horizontal part of a vector.
 inline Vec3 along_floor(const Vec3& v) {
   return {v.x(), 0, v.z()};
 }

@@ -9,7 +9,7 @@ bool is_control(char c) {
   return byte < 0x20 || byte == 0x7f;
 }
 
-/// U+0080 to U+009F, which some terminals obey like the escape sequences they stand for.
+/// U+0080 to U+009F, which some terminals interpret as escape sequences.
 bool is_control_of_two_bytes(std::string_view text) {
   return text.size() >= 2 && text[0] == '\xC2' && static_cast<unsigned char>(text[1]) >= 0x80 &&
          static_cast<unsigned char>(text[1]) < 0xA0;

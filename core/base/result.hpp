@@ -8,7 +8,7 @@
 
 namespace abrazo {
 
-/// Either a value or the reason why there is none. Returned by everything that reads from outside.
+/// Either a value or an Error. Returned by everything that reads external data.
 template <typename T>
 class [[nodiscard]] Result {
  public:
@@ -18,7 +18,7 @@ class [[nodiscard]] Result {
   bool ok() const { return content_.index() == 0; }
   explicit operator bool() const { return ok(); }
 
-  /// @throws std::logic_error when there is no value: asking without checking is a programming mistake.
+  /// @throws std::logic_error if there is no value: access without a check is a programming error.
   T& value() & { return require_value(), std::get<0>(content_); }
   const T& value() const& { return require_value(), std::get<0>(content_); }
   T&& value() && { return require_value(), std::get<0>(std::move(content_)); }

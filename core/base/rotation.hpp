@@ -6,9 +6,9 @@
 
 namespace abrazo {
 
-/// The rotation by the smallest angle that turns the direction `from` to `to`; neither need be of unit
-/// length, neither may be zero. `Eigen::Quaterniond::FromTwoVectors`, compiled once: it contains a singular
-/// value decomposition, for opposite directions, that takes seconds to compile.
+/// The smallest rotation from direction `from` to `to`; both of any length above zero.
+/// `Eigen::Quaterniond::FromTwoVectors`, compiled once: it contains a singular value decomposition, for
+/// opposite directions, that takes seconds to compile.
 Eigen::Quaterniond smallest_rotation(const Vec3& from, const Vec3& to);
 
 }  // namespace abrazo

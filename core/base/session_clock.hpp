@@ -4,8 +4,8 @@
 
 namespace abrazo {
 
-/// Seconds since a session began, on the monotonic clock. A small value; every thread of a session has a copy
-/// of the same one.
+/// Seconds since a session began, on the monotonic clock. A small value type; every thread of a session has a
+/// copy.
 class SessionClock {
  public:
   using Steady = std::chrono::steady_clock;

@@ -24,15 +24,15 @@ inline double percentile(std::vector<double> values, double fraction) {
   return *nth;
 }
 
-/// The middle value, the upper of two; there has to be one. The values are put into another order.
+/// The median, the upper of two; the values must not be empty and are reordered.
 inline double upper_median(std::vector<double>& values) {
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
 }
 
-/// The value below which `fraction` of the values lie, between two of them by their distance from it, as most
-/// programs for statistics have it; not a number for none.
+/// The value below which `fraction` of the values lie, interpolated linearly as in most statistics programs;
+/// NaN for none.
 inline double quantile(std::vector<double> values, double fraction) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   const double rank = fraction * static_cast<double>(values.size() - 1);
@@ -43,7 +43,7 @@ inline double quantile(std::vector<double> values, double fraction) {
   return *below + share * (*std::min_element(below + 1, values.end()) - *below);
 }
 
-/// Not a number for none.
+/// NaN for none.
 inline double root_mean_square(const std::vector<double>& values) {
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   const double sum = std::inner_product(values.begin(), values.end(), values.begin(), 0.0);

@@ -22,14 +22,14 @@ std::vector<std::string_view> split_fields(std::string_view line, char separator
 /// The lines of a text whose ends are LF, CRLF or CR; the last may lack one.
 std::vector<std::string_view> split_lines(std::string_view text);
 
-/// How deep the brackets and braces of a JSON text stand inside each other; those in strings do not count.
-/// Readers that descend by recursion need a bound on it.
+/// Nesting depth of the brackets and braces of a JSON text, without those in strings. Recursive readers need
+/// a bound on it.
 std::size_t nesting_depth(std::string_view json);
 
-/// The word between quotes for a message: what cannot be printed becomes '?', a long one is cut.
+/// The word between quotes for a message: unprintable characters become '?', a long word is cut.
 std::string in_quotes(std::string_view word);
 
-/// A whole word as a number, independent of the locale; nothing if any character is left over.
+/// A whole word as a number, independent of the locale; none if any character is left over.
 std::optional<double> parse_number(std::string_view word);
 std::optional<long long> parse_integer(std::string_view word);
 

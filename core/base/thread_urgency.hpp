@@ -2,10 +2,10 @@
 
 namespace abrazo {
 
-/// The calling thread works for a moment, often, and each time something waits for it: from now on the
-/// scheduler lets it go before threads that calculate at length. It gets no larger share of the processor and
-/// needs no rights. Where the system has no such thing (Linux before 6.12) nothing changes, nor for a thread
-/// that was given a real-time policy from outside.
+/// Asks the scheduler to run the calling thread before threads with long computations, because it works
+/// often, briefly, and others wait for it. It gets no larger share of the processor and needs no privileges.
+/// No effect on systems without support (Linux before 6.12) and on threads that already have a real-time
+/// policy.
 void let_this_thread_go_first();
 
 }  // namespace abrazo

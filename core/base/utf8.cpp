@@ -13,7 +13,7 @@ std::size_t length_of(unsigned char first) {
   return first < 0xF5 ? 4 : 0;
 }
 
-/// What rules out longer forms than needed, surrogates, and what is beyond U+10FFFF.
+/// Excludes overlong forms, surrogates, and values beyond U+10FFFF.
 bool may_follow(unsigned char first, unsigned char second) {
   const unsigned char least = first == 0xE0 ? 0xA0 : first == 0xF0 ? 0x90 : 0x80;
   const unsigned char greatest = first == 0xED ? 0x9F : first == 0xF4 ? 0x8F : 0xBF;

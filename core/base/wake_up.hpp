@@ -6,8 +6,8 @@
 
 namespace abrazo {
 
-/// One thread sleeps until a time or until another thread has something for it, whichever comes first. What
-/// was notified while it was awake is not lost: the next wait returns immediately.
+/// Lets one thread sleep until a time or a notification, whichever comes first. A notification while it is
+/// awake is not lost: the next wait returns immediately.
 class WakeUp {
  public:
   void notify() {
@@ -18,7 +18,7 @@ class WakeUp {
     condition_.notify_one();
   }
 
-  /// @return whether it was called, not merely time
+  /// @return whether it was notified, false after a timeout
   bool wait_until(std::chrono::steady_clock::time_point until) {
     std::unique_lock lock(mutex_);
     const bool called = condition_.wait_until(lock, until, [this] { return called_; });

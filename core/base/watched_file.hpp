@@ -4,11 +4,11 @@
 
 namespace abrazo {
 
-/// Remembers which file a name meant, to notice when it is deleted or moved while it is in use. Keeps
-/// the file from nothing: it is neither read nor locked by this.
+/// Remembers the file behind a path, to detect that it is deleted or moved while in use. Does not read or
+/// lock the file.
 class WatchedFile {
  public:
-  /// @param path  of a file that is there; one that is not counts as deleted
+  /// @param path of an existing file; a missing one counts as deleted
   explicit WatchedFile(std::string path);
   WatchedFile(WatchedFile&& other) noexcept;
   WatchedFile& operator=(WatchedFile&& other) noexcept;
@@ -16,7 +16,7 @@ class WatchedFile {
 
   enum class State {
     There,
-    Deleted,  ///< it has no name any more: what is written to it is gone when it is closed
+    Deleted,  ///< it has no name any more: data written to it is lost when it is closed
     Moved     ///< it has another name, or another file has taken its name
   };
   State state() const;

@@ -5,8 +5,7 @@
 
 namespace abrazo {
 
-/// Text from outside (names of takes, labels) as it may stand between tags and in attributes of XML, HTML
-/// and SVG.
+/// External text (names of takes, labels) escaped for content and attributes of XML, HTML and SVG.
 std::string xml_text(std::string_view text);
 
 }  // namespace abrazo

@@ -7,11 +7,11 @@
 
 namespace abrazo {
 
-/// Takes the jerks out of one arm's motion: where the hand passes a direction in which the elbow could go
-/// either way, the elbow comes about over several frames instead of one, and so does the wrist. Lengths stay
-/// exact and hands stay where they are (but for what the reach of a turned wrist demands).
+/// Smooths one arm's motion: where the hand passes a direction in which the elbow is ambiguous, elbow and
+/// wrist turn over several frames instead of one. Lengths stay exact and hands stay in place (except as the
+/// reach of a turned wrist requires).
 /// @param chests      orientation of the chest in every frame; as many as poses
-/// @param half_width  frames over which is averaged, to either side
+/// @param half_width half width of the average [frames]
 void smooth_arm(const DancerBody& body, Side side, const std::vector<Turn>& chests, int half_width,
                 std::vector<Pose>& poses);
 

@@ -12,18 +12,18 @@ struct FeetTrack {
   std::vector<FootPosture> left, right;
 };
 
-/// Where the weight rests on the floor: on the foot that stands while the other moves, passing from one to
-/// the other while both stand. One point per frame, y = 0.
+/// Path of the weight on the floor: on the standing foot while the other moves, and from one foot to the
+/// other while both stand. One point per frame, y = 0.
 std::vector<Vec3> weight_path(const FeetTrack& feet, double fps);
 
 /// Path of a centre of mass at `height_m` whose zero moment point is `zero_moment_point`: the bounded
-/// solution of c - (h / g) c'' = p, x and z each (linear inverted pendulum, Kajita et al. 2001). It runs
-/// ahead of the weight and sways less than the feet are apart. y = 0.
+/// solution of c - (h / g) c'' = p, x and z each (linear inverted pendulum, Kajita et al. 2001). It leads the
+/// weight and sways less than the distance of the feet. y = 0.
 std::vector<Vec3> pendulum_path(const std::vector<Vec3>& zero_moment_point, double height_m, double fps);
 
-/// Moves the trunks horizontally so that the centre of mass goes where the feet can carry it: the zero moment
-/// point of the dance stays under them. Turns, lean and height of the trunks are kept; arms count as hanging.
-/// @param share  of the way there; 1 = perfectly balanced
+/// Moves the trunks horizontally so that the feet can support the centre of mass: the zero moment point stays
+/// within the support. Turns, lean and height of the trunks are kept; arms are assumed to hang.
+/// @param share of the correction; 1 = perfectly balanced
 void balance_trunks(const DancerBody& body, const FeetTrack& feet, double fps, double share,
                     std::vector<TrunkPosture>& trunks);
 

@@ -7,7 +7,7 @@
 namespace abrazo {
 namespace {
 
-/// Also false for what is not a number.
+/// Also false for NaN.
 bool within(double value, double low, double high) {
   return value >= low && value <= high;
 }

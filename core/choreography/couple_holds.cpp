@@ -34,7 +34,7 @@ Vec3 held_hand(const PlacedDancer& dancer, Side side) {
 }
 
 /// Moved out of the dancer's trunk and head, without a kink: the nearer to the axis, the farther.
-/// @param share  of the way out that is gone
+/// @param share share of the way out completed
 Vec3 clear_of(const PlacedDancer& dancer, const Vec3& point, double share) {
   const Vec3 head = joint_at(dancer.pose, joints::Head), root = joint_at(dancer.pose, joints::Root);
   const double up = (point.y() - root.y()) / (head.y() - root.y());
@@ -47,7 +47,7 @@ Vec3 clear_of(const PlacedDancer& dancer, const Vec3& point, double share) {
 }
 
 /// Not behind the dancer's own shoulder, where no arm likes to go; without a kink.
-/// @param share  of the way to the front that is gone
+/// @param share share of the way to the front completed
 Vec3 in_front_of(const PlacedDancer& dancer, Side side, const Vec3& point, double share) {
   const Vec3 forward = dancer.chest.matrix() * Vec3::UnitZ();
   const double ahead = (point - joint_at(dancer.pose, shoulder(side))).dot(forward);
@@ -190,7 +190,7 @@ void CoupleHolds::place_arms(double beat, const PlacedDancer& leader, const Plac
   const Holds holds = holds_at(beat, now, leader, follower);
   const double h = follower.body.height;
   const Vec3 left = Vec3::UnitY().cross(holds.ahead);
-  // On the way to her back his hand goes round her side.
+  // On the way to her back his hand passes around her side.
   const Vec3 aside = -4 * now[RightClosed] * (1 - now[RightClosed]) * 0.14 * left;
   const auto hers = [&](int index) { return joint_at(follower.pose, index); };
   const Vec3 her_back = 0.35 * hers(joints::UpperBack) + 0.65 * hers(joints::Thorax) +

@@ -9,18 +9,18 @@
 
 namespace abrazo {
 
-/// A dancer of whom everything but the arms is placed.
+/// A dancer with everything placed except the arms.
 struct PlacedDancer {
   const DancerBody& body;
   const Turn& chest;
   Pose& pose;
-  Vec3 left_stray = Vec3::Zero(), right_stray = Vec3::Zero();  ///< of the hands from where they should be [m]
+  Vec3 left_stray = Vec3::Zero(), right_stray = Vec3::Zero();  ///< of the hands from their targets [m]
 };
 
-/// Where the four hands are over a dance. His left and her right hold one another between the two, at the
-/// side, or above the head of the one who turns, or are free. His right and her left hold one another, or lie
-/// on her shoulder blade and on his shoulder, or on her waist while she is led in, or are free. Walking in
-/// tandem both right hands hold one another. Hands that hold meet wherever both arms can reach.
+/// Positions of the four hands over a dance. His left and her right hold one another between the two, at the
+/// side, or above the head of the turning dancer, or are free. His right and her left hold one another, or
+/// lie on her shoulder blade and on his shoulder, or on her waist while she is led in, or are free. Walking
+/// in tandem both right hands hold one another. Hands that hold meet wherever both arms can reach.
 class CoupleHolds {
  public:
   explicit CoupleHolds(const std::vector<SalsaPhrase>& phrases);
@@ -29,7 +29,7 @@ class CoupleHolds {
   void place_arms(double beat, const PlacedDancer& leader, const PlacedDancer& follower) const;
 
  private:
-  /// Shares of where the hands are: up to LeftTandem they add up to 1, so do those up to RightTandem.
+  /// Weights of the hand positions: those up to LeftTandem sum to 1, and so do those up to RightTandem.
   enum Channel {
     LeftOpen,
     LeftClosed,

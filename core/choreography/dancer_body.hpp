@@ -22,19 +22,19 @@ struct DancerBody {
 
   double leg() const { return thigh + shank; }
   double ankle_rest_height() const { return toe_rest_height + ankle_above_toe_base; }
-  /// Root above the floor when the legs are stretched to `extension` of their length, feet under the hips.
+  /// Height of the root with the legs stretched to `extension` of their length, feet under the hips.
   double standing_root_height(double extension) const {
     return ankle_rest_height() + extension * leg() - left_hip.y();
   }
 };
 
-/// Proportions of a man of 1.80 m and of a woman of 1.66 m, scaled to the height asked for.
+/// Proportions of a man of 1.80 m and of a woman of 1.66 m, scaled to the given height.
 DancerBody leader_body(double height_m);
 DancerBody follower_body(double height_m);
 
-/// The same with arms and legs of other lengths; longer legs leave a shorter trunk and neck, so that the
-/// height stays.
-/// @throws std::invalid_argument when height or scales are out of range
+/// The same with other lengths of arms and legs; longer legs shorten trunk and neck, so that the height
+/// stays.
+/// @throws std::invalid_argument if height or scales are out of range
 DancerBody leader_body(const PerformerOptions& performer);
 DancerBody follower_body(const PerformerOptions& performer);
 

@@ -12,18 +12,18 @@ namespace abrazo {
 
 enum class DanceRole { Leader, Follower };
 
-/// What one dancer's feet and trunk do over a dance, by beat. Beat 0 is count 1 of the first phrase.
-/// The leader steps with the left on 1, right on 2, left on 3, holds 4, and right, left, right on 5, 6, 7;
-/// the follower mirrors it. The feet are set under the dancer's spot on the couple's path (in a basic step in
-/// front of it and behind it), a standing foot turns on its ball as the dancer does, and the trunk follows
-/// from where the weight is.
+/// Motion of one dancer's feet and trunk over a dance, by beat. Beat 0 is count 1 of the first phrase. The
+/// leader steps with the left on 1, right on 2, left on 3, holds 4, and right, left, right on 5, 6, 7; the
+/// follower mirrors it. The feet are set under the dancer's spot on the couple's path (in a basic step in
+/// front of it and behind it), a standing foot turns on its ball with the dancer, and the trunk follows the
+/// weight.
 class DancerScore {
  public:
   /// @param amplitude  of steps and hips
   DancerScore(DanceRole role, const DancerBody& body, const std::vector<SalsaPhrase>& phrases,
               const CouplePath& path, double amplitude);
 
-  /// Feet in place; the ankle may be lifted further by the heel, never moved otherwise while it stands.
+  /// Posture of a foot; the heel may lift the ankle further, but a standing foot never moves otherwise.
   FootPosture foot(Side side, double beat) const;
 
   /// @param gaze_yaw  world direction of the partner's head [rad], any multiple of 2 pi

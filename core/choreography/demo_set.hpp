@@ -11,8 +11,8 @@
 namespace abrazo {
 
 /// Writes takes as BVH files in metres (`<take>_a.bvh`, `<take>_b.bvh`), `labels.csv` and `manifest.json`
-/// into a folder (made when it is not there). The files appear together at the end; on an error or when
-/// cancelled none does. The manifest has one letter for a take whose role never changes, intervals otherwise.
+/// into a folder (created if missing). The files appear together at the end; none after an error or
+/// cancellation. The manifest has one letter for a take with a constant role, otherwise intervals.
 /// @return path of the manifest
 Result<std::filesystem::path> write_demo_set(const std::vector<PairedTake>& takes, const std::string& name,
                                              const std::filesystem::path& folder, const Progress& progress);

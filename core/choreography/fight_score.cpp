@@ -10,7 +10,7 @@ namespace abrazo {
 namespace {
 
 constexpr double shortest_guard = 0.45;  ///< [s]
-constexpr double last_guard = 0.6;       ///< what is left for a last guard after an exchange [s]
+constexpr double last_guard = 0.6;       ///< remaining time for a last guard after an exchange [s]
 
 Vec3 between(const Spot& from, const Spot& to) {
   return to.place - from.place;

@@ -26,24 +26,24 @@ constexpr bool is_block(Defence defence) {
 /// punch_block, punch_dodge, kick_block or kick_dodge
 std::string_view label_of(Technique technique, Defence defence);
 
-/// How a technique is carried out from the guard with the left foot in front. Trunk offsets are added to the
-/// guard's at the blow; those of the hips come first, those of the shoulders follow.
+/// Execution of a technique from the guard with the left foot in front. Trunk offsets at the blow are
+/// relative to the guard; the hips lead, the shoulders follow.
 struct TechniqueForm {
   Side limb = Side::Left;
   TrunkOffsets hips = TrunkOffsets::Zero(), shoulders = TrunkOffsets::Zero();
   double lead_s = 0;                     ///< from the first movement until the hand (or foot) leaves
   double recovery_s = 0;                 ///< of the limb
-  double speed_low = 0, speed_high = 0;  ///< peak of the limb against the trunk [m/s]
-  double stretch = 0.95;                 ///< of the limb when it arrives, of its length
+  double speed_low = 0, speed_high = 0;  ///< peak speed of the limb relative to the trunk [m/s]
+  double stretch = 0.95;                 ///< of the limb on arrival, as a share of its length
   Side pivot = Side::Left;
   double pivot_yaw = 0;  ///< of the standing foot on its ball [rad]; 0 = none
 };
 TechniqueForm form_of(Technique technique);
 
-/// What the trunk does to evade or to meet a blow, added to the guard.
+/// Trunk offsets that evade or meet a blow, relative to the guard.
 TrunkOffsets trunk_of(Defence defence, Technique against);
 
-/// A blow and what the other does about it.
+/// A blow and its defence.
 struct Attack {
   Technique technique = Technique::Jab;
   Defence defence = Defence::Parry;

@@ -13,7 +13,7 @@
 
 namespace abrazo {
 
-/// How far trunk and heels are from upright on the spot. Leans and turns are in the space of the spot.
+/// Offsets of trunk and heels from upright on the spot. Leans and turns are in the space of the spot.
 enum TrunkChannel {
   Forward,  ///< of the root [m]
   Leftward,
@@ -25,7 +25,7 @@ enum TrunkChannel {
   ChestLean,
   ChestTilt,
   HeadLean,
-  LeftHeel,  ///< raised by
+  LeftHeel,  ///< raised by [m]
   RightHeel,
   TrunkChannelCount
 };
@@ -40,27 +40,27 @@ struct Pulse {
   double at(double time) const;
 };
 
-/// Trunk and heels leave the guard and come back.
+/// Trunk and heels leave the guard and return.
 struct TrunkMove {
   Pulse pulse = {};
   TrunkOffsets offsets;
 };
 
-/// A hand leaves the guard for a place in the world and comes back.
+/// A hand leaves the guard for a position in the world and returns.
 struct HandMove {
   Pulse pulse = {};
   Vec3 target = Vec3::Zero();
-  Vec3 arc = Vec3::Zero();    ///< how far the path swings aside half-way [m]
-  Pulse swept = {};           ///< a parry carries on
+  Vec3 arc = Vec3::Zero();    ///< lateral deviation of the path half-way [m]
+  Pulse swept = {};           ///< a parry continues
   Vec3 sweep = Vec3::Zero();  ///< by this [m]
-  Vec3 elbow = Vec3::Zero();  ///< where it points, chest space of the left arm
+  Vec3 elbow = Vec3::Zero();  ///< its direction, chest space of the left arm
 };
 
-/// A foot leaves the floor, is drawn up, strikes (or does not) and comes back to where it stood.
+/// A foot leaves the floor, is drawn up, may strike, and returns to its position.
 struct LegMove {
   Pulse chamber = {};
   Vec3 drawn_up = Vec3::Zero();  ///< ankle from the hip, pelvis space [m]
-  Pulse strike = {};             ///< never when all zero
+  Pulse strike = {};             ///< none if all zero
   Vec3 target = Vec3::Zero();    ///< of the ankle, world
   Vec3 arc = Vec3::Zero();
   Pulse swept = {};
@@ -69,13 +69,13 @@ struct LegMove {
   double pointed = 0;          ///< of the foot from square to the shank [rad]
 };
 
-/// Root, hips, spine, head and shoulders in place, the limbs not yet.
+/// Root, hips, spine, head and shoulders placed, limbs not yet.
 struct PlacedTrunk {
   TrunkPosture posture;
   Pose pose = Pose::Zero();
 };
 
-/// One fighter's motion over a take: what is added to it, in order of time, and the pose at any time.
+/// One fighter's motion over a take: moves added in order of time, and the pose at any time.
 class Fighter {
  public:
   Fighter(const DancerBody& body, const Performance& performance, const Spot& start, double seconds,
@@ -84,35 +84,36 @@ class Fighter {
   const DancerBody& body() const { return body_; }
   const Performance& performance() const { return performance_; }
 
-  /// When a foot has arrived from everything added so far [s].
+  /// Time at which a foot has finished all moves added so far [s].
   double free_from(Side side) const;
   double free_from() const;
   /// The spot after everything added so far.
   const Spot& final_spot() const { return shuffles_.empty() ? start_ : shuffles_.back().to; }
   Spot spot(double time) const;
 
-  /// One foot after the other to another spot, the one nearer to it first; in several steps when it is far.
-  /// @return when it has arrived
+  /// One foot after the other to another spot, the one nearer to it first; in several steps if it is far.
+  /// @return the time of arrival
   double shuffle(double start, double duration, const Spot& to);
-  /// Turns a standing foot on its ball, against the direction it has in the guard.
+  /// Turns a standing foot on its ball, relative to its direction in the guard.
   void pivot(Side side, double start, double end, double yaw);
   void add(const TrunkMove& move) { trunk_moves_.push_back(move); }
   void add(Side side, const HandMove& move) { hand_moves_[index_of(side)].push_back(move); }
   void add(Side side, const LegMove& move);
   HandMove& last_hand_move(Side side) { return hand_moves_[index_of(side)].back(); }
-  /// A leg move added before, whose target becomes known after `settle`.
+  /// A leg move added before; its target is set after `settle`.
   LegMove& leg_move(Side side, std::size_t index) { return leg_moves_[index_of(side)][index]; }
   std::size_t leg_move_count(Side side) const { return leg_moves_[index_of(side)].size(); }
 
-  /// Bends the knees where a step or a lean would overstretch a leg. Call when trunk and feet are complete.
+  /// Bends the knees where a step or lean would overstretch a leg. Call after all moves of trunk and feet are
+  /// added.
   void settle(double seconds);
 
   Pose pose(double time) const;
   /// The pose without its limbs.
   PlacedTrunk trunk_at(double time) const;
-  /// As it would stand on a spot with nothing but `offsets`: trunk only, the limbs are not placed.
+  /// The trunk on a spot with only `offsets`, without limbs.
   PlacedTrunk trunk_on(const Spot& spot, const TrunkOffsets& offsets) const;
-  /// Where the hand of a trunk that has been placed is in guard.
+  /// Guard position of the hand of a placed trunk.
   Vec3 guard_hand(Side side, const PlacedTrunk& trunk, double heading) const;
 
  private:

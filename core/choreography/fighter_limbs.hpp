@@ -7,9 +7,9 @@
 
 namespace abrazo {
 
-/// The arm of a fist: wrist straight. The shoulders must have been placed; a target out of reach is only
-/// reached for.
-/// @param elbow  where the elbow points, chest space of the left arm (mirrored for the right)
+/// The arm of a fist: wrist straight. The shoulders must be placed; the arm points towards a target out of
+/// reach.
+/// @param elbow direction of the elbow, chest space of the left arm (mirrored for the right)
 void place_fist(const DancerBody& body, Side side, const Vec3& hand, const Vec3& elbow, const Turn& chest,
                 Pose& pose);
 
@@ -18,7 +18,7 @@ struct LiftedFoot {
   Vec3 ankle = Vec3::Zero();
   Vec3 hinge = Vec3::UnitX();  ///< axis of the knee, world, about to the left
   double pointed = 0;          ///< of the foot from square to the shank [rad]
-  double share = 0;            ///< how far the foot has left its standing posture; 0 .. 1
+  double share = 0;            ///< blend from the standing posture to the air; 0 .. 1
 };
 
 /// Knee, ankle, toe-base and toe-tip between the standing posture and that in the air.

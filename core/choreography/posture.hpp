@@ -21,7 +21,7 @@ struct Turn {
   Eigen::Matrix3d matrix() const;
 };
 
-/// Everything of a dancer but arms and legs.
+/// Posture of a dancer without arms and legs.
 struct TrunkPosture {
   Vec3 root = Vec3::Zero();
   Turn pelvis, chest, head;
@@ -35,20 +35,20 @@ struct FootPosture {
 };
 
 struct HandTarget {
-  Vec3 hand = Vec3::Zero();      ///< where the end of the hand should be
+  Vec3 hand = Vec3::Zero();      ///< target of the end of the hand
   Vec3 pointing = Vec3::Zero();  ///< bends the wrist towards this direction; zero leaves it straight
 };
 
 /// Root, hips, spine, neck, head, shoulders.
 void place_trunk(const DancerBody& body, const TrunkPosture& trunk, Pose& pose);
 
-/// Ankle as the foot posture has it.
+/// Position of the ankle for a foot posture.
 Vec3 ankle_position(const DancerBody& body, const FootPosture& foot);
 
-/// Knee, ankle, toe-base and toe-tip. The hips must have been placed within reach; the knee points forward.
+/// Knee, ankle, toe-base and toe-tip. The hips must be placed within reach; the knee points forward.
 void place_leg(const DancerBody& body, Side side, const FootPosture& foot, double pelvis_yaw, Pose& pose);
 
-/// Elbow, wrist and hand. The shoulders must have been placed. A target out of reach is only reached for.
+/// Elbow, wrist and hand. The shoulders must be placed. The arm points towards a target out of reach.
 void place_arm(const DancerBody& body, Side side, const HandTarget& target, const Turn& chest, Pose& pose);
 
 }  // namespace abrazo

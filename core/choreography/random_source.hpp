@@ -5,7 +5,7 @@
 
 namespace abrazo {
 
-/// Random numbers that are the same with every standard library (its distributions are not).
+/// Random numbers that are identical with every standard library (std distributions are not).
 class RandomSource {
  public:
   explicit RandomSource(std::uint64_t seed) : engine_(seed) {}

@@ -12,7 +12,7 @@ namespace abrazo {
 /// The six categories of the paper.
 enum class SalsaMove { OpenHold, ClosedHold, Turn, CrossBodyLead, Walk, InAndOut };
 
-/// What is danced in one 8-count.
+/// The figure of one 8-count.
 enum class SalsaFigure {
   OpenBasic,
   ClosedBasic,
@@ -33,12 +33,12 @@ SalsaMove move_of(SalsaFigure figure);
 /// "open_hold", ... as in label files.
 std::string_view label_of(SalsaMove move);
 
-/// Who turns where, and which hands hold (`Lr`: his left, her right), as in label files.
+/// Direction of turns and held hands (`Lr`: his left, her right), as in label files.
 std::string_view detail_of(SalsaFigure figure);
 
 inline constexpr int beats_per_phrase = 8;
 
-/// One 8-count and how it is danced this time.
+/// One 8-count with its random variation.
 struct SalsaPhrase {
   SalsaFigure figure = SalsaFigure::OpenBasic;
   double step = 0.27;          ///< length of the forward and back steps [m]
@@ -57,11 +57,10 @@ struct SalsaPhrase {
   bool both_hands = true;             ///< his right also holds her left, where the figure allows it
 };
 
-/// Where a walk ends, in the space of the couple at its start: x to the leader's left, z towards the
-/// follower.
+/// End of a walk, in the space of the couple at its start: x to the leader's left, z towards the follower.
 Vec3 walked(const SalsaPhrase& phrase);
 
-/// Phrases in random order. Every move comes twice in twelve, and the couple stays within some 3 m of the
+/// Phrases in random order. Every move occurs twice in twelve, and the couple stays within about 3 m of the
 /// origin.
 std::vector<SalsaPhrase> draw_phrases(int count, RandomSource& random);
 

@@ -9,8 +9,8 @@
 namespace abrazo {
 
 /// A value over time from evenly spaced control values: uniform cubic B-spline, so position, velocity and
-/// acceleration are continuous and the value never leaves the range of the four controls around it (it does
-/// not go through them). Before the first and after the last control the end value holds.
+/// acceleration are continuous and the value stays within the range of the four controls around it (it does
+/// not pass through them). Constant before the first and after the last control.
 template <typename Value>
 class SmoothTrack {
  public:
@@ -39,7 +39,7 @@ class SmoothTrack {
   std::vector<Value> controls_;
 };
 
-/// From 0 at u <= 0 to 1 at u >= 1 with the least jerk: velocity and acceleration are 0 at both ends.
+/// From 0 at u <= 0 to 1 at u >= 1 with minimum jerk: velocity and acceleration are 0 at both ends.
 inline double minimum_jerk(double u) {
   const double t = std::clamp(u, 0.0, 1.0);
   return t * t * t * (10 + t * (6 * t - 15));

@@ -8,7 +8,7 @@
 
 namespace abrazo {
 
-/// Hann-weighted mean over `half_width` values to either side; the end values go on beyond the ends.
+/// Hann-weighted mean over `half_width` values to either side; constant beyond the ends.
 template <typename Value>
 std::vector<Value> hann_mean(const std::vector<Value>& values, int half_width) {
   std::vector<double> weights;

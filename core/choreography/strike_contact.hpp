@@ -4,8 +4,9 @@
 
 namespace abrazo {
 
-/// Gives a blow its target and the defence its place, when trunk and feet of both are complete: a blow that
-/// is blocked ends at the limb that blocks it, another goes through where its target was when it began.
+/// Sets the target of a blow and the position of the defence, after trunk and feet of both are complete: a
+/// blocked blow ends at the blocking limb; another goes through the position that its target had at the
+/// begin.
 void write_contact(const Blow& blow, Fighter& attacker, Fighter& defender);
 
 }  // namespace abrazo

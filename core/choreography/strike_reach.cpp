@@ -12,7 +12,7 @@ namespace {
 
 using namespace joints;
 
-/// The point of the spine at a height; straight below the root for what is lower.
+/// The point of the spine at a height; vertically below the root for lower heights.
 Vec3 spine_at(const Pose& pose, double height) {
   static constexpr std::array<int, 6> spine = {Root, LowerBack, UpperBack, Thorax, LowerNeck, UpperNeck};
   Vec3 below = joint_at(pose, Root);

@@ -5,19 +5,20 @@
 
 namespace abrazo {
 
-/// From where a blow arrives well stretched at a fighter who stands in guard.
+/// Distance from which a blow arrives well stretched at a fighter in guard.
 struct StrikeReach {
   double distance = 0;  ///< between the spots of the two [m]
-  double path = 0;      ///< of the hand from the guard, of the foot from where it is drawn up [m]
+  double path = 0;      ///< path length of the hand from the guard, or of the foot from its drawn-up position
+                        ///< [m]
 };
 StrikeReach strike_reach(const Fighter& attacker, const Fighter& defender, const Attack& attack);
 
-/// What a blow is aimed at on a fighter who stands in guard on a spot: the head (of a taller one the chin),
-/// the belly, or the middle of the trunk (or thigh) at the height of the kick.
-/// @param highest  that the blow can be [m]
+/// Target of a blow on a fighter in guard on a spot: the head (of a taller one the chin), the belly, or the
+/// middle of the trunk (or thigh) at the height of the kick.
+/// @param highest highest possible target [m]
 Vec3 aim_at(const Fighter& defender, const Spot& spot, const Attack& attack, double highest);
 
-/// How high the attacker punches or kicks [m].
+/// Highest target of the attacker's punch or kick [m].
 double highest_strike(const Fighter& attacker, Technique technique);
 
 /// The attacker's trunk at the blow, beyond the guard: hips, shoulders.
@@ -26,12 +27,12 @@ struct StrikeTrunk {
 };
 StrikeTrunk strike_trunk(const Fighter& attacker, const TechniqueForm& form);
 
-/// How the foot of a kick is drawn up and held; neither target nor times.
+/// The drawn-up form of a kick, without target and times.
 LegMove kick_form(const DancerBody& body, Technique technique);
 /// The same for the leg that is raised against a round kick.
 LegMove check_form(const DancerBody& body);
 
-/// How far before its target a blow that is blocked ends [m].
+/// Distance from the target at which a blocked blow ends [m].
 double stops_short(Defence defence);
 
 }  // namespace abrazo

@@ -7,14 +7,14 @@
 
 namespace abrazo {
 
-/// What of a performer is not choreographed: how early or late moves are begun, and how trunk and hands stray
-/// from where they should be. Smooth in time and bounded. Feet and bone lengths are not touched.
+/// Random deviations of a performer: start times of moves, and drift of trunk and hands. Smooth in time and
+/// bounded. Does not affect feet and bone lengths.
 class Wander {
  public:
-  /// @param duration_s  times from 0 to here have a wander of their own
+  /// @param duration_s the deviations cover times from 0 to this
   Wander(const Performance& performance, double duration_s, RandomSource& random);
 
-  /// How much ahead (positive) the performer is [s]; changes by less than the time that passes.
+  /// Lead of the performer (positive: early) [s]; changes more slowly than time.
   double ahead_s(double time_s) const { return timing_.at(time_s); }
   void displace(double time_s, TrunkPosture& trunk) const;
   Vec3 hand(Side side, double time_s) const;

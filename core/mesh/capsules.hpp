@@ -12,7 +12,7 @@ struct SegmentApproach {
   double s = 0;
   double t = 0;
   double distance = 0;         ///< [m]
-  Vec3 normal = Vec3::Zero();  ///< unit, from q to p; zero when the segments meet
+  Vec3 normal = Vec3::Zero();  ///< unit, from q to p; zero if the segments intersect
 };
 
 SegmentApproach closest_points(const Vec3& a, const Vec3& b, const Vec3& c, const Vec3& d);
@@ -20,19 +20,18 @@ SegmentApproach closest_points(const Vec3& a, const Vec3& b, const Vec3& c, cons
 /// Radii of the capsules around one body's bones [m].
 using CapsuleRadii = std::array<double, bone_count>;
 
-/// Of a generic adult; bones inside the trunk that would only double its volume have 0.
+/// Radii of a generic adult; 0 for bones inside the trunk that would only duplicate its volume.
 const CapsuleRadii& generic_capsule_radii();
 
 /// Hand ends of two people closer than this hold one another [m].
 inline constexpr double hold_distance_m = 0.13;
-/// Hands that hold one another do so until they are this far apart [m].
+/// A hold ends when the hands are this far apart [m].
 inline constexpr double hold_ends_m = 0.18;
 
-/// Of the active and the passive body's hands: left with left, left with right, right with left, right with
-/// right.
+/// For pairs of an active and a passive hand: left-left, left-right, right-left, right-right.
 using HandPairs = std::array<bool, 4>;
 
-/// A hand of each body, as joints of their bodies.
+/// A hand of each body, as joint indices.
 struct HandEnds {
   int active;
   int passive;
@@ -47,12 +46,12 @@ inline constexpr std::array<HandEnds, 4> all_hand_ends = {{{joints::left_hand, j
 inline double hands_apart(const PairPose& pair, const HandEnds& hands) {
   return (pair.row(hands.active) - pair.row(hands.passive + joint_count)).norm();
 }
-/// Whether they hold one another in a recorded pair, looked at by itself.
+/// Whether they hold one another in a single recorded pair, without hysteresis.
 inline bool hands_hold(const PairPose& pair, const HandEnds& hands) {
   return hands_apart(pair, hands) < hold_distance_m;
 }
 
-/// The forearm or hand bones: they may overlap the partner's while they hold one another.
+/// Whether a bone is a forearm or hand bone, which may overlap the partner's during a hold.
 bool is_hand_or_forearm(int bone);
 
 }  // namespace abrazo

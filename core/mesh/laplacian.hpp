@@ -9,7 +9,7 @@
 
 namespace abrazo {
 
-/// How a vertex weighs its neighbours; d is the distance in the reference pose.
+/// Weights of the neighbours of a vertex; d is the distance in the reference pose.
 enum class EdgeWeights {
   Inverse,      ///< w_jl = (1/d_jl) / sum_k (1/d_jk): weights of a vertex add up to 1
   InverseMean,  ///< w_jl = 1 / (n_j d_jl) [1/m]: not normalised, so energies depend on the length unit
@@ -24,7 +24,7 @@ using VertexMatrix = Eigen::Matrix<double, pair_vertex_count, pair_vertex_count>
 /// Fixed size: rebuilding it for another mesh does not allocate.
 class Laplacian {
  public:
-  /// Distances below 1 mm count as 1 mm, so that touching joints do not take all the weight.
+  /// Distances below 1 mm count as 1 mm, so that touching joints do not get all the weight.
   void build(std::span<const MeshEdge> edges, const PairPose& reference, EdgeWeights weights);
 
   double weight(int vertex, int neighbour) const { return weights_(vertex, neighbour); }

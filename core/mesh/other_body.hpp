@@ -12,14 +12,13 @@ constexpr Vertex vertex_of_other_body(Vertex vertex) {
   return static_cast<Vertex>((vertex + joint_count) % pair_vertex_count);
 }
 
-/// An edge of the mesh in which the bodies have changed places; its lower vertex stands first, as in every
-/// mesh.
+/// An edge with the bodies exchanged; the lower vertex is first, as in every mesh.
 constexpr MeshEdge edge_of_other_body(const MeshEdge& edge) {
   const auto a = vertex_of_other_body(edge[0]), b = vertex_of_other_body(edge[1]);
   return {std::min(a, b), std::max(a, b)};
 }
 
-/// The same of a tetrahedron; its vertices keep their order.
+/// The same for a tetrahedron; its vertices keep their order.
 constexpr MeshTetrahedron tetrahedron_of_other_body(MeshTetrahedron tetrahedron) {
   for (auto& vertex : tetrahedron) vertex = vertex_of_other_body(vertex);
   return tetrahedron;

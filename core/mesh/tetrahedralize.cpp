@@ -93,8 +93,7 @@ std::optional<VertexOrder> insertion_order(const PairPose& centred) {
   return order;
 }
 
-/// Vertices ascending but for the last two, which stand so that the volume is positive: however a
-/// tetrahedron was found, it reads the same.
+/// Vertices ascending except the last two, which are ordered for a positive volume: a canonical form.
 /// @param t  with a positive volume
 MeshTetrahedron canonical(MeshTetrahedron t) {
   bool odd = false;
@@ -116,16 +115,16 @@ tetgenbehavior quiet_delaunay() {
 
 /// TetGen's own call. Any thread.
 void call_tetgen(tetgenio& in, tetgenio& out) {
-  // The constants of its exact predicates are globals that every call writes, among them filters that depend
-  // on the size of what is meshed: one call at a time.
+  // TetGen's exact predicates use global constants that every call writes, among them filters that depend on
+  // the extent of the points: one call at a time.
   static std::mutex turn;
   const std::scoped_lock one_at_a_time(turn);
   static tetgenbehavior wish = quiet_delaunay();
   ::tetrahedralize(&wish, &in, &out);
 }
 
-/// Nothing when there is no volume, or points are one. Exact in every case: points on one sphere are told
-/// apart by TetGen's symbolic perturbation, which goes by the order of insertion. Any thread.
+/// None if there is no volume, or points coincide. Always exact: TetGen's symbolic perturbation, by order of
+/// insertion, resolves cospherical points. Thread-safe.
 std::optional<std::vector<MeshTetrahedron>> delaunay(const PairPose& pair) {
   // Centred, so that pairs far from the origin keep their precision.
   const PairPose centred = pair.rowwise() - pair.colwise().mean();
@@ -148,7 +147,7 @@ std::optional<std::vector<MeshTetrahedron>> delaunay(const PairPose& pair) {
     }
     tetrahedron = canonical(tetrahedron);
   }
-  // A vertex that stands where another stands is not a vertex of its own: not the mesh of all joints.
+  // A coincident vertex is dropped by TetGen: the result is not the mesh of all joints.
   if (!std::all_of(used.begin(), used.end(), [](bool is_used) { return is_used; })) return std::nullopt;
   std::sort(tetrahedra.begin(), tetrahedra.end());
   return tetrahedra;

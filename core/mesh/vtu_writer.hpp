@@ -7,25 +7,25 @@
 
 namespace abrazo {
 
-/// The interaction mesh of one solved frame, to be written. Refers to values that must outlive it.
+/// The interaction mesh of one solved frame, for writing. Refers to values that must outlive it.
 struct MeshFrame {
   double time_s = 0;
-  const PairPose& positions;  ///< where the vertices came to stand, world [m]
-  const PairPose& reference;  ///< of the selected pair, which the mesh was drawn in, world [m]
+  const PairPose& positions;  ///< vertices of the result, world [m]
+  const PairPose& reference;  ///< vertices of the selected pair, which defines the mesh, world [m]
   std::span<const MeshEdge> edges;
   std::span<const MeshTetrahedron> tetrahedra;
   std::span<const double> edge_weights;      ///< per edge
   std::span<const double> edge_residuals_m;  ///< per edge
 };
 
-/// VTK's XML file of an unstructured grid: the 50 joints, a tetrahedron (VTK type 10) for each of the mesh's
-/// and a line (3) for each edge, in this order.
+/// VTK's XML file of an unstructured grid: the 50 joints, one tetrahedron (VTK type 10) per tetrahedron of
+/// the mesh and one line (3) per edge, in this order.
 ///   points: body (0 active, 1 passive), joint (0..24), displacement [m] from the reference
 ///   cells:  kind (0 tetrahedron, 1 edge), inter_body (0, 1: joins the two bodies), and
 ///           edges: weight, residual [m], length [m], length_change [m] from the reference
 ///           tetrahedra: volume [m^3, signed], volume_ratio to that in the reference
-/// What a cell does not have is NaN there. Numbers read back to the same doubles.
-/// @throws std::invalid_argument when there are not as many weights and residuals as edges
+/// Fields that a cell does not have are NaN. Numbers read back to the same doubles.
+/// @throws std::invalid_argument if the numbers of weights, residuals and edges differ
 std::string write_vtu(const MeshFrame& frame);
 
 /// One file of a series.
@@ -34,7 +34,7 @@ struct SeriesFile {
   std::string name;  ///< relative to the collection
 };
 
-/// VTK's collection of files over time, as ParaView opens it (.pvd).
+/// VTK's collection of files over time for ParaView (.pvd).
 std::string write_pvd(std::span<const SeriesFile> files);
 
 }  // namespace abrazo

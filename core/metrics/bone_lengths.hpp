@@ -6,13 +6,13 @@
 
 namespace abrazo {
 
-/// How far a motion's bones are from a body's, |length - wanted| / wanted over all bones and frames.
+/// Deviation of a motion's bone lengths from a body's: |length - wanted| / wanted over all bones and frames.
 struct BoneLengthError {
   double mean = 0;
   double max = 0;
 };
 
-/// Bones that the body has no length for (under 1 um) and pseudo-bones are left out. Zero for no poses.
+/// Bones shorter than 1 um in the body and pseudo-bones are left out. Zero for no poses.
 BoneLengthError measure_bone_lengths(std::span<const Pose> poses, const Body& wanted);
 
 }  // namespace abrazo

@@ -9,17 +9,17 @@
 
 namespace abrazo {
 
-/// A recorded input, answered: both characters at the step rate, and what the run came to.
+/// Results for a recorded input: both characters at the step rate, and a summary.
 struct ClipRun {
   Clip active, passive;
-  std::vector<double> times_s;  ///< of the input, one for each step
+  std::vector<double> times_s;  ///< of the input, one per step
   RunSummary summary;           ///< refers to the synthesizer's library
 
   double rate_hz() const { return active.fps; }
 };
 
 /// Solves all of a clip as synthesize_clip does. @param each  called after every step; may be empty
-/// @return an Error also when the library's file was damaged meanwhile
+/// @return an Error also if the library's file was damaged meanwhile
 Result<ClipRun> run_clip(PartnerSynthesizer& synthesizer, const Clip& clip,
                          const std::function<void(const ClipStep&)>& each, const Progress& progress);
 

@@ -7,18 +7,18 @@
 namespace abrazo {
 
 /// How smoothly the partner moves: mean over joints of the displacement from step to step and of its second
-/// difference |p_t - 2 p_(t-1) + p_(t-2)|, and how often the recorded source changes. Figures are a step, not
-/// a second: compare runs of the same step rate.
+/// difference |p_t - 2 p_(t-1) + p_(t-2)|, and how often the recorded source changes. Figures are per step,
+/// not per second: compare only runs of the same step rate.
 class ContinuityMetric {
  public:
   void add(const Pose& partner, bool source_changed);
-  /// Between two takes, and where a step failed: the next pose is not compared with the last.
+  /// Call between two takes and after a failed step: the next pose is not compared with the last.
   void interrupt();
 
   struct Figures {
     double displacement_mean_m = 0, displacement_p95_m = 0, displacement_p99_m = 0, displacement_max_m = 0;
     double second_difference_mean_m = 0, second_difference_p99_m = 0;
-    double source_changes_per_100 = 0;  ///< steps
+    double source_changes_per_100 = 0;  ///< per 100 steps
     int steps = 0;
   };
   Figures figures() const;

@@ -10,12 +10,12 @@
 
 namespace abrazo {
 
-/// Heights above the floor at which the toe bases of somebody who stands rest: left, right [m].
+/// Heights of the toe bases above the floor while standing: left, right [m].
 using ToeRest = std::array<double, 2>;
 
-/// Of a motion: the 5th percentile of each toe base's height; 0 for no poses.
+/// Rest heights of a motion: the 5th percentile of each toe base's height; 0 for no poses.
 ToeRest toe_rest(std::span<const Pose> poses);
-/// Of a body of which no motion is at hand.
+/// Rest heights of a body without a motion.
 inline ToeRest toe_rest(const Body& body) {
   return {body.toe_rest_height, body.toe_rest_height};
 }
@@ -26,9 +26,9 @@ inline constexpr double landed_below_m = 0.03;
 std::array<std::optional<double>, 2> landed_foot_speeds(const Pose& before, const Pose& after,
                                                         double elapsed_s, const ToeRest& rest);
 
-/// How far feet slide while they are on the floor: the horizontal speed of a toe base from one pose to the
-/// next, counted when it is less than `landed_below_m` above its rest at both ends of that step. Captured
-/// dancers brush and pivot, so less than they have is no aim.
+/// Sliding of feet on the floor: the horizontal speed of a toe base from one pose to the next, counted if it
+/// is less than `landed_below_m` above its rest at both poses. Captured dancers brush and pivot, so the
+/// target is their value, not 0.
 class FootSlideMetric {
  public:
   static constexpr double fast_m_s = 0.3;
@@ -40,13 +40,13 @@ class FootSlideMetric {
   void add(const std::array<std::optional<double>, 2>& speeds_m_s);
 
   struct Figures {
-    double mean_m_s = 0;      ///< not a number when no foot landed
-    double share_fast = 0;    ///< of the landed feet's steps, faster than `fast_m_s`; the same
-    double landed_share = 0;  ///< of all steps of feet: how much was measured
+    double mean_m_s = 0;      ///< NaN if no foot landed
+    double share_fast = 0;    ///< share of landed steps faster than `fast_m_s`; NaN if no foot landed
+    double landed_share = 0;  ///< share of all steps of feet that were measured
     int landed = 0;           ///< steps of landed feet
   };
   Figures figures() const;
-  /// Of every step of a landed foot, in order.
+  /// One value per step of a landed foot, in order.
   const std::vector<double>& speeds_m_s() const { return speeds_m_s_; }
 
  private:

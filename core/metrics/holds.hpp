@@ -7,13 +7,13 @@
 
 namespace abrazo {
 
-/// Are hands that hold one another in a reference, the selected pair or the capture, together in the result?
-/// A hold: hand ends of different bodies within `hold_distance_m` (13 cm).
+/// How well holds of a reference (the selected pair or the capture) are preserved in the result. A hold: hand
+/// ends of different bodies within `hold_distance_m` (13 cm).
 class HoldMetric {
  public:
   /// A hold of the selected pair may open by 3 cm before it counts as lost.
   static constexpr double selected_hold_kept_m = hold_distance_m + 0.03;
-  /// A hold of the capture is held within 20 cm: the partner stands elsewhere, and so do the hands.
+  /// A hold of the capture counts as held within 20 cm, because partner and hands are at other places.
   static constexpr double captured_hold_held_m = 0.20;
 
   explicit HoldMetric(double still_held_m = selected_hold_kept_m) : still_held_m_(still_held_m) {}
@@ -31,7 +31,7 @@ class HoldMetric {
     double precision = 0;        ///< share of `shown_holds` that are still held in the reference
     double f1 = 0;               ///< harmonic mean of `kept` and `precision`
   };
-  /// Shares of nothing are 0: look at the counts beside them.
+  /// Shares are 0 if the count beside them is 0.
   Figures figures() const;
 
  private:
@@ -40,7 +40,7 @@ class HoldMetric {
   int kept_ = 0, recalled_ = 0, shown_ = 0, shown_and_recorded_ = 0;
 };
 
-/// `change_mean_m` of one pair alone; not a number where nobody holds anybody in the reference.
+/// `change_mean_m` of one pair alone; NaN without a hold in the reference.
 double hold_change_m(const PairPose& result, const PairPose& reference);
 
 }  // namespace abrazo

@@ -11,14 +11,14 @@
 
 namespace abrazo {
 
-/// Where in the recordings a step comes from.
+/// Position of a step's source in the recordings.
 struct SourceMoment {
   int take = -1;
   bool swapped = false;
   double time_s = 0;  ///< in the take
 };
 
-/// One step, as far as the quality of the partner's motion is judged by it.
+/// One step, with the values needed to rate the partner's motion.
 struct PartnerStep {
   Pose partner = Pose::Zero();
   double time_s = 0;
@@ -27,7 +27,7 @@ struct PartnerStep {
   std::array<bool, 2> locked{};  ///< feet: left, right
 };
 
-/// Of a step that did not fail. @param partner_is_active  the user is the passive one
+/// From a step that did not fail. @param partner_is_active the user is the passive one
 PartnerStep partner_step(const FrameResult& frame, double time_s, const MotionLibrary& library,
                          bool partner_is_active);
 
@@ -35,20 +35,20 @@ PartnerStep partner_step(const FrameResult& frame, double time_s, const MotionLi
 /// more than 1/3 s of the take after it.
 bool goes_on(const SourceMoment& before, const SourceMoment& after);
 
-/// How the partner moves, and what that has to do with the recordings it is made from.
+/// Quality of the partner's motion, and its relation to the recordings it is made from.
 class MotionQuality {
  public:
   explicit MotionQuality(const ToeRest& rest) : rest_(rest), movement_(rest) {}
 
   void add(const PartnerStep& step);
-  /// A step failed, or another take begins.
+  /// Call after a failed step and before another take.
   void interrupt();
 
-  /// Not a number where there was nothing to measure.
+  /// NaN if there was nothing to measure.
   struct Figures {
     MovementMetric::Figures movement;
-    double changes_per_s = 0;  ///< of source: it says so, or does not go on
-    /// Pace: time in the take by the time that passed, of the steps that go on.
+    double changes_per_s = 0;  ///< changes of source: marked as such, or not a continuation
+    /// Pace: time in the take per elapsed time, over steps that continue the source.
     double pace_p05 = 0, pace_p50 = 0, pace_p95 = 0;
     double standing_share = 0;  ///< pace below 0.25
     double source_pace_share = 0;  ///< pace from 0.75 to 1.25

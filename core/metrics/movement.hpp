@@ -9,27 +9,27 @@
 
 namespace abrazo {
 
-/// What a body did from one pose to the next.
+/// Movement of a body from one pose to the next.
 struct MovementStep {
   double length_m = 0;   ///< mean over the joints of their displacement
-  double speed_m_s = 0;  ///< that by the time that passed
-  /// Across the pose before: change of the joints' velocities by half the time from the pose before it to
-  /// this one; root mean square over the joints. Nothing before the third pose without interruption.
+  double speed_m_s = 0;  ///< length per elapsed time
+  /// Acceleration at the previous pose: change of the joints' velocities divided by half the time spanned by
+  /// the three poses; root mean square over the joints. None before the third pose without interruption.
   std::optional<double> acceleration_m_s2;
-  /// Mean over the joints of the distance from where the velocities of the step before would have led.
+  /// Mean over the joints of the distance from the position extrapolated with the previous step's velocities.
   std::optional<double> unexplained_m;
   std::array<std::optional<double>, 2> slide_m_s;  ///< of landed toe bases: left, right
 };
 
-/// Takes poses as they come and says what each step was.
+/// Computes a MovementStep for each successive pose.
 class MovementSteps {
  public:
   explicit MovementSteps(const ToeRest& rest) : rest_(rest) {}
 
-  /// @param time_s  of the pose; one that is not later than that of the pose before interrupts
-  /// @return nothing for the first pose, also after an interruption
+  /// @param time_s of the pose; a time not later than the previous one interrupts
+  /// @return none for the first pose and after an interruption
   std::optional<MovementStep> next(const Pose& pose, double time_s);
-  /// The next pose is not compared with the last: a step failed, or another take begins.
+  /// The next pose is not compared with the last. Call after a failed step and before another take.
   void interrupt();
 
  private:
@@ -40,12 +40,12 @@ class MovementSteps {
   ToeRest rest_;
   std::optional<Pose> pose_;  ///< the last one
   double time_s_ = 0;
-  std::optional<Velocity> velocity_;  ///< of the step that led to it
+  std::optional<Velocity> velocity_;  ///< of the step to that pose
 };
 
-/// How a body moves: how fast, how hard it is accelerated, how its landed feet slide. The same for a capture
-/// and for what was made of it, so that the two can be put beside one another; in seconds, so that runs of
-/// other step rates can.
+/// Movement of a body: speed, acceleration, sliding of landed feet. The same figures apply to captures and
+/// synthesised motion, so both can be compared; they are per second, so runs of different step rates can be
+/// compared too.
 class MovementMetric {
  public:
   explicit MovementMetric(const ToeRest& rest) : steps_(rest) {}
@@ -54,7 +54,7 @@ class MovementMetric {
   std::optional<MovementStep> add(const Pose& pose, double time_s);
   void interrupt() { steps_.interrupt(); }
 
-  /// Not a number where there was nothing to measure.
+  /// NaN if there was nothing to measure.
   struct Figures {
     double speed_p50_m_s = 0, speed_p99_m_s = 0, speed_rms_m_s = 0;
     double acceleration_p50_m_s2 = 0, acceleration_p99_m_s2 = 0;

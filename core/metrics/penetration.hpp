@@ -8,8 +8,8 @@
 
 namespace abrazo {
 
-/// Deepest overlap of two capsules of different bodies in a pair [m], 0 when none touch. Hands and forearms
-/// of arms that hold one another in `reference` are left out (`reference` may be the pair itself).
+/// Deepest overlap of two capsules of different bodies in a pair [m], 0 when none touch. Leaves out hands and
+/// forearms of arms that hold one another in `reference` (which may be the pair itself).
 double deepest_penetration(const PairPose& pair, const PairPose& reference, const CapsuleRadii& active,
                            const CapsuleRadii& passive);
 
@@ -17,12 +17,12 @@ double deepest_penetration(const PairPose& pair, const PairPose& reference, cons
 double deepest_excess_penetration(const PairPose& pair, const PairPose& reference, const CapsuleRadii& active,
                                   const CapsuleRadii& passive);
 
-/// Penetration over a run, by the capsules that the synthesis itself keeps apart.
+/// Penetration over a run, measured with the capsules of the synthesis.
 class PenetrationMetric {
  public:
   void add(const PairPose& result, const PairPose& selected, const CapsuleRadii& active,
            const CapsuleRadii& passive);
-  /// A frame whose depths are known already: FrameResult::residual.
+  /// Adds a frame with known depths, see FrameResult::residual.
   void add(double deepest_m, double deepest_excess_m);
 
   struct Figures {

@@ -226,8 +226,8 @@ Eigen::MatrixXd z_scored(const Eigen::MatrixXd& features, const Eigen::MatrixXd&
 double frechet_distance(const Eigen::MatrixXd& first, const Eigen::MatrixXd& second) {
   if (first.rows() < 2 || second.rows() < 2) return no_figure;
   const Eigen::MatrixXd a = deviations_of(first), b = deviations_of(second);
-  // With C1 = A' A and C2 = B' B, the eigenvalues of C1 C2 are the squared singular values of A B': without a
-  // root of a matrix that is singular where there are fewer clips than features.
+  // With C1 = A' A and C2 = B' B, the eigenvalues of C1 C2 are the squared singular values of A B': this
+  // avoids the root of a matrix that is singular for fewer clips than features.
   const double trace_of_root = Eigen::BDCSVD<Eigen::MatrixXd>(a * b.transpose()).singularValues().sum();
   return (first.colwise().mean() - second.colwise().mean()).squaredNorm() + a.squaredNorm() +
          b.squaredNorm() - 2 * trace_of_root;

@@ -13,7 +13,7 @@ namespace abrazo {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t fewest_steps = 3;  ///< an acceleration needs so many
+constexpr std::size_t fewest_steps = 3;  ///< number needed for an acceleration
 
 constexpr std::array<RunFigureInfo, run_figure_count> run_infos = {{
     {"Lag", "mm", 1e3, 0,

@@ -13,14 +13,14 @@
 
 namespace abrazo {
 
-/// What a run over many frames came to: the figures by which constraints and speed are judged.
+/// Summary of a run: figures for constraints, motion and speed.
 class RunSummary {
  public:
   /// @param user_role  the other role is the partner's
   explicit RunSummary(const MotionLibrary& library, UserRole user_role = UserRole::Active);
 
   void add(const FrameResult& frame, double time_s);
-  /// The next frame does not follow the last.
+  /// Declares that the next frame does not follow the last.
   void interrupt();
 
   struct Figures {
@@ -34,13 +34,13 @@ class RunSummary {
     double source_changes_per_100 = 0;
     double partner_displacement_mean_m = 0;  ///< of a joint, from step to step
     double partner_displacement_p99_m = 0;   ///< of the mean over joints
-    double behind_selected_mean_m = 0;       ///< partner joints from those of the selected pair
+    double behind_selected_mean_m = 0;       ///< distance of the partner's joints from the selected pair
     double morph_rms_m = 0;
-    MotionQuality::Figures motion;  ///< of the partner; feet rest where its body's do
+    MotionQuality::Figures motion;  ///< of the partner; rest heights are those of its body
   };
   Figures figures() const;
 
-  /// The parts, for reports that say more.
+  /// The parts, for detailed reports.
   const HoldMetric& holds() const { return holds_; }
   const ContinuityMetric& continuity() const { return continuity_; }
   const PenetrationMetric& penetration() const { return penetration_; }

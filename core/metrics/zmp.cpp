@@ -27,7 +27,7 @@ std::vector<SegmentPoints> segment_paths(std::span<const Pose> poses,
   return paths;
 }
 
-/// Smoothed acceleration [m/s^2]; asks for the frames `half_width` + 1 before and after.
+/// Smoothed acceleration [m/s^2]; uses the frames `half_width` + 1 before and after.
 SegmentPoints acceleration(const std::vector<SegmentPoints>& paths, std::size_t frame, int half_width,
                            double fps) {
   SegmentPoints sum = SegmentPoints::Zero();
@@ -59,7 +59,7 @@ std::optional<Vec2> zero_moment_point(const SegmentPoints& points, const Segment
   return Vec2(moment / force);
 }
 
-/// Floor points of the feet that stand.
+/// Floor points of standing feet.
 std::vector<Vec2> support_points(const Pose& pose, const ZmpSettings& settings) {
   using namespace joints;
   std::vector<Vec2> points;

@@ -111,7 +111,7 @@ Pose BodyRetargeter::apply(const Pose& user_pose) const {
 
   for (const Limb& leg : legs) {
     const int toe_base = leg.end + 1;
-    // Anchored at the toe base: that is what stands on the floor.
+    // Anchored at the toe base, which is on the floor.
     Vec3 ankle = scaled_floor_point(user_pose.row(toe_base)) -
                  bone_length(library_, toe_base) * direction(user_pose, toe_base);
     // The user's knee, carried along with the limb.

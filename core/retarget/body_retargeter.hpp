@@ -5,21 +5,22 @@
 
 namespace abrazo {
 
-/// Brings a user's pose to the proportions of a library body: q_in -> q'_in (paper 3.3.1).
-/// A function of the pose alone, so planted feet stay planted without a memory:
+/// Maps a user's pose to the proportions of a library body: q_in -> q'_in (paper 3.3.1). A function of the
+/// pose only, so planted feet stay planted without state:
 /// - the path of root and feet is scaled by the ratio of the leg lengths about the floor under the origin;
 /// - spine, neck and shoulder girdle keep their directions, with the library's lengths;
 /// - a leg reaches its scaled toe base, an arm the same share of its reach in the same direction from the
 /// shoulder,
 ///   by two-bone inverse kinematics in the user's own plane of the limb; feet, toes and hands keep their
 ///   directions.
-/// When a leg cannot reach its foot the root goes down, not the foot (unless the foot is too far to the side
+/// If a leg cannot reach its foot, the root is lowered, not the foot (unless the foot is too far to the side
 /// for that).
 class BodyRetargeter {
  public:
   BodyRetargeter(const Body& user, const Body& library_body, bool scale_root_path = true);
 
-  /// Equal bodies (every bone within 0.5 %, feet at rest within 1.5 cm): poses pass unchanged, to the bit.
+  /// Equal bodies (every bone within 0.5 %, feet at rest within 1.5 cm): poses are returned unchanged, to the
+  /// bit.
   bool is_identity() const { return same_bones_ && floor_shift_ == 0; }
 
   Pose apply(const Pose& user_pose) const;
@@ -33,11 +34,11 @@ class BodyRetargeter {
   double scale_ = 1;
   double path_scale_ = 1;
   bool same_bones_ = true;
-  double floor_shift_ = 0;  ///< of an equal body that stands on another floor
+  double floor_shift_ = 0;  ///< of an equal body on another floor height
 };
 
-/// Elbow or knee of a two-bone limb from `root` to `end`, bent towards the side on which `bend_hint` lies.
-/// An end out of reach is approached as far as 99.99 % of the limb. @param[in,out] end  moved within reach
+/// Elbow or knee of a two-bone limb from `root` to `end`, bent towards the side of `bend_hint`. An end out of
+/// reach is moved to 99.99 % of the limb's length. @param[in,out] end moved within reach
 Vec3 two_bone_joint(const Vec3& root, Vec3& end, double upper_length, double lower_length,
                     const Vec3& bend_hint);
 

@@ -11,18 +11,18 @@ namespace abrazo {
 
 class IntentModel;
 
-/// What the selection `intent` made of one frame beside its candidates.
+/// Results of the selection `intent` for one frame, beside the candidates.
 struct FrameIntent {
-  std::shared_ptr<const IntentModel> model;  ///< null when Eq. 7 selected
-  /// Of every block of the model: 255 exp(-excess of its best landing over the best of all / 3 cm).
+  std::shared_ptr<const IntentModel> model;  ///< null if Eq. 7 selected
+  /// Per block of the model: 255 exp(-(cost of its best landing - cost of the best landing of all) / 3 cm).
   std::vector<std::uint8_t> belief;
-  std::vector<float> moves;  ///< P(label | what the user did), of the model's labels; they sum to 1
-  /// From the source to where it would fit the user best [source s]; 0 without a source.
+  std::vector<float> moves;  ///< P(label | user's motion), per label of the model; sums to 1
+  /// Time from the source to its best fit to the user [source s]; 0 without a source.
   double lead_s = 0;
-  /// Where the believed pairs that are like the source have their partners, seen from the user's root; the
-  /// source's own without a belief.
+  /// Place of the partner relative to the user's root, in the believed pairs that resemble the source;
+  /// without a belief that of the source.
   std::optional<RootFrame> partner_place;
-  int continued = -1;  ///< the pair that would have gone on with the source; -1 when there is none
+  int continued = -1;  ///< the pair that would have continued the source; -1 if there is none
 };
 
 }  // namespace abrazo

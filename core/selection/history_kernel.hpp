@@ -9,11 +9,11 @@
 
 namespace abrazo {
 
-/// How alike two stretches of motion are, 1 for the same. Four parts of the last two seconds - the pose now,
-/// the quarter of a second before, up to a second, up to two - are each described on their principal axes and
-/// divided by their usual distance, so that a part counts by how unusual it is and not by its metres. The
-/// kernel is the mean of four Gaussian ones, over the first part, the first two, ...: motions that agree
-/// of late are alike somewhat, and the more the longer they have agreed.
+/// Similarity of two stretches of motion, 1 for identical ones. Four parts of the last two seconds (the
+/// present pose, the quarter second before, up to one second, up to two) are each described on their
+/// principal axes and divided by their usual distance, so that a part counts by how unusual it is, not by its
+/// size in metres. The kernel is the mean of four Gaussian kernels, over the first part, the first two, and
+/// so on: motions that agreed recently are somewhat similar, and more similar the longer they agreed.
 class HistoryKernel {
  public:
   /// A moment of a motion [s before now].
@@ -25,28 +25,28 @@ class HistoryKernel {
 
   static void sample(const MotionHistory& history, Raw& raw);
 
-  /// Axes and usual distances of these motions. @param motions  a row per motion, raw_size columns
+  /// Computes axes and usual distances. @param motions one row per motion, raw_size columns
   explicit HistoryKernel(const Rows& motions);
 
   static constexpr int part_count = 4;
 
-  /// Numbers of a description.
+  /// Dimension of a description.
   int size() const { return size_; }
   void describe(const Raw& raw, std::span<float> description) const;
-  /// A row per motion.
+  /// One row per motion.
   Rows describe(const Rows& motions) const;
 
-  /// Of two descriptions.
+  /// The kernel of two descriptions.
   float operator()(std::span<const float> a, std::span<const float> b) const;
 
-  /// Descriptions that others are compared with, a row each.
+  /// Descriptions to compare with, one per row.
   struct Compared {
     Rows rows;
     Eigen::Matrix<float, Eigen::Dynamic, part_count, Eigen::RowMajor> squares;  ///< of each part
   };
   Compared to_compare(Rows descriptions) const;
-  /// The kernel of one description with each of the first `kernel.size()`.
-  /// @param work  as many numbers
+  /// Evaluates the kernel of one description with each of the first `kernel.size()` descriptions.
+  /// @param work the same size as `kernel`
   void compare(const Compared& with, std::span<const float> description, std::span<float> kernel,
                std::span<float> work) const;
 
@@ -54,8 +54,8 @@ class HistoryKernel {
   struct Part {
     Eigen::Index first = 0, count = 0;  ///< coordinates of the raw motion
     Eigen::VectorXf mean;
-    Rows axes;            ///< a row per axis, divided by the part's usual distance
-    Eigen::Index at = 0;  ///< in a description
+    Rows axes;            ///< one row per axis, divided by the part's usual distance
+    Eigen::Index at = 0;  ///< offset in a description
   };
   std::vector<Part> parts_;
   int size_ = 0;

@@ -35,8 +35,8 @@ std::vector<int> at_most(const std::vector<int>& pairs, std::size_t most) {
   return kept;
 }
 
-/// Every n-th of the pairs of a take, so that there are some `per_second`, and not more than `most` in all.
-/// The first of every stretch is one of them, and that of every move if it is to be.
+/// Every n-th pair of a take, about `per_second`, at most `most` in total. Includes the first of every
+/// stretch, and optionally of every move.
 std::vector<int> thinned(const MotionLibrary& library, std::span<const int> pairs, double per_second,
                          std::size_t most, bool every_move) {
   for (double rate = per_second;; rate *= 0.8) {
@@ -90,7 +90,7 @@ struct IntentModel::Learned {
 
   HistoryKernel::Compared examples;  ///< motions
   Rows weights;                      ///< of the regression: example x (point, its square, labels)
-  Eigen::VectorXf usual;             ///< what is expected after a motion like none that was learned
+  Eigen::VectorXf usual;             ///< the expectation for a motion unlike all learned ones
 
   std::vector<int> landings;
   Rows landing_motions, landing_points;

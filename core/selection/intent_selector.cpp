@@ -15,7 +15,7 @@ namespace {
 
 constexpr float never = std::numeric_limits<float>::infinity();
 constexpr float belief_width_m = 0.03F;  ///< so much worse is believed in e times less
-constexpr double most_pace = 3;          ///< a source is gone on with at up to so many times its pace
+constexpr double most_pace = 3;          ///< largest pace at which a source is continued
 constexpr int judged_paces = 6;          ///< of them
 constexpr double speed_counts_s = 0.1;   ///< a difference in speed, as one of place
 // A source that was just changed to is only left for a much better one.
@@ -31,7 +31,7 @@ constexpr int most_looked_at = 60;
 constexpr double take_goes_on_s = 0.5;  ///< a pair that is changed to has so much of its take ahead
 constexpr double looks_back_s = 0.4, looks_ahead_s = 0.6;  ///< for where the user is in the source
 constexpr double lead_width_m = 0.01;                      ///< so much worse counts e times less
-// Of the mean place: believed e times less, looked at so far, and alike.
+// Scales of the mean place: belief, range and similarity.
 constexpr float place_width_m = 0.02F, place_widths = 4;
 constexpr double like_place_m = 0.3, like_turn = 0.6;
 constexpr double same_moment_s = 0.3;  ///< pairs of a take that are this near are one proposal
@@ -82,8 +82,8 @@ std::optional<Vec3> next_hold(const MotionLibrary& library, int pair, int user_h
   return std::nullopt;
 }
 
-/// What the shown partner's hands and feet would have to do for this pair: the way to hands that it holds,
-/// holds that it lacks, standing feet that it has in the air [m].
+/// Motion of the shown partner's hands and feet required by this pair: the distance to its held hands, lost
+/// holds, and standing feet that it has in the air [m].
 double contact_distance(const MotionLibrary& library, int pair, const SelectionQuery& query) {
   constexpr std::array hands = {joints::left_hand, joints::right_hand};
   constexpr std::array toe_bases = {joints::left_toe_base, joints::right_toe_base};
@@ -116,8 +116,8 @@ IntentSelector::IntentSelector(std::shared_ptr<const IntentModel> model)
       totals_(model_->landings().size()),
       best_(model_->blocks().size()) {}
 
-/// The kernel of two motions is asked for only where it can decide: a landing that is worse than the best
-/// without it gets that of the best, and stays worse.
+/// The leader kernel is computed only where it can decide: a landing that is worse than the best without it
+/// gets the kernel of the best, and stays worse.
 void IntentSelector::judge_landings(const SelectablePairs& selectable, const IntentWeights& weights) {
   const std::vector<int>& landings = model_->landings();
   std::size_t first = 0;
@@ -304,7 +304,7 @@ int IntentSelector::list_continuation(const SelectionQuery& query, const Selecta
     const Candidate on = candidate(pair, query, selectable, weights, false);
     if (!best || on.intent->total < best->intent->total) best = on;
   }
-  // At the end of a take there is nothing to go on with: standing still is not going on.
+  // At the end of a take there is no continuation: standing still does not count.
   if (!best || library.later_pair(plays ? best->pair : query.current_pair, 1) < 0) return -1;
   std::erase_if(candidates,
                 [&](const Candidate& listed) { return is_same_moment(library, listed.pair, best->pair); });

@@ -17,25 +17,25 @@ struct IntentWeights {
   double meant = 0.2;
 };
 
-/// Finds the recorded pair whose partner the user most probably means: the least expected distance to it,
-/// over every pair that may be changed to and over going on with the current source. Keeps room between
-/// frames, no state: everything a choice depends on is in its arguments.
+/// Finds the recorded pair whose partner the user most probably intends: the one of least expected distance
+/// among all landings and the continuations of the current source. Keeps work space between frames but no
+/// state: a choice depends only on the arguments.
 class IntentSelector {
  public:
   explicit IntentSelector(std::shared_ptr<const IntentModel> model);
 
   const std::shared_ptr<const IntentModel>& model() const { return model_; }
 
-  /// Fills `candidates`, ascending in feature distance: the best `query.neighbours` that may be changed to,
-  /// those of one moment of a take by their best one, and how the current source is best gone on with. Each
-  /// has its cost by Eq. 7 too. The choice is exact; of those that cannot win, which are listed (and their
-  /// belief) is decided with the best one's leader term in place of their own.
-  /// @param history  of the user, with this frame; not empty
-  /// @return index of the chosen one; -1 when everything is vetoed
+  /// Fills `candidates`, ascending in feature distance: the best `query.neighbours` landings, one per moment
+  /// of a take, and the best continuation of the current source. Each also has its cost by Eq. 7. The choice
+  /// is exact; for landings that cannot win, listing and belief use the leader term of the best one instead
+  /// of their own.
+  /// @param history of the user, including this frame; not empty
+  /// @return index of the chosen one; -1 if everything is vetoed
   int select(const SelectionQuery& query, const MotionHistory& history, const SelectablePairs& selectable,
              const IntentWeights& weights, std::vector<Candidate>& candidates, FrameIntent& intent);
 
-  /// Any pair of the library, judged by what the last frame's user did.
+  /// Any pair of the library as a candidate, rated by the user's motion of the last frame.
   Candidate candidate(int pair, const SelectionQuery& query, const SelectablePairs& selectable,
                       const IntentWeights& weights, bool is_change);
 
@@ -53,11 +53,11 @@ class IntentSelector {
 
   std::shared_ptr<const IntentModel> model_;
   IntentModel::Reading reading_;
-  std::vector<float> totals_;  ///< per landing, without the margin; infinite when it may not be selected
-  std::vector<int> best_;      ///< per block: its best landing; -1 when none may be selected
+  std::vector<float> totals_;  ///< per landing, without the margin; infinite if not selectable
+  std::vector<int> best_;      ///< per block: its best landing; -1 if none is selectable
 };
 
-/// Memory for the belief of this model, so that a frame does not allocate.
+/// Reserves memory for the belief of this model, so that a frame does not allocate.
 void reserve_room(FrameIntent& intent, const IntentModel& model);
 
 }  // namespace abrazo

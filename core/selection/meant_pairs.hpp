@@ -5,10 +5,9 @@
 
 namespace abrazo {
 
-/// Recorded pairs that a person means, as a value: those with this label and of this take, where one is
-/// given.
+/// The recorded pairs of an intended move, as a value: those with this label and of this take, if given.
 struct MeantPairs {
-  std::optional<std::string> label;  ///< "" stands for pairs without one
+  std::optional<std::string> label;  ///< "" = pairs without a label
   std::optional<std::string> take;   ///< by its name
   bool operator==(const MeantPairs&) const = default;
 };

@@ -7,43 +7,43 @@
 
 namespace abrazo {
 
-/// What a user did in the last two seconds, as one value without a pointer: some 30 poses a second, and the
-/// newest as it is. Positions are kept as float relative to where the history began, so that what is read
-/// does not depend on where in the world the user moves.
+/// The user's motion of the last two seconds, as one value without pointers: about 30 poses per second, and
+/// the newest pose. Positions are floats relative to the start of the history, so that readings do not depend
+/// on the user's place in the world.
 class MotionHistory {
  public:
   static constexpr double length_s = 2;
   static constexpr double between_s = 1.0 / 30;
   static constexpr std::size_t coordinates = std::size_t{joint_count} * 3;
-  /// One more than fill the length when poses come a little early: the oldest that is asked for lies between
-  /// two.
+  /// One more than fills the length if poses come slightly early: the oldest requested pose lies between two
+  /// samples.
   static constexpr std::size_t most_samples = 65;
   using Sample = std::array<float, coordinates>;  ///< x, y, z of the 25 joints
 
   struct Kept {
-    float since_s = 0;  ///< since the sample before
+    float since_s = 0;  ///< since the previous sample
     Sample positions{};
   };
 
   bool is_empty() const { return count_ == 0; }
   void clear();
   /// @param root       of the pose
-  /// @param elapsed_s  since the pose before; of the first it does not matter
+  /// @param elapsed_s since the previous pose; ignored for the first
   void add(const Pose& world, const RootFrame& root, double elapsed_s);
 
-  /// The pose so long before the newest, relative to the newest's root and heading [m]; between two samples
-  /// on the line between them, before the first the first.
+  /// The pose `lag_s` before the newest, relative to the newest's root and heading [m]; linear between
+  /// samples, constant before the first.
   void sample(double lag_s, std::span<float, coordinates> xyz) const;
 
-  // What a history consists of, to be kept elsewhere and made again.
+  // State, for serialisation.
   const Vec3& origin() const { return origin_; }  ///< horizontal
   const RootFrame& root() const { return root_; }
-  /// Newest last; the newest pose of all is in `newest`.
+  /// Samples, newest last; the newest pose itself is in `newest`.
   std::size_t size() const { return count_; }
   const Kept& kept(std::size_t i) const { return ring_[(first_ + i) % most_samples]; }
   const Kept& newest() const { return newest_; }
-  /// @param kept  as `kept` gave them
-  /// @return whether that can be a history: finite, in time, not too many
+  /// @param kept from `kept`
+  /// @return whether the values are valid: finite, ascending in time, not too many
   bool restore(const Vec3& origin, const RootFrame& root, std::span<const Kept> kept, const Kept& newest);
 
  private:
@@ -51,7 +51,7 @@ class MotionHistory {
   RootFrame root_;  ///< of the newest
   std::array<Kept, most_samples> ring_{};
   std::size_t first_ = 0, count_ = 0;
-  Kept newest_;  ///< `since_s` counts from the last of the ring; 0 when it is that
+  Kept newest_;  ///< `since_s` counts from the last sample of the ring; 0 if it is that sample
 };
 
 }  // namespace abrazo

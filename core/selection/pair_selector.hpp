@@ -12,31 +12,32 @@
 
 namespace abrazo {
 
-/// What is compared with the library for one frame.
+/// Input of the selection for one frame.
 struct SelectionQuery {
   Pose normalized;  ///< p'_in
   RootFrame root;   ///< of q'_in
   Features features;
-  bool has_prediction = false;        ///< from the second frame on
+  bool has_prediction = false;        ///< true from the second frame on
   PairPose predicted;                 ///< s_A*, s_S* of Eq. 3-4, world; only with has_prediction
-  Pose partner_speed = Pose::Zero();  ///< of the partner that is shown, relative to its root [m/s]
+  Pose partner_speed = Pose::Zero();  ///< of the shown partner, relative to its root [m/s]
   double alpha = 0.5;
   int neighbours = 10;
   int current_pair = -1;     ///< the source of the previous frame; -1 at the start
-  int expected_advance = 1;  ///< pairs of the library that one step takes in real time
-  /// Where the source goes on in real time, with the playback `continuous`; without a pair by frames.
+  int expected_advance = 1;  ///< pairs of the library per step in real time
+  /// Continuation of the source in real time, with the playback `continuous`; without a pair with `frames`.
   SourcePlayhead playhead;
   double since_change_s = 1e9;    ///< of the source
-  HandPairs held{};               ///< hands that hold one another in what is shown
-  std::array<bool, 2> planted{};  ///< feet of the partner that stand in what is shown, left and right
-  int continuations = 0;  ///< so many successors of the current pair, whole steps ahead, join the candidates
+  HandPairs held{};               ///< hands that hold one another in the shown poses
+  std::array<bool, 2> planted{};  ///< feet of the shown partner that stand, left and right
+  int continuations = 0;  ///< number of successors of the current pair, whole steps ahead, that join the
+                          ///< candidates
 };
 
-/// Finds the recorded pair that fits the user and the motion so far (paper 3.3.2-3.3.3).
+/// Finds the recorded pair that fits the user and the previous motion best (paper 3.3.2-3.3.3).
 class PairSelector {
  public:
-  /// @param pairs  those that may be selected
-  /// @param index  over those pairs, when there is one already; it may be shared
+  /// @param pairs the selectable pairs
+  /// @param index over those pairs; may be shared; null: built here
   PairSelector(std::shared_ptr<const MotionLibrary> library, std::vector<int> pairs,
                std::shared_ptr<const PoseIndex> index = nullptr);
 
@@ -44,12 +45,11 @@ class PairSelector {
   /// @return index of the cheapest; -1 when there are none
   int select(const SelectionQuery& query, std::vector<Candidate>& candidates);
 
-  /// Leaves these out from the next call on; in place of the vetoes before. The index stays as it is, so
-  /// that a change never holds up the steps.
+  /// Replaces the vetoes, from the next call on. The index stays unchanged, so that a change never delays a
+  /// step.
   void set_vetoes(const Vetoes& vetoes) { pairs_.set_vetoes(vetoes); }
 
-  /// From the next call on only these, as long as one of them may be selected; otherwise as if none were
-  /// meant.
+  /// Restricts the selection to these from the next call on, as long as one of them is selectable.
   void set_meant(const std::optional<MeantPairs>& meant) { pairs_.set_meant(meant); }
 
   const SelectablePairs& pairs() const { return pairs_; }
@@ -57,8 +57,8 @@ class PairSelector {
  private:
   std::shared_ptr<const MotionLibrary> library_;
   SelectablePairs pairs_;
-  std::shared_ptr<const PoseIndex> index_;  ///< over those that are selectable
-  std::vector<PoseMatch> matches_;          ///< kept between calls so that a query does not allocate
+  std::shared_ptr<const PoseIndex> index_;  ///< over the selectable pairs
+  std::vector<PoseMatch> matches_;          ///< kept between calls to avoid allocation
 };
 
 /// Eq. 7 term by term for one recorded pair.

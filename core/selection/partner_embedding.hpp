@@ -10,20 +10,20 @@ namespace abrazo {
 
 /// Poses of a partner as points in a space in which squared distance is mean joint distance [m]: mean joint
 /// distance is of negative type, so its root is a distance of a Hilbert space, and landmark
-/// multidimensional scaling (de Silva and Tenenbaum 2004) finds the axes that matter. The point of a mean of
-/// poses then is the mean of the points, and |point - mean|^2 is the expected mean joint distance but for a
-/// constant: what regression estimates is what is to be minimised.
+/// multidimensional scaling (de Silva and Tenenbaum 2004) finds the relevant axes. The mean of points then
+/// represents a distribution of poses, and |point - mean|^2 is the expected mean joint distance up to a
+/// constant: the regression estimates exactly the quantity to minimise.
 class PartnerEmbedding {
  public:
   static constexpr int most_landmarks = 512;
   static constexpr int most_axes = 32;
   using Rows = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-  /// @param landmarks  poses that show what there is; at least one, at most `most_landmarks`
+  /// @param landmarks representative poses; at least one, at most `most_landmarks`
   explicit PartnerEmbedding(const std::vector<Pose>& landmarks);
 
   int size() const { return static_cast<int>(axes_.cols()); }
-  /// Room that `embed` works in, so that it does not allocate.
+  /// Size of the work space of `embed`.
   int room() const { return static_cast<int>(landmarks_.cols()); }
   /// @param point  `size` numbers
   /// @param work   `room` numbers
@@ -32,7 +32,7 @@ class PartnerEmbedding {
  private:
   void distances_to(const Pose& partner, std::span<float> distances) const;
 
-  /// Joint by joint, axis by axis: a row of all landmarks' coordinates each.
+  /// One row per joint and axis: that coordinate of all landmarks.
   Rows landmarks_;
   Eigen::VectorXf usual_;  ///< mean distance of each landmark to all
   Rows axes_;              ///< landmark x axis

@@ -22,7 +22,7 @@ void RecordedMotion::sample(int pair, HistoryKernel::Raw& raw) const {
   const int oldest = first_[static_cast<std::size_t>(pair)];
   const RootFrame& root = library_.root(pair);
   for (std::size_t lag = 0; lag < HistoryKernel::lags_s.size(); ++lag) {
-    // Rates are what a file says: what was not recorded is not counted.
+    // Rates come from files: frames that were not recorded are not counted.
     const double before = std::min<double>(HistoryKernel::lags_s[lag] * rate, pair - oldest);
     const int whole = static_cast<int>(before);
     const int later = std::max(oldest, pair - whole);

@@ -13,8 +13,8 @@ std::vector<bool> as_flags(const std::vector<int>& pairs, int count) {
   return flags;
 }
 
-/// Asked for one pair after the other: those of a take and of a move stand together, and what was found for
-/// the pair before mostly holds for the next.
+/// Called for successive pairs: pairs of a take and of a move are adjacent, so the result for the previous
+/// pair mostly holds for the next.
 class VetoTest {
  public:
   VetoTest(const Vetoes& vetoes, const MotionLibrary& library) : vetoes_(vetoes), library_(library) {

@@ -10,31 +10,31 @@
 
 namespace abrazo {
 
-/// Which pairs of a library may be selected at present: those given, without what a person vetoed, and which
-/// of them a person means.
+/// The pairs of a library that may be selected at present: the given ones without the vetoed ones, restricted
+/// or marked by the intended move.
 class SelectablePairs {
  public:
-  /// @param pairs  the most there can be
+  /// @param pairs all selectable pairs
   SelectablePairs(std::shared_ptr<const MotionLibrary> library, std::vector<int> pairs);
 
-  /// In place of the vetoes before.
+  /// Replaces the vetoes.
   void set_vetoes(const Vetoes& vetoes);
-  /// Narrows to these (`left_out`), or has the others told apart (`is_not_meant`), as long as one of them may
-  /// be selected; otherwise as if none were meant.
+  /// Restricts to the pairs of an intended move (`left_out`), or marks the others (`is_not_meant`), as long
+  /// as one of them is selectable; otherwise there is no effect.
   void set_meant(const std::optional<MeantPairs>& meant);
 
   const std::vector<int>& pairs() const { return pairs_; }
-  /// Given to the constructor, vetoed or not.
+  /// Whether a pair was given to the constructor, vetoed or not.
   bool is_selectable(int pair) const { return selectable_[static_cast<std::size_t>(pair)]; }
   bool is_vetoed(int pair) const { return vetoed_[static_cast<std::size_t>(pair)]; }
-  /// Vetoed, or not what is meant.
+  /// Vetoed, or not of the intended move.
   bool is_left_out(int pair) const { return left_out_[static_cast<std::size_t>(pair)]; }
-  /// Something else is meant that may be selected.
+  /// Whether another, selectable move is intended.
   bool is_not_meant(int pair) const { return is_narrowed_ && is_left_out(pair) && !is_vetoed(pair); }
-  /// Nothing is left because of the vetoes.
+  /// Whether the vetoes leave no pair.
   bool all_vetoed() const { return !pairs_.empty() && veto_count_ == pairs_.size(); }
 
-  /// At least one is left out.
+  /// Whether at least one pair is left out.
   bool leaves_out() const { return leaves_out_; }
   const std::vector<bool>& left_out() const { return left_out_; }
 
@@ -45,11 +45,11 @@ class SelectablePairs {
   std::vector<int> pairs_;
   std::vector<bool> selectable_;
   std::vector<bool> vetoed_;
-  std::size_t veto_count_ = 0;  ///< of those that are selectable
+  std::size_t veto_count_ = 0;  ///< number of selectable pairs that are vetoed
   std::optional<MeantPairs> meant_;
   std::vector<bool> left_out_;
   bool leaves_out_ = false;
-  bool is_narrowed_ = false;  ///< by what is meant
+  bool is_narrowed_ = false;  ///< by the intended move
 };
 
 }  // namespace abrazo

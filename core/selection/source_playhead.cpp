@@ -10,7 +10,7 @@ namespace {
 
 constexpr double same_moment_share = 1e-9;  ///< of the way between two frames
 
-/// Pairs that the stretch goes on after `pair` in steps of `direction`, at most `most`.
+/// Number of pairs of the stretch after `pair` in `direction`, at most `most`.
 int pairs_left(const MotionLibrary& library, int pair, int direction, int most) {
   if (library.later_pair(pair, direction * most) >= 0) return most;
   int fits = 0, too_far = most;

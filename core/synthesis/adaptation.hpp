@@ -5,18 +5,18 @@
 
 namespace abrazo {
 
-/// How the capsules change the moved partner: per joint an offset, seen from the partner's heading, that
-/// follows what the edit asks for like a critically damped spring. The edit is without memory: what it asks
-/// for jumps where a contact does.
+/// How mesh and capsules change the moved partner: one offset per joint, relative to the partner's heading,
+/// that follows the edit like a critically damped spring. The edit has no memory, so its output jumps where
+/// contacts change.
 class Adaptation {
  public:
   void reset() { *this = Adaptation(); }
-  /// @param asked  of the edited joints, world [m]
+  /// @param asked positions of the edited joints, world [m]
   /// @param rate   omega of the spring [1/s]
-  /// @return where the offset is now, world [m]
+  /// @return the present offsets, world [m]
   Pose follow(const Pose& asked, const RootFrame& place, double elapsed_s, double rate);
 
-  // What it consists of, to be kept elsewhere and made again.
+  // State, for serialisation.
   Adaptation() = default;
   Adaptation(const Pose& offset, const Pose& speed) : offset_(offset), speed_(speed) {}
   const Pose& offset() const { return offset_; }

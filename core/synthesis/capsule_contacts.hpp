@@ -11,33 +11,33 @@
 
 namespace abrazo {
 
-/// Keeps the capsules of the two bodies apart, as far as the selected pair does itself: recorded contact is
-/// contact, so each pair of capsules may overlap by the depth it has in the selected pair. Hands and forearms
-/// of two arms that hold one another there are left alone.
+/// Keeps the capsules of the two bodies apart as far as in the selected pair: recorded contact is allowed, so
+/// two capsules may overlap by their depth in the selected pair. Hands and forearms of arms that hold one
+/// another there are ignored.
 class CapsuleContacts {
  public:
-  /// Capsules closer than this get a row [m].
+  /// Capsules closer than this get a constraint row [m].
   static constexpr double activation_gap_m = 0.05;
   static constexpr int max_rows = 16;
 
   CapsuleContacts();
 
-  /// Learns what the selected pair allows. Radii are those of the two bodies.
-  /// @param clearance_m  how much further apart they are kept than that
+  /// Computes the overlaps that the selected pair allows, with the radii of the two bodies.
+  /// @param clearance_m additional distance to keep
   void prepare(const PairPose& selected, const CapsuleRadii& active, const CapsuleRadii& passive,
                double clearance_m = 0);
-  /// A capsule whose axis went through another's is pushed back to the side that it has here, in place of
-  /// that in the selected pair: what is shown does not jump through a body.
+  /// Capsules whose axes have passed through one another are pushed back to their side in `shown`, instead of
+  /// the side in the selected pair, so that the shown bodies do not jump through one another.
   void keep_sides_of(const PairPose& shown) { sides_ = shown; }
 
-  /// n . (p - q) >= r_1 + r_2 - allowed for the closest points p, q of near capsules at `iterate`, the most
-  /// pressing `max_rows` of them.
+  /// n . (p - q) >= r_1 + r_2 - allowed for the closest points p, q of near capsules at `iterate`; at most
+  /// `max_rows`, those with the deepest overlap.
   void add_rows(const PairPose& iterate, std::vector<ConstraintRow>& rows);
 
-  /// Deepest overlap at a pose beyond what the selected pair allows [m]; 0 when there is none.
+  /// Deepest overlap at a pose beyond the allowed one [m]; 0 if there is none.
   double deepest_excess_m(const PairPose& pose);
 
-  /// Overlaps at a result: those deeper than 0, deepest first. The excess is that over the recording.
+  /// Overlaps deeper than 0 at a result, deepest first. The excess is relative to the recording.
   void measure(const PairPose& result, std::vector<CapsuleContact>& contacts, double& deepest_m,
                double& deepest_excess_m);
 
@@ -57,7 +57,7 @@ class CapsuleContacts {
   CapsuleRadii active_{};
   CapsuleRadii passive_{};
   double clearance_m_ = 0;
-  PairPose sides_ = PairPose::Zero();  ///< on which a capsule is of another
+  PairPose sides_ = PairPose::Zero();  ///< pose that defines the side of each capsule
   BonePairValues recorded_depth_{};
   BonePairValues allowed_depth_{};
   std::array<std::array<bool, bone_count>, bone_count> held_{};

@@ -20,8 +20,8 @@ struct ClipStep {
 /// has.
 double clip_step_rate(const Clip& clip, const Settings& settings);
 
-/// The whole pipeline over a recorded input, as fast as it goes, at clip_step_rate(). The user is measured
-/// over the whole clip. @param each  called after every step
+/// Runs the whole pipeline over a recorded input at clip_step_rate(), not in real time. The user's body is
+/// measured over the whole clip. @param each called after every step
 Status synthesize_clip(PartnerSynthesizer& synthesizer, const Clip& clip,
                        const std::function<Status(const ClipStep&)>& each, const Progress& progress);
 

@@ -13,18 +13,18 @@ namespace abrazo {
 enum class RowKind : std::uint8_t { Bone, FootLock, Floor, Capsule };
 
 /// One hard constraint, linear at the current iterate: direction . sum_i weight_i v_(vertex_i) = target (>=
-/// for an inequality). That all its coefficients point along one direction is what the solver is fast by.
+/// for an inequality). All coefficients share one direction, which makes the solver fast.
 struct ConstraintRow {
   RowKind kind = RowKind::Bone;
   bool inequality = false;
-  int count = 0;  ///< vertices used
+  int count = 0;  ///< number of vertices used
   std::array<int, 4> vertices{};
   std::array<double, 4> weights{};
   Vec3 direction = Vec3::Zero();
   double target = 0;  ///< [m]
 
   double value(const PairPose& positions) const;
-  /// What vertex `vertices[i]` is multiplied with.
+  /// Coefficient of vertex `vertices[i]`.
   Vec3 coefficient(int i) const { return weights[static_cast<std::size_t>(i)] * direction; }
 };
 
@@ -37,11 +37,11 @@ struct RigidDistance {
 inline constexpr int rigid_distance_count = 2 * (bone_count + static_cast<int>(pseudo_bones.size()));
 using RigidDistances = std::array<RigidDistance, rigid_distance_count>;
 
-/// The rigid distances of a pair with the lengths they have in this pose.
+/// The rigid distances of a pair, with their lengths in this pose.
 RigidDistances rigid_distances(const PairPose& pose);
 
-/// Bone rows u . (v_a - v_b) = l with u = (v_a - v_b)/|v_a - v_b| at `iterate`; a vanished bone takes its
-/// direction from `reference`. Lengths are those of `lengths`. One row for each, in their order.
+/// Bone rows u . (v_a - v_b) = l with u = (v_a - v_b)/|v_a - v_b| at `iterate`; a bone of length 0 takes its
+/// direction from `reference`. One row per entry of `lengths`, in their order.
 void add_bone_rows(const PairPose& iterate, const PairPose& reference, const RigidDistances& lengths,
                    std::vector<ConstraintRow>& rows);
 
@@ -52,10 +52,10 @@ double bone_length_error(const PairPose& positions, const RigidDistances& length
 /// reference).
 void add_floor_rows(const PairPose& reference, double lowest_m, std::vector<ConstraintRow>& rows);
 
-/// The vertex stays where it is held (three rows).
+/// Fixes a vertex at a position (three rows).
 void add_position_rows(int vertex, const Vec3& position, std::vector<ConstraintRow>& rows);
 
-/// The vertex stays over a point of the floor (two rows: x and z).
+/// Fixes x and z of a vertex (two rows).
 void add_place_rows(int vertex, const Vec3& position, std::vector<ConstraintRow>& rows);
 
 }  // namespace abrazo

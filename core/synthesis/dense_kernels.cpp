@@ -24,7 +24,7 @@ struct Kernels {
   using Register = typename RegisterOf<width>::Type;
   static constexpr int wide = 2 * width;  ///< rows of a block: more does not fit into 16 registers
 
-  /// Registers from x on, aligned as numbers are. The types stand here by name: deduced ones lose the
+  /// Registers from x on, aligned as numbers are. The types are explicit, because deduced ones lose the
   /// alignment.
   [[gnu::always_inline]] static const Register* at(const double* x) {
     return reinterpret_cast<const Register*>(x);
@@ -74,7 +74,7 @@ struct Kernels {
       for (int b = 0; b < blocks; ++b) at(column)[b] = sum[q][b];
       for (int p = 0; p < q; ++p)
         for (int r = q; r < 4; ++r) column[r] -= a[(j + p) * stride + j + r] * a[(j + p) * stride + j + q];
-      if (!(column[q] > 0) || column[q] > 1e300) return false;  // nor what is not a number
+      if (!(column[q] > 0) || column[q] > 1e300) return false;  // nor NaN
       inverse_diagonal[j + q] = 1 / __builtin_sqrt(column[q]);
       for (int r = q; r < 4; ++r) a[(j + q) * stride + j + r] = column[r] * inverse_diagonal[j + q];
     }

@@ -5,17 +5,17 @@
 
 namespace abrazo::dense {
 
-// Small dense systems in padded columns, with AVX2 where the machine has it. Every element is summed up in
-// the same order and without fused steps whatever the width of the registers: results are the same bits on
-// all of them. `stride`: from one column to the next.
+// Small dense systems in padded columns, with AVX2 if available. Elements are summed in the same order and
+// without fused multiply-add for every register width, so results are identical to the bit on all machines.
+// `stride`: distance of columns.
 
 inline constexpr int lanes = 4;
 constexpr int padded(int n) {
   return (n + lanes - 1) / lanes * lanes;
 }
 
-/// L with L L^T = A, lower triangles, in place; what is above the diagonal is not read and not kept.
-/// @param a  padded(n) columns; rows and columns from n on are overwritten so that they do no harm
+/// L with L L^T = A, lower triangles, in place; elements above the diagonal are not read and are overwritten.
+/// @param a padded(n) columns; rows and columns from n on are overwritten with neutral values
 /// @param inverse_diagonal  1 / L_ii, padded(n)
 /// @return false when A is not positive definite
 bool factor(double* a, int n, int stride, double* inverse_diagonal);
@@ -34,7 +34,7 @@ double dot(const double* x, const double* y, int n);
 /// y <- y + c x over padded(n).
 void add(double c, const double* x, int n, double* y);
 
-/// Vectors of padded(n) and what each is multiplied with.
+/// Vectors of padded(n) with their weights.
 struct Combination {
   std::array<const double*, 4> vectors{};
   std::array<double, 4> weights{};
@@ -51,10 +51,10 @@ void combine_scaled(const Combination& of, const double* u, const std::array<con
 void add_columns(std::span<const double* const> columns, const std::array<const double*, 3>& weights, int n,
                  const std::array<double*, 3>& y);
 
-/// Which of the two ways is taken on this machine; both give the same bits. For tests and figures.
+/// Register width of the kernels; both give identical bits. For tests and benchmarks.
 enum class Width { Two, Four };
 Width width();
-/// The way from now on. @return false when the machine cannot
+/// Selects a width. @return false if the machine does not support it
 bool use(Width width);
 
 }  // namespace abrazo::dense

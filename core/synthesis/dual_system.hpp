@@ -10,13 +10,13 @@
 
 namespace abrazo {
 
-/// One number for each vertex, padded for the dense kernels; those from 50 on stay 0.
+/// One number per vertex, padded for the dense kernels; entries from 50 on are 0.
 inline constexpr int padded_vertices = dense::padded(pair_vertex_count);
 using VertexNumbers = std::array<double, padded_vertices>;
-/// A symmetric matrix of vertices by vertices in padded columns.
+/// A symmetric 50 x 50 matrix in padded columns.
 using PaddedMatrix = std::array<VertexNumbers, padded_vertices>;
 
-/// x, y and z of the vertices, each in one piece [m].
+/// x, y and z of the vertices, each contiguous [m].
 struct VertexColumns {
   std::array<VertexNumbers, 3> axis{};
 
@@ -27,9 +27,9 @@ struct VertexColumns {
   double value_of(const ConstraintRow& row) const;
 };
 
-/// S = H (K^-1 (x) I_3) H^T + eps I for the rows that bind, and what it takes to make them hold. A row of H
+/// S = H (K^-1 (x) I_3) H^T + eps I for the binding rows, and the corrections that satisfy them. A row of H
 /// is weights w of vertices along one direction u, so S_rs = (u_r . u_s) (w_r^T K^-1 w_s). The equalities'
-/// part is factored once; inequalities come and go by its Schur complement. Does not allocate after
+/// part is factored once; inequalities are added and removed by its Schur complement. Does not allocate after
 /// construction.
 class DualSystem {
  public:
@@ -37,19 +37,19 @@ class DualSystem {
 
   DualSystem();
 
-  /// Takes over rows and K^-1; both have to stay until the next call.
+  /// Sets rows and K^-1; both must outlive the next call.
   void set(std::span<const ConstraintRow> rows, const PaddedMatrix& inverse);
 
-  /// @param active  per row; equalities bind whatever it says
+  /// @param active per row; ignored for equalities, which always bind
   /// @return false when S is not positive definite, not even with a large eps
   bool factor(const std::vector<char>& active);
 
-  /// Moves positions, by the least in the metric of K, so that the rows that bind hold up to eps times their
-  /// multipliers, and adds these up per row.
+  /// Moves the positions by the smallest amount in the metric of K so that the binding rows hold up to eps
+  /// times their multipliers. Adds the multipliers up per row.
   void correct(VertexColumns& positions, std::vector<double>& multipliers);
 
  private:
-  /// A triangle in padded columns, max_rows apart.
+  /// A triangular factor in padded columns with stride max_rows.
   struct Factor {
     std::vector<double> columns;
     std::vector<double> inverse_diagonal;
@@ -71,19 +71,19 @@ class DualSystem {
   std::span<const ConstraintRow> rows_;
   const PaddedMatrix* inverse_ = nullptr;
   std::vector<int> equalities_;         ///< rows, in order
-  std::vector<int> rest_;               ///< inequalities that bind, in order
+  std::vector<int> rest_;               ///< binding inequalities, in order
   double regularisation_ = 0;           ///< eps
   std::vector<VertexNumbers> spreads_;  ///< per row: K^-1 w
-  std::vector<char> known_;             ///< per inequality: its spread and coupling
-  std::vector<double> by_vertex_;       ///< spreads of the equalities, those at one vertex in one piece
-  std::array<std::vector<double>, 3> directions_;  ///< of the equalities, each axis in one piece
+  std::vector<char> known_;             ///< per inequality: whether its spread and coupling are computed
+  std::vector<double> by_vertex_;       ///< spreads of the equalities, contiguous per vertex
+  std::array<std::vector<double>, 3> directions_;  ///< of the equalities, contiguous per axis
   Factor equalities_factor_;
-  std::vector<double> couplings_;  ///< per inequality: L^-1 times its column of S, L of the equalities
+  std::vector<double> couplings_;  ///< per inequality: L^-1 times its column of S, with L of the equalities
   Factor rest_factor_;             ///< of the Schur complement
   std::vector<double> right_;      ///< of the equalities
   std::vector<double> rest_right_;
-  std::vector<const double*> moved_;          ///< spreads of the rows that bind
-  std::array<std::vector<double>, 3> moves_;  ///< what they are multiplied with
+  std::vector<const double*> moved_;          ///< spreads of the binding rows
+  std::array<std::vector<double>, 3> moves_;  ///< their weights
 };
 
 }  // namespace abrazo

@@ -25,7 +25,7 @@ constexpr double farthest_off_m = 0.25;
 constexpr double longest_leg = 1.03;
 constexpr double soft_reach = 0.985;
 constexpr double shortest_fade_s = 0.12, longest_fade_s = 0.5;
-/// A straight leg bends forward; one whose knee is `bent_knee_m` off the line bends as it was.
+/// A straight leg bends forward; one with its knee `bent_knee_m` off the line keeps its direction.
 constexpr double knee_bias_m = 0.05, bent_knee_m = 0.08;
 constexpr double pressed_share = 0.3;  ///< of its recorded height over rest that a planted toe base keeps
 constexpr double stepping_s = 0.4, step_height_m = 0.06;
@@ -33,8 +33,7 @@ constexpr double stepping_s = 0.4, step_height_m = 0.06;
 constexpr double press_rate = 50, lift_rate = 24;
 // A foot that the recording lifts is let go when it is off the floor, or after these at the latest.
 constexpr double lifted_m = 0.02, longest_lift_s = 0.12, farthest_lift_m = 0.15;
-// A foot in the air makes for where the body goes beside the recording: this share of what is left of that
-// way.
+// A foot in the air anticipates the body's way beside the recording: by this share of the remaining way.
 constexpr double lead_share = 0.3, lead_rate = 12;  // omega [1/s]
 constexpr double clearance_m = 0.06;  ///< a foot in the air is at least so high, if the recorded one is
 
@@ -259,7 +258,7 @@ void place_foot(Pose& pose, const Body& body, bool left, const Vec3& toe_base, c
   const Vec3 toe_tip = pose.row(tip) - pose.row(toes);
   const Vec3 free_leg = Vec3(pose.row(ankle)) - hip;
   const Vec3 free_knee = Vec3(pose.row(knee)) - hip;
-  // A leg may be as straight as it was, and is stretched further as if by a spring: a knee that locks jerks.
+  // A leg may be as straight as before, and stretches further like a spring, because a locking knee jerks.
   const double free_reach = free_leg.norm();
   const double room = soft_reach * (length(knee) + length(ankle)) - free_reach;
   const double beyond = (toe_base + foot_up - hip).norm() - free_reach;

@@ -10,7 +10,8 @@
 
 namespace abrazo {
 
-/// What a frame needs of those before it, as one value; some 27 kB without a pointer. World space, metres.
+/// Everything a frame needs of previous frames, as one value of about 27 kB without pointers. World space,
+/// metres.
 struct FrameMemory {
   int frames_since_reset = 0;
   PairPose previous = PairPose::Zero();         ///< V'_{i-1}
@@ -19,12 +20,13 @@ struct FrameMemory {
   Pose previous_query = Pose::Zero();  ///< q'_in of the previous frame
   std::optional<double> previous_heading;
   int current_pair = -1;         ///< the source of the previous frame
-  bool has_good_result = false;  ///< `previous` is what is held after a failure
+  bool has_good_result = false;  ///< `previous` is the pose to hold after a failure
   FootLocks locks;
-  PartnerMotion motion;           ///< with the playback `continuous`
-  bool partner_is_shown = false;  ///< `previous` is a partner to go on from, also where tracking was lost
+  PartnerMotion motion;           ///< used by the playback `continuous`
+  bool partner_is_shown = false;  ///< `previous` has a partner to continue from, even after a loss of
+                                  ///< tracking
   MotionHistory history;          ///< q'_in of the last two seconds
-  UserMeasure user;               ///< given, or measured over the first seconds
+  UserMeasure user;               ///< body of the user: given, or measured over the first seconds
 };
 
 }  // namespace abrazo

@@ -18,7 +18,7 @@ constexpr double lowest_foot_m = 0.01;    ///< the floor, for ankles and toes
 constexpr double same_length = 1e-9;
 /// The moved partner was adapted to the user: the user's own foot locks do not pull it by the mesh again.
 constexpr double moved_anchor_weight = 1;
-/// Bodies are asked to keep so much further apart than capsules do: what is asked for is followed with a lag.
+/// Additional clearance of bodies, because they follow the capsule constraints with a lag.
 constexpr double parting_clearance_m = 0.02;
 constexpr double shortest_step_s = 1.0 / 240;  ///< closer poses would make velocities out of noise
 
@@ -260,8 +260,7 @@ void FramePipeline::remember(double dt_s) {
   memory_ = next_;
 }
 
-/// Nothing of the previous frame is left to be taken for this one's, but the poses that are held when it
-/// fails.
+/// Clears the previous frame's values, except the poses to hold after a failure.
 void FramePipeline::begin_frame() {
   out_.query_world.setZero();
   out_.query_normalized.setZero();

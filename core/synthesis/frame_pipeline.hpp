@@ -17,28 +17,29 @@
 
 namespace abrazo {
 
-/// The way of one frame, for a user who plays the first body of the library's pairs: retarget, select, edit,
-/// measure. Keeps what the next frame needs: the two previous results, foot locks, the current source.
+/// Processes one frame for a user who plays the first body of the library's pairs: retarget, select, edit,
+/// measure. Keeps the state for the next frame: the two previous results, foot locks, the current source.
 class FramePipeline {
  public:
-  /// @param pairs  those that may be selected
-  /// @param index  over those pairs of this library; made when there is none
+  /// @param pairs the selectable pairs
+  /// @param index over those pairs of this library; built if null
   FramePipeline(std::shared_ptr<const MotionLibrary> library, const Settings& settings,
                 std::vector<int> pairs, std::shared_ptr<const PoseIndex> index = nullptr);
 
-  /// @param user  finite;  @param elapsed_s  since the last frame that was solved; 0 at the start
+  /// @param user finite; @param elapsed_s since the last solved frame; 0 at the start
   void solve(const Pose& user, double elapsed_s);
-  /// A frame that was not even tried: the last good poses are held. The message is `why` and `where`.
+  /// Fails a frame without solving it: the last good poses are held. The message is `why` and `where`.
   void refuse(std::string_view why, std::string_view where = {});
-  /// The next frame is a first one.
+  /// Clears the state: the next frame is a first one.
   void forget();
-  /// The next frame follows none: with the playback `continuous` the partner still goes on from where it is.
+  /// Tracking was lost: the next frame does not follow the last. With the playback `continuous` the partner
+  /// still continues from where it is.
   void lose_track();
 
   void set_settings(const Settings& settings) { settings_ = settings; }
-  /// Nothing: measured on the next poses that can be a person's.
+  /// Sets the user's body; none: it is measured on the next plausible poses.
   void set_user_body(const std::optional<Body>& body);
-  /// What the selection `intent` selects by; without it Eq. 7 does. A shared one is prepared by RoleViews.
+  /// Sets the model of the selection `intent`; without it Eq. 7 selects. RoleViews prepares a shared one.
   void set_intent(std::shared_ptr<const IntentModel> model);
   bool has_intent() const { return intent_.has_value(); }
   void pin_pair(std::optional<int> pair) { pinned_ = pair; }
@@ -48,10 +49,10 @@ class FramePipeline {
   const FrameResult& result() const { return out_; }
 
   const FrameMemory& memory() const { return memory_; }
-  /// The next frame follows those that this was kept from.
+  /// Restores the state: the next frame follows those before `memory`.
   void restore(const FrameMemory& memory);
-  /// The next frame follows those of a pipeline over other pairs, or over the same with the roles exchanged:
-  /// both bodies go on from where they are, what was recorded of them does not.
+  /// Takes over the state of a pipeline over other pairs, or over the same pairs with roles exchanged: both
+  /// bodies continue from where they are, the recorded source does not.
   void take_over(const FrameMemory& memory);
 
  private:
@@ -94,14 +95,14 @@ class FramePipeline {
   std::optional<int> pinned_;
 
   FrameMemory memory_;
-  FrameMemory next_;             ///< memory_ with this frame, which becomes it when the frame was solved
-  Pose partner_ = Pose::Zero();  ///< as it was moved, before the edit
+  FrameMemory next_;             ///< memory_ with this frame; replaces it if the frame is solved
+  Pose partner_ = Pose::Zero();  ///< moved, before the edit
 
   FrameResult out_;
 };
 
-/// The same frame with the two bodies in each other's place: what the pipeline solved for a passive user, in
-/// the order active, passive.
+/// Exchanges the two bodies of a frame: turns a frame solved for a passive user into the order active,
+/// passive.
 void exchange_roles(const FrameResult& solved, FrameResult& exchanged);
 
 }  // namespace abrazo

@@ -19,29 +19,28 @@ struct FrameEnergy {
   double constraint = 0;  ///< E_C = w_C/2 |V'_A - q'_in|^2
 };
 
-/// How far the nonlinear constraints are from being met at the result: measured, not what the linear system
-/// promised.
+/// Residuals of the nonlinear constraints, measured at the result, not predicted by the linear system.
 struct FrameResidual {
   double bone_length_max = 0;           ///< largest |length - wanted| / wanted
-  double foot_lock_max_m = 0;           ///< largest distance of a locked foot from where it was locked
+  double foot_lock_max_m = 0;           ///< largest distance of a locked foot from its locked position
   double penetration_max_m = 0;         ///< deepest overlap of two capsules of different bodies
   double excess_penetration_max_m = 0;  ///< deepest beyond the selected pair's own
   double morph_rms_m = 0;               ///< of the active joints from the user's pose
 };
 
-/// One foot that is held where it landed.
+/// A foot held where it landed.
 struct FootLock {
   bool active_body = true;
   bool left = true;
   bool operator==(const FootLock&) const = default;
 };
 
-/// A hand of each body that the edit brings together, as they hold one another in the recording.
+/// A hand of each body that the edit brings together, because they hold one another in the recording.
 struct HandHold {
   bool active_left = true;
   bool passive_left = true;
-  double strength = 0;         ///< 0 = not held any more, 1 = held
-  Vec3 offset = Vec3::Zero();  ///< of the passive hand from the active one, as it should be; world [m]
+  double strength = 0;         ///< 0 = released, 1 = held
+  Vec3 offset = Vec3::Zero();  ///< desired offset of the passive hand from the active one; world [m]
 };
 
 /// Two capsules of different bodies that touch or are kept apart. A capsule's ends are vertices 0..49.
@@ -58,7 +57,7 @@ struct StepTiming {
 
 enum class StepStatus { Ok, Relaxed, Failed };
 
-/// Everything one step computed, with its reasons. World space, metres.
+/// Everything that one step computed. World space, metres.
 struct FrameResult {
   Pose query_world = Pose::Zero();       ///< q'_in: the user retargeted to the library's body
   Pose query_normalized = Pose::Zero();  ///< p'_in
@@ -66,13 +65,13 @@ struct FrameResult {
   RootFrame query_root;
 
   std::vector<Candidate> candidates;  ///< ascending feature distance
-  int selected = -1;                  ///< index into candidates; -1 when nothing could be selected
+  int selected = -1;                  ///< index into candidates; -1 if nothing could be selected
   bool source_changed =
       false;  ///< not the same take within 0 to 3 times the expected pace of the previous one
 
-  FrameIntent intent;  ///< with the selection `intent`
+  FrameIntent intent;  ///< set by the selection `intent`
 
-  PairPose selected_pair = PairPose::Zero();  ///< q''_sel: what was edited
+  PairPose selected_pair = PairPose::Zero();  ///< q''_sel: input of the edit
   std::vector<MeshEdge> edges;
   std::vector<MeshTetrahedron> tetrahedra;
   std::vector<double> edge_weights;      ///< per edge: mean of w_jl and w_lj
@@ -86,9 +85,9 @@ struct FrameResult {
   std::vector<FootLock> foot_locks;
   std::vector<HandHold> holds;
   std::vector<CapsuleContact>
-      collisions;  ///< that overlap, deepest first; hands that hold one another left out
+      collisions;  ///< overlapping capsules, deepest first, without hands that hold one another
   StepStatus status = StepStatus::Failed;
-  std::string message = "not solved yet";  ///< why it was relaxed or failed
+  std::string message = "not solved yet";  ///< why the frame was relaxed or failed
   StepTiming timing;
 
   auto active() const { return result.topRows<joint_count>(); }

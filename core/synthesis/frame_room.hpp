@@ -5,12 +5,12 @@
 
 namespace abrazo {
 
-/// Candidates of any k that can be set (200), continuations (15) and a pinned pair.
+/// Room for the largest k (200), continuations (15) and a pinned pair.
 inline constexpr std::size_t most_candidates = 256;
 /// Morph, projection and extra projection steps of any setting: 20 + 10 + 8.
 inline constexpr std::size_t most_edit_steps = 64;
 
-/// Memory for what frames can hold, so that one that holds more than those before does not allocate.
+/// Reserves memory for the largest frame, so that later frames do not allocate.
 inline void reserve_room(FrameResult& frame) {
   constexpr std::size_t most_edges = pair_vertex_count * (pair_vertex_count - 1) / 2;
   constexpr std::size_t many_tetrahedra = 512;  // about 250 fill the hull of 50 joints

@@ -61,7 +61,7 @@ Pose FramePipeline::partner_speed() const {
   return speed;
 }
 
-/// Where the source is after this step, if it goes on.
+/// Position of the source after this step, if it continues.
 SourcePlayhead FramePipeline::expected_playhead(double dt_s) const {
   const SourcePlayhead& now = next_.motion.playhead;
   if (now.pair < 0) return {};
@@ -128,7 +128,7 @@ bool FramePipeline::goes_on(int pair, double dt_s) const {
   return now.take == before.take && now.swapped == before.swapped && frames >= 0 && frames <= most;
 }
 
-/// Notices when the selected pair does not go on with the source.
+/// Detects that the selected pair does not continue the source.
 void FramePipeline::follow_source(double dt_s) {
   const int pair = out_.candidates[static_cast<std::size_t>(out_.selected)].pair;
   out_.selected_pair = library_->pair_in_world(pair, out_.query_root);

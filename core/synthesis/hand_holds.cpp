@@ -13,7 +13,7 @@ namespace abrazo {
 
 namespace {
 
-constexpr double due_s = 0.4;  ///< the hand sets out so long before a hold
+constexpr double due_s = 0.4;  ///< lead time of the hand before a hold
 constexpr int due_looks = 8;   ///< into that time
 constexpr double ramp_s = 0.18;
 constexpr double ramp_speed = 4;  ///< of a hand on its way [m/s]
@@ -57,7 +57,7 @@ double smooth(double ramp) {
   return 1 - quintic_fade(std::clamp(ramp, 0.0, 1.0));
 }
 
-/// The part across `along`, as a unit vector; a straight limb bends as `otherwise` says.
+/// The part perpendicular to `along`, as a unit vector; `otherwise` for a straight limb.
 Vec3 across(const Vec3& v, const Vec3& along, const Vec3& otherwise) {
   const auto part = [&](const Vec3& of) { return Vec3(of - of.dot(along) * along); };
   Vec3 side = part(v);
@@ -156,8 +156,8 @@ void HandHolds::place_arms(Pose& partner, const Surroundings& now, double elapse
   }
 }
 
-/// Turns the arm about the shoulder and stretches it so that the hand, which keeps its direction, is `share`
-/// of the way at `target`.
+/// Turns the arm about the shoulder and stretches it so that the hand, which keeps its direction, moves by
+/// `share` of the way to `target`.
 void HandHolds::reach_for(Pose& pose, const Body& body, const RootFrame& place, int hand, const Vec3& target,
                           double share, Arm& arm, double elapsed_s) {
   const int wrist = hand - 1, elbow = hand - 2, shoulder = hand - 3;

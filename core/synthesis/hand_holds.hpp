@@ -11,8 +11,8 @@
 namespace abrazo {
 
 /// Hands that hold one another. A hold begins where hand ends of the recording come within `hold_distance_m`
-/// and ends where they are `hold_ends_m` apart; the partner's hand is on its way a moment before. It is let
-/// go when the user's hand is out of reach or at the partner's shoulder.
+/// and ends where they are `hold_ends_m` apart; the partner's hand starts to move shortly before. The hold is
+/// released when the user's hand is out of reach or at the partner's shoulder.
 class HandHolds {
  public:
   struct Pair {
@@ -21,16 +21,17 @@ class HandHolds {
     double ramp = 0;             ///< 0 = not held, 1 = held
     double ramp_pace = 0;        ///< does not jump where a hold is let go half way [1/s]
     Vec3 offset = Vec3::Zero();  ///< partner's hand from the user's, from the user's heading [m]
-    Vec3 lag = Vec3::Zero();     ///< what is left in `offset` of a source before
+    Vec3 lag = Vec3::Zero();     ///< remainder of a previous source in `offset`
     Vec3 lag_speed = Vec3::Zero();
-    /// Where the hand is asked to be, from the partner's place, and how fast it goes there: one that is let
-    /// go comes to rest beside the body and does not run after the user's hand.
+    /// Target of the hand relative to the partner's place, and its speed: a released hand comes to rest
+    /// beside the body instead of following the user's hand.
     Vec3 asked = Vec3::Zero();
     Vec3 asked_speed = Vec3::Zero();
   };
   /// User's left with partner's left, left with right, right with left, right with right.
   using Pairs = std::array<Pair, 4>;
-  /// Where an arm that reaches for a hand points and on which side its elbow is, from the partner's heading.
+  /// Direction of an arm that reaches for a hand, and the side of its elbow, relative to the partner's
+  /// heading.
   struct Arm {
     bool reaches = false;
     Vec3 along = Vec3::Zero();
@@ -45,7 +46,7 @@ class HandHolds {
       : pairs_(pairs), arms_(arms), user_hands_(user_hands) {}
 
   void reset() { *this = HandHolds(); }
-  /// What decides about holds in one frame. World [m].
+  /// Input for the holds of one frame. World [m].
   struct Surroundings {
     const MotionLibrary& library;
     const SourcePlayhead& playhead;
@@ -53,18 +54,18 @@ class HandHolds {
     bool source_changed = false;
     const Pose& user;  ///< whose hands are held
     const RootFrame& user_root;
-    const Pose& partner;  ///< as it would be without holds
+    const Pose& partner;  ///< without holds
     const Body& body;     ///< of the partner
     const RootFrame& place;
   };
   void update(const Surroundings& now, double elapsed_s);
 
-  /// Brings the partner's arms to the hands that are held: direction and reach about the shoulder go over as
+  /// Brings the partner's arms to the held hands: direction and reach about the shoulder are blended in as
   /// the hold ramps up.
   void place_arms(Pose& partner, const Surroundings& now, double elapsed_s);
 
-  /// Those with any strength; one that ramps asks for little more than the arm reaches.
-  /// @param partner  whose arms were placed
+  /// Lists the holds with strength above 0; a ramping hold demands little more than the arm's reach.
+  /// @param partner after place_arms
   void list(const Pose& partner, const Pose& user, const RootFrame& user_root,
             std::vector<HandHold>& holds) const;
 
@@ -73,7 +74,7 @@ class HandHolds {
   const UserHands& user_hands() const { return user_hands_; }
 
  private:
-  /// Whether the recording has these hands hold one another now or soon.
+  /// Whether these hands hold one another in the recording now or soon.
   static bool look_at_recording(Pair& pair, const MotionLibrary& library, const SourcePlayhead& playhead,
                                 const RecordedMoment& moment, bool source_changed, int user_hand,
                                 int partner_hand);

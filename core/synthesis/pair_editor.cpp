@@ -11,7 +11,7 @@ namespace abrazo {
 
 namespace {
 
-/// Bones may be this far off after the projection steps that were asked for; otherwise more are taken.
+/// Tolerated bone length error after the configured projection steps; above it further steps follow.
 constexpr double bone_goal = 2e-4;
 constexpr double bone_limit = 1e-3;  ///< beyond this the constraints contradict one another
 constexpr double drift_limit_m = 1e-3;

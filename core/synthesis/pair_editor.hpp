@@ -14,35 +14,36 @@
 
 namespace abrazo {
 
-/// What is edited in one frame, and towards what. World space [m].
+/// Input and targets of the edit of one frame. World space [m].
 struct EditTask {
   std::span<const MeshEdge> edges;  ///< interaction mesh of the selected pair
-  PairPose selected;                ///< q''_sel: weights of the mesh and what capsules may overlap
-  PairPose reference;               ///< what the deformation energy keeps the shape of; q''_sel by the paper
+  PairPose selected;                ///< q''_sel: defines mesh weights and allowed overlaps of capsules
+  PairPose reference;               ///< the shape that the deformation energy preserves; q''_sel in the paper
   Pose target;                      ///< q'_in
   bool has_previous = false;
   PairPose velocity_target;                    ///< V'_{i-1}, or its prediction; only with has_previous
   double velocity_weight = 0;                  ///< w_Delta for this step
-  RigidDistances wanted;                       ///< lengths that the result must have
-  double floor_m = 0;                          ///< no foot joint goes below, unless the reference's does
-  std::array<std::optional<Vec3>, 2> planted;  ///< the partner's toe bases, left and right: x and z are held
+  RigidDistances wanted;                       ///< lengths of the result
+  double floor_m = 0;                          ///< lower limit of foot joints, unless the reference is lower
+  std::array<std::optional<Vec3>, 2> planted;  ///< the partner's toe bases, left and right: x and z are fixed
   std::span<const HandHold> holds;
-  double anchor_weight = 0;         ///< w_a: holds the partner to the reference
+  double anchor_weight = 0;         ///< w_a: pulls the partner to the reference
   double hold_weight = 0;           ///< w_H
   bool keeps_apart = true;          ///< capsules
-  double clearance_m = 0;           ///< so much further than the selected pair has them
-  const PairPose* sides = nullptr;  ///< on which a capsule is of another; null: as in the selected pair
+  double clearance_m = 0;           ///< additional to the distance in the selected pair
+  const PairPose* sides = nullptr;  ///< pose that defines the side of each capsule; null: the selected pair
   const CapsuleRadii* active_radii = nullptr;
   const CapsuleRadii* passive_radii = nullptr;
 };
 
-/// Edits a recorded pair until its active body is the user's pose, with the spatial relations of the two
-/// bodies kept: iterative morphing (Eq. 8-9) with the constrained minimisation of Eq. 11 in each step.
+/// Edits a recorded pair until its active body has the user's pose while the spatial relations of the two
+/// bodies are preserved: iterative morphing (Eq. 8-9) with the constrained minimisation of Eq. 11 in each
+/// step.
 class PairEditor {
  public:
   PairEditor();
 
-  /// What is let go, in this order, when the constraints cannot all be met: bones are kept longest.
+  /// Constraints that are dropped, in this order, if not all can be met; bones are kept longest.
   enum class Relaxation { None, PassiveFeet, Feet, Capsules, Everything };
 
   struct Outcome {
@@ -50,10 +51,10 @@ class PairEditor {
     Relaxation relaxation = Relaxation::None;
   };
 
-  /// @param[in,out] locks  feet that had to be let go are forgotten
+  /// @param[in,out] locks locks that had to be dropped are released
   Outcome edit(const EditTask& task, const Settings& settings, FootLocks& locks);
 
-  /// Whether capsules of the reference are nearer to one another than they may be.
+  /// Whether capsules of the reference are nearer to one another than allowed.
   bool presses(const EditTask& task);
 
   const PairPose& result() const { return steps_.back(); }
@@ -61,7 +62,7 @@ class PairEditor {
   const Laplacian& laplacian() const { return laplacian_; }
   CapsuleContacts& contacts() { return contacts_; }
   const EditTask& task() const { return task_; }
-  /// Largest distance of a held vertex of the first `bodies` from where it is held [m].
+  /// Largest distance of a locked vertex of the first `bodies` from its locked position [m].
   double drift(const FootLocks& locks, int bodies) const;
 
  private:
@@ -90,7 +91,7 @@ class PairEditor {
   std::vector<char> active_rows_;
   std::vector<PairPose> steps_;
   PairPose iterate_;
-  bool met_capsules_ = false;  ///< in the steps of the last morph
+  bool met_capsules_ = false;  ///< capsule rows occurred in the last morph
 };
 
 }  // namespace abrazo

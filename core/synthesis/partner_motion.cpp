@@ -120,12 +120,12 @@ RootFrame PartnerMover::away(const RootFrame& wanted) {
 }
 
 Pose PartnerMover::adapt(const Pose& edited) {
-  // Bodies that are deep in one another can ask for metres.
+  // Deeply overlapping bodies can demand metres.
   Pose asked = edited - moved_;
   const double farthest = asked.rowwise().norm().maxCoeff();
   if (farthest > farthest_asked_m) asked *= farthest_asked_m / farthest;
   const Pose bent = moved_ + motion_.adaptation.follow(asked, root_, step_.elapsed_s, adaptation_rate);
-  // Offsets of joints stretch bones; what is left of them is turns.
+  // Joint offsets stretch bones; only their rotations are kept.
   const RootFrame root{bent.row(0), root_.heading_rad};
   Pose pose = placed_body(shape_of(to_normalized(bent, root), bent(0, 1)), body_, root);
   plant_feet(pose);
@@ -203,7 +203,7 @@ void PartnerMover::follow_clock() {
   rate += (goal - rate) * (1 - std::exp(-step_.elapsed_s / rate_lag_s));
 }
 
-/// The old source goes on by this step, and the new one begins where the old one would be.
+/// The old source continues by this step, and the new one begins where the old one would be.
 void PartnerMover::change() {
   const double elapsed_s = step_.elapsed_s;
   const SourcePlayhead old = motion_.playhead;

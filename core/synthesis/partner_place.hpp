@@ -4,28 +4,28 @@
 
 namespace abrazo {
 
-/// Where the partner's centre of mass is over the floor and which way it faces, as a state with a speed of
-/// its own. The recording carries it; what is left to where the user wants it is closed like a critically
-/// damped spring, so that a sway of the user's hips does not swing the partner about.
+/// Horizontal position of the partner's centre of mass and its heading, as a state with a speed. The
+/// recording carries it; the remaining distance to the desired place is closed like a critically damped
+/// spring, so that a sway of the user's hips does not swing the partner.
 class PartnerPlace {
  public:
   PartnerPlace() = default;
   explicit PartnerPlace(const RootFrame& at) : at_(at) {}
 
-  /// The height does not matter here; world [m].
+  /// World [m]; the height is unused.
   const RootFrame& at() const { return at_; }
-  /// Of the spring alone, beside what the recording carries [m/s], [rad/s].
+  /// Speed of the spring alone, without the recorded motion [m/s], [rad/s].
   const Vec3& speed() const { return speed_; }
   double turning() const { return turning_; }
 
-  /// The recording took the partner this far since the last step, seen from its own heading, and turned it.
+  /// Applies the recorded path and turn since the last step; the path is relative to the partner's heading.
   void carry(const Vec3& own_path, double turn_rad);
-  /// What carries the partner changes: the whole speed goes on, the spring has what the new source lacks.
-  /// @param lost_speed  of the old source less that of the new one, world [m/s]
+  /// At a change of source: the total speed continues; the spring takes the difference between the sources.
+  /// @param lost_speed speed of the old source minus that of the new one, world [m/s]
   void keep_speed(const Vec3& lost_speed, double lost_turning);
-  /// Horizontal, as far as the spring pulls [m].
+  /// Distance over which the spring pulls, horizontal [m].
   Vec3 way_to(const RootFrame& wanted) const;
-  /// @param rate  how fast what is left is closed: omega of the spring [1/s]
+  /// @param rate omega of the spring [1/s]
   void approach(const RootFrame& wanted, double elapsed_s, double rate);
 
   PartnerPlace(const RootFrame& at, const Vec3& speed, double turning)

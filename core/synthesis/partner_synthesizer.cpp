@@ -47,7 +47,7 @@ std::string_view first_joint_without_position(const Pose& pose) {
 struct PartnerSynthesizer::State {
   std::shared_ptr<const RoleViews> views;
   Settings settings;
-  std::string unlearned;  ///< why the selection `intent` cannot be had; empty when it can
+  std::string unlearned;  ///< why the selection `intent` is unavailable; empty if available
   std::string unusable;   ///< which setting no step can be solved with; empty when all can be used
   std::optional<Body> user_body;
   std::optional<int> pinned;
@@ -81,7 +81,7 @@ struct PartnerSynthesizer::State {
     }
     return *pipeline;
   }
-  /// Always there: whoever changes the role makes it first.
+  /// Always exists: a role change creates it first.
   FramePipeline& pipeline() { return pipeline_of(settings.user_role); }
 
   /// Tried once: what fails takes long, and steps are many.

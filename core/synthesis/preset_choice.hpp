@@ -10,7 +10,7 @@
 
 namespace abrazo {
 
-/// Settings that a person keeps under a name.
+/// Settings that a person saved under a name.
 struct OwnPreset {
   std::string name;
   Settings settings;
@@ -18,7 +18,7 @@ struct OwnPreset {
   bool operator==(const OwnPreset&) const = default;
 };
 
-/// Which preset the settings came from: where ticks are and what a star compares with.
+/// The preset that the settings came from: the base of the default ticks and of the change marker.
 struct PresetChoice {
   std::string name = std::string(preset_names.front());
   bool own = false;
@@ -27,7 +27,7 @@ struct PresetChoice {
   bool operator==(const PresetChoice&) const = default;
 };
 
-/// The preset that these settings are, the one chosen before first; that one still when they are none's.
+/// The preset that these settings equal, preferring the one chosen before; that one also if they equal none.
 inline PresetChoice choice_for(const Settings& settings, const PresetChoice& before,
                                const std::vector<OwnPreset>& own) {
   if (before.settings == settings) return before;

@@ -32,7 +32,7 @@ double depth(const Cosines& cosines) {
   return Eigen::SelfAdjointEigenSolver<Cosines>(cosines, Eigen::EigenvaluesOnly).eigenvalues()(0);
 }
 
-/// The pseudo-bone between the ends of two bones; -1 where there is none.
+/// The pseudo-bone between the ends of two bones; -1 = none.
 int pseudo_bone_between(int bone_a, int bone_b) {
   for (std::size_t p = 0; p < pseudo_bones.size(); ++p) {
     const auto [a, b] = pseudo_bones[p];
@@ -64,7 +64,7 @@ void make_spokes_fit(Spokes spokes, const PairPose& shape, std::span<RigidDistan
     }
   const double goal = kept_depth * std::max(0.0, depth(recorded)) - rounding;
   if (depth(wanted) >= goal) return;
-  // The smallest eigenvalue is concave on the way, and high enough at its end.
+  // The smallest eigenvalue is concave along the path, and large enough at its end.
   double too_little = 0, share = 1;
   for (int n = 0; n < halvings; ++n) {
     const double middle = 0.5 * (too_little + share);

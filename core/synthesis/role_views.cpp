@@ -45,7 +45,7 @@ std::shared_ptr<const RoleViews> RoleViews::shared(std::shared_ptr<const MotionL
 RoleViews::~RoleViews() = default;
 
 RoleViews::View RoleViews::made(UserRole role) const {
-  // Memory that is not there is given all the same, and whoever fills it is killed later.
+  // The system overcommits memory, and kills the process that fills it later.
   if (is_costly(role))
     if (const std::uint64_t needed = mapped_bytes(*library_) + spare_bytes, left = memory_left_();
         needed > left)

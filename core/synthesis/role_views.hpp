@@ -16,48 +16,48 @@
 
 namespace abrazo {
 
-/// A library as the user of each role sees it: for a passive user the roles are exchanged (pair numbers
-/// stay), and what the selection `intent` learns of it. Each is made once, by whoever first asks for it, and
-/// shared by all that solve with the library. Safe to call from any thread: prepare it on one, and another
-/// need not wait.
+/// A library as seen by the user of each role (for a passive user the roles are exchanged, pair numbers
+/// stay), and the model that the selection `intent` learns from it. Each is built once, on first request, and
+/// shared by all solvers of the library. Thread-safe: one thread can prepare it so that another need not
+/// wait.
 class RoleViews {
  public:
   struct View {
     std::shared_ptr<const MotionLibrary> library;  ///< the user is its first body
-    std::shared_ptr<const PoseIndex> index;        ///< over the pairs that may be selected
+    std::shared_ptr<const PoseIndex> index;        ///< over the selectable pairs
   };
 
-  /// @param pairs  those that may be selected
-  /// @param memory_left  bytes, asked before a mapped library is copied
+  /// @param pairs the selectable pairs
+  /// @param memory_left available memory [bytes], queried before a mapped library is copied
   RoleViews(std::shared_ptr<const MotionLibrary> library, std::vector<int> pairs,
             std::uint64_t (*memory_left)() = available_memory_bytes);
 
-  /// Those that others solve with at present, or new ones: what is prepared for a session serves its
-  /// comparisons and what is solved again.
+  /// The views that other solvers use at present, or new ones. Views prepared for a session also serve its
+  /// comparisons and re-solving.
   static std::shared_ptr<const RoleViews> shared(std::shared_ptr<const MotionLibrary> library,
                                                  std::vector<int> pairs);
 
-  /// Ends what prepare() began; waits for what it cannot interrupt.
+  /// Stops threads started by prepare(); waits for steps that cannot be interrupted.
   ~RoleViews();
   RoleViews(const RoleViews&) = delete;
   RoleViews& operator=(const RoleViews&) = delete;
 
-  /// Made now when nobody did; waits when another thread is at it (some 10 us a pair).
-  /// @throws std::runtime_error when the memory that is left does not hold a mapped library with its roles
-  /// exchanged; the next call tries again
+  /// Builds the view if needed; waits if another thread is building it (about 10 us per pair).
+  /// @throws std::runtime_error if the available memory does not hold a mapped library with exchanged roles;
+  /// the next call tries again
   const View& of(UserRole role) const { return views_[number(role)].get(); }
-  /// `of` would return at once.
+  /// Whether `of` would return at once.
   bool is_ready(UserRole role) const { return views_[number(role)].is_ready(); }
-  /// Has it made on a thread of its own, unless that was done. @see trouble
+  /// Builds it on a separate thread, unless that was done. @see trouble
   void prepare(UserRole role) const { views_[number(role)].prepare(); }
-  /// Why prepare() could not make it; said once, and prepare() may then be asked again.
+  /// Why prepare() failed; returned once, after which prepare() may be called again.
   std::optional<Error> trouble(UserRole role) const { return told(views_[number(role)].trouble()); }
-  /// A view of this role needs so much memory that it should be made for who asks for it only: of a mapped
-  /// library the whole, exchanged.
+  /// Whether a view needs so much memory that it should only be built on demand: that of a mapped library
+  /// with exchanged roles.
   bool is_costly(UserRole role) const { return role == UserRole::Passive && library_->is_mapped(); }
 
-  /// What is learned of the view for the selection `intent`; takes a second or more. The same as the four
-  /// above.
+  /// The model of the selection `intent` for a view; learning takes a second or more. These functions
+  /// correspond to the four above.
   const std::shared_ptr<const IntentModel>& intent(UserRole role) const {
     return intents_[number(role)].get();
   }
@@ -80,7 +80,7 @@ class RoleViews {
   std::vector<int> pairs_;
   std::uint64_t (*memory_left_)();
   std::array<MadeOnce<View>, 2> views_;
-  std::array<MadeOnce<LearnedIntent>, 2> intents_;  ///< last: they end first
+  std::array<MadeOnce<LearnedIntent>, 2> intents_;  ///< declared last: destroyed first
 };
 
 }  // namespace abrazo

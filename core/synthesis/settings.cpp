@@ -24,7 +24,7 @@ constexpr double highest_weighed_rate_hz =
 /// Sessions that were recorded with it are still read: how a change of source fades is another setting now.
 constexpr std::string_view retired_setting = "transition-half-life";
 
-/// The selection `intent` was called so before: sessions, settings and scripts that say it are still read.
+/// The former name of the selection `intent`, still read in sessions, settings and scripts.
 constexpr std::string_view retired_intent = "filter";
 
 using Kind = SettingInfo::Kind;
@@ -69,7 +69,7 @@ const std::vector<Entry>& entries() {
              "compared by Eq. 7.\n"
              "Higher: the best pair is missed more rarely, and a step takes longer. The method intent "
              "compares all "
-             "pairs: so many of the best are weighed in full and listed.\n"
+             "pairs: this number of the best is fully evaluated and listed.\n"
              "Paper 3.3.2: 10."},
             &Settings::neighbours),
       entry({"continuations", "", "continuations", "Selection", "frames", Kind::Integer, 0, 15, false, "",
@@ -286,7 +286,7 @@ std::string setting_names() {
 
 bool applies(const Settings& settings, std::string_view key) {
   constexpr std::array<std::string_view, 1> of_paper = {"continuations"};
-  // A recording that runs goes on by itself: its next moment is always a candidate.
+  // The continuation of the running recording is always a candidate.
   constexpr std::array<std::string_view, 2> of_frames = {"morph-steps", "continuations"};
   constexpr std::array<std::string_view, 3> of_continuous = {"transition-time", "place-rate", "hold-weight"};
   constexpr std::array<std::string_view, 4> of_intent = {"switch-margin", "leader-weight", "move-weight",

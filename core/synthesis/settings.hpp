@@ -15,8 +15,8 @@ enum class UserRole { Active, Passive };
 enum class SelectionMethod { Paper, Intent };
 enum class SourcePlayback { Frames, Continuous };
 
-/// Everything that can be tuned, as one value. Weights of energies are those at 15 steps per second; at other
-/// rates `velocity_weight_at` gives the weight with the same time constant.
+/// All tunable settings, as one value. Weights of energies are those at 15 steps per second; at other rates
+/// `velocity_weight_at` gives the weight with the same time constant.
 struct Settings {
   SelectionMethod selection = SelectionMethod::Paper;
   double alpha = 0.5;            ///< weight of the temporal terms in Eq. 7
@@ -24,9 +24,9 @@ struct Settings {
   VelocityForm velocity_form = VelocityForm::Velocity;
   double morph_weight = 10;  ///< weight of the morphing constraint in E_C (Eq. 9)
   int morph_steps = 5;       ///< m of Eq. 8
-  int projection_steps =
-      2;                ///< further steps on the full target: bring back bone lengths after the last turn
-  int neighbours = 10;  ///< k
+  int projection_steps = 2;  ///< further steps on the full target, which restore bone lengths after the last
+                             ///< rotation
+  int neighbours = 10;       ///< k
   EdgeWeights edge_weights = EdgeWeights::Inverse;
   double step_rate_hz = 0;  ///< 0 = the input's own rate, at most 120
   bool collisions = true;
@@ -34,35 +34,36 @@ struct Settings {
   UserRole user_role = UserRole::Active;
 
   // Of the selection `intent` [m]: see IntentCost.
-  double switch_margin = 0.03;  ///< what another source must be better by
+  double switch_margin = 0.03;  ///< cost by which another source must be better
   double leader_weight = 0.2;   ///< w_l
   double move_weight = 0.1;     ///< w_m
   double meant_weight = 0.2;    ///< w_p
 
-  int continuations = 0;  ///< next recorded frames of the current source that join the candidates
-  // How the selected pair becomes motion. All but the first count with `continuous` alone.
+  int continuations = 0;  ///< number of next recorded frames of the source that join the candidates
+  // How the selected pair becomes motion. All except the first apply only to `continuous`.
   SourcePlayback playback = SourcePlayback::Frames;
-  double transition_time_s = 0.28;  ///< in which a small change of source fades
-  double place_rate = 7;            ///< omega of the spring that brings the partner to its place [1/s]
-  double hold_weight = 0;           ///< w_H: of the energy that brings held hands together
+  double transition_time_s = 0.28;  ///< time in which a small change of source fades [s]
+  double place_rate = 7;            ///< omega of the spring that moves the partner to its place [1/s]
+  double hold_weight = 0;           ///< w_H: weight of the energy that brings held hands together
 
   double foot_lock_speed =
       0;  ///< a foot faster than this is not planted [m/s]; 0 = height alone decides (paper)
   double anchor_weight = 1e-3;  ///< holds the partner to the selected pair where no mesh edge does
-  bool scale_root_path = true;  ///< a user of another size covers ground in proportion to the legs
+  bool scale_root_path = true;  ///< scales the user's path in proportion to leg length
 
   bool operator==(const Settings&) const = default;
 };
 
-/// "paper": the paper's letter. "responsive": small lag, few jumps.
+/// "paper": as in the paper. "responsive": small lag, few jumps.
 Result<Settings> preset(std::string_view name);
 inline constexpr std::array<std::string_view, 2> preset_names = {"paper", "responsive"};
 
-/// w_Delta for steps of `dt_s`. The velocity form is a first-order lag, weight proportional to the rate; the
-/// predicted form is second-order, proportional to its square: so a time constant stays what it is at 15 Hz.
+/// w_Delta for steps of `dt_s`. Keeps the time constant of 15 Hz: the velocity form is a first-order lag with
+/// a weight proportional to the rate, the predicted form is second-order with a weight proportional to its
+/// square.
 double velocity_weight_at(const Settings& settings, double dt_s);
 
-/// One setting as the command line, JSON, session files and the settings panel know it.
+/// Description of one setting for the command line, JSON, session files and the settings panel.
 struct SettingInfo {
   enum class Kind { Real, Integer, Flag, Choice };
   std::string_view key;     ///< "alpha", "velocity-weight", ... as in the contract
@@ -74,30 +75,30 @@ struct SettingInfo {
   double minimum, maximum;
   bool logarithmic;          ///< slider scale
   std::string_view choices;  ///< "velocity|predicted"
-  std::string_view help;     ///< what it does, with the formula and paper section
+  std::string_view help;     ///< effect, with formula and section of the paper
 };
 
-/// In the order in which they are shown.
+/// In display order.
 std::span<const SettingInfo> all_settings();
 const SettingInfo* find_setting(std::string_view key);
 /// "selection, alpha, ...": all keys, for messages.
 std::string setting_names();
-/// Whether a setting counts with the method of selection and the playback that are set; most do with all.
+/// Whether a setting has an effect with the present selection method and playback; most always do.
 bool applies(const Settings& settings, std::string_view key);
-/// "Only with the method intent; it is paper now": of a setting that does not apply.
+/// "Only with the method intent; it is paper now": reason why a setting does not apply.
 std::string why_it_does_not_apply(const Settings& settings, std::string_view key);
 
 /// A setting by key as text ("0.5", "on", "inverse-mean"). The key must exist.
 std::string setting_text(const Settings& settings, std::string_view key);
 /// As a number (flags 0/1, choices their index).
 double setting_number(const Settings& settings, std::string_view key);
-/// Sets it; an Error says the range or the choices.
+/// Sets a setting from text; the Error gives the range or the choices.
 Status set_setting(Settings& settings, std::string_view key, std::string_view text);
 
 /// {"alpha":0.5,...} with every key.
 std::string settings_json(const Settings& settings);
 
-/// Reads such an object; keys it does not name keep their value in `start`. An unknown key is an Error.
+/// Reads settings_json; missing keys keep their value in `start`. An unknown key is an Error.
 Result<Settings> parse_settings(std::string_view json, const Settings& start, std::string_view where);
 
 }  // namespace abrazo

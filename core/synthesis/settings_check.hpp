@@ -5,8 +5,8 @@
 
 namespace abrazo {
 
-/// Whether every setting is within the range of all_settings(); an Error names the first that is not. For
-/// those that a program filled in by itself.
+/// Checks that every setting is within the range of all_settings(); the Error names the first that is not.
+/// For settings filled in by a program.
 Status check_settings(const Settings& settings);
 
 }  // namespace abrazo

@@ -10,16 +10,16 @@
 
 namespace abrazo {
 
-/// What a PartnerSynthesizer keeps between two frames. Another one over the same library that is given it
-/// goes on to the same bits.
+/// State of a PartnerSynthesizer between two frames. Another one over the same library continues from it with
+/// identical bits.
 struct SynthesizerState {
   UserRole user_role = UserRole::Active;
   FrameMemory memory;             ///< in the order of bodies that the user's role gives: user, partner
-  std::optional<Body> user_body;  ///< as it was given; none when it is measured
+  std::optional<Body> user_body;  ///< as given; none if it is measured
   std::optional<int> pinned;
   std::shared_ptr<const Vetoes> vetoes;  ///< shared by the states between two changes; never null
   std::optional<MeantPairs> meant;
-  double unsolved_s = 0;  ///< since the last frame that was solved
+  double unsolved_s = 0;  ///< since the last solved frame
 };
 
 }  // namespace abrazo

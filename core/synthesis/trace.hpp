@@ -9,7 +9,7 @@
 
 namespace abrazo {
 
-/// Says what a trace was made from.
+/// The origin of a trace.
 struct TraceHeader {
   std::string library;
   std::string input;
@@ -20,8 +20,8 @@ struct TraceHeader {
 /// First line of a trace, without the line end.
 std::string trace_header_line(const TraceHeader& header);
 
-/// One solved frame as the contract has it, without the line end. Numbers read back to the same doubles; two
-/// runs on the same input differ in timing_us alone.
+/// One solved frame in the trace format, without the line end. Numbers read back to the same doubles; two
+/// runs on the same input differ only in timing_us.
 /// @param input_frame  0-based frame of the input;  @param time_s  of the input
 std::string trace_frame_line(const FrameResult& frame, const MotionLibrary& library, long long input_frame,
                              double time_s);

@@ -6,14 +6,14 @@
 
 namespace abrazo {
 
-/// 1 at 0, 0 at 1, with no speed and no acceleration at either end (a quintic).
+/// 1 at 0, 0 at 1, with zero speed and acceleration at both ends (a quintic).
 double quintic_fade(double share);
 /// 0 at both ends with speed 1 at 0, 0 at 1, and no acceleration at either.
 double quintic_slope(double share);
 
-/// What of a change of source is still seen: per bone the turn from the source's direction to the shown one,
-/// and the difference in root height. Fades by the quintic that starts with the offset and its rate and ends
-/// at rest, so that what is shown has neither a jump nor a kink.
+/// The fading remainder of a change of source: per bone the rotation from the source's direction to the shown
+/// one, and the difference in root height. Fades by a quintic that starts with the offset and its rate and
+/// ends at rest, so that the shown pose has continuous position and velocity.
 class Transition {
  public:
   using Turns = std::array<Vec3, bone_count>;
@@ -22,16 +22,16 @@ class Transition {
   void advance(double elapsed_s) { elapsed_s_ += elapsed_s; }
   bool is_over() const { return elapsed_s_ >= duration_s_; }
 
-  /// The source as it is shown.
+  /// The shown pose of a source.
   BodyShape shown(const BodyShape& source) const;
 
-  /// Begins anew from what is seen.
-  /// @param before_s       `seen_before` and `source_before` are so much earlier; 0: nothing is known of them
-  /// @param least_s        of the fade, for a small change; a large one takes up to 5/3 of it
+  /// Begins a new transition from the shown pose.
+  /// @param before_s time of `seen_before` and `source_before` before the present; 0 = unknown
+  /// @param least_s duration for a small change; a large one takes up to 5/3 of it
   void begin(const BodyShape& seen, const BodyShape& source, const BodyShape& seen_before,
              const BodyShape& source_before, double before_s, double least_s);
 
-  // What it consists of, to be kept elsewhere and made again.
+  // State, for serialisation.
   const Turns& turns() const { return turns_; }
   const Turns& rates() const { return rates_; }
   double height() const { return height_; }

@@ -13,7 +13,7 @@ constexpr double smallest_user_m = 0.3;
 constexpr double largest_user_m = 3.5;
 constexpr double shortest_user_bone_m = 1e-4;
 
-/// As body_of, without memory of its own.
+/// As body_of, without allocation.
 Body measured(const Pose& pose) {
   Body body;
   const auto apart = [&](std::pair<int, int> ends) {
@@ -50,7 +50,7 @@ bool UserMeasure::look_at(const Pose& user, double elapsed_s) {
   };
   mix(body_->bone_lengths, seen.bone_lengths);
   mix(body_->pseudo_lengths, seen.pseudo_lengths);
-  // A foot in the air says nothing of where it stands.
+  // A foot in the air gives no rest height.
   body_->toe_rest_height = std::min(body_->toe_rest_height, seen.toe_rest_height);
   return true;
 }

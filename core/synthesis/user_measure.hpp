@@ -6,8 +6,8 @@
 
 namespace abrazo {
 
-/// What the user measures: given, or measured on poses. One pose says it to begin with; every further one of
-/// the first seconds counts as much, so that a bad first pose is outweighed and not kept.
+/// The user's body: given, or measured from poses. Starts with one pose; every further one of the first
+/// seconds has the same weight, so that a bad first pose is averaged out.
 class UserMeasure {
  public:
   static constexpr double measured_s = 3;
@@ -17,11 +17,11 @@ class UserMeasure {
 
   const std::optional<Body>& body() const { return body_; }
 
-  /// @param elapsed_s  since the pose before
+  /// @param elapsed_s since the previous pose
   /// @return whether `body` has changed
   bool look_at(const Pose& user, double elapsed_s);
 
-  // What it consists of, to be kept elsewhere and made again.
+  // State, for serialisation.
   UserMeasure(const std::optional<Body>& body, bool is_given, double seen_s, int seen)
       : body_(body), is_given_(is_given), seen_s_(seen_s), seen_(seen) {}
   bool is_given() const { return is_given_; }
@@ -32,7 +32,7 @@ class UserMeasure {
   std::optional<Body> body_;
   bool is_given_ = false;
   double seen_s_ = 0;
-  int seen_ = 0;  ///< poses that `body_` is the mean of
+  int seen_ = 0;  ///< number of poses averaged in `body_`
 };
 
 }  // namespace abrazo

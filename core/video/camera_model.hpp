@@ -16,17 +16,17 @@ namespace abrazo {
 using Pixel =
     Eigen::Vector2d;  ///< x to the right, y down, of the upright picture; the middle of the first is (0, 0)
 
-/// Pinhole with Brown's distortion, as OpenCV has it: k1 k2 p1 p2 k3 k4 k5 k6 (those not used are 0).
+/// Pinhole with Brown's distortion, as in OpenCV: k1 k2 p1 p2 k3 k4 k5 k6 (unused ones are 0).
 struct CameraIntrinsics {
-  int width = 0, height = 0;  ///< of the pictures it is for
+  int width = 0, height = 0;  ///< of the pictures
   double fx = 0, fy = 0, cx = 0, cy = 0;
   std::array<double, 8> distortion{};
 
   bool operator==(const CameraIntrinsics&) const = default;
 };
 
-/// Where a camera stands: x_camera = rotation * x_world + translation; camera axes x right, y down, z ahead;
-/// world metres, Y up.
+/// Pose of a camera: x_camera = rotation * x_world + translation; camera axes x right, y down, z ahead; world
+/// metres, Y up.
 struct CameraPose {
   Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
   Vec3 translation = Vec3::Zero();
@@ -41,10 +41,10 @@ struct CameraModel {
   CameraIntrinsics intrinsics;
   CameraPose pose;
 
-  /// Nothing for points behind the camera, or so far outside that the distortion folds back.
+  /// None for points behind the camera, or so far outside that the distortion folds back.
   std::optional<Pixel> project(const Vec3& world) const;
-  /// A straight bone in the world is a curve in a distorted picture: its pixels, subdivided so that none is
-  /// farther than half a pixel from it; in several pieces where it goes behind the camera.
+  /// A straight bone in the world is a curve in a distorted picture: its pixels, subdivided so that the
+  /// polyline deviates by at most half a pixel; in several pieces if it passes behind the camera.
   std::vector<std::vector<Pixel>> project_segment(const Vec3& from, const Vec3& to) const;
 
   bool operator==(const CameraModel&) const = default;
@@ -54,17 +54,18 @@ struct CameraModel {
 /// image_height). The error names the file, the entry and what was expected.
 Result<CameraIntrinsics> read_intrinsics(const std::filesystem::path& file);
 Status write_intrinsics(const CameraIntrinsics& intrinsics, const std::filesystem::path& file);
-/// For pictures of another size of the same camera; refused when the proportions differ by more than 1 %.
+/// Intrinsics for pictures of another size of the same camera; an Error if the aspect ratios differ by more
+/// than 1 %.
 Result<CameraIntrinsics> scaled(const CameraIntrinsics& intrinsics, int width, int height);
-/// Without a calibration: centre in the middle, square pixels, this horizontal field of view.
+/// Intrinsics without a calibration: central principal point, square pixels, this horizontal field of view.
 CameraIntrinsics guessed_intrinsics(int width, int height, double horizontal_deg = 60);
 
-/// A joint that was pointed at in a picture.
+/// A joint picked in a picture.
 struct PickedPoint {
   Vec3 world;
   Pixel pixel;
-  int vertex = -1;       ///< joint of the pair, 0..49; -1 where it is not known
-  double subject_s = 0;  ///< when the joint was there
+  int vertex = -1;       ///< joint of the pair, 0..49; -1 = unknown
+  double subject_s = 0;  ///< time of the joint
 
   bool operator==(const PickedPoint& other) const {
     return world == other.world && pixel == other.pixel && vertex == other.vertex &&
@@ -74,15 +75,15 @@ struct PickedPoint {
 
 struct SolvedCamera {
   CameraModel camera;
-  std::vector<double>
-      errors_px;           ///< per point, distance between where it was picked and where it is projected
-  std::vector<bool> used;  ///< those that were no outliers
-  double rms_px = 0;       ///< over the used ones
-  std::vector<std::string> warnings;  ///< points nearly in a plane, all in one corner, camera below the floor
+  std::vector<double> errors_px;      ///< per point: distance of the picked and the projected position
+  std::vector<bool> used;             ///< true for inliers
+  double rms_px = 0;                  ///< over the used ones
+  std::vector<std::string> warnings;  ///< nearly coplanar points, all points in one corner, camera below the
+                                      ///< floor
 };
 
 /// The camera's pose from at least 6 picked points (robust against a few wrong ones; refined).
-/// @param free_focal_length  fx = fy is found too, with at least 8 points: for guessed intrinsics
+/// @param free_focal_length estimates fx = fy too, with at least 8 points; for guessed intrinsics
 Result<SolvedCamera> solve_camera(const CameraIntrinsics& intrinsics, std::span<const PickedPoint> points,
                                   bool free_focal_length);
 

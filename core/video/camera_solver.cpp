@@ -43,7 +43,7 @@ std::size_t count(const std::vector<bool>& used) {
   return static_cast<std::size_t>(std::ranges::count(used, true));
 }
 
-/// Squared, but what is an outlier costs no more than the limit.
+/// Squared error, limited for outliers.
 double robust_cost(const std::vector<double>& errors, double limit_px) {
   double cost = 0;
   for (const double error : errors) cost += std::min(error * error, limit_px * limit_px);

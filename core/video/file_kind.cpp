@@ -27,7 +27,7 @@ std::uint64_t big_endian(std::string_view bytes) {
   return value;
 }
 
-/// The index of an MP4 or QuickTime file; empty when there is none.
+/// The index of an MP4 or QuickTime file; empty if there is none.
 std::string index_of(std::ifstream& stream, std::uint64_t size) {
   std::uint64_t at = 0;
   for (std::uint64_t box = 0; box < most_boxes && at + 8 <= size; ++box) {

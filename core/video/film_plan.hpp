@@ -4,7 +4,7 @@
 
 namespace abrazo {
 
-/// The moments of a film of something recorded: the beginning, then one every 1 / rate seconds up to the end.
+/// The times of the frames of a film: the beginning, then every 1 / rate seconds up to the end.
 struct FilmPlan {
   static constexpr double slowest_hz = 1, fastest_hz = 240;
   double from_s = 0, to_s = 0;

@@ -8,7 +8,7 @@
 
 namespace abrazo {
 
-/// The pictures that were used last, bounded in bytes; at least one.
+/// Least-recently-used cache of pictures, bounded in bytes; holds at least one.
 class FrameCache {
  public:
   explicit FrameCache(std::size_t most_bytes) : most_bytes_(most_bytes) {}
@@ -32,7 +32,7 @@ class FrameCache {
       frames_.pop_back();
     }
   }
-  /// How many pictures of so many bytes it holds.
+  /// Number of pictures of this size that fit.
   int room(std::size_t bytes_each) const {
     return std::max(1, static_cast<int>(most_bytes_ / std::max<std::size_t>(1, bytes_each)));
   }
@@ -41,7 +41,7 @@ class FrameCache {
  private:
   std::size_t most_bytes_;
   std::size_t bytes_ = 0;
-  std::list<VideoFramePtr> frames_;  ///< the one used last is first
+  std::list<VideoFramePtr> frames_;  ///< most recently used first
 };
 
 }  // namespace abrazo

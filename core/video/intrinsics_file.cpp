@@ -22,9 +22,9 @@ const char* const advice =
     "expected a calibration as OpenCV writes it (YAML, XML or JSON with camera_matrix, "
     "distortion_coefficients, image_width and image_height)";
 
-/// OpenCV descends by recursion, so that a file decides how much stack is used. Never less than the depth
-/// that it goes to, also where brackets stand in strings and comments: each level begins with a bracket, a
-/// tag, or, in a block of YAML, further right in its line.
+/// OpenCV's parser is recursive, so a file determines its use of stack. An upper bound of the depth, even
+/// with brackets in strings and comments: each level begins with a bracket, a tag, or, in a block of YAML, a
+/// larger indentation.
 std::size_t most_levels(std::string_view text) {
   const auto is_opening = [](char c) { return c == '[' || c == '{' || c == '<'; };
   const auto openings = static_cast<std::size_t>(std::ranges::count_if(text, is_opening));
@@ -40,7 +40,7 @@ std::size_t most_levels(std::string_view text) {
   return openings + furthest;
 }
 
-/// The numbers of a matrix entry, read one by one: what the file says of its size allocates nothing.
+/// The numbers of a matrix entry, read one by one: the stated size does not allocate memory.
 Result<std::vector<double>> numbers(const cv::FileNode& node, const char* entry, std::size_t most,
                                     const std::string& where) {
   const cv::FileNode data = node.isMap() ? node["data"] : node;

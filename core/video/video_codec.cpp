@@ -50,9 +50,9 @@ Result<const VideoCodec*> video_codec() {
   return codec;
 }
 
-/// What FFmpeg has to say of a file is said by the reader, as a message instead.
+/// The reader reports FFmpeg's problems as messages instead.
 void silence_video_codec() {
-  // Nor is anything fetched from elsewhere, whatever a file says inside.
+  // Nothing is fetched from elsewhere, whatever the file refers to.
   static const int once = setenv("OPENCV_FFMPEG_LOGLEVEL", "-8", 0) +
                           setenv("OPENCV_FFMPEG_CAPTURE_OPTIONS", "protocol_whitelist;file", 1);
   static_cast<void>(once);

@@ -133,7 +133,7 @@ class VideoDecoder::Work {
       auto frame = reader.frame(task->index, [this](double, std::string_view) { return !stops_; });
       if (stops_) return;
       if (!task->is_asked) {
-        if (!frame) goes_on = false;  // told when it is asked for
+        if (!frame) goes_on = false;  // reported on request
         continue;
       }
       answered = task->index;

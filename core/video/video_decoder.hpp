@@ -11,23 +11,23 @@
 
 namespace abrazo {
 
-/// A video that is opened and decoded on a thread of its own: only the newest request counts, those between
-/// are left out, and the pictures to come are decoded ahead while requests go forwards.
+/// Opens and decodes a video on a separate thread: only the newest request is served, older ones are skipped,
+/// and pictures are decoded ahead while requests move forward.
 class VideoDecoder {
  public:
-  /// Opens on the thread. @param notify  called on it when state() or newest() has something new
+  /// Opens the file on the thread. @param notify called on it when state() or newest() changed
   VideoDecoder(std::filesystem::path file, std::function<void()> notify);
   ~VideoDecoder();  ///< stops and waits for the thread
 
   enum class State { Opening, Open, Failed };
   State state() const;
-  double opened() const;  ///< share of the file that was gone through while opening
+  double opened() const;  ///< progress of opening, 0 to 1
   Status trouble() const;
   /// Null until the file is open.
   std::shared_ptr<const VideoFacts> facts() const;
 
   void request(int index);
-  /// The picture that was decoded last for a request; null before the first.
+  /// The last picture decoded for a request; null before the first.
   VideoFramePtr newest() const;
   std::optional<int> requested() const;
 

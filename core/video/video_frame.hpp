@@ -16,20 +16,20 @@ struct VideoFrame {
 };
 using VideoFramePtr = std::shared_ptr<const VideoFrame>;
 
-/// What a video file is, measured by looking at all its pictures' times, not only at what its header says.
+/// Properties of a video file, measured from the times of all pictures, not only from its header.
 struct VideoFacts {
   std::string file;
   int width = 0, height = 0;          ///< upright
-  int rotation_deg = 0;               ///< that was applied: 0, 90, 180, 270
+  int rotation_deg = 0;               ///< applied rotation: 0, 90, 180, 270
   std::string codec;                  ///< "h264"
   std::vector<double> times_s;        ///< of every picture, ascending
   double rate_hz = 0;                 ///< of most pictures
-  bool is_even = true;                ///< all intervals are alike (to half a millisecond)
-  std::vector<std::string> warnings;  ///< what the file says wrongly of itself
+  bool is_even = true;                ///< all intervals are equal (to half a millisecond)
+  std::vector<std::string> warnings;  ///< wrong statements of the header
 
   int frames() const { return static_cast<int>(times_s.size()); }
   double duration_s() const;  ///< to the end of the last picture
-  /// The picture that is shown at a time; the first before, the last after.
+  /// The picture shown at a time; the first before all, the last after all.
   int index_at(double time_s) const;
 };
 

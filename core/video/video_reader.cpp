@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t cache_bytes = 192u << 20;
 constexpr int most_pictures = 10'000'000;  // 4.6 days at 25 Hz
 constexpr double most_pixels = 1 << 26;    // 8192 x 8192
-constexpr int witness_step = 8;            // every so many pictures one is kept as a fingerprint
+constexpr int witness_step = 8;            // interval of pictures with a stored fingerprint
 constexpr int near_pictures = 48;          // decoded through rather than jumped over
 constexpr int kept_behind = 12;            // pictures before one that was gone back to
 constexpr int unknown = -2;
@@ -33,11 +33,11 @@ struct VideoReader::State {
   std::unique_ptr<PictureStream> stream;
   std::vector<double> stamps_ms;
   std::vector<std::uint64_t> witnesses;  ///< of the pictures 0, 8, 16, ... when read from the beginning
-  int stamped = 0;                       ///< so many have the file's own time
+  int stamped = 0;                       ///< number with the file's own time
   bool can_jump = true;
   FrameCache cache{cache_bytes};
   int position = -1;        ///< index of the picture that was decoded last; -1 before the first
-  bool is_verified = true;  ///< since the last jump a picture was the one its witness says
+  bool is_verified = true;  ///< since the last jump a picture matched its witness
   int last_asked = -1;
 
   Status measure(const Progress& progress);
@@ -123,7 +123,7 @@ bool VideoReader::State::forward_to(int index, int keep_from, const Progress& pr
   return position == index && is_verified;
 }
 
-/// On a picture before `index` from which the way leads over a witness.
+/// Jumps to a picture before `index` so that the path passes a witness.
 bool VideoReader::State::land_before(int index, double earlier_s) {
   const int witness = index / witness_step * witness_step;
   position = unknown;
@@ -151,7 +151,7 @@ bool VideoReader::State::come_to(int index, int keep_from, const Progress& progr
   if (position != unknown && position < keep_from && index - position <= near_pictures &&
       forward_to(index, keep_from, progress))
     return true;
-  // After a jump a decoder may lack what pictures stand on; farther back it has it.
+  // After a jump a decoder may lack reference pictures; from farther back it has them.
   for (const double earlier_s : {0.0, 2.0, 12.0}) {
     if (!can_jump || !wanted()) break;
     if (land_before(keep_from, earlier_s) && forward_to(index, keep_from, progress)) return true;
@@ -182,7 +182,7 @@ Result<VideoFramePtr> VideoReader::frame(int index, const Progress& progress) {
   const bool goes_back = index < s.last_asked;
   s.last_asked = index;
   if (VideoFramePtr kept = s.cache.find(index)) return kept;
-  // Who goes back goes on doing so: those before come along.
+  // Backward steps usually continue, so previous pictures are decoded too.
   const std::size_t bytes = static_cast<std::size_t>(s.facts.width) * s.facts.height * 3;
   const int behind = goes_back ? std::min(kept_behind, s.cache.room(bytes) / 2) : 0;
   if (!s.come_to(index, std::max(0, index - behind), progress)) {

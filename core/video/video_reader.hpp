@@ -9,22 +9,21 @@
 
 namespace abrazo {
 
-/// Reads any picture of a video exactly: the same index gives the same picture, however it was come to.
-/// Not for two threads at once.
+/// Reads any picture of a video exactly: the same index always gives the same picture. Not thread-safe.
 class VideoReader {
  public:
-  /// Goes through the file once for the times of its pictures. The error says what the file is instead of a
-  /// video that can be read.
+  /// Reads the file once for the times of its pictures. The Error says what the file is instead of a readable
+  /// video.
   static Result<VideoReader> open(const std::filesystem::path& file, const Progress& progress);
   VideoReader(VideoReader&&) noexcept;
   VideoReader& operator=(VideoReader&&) noexcept;
   ~VideoReader();
 
   const VideoFacts& facts() const;
-  /// @param index     within the facts' frames. The last ones that were read are kept for a while
-  /// @param progress  asked while decoding; false gives up with an Error "cancelled"
+  /// @param index within the facts' frames. The last pictures are cached
+  /// @param progress called while decoding; false ends with an Error "cancelled"
   Result<VideoFramePtr> frame(int index, const Progress& progress = {});
-  /// It is among those that are kept: frame() returns it without decoding.
+  /// Whether it is cached: frame() returns it without decoding.
   bool holds(int index) const;
 
  private:

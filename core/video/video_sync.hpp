@@ -7,7 +7,7 @@
 
 namespace abrazo {
 
-/// Two instants that are the same moment.
+/// A pair of times that are the same moment.
 struct SyncPoint {
   double subject_s = 0;  ///< of the session or take
   double video_s = 0;    ///< of the video file
@@ -15,9 +15,9 @@ struct SyncPoint {
   bool operator==(const SyncPoint&) const = default;
 };
 
-/// How the time of a video goes with that of a session or take: offset by one point, offset and rate by two.
+/// Synchronisation of a video with a session or take: one point gives the offset, two give offset and rate.
 struct VideoSync {
-  std::vector<SyncPoint> points;  ///< none, one or two, by subject_s; none = both begin together
+  std::vector<SyncPoint> points;  ///< none, one or two, by subject_s; none = both begin at the same time
   double rate = 1;                ///< video seconds per subject second with fewer than two points
 
   double video_time(double subject_s) const;
@@ -26,7 +26,7 @@ struct VideoSync {
   bool operator==(const VideoSync&) const = default;
 };
 
-/// @return an Error where two points cannot be: the same instant, or time that goes backwards
+/// @return an Error for invalid points: the same instant, or reversed time
 Status check_sync(const VideoSync& sync);
 
 }  // namespace abrazo

@@ -36,7 +36,7 @@ Result<VideoWriter> VideoWriter::open(const std::filesystem::path& file, int wid
                  file.string()};
   const auto codec = video_codec();
   if (!codec) return codec.error();
-  // Absolute, so that no name is taken for the address of a server.
+  // Absolute, so that no name is interpreted as a server address.
   std::error_code failure;
   auto state = std::make_unique<State>(std::filesystem::absolute(file, failure));
   state->codec = *codec;

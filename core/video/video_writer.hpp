@@ -9,8 +9,7 @@
 
 namespace abrazo {
 
-/// Writes pictures as an MPEG-4 video. The file appears under its name when it is finished, whole or not at
-/// all.
+/// Writes pictures as an MPEG-4 video. The file appears under its name when it is complete, or not at all.
 class VideoWriter {
  public:
   /// @param width, height  of every picture [pixels], even
@@ -24,7 +23,7 @@ class VideoWriter {
   Status add(std::span<const std::uint8_t> rgb, std::size_t stride);
   int frames() const;
 
-  /// Closes, reads the number of frames back, and gives the file its name.
+  /// Closes the file, verifies the number of frames, and renames it.
   Status finish();
 
  private:

@@ -100,7 +100,7 @@ TEST_F(EvaluateCommand, AFolderThatCannotBeWrittenIsRefusedBeforeTheWork) {
   std::filesystem::create_directory(path("locked"));
   std::filesystem::permissions(path("locked"), std::filesystem::perms(0555));
   expect_failure(run("evaluate all --manifest demo/manifest.json --report locked"),
-                 "locked: nothing can be written into the folder");
+                 "locked: the folder is not writable");
 }
 
 TEST_F(EvaluateCommand, AFolderThatCannotBeMadeIsRefusedBeforeTheWork) {

@@ -37,7 +37,7 @@ TEST_F(RenderCommand, RefusesWordsThatCannotBe) {
                      "expected follow, front, right, top, iso");
   expect_wrong_usage(run("render T.jsonl -o a.mp4 --rate 0"), "expected a rate of 0.1 to 240 Hz");
   expect_failure(run("render T.jsonl -o a.gif"), "a film (.mp4), a picture (.png) or a series");
-  expect_failure(run("render T.jsonl -o a%s.png"), "has a '%' that is no number");
+  expect_failure(run("render T.jsonl -o a%s.png"), "has a '%' that is not a number");
   expect_failure(run("render T.jsonl -o a.mp4 --size 641x360"), "a film needs an even size; found 641x360");
   expect_failure(run("render T.jsonl -o a.png --from 1 --to 2"), "one picture has no --to");
   expect_failure(run("render T.jsonl -o a.mp4 --from 2 --to 1"), "--to 1 is before --from 2");

@@ -97,7 +97,7 @@ TEST_F(Layout, TheLastArrangementIsRestoredAtTheNextStart) {
 
 TEST_F(Layout, ABrokenOrForeignArrangementIsToldAndTheUsualOneIsShown) {
   const std::vector<std::pair<QByteArray, QString>> cases = {
-      {"no layout", "is no layout"},
+      {"no layout", "is not a window layout"},
       {"{\"abrazo_layout\": 99}", "of another version"},
       {"{\"abrazo_layout\": 1, \"docks\": \"AAAA\", \"shown\": []}", "does not fit"}};
   for (const auto& [content, message] : cases) {

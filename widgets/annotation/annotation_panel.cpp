@@ -35,7 +35,7 @@ QLabel* caption(const QString& text, QWidget* parent) {
 }  // namespace
 
 AnnotationPanel::AnnotationPanel(QWidget* parent) : QWidget(parent), m_palette(palette_of(Theme::Dark)) {
-  // Where the panel is low it scrolls: it never takes room from what stands above and below it.
+  // A low panel scrolls: it never takes room from panels above and below.
   auto* all = new QVBoxLayout(this);
   all->setContentsMargins(0, 0, 0, 0);
   auto* scroll = new QScrollArea(this);
@@ -259,7 +259,7 @@ void AnnotationPanel::edited(QTableWidgetItem* item) {
   const std::string typed = item->text().trimmed().toStdString();
   Status done = Done{};
   if (item->column() == Start || item->column() == End) {
-    // What stands there has both, the seconds first.
+    // The present text has both, seconds first.
     const std::string first = item->text().section("  ", 0, 0).toStdString();
     const auto time_s = typed_time(first, m_shown.fps);
     const bool start = item->column() == Start;

@@ -23,8 +23,8 @@ class ProblemList;
 class TierList;
 class VocabularyEditor;
 
-/// What is said of a subject as lists: its tiers, the labels of the active one, their vocabulary, what is
-/// odd. Changes nothing itself: it asks, and waits to be shown what answers.
+/// The annotations of a subject as lists: its tiers, the labels of the active one, their vocabulary,
+/// problems. Changes nothing itself: it emits requests and shows what it is given.
 class AnnotationPanel : public QWidget {
   Q_OBJECT
  public:
@@ -32,15 +32,15 @@ class AnnotationPanel : public QWidget {
   void setColours(const Palette& palette);
   QSize sizeHint() const override { return {360, 560}; }
 
-  /// A section of another part's, below the lists: suggestions, say. It has its own head and keeps its
+  /// Adds a section of another part below the lists, e.g. suggestions. It has its own header and keeps its
   /// height.
   void addSection(QWidget* section);
 
-  /// @param subjects  names of the takes; the session stands before them
-  /// @param absent    annotated takes that are not there: listed, and marked as that
+  /// @param subjects names of the takes; the session comes first
+  /// @param absent annotated takes that do not exist: listed and marked
   /// @param shown     "" = the session
   void showSubjects(const QStringList& subjects, const QStringList& absent, const QString& shown);
-  /// As listed, the session first.
+  /// In display order, the session first.
   QStringList subjects() const;
   struct Shown {
     Annotations annotations;
@@ -48,7 +48,7 @@ class AnnotationPanel : public QWidget {
     double fps = 0;
     int tier = 0, annotation = 0;
     Conflict conflict = Conflict::Replace;
-    std::set<std::string> hidden;  ///< names of tiers whose lanes are not to be seen
+    std::set<std::string> hidden;  ///< names of tiers with hidden lanes
   };
   void show(const Shown& shown);
   ProblemList& problems() const { return *m_problems; }

@@ -10,7 +10,7 @@ using Kind = AnnotationProblem::Kind;
 
 constexpr double same_s = 1e-6;
 
-/// The annotations that end where a gap begins, and begin where it ends; null where there is none.
+/// The annotations before and after a gap; null if there is none.
 struct Sides {
   const Annotation* left = nullptr;
   const Annotation* right = nullptr;
@@ -76,7 +76,7 @@ std::string words_of(ProblemFix fix) {
     case ProblemFix::Remove:
       return "remove it";
     case ProblemFix::KeepInRange:
-      return "cut off what is beyond";
+      return "cut off the part beyond";
     case ProblemFix::ToFrames:
       return "move to the frames";
     case ProblemFix::AddToVocabulary:

@@ -7,23 +7,23 @@
 
 namespace abrazo::widgets {
 
-/// What can be done about a problem with one key. Plain arithmetic, no toolkit.
+/// A fix of a problem by one key. Independent of Qt.
 enum class ProblemFix {
-  FillFromLeft,   ///< a gap: the annotation before it goes on
-  FillFromRight,  ///< the one after it begins earlier
+  FillFromLeft,   ///< a gap: extends the annotation before it
+  FillFromRight,  ///< extends the annotation after it
   Remove,
-  KeepInRange,      ///< what lies beyond the subject is cut off
-  ToFrames,         ///< its edges go to the nearest frames
-  AddToVocabulary,  ///< what it says becomes one of the values
+  KeepInRange,      ///< cuts off the part beyond the subject
+  ToFrames,         ///< moves its edges to the nearest frames
+  AddToVocabulary,  ///< adds its value to the vocabulary
 };
 
 /// "fill from the left".
 std::string words_of(ProblemFix fix);
 
-/// The first one is what Return does.
+/// The first one is the effect of Return.
 std::vector<ProblemFix> fixes_of(const AnnotationProblem& problem, const Annotations& annotations);
 
-/// @param fps  of the subject's frames; 0 = not known
+/// @param fps of the subject's frames; 0 = unknown
 Result<Annotations> fixed(const Annotations& annotations, const AnnotationProblem& problem, ProblemFix fix,
                           const Annotations::Range& range, double fps);
 

@@ -13,7 +13,7 @@ ProblemList::ProblemList(QWidget* parent) : QListWidget(parent) {
   setWordWrap(true);
   setAlternatingRowColors(false);
   connect(this, &QListWidget::itemClicked, this, [this](QListWidgetItem* item) {
-    // A copy: who answers may show other problems immediately.
+    // A copy, because receivers may immediately show other problems.
     const AnnotationProblem problem = m_problems[static_cast<std::size_t>(row(item))];
     emit problemChosen(problem.tier, problem.annotation);
     emit seekRequested(problem.start_s);

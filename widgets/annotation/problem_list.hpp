@@ -6,8 +6,8 @@
 
 namespace abrazo::widgets {
 
-/// What is odd in the annotations of a subject. A click goes there; Return, a double click and the menu mend
-/// it where there is a way.
+/// Problems of the annotations of a subject. A click goes to the problem; Return, a double click and the menu
+/// fix it if possible.
 class ProblemList : public QListWidget {
   Q_OBJECT
  public:

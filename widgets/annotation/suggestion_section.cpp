@@ -92,7 +92,7 @@ QWidget* SuggestionSection::makeThreshold() {
   m_slider->setValue(usual_threshold);
   m_slider->setAccessibleName("Minimum confidence for accepting all, per cent");
   m_threshold = new QLabel(bar);
-  m_acceptAll = chip({}, "Accept all whose confidence is at least that of the slider; one undo step", bar);
+  m_acceptAll = chip({}, "Accept all with at least the slider's confidence; one undo step", bar);
   auto* clear = chip("Clear", "Remove all suggestions", bar);
   row->addWidget(m_slider, 1);
   row->addWidget(m_threshold);
@@ -123,7 +123,7 @@ void SuggestionSection::showSuggestions(const Annotations& annotations) {
   // What was decided is gone: the one that took its place is next.
   if (last >= 0) m_list->setCurrentRow(again >= 0 ? again : std::clamp(before, 0, last));
   m_filling = false;
-  // Only a decision goes on to another place; any other edit leaves the cursor where it is.
+  // Only a decision moves on; any other edit leaves the cursor in place.
   if (id != 0 && again < 0 && last >= 0)
     emit chosen(current(), m_rows[static_cast<std::size_t>(m_list->currentRow())].start_s);
   m_head->setTitle(m_rows.empty() ? "Suggestions" : QString("Suggestions (%1)").arg(m_rows.size()));
@@ -158,10 +158,9 @@ void SuggestionSection::describe() {
   const int row = m_list->currentRow();
   const bool is_chosen = row >= 0 && row < static_cast<int>(m_rows.size());
   for (QToolButton* button : {m_accept, m_edit, m_reject}) button->setEnabled(is_chosen);
-  m_reason->setText(is_chosen
-                        ? text(m_rows[static_cast<std::size_t>(row)].reason)
-                        : QString("There are no suggestions. Labels and roles of the other takes are what "
-                                  "suggestions are made from."));
+  m_reason->setText(is_chosen ? text(m_rows[static_cast<std::size_t>(row)].reason)
+                              : QString("There are no suggestions. They are made from labels and "
+                                        "roles of the other takes."));
 }
 
 void SuggestionSection::count() {

@@ -17,8 +17,8 @@ namespace abrazo::widgets {
 
 class SectionHeader;
 
-/// What is suggested for a subject, the surest first, each with its reason. In the list A accepts, E says
-/// something else, X rejects, and the next one is shown. Changes nothing itself: it asks.
+/// The suggestions for a subject, highest confidence first, with reasons. In the list A accepts, E accepts
+/// another value, X rejects, and the next one is shown. Changes nothing itself: it emits requests.
 class SuggestionSection : public QWidget {
   Q_OBJECT
  public:
@@ -26,12 +26,12 @@ class SuggestionSection : public QWidget {
   void setColours(const Palette& palette);
 
   void showSuggestions(const Annotations& annotations);
-  /// While suggestions are made. @param fraction  below 0: they are not
+  /// Shows progress while suggestions are made. @param fraction below 0: idle
   void showProgress(double fraction, const QString& doing);
   void choose(int suggestion);
   /// Id of the chosen suggestion; 0 = none.
   int current() const;
-  /// Confidence from which all are accepted.
+  /// Minimum confidence for "accept all".
   double threshold() const;
   QListWidget& list() const { return *m_list; }
   QSlider& slider() const { return *m_slider; }
@@ -55,7 +55,7 @@ class SuggestionSection : public QWidget {
   QWidget* makeThreshold();
   void describe();
   void count();
-  /// @return whether the key is one of the list's own
+  /// @return whether the list handles the key
   bool press(int key);
 
   std::vector<SuggestionRow> m_rows;

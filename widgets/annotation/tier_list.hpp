@@ -12,8 +12,8 @@ class QToolButton;
 
 namespace abrazo::widgets {
 
-/// The tiers of a subject in the order of their lanes: which is active, which are to be seen, what they are
-/// called. Asks; shows what it is given.
+/// The tiers of a subject in the order of their lanes, with active tier, visibility and names. Emits
+/// requests; shows what it is given.
 class TierList : public QWidget {
   Q_OBJECT
  public:

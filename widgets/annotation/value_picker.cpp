@@ -99,7 +99,7 @@ QString ValuePicker::value() const {
   return marked ? marked->data(value_role).toString() : field().text().trimmed();
 }
 
-/// Below its corner, or above where there is no room; inside the window.
+/// Below its corner, or above if there is no room; inside the window.
 void ValuePicker::settle() {
   constexpr int margin = 8;
   layout()->activate();

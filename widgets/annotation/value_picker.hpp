@@ -8,21 +8,22 @@ class QListWidget;
 
 namespace abrazo::widgets {
 
-/// What a label says: a field that opens at a place, with the tier's vocabulary below it. The key of a value
-/// takes it immediately while nothing was typed; typing completes from the vocabulary; Return takes what is
-/// marked, or what was typed. What is typed here is no command of the window.
+/// A field for the value of a label, with the tier's vocabulary below it. The key of a value accepts it
+/// immediately while the field is empty; typing completes from the vocabulary; Return accepts the marked or
+/// typed value. Keys typed here do not trigger commands of the window.
 class ValuePicker : public EntryFrame {
   Q_OBJECT
  public:
   struct Question {
-    AnnotationTier tier;  ///< whose vocabulary is offered
+    AnnotationTier tier;  ///< provides the vocabulary
     QString prompt;       ///< "turn from 1.20 s to 2.45 s"
-    QString start;        ///< the value there is, or the one used last
+    QString start;        ///< the present value, or the one used last
   };
-  /// Replaces one that is open. @param below  its upper left corner comes there or above, in the widget
+  /// Opens a picker; replaces an open one. @param below upper left corner in the widget; above it if there is
+  /// no room
   static ValuePicker* open(QWidget& widget, const QPoint& below, const Question& question,
                            const Palette& palette, Take take);
-  /// What was typed, or is marked.
+  /// The typed or marked value.
   QString value() const override;
 
  protected:

@@ -125,7 +125,7 @@ void VocabularyEditor::settle(std::vector<VocabularyEntry> vocabulary, const QSt
   emit changeRequested(next, what);
 }
 
-/// The labels that said it say the new word.
+/// Labels with the old value get the new one.
 void VocabularyEditor::rename(std::size_t row, const std::string& value) {
   Annotations next = m_annotations;
   auto entries = vocabulary();

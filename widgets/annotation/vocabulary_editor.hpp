@@ -12,8 +12,8 @@ class QToolButton;
 
 namespace abrazo::widgets {
 
-/// What a tier can say: values with key, colour and description. A value that is renamed here is renamed in
-/// the tier's labels, too. Asks; shows what it is given.
+/// The vocabulary of a tier: values with key, colour and description. Renaming a value also renames it in the
+/// tier's labels. Emits requests; shows what it is given.
 class VocabularyEditor : public QWidget {
   Q_OBJECT
  public:

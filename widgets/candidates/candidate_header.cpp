@@ -46,7 +46,7 @@ void CandidateHeader::setMethod(SelectionMethod method) {
   update();
 }
 
-/// Empty where a swatch stands for the term.
+/// Empty if a swatch represents the term.
 QString CandidateHeader::name(CandidateColumn column, Fit fit) {
   if (const auto term = term_of(column)) {
     const CostTermInfo& info = info_of(*term);

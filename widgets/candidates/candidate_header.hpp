@@ -8,16 +8,16 @@
 
 namespace abrazo::widgets {
 
-/// The heads of the candidate table's columns: a click sorts by one, another turns it around.
+/// The header of the candidate table: a click sorts by a column, another click reverses the order.
 class CandidateHeader : public QWidget {
   Q_OBJECT
  public:
   explicit CandidateHeader(QWidget* parent = nullptr);
   void setOrder(const CandidateOrder& order);
-  /// The columns are those of its terms.
+  /// Sets the columns to the terms of a method.
   void setMethod(SelectionMethod method);
   void setColours(const Palette& palette);
-  /// Where a column's head is; empty when there is no room for it.
+  /// Area of a column's header; empty if there is no room for it.
   QRectF area(CandidateColumn column) const;
 
  signals:
@@ -34,7 +34,7 @@ class CandidateHeader : public QWidget {
     QString name;
     QRectF area;
   };
-  /// How much is said of each term, by the room there is.
+  /// Level of detail of the term names, by the available width.
   enum class Fit { Names, Brief, Swatches };
   std::vector<Head> heads() const;
   double widthOf(CandidateColumn column, Fit fit) const;

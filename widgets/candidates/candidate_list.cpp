@@ -91,7 +91,7 @@ void CandidateList::setCurrentPair(int pair) {
   emit currentChanged(m_current);
 }
 
-/// By hand: the row becomes current and says so.
+/// By the user: the row becomes current and emits the signal.
 void CandidateList::choose(int index) {
   const int before = m_currentPair;
   setCurrent(index);
@@ -109,7 +109,7 @@ void CandidateList::setLinked(int candidate) {
   update();
 }
 
-/// What a screen reader says of the current row.
+/// Screen reader text of the current row.
 void CandidateList::describe() {
   const CandidateRow* row = current();
   if (!row) return setAccessibleDescription("No row is current");

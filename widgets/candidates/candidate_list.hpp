@@ -10,50 +10,50 @@
 
 namespace abrazo::widgets {
 
-/// Where a row's parts are, for a width of the list [px].
+/// Layout of a row for a width of the list [px].
 struct CandidateLayout {
   static constexpr int row_height = 24;
-  static constexpr int gutter = 13;  ///< of the pin
+  static constexpr int gutter = 13;  ///< width of the pin column
   static constexpr int number_right = 30;
   static constexpr int name_left = 50;
   static constexpr int margin = 12;
   static constexpr int figure_width = 60;
   int width = 0;
 
-  /// Of take and frame; in a narrow list the bars need the room more.
+  /// Width of take and frame; less in a narrow list, to leave room for the bars.
   int nameWidth() const { return width < 370 ? 108 : 134; }
   int barsLeft() const { return name_left + nameWidth(); }
   int barsWidth() const { return std::max(20, width - barsLeft() - figure_width - margin); }
 };
 
-/// The painted rows of the candidate table. One row can be current: keys and actions are about it.
+/// The painted rows of the candidate table. Keys and actions apply to the current row.
 class CandidateList : public QWidget {
   Q_OBJECT
  public:
   static constexpr int row_height = CandidateLayout::row_height;
 
   explicit CandidateList(QWidget* parent = nullptr);
-  /// In the order in which they are to be shown.
+  /// In display order.
   void setRows(std::vector<CandidateRow> rows, CandidateColumn figure = CandidateColumn::Rank);
   const std::vector<CandidateRow>& rows() const { return m_rows; }
   void setColours(const Palette& palette);
-  /// Marks the row of a candidate that is pointed at elsewhere; -1 for none.
+  /// Marks the row of a candidate hovered in another view; -1 = none.
   void setLinked(int candidate);
-  /// The row that was chosen with keys or a click; it stays with its pair as long as that is a candidate.
+  /// The row chosen by key or click; follows its pair as long as that is a candidate.
   const CandidateRow* current() const;
   void setCurrent(int row);
-  /// The row of this pair, and none while it is not among them; -1 for none. Says nothing.
+  /// Makes the row of this pair current, if it is listed; -1 = none. Emits no signal.
   void setCurrentPair(int pair);
   QRectF barArea(int row) const;
 
  signals:
-  /// Index into the frame's candidates; -1 when the pointer left.
+  /// Index into the frame's candidates; -1 = the pointer left.
   void candidateHovered(int candidate);
   void currentChanged(int row);
-  /// A person chose the row of this pair; -1 when none.
+  /// The user chose the row of this pair; -1 = none.
   void pairChosen(int pair);
   void jumpAsked(const abrazo::widgets::CandidateRow& row);
-  void jumpToChosenAsked();  ///< the chosen pair may have left the list meanwhile
+  void jumpToChosenAsked();  ///< the chosen pair may no longer be listed
   void pinClicked(const abrazo::widgets::CandidateRow& row);
   void menuAsked(const abrazo::widgets::CandidateRow& row, const QPoint& globalPosition);
 
@@ -88,13 +88,13 @@ class CandidateList : public QWidget {
   Palette m_palette;
   std::vector<CandidateRow> m_rows;
   CandidateColumn m_figure = CandidateColumn::Rank;
-  double m_fullBar = 0;  ///< total that fills the bar: grows immediately, shrinks slowly
+  double m_fullBar = 0;  ///< total of a full bar: grows immediately, shrinks slowly
   int m_hovered = -1;
   int m_linked = -1;   ///< a candidate
   int m_current = -1;  ///< a row
   int m_currentPair = -1;
-  int m_lastRow = -1;  ///< where the keys go on from once the pair is no candidate any more
-  int m_told = -1;     ///< candidate that was last announced as hovered
+  int m_lastRow = -1;  ///< start row for keys after the pair left the candidates
+  int m_told = -1;     ///< candidate of the last hover signal
 };
 
 }  // namespace abrazo::widgets

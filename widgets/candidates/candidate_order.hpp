@@ -9,7 +9,7 @@
 
 namespace abrazo::widgets {
 
-/// What the table can be sorted by. Which terms there are depends on the method that decided.
+/// Sort columns of the table. The terms depend on the deciding method.
 enum class CandidateColumn {
   Rank,
   Source,
@@ -29,7 +29,7 @@ enum class CandidateColumn {
 /// From left to right; the total and the distance are last.
 std::span<const CandidateColumn> candidate_columns(SelectionMethod method);
 
-/// The term that a column shows; nothing for the others.
+/// The term of a column; none for other columns.
 std::optional<CostTerm> term_of(CandidateColumn column);
 CandidateColumn column_of(CostTerm term);
 
@@ -42,18 +42,18 @@ struct CandidateOrder {
   bool operator==(const CandidateOrder&) const = default;
 };
 
-/// A column that is asked for again turns around; another one starts ascending.
+/// A second click on a column reverses the order; another column starts ascending.
 CandidateOrder order_after_click(const CandidateOrder& order, CandidateColumn column);
 
-/// What of an order can be done where this method decided: by rank when its column is one of another method.
+/// The order for a method: by rank if the column belongs to another method.
 CandidateOrder order_within(const CandidateOrder& order, SelectionMethod method);
 
-/// Ties stand by rank, whichever way the column goes.
+/// Ties are ordered by rank in both directions.
 void sort_rows(std::vector<CandidateRow>& rows, const CandidateOrder& order);
 
-/// The figure at the end of a row: that of the sorted column if it is one, else the total.
+/// The figure at the end of a row: that of the sorted column if it is a figure, else the total.
 double shown_figure(const CandidateRow& row, CandidateColumn column);
-/// " m", or nothing where all figures of the table are in m^2.
+/// " m", or empty if all figures of the table are in m^2.
 std::string_view figure_unit(const CandidateRow& row, CandidateColumn column);
 
 }  // namespace abrazo::widgets

@@ -167,8 +167,8 @@ void CandidateTable::resizeEvent(QResizeEvent* event) {
   showBelief();
 }
 
-/// The height does not follow the words: those of every frame are others. The map's button stands beside the
-/// belief where there is one, because the reasons by intent are longer.
+/// The height is independent of the text, which differs in every frame. The map's button is beside the belief
+/// if there is one, because reasons by intent are longer.
 void CandidateTable::arrangeFoot(bool has_belief) {
   constexpr int one_line = 24, two_lines = 40, narrow = 400;
   m_reason->setFixedHeight(width() < narrow ? two_lines : one_line);

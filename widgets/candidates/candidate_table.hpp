@@ -27,46 +27,47 @@ class DecisionBar;
 class FeatureMap;
 class SectionHeader;
 
-/// The k pairs that were considered for the shown frame, why the winner won, and what a person decided about
-/// them. Decides nothing itself: it asks for the next decision as a whole value.
+/// The k candidates of the shown frame, the reason of the winner, and the user's decisions about them.
+/// Decides nothing itself: it requests new decisions as a whole value.
 class CandidateTable : public QWidget {
   Q_OBJECT
  public:
   explicit CandidateTable(QWidget* parent = nullptr);
   void setLibrary(std::shared_ptr<const MotionLibrary> library);
   void setColours(const Palette& palette);
-  /// As they are shown, in the order of the sorted column.
+  /// In display order.
   const std::vector<CandidateRow>& rows() const;
   QString reason() const;
-  /// The line below it: what is believed of the user's move, or that this is still being learned.
+  /// The line below: the likely move, or that the model is still learning.
   const QString& belief() const { return m_beliefWords; }
-  /// As it was asked for. A column that the shown frame's method does not have waits for its method.
+  /// The requested order. A column that the shown frame's method does not have applies when its method
+  /// returns.
   const CandidateOrder& order() const { return m_order; }
 
  public slots:
   void showFrame(const abrazo::FrameSnapshotPtr& frame);
   void showDecisions(const abrazo::Decisions& decisions);
-  /// The way of the user up to a time, in the feature map.
+  /// Shows the user's path up to a time in the feature map.
   void showPath(const abrazo::FrameHistory& history, double until_s);
   void sortBy(abrazo::widgets::CandidateColumn column);
   void showMap(bool on);
   void showSelection(const abrazo::widgets::Selection& selection);
-  /// Marks a candidate that is pointed at elsewhere, index into the frame's; -1 for none.
+  /// Marks a candidate hovered in another view, index into the frame's; -1 = none.
   void pointAt(int candidate);
 
-  // About the current row; without one, about the winner.
+  // Apply to the current row; without one, to the winner.
   void togglePin();
   void toggleVeto(abrazo::Reach reach);
   void jump();
   void liftAll();
 
  signals:
-  /// Index into the frame's candidates; -1 when the pointer left.
+  /// Index into the frame's candidates; -1 = the pointer left.
   void candidateHovered(int candidate);
-  /// @param what  the change in words, for the undo list
+  /// @param what text for the undo list
   void decisionsRequested(const abrazo::Decisions& next, const QString& what);
   void selectionRequested(const abrazo::widgets::Selection& selection);
-  /// To this frame of this take of the library.
+  /// A frame of a take of the library.
   void jumpRequested(int take, int frame);
 
  protected:
@@ -91,7 +92,7 @@ class CandidateTable : public QWidget {
   void addSorting(QMenu& menu);
 
   Selection m_selection;
-  std::optional<CandidateRow> m_selectedRow;  ///< as it was last among the candidates
+  std::optional<CandidateRow> m_selectedRow;  ///< its last state as a candidate
   SectionHeader* m_header;
   CandidateHeader* m_columns;
   CandidateList* m_list;
@@ -107,7 +108,7 @@ class CandidateTable : public QWidget {
   std::vector<CandidateRow> m_ranked;  ///< of the shown frame, cheapest first
   Decisions m_decisions;
   CandidateOrder m_order;
-  SelectionMethod m_method = SelectionMethod::Paper;  ///< that decided in the shown frame
+  SelectionMethod m_method = SelectionMethod::Paper;  ///< deciding method of the shown frame
   QString m_beliefWords;
   Palette m_palette;
 };

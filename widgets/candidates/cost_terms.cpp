@@ -25,7 +25,7 @@ constexpr std::array<CostTermInfo, most_cost_terms> intent_terms = {{
     {CostTerm::Meant, "intended", "int.", "intended", "int.", "not the intended move",
      "w_p · not the intended move", "the intended move"},
     {CostTerm::Change, "change", "chg.", "change", "chg.", "change of source",
-     "margin for a change of source, α · distance from what is shown", "it goes on"},
+     "margin for a change of source, α · distance from the shown pose", "it goes on"},
 }};
 
 constexpr std::array<CostTerms, 2> of_methods = {{
@@ -72,7 +72,7 @@ QColor colour_of(CostTerm term, const Palette& palette) {
 
 std::optional<SelectionMethod> deciding_method(const FrameResult& result) {
   if (result.candidates.empty()) return std::nullopt;
-  // A file may say what it likes; where one of them lacks the cost by intent, Eq. 7 is what all have.
+  // Files may be inconsistent; if a candidate lacks the cost by intent, all still have that of Eq. 7.
   const bool all =
       std::ranges::all_of(result.candidates, [](const Candidate& c) { return c.intent.has_value(); });
   return all ? SelectionMethod::Intent : SelectionMethod::Paper;

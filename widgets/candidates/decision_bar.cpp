@@ -76,7 +76,7 @@ void DecisionBar::setDecisions(std::vector<Decision> decisions) {
 void DecisionBar::makeButtons() {
   for (QToolButton* button : m_buttons) {
     button->hide();
-    button->deleteLater();  // one of them may be what was clicked
+    button->deleteLater();  // one of them may be the clicked button
   }
   m_buttons.clear();
   for (const Decision& decision : m_decisions) {
@@ -100,7 +100,7 @@ void DecisionBar::makeButtons() {
   }
 }
 
-/// Side by side as far as they fit, then the next line. @return the height that takes
+/// Flow layout: side by side, then the next line. @return the required height
 int DecisionBar::arrange() {
   int x = margin, y = gap;
   for (QToolButton* button : m_buttons) {

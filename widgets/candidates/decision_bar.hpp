@@ -10,7 +10,7 @@ class QToolButton;
 
 namespace abrazo::widgets {
 
-/// The pin and the vetoes in force, one button each; a click lifts it. Takes no room when there are none.
+/// Pin and vetoes in force, one button each; a click removes it. Takes no room if there are none.
 class DecisionBar : public QWidget {
   Q_OBJECT
  public:

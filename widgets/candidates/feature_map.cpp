@@ -47,7 +47,7 @@ void FeatureMap::setLibrary(std::shared_ptr<const MotionLibrary> library) {
   wantCloud(UserRole::Active);
 }
 
-/// The old cloud is removed immediately: what is drawn belongs to one library and one role.
+/// The old cloud is removed immediately: the drawing belongs to one library and role.
 void FeatureMap::wantCloud(UserRole role) {
   m_role = role;
   m_cloud.reset();

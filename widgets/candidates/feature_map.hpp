@@ -13,8 +13,8 @@
 
 namespace abrazo::widgets {
 
-/// Where the user is among the recorded pairs: the library as a cloud in its principal plane, the way of the
-/// last seconds, the candidates and the winner.
+/// The user among the recorded pairs: the library as a cloud in its principal plane, the path of the last
+/// seconds, the candidates and the winner.
 class FeatureMap : public QWidget {
   Q_OBJECT
  public:
@@ -25,15 +25,15 @@ class FeatureMap : public QWidget {
   void setLibrary(std::shared_ptr<const MotionLibrary> library);
   void setColours(const Palette& palette);
   void setFrame(const FrameSnapshot& frame, const std::vector<CandidateRow>& rows);
-  /// The way of the user's features in the seconds up to a time.
+  /// Sets the path of the user's features in the seconds up to a time.
   void setPath(const FrameHistory& history, double until_s);
-  /// Marks a candidate that is pointed at elsewhere; -1 for none.
+  /// Marks a candidate hovered in another view; -1 = none.
   void setLinked(int candidate);
-  /// Marks the pair that is selected; -1 for none.
+  /// Marks the selected pair; -1 = none.
   void setCurrentPair(int pair);
-  /// The cloud is there; it is computed on a thread of its own.
+  /// Whether the cloud is ready; it is computed on a separate thread.
   bool isReady() const { return m_cloud != nullptr; }
-  /// Where a candidate is drawn [px]; nothing while there is no cloud or no such candidate.
+  /// Position of a candidate [px]; none without a cloud or such a candidate.
   std::optional<QPointF> placeOf(int candidate) const;
   QSize sizeHint() const override { return {300, 150}; }
 
@@ -79,12 +79,12 @@ class FeatureMap : public QWidget {
   std::vector<CandidateRow> m_rows;
   std::vector<Spot> m_spots;
   std::vector<Eigen::Vector2d> m_path;
-  QPixmap m_picture;  ///< of the whole cloud; null when it has to be redrawn
+  QPixmap m_picture;  ///< of the whole cloud; null = redraw
   double m_zoom = 1;
   int m_linked = -1;
   int m_currentPair = -1;
   int m_told = -1;
-  std::jthread m_worker;  ///< last: ends before what it reports to
+  std::jthread m_worker;  ///< declared last: ends before the objects it reports to
 };
 
 }  // namespace abrazo::widgets

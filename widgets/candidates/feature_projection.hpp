@@ -8,8 +8,8 @@
 
 namespace abrazo::widgets {
 
-/// The plane through the 15-D features of a library in which they spread most: their first two principal
-/// components, so that distances in it are metres and never larger than the feature distance.
+/// The plane of largest variance of the 15-D features of a library: their first two principal components, so
+/// that distances in it are metres and never larger than the feature distance.
 class FeatureProjection {
  public:
   /// @param features  at least one; all finite
@@ -22,7 +22,7 @@ class FeatureProjection {
   /// Orthonormal columns, the larger spread first. The largest component of each is positive, so that the
   /// same library gives the same picture.
   const Eigen::Matrix<double, 15, 2>& axes() const { return axes_; }
-  /// Of the variance of all 15 dimensions [0, 1]; 1 when there is none.
+  /// Explained share of the variance of all 15 dimensions [0, 1]; 1 without variance.
   double explained() const { return explained_; }
 
  private:
@@ -31,7 +31,7 @@ class FeatureProjection {
   double explained_ = 1;
 };
 
-/// What a pair is compared by: the features of the body that plays the user, relative to its own root.
+/// Features used for comparison: those of the body that plays the user, relative to its root.
 Features user_features(const MotionLibrary& library, int pair, UserRole role);
 
 /// A pair of the library as a point of the plane.
@@ -40,7 +40,7 @@ struct CloudPoint {
   int pair = -1;
 };
 
-/// The library as a picture: what is computed once per library.
+/// The projected library, computed once per library.
 struct FeatureCloud {
   FeatureProjection projection;
   std::vector<CloudPoint> points;  ///< every n-th pair, at most `most_points`
@@ -54,16 +54,16 @@ struct FeatureCloud {
   explicit FeatureCloud(std::span<const Features> features);
 };
 
-/// Metres of the plane to pixels, the same in both directions, the middle in the middle, y up.
+/// Mapping from metres of the plane to pixels: equal scale, centred, y up.
 struct PlaneView {
   Eigen::Vector2d middle = Eigen::Vector2d::Zero();
   double pixels_per_metre = 1;
-  double centre_x = 0, centre_y = 0;  ///< where `middle` is [px]
+  double centre_x = 0, centre_y = 0;  ///< position of `middle` [px]
 
-  /// Shows low..high within a rectangle, with a margin; of no extent at all 1 m.
+  /// Shows low..high within a rectangle, with a margin; 1 m if there is no extent.
   static PlaneView fitting(const Eigen::Vector2d& low, const Eigen::Vector2d& high, double width,
                            double height, double margin);
-  /// `factor` times nearer, about a point of the plane that moves to the middle.
+  /// Zoomed by `factor`, centred on a point of the plane.
   PlaneView nearer(double factor, const Eigen::Vector2d& point) const;
   Eigen::Vector2d pixel(const Eigen::Vector2d& point) const;
 };

@@ -7,13 +7,13 @@ class QPainter;
 
 namespace abrazo::widgets {
 
-/// A drawing pin, 8 x 10 px about its middle. @param filled  outline only when false
+/// A pin, 8 x 10 px, centred. @param filled outline only when false
 void draw_pin(QPainter& painter, const QPointF& middle, const QColor& colour, bool filled);
 
 /// A circle with a bar across, 8 px.
 void draw_veto(QPainter& painter, const QPointF& middle, const QColor& colour);
 
-/// A speech bubble, 9 px: what is meant. @param out  crossed: another move is
+/// A speech bubble, 9 px: the intended move. @param out crossed out: not the intended move
 void draw_meant(QPainter& painter, const QPointF& middle, const QColor& colour, bool out = false);
 
 /// An arrow to the right, 8 px: continues the source.

@@ -8,7 +8,7 @@
 namespace abrazo::widgets {
 namespace {
 
-constexpr double least_shown = 5e-5;  ///< what is less than that is no difference
+constexpr double least_shown = 5e-5;  ///< smaller differences are ignored
 
 /// Three decimals, four where that would read 0.000.
 std::string figure(double value) {
@@ -17,8 +17,8 @@ std::string figure(double value) {
   return text.data();
 }
 
-/// How much less a row costs than another in the term in which that is most; the margin, which is about the
-/// source and not about the user, is left out.
+/// The largest advantage of a row over another in one term; without the margin, which concerns the source and
+/// not the user.
 struct Gain {
   const CostTermInfo* term;
   double value;
@@ -71,7 +71,7 @@ std::string intent_reason(const std::vector<CandidateRow>& rows, const FrameInte
   if (winner.goes_on) return going_on(winner, second);
   const auto other = std::ranges::find_if(rows, &CandidateRow::goes_on);
   if (other != rows.end()) return change(winner, *other);
-  // Only a frame that was solved here knows that there was nothing to go on with.
+  // Only a frame solved here has the information that there was no continuation.
   const std::string before = intent.model && intent.continued < 0 ? "No source to continue. " : "";
   const double margin = second.total - winner.total;
   if (margin < least_shown) return before + "A tie with #2";

@@ -4,10 +4,9 @@
 
 namespace abrazo::widgets {
 
-/// A small button among others of a row; the theme knows it by its object name.
-/// Its tip is its accessible name: for signs.
+/// A small button of a row, styled by its object name. Its tooltip is its accessible name; for symbols.
 QToolButton* chip(const QString& text, const QString& tip, QWidget* parent);
-/// Its text is; a click leaves the focus where it was.
+/// The same with its text as the accessible name; a click does not take the focus.
 QToolButton* text_chip(const QString& text, const QString& tip, QWidget* parent);
 
 }  // namespace abrazo::widgets

@@ -10,12 +10,12 @@ class QLineEdit;
 
 namespace abrazo::widgets {
 
-/// A field that opens for one value, inside the window of the widget that it is about: Return takes the
-/// value, Escape and a click elsewhere leave it. What cannot be taken stays, with the reason below it.
+/// A pop-up field for one value, inside the window of its widget: Return accepts the value, Escape and a
+/// click elsewhere cancel. A rejected value stays, with the reason below it.
 class EntryFrame : public QFrame {
   Q_OBJECT
  public:
-  /// Takes the value. @return what is wrong with it; empty closes the field
+  /// Accepts the value. @return the reason of a rejection; empty closes the field
   using Take = std::function<QString(const QString& value)>;
 
   QString complaint() const;
@@ -23,18 +23,18 @@ class EntryFrame : public QFrame {
  protected:
   EntryFrame(QWidget& window, const QString& prompt, const QString& start, Take take);
 
-  /// Shows it for the first time; what is typed replaces what stands there.
+  /// Opens the field with its text selected.
   void openAt(const QPoint& corner);
   void take(const QString& value);
   void leave();
 
-  /// What Return takes.
+  /// The value accepted by Return.
   virtual QString value() const;
-  /// Its size, and its place by `corner()`; called again when either may have changed.
+  /// Sets size and position from `corner()`; called again after changes.
   virtual void settle() = 0;
-  /// Before the field gets the key. @return whether that was all
+  /// Called before the field gets the key. @return whether the key was handled
   virtual bool press(const QKeyEvent& key);
-  /// Whether a key that is also a command of the window is meant for the field.
+  /// Whether the field keeps a key that is also a command of the window.
   virtual bool keepsFromWindow(int key) const;
 
   void moveInside(QPoint place);
@@ -50,7 +50,7 @@ class EntryFrame : public QFrame {
   QLineEdit* m_field;
   Take m_take;
   QPoint m_corner;             ///< in the window
-  QPointer<QWidget> m_before;  ///< had the focus
+  QPointer<QWidget> m_before;  ///< previous focus
 };
 
 }  // namespace abrazo::widgets

@@ -9,7 +9,7 @@
 
 namespace abrazo::widgets {
 
-/// On the way from a packet to the partner's packet, in this order; Render goes on beside Send.
+/// Stages from a packet to the partner's packet, in order; Render runs in parallel with Send.
 enum class LatencyStage { Assembly, Wait, Solve, Send, Render };
 inline constexpr int latency_stage_count = 5;
 
@@ -18,22 +18,22 @@ struct LatencyStageInfo {
 };
 const LatencyStageInfo& info_of(LatencyStage stage);
 
-/// Where the time of one frame went [ms]; NaN: it did not happen or was not measured.
+/// Latency of one frame by stage [ms]; NaN = did not happen or was not measured.
 struct LatencySample {
   static constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
   double time_s = 0;       ///< of the frame
-  double interval = none;  ///< since the arrival of the frame before
+  double interval = none;  ///< since the arrival of the previous frame
   std::array<double, latency_stage_count> stages{none, none, none, none, none};
-  double end_to_end = none;  ///< first packet in to last packet out; to the partner's pose where none is sent
-  double to_screen = none;   ///< first packet in to the picture being there
-  bool is_sent = false;      ///< `end_to_end` has the sending in it
+  double end_to_end = none;  ///< first packet in to last packet out; to the partner's pose if nothing is sent
+  double to_screen = none;   ///< first packet in to the visible picture
+  bool is_sent = false;      ///< `end_to_end` includes sending
 
   double stage(LatencyStage which) const { return stages[static_cast<std::size_t>(which)]; }
 };
 
-/// Of the frame's own times; render and screen stay open.
-/// @param before  the frame solved before it, for the interval; may be null
+/// A sample from the frame's times, without render and screen.
+/// @param before the previous frame, for the interval; may be null
 LatencySample latency_sample(const FrameSnapshot& frame, const FrameSnapshot* before);
 
 }  // namespace abrazo::widgets

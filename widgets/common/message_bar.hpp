@@ -13,24 +13,24 @@ namespace abrazo::widgets {
 
 enum class MessageKind { Information, Warning, Error, Progress };
 
-/// Shows messages without blocking the window. Errors stay until closed, several one behind the other;
-/// other messages leave by themselves.
+/// Shows messages without blocking the window. Errors stay until closed, in a queue; other messages disappear
+/// by themselves.
 class MessageBar : public QWidget {
   Q_OBJECT
  public:
   explicit MessageBar(QWidget* parent = nullptr);
   void setColours(const Palette& palette);
-  /// What is shown now, or was shown last.
+  /// The present or last text.
   QString text() const;
-  /// Errors that were not closed yet.
+  /// Errors that are not closed yet.
   const QStringList& openErrors() const { return m_errors; }
 
  public slots:
   void showError(const QString& text);
   void showInformation(const QString& text);
-  /// One is shown whole; of more, how many and the first, with all of them as a tool tip.
+  /// A single warning is shown in full; several as their number and the first, with all in the tooltip.
   void showWarnings(const QStringList& warnings);
-  /// A job that goes on. @param fraction  done [0, 1]
+  /// Shows a running job. @param fraction done [0, 1]
   void showProgress(const QString& doing, double fraction);
   void endProgress();
 

@@ -8,7 +8,7 @@ class QListWidget;
 
 namespace abrazo::widgets {
 
-/// The messages since the start, the latest at the bottom, to read again and to copy.
+/// All messages since the start, latest at the bottom, for reading and copying.
 class MessageLog : public QWidget {
   Q_OBJECT
  public:

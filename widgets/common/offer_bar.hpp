@@ -11,14 +11,13 @@ class QToolButton;
 
 namespace abrazo::widgets {
 
-/// A sentence and what can be done about it: "Written to dance.glb", "Show in folder". Leaves by itself after
-/// a while.
+/// A sentence with an action: "Written to dance.glb", "Show in folder". Disappears by itself after a while.
 class OfferBar : public QWidget {
   Q_OBJECT
  public:
   explicit OfferBar(QWidget* parent = nullptr);
   void setColours(const Palette& palette);
-  /// In place of the offer before. @param tip  more than fits, line by line
+  /// Replaces the present offer. @param tip details, line by line
   void offer(const QString& text, const QString& button, std::function<void()> act, const QString& tip = {});
   QString text() const;
 

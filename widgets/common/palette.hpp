@@ -7,7 +7,7 @@ namespace abrazo::widgets {
 
 enum class Theme { Dark, Light };
 
-/// One meaning per colour, the same in the scene, the bars, the lanes and the plots.
+/// Colours with one meaning each, shared by scene, bars, lanes and plots.
 struct Palette {
   bool dark = true;
   QColor window, panel, raised, border;

@@ -5,17 +5,16 @@
 
 namespace abrazo::widgets {
 
-/// As long as it lives, a label whose text format was left to guessing shows its text as it is: names and
-/// messages that come from files and networks are never taken for markup, with pictures and links in them.
-/// Labels that are to be rich say so themselves.
+/// During its lifetime, labels with Qt::AutoText show plain text: names and messages from files and networks
+/// are never interpreted as markup with pictures and links. Rich labels must set their format explicitly.
 class PlainTextLabels : public QObject {
  public:
-  /// Of the application, which has to be there.
+  /// Requires an existing application.
   explicit PlainTextLabels(QObject* parent = nullptr);
   bool eventFilter(QObject* watched, QEvent* event) override;
 };
 
-/// Text from outside as a tooltip, which Qt would otherwise guess to be markup when it looks like it.
+/// External text as a tooltip, protected from Qt's detection of markup.
 QString plain_tip(const QString& text);
 
 }  // namespace abrazo::widgets

@@ -8,15 +8,14 @@
 
 namespace abrazo::widgets {
 
-/// Head of a panel: 11 px capitals, with a colour key at the right where the panel needs one and has the
-/// room.
+/// Header of a panel: 11 px capitals, with an optional colour legend at the right if there is room.
 class SectionHeader : public QWidget {
   Q_OBJECT
  public:
   struct Key {
     QString name;
     QColor colour;
-    QString brief = {};  ///< where the panel is too narrow for the names; empty: the name
+    QString brief = {};  ///< for narrow panels; empty: the name
   };
 
   explicit SectionHeader(const QString& title, QWidget* parent = nullptr);

@@ -10,19 +10,19 @@ namespace abrazo::widgets {
 
 enum class SelectionKind : std::uint8_t { None, Joints, Edge, Tetrahedron, Candidate };
 
-/// What a person has selected or points at: the same thing in every frame and in every view. Joints, edges
-/// and tetrahedra are named by their vertices of the pair, a candidate by its pair of the library.
+/// A selected or hovered item, valid in every frame and view. Joints, edges and tetrahedra are identified by
+/// their vertices of the pair, a candidate by its library pair.
 struct Selection {
   SelectionKind kind = SelectionKind::None;
   /// Joints in the order they were selected, at least one; ends of an edge or corners of a tetrahedron
   /// ascending.
   std::vector<std::uint8_t> vertices;
-  int pair = -1;  ///< of the library; of a candidate only
+  int pair = -1;  ///< of the library; for candidates only
 
   bool operator==(const Selection&) const = default;
   explicit operator bool() const { return kind != SelectionKind::None; }
   bool is_of_mesh() const { return *this && kind != SelectionKind::Candidate; }
-  /// The joint that was selected last; -1 when it is no joint.
+  /// The joint selected last; -1 if no joint is selected.
   int last_joint() const { return kind == SelectionKind::Joints ? vertices.back() : -1; }
   bool has(int vertex) const;
 
@@ -34,10 +34,12 @@ struct Selection {
 
 enum class SelectionChange { Replace, Add, Toggle };
 
-/// What is selected after an item was chosen. Joints add up; anything else replaces, and toggles off.
+/// The selection after choosing an item. Joints accumulate; other items replace the selection, or clear it if
+/// chosen again.
 Selection changed(const Selection& before, const Selection& item, SelectionChange how);
 
-/// The same joints, or the like edge or tetrahedron, of the other character; the leader's root for nothing.
+/// The same joints, or the corresponding edge or tetrahedron, of the other character; the leader's root for
+/// an empty selection.
 Selection other_character(const Selection& selection);
 
 /// "leader lhand"

@@ -6,8 +6,8 @@
 
 namespace abrazo::widgets {
 
-/// The one selection that all views show. A view asks it to select and shows what it answers; no view keeps
-/// one of its own.
+/// The one selection shared by all views. A view requests a selection and shows the model's; no view keeps
+/// its own.
 class SelectionModel : public QObject {
   Q_OBJECT
  public:
@@ -28,7 +28,7 @@ class SelectionModel : public QObject {
   Selection m_selection;
 };
 
-/// What a click does with the keys that are held: Ctrl toggles, Shift adds.
+/// Effect of a click with modifier keys: Ctrl toggles, Shift adds.
 inline SelectionChange selection_change(Qt::KeyboardModifiers keys) {
   if (keys & Qt::ControlModifier) return SelectionChange::Toggle;
   return keys & Qt::ShiftModifier ? SelectionChange::Add : SelectionChange::Replace;

@@ -7,13 +7,13 @@ class QPainter;
 
 namespace abrazo::widgets {
 
-/// Width of a text whose digits all take the width of the widest one, so that running numbers do not jitter.
+/// Width of a text with all digits as wide as the widest, so that changing numbers do not jitter.
 double tabular_width(const QFont& font, const QString& text);
 
 /// Draws such a text into a rectangle, vertically centred, in the painter's font and pen.
 void draw_tabular(QPainter& painter, const QRectF& rect, Qt::Alignment alignment, const QString& text);
 
-/// A running number. Its size hint only grows, so a layout does not move with the digits.
+/// A changing number. Its size hint only grows, so the layout stays stable.
 class TabularLabel : public QWidget {
   Q_OBJECT
  public:

@@ -5,7 +5,7 @@
 #include <QPalette>
 #include <QStyleFactory>
 
-/// A static library's resources are there once they are asked for; the macro must stand outside namespaces.
+/// A static library's resources must be initialised explicitly; the macro must be outside namespaces.
 static void load_resources() {
   Q_INIT_RESOURCE(resources);
 }
@@ -102,7 +102,7 @@ QString style_sheet(const Palette& p) {
 
 void apply_theme(QApplication& application, const Palette& p) {
   load_resources();
-  // Each of these goes through every widget there is; only colours change later.
+  // Each of these visits every widget; only colours change later.
   if (application.styleSheet().isEmpty()) {
     application.setStyle(QStyleFactory::create("Fusion"));
     application.setFont(interface_font());

@@ -9,10 +9,10 @@ class QApplication;
 
 namespace abrazo::widgets {
 
-/// Inter where it is installed, else the system's sans.
+/// Inter if installed, else the system's sans-serif.
 QFont interface_font(int pixel_size = 13, int weight = QFont::Normal);
 
-/// The style sheet of every stock widget in these colours.
+/// The style sheet of all standard widgets in these colours.
 QString style_sheet(const Palette& palette);
 
 /// Font, QPalette and style sheet of a whole application.

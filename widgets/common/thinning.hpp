@@ -4,18 +4,18 @@
 
 namespace abrazo::widgets {
 
-/// The older samples of a row that grows for hours: fewer than came, so that they do not fill the memory.
+/// Thinning of the older samples of a series that grows for hours, to bound its memory.
 struct Thinning {
-  std::size_t older = 0;  ///< samples at the beginning that stand apart from the newest
-  int level = 0;          ///< so often they were halved
+  std::size_t older = 0;  ///< number of thinned samples at the beginning
+  int level = 0;          ///< number of halvings
 
-  /// Keeps the newest samples as they are; those before become at most `most_older` and stand evenly.
-  /// @param count  how many samples there are
-  /// @param halve  (first, count): halves these samples and says how many are left of them
-  /// @return whether samples have gone
+  /// Keeps the newest samples; reduces older ones evenly to at most `most_older`.
+  /// @param count number of samples
+  /// @param halve (first, count): halves these samples and returns the number left
+  /// @return whether samples were removed
   template <typename Count, typename Halve>
   bool thin(std::size_t newest, std::size_t most_older, Count count, Halve halve) {
-    constexpr std::size_t at_once = 8192;  // moving samples together costs the same for one and for many
+    constexpr std::size_t at_once = 8192;  // moving samples costs the same for one and for many
     bool has_thinned = false;
     while (count() >= older + newest + at_once) {
       std::size_t more = at_once;

@@ -6,7 +6,7 @@
 namespace abrazo::widgets {
 namespace {
 
-/// An index is drawn at two thirds of its size: this one is asked for larger, so that it can still be read.
+/// Subscripts are drawn at two thirds of the size: a larger one is requested here for readability.
 constexpr std::string_view low_open = "<sub style='font-size: 16px'>";
 
 /// Bytes at the start of `text` that are letters or digits, Greek ones included.

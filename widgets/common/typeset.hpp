@@ -5,11 +5,11 @@
 
 namespace abrazo::widgets {
 
-/// A line of plain mathematics as HTML: what follows '_', a run of letters and digits or a group in braces,
-/// is set low: in "w_Δ E_V(V_{i-1})" the Δ, the V and the i-1.
+/// A line of plain mathematics as HTML: letters and digits, or a group in braces, after '_' become
+/// subscripts: in "w_Δ E_V(V_{i-1})" the Δ, the V and the i-1.
 std::string typeset(std::string_view line);
 
-/// Text that is to appear in HTML as it is.
+/// Text escaped for HTML.
 std::string escaped_html(std::string_view text);
 
 }  // namespace abrazo::widgets

@@ -7,8 +7,8 @@
 
 namespace abrazo::widgets {
 
-/// How high a plot must reach for these values: up to the largest, unless a few single ones tower over the
-/// rest; those are left to be cut. Values that are not finite do not count. @return 0 without values
+/// Upper end of a plot for these values: the largest, unless a few outliers exceed the rest; these are cut.
+/// Ignores values that are not finite. @return 0 without values
 inline double robust_upper(std::vector<double> values) {
   constexpr double usual_share = 0.98, towering = 1.8, room = 1.25;
   std::erase_if(values, [](double v) { return !std::isfinite(v); });
@@ -20,8 +20,8 @@ inline double robust_upper(std::vector<double> values) {
   return usual > 0 && largest > towering * usual ? room * usual : largest;
 }
 
-/// Upper end of a colour range that is readable and does not flicker: round numbers, grows immediately,
-/// shrinks only after the values stayed under three fifths of it for a while.
+/// Stable upper end of a colour range: round numbers; grows immediately, shrinks only after values stayed
+/// below 60 % of it for a while.
 class SteadyRange {
  public:
   void show(double largest, double time_s);

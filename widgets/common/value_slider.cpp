@@ -13,7 +13,7 @@ namespace {
 
 constexpr double handle_radius = 6.5;
 
-/// Steps of a key; 0 when it is none of the slider's.
+/// Steps of a key; 0 for other keys.
 int steps_of(const QKeyEvent& event) {
   const int many = event.modifiers() & Qt::ShiftModifier ? 10 : 1;
   switch (event.key()) {

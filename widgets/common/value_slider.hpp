@@ -7,8 +7,7 @@
 
 namespace abrazo::widgets {
 
-/// A slim horizontal slider over [0, 1] with a tick at the default, and a mark where another value is to be
-/// compared.
+/// A slim horizontal slider over [0, 1] with a tick at the default, and an optional mark of another value.
 class ValueSlider : public QWidget {
   Q_OBJECT
  public:
@@ -25,7 +24,7 @@ class ValueSlider : public QWidget {
  signals:
   /// @param gesture  the same for all moves of one drag
   void moved(double place, int gesture);
-  /// Keys: so many steps up or down. @param gesture  the same while a key is held
+  /// Steps by key, negative = down. @param gesture the same while a key is held
   void stepped(int steps, int gesture);
   /// @param gesture  that of the double click's first press
   void resetRequested(int gesture);
@@ -47,7 +46,7 @@ class ValueSlider : public QWidget {
   double m_place = 0;
   double m_default = 0;
   std::optional<double> m_marked;
-  double m_grab = 0;  ///< from the handle's middle to where it was taken [px]
+  double m_grab = 0;  ///< from the handle's middle to the grabbed point [px]
   int m_gesture = 0;
   bool m_dragging = false;
 };

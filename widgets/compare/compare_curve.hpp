@@ -19,7 +19,7 @@ class CompareCurve : public QWidget {
   StepFigure figure() const { return m_figure; }
   void setSteps(std::vector<ComparedStep> steps);
   void setCursor(double time_s);
-  /// What the curve says at the cursor: "A 151 mm · B 64 mm".
+  /// Values at the cursor: "A 151 mm · B 64 mm".
   QString reading() const;
 
   QSize sizeHint() const override { return {300, 104}; }

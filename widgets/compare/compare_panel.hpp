@@ -20,15 +20,15 @@ class CompareCurve;
 class FigureTable;
 class RunCard;
 
-/// What the panel says about the two runs; plain values.
+/// Origin and settings of the two runs; plain values.
 struct CompareSides {
-  QString origin_a, origin_b;      ///< where each comes from: "frozen at 12.3 s", "live"
-  QString settings_a, settings_b;  ///< what each has that the other has not
-  bool is_frozen = false;          ///< A holds settings of its own
+  QString origin_a, origin_b;      ///< origins: "frozen at 12.3 s", "live"
+  QString settings_a, settings_b;  ///< settings that differ from the other
+  bool is_frozen = false;          ///< A has frozen settings
   bool is_aside = false;           ///< the live solver keeps A while B is tried
 };
 
-/// Two runs over the same inputs side by side: their settings, figures and a curve over time. Asks for
+/// Two runs over the same inputs side by side: their settings, figures and a curve over time. Requests
 /// everything by signals; solves nothing.
 class ComparePanel : public QWidget {
   Q_OBJECT
@@ -38,7 +38,7 @@ class ComparePanel : public QWidget {
 
   WhatIfSpan span() const;
   void setSpan(WhatIfSpan span);
-  /// As if a person had chosen it.
+  /// As if chosen by the user.
   void chooseSpan(WhatIfSpan span);
   const CompareCurve& curve() const { return *m_curve; }
   const FigureTable& table() const { return *m_table; }
@@ -46,12 +46,12 @@ class ComparePanel : public QWidget {
 
  public slots:
   void showSides(const abrazo::widgets::CompareSides& sides);
-  /// @param note  over which frames, and what is to be known about them
+  /// @param note the frames, and remarks about them
   void showFigures(const abrazo::RunFigures& a, const abrazo::RunFigures& b,
                    const std::vector<abrazo::ComparedStep>& steps, const QString& note);
-  /// Nothing to compare; @param note  what to do about it
+  /// Shows that there is nothing to compare. @param note what to do about it
   void showNothing(const QString& note);
-  /// Of what is being solved [0, 1]; negative: nothing is.
+  /// Progress of solving [0, 1]; negative = idle.
   void showProgress(double fraction);
   void showCursor(double time_s);
 

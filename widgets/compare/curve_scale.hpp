@@ -11,7 +11,7 @@
 
 namespace abrazo::widgets {
 
-/// Where seconds and values are in a curve's rectangle [pixels].
+/// Mapping of seconds and values to a curve's rectangle [pixels].
 struct CurveScale {
   double left = 0, top = 0, width = 1, height = 1;
   double first_s = 0, last_s = 1;
@@ -26,7 +26,7 @@ struct CurveScale {
   }
 };
 
-/// Top of the scale for a figure of both runs, in the unit in which it is shown; 1 without values.
+/// Top of the scale for a figure of both runs, in the displayed unit; 1 without values.
 inline double curve_upper(std::span<const ComparedStep> steps, StepFigure figure) {
   const auto at = static_cast<std::size_t>(figure);
   std::vector<double> values;
@@ -38,7 +38,7 @@ inline double curve_upper(std::span<const ComparedStep> steps, StepFigure figure
   return upper > 0 ? rounded_up(upper) : 1;
 }
 
-/// The step shown at a time: the last not after it; the first when all are after; -1 without steps.
+/// The step shown at a time: the last not after it; the first if all are later; -1 without steps.
 inline std::ptrdiff_t step_at(std::span<const ComparedStep> steps, double time_s) {
   const auto after =
       std::upper_bound(steps.begin(), steps.end(), time_s,

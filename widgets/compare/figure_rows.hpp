@@ -9,12 +9,12 @@ namespace abrazo::widgets {
 
 enum class Better { Neither, A, B };
 
-/// One figure of two runs, as it is written.
+/// One figure of two runs as text.
 struct FigureRow {
   std::string name, unit, help;
-  std::string a, b;                 ///< "—" where there is nothing to measure
-  std::string difference;           ///< B less A, with its sign; empty where one is missing
-  Better better = Better::Neither;  ///< neither where both are written alike
+  std::string a, b;                 ///< "—" = nothing to measure
+  std::string difference;           ///< B minus A, with its sign; empty if one is missing
+  Better better = Better::Neither;  ///< Neither if both texts are equal
 };
 
 FigureRow figure_row(RunFigure figure, const RunFigures& a, const RunFigures& b);
@@ -25,9 +25,9 @@ std::vector<FigureRow> figure_rows(const RunFigures& a, const RunFigures& b);
 struct DifferingSetting {
   std::string name, value;
 };
-/// Those of `own` that are not as in `other`, in the order of the settings panel.
+/// Settings of `own` that differ from `other`, in the order of the settings panel.
 std::vector<DifferingSetting> differing_settings(const Settings& own, const Settings& other);
-/// In one line; "as preset paper", say, or "same settings" where nothing differs.
+/// One line: the differing settings, "as preset paper", or "same settings".
 std::string settings_line(const Settings& own, const Settings& other);
 
 }  // namespace abrazo::widgets

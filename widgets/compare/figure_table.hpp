@@ -16,7 +16,7 @@ class FigureTable : public QWidget {
   void setColours(const Palette& palette);
   void showRows(std::vector<FigureRow> rows);
   const std::vector<FigureRow>& rows() const { return m_rows; }
-  /// As text, one line a figure with tabs between: for the clipboard.
+  /// Tab-separated text, one line per figure, for the clipboard.
   QString text() const;
 
   QSize sizeHint() const override;

@@ -8,16 +8,16 @@
 
 namespace abrazo::widgets {
 
-/// One of the two runs in two lines: where it comes from and its settings, and its first figures.
+/// One of the two runs in two lines: origin and settings, and its first figures.
 class RunCard : public QWidget {
   Q_OBJECT
  public:
-  /// @param letter  "A" or "B"; A has the dashed mark, as its lines and ghost have
+  /// @param letter "A" or "B"; A has a dashed mark, like its lines and ghost
   explicit RunCard(const QString& letter, QWidget* parent = nullptr);
   void setColours(const Palette& palette);
-  /// @param origin  "frozen at 12.3 s", "live"; @param settings  what it has that the other has not
+  /// @param origin "frozen at 12.3 s", "live"; @param settings settings that differ from the other
   void showRun(const QString& origin, const QString& settings);
-  /// The first of these are written; empty: none yet.
+  /// Shows the first of these; empty: none yet.
   void showFigures(const std::vector<FigureRow>& figures);
 
   QSize sizeHint() const override { return {300, 46}; }

@@ -13,17 +13,17 @@ class QListWidget;
 
 namespace abrazo::widgets {
 
-/// The moves and takes that may be intended, nearest first, while a person decides. A click, Return
-/// or a digit chooses; Escape leaves it. Stays inside its window.
+/// Pop-up list of the moves and takes that may be intended, nearest first. A click, Return or a digit
+/// chooses; Escape closes it. Stays inside its window.
 class IntendedMovePopup : public QFrame {
   Q_OBJECT
  public:
   explicit IntendedMovePopup(QWidget* window);
   void setColours(const Palette& palette);
-  /// Opens it in the upper middle of another widget.
+  /// Opens it at the upper middle of another widget.
   void openOver(const QWidget& widget);
   void leave();
-  /// In the order they are shown; the row that is marked stays the same choice.
+  /// In display order; the marked choice stays marked.
   void setChoices(std::vector<IntendedMoveChoice> choices);
   const std::vector<IntendedMoveChoice>& choices() const { return m_choices; }
   IntendedMoveSpan span() const;
@@ -45,7 +45,7 @@ class IntendedMovePopup : public QFrame {
   QComboBox* m_span;
   QLabel* m_hint;
   QPointer<const QWidget> m_over;
-  QPointer<QWidget> m_before;  ///< had the focus
+  QPointer<QWidget> m_before;  ///< previous focus
 };
 
 }  // namespace abrazo::widgets

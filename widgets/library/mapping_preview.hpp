@@ -9,24 +9,23 @@
 
 namespace abrazo::widgets {
 
-/// What is shown of a file's points while a person says which joints they are.
+/// A file's points, shown while the user assigns joints.
 struct MappedFrame {
-  Positions points;                       ///< Y up, any unit; not finite: not seen
-  std::array<bool, joint_count> known{};  ///< joints that have points
+  Positions points;                       ///< Y up, any unit; not finite = not visible
+  std::array<bool, joint_count> known{};  ///< joints with points
   Pose pose = Pose::Zero();               ///< rows of known joints
-  std::vector<int> chosen;                ///< points of the joint that is being edited
-  int joint = -1;                         ///< which one that is
+  std::vector<int> chosen;                ///< points of the edited joint
+  int joint = -1;                         ///< the edited joint
 };
 
-/// Points of a file as dots and the skeleton that follows from them, turned by dragging. A click chooses the
-/// point under it.
+/// Points of a file as dots and the resulting skeleton; dragging rotates the view, a click chooses a point.
 class MappingPreview : public QWidget {
   Q_OBJECT
  public:
   explicit MappingPreview(QWidget* parent = nullptr);
   void setColours(const Palette& palette);
   void show(const MappedFrame& frame);
-  /// Where a point of the file is seen.
+  /// Position of a point in the view.
   QPointF placeOf(int point) const;
   QSize sizeHint() const override { return {420, 460}; }
 

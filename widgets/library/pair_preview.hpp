@@ -9,14 +9,13 @@ class QSlider;
 
 namespace abrazo::widgets {
 
-/// Two small stick figures from the side and from above, to see at once whether axes, unit and pairing of two
-/// motions are right.
+/// Two small stick figures from the side and from above, to verify axes, unit and pairing of two motions.
 class PairPreview : public QWidget {
   Q_OBJECT
  public:
   explicit PairPreview(QWidget* parent = nullptr);
   void setColours(const Palette& palette);
-  /// @param b  may be without a clip: then one figure
+  /// @param b may have no clip: then one figure
   void show(const PreviewedClip& a, const PreviewedClip& b);
   int frame() const { return m_frame; }
   QSize sizeHint() const override { return {380, 250}; }

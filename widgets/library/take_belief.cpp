@@ -24,7 +24,7 @@ void TakeBelief::begin(std::span<const BeliefBlock> blocks, std::span<const Libr
   lights_.resize(takes.size());
   places_.clear();
   for (const BeliefBlock& block : blocks) {
-    Place place;  // of a take that is not there: no parts
+    Place place;  // unknown take: no parts
     if (block.take < takes.size() && block.end_frame > block.begin_frame) {
       place.take = static_cast<int>(block.take);
       const int frames = frames_[block.take];

@@ -10,30 +10,30 @@
 
 namespace abrazo::widgets {
 
-/// Where along the takes of a library the solver expects the next partner, each take cut into equal parts.
-/// Plain data, no toolkit.
+/// The solver's belief about the next partner along the takes of a library, each cut into equal parts. Plain
+/// data, independent of Qt.
 class TakeBelief {
  public:
   static constexpr int parts = 96;   ///< two pixels each in the usual width of a strip
-  static constexpr int levels = 20;  ///< what is distinguished: 5 %, so that a breath of change draws nothing
+  static constexpr int levels = 20;  ///< resolution of 5 %, so that tiny changes do not redraw
 
-  /// Which parts the blocks of a model are; once per model. What is shown stays until the next show().
+  /// Assigns the blocks of a model to parts, once per model. Shown values stay until the next show().
   void begin(std::span<const BeliefBlock> blocks, std::span<const LibraryTake> takes);
-  /// @param belief  per block, 255 where it is strongest; of another number than the blocks says nothing.
-  /// Where blocks overlap (either performer active) the stronger one counts
-  /// @return the takes that look different now, ascending; valid until the next call
+  /// @param belief per block, 255 = strongest; ignored if its size is not the number of blocks. The stronger
+  /// of overlapping blocks (either performer active) counts
+  /// @return the takes that changed, ascending; valid until the next call
   const std::vector<int>& show(std::span<const std::uint8_t> belief);
 
-  /// Something is shown, in whichever take.
+  /// Whether any take has a belief.
   bool is_any() const { return is_any_; }
   /// Per part, 0 to `levels`.
   std::span<const std::uint8_t, parts> along(int take) const;
-  /// Of the strongest in the library [0, 1].
+  /// Relative to the strongest in the library [0, 1].
   double at(int take, int frame) const;
 
   struct Peak {
-    double belief = 0;  ///< of the strongest in the library [0, 1]
-    int frame = 0;      ///< in the middle of where it is
+    double belief = 0;  ///< relative to the strongest in the library [0, 1]
+    int frame = 0;      ///< middle of the place
   };
   Peak peak(int take) const;
 

@@ -21,7 +21,7 @@ constexpr int strip_top = 40, strip_height = 7;
 constexpr int role_height = 2, heat_height = 4;
 constexpr int belief_top = 9, belief_height = 3, halo = 2;  ///< below the strip, in which the bars come first
 
-/// As much as there is room for; the moves are also in the strip.
+/// As much as fits; the moves are also in the strip.
 QString facts(const TakeRow& row, const QFont& font, double room) {
   const QString brief = QString("%1 frames · %2 s · %3")
                             .arg(row.frames)
@@ -31,7 +31,7 @@ QString facts(const TakeRow& row, const QFont& font, double room) {
   return tabular_width(font, whole) <= room ? whole : brief;
 }
 
-/// What a row says while its strip is browsed.
+/// Text of a row while its strip is browsed.
 QString facts_at(const TakeRow& row, int frame) {
   QString words = QString("frame %1 · %2 s").arg(frame).arg(row.fps > 0 ? frame / row.fps : 0, 0, 'f', 2);
   const double place = frame / static_cast<double>(std::max(1, row.frames));

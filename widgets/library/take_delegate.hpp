@@ -9,15 +9,15 @@ namespace abrazo::widgets {
 class TakeFilter;
 class TakeModel;
 
-/// Places within a row.
+/// Layout of a row.
 constexpr int take_row_height = 62;
-/// Where the take's length is laid out: moves, who leads above, what was selected and what is believed below.
+/// Strip over the take's length: moves, with roles above, and selections and belief below.
 QRect take_strip(const QRect& row);
-/// The frame under a point of the strip, held at its ends.
+/// The frame at a point of the strip, clamped to its ends.
 int frame_at(const QRect& row, double x, int frames);
 
-/// Draws a take: picture, name, facts, and its length as a strip of moves with roles above and, below, how
-/// often each part was selected and, as light, where the partner is expected next.
+/// Draws a take: picture, name, facts, and a strip of moves with roles above and, below, the number of
+/// selections of each part and, as brightness, the belief about the next partner.
 class TakeDelegate : public QStyledItemDelegate {
   Q_OBJECT
  public:
@@ -25,7 +25,7 @@ class TakeDelegate : public QStyledItemDelegate {
   void setColours(const Palette& palette) { m_palette = palette; }
   void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override;
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override;
-  /// On the strip also the belief at that frame.
+  /// On the strip the tooltip includes the belief at that frame.
   bool helpEvent(QHelpEvent* event, QAbstractItemView* view, const QStyleOptionViewItem& option,
                  const QModelIndex& index) override;
 

@@ -24,13 +24,13 @@ class TakeFilter;
 class TakeModel;
 class TakeView;
 
-/// The library browser: its takes with their moves, roles and use, to be looked along, played, danced with
-/// and left out. Decides nothing itself.
+/// The library browser: takes with moves, roles and use, for browsing, playing, use as input and exclusion.
+/// Decides nothing itself.
 class TakeList : public QWidget {
   Q_OBJECT
  public:
   explicit TakeList(QWidget* parent = nullptr);
-  /// Also starts counting again what a session uses.
+  /// Also resets the counts of use.
   void setLibrary(std::shared_ptr<const MotionLibrary> library);
   void setColours(const Palette& palette);
   QSize sizeHint() const override { return {262, 320}; }
@@ -42,24 +42,24 @@ class TakeList : public QWidget {
   QString coverageText() const;
 
  public slots:
-  /// The take the shown frame comes from; -1 for none.
+  /// The take of the shown frame's source; -1 = none.
   void setCurrentTake(int take) { setSource(take, 0); }
   void setSource(int take, int frame);
-  /// A requested take; -1 for none.
+  /// Selects a take; -1 = none.
   void setSelectedTake(int take);
-  /// Selects a take and puts the mark at a frame.
+  /// Selects a take and marks a frame.
   void showPlace(int take, int frame);
   void setVetoedTakes(const std::set<std::string>& takes);
-  /// The take that plays the user and therefore is not selected from; empty for none.
+  /// The take that plays the user and is therefore excluded; empty = none.
   void setUsersTake(const std::string& take);
-  /// What the solver of the shown frame expects next; scrolls to nothing.
+  /// The belief of the shown frame; does not scroll.
   void setBelief(const abrazo::FrameIntent& intent);
-  /// What is new in the session.
+  /// Reads the new frames of the session.
   void refresh(const abrazo::FrameHistory& history);
-  /// How near the library's own pairs lie to one another [m]; nothing while that is not known.
+  /// Typical distance of the library's pairs [m]; none = unknown.
   void setTypicalDistance(std::optional<double> distance_m);
 
-  // About the selected take; without one, about the one the shown frame comes from.
+  // Apply to the selected take; without one, to the take of the shown frame's source.
   void togglePlay();
   void stop();
   void dance();
@@ -68,8 +68,8 @@ class TakeList : public QWidget {
   void find();
 
  signals:
-  /// A recorded pair to be shown; -1 for none.
-  /// @param in_motion  it goes on from the one before, as it was recorded
+  /// Requests to show a recorded pair; -1 = none.
+  /// @param in_motion it continues the previous one as recorded
   void recordedShown(int pair, bool in_motion);
   void danceRequested(int take);
   void vetoRequested(int take);

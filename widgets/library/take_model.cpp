@@ -119,7 +119,7 @@ int TakeModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
 }
 
-/// Everything of a row in words, for those who do not see its strip.
+/// The whole row as text, for screen readers.
 QString TakeModel::spoken(const TakeRow& row) const {
   QString words = QString("%1, %2 frames, %3 seconds, %4 moves, %5, selected %6 times")
                       .arg(QString::fromStdString(row.name))

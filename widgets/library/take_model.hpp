@@ -17,7 +17,7 @@
 
 namespace abrazo::widgets {
 
-/// The takes of a library as rows. Pictures are made when they are first asked for.
+/// The takes of a library as rows. Pictures are created on demand.
 class TakeModel : public QAbstractListModel {
   Q_OBJECT
  public:
@@ -31,24 +31,24 @@ class TakeModel : public QAbstractListModel {
   const TakeCoverage& coverage() const { return m_coverage; }
   const TakeBelief& belief() const { return m_belief; }
 
-  /// Names of takes that are not selected from: by a person's veto, or because one plays the user.
+  /// Names of excluded takes: vetoed, or playing the user.
   void setVetoed(const std::set<std::string>& takes);
   void setUsersTake(const std::string& take);
   bool isVetoed(int take) const { return m_vetoed.contains(row(take).name); }
   bool isUsers(int take) const { return !m_users.empty() && row(take).name == m_users; }
-  /// Where the shown frame comes from; take -1 for none.
+  /// Source of the shown frame; take -1 = none.
   void setSource(int take, int frame);
   int sourceTake() const { return m_source_take; }
   int sourceFrame() const { return m_source_frame; }
-  /// Where a person is looking along a take; take -1 for nowhere.
+  /// Browsing position in a take; take -1 = none.
   void setCursor(int take, int frame);
   int cursorTake() const { return m_cursor_take; }
   int cursorFrame() const { return m_cursor_frame; }
   void coverageChanged();
-  /// What the shown frame's solver expects; only takes that look different then are redrawn.
+  /// The belief of the shown frame; only changed takes are redrawn.
   void setBelief(const FrameIntent& intent);
 
-  /// What the belief in a take is, in words, and at a frame of it; empty while nothing is believed.
+  /// The belief in a take, and at a frame of it, as text; empty without a belief.
   QString beliefText(int take, std::optional<int> frame = {}) const;
   QPixmap picture(int take, double pixel_ratio) const;
   int picturesMade() const { return static_cast<int>(m_pictures.size()); }
@@ -65,7 +65,7 @@ class TakeModel : public QAbstractListModel {
   PairsOfTakes m_pairs;
   TakeCoverage m_coverage;
   TakeBelief m_belief;
-  std::shared_ptr<const IntentModel> m_model;  ///< whose blocks the belief is of
+  std::shared_ptr<const IntentModel> m_model;  ///< model of the belief's blocks
   Palette m_palette;
   std::set<std::string> m_vetoed;
   std::string m_users;
@@ -76,7 +76,7 @@ class TakeModel : public QAbstractListModel {
 
 enum class TakeOrder { AsRecorded, Name, Longest, MostMoves, MostSelected };
 
-/// The rows that a filter leaves, in some order.
+/// Filtered and sorted rows.
 class TakeFilter : public QSortFilterProxyModel {
   Q_OBJECT
  public:

@@ -9,10 +9,9 @@ class QPainter;
 
 namespace abrazo::widgets {
 
-/// Draws the bones of one body, seen along an axis, into a picture.
-/// @param side  which coordinate goes to the right; @param up  which goes up; rows of `pose` are the 25
-/// joints
-/// @param scale  pixels per metre; @param origin  where (0, 0) is
+/// Parallel projection of the bones of one body along an axis.
+/// @param side coordinate to the right; @param up coordinate upwards; rows of `pose` are the 25 joints
+/// @param scale pixels per metre; @param origin position of (0, 0)
 struct FlatView {
   int side = 2;
   int up = 1;

@@ -9,7 +9,7 @@
 namespace abrazo::widgets {
 namespace {
 
-/// Annotated intervals, with what is between them as unknown.
+/// Annotated intervals, with gaps as unknown.
 std::vector<TakeRow::Role> roles_of(const LibraryTake& take) {
   const double frames = std::max(1, take.frames);
   std::vector<TakeRow::Role> roles;
@@ -94,7 +94,7 @@ PairsOfTakes::PairsOfTakes(const MotionLibrary& library) {
     const PairSource& source = library.source(pair);
     Take& take = takes_[source.take];
     const std::size_t kept = source.frame / static_cast<std::size_t>(take.stride);
-    // Those with performer A active stand first in a take, and win.
+    // Pairs with performer A active come first in a take and have priority.
     if (kept < take.pairs.size() && take.pairs[kept] < 0) take.pairs[kept] = pair;
   }
 }

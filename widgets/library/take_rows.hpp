@@ -7,7 +7,7 @@
 
 namespace abrazo::widgets {
 
-/// What the list says of a take. Places along the take are fractions of its length [0, 1].
+/// A take as a row of the list. Positions along the take are fractions of its length [0, 1].
 struct TakeRow {
   int take = -1;
   std::string name;
@@ -25,31 +25,32 @@ struct TakeRow {
     double from = 0, to = 0;
     ActivePerformer active = ActivePerformer::Unknown;
   };
-  std::vector<Role> roles;          ///< over the whole length, also where nothing was annotated
+  std::vector<Role> roles;          ///< over the whole length, including unannotated parts
   std::string leader;               ///< "A leads", "A leads 60 %", "either leads"
-  std::vector<std::string> labels;  ///< that it has, each once
+  std::vector<std::string> labels;  ///< of the take, each once
 };
 
 std::vector<TakeRow> take_rows(const MotionLibrary& library);
 
-/// Whether every word of a filter is in the take's name or one of its labels; letter case does not count, "_"
-/// is a blank.
+/// Whether every word of a filter is in the take's name or one of its labels; ignores letter case, "_" counts
+/// as a blank.
 bool matches(const TakeRow& row, const std::string& filter);
 
-/// Which pair shows a frame of a take; found once, because a list asks at every move of the pointer.
+/// Look-up table of the pair for a frame of a take; built once, because the list queries it at every pointer
+/// move.
 class PairsOfTakes {
  public:
   PairsOfTakes() = default;
   explicit PairsOfTakes(const MotionLibrary& library);
 
-  /// The pair of the nearest frame that the library keeps (thinned takes skip some), with performer A active
-  /// where there are both. @return -1 when the take has no pair
+  /// The pair of the nearest frame in the library (thinned takes skip some), with performer A active if both
+  /// exist. @return -1 if the take has no pair
   int pair_at(int take, int frame) const;
 
  private:
   struct Take {
     int stride = 1;
-    std::vector<int> pairs;  ///< per kept frame; -1 where there is none
+    std::vector<int> pairs;  ///< per kept frame; -1 = none
   };
   std::vector<Take> takes_;
 };

@@ -7,18 +7,17 @@ namespace abrazo::widgets {
 class TakeModel;
 class TakeFilter;
 
-/// The rows of the takes, with what a person does on them. The pointer on a strip looks along the take; so do
-/// Left and Right.
+/// The rows of the takes with their interaction. The pointer on a strip, or Left and Right, browse the take.
 class TakeView : public QListView {
   Q_OBJECT
  public:
   TakeView(TakeModel& model, TakeFilter& filter, QWidget* parent = nullptr);
-  /// -1 when no row is current.
+  /// -1 if no row is current.
   int currentTake() const;
   void setCurrentTake(int take);
 
  signals:
-  /// Along a take, by pointer or key.
+  /// Browsing by pointer or key.
   void lookedAt(int take, int frame);
   void lookedAway();
   void activatedTake(int take);

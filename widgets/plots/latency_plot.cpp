@@ -16,7 +16,7 @@ namespace {
 
 constexpr int column_px = 3;
 constexpr double least_reach_ms = 2;
-/// Send comes after Solve; drawing the scene goes on beside and is not part of the way out.
+/// Send follows Solve; drawing the scene is parallel and not part of the output latency.
 constexpr LatencyStage stacked[] = {LatencyStage::Assembly, LatencyStage::Wait, LatencyStage::Solve,
                                     LatencyStage::Send};
 

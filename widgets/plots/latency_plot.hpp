@@ -14,8 +14,8 @@ class QCustomPlot;
 
 namespace abrazo::widgets {
 
-/// Where the time went, over time: the stages one on another, with the line of in to out. Columns are as wide
-/// as a few pixels; each shows the slowest frame in it, so that no spike is lost.
+/// Latency over time: stacked stages, with the line of in to out. Each column of a few pixels shows its
+/// slowest frame, so that no spike is lost.
 class LatencyPlot : public QWidget {
   Q_OBJECT
  public:
@@ -24,7 +24,7 @@ class LatencyPlot : public QWidget {
   /// @param samples   ascending in time
   /// @param cursor_s  of the shown frame
   void show(std::span<const LatencySample> samples, double from_s, double to_s, double cursor_s);
-  /// What is drawn: the slowest sample of each column.
+  /// The drawn samples: the slowest of each column.
   const std::vector<LatencySample>& columns() const { return m_columns; }
   double upperEnd() const;
 
@@ -42,12 +42,12 @@ class LatencyPlot : public QWidget {
   std::vector<LatencySample> m_columns;
   SteadyRange m_upper;
   QCustomPlot* m_plot;
-  std::vector<QCPGraph*> m_stages;  ///< areas up to the end of each stage, the last stage first drawn
+  std::vector<QCPGraph*> m_stages;  ///< areas up to the end of each stage, drawn from the last stage
   QCPGraph* m_total;
   QCPItemLine* m_cursor;
 };
 
-/// Of each of `columns` equal spans of [from, to] the sample with the longest way from in to out.
+/// The sample with the largest latency from in to out in each of `columns` equal spans of [from, to].
 std::vector<LatencySample> slowest_of_each(std::span<const LatencySample> samples, double from_s, double to_s,
                                            int columns);
 

@@ -8,7 +8,7 @@
 
 namespace abrazo::widgets {
 
-/// Which series each pane draws, in order. A pane has one vertical axis, so its series share a unit.
+/// The series of each pane, in order. A pane has one vertical axis, so its series share a unit.
 using PaneSeries = std::vector<Series>;
 using PaneArrangement = std::vector<PaneSeries>;
 
@@ -17,31 +17,31 @@ inline constexpr std::size_t most_panes = 8;
 /// Energies, residuals, cost terms.
 PaneArrangement default_arrangement();
 
-/// A pane takes a series of the unit it has; an empty one takes any.
+/// A pane accepts series of its unit; an empty one accepts any.
 bool can_join(const PaneSeries& pane, Series series);
 
-/// Why not, and what to do instead; empty when it can.
+/// Why not, and what to do instead; empty if it can join.
 std::string why_not(const PaneSeries& pane, Series series);
 
-/// "Residuals [mm]"; of several groups the first with an ellipsis.
+/// "Residuals [mm]"; for several groups the first with an ellipsis.
 std::string title_of(const PaneSeries& pane);
 
-/// The names of the groups, in order, and what each has.
+/// The names of the groups, in order, and their series.
 std::vector<std::string_view> series_groups();
 PaneSeries series_of_group(std::string_view group);
-/// What a new pane for a group starts with: those that say most together.
+/// Initial series of a new pane for a group: the most informative ones.
 PaneSeries usual_series(std::string_view group);
 
-/// As it is remembered: keys with commas, panes with semicolons. What is not known (of another version) or
-/// does not fit in its pane is left out; the default when nothing is left.
+/// Stored form: keys separated by commas, panes by semicolons. Unknown series (of another version) and those
+/// that do not fit their pane are left out; the default if nothing is left.
 std::string text_of(const PaneArrangement& panes);
 PaneArrangement arrangement_of(std::string_view text);
 
-/// How the panes stand in the room there is.
+/// Layout of the panes in the available room.
 struct PaneGrid {
   int rows = 1, columns = 1;
-  int shown = 0;           ///< the rest has no room
-  bool collapsed = false;  ///< only the heads with their values
+  int shown = 0;           ///< the others have no room
+  bool collapsed = false;  ///< only headers with values
 };
 PaneGrid plan_panes(int panes, int width_px, int height_px);
 

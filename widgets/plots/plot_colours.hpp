@@ -7,14 +7,14 @@ class QCustomPlot;
 
 namespace abrazo::widgets {
 
-/// Colour of a curve: what belongs to a character has that one's. Series that fit into one pane by their unit
-/// and are of one group differ.
+/// Colour of a curve: series of a character have its colour. Series of one group and unit have different
+/// colours.
 QColor colour_of(Series series, const Palette& palette);
 
-/// Sums are dashed, so that they stand apart from their parts.
+/// Sums are dashed, to distinguish them from their parts.
 bool is_dashed(Series series);
 
-/// Ground, axes and grid of a plot over time.
+/// Sets background, axes and grid of a plot over time.
 void set_frame_colours(QCustomPlot& plot, const Palette& palette);
 
 }  // namespace abrazo::widgets

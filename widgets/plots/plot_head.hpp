@@ -14,7 +14,7 @@ namespace abrazo::widgets {
 /// Whether the window follows the live end.
 enum class PlotMark { None, Following, Detached };
 
-/// The line above a pane's curves: title, the key with its values, and at the right the mark.
+/// The header of a pane: title, legend with values, and the mark at the right.
 struct PlotHead {
   const PaneSeries& series;
   const std::optional<SeriesValues>& values;
@@ -23,7 +23,7 @@ struct PlotHead {
   std::string title = {};  ///< empty: that of the series
 };
 
-/// Where there is no room for the values the names stay, and at last the names without the title.
+/// Without room for the values it shows the names, and finally the names without the title.
 void paint_plot_head(QPainter& painter, const QRectF& place, const PlotHead& head);
 
 }  // namespace abrazo::widgets

@@ -31,7 +31,7 @@ void add_series(QMenu& menu, PlotPanel& panel, int pane) {
   }
   if (!some_refused) return;
   menu.addSeparator();
-  menu.addAction("Greyed out: another unit; add a pane for it")->setEnabled(false);
+  menu.addAction("Disabled: another unit; add a pane for it")->setEnabled(false);
 }
 
 void add_export(QMenu& menu, PlotPanel& panel) {

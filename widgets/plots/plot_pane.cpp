@@ -19,7 +19,7 @@ namespace {
 constexpr int head_height = 30;
 constexpr int head_left = 12;
 constexpr int menu_width = 26;
-constexpr int labelled_height = 84;  // of the curves, from which there is room for times below them
+constexpr int labelled_height = 84;  // minimum height of the curves for time labels below them
 constexpr double zoom_step = 0.85;
 constexpr double pan_step = 0.2;  // of the span
 
@@ -150,7 +150,7 @@ double PlotPane::upperEnd() const {
   return m_plot->yAxis->range().upper;
 }
 
-/// The same height until the values have been smaller for a while, so that the numbers can be read.
+/// The scale shrinks only after values were smaller for a while, so that the numbers stay readable.
 void PlotPane::fitHeight(const PlotView& view) {
   double upper = 0, lower = 0;
   for (const auto& line : m_lines) {
@@ -330,7 +330,7 @@ void PlotPane::contextMenuEvent(QContextMenuEvent* event) {
 
 bool PlotPane::eventFilter(QObject* watched, QEvent* event) {
   if (event->type() == QEvent::Leave) emit pointerLeft();
-  // The values under the pointer are said there already.
+  // The readout shows these values already.
   if (event->type() == QEvent::ToolTip) return true;
   return QWidget::eventFilter(watched, event);
 }

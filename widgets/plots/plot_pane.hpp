@@ -18,39 +18,39 @@ class QWheelEvent;
 
 namespace abrazo::widgets {
 
-/// What all panes show at once.
+/// View state shared by all panes.
 struct PlotView {
   double from_s = 0, to_s = 1;
   double cursor_s = 0;
-  std::optional<double> pointer_s;  ///< a thin line where the pointer is in time
+  std::optional<double> pointer_s;  ///< time of the pointer, drawn as a thin line
 };
 
-/// One plot over time: title, key and values in the head, curves and cursor below. Single values far above
-/// the rest are cut, with a mark at the upper edge. Moves nothing itself: it asks.
+/// One plot over time: title, legend and values in the header, curves and cursor below. Outliers far above
+/// the rest are cut, with a mark at the upper edge. Emits requests; moves nothing itself.
 class PlotPane : public QWidget {
   Q_OBJECT
  public:
   explicit PlotPane(QWidget* parent);
   void setSeries(PaneSeries series);
   const PaneSeries& series() const { return m_series; }
-  /// In place of the title of the series; empty for that.
+  /// Overrides the title of the series; empty = no override.
   void setTitle(const std::string& title);
   void setColours(const Palette& palette);
-  /// Whether the window follows the live end; said in the head.
+  /// Whether the window follows the live end; shown in the header.
   void setMark(PlotMark mark);
-  /// Only the head, where there is no height for more.
+  /// Shows only the header, for small heights.
   void setCollapsed(bool collapsed);
   bool isCollapsed() const { return m_collapsed; }
 
-  /// Values in the head; null shows none.
+  /// Values in the header; null shows none.
   void showValues(const SeriesValues* values);
   const std::optional<SeriesValues>& shownValues() const { return m_values; }
   void draw(const SampleTable& table, const PlotView& view);
   void forgetRange();
   double xOf(double time_s) const;
   double upperEnd() const;
-  /// Paints the pane into a rectangle of a picture or a file, also one that has no room on the screen. Curves
-  /// end at the border even where the painter cannot clip. `draw` shows the screen's again.
+  /// Paints the pane into a rectangle of a picture or file, even if it has no room on the screen. Curves end
+  /// at the border even if the painter cannot clip. `draw` restores the screen's state.
   void paintInto(QCPPainter& painter, const QRect& place, const SampleTable& table, const PlotView& view);
 
  signals:
@@ -89,7 +89,7 @@ class PlotPane : public QWidget {
 
   PaneSeries m_series;
   std::string m_title;
-  std::vector<std::vector<SampleTable::Point>> m_lines;  ///< one for each series
+  std::vector<std::vector<SampleTable::Point>> m_lines;  ///< one per series
   std::optional<SeriesValues> m_values;
   PlotView m_view;
   Palette m_palette;

@@ -48,7 +48,7 @@ struct PlotPanel::Parts {
   const SeriesValues* values_of(const FrameSnapshot& frame, const FrameHistory& history);
 };
 
-/// Its row's; where rows were thinned, and hold what is most and least around, those of the frame itself.
+/// Values of its row; for thinned rows, which hold extremes, those of the frame itself.
 const SeriesValues* PlotPanel::Parts::values_of(const FrameSnapshot& frame, const FrameHistory& history) {
   const bool is_thinned = table.thinned() > 0 && frame.time_s < table.rows()[table.thinned()].time_s;
   if (!is_thinned) {

@@ -19,9 +19,9 @@ struct PlotView;
 
 enum class PlotExport { Csv, Png, Svg };
 
-/// The figures of the frames over time, in panes that a person arranges; one time cursor through all. A click
-/// asks to go there. What is selected has a pane of its own, the last, while it is. Asks for files to be
-/// written, and makes their content.
+/// Figures of the frames over time in user-arranged panes with a common time cursor. A click requests a seek.
+/// A selection has a separate pane, the last. Creates the content of exported files and requests that they be
+/// written.
 class PlotPanel : public QWidget {
   Q_OBJECT
  public:
@@ -34,37 +34,37 @@ class PlotPanel : public QWidget {
   PaneArrangement arrangement() const;
   void setArrangement(const PaneArrangement& panes);
   void addPane(const PaneSeries& series);
-  void removePane(int pane);  ///< not the last one
+  void removePane(int pane);  ///< except the last remaining one
   void movePane(int pane, int by);
-  /// @return whether the pane takes it: a pane has one axis, and at least one series
+  /// @return false if refused: a pane has one axis, and at least one series
   bool setShown(int pane, Series series, bool on);
   void restoreUsual();
 
-  /// The samples in the window as text, the panes as a picture of `scale` pixels a point, or as SVG.
+  /// The samples in the window as text, the panes as a picture of `scale` pixels per point, or as SVG.
   std::string csv() const;
   QImage picture(double scale);
   QByteArray svg();
 
   const PlotWindow& window() const;
   int paneCount() const;
-  /// The pane of what is selected; -1 while nothing is that has one.
+  /// The pane of the selection; -1 if it has none.
   int selectionPane() const;
   const Selection& selection() const;
   void askFor(const Selection& selection) { emit selectionRequested(selection); }
   void askFor(PlotExport what) { emit exportRequested(what); }
   PlotPane& pane(int which) const;
-  /// Where a time is in the first pane, in pixels of this widget; for tests.
+  /// Position of the cursor in the first pane, in pixels of this widget; for tests.
   double cursorX() const;
-  /// Time and values of all series that are drawn, as rich text; empty where there is no sample.
+  /// Time and values of all drawn series, as rich text; empty without a sample.
   QString readout(double time_s) const;
   QSize minimumSizeHint() const override { return {200, 34}; }
   QSize sizeHint() const override { return {900, 150}; }
 
  public slots:
-  /// Takes what is new in the history, moves the window and the cursor, and draws.
+  /// Reads new frames of the history, moves window and cursor, and draws.
   void refresh(const abrazo::FrameHistory& history, const abrazo::Playback& playback,
                const abrazo::FrameSnapshotPtr& shown);
-  /// The window follows the live end or the cursor again.
+  /// Makes the window follow the live end or the cursor again.
   void attach();
   void zoom(double factor);
   void showSelection(const abrazo::widgets::Selection& selection);

@@ -10,7 +10,7 @@
 
 namespace abrazo::widgets {
 
-/// What is exported: all panes, also those that have no room on the screen, in at least this size.
+/// Export sheet: all panes, including those without room on the screen, in at least this size.
 struct PlotSheet {
   const std::vector<PlotPane*>& panes;
   const SampleTable& table;
@@ -19,7 +19,7 @@ struct PlotSheet {
   QSize size;
 };
 
-/// @param scale  pixels a point
+/// @param scale pixels per point
 QImage plot_picture(const PlotSheet& sheet, double scale);
 QByteArray plot_svg(const PlotSheet& sheet);
 

@@ -40,7 +40,7 @@ void read_intent_cost(const IntentCost& cost, SeriesValues& values) {
   at(values, Series::IntentTotal) = cost.total;
 }
 
-/// How much dearer the cheapest of the others is; NaN without one.
+/// Additional cost of the cheapest other candidate; NaN without one.
 /// @param total  of a candidate; NaN where it has none
 template <typename Total>
 double margin(const FrameResult& result, std::size_t selected, Total total) {
@@ -70,7 +70,7 @@ bool partner_is_active(const FrameSnapshot& frame) {
   return frame.settings.user_role == UserRole::Passive;
 }
 
-/// Where a foot of the partner rests; of a usual adult where the library is not at hand.
+/// Rest height of the partner's feet; of an average adult without a library.
 ToeRest rest_of_partner(const FrameSnapshot& frame) {
   if (!frame.library) return toe_rest(Body{});
   const MotionLibrary& library = *frame.library;
@@ -134,12 +134,12 @@ const std::array<SeriesInfo, series_count>& all_series() {
       {UnlikelyMove, "intent.move", "Cost by intent", "unlikely move", "move", "m", 3,
        "of the winner: w_m (1 − P(its label))"},
       {NotMeant, "intent.meant", "Cost by intent", "not the intended move", "intended", "m", 3,
-       "of the winner: w_p when a person named another move"},
+       "of the winner: w_p if another move is intended"},
       {ChangeOfSource, "intent.change", "Cost by intent", "change of source", "change", "m", 3,
        "of the winner: the margin if it does not continue the source, and α times its distance from what "
        "is shown"},
       {IntentTotal, "intent.total", "Cost by intent", "total by intent", "total", "m", 3,
-       "of the winner: what the selection by intent decides by"},
+       "of the winner: the total by which intent decides"},
       {IntentMargin, "intent.margin", "Cost by intent", "margin by intent to the runner-up", "margin", "m", 3,
        "how much more the cheapest of the others costs; below 0 if that one was cheaper"},
       {RetargetTime, "time.retarget", "Step time", "retarget", "retarget", "ms", 3, "user onto the body"},

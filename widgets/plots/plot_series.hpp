@@ -13,7 +13,7 @@
 
 namespace abrazo::widgets {
 
-/// All that can be drawn over time, in the order of the menus.
+/// All series over time, in menu order.
 enum class Series : std::uint8_t {
   DeformationEnergy,
   VelocityEnergy,
@@ -49,7 +49,7 @@ enum class Series : std::uint8_t {
   FootSlide,
   PartnerAcceleration,
   RecordedAcceleration,
-  // Of what is selected in the scene; see selection_series.hpp.
+  // Series of the selection in the scene; see selection_series.hpp.
   JointResidual,
   JointFromUser,
   JointFromSelected,
@@ -65,9 +65,9 @@ inline constexpr std::size_t series_count = 43;
 struct SeriesInfo {
   Series series;
   std::string_view key;    ///< in files: "energy.deformation"; never changes
-  std::string_view group;  ///< "Energy"; series of a group are offered together
+  std::string_view group;  ///< "Energy"; groups series in menus
   std::string_view name;   ///< in menus and readouts
-  std::string_view brief;  ///< in the head of a pane
+  std::string_view brief;  ///< in the header of a pane
   std::string_view unit;   ///< "m²"; empty for a pure number
   int decimals;
   std::string_view meaning;
@@ -77,15 +77,15 @@ const std::array<SeriesInfo, series_count>& all_series();
 const SeriesInfo& info_of(Series series);
 std::optional<Series> find_series(std::string_view key);
 
-/// One value for each series; NaN where a frame has none.
+/// One value per series; NaN if a frame has none.
 using SeriesValues = std::array<double, series_count>;
 
 inline double& at(SeriesValues& values, Series series) {
   return values[static_cast<std::size_t>(series)];
 }
 
-/// Reads the series off frames that come in order. Keeps the little that a series needs of earlier frames.
-/// A failed step has timings only, as in the metrics of a run. What depends on a selection is left out.
+/// Computes the series of frames in order. Keeps the required state of earlier frames. A failed step has
+/// timings only, as in the metrics of a run. Omits series of a selection.
 class SeriesReader {
  public:
   SeriesValues read(const FrameSnapshot& frame);
@@ -98,10 +98,10 @@ class SeriesReader {
 
   struct Previous {
     std::uint64_t index = 0;
-    double solved_s = 0;          ///< time of the last step that did not fail; NaN when there was none
+    double solved_s = 0;          ///< time of the last successful step; NaN = none
     std::optional<Pose> partner;  ///< none after a failed step
   };
-  /// Of the partner, as long as role and library stay.
+  /// State of the partner, while role and library stay.
   struct Moving {
     std::shared_ptr<const MotionLibrary> library;
     UserRole user_role = UserRole::Active;
@@ -112,7 +112,7 @@ class SeriesReader {
   std::deque<bool> changes_;      ///< of the source, latest last
 };
 
-/// Steps over which changes of the source are counted.
+/// Number of steps over which source changes are counted.
 inline constexpr std::size_t source_window_steps = 100;
 
 }  // namespace abrazo::widgets

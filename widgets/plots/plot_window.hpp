@@ -6,8 +6,7 @@
 
 namespace abrazo::widgets {
 
-/// Which span of time the plots show. Goes along with the live end or the cursor until it is moved by hand.
-/// Plain arithmetic, no toolkit.
+/// The time span of the plots. Follows the live end or the cursor until moved by hand. Independent of Qt.
 class PlotWindow {
  public:
   static constexpr double shortest_s = 0.25, longest_s = 3600;
@@ -15,13 +14,12 @@ class PlotWindow {
   double from_s() const { return to_s_ - span_s_; }
   double to_s() const { return to_s_; }
   double span_s() const { return span_s_; }
-  /// Goes along with the live end.
+  /// Follows the live end.
   bool follows() const { return attached_ && playback_.state == Playback::State::Following; }
-  /// Was moved by hand, away from what it went along with.
+  /// Was moved by hand and no longer follows.
   bool detached() const { return !attached_; }
 
-  /// Takes the playback as it is now. Whatever asks for a place in time (a seek, playing, following) brings
-  /// the window back to it.
+  /// Updates from the playback. A seek, playing and following bring the window back to the cursor.
   void show(const Playback& playback) {
     const bool asked = playback.state != playback_.state ||
                        (playback.state == Playback::State::Parked && playback.cursor_s != playback_.cursor_s);
@@ -43,7 +41,7 @@ class PlotWindow {
     settle();
   }
 
-  /// Changes the span by a factor and leaves `fixed_s` where it is; the live end while that is followed.
+  /// Scales the span by a factor about `fixed_s`, or about the live end while following.
   void zoom(double factor, double fixed_s) {
     const double wanted = std::clamp(span_s_ * factor, shortest_s, longest_s);
     if (!follows()) {

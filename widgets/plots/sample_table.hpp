@@ -13,8 +13,8 @@
 
 namespace abrazo::widgets {
 
-/// The values of all series over the kept frames. Plain data, no toolkit. Also keeps the extremes of each run
-/// of rows, so that drawing hours costs what drawing a minute does.
+/// The values of all series over the kept frames. Plain data, independent of Qt. Keeps the extremes of blocks
+/// of rows, so that the cost of drawing does not grow with the time span.
 class SampleTable {
  public:
   struct Row {
@@ -30,26 +30,26 @@ class SampleTable {
 
   /// Rows come in ascending time.
   void append(Row row);
-  /// Writes some series of a row again; the row of a frame that is not kept is passed over.
+  /// Overwrites some series of a row; ignores frames that are not kept.
   void rewrite(std::uint64_t frame, const std::vector<Series>& which, const SeriesValues& values);
-  /// After rows were rewritten: the extremes of all that has changed.
+  /// Updates extremes after rewritten rows.
   void refresh_extremes(std::uint64_t first_frame, std::uint64_t last_frame);
   void drop_before(double time_s);
-  /// So that hours do not fill the memory: the newest rows stay as they are, those before become at most
-  /// `most_older` and stand evenly. Of each four two remain, with the least and the largest value of every
-  /// series in the order they came, so that no spike is lost. To be called now and then.
+  /// Bounds the memory: keeps the newest rows and reduces older ones evenly to at most `most_older`. Two of
+  /// each four rows remain, with minimum and maximum of every series in order, so that no spike is lost. Call
+  /// at intervals.
   void thin_older(std::size_t newest, std::size_t most_older);
-  /// Rows at the beginning that were thinned: their values are extremes around their frame, not its own.
+  /// Number of thinned rows at the beginning: their values are extremes near their frame.
   std::size_t thinned() const { return thinning_.level > 0 ? thinning_.older : 0; }
   void clear();
   const std::deque<Row>& rows() const { return rows_; }
 
-  /// The row shown at a time: the last one not after it; null when there is none.
+  /// The row shown at a time: the last one not after it; null if there is none.
   const Row* at(double time_s) const;
 
-  /// What a line of `columns` pixels over [from, to] needs: each value where they are few, else the least and
-  /// the largest of each column in the order they came, so that no spike is lost. One row beyond each end, so
-  /// that the line reaches the border. Columns stand on a raster of time that does not move with the window.
+  /// Points of a line of `columns` pixels over [from, to]: every value if there are few, else minimum and
+  /// maximum of each column in order, so that no spike is lost. Includes one row beyond each end, so that the
+  /// line reaches the border. Columns are on a fixed time raster that does not move with the window.
   std::vector<Point> line(Series series, double from_s, double to_s, int columns) const;
 
   static constexpr std::size_t block_rows = 64;
@@ -72,14 +72,14 @@ class SampleTable {
   double value(std::size_t row, Series series) const;
 
   std::deque<Row> rows_;
-  std::size_t dropped_ = 0;   ///< rows so far; row r of the session is rows_[r - dropped_]
+  std::size_t dropped_ = 0;   ///< number of dropped rows; row r of the session is rows_[r - dropped_]
   std::deque<Block> blocks_;  ///< block b: rows [64 b, 64 b + 64) of the session
   std::size_t dropped_blocks_ = 0;
   Thinning thinning_;
 };
 
-/// Every row in [from, to] with every series: the header carries the units, numbers read back to the same
-/// bits, a value that a frame has not is left empty.
+/// Every row in [from, to] with every series: units are in the header, numbers read back to the same bits,
+/// missing values are empty.
 std::string plot_csv(const SampleTable& table, double from_s, double to_s);
 
 }  // namespace abrazo::widgets

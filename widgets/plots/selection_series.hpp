@@ -7,17 +7,17 @@
 
 namespace abrazo::widgets {
 
-/// What a pane shows of a selection: of joints the one that was selected last. Nothing for a candidate.
+/// The series of a selection; for joints of the one selected last. Empty for a candidate.
 PaneSeries series_of(const Selection& selection);
-/// The series that depend on what is selected.
+/// The series that depend on the selection.
 const PaneSeries& selection_series();
 
-/// |delta - L(v')| of one vertex [m]: how far its neighbourhood is bent from the selected pair's, as the
-/// residuals of the frame are the means of.
+/// |delta - L(v')| of one vertex [m]: the deformation of its neighbourhood relative to the selected pair. The
+/// edge residuals of the frame are means of these.
 double vertex_residual_m(const FrameSnapshot& frame, int vertex);
 
-/// Reads the series of one selection off frames that come in order; NaN where the mesh of a frame has not got
-/// what is selected. A speed needs the frame before.
+/// Computes the series of one selection for frames in order; NaN if the mesh of a frame does not have the
+/// item. A speed needs the previous frame.
 class SelectionReader {
  public:
   SelectionReader() = default;

@@ -10,22 +10,22 @@ class QToolButton;
 
 namespace abrazo::widgets {
 
-/// The presets as segments of one button; the last holds one's own, with a menu to save, rename, delete,
-/// export and import them.
+/// The presets as segments of one button; the last has the user's own presets, with a menu to save, rename,
+/// delete, export and import them.
 class PresetBar : public QWidget {
   Q_OBJECT
  public:
   explicit PresetBar(QWidget* parent = nullptr);
   void setOwn(std::vector<OwnPreset> own);
-  /// @param changed  the settings are no longer the preset's: it gets a star
+  /// @param changed the settings differ from the preset, which gets a star
   void showChoice(const PresetChoice& choice, bool changed);
-  /// What the menu of one's own presets offers now, for the menu bar too. @param menu  emptied first
+  /// Fills the menu of the user's own presets, for the menu bar too. @param menu cleared first
   void fillMenu(QMenu& menu);
 
  signals:
   void chosen(const QString& name);
   void ownChosen(const QString& name);
-  void saveRequested();  ///< under a name that is asked for
+  void saveRequested();  ///< the receiver asks for the name
   void overwriteRequested(const QString& name);
   void renameRequested(const QString& name);
   void removeRequested(const QString& name);

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double lowest_step_rate_hz = 5;  ///< but for 0, the input's own rate
 
-/// What is typed after a click replaces the value. Escape leaves it as it was.
+/// Typing after a click replaces the value. Escape restores it.
 class ValueField : public QLineEdit {
  public:
   using QLineEdit::QLineEdit;

@@ -15,21 +15,21 @@ namespace abrazo::widgets {
 class Toggle;
 class ValueSlider;
 
-/// One setting: its symbol and title, its value to type into, and a slider, switch or list according to its
-/// kind. A star says that it is not the preset's. One that does not count with the method of selection that
-/// is set is greyed and says whose it is.
+/// One setting: symbol, title, a value field, and a slider, switch or list by its type. A star marks a value
+/// that differs from the preset. A setting without effect in the present selection method is disabled and
+/// names its method.
 class SettingRow : public QWidget {
   Q_OBJECT
  public:
   SettingRow(const SettingInfo& info, QWidget* parent = nullptr);
   const SettingInfo& info() const { return m_info; }
   void setColours(const Palette& palette);
-  /// @param of_frame  settings that a shown frame was solved under; null when they are of no concern
+  /// @param of_frame settings of the shown frame; null if irrelevant
   void show(const Settings& settings, const Settings& defaults, const Settings* of_frame);
 
  signals:
-  /// @param text     as `set_setting` takes it
-  /// @param gesture  equal for all changes of one drag; 0 when the change stands alone
+  /// @param text in the format of `set_setting`
+  /// @param gesture equal for all changes of one drag; 0 = single change
   void changed(const QString& key, const QString& text, int gesture);
   void sweepRequested(const QString& key);
 
@@ -55,9 +55,9 @@ class SettingRow : public QWidget {
   QLineEdit* m_value = nullptr;
   Toggle* m_toggle = nullptr;
   QComboBox* m_choice = nullptr;
-  double m_number = 0;  ///< as shown
+  double m_number = 0;  ///< shown value
   QString m_defaultText;
-  bool m_changed = false;  ///< not the preset's value
+  bool m_changed = false;  ///< differs from the preset
   bool m_applies = true;
   QColor m_mark;
 };

@@ -81,7 +81,7 @@ QWidget* SettingsPanel::frameNotice() {
   m_noticeText->setWordWrap(true);
   auto* use = new QPushButton("Use its settings", m_notice);
   use->setObjectName("useFrameSettings");
-  use->setToolTip("The settings that the shown frame was solved under become those of the solver");
+  use->setToolTip("Makes the settings of the shown frame those of the solver");
   use->setFocusPolicy(Qt::TabFocus);
   row->addWidget(m_noticeText, 1);
   row->addWidget(use);

@@ -17,8 +17,8 @@ class PresetBar;
 class SectionHeader;
 class SettingRow;
 
-/// Every setting, and the preset that they come from. Changes nothing itself: it asks, on every move of a
-/// drag, and waits to be shown what answers.
+/// All settings and their preset. Changes nothing itself: it emits requests, on every move of a drag, and
+/// shows what it is given.
 class SettingsPanel : public QWidget {
   Q_OBJECT
  public:
@@ -28,17 +28,17 @@ class SettingsPanel : public QWidget {
 
  public slots:
   void showSettings(const abrazo::Settings& settings, const abrazo::PresetChoice& choice);
-  /// The settings that the shown frame was solved under; nothing when it is the newest one.
+  /// The settings of the shown frame; none if it is the newest one.
   void showFrameSettings(const std::optional<abrazo::Settings>& of_frame);
-  /// Only the settings whose words these are.
+  /// Shows only settings that match these words.
   void filter(const QString& wanted);
 
  signals:
-  /// @param text     as `set_setting` takes it
-  /// @param gesture  equal for all changes of one drag; 0 when the change stands alone
+  /// @param text in the format of `set_setting`
+  /// @param gesture equal for all changes of one drag; 0 = single change
   void entryRequested(const QString& key, const QString& text, int gesture);
   void presetRequested(const QString& name, bool own);
-  /// @param what  where these settings come from, for the undo list
+  /// @param what origin of the settings, for the undo list
   void settingsRequested(const abrazo::Settings& settings, const QString& what);
   void sweepRequested(const QString& key);
 

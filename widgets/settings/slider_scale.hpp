@@ -5,14 +5,14 @@
 
 namespace abrazo::widgets {
 
-/// A setting's value on a slider and back. Plain arithmetic, no toolkit.
-/// A logarithmic scale that begins at 0 keeps its first hundredth for exactly 0.
+/// Conversion between a setting's value and a slider position. Independent of Qt. A logarithmic scale from 0
+/// reserves its first hundredth for exactly 0.
 struct SliderScale {
   double minimum = 0;
   double maximum = 1;
   bool logarithmic = false;
   bool whole_numbers = false;
-  double gap_end = 0;  ///< nothing lies between the minimum and this, when it is higher
+  double gap_end = 0;  ///< if higher than the minimum: there are no values between the two
 
   /// @return [0, 1]
   double place(double value) const {
@@ -24,7 +24,7 @@ struct SliderScale {
     return minimum > 0 ? share : zero_share + (1 - zero_share) * share;
   }
 
-  /// The value some keystrokes away: hundredths of the scale, or whole numbers one by one. Held at the ends.
+  /// The value after some keystrokes: steps of 1 % of the scale, or whole numbers. Clamped to the ends.
   double stepped(double from, int steps) const {
     if (whole_numbers) return std::clamp(std::round(from) + steps, minimum, maximum);
     const double reached = value(place(from) + 0.01 * steps);
@@ -42,7 +42,7 @@ struct SliderScale {
 
  private:
   static constexpr double zero_share = 0.01;
-  static constexpr double decades = 1e4;  ///< spanned when the scale begins at 0
+  static constexpr double decades = 1e4;  ///< range of a scale that begins at 0
 
   double lowest() const { return minimum > 0 ? minimum : maximum / decades; }
 
@@ -51,7 +51,7 @@ struct SliderScale {
     return value < (minimum + gap_end) / 2 ? minimum : gap_end;
   }
 
-  /// To three significant digits of the range, so that a slider gives readable numbers.
+  /// Rounded to three significant digits of the range, for readable numbers.
   double rounded(double value) const {
     if (whole_numbers) return std::clamp(std::round(value), minimum, maximum);
     const double scale = logarithmic ? std::abs(value) : maximum - minimum;

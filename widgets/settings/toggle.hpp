@@ -6,7 +6,7 @@
 
 namespace abrazo::widgets {
 
-/// An on/off switch. The blank key turns it.
+/// An on/off switch. The space bar toggles it.
 class Toggle : public QAbstractButton {
   Q_OBJECT
  public:

@@ -25,7 +25,7 @@ QLineEdit* field(QWidget* parent, const QString& name, const QString& tip) {
   return made;
 }
 
-/// Never asks for more room than there is, so that a long text does not widen the panel.
+/// Never requests more room than available, so that a long text does not widen the panel.
 QLabel* line_of(QWidget* parent) {
   auto* label = new QLabel(parent);
   label->setObjectName("secondary");

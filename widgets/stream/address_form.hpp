@@ -14,8 +14,7 @@ class QStackedWidget;
 
 namespace abrazo::widgets {
 
-/// Where the stream comes from: fields that make a URI, and the URI to type, paste or choose among recent
-/// ones.
+/// Address of a stream: fields that form a URI, and the URI to type, paste or choose from recent ones.
 class AddressForm : public QWidget {
   Q_OBJECT
  public:
@@ -26,9 +25,9 @@ class AddressForm : public QWidget {
   void setConnected(bool connected);
   void setUri(const QString& uri);
   QString uri() const;
-  /// What is wrong with the URI; empty when nothing is.
+  /// The problem of the URI; empty if valid.
   QString complaint() const;
-  /// To where the typing goes.
+  /// Focuses the input field.
   void takeFocus();
 
  signals:
@@ -50,9 +49,9 @@ class AddressForm : public QWidget {
   bool m_connected = false;
   QComboBox *m_scheme, *m_uri;
   QLineEdit *m_host, *m_port, *m_group, *m_file;
-  QLabel* m_note;  ///< what the address means, or what is wrong with it
+  QLabel* m_note;  ///< meaning of the address, or its problem
   QString m_wrong;
-  QStackedWidget* m_more;  ///< what only some schemes have
+  QStackedWidget* m_more;  ///< fields of single schemes
   QPushButton* m_connect;
 };
 

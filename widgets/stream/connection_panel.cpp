@@ -228,7 +228,7 @@ void ConnectionPanel::choose(const QString& performer, PerformerPart part) {
   if (part == PerformerPart::User) emit userChosen(performer);
   if (part == PerformerPart::Second) emit secondChosen(performer);
   if (part == PerformerPart::None && performer == m_second) emit secondChosen({});
-  showPerformers();  // a part that was not given up stands again
+  showPerformers();  // restores a part that was not released
 }
 
 void ConnectionPanel::setParts(const QString& user, const QString& second) {

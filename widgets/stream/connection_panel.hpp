@@ -26,8 +26,8 @@ class SinkList;
 class StreamHead;
 enum class PerformerPart;
 
-/// The live stream: where it comes from, how well it does, who is in it, what is wrong and what to do; and
-/// where characters are sent on to. Shows values; asks for everything by signals.
+/// The live stream: address, quality, performers, problems with advice; and the sinks of characters. Shows
+/// values; requests everything by signals.
 class ConnectionPanel : public QWidget {
   Q_OBJECT
  public:
@@ -36,27 +36,27 @@ class ConnectionPanel : public QWidget {
   AddressForm& form() { return *m_form; }
   SinkList& sinks() { return *m_sinks; }
 
-  /// @param health  null when nothing is connected
+  /// @param health null = not connected
   void showHealth(const StreamHealth* health);
   const StreamHealth& shown() const { return m_health; }
-  /// Who plays what; empty: the first that is seen, nobody.
+  /// Parts of the performers; empty: user = the first that appears, second = none.
   void setParts(const QString& user, const QString& second);
-  /// What became of the last calibration, and whether one goes on.
+  /// Result of the last calibration, and whether one is running.
   void showCalibration(const QString& words, bool under_way);
   void setDelay(int ms);
-  /// @param hz  0 = the input's own
+  /// @param hz 0 = rate of the input
   void setStepRate(double hz);
   void showSinks(const std::vector<SinkRow>& rows);
   std::vector<PerformerCard*> cards() const { return m_cards; }
 
  signals:
   void userChosen(const QString& performer);
-  /// @param performer  empty: nobody
+  /// @param performer empty = none
   void secondChosen(const QString& performer);
   void calibrateRequested();
   void forgetRequested();
   void delayRequested(int ms);
-  /// @param value  as the setting takes it
+  /// @param value in the format of the setting
   void stepRateRequested(const QString& value);
 
  private:

@@ -8,7 +8,7 @@
 
 namespace abrazo::widgets {
 
-/// Names and numbers in two columns; the places of the numbers depend on the width only.
+/// Names and numbers in two columns; the positions depend only on the width.
 class FigureGrid : public QWidget {
   Q_OBJECT
  public:

@@ -8,8 +8,8 @@
 
 namespace abrazo::widgets {
 
-/// Diagnoses with what to do, then the kinds of issues with how often; an issue opens to its latest text.
-/// Scrolls in a height of its own, and keeps what is open and selected while the numbers run.
+/// Diagnoses with advice, then the kinds of issues with counts; an issue expands to its latest text. Scrolls
+/// at a fixed height, and keeps expanded and selected items while the counts change.
 class IssueList : public QTreeWidget {
   Q_OBJECT
  public:
@@ -34,7 +34,7 @@ class IssueList : public QTreeWidget {
 
   Palette m_palette;
   std::map<QString, QTreeWidgetItem*> m_items;  ///< by "diagnosis kind" or "issue kind"
-  QTreeWidgetItem* m_calm;                      ///< says that there is nothing
+  QTreeWidgetItem* m_calm;                      ///< shown if there are no issues
 };
 
 }  // namespace abrazo::widgets

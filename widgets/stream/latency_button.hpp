@@ -7,14 +7,14 @@
 
 namespace abrazo::widgets {
 
-/// The latency in the status bar: sign, "in → out", median and 95th percentile. Always as wide; a click asks
-/// for the breakdown.
+/// The latency in the status bar: sign, "in → out", median and 95th percentile. Constant width; a click
+/// requests the breakdown.
 class LatencyButton : public QAbstractButton {
   Q_OBJECT
  public:
   explicit LatencyButton(QWidget* parent = nullptr);
   void setColours(const Palette& palette);
-  /// @param row  in to out; null without an input that has a latency
+  /// @param row in to out; null for an input without latency
   void show(const LatencyRow* row, LatencyVerdict verdict);
   /// "in → out 2.14 / 3.90 ms"
   QString words() const;

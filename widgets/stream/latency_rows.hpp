@@ -8,7 +8,7 @@
 
 namespace abrazo::widgets {
 
-/// One line of the latency table: that of the shown frame, and how it was over the last while [ms].
+/// One line of the latency table: value of the shown frame and percentiles over recent frames [ms].
 struct LatencyRow {
   std::string name, meaning;
   double here = LatencySample::none;
@@ -16,20 +16,20 @@ struct LatencyRow {
 };
 
 /// Arrival interval, the stages, in to out, in to screen.
-/// @param samples  of the last while; @param here  of the shown frame, null when there is none
+/// @param samples of recent frames; @param here of the shown frame, may be null
 std::vector<LatencyRow> latency_rows(std::span<const LatencySample> samples, const LatencySample* here);
 
-/// "2.14", "123"; "–" where there is none: three figures, at most two after the point.
+/// "2.14", "123"; "–" if there is none: three significant digits, at most two decimals.
 std::string latency_text(double ms);
 
 enum class LatencyVerdict { None, Good, Warning, Bad };
 
-/// Of in to out less the delay that was asked for: good within one interval of the input (or 10 ms where that
-/// is longer), bad from three on: then the partner answers a pose that is long gone.
-/// @param p95_ms  in to out; @param interval_ms  median of the input's; NaN when there is none
+/// Rates in to out minus the configured delay: good within one interval of the input (or 10 ms if that is
+/// longer), bad from three intervals on, because the partner then answers an outdated pose.
+/// @param p95_ms in to out; @param interval_ms median interval of the input; NaN = none
 LatencyVerdict verdict_of(double p95_ms, double delay_ms, double interval_ms);
 
-/// The value below which `share` of those are that are finite; NaN without any.
+/// Percentile of the finite values; NaN without any.
 double share_of(std::vector<double> values, double share);
 
 }  // namespace abrazo::widgets

@@ -8,16 +8,16 @@
 
 namespace abrazo::widgets {
 
-/// The stages of the way from packet to packet, in milliseconds: of the shown frame, and over the last while.
+/// Latency by stage from packet to packet, in milliseconds: of the shown frame, and over recent frames.
 class LatencyTable : public QWidget {
   Q_OBJECT
  public:
   explicit LatencyTable(QWidget* parent = nullptr);
   void setColours(const Palette& palette);
-  /// @param over  what the percentiles are of: "last 5 s"
+  /// @param over range of the percentiles: "last 5 s"
   void show(std::vector<LatencyRow> rows, const QString& over);
   const std::vector<LatencyRow>& rows() const { return m_rows; }
-  /// As text, one line a stage with tabs between: for the clipboard.
+  /// Tab-separated text, one line per stage, for the clipboard.
   QString text() const;
 
   QSize sizeHint() const override;

@@ -60,7 +60,7 @@ void NumberRow::ask(int number) {
   if (m_number != before) emit changed(m_number);
 }
 
-/// What was typed; what is no number is put back.
+/// Accepts typed text; restores the value if it is not a number.
 void NumberRow::take() {
   QString typed = m_field->text().trimmed();
   if (typed.endsWith(m_unit)) typed.chop(m_unit.size());

@@ -11,7 +11,7 @@ namespace abrazo::widgets {
 
 class ValueSlider;
 
-/// A whole number with a title, to drag and to type; a double click goes back to the default.
+/// A whole number with a title, to drag or type; a double click restores the default.
 class NumberRow : public QWidget {
   Q_OBJECT
  public:

@@ -11,10 +11,10 @@ namespace abrazo::widgets {
 
 class FigureGrid;
 
-/// What a performer of the stream does.
+/// The part of a performer of the stream.
 enum class PerformerPart { None, User, Second };
 
-/// One performer: who it is, what it plays, its figures. As high whatever the figures are.
+/// One performer: name, part and figures. Constant height.
 class PerformerCard : public QWidget {
   Q_OBJECT
  public:

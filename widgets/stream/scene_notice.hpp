@@ -8,19 +8,19 @@
 
 namespace abrazo::widgets {
 
-/// What is said over the scene: a badge at its top, or large in its middle. Never takes the pointer.
+/// A notice over the scene: a badge at the top, or large text in the middle. Ignores the pointer.
 class SceneNotice : public QWidget {
   Q_OBJECT
  public:
-  /// @param over  the scene, which it covers
+  /// @param over the covered scene
   explicit SceneNotice(QWidget* over);
   void setColours(const Palette& palette);
-  /// In the middle. @param large  a word or a number; empty when only lines are said
+  /// Shows text in the middle. @param large a word or number; empty = lines only
   void say(const QString& large, const QString& line, const QString& detail = {});
   /// A line at the top.
   void badge(StreamMark mark, const QString& words);
   void clear();
-  /// What is said; empty when nothing is.
+  /// The shown text; empty if hidden.
   QString words() const;
 
  protected:

@@ -142,7 +142,7 @@ void SinkList::setColours(const Palette& palette) {
 void SinkList::show(const std::vector<SinkRow>& rows) {
   while (m_cards.size() > rows.size()) {
     m_cards.back()->hide();
-    m_cards.back()->deleteLater();  // its button may be what was clicked
+    m_cards.back()->deleteLater();  // its button may be the clicked one
     m_column->removeWidget(m_cards.back());
     m_cards.pop_back();
   }

@@ -16,7 +16,7 @@ namespace abrazo::widgets {
 
 class SinkCard;
 
-/// Where characters are sent on to, and a form to add another place.
+/// The sinks of characters, and a form to add one.
 class SinkList : public QWidget {
   Q_OBJECT
  public:

@@ -8,16 +8,16 @@
 
 namespace abrazo::widgets {
 
-/// A sink with what it sends now.
+/// A sink with its present rates.
 struct SinkRow {
   SinkHealth health;
   double packets_per_s = 0;
 };
 
-/// Turns the counters of sinks into rates. Plain arithmetic; is given the time.
+/// Converts the counters of sinks to rates. The caller passes the time.
 class SinkRates {
  public:
-  /// @param now_s  later than at the call before
+  /// @param now_s later than at the previous call
   std::vector<SinkRow> update(const std::vector<SinkHealth>& sinks, double now_s) {
     std::vector<SinkRow> rows;
     std::map<std::string, Count> counts;
@@ -27,7 +27,7 @@ class SinkRates {
       const auto before = counts_.find(key);
       if (before != counts_.end() && sink.packets >= before->second.packets) {
         const double elapsed_s = now_s - before->second.since_s;
-        // Less than this gives a rate that jumps with the packets that happen to fall in.
+        // A shorter interval gives noisy rates.
         constexpr double shortest_s = 0.9;
         count = before->second;
         if (elapsed_s >= shortest_s)

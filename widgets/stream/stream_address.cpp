@@ -6,7 +6,7 @@
 namespace abrazo::widgets {
 namespace {
 
-/// As the value of an option stands in a URI.
+/// An option value escaped for a URI.
 std::string encoded(std::string_view text) {
   std::string plain;
   for (const char c : text) {

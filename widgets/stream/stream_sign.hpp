@@ -13,7 +13,7 @@ class QPainter;
 namespace abrazo::widgets {
 
 QColor colour_of(StreamMark mark, const Palette& palette);
-/// 14 px around a point; each mark has a shape of its own: ring, ring with a hand, disc, triangle, cross.
+/// 14 px around a point; each mark has a different shape: ring, ring with a hand, disc, triangle, cross.
 void draw_sign(QPainter& painter, QPointF middle, StreamMark mark, const Palette& palette);
 
 StreamMark mark_of(StreamDiagnosis::Severity severity);

@@ -9,31 +9,31 @@
 
 namespace abrazo::widgets {
 
-/// How well a stream does; each has a sign, a word and a colour of its own.
+/// State of a stream; each has a sign, a word and a colour.
 enum class StreamMark { Off, Waiting, Good, Warning, Bad };
 
-/// The state of a connection in a word and a line.
+/// The state of a connection as a word and a line.
 struct StreamHeadline {
   StreamMark mark = StreamMark::Off;
   std::string word;    ///< "receiving"
   std::string detail;  ///< "vmc on this machine only (127.0.0.1:39539)"
 };
-/// @param health  null when nothing is connected
+/// @param health null = not connected
 StreamHeadline headline_of(const StreamHealth* health);
 
-/// A number with its name; its text has as many digits after the point always, so that it does not jump.
+/// A number with its name; the number of decimals is constant, so that the text does not jump.
 struct StreamFigure {
   std::string name, value;
-  bool is_odd = false;  ///< more than there should be
+  bool is_odd = false;  ///< higher than expected
   std::string help;
 };
-/// Of a performer, in pairs that stand in a line.
+/// Figures of a performer, two per line.
 std::vector<StreamFigure> figures_of(const PerformerHealth& performer);
 /// "unity map · head at 1.62 m · calibrated"
 std::string body_line(const PerformerHealth& performer);
-/// "estimated: lowerneck, upperneck"; empty when all are sent.
+/// "estimated: lowerneck, upperneck"; empty if all are sent.
 std::string estimated_line(const PerformerHealth& performer);
-/// Packets and bytes of the whole stream.
+/// Packets and bytes of the stream.
 std::vector<StreamFigure> traffic_of(const StreamHealth& health);
 
 /// "12 345 678"
@@ -42,10 +42,10 @@ std::string count_text(std::uint64_t count);
 std::string byte_count_text(std::uint64_t bytes);
 /// "56 4d 43 00  VMC."
 std::string dump_text(std::span<const std::uint8_t> bytes);
-/// Whether the stream has packets that are of no protocol that is known; `first_bytes` are theirs.
+/// Whether the stream has packets of an unknown protocol, with their `first_bytes`.
 bool has_unknown_packets(const StreamHealth& health);
 
-/// All of it as lines: for the clipboard, for a support request.
+/// The whole health as text, for the clipboard or a support request.
 std::string report_of(const StreamHealth& health);
 
 }  // namespace abrazo::widgets

@@ -7,9 +7,9 @@
 
 namespace abrazo::widgets {
 
-/// A grid of two settings in colours, with its legend. The pointer tells the value of a cell, a click or the
-/// arrow keys select one, Return or a double click adopts it. A ring marks the best cell, hatching what has
-/// no value.
+/// A grid of two settings in colours, with its legend. Hovering shows the value of a cell, a click or the
+/// arrow keys select it, Return or a double click adopts it. A ring marks the best cell, hatching marks cells
+/// without a value.
 class HeatMap : public QWidget {
   Q_OBJECT
  public:
@@ -18,16 +18,16 @@ class HeatMap : public QWidget {
   /// A change of size drops the selection.
   void showGrid(const SweepGrid& grid);
   const SweepGrid& grid() const { return m_grid; }
-  int selected() const { return m_selected; }  ///< a point; -1 when none is
+  int selected() const { return m_selected; }  ///< a point; -1 = none
   void select(int point);
-  /// Where a point is drawn.
+  /// Rectangle of a point.
   QRectF cellRect(int point) const;
   QSize sizeHint() const override { return {560, 380}; }
   QSize minimumSizeHint() const override { return {320, 240}; }
 
  signals:
   void selectionChanged(int point);
-  void hovered(int point);  ///< -1 when the pointer is beside the cells
+  void hovered(int point);  ///< -1 = outside the cells
   void adoptRequested(int point);
 
  protected:

@@ -16,21 +16,20 @@ class QToolButton;
 
 namespace abrazo::widgets {
 
-/// What to sweep: two settings with their values, the figure that is drawn, and the takes that are answered.
+/// Parameters of a sweep: two settings with their values, the displayed figure, and the evaluated takes.
 class SweepForm : public QWidget {
   Q_OBJECT
  public:
   explicit SweepForm(QWidget* parent = nullptr);
-  /// Ranges that were not touched yet are proposed around these; what has no effect with them cannot be
-  /// chosen.
+  /// Proposes ranges around these settings unless the user changed them; disables settings without effect.
   void setSettings(const Settings& settings);
-  /// @param proposed  chosen while nothing else was
+  /// @param proposed default until the user chooses another
   void setMetrics(const std::vector<std::string>& names, const std::string& proposed);
   void setTakes(const std::vector<std::string>& names);
   SweepRequest request() const;
-  /// The setting of the columns; the rows take another one if it was theirs.
+  /// Sets the setting of the columns; if the rows had it, they get another.
   void setColumns(const std::string& key);
-  /// While a sweep runs only the figure can be changed.
+  /// During a sweep only the figure can be changed.
   void setRunning(bool running);
 
  signals:

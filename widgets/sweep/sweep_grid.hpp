@@ -9,7 +9,7 @@
 
 namespace abrazo::widgets {
 
-/// Which value of a metric is best.
+/// The best value of a metric.
 enum class SweepGoal { Lowest, Highest, NearestZero };
 
 /// One point of a grid.
@@ -17,12 +17,12 @@ struct SweepCell {
   enum class State {
     Waiting,
     Measured,
-    Undefined,  ///< evaluated, but the metric has no value there
+    Undefined,  ///< evaluated, but without a value of the metric
     Failed
   };
   State state = State::Waiting;
   double value = 0;         ///< when measured
-  std::string explanation;  ///< of what failed
+  std::string explanation;  ///< of a failure
 };
 
 /// A side of a grid: a setting and the values it takes.
@@ -40,7 +40,7 @@ std::string metric_unit(std::string_view metric);
 /// Viridis (van der Walt and Smith 2015) at [0, 1] as red, green, blue in [0, 1].
 std::array<double, 3> sweep_colour(double fraction);
 
-/// What a heat map of two settings shows. Points run along x first; y grows upwards.
+/// Data of a heat map of two settings. Points are ordered by x first; y grows upwards.
 class SweepGrid {
  public:
   SweepGrid() = default;
@@ -59,7 +59,7 @@ class SweepGrid {
 
   const SweepCell& cell(int point) const { return cells_[static_cast<std::size_t>(point)]; }
   void set(int point, SweepCell cell) { cells_[static_cast<std::size_t>(point)] = std::move(cell); }
-  /// Other figures of the same points.
+  /// Shows another metric of the same points.
   void set_metric(std::string metric, SweepGoal goal);
 
   int count(SweepCell::State state) const;
@@ -67,10 +67,10 @@ class SweepGrid {
   std::optional<int> best() const;
   /// Smallest and largest value so far.
   std::optional<std::pair<double, double>> range() const;
-  /// Where a value lies in that range; 0.5 when all are equal.
+  /// Position of a value in that range; 0.5 if all are equal.
   double fraction_of(double value) const;
 
-  /// The point one key away, held at the edges.
+  /// The neighbouring point for an arrow key, clamped to the edges.
   int moved(int point, int right, int up) const;
 
   /// "α 0.5, w_Δ 0.2".

@@ -15,7 +15,7 @@ namespace abrazo::widgets {
 class HeatMap;
 class SweepForm;
 
-/// Asks for a sweep, shows how far it is and what it found, and hands over the cell that is to be used.
+/// Requests a sweep, shows progress and results, and passes on the adopted cell.
 class SweepPanel : public QWidget {
   Q_OBJECT
  public:
@@ -23,7 +23,7 @@ class SweepPanel : public QWidget {
   SweepForm& form() { return *m_form; }
   HeatMap& map() { return *m_map; }
   void setColours(const Palette& palette);
-  /// What the request would cost, or why it cannot be run.
+  /// Estimated cost of the request, or why it cannot run.
   void showEstimate(const QString& words, bool usable);
   void showGrid(const SweepGrid& grid);
   /// @param fraction  done, 0 to 1
@@ -31,7 +31,7 @@ class SweepPanel : public QWidget {
   void setRunning(bool running);
 
  signals:
-  void edited();  ///< the form asks for something else
+  void edited();  ///< the form changed
   void startRequested(const abrazo::widgets::SweepRequest& request);
   void cancelRequested();
   void adoptRequested(int point);

@@ -10,11 +10,11 @@
 
 namespace abrazo::widgets {
 
-/// What a person asks a sweep for, in the words of the command line.
+/// A sweep request in the syntax of the command line.
 struct SweepRequest {
   std::string x, y;                ///< "alpha=0:1:5", "velocity-weight=log:0.01:1:5", "foot-locks=off,on"
   std::string metric;              ///< path in report.json
-  std::vector<std::string> takes;  ///< to be answered; empty: all
+  std::vector<std::string> takes;  ///< evaluated takes; empty = all
 };
 
 /// Ends and number of values of one side.
@@ -29,8 +29,8 @@ inline bool is_counted(const SettingInfo& info) {
   return info.kind == SettingInfo::Kind::Real || info.kind == SettingInfo::Kind::Integer;
 }
 
-/// A range around the present value that is worth looking at: a decade to either side where the slider is
-/// logarithmic, else from the lower end to some times the value.
+/// A useful range around the present value: a decade to either side for logarithmic sliders, else from the
+/// lower end to a multiple of the value.
 inline SweepSpan usual_span(const SettingInfo& info, double now) {
   const auto two_digits = [](double value) {
     if (!(value > 0)) return value;
@@ -53,7 +53,7 @@ inline SweepSpan usual_span(const SettingInfo& info, double now) {
   return span;
 }
 
-/// "alpha=0:1:5". A setting without numbers takes all its values.
+/// "alpha=0:1:5". A setting without numbers uses all its values.
 inline std::string axis_text(const SettingInfo& info, const std::string& from, const std::string& to,
                              int count) {
   const std::string key(info.key);

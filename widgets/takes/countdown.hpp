@@ -6,15 +6,15 @@
 
 namespace abrazo::widgets {
 
-/// The seconds until a take begins, large enough to be read across a studio; over another widget, in its
-/// middle. Never takes the pointer.
+/// The seconds until a take begins, readable across a studio, over the middle of another widget. Ignores the
+/// pointer.
 class Countdown : public QWidget {
   Q_OBJECT
  public:
-  /// @param over  it covers the middle of this widget, of which it becomes a child
+  /// @param over parent widget, whose middle it covers
   explicit Countdown(QWidget* over);
   void setColours(const Palette& palette);
-  /// 0 hides it. @param take  what will be recorded
+  /// 0 hides it. @param take name of the take
   void showCount(int seconds, const QString& take);
   int count() const { return m_count; }
 

@@ -10,15 +10,15 @@ class QPushButton;
 
 namespace abrazo::widgets {
 
-/// A session that a program did not close.
+/// A session that was not closed properly.
 struct LeftoverSession {
   QString file;
   QString words;  ///< "Session of 14:03 was not closed; 12 min, 3 takes"
-  /// Another file that opens with it, and is not offered by itself; empty when there is none.
+  /// The file with which this one opens, so that it is not offered separately; empty = none.
   QString belongsTo = {};
 };
 
-/// Offers sessions that were not closed, one after the other: open, keep for later, discard.
+/// Offers sessions that were not closed properly, one by one: open, keep for later, discard.
 class LeftoverBar : public QWidget {
   Q_OBJECT
  public:

@@ -18,8 +18,8 @@ namespace abrazo::widgets {
 class TabularLabel;
 class TakeRows;
 
-/// Recording takes of a session: the next name, the big button, the countdown, how the disk keeps up, and the
-/// takes there are. Records nothing itself: it asks, and shows what it is given.
+/// Recording of takes: next name, record button, countdown, state of the disk, and the list of takes. Records
+/// nothing itself: it emits requests and shows what it is given.
 class TakePanel : public QWidget {
   Q_OBJECT
  public:
@@ -29,7 +29,7 @@ class TakePanel : public QWidget {
   void showStatus(const RecordingStatus& status);
   QString typedName() const;
   void setTypedName(const QString& name);
-  /// What the next take will be called.
+  /// Name of the next take.
   QString nextName() const;
   int countdown() const;  ///< [s]
   void setCountdown(int seconds);
@@ -40,7 +40,7 @@ class TakePanel : public QWidget {
   QPushButton& againButton() { return *m_again; }
 
  signals:
-  void recordRequested();  ///< starts a take, gives up a countdown, or ends the take
+  void recordRequested();  ///< starts a take, cancels a countdown, or ends the take
   void againRequested();
   void nameEdited(const QString& name);
   void countdownEdited(int seconds);

@@ -7,17 +7,17 @@
 
 namespace abrazo::widgets {
 
-/// The takes of a session, one row each: name and length, below it when, how much and who. Return and a
-/// double click go to one, F2 renames it, Del asks for it to go; it changes nothing itself.
+/// The takes of a session, one row each: name and length; below them time, size and performers. Return and a
+/// double click go to a take, F2 renames it, Del requests its removal; the list changes nothing itself.
 class TakeRows : public QListWidget {
   Q_OBJECT
  public:
   explicit TakeRows(QWidget* parent = nullptr);
   void setTakes(const RecordedTakes& takes);
   void setColours(const Palette& palette);
-  /// That is being recorded; -1 when none is.
+  /// The take being recorded; -1 = none.
   void setRunning(std::int64_t id);
-  std::int64_t currentTake() const;  ///< -1 when none is chosen
+  std::int64_t currentTake() const;  ///< -1 = none
   void setCurrentTake(std::int64_t id);
   void rename();  ///< opens the editor of the current row
 

@@ -37,7 +37,7 @@ QImage curve_picture(const std::vector<SampleCurve::Extent>& columns, double upp
     if (is_empty(columns[i])) continue;
     double top = y(columns[i].most), bottom = y(columns[i].least);
     const double own_top = top, own_bottom = bottom;
-    // Half of the way to each neighbour, so that a steep curve has no holes.
+    // Extends half-way to each neighbour, so that a steep curve has no holes.
     for (const std::size_t neighbour : {i - 1, i + 1}) {
       if (neighbour >= columns.size() || is_empty(columns[neighbour])) continue;
       const double next_top = y(columns[neighbour].most), next_bottom = y(columns[neighbour].least);

@@ -8,9 +8,9 @@
 
 namespace abrazo::widgets {
 
-/// A curve of one column for each pixel: a line through the columns that stands as high as their values
-/// reach. Written pixel by pixel, because stroking thousands of points takes tens of milliseconds.
-/// @param upper  value at the upper edge; larger ones are cut there. 0 lies at the lower edge
+/// A curve with one column per pixel: a line that covers the extent of each column. Written pixel by pixel,
+/// because stroking thousands of points takes tens of milliseconds.
+/// @param upper value at the upper edge, where larger values are cut. 0 is at the lower edge
 /// @param thickness_px  of the line
 QImage curve_picture(const std::vector<SampleCurve::Extent>& columns, double upper, int height_px,
                      double thickness_px, const QColor& colour);

@@ -8,7 +8,7 @@ namespace abrazo::widgets {
 class QuickEntry : public EntryFrame {
   Q_OBJECT
  public:
-  /// Replaces one that is open. @param above  its lower left corner comes there, in the widget
+  /// Opens a field; replaces an open one. @param above lower left corner in the widget
   static QuickEntry* open(QWidget& widget, const QPoint& above, const QString& prompt, const QString& start,
                           Take take);
 

@@ -39,7 +39,7 @@ void SampleCurve::thin_older(std::size_t newest, std::size_t most_older) {
   }
 }
 
-/// What is given up goes with it. @return how many samples are left of `count`
+/// Removes dropped samples too. @return the number left of `count`
 std::size_t SampleCurve::halve(std::size_t first, std::size_t count) {
   const auto by_value = [](const Sample& a, const Sample& b) { return a.value < b.value; };
   std::size_t to = first;

@@ -7,8 +7,8 @@
 
 namespace abrazo::widgets {
 
-/// A figure over time that is drawn at any zoom without looking at every sample: blocks of samples know their
-/// smallest and largest. Appended at the new end, given up at the old one. Plain data, no toolkit.
+/// A figure over time that is drawn at any zoom without visiting every sample: blocks of samples keep minimum
+/// and maximum. Appended at the new end, dropped at the old end. Plain data, independent of Qt.
 class SampleCurve {
  public:
   struct Extent {
@@ -16,17 +16,17 @@ class SampleCurve {
     float most = 0;
   };
 
-  /// Times ascend. A value that is not finite is left out.
+  /// Times ascend. Values that are not finite are ignored.
   void append(double time_s, double value);
   void drop_before(double time_s);
-  /// So that hours do not fill the memory: the newest samples stay as they are, those before become at most
-  /// `most_older`. Of each four the least and the largest remain. To be called now and then.
+  /// Bounds the memory: keeps the newest samples and reduces older ones to at most `most_older`. Minimum and
+  /// maximum of each four remain. Call at intervals.
   void thin_older(std::size_t newest, std::size_t most_older);
   void clear();
 
   std::size_t size() const { return samples_.size() - begin_; }
-  /// Smallest and largest value in each of `columns` equal parts of [from, to); `least > most` where there is
-  /// no sample. Costs the number of columns, not that of the samples.
+  /// Smallest and largest value in each of `columns` equal parts of [from, to); `least > most` = no sample.
+  /// The cost depends on the number of columns, not samples.
   std::vector<Extent> columns(double from_s, double to_s, int columns) const;
 
  private:
@@ -41,7 +41,7 @@ class SampleCurve {
   static constexpr std::size_t block_size = 32;
   std::vector<Sample> samples_;
   std::vector<Extent> blocks_;  ///< of block_size samples each
-  std::size_t begin_ = 0;       ///< samples before are given up
+  std::size_t begin_ = 0;       ///< earlier samples are dropped
   Thinning thinning_;
 };
 
@@ -49,10 +49,10 @@ inline bool is_empty(const SampleCurve::Extent& column) {
   return column.least > column.most;
 }
 
-/// Fills empty columns between two that are not, on a straight line, where at most `longest` are empty.
+/// Interpolates up to `longest` empty columns between two others linearly.
 void bridge_columns(std::vector<SampleCurve::Extent>& columns, int longest);
 
-/// How high a curve must reach for these columns: the largest value, unless single ones tower. 0 without any.
+/// Upper end for a curve of these columns: the largest value without outliers. 0 without any.
 double usual_upper(const std::vector<SampleCurve::Extent>& columns);
 
 }  // namespace abrazo::widgets

@@ -27,7 +27,7 @@ TierDrag::Kind kind_of(const TierHit& hit, bool draws_anew) {
 
 struct Snap {
   double time_s = 0;
-  std::optional<double> mark_s;  ///< what it snapped to, unless that is a frame
+  std::optional<double> mark_s;  ///< snap target, unless it is a frame
 };
 
 Snap snap(double time_s, const SnapTargets& targets, double reach_s) {

@@ -7,37 +7,37 @@
 
 namespace abrazo::widgets {
 
-/// What a drag in the lanes of tiers may take notice of.
+/// Rules of a drag in the lanes of tiers.
 struct TierRules {
   Conflict conflict = Conflict::Replace;
   Annotations::Range range;
-  double fps = 0;  ///< 0: there is no grid of frames
+  double fps = 0;  ///< 0 = no frame grid
 
   bool operator==(const TierRules&) const = default;
 };
 
-/// A drag in the lane of a tier, from press to release: what the annotations would be. Plain arithmetic, no
-/// toolkit; nothing is changed before it is let go.
+/// A drag in the lane of a tier, from press to release: computes the resulting annotations. Independent of
+/// Qt; nothing changes before the release.
 class TierDrag {
  public:
   enum class Kind { Draw, Move, Start, End, Between };
 
   struct Outcome {
-    Annotations annotations;          ///< as they would be; of Draw as they were
-    double from_s = 0, to_s = 0;      ///< of what is dragged
+    Annotations annotations;          ///< result; unchanged for Draw
+    double from_s = 0, to_s = 0;      ///< of the dragged item
     std::optional<double> snapped_s;  ///< at an edge, marker or the cursor; not at a frame
-    std::string refused;              ///< why it cannot be; empty when it can
+    std::string refused;              ///< reason of a refusal; empty if valid
     bool moved = false;
   };
 
-  /// @param draws_anew  also over what is there already
+  /// @param draws_anew draws even over existing annotations
   TierDrag(const Annotations& annotations, const TierHit& hit, double pressed_s, const TierRules& rules,
            bool draws_anew);
 
   Kind kind() const { return kind_; }
   int tier() const { return hit_.tier; }
   int annotation() const { return hit_.annotation; }
-  /// @param targets  without edges of its own; @param reach_s 0: to frames only
+  /// @param targets without the dragged edges; @param reach_s 0 = frames only
   Outcome to(double time_s, const SnapTargets& targets, double reach_s) const;
   /// "resize turn", "draw".
   std::string words() const;
@@ -52,11 +52,11 @@ class TierDrag {
   double pressed_s_;
   TierRules rules_;
   Kind kind_;
-  Annotation dragged_, next_;  ///< as they were
+  Annotation dragged_, next_;  ///< original state
 };
 
-/// Where edges may snap: edges of all annotations but those that are dragged, and the frames nearest to
-/// markers, in and out and the cursor.
+/// Snap targets of edges: edges of all annotations except the dragged ones, and the frames nearest to
+/// markers, in, out and cursor.
 SnapTargets snap_targets(const Annotations& annotations, const TierHit& dragged, double fps, double cursor_s,
                          const std::vector<double>& markers_s);
 

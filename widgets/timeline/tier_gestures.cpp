@@ -64,7 +64,7 @@ TierHit TimelineView::tierUnder(const QPointF& place) const {
   return tier_hit(place.x(), place.y(), axis(), m_content.lanes, m_content.tiers.annotations);
 }
 
-/// Ctrl draws over what is there. A click goes there, as it does in every lane, and chooses what is there.
+/// Ctrl draws over existing labels. A click seeks, as in every lane, and selects the label there.
 bool TimelineView::beginInTier(QMouseEvent* event) {
   using Part = TierHit::Part;
   const TierHit found = tierUnder(event->localPos());
@@ -78,7 +78,7 @@ bool TimelineView::beginInTier(QMouseEvent* event) {
   if (found.part == Part::Name) return true;
   m_drag = Drag::Tier;
   TierRules& rules = m_content.tiers.rules;
-  rules.range.last_s = std::max(rules.range.last_s, m_content.playback.last_s);  // it goes on while live
+  rules.range.last_s = std::max(rules.range.last_s, m_content.playback.last_s);  // it continues while live
   const bool anew = event->modifiers() & Qt::ControlModifier || found.part == Part::Suggestion;
   m_content.tiers.drag.emplace(m_content.tiers.annotations, found, m_pressedTime, m_content.tiers.rules,
                                anew);

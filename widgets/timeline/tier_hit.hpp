@@ -9,7 +9,7 @@
 
 namespace abrazo::widgets {
 
-/// What of the lanes of tiers lies under the pointer. Plain arithmetic, no toolkit.
+/// The item under the pointer in the lanes of tiers. Independent of Qt.
 struct TierHit {
   enum class Part {
     Nothing,     ///< no lane of a tier
@@ -18,22 +18,22 @@ struct TierHit {
     Body,        ///< of an annotation
     Start,       ///< its edge
     End,         ///< its edge
-    Between,     ///< the edge that two annotations share
-    Suggestion,  ///< what is only proposed, where nothing is confirmed
+    Between,     ///< the common edge of two annotations
+    Suggestion,  ///< a suggestion, if there is no annotation
   };
   Part part = Part::Nothing;
   int tier = 0;
-  int annotation = 0;  ///< of Between the earlier one; of Suggestion its id
-  int next = 0;        ///< of Between the later one
+  int annotation = 0;  ///< for Between the earlier one; for Suggestion its id
+  int next = 0;        ///< for Between the later one
 
   bool operator==(const TierHit&) const = default;
   bool is_edge() const { return part == Part::Start || part == Part::End || part == Part::Between; }
 };
 
-/// Nearer than this to an edge the pointer takes hold of it.
+/// Distance within which the pointer grabs an edge.
 inline constexpr double edge_reach_px = 5;
 
-/// The edge of a tier nearest to a time, within reach; of one that is narrow, a body is left between.
+/// The edge of a tier nearest to a time, within reach; a narrow annotation keeps a body between its edges.
 inline TierHit edge_near(const AnnotationTier& tier, double time_s, double second_px) {
   using Part = TierHit::Part;
   TierHit found{Part::Empty, tier.id};

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double tier_names_left = 14, text_left = 8;
 constexpr double no_letter_px = 20;
-constexpr int readable = 4;  // fewer letters of a name say nothing
+constexpr int readable = 4;  // fewer letters of a name are useless
 
 class TierPainting {
  public:

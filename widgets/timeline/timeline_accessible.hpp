@@ -2,8 +2,8 @@
 
 namespace abrazo::widgets {
 
-/// From now on a TimelineView tells assistive programs its cursor as the value of a slider, and lets them
-/// set it. Once is enough; more is harmless.
+/// Makes TimelineView expose its cursor to assistive programs as the value of a slider. May be called more
+/// than once.
 void install_timeline_accessibility();
 
 }  // namespace abrazo::widgets

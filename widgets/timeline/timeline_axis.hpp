@@ -6,7 +6,7 @@
 
 namespace abrazo::widgets {
 
-/// Seconds on pixels and back. Plain arithmetic, no toolkit.
+/// Conversion between seconds and pixels. Independent of Qt.
 struct TimelineAxis {
   double left_px = 0;
   double width_px = 100;
@@ -21,28 +21,27 @@ struct TimelineAxis {
   double time(double x_px) const { return first_s + (x_px - left_px) / width_px * span_s; }
   double seconds_per_pixel() const { return span_s / std::max(width_px, 1.0); }
 
-  /// Changes the span by a factor and leaves `fixed_s` where it is.
+  /// Scales the span by a factor about `fixed_s`.
   void zoom(double factor, double fixed_s) {
     const double wanted = std::clamp(span_s * factor, shortest_s, longest_s);
     first_s = fixed_s - (fixed_s - first_s) * wanted / span_s;
     span_s = wanted;
   }
 
-  /// Shows [from, to] with a little room at both ends.
+  /// Shows [from, to] with a small margin at both ends.
   void show(double from_s, double to_s) {
     constexpr double room = 0.02;
     span_s = std::clamp((to_s - from_s) * (1 + 2 * room), shortest_s, longest_s);
     first_s = (from_s + to_s) / 2 - span_s / 2;
   }
 
-  /// Shows the end of [first, last] at the right, with a little room; the beginning at the left while all
-  /// fits.
+  /// Shows the end of [first, last] at the right, with a small margin; the beginning at the left if all fits.
   void follow(double range_first_s, double range_last_s) {
     constexpr double room = 0.02;
     first_s = std::max(range_first_s, range_last_s - span_s * (1 - room));
   }
 
-  /// Moves as little as shows the time; from far away, to the middle.
+  /// Scrolls as little as possible to show the time; from far away, centres it.
   void reveal(double time_s) {
     constexpr double margin = 0.04;
     if (time_s < first_s - span_s || time_s > last_s() + span_s)

@@ -21,17 +21,17 @@
 
 namespace abrazo::widgets {
 
-/// A stretch of the session that has a name.
+/// A named stretch of the session.
 struct TimelineTake {
   std::int64_t id = 0;
   double from_s = 0, to_s = 0;
   std::string name;
-  bool is_running = false;  ///< lasts until the live end
+  bool is_running = false;  ///< extends to the live end
 
   bool operator==(const TimelineTake&) const = default;
 };
 
-/// All that a picture of the timeline is made from.
+/// The content of a picture of the timeline.
 struct TimelineContent {
   Palette palette;
   std::shared_ptr<const MotionLibrary> library;
@@ -39,9 +39,9 @@ struct TimelineContent {
   TimelineLanes lanes;
   TimelineTracks tracks;
   SettingsTrack settings;
-  std::vector<SettingsChange> settings_marks;  ///< of `settings`, near ones as one
-  std::vector<TimelineTake> takes;             ///< in the order they were recorded
-  double memory_first_s = 0;                   ///< frames before this are on disk
+  std::vector<SettingsChange> settings_marks;  ///< of `settings`, near ones merged
+  std::vector<TimelineTake> takes;             ///< in order of recording
+  double memory_first_s = 0;                   ///< earlier frames are on disk
   Markers markers;
   int selected_marker = 0;
   TimelineTiers tiers;
@@ -51,13 +51,13 @@ struct TimelineContent {
   const TimelineAxis& axis() const { return viewport.axis(); }
 };
 
-/// The facts at a place, as rich text; empty where there are none.
+/// Facts at a position, as rich text; empty if there are none.
 QString facts_at(const TimelineContent& content, const QPointF& place);
 
-/// The take at a time, of several the one that was recorded last; null where there is none.
+/// The take at a time, the last recorded of several; null if there is none.
 const TimelineTake* take_at(const TimelineContent& content, double time_s);
 
-/// Who leads in a frame that the user's role and the recording tell about.
+/// Who leads in a frame, from the user's role and the recording.
 /// @param pair  the selected one, of this library; -1 = none
 Leader leader_of(const FrameSnapshot& frame, int pair, const MotionLibrary* library);
 

@@ -131,7 +131,7 @@ Leader leader_of(const FrameSnapshot& frame, int pair, const MotionLibrary* libr
   if (!library || pair < 0 || pair >= library->pair_count()) return as_set;
   const PairSource& source = library->source(pair);
   if (source.annotated == ActivePerformer::Unknown) return as_set;
-  // Whom the user stands for: the one that the library holds as active, or the other.
+  // The performer that the user replaces: the active one of the library pair, or the other.
   const bool user_is_a = user_is_active != source.swapped;
   return (source.annotated == ActivePerformer::A) == user_is_a ? Leader::User : Leader::Partner;
 }

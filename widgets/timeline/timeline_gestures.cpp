@@ -122,7 +122,7 @@ void TimelineView::dragRangeTo(double time_s) {
     emit rangeRequested(std::min(start, time_s), std::max(start, time_s));
     return;
   }
-  // A handle stops at the other one: what was dragged together would be gone.
+  // A handle stops at the other one: an empty range would disappear.
   const double least_s = axis().seconds_per_pixel();
   if (m_drag == Drag::In)
     emit rangeRequested(std::min(time_s, m_draggedRange.to_s - least_s), m_draggedRange.to_s);

@@ -10,7 +10,7 @@
 
 namespace abrazo::widgets {
 
-/// What lies under the pointer. Plain arithmetic, no toolkit.
+/// The item under the pointer. Independent of Qt.
 struct TimelineHit {
   enum class Part { Nothing, Names, Time, In, Out, Range, Marker, Overview };
   Part part = Part::Nothing;
@@ -19,7 +19,7 @@ struct TimelineHit {
   bool operator==(const TimelineHit&) const = default;
 };
 
-/// @param markers  those on the ruler and in their lane can be taken hold of
+/// @param markers grabbed on the ruler and in their lane
 /// @param partial  there is an overview
 inline TimelineHit hit(double x_px, double y_px, const TimelineAxis& axis, const TimelineLanes& lanes,
                        const std::optional<Playback::Range>& range, const Markers& markers, bool partial) {
@@ -31,7 +31,7 @@ inline TimelineHit hit(double x_px, double y_px, const TimelineAxis& axis, const
   TimelineLane lane{};
   const bool on_markers = lanes.lane_at(y_px, lane) && lane == TimelineLane::Markers;
   if (on_ruler || on_markers) {
-    // The flag of a marker stands to the right of its time.
+    // The flag of a marker is to the right of its time.
     const double flag_px = on_markers ? 12 : reach_px;
     const double middle_s = axis.time(x_px - (flag_px - reach_px) / 2);
     const double reach_s = (flag_px + reach_px) / 2 * axis.seconds_per_pixel();

@@ -17,7 +17,7 @@ struct TimelineLaneInfo {
   std::string_view name;
   double height_px;
   bool shown_at_first;
-  bool says_of_a_take;  ///< something, when a take is shown in place of the session
+  bool says_of_a_take;  ///< has content for a take instead of the session
 };
 inline constexpr std::array<TimelineLaneInfo, timeline_lane_count> timeline_lane_infos = {{
     {"Source", 27, true, true},
@@ -35,7 +35,7 @@ constexpr const TimelineLaneInfo& info_of(TimelineLane lane) {
   return timeline_lane_infos[static_cast<std::size_t>(lane)];
 }
 
-/// A row for a tier of annotations.
+/// The row of a tier of annotations.
 struct TierLane {
   int tier = 0;  ///< its id
   std::string name;
@@ -43,8 +43,8 @@ struct TierLane {
   bool operator==(const TierLane&) const = default;
 };
 
-/// Which lanes there are and where: the ruler above and the overview below stay, what is between scrolls
-/// where the panel is low. Lanes of tiers stand below the computed ones. Plain arithmetic, no toolkit.
+/// Layout of the lanes: the ruler above and the overview below are fixed, the lanes between scroll in a low
+/// panel. Lanes of tiers are below the computed ones. Independent of Qt.
 class TimelineLanes {
  public:
   static constexpr double ruler_px = 22, overview_px = 14, gap_px = 4, tier_px = 27;
@@ -61,7 +61,7 @@ class TimelineLanes {
     shown_[static_cast<std::size_t>(lane)] = on;
     scroll_to(scroll_px_);
   }
-  /// While a take of the library is shown, lanes that say nothing of it are away.
+  /// While a take of the library is shown, lanes without content for it are hidden.
   void set_of_take(bool on) {
     of_take_ = on;
     scroll_to(scroll_px_);
@@ -73,7 +73,7 @@ class TimelineLanes {
     tiers_ = std::move(tiers);
     scroll_to(scroll_px_);
   }
-  /// Hidden by its name, also in other subjects and when it comes back.
+  /// Hiding is by name: it also applies in other subjects and after the tier returns.
   bool is_shown(const TierLane& lane) const { return !hidden_.contains(lane.name); }
   void set_tier_shown(const std::string& name, bool on) {
     on ? void(hidden_.erase(name)) : void(hidden_.insert(name));
@@ -82,7 +82,7 @@ class TimelineLanes {
 
   /// Height of all shown lanes.
   double content_px() const { return computed_px() + tiers_above(tiers_.size()); }
-  /// Of the whole timeline, so that nothing scrolls.
+  /// Height at which nothing scrolls.
   double whole_px() const { return top_px() + content_px() + overview_px; }
 
   void set_height(double height_px) {
@@ -94,14 +94,14 @@ class TimelineLanes {
   double most_scroll_px() const { return std::max(0.0, content_px() - (bottom_px() - top_px())); }
   double scroll_px() const { return scroll_px_; }
   void scroll_to(double px) { scroll_px_ = std::clamp(px, 0.0, most_scroll_px()); }
-  /// So far that a tier's lane is to be seen whole.
+  /// Scrolls until a tier's lane is fully visible.
   void reveal(int tier) {
     const double top = top_of_tier(tier);
     if (top < top_px()) scroll_to(scroll_px_ - (top_px() - top));
     if (top + tier_px > bottom_px()) scroll_to(scroll_px_ + top + tier_px - bottom_px());
   }
 
-  /// Where the top of a lane is; it may lie outside [top_px, bottom_px].
+  /// Top of a lane; may be outside [top_px, bottom_px].
   double top_of(TimelineLane lane) const {
     double y = top_px() - scroll_px_;
     for (std::size_t above = 0; above < static_cast<std::size_t>(lane); ++above)
@@ -114,7 +114,7 @@ class TimelineLanes {
     return top_px() - scroll_px_ + computed_px() + tiers_above(place);
   }
 
-  /// @return whether a shown lane is at this height; then which
+  /// @return whether a shown lane is at this height; sets `found`
   bool lane_at(double y_px, TimelineLane& found) const {
     if (y_px < top_px() || y_px >= bottom_px()) return false;
     for (int lane = 0; lane < timeline_lane_count; ++lane) {
@@ -126,7 +126,7 @@ class TimelineLanes {
     }
     return false;
   }
-  /// Id of the tier whose shown lane is at this height; 0 where there is none.
+  /// Id of the tier whose shown lane is at this height; 0 = none.
   int tier_at(double y_px) const {
     if (y_px < top_px() || y_px >= bottom_px()) return 0;
     for (const TierLane& lane : tiers_) {
@@ -136,9 +136,8 @@ class TimelineLanes {
     return 0;
   }
 
-  /// "Source Moves|notes": names of the shown computed lanes and of the hidden tiers, to be remembered; and
-  /// back. Names of computed lanes that it does not know are passed over. In a tier's name '|' is "%7C" and
-  /// '%' is "%25".
+  /// "Source Moves|notes": stored form of the shown computed lanes and the hidden tiers. Unknown lane names
+  /// are ignored. In a tier's name '|' is "%7C" and '%' is "%25".
   std::string text() const {
     std::string names;
     for (std::size_t lane = 0; lane < shown_.size(); ++lane)

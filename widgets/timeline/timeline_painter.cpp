@@ -185,7 +185,7 @@ class Painting {
       if (look.name.isEmpty() || area.width() < no_letter) continue;
       const QString fitting =
           p.fontMetrics().elidedText(look.name, Qt::ElideRight, static_cast<int>(area.width()) - 12);
-      constexpr int readable = 6;  // fewer letters of a name say nothing
+      constexpr int readable = 6;  // fewer letters of a name are useless
       if (fitting != look.name && fitting.size() < readable) continue;
       p.setPen(colours.text);
       p.drawText(area.adjusted(8, 0, 0, 0), Qt::AlignVCenter | Qt::AlignLeft, fitting);

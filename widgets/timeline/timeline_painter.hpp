@@ -7,13 +7,13 @@ namespace abrazo::widgets {
 
 struct TimelineContent;
 
-/// Everything but the cursor and the overview; what changes seldom enough to be kept as a picture.
+/// Paints everything except cursor and overview: the part that changes rarely and is cached as a picture.
 void paint_timeline(QPainter& painter, const TimelineContent& content, const QSize& size);
 
-/// The white line through all lanes.
+/// Paints the white line through all lanes.
 void paint_timeline_cursor(QPainter& painter, const TimelineContent& content, const QSize& size);
 
-/// Below the lanes: where the view lies in all there is. Nothing while all is in view.
+/// Paints the overview below the lanes: the view within the whole range. Nothing if everything is in view.
 void paint_timeline_overview(QPainter& painter, const TimelineContent& content, const QSize& size);
 
 }  // namespace abrazo::widgets

@@ -12,7 +12,7 @@ class QPainter;
 
 namespace abrazo::widgets {
 
-/// Something that is being said while the cursor goes on: from here to the cursor.
+/// An open label while the cursor moves: from its start to the cursor.
 struct RunningLabel {
   int tier = 0;
   double from_s = 0;
@@ -21,16 +21,16 @@ struct RunningLabel {
   bool operator==(const RunningLabel&) const = default;
 };
 
-/// Lanes of tiers: what they show, and what of it is chosen.
+/// Content and selection of the lanes of tiers.
 struct TimelineTiers {
   Annotations annotations;
   int active_tier = 0;
   int selected = 0;    ///< annotation
-  int suggestion = 0;  ///< that a person looks at
+  int suggestion = 0;  ///< suggestion being viewed
   TierRules rules;
   std::vector<RunningLabel> running;
   std::optional<TierDrag> drag;
-  TierDrag::Outcome dragged;  ///< while there is a drag
+  TierDrag::Outcome dragged;  ///< valid during a drag
 
   const Annotations& shown() const { return drag && dragged.moved ? dragged.annotations : annotations; }
 };
@@ -39,10 +39,10 @@ struct TimelineContent;
 
 void paint_tier_names(QPainter& painter, const TimelineContent& content);
 void paint_tiers(QPainter& painter, const TimelineContent& content);
-/// What is being said while the cursor goes on.
+/// Paints the open labels while the cursor moves.
 void paint_running_labels(QPainter& painter, const TimelineContent& content);
 
-/// The facts at a place in the lane of a tier, as rich text.
+/// Facts at a position in the lane of a tier, as rich text.
 QString tier_facts(const TimelineContent& content, const QPointF& place);
 
 }  // namespace abrazo::widgets

@@ -20,7 +20,7 @@ Lane::const_iterator ending_after(const Lane& lane, double time_s) {
 }  // namespace
 
 double TimelineTracks::longest_gap_s() const {
-  constexpr double uneven = 1.5;  // rows that were left out evenly by index are not quite even in time
+  constexpr double uneven = 1.5;  // rows thinned evenly by index are not quite even in time
   return std::max(gap_s, uneven * left_out_s_);
 }
 

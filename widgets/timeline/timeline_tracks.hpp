@@ -11,13 +11,13 @@
 
 namespace abrazo::widgets {
 
-/// Who leads: what the setting says of the user, unless the recording's annotation says otherwise.
+/// Who leads: by the annotation of the recording, else by the setting of the user's role.
 enum class Leader { User, Partner };
 
-/// What the lanes take of one frame.
+/// Values of one frame for the lanes.
 struct TrackRow {
   double time_s = 0;
-  int pair = -1;           ///< of the library; -1 when nothing was selected
+  int pair = -1;           ///< of the library; -1 = none selected
   int take = -1;           ///< of that pair
   std::string_view label;  ///< its move; may be empty
   bool source_changed = false;
@@ -25,11 +25,11 @@ struct TrackRow {
   double cost = 0;             ///< of the selected pair [m^2], of `intent` [m]
   double energy = 0;           ///< sum of the terms [m^2]
   bool user_is_active = true;  ///< the role the user was given, whoever leads
-  double left_out_s = 0;       ///< to the row before, where the frames between them were left out
+  double left_out_s = 0;       ///< to the previous row, if frames between them were left out
   bool is_by_intent = false;   ///< the cost
 };
 
-/// What the lanes of the timeline show, kept up frame by frame. Plain data, no toolkit.
+/// Content of the lanes of the timeline, updated frame by frame. Plain data, independent of Qt.
 class TimelineTracks {
  public:
   struct Interval {
@@ -43,12 +43,12 @@ class TimelineTracks {
   /// Rows come in ascending time.
   void append(const TrackRow& row);
   void drop_before(double time_s);
-  /// So that hours do not fill the memory: curves as in SampleCurve; of the pairs of older frames every other
-  /// is left out, as often as needed. Lanes keep all their intervals.
+  /// Bounds the memory: curves as in SampleCurve; pairs of older frames are halved as often as needed. Lanes
+  /// keep all their intervals.
   void thin_older(std::size_t newest, std::size_t most_older);
   void clear();
 
-  const Lane& sources() const { return sources_; }  ///< a jump within a take begins an interval, too
+  const Lane& sources() const { return sources_; }  ///< a jump within a take also begins an interval
   const Lane& moves() const { return moves_; }
   const Lane& leaders() const { return leaders_; }
   const Lane& user_roles() const { return user_roles_; }
@@ -57,12 +57,12 @@ class TimelineTracks {
   const SampleCurve& energies() const { return energies_; }
   const std::string& label(int key) const { return labels_[static_cast<std::size_t>(key)]; }
 
-  /// Without a row for longer than this nothing is known, and lanes and curves end.
+  /// Lanes and curves end at a gap longer than this.
   double longest_gap_s() const;
 
-  /// The pair selected in the frame shown at a time; -1 where there is none.
+  /// The pair selected in the frame shown at a time; -1 = none.
   int pair_at(double time_s) const;
-  /// Where the move of the sources last changed before, or next changes after a time.
+  /// The last change of the sources' move before a time, or the next after it.
   std::optional<double> edge_before(double time_s) const;
   std::optional<double> edge_after(double time_s) const;
 
@@ -75,19 +75,19 @@ class TimelineTracks {
   int label_key(std::string_view label);
 
   Lane sources_, moves_, leaders_, user_roles_, by_intent_;
-  double left_out_s_ = 0;  ///< most there was
+  double left_out_s_ = 0;  ///< largest value
   SampleCurve costs_, energies_;
-  std::deque<Selection> pairs_;  ///< of every frame, but for older ones
+  std::deque<Selection> pairs_;  ///< of every frame; thinned for older ones
   std::size_t older_pairs_ = 0;
-  int pairs_level_ = 0;  ///< so often the older ones were halved
+  int pairs_level_ = 0;  ///< number of halvings of older ones
   std::vector<std::string> labels_;
 };
 
-/// The interval of a lane at a time; null where there is none.
+/// The interval of a lane at a time; null if there is none.
 const TimelineTracks::Interval* interval_at(const TimelineTracks::Lane& lane, double time_s);
 
-/// The intervals of a lane that are to be drawn in [from, to]: of those shorter than `least_s` only the first
-/// at each `least_s`. Costs the number of what is returned, not that of the intervals.
+/// The intervals of a lane to draw in [from, to]; of those shorter than `least_s` only the first in each
+/// `least_s`. The cost depends on the number of returned intervals only.
 TimelineTracks::Lane drawn(const TimelineTracks::Lane& lane, double from_s, double to_s, double least_s);
 
 /// The digits at the end of a take's name ("salsa_06" -> "06"), or the whole name.

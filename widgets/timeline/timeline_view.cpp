@@ -19,7 +19,7 @@ constexpr int right_margin = 16;
 constexpr std::size_t newest_kept = 40'000;  // five minutes and a half at 120 Hz
 constexpr std::size_t older_kept = 40'000;
 
-/// Of a frame that may have been solved with another library; only what is shown of it is translated.
+/// The frame may be from another library; only its shown values are converted.
 /// @param dt_s  since the previous step, for the weight of its rate
 TrackRow row_of(const FrameSnapshot& frame, const std::shared_ptr<const MotionLibrary>& library,
                 double dt_s) {
@@ -157,7 +157,7 @@ void TimelineView::refresh(const FrameHistory& history, const Playback& playback
   m_content.tracks.thin_older(newest_kept, older_kept);
   m_content.settings.evict_before(playback.first_s);
   place(playback);
-  if (known_until <= shown_until) redraw();  // what is new is in view
+  if (known_until <= shown_until) redraw();  // new frames are in view
   update();
 }
 

@@ -12,19 +12,18 @@ class QScrollBar;
 
 namespace abrazo::widgets {
 
-/// The lanes below the transport: one white cursor through all. Does not move the cursor, the range or a
-/// marker itself: it asks, and waits to be shown what answers.
+/// The lanes below the transport, with one white cursor through all. Does not move cursor, range or markers
+/// itself: it emits requests and shows what it is given.
 class TimelineView : public QWidget {
   Q_OBJECT
  public:
   explicit TimelineView(QWidget* parent = nullptr);
-  /// Begins a session: forgets frames and markers.
+  /// Begins a session: clears frames and markers.
   void setLibrary(std::shared_ptr<const MotionLibrary> library);
-  /// Other frames of the same session, or the same again: their lanes are rebuilt; markers stay away or
-  /// come back with `showMarkers`.
+  /// Rebuilds the lanes from other frames of the same session; `showMarkers` sets the markers.
   void showOtherFrames();
-  /// The session goes on with another library, whose takes were in the one before or are behind them: a take
-  /// longer, or with other roles and labels.
+  /// Continues with another library that begins with the takes of the previous one: a take more, or other
+  /// roles and labels.
   void extendLibrary(std::shared_ptr<const MotionLibrary> library);
   void setColours(const Palette& palette);
 
@@ -48,11 +47,11 @@ class TimelineView : public QWidget {
   /// Which tier is active, and what is selected; 0 = none.
   void showChosen(int tier, int annotation);
   void showChosenSuggestion(int suggestion);
-  /// What is being said while the cursor goes on.
+  /// The open labels while the cursor moves.
   void showRunning(std::vector<RunningLabel> running);
-  /// The lanes are those of a take of the library, or of the session.
+  /// Shows lanes of a take of the library, or of the session.
   void showOfTake(bool on);
-  /// Upper left corner of an annotation, or of a tier at a time; for what opens there.
+  /// Upper left corner of a tier at a time, for pop-ups.
   QPoint placeOf(int tier, double time_s) const;
 
   /// For frames that do not come from a history.
@@ -62,17 +61,17 @@ class TimelineView : public QWidget {
   QSize minimumSizeHint() const override;
 
  public slots:
-  /// Takes what is new in the history and moves the cursor.
+  /// Reads new frames of the history and moves the cursor.
   void refresh(const abrazo::FrameHistory& history, const abrazo::Playback& playback);
   /// Moves the cursor alone.
   void showPlayback(const abrazo::Playback& playback);
   void zoom(double factor);
   void showAll();
-  void showRange();  ///< between in and out; all without them
+  void showRange();  ///< from in to out; everything without them
 
  signals:
   void seekRequested(double time_s);
-  /// The cursor is being dragged, or no longer.
+  /// Begin or end of dragging the cursor.
   void scrubbing(bool on);
   void rangeRequested(double from_s, double to_s);
   void rangeEntryRequested();
@@ -82,13 +81,13 @@ class TimelineView : public QWidget {
   void menuRequested(const QPoint& global);
   void lanesChanged();
   void annotationsRequested(const abrazo::Annotations& next, const QString& what);
-  /// An interval was drawn: what does it say?
+  /// An interval was drawn and needs a value.
   void labelDrawn(int tier, double from_s, double to_s);
   void labelRefused(const QString& why);
   void tierChosen(int tier);
   void annotationChosen(int annotation);
   void suggestionChosen(int suggestion);
-  /// What an annotation says is to be edited.
+  /// Requests to edit the value of an annotation.
   void valueEntryRequested(int annotation);
   void suggestionEntryRequested(int suggestion);
   void tierMenuRequested(int tier, int annotation, double time_s, const QPoint& global);
@@ -132,8 +131,8 @@ class TimelineView : public QWidget {
   bool m_layerIsOld = true;
   std::uint64_t m_nextIndex = 0;
   bool m_isBegun = false;           ///< a frame was taken
-  double m_previousTime = 0;        ///< of the frame taken last
-  double m_settingsMarksScale = 0;  ///< [s/px] at which the marks were gathered
+  double m_previousTime = 0;        ///< of the last frame
+  double m_settingsMarksScale = 0;  ///< [s/px] at which the marks were merged
   QScrollBar* m_scroll;
 
   Drag m_drag = Drag::None;

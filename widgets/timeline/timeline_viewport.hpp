@@ -7,12 +7,12 @@
 
 namespace abrazo::widgets {
 
-/// Which span of time the timeline shows. Goes along with the live end or the cursor until it is moved by
-/// hand; what comes in never moves it otherwise. Plain arithmetic, no toolkit.
+/// The time span of the timeline. Follows the live end or the cursor until moved by hand; new frames never
+/// move it otherwise. Independent of Qt.
 class TimelineViewport {
  public:
   const TimelineAxis& axis() const { return axis_; }
-  /// All there is, over the same width: that of the overview.
+  /// The whole range over the same width, for the overview.
   TimelineAxis whole() const {
     TimelineAxis whole = axis_;
     whole.first_s = playback_.first_s;
@@ -23,15 +23,15 @@ class TimelineViewport {
     axis_.left_px = left_px;
     axis_.width_px = width_px;
   }
-  /// Some of what there is lies outside.
+  /// Whether a part of the range is outside.
   bool is_partial() const {
     return playback_.first_s < axis_.first_s - 1e-6 || playback_.last_s > axis_.last_s() + 1e-6;
   }
-  /// Was moved by hand, away from what it went along with.
+  /// Was moved by hand and no longer follows.
   bool is_detached() const { return !attached_; }
   bool shows_all() const { return all_; }
 
-  /// Takes the playback as it is now. A seek, playing and following bring the view back to the cursor.
+  /// Updates from the playback. A seek, playing and following bring the view back to the cursor.
   /// @param held  the cursor is being dragged: the view stays under the pointer
   void show(const Playback& playback, bool held = false) {
     const bool following = playback.state == Playback::State::Following;
@@ -47,7 +47,7 @@ class TimelineViewport {
       axis_.reveal(playback.cursor_s);
   }
 
-  /// Everything there is, also what is still to come, until zoomed or moved.
+  /// Shows everything, including frames to come, until zoomed or moved.
   void show_all() {
     all_ = true;
     attached_ = true;
@@ -61,7 +61,7 @@ class TimelineViewport {
     settle_attachment();
   }
 
-  /// Leaves `fixed_s` where it is; the live end while that is followed.
+  /// Zooms about `fixed_s`, or about the live end while following.
   void zoom(double factor, double fixed_s) {
     all_ = false;
     const bool at_live_end = follows();
@@ -70,10 +70,10 @@ class TimelineViewport {
     at_live_end ? axis_.follow(playback_.first_s, playback_.last_s) : settle_attachment();
   }
 
-  /// As pan, to where `time_s` is in the middle.
+  /// Pans until `time_s` is in the middle.
   void centre(double time_s) { pan(time_s - axis_.span_s / 2 - axis_.first_s); }
 
-  /// Moves by hand; back at the live end while it is followed resumes following.
+  /// Moves by hand; reaching the live end while it is followed resumes following.
   void pan(double by_s) {
     all_ = false;
     axis_.first_s += by_s;
@@ -89,12 +89,12 @@ class TimelineViewport {
     axis_.show(playback_.first_s, std::max(playback_.last_s, playback_.first_s + least_s));
   }
 
-  /// Away from the cursor by hand: it stays where it was put.
+  /// Detaches if moved by hand away from the cursor.
   void settle_attachment() {
     attached_ = playback_.cursor_s >= axis_.first_s && playback_.cursor_s <= axis_.last_s();
   }
 
-  /// A tenth of the view always has something to show.
+  /// Keeps at least a tenth of the view filled.
   void keep_in_reach() {
     const double some_s = 0.1 * axis_.span_s;
     const double lowest = playback_.first_s + some_s - axis_.span_s, highest = playback_.last_s - some_s;

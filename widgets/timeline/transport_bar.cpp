@@ -36,7 +36,7 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent), m_palette(palette
   m_frame = new TabularLabel(this);
   m_frame->setAccessibleName("Frame");
   for (QWidget* field : {m_time, m_frame}) {
-    field->setToolTip("Double click to go to a frame or a time (G), right click for how it is written");
+    field->setToolTip("Double click to go to a frame or a time (G), right click for the time format");
     field->installEventFilter(this);
   }
   m_state = new TabularLabel(this);
@@ -179,7 +179,7 @@ void TransportBar::dress() {
   };
   m_speed->setStyleSheet(coloured(m_palette.secondary));
   m_loop->setStyleSheet(coloured(m_shown.loop ? m_palette.text : m_palette.secondary));
-  // Filled when there is something to go back to; quiet when already there.
+  // Filled if the cursor can return to the live end; plain if it is there.
   const bool behind = m_shown.state != Playback::State::Following;
   m_live->setStyleSheet(QString("QPushButton { background: %1; color: %2; border: 1px solid %3; "
                                 "border-radius: 6px; padding: 2px 10px; "
@@ -312,7 +312,7 @@ void TransportBar::showTime() {
     return QString::fromStdString(time_text(format, m_shown.cursor_s, m_shownFrame, m_rate_hz));
   };
   m_time->setText(written(m_format));
-  // The other of time and frame stands beside it.
+  // The other of time and frame is beside it.
   const QString frame = m_shownFrame < 0 ? "no frame" : QString("frame %1").arg(m_shownFrame);
   m_frame->setText(m_format == TimeFormat::Frames ? written(TimeFormat::Clock) : frame);
 }

@@ -16,23 +16,23 @@ namespace abrazo::widgets {
 
 class TabularLabel;
 
-/// Play, step, time, state, speed, loop. Asks; shows what it is given.
+/// Play, step, time, state, speed, loop. Emits requests; shows what it is given.
 class TransportBar : public QWidget {
   Q_OBJECT
  public:
   explicit TransportBar(QWidget* parent = nullptr);
   void setColours(const Palette& palette);
   void setInput(const QString& text);
-  /// Of the timecode; 0 when the input has none.
+  /// Rate of the timecode; 0 = none.
   void setRate(double rate_hz);
   double rate() const { return m_rate_hz; }
   void setFormat(TimeFormat format);
   TimeFormat format() const { return m_format; }
-  /// A take is being recorded; empty when none is. "salsa 003 · 00:35"
+  /// The take being recorded, "salsa 003 · 00:35"; empty = none.
   void showRecording(const QString& words);
-  /// Which role the user has. @param by  who decides: "by hand", "by the library"
+  /// The user's role. @param by role control: "by hand", "by the library"
   void showRole(bool user_is_active, const QString& by);
-  /// Opens at the role.
+  /// Menu of the role button.
   void setRoleMenu(QMenu* menu);
   QString recordingText() const;
   QString roleText() const;
@@ -41,9 +41,9 @@ class TransportBar : public QWidget {
   QString speedText() const;
 
  public slots:
-  /// @param frame  index of the shown frame; -1 when there is none
+  /// @param frame index of the shown frame; -1 = none
   void showPlayback(const abrazo::Playback& playback, long long frame);
-  /// How fast it really goes; shown where it differs from the speed that was asked for.
+  /// The actual speed; shown if it differs from the requested one.
   void showAchieved(double speed);
 
  signals:

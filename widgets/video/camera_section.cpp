@@ -87,7 +87,7 @@ void CameraSection::makePicking(QVBoxLayout& column) {
   m_pick = new QPushButton("Pick joints", this);
   m_pick->setCheckable(true);
   m_pick->setToolTip(
-      "Then press on the joint in the picture, look through the lens, let go. Arrow keys move the last one "
+      "Then press on the joint in the picture, aim with the magnifier, release. Arrow keys move the last one "
       "by a "
       "tenth of a pixel, with Shift by one; Del takes it away; Escape ends");
   m_joint = new QComboBox(this);

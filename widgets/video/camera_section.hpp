@@ -20,7 +20,7 @@ namespace abrazo::widgets {
 
 class PickList;
 
-/// What is known of the camera of a video.
+/// State of the camera of a video.
 struct CameraStatus {
   bool usable = false;     ///< a video is open
   std::string intrinsics;  ///< "calibrated: 1280 × 720, f 1100.0 px"; empty = guessed
@@ -29,7 +29,7 @@ struct CameraStatus {
   bool has_camera = false;
   std::vector<PickMark> picks;
   int picks_needed = 6;          ///< for a solution
-  std::optional<double> rms_px;  ///< over those that were used
+  std::optional<double> rms_px;  ///< over the used points
   int used = 0;
   std::string trouble;                ///< why there is no solution
   std::vector<std::string> warnings;  ///< of the solution
@@ -40,7 +40,7 @@ struct CameraStatus {
 /// "Reprojection error 0.42 px over 11 of 12 points", or what is missing.
 std::string camera_words(const CameraStatus& status);
 
-/// The camera that the overlay is seen through: lens, picked joints, and how well both agree.
+/// The camera of the overlay: lens, picked joints, and reprojection error.
 class CameraSection : public QWidget {
   Q_OBJECT
  public:
@@ -50,7 +50,7 @@ class CameraSection : public QWidget {
   const CameraStatus& shown() const { return m_status; }
   void setPicking(bool on);
   bool isPicking() const;
-  /// The joint that is picked next, a vertex of the pair.
+  /// The next joint to pick, a vertex of the pair.
   void setJoint(int vertex);
   int joint() const;
   void selectPick(int index);

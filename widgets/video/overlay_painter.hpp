@@ -8,8 +8,7 @@ class QPainter;
 
 namespace abrazo::widgets {
 
-/// How the lines look, in a view and in a film alike: the leader's solid, the follower's dashed, the mesh
-/// thin.
+/// Appearance of the lines, in views and films: leader solid, follower dashed, mesh thin.
 struct OverlayLook {
   double opacity = 0.9;
   double thickness = 1;  ///< of all lines; 2 for a film twice as large

@@ -11,7 +11,7 @@ namespace abrazo::widgets {
 
 class ValueSlider;
 
-/// What is drawn over the picture, and how opaque.
+/// Parts and opacity of the overlay.
 class OverlaySection : public QWidget {
   Q_OBJECT
  public:

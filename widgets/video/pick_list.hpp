@@ -8,7 +8,7 @@
 
 namespace abrazo::widgets {
 
-/// The joints that were picked, with how far the camera's own place for each is from there.
+/// The picked joints with their reprojection errors.
 class PickList : public QWidget {
   Q_OBJECT
  public:
@@ -19,7 +19,7 @@ class PickList : public QWidget {
   int selected() const { return m_selected; }
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return sizeHint(); }
-  /// One line as it is read out.
+  /// One line for screen readers.
   QString lineOf(int index) const;
 
  signals:

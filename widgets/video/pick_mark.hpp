@@ -7,13 +7,13 @@
 
 namespace abrazo::widgets {
 
-/// A joint that was pointed at, as it is marked on the picture and listed beside it.
+/// A picked joint, marked on the picture and listed beside it.
 struct PickMark {
   Pixel pixel;
   std::string name;                ///< "leader lhand"
   double subject_s = 0;            ///< when
-  bool is_here = true;             ///< in the picture that is shown; others are listed only
-  std::optional<Pixel> projected;  ///< by the camera that was found
+  bool is_here = true;             ///< in the shown picture; others are only listed
+  std::optional<Pixel> projected;  ///< by the solved camera
   std::optional<double> error_px;
   bool is_outlier = false;  ///< left out by the solution
 

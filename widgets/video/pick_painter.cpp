@@ -12,7 +12,7 @@ constexpr double arm_px = 7, gap_px = 2, ring_px = 4.5;
 constexpr double lens_px = 132, lens_share = 0.55, lens_scale = 9, lens_away = 20;
 const QColor shade(0, 0, 0, 190);
 
-/// Open in the middle: what was pointed at is not covered.
+/// Open in the middle, so that the picked point is not covered.
 void paint_cross(QPainter& painter, const QPointF& at, double arm, const QPen& pen) {
   painter.setPen(pen);
   for (const QPointF& way : {QPointF(1, 0), QPointF(-1, 0), QPointF(0, 1), QPointF(0, -1)})
@@ -90,7 +90,7 @@ void paint_lens(QPainter& painter, const Lens& lens, const QRect& view, const Pa
   painter.setRenderHint(QPainter::SmoothPixmapTransform, false);
   const PictureFraming frame{lens_scale, place.center().x() - (lens.pixel.x() + 0.5) * lens_scale,
                              place.center().y() - (lens.pixel.y() + 0.5) * lens_scale};
-  // Only what is seen of the picture: the whole of it would be many thousand pixels wide.
+  // Only the visible part of the picture: all of it would be many thousand pixels wide.
   const int reach = static_cast<int>(place.width() / lens_scale / 2) + 2;
   const QRect seen =
       QRect(static_cast<int>(std::lround(lens.pixel.x())) - reach,

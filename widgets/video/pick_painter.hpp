@@ -13,18 +13,18 @@ class QPainter;
 
 namespace abrazo::widgets {
 
-/// A cross where it was picked, and a line to the ring where the camera has it.
+/// A cross at the picked position, and a line to a ring at the projected one.
 void paint_pick(QPainter& painter, const PickMark& pick, const PictureFraming& framing,
                 const Palette& palette, bool selected);
 
-/// What is under the pointer, magnified so that a tenth of a pixel is visible.
+/// A magnifier at the pointer that shows a tenth of a pixel.
 struct Lens {
   const QImage& picture;
   Pixel pixel;
   QPointF at;     ///< the pointer, in the view
-  QString words;  ///< what is being picked
+  QString words;  ///< the joint to pick
 };
-/// Beside the pointer, where there is room for it.
+/// Paints the magnifier beside the pointer, where there is room.
 void paint_lens(QPainter& painter, const Lens& lens, const QRect& view, const Palette& palette);
 
 }  // namespace abrazo::widgets

@@ -6,8 +6,8 @@
 
 namespace abrazo::widgets {
 
-/// Where a picture lies in a view, both with x to the right and y down; view in its own pixels. The middle of
-/// the picture's first pixel is (0, 0), so that its corner is at (-0.5, -0.5).
+/// Position of a picture in a view, both with x to the right and y down, each in its own pixels. The middle
+/// of the picture's first pixel is (0, 0), so that its corner is at (-0.5, -0.5).
 struct PictureFraming {
   double scale = 1;          ///< view pixels per picture pixel
   double left = 0, top = 0;  ///< corner of the picture in the view
@@ -24,23 +24,23 @@ struct PictureSize {
   bool empty() const { return !(width > 0 && height > 0); }
 };
 
-/// How near a person came to a picture, and to which place of it; stays when the view changes its size.
+/// Zoom and centre of a picture; independent of the view's size.
 struct PictureZoom {
   static constexpr double nearest = 64;  ///< view pixels per picture pixel
 
-  double factor = 1;   ///< of the scale at which the whole picture fits; not below 1
-  Pixel middle{0, 0};  ///< of the view, in the picture; of no effect along an axis that is whole in view
+  double factor = 1;   ///< relative to the scale at which the whole picture fits; at least 1
+  Pixel middle{0, 0};  ///< centre of the view, in the picture; ignored along an axis that fits
 
   bool is_fitted() const { return factor <= 1; }
 };
 
-/// The largest scale at which all of it is in view.
+/// The largest scale at which the whole picture is visible.
 inline double fitted_scale(PictureSize picture, PictureSize view) {
   return picture.empty() || view.empty() ? 1
                                          : std::min(view.width / picture.width, view.height / picture.height);
 }
 
-/// The picture never leaves more room at one side than it has to: what is whole in view is in the middle.
+/// The picture never leaves unnecessary room at one side; an axis that fits is centred.
 inline PictureFraming framing(PictureSize picture, PictureSize view, const PictureZoom& zoom) {
   PictureFraming frame;
   frame.scale = fitted_scale(picture, view) * std::max(1.0, zoom.factor);
@@ -54,7 +54,7 @@ inline PictureFraming framing(PictureSize picture, PictureSize view, const Pictu
   return frame;
 }
 
-/// Nearer by a factor, or farther; what is at a place of the view stays there as far as it can.
+/// Zooms by a factor about a point of the view, as far as possible.
 inline PictureZoom zoomed(PictureSize picture, PictureSize view, const PictureZoom& zoom, double by,
                           double view_x, double view_y) {
   const double fit = fitted_scale(picture, view);
@@ -66,7 +66,7 @@ inline PictureZoom zoomed(PictureSize picture, PictureSize view, const PictureZo
   return next;
 }
 
-/// The view moves by this number of its pixels.
+/// Moves the view by this number of its pixels.
 inline PictureZoom panned(PictureSize picture, PictureSize view, const PictureZoom& zoom, double dx,
                           double dy) {
   PictureZoom next = zoom;

@@ -11,7 +11,7 @@ namespace abrazo::widgets {
 
 inline constexpr int section_margin = 12;
 
-/// A line of secondary text that breaks.
+/// Secondary text with word wrap.
 inline QLabel* quiet_text(QWidget* parent, const QString& name) {
   auto* label = new QLabel(parent);
   label->setObjectName("secondary");

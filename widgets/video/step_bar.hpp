@@ -10,13 +10,13 @@ namespace abrazo::widgets {
 
 class TabularLabel;
 
-/// Below the picture: which one it is, one back, one on, and whether it goes with the timeline.
+/// Bar below the picture: its index, previous, next, and the switch to follow the timeline.
 class StepBar : public QWidget {
   Q_OBJECT
  public:
   explicit StepBar(QWidget* parent = nullptr);
   void setColours(const Palette& palette);
-  /// @param index  -1 = no picture
+  /// @param index -1 = none
   void showPicture(int index, int pictures, double time_s);
   void setLinked(bool linked);
   bool isLinked() const;

@@ -14,8 +14,7 @@ class QVBoxLayout;
 
 namespace abrazo::widgets {
 
-/// How the video's time goes with the timeline's: the points that are the same moment, offset, rate and
-/// drift.
+/// Synchronisation of the video with the timeline: sync points, offset, rate and drift.
 class SyncSection : public QWidget {
   Q_OBJECT
  public:

@@ -11,11 +11,11 @@
 
 namespace abrazo::widgets {
 
-/// What of a pair is drawn over a picture.
+/// Parts of a pair in the overlay.
 struct OverlayParts {
   bool active = true, passive = true;
   bool mesh = true;            ///< edges between the bodies
-  bool within_bodies = false;  ///< the mesh's other edges, bones left out
+  bool within_bodies = false;  ///< the mesh's other edges, without bones
 
   bool operator==(const OverlayParts&) const = default;
 };
@@ -23,14 +23,13 @@ struct OverlayParts {
 struct OverlayLine {
   enum class Part { WithinBody, BetweenBodies, Active, Passive };
   Part part = Part::Active;
-  std::vector<Pixel> points;  ///< at least two; curved where the lens distorts
+  std::vector<Pixel> points;  ///< at least two; more for a lens with distortion
 };
 
 /// A pair as a camera sees it, in pixels of the picture.
 struct VideoOverlay {
-  std::vector<OverlayLine> lines;  ///< the mesh first, so that the bodies are drawn over it
-  std::array<std::optional<Pixel>, pair_vertex_count>
-      joints;  ///< nothing where it is not in front of the camera
+  std::vector<OverlayLine> lines;  ///< the mesh first, so that bodies are drawn over it
+  std::array<std::optional<Pixel>, pair_vertex_count> joints;  ///< none if not in front of the camera
 
   bool empty() const { return lines.empty(); }
 };
@@ -38,9 +37,8 @@ struct VideoOverlay {
 VideoOverlay project_overlay(const CameraModel& camera, const PairPose& pose, std::span<const MeshEdge> edges,
                              const OverlayParts& parts);
 
-/// Between two frames: a video's pictures are not taken at their times. Where the bodies changed their parts,
-/// or the solver jumped, there is nothing between: then it is `a` until `b` is reached. @param share  0 = a,
-/// 1 = b
+/// Interpolates two frames, because a video's pictures are at other times. No interpolation if the roles
+/// changed or the solver jumped: then it is `a` until `b` is reached. @param share 0 = a, 1 = b
 PairPose between(const PairPose& a, const PairPose& b, double share);
 
 }  // namespace abrazo::widgets

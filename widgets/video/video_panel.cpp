@@ -64,7 +64,7 @@ QWidget* VideoPanel::makeFile() {
   m_files->setAccessibleName("Video that is shown");
   m_files->setMinimumContentsLength(6);
   m_files->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  auto* open = text_chip("Open…", "Another video of what is on the timeline", box);
+  auto* open = text_chip("Open…", "Another video of the subject on the timeline", box);
   m_close = text_chip("Close", "Closes this video; undo brings it back", box);
   row->addWidget(m_files, 1);
   row->addWidget(open);
@@ -132,7 +132,7 @@ QString VideoPanel::facts() const {
   return m_facts->text();
 }
 
-/// The picture comes first: as wide as there is room, unless a person moved the line between both.
+/// The picture has priority: as wide as possible, unless the user moved the splitter.
 void VideoPanel::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   const bool wide = width() > wide_from * height();

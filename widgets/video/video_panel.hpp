@@ -20,8 +20,8 @@ class StepBar;
 class SyncSection;
 class VideoView;
 
-/// The reference video: its picture, and below or beside it, by the panel's shape, which file it is, how it
-/// goes with the timeline, what is drawn over it and through which camera.
+/// The reference video: its picture and, below or beside it depending on the panel's shape, file,
+/// synchronisation, overlay and camera.
 class VideoPanel : public QWidget {
   Q_OBJECT
  public:
@@ -29,7 +29,7 @@ class VideoPanel : public QWidget {
   void setColours(const Palette& palette);
   /// @param names  of the videos of the subject  @param current  -1 = none
   void showFiles(const QStringList& names, int current);
-  /// @param warning  what the file says wrongly of itself, or nothing
+  /// @param warning wrong statements of the file's header; may be empty
   void showFacts(const QString& facts, const QString& warning);
   QString facts() const;
 
@@ -54,7 +54,7 @@ class VideoPanel : public QWidget {
   QWidget* section(const QString& title);
 
   QSplitter* m_split;
-  bool m_isArranged = false;  ///< by a person
+  bool m_isArranged = false;  ///< by the user
   VideoView* m_view;
   StepBar* m_steps;
   QComboBox* m_files;

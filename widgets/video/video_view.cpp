@@ -104,7 +104,7 @@ void VideoView::zoomToPixels() {
 }
 
 void VideoView::setPicking(const QString& joint) {
-  if (joint == m_joint) return;  // a drag goes on while the picks are shown again
+  if (joint == m_joint) return;  // a drag continues while the picks are updated
   m_joint = joint;
   m_placing = false;
   m_dragged = -1;

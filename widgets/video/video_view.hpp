@@ -13,33 +13,33 @@
 
 namespace abrazo::widgets {
 
-/// A picture of a video, whole or near, with what a camera sees of the pair drawn over it. While joints are
-/// picked a lens is under the pointer: press, look, let go. Shows values and asks by signals.
+/// A picture of a video, fitted or zoomed, with the overlay of the pair. During picking a magnifier follows
+/// the pointer: press, aim, release. Shows values and emits requests.
 class VideoView : public QWidget {
   Q_OBJECT
  public:
   explicit VideoView(QWidget* parent = nullptr);
   void setColours(const Palette& palette);
-  /// @param picture  null: none
+  /// @param picture null = none
   void showPicture(VideoFramePtr picture);
   const VideoFramePtr& picture() const { return m_picture; }
   void showOverlay(VideoOverlay overlay);
   const VideoOverlay& overlay() const { return m_overlay; }
   void setOpacity(double opacity);
-  /// Why there is no picture, or why it does not fit the time; over the picture, which is dimmed.
+  /// Shows over the dimmed picture why there is none, or why it does not match the time.
   void setNotice(const QString& text);
   const QString& notice() const { return m_notice; }
-  /// Pixels as squares when they are seen large, or smoothed.
+  /// Shows enlarged pixels smoothed, or as squares.
   void setSmooth(bool on);
   bool isSmooth() const { return m_smooth; }
   void setZoom(const PictureZoom& zoom);
   const PictureZoom& zoom() const { return m_zoom; }
   void zoomBy(double factor);
-  /// One pixel of the picture on one of the screen.
+  /// One picture pixel per screen pixel.
   void zoomToPixels();
   PictureFraming framing() const;
 
-  /// @param joint  what the next click is of; empty = nothing is picked
+  /// @param joint joint of the next click; empty = no picking
   void setPicking(const QString& joint);
   bool isPicking() const { return !m_joint.isEmpty(); }
   void setPicks(std::vector<PickMark> picks);
@@ -88,7 +88,7 @@ class VideoView : public QWidget {
   Palette m_palette;
   VideoFramePtr m_picture;
   QImage m_image;   ///< over the picture's own bytes
-  QImage m_scaled;  ///< of its size on the screen, when it is seen smaller
+  QImage m_scaled;  ///< at screen size, if reduced
   VideoOverlay m_overlay;
   OverlayLook m_look;
   QString m_notice, m_joint;
@@ -96,10 +96,10 @@ class VideoView : public QWidget {
   bool m_smooth = true;
   std::vector<PickMark> m_picks;
   int m_selected = -1;
-  std::optional<QPointF> m_pointer;  ///< over the view
+  std::optional<QPointF> m_pointer;  ///< position in the view
   std::optional<QPointF> m_panFrom;
-  bool m_placing = false;  ///< the button is down on a new pick
-  int m_dragged = -1;      ///< pick that is being moved
+  bool m_placing = false;  ///< a new pick is being placed
+  int m_dragged = -1;      ///< pick being moved
   int m_gesture = 0;
 };
 

@@ -5,8 +5,8 @@
 
 namespace abrazo::app {
 
-/// "view_layouts.save_layout" of "View > Layouts" and "Save layout…": what an action is kept and found under,
-/// also when it changes its words.
+/// "view_layouts.save_layout" of "View > Layouts" and "Save layout…": the stable id of an action, independent
+/// of later changes of its text.
 std::string action_id(std::string_view menu, std::string_view text);
 
 }  // namespace abrazo::app

@@ -8,13 +8,13 @@
 
 namespace abrazo::app {
 
-/// From one thread to another, never more than so many.
+/// A bounded queue between two threads.
 template <typename T>
 class BoundedQueue {
  public:
   explicit BoundedQueue(std::size_t most) : m_most(most) {}
 
-  /// @return false when it is full or closed; then nothing was taken in
+  /// @return false if full or closed; the item is then not added
   bool push(T item) {
     {
       const std::lock_guard lock(m_mutex);
@@ -24,7 +24,7 @@ class BoundedQueue {
     m_filled.notify_one();
     return true;
   }
-  /// Waits for the next; nothing once it is closed and empty.
+  /// Waits for the next item; none once closed and empty.
   std::optional<T> pop() {
     std::unique_lock lock(m_mutex);
     m_filled.wait(lock, [this] { return m_closed || !m_items.empty(); });
@@ -37,9 +37,9 @@ class BoundedQueue {
     const std::lock_guard lock(m_mutex);
     return m_items.size() >= m_most;
   }
-  /// What is in it still comes out.
+  /// Closes; remaining items can still be popped.
   void close() { shut(false); }
-  /// What is in it is given up.
+  /// Closes and drops the remaining items.
   void abandon() { shut(true); }
 
  private:

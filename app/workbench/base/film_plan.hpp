@@ -7,18 +7,17 @@
 
 namespace abrazo::app {
 
-/// A live film keeps real time: a picture that is late, or could not be taken in, is made up for by the next
-/// that stands for longer.
+/// Timing of a live film: a late or dropped picture is compensated by showing the next one longer.
 class FilmClock {
  public:
   explicit FilmClock(double rate_hz) : m_rateHz(rate_hz) {}
 
-  /// How many pictures the one of this moment stands for; 0 while none is due.
+  /// Number of frames for which the present picture stands; 0 = none is due.
   int due(double elapsed_s) const {
     return std::max(0, static_cast<int>(std::floor(elapsed_s * m_rateHz)) + 1 - m_given);
   }
   void given(int pictures) { m_given += pictures; }
-  /// A picture had to be left out: what took it in was still busy.
+  /// Reports a dropped picture, because the writer was busy.
   void dropped() { ++m_dropped; }
   int pictures() const { return m_given; }
   int left_out() const { return m_dropped; }

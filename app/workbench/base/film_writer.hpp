@@ -11,8 +11,8 @@
 
 namespace abrazo::app {
 
-/// A film on its way to the disk: pictures are given on the thread that draws and encoded on another. The
-/// file is there when it is whole, or not at all; without finish() it is given up.
+/// Writes a film: pictures are passed from the drawing thread and encoded on another. The file appears when
+/// it is complete; without finish() it is discarded.
 class FilmWriter : public QObject {
   Q_OBJECT
  public:
@@ -23,12 +23,12 @@ class FilmWriter : public QObject {
   ~FilmWriter() override;
 
   bool isFull() const { return m_queue.is_full(); }
-  /// @param times  how often it stands in the film
-  /// @return false when too many are waiting; then it was not taken
+  /// @param times number of film frames for the picture
+  /// @return false if the queue is full; the picture is then dropped
   bool offer(const QImage& picture, int times = 1);
-  /// No more come; ended() follows when all are written.
+  /// Ends the film; ended() follows when all pictures are written.
   void finish();
-  /// As finish(), and waits for it. @return what went wrong, or nothing
+  /// As finish(), but waits. @return the error, or empty
   QString finishNow();
   int written() const { return m_written; }
 

@@ -10,8 +10,8 @@
 
 namespace abrazo::app {
 
-/// Something long on a thread of its own. What it returns is called on the thread this object lives in,
-/// unless the job was retired or the object is gone by then. Destruction cancels and waits.
+/// A long job on a separate thread. The function it returns is called on the thread of this object, unless
+/// the job was retired or destroyed. Destruction cancels and waits.
 class Job : public QObject {
   Q_OBJECT
  public:
@@ -20,15 +20,15 @@ class Job : public QObject {
 
   Job(Work work, QObject* parent = nullptr);
   ~Job() override;
-  /// Asks the work to stop. It may be done before it notices: what it returns is called all the same, and
-  /// says whether it ended as asked (an Error) or left a result.
+  /// Requests cancellation. The work may finish before it notices: its returned function is called in either
+  /// case, with an Error if cancelled or the result.
   void cancel() { m_cancelled = true; }
   bool wasCancelled() const { return m_cancelled; }
-  /// Where failures are reported that the work of a job did not expect, a lack of memory above all: on the
-  /// thread the job lives in, in place of what it would have returned; not for a job that was cancelled.
+  /// Sets the handler of unexpected failures of jobs, such as lack of memory: called on the thread of the job
+  /// instead of its result; not for cancelled jobs.
   static void tellFailures(std::function<void(const QString&)> to);
-  /// Gives up a job without waiting, and whatever it returns: it goes when its work has noticed, at the
-  /// latest with `owner`.
+  /// Abandons a job without waiting and drops its result: it is destroyed when its work ends, at the latest
+  /// with `owner`.
   static void retire(std::unique_ptr<Job> job, QObject* owner);
 
  signals:

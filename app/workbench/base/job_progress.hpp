@@ -5,7 +5,7 @@
 
 namespace abrazo::app {
 
-/// Shows in the message bar how far a job is, until it is done.
+/// Shows the progress of a job in the message bar until it is done.
 inline void show_progress(const Job& job, widgets::MessageBar& messages) {
   QObject::connect(&job, &Job::progressed, &messages, [&messages](double fraction, const QString& doing) {
     messages.showProgress(doing, fraction);

@@ -17,7 +17,7 @@ constexpr std::size_t longest_name = 60;
 
 Result<std::vector<OwnPreset>> interpreted(const std::string& text, const std::string& place) {
   const Error unreadable{
-      "is not a list of presets, or is damaged; repair it or move it away. It is left as it is", place};
+      "is not a list of presets, or is damaged; repair it or move it away. It stays unchanged", place};
   if (nests_too_deep(text)) return Error{too_deep_words, place};
   const Json json = Json::parse(text, nullptr, false);
   if (!json.is_object() || !json.contains("abrazo_presets")) return unreadable;
@@ -76,7 +76,7 @@ Status OwnPresets::read() {
 }
 
 Status OwnPresets::write(std::vector<OwnPreset> presets) {
-  // Another window may have broken or changed it since: what is there must be readable to be replaced.
+  // Another window may have changed or damaged it: only a readable file is replaced.
   if (const auto there = read_presets(file_); !there) return there.error();
   if (const Status written = write_whole_file(file_, preset_text(presets)); !written) return written;
   presets_ = std::move(presets);

@@ -9,20 +9,20 @@
 
 namespace abrazo::app {
 
-/// A person's own presets in one readable JSON file, which is replaced whole or not at all. A file that
-/// cannot be read is never written to.
+/// The user's own presets in one readable JSON file, which is replaced completely or not at all. An
+/// unreadable file is never overwritten.
 class OwnPresets {
  public:
-  /// @param file  need not be there
+  /// @param file may be missing
   explicit OwnPresets(std::filesystem::path file);
 
-  /// An Error names the file and what is wrong with it; there are no presets then.
+  /// Reads the file. The Error names the file and the problem; there are no presets then.
   Status read();
   const std::vector<OwnPreset>& all() const { return presets_; }
 
-  /// Under a new name, or in place of those of that name.
+  /// Saves under a name, replacing a preset of that name.
   Status save(const std::string& name, const Settings& settings);
-  /// Those of a file's content whose names are free; none is replaced. @return how many
+  /// Imports presets with free names; existing ones are not replaced. @return their number
   Result<int> adopt(const std::string& content, const std::string& place);
   Status rename(const std::string& from, const std::string& to);
   Status remove(const std::string& name);
@@ -34,10 +34,10 @@ class OwnPresets {
   std::vector<OwnPreset> presets_;
 };
 
-/// Every setting, one to a line, as `--settings` takes it.
+/// Every setting, one to a line, in the format of `--settings`.
 std::string readable_settings(const Settings& settings);
 
-/// Those of a file that was exported, or written by hand with only some keys; the rest is as in `start`.
+/// Settings of a file that was exported, or written by hand with some keys; others are as in `start`.
 Result<Settings> read_settings_file(const std::filesystem::path& file, const Settings& start);
 
 }  // namespace abrazo::app

@@ -41,7 +41,7 @@ QImage RangeRendering::picture(double time_s) {
 
 void RangeRendering::step() {
   const int all = m_request.plan.pictures();
-  if (!m_writer || m_writer->isFull() || m_done >= all) return;  // goes on with hasRoom
+  if (!m_writer || m_writer->isFull() || m_done >= all) return;  // continues with hasRoom
   m_writer->offer(picture(m_request.plan.time_of(m_done)));
   ++m_done;
   emit progressed(m_done, all);

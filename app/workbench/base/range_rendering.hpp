@@ -23,23 +23,23 @@ struct RangeRequest {
   QString file;
 };
 
-/// Films recorded frames in a scene of its own size, picture by picture and none left out, while the window
-/// goes on. The same frames, camera and size give the same film.
+/// Renders recorded frames to a film in an off-screen scene, without dropped pictures, while the window stays
+/// responsive. The same frames, camera and size give the same film.
 class RangeRendering : public QObject {
   Q_OBJECT
  public:
-  /// @param frames  those of the plan
+  /// @param frames frames of the plan
   RangeRendering(FrameRange frames, QObject* parent);
   ~RangeRendering() override;
-  /// @param like  how the scene is set up, and the camera. @return what prevents it, or nothing
+  /// @param like setup of scene and camera. @return the error, or empty
   QString start(const RangeRequest& request, const widgets::SceneView& like);
   void cancel();
-  /// The picture of one moment of the plan; quick where moments follow one another.
+  /// The picture at one time of the plan; fast for successive times.
   QImage picture(double time_s);
 
  signals:
   void progressed(int done, int all);
-  /// @param trouble  what went wrong, or nothing
+  /// @param trouble the error, or empty
   void ended(const QString& trouble);
 
  private:

@@ -14,22 +14,22 @@ class QPushButton;
 
 namespace abrazo::app {
 
-/// Of what, how large and how fast a film is to be made of what was recorded.
+/// Options of a film of the recording: range, size and rate.
 class RenderDialog : public QDialog {
   Q_OBJECT
  public:
   explicit RenderDialog(QWidget* parent);
-  /// @param range  between in and out, where both make one  @param view  size of the scene [pixels]
+  /// @param range between in and out, if set @param view size of the scene [pixels]
   void offer(const Playback& playback, const std::optional<Playback::Range>& range, QSize view);
-  /// That the reference video can be rendered too. @param size  empty: there is none
+  /// Offers to render the reference video too. @param size empty: there is none
   void offerVideo(QSize size, double rate_hz);
-  /// Without the file.
+  /// The request without the file.
   RangeRequest request() const;
   bool isOfVideo() const;
 
  signals:
   void renderRequested();
-  /// In its place where it is to be of the reference video.
+  /// Emitted instead if the film is of the reference video.
   void videoRenderRequested();
 
  private:

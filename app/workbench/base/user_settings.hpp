@@ -7,14 +7,14 @@
 
 namespace abrazo::app {
 
-/// What is remembered between two starts. ABRAZO_HOME moves it.
+/// Values remembered between two starts. ABRAZO_HOME sets the folder.
 class UserSettings {
  public:
   UserSettings();
   QString folder() const { return m_folder; }
-  /// What was not saved is kept there.
+  /// Folder of unsaved work.
   QString autosaveFolder() const { return m_folder + "/autosave"; }
-  /// Of the maps that a person made for motions whose joints nobody knew.
+  /// Folder of joint maps that the user made for unknown motions.
   QString jointMapFolder() const { return m_folder + "/joint-maps"; }
 
   QByteArray geometry() const { return m_store.value("window/geometry").toByteArray(); }
@@ -25,7 +25,7 @@ class UserSettings {
   void setPlots(const QString& panes) { m_store.setValue("plots/panes", panes); }
   QString timelineLanes() const { return m_store.value("timeline/lanes").toString(); }
   void setTimelineLanes(const QString& names) { m_store.setValue("timeline/lanes", names); }
-  /// How the scene is set up, as one JSON object.
+  /// Setup of the scene, as one JSON object.
   QString scene() const { return m_store.value("scene/setup").toString(); }
   void setScene(const QString& setup) { m_store.setValue("scene/setup", setup); }
   QString lastFolder() const { return m_store.value("files/folder").toString(); }
@@ -33,7 +33,7 @@ class UserSettings {
   /// Latest first; see recent_files.hpp.
   QStringList recent() const { return m_store.value("files/recent").toStringList(); }
   void setRecent(const QStringList& entries) { m_store.setValue("files/recent", entries); }
-  /// URIs of streams and of places that characters were sent to, latest first.
+  /// URIs of streams and sinks, latest first.
   QStringList recentStreams() const { return m_store.value("live/streams").toStringList(); }
   void setRecentStreams(const QStringList& uris) { m_store.setValue("live/streams", uris); }
   QStringList recentSinks() const { return m_store.value("live/sinks").toStringList(); }
@@ -44,7 +44,7 @@ class UserSettings {
   void setTakeName(const QString& name) { m_store.setValue("takes/name", name); }
   int takeCountdown() const { return m_store.value("takes/countdown", 0).toInt(); }
   void setTakeCountdown(int seconds) { m_store.setValue("takes/countdown", seconds); }
-  /// Of a live stream every frame is written, not only takes.
+  /// Whether every frame of a live stream is recorded, not only takes.
   bool keepsEverything() const { return m_store.value("takes/everything", true).toBool(); }
   void setKeepsEverything(bool on) { m_store.setValue("takes/everything", on); }
 

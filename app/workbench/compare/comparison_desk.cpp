@@ -11,7 +11,7 @@ namespace {
 
 using widgets::ComparePanel;
 
-constexpr int rest_ms = 60;               // a slider or cursor that moves on asks for nothing yet
+constexpr int rest_ms = 60;               // a moving slider or cursor requests nothing yet
 constexpr std::uint64_t most_behind = 4;  // frames that a ghost may be older than a live frame
 
 /// The run's pose at a recorded frame, or just before it.
@@ -150,7 +150,7 @@ void ComparisonDesk::poll(Work& work) {
     work.result = std::move(result);
 }
 
-/// The comparison that says something about the cursor.
+/// The comparison that covers the cursor.
 void ComparisonDesk::choose(const CompareSituation& now) {
   const bool is_following = now.playback.state == Playback::State::Following;
   std::shared_ptr<const Comparison> chosen;
@@ -167,7 +167,7 @@ void ComparisonDesk::showGhosts() {
   const FrameSnapshotPtr& shown = m_window.ticker().shown();
   std::optional<PairPose> a, b;
   if (m_shown && shown) {
-    // What is as it was recorded stands there already.
+    // Recorded bodies are drawn already.
     const ComparisonTask& task = m_shown->task;
     if (task.a && m_shown->a) a = pose_at(*m_shown->a, *shown);
     if (task.b && m_shown->b) b = pose_at(*m_shown->b, *shown);

@@ -13,7 +13,7 @@ namespace abrazo::app {
 
 class MainWindow;
 
-/// Keeps A, decides what is compared, and carries results from the runners to the panel and the scene.
+/// Keeps A, determines what is compared, and passes results from the runners to panel and scene.
 class ComparisonDesk : public QObject {
   Q_OBJECT
  public:
@@ -23,17 +23,17 @@ class ComparisonDesk : public QObject {
 
   const std::optional<Settings>& frozen() const { return m_frozen; }
   bool isAside() const { return m_isAside; }
-  /// The comparison that is shown; null when there is none.
+  /// The shown comparison; null = none.
   const Comparison* shown() const { return m_shown.get(); }
-  /// Whether a what-if was asked for, done or not.
+  /// Whether a what-if was requested, done or not.
   bool hasAsked() const { return m_whatIf.asked.has_value(); }
 
  public slots:
-  /// A keeps the present settings.
+  /// Freezes the present settings as A.
   void freeze();
-  /// A is these, from now on; nothing lets it go.
+  /// Sets A; none releases it.
   void setFrozen(const std::optional<Settings>& settings);
-  /// The live solver keeps A while other settings are tried.
+  /// Keeps A in the live solver while other settings are tried.
   void setAside(bool on);
   void cancel();
 
@@ -42,7 +42,7 @@ class ComparisonDesk : public QObject {
   void asideChanged(bool isAside);
 
  private:
-  /// A runner with what was asked of it last.
+  /// A runner with its last task.
   struct Work {
     std::unique_ptr<ComparisonRunner> runner;
     std::optional<ComparisonTask> asked;
@@ -68,8 +68,7 @@ class ComparisonDesk : public QObject {
   double m_frozenAt_s = 0;
   bool m_isAside = false;
   std::optional<double> m_parted_s;  ///< when A and B began to differ
-  std::optional<Settings>
-      m_tried;  ///< settings that were last seen, and when they and the cursor came to rest
+  std::optional<Settings> m_tried;   ///< last seen settings, and when they and the cursor last changed
   double m_cursor_s = 0;
   QElapsedTimer m_still;
   Work m_whatIf, m_shadow;

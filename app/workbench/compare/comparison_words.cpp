@@ -52,7 +52,7 @@ QString note_of(const Comparison& comparison) {
                .arg(in_seconds(length_s, 1))
                .arg(comparison.steps.size())
                .arg(in_seconds(comparison.task.from_s, 1));
-  if (comparison.is_short) note += " It begins later than asked: older inputs are no longer kept.";
+  if (comparison.is_short) note += " It begins later than requested: older inputs are no longer kept.";
   if (comparison.done) note += QString(" Solved in %1.").arg(in_seconds(comparison.solve_s, 2));
   return note;
 }

@@ -42,7 +42,7 @@ double step_us(MainWindow& window) {
   return times[times.size() / 2];
 }
 
-/// What the form asks for would take, or why it cannot be done.
+/// Estimated cost of the form's request, or why it is invalid.
 void show_estimate(MainWindow& window, SweepPanel& panel, const SweepRun& run) {
   if (run.running()) return;
   const widgets::SweepRequest request = panel.form().request();

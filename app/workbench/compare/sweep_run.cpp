@@ -21,7 +21,7 @@ using widgets::SweepGrid;
 using widgets::SweepSide;
 
 constexpr double highest_rate_hz = 120;
-constexpr int yielding = 15;  ///< of the 19 steps by which a thread can stand back
+constexpr int yielding = 15;  ///< nice value, of 19 steps
 
 /// This thread and those it starts work when the picture and the live solver do not.
 void stand_back() {

@@ -15,25 +15,25 @@ namespace abrazo::app {
 
 class Job;
 
-/// One sweep after another over the takes of a library, on a thread of its own that leaves the processor to
-/// whatever else wants it. Points are handed over as they are done.
+/// Runs sweeps over the takes of a library on a separate low-priority thread. Points are passed on as they
+/// are done.
 class SweepRun : public QObject {
   Q_OBJECT
  public:
   explicit SweepRun(QObject* parent);
   ~SweepRun() override;
 
-  /// Ends what runs: its takes are others'.
+  /// Ends a running sweep, because its takes belong to another library.
   void setLibrary(std::shared_ptr<const MotionLibrary> library);
-  /// The sweep that is asked for; an Error says what of it cannot be.
+  /// The requested sweep; the Error names an invalid part.
   Result<Sweep> sweepOf(const widgets::SweepRequest& request, const Settings& settings) const;
-  /// Solved frames that it takes.
+  /// Number of frames to solve.
   double stepsOf(const Sweep& sweep, const std::vector<std::string>& takes) const;
 
   void start(const Sweep& sweep, const std::vector<std::string>& takes);
   void cancel();
   bool running() const { return m_job != nullptr; }
-  /// Draws another figure of the same points.
+  /// Shows another figure of the same points.
   void setMetric(const std::string& metric);
 
   const Sweep& sweep() const { return m_sweep; }
@@ -52,12 +52,12 @@ class SweepRun : public QObject {
   QString timeLeft(double fraction) const;
 
   std::shared_ptr<const MotionLibrary> m_library;
-  std::shared_ptr<const EvaluationData> m_data;  ///< of the library, once a sweep needed it
+  std::shared_ptr<const EvaluationData> m_data;  ///< of the library, loaded by the first sweep
   Sweep m_sweep;
   widgets::SweepGrid m_grid;
   std::vector<Figures> m_figures;
   QElapsedTimer m_clock;
-  int m_run = 0;  ///< tells points of this run from late ones of the last
+  int m_run = 0;  ///< distinguishes points of this run from late ones of the previous
   std::unique_ptr<Job> m_job;
 };
 

@@ -14,7 +14,7 @@ QString title_of(const std::string& key) {
 
 }  // namespace
 
-/// The one step of undo there is for what a document owns; the rules are ProjectEdit's.
+/// The only undo command for parts of the document; the rules are ProjectEdit's.
 class DocumentStep : public QUndoCommand {
  public:
   DocumentStep(Document& document, ProjectEdit edit)

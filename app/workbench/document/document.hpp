@@ -12,16 +12,16 @@
 
 namespace abrazo::app {
 
-/// What is worked on in the window, and the session that it runs on: the one place of settings, decisions,
-/// role control and markers. Whoever shows a part listens to `changed`, whoever wants another asks here; the
-/// solver is told. How each part changes is said by LiveProject.
+/// The live project of the window, and the session that it runs on: the one owner of settings, decisions,
+/// role control and markers. Views listen to `changed` and request changes here; changes are passed to the
+/// solver. LiveProject has the rules of each part.
 class Document : public QObject {
   Q_OBJECT
  public:
   explicit Document(QObject* parent = nullptr) : QObject(parent) {}
 
-  /// Without what is known only when it is saved: references to its library and input, and where panels
-  /// stand.
+  /// The project without parts that are set only on saving: references to library and input, and the layout
+  /// of panels.
   const Project& project() const { return m_live.project(); }
   const LiveProject& live() const { return m_live; }
   const Settings& settings() const { return project().settings; }
@@ -30,38 +30,38 @@ class Document : public QObject {
   const Markers& markers() const { return m_live.markers(m_subject); }
   QUndoStack& undoStack() { return m_undo; }
 
-  /// As a step of undo; nothing happens where it is so already.
-  /// @param key, gesture  changes of one key with the same number other than 0 are one step
+  /// Changes a part as an undo step; no effect if nothing changes.
+  /// @param key, gesture changes of one key with the same number other than 0 merge into one step
   void change(const ProjectValue& next, const QString& what, const QString& key = {}, int gesture = 0);
-  /// As typed into a setting's field. What cannot be used is refused.
+  /// Sets a setting from typed text. Invalid text is refused.
   void changeSetting(const QString& key, const QString& text, int gesture = 0);
   void choosePreset(const QString& name, bool own = false);
   void adopt(const Settings& settings, const QString& what);
   /// Markers of the shown subject.
   void changeMarkers(const Markers& next, const QString& what);
 
-  /// Without a step of undo, see LiveProject::put.
+  /// Changes without an undo step, see LiveProject::put.
   template <typename... Value>
   void put(Value&&... value) {
     announce(m_live.put(std::forward<Value>(value)...));
   }
   void replaceVideos(VideoStates videos) { announce(m_live.replace_videos(std::move(videos))); }
   void putSettings(const Settings& settings) { put(m_live.with_settings(settings)); }
-  /// Refused where the library does not say who leads. @return whether it was done
+  /// Refused if the library lacks the annotations for it. @return whether it was done
   bool controlRole(RoleControl by);
-  /// A saved project, in the session that has begun.
+  /// Opens a saved project in the new session.
   void open(const Project& saved, const QStringList& videos);
   void openAnnotations(const AnnotationBook& book) { emit annotationsOpened(book); }
 
-  /// Null while nothing is open.
+  /// Null if nothing is open.
   LiveSession* session() const { return m_session.get(); }
-  /// In place of the session there was; views have let go of it.
+  /// Replaces the session; views must have released the previous one.
   void beginSession(PreparedSolver prepared);
   void endSession() { m_session.reset(); }
-  /// The session goes on with another library: a take was added, or something said of one.
+  /// Continues the session with another library: a take was added or annotated.
   void replaceSolver(PreparedSolver prepared);
 
-  /// Whose frames are shown: the session's (""), or those of a take of its library.
+  /// The shown subject: the session (""), or a take of its library.
   const std::string& subject() const { return m_subject; }
   void setSubject(const std::string& subject);
 
@@ -71,7 +71,7 @@ class Document : public QObject {
   void refused(const QString& why);
   void libraryReplaced(const std::shared_ptr<const abrazo::MotionLibrary>& before,
                        const std::shared_ptr<const abrazo::MotionLibrary>& after);
-  /// They come with a project; who keeps them puts them.
+  /// Annotations of an opened project, for their owner.
   void annotationsOpened(const abrazo::AnnotationBook& book);
   void videosOpened(const std::vector<abrazo::ProjectVideo>& videos, const QStringList& files);
 

@@ -57,7 +57,7 @@ void LibraryFeed::begin() {
       };
     auto ready = std::make_shared<PreparedSolver>(std::move(prepared).value());
     return [this, ready, base = material.library] {
-      // The library got a take meanwhile, say, which is not in what was made.
+      // The library changed meanwhile (e.g. got a take), so the result is outdated.
       if (m_document.session()->material().library != base) return begin();
       m_updates.end();
       m_document.replaceSolver(std::move(*ready));

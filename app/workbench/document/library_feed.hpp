@@ -12,19 +12,19 @@ namespace abrazo::app {
 
 class Job;
 
-/// Puts what is said of takes into the library of the running session, on a worker: the newest counts. The
-/// document goes on with it.
+/// Writes annotations of takes into the library of the running session on a worker; only the newest are used.
+/// The document continues with the result.
 class LibraryFeed : public QObject {
   Q_OBJECT
  public:
   explicit LibraryFeed(Document& document, QObject* parent = nullptr);
   ~LibraryFeed() override;
 
-  /// What cannot be put in, an invalid role, is reported once by `failed`.
+  /// An invalid role is reported once by `failed`.
   void put(const std::string& take, const Annotations& annotations);
-  /// Nothing is waiting or under way.
+  /// Nothing is pending.
   bool isIdle() const { return m_updates.is_idle(); }
-  /// What waits: it was said of the takes of a session or project that is gone.
+  /// Drops pending updates, which belong to a closed session or project.
   void forget();
 
  signals:
@@ -36,7 +36,7 @@ class LibraryFeed : public QObject {
   Document& m_document;
   LibraryUpdates m_updates;
   std::unique_ptr<Job> m_job;
-  QTimer m_soon;  ///< of several changes in a row the last
+  QTimer m_soon;  ///< merges successive changes
 };
 
 }  // namespace abrazo::app

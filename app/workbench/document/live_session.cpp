@@ -6,7 +6,7 @@
 namespace abrazo::app {
 namespace {
 
-constexpr double pause_s = 1;  // between what was recorded and what comes after it
+constexpr double pause_s = 1;  // between the recording and its continuation
 
 std::shared_ptr<PoseSource> source_of(const Material& material) {
   if (material.recorded) return std::make_shared<SilentSource>();

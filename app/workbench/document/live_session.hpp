@@ -11,7 +11,7 @@
 
 namespace abrazo::app {
 
-/// A solver that is ready to run; made on a worker because the index over the library takes its time.
+/// A solver ready to run; prepared on a worker because the index over the library takes time.
 struct PreparedSolver {
   Material material;
   std::unique_ptr<PartnerSynthesizer> synthesizer;
@@ -19,29 +19,28 @@ struct PreparedSolver {
 
 Result<PreparedSolver> prepare_solver(Material material, const Settings& settings);
 
-/// The session that a window shows: a running engine, and what it was started on. Ends with this object.
+/// The session of a window: a running engine and its material. The destructor ends it.
 class LiveSession {
  public:
   explicit LiveSession(PreparedSolver prepared);
 
   void push(const Command& command);
-  /// While held, the solver keeps its settings; the last that were asked for meanwhile come when it is let
-  /// go.
+  /// While held, the solver keeps its settings; the last requested ones apply on release.
   void holdSettings(bool on);
-  /// That the views show: the session's own frames, or those that are looked at in their place.
+  /// The shown frames: the session's, or those set by lookAt.
   const FrameHistory& history() const { return m_lookedAt ? m_lookedAt->history : m_engine.history(); }
   const LatestSlot<FrameSnapshot>& latest() const {
     return m_lookedAt ? m_lookedAt->latest : m_engine.latest();
   }
-  /// Other frames than the session's own, which goes on meanwhile; null = its own again. Whoever reads
-  /// history() lets go of it before it changes from one to the other; other frames may come in place of
-  /// others at any time.
+  /// Shows other frames while the session continues; null = its own frames. Readers of history() must release
+  /// it before a change between own and other frames; other frames may be replaced at any time.
   void lookAt(const std::shared_ptr<const FrameStore>& frames);
   bool looksElsewhere() const { return m_lookedAt != nullptr; }
   const Material& material() const { return m_material; }
-  /// The library was written to a file; one that was replaced meanwhile was not.
+  /// Sets the file of the library after it was written; ignored if the library was replaced meanwhile.
   void setLibraryFile(const std::shared_ptr<const MotionLibrary>& library, const std::string& file);
-  /// The same session with a take added to its library, say: it goes on, with this from the next frame on.
+  /// Continues the session with another solver from the next frame on, e.g. after a take was added to the
+  /// library.
   void replaceSolver(PreparedSolver prepared);
   /// Streams, sinks, recording. Commands go through `push`.
   SessionEngine& engine() { return m_engine; }

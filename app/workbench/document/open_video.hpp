@@ -8,7 +8,7 @@
 
 namespace abrazo::app {
 
-/// A video that is open, with what its decoder has to say brought to this thread.
+/// An open video; brings the results of its decoder to this thread.
 class OpenVideo : public QObject {
   Q_OBJECT
  public:
@@ -17,18 +17,18 @@ class OpenVideo : public QObject {
   const QString& file() const { return m_file; }
   VideoDecoder::State state() const { return m_decoder->state(); }
   double opened() const { return m_decoder->opened(); }
-  /// Why it cannot be shown, in words for the window; empty while it can.
+  /// Why it cannot be shown, for the window; empty = no problem.
   QString trouble() const;
   /// Null until the file is open.
   std::shared_ptr<const VideoFacts> facts() const { return m_decoder->facts(); }
 
-  /// @return whether this was not what was asked for last
+  /// @return whether it differs from the last request
   bool request(int index);
   VideoFramePtr newest() const { return m_decoder->newest(); }
   int requested() const { return m_decoder->requested().value_or(-1); }
 
  signals:
-  /// State, facts or picture are new.
+  /// State, facts or picture changed.
   void news();
 
  private:
@@ -36,10 +36,10 @@ class OpenVideo : public QObject {
 
   QString m_file;
   std::atomic<bool> m_isTold = false;
-  std::unique_ptr<VideoDecoder> m_decoder;  // last: its thread calls this
+  std::unique_ptr<VideoDecoder> m_decoder;  // declared last: its thread calls this object
 };
 
-/// Whether the name is that of a video.
+/// Whether a file name is that of a video.
 bool is_video_file(const QString& file);
 /// For a file dialog.
 QString video_filter();

@@ -6,17 +6,16 @@
 
 namespace abrazo::app {
 
-/// Where sessions are kept by default: ABRAZO_HOME/sessions, else Abrazo in the folder of
-/// documents.
+/// Default folder of sessions: ABRAZO_HOME/sessions, else Abrazo in the documents folder.
 QString sessions_folder();
 
 /// A file there that does not exist yet: "session 2026-11-21 14-03.abrazo".
 QString new_session_file(const QString& folder, const QDateTime& now);
 
-/// Files there that a program did not close.
+/// Session files there that were not closed properly.
 QStringList unclosed_sessions(const QString& folder);
 
-/// The session with all that a crash may have left beside it, into the wastebasket or away.
+/// Moves the session, with the remains of a crash, to the wastebasket, or deletes it.
 bool discard_session(const QString& file);
 
 }  // namespace abrazo::app

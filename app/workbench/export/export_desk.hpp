@@ -19,14 +19,14 @@ namespace abrazo::app {
 class Job;
 class MainWindow;
 
-/// What other rooms know of what can be exported.
+/// Export data provided by other folders.
 struct ExportSources {
-  /// What was said of a subject, the session ("") or a take.
+  /// Annotations of a subject, the session ("") or a take.
   std::function<Annotations(const std::string& subject)> said;
   std::function<RecordedTakes()> takes;
 };
 
-/// Exports from the window: knows what there is, writes it on a worker with progress and cancel, and tells
+/// Exports from the window: lists what is available, writes on a worker with progress and cancel, and reports
 /// the end.
 class ExportDesk : public QObject {
   Q_OBJECT
@@ -34,15 +34,15 @@ class ExportDesk : public QObject {
   ExportDesk(MainWindow& window, ExportSources sources);
   ~ExportDesk() override;
 
-  /// What the running session and its library have.
+  /// Available data of the running session and its library.
   ExportOffer offer() const;
-  /// Writes to a file; what prevents it is reported.
+  /// Writes to a file; errors are reported.
   void write(const ExportRequest& request, const QString& file);
   bool isBusy() const { return m_job != nullptr; }
   widgets::OfferBar& bar() const { return *m_bar; }
 
  signals:
-  /// Whatever became of it.
+  /// Emitted after success, failure or cancellation.
   void ended();
 
  private:

@@ -57,7 +57,7 @@ QComboBox* combo(QWidget* parent, const char* name) {
   return box;
 }
 
-/// Chooses the entry of this data, where there is one.
+/// Chooses the entry with this data, if any.
 bool choose(QComboBox* box, const QVariant& data) {
   const int index = box->findData(data);
   if (index >= 0) box->setCurrentIndex(index);

@@ -16,36 +16,36 @@ class QPushButton;
 
 namespace abrazo::app {
 
-/// What there is to export.
+/// The available data.
 struct ExportOffer {
   struct Stretch {
     QString name;
     Playback::Range range;
     double rate_hz = 0;
   };
-  std::optional<Stretch> session;        ///< all there is of it; nothing while no frame was solved
+  std::optional<Stretch> session;        ///< the whole session; none before the first frame
   std::optional<Playback::Range> range;  ///< between in and out
-  std::optional<double> cursor_s;      ///< of the frame that is shown; nothing while it is not of the session
-  std::vector<Stretch> takes;          ///< of the session
-  std::vector<Stretch> library_takes;  ///< times of the take
+  std::optional<double> cursor_s;        ///< time of the shown frame; none if it is not of the session
+  std::vector<Stretch> takes;            ///< of the session
+  std::vector<Stretch> library_takes;    ///< times of the take
 };
 
-/// What a person chose; without the file.
+/// The chosen options, without the file.
 struct ExportRequest {
   QString library_take;  ///< by name; empty = the session
-  ExportWish wish;       ///< the output is the ending alone, ".bvh"
-  bool plots = false;    ///< the plots instead, as that type
+  ExportWish wish;       ///< the output is only the extension, ".bvh"
+  bool plots = false;    ///< export the plots instead, with that type
 };
 
-/// Asks what of the session or of a take of the library is to be written, which part and how.
+/// Dialog for an export of the session or of a take: content, range and format.
 class ExportDialog : public QDialog {
   Q_OBJECT
  public:
   explicit ExportDialog(QWidget* parent);
-  /// Keeps the choices that still fit.
+  /// Keeps choices that are still valid.
   void offer(ExportOffer offer);
   ExportRequest request() const;
-  /// Of what was chosen last, for the next start. @see restore
+  /// The last choices, for the next start. @see restore
   QStringList choices() const;
   void restore(const QStringList& choices);
 

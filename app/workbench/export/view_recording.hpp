@@ -11,7 +11,7 @@
 
 namespace abrazo::app {
 
-/// Films what is on the screen, in real time, until it is stopped.
+/// Records the screen as a film in real time until stopped.
 class ViewRecording : public QObject {
   Q_OBJECT
  public:
@@ -20,22 +20,22 @@ class ViewRecording : public QObject {
 
   ViewRecording(TakePicture take, QObject* parent);
   ~ViewRecording() override;
-  /// @return what prevents it, or nothing
+  /// @return the error, or empty
   QString start(const QString& file);
-  /// ended() follows when the file is there.
+  /// ended() follows when the file is complete.
   void stop();
-  /// As stop(), and waits: the program ends.
+  /// As stop(), but waits; for the end of the program.
   void stopNow();
   bool isRunning() const { return m_timer.isActive(); }
-  /// Not yet ended, although it may be stopped.
+  /// Still writing, even if stopped.
   bool isBusy() const { return m_writer != nullptr; }
   double elapsed_s() const { return static_cast<double>(m_clock.elapsed()) / 1000; }
 
  signals:
   void progressed(double elapsed_s);
-  /// No more pictures are taken; those that wait are still written.
+  /// Recording stopped; queued pictures are still being written.
   void stopped();
-  /// @param trouble  what went wrong, or nothing  @param words  file, length, what was left out
+  /// @param trouble the error, or empty @param words file, length, dropped pictures
   void ended(const QString& trouble, const QString& words);
 
  private:

@@ -23,7 +23,7 @@ QAction* find_action(MainWindow& window, const QString& text) {
   return nullptr;
 }
 
-/// What can be done now, with its keys as they are now.
+/// The enabled actions with their present keys.
 void fill(const MainWindow& window, QStandardItemModel& model) {
   model.clear();
   for (const QAction* action : window.actions()) {

@@ -5,7 +5,7 @@
 
 namespace abrazo::app {
 
-/// A field that takes the next key as it is pressed. Tab goes on to the next control, as everywhere.
+/// A field that captures the next key press. Tab moves to the next control, as everywhere.
 class KeyEntry : public QLineEdit {
   Q_OBJECT
  public:
@@ -25,8 +25,8 @@ class KeyEntry : public QLineEdit {
   std::string m_key;
 };
 
-/// As an action would be given it: a sign needs no Shift of its own, digits of the keypad are digits. Empty
-/// for a modifier alone.
+/// The key in the form used for actions: symbols without Shift, keypad digits as digits. Empty for a modifier
+/// alone.
 std::string pressed_key(const QKeyEvent& event);
 
 }  // namespace abrazo::app

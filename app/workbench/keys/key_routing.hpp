@@ -9,15 +9,15 @@ namespace abrazo::app {
 
 class MainWindow;
 
-/// Which of the window's keys a focused control keeps for itself: what a control does not take, comes by
-/// here on its way up, before any action may have it. Text fields and spin boxes keep theirs by themselves,
-/// but for Undo and Redo (UndoOfText).
+/// Decides which of the window's keys a focused control keeps: keys that the control does not handle pass
+/// through here before actions get them. Text fields and spin boxes keep theirs by themselves, except Undo
+/// and Redo (UndoOfText).
 class KeyRouting : public QObject {
   Q_OBJECT
  public:
-  /// Whether a key says something to what has the focus, before it is an action's.
+  /// Whether the focused control uses a key before actions do.
   using Means = std::function<bool(const QKeyEvent&)>;
-  /// @param timeline  of the timeline
+  /// @param timeline for the timeline
   KeyRouting(MainWindow& window, Means timeline);
 
  protected:

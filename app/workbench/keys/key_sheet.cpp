@@ -57,7 +57,7 @@ QString html_of(const Block& block, const widgets::Palette& colours) {
 
 QString key_sheet(const ShortcutTable& table, const widgets::Palette& colours, int columns) {
   std::vector<Block> blocks = blocks_of(table);
-  // The longest first, each to the column that is shortest so far.
+  // Longest first, each into the shortest column.
   std::stable_sort(blocks.begin(), blocks.end(),
                    [](const Block& a, const Block& b) { return a.rows.size() > b.rows.size(); });
   std::vector<QString> cells(static_cast<std::size_t>(columns));

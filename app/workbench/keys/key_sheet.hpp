@@ -7,7 +7,7 @@
 
 namespace abrazo::app {
 
-/// All keys as they are now, by menu, in so many columns of about the same length; as rich text.
+/// All present keys by menu, in columns of about equal length, as rich text.
 QString key_sheet(const ShortcutTable& table, const widgets::Palette& colours, int columns);
 
 }  // namespace abrazo::app

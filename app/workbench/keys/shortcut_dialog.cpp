@@ -168,7 +168,7 @@ QString ShortcutDialog::verdict() const {
 
 void ShortcutDialog::showChosen() {
   while (QLayoutItem* item = m_keys->takeAt(0)) {
-    if (QWidget* old = item->widget()) old->hide(), old->deleteLater();  // it may be what was clicked
+    if (QWidget* old = item->widget()) old->hide(), old->deleteLater();  // it may be the clicked button
     delete item;
   }
   m_entry->forget();

@@ -14,12 +14,12 @@ namespace abrazo::app {
 class KeyEntry;
 class Shortcuts;
 
-/// All actions with their keys; what is changed here takes effect immediately.
+/// All actions with their keys; changes take effect immediately.
 class ShortcutDialog : public QDialog {
   Q_OBJECT
  public:
   ShortcutDialog(Shortcuts& shortcuts, QWidget* parent);
-  /// Of the row that is chosen; empty without one.
+  /// Id of the chosen row; empty = none.
   std::string chosen() const;
   void choose(const std::string& id);
   QString verdict() const;

@@ -27,7 +27,7 @@ std::string named(const std::string& text) {
   return "'" + text + "'";
 }
 
-/// @return the keys; `why` says what is wrong where they are none
+/// @return the keys; `why` has the reason if they are invalid
 std::vector<std::string> keys_of(const Json& entry, const ShortcutTable::Normal& normal, std::string& why) {
   std::vector<std::string> keys;
   if (!entry.is_array()) why = "its keys are not a list such as [\"Ctrl+K\"]";
@@ -141,7 +141,7 @@ std::vector<std::string> ShortcutTable::read(const std::string& text, const Norm
   return told;
 }
 
-/// Of two changed actions with the same key the later is left out; over a usual key a changed one wins.
+/// Of two changed actions with the same key the later one is skipped; a changed key overrides a default key.
 void ShortcutTable::settle(std::map<std::string, std::string> read, std::vector<std::string>& told) {
   for (Shortcut& self : m_all) {
     if (!read.contains(self.id)) continue;

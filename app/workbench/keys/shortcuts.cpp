@@ -98,7 +98,7 @@ void Shortcuts::add(QAction& action) {
                texts(action.property(usual_keys).toStringList()), place_of(m_window, action)});
 }
 
-/// All actions with their usual keys, and then what is kept over it.
+/// All actions with default keys, overridden by the stored ones.
 void Shortcuts::collect() {
   m_isDue = false;
   m_table = {};

@@ -12,21 +12,21 @@ namespace abrazo::app {
 
 class MainWindow;
 
-/// The keys of all actions of the window, as a person wants them: kept in shortcuts.json beside the other
-/// settings. Actions that come later get theirs as they come.
+/// The user's keys of all actions of the window, stored in shortcuts.json beside the other settings. Actions
+/// added later get theirs when they are added.
 class Shortcuts : public QObject {
   Q_OBJECT
  public:
   explicit Shortcuts(MainWindow& window);
-  /// Once there are all actions; those that come later are seen.
+  /// Call after all actions exist; later ones are detected.
   void begin();
 
   const ShortcutTable& table() const { return m_table; }
   QAction* action(const std::string& id) const;
-  /// Puts the keys to use and keeps them.
+  /// Applies and stores the keys.
   void change(const ShortcutTable& next);
 
-  /// Portable text, one key and no sequence; empty where it is none.
+  /// Portable text of one key, no sequence; empty if invalid.
   static std::string normal(const std::string& key);
   static QString shown(const std::string& key);
 
@@ -48,7 +48,7 @@ class Shortcuts : public QObject {
   ShortcutTable m_table;
   QHash<QString, QPointer<QAction>> m_actions;
   bool m_isDue = false;
-  bool m_isDamaged = false;  ///< the file: put aside before another is written
+  bool m_isDamaged = false;  ///< the file is damaged: moved aside before writing another
   QStringList m_told;
 };
 

@@ -34,8 +34,7 @@ void UndoOfText::watch(QWidget* focused) {
 }
 
 bool UndoOfText::eventFilter(QObject* watched, QEvent* event) {
-  // The field of a number tells nobody of its text. What it takes over becomes a step, which comes after
-  // this.
+  // A number field emits no signal for its text. Its accepted value becomes an undo step afterwards.
   if (event->type() == QEvent::KeyPress && qobject_cast<QAbstractSpinBox*>(watched))
     m_typed = m_typed || !static_cast<QKeyEvent*>(event)->text().isEmpty();
   if (event->type() != QEvent::ShortcutOverride || m_typed) return QObject::eventFilter(watched, event);

@@ -8,12 +8,12 @@ class QWidget;
 
 namespace abrazo::app {
 
-/// Which Undo and Redo a text or number field with the focus keeps: only those of what was typed there after
-/// the last step of the window. The others are the window's, whatever was typed before them.
+/// Decides which Undo and Redo a focused text or number field keeps: only those for text typed after the last
+/// undo step of the window. Others belong to the window.
 class UndoOfText : public QObject {
   Q_OBJECT
  public:
-  /// @param window  that the fields are in, or in a panel of it that floats
+  /// @param window window of the fields, including its floating panels
   UndoOfText(QWidget& window, QUndoStack& steps);
 
  protected:
@@ -24,7 +24,7 @@ class UndoOfText : public QObject {
 
   QWidget& m_window;
   QPointer<QWidget> m_watched;  ///< the text field with the focus
-  bool m_typed = false;         ///< in it, and since then there was no step
+  bool m_typed = false;         ///< text was typed in it after the last step
 };
 
 }  // namespace abrazo::app

@@ -114,7 +114,7 @@ void AnnotationDesk::onSessionStarted() {
 }
 
 void AnnotationDesk::setBook(AnnotationBook book) {
-  m_feed->forget();  // what waits there was said of the takes by another project
+  m_feed->forget();  // pending updates belong to another project
   m_state.set_book(std::move(book), library().get());
   onOtherBook();
 }
@@ -133,9 +133,9 @@ void AnnotationDesk::showSubject(const std::string& wanted) {
     return;
   }
   if (const auto of = library(); of && !wanted.empty() && of->find_take(wanted) < 0) {
-    show();  // the list goes back to what is shown
+    show();  // the list returns to the shown subject
     return m_window.messages().showError(
-        QString("%1: the library %2 has no such take. What was said of it is kept with the session: open the "
+        QString("%1: it is not in the library %2. Its annotations are kept with the session: open the "
                 "session together with its library (both files at once)")
             .arg(text(wanted), text(of->name())));
   }

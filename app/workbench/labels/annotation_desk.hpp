@@ -17,9 +17,9 @@ class LibraryFeed;
 class MainWindow;
 class SubjectStage;
 
-/// Shows what is annotated and passes on what is asked of it: the timeline's lanes and the panel show the
-/// state, every edit becomes a step of undo, and what is said of takes goes into the library of the running
-/// session a moment later.
+/// Connects annotations with their views: the timeline's lanes and the panel show the state, every edit
+/// becomes an undo step, and annotations of takes go into the library of the running session shortly
+/// afterwards.
 class AnnotationDesk : public QObject {
   Q_OBJECT
  public:
@@ -36,34 +36,33 @@ class AnnotationDesk : public QObject {
   int activeTier() const { return m_state.tier(); }
   int selected() const { return m_state.selected(); }
   Conflict conflict() const { return m_state.conflict(); }
-  /// Lanes and keys of labels are there: for a take, once something is said of the session, and while the
+  /// Whether lanes and keys of labels are active: for a take, if the session has annotations, and while the
   /// panel is open.
   bool isOpen() const;
-  /// Where an edit takes place now.
+  /// The present context of an edit.
   EditPlace place() const;
 
-  /// Of the shown subject, as a step of undo; what prevents it is reported. @return whether it was done
+  /// Edits the shown subject as an undo step; errors are reported. @return whether it was done
   bool edit(const Result<LabelEdit>& edit);
-  /// @param what  "draw turn": for the menu and the message
+  /// @param what "draw turn": for menu and message
   void change(Annotations next, const QString& what);
   void setActiveTier(int tier);
   /// @param annotation  0 = none
   void select(int annotation);
   void setConflict(Conflict conflict);
 
-  /// In place of all there is: what a project had. Forgets steps of undo of what was there; the library is
-  /// told of its takes.
+  /// Replaces all annotations by those of a project. Removes the undo steps of the previous ones; updates the
+  /// takes of the library.
   void setBook(AnnotationBook book);
 
-  /// Shows a take of the library in place of the session, or the session again (""). What is in the way is
-  /// told.
+  /// Shows a take of the library instead of the session, or the session again (""). Errors are reported.
   void showSubject(const std::string& subject);
 
-  /// Times of the shown subject that annotations may have.
+  /// Valid times of annotations of the shown subject.
   Annotations::Range range() const;
-  /// Frames of the shown subject per second; 0 when they have no fixed rate.
+  /// Frame rate of the shown subject; 0 = no fixed rate.
   double fps() const;
-  /// Of the running session; null when there is none.
+  /// Library of the running session; null = none.
   std::shared_ptr<const MotionLibrary> library() const;
 
   /// The panel "Annotation"; a section below its lists is added with AnnotationPanel::addSection.
@@ -71,7 +70,7 @@ class AnnotationDesk : public QObject {
   LibraryFeed& feed() const { return *m_feed; }
 
  signals:
-  /// Anything of the state: annotations, suggestions, vocabularies, the subject, what is chosen.
+  /// Any part of the state changed: annotations, suggestions, vocabularies, subject, selection.
   void changed();
   /// Another subject is shown, or a session or project began; `changed` comes with it.
   void subjectChanged();

@@ -11,14 +11,14 @@ namespace abrazo::app {
 class AnnotationDesk;
 class MainWindow;
 
-/// Label files into the tiers of the shown subject, as one step of undo.
+/// Imports label files into the tiers of the shown subject, as one undo step.
 class LabelImport : public QObject {
   Q_OBJECT
  public:
   LabelImport(MainWindow& window, AnnotationDesk& desk);
-  /// Asks which files.
+  /// Opens a file dialog.
   void choose();
-  /// Asks which tier goes where when that is not clear. Errors and omitted labels are reported.
+  /// Asks for the target tiers if they are ambiguous. Errors and omitted labels are reported.
   void read(const QStringList& files);
 
  private:

@@ -12,14 +12,14 @@ class AnnotationDesk;
 class MainWindow;
 
 /// Labelling by the keys of the vocabularies while the timeline has the focus: keys and time go to
-/// `LabelKeys`, and while the cursor stands to `say_at_cursor`; what they say becomes an edit of the desk.
+/// `LabelKeys`, or to `say_at_cursor` while the cursor is parked; the result becomes an edit of the desk.
 class LabelKeyFilter : public QObject {
   Q_OBJECT
  public:
   LabelKeyFilter(MainWindow& window, AnnotationDesk& desk);
 
   void setTaps(bool on);
-  /// A tier has a value of this key.
+  /// Whether a tier has a value with this key.
   bool means(const QKeyEvent& event) const;
 
  protected:

@@ -39,7 +39,7 @@ void LabelQuestions::draw() {
        : m_window.messages().showInformation(words(span.error()));
 }
 
-/// The interval is there only once it says something.
+/// The interval exists only once it has a value.
 void LabelQuestions::askValue(int tier, double from_s, double to_s) {
   const AnnotationTier* of = m_desk.annotations().tier(tier);
   if (!of) return;

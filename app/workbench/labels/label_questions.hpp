@@ -15,18 +15,17 @@ namespace abrazo::app {
 class AnnotationDesk;
 class MainWindow;
 
-/// What has to be asked before a label is edited: its value, in a picker at its lane, and what to do with it,
-/// in a menu.
+/// Input for label edits: the value, in a picker at the lane, and the operation, in a menu.
 class LabelQuestions : public QObject {
   Q_OBJECT
  public:
   LabelQuestions(MainWindow& window, AnnotationDesk& desk);
 
-  /// The value of a new label, between in and out, else from the cursor on.
+  /// Asks for the value of a new label, from in to out, else from the cursor.
   void draw();
-  /// Another value of the selected label.
+  /// Asks for another value of the selected label.
   void ask();
-  /// Fills in the tiers that a label can be copied to.
+  /// Adds the tiers to which a label can be copied.
   void fillMenu(QMenu& menu);
 
  private:

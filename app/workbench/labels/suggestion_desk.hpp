@@ -16,8 +16,8 @@ class AnnotationDesk;
 class Job;
 class MainWindow;
 
-/// Labels and roles suggested for the shown take. They are made on a thread of their own, and become
-/// annotations only when a person accepts them; each decision is a step of undo.
+/// Suggested labels and roles for the shown take. They are computed on a separate thread and become
+/// annotations only if a person accepts them; each decision is an undo step.
 class SuggestionDesk : public QObject {
   Q_OBJECT
  public:
@@ -26,11 +26,11 @@ class SuggestionDesk : public QObject {
 
   void suggest(bool moves, bool roles);
   void cancel();
-  /// Of the one that is chosen in the list.
+  /// Accepts the suggestion chosen in the list.
   void acceptCurrent();
   void editCurrent();
   void rejectCurrent();
-  /// To the list of suggestions.
+  /// Focuses the list of suggestions.
   void focusList();
 
   widgets::SuggestionSection& section() const { return *m_section; }

@@ -312,7 +312,7 @@ void BuildDialog::showChosen() {
     return row < 0 ? widgets::PreviewedClip{}
                    : widgets::PreviewedClip{m_model.performer(row).clip, m_model.performer(row).source.start};
   };
-  // As in the manifest: A is the one that stands first.
+  // As in the manifest, A is the first one.
   const int a = partner >= 0 ? std::min(first, partner) : first;
   const int b = partner >= 0 ? std::max(first, partner) : -1;
   m_preview->show(clip_of(a), clip_of(b));

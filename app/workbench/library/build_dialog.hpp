@@ -23,14 +23,14 @@ namespace abrazo::app {
 
 class BuildForm;
 
-/// What a build is to leave behind; empty = not written.
+/// Output files of a build; empty = not written.
 struct BuildOutputs {
   QString library;   ///< .h5
   QString manifest;  ///< .json
 };
 
-/// Asks what motion files cannot say before a library is built of them: who danced with whom, who leads,
-/// units, axes, rates. Reads no file and builds nothing itself.
+/// Dialog for facts that motion files do not state, before a library is built: who danced with whom, who
+/// leads, units, axes, rates. Reads no file and builds nothing itself.
 class BuildDialog : public QDialog {
   Q_OBJECT
  public:
@@ -50,7 +50,7 @@ class BuildDialog : public QDialog {
   void showProgress(const QString& doing, double fraction);
   void endProgress();
   void showError(const QString& text);
-  /// Stops what goes on, or closes.
+  /// Cancels a running job, or closes.
   void reject() override;
 
  signals:
@@ -59,11 +59,11 @@ class BuildDialog : public QDialog {
   void labelsRequested(const QString& file);
   void buildRequested();
   void cancelRequested();
-  /// This file is to play the user, and no library is to be built.
+  /// Use this file as the user's motion instead of building a library.
   void userChosen(const QString& motion, const QString& skeleton);
 
  protected:
-  /// Return ends what is typed; it does not build.
+  /// Return ends text input; it does not start the build.
   void keyPressEvent(QKeyEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;

@@ -102,7 +102,7 @@ void BuildForm::connectParts() {
     });
   };
   connect(m_rate, chosen, this, say_rate);
-  // Only what was typed: leaving the field must not carry the first row's value to the others.
+  // Only typed values: leaving the field must not copy the first row's value to the others.
   const auto when_typed = [this](QComboBox* box, auto say) {
     connect(box->lineEdit(), &QLineEdit::editingFinished, this, [box, say] {
       if (!box->lineEdit()->isModified()) return;
@@ -127,7 +127,7 @@ void BuildForm::connectParts() {
   connect(m_skeleton, chosen, this, [this] { chooseSkeleton(); });
 }
 
-/// Asks for every file of the chosen performers once, where `say` changes what is said of it.
+/// Requests each file of the chosen performers once, if `say` changes its options.
 void BuildForm::reread(const std::function<bool(Manifest::Performer&, std::optional<double>&)>& say) {
   std::set<std::filesystem::path> asked;
   for (const int row : m_rows) {

@@ -10,18 +10,17 @@ class QSpinBox;
 
 namespace abrazo::app {
 
-/// What a person can say of the chosen performers. Changes it immediately; what needs the file to
-/// be read again it asks for.
+/// Form for the chosen performers. Applies changes immediately; requests reading the file again if necessary.
 class BuildForm : public QWidget {
   Q_OBJECT
  public:
   explicit BuildForm(BuildPlanModel& model, QWidget* parent = nullptr);
   void show(const std::vector<int>& rows);
-  /// .asf files that can be chosen.
+  /// Sets the available .asf files.
   void setSkeletons(const QStringList& files);
 
  signals:
-  /// This file is to be read with these words about it.
+  /// Requests reading the file with these options.
   void surveyRequested(const abrazo::Manifest::Performer& source, std::optional<double> fps);
 
  private:

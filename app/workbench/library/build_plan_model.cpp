@@ -69,7 +69,7 @@ void BuildPlanModel::change(const std::function<void()>& edit) {
   emit planChanged();
 }
 
-/// The same performers as before, so that they can stay where they stand.
+/// The same performers as before, so they keep their rows.
 bool BuildPlanModel::isKnown(const std::vector<PlannedPerformer>& of_one_file) const {
   const auto same = std::count_if(m_plan.performers.begin(), m_plan.performers.end(),
                                   [&](const PlannedPerformer& performer) {

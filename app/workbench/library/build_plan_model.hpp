@@ -9,8 +9,8 @@
 
 namespace abrazo::app {
 
-/// The performers of a library that is being planned, one per row. All changes go through it, so that the
-/// remarks are always those of what is shown.
+/// The performers of a library plan, one per row. All changes go through it, so that the remarks always match
+/// the shown plan.
 class BuildPlanModel : public QAbstractTableModel {
   Q_OBJECT
  public:
@@ -25,9 +25,9 @@ class BuildPlanModel : public QAbstractTableModel {
   bool canBuild() const;
   void setColours(const widgets::Palette& palette);
 
-  /// What was read of files, in place of what was known of them. Decisions about their performers stay.
+  /// Replaces the contents read from files. Decisions about their performers stay.
   void setSurveyed(const std::vector<std::vector<PlannedPerformer>>& files);
-  /// Guesses pairs among those that are in no take.
+  /// Guesses pairs among performers without a take.
   void pairUp();
   void setTake(const std::vector<int>& rows, const QString& take);
   void setRole(const std::vector<int>& rows, PlannedRole role);

@@ -124,7 +124,7 @@ void LibraryBuild::begin(std::function<std::function<void()>(const Progress&)> w
       Qt::QueuedConnection);
 }
 
-/// Everything that waits to be read, in one job; what is asked for meanwhile comes after it.
+/// Reads all pending files in one job; later requests follow it.
 void LibraryBuild::readNext() {
   if (m_job || (m_surveys.empty() && m_labels.isEmpty())) return;
   auto work = [this, surveys = std::exchange(m_surveys, {}), labels = std::exchange(m_labels, {}),
@@ -179,7 +179,7 @@ void LibraryBuild::show(const Read& read) {
   if (read.unmapped) askForJoints(read);
 }
 
-/// A file that names no takes holds the labels of the one there is.
+/// A file without take names has the labels of the only take.
 std::vector<std::string> LibraryBuild::labelledTakes(const Read& read) const {
   if (!read.labelled.empty()) return read.labelled;
   std::vector<std::string> takes;
@@ -190,7 +190,7 @@ std::vector<std::string> LibraryBuild::labelledTakes(const Read& read) const {
   return takes;
 }
 
-/// What is said of the first is kept, and found again for the others when their points have the same names.
+/// The answer for the first is stored and found again for others with the same point names.
 void LibraryBuild::askForJoints(const Read& read) {
   delete m_mapping;
   m_mapping = new MappingDialog(*read.unmapped, m_dialog);

@@ -16,25 +16,25 @@ namespace abrazo::app {
 
 class Job;
 
-/// A library being built from motion files: the dialog, and the reading and building that goes on for it on a
-/// worker. The GUI thread reads no file.
+/// Builds a library from motion files: the dialog, and reading and building on a worker. The GUI thread reads
+/// no file.
 class LibraryBuild : public QObject {
   Q_OBJECT
  public:
   LibraryBuild(QWidget* window, const widgets::Palette& palette);
   ~LibraryBuild() override;
-  /// Adds files to what is planned, and shows the dialog.
+  /// Adds files to the plan and shows the dialog.
   void offer(const QStringList& files);
   void setColours(const widgets::Palette& palette);
-  /// Where joint maps that a person made are kept.
+  /// Sets the folder of the user's joint maps.
   void setJointMaps(const QString& folder) { m_maps = folder; }
   MappingDialog* mapping() const { return m_mapping; }
   BuildDialog& dialog() { return *m_dialog; }
-  /// Something is being read or built.
+  /// Reading or building is running.
   bool isBusy() const;
 
  signals:
-  /// What was odd or written is among its warnings.
+  /// Its warnings include what was written.
   void built(const abrazo::Material& material);
   void userChosen(const QStringList& files);
   /// The dialog was closed without a result.

@@ -33,7 +33,7 @@ void LibraryDesk::connectBrowser() {
   connect(&m_window.takes(), &TakeList::recordedShown, this, &LibraryDesk::showRecorded);
   connect(&m_window.takes(), &TakeList::danceRequested, this, &LibraryDesk::danceWith);
   connect(&m_window.takes(), &TakeList::vetoRequested, this, &LibraryDesk::toggleVeto);
-  // With each picture of the scene, unlike the marks: light that moves is what it is about.
+  // Updated with each picture of the scene, unlike the marks, because its motion is the information.
   connect(&m_window.ticker(), &FrameTicker::frameReady, this,
           [this](const FrameSnapshotPtr& frame) { m_window.takes().setBelief(frame->result.intent); });
   connect(&m_window.candidates(), &widgets::CandidateTable::jumpRequested, &m_window.takes(),
@@ -74,7 +74,7 @@ void LibraryDesk::onPanels() {
   takes.setSource(static_cast<int>(source.take), static_cast<int>(source.frame));
 }
 
-/// A pair that is looked at stands where the user is; one that is played goes on from where it began.
+/// A browsed pair is placed at the user; a played one continues from its start.
 void LibraryDesk::showRecorded(int pair, bool in_motion) {
   const auto& shown = m_window.ticker().shown();
   if (pair < 0 || !shown || !m_window.session()) return m_window.scene().showRecorded(std::nullopt);

@@ -14,20 +14,20 @@ class Job;
 class LibraryBuild;
 class MainWindow;
 
-/// What the library browser shows and asks for, and the building of libraries from motion files.
+/// Connects the library browser, and the building of libraries from motion files.
 class LibraryDesk : public QObject {
   Q_OBJECT
  public:
   explicit LibraryDesk(MainWindow& window);
   ~LibraryDesk() override;
 
-  /// The dialog, with these files added to what it has. Videos among them are opened with what comes of it.
+  /// Shows the build dialog with these files added. Videos among them are opened with the result.
   void offer(const QStringList& files);
-  /// Null while no library is being built.
+  /// Null if no library is being built.
   LibraryBuild* building() const { return m_build; }
   void danceWith(int take);
   void toggleVeto(int take);
-  /// A session begins, or goes on with another library.
+  /// A session begins, or continues with another library.
   void onSession();
 
  private:
@@ -38,7 +38,7 @@ class LibraryDesk : public QObject {
 
   MainWindow& m_window;
   LibraryBuild* m_build = nullptr;
-  QStringList m_videos;  ///< offered beside what is built
+  QStringList m_videos;  ///< to open with the result
   RecordedGhost m_ghost;
   std::weak_ptr<const MotionLibrary> m_measured;
   std::unique_ptr<Job> m_measuring;

@@ -11,15 +11,15 @@ namespace abrazo::app {
 
 class MainWindow;
 
-/// Asks which points are which joints when a file with unknown points is opened, keeps the answer for files
-/// with the same points, and opens the file with it.
+/// Asks for the joint map of a file with unknown points, stores it for files with the same points, and opens
+/// the file with it.
 class MappingDesk : public QObject {
   Q_OBJECT
  public:
   explicit MappingDesk(MainWindow& window);
-  /// Null while nothing is asked.
+  /// Null if no dialog is open.
   MappingDialog* dialog() const { return m_dialog; }
-  /// Where answers are kept.
+  /// Folder of stored maps.
 
  private:
   void offer(const QStringList& files, const UnmappedMotion& motion);

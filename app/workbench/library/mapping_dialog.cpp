@@ -238,7 +238,7 @@ void MappingDialog::setPoints(int joint, const QString& text) {
 void MappingDialog::togglePoint(int point) {
   const std::string& name = m_motion.points[at(point)];
   auto& rules = m_map.rules[at(m_joint)];
-  // A guess gives way to what is said.
+  // Explicit choices replace guesses.
   if (rules.empty() || m_by[at(m_joint)] != JointGuess::By::Nothing) rules.assign(1, JointRule{});
   m_by[at(m_joint)] = JointGuess::By::Nothing;
   auto& terms = rules.front().terms;
@@ -289,7 +289,7 @@ ImportOptions MappingDialog::said() const {
   return options;
 }
 
-/// A few frames are imported as the whole file will be: what it finds is what is shown.
+/// Imports a few frames in the same way as the whole file later, and shows the result.
 void MappingDialog::showFacts() {
   QStringList missing;
   for (const int joint : bind_joints(m_map, m_motion.points).missing)

@@ -21,26 +21,26 @@ class MappingPreview;
 
 namespace abrazo::app {
 
-/// Asks which of a file's points are which joints, where no joint map and no marker model fits. Begins with a
-/// guess. Reads and writes no file but the joint maps that a person names.
+/// Dialog that assigns a file's points to joints if no joint map or marker model fits. Starts from a guess.
+/// Reads and writes only the joint maps that the user names.
 class MappingDialog : public QDialog {
   Q_OBJECT
  public:
   MappingDialog(NamedMotion motion, QWidget* parent);
   void setColours(const widgets::Palette& palette);
-  /// With a rule for each joint once it was accepted.
+  /// The map; complete after the dialog was accepted.
   const JointMap& map() const { return m_map; }
-  /// Unit, rate and axis, where a person said so.
+  /// Unit, rate and axis, if set by the user.
   ImportOptions said() const;
   QTableWidget& table() { return *m_table; }
   widgets::MappingPreview& preview() { return *m_preview; }
   QString state() const;
 
  public slots:
-  /// "LASI" or "0.5 LASI + 0.5 RASI"; empty takes the joint's points away. Says what is wrong, and changes
-  /// nothing then.
+  /// "LASI" or "0.5 LASI + 0.5 RASI"; empty removes the joint's points. On an error it shows the reason and
+  /// changes nothing.
   void setPoints(int joint, const QString& text);
-  /// Adds the point to the chosen joint, all with equal weight, or takes it away.
+  /// Adds the point to the chosen joint (all with equal weight), or removes it.
   void togglePoint(int point);
   void chooseJoint(int joint);
 

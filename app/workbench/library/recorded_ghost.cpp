@@ -6,7 +6,7 @@ void RecordedGhost::begin(const MotionLibrary& library, int pair, const RootFram
                           bool user_is_passive) {
   m_recorded = library.root(pair);
   const PairPose first = library.pair_in_world(pair, user_root, user_is_passive);
-  // Its own normalisation says where the active body stands, without measuring a heading again.
+  // The stored normalisation gives the root frame of the active body without computing a heading again.
   const Eigen::RowVector3d moved = first.row(0), before = library.pose(pair).row(0);
   m_shown = m_recorded;
   m_shown.heading_rad = user_root.heading_rad;

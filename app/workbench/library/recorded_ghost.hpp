@@ -4,17 +4,17 @@
 
 namespace abrazo::app {
 
-/// Where recorded pairs of a take are shown: begun where the user is, then as they were recorded.
+/// Placement of shown pairs of a take: starting at the user, then as recorded.
 class RecordedGhost {
  public:
-  /// Puts a pair where the user is.
+  /// Places a pair at the user.
   void begin(const MotionLibrary& library, int pair, const RootFrame& user_root, bool user_is_passive);
-  /// A pair of the same take, moved like the first one: the way it walks and turns stays the recorded one.
+  /// A pair of the same take with the transform of the first: its path and turns are those of the recording.
   PairPose at(const MotionLibrary& library, int pair) const;
 
  private:
   RootFrame m_recorded;  ///< of the first pair's active body, in its take
-  RootFrame m_shown;     ///< the same where it is shown
+  RootFrame m_shown;     ///< the same as shown
 };
 
 }  // namespace abrazo::app

@@ -46,7 +46,7 @@ Autosave::~Autosave() {
   finish();
 }
 
-/// The file gets its name and its lock when there is something to keep.
+/// The file gets its name and lock when there is work to keep.
 bool Autosave::prepare() {
   if (m_lock) return true;
   QDir().mkpath(m_folder);

@@ -14,28 +14,27 @@ namespace abrazo::app {
 
 class Job;
 
-/// Keeps what was not saved yet in a file of its own in ABRAZO_HOME/autosave, which is gone after a clean
-/// end. A lock beside it says which process it belongs to: a second window leaves it alone, and after a crash
-/// it is free.
+/// Keeps unsaved work in a file in ABRAZO_HOME/autosave, which is removed at a normal end. A lock beside it
+/// identifies the owner process: a second window ignores it, and a crash releases it.
 class Autosave : public QObject {
   Q_OBJECT
  public:
   explicit Autosave(const QString& folder, QObject* parent = nullptr);
   ~Autosave() override;
 
-  /// Writes it on a worker unless it is there already; while one is being written the newest waits.
-  /// @param session_file  that the project belongs to; empty when it was never saved
+  /// Writes on a worker unless nothing changed; during a write the newest project waits.
+  /// @param session_file file of the project; empty = never saved
   void keep(const Project& project, const QString& session_file);
-  /// What was kept is saved, or not wanted any more.
+  /// Removes the file: the work is saved or discarded.
   void drop();
-  /// As keep(), at once; the file stays behind for the next start to offer.
+  /// As keep(), but immediately; the file stays for the next start.
   void leave(const Project& project, const QString& session_file);
   bool isBusy() const { return m_job != nullptr; }
   const QString& file() const { return m_file; }
 
-  /// What programs that are gone left there.
+  /// Autosaved files of ended programs.
   static QStringList leftBehind(const QString& folder);
-  /// With its lock.
+  /// Removes a file and its lock.
   static void remove(const QString& file);
 
  signals:
@@ -59,7 +58,7 @@ class Autosave : public QObject {
 /// "Changes to waltz.abrazo of 21 Nov 14:03 were not saved: 12 annotations, 3 markers"
 QString words_of_autosave(const QString& file);
 
-/// The session file that it belongs to; empty when it was never saved.
+/// The session file of an autosaved file; empty = never saved.
 QString session_of_autosave(const QString& file);
 
 }  // namespace abrazo::app

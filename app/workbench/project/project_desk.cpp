@@ -168,7 +168,7 @@ void ProjectDesk::saveAs(const QString& chosen) {
   write(is_same ? file() : chosen);
 }
 
-/// Without anyone to ask, what builds it again is kept.
+/// Without a user to ask, the manifest is kept.
 std::optional<std::string> ProjectDesk::libraryFileFor(const QString& target) {
   const Material& material = m_window.session()->material();
   const bool was_asked = m_withoutLibrary && *m_withoutLibrary == material.manifest;
@@ -257,7 +257,7 @@ bool ProjectDesk::waitForSave() {
 }
 
 bool ProjectDesk::saveAndWait() {
-  if (m_job) waitForSave();  // what was changed since it began is not in it
+  if (m_job) waitForSave();  // later changes are not in it
   refresh();
   if (!m_isModified) return true;
   save();
@@ -266,7 +266,7 @@ bool ProjectDesk::saveAndWait() {
 
 // ---- opening ----
 
-/// Data that is not where it was is asked for before anything is opened.
+/// Asks for moved data before anything is opened.
 void ProjectDesk::onOffered(const std::vector<FileToOpen>& files, bool& taken) {
   if (!m_asks || files.size() != 1) return;
   taken = true;

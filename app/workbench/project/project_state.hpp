@@ -6,12 +6,12 @@ namespace abrazo::app {
 
 class MainWindow;
 
-/// What a person works on in the window, as it is now. The references to data have a path and a use only:
-/// `save_session` completes them, which reads the files.
+/// The present project of the window. Its data references have path and use only; `save_session` reads the
+/// files and completes them.
 Project project_of(MainWindow& window);
 
-/// Panels, lanes, plots, scene and camera as a project has them. What does not fit this version is left as it
-/// is.
+/// Restores panels, lanes, plots, scene and camera of a project. Ignores values that are invalid in this
+/// version.
 void show_view(MainWindow& window, const std::map<std::string, std::string>& view);
 
 }  // namespace abrazo::app

@@ -42,11 +42,11 @@ RelocateDialog::RelocateDialog(std::shared_ptr<const OpenedProject> project, QWi
   for (const std::size_t index : m_project->missing()) m_choices[index] = {};
   auto* column = new QVBoxLayout(this);
   const QString session = QFileInfo(QString::fromStdString(m_project->file)).fileName();
-  auto* head = new QLabel(
-      QString("%1 needs files that are not there. Say where one of them is now; others that moved along with "
-              "it are then found, too.")
-          .arg(session.isEmpty() ? "This session" : session),
-      this);
+  auto* head =
+      new QLabel(QString("%1 needs files that are missing. Locate one of them; others that moved along with "
+                         "it are then found, too.")
+                     .arg(session.isEmpty() ? "This session" : session),
+                 this);
   head->setWordWrap(true);
   column->addWidget(head);
   m_list = new QTreeWidget(this);

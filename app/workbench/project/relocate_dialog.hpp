@@ -11,14 +11,14 @@ class QTreeWidget;
 
 namespace abrazo::app {
 
-/// Which files of a session are not where they were, and where a person says they are. One that is pointed
-/// out shows where the others of the same move are; they are taken only when the person says so.
+/// Dialog for moved files of a session. A located file proposes the places of others that moved with it;
+/// these are used only if the user confirms them.
 class RelocateDialog : public QDialog {
   Q_OBJECT
  public:
   RelocateDialog(std::shared_ptr<const OpenedProject> project, QWidget* parent);
 
-  /// As chosen; what was not found has an empty path.
+  /// The chosen paths; empty for files that were not found.
   Places places() const;
   /// As by the button "Locate…". @param index  into the data
   void pointOut(std::size_t index, const QString& file);
@@ -27,7 +27,7 @@ class RelocateDialog : public QDialog {
  private:
   struct Choice {
     QString file;           ///< empty: missing
-    bool proposed = false;  ///< found by the same move; taken when its box stays ticked
+    bool proposed = false;  ///< found by the same move; used if its box stays checked
     bool taken = true;
   };
   void fill();
@@ -36,7 +36,7 @@ class RelocateDialog : public QDialog {
   std::size_t current() const;
 
   std::shared_ptr<const OpenedProject> m_project;
-  std::map<std::size_t, Choice> m_choices;  ///< by index into the data: those that are missing
+  std::map<std::size_t, Choice> m_choices;  ///< missing files, by index into the data
   QTreeWidget* m_list;
   QLabel* m_consequences;
   QPushButton *m_locate, *m_open;

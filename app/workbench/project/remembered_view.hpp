@@ -5,16 +5,16 @@
 
 namespace abrazo::app {
 
-// What a project remembers of the view, as text; what comes back is from a file, perhaps a stranger's.
-// Layout, plots, lanes and scene have theirs where they are.
+// View state of a project as text; input may be an untrusted file. Layout, plots, lanes and scene have their
+// own functions.
 
-/// Whence the camera looks.
+/// Direction of the camera.
 struct CameraTurn {
   double azimuth_rad = 0;
   double elevation_rad = 0;  ///< up to a right angle, above or below
 };
 std::string text_of(const CameraTurn& turn);
-/// Nothing where it is none.
+/// None if invalid.
 std::optional<CameraTurn> camera_turn_of(const std::string& text);
 
 }  // namespace abrazo::app

@@ -27,11 +27,11 @@ void choose_session(MainWindow& window) {
   if (!files.isEmpty()) window.openFiles(files);
 }
 
-/// What the window shows of a recorded session beside its frames; the cursor stands at its beginning.
+/// State of a recorded session beside its frames; the cursor is at its beginning.
 void show_recorded(MainWindow& window, TakeDesk& takes) {
   const auto recorded = window.session()->material().recorded;
   if (!recorded) return;
-  // First: who goes on writing there writes these.
+  // First: a continued recording writes these.
   window.document().put(SubjectMarkers{"", recorded->markers()});
   takes.setOpened(QString::fromStdString(recorded->file), recorded->contents);
   if (!recorded->contents.settings.empty())
@@ -74,7 +74,7 @@ void discard(MainWindow& window, const QString& file) {
     return window.messages().showInformation("The changes that were not saved were discarded");
   }
   discard_session(file) ? window.messages().showInformation(file + " was discarded")
-                        : window.messages().showError(file + ": cannot be removed; check who owns it");
+                        : window.messages().showError(file + ": cannot be removed; check its owner");
 }
 
 /// Changes that were kept for programs that are gone; what cannot be read is offered, too, to be thrown away.
@@ -97,7 +97,7 @@ void offer_leftovers(MainWindow& window, LeftoverBar& shown) {
   LeftoverBar* bar = &shown;
   new Job(
       [files, kept, bar](const Progress&) -> Job::Finish {
-        // What was not saved opens together with what was recorded.
+        // Unsaved work opens together with its recording.
         auto found = unsaved(kept);
         for (LeftoverSession& session : leftovers(files))
           if (std::ranges::none_of(found, [&](const auto& one) { return one.belongsTo == session.file; }))

@@ -5,7 +5,7 @@
 namespace abrazo::app {
 namespace {
 
-// As they stand in the bytes since Qt 4.3.
+// Markers in the bytes since Qt 4.3.
 constexpr int version_mark = 0xff;
 constexpr quint8 areas_mark = 0xfd, tool_bars_mark = 0xfc;
 constexpr quint8 sequence_mark = 0xfc, tabs_mark = 0xfa, panel_mark = 0xfb;
@@ -56,7 +56,7 @@ class DockStateReader {
       readSize();
       readItems(0);
     }
-    readSize();  // of what is in the middle
+    readSize();  // of the central widget
     for (int corner = 0; corner < 4; ++corner) {
       const int side = number();
       expect(side == Qt::LeftDockWidgetArea || side == Qt::RightDockWidgetArea ||

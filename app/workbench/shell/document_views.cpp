@@ -55,7 +55,7 @@ void show_document(MainWindow& window) {
   QObject::connect(&document, &Document::changed, &window,
                    [&window](ProjectPart part) { show_part(window, part); });
   QObject::connect(&document, &Document::refused, &window, [&window](const QString& why) {
-    show_part(window, ProjectPart::Settings);  // what was typed is taken back
+    show_part(window, ProjectPart::Settings);  // restores the field
     window.messages().showError(why);
   });
   QObject::connect(&document, &Document::libraryReplaced, &window,

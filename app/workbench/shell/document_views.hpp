@@ -4,7 +4,7 @@ namespace abrazo::app {
 
 class MainWindow;
 
-/// The window's views show its document, and what they ask for is asked there.
+/// Connects the window's views with its document: they show it and request changes of it.
 void show_document(MainWindow& window);
 
 }  // namespace abrazo::app

@@ -7,10 +7,10 @@
 
 namespace abrazo::app {
 
-/// "walk.bvh: a motion, plays the user", for each file that is about to be dropped.
+/// "walk.bvh: a motion, plays the user", for each file being dragged.
 QStringList dropped_in_words(const QStringList& files);
 
-/// Laid over the window while files are dragged above it.
+/// Overlay of the window while files are dragged over it.
 class DropHint : public QWidget {
   Q_OBJECT
  public:

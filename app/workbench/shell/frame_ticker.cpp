@@ -105,7 +105,7 @@ void FrameTicker::measure(double played_s, double elapsed_s) {
   m_played_s = m_elapsed_s = 0;
 }
 
-/// Something was asked for: shown as soon as the events at hand are done, among which may be a newer request.
+/// A request: shown after the pending events, which may include a newer request.
 void FrameTicker::changed() {
   m_achieved = std::abs(m_playback.speed);
   m_played_s = m_elapsed_s = 0;

@@ -12,26 +12,26 @@
 
 namespace abrazo::app {
 
-/// Polls at display rate: which frame is to be shown now, under the rules of Playback. Nothing queues per
-/// frame: of several requests between two pictures the newest counts.
+/// Polls at display rate for the frame to show, under the rules of Playback. Nothing queues per frame: of
+/// several requests between two pictures the newest counts.
 class FrameTicker : public QObject {
   Q_OBJECT
  public:
   explicit FrameTicker(QObject* parent = nullptr);
   /// Both outlive the ticker or the next call; null pointers stop it.
   void setSources(const FrameHistory* history, const LatestSlot<FrameSnapshot>* latest);
-  /// Frames are shown with their candidates numbered as in this library.
+  /// Converts candidates of shown frames to this library.
   void setLibrary(std::shared_ptr<const MotionLibrary> library);
-  /// As it was left: cursor, speed, in and out, within what there is now.
+  /// Restores cursor, speed, in and out, within the available range.
   void resume(const Playback& playback);
-  /// How many pictures reached the screen so far: what playing every frame waits for.
+  /// Sets the counter of drawn pictures, for playing every frame.
   void setPictures(std::function<std::uint64_t()> count) { m_pictures = std::move(count); }
   const Playback& playback() const { return m_playback; }
   const FrameSnapshotPtr& shown() const { return m_shown; }
   const FrameHistory* history() const { return m_history; }
-  /// Of the last second or so of playing.
+  /// Speed over about the last second of playing.
   double achievedSpeed() const { return m_achieved; }
-  /// Parks at a frame or time. @return why there is nothing to show there, or nothing
+  /// Parks at a frame or time. @return the reason if there is no frame, or empty
   QString goTo(const TimePlace& place);
 
  public slots:
@@ -53,14 +53,14 @@ class FrameTicker : public QObject {
   void setRange(double from_s, double to_s);
   /// J, K, L: -1 backwards, 0 stop, 1 forwards; again in the same direction doubles the speed.
   void shuttle(int direction);
-  /// While the cursor is being dragged the picture comes first: panels keep to their own pace.
+  /// While the cursor is dragged the scene has priority; panels update at their own rate.
   void setScrubbing(bool on);
   void tick();
 
  signals:
   void frameReady(abrazo::FrameSnapshotPtr frame);
   void playbackChanged(const abrazo::Playback& playback);
-  /// Time for the panels that show a span of time: some 12 times a second, and immediately after a request.
+  /// Update of panels that show a time span: about 12 times per second, and immediately after a request.
   void panelsDue();
 
  private:
@@ -70,7 +70,7 @@ class FrameTicker : public QObject {
   void measure(double played_s, double elapsed_s);
 
   QTimer m_timer;
-  QTimer m_soon;  ///< one tick once the events at hand are done
+  QTimer m_soon;  ///< one tick after the pending events
   QElapsedTimer m_clock;
   QElapsedTimer m_panels;
   QElapsedTimer m_sinceShown;
@@ -78,7 +78,7 @@ class FrameTicker : public QObject {
   bool m_scrubbing = false;
   Playback m_playback;
   FrameSnapshotPtr m_shown;
-  FrameSnapshotPtr m_kept;  ///< the shown one as the history has it
+  FrameSnapshotPtr m_kept;  ///< the shown frame as in the history
   std::shared_ptr<const MotionLibrary> m_library;
   const FrameHistory* m_history = nullptr;
   const LatestSlot<FrameSnapshot>* m_latest = nullptr;

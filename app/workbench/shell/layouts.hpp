@@ -9,8 +9,8 @@ namespace abrazo::app {
 
 class MainWindow;
 
-/// The arrangements of the window that can be chosen by name: three that are built in, and a person's own,
-/// each a file in the folder `layouts` beside the remembered settings.
+/// Named layouts of the window: three built-in ones, and the user's own, each a file in the folder `layouts`
+/// beside the remembered settings.
 class Layouts : public QObject {
   Q_OBJECT
  public:
@@ -20,12 +20,12 @@ class Layouts : public QObject {
   QStringList own() const;
   QString fileOf(const QString& name) const;
 
-  /// What cannot be done is reported in the message bar. @return whether it was done
+  /// Errors are reported in the message bar. @return whether it was done
   bool choose(const QString& name);
   bool save(const QString& name);
   bool remove(const QString& name);
 
-  /// As the window was when it was closed; the usual arrangement where that cannot be read.
+  /// Restores the layout of the last closing; the default if that cannot be read.
   bool restoreLast();
   bool saveLast();
 

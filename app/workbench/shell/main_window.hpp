@@ -37,25 +37,24 @@ class Job;
 class PanelArea;
 class StatusFigures;
 
-/// Where the parts stand and how they are wired. Every user action lives in the `_actions.cpp` of its
-/// feature.
+/// Layout and wiring of the parts. Every user action is in the `_actions.cpp` of its feature.
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
   explicit MainWindow(UserSettings& remembered);
   ~MainWindow() override;
 
-  /// Runs on a worker and then replaces the session. @param make  called off this thread
+  /// Runs on a worker and then replaces the session. @param make called on the worker
   using MakeMaterial = std::function<Result<Material>(const Progress&)>;
-  /// @param files  it is read from, for the list of recent files
+  /// @param files source files, for the list of recent files
   void openMaterial(MakeMaterial make, const QStringList& files = {});
   void openFiles(const QStringList& files);
   void openDemo();
-  /// Among the recent ones from now on.
+  /// Adds the files to the recent ones.
   void noteOpened(const QStringList& files) { emit filesOpened(files); }
-  /// A take of the library by name in place of the session, or the session again ("").
+  /// Requests to show a take of the library, or the session ("").
   void requestSubject(const QString& subject) { emit subjectRequested(subject); }
-  /// Shown, and told to whoever started the program unattended.
+  /// Shows an error, and reports it to an unattended run.
   void fail(const QString& message);
 
   void setTheme(widgets::Theme theme);
@@ -64,25 +63,25 @@ class MainWindow : public QMainWindow {
 
   /// A panel beside or below the scene, with an entry under View > Panels. Adds it hidden unless `shown`;
   /// give the content its colours now and with every coloursChanged.
-  /// @param id  names it in saved layouts and stays the same between versions
-  /// @param content  whose own SectionHeader of this title, if a direct child, becomes the panel's head
+  /// @param id stable id in saved layouts
+  /// @param content its SectionHeader of this title, if a direct child, becomes the panel's header
   QDockWidget* addPanel(const QString& id, const QString& title, QWidget* content, Qt::DockWidgetArea area,
                         bool shown);
   PanelArea& panels() const { return *m_panels; }
   QMenu& panelMenu() { return *m_panelMenu; }
-  /// Shows or hides the panel at the left or right, whatever the size of the window.
+  /// Shows or hides the panels at one side, regardless of the window's size.
   void showLeft(bool on);
   void showRight(bool on);
 
   /// Between the message bar and the timeline, left of the scene.
   void addBesideScene(QWidget* page);
-  QWidget* besideScene() const { return m_besideScene; }  ///< null where nothing was added
+  QWidget* besideScene() const { return m_besideScene; }  ///< may be null
   WindowLayout layoutOfPanels() const;
   bool setLayoutOfPanels(const WindowLayout& layout);
   void resetLayout();
 
   FrameTicker& ticker() { return m_ticker; }
-  /// What is worked on: who shows a part of it listens there.
+  /// The document; views listen to it.
   Document& document() const { return *m_document; }
   QUndoStack& undoStack() { return m_document->undoStack(); }
   UserSettings& remembered() const { return m_remembered; }
@@ -102,23 +101,23 @@ class MainWindow : public QMainWindow {
 
  signals:
   void sessionStarted();
-  /// The last moment to let go of what belongs to session().
+  /// Emitted before session() ends, to release its objects.
   void sessionEnding();
   void coloursChanged(const abrazo::widgets::Palette& palette);
   void failed(const QString& message);
-  /// More than one motion is to be opened: a person says what they are for. Videos may be among them.
+  /// More than one motion was opened, so the user must choose their use. May include videos.
   void motionsOffered(const QStringList& files);
-  /// Nobody knows which points of this motion are which joints: a person says so.
+  /// No joint map fits this motion, so the user must assign joints.
   void mappingOffered(const QStringList& files, const std::shared_ptr<const abrazo::NamedMotion>& motion);
   void subjectRequested(const QString& subject);
-  /// Files of labels alone, for what is shown.
+  /// Label files for the shown subject.
   void labelsOffered(const QStringList& files);
-  /// Reference videos are to be opened, beside what else is.
+  /// Reference videos were opened, perhaps with other files.
   void videosOffered(const QStringList& files);
   void filesOpened(const QStringList& files);
-  /// A session file is to be opened, among these; whoever opens it himself says so.
+  /// The files include a session file; a receiver that opens it sets `taken`.
   void sessionOffered(const std::vector<abrazo::FileToOpen>& files, bool& taken);
-  /// The session is to end, for another one or with the window. Who wants it to stay says so.
+  /// The session is about to end, for another one or with the window. Receivers may refuse.
   void leaving(bool& allowed);
   void closing();
   void panelsArranged(const abrazo::app::PanelPlan& plan);
@@ -163,7 +162,8 @@ class MainWindow : public QMainWindow {
   QTimer m_statusTimer;
 
   FrameTicker m_ticker;
-  std::unique_ptr<Document> m_document;  // after the ticker that reads its session: see the destructor
+  std::unique_ptr<Document> m_document;  // declared after the ticker that reads its session: see the
+                                         // destructor
   std::unique_ptr<Job> m_job;
 };
 

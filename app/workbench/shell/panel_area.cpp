@@ -30,7 +30,7 @@ widgets::SectionHeader* head_for(QWidget* content, const QString& title) {
 }  // namespace
 
 PanelArea::PanelArea() {
-  setWindowFlags(Qt::Widget);  // a main window is a window of its own unless told otherwise
+  setWindowFlags(Qt::Widget);  // a QMainWindow is a top-level window by default
   setDockOptions(QMainWindow::AllowTabbedDocks | QMainWindow::AllowNestedDocks);
   setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
   for (const Qt::Corner corner : {Qt::TopLeftCorner, Qt::BottomLeftCorner})

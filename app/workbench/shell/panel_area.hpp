@@ -14,36 +14,36 @@ namespace abrazo::app {
 
 class PanelTitle;
 
-/// The scene in the middle and the panels around it, which a person moves, floats, stacks and closes. A panel
-/// is shown where it is wanted and there is room at its side; a small window hides sides and narrows panels
-/// without forgetting what was wanted there, and how large.
+/// The scene in the middle and movable, floating, stackable and closable panels around it. A wanted panel is
+/// shown if there is room at its side; a small window hides sides and narrows panels but remembers wanted
+/// panels and sizes.
 class PanelArea : public QMainWindow {
   Q_OBJECT
  public:
   PanelArea();
 
-  /// @param id       names the panel in saved layouts; stays the same between versions
-  /// @param content  whose own SectionHeader of the same title, a direct child, becomes the panel's head
-  /// @param shown    wanted in the usual layout
+  /// @param id stable id in saved layouts
+  /// @param content its SectionHeader of the same title, a direct child, becomes the panel's header
+  /// @param shown wanted in the default layout
   QDockWidget* add(const QString& id, const QString& title, QWidget* content, Qt::DockWidgetArea area,
                    bool shown);
   QDockWidget* panel(const QString& id) const;
   std::vector<QDockWidget*> panels() const;
-  /// More words at the panel's head than its name.
+  /// Sets additional text in the panel's header.
   void setHead(const QString& id, const QString& text);
   void setColours(const widgets::Palette& palette);
 
   bool isWanted(const QString& id) const;
   void want(const QString& id, bool on);
-  /// A whole side, whatever the size of the window.
+  /// Shows or hides a whole side, regardless of the window's size.
   void wantSide(Qt::DockWidgetArea side, bool on);
   /// @param window  the size of the whole window
   void arrangeFor(QSize window);
-  /// Every panel where it was added.
+  /// Returns every panel to its initial place.
   void reset();
   WindowLayout state() const;
-  /// Panels that the layout does not know go where they were added. @return whether it could be read; else
-  /// nothing has changed
+  /// Panels unknown to the layout go to their initial place. @return false, without a change, if it is
+  /// invalid
   bool setState(const WindowLayout& layout);
 
  signals:
@@ -79,9 +79,9 @@ class PanelArea : public QMainWindow {
   PanelWishes m_wishes;
   PanelPlan m_room;
   QSize m_window{1600, 1000};
-  /// Of each panel that was seen, as a person has it while there is room. A width of 0 follows the plan.
+  /// Sizes of panels as set by the user, for windows with enough room. Width 0 follows the plan.
   std::map<QString, QSize> m_sizes;
-  bool m_hasSizes = false;  ///< of a layout, or once they were given at the first show
+  bool m_hasSizes = false;  ///< from a layout, or set at the first show
 };
 
 }  // namespace abrazo::app

@@ -53,7 +53,7 @@ void focus_panel(MainWindow& window, int by) {
       places, [](const QWidget* place) { return holds(*place, QApplication::focusWidget()); });
   const int now = here == places.end() ? (by > 0 ? -1 : count) : static_cast<int>(here - places.begin());
   QWidget* target = first_in(*places[static_cast<std::size_t>((now + by + count) % count)]);
-  target->activateWindow();  // a floating panel is a window of its own
+  target->activateWindow();  // a floating panel is a separate window
   target->setFocus(by > 0 ? Qt::TabFocusReason : Qt::BacktabFocusReason);
 }
 

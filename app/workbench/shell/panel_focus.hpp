@@ -8,12 +8,11 @@ namespace abrazo::app {
 
 class MainWindow;
 
-/// The places that F6 goes round: the welcome page, the scene, the panels that are seen, the transport and
-/// the timeline.
+/// The focus cycle of F6: welcome page, scene, visible panels, transport and timeline.
 std::vector<QWidget*> focus_places(const MainWindow& window);
 
-/// Gives the keyboard to the next place (1), or the one before (-1). Where a place was left is not
-/// remembered.
+/// Moves the focus to the next place (1), or the previous one (-1). Does not remember the focus within a
+/// place.
 void focus_panel(MainWindow& window, int by);
 
 }  // namespace abrazo::app

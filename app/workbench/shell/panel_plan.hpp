@@ -5,7 +5,7 @@
 
 namespace abrazo::app {
 
-/// Which panels a window of some size shows; plain arithmetic. In a small window the scene comes first.
+/// Panels shown at a window size. In a small window the scene has priority. Independent of Qt.
 struct PanelPlan {
   bool left = true;   ///< scene and library
   bool right = true;  ///< candidates and settings
@@ -14,7 +14,7 @@ struct PanelPlan {
   int right_width = 406;
 };
 
-/// What a person asked for; nothing leaves it to the size.
+/// The user's wishes; none = decided by the size.
 struct PanelWishes {
   std::optional<bool> left, right, plots;
 

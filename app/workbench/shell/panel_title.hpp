@@ -14,7 +14,7 @@ class SectionHeader;
 
 namespace abrazo::app {
 
-/// What a panel is moved by: its name, a menu of places and a button to close it.
+/// The title bar of a panel: name, menu of places, and close button.
 class PanelTitle : public QWidget {
   Q_OBJECT
  public:

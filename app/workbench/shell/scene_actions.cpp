@@ -17,7 +17,7 @@ using widgets::SceneOptions;
 using widgets::ScenePart;
 using widgets::SceneView;
 
-/// A tick that stands for something of the options and follows them.
+/// A checkable action bound to a scene option.
 void add_option(MainWindow& window, QMenu* menu, const QString& text, const char* key,
                 bool SceneOptions::*option) {
   SceneView& scene = window.scene();
@@ -101,7 +101,7 @@ void add_cut(MainWindow& window, QMenu* menu) {
   add("Tilt the plane down", "Alt+Down", 0, 0, -step_rad);
 }
 
-/// The scene is set up as it was left; whatever changes is remembered a moment later, at once.
+/// Restores the scene's setup; changes are stored together shortly afterwards.
 void remember(MainWindow& window) {
   constexpr int quiet_ms = 400;
   SceneView& scene = window.scene();

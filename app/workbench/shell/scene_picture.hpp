@@ -8,11 +8,11 @@ class SceneView;
 
 namespace abrazo::app {
 
-/// What stands on black in one picture and on white in the other, alone: how much of the background is seen
-/// through each pixel is what differs between the two.
+/// A picture with transparent background from two pictures on black and on white: their difference gives the
+/// transparency of each pixel.
 QImage without_background(const QImage& on_black, const QImage& on_white);
 
-/// The scene alone, on nothing.
+/// The scene with transparent background.
 QImage transparent_picture(widgets::SceneView& scene);
 
 }  // namespace abrazo::app

@@ -20,7 +20,7 @@ using widgets::SceneView;
 using widgets::Selection;
 using widgets::SelectionModel;
 
-/// Every view asks the one selection and shows what it answers.
+/// Every view requests changes of the shared selection and shows it.
 void link_views(MainWindow& window) {
   SelectionModel& model = window.selection();
   SceneView& scene = window.scene();
@@ -68,7 +68,7 @@ void add_selection_actions(MainWindow& window) {
              [&model] { model.select(widgets::other_character(model.selection())); });
   QAction* nothing =
       add_action(window, menu, "Select nothing", {QKeySequence("Esc")}, [&model] { model.select({}); });
-  // Only where the scene has the keyboard: fields and lists have an Escape of their own.
+  // Only if the scene has the focus: fields and lists handle Escape themselves.
   nothing->setShortcutContext(Qt::WidgetWithChildrenShortcut);
   window.removeAction(nothing);
   scene.addAction(nothing);

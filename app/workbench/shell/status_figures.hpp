@@ -14,17 +14,16 @@
 
 namespace abrazo::app {
 
-/// The status bar's one line: is it keeping up, and does the partner move like a person?
+/// The line of the status bar: performance, and quality of the partner's motion.
 class StatusFigures : public QWidget {
   Q_OBJECT
  public:
-  /// What comes in, whatever of it is solved.
+  /// State of the input.
   struct Input {
     QString name;
-    bool comes = true;   ///< anything, now
-    double rate_hz = 0;  ///< of the poses
-    std::optional<std::uint64_t> lost =
-        {};  ///< frames that were sent and did not arrive; nothing = cannot be lost
+    bool comes = true;                       ///< poses arrive at present
+    double rate_hz = 0;                      ///< of the poses
+    std::optional<std::uint64_t> lost = {};  ///< lost frames; none = loss is impossible
 
     bool operator==(const Input&) const = default;
   };
@@ -36,7 +35,7 @@ class StatusFigures : public QWidget {
   void showInput(const Input& input);
   void refresh(const FrameHistory& history, std::uint64_t rendered_frames);
 
-  /// What is shown, from left to right, as "in 60 Hz".
+  /// The shown texts from left to right, such as "in 60 Hz".
   QStringList words() const;
 
  protected:
@@ -55,12 +54,12 @@ class StatusFigures : public QWidget {
   std::uint64_t m_rendered = 0;
   double m_renderRate = 0;
   QElapsedTimer m_sinceRefresh;
-  std::vector<double> m_solve_us;   ///< of the last while
+  std::vector<double> m_solve_us;   ///< of recent frames
   std::vector<double> m_speed_m_s;  ///< of the partner, the same
   widgets::SeriesReader m_series;
 };
 
-/// The value below which `share` of the values are; 0 without values.
+/// Percentile of values; 0 without values.
 double percentile(std::vector<double> values, double share);
 
 }  // namespace abrazo::app

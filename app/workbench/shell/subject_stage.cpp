@@ -30,7 +30,7 @@ Status SubjectStage::show(const std::string& subject) {
     take = *frames;
   }
   m_places[m_window.document().subject()] = m_window.ticker().playback();
-  // The clip that stands in for the user waits; a stream does not.
+  // The clip that plays the user pauses; a stream does not.
   const bool clip_waits = !subject.empty() && !session->engine().receiver() && !is_held(m_window);
   if (clip_waits != m_heldInput) session->push(PauseInput{clip_waits});
   m_heldInput = clip_waits;

@@ -11,20 +11,20 @@ namespace abrazo::app {
 
 class MainWindow;
 
-/// Which frames the window shows: those of the session, which goes on meanwhile, or of a take of its library.
-/// Each keeps its cursor and its in and out while another is shown.
+/// Selects the frames of the window: those of the session, which continues meanwhile, or of a take of its
+/// library. Each subject keeps its cursor, in and out while another is shown.
 class SubjectStage {
  public:
   explicit SubjectStage(MainWindow& window) : m_window(window) {}
 
-  /// @param subject  a take by name; "" = the session. @return what prevents it
+  /// @param subject a take by name; "" = the session
   Status show(const std::string& subject);
-  /// The shown take as it is in the session's library now: it was replaced.
+  /// Updates the shown take after the session's library was replaced.
   void renew();
-  /// The session ended, and what was shown of it.
+  /// Resets after the end of the session.
   void forget();
 
-  /// Of the shown take; null while the session is shown.
+  /// Frames of the shown take; null while the session is shown.
   const TakeFrames* take() const { return m_take.get(); }
 
  private:
@@ -35,7 +35,7 @@ class SubjectStage {
   MainWindow& m_window;
   std::shared_ptr<const TakeFrames> m_take;
   std::map<std::string, Playback> m_places;
-  bool m_heldInput = false;  ///< the clip was stopped for the take
+  bool m_heldInput = false;  ///< the clip was paused for the take
 };
 
 }  // namespace abrazo::app

@@ -20,7 +20,7 @@ using widgets::TransportBar;
 constexpr double zoom_step = 0.7;
 const QPoint above_the_time(150, 0);
 
-/// A place that there is. @return what is wrong, or nothing
+/// Checks that a place exists. @return the error, or empty
 QString find(MainWindow& window, const QString& text, double& time_s) {
   const FrameTicker& ticker = window.ticker();
   const auto place = parse_time_place(text.toStdString(), window.transport().rate());

@@ -42,7 +42,7 @@ QByteArray text_of(const WindowLayout& layout) {
 Result<WindowLayout> parse_layout(const QByteArray& text, const std::string& file) {
   const QJsonObject object = QJsonDocument::fromJson(text).object();
   if (!object.contains(version_key))
-    return Error{"is no layout of a window; delete the file, or save the layout again", file};
+    return Error{"is not a window layout; delete the file, or save the layout again", file};
   if (object.value(version_key).toInt() != layout_version)
     return Error{"is a layout of another version of Abrazo; arrange the window and save the layout again",
                  file};

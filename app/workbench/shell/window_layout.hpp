@@ -9,23 +9,23 @@
 
 namespace abrazo::app {
 
-/// Changes when panels or their places change so that older files would come out wrong.
+/// Increased if changes of panels or places make older files invalid.
 constexpr int layout_version = 1;
 
-/// Where the panels of a window stand and which of them are wanted.
+/// Places and visibility of the panels of a window.
 struct WindowLayout {
   QByteArray docks;          ///< as QMainWindow::saveState writes it
-  QStringList known, shown;  ///< panels there were, and those of them that were wanted
+  QStringList known, shown;  ///< known panels, and the wanted ones among them
   PanelWishes sides;
-  int timeline_height = 0;  ///< pixels; 0 is as low as it can be
+  int timeline_height = 0;  ///< pixels; 0 = minimum
 
   bool operator==(const WindowLayout&) const = default;
 };
 
 QByteArray text_of(const WindowLayout& layout);
 
-/// @param file  where the text is from, for the message
-/// @return an error where it is no layout, or one of another version
+/// @param file source of the text, for messages
+/// @return an Error if it is not a layout, or of another version
 Result<WindowLayout> parse_layout(const QByteArray& text, const std::string& file);
 
 }  // namespace abrazo::app

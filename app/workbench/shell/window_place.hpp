@@ -4,7 +4,7 @@ class QWidget;
 
 namespace abrazo::app {
 
-/// Moves a window whose head could not be reached with the pointer to the middle of a screen.
+/// Moves a window to the middle of a screen if its title bar is unreachable.
 void bring_onto_screen(QWidget& window);
 
 }  // namespace abrazo::app

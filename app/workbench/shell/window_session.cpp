@@ -56,7 +56,7 @@ void MainWindow::openFiles(const QStringList& all) {
     emit videosOffered(videos);
     return session() || m_job ? void() : openDemo();
   }
-  // Without anyone to ask, open_files refuses them.
+  // Without a user to ask, open_files refuses them.
   if (has(FileKind::Motion) > 1 && isSignalConnected(QMetaMethod::fromSignal(&MainWindow::motionsOffered)))
     return emit motionsOffered(all);
   OpeningWish wish{known,
@@ -111,7 +111,7 @@ void MainWindow::openMaterial(MakeMaterial make, const QStringList& files) {
       if (!files.isEmpty()) emit filesOpened(files);
     };
   };
-  // Who cancels goes on with what was open, however far the rest had come.
+  // After cancellation the previous session continues, whatever the progress of the new one.
   m_job = std::make_unique<Job>([this, open](const Progress& progress) -> Job::Finish {
     return [this, finish = open(progress)] {
       if (!m_job->wasCancelled()) finish();

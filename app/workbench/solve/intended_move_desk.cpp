@@ -18,7 +18,7 @@ namespace {
 using widgets::IntendedMoveChoice;
 
 constexpr int refresh_interval_ms = 300;
-constexpr double answered_within_s = 0.5;  // by then a frame has been solved under what was said
+constexpr double answered_within_s = 0.5;  // by then a frame has been solved with the declaration
 const QPoint chip_place(12, 46);           // in the scene, below the choice of what colours the mesh
 
 using widgets::text;

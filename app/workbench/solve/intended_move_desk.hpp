@@ -16,13 +16,13 @@ namespace abrazo::app {
 
 class MainWindow;
 
-/// The move that the user intends: what there is to choose from, what was declared, and when that is over.
+/// Handles the intended move: available choices, declaration, and its end.
 class IntendedMoveDesk : public QObject {
   Q_OBJECT
  public:
   explicit IntendedMoveDesk(MainWindow& window);
 
-  /// Takes the declared move back; where there is none, offers the choices.
+  /// Cancels the intended move; without one, offers the choices.
   void toggle();
   void offer();
   void takeBack();
@@ -40,7 +40,7 @@ class IntendedMoveDesk : public QObject {
   widgets::IntendedMovePopup* m_popup;
   QToolButton* m_chip;
   QTimer m_refresh;
-  double m_since_s = 0;  ///< session clock; when it was said
+  double m_since_s = 0;  ///< session clock; time of the declaration
 };
 
 }  // namespace abrazo::app

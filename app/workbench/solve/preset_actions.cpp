@@ -27,7 +27,7 @@ void show(MainWindow& window, const Store& store) {
   window.document().put(store->all());
 }
 
-/// Shows what is kept now, or why it could not be changed. @return whether it could
+/// Shows the stored presets, or why the change failed. @return whether it succeeded
 bool settle(MainWindow& window, const Store& store, const Status& done) {
   if (done)
     show(window, store);
@@ -36,7 +36,7 @@ bool settle(MainWindow& window, const Store& store, const Status& done) {
   return done.ok();
 }
 
-/// Without waiting for the answer, so that the picture goes on.
+/// Does not block, so that the scene keeps running.
 void ask_name(MainWindow& window, const QString& title, const QString& proposal,
               const std::function<void(const QString&)>& answered) {
   auto* dialog = new QInputDialog(&window);
@@ -95,7 +95,7 @@ void adopt_with(MainWindow& window, const Store& store) {
   });
 }
 
-/// While another frame than the newest is shown, the panel tells what it was solved with.
+/// While an older frame is shown, the panel shows its settings.
 void follow_frame(MainWindow& window) {
   const auto tell = [&window] {
     const FrameTicker& ticker = window.ticker();

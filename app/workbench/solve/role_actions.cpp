@@ -22,7 +22,7 @@ QString words_of(RoleControl by) {
   return {};
 }
 
-/// Which role the newest frame has, and who decided about it.
+/// Role of the newest frame, and the role control.
 void show_role(MainWindow& window, const FrameSnapshot& frame) {
   if (window.session()->looksElsewhere()) return;  // a take has no user
   const RoleControl by = frame.decisions ? frame.decisions->role_control : RoleControl::Hand;
@@ -86,7 +86,7 @@ void add_role_actions(MainWindow& window) {
   menu->addSeparator();
   QObject::connect(&window.ticker(), &FrameTicker::frameReady, &window,
                    [&window](const FrameSnapshotPtr& frame) { show_role(window, *frame); });
-  // The next library may not say who leads.
+  // The next library may lack annotations of who leads.
   QObject::connect(&window, &MainWindow::sessionStarted, &window, [&window] {
     if (!window.document().controlRole(window.document().decisions().role_control))
       window.document().controlRole(RoleControl::Hand);

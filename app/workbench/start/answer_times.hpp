@@ -7,8 +7,8 @@
 
 namespace abrazo::app {
 
-/// How long questions waited for an answer, in milliseconds: the longest, and the time within which a share
-/// of them was answered. Counts in steps of a millisecond up to a second, so it never grows.
+/// Histogram of response times in milliseconds, with the longest. Bins of a millisecond up to a second, so
+/// its size is constant.
 class AnswerTimes {
  public:
   void add(double waited_ms) {
@@ -19,8 +19,8 @@ class AnswerTimes {
   }
   std::uint64_t count() const { return total_; }
   double longest_ms() const { return longest_ms_; }
-  /// The next whole millisecond; never more than the longest.
-  /// @param share  0..1 of the questions
+  /// Percentile, rounded up to a millisecond; never more than the longest.
+  /// @param share 0..1
   double within_ms(double share) const {
     const double wanted = share * static_cast<double>(total_);
     std::uint64_t so_far = 0;
@@ -33,7 +33,7 @@ class AnswerTimes {
   }
 
  private:
-  std::array<std::uint32_t, 1001> counts_{};  ///< the last: a second and more
+  std::array<std::uint32_t, 1001> counts_{};  ///< the last bin: a second and more
   std::uint64_t total_ = 0;
   double longest_ms_ = 0;
 };

@@ -8,31 +8,31 @@
 
 namespace abrazo::app {
 
-/// What the program was asked for.
+/// Options of the program.
 struct CommandLine {
   std::vector<std::string> files;
   bool demo = false;
   std::string library;
   std::string settings;           ///< a JSON file, or the object itself
-  std::string session;            ///< a recorded one
+  std::string session;            ///< file of a recorded session
   std::string listen;             ///< URI of a live stream
-  std::vector<std::string> send;  ///< URIs that the partner is sent to
-  std::string screenshot;         ///< where to write one picture of the window
+  std::vector<std::string> send;  ///< URIs of sinks for the partner
+  std::string screenshot;         ///< file of a screenshot
   std::string record;             ///< folder for a picture, a video and the motion
   double after_s = 3;             ///< counted from the first frame shown
   int smoke_frames = 0;
-  bool start_times = false;   ///< tell how long the start took, then quit
-  double status_every_s = 0;  ///< a line of figures so often; 0 = never
+  bool start_times = false;   ///< print the times of the start, then quit
+  double status_every_s = 0;  ///< interval of a line of figures; 0 = never
   std::string theme;
   QSize size;
 
-  /// The program shows something by itself and quits.
+  /// Whether the program runs without a user and then quits.
   bool unattended() const {
     return !screenshot.empty() || !record.empty() || smoke_frames > 0 || start_times;
   }
 };
 
-/// The program is not to start: with this exit status, after what was printed.
+/// The program should end with this exit status, after printed output.
 struct ExitStatus {
   int code = 0;
 };

@@ -62,7 +62,7 @@ app::MainWindow::MakeMaterial dance_begun_early() {
   return [dance](const Progress&) { return dance->get(); };
 }
 
-/// Once there is a picture: the threads that draw begin with it.
+/// After the first picture, which starts the drawing threads.
 void let_drawing_stand_back(app::MainWindow& window) {
   auto* once = new QObject(&window);
   QObject::connect(&window.scene(), &widgets::SceneView::pictureDrawn, once, [once] {
@@ -121,8 +121,7 @@ int main(int argc, char** argv) {
 
   std::unique_ptr<app::Unattended> unattended;
   if (asked.unattended()) {
-    // Nobody is there to answer a dialog: two motions, and joints that nobody knows, are refused as by the
-    // command line.
+    // No user can answer dialogs: two motions, and unknown joints, are refused as by the command line.
     QObject::disconnect(&window, &app::MainWindow::motionsOffered, nullptr, nullptr);
     QObject::disconnect(&window, &app::MainWindow::mappingOffered, nullptr, nullptr);
     unattended = std::make_unique<app::Unattended>(window, asked, responsiveness, start);

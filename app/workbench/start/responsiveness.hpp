@@ -12,9 +12,8 @@ namespace abrazo::app {
 
 class MainWindow;
 
-/// How long the thread of the windows goes without answering. A thread of its own asks it every few
-/// milliseconds and waits for the answer before it asks again, so a gap is measured to within that interval;
-/// time the machine gave to other programs counts as well.
+/// Measures the response time of the GUI thread. A separate thread pings it every few milliseconds and waits
+/// for the answer, so a gap is measured to within that interval; time used by other programs counts too.
 class Responsiveness : public QObject {
   Q_OBJECT
  public:
@@ -23,7 +22,7 @@ class Responsiveness : public QObject {
   explicit Responsiveness(QObject* parent = nullptr);
   ~Responsiveness() override;
 
-  /// Starts again; what is measured from now on is this.
+  /// Resets the measurement for an activity.
   void begin(const QString& activity);
   /// Of the present activity.
   const AnswerTimes& times() const { return m_times; }
@@ -40,14 +39,14 @@ class Responsiveness : public QObject {
 
   AnswerTimes m_times, m_overall;
   QString m_activity = "starting", m_slowestActivity = "starting";
-  double m_slowest_s = 0;  ///< on the machine's own clock
+  double m_slowest_s = 0;  ///< monotonic clock
   std::mutex m_mutex;
   std::condition_variable_any m_answered;
-  bool m_isOpen = false;  ///< asked and not answered
+  bool m_isOpen = false;  ///< a ping is unanswered
   std::jthread m_asking;  // last: joined first
 };
 
-/// Shows the text as the status bar's tooltip, and names what is measured by what the window does.
+/// Shows the text as the status bar's tooltip, and sets the activity from the window's state.
 void watch(MainWindow& window, Responsiveness& responsiveness);
 
 }  // namespace abrazo::app

@@ -15,7 +15,7 @@
 namespace abrazo::app {
 namespace {
 
-/// Since the machine was started, of this process; nothing where the kernel does not say.
+/// Start time of this process since boot; none if unknown.
 std::optional<double> process_start_s() {
   constexpr std::size_t start_field = 19;  // counted from behind the name, which may hold anything but ')'
   const auto stat = read_whole_file("/proc/self/stat");

@@ -10,8 +10,7 @@ namespace abrazo::app {
 
 class MainWindow;
 
-/// When the stages of a start were reached, counted from the start of the process: the time to load the
-/// libraries counts as well.
+/// Times of the stages of a start, from the start of the process, including the loading of libraries.
 class StartTimes : public QObject {
   Q_OBJECT
  public:
@@ -20,17 +19,17 @@ class StartTimes : public QObject {
     double after_ms;
   };
 
-  /// Only the first time counts.
+  /// Only the first call per stage counts.
   void reached(const char* stage);
-  /// From here on: session, first picture of the partner, first picture in which the partner has moved.
+  /// Tracks the stages: session, first picture of the partner, first picture in which the partner has moved.
   void follow(MainWindow& window);
 
   const std::vector<Stage>& stages() const { return m_stages; }
-  /// A line for each.
+  /// One line per stage.
   QString text() const;
 
  signals:
-  /// A picture was drawn in which the partner stands otherwise than in the first.
+  /// The partner has moved in a drawn picture.
   void moved();
 
  private:

@@ -12,7 +12,7 @@
 namespace abrazo::app {
 namespace {
 
-constexpr int collect_ms = 500;  // long before the history drops what was not counted yet
+constexpr int collect_ms = 500;  // long before the history drops uncounted frames
 
 JsonText& write(JsonText& json, const char* name, std::uint64_t count) {
   return json.key(name).value(static_cast<long long>(count));

@@ -15,16 +15,15 @@ namespace abrazo::app {
 class MainWindow;
 class Responsiveness;
 
-/// What the window and its session did since the line before, as one JSON object per line: for whoever
-/// watches a program that runs for hours.
+/// Periodic figures of the window and its session, one JSON object per line, for monitoring long runs.
 class StatusLines : public QObject {
   Q_OBJECT
  public:
-  /// @param write  called every `interval_s`, with a line that ends
+  /// @param write called every `interval_s` with a complete line
   StatusLines(MainWindow& window, const Responsiveness& responsiveness, double interval_s,
               std::function<void(const std::string&)> write);
 
-  /// Of now; begins the next stretch.
+  /// The line for the time since the previous one.
   std::string line();
 
  private:
@@ -34,8 +33,8 @@ class StatusLines : public QObject {
   const Responsiveness& m_responsiveness;
   QTimer m_timer, m_collect;
   QElapsedTimer m_since;
-  std::vector<FrameTimes> m_times;  ///< of the frames since the line before
-  std::uint64_t m_next = 0;         ///< index of the frame to be noted next
+  std::vector<FrameTimes> m_times;  ///< of the frames since the previous line
+  std::uint64_t m_next = 0;         ///< index of the next frame
   std::uint64_t m_relaxed = 0, m_failed = 0, m_dropped = 0, m_pictures = 0;
 };
 

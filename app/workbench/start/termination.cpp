@@ -16,7 +16,7 @@
 namespace abrazo::app {
 namespace {
 
-/// Written by the handler, which may do nothing else; -1 while nobody reads.
+/// Written by the signal handler, which may do nothing else; -1 = no reader.
 std::atomic<int> write_end = -1;
 static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may not wait");
 

@@ -9,9 +9,9 @@ namespace abrazo::app {
 class MainWindow;
 class ProjectDesk;
 
-/// The wish of the system that the program ends (SIGTERM, SIGINT, SIGHUP), as a signal of the window's
-/// thread: a recording is closed and the layout kept, as by the close button. A second wish ends the program
-/// at once. One at a time.
+/// Termination signals of the system (SIGTERM, SIGINT, SIGHUP) as a Qt signal on the window's thread: a
+/// recording is closed and the layout saved, as by the close button. A second signal ends the program at
+/// once. Only one instance at a time.
 class Termination : public QObject {
   Q_OBJECT
  public:
@@ -25,8 +25,8 @@ class Termination : public QObject {
   QSocketNotifier* m_notifier = nullptr;
 };
 
-/// Ends the program as the close button does, without a dialog: changes that were not saved are
-/// kept for the next start to offer.
+/// Ends the program as the close button does, without a dialog: unsaved changes are offered at the next
+/// start.
 void close_when_told(MainWindow& window, ProjectDesk& project, const Termination& termination);
 
 }  // namespace abrazo::app

@@ -58,7 +58,7 @@ void Unattended::onFrame(const FrameSnapshotPtr& frame) {
   const auto rendered = m_window.scene().renderedFrames() - m_renderedBefore;
   std::printf("%d frames shown in %.2f s, %.1f rendered per second\n", m_shown, seconds,
               static_cast<double>(rendered) / seconds);
-  std::printf("%.1f frames solved per second, asked for %s, from an input of %.0f Hz\n",
+  std::printf("%.1f frames solved per second, requested %s, from an input of %.0f Hz\n",
               static_cast<double>(frame->index - m_solvedBefore) / seconds,
               frame->settings.step_rate_hz > 0
                   ? QString("%1 Hz").arg(frame->settings.step_rate_hz).toUtf8().constData()

@@ -16,8 +16,8 @@ class MainWindow;
 class Responsiveness;
 class StartTimes;
 
-/// Carries out --smoke, --start-times, --screenshot and --record, then quits: 0 when it is done, 1 with a
-/// sentence when it cannot be.
+/// Carries out --smoke, --start-times, --screenshot and --record, then quits: 0 on success, 1 with a message
+/// on failure.
 class Unattended : public QObject {
   Q_OBJECT
  public:

@@ -19,16 +19,16 @@ class SectionHeader;
 
 namespace abrazo::app {
 
-/// Where to begin, beside the scene that already moves: what to open, what was open, what the colours mean,
-/// the first keys.
+/// The welcome page beside the running scene: files to open, recent files, meaning of the colours, first
+/// keys.
 class WelcomePage : public QWidget {
   Q_OBJECT
  public:
   explicit WelcomePage(QWidget* parent = nullptr);
   void setColours(const widgets::Palette& palette);
-  /// @param labels  one for each that can be opened again; @param tips  the whole paths
+  /// @param labels one per recent entry; @param tips the full paths
   void setRecent(const QStringList& labels, const QStringList& tips);
-  /// One more way to begin, above the recent files.
+  /// Adds a start action above the recent files.
   void addStart(const QString& text, const QString& key, std::function<void()> act);
   void setShownAtStart(bool on);
 

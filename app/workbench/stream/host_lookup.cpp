@@ -12,7 +12,7 @@
 namespace abrazo::app {
 namespace {
 
-/// Nobody has to be asked for it: an address, or nothing.
+/// Needs no look-up: an address, or empty.
 bool is_plain(const std::string& host) {
   return std::all_of(host.begin(), host.end(), [](char c) { return (c >= '0' && c <= '9') || c == '.'; });
 }

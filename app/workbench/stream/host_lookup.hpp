@@ -12,13 +12,12 @@
 
 namespace abrazo::app {
 
-/// Finds the addresses of the hosts that a stream's URI names, on a thread of its own: where no server
-/// answers the system asks for many seconds, in which the window goes on. Never waits for one, not even at
-/// its end.
+/// Resolves the host names of a stream's URI on a separate thread, because the system may take many seconds
+/// if no server answers. Never waits for it, not even in the destructor.
 class HostLookup : public QObject {
   Q_OBJECT
  public:
-  /// The IPv4 address of a host, as the system's (core/stream/net/udp_socket.hpp). Called on another thread.
+  /// Resolves a host to an IPv4 address, see core/stream/net/udp_socket.hpp. Called on another thread.
   using Resolve = std::function<Result<std::uint32_t>(const std::string& host)>;
   using Found = std::function<void(const Result<StreamUri>& uri)>;
 
@@ -26,17 +25,17 @@ class HostLookup : public QObject {
   HostLookup(Resolve resolve, QObject* parent);
   ~HostLookup() override;
 
-  /// `found` is told the URI with addresses in the place of names: at once where it has no name, else later,
-  /// on the thread of this object.
+  /// Calls `found` with the URI, names replaced by addresses: at once if it has no name, else later on the
+  /// thread of this object.
   void find(const StreamUri& uri, Found found);
-  /// What was not found yet is not told any more.
+  /// Drops pending results.
   void cancel();
 
  private:
-  /// Outlives this object as long as a thread still asks.
+  /// Shared with running threads, so that it outlives this object.
   struct Line {
     std::mutex mutex;
-    HostLookup* end = nullptr;  ///< null once the result is not wanted
+    HostLookup* end = nullptr;  ///< null = the result is dropped
   };
   void begin();
 

@@ -92,7 +92,7 @@ void LatencyDesk::refresh() {
   m_plot->show(samples, to_s - plotted_s, to_s, to_s);
 }
 
-/// On the screen counts only what was shown as it came.
+/// The latency to the screen counts only for frames shown live.
 void LatencyDesk::pictureDrawn(double took_ms) {
   const FrameSnapshotPtr& shown = m_window.ticker().shown();
   if (!shown || !m_window.session() || m_window.session()->looksElsewhere()) return;

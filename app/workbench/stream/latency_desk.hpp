@@ -16,8 +16,8 @@ namespace abrazo::app {
 class MainWindow;
 class StreamDesk;
 
-/// The latency of the shown frame and of the seconds before it: a figure in the status bar, and a panel with
-/// the breakdown. Works on recorded frames as on live ones.
+/// The latency of the shown frame and the seconds before it: a figure in the status bar, and a panel with the
+/// breakdown. Works for recorded and live frames.
 class LatencyDesk : public QObject {
   Q_OBJECT
  public:

@@ -9,23 +9,23 @@
 
 namespace abrazo::app {
 
-/// The latency of the session's frames: what the frames themselves say, and of those that were drawn how long
-/// that took. Bounded; older frames are read from the history again when they are shown.
+/// The latency of the session's frames: times stored in the frames, and drawing times. Bounded; older frames
+/// are read from the history on demand.
 class LatencyLog {
  public:
   static constexpr std::size_t most_samples = 14'400;  ///< two minutes at 120 Hz
 
   void clear();
-  /// What is new in the history since the last call.
+  /// Reads the new frames of the history.
   void follow(const FrameHistory& history);
   void append(const FrameSnapshot& frame);
-  /// A picture of a frame reached the screen; of several only the first counts.
-  /// @param to_screen_ms  since its first packet; NaN when it was not drawn as it came
+  /// Reports that a picture of a frame reached the screen; only the first per frame counts.
+  /// @param to_screen_ms since its first packet; NaN if it was not drawn live
   void drawn(std::uint64_t index, double render_ms, double to_screen_ms);
 
-  /// In [from_s, to_s]; from the history where it is older than what is kept here.
+  /// Samples in [from_s, to_s]; older ones are read from the history.
   std::vector<widgets::LatencySample> range(const FrameHistory& history, double from_s, double to_s) const;
-  /// Of one frame; with what drawing it took if it was drawn lately.
+  /// The sample of one frame, with the drawing time if it was drawn recently.
   widgets::LatencySample of(const FrameHistory& history, const FrameSnapshot& frame) const;
 
  private:

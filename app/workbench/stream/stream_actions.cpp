@@ -52,7 +52,7 @@ void add_sinks(MainWindow& window, QMenu* menu, StreamDesk& desk, ConnectionPane
   });
 }
 
-/// Whatever comes in goes on; of a clip, that has no other end, the input is held.
+/// A stream continues; a clip, which has no other end, is paused.
 void freeze(MainWindow& window, const StreamDesk& desk) {
   if (desk.isConnected()) {
     const bool follows = window.ticker().playback().state == Playback::State::Following;

@@ -113,7 +113,7 @@ void StreamDesk::connectTo(const QString& text) {
   });
   if (m_found || !isConnected()) return;
   poll();
-  emit connectionChanged();  // so that it can be given up
+  emit connectionChanged();  // so that it can be cancelled
 }
 
 /// Nothing is connected any more.
@@ -176,7 +176,7 @@ void StreamDesk::beginSession() {
     disconnectStream();
     m_window.messages().showInformation(name + " plays the user; " + was + " was disconnected");
   } else if (isConnected()) {
-    // After all others have begun the session: whoever records has to know its file by then.
+    // After all other receivers, because the recorder must know its file by then.
     QTimer::singleShot(0, this, [this] { receiveOnceFound(); });
   }
 }
@@ -236,7 +236,7 @@ void StreamDesk::calibrate() {
   if (m_calibration.is_under_way()) {
     m_calibration.cancel();
     m_soon.stop();
-    m_panel.showCalibration("Cancelled; the calibration is as it was", false);
+    m_panel.showCalibration("Cancelled; the calibration is unchanged", false);
     return showNotice();
   }
   if (!isConnected() || !userHealth())
@@ -278,7 +278,7 @@ void StreamDesk::forgetCalibration() {
   if (!isConnected() || !engine()) return;
   m_calibration.cancel();
   engine()->stop_receiving();
-  if (receive()) m_panel.showCalibration("Forgotten; the rest pose is the sender's again", false);
+  if (receive()) m_panel.showCalibration("Reset; the rest pose is the sender's again", false);
 }
 
 void StreamDesk::poll() {
@@ -321,7 +321,7 @@ void StreamDesk::nameInput(const QString& words) {
   m_window.transport().setInput(words);
 }
 
-/// What is to be known over the scene; nothing over a frame of the past.
+/// The notice over the scene; none for past frames.
 void StreamDesk::showNotice() {
   if (!m_notice || m_calibration.is_under_way()) return;
   const bool follows = m_window.ticker().playback().state == Playback::State::Following;

@@ -31,14 +31,14 @@ namespace abrazo::app {
 
 class MainWindow;
 
-/// The live stream of the window: connects, watches its health, calibrates, sends on. What is connected stays
-/// so when another library is opened, and ends when another motion is to play the user.
+/// The live stream of the window: connection, health, calibration, sinks. A connection persists when another
+/// library is opened, and ends when another motion plays the user.
 class StreamDesk : public QObject {
   Q_OBJECT
  public:
   StreamDesk(MainWindow& window, widgets::ConnectionPanel& panel);
 
-  /// Now, or as soon as there is a session. Errors are reported in the message bar.
+  /// Connects now, or as soon as there is a session. Errors are reported in the message bar.
   void connectTo(const QString& uri);
   void disconnectStream();
   bool isConnected() const { return !m_uri.isEmpty(); }
@@ -51,24 +51,24 @@ class StreamDesk : public QObject {
 
   void setUser(const QString& performer);
   void setSecond(const QString& performer);
-  /// Who plays the user; empty until a performer was seen.
+  /// The performer that plays the user; empty until one appears.
   QString user() const;
-  /// The other of a pair that is recorded; empty if none was chosen.
+  /// The second performer of a recorded pair; empty = none.
   const QString& second() const { return m_second; }
 
-  /// Starts one, or ends the one that goes on.
+  /// Starts a calibration, or cancels the running one.
   void calibrate();
   void forgetCalibration();
   const CalibrationSteps& calibration() const { return m_calibration; }
 
-  /// As it was polled last; nothing when nothing is connected.
+  /// Last polled health; none if not connected.
   const std::optional<StreamHealth>& health() const { return m_health; }
   void poll();
 
  signals:
-  /// A stream is opened next: whoever keeps its first frame begins now.
+  /// Emitted before a stream is opened, so that recording can include its first frame.
   void aboutToReceive();
-  /// Connected to something else, or to nothing.
+  /// The connection changed or ended.
   void connectionChanged();
   void polled();
 
@@ -92,16 +92,16 @@ class StreamDesk : public QObject {
   MainWindow& m_window;
   widgets::ConnectionPanel& m_panel;
   QPointer<widgets::SceneNotice> m_notice;
-  QString m_uri;                     ///< connected to, or to be connected to; empty = nothing
-  std::optional<StreamUri> m_found;  ///< the same with addresses in the place of names; nothing before
+  QString m_uri;                     ///< present or pending connection; empty = none
+  std::optional<StreamUri> m_found;  ///< the same with resolved addresses; none before
   HostLookup m_sourceLookup, m_sinkLookup;
   QString m_user, m_second;
   std::vector<Sink> m_sinks;
   widgets::SinkRates m_rates;
   std::optional<StreamHealth> m_health;
   CalibrationSteps m_calibration;
-  QString m_inputName;   ///< of the session's clip
-  QString m_inputWords;  ///< as given to the window
+  QString m_inputName;   ///< name of the session's clip
+  QString m_inputWords;  ///< text passed to the window
   std::shared_ptr<const MotionLibrary> m_library;
   QTimer m_poll, m_soon;
 };

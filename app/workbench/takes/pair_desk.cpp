@@ -142,7 +142,7 @@ void PairDesk::extend(const PairedTake& take) {
     if (!prepared) return [this, why = prepared.error().text()] { m_window.messages().showError(text(why)); };
     auto ready = std::make_shared<PreparedSolver>(std::move(prepared).value());
     return [this, ready, take, base = material.library] {
-      // What was said of other takes meanwhile is not in what was made.
+      // The result lacks annotations made of other takes meanwhile.
       if (m_window.session()->material().library != base) return extend(take);
       m_window.document().replaceSolver(std::move(*ready));
       const LibraryTake& added = m_window.session()->material().library->takes().back();

@@ -22,22 +22,22 @@ class MainWindow;
 class PairDialog;
 class TakeDesk;
 
-/// What other rooms know of a pair that is recorded.
+/// Data of a recorded pair provided by other folders.
 struct PairSources {
-  /// Of the connected stream, who plays the user and who dances with him; empty where nobody was chosen.
+  /// The user and the second performer of the connected stream; empty = none.
   std::function<std::pair<QString, QString>()> performers;
-  /// What was said of the session.
+  /// Annotations of the session.
   std::function<Annotations()> said;
 };
 
-/// Two streamed performers recorded as a take of the open library, which goes on without a restart.
+/// Records two streamed performers as a take of the open library, without a restart of the session.
 class PairDesk : public QObject {
   Q_OBJECT
  public:
   PairDesk(MainWindow& window, TakeDesk& takes, PairSources sources);
   ~PairDesk() override;
 
-  /// Begins, or ends and asks what the take is to be.
+  /// Begins, or ends and asks for the properties of the take.
   void toggle();
   /// Adds a take to the library of the running session, on a worker. Errors are reported.
   void extend(const PairedTake& take);
@@ -45,7 +45,7 @@ class PairDesk : public QObject {
   void save(const QString& file);
 
  signals:
-  /// The library of the session has a take more.
+  /// A take was added to the library of the session.
   void extended(const QString& take);
 
  private:

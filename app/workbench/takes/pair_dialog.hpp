@@ -12,13 +12,13 @@ class QPushButton;
 
 namespace abrazo::app {
 
-/// What a recorded pair is to be called as a take of the library, who leads, and how much of it is used.
+/// Dialog for the take of a recorded pair: name, who leads, and the used range.
 class PairDialog : public QDialog {
   Q_OBJECT
  public:
   PairDialog(const PairCapture& capture, const QString& name, const QStringList& labels, QWidget* parent);
   PairCapture::Wishes wishes() const;
-  /// Stays open, with what is wrong.
+  /// Shows an error; the dialog stays open.
   void showTrouble(const QString& text);
   QString trouble() const;
 

@@ -189,7 +189,7 @@ void TakeDesk::stopRecorder() {
   writeEdits();
 }
 
-/// Names in the file follow those on the list, by way of the recorder while there is one.
+/// Names in the file follow those in the list, through the recorder while it runs.
 void TakeDesk::writeEdits() {
   const TakeEdits names = m_takes.renames();
   if (names.empty() || m_file.isEmpty() || !m_window.session()) return;

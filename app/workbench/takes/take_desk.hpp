@@ -18,8 +18,7 @@ namespace abrazo::app {
 
 class MainWindow;
 
-/// Recording of the running session: its file, its takes, and what the panel, the timeline and the scene show
-/// of them.
+/// Recording of the running session: file, takes, and their display in panel, timeline and scene.
 class TakeDesk : public QObject {
   Q_OBJECT
  public:
@@ -28,41 +27,41 @@ class TakeDesk : public QObject {
 
   widgets::TakePanel& panel() const { return m_panel; }
 
-  /// Starts a take, gives up its countdown, or ends it.
+  /// Starts a take, cancels its countdown, or ends it.
   void toggle();
   /// Starts the next take of the same name.
   void again();
   bool isRecording() const { return m_sequence.phase == TakeSequence::Phase::Recording; }
 
-  /// Everything that comes in is written from now on, or only takes.
+  /// Records everything from now on, or only takes.
   void keepEverything(bool on);
-  /// Before a stream is opened: its first frame is to be on disk, too.
+  /// Call before a stream is opened, so that its first frame is recorded too.
   void prepareStream();
 
   const RecordedTakes& takes() const { return m_takes.list(); }
   void rename(std::int64_t id, const std::string& name);
   void remove(std::int64_t id);
   void restore(const RecordedTake& take);
-  /// In and out there, and the cursor at its beginning.
+  /// Sets in and out to the take, and the cursor to its beginning.
   void goTo(std::int64_t id);
 
-  /// Where the session is kept; empty while it is not.
+  /// File of the session; empty = none.
   const QString& file() const { return m_file; }
-  /// A session that was opened from a file, with its takes.
+  /// Sets the session opened from a file, with its takes.
   void setOpened(const QString& file, const SessionContents& contents);
-  /// The session goes on in this file. Not while it is recorded.
+  /// Continues the session in this file. Not during recording.
   void setFile(const QString& file);
-  /// What is still to be changed in the file, of its takes.
+  /// Edits of takes that are not yet in the file.
   const TakeEdits& edits() const { return m_takes.edits(); }
-  int session() const { return m_session; }  ///< counts them
+  int session() const { return m_session; }  ///< number of the session
 
  signals:
   void fileChanged();
-  /// A take has begun, after its countdown.
+  /// A take began, after its countdown.
   void begun();
-  /// No take came of it: it was ended in its countdown, cannot be written, or nothing came in.
+  /// No take was made: cancelled in the countdown, a write error, or no input.
   void cameToNothing();
-  /// A take has ended and is on the list.
+  /// A take ended and is in the list.
   void taken(qint64 id);
 
  private:
@@ -90,11 +89,11 @@ class TakeDesk : public QObject {
   TakeSequence m_sequence;
   SessionTakes m_takes;
   QString m_file;
-  std::optional<Markers> m_markersInFile;  ///< as given to the recorder; nothing = not yet
+  std::optional<Markers> m_markersInFile;  ///< last passed to the recorder; none = not yet
   Recorder::State m_lastState;
   QString m_toldFailure;
   bool m_hasStream = false;
-  bool m_isForStream = false;  ///< the file was begun for a stream that is not there yet
+  bool m_isForStream = false;  ///< the file was created for a stream that is not connected yet
   int m_session = 0;
 };
 

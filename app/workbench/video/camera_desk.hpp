@@ -19,8 +19,7 @@ namespace abrazo::app {
 class MainWindow;
 class VideoDesk;
 
-/// The camera of the shown video: its lens, the joints that were pointed at, and what place of the camera
-/// follows from them.
+/// The camera of the shown video: lens, picked joints, and the solved pose.
 class CameraDesk : public QObject {
   Q_OBJECT
  public:
@@ -29,18 +28,18 @@ class CameraDesk : public QObject {
   void setPicking(bool on);
   /// @param vertex  of the pair
   void setJoint(int vertex);
-  /// A person names the file.
+  /// Asks for the file.
   void askIntrinsics();
   void askCamera();
   void askWhereToSave();
   void loadIntrinsics(const QString& file);
   void loadCamera(const QString& file);
   void saveCamera(const QString& file);
-  /// Where the picture shows the chosen joint; the next one to pick is then suggested.
+  /// Picks the chosen joint in the picture and suggests the next one.
   void pick(const Pixel& pixel);
   void movePick(int index, const Pixel& pixel, int gesture);
   void removePick(int index);
-  /// The solution for the shown video's points, where there is one.
+  /// The solution for the shown video's points, if any.
   const std::optional<SolvedCamera>& solved() const { return m_solved; }
 
  private:

@@ -88,7 +88,7 @@ Status write_overlay_film(const OverlayFilm& film, FrameRange frames, const Prog
       auto read = reader->frame(reader->facts().index_at(video_s));
       if (!read) return read.error();
       picture = *read;
-      shown_s = film.sync.subject_time(picture->time_s);  // the bodies as they were when it was taken
+      shown_s = film.sync.subject_time(picture->time_s);  // the bodies at the time of the picture
     }
     const QImage image = overlay_picture(film, picture.get(), moments.overlay(film, shown_s));
     const Status added = writer->add({image.constBits(), static_cast<std::size_t>(image.sizeInBytes())},

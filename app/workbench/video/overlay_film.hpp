@@ -16,25 +16,25 @@
 
 namespace abrazo::app {
 
-/// A film of a reference video with what its camera sees of the pair.
+/// A film of a reference video with the overlay of the pair.
 struct OverlayFilm {
-  FilmPlan plan;  ///< in the time of the subject
+  FilmPlan plan;  ///< in subject time
   QSize size;     ///< [pixels], even; the video is fitted into it
   QString video, file;
   VideoSync sync;
-  std::optional<CameraModel> camera;  ///< without, nothing is drawn over the video
+  std::optional<CameraModel> camera;  ///< none = no overlay
   widgets::OverlayParts parts;
   double opacity = 0.9;
   widgets::Palette palette;
 };
 
-/// One picture of it. @param picture  null: black, where the video has none
+/// One picture of the film. @param picture null = black, where the video has none
 QImage overlay_picture(const OverlayFilm& film, const VideoFrame* picture,
                        const widgets::VideoOverlay& overlay);
 
-/// Picture by picture and none left out; the file appears whole or not at all. The same video, frames and
-/// camera give the same film. For a worker.
-/// @param frames  of the plan's time, with one before and one after where there are
+/// Writes all pictures of the film; the file appears completely or not at all. The same video, frames and
+/// camera give the same film. Call on a worker.
+/// @param frames of the plan's time, with one before and one after if available
 Status write_overlay_film(const OverlayFilm& film, FrameRange frames, const Progress& progress);
 
 }  // namespace abrazo::app

@@ -27,7 +27,7 @@ void choose(MainWindow& window, VideoDesk& desk) {
   desk.open(files);
 }
 
-/// Before what is there, so that opening stays together.
+/// Before existing entries, so that the actions for opening stay together.
 void add_to_file_menu(MainWindow& window, VideoDesk& desk) {
   QMenu* file = window.menu("File");
   QAction* open = add_action(window, file, "Open video…", {}, [&window, &desk] { choose(window, desk); });

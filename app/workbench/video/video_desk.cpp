@@ -22,7 +22,7 @@ namespace abrazo::app {
 namespace {
 
 constexpr double longest_gap_s = 0.5;  // between two frames that poses are interpolated in
-constexpr double edge_s = 0.02;        // so far before and after what was recorded still counts as recorded
+constexpr double edge_s = 0.02;        // tolerance before and after the recorded range [s]
 
 using widgets::text;
 
@@ -161,7 +161,7 @@ void VideoDesk::changeCurrent(const std::function<void(VideoState&)>& edit, cons
   change(std::move(next), what, merges);
 }
 
-/// Decoders follow what is to be open.
+/// Opens and closes decoders to match the states.
 void VideoDesk::onVideos() {
   std::erase_if(m_open, [this](const auto& open) {
     return std::ranges::none_of(states(), [&](const VideoState& state) {
@@ -311,12 +311,12 @@ void VideoDesk::showSync() {
   m_panel->steps().setLinked(m_linked);
 }
 
-/// Why there is no picture of this time.
+/// The reason why there is no picture at this time.
 QString VideoDesk::notice() const {
   const OpenVideo* video = currentVideo();
   if (!video)
     return states().empty() ? "No video. File > Open video…, or drop one here"
-                            : "No video of what is on the timeline now";
+                            : "No video of the subject on the timeline";
   if (video->state() == VideoDecoder::State::Failed) return video->trouble();
   const auto facts = video->facts();
   if (!facts) return QString("Reading the video, %1 %").arg(static_cast<int>(100 * video->opened()));

@@ -20,63 +20,62 @@ namespace abrazo::app {
 class MainWindow;
 class OpenVideo;
 
-/// The reference videos of the window: which are open, the one that is shown, and what picture of it. While
-/// it is linked its picture is that of the timeline's cursor; else it is stepped by itself, to find where
-/// both show the same moment. Everything a person decides comes by `change`, which makes it a step of undo.
+/// The reference videos of the window: the open ones, the shown one and its picture. A linked video shows the
+/// picture at the timeline's cursor; an unlinked one is stepped separately, to find the same moment. All
+/// edits go through `change`, which makes them undo steps.
 class VideoDesk : public QObject {
   Q_OBJECT
  public:
   explicit VideoDesk(MainWindow& window);
   ~VideoDesk() override;
 
-  /// In place of what is open, without a step of undo. A missing file is reported; what was decided
-  /// about it is kept.
+  /// Replaces the open videos without an undo step. A missing file is reported; its state is kept.
   void setVideos(const std::vector<ProjectVideo>& videos, const QStringList& files);
 
-  /// For the shown subject, beside those that are open.
+  /// Opens videos for the shown subject, in addition to the open ones.
   void open(const QStringList& files);
   void close();
 
-  /// Called with a state whose synchronisation changed, and what it was: picked joints were elsewhere then.
+  /// Called with a state whose synchronisation changed, and the previous one, to adjust picked joints.
   using Retime = std::function<void(VideoState&, const VideoSync& before)>;
   void setRetime(Retime retime) { m_retime = std::move(retime); }
 
   const VideoStates& states() const;
-  /// Of the shown subject; null when there is none.
+  /// The current video of the shown subject; null = none.
   const VideoState* current() const;
   OpenVideo* currentVideo() const;
   void show(int id);
-  /// @param merges  changes with the same number, other than 0, one after the other are one step of undo
+  /// @param merges successive changes with the same number other than 0 merge into one undo step
   void change(VideoStates next, const QString& what, int merges = 0);
-  /// Of the current video.
+  /// Edits the current video.
   void changeCurrent(const std::function<void(VideoState&)>& edit, const QString& what, int merges = 0);
 
   bool isLinked() const { return m_linked; }
   void setLinked(bool on);
-  /// Linked, the cursor goes to the time of the picture; else only the video.
+  /// Steps the video; if it is linked, moves the cursor to the time of the picture.
   void step(int pictures);
-  /// The shown picture and the cursor are the same moment.
+  /// Adds a sync point of the shown picture and the cursor.
   void setSyncPoint();
   void clearSync();
 
-  /// What is drawn over the picture: both bodies at a time of the subject; nothing where there is none.
+  /// Content of the overlay: both bodies at a time of the subject, if available.
   struct Moment {
     PairPose pose;
     std::vector<MeshEdge> edges;
   };
   std::optional<Moment> momentAt(double subject_s) const;
-  /// The time of the subject that the picture shows; the cursor's while it is not linked.
+  /// Subject time of the picture; that of the cursor if not linked.
   double shownTime() const;
-  /// What is shown; null before the first picture.
+  /// The shown picture; null before the first.
   const VideoFramePtr& shownPicture() const { return m_shown; }
   widgets::VideoPanel& panel() const { return *m_panel; }
-  /// Of the shown subject: "" for the session.
+  /// The shown subject: "" = the session.
   const std::string& subject() const { return m_subject; }
-  /// From where picture was asked for to where it is on the widget, the last one [ms].
+  /// Time from the request of the last picture to its display [ms].
   double latency_ms() const { return m_latency_ms; }
 
  signals:
-  /// Another video or none, or its file was read.
+  /// The current video changed, or its file was read.
   void currentChanged();
   void pictureShown();
 

@@ -8,9 +8,9 @@ namespace abrazo::app {
 class MainWindow;
 class VideoDesk;
 
-/// What is rendered of the shown video.
+/// The film of the shown video.
 OverlayFilm overlay_film(const MainWindow& window, const VideoDesk& desk, const RangeRequest& request);
-/// On a worker while the window goes on; the bar shows how far it is and cancels, and tells the end.
+/// Renders on a worker; the message bar shows progress, can cancel, and reports the end.
 void render_video(MainWindow& window, VideoDesk& desk, const RangeRequest& request);
 
 }  // namespace abrazo::app

@@ -51,7 +51,7 @@ std::vector<std::pair<const PairedTake*, std::size_t>> sampled_frames(
 }
 
 /// Depth grows with the radii and nothing else, so its 99th percentile is r_i + r_j less the 1st percentile
-/// of the distance: what is asked of a couple is one limit on the sum of two radii for each two bones.
+/// of the distance: so the condition for a couple is one limit on the sum of two radii per pair of bones.
 void add_limits(const Couple& couple, const std::vector<const PairedTake*>& takes,
                 std::vector<Limit>& limits) {
   const auto frames = sampled_frames(takes);

@@ -8,13 +8,12 @@
 
 namespace abrazo {
 
-/// The library with one more take at its end: what is there is copied, only the new pairs are made. Pair
-/// numbers stay. The same to the bit as building it with that take last in the manifest, but for one thing:
-/// performers whom the library knows already keep the capsule radii that it has, since the takes they were
-/// calibrated on are not at hand; and so a new performer who dances with a known one is calibrated on this
-/// take alone.
-/// @param options  those that the library was built with; no takes are excluded
-/// @return an Error when the library has a take of this name, or the take is refused as when building
+/// The library with one more take appended: existing pairs are copied, only the new pairs are built. Pair
+/// numbers stay. The result is identical to the bit to a build with that take last in the manifest, with one
+/// exception: known performers keep their capsule radii, because the takes of their calibration are not
+/// available; a new performer is calibrated on this take only.
+/// @param options of the library's build; no takes are excluded
+/// @return an Error if the library has a take of this name, or for the same reasons as in a build
 Result<MotionLibrary> extend_library(const MotionLibrary& library, PairedTake take,
                                      const LibraryBuildOptions& options, const Progress& progress);
 

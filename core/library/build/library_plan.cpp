@@ -62,7 +62,7 @@ LonePerformer lone(const PlannedPerformer& performer) {
 
 // ---- remarks ----
 
-/// Of a reader's warnings those about what a file cannot say.
+/// The reader's warnings about facts that a file cannot state.
 bool is_question(const ImportWarning& warning) {
   return warning.kind == "fps" || warning.kind == "units";
 }
@@ -137,8 +137,7 @@ void remark_on_pair(const LibraryPlan& plan, const std::string& take, int a, int
     add(Kind::Warning,
         fmt::format("they are {:.1f} m apart (median); are they one pair, in one unit?", distance));
   else if (distance < 0.15)
-    add(Kind::Warning,
-        "they stand on top of one another; each seems to be recorded about an origin of its own");
+    add(Kind::Warning, "they stand on top of one another; each seems to be recorded about a separate origin");
 }
 
 void remark_on_labels(const LibraryPlan& plan, const std::string& take, int performer,
@@ -291,7 +290,7 @@ Manifest manifest_of(const LibraryPlan& plan) {
   manifest.name = plan.name;
   for (int i = 0; i < static_cast<int>(plan.performers.size()); ++i) {
     const int partner = partner_of(plan, i);
-    if (partner < i) continue;  // in no take, or told already
+    if (partner < i) continue;  // in no take, or reported already
     const PlannedPerformer &a = at(plan, i), &b = at(plan, partner);
     Manifest::Take take;
     take.name = a.take;

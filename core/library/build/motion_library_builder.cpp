@@ -71,7 +71,7 @@ std::string joined_names(const auto& takes) {
   return fmt::format("{}", fmt::join(names, ", "));
 }
 
-/// Removes the excluded takes; refuses a name that is not there, and an empty rest.
+/// Removes the excluded takes; refuses an unknown name, and an empty rest.
 template <typename Take>
 std::optional<Error> exclude(std::vector<Take>& takes, const std::vector<std::string>& excluded) {
   for (const std::string& name : excluded)
@@ -198,7 +198,7 @@ void join_meshes(std::vector<MeshBlock>& blocks, LibraryColumns& columns) {
   for (MeshBlock& block : blocks) {
     columns.edges.insert(columns.edges.end(), block.edges.begin(), block.edges.end());
     columns.tetrahedra.insert(columns.tetrahedra.end(), block.tetrahedra.begin(), block.tetrahedra.end());
-    block = {};  // a large library should not stand in memory twice
+    block = {};  // a large library should not be in memory twice
   }
 }
 

@@ -13,16 +13,15 @@ namespace abrazo {
 
 struct LibraryBuildOptions {
   std::vector<std::string> excluded_takes;
-  std::optional<double> rate_hz;  ///< thin to about this rate (whole strides); nothing = every frame
-  /// Either performer may be the active one in every frame, whatever the roles say (the library doubles): for
-  /// a user who now attacks, now defends. What was annotated stays in PairSource::annotated.
+  std::optional<double> rate_hz;  ///< thin to about this rate (whole strides); none = every frame
+  /// Makes either performer active in every frame, regardless of the annotated roles (the library doubles):
+  /// for a user who alternates between attack and defence. The annotation stays in PairSource::annotated.
   bool both_roles = false;
 };
 
-/// Normalises, computes features and tetrahedralises every pair of the takes (paper 3.2, 3.4.1).
-/// A frame whose active performer is unknown becomes two pairs (the library doubles, 3.2.1).
-/// Uses every core; the result does not depend on how many there are. @return an Error "cancelled" when
-/// `progress` says so
+/// Normalises, computes features and tetrahedralises every pair of the takes (paper 3.2, 3.4.1). A frame with
+/// unknown active performer becomes two pairs (the library doubles, 3.2.1). Uses all processor cores; the
+/// result does not depend on their number. @return an Error "cancelled" if `progress` cancels
 Result<MotionLibrary> build_library(std::string name, std::vector<PairedTake> takes,
                                     const LibraryBuildOptions& options, const Progress& progress);
 
@@ -31,7 +30,7 @@ bool has_one_rate(const MotionLibrary& library);
 
 /// Reads a manifest and all its takes, and builds. An excluded take that does not exist is an error that
 /// lists the names.
-/// @param warnings  what the readers found odd
+/// @param warnings warnings of the readers
 Result<MotionLibrary> build_library(const Manifest& manifest, const LibraryBuildOptions& options,
                                     const Progress& progress, std::vector<std::string>& warnings);
 

@@ -40,7 +40,7 @@ double weight_of(NameContrast contrast) {
   return 0.0;
 }
 
-/// Which texts stand at one place of the names that have as many parts.
+/// The texts at one position of names with the same number of parts.
 using ValuesAtPlace = std::map<std::pair<std::size_t, std::size_t>, std::set<std::string>>;
 
 ValuesAtPlace values_in(std::span<const LonePerformer> performers) {
@@ -52,8 +52,8 @@ ValuesAtPlace values_in(std::span<const LonePerformer> performers) {
   return values;
 }
 
-/// Where only a number differs, it may be the subject's or the take's: there are fewer subjects than takes.
-/// Where nothing else varies, two values are two subjects and more are takes.
+/// If only a number differs, it may be that of the subject or the take: there are fewer subjects than takes.
+/// If nothing else varies, two values are two subjects and more values are takes.
 double weight_among(const NameDifference& difference, std::size_t parts, const ValuesAtPlace& values) {
   const double weight = weight_of(difference.contrast), certainty = 0.2;
   if (difference.contrast != NameContrast::Numbers) return weight;

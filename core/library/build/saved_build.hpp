@@ -10,15 +10,15 @@
 
 namespace abrazo {
 
-/// Where a build is written to; empty = not written.
+/// Output files of a build; empty = not written.
 struct BuildFiles {
   std::filesystem::path library;   ///< HDF5
   std::filesystem::path manifest;  ///< JSON that builds the same library again
 };
 
-/// Builds the library of a manifest and writes what is wanted of it: all of it or, after an error or when
-/// `progress` says stop, none.
-/// @param warnings  what the readers found odd
+/// Builds the library of a manifest and writes the requested files: all of them, or none after an error or
+/// cancellation.
+/// @param warnings warnings of the readers
 Result<MotionLibrary> build_and_save(const Manifest& manifest, const BuildFiles& files,
                                      const Progress& progress, std::vector<std::string>& warnings);
 

@@ -9,9 +9,8 @@
 
 namespace abrazo {
 
-/// Rows of one kind: a vector of its own, or a view of memory owned elsewhere (a mapped file).
-/// A value like a vector: whoever first writes to a view gets a vector of its own, and nobody else sees the
-/// change. Reading never copies.
+/// Rows of one type: an owned vector, or a view of memory owned elsewhere (a mapped file). Copy on write: the
+/// first write to a view makes an owned vector. Reading never copies.
 template <typename Item>
 class Column {
  public:
@@ -25,7 +24,7 @@ class Column {
 
   Column() = default;
   Column(std::vector<Item> items) : own_(std::move(items)) {}  // NOLINT(google-explicit-constructor)
-  /// A view of rows that stay as long as `holder` does.
+  /// A view of rows that `holder` keeps alive.
   Column(std::span<const Item> rows, std::shared_ptr<const void> holder)
       : view_(rows), holder_(std::move(holder)) {}
 
@@ -51,7 +50,7 @@ class Column {
   void clear() { own().clear(); }
   void push_back(const Item& item) { own().push_back(item); }
   void pop_back() { own().pop_back(); }
-  /// As std::vector's; `at` is a place of this column.
+  /// As std::vector's; `at` is an iterator of this column.
   template <typename Iterator>
   void insert(const Item* at, Iterator first, Iterator last) {
     const std::ptrdiff_t row = at - std::as_const(*this).data();

@@ -26,7 +26,7 @@ FeatureAxes::FeatureAxes(std::span<const Features> features) {
   for (std::size_t i = 0; i < features.size(); i += stride)
     spread += (features[i] - centre_) * (features[i] - centre_).transpose();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 15, 15>> principal(spread);
-  // Features that are no lengths of a body (1e200) have no axes: as they are, then.
+  // Implausible features (1e200) have no axes and are used unchanged.
   if (principal.info() == Eigen::Success && principal.eigenvectors().allFinite())
     axes_ = principal.eigenvectors().rowwise().reverse().transpose();
   double extent = 0;

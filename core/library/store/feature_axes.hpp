@@ -6,11 +6,11 @@
 
 namespace abrazo {
 
-/// Features in single precision along the axes on which they lie widest apart, the widest first, in units of
-/// their extent: what narrows a search down before distances in double precision decide.
+/// Features in single precision on their principal axes, widest first, in units of their extent. They narrow
+/// a search down before distances in double precision decide.
 class FeatureAxes {
  public:
-  static constexpr int dimensions = 16;  ///< 15 and a zero, a whole number of registers
+  static constexpr int dimensions = 16;  ///< 15 and a zero: fills whole registers
   using Point = Eigen::Array<float, dimensions, 1>;
 
   FeatureAxes() = default;
@@ -19,16 +19,15 @@ class FeatureAxes {
 
   Point of(const Features& features) const;
 
-  /// False where the features are no lengths of a body, such as 1e200.
+  /// False if the features are not plausible lengths, such as 1e200.
   bool can_tell_apart() const { return is_usable_; }
-  /// False as well when a query is so far from all features that single precision tells nothing about who is
-  /// near.
+  /// False also if a query is so far from all features that single precision cannot rank them.
   bool can_tell(const Features& query) const;
 
-  /// What rounding may add to a distance from this query, in units of the extent.
+  /// Upper bound of the rounding error of a distance from this query, in units of the extent.
   double slack_for(const Features& query) const;
 
-  /// Units of the extent in a metre; a power of two.
+  /// Units of the extent per metre; a power of two.
   double scale() const { return scale_; }
 
  private:
@@ -38,16 +37,15 @@ class FeatureAxes {
   bool is_usable_ = false;
 };
 
-/// How far a search goes: what is farther on the axes need not be looked at. Shrinks while the search goes
-/// on.
+/// Radius of a search: rows farther away on the axes need not be examined. Shrinks during the search.
 class SearchReach {
  public:
-  /// @param relative_error  of squared distances on the axes, as they are summed up
+  /// @param relative_error of summation of squared distances on the axes
   SearchReach(const FeatureAxes& axes, const Features& query, double relative_error);
 
-  /// A squared distance on the axes.
+  /// Squared radius on the axes.
   float limit() const { return limit_; }
-  /// @param distance_m  of the features; never lengthens
+  /// @param distance_m between features; never enlarges the radius
   void shrink_to(double distance_m);
 
  private:
@@ -55,13 +53,13 @@ class SearchReach {
   float limit_;
 };
 
-/// Who decides, in double precision, about the places that a search comes by.
+/// Decides, in double precision, about the places that a search visits.
 class PlaceJudge {
  public:
   virtual ~PlaceJudge() = default;
-  /// May shrink the reach.
+  /// Examines a place; may shrink the reach.
   virtual void look_at(std::size_t place, SearchReach& reach) = 0;
-  /// All places will be looked at again, within the same reach.
+  /// All places will be visited again, within the same reach.
   virtual void start_again() = 0;
 };
 

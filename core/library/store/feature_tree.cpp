@@ -51,7 +51,7 @@ struct FeatureTree::Builder {
       keys[i].value = points[static_cast<std::size_t>(keys[i].row)](axis);
     const std::size_t left_leaves = leaves / 2, middle = begin + left_leaves * leaf_rows;
     const auto at = [&](std::size_t i) { return keys.begin() + static_cast<std::ptrdiff_t>(i); };
-    // Equal values by row: which rows stand together must not depend on how they were shuffled before.
+    // Ties are ordered by row: the grouping must not depend on the previous order.
     std::nth_element(at(begin), at(middle), at(end), [](const Key& a, const Key& b) {
       return a.value != b.value ? a.value < b.value : a.row < b.row;
     });

@@ -8,31 +8,29 @@
 
 namespace abrazo {
 
-/// Narrows a search in the feature space down to few rows, quickly and never too far: for libraries that are
-/// mapped because they do not fit into memory. A kd-tree with a box of what is in each node, 60 bytes for
-/// each row and little besides. Rows of a leaf stand side by side, so that one instruction takes a step for
-/// several.
+/// Narrows a search in feature space down to few rows, conservatively: it never loses a neighbour. For
+/// libraries that are mapped because they do not fit into memory. A kd-tree with a bounding box per node,
+/// about 60 bytes per row. Rows of a leaf are interleaved for SIMD.
 class FeatureTree {
  public:
   FeatureTree() = default;
-  /// @param features  finite, such that `axes` can tell them apart
+  /// @param features finite; `axes` must be able to tell them apart
   FeatureTree(const FeatureAxes& axes, std::span<const Features> features);
 
-  /// Rows as leaves hold them: place -> row of `features`.
+  /// Order of rows in the leaves: place -> row of `features`.
   const std::vector<std::int32_t>& rows() const { return rows_; }
 
-  /// Shows every place that may be within reach to the judge, near ones first on the whole. Allocates
-  /// nothing.
+  /// Passes every place that may be within reach to the judge, roughly nearest first. Does not allocate.
   void search(const FeatureAxes::Point& query, SearchReach& reach, PlaceJudge& judge) const;
 
-  /// Of squared distances as they are summed up: 15 additions in single precision, tenfold.
+  /// Relative error of summed squared distances: 15 additions in single precision, times 10.
   static constexpr double relative_error = 1e-5;
 
  private:
   static constexpr int leaf_rows = 16;
   static constexpr int most_depth = 48;
   using Point = FeatureAxes::Point;
-  using Leaf = Eigen::Array<float, leaf_rows, FeatureAxes::dimensions - 1>;  ///< a row of features per row
+  using Leaf = Eigen::Array<float, leaf_rows, FeatureAxes::dimensions - 1>;  ///< one row of features per row
 
   struct Node {
     Point low, high;

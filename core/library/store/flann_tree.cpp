@@ -12,10 +12,10 @@ namespace abrazo {
 
 namespace {
 
-using Lengths = Eigen::Array<float, 8, 1>;  ///< seven axes, and what is left
+using Lengths = Eigen::Array<float, 8, 1>;  ///< seven axes, and the norm of the rest
 
-/// A squared distance, told apart from other numbers for the sake of the room that FLANN takes for some of
-/// them in every search (std::allocator below).
+/// A squared distance as a distinct type, because FLANN allocates vectors of it in every search
+/// (std::allocator below).
 struct FlannSquare {
   FlannSquare(double number = 0)
       : value(static_cast<float>(number)) {}  // NOLINT(google-explicit-constructor)
@@ -47,8 +47,8 @@ struct LengthsApart {
 
 }  // namespace abrazo
 
-/// Room for one search's lengths that is there for each thread; whoever wants more gets it from the heap. A
-/// step of the synthesizer must not wait for others who allocate.
+/// Thread-local memory for the distances of one search; larger requests use the heap. A step of the
+/// synthesizer must not wait for allocations of other threads.
 template <>
 struct std::allocator<abrazo::FlannSquare> {
   using value_type = abrazo::FlannSquare;
@@ -95,8 +95,8 @@ using FlannIndex = flann::KDTreeSingleIndex<LengthsApart>;
 constexpr int flann_leaf_rows = 64;  ///< with 40 it is about as fast
 constexpr Eigen::Index long_axes = Lengths::RowsAtCompileTime - 1;
 constexpr Eigen::Index short_axes = FeatureAxes::dimensions - long_axes;
-/// A node of the tree or a row that is looked at costs as much as reading some 80 rows one after the other:
-/// who stops when all rows could have been read hardly takes twice as long as the better of the two ways.
+/// Visiting a node or row costs as much as scanning about 80 rows: stopping when all rows could have been
+/// scanned takes at most about twice as long as the better of the two methods.
 constexpr std::size_t rows_per_effort = 80;
 /// Nodes after which a search has found its nearest but for little, also where nine of ten are vetoed.
 constexpr std::size_t least_effort = 200;
@@ -107,9 +107,9 @@ Lengths lengths_of(const FeatureAxes::Point& point) {
   return lengths;
 }
 
-/// What FLANN asks how far to go and tells whom it came by. It sums up what each of at most some 1200 splits
-/// adds (a split halves the rows, or one of eight coordinates, which have 150 halves), each with three
-/// roundings of 6e-8: not more than 3e-4 of a squared distance.
+/// FLANN's result set: gives the radius and receives visited rows. FLANN sums the contributions of at most
+/// about 1200 splits (a split halves the rows, or one of eight coordinates, which have 150 halves), each with
+/// three roundings of 6e-8: at most 3e-4 of a squared distance.
 class Narrowing final : public flann::ResultSet<FlannSquare> {
  public:
   /// @param rows  of the tree
@@ -171,7 +171,7 @@ struct FlannTree::Index {
   /// reach.
   float far = 0;
 
-  /// FLANN keeps a copy, leaf by leaf, and asks for `lengths` while it builds only.
+  /// FLANN keeps a copy, leaf by leaf, and uses `lengths` only while building.
   void build_tree(std::vector<Lengths>& lengths) {
     const flann::Matrix<float> matrix(lengths.front().data(), lengths.size(), Lengths::RowsAtCompileTime);
     tree = std::make_unique<FlannIndex>(matrix, flann::KDTreeSingleIndexParams(flann_leaf_rows, true));
@@ -193,8 +193,8 @@ FlannTree::FlannTree(const FeatureAxes& axes, std::span<const Features> features
   std::vector<FeatureAxes::Point> points;
   points.reserve(features.size());
   for (const Features& one : features) points.push_back(axes.of(one));
-  // Twice: the second time with rows in the order of the first tree's leaves, so that what is looked at
-  // together lies together.
+  // Built twice: the second time with rows in the order of the first tree's leaves, so that rows visited
+  // together are adjacent.
   std::vector<Lengths> lengths;
   lengths.reserve(points.size());
   for (const FeatureAxes::Point& point : points) lengths.push_back(lengths_of(point));

@@ -8,26 +8,26 @@
 
 namespace abrazo {
 
-/// Narrows a search down to few rows with FLANN's kd-tree (KDTreeSingleIndex), exactly: never too far. For
-/// libraries that are in memory. FLANN sees the seven longest axes and what is left of each pose as one more
-/// length: |x - q|^2 is at least the sum of squares of their differences. A query far from all poses, or one
-/// that most poses are vetoed for, would have it look into most leaves; then all rows are read one after the
-/// other instead, which takes about 1.5 ns each. A search allocates nothing.
+/// Narrows a search down to few rows with FLANN's kd-tree (KDTreeSingleIndex), conservatively: it never loses
+/// a neighbour. For libraries in memory. FLANN gets the seven longest axes and the norm of the rest as an
+/// eighth coordinate: |x - q|^2 is at least the sum of squares of their differences. A query far from all
+/// poses, or with most poses vetoed, would visit most leaves; then all rows are scanned instead, at about 1.5
+/// ns per row. A search does not allocate.
 class FlannTree {
  public:
-  /// @param features  finite, such that `axes` can tell them apart
+  /// @param features finite; `axes` must be able to tell them apart
   FlannTree(const FeatureAxes& axes, std::span<const Features> features);
   ~FlannTree();
   FlannTree(FlannTree&&) noexcept;
   FlannTree& operator=(FlannTree&&) noexcept;
 
-  /// Place -> row of `features`: rows of a leaf are neighbours.
+  /// Place -> row of `features`: rows of a leaf are adjacent.
   const std::vector<std::int32_t>& rows() const;
 
-  /// Shows every place that may be within reach to the judge.
+  /// Passes every place that may be within reach to the judge.
   void search(const FeatureAxes::Point& query, SearchReach& reach, PlaceJudge& judge) const;
 
-  /// Of squared distances as FLANN sums them up: see the source.
+  /// Relative error of squared distances summed by FLANN: see the source.
   static constexpr double relative_error = 1e-3;
 
  private:

@@ -103,8 +103,8 @@ Hdf5Handle create(const fs::path& path) {
   return {H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, access.id()), H5Fclose};
 }
 
-/// HDF5 1.10 ends the program where a description is said to be shared and the file has no place for shared
-/// ones.
+/// HDF5 1.10 aborts the program if a message is marked as shared but the file has no table of shared
+/// messages.
 void refuse_shared_descriptions(const Hdf5Handle& file, const std::string& path) {
   H5O_info_t object;
   if (H5Oget_info_by_name2(file.id(), path.c_str(), &object, H5O_INFO_HDR, H5P_DEFAULT) < 0)
@@ -114,14 +114,14 @@ void refuse_shared_descriptions(const Hdf5Handle& file, const std::string& path)
             path);
 }
 
-/// A link could lead to any file of the user's. Groups on the way are looked at first: asking for what lies
-/// behind a link would follow it.
+/// A link could lead to any file of the user. Groups on the path are checked first, because a query behind a
+/// link would follow it.
 void refuse_links(const Hdf5Handle& file, std::string_view path) {
   for (std::size_t end = 0; end < path.size();) {
     end = std::min(path.find('/', end + 1), path.size());
     const std::string part(path.substr(0, end));
     H5L_info_t link;
-    if (H5Lget_info(file.id(), part.c_str(), &link, H5P_DEFAULT) < 0) return;  // missing: told by who opens
+    if (H5Lget_info(file.id(), part.c_str(), &link, H5P_DEFAULT) < 0) return;  // missing: reported on opening
     if (link.type != H5L_TYPE_HARD)
       problem("{} is a link to another place; a library holds its own tables: build it again", part);
     refuse_shared_descriptions(file, part);

@@ -17,13 +17,13 @@ namespace abrazo {
 
 class MappedFile;
 
-/// Thrown by the two classes below: fit to be shown, without the file's name.
+/// Thrown by the two classes below. The text can be shown; it does not name the file.
 struct Hdf5Problem : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// HDF5 may be built without locks of its own, and prints its errors on stderr unless told not to: one file
-/// at a time, quietly. Hold it as long as a file is open.
+/// Lock for HDF5, which may be built without thread safety; also silences its output on stderr. Hold it while
+/// a file is open.
 class Hdf5Turn {
  public:
   Hdf5Turn();
@@ -37,7 +37,7 @@ class Hdf5Turn {
   void* data_ = nullptr;
 };
 
-/// An HDF5 identifier that is closed in time.
+/// Owns an HDF5 identifier.
 class Hdf5Handle {
  public:
   Hdf5Handle(std::int64_t id, int (*closer)(std::int64_t)) : id_(id), closer_(closer) {}
@@ -48,7 +48,7 @@ class Hdf5Handle {
   }
   std::int64_t id() const { return id_; }
   bool ok() const { return id_ >= 0; }
-  /// @return false when the file could not take what was still in memory
+  /// @return false if buffered data could not be written
   bool close() { return closer_(std::exchange(id_, -1)) >= 0; }
 
  private:
@@ -56,7 +56,7 @@ class Hdf5Handle {
   int (*closer_)(std::int64_t);
 };
 
-/// What numbers are, in memory and in the file (little endian everywhere).
+/// Number types in memory and in the file (always little-endian).
 enum class Hdf5Number { Float64, Unsigned64, Unsigned32, Signed32, Unsigned8 };
 
 template <typename Number>
@@ -71,8 +71,8 @@ constexpr Hdf5Number hdf5_number() {
 using Hdf5Shape = std::vector<std::uint64_t>;
 inline constexpr std::uint64_t any_size = static_cast<std::uint64_t>(-1);
 
-/// Writes tables that can be mapped: contiguous, uncompressed, large ones at the start of a page. The same
-/// content gives the same bytes.
+/// Writes tables that can be mapped: contiguous, uncompressed, large ones page-aligned. Equal content gives
+/// equal bytes.
 class Hdf5Writer {
  public:
   explicit Hdf5Writer(const std::filesystem::path& path);
@@ -103,9 +103,9 @@ class Hdf5Writer {
   Hdf5Handle file_;
 };
 
-/// Reads tables of a file that anyone may have written or damaged: shapes, kinds of numbers and what is
-/// really in the file are checked before anything is allocated. No table takes more memory than the file has
-/// bytes (times eight, where a file stores small numbers that memory holds as large ones).
+/// Reads tables of an untrusted or damaged file: shapes, number types and actual sizes are checked before
+/// memory is allocated. No table takes more memory than the file has bytes (times eight if small numbers are
+/// widened).
 class Hdf5Reader {
  public:
   explicit Hdf5Reader(const std::filesystem::path& path);
@@ -120,7 +120,7 @@ class Hdf5Reader {
   }
 
   /// A table whose rows are laid out as Row is, e.g. PairPose as 50 x 3 doubles.
-  /// @param shape  as it must be, the first size may be `any_size`
+  /// @param shape expected shape; the first size may be `any_size`
   template <typename Number, typename Row>
   std::vector<Row> rows(const char* path, const Hdf5Shape& shape) const {
     const Table table = open_table(path, hdf5_number<Number>(), shape);
@@ -134,8 +134,8 @@ class Hdf5Reader {
   }
   std::vector<std::string> texts(const char* path, std::uint64_t size) const;
 
-  /// The same as `rows`, as a view of the mapped file; read into memory where the file does not hold it as
-  /// memory would: in chunks, in other numbers, or at an odd place.
+  /// The same as `rows`, as a view of the mapped file; read into memory if the file has another layout:
+  /// chunks, other number types or unaligned data.
   /// @param mapping  null = read
   template <typename Number, typename Row>
   Column<Row> mapped_rows(const char* path, const Hdf5Shape& shape,
@@ -147,9 +147,9 @@ class Hdf5Reader {
     read(table, path, result.data());
     return result;
   }
-  /// What a table takes in the file.
+  /// Size of a table in the file.
   std::uint64_t stored_bytes(const char* path) const;
-  /// Of the very file that is open, whatever its name leads to by now; null when it cannot be mapped.
+  /// Mapping of the open file itself, even if its name now refers to another; null if it cannot be mapped.
   std::shared_ptr<const MappedFile> mapping() const;
 
  private:

@@ -8,7 +8,7 @@
 
 namespace abrazo {
 
-/// Index of the first body whose bones differ by less than 0.5 %; of one that is added when there is none.
+/// Index of the first body whose bones differ by less than 0.5 %; adds the body if there is none.
 inline std::uint32_t find_or_add_body(std::vector<LibraryBody>& bodies, const Body& body,
                                       const std::string& name) {
   constexpr double same_body_difference = 0.005;  ///< of a bone's length

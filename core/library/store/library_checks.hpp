@@ -6,25 +6,25 @@
 
 namespace abrazo {
 
-/// What a Delaunay tetrahedralisation of so many points has at most.
+/// Maximum number of tetrahedra of a Delaunay tetrahedralisation of 50 points.
 inline constexpr std::size_t most_tetrahedra = pair_vertex_count * (pair_vertex_count - 3) / 2;
 
-/// A pair lies nearer to its origin than this [m], all its coordinates together: beyond it costs, which are
-/// sums of squares, would no longer tell one pair from another, or be infinite.
+/// Upper bound of the norm of all coordinates of a pair [m]: beyond it, costs (sums of squares) could no
+/// longer distinguish pairs, or overflow.
 inline constexpr double farthest_m = 1e8;
 
-// Of one row, in nanoseconds: asked again whenever a mapped row is used.
+// Checks of one row, in nanoseconds: repeated whenever a mapped row is used.
 
-/// Not so where a coordinate is no number.
+/// False if a coordinate is NaN.
 bool is_within_reach(const PairPose& pose);
-/// Smaller vertex first, ascending, none twice, all of them joints: what the solver's tables of neighbours
-/// rely on.
+/// Whether edges have the smaller vertex first, ascend, are unique and refer to joints, as the solver's
+/// neighbour tables require.
 bool is_in_order(std::span<const MeshEdge> edges);
 bool names_vertices(std::span<const MeshTetrahedron> tetrahedra);
 
-/// That columns fit together. Poses and meshes of a mapped file are left out: RowGuard looks at each when it
-/// is used, so that opening does not read all of a file larger than memory.
-/// @throws std::invalid_argument saying what does not fit
+/// Checks that columns are consistent. Skips poses and meshes of a mapped file: RowGuard checks each row on
+/// use, so that opening does not read a file larger than memory.
+/// @throws std::invalid_argument with the inconsistency
 void check_columns(const LibraryColumns& columns);
 
 }  // namespace abrazo

@@ -25,7 +25,7 @@ std::optional<Error> openable(const fs::path& file, std::ios::openmode mode, con
   std::error_code ignored;
   const fs::file_status status = fs::status(file, ignored);
   if (fs::is_directory(status)) return Error{"is a folder; name a file", shown.string()};
-  // Opening a pipe would wait for whoever writes to it.
+  // Opening a pipe would wait for a writer.
   if (fs::exists(status) && !fs::is_regular_file(status))
     return Error{"is a pipe or a device; name a file", shown.string()};
   if (std::fstream(file, mode | std::ios::binary)) return std::nullopt;
@@ -59,7 +59,7 @@ Status write_library(const MotionLibrary& library, const fs::path& file, const P
     write_pairs(writer, library.columns());
     writer.close();
   } catch (const Hdf5Problem& failure) {
-    if (const auto damage = library.damage()) return *damage;  // what was to be written is gone
+    if (const auto damage = library.damage()) return *damage;  // the data to write is lost
     return Error{failure.what(), file.string()};
   }
   if (const auto damage = library.damage()) return *damage;  // a mapped one may have been read as zeros

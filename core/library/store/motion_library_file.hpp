@@ -9,21 +9,20 @@
 
 namespace abrazo {
 
-/// Writes a library as HDF5 (layout: docs/library-file.md), whole or not at all.
+/// Writes a library as HDF5 (layout: docs/library-file.md), all or nothing.
 Status write_library(const MotionLibrary& library, const std::filesystem::path& file,
                      const Progress& progress = {});
 
 struct LibraryReading {
-  /// Poses and meshes that are more than this stay in the file and are mapped: some 370 000 pairs.
+  /// Above this size, poses and meshes stay in the file and are mapped: about 370 000 pairs.
   std::uint64_t largest_in_memory_bytes = std::uint64_t{1} << 30;
 };
 
-/// Reads it back. Refuses what is not such a file, is of a newer version, cut short, or inconsistent, and
-/// says which. Of a large library only what every pair needs is read; its poses and meshes are looked at
-/// when they are used (MotionLibrary::damage).
+/// Reads a library file. An Error if it is not such a file, of a newer version, truncated or inconsistent.
+/// Poses and meshes of a large library are not read here but checked on use (MotionLibrary::damage).
 Result<MotionLibrary> read_library(const std::filesystem::path& file, const LibraryReading& reading = {});
 
-/// How much of a library stays in its file, read as it is used; 0 when all is in memory.
+/// Size of the part of a library that stays in its file; 0 if all is in memory.
 std::uint64_t mapped_bytes(const MotionLibrary& library);
 
 }  // namespace abrazo

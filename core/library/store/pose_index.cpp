@@ -17,7 +17,7 @@ bool nearer(const PoseMatch& a, const PoseMatch& b) {
   return a.distance != b.distance ? a.distance < b.distance : a.pair < b.pair;
 }
 
-/// Puts a match in its place among the nearest so far, unless `count` are nearer.
+/// Inserts a match among the nearest so far, unless `count` are nearer.
 void add_match(const PoseMatch& match, std::size_t count, std::vector<PoseMatch>& nearest) {
   if (nearest.size() == count) {
     if (!nearer(match, nearest.back())) return;
@@ -46,7 +46,7 @@ struct PoseIndex::Contents {
     }
   }
 
-  /// Every place of the tree, or all there are.
+  /// All places of the tree.
   void narrow(const Features& query, SearchReach& reach, PlaceJudge& judge) const {
     if (flann && axes.can_tell(query)) return flann->search(axes.of(query), reach, judge);
     if (own && axes.can_tell(query)) return own->search(axes.of(query), reach, judge);

@@ -15,19 +15,18 @@ struct PoseMatch {
   double distance = 0;  ///< Euclidean distance of the features [m]
 };
 
-/// Exact nearest neighbours in the 15-D feature space (kd-tree, paper 3.2.2): the same for every order of the
-/// pairs, whichever tree narrows the search. Keeps its own copy of the features. A search allocates nothing
-/// but room in `matches`.
+/// Exact nearest neighbours in the 15-D feature space (kd-tree, paper 3.2.2): the result does not depend on
+/// the order of the pairs or the tree. Keeps a copy of the features. A search allocates only in `matches`.
 class PoseIndex {
  public:
-  /// Who narrows a search down before distances in double precision decide.
+  /// The tree that narrows a search down before distances in double precision decide.
   enum class Tree {
-    Flann,  ///< FLANN's; some 240 bytes for each pair, features included
-    Own     ///< ours; some 200
+    Flann,  ///< FLANN's; about 240 bytes per pair, with features
+    Own     ///< FeatureTree; about 200
   };
 
   /// @param features  of every pair of the library
-  /// @param pairs     those to be found; the others are left out of the tree
+  /// @param pairs the searchable pairs; others are not in the tree
   PoseIndex(std::span<const Features> features, std::span<const int> pairs, Tree tree = Tree::Flann);
   ~PoseIndex();
   PoseIndex(PoseIndex&&) noexcept;
@@ -37,12 +36,11 @@ class PoseIndex {
 
   /// The `count` nearest pairs (fewer if the index is smaller), nearest first; equal distances by pair
   /// number.
-  /// @param[in,out] matches  what it holds before is looked at first and changes nothing but how long the
-  /// search takes: with the answer to a query nearby, such as the frame before, half as long
+  /// @param[in,out] matches previous content is examined first; it affects only the search time, which halves
+  /// with the answer to a nearby query such as the previous frame
   void nearest(const Features& query, int count, std::vector<PoseMatch>& matches) const;
 
-  /// The same among those that are not left out, as exact, without another index: they are passed over while
-  /// the tree is searched.
+  /// The same, but skips pairs that are left out during the search; also exact.
   /// @param left_out  by pair number
   void nearest_without(const std::vector<bool>& left_out, const Features& query, int count,
                        std::vector<PoseMatch>& matches) const;
@@ -55,8 +53,7 @@ class PoseIndex {
   std::unique_ptr<Contents> contents_;
 };
 
-/// Of a library's pairs, with the tree that fits: FLANN's where the library is in memory, our own where it is
-/// mapped because it does not fit.
+/// An index of a library's pairs: FLANN's tree if the library is in memory, FeatureTree if it is mapped.
 PoseIndex pose_index_of(const MotionLibrary& library, std::span<const int> pairs);
 
 }  // namespace abrazo

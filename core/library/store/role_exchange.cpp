@@ -10,7 +10,7 @@ namespace abrazo {
 
 namespace {
 
-/// Row by row as the library gives them: those of a mapped one are looked at on the way.
+/// Row by row through the library, which checks the rows of a mapped one.
 void exchange_meshes(const MotionLibrary& library, LibraryColumns& columns) {
   std::vector<MeshEdge> edges;
   std::vector<MeshTetrahedron> tetrahedra;

@@ -9,20 +9,19 @@
 
 namespace abrazo {
 
-/// Looks at every row of a mapped library when it is used: the file is not ours alone, and it was not read
-/// when it was opened. A damaged row is answered with the pair that stood first when the library was opened,
-/// and remembered. Any thread.
+/// Checks every row of a mapped library on use, because other programs can change the file and it was not
+/// read at opening. A damaged row is replaced by the first pair at opening, and remembered. Thread-safe.
 class RowGuard {
  public:
-  /// Keeps the first pair.
-  /// @throws std::invalid_argument when that is damaged already
+  /// Keeps a copy of the first pair.
+  /// @throws std::invalid_argument if that pair is damaged
   explicit RowGuard(const LibraryColumns& columns);
 
   const PairPose& pose(const LibraryColumns& columns, int pair) const;
   std::span<const MeshEdge> edges(const LibraryColumns& columns, int pair) const;
   std::span<const MeshTetrahedron> tetrahedra(const LibraryColumns& columns, int pair) const;
 
-  /// Nothing while all is well.
+  /// None if no damage was found.
   std::optional<Error> damage(const std::string& library_name) const;
 
  private:

@@ -11,15 +11,15 @@ namespace abrazo {
 /// A line of a table. A field in quotes may hold separators, line ends and doubled quotes (RFC 4180).
 struct CsvRow {
   std::size_t line = 0;             ///< where it begins, from 1
-  std::vector<std::string> fields;  ///< trimmed where they stand without quotes
+  std::vector<std::string> fields;  ///< trimmed if unquoted
 };
 
-/// Rows of a text with commas; empty lines are none.
-/// @param where  place in messages
-/// @return an Error with the line for quotes that do not end, and for more than 64 fields
+/// Rows of a comma-separated text; empty lines are skipped.
+/// @param where name for messages
+/// @return an Error with the line for unterminated quotes, and for more than 64 fields
 Result<std::vector<CsvRow>> parse_csv(std::string_view text, std::string_view where);
 
-/// A field as it stands in a file: in quotes where it must.
+/// A field as written to a file: quoted if necessary.
 std::string csv_field(std::string_view text);
 
 }  // namespace abrazo

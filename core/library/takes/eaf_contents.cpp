@@ -31,8 +31,8 @@ const EafContents::Vocabulary* vocabulary_of_tier(const EafContents& contents, c
 
 constexpr std::size_t most_languages = 100;  ///< that are compared
 
-/// The language that the tier's annotations are in: its own where it says so, else the one that has most of
-/// their values, else the first.
+/// The language of the tier's annotations: its own if stated, else the one with most of their values, else
+/// the first.
 std::string language_of(const EafContents::Vocabulary& vocabulary, const TierElement& tier) {
   std::map<std::string, std::set<std::string_view>> values;
   std::vector<std::string> languages;
@@ -79,7 +79,7 @@ bool is_remark(const TierElement& tier) {
   return is_remark(tier, eaf_detail_type) || is_remark(tier, eaf_confidence_type);
 }
 
-/// What child tiers say of annotations, by their id.
+/// Values of child tiers, by annotation id.
 using Remarks = std::unordered_map<std::string_view, std::string_view>;
 
 Remarks remarks_of(const EafContents& contents, const char* type) {
@@ -90,7 +90,7 @@ Remarks remarks_of(const EafContents& contents, const char* type) {
   return remarks;
 }
 
-/// Kinds, colours and keys by what the property says.
+/// Kinds, colours and keys from the property.
 void add_facts(const std::string& facts_json, std::vector<Tier>& tiers, std::vector<std::string>& warnings) {
   if (facts_json.empty()) return;
   std::vector<std::string> ignored;
@@ -113,7 +113,7 @@ void add_facts(const std::string& facts_json, std::vector<Tier>& tiers, std::vec
   }
 }
 
-/// Builds the tiers, counting what is left out.
+/// Builds the tiers and counts omissions.
 class TierBuilder {
  public:
   TierBuilder(const EafContents& contents, std::string_view where) : contents_(contents), where_(where) {}
@@ -191,8 +191,7 @@ void TierBuilder::add_warnings(std::vector<std::string>& warnings) const {
        "tiers have a linguistic type that the file does not have; taken as free text");
   warn(warnings, elsewhere_, "tier has its vocabulary in another file, which is not read",
        "tiers have their vocabulary in another file, which is not read");
-  warn(warnings, missing_words_,
-       "vocabulary entry without a word of its own in the tier's language was left out",
+  warn(warnings, missing_words_, "vocabulary entry without a word in the tier's language was left out",
        "vocabulary entries without a word of their own in the tier's language were left out");
   warn(warnings, contents_.external_references, "reference to something outside the file was left out",
        "references to something outside the file were left out");

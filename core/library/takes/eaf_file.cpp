@@ -55,7 +55,7 @@ Status check(std::span<const Tier> tiers) {
       return Error{"has a control character, which XML cannot hold; write it anew", in_quotes(tier.name)};
     double free_from_s = 0;
     for (const TierInterval& interval : tier.intervals) {
-      // Negated, so that what is not a number fails too.
+      // Negated, so that NaN fails too.
       if (!(interval.start_s >= 0 && interval.end_s < latest_s))
         return Error{"an EAF file holds times from 0 to 49 days; found " + std::to_string(interval.start_s) +
                          " to " + std::to_string(interval.end_s) + " s",
@@ -114,8 +114,7 @@ pugi::xml_attribute set(pugi::xml_node node, const char* name, const std::string
   return attribute;
 }
 
-/// Kinds, colours and keys have no place of their own in the document; where nothing is said of the kind, it
-/// is read from the name.
+/// EAF cannot express kinds, colours and keys; without a stated kind it is derived from the name.
 bool has_more_than_eaf_has(const Tier& tier) {
   return tier.kind != TierKind::Note || kind_of_name(tier.name) != TierKind::Note ||
          std::any_of(tier.vocabulary.begin(), tier.vocabulary.end(),
@@ -164,7 +163,7 @@ std::string EafDocument::free_name(std::set<std::string>& taken, std::string nam
   return name;
 }
 
-/// A child tier with what is said beside the values, one to one.
+/// A child tier with detail or confidence, one to one.
 void EafDocument::add_remarks(const Tier& tier, int first_annotation, const char* word, const char* type,
                               std::string TierInterval::*remark) {
   pugi::xml_node node;

@@ -18,8 +18,7 @@ using TierElement = EafContents::TierElement;
 
 using Siblings = std::vector<const Annotation*>;
 
-/// Along the chain of previous annotations, where there is one; those it does not reach stay behind it as
-/// they stand in the file.
+/// Along the chain of previous annotations, if there is one; unreachable ones follow in file order.
 Siblings chained(const Siblings& siblings) {
   std::map<std::string_view, const Annotation*> after;
   for (const Annotation* one : siblings)

@@ -14,20 +14,20 @@ struct EafSpan {
   double start_s = 0, end_s = 0;
 };
 
-/// When the annotations of an ELAN document are.
+/// Times of the annotations of an ELAN document.
 class EafTimes {
  public:
   Status resolve(const EafContents& contents, std::string_view where);
   /// Of an annotation of the document that was resolved.
   EafSpan of(std::string_view annotation) const { return spans_.at(annotation); }
-  /// Slots that got their time from their neighbours.
+  /// Number of slots with interpolated times.
   int interpolated() const { return interpolated_; }
 
  private:
   Status resolve_slots(const EafContents& contents);
   Status resolve_slots_of(const EafContents::TierElement& tier);
   Status resolve_references(const EafContents& contents);
-  /// Annotations of one tier that refer to one and the same annotation.
+  /// Annotations of one tier that refer to the same annotation.
   struct Family {
     const EafContents::TierElement* tier = nullptr;
     std::vector<const EafContents::Annotation*> siblings;

@@ -7,8 +7,7 @@
 
 namespace abrazo {
 
-/// Whether intervals of frames [start, end) are what a take may have: none is empty, they ascend and do not
-/// overlap.
+/// Checks that intervals of frames [start, end) are valid for a take: not empty, ascending, not overlapping.
 /// @param what  "role", "label": of the Error  @param where  which take it names
 template <typename Interval>
 Status check_intervals(const std::vector<Interval>& intervals, const char* what, const std::string& where) {

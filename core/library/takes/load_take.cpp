@@ -59,7 +59,7 @@ Result<std::vector<ImportedClip>> load_clips(const Manifest::Take& take, const M
 Result<Clip> taken_from(std::vector<ImportedClip>& clips, const Manifest::Performer& performer, int index) {
   if (index >= static_cast<int>(clips.size()))
     return Error{
-        fmt::format("performer {} is asked for, but it shows {}; they count from 0", index, clips.size()),
+        fmt::format("performer {} is requested, but it shows {}; they count from 0", index, clips.size()),
         performer.motion.string()};
   Clip clip = std::move(clips[static_cast<std::size_t>(index)].clip);
   if (performer.start >= static_cast<int>(clip.poses.size()))

@@ -23,7 +23,7 @@ std::string_view json_type(const json& value) {
   return value.type_name();
 }
 
-/// A JSON value together with the place where it stands, for messages.
+/// A JSON value with its position, for messages.
 struct ManifestNode {
   const json& value;
   std::string place;  ///< "manifest.json: takes[3].b"

@@ -14,15 +14,16 @@
 
 namespace abrazo {
 
-/// A list of paired takes as a JSON file has it. Paths are already relative to the manifest's folder.
+/// A list of paired takes from a JSON file. Paths are already resolved against the manifest's folder.
 struct Manifest {
-  /// What is not given is found out by the import.
+  /// The import detects options that are not set.
   struct Performer {
     std::filesystem::path motion;
-    std::filesystem::path skeleton = {};                   ///< empty for formats that carry their own
-    std::optional<int> index = {};                         ///< which one of a file that shows several, from 0
-    int start = 0;                                         ///< first frame of the file that is used
-    std::optional<double> metres_per_unit = std::nullopt;  ///< over that of the take
+    std::filesystem::path skeleton = {};                   ///< empty for formats with their own skeleton
+    std::optional<int> index = {};                         ///< index in a file with several performers, from
+                                                           ///< 0
+    int start = 0;                                         ///< first used frame of the file
+    std::optional<double> metres_per_unit = std::nullopt;  ///< overrides that of the take
     std::optional<UpAxis> up_axis = std::nullopt;
     std::string joints = {};     ///< order of an array's joints: a built-in one or a file; empty = as it says
     std::string joint_map = {};  ///< a built-in one by name, or the path of a file; empty = the one that fits
@@ -34,35 +35,34 @@ struct Manifest {
     std::optional<double> fps;
     std::optional<double> metres_per_unit;
     Performer a, b;
-    std::optional<int> frames;  ///< used of both, from their `start` on; nothing = to the end
+    std::optional<int> frames;  ///< used frames of both, counted from `start`; none = to the end
     std::vector<RoleInterval>
-        roles;  ///< one interval over everything when the file gives one letter; empty = unknown
+        roles;  ///< one interval over the whole take if the file gives one letter; empty = unknown
     std::filesystem::path labels;  ///< empty = none
-    std::string labels_tier = {};  ///< of a file with several; empty = its moves
-    /// Roles out of a label file's tier, in place of `roles`; the file is `labels` when it is empty.
+    std::string labels_tier = {};  ///< tier of a file with several; empty = its moves
+    /// Roles from a tier of a label file, instead of `roles`; an empty file means `labels`.
     std::string roles_tier = {};
     std::filesystem::path roles_file = {};
   };
   std::string name;
   std::vector<Take> takes;
-  std::vector<std::string> warnings;  ///< unknown keys, most likely misspelt
+  std::vector<std::string> warnings;  ///< unknown keys, probably misspelt
 };
 
 /// @param file  where it was read from: gives the folder of relative paths and the place in messages
 Result<Manifest> parse_manifest(std::string_view json, const std::filesystem::path& file);
 Result<Manifest> read_manifest(const std::filesystem::path& file);
 
-/// The JSON that reads back to the same manifest. Paths are given relative to `folder` where they share a
-/// beginning with it, else whole.
+/// The JSON that reads back to the same manifest. Paths are relative to `folder` if they share a prefix with
+/// it, else absolute.
 std::string manifest_json(const Manifest& manifest, const std::filesystem::path& folder);
 
 /// Rows of one take from a label file: take,start_frame,end_frame,label[,detail,confidence]; a field with a
-/// comma stands in quotes.
-/// Refuses overlapping, empty or reversed intervals with the line's number.
+/// comma is quoted. Refuses overlapping, empty or reversed intervals with the line's number.
 Result<std::vector<LabelInterval>> parse_labels(std::string_view csv, std::string_view take,
                                                 std::string_view where);
 
-/// How a performer's file is to be read. Reads the joint map where a file of one is named.
+/// Options for reading a performer's file. Reads the joint map if its file is given.
 Result<ImportOptions> import_options(const Manifest::Performer& performer, std::optional<double> fps);
 
 /// The takes that a label file names, each once, in its order.

@@ -12,8 +12,8 @@ namespace {
 using OrderedJson = nlohmann::ordered_json;
 namespace fs = std::filesystem;
 
-/// Relative while that stays within or just beside the folder; a path that climbs to the root says less than
-/// the whole one and breaks as soon as either end moves.
+/// Relative within or just beside the folder; a path that climbs to the root is less clear than an absolute
+/// one and breaks as soon as either end moves.
 std::string portable(const fs::path& path, const fs::path& folder) {
   if (path.empty()) return {};
   const fs::path whole = fs::absolute(path).lexically_normal();

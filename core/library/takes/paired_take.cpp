@@ -6,7 +6,7 @@ namespace abrazo {
 
 namespace {
 
-/// The interval that holds `frame` among ascending ones that do not overlap; null when there is none.
+/// The interval that contains `frame` among ascending, non-overlapping ones; null if there is none.
 template <typename Interval>
 const Interval* interval_at(const std::vector<Interval>& intervals, int frame) {
   const auto after = std::upper_bound(intervals.begin(), intervals.end(), frame,

@@ -32,19 +32,19 @@ struct LabelInterval {
   bool operator==(const LabelInterval&) const = default;
 };
 
-/// Two performers captured together, frame for frame, with what is known of them.
+/// Two performers captured together, frame by frame, with roles and labels.
 struct PairedTake {
   std::string name;
   double fps = 60;
   Clip a;
   Clip b;
-  std::vector<RoleInterval> roles;    ///< ascending, not overlapping; frames that none covers are Unknown
+  std::vector<RoleInterval> roles;    ///< ascending, not overlapping; uncovered frames are Unknown
   std::vector<LabelInterval> labels;  ///< ascending, not overlapping
 };
 
 ActivePerformer active_at(const PairedTake& take, int frame);
 
-/// The label of a frame; empty when there is none.
+/// The label of a frame; empty if there is none.
 std::string_view label_at(const std::vector<LabelInterval>& labels, int frame);
 
 }  // namespace abrazo

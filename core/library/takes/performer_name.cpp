@@ -119,7 +119,7 @@ std::string shared_name(std::string_view first, const NameDifference& difference
   const NamePart& cut = parts[difference.part];
   const auto is_joint = [](char c) { return kind_of(c) == Kind::Other; };
   std::string_view before = first.substr(0, cut.begin), after = first.substr(cut.begin + cut.size);
-  // Of the separators around what is cut, one stays.
+  // One of the separators around the removed part stays.
   while (!before.empty() && is_joint(before.back()) && (after.empty() || is_joint(after.front())))
     before.remove_suffix(1);
   while (before.empty() && !after.empty() && is_joint(after.front())) after.remove_prefix(1);

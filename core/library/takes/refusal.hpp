@@ -4,7 +4,7 @@
 
 namespace abrazo {
 
-/// Thrown and caught within one reader: reading descends several levels and ends at the first mistake.
+/// Thrown and caught within one reader, to leave several levels of recursion at the first error.
 struct Refusal {
   Error error;
 };

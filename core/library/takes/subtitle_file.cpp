@@ -24,7 +24,7 @@ struct Cue {
 
 // ---- times ----
 
-/// "[hh:]mm:ss.mmm", with a comma in .srt; nothing when it is none.
+/// "[hh:]mm:ss.mmm", with a comma in .srt; none for other text.
 std::optional<double> time_of(std::string_view word) {
   const std::size_t point = word.find_last_of(".,");
   if (point == std::string_view::npos || word.size() - point != 4) return std::nullopt;

@@ -14,13 +14,13 @@ enum class SubtitleForm {
   SubRip   ///< .srt: "[move] basic"
 };
 
-/// Cues as intervals. Tier = voice of the cue, or what stands in brackets before its text; cues without one
-/// are of the tier "subtitles". Settings, styles, notes and markup are left out. Cues that overlap others of
-/// their tier go to further tiers, "name 2" and so on.
+/// Cues as intervals. Tier = voice of the cue, or the text in brackets before its value; cues without one
+/// belong to the tier "subtitles". Settings, styles, notes and markup are ignored. Cues that overlap others
+/// of their tier go to additional tiers, "name 2" and so on.
 Result<TierDocument> parse_subtitles(std::string_view text, std::string_view where, SubtitleForm form);
 
 /// All intervals in order of time, in whole milliseconds. Kinds, vocabularies, detail, confidence and empty
-/// tiers have no place there.
+/// tiers are not written.
 /// @return an Error for times before 0 and names that cannot be distinguished from the text
 Result<TierText> write_subtitles(std::span<const Tier> tiers, std::string_view where, SubtitleForm form);
 

@@ -13,7 +13,7 @@ namespace abrazo {
 
 /// The tier of that name; without a name the first of that kind, the one named like the take, or the only
 /// one.
-/// @return an Error that lists the names there are
+/// @return an Error that lists the existing names
 Result<const Tier*> tier_for_take(std::span<const Tier> tiers, std::string_view name, TierKind kind,
                                   std::string_view take, std::string_view where);
 
@@ -26,7 +26,7 @@ LabelInterval label_over(const TierInterval& interval, int start, int end);
 std::vector<LabelInterval> labels_of(const Tier& tier, double fps, std::string_view where,
                                      std::vector<std::string>& warnings);
 
-/// The same of who is active. @return an Error for a value that is not a, b or unknown
+/// The same for roles. @return an Error for a value that is not a, b or unknown
 Result<std::vector<RoleInterval>> roles_of(const Tier& tier, double fps, std::string_view where,
                                            std::vector<std::string>& warnings);
 

@@ -36,7 +36,7 @@ TierKind kind_of_name(std::string_view name) {
 
 namespace {
 
-/// Files of other encodings come through readers that go by what a file says of itself.
+/// Files in other encodings are read by readers that use the encoding stated in the file.
 bool is_utf8(const Tier& tier) {
   bool good = !first_broken_byte(tier.name);
   for (const TierInterval& each : tier.intervals)

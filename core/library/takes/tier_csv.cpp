@@ -18,7 +18,7 @@ namespace {
 
 enum Column { TierName, Start, End, Value, Detail, Confidence, column_count };
 
-/// Where the columns of the exchange form stand; -1 = nowhere.
+/// Column indices of the exchange form; -1 = missing.
 using Columns = std::array<int, column_count>;
 
 int column_of(const std::string& title) {
@@ -61,7 +61,7 @@ Result<double> seconds(const std::string& field, const char* what, std::string_v
   return *number;
 }
 
-/// The tier of a name; a new one when there is none.
+/// The tier of a name; created if missing.
 Tier& tier_named(std::vector<Tier>& tiers, std::map<std::string, std::size_t>& places,
                  const std::string& name) {
   const auto [place, is_new] = places.emplace(name, tiers.size());
@@ -112,8 +112,8 @@ Result<TierDocument> parse_label_file(std::string_view text, std::string_view wh
   if (document.take.empty()) {
     if (takes.size() != 1)
       return Error{takes.empty() ? "has no labels; expected lines take,start_frame,end_frame,label"
-                                 : fmt::format("has labels of {} takes: {}; name the one that is meant",
-                                               takes.size(), fmt::join(takes, ", ")),
+                                 : fmt::format("has labels of {} takes: {}; name one of them", takes.size(),
+                                               fmt::join(takes, ", ")),
                    std::string(where)};
     document.take = takes.front();
   }

@@ -17,7 +17,7 @@ bool is_tier_csv(std::string_view text);
 Result<TierDocument> parse_tier_csv(std::string_view text, std::string_view where,
                                     const TierReading& reading);
 
-/// tier,start,end,value,detail,confidence; times to the last bit.
+/// tier,start,end,value,detail,confidence; times are exact to the bit.
 TierText tier_csv(std::span<const Tier> tiers);
 
 /// take,start_frame,end_frame,label,detail,confidence of the first tier of moves, or the only tier.

@@ -42,7 +42,7 @@ Status check_text(std::string_view text, const std::string& name, const std::str
   if (text.size() > most_bytes)
     return Error{fmt::format("has {} MB; label files have at most {}", text.size() >> 20, most_bytes >> 20),
                  name};
-  if (extension == ".eaf") return Done{};  // says its encoding itself
+  if (extension == ".eaf") return Done{};  // states its encoding itself
   if (const auto byte = first_broken_byte(text))
     return Error{fmt::format("is not UTF-8 text from byte {} on; save it as UTF-8", *byte), name};
   return Done{};

@@ -11,18 +11,18 @@
 
 namespace abrazo {
 
-/// What a label file says.
+/// The content of a label file.
 struct TierDocument {
   std::vector<Tier> tiers;
-  std::string take;                   ///< that a label file was read for; empty in other formats
-  std::vector<std::string> warnings;  ///< what was left out, interpolated or put elsewhere, with how often
+  std::string take;                   ///< take of a label file; empty in other formats
+  std::vector<std::string> warnings;  ///< omitted, interpolated or moved items, with counts
 };
 
 struct TierReading {
-  /// Of the subject's frames. A label file that counts frames needs it; edges from a file of whole
-  /// milliseconds that mean a frame are put on it exactly. 0 = not known
+  /// Frame rate of the subject. Required for label files in frames; edges in whole milliseconds that match a
+  /// frame are moved to it exactly. 0 = unknown
   double fps = 0;
-  std::string take;  ///< of a label file that has several; empty = the only one
+  std::string take;  ///< take of a label file with several; empty = the only one
 };
 
 struct TierWriting {
@@ -32,7 +32,7 @@ struct TierWriting {
   std::string date = "1970-01-01T00:00:00Z";  ///< UTC, of an .eaf
 };
 
-/// A file to be, and what it has no place for.
+/// Text of a file, and warnings about content that the format cannot hold.
 struct TierText {
   std::string text;
   std::vector<std::string> warnings;
@@ -48,7 +48,7 @@ bool is_tier_file(std::string_view name);
 ///          take,start_frame,end_frame,label[,detail,confidence] of one take as the tier "move"
 ///   .json  see tiers_json
 ///   .vtt   WebVTT: a cue's voice is its tier; .srt "[tier] value". Cues that overlap go to further tiers
-/// Tiers without a kind in the file have that of their name: see kind_of_name. At most 64 MB and a million
+/// Tiers without a kind in the file get that of their name: see kind_of_name. At most 64 MB and a million
 /// intervals.
 /// @param name  gives the format by its extension, and the place in messages
 /// @return an Error with line or place, what was expected and what to change

@@ -57,7 +57,7 @@ std::string json_of(std::span<const Tier> tiers, bool with_intervals) {
 
 // ---- reading ----
 
-/// A JSON value together with where it stands.
+/// A JSON value with its position.
 struct TierNode {
   const json& value;
   std::string place;

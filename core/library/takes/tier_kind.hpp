@@ -9,7 +9,7 @@ namespace abrazo {
 
 /// "role", "move", "note".
 std::string_view text_of(TierKind kind);
-/// Nothing for any other word.
+/// None for any other word.
 std::optional<TierKind> parse_tier_kind(std::string_view text);
 
 }  // namespace abrazo

@@ -21,7 +21,7 @@ Eigen::Matrix3d rotation_of(const Vec3& angles_rad, const RotationOrder& order) 
 
 namespace {
 
-/// The file as it stands, before bones are put in order: angles still in file units, parents by name.
+/// The parsed file, before bones are ordered: angles in file units, parents by name.
 struct RawBone {
   AcclaimBone bone;
   Vec3 direction = Vec3::Zero();
@@ -202,7 +202,7 @@ Result<AcclaimSkeleton> AsfParser::assemble() {
   const double angle_unit = skeleton_.degrees ? radians_per_degree : 1.0;
   skeleton_.bones.push_back(root_.bone);
   std::vector<bool> placed(bones_.size(), false);
-  // Every pass places the bones whose parents stand already: :bonedata may name children first.
+  // Every pass adds the bones whose parents exist already: :bonedata may list children first.
   for (bool progress = true; progress;) {
     progress = false;
     for (std::size_t b = 0; b < bones_.size(); ++b) {

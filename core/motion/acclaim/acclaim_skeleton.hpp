@@ -20,7 +20,8 @@ Eigen::Matrix3d rotation_of(const Vec3& angles_rad, const RotationOrder& order);
 
 /// One bone of an .asf, or the root (no offset, all six dofs). Lengths in file units.
 struct AcclaimBone {
-  /// What a value in the motion means: 0, 1, 2 turn about x, y, z; 3, 4, 5 move along them (root only).
+  /// Meaning of a value in the motion: 0, 1, 2 rotate about x, y, z; 3, 4, 5 translate along them (root
+  /// only).
   using Dof = int;
 
   std::string name;
@@ -33,9 +34,9 @@ struct AcclaimBone {
 
 struct AcclaimSkeleton {
   std::vector<AcclaimBone> bones;     ///< the root first, every parent before its children
-  Vec3 root_position = Vec3::Zero();  ///< holds along an axis the motion has no value for
+  Vec3 root_position = Vec3::Zero();  ///< used along axes without a value in the motion
   std::optional<double> length_unit;  ///< of `:units`
-  bool degrees = true;                ///< of `:units`; a motion may say otherwise
+  bool degrees = true;                ///< of `:units`; a motion may override it
   std::vector<ImportWarning> warnings;
 };
 

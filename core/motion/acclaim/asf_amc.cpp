@@ -84,9 +84,8 @@ class AmcParser {
   NamedMotion& motion_;
   AcclaimPose pose_;
   std::map<std::string, std::size_t, std::less<>> bone_of_name_;
-  std::vector<std::vector<double>>
-      values_;                            ///< of the frame being read; what is missing keeps its last value
-  std::vector<std::uint64_t> last_seen_;  ///< per bone, the count of frames begun when it was last given
+  std::vector<std::vector<double>> values_;  ///< of the frame being read; missing bones keep their last value
+  std::vector<std::uint64_t> last_seen_;     ///< per bone, the count of frames begun when it was last given
   std::vector<Absence> absences_;
   std::size_t movable_ = 0;       ///< bones with dofs
   std::size_t given_ = 0;         ///< of these, given in the frame being read

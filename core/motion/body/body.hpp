@@ -8,7 +8,7 @@
 
 namespace abrazo {
 
-/// What of a performer does not change with the pose.
+/// Properties of a performer that do not depend on the pose.
 struct Body {
   std::array<double, bone_count> bone_lengths{};             ///< [m], bone b ends at joint b + 1
   std::array<double, pseudo_bones.size()> pseudo_lengths{};  ///< [m], see `pseudo_bones`
@@ -18,16 +18,16 @@ struct Body {
   double leg_length() const;
   /// Shoulder to wrist, mean of both arms [m].
   double arm_length() const;
-  /// Of the head joint while standing with a straight back [m]; the crown is some 10 cm higher. The height of
-  /// the ankle is not among the lengths and is estimated from the leg.
+  /// Height of the head joint while standing with a straight back [m]; the crown is about 10 cm higher. The
+  /// height of the ankle is not a bone length and is estimated from the leg.
   double height() const;
 };
 
-/// Lengths as they are in one pose.
+/// Lengths measured in one pose.
 Body body_of(const Pose& pose);
 
 /// Median lengths over the poses, and the 5th percentile of the toe-base height as rest height
-/// (reads at most some 2000 of them, evenly spread).
+/// (reads at most about 2000 of them, evenly spread).
 Body body_of(std::span<const Pose> poses);
 
 /// Largest relative difference of a bone length.

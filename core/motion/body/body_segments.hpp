@@ -13,8 +13,8 @@ enum class SegmentTable { Male, Female, Mean };
 inline constexpr int segment_count =
     14;  ///< head, trunk, and upper arm, forearm, hand, thigh, shank, foot twice
 
-/// A rigid part of the body, by the joints between which its centre of mass lies. A trunk end is the middle
-/// of two joints; elsewhere both are the same joint.
+/// A rigid part of the body; its centre of mass lies between two ends. An end of the trunk is the middle of
+/// two joints; elsewhere both joints are the same.
 struct BodySegment {
   std::string_view name;
   double mass = 0;    ///< share of the body's mass
@@ -23,8 +23,8 @@ struct BodySegment {
 };
 
 /// De Leva, "Adjustments to Zatsiorsky-Seluyanov's segment inertia parameters", J. Biomech. 29 (1996), table
-/// 4, with the joints that stand in for her end points: the head end for the vertex, the thorax end for C7,
-/// the ankle for the heel.
+/// 4, with the joints that replace her end points: the head end for the vertex, the thorax end for C7, the
+/// ankle for the heel.
 std::array<BodySegment, segment_count> body_segments(SegmentTable table);
 
 /// Centre of mass of a segment in a pose [m].

@@ -8,14 +8,14 @@
 
 namespace abrazo {
 
-/// A closed surface around a skeleton in its T-pose, for viewers: a rounded, tapered limb around every bone,
-/// which meets its neighbours in the joints. Widths go with the length of the bones, as on a person of that
-/// height; they are none of the capsules that contact is judged by.
+/// A closed surface around a skeleton in its T-pose, for viewers: a rounded, tapered limb around every bone
+/// that meets its neighbours at the joints. Widths are proportional to bone lengths, as for a person of that
+/// height; they are not the capsules used for contact.
 struct BodySurface {
   struct Vertex {
     Vec3 place;   ///< [m]
     Vec3 normal;  ///< unit, smooth
-    int node;     ///< of the tree: the one whose turning moves it
+    int node;     ///< of the tree: the node whose rotation moves it
   };
   std::vector<Vertex> vertices;
   std::vector<std::uint16_t> corners;  ///< three per triangle, anticlockwise seen from outside

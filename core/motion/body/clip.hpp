@@ -7,8 +7,8 @@
 
 namespace abrazo {
 
-/// One performer's motion as the rest of Abrazo sees it: the 25 joints in metres, right-handed, Y up, floor
-/// near y = 0.
+/// One performer's motion in Abrazo's conventions: the 25 joints in metres, right-handed, Y up, floor near y
+/// = 0.
 struct Clip {
   std::string name;
   double fps = 60.0;

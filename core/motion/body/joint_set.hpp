@@ -65,7 +65,7 @@ inline constexpr std::pair<int, int> bone(int b) {
   return {joint_parents[static_cast<std::size_t>(b + 1)], b + 1};
 }
 
-/// Distances that are as rigid as bones though no bone spans them: pelvis and shoulder girdle.
+/// Distances as rigid as bones, but not spanned by one: pelvis and shoulder girdle.
 inline constexpr std::array<std::pair<int, int>, 4> pseudo_bones = {
     {{joints::LeftHipJoint, joints::RightHipJoint},
      {joints::LeftClavicle, joints::RightClavicle},

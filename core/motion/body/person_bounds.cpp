@@ -37,8 +37,7 @@ std::optional<PersonDoubt> why_not_a_person(const Pose& pose) {
   for (int joint = 0; joint < joint_count; ++joint)
     for (const double coordinate : pose.row(joint))
       if (!(std::abs(coordinate) <= farthest_m))
-        return doubt("%s is %.4g m away; nobody is captured beyond %.0f m", called(joint), coordinate,
-                     farthest_m);
+        return doubt("%s is %.4g m away; captures stay within %.0f m", called(joint), coordinate, farthest_m);
   std::array<double, joint_count> bones{};  // by the joint at their end
   double all = 0;
   for (int joint = 1; joint < joint_count; ++joint) {

@@ -10,7 +10,7 @@
 
 namespace abrazo {
 
-/// One value of a motion row: 0, 1, 2 move along x, y, z; 3, 4, 5 turn about them.
+/// One value of a motion row: 0, 1, 2 translate along x, y, z; 3, 4, 5 rotate about them.
 using BvhChannel = int;
 
 /// A joint or an end site of a BVH file.
@@ -24,12 +24,12 @@ struct BvhNode {
 };
 
 struct BvhHierarchy {
-  std::vector<BvhNode> nodes;  ///< parents before children; each ROOT is followed by all that hangs below it
+  std::vector<BvhNode> nodes;  ///< parents before children; each ROOT is followed by its descendants
   std::size_t values_per_row = 0;
   std::vector<ImportWarning> warnings;
 };
 
-/// Reads up to and with the line MOTION.
+/// Reads up to and including the line MOTION.
 Result<BvhHierarchy> parse_bvh_hierarchy(LineReader& lines, std::string_view where);
 
 }  // namespace abrazo

@@ -45,7 +45,7 @@ class RowScanner {
     return at_ != end_;
   }
 
-  /// The next number, which may be nan; nothing when there is no number.
+  /// The next number, which may be NaN; none if there is no number.
   std::optional<double> next() {
     const char* begin = *at_ == '+' ? at_ + 1 : at_;
     double value = 0;
@@ -60,7 +60,7 @@ class RowScanner {
     return value;
   }
 
-  /// What stands where a number was expected.
+  /// The text found instead of a number.
   std::string_view word() const {
     std::string_view rest(at_, static_cast<std::size_t>(end_ - at_));
     return take_word(rest);
@@ -79,7 +79,7 @@ class RowScanner {
     return stop;
   }
 
-  /// @return where to go on: behind a decimal comma and its digits, or behind a comma that separates
+  /// @return position after a decimal comma and its digits, or after a separating comma
   const char* after_comma(const char* begin, const char* comma, double& value) {
     commas_.note(line_);
     const bool has_point =
@@ -108,7 +108,7 @@ void turn_about(Eigen::Matrix3d& rotation, int axis, double angle_rad) {
 }
 
 /// World positions of all nodes for one row. A position channel replaces that coordinate of the OFFSET;
-/// rotations apply in the order of their channels, wherever the position channels stand.
+/// rotations apply in the order of their channels, regardless of position channels.
 void place_nodes(const std::vector<BvhNode>& nodes, const std::vector<double>& row,
                  std::vector<Eigen::Matrix3d>& world, Positions& places) {
   std::size_t value = 0;

@@ -26,9 +26,9 @@ using Node = JointTree::Node;
 
 constexpr double degrees_per_radian = 180.0 / std::numbers::pi;
 
-/// Angles z, x, y [deg] with R = Rz Rx Ry. y is found from what z leaves, so at the pole (x = +-90 degrees),
-/// where only z + y or z - y is determined, the product is still R; z then stays as it was in the frame
-/// before.
+/// Angles z, x, y [deg] with R = Rz Rx Ry. y is computed from the rest after z, so at the pole (x = +-90
+/// degrees), where only z + y or z - y is determined, the product is still R; z then keeps its value of the
+/// previous frame.
 Vec3 zxy_degrees(const Rotation& r, double z_before_degrees) {
   const double cos_x = std::hypot(r(0, 1), r(1, 1));
   constexpr double at_pole = 1e-6;  // the error in R when z is kept [rad]
@@ -95,7 +95,7 @@ struct Performer {
   std::vector<Rotation> world;
 };
 
-/// The values of all nodes for one frame, in the order the nodes stand in the file.
+/// The values of all nodes for one frame, in file order.
 void append_frame(std::string& text, Performer& performer, std::size_t frame, double units_per_metre) {
   const std::vector<Node>& nodes = performer.tree.nodes();
   const Pose& pose = performer.clip.poses[frame];

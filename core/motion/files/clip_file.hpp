@@ -12,27 +12,27 @@
 
 namespace abrazo {
 
-/// The types that clips can be written as, by the ending of a file's name.
+/// File types for writing clips, by file extension.
 inline constexpr std::array<std::string_view, 5> clip_file_types = {".bvh", ".glb", ".csv", ".npz", ".npy"};
 
-/// The unit and the axes of a file, where its type leaves them open: all but GLB, which is in metres, Y up.
+/// Unit and axes of a file, if its type leaves them open: all except GLB, which is in metres, Y up.
 struct ClipFileSpace {
   double units_per_metre = 1;
-  UpAxis up = UpAxis::Y;                  ///< Z: x stays, y goes to the back (Blender's axes)
-  std::optional<JointOrder> joints = {};  ///< of a .npy or .npz; nothing = the 25
+  UpAxis up = UpAxis::Y;                  ///< Z: x unchanged, y to the back (Blender's axes)
+  std::optional<JointOrder> joints = {};  ///< for .npy and .npz; none = the 25 joints
 
   bool is_usual() const { return units_per_metre == 1 && up == UpAxis::Y; }
 };
 
-/// Whether clips can be written to a file of this name; the Error names the types there are, or says that
-/// this one has its own unit and axes, cannot hold so many bodies, or cannot have that order of joints.
+/// Checks that clips can be written to a file of this name. The Error lists the types, or says that the type
+/// has fixed unit and axes, cannot hold this number of bodies, or does not support the order of joints.
 Status check_clip_file(const std::string& path, const ClipFileSpace& space = {}, std::size_t bodies = 1);
 
 /// The content of a file of that type with these clips.
 Result<std::string> clip_file_content(const std::string& path, std::span<const Clip> clips,
                                       const ClipFileSpace& space = {});
 
-/// Writes it, whole or not at all.
+/// Writes the file, completely or not at all.
 Status write_clip_file(const std::string& path, std::span<const Clip> clips, const ClipFileSpace& space = {});
 
 }  // namespace abrazo

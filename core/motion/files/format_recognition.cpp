@@ -109,7 +109,7 @@ std::optional<MotionFormat> format_of_content(std::string_view head) {
 
 std::string foreign_kind(std::string_view head, std::string_view file) {
   const std::string extension = lower_case(std::filesystem::path(file).extension().string());
-  // What is called .npz is read as one, and its reader says what is wrong with it.
+  // A file named .npz is read as one; its reader reports problems.
   if (extension == ".npz" && head.starts_with("PK")) return {};
   for (const Foreign& foreign : foreign_files) {
     if (!head.starts_with(foreign.begins)) continue;

@@ -157,8 +157,8 @@ bool stands_on_zero(const std::vector<Pose>& poses, int axis) {
   return quantile(above, 0.9) > 0.9 && rest > lowest_floor_m * metre && rest < highest_floor_m * metre;
 }
 
-/// The axis the head is along as seen from the feet, median over the frames. Y unless Z is clearly meant. Who
-/// crawls has the head ahead of the feet for longer than above them: where they stand at all decides then.
+/// The axis from feet to head, median over the frames. Y unless Z is clear. A crawling person mostly has the
+/// head in front of the feet: then the standing frames decide.
 UpAxis guess_up_axis(const std::vector<Pose>& poses, ImportReport& report) {
   std::vector<double> values;
   Vec3 up;
@@ -180,7 +180,7 @@ UpAxis guess_up_axis(const std::vector<Pose>& poses, ImportReport& report) {
   return guess;
 }
 
-/// What the file says, unless the people in it clearly stand along the other axis.
+/// The axis stated in the file, unless the people clearly stand along the other axis.
 UpAxis settle_up_axis(const NamedMotion& motion, const ImportOptions& options, const std::vector<Pose>& poses,
                       ImportReport& report) {
   report.up_axis_guessed = !options.up_axis && !motion.up_axis;

@@ -14,7 +14,7 @@
 
 namespace abrazo {
 
-/// What a person knows of a file; nothing = find out and say so in the report.
+/// Options set by a person; none = detected and noted in the report.
 struct ImportOptions {
   std::optional<double> metres_per_unit;
   std::optional<double> fps;
@@ -26,7 +26,7 @@ struct ImportOptions {
   std::string body_model;  ///< file of the body that SMPL parameters are for (SmplBodyFile); empty = none
 };
 
-/// How a file was understood. Every guess is marked as one.
+/// How a file was interpreted. Every guess is marked.
 struct ImportReport {
   std::string joint_map;  ///< name of the map or marker model used
   double metres_per_unit = 1;
@@ -37,7 +37,7 @@ struct ImportReport {
   bool up_axis_guessed = false;
   double height_m = 0;                  ///< of the head joint while standing (Body::height)
   double floor_y_m = 0;                 ///< 5th percentile of the toe-base height before any correction
-  double floor_shift_m = 0;             ///< added to every y when the floor was far from 0; 0 otherwise
+  double floor_shift_m = 0;             ///< added to every y if the floor was far from 0; otherwise 0
   std::vector<std::string> animations;  ///< NamedMotion::animations
   std::vector<ImportWarning> warnings;
 };
@@ -47,8 +47,8 @@ struct ImportedClip {
   ImportReport report;
 };
 
-/// Turns a file's points into the 25 joints in metres, Y up.
-/// @return an Error when no joint map fits, or positions are not finite throughout
+/// Converts a file's points to the 25 joints in metres, Y up.
+/// @return an Error if no joint map fits, or positions are not all finite
 Result<ImportedClip> import_clip(const NamedMotion& motion, const ImportOptions& options);
 
 /// Whether a built-in joint map or marker model finds all joints among the points.
@@ -69,9 +69,9 @@ Result<std::vector<NamedMotion>> read_motion_points(const std::string& file, con
                                                     const ImportOptions& options = {},
                                                     const Progress& progress = {});
 
-/// Reads any known motion file and imports it. Several performers in one file give several clips. What is no
-/// performer (a box with markers on it) is left out with a warning, unless there is nobody else.
-/// @param skeleton  the .asf of an .amc; when empty, the one .asf beside the file that fits by name
+/// Reads any known motion file and imports it. Several performers in one file give several clips. Objects
+/// that are not performers (a box with markers) are left out with a warning, unless there is nothing else.
+/// @param skeleton the .asf of an .amc; when empty, the .asf beside the file that matches by name
 /// ("60_01.amc" -> "60.asf")
 /// @param progress  as for read_motion_points
 Result<std::vector<ImportedClip>> load_motion(const std::string& file, const std::string& skeleton,

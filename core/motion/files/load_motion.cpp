@@ -7,7 +7,7 @@ namespace abrazo {
 
 namespace {
 
-/// Performers of one file stand on one floor: what one must be moved by, all are.
+/// Performers of one file share a floor, so all are shifted by the same amount.
 void share_floor(std::vector<ImportedClip>& clips) {
   double shift = 0;
   for (const ImportedClip& imported : clips)
@@ -35,7 +35,7 @@ std::string why_left_out(const NamedMotion& motion, const Error& error) {
   return printable_line(motion.name) + " (" + error.message + ")";
 }
 
-/// Of a file in which nobody can be read: about whom is most known.
+/// If no performer is readable: the one with the most information.
 Error nobody(const std::string& file, const std::vector<NamedMotion>& motions,
              const std::vector<Error>& errors) {
   std::size_t most = 0;

@@ -9,7 +9,7 @@
 
 namespace abrazo {
 
-/// A motion file, and what a person said of it as words. What is not given is found out.
+/// A motion file with a person's options as text. Options that are not set are detected.
 struct MotionReading {
   std::string file = {};
   std::string skeleton = {};                   ///< the .asf of an .amc

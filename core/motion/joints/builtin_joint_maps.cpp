@@ -44,8 +44,8 @@ void set_both(JointMap& map, int left_joint, const Rules& rules) {
   set_both(map, left_joint, rules, "Left", "Right");
 }
 
-// How far limbs go on beyond the last point of a file that lacks the toe tip or the hand's end; fractions of
-// the part before, as in an average adult.
+// Extension of limbs beyond the last point of a file without toe tip or hand end, as fractions of the
+// previous part, for an average adult.
 constexpr double head_beyond_neck = 2.2;
 constexpr double knuckles_in_hand = 0.5;  // from the wrist to the finger tips
 

@@ -38,7 +38,7 @@ constexpr std::array<Words, 16> vocabulary = {{
     {joints::left_hand, {"handend", "middle1", "hand", "middlefinger", "finger", "knuckle", "index1"}},
 }};
 
-/// 1 for the clearest word, less for others, 0 when the name says nothing of the joint.
+/// 1 for the clearest word, less for others, 0 if the name does not indicate the joint.
 double similarity(const std::string& name, const Words& words) {
   double best = 0, worth = 1.0;
   for (const char* word : words.words) {

@@ -9,22 +9,22 @@
 
 namespace abrazo {
 
-/// Guesses which points of an unknown file are which joints, for a person to check.
+/// A guess of the joints among the points of an unknown file, for a person to check.
 struct JointGuess {
   enum class By { Nothing, Name, Place, Others };
   JointMap map;  ///< joints without a guess have no rule
   std::array<By, joint_count> by{};
 };
 
-/// By what names say ("L_Knee", "RightForeArm", "thigh.L"), then by where the points are in `frame` as
-/// compared with a standing person fitted to the joints that were found. Each point is used once.
+/// Guesses by names ("L_Knee", "RightForeArm", "thigh.L"), then by the positions in `frame`, compared with a
+/// standing person fitted to the joints already found. Each point is used once.
 JointGuess guess_joints(const NamedMotion& motion, std::size_t frame);
 
-/// Gives joints without a rule one between or beyond those that have one, as in an average adult (a spine of
-/// the pelvis and the neck, a hand beyond the forearm). @return the joints that got one
+/// Adds rules for joints without one, between or beyond joints with one, by the proportions of an average
+/// adult (the spine between pelvis and neck, a hand beyond the forearm). @return the joints that got one
 std::vector<int> estimate_missing_joints(JointMap& map);
 
-/// Of all frames one in which every point was seen, as far as there is one.
+/// A frame in which every point is visible, if there is one.
 std::size_t frame_to_look_at(const NamedMotion& motion);
 
 }  // namespace abrazo

@@ -23,7 +23,7 @@ class PointIndex {
       plain_.emplace(plain_point_name(points[i]), static_cast<int>(i));
     }
   }
-  /// -1 when there is no such point.
+  /// -1 if there is no such point.
   int find(const std::string& name) const {
     if (const auto found = exact_.find(name); found != exact_.end()) return found->second;
     const auto found = plain_.find(plain_point_name(name));

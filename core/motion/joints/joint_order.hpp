@@ -9,9 +9,9 @@
 
 namespace abrazo {
 
-/// Which joint is which row of an array of positions that has no names.
+/// Order of the joints in an array of positions without names.
 struct JointOrder {
-  std::string name;                 ///< "lafan22", or of its file
+  std::string name;                 ///< "lafan22", or the name of its file
   std::vector<std::string> points;  ///< unique
 };
 
@@ -29,12 +29,12 @@ Result<JointOrder> parse_joint_order(std::string_view text, std::string_view whe
 /// Of the built-in ones: "abrazo25, lafan22, ...".
 std::string joint_order_names();
 
-/// How the points of an order come from the 25 joints: the other way of the joint map that reads them. A
-/// point that a map takes as a joint is that joint, bit by bit; collar bones and fingers, which are not among
-/// the 25, are put between neck and shoulder and in line with the hand.
+/// Computes the points of an order from the 25 joints: the inverse of the joint map that reads them. A point
+/// that the map uses as a joint is exactly that joint; collar bones and fingers, which are not among the 25,
+/// are placed between neck and shoulder and in line with the hand.
 class OrderedPoints {
  public:
-  /// @return an Error that names the points that are neither
+  /// @return an Error that names the points that cannot be computed
   static Result<OrderedPoints> of(const JointOrder& order);
 
   /// P x 3, in the space of the pose.

@@ -9,7 +9,7 @@ namespace abrazo {
 
 namespace {
 
-/// The map with, for each joint, the one rule that was found; none for what is missing.
+/// The map with only the applied rule of each joint; none for missing joints.
 JointMap as_bound(const ChosenMap& chosen, const NamedMotion& motion) {
   JointMap bound{chosen.map.name, {}};
   for (std::size_t j = 0; j < joint_count; ++j) {

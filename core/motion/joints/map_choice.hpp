@@ -11,14 +11,14 @@ namespace abrazo {
 /// The joint map for a file's points, applied to them.
 struct ChosenMap {
   JointMap map;
-  JointBinding binding;       ///< `missing` is what keeps the map from fitting
-  std::vector<int> inferred;  ///< joints that the file lacks and that were inferred
+  JointBinding binding;       ///< the map fits if `missing` is empty
+  std::vector<int> inferred;  ///< joints missing in the file and inferred
   bool fits() const { return binding.missing.empty(); }
 };
 
-/// The given map, or the first built-in one that finds all joints; then the one that finds all but ends of
-/// limbs, which are inferred; then what a skeleton's names and branches tell. When nothing fits, the one that
-/// lacks least.
+/// The given map; else the first built-in one that finds all joints; else one that finds all except ends of
+/// limbs, which are inferred; else a map derived from the skeleton's names and branches. If nothing fits, the
+/// one with the fewest missing joints.
 ChosenMap choose_map(const NamedMotion& motion, const std::optional<JointMap>& given);
 
 }  // namespace abrazo

@@ -79,7 +79,7 @@ class GapFiller {
   void report(const Tally& tally, const std::string& kind, const std::string& how);
 
   NamedMotion& motion_;
-  NamedMotion original_;  ///< so that nothing is carried by what was itself filled
+  NamedMotion original_;  ///< so that filled values are not used to fill others
   Tally curved_, carried_, held_, left_;
 };
 

@@ -6,7 +6,7 @@
 
 namespace abrazo {
 
-/// Formulas by which joint centres are found from markers on the skin [m].
+/// Formulas for joint centres from skin markers [m].
 
 /// Right-handed axes of the pelvis: x to the person's left, y up along it, z forward.
 /// @param back  between the markers at the back
@@ -14,18 +14,18 @@ Eigen::Matrix3d pelvis_axes(const Vec3& left_front, const Vec3& right_front, con
 
 /// Hip joint centre by regression on the width between the front markers and the depth between their middle
 /// and that of the back markers: Harrington et al., J. Biomech. 40 (2007) 595-602, adults and children
-/// pooled, error of some 7 mm.
+/// pooled, error about 7 mm.
 /// @param side  +1 left, -1 right. @return in `pelvis_axes`, from the middle between the front markers
 Vec3 hip_centre(double width_m, double depth_m, int side);
 
-/// Where a joint's centre is, a known distance inside of the marker at its outer side: there is a right angle
-/// at it between the joint above and the marker (the chord function of Davis et al., Hum. Mov. Sci. 10 (1991)
+/// Joint centre at a known distance inside of the marker on its outer side: the directions to the joint above
+/// and to the marker are perpendicular at it (the chord function of Davis et al., Hum. Mov. Sci. 10 (1991)
 /// 575-587).
 /// @param inward  from the marker into the limb; only its part across the limb counts
 Vec3 chord_centre(const Vec3& joint_above, const Vec3& marker, const Vec3& inward, double distance_m);
 
-/// Away from a marker on the outer side of a limb, across the line from `above` to `below`: zero to one long,
-/// shorter than one when the marker is nearer to the line than 3 cm, so that it says little.
+/// Away from a marker on the outer side of a limb, across the line from `above` to `below`: of length 0 to 1,
+/// shorter than 1 if the marker is nearer than 3 cm to the line and thus unreliable.
 Vec3 away_from(const Vec3& outer_marker, const Vec3& above, const Vec3& below);
 
 }  // namespace abrazo

@@ -19,7 +19,7 @@ namespace {
 
 using enum MarkerPlace;
 
-// Sizes of an average adult, for what markers on the skin cannot say.
+// Sizes of an average adult that skin markers do not determine.
 constexpr double marker_radius_m = 0.007;
 constexpr double knee_width_of_leg = 0.128, ankle_width_of_leg = 0.085, elbow_width_of_leg = 0.090;
 constexpr double shoulder_below_acromion =

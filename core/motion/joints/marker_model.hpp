@@ -10,13 +10,13 @@
 
 namespace abrazo {
 
-/// Where on a body a marker is. All but the first eight come in pairs: index 0 left, 1 right.
+/// Places of markers on a body. All except the first eight come in pairs: index 0 left, 1 right.
 enum class MarkerPlace {
   Neck,      ///< C7, at the back
   Back,      ///< T10
   Clavicle,  ///< between the collar bones, in front
   Sternum,
-  Sacrum,  ///< where there are no two at the back of the pelvis
+  Sacrum,  ///< if the pelvis has no two markers at the back
   HeadTop,
   HeadFront,
   HeadSide,
@@ -57,7 +57,7 @@ std::string name_of_place(MarkerPlace place, std::size_t side);
 /// A named set of markers on a body, from which the 25 joints can be estimated.
 struct MarkerModel {
   std::string name;  ///< "plug-in-gait"
-  /// Per place and side the names a marker may have; the first that exists is taken. Unsided: side 0.
+  /// Possible names of a marker per place and side; the first that exists is used. Unsided places: side 0.
   std::array<std::array<std::vector<std::string>, 2>, marker_place_count> names;
 };
 
@@ -101,8 +101,8 @@ std::string why_no_body(const MarkerFit& fit);
 Result<NamedMotion> joints_of_markers(const MarkerModel& model, const NamedMotion& markers,
                                       double metres_per_unit);
 
-/// The unit, of millimetres, centimetres, inches and metres, in which a person with these markers has a
-/// usual size [m].
+/// The unit (millimetre, centimetre, inch or metre) in which a person with these markers has a usual size
+/// [m].
 double unit_of_markers(const MarkerModel& model, const NamedMotion& markers);
 
 }  // namespace abrazo

@@ -15,11 +15,11 @@ struct MotionFormatInfo {
   std::string_view extensions;  ///< ".gltf .glb .vrm"
 };
 
-/// Every format a motion is read from; .asf, a skeleton without motion, stands among them.
+/// All formats of motions, including .asf, a skeleton without motion.
 std::span<const MotionFormatInfo> motion_formats();
 std::string_view name_of(MotionFormat format);
 
-/// By the file's name alone. A .csv may as well hold labels: ask its content.
+/// By the file name alone. A .csv may also hold labels: check its content.
 std::optional<MotionFormat> format_of_name(std::string_view file);
 
 /// "*.bvh *.amc ...": patterns for a file dialog. @param with_skeletons  and .asf

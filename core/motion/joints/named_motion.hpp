@@ -12,7 +12,7 @@ namespace abrazo {
 /// The axis of a file that points up.
 enum class UpAxis { Y, Z };
 
-/// Something odd in a file that did not prevent reading it. Always shown, never dropped.
+/// A defect of a file that did not prevent reading it. Always shown, never dropped.
 struct ImportWarning {
   std::string
       kind;  ///< short and stable: "frame-count", "glued-numbers", "duplicate-name", "units", "up-axis", ...
@@ -21,17 +21,17 @@ struct ImportWarning {
   Hint hint = Hint::None;
 };
 
-/// A motion as its file has it: world positions of named points in the file's own unit and axes.
-/// What readers produce; `import_clip` turns it into a Clip.
+/// A motion as read from a file: world positions of named points in the file's unit and axes. `import_clip`
+/// converts it to a Clip.
 struct NamedMotion {
   std::string name;                 ///< of the performer or the file
   std::vector<std::string> points;  ///< unique
   std::vector<int> parents;         ///< per point, -1 for a root
-  std::vector<Positions> frames;    ///< per frame: points x 3, file units; NaN where a marker was not seen
-  std::optional<double> fps;        ///< nothing where the format does not say (AMC) or says nonsense
+  std::vector<Positions> frames;    ///< per frame: points x 3, file units; NaN for a marker that was not seen
+  std::optional<double> fps;        ///< none if the format does not state it (AMC) or the value is invalid
   std::optional<double> metres_per_unit;  ///< nothing where the format does not say
   std::optional<UpAxis> up_axis;          ///< nothing where the format does not say
-  std::vector<std::string> animations;    ///< that the file holds, those that were read first; empty: one
+  std::vector<std::string> animations;    ///< of the file, the ones read first; empty: one
   std::vector<ImportWarning> warnings;
 };
 

@@ -7,19 +7,19 @@
 
 namespace abrazo {
 
-/// Points whose names begin alike ("Anna:LASI", "Anna:RASI"; "active.root") are one performer: a motion for
-/// each beginning that has at least 8 points, named by it, its points without it. What belongs to none of
-/// them is left out with a warning. A motion without such beginnings comes back as it is.
-/// @param marks       of which one ends a beginning; names of a side ("L.Heel") are none
-/// @param beginnings  that the file declares, where they do not end in a mark ("Anna_")
+/// Splits a motion by the prefixes of point names ("Anna:LASI", "Anna:RASI"; "active.root"): one performer
+/// per prefix with at least 8 points, named by the prefix, which is removed from the points. Other points are
+/// left out with a warning. A motion without prefixes is returned unchanged.
+/// @param marks characters that end a prefix; sides ("L.Heel") are not prefixes
+/// @param beginnings prefixes declared by the file that do not end in a mark ("Anna_")
 std::vector<NamedMotion> split_performers(NamedMotion motion, const std::string& marks = ":",
                                           const std::vector<std::string>& beginnings = {});
 
-/// Makes names unique by "_2", "_3", ... and says so. @param what  "marker", "node"
+/// Makes names unique by "_2", "_3", ... with a warning. @param what "marker", "node"
 void make_names_unique(std::vector<std::string>& names, const std::string& what,
                        std::vector<ImportWarning>& warnings);
 
-/// Takes away what all names begin with, up to a '_', ':' or '|': "Armature_Hips", "Armature_Spine".
+/// Removes the common prefix of all names, up to '_', ':' or '|': "Armature_Hips", "Armature_Spine".
 void strip_common_beginning(std::vector<std::string>& names);
 
 /// "A, B, C and 12 more".

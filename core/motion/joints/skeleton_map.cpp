@@ -35,7 +35,7 @@ JointRule between(const NamedMotion& motion, int from, int to, double fraction) 
   return {{{motion.points[index_of(from)], 1.0 - fraction}, {motion.points[index_of(to)], fraction}}};
 }
 
-/// Names of the limbs' joints, the clearest first; a joint that ends a bone stands where the next one begins.
+/// Names of the limbs' joints, the clearest first; the end joint of a bone is the start of the next.
 struct LimbNames {
   Words hip = {"upleg",    "thigh", "thighbend", "upperleg", "upperthigh",
                "legupper", "hip",   "hipjoint",  "femur"};
@@ -72,7 +72,7 @@ class SkeletonReader {
   SkeletonMap result_;
 };
 
-/// What most names begin with says nothing: "Bip01", "J Bip", "Character1", "Robot".
+/// A common prefix has no meaning: "Bip01", "J Bip", "Character1", "Robot".
 std::vector<SidedName> names_without_prefix(const std::vector<std::string>& points) {
   std::vector<std::vector<std::string>> all;
   for (const std::string& point : points) all.push_back(name_parts(point));
@@ -115,7 +115,7 @@ bool SkeletonReader::is_below(int point, int above) const {
   return false;
 }
 
-/// From a point to one above it, both included; empty when it does not stand above.
+/// Path from a point to an ancestor, both included; empty if it is not an ancestor.
 std::vector<int> SkeletonReader::way_up(int from, int to) const {
   std::vector<int> way;
   for (int point = from; point >= 0; point = motion_.parents[index_of(point)]) {
@@ -125,7 +125,7 @@ std::vector<int> SkeletonReader::way_up(int from, int to) const {
   return {};
 }
 
-/// Each joint must hang below the one before: "LeftShoulder" is the collar where there is a "LeftArm".
+/// Each joint must be a descendant of the previous: "LeftShoulder" is the collar if there is a "LeftArm".
 void SkeletonReader::limbs(int side) {
   const LimbNames names;
   const auto chain = [&](const std::vector<std::pair<int, const Words*>>& wanted) {
@@ -150,7 +150,7 @@ void SkeletonReader::limbs(int side) {
          {left_hand, &names.hand}});
 }
 
-/// Hips, neck and head, and what stands between them.
+/// Hips, neck and head, and the chain between them.
 void SkeletonReader::trunk() {
   int root = find({"hips", "pelvis", "hip"}, 0);
   const int left = at(left_hip), right = at(right_hip);
@@ -217,7 +217,7 @@ SkeletonMap SkeletonReader::read() {
   return std::move(result_);
 }
 
-/// The single point that a joint's rule takes; -1 where it mixes several or there is none.
+/// The single point of a joint's rule; -1 if there are several or none.
 int point_of(const JointMap& map, int joint, const NamedMotion& motion) {
   const auto& rules = map.rules[index_of(joint)];
   if (rules.empty() || rules.front().terms.size() != 1) return -1;
@@ -242,7 +242,7 @@ int end_behind(const NamedMotion& motion, int point) {
   return children.size() == 1 ? children.front() : -1;
 }
 
-/// Whether the end is so far away as it is on a body: exporters write ends of no length.
+/// Whether the end has a plausible distance: exporters write ends of length 0.
 bool reaches(const NamedMotion& motion, int point, int end, double limb) {
   const Positions& frame = motion.frames[frame_to_look_at(motion)];
   const double length = (frame.row(end) - frame.row(point)).norm();

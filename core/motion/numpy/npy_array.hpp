@@ -9,30 +9,30 @@
 
 namespace abrazo {
 
-/// What the header of a .npy file says (numpy.org, "A simple file format for NumPy arrays", versions 1 to 3).
+/// The header of a .npy file (numpy.org, "A simple file format for NumPy arrays", versions 1 to 3).
 struct NpyLayout {
   enum class Kind { Real, Integer, Unsigned, Text, Bytes };
   Kind kind = Kind::Real;
   std::size_t item_bytes = 8;  ///< of one element
   bool big_endian = false;
-  bool column_order = false;  ///< Fortran's: the first index runs fastest
+  bool column_order = false;  ///< Fortran order: the first index runs fastest
   std::vector<std::uint64_t> shape;
   std::size_t header_bytes = 0;  ///< before the first element
 
-  std::uint64_t count() const;  ///< of elements; the greatest number when it is more
-  std::uint64_t bytes() const;  ///< header and elements; the greatest number when it is more
+  std::uint64_t count() const;  ///< number of elements; the maximum value on overflow
+  std::uint64_t bytes() const;  ///< header and elements; the maximum value on overflow
   bool is_number() const { return kind != Kind::Text && kind != Kind::Bytes; }
   std::string shape_text() const;  ///< "(325, 51, 3)"
 };
 
-/// How much of a file suffices for `parse_npy_header`.
+/// Bytes of a file sufficient for `parse_npy_header`.
 inline constexpr std::size_t npy_header_most = 16384;
 
 /// @param head  the beginning of a .npy file
 /// @return an Error that says what was expected; Python objects (pickles) are refused here
 Result<NpyLayout> parse_npy_header(std::string_view head, std::string_view where);
 
-/// Elements of an array that was read whole. The bytes have to outlive it.
+/// Elements of an array in memory. The bytes must outlive it.
 class NpyArray {
  public:
   /// @param file  a .npy file, header and all: at least `layout.bytes()`
@@ -41,7 +41,7 @@ class NpyArray {
   const NpyLayout& layout() const { return layout_; }
   /// Element `index` in the order of memory.
   double number(std::uint64_t index) const;
-  std::string text(std::uint64_t index) const;  ///< UTF-8, without the zeros behind
+  std::string text(std::uint64_t index) const;  ///< UTF-8, without trailing zeros
   /// Element (a, b, c) of three dimensions.
   double number(std::uint64_t a, std::uint64_t b, std::uint64_t c) const;
 

@@ -53,7 +53,7 @@ bool are_of_a_robot(const std::vector<std::string>& names) {
   return 2 * static_cast<std::size_t>(links) > names.size();
 }
 
-/// person1, person2, ... as far as they go; else `positions`, else the only array that has the shape.
+/// person1, person2, ... as long as they exist; else `positions`, else the only array of matching shape.
 Result<std::vector<const StoredArray*>> arrays_of_performers(const NumpyFile& file) {
   std::vector<const StoredArray*> persons;
   while (const StoredArray* person = file.find({"person" + std::to_string(persons.size() + 1)}))
@@ -86,7 +86,7 @@ Result<std::vector<const StoredArray*>> arrays_of_performers(const NumpyFile& fi
   return persons;
 }
 
-/// Names of so many joints, and how they were found.
+/// Names of the joints, and their origin.
 struct FoundNames {
   std::vector<std::string> names;
   std::vector<ImportWarning> warnings;
@@ -98,7 +98,7 @@ Result<FoundNames> order_by_count(std::size_t joints, const std::string& where) 
     if (order.points.size() == joints) fitting.push_back(&order);
   const std::string says_it = "say which joint is which with an array joint_names in a .npz";
   if (fitting.empty())
-    return Error{std::to_string(joints) + " joints without names, and no known order has so many (" +
+    return Error{std::to_string(joints) + " joints without names, and no known order has this number (" +
                      joint_order_names() + "); " + says_it,
                  where, Hint::NameJointOrder};
   if (fitting.size() > 1)
@@ -173,7 +173,7 @@ Result<NamedMotion> motion_of(const NumpyFile& file, const StoredArray& array, c
   return motion;
 }
 
-/// Nothing of a file is left out silently.
+/// Nothing in a file is ignored silently.
 void warn_of_unused(const NumpyFile& file, const std::vector<const StoredArray*>& persons,
                     NamedMotion& motion) {
   constexpr std::array<std::string_view, 9> honoured = {

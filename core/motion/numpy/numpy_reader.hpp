@@ -23,7 +23,7 @@ namespace abrazo {
 Result<std::vector<NamedMotion>> read_numpy(std::string_view bytes, const std::optional<JointOrder>& order,
                                             std::string_view where, const SmplBodyFile& body = {});
 
-/// Whether a ZIP archive begins with a .npy: what a .npz is. @param head  of a file
+/// Whether a ZIP archive begins with a .npy, which makes it a .npz. @param head of a file
 bool begins_as_npz(std::string_view head);
 
 }  // namespace abrazo

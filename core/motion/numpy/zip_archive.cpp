@@ -31,7 +31,7 @@ struct Contents {
 };
 
 Result<Contents> find_contents(std::string_view bytes, std::string_view where) {
-  // A comment of up to 65535 bytes may stand behind the end record.
+  // A comment of up to 65535 bytes may follow the end record.
   const std::size_t end = bytes.rfind(end_mark);
   if (end == std::string_view::npos || bytes.size() - end < end_bytes)
     return damaged_archive(where, "its table of contents, which stands at the end, is missing");
@@ -43,7 +43,7 @@ Result<Contents> find_contents(std::string_view bytes, std::string_view where) {
   if (has_locator) {
     const std::uint64_t at = little_endian(bytes, end - large_locator_bytes + 8, 8);
     if (at > end || end - at < large_end_bytes || !bytes.substr(at).starts_with(large_end_mark))
-      return damaged_archive(where, "its ZIP64 end record is not where it is said to be");
+      return damaged_archive(where, "its ZIP64 end record is not at the stated offset");
     found = {little_endian(bytes, at + 48, 8), little_endian(bytes, at + 40, 8),
              little_endian(bytes, at + 32, 8)};
     part = little_endian(bytes, at + 16, 4);
@@ -51,13 +51,13 @@ Result<Contents> find_contents(std::string_view bytes, std::string_view where) {
   if (part != 0 && part != 0xffff)
     return Error{"is one part of several; join them first", std::string(where)};
   if (found.at > end || found.bytes > end - found.at)
-    return damaged_archive(where, "its table of contents is said to be where the file does not reach");
+    return damaged_archive(where, "its table of contents is stated to be beyond the end of the file");
   if (found.entries > found.bytes / contents_bytes)
     return damaged_archive(where, "its table of contents has fewer entries than it announces");
   return found;
 }
 
-/// Sizes and places above 4 GiB stand in an extra field, in this order, those that did not fit.
+/// Sizes and offsets above 4 GiB are in an extra field, in this order.
 void read_zip64(std::string_view extra, ZipEntry& entry) {
   while (extra.size() >= 4) {
     const std::uint64_t id = little_endian(extra, 0, 2);
@@ -153,11 +153,11 @@ Result<ZipArchive> ZipArchive::open(std::string_view bytes, std::string_view whe
 
 Result<std::string_view> ZipArchive::stored(const ZipEntry& entry) const {
   const Error outside =
-      damaged_archive(where_, in_quotes(entry.name) + " is said to be where the file does not reach");
+      damaged_archive(where_, in_quotes(entry.name) + " is stated to be beyond the end of the file");
   if (entry.header_at > bytes_.size() || bytes_.size() - entry.header_at < entry_bytes) return outside;
   const std::string_view here = bytes_.substr(entry.header_at);
   if (!here.starts_with(entry_mark))
-    return damaged_archive(where_, in_quotes(entry.name) + " does not begin where it is said to");
+    return damaged_archive(where_, in_quotes(entry.name) + " does not begin at the stated offset");
   // The lengths of name and extra field may differ from those in the table of contents.
   const std::size_t before = entry_bytes + little_endian(here, 26, 2) + little_endian(here, 28, 2);
   if (before > here.size() || here.size() - before < entry.stored_size) return outside;

@@ -146,7 +146,7 @@ Status SceneReader::check_names() const {
                                              " other names are there more than once"
                                        : std::string()) +
                    "; animations tell them by their names, so rename one armature's bones, or export each "
-                   "performer to a file of its own",
+                   "performer to a separate file",
                file_};
 }
 

@@ -21,7 +21,7 @@ Error at_byte(std::string_view where, std::size_t byte, std::string message) {
   return Error{std::move(message), std::string(where) + ": byte " + std::to_string(byte)};
 }
 
-/// Texts have no end mark; what is behind a NUL is left over from before.
+/// Texts have no end mark; bytes after a NUL are leftovers.
 std::string clean_text(std::string_view text) {
   text = text.substr(0, text.find('\0'));
   return std::string(trimmed(text));
@@ -40,7 +40,7 @@ class ParameterParser {
     std::string name;
     C3dParameter parameter;
   };
-  /// @param at  where its type stands
+  /// @param at offset of its type
   Result<C3dParameter> parse_value(std::size_t at, const std::string& name);
   void read_numbers(std::size_t at, std::size_t count, C3dParameter& parameter) const;
   void read_texts(std::size_t at, std::size_t count, C3dParameter& parameter) const;
@@ -101,7 +101,7 @@ Result<C3dParameter> ParameterParser::parse_value(std::size_t at, const std::str
                    "the parameter " + in_quotes(name) + " would need " + std::to_string(count * width) +
                        " bytes or more, and " + std::to_string(end_ > at ? end_ - at : 0) +
                        " are left; the file is cut off or damaged, export it again");
-  // An entry may say that the next one begins within its value: the same bytes would be read again and again.
+  // An entry may state that the next one begins within its value: the same bytes would be read repeatedly.
   value_bytes_ += count * width;
   if (value_bytes_ > end_)
     return at_byte(where_, at,
@@ -112,7 +112,7 @@ Result<C3dParameter> ParameterParser::parse_value(std::size_t at, const std::str
   return parameter;
 }
 
-/// Each entry says where the next one begins, counted from there; it never points back.
+/// Each entry has the relative offset of the next; it never points back.
 Status ParameterParser::parse(std::size_t at) {
   while (at + 2 < end_) {
     const int length = std::abs(static_cast<std::int8_t>(bytes_.byte(at)));  // negative: locked
@@ -134,7 +134,7 @@ Status ParameterParser::parse(std::size_t at) {
     if (offset < 2)
       return at_byte(where_, behind_name,
                      "the parameter behind " + in_quotes(name) +
-                         " is said to begin before it ends; the file is damaged here, export it again");
+                         " is stated to begin before it ends; the file is damaged here, export it again");
     at = behind_name + offset;
   }
   return Done{};
@@ -184,7 +184,7 @@ Result<C3dParameters> parse_c3d_parameters(const C3dBytes& bytes, std::size_t se
   const Status parsed = parser.parse(section + 4);
   C3dParameters parameters = parser.take();
   if (parsed) return parameters;
-  // What the points need may stand before the damage.
+  // The parameters of the points may precede the damage.
   if (!parameters.contains("POINT:LABELS")) return parsed.error();
   warnings.push_back({"parameters", 0, parsed.error().text() + "; what stands before it was used"});
   return parameters;

@@ -13,10 +13,10 @@
 
 namespace abrazo {
 
-/// How the machine that wrote a C3D file stores numbers (c3d.org, "The parameter section").
+/// Number formats of a C3D file, by the processor that wrote it (c3d.org, "The parameter section").
 enum class C3dProcessor { Intel = 84, Dec = 85, Mips = 86 };
 
-/// Numbers out of the bytes of a C3D file. Reading behind the end is a programming mistake.
+/// Reads numbers from the bytes of a C3D file. Reading past the end is a programming error.
 class C3dBytes {
  public:
   C3dBytes(std::string_view bytes, C3dProcessor processor) : bytes_(bytes), processor_(processor) {}
@@ -38,17 +38,17 @@ struct C3dParameter {
   int type = 0;  ///< -1 text, 1 bytes, 2 integers, 4 reals
   std::vector<std::size_t> dimensions;
   std::vector<double> numbers;     ///< integers with their sign
-  std::vector<std::string> texts;  ///< without the blanks behind
-  /// Integers are 16 bit; counts are meant without sign.
+  std::vector<std::string> texts;  ///< without trailing blanks
+  /// Integers are 16 bit; counts are unsigned.
   double count(std::size_t index) const;
 };
 
 /// Parameters by "GROUP:NAME", in capitals.
 using C3dParameters = std::map<std::string, C3dParameter>;
 
-/// @param section  byte at which the parameters begin
-/// @param end      byte behind the last they may take: the data begins there
-/// @param warnings what was odd is appended
+/// @param section offset of the parameters
+/// @param end offset of the data, which limits the parameters
+/// @param warnings defects are appended
 Result<C3dParameters> parse_c3d_parameters(const C3dBytes& bytes, std::size_t section, std::size_t end,
                                            std::string_view where, std::vector<ImportWarning>& warnings);
 

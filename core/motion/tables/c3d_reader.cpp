@@ -90,7 +90,7 @@ Status C3dParser::read_header() {
   return Done{};
 }
 
-/// The header counts to 65535; what the parameters say goes beyond it.
+/// The header counts to 65535; the parameters can exceed it.
 std::size_t C3dParser::declared_frames() {
   const auto whole = [](double value) {
     return value > 0 && value < 4.3e9 ? static_cast<std::size_t>(value) : 0;

@@ -8,8 +8,8 @@
 
 namespace abrazo {
 
-/// World positions of the 25 joints as CSV: header "frame,time,root_x,root_y,root_z,..."; with several clips
-/// the columns of each are prefixed by its name ("active.root_x"). Numbers read back to the same doubles.
+/// World positions of the 25 joints as CSV: header "frame,time,root_x,root_y,root_z,..."; with several clips,
+/// columns are prefixed by the clip's name ("active.root_x"). Numbers read back to the same doubles.
 Result<std::string> write_clip_csv(std::span<const Clip> clips);
 
 }  // namespace abrazo

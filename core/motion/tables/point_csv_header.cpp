@@ -99,7 +99,7 @@ bool is_axis_line(const Fields& fields) {
   return triples > 0;
 }
 
-/// X, Y, Z under a name that stands over the X.
+/// X, Y, Z below a name above the X.
 bool read_axis_line(const Fields& axes, const Fields& names, PointCsvHeader& header) {
   for (std::size_t f = 0; f + 2 < axes.size(); ++f) {
     if (axis_of(axes[f]) != 0 || axis_of(axes[f + 1]) != 1 || axis_of(axes[f + 2]) != 2) continue;
@@ -113,7 +113,7 @@ bool read_axis_line(const Fields& axes, const Fields& names, PointCsvHeader& hea
   return !header.columns.empty();
 }
 
-/// "Capture Frame Rate,120,...,Length Units,Meters": what stands behind a word of Motive's first line.
+/// "Capture Frame Rate,120,...,Length Units,Meters": the value after a key in Motive's first line.
 std::string_view value_behind(const Fields& fields, std::string_view word) {
   for (std::size_t f = 0; f + 1 < fields.size(); ++f)
     if (lower_case(fields[f]) == word) return fields[f + 1];
@@ -224,7 +224,7 @@ Result<PointCsvHeader> parse_point_csv_header(LineReader& lines, std::string_vie
     }
     const bool lone_number = fields.size() >= 1 && parse_number(fields[0]) &&
                              std::all_of(fields.begin() + 1, fields.end(), [](auto f) { return f.empty(); });
-    if (lone_number) header.fps = parse_number(fields[0]);  // Nexus: the rate has a line of its own
+    if (lone_number) header.fps = parse_number(fields[0]);  // Nexus: the rate has a separate line
     const bool found =
         is_axis_line(fields) ? read_axis_line(fields, before, header) : read_axis_names(fields, header);
     if (found) {

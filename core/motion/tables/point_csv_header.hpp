@@ -10,7 +10,7 @@
 
 namespace abrazo {
 
-/// What the lines above the numbers of a table of positions say.
+/// Header of a table of positions.
 struct PointCsvHeader {
   char separator = ',';
   std::vector<PointColumn> columns;
@@ -21,7 +21,7 @@ struct PointCsvHeader {
   std::vector<ImportWarning> warnings;
 };
 
-/// Reads up to the line above the first numbers. @return an Error when no line names x, y and z of points
+/// Reads up to the line above the first numbers. @return an Error if no line names x, y and z of points
 Result<PointCsvHeader> parse_point_csv_header(LineReader& lines, std::string_view where);
 
 /// The fields of a line, without quotes around them.

@@ -11,7 +11,7 @@
 namespace abrazo {
 
 namespace {
-constexpr int exact_digits = 9;  ///< times of so many are not rounded
+constexpr int exact_digits = 9;  ///< times with this number of digits are not rounded
 }
 
 PointRows::PointRows(std::vector<PointColumn> columns, std::optional<std::size_t> time_field,
@@ -95,7 +95,7 @@ void PointRows::fill_jumps(const std::vector<std::size_t>& jumps, double fps) {
       (jumps.size() == 1 ? "the time jumps once"
                          : "the time jumps at " + std::to_string(jumps.size()) + " rows, first") +
       ", from " + exact_text(times_[first - 1]) + " to " + exact_text(times_[first]) + " s";
-  // No more than there are: a wrong time would be hours of nothing.
+  // At most as many as there are rows: a wrong time would give hours of empty frames.
   if (!(all <= static_cast<double>(motion_.frames.size()))) {
     motion_.warnings.push_back({"time-jump", time_lines_[first],
                                 what +

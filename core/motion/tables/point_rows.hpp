@@ -11,24 +11,24 @@
 
 namespace abrazo {
 
-/// Which fields of a row are a point's x, y, z.
+/// Fields of a point's x, y, z in a row.
 struct PointColumn {
   std::string name;
   std::array<std::size_t, 3> fields{};
 };
 
-/// Rows of a table of positions (TRC, CSV) gathered to frames. An empty field or "NaN" is a gap.
+/// Collects rows of a table of positions (TRC, CSV) as frames. An empty field or "NaN" is a gap.
 class PointRows {
  public:
-  /// @param decimal_commas  "0,5" is a half
+  /// @param decimal_commas "0,5" is 0.5
   PointRows(std::vector<PointColumn> columns, std::optional<std::size_t> time_field, bool decimal_commas);
 
-  /// @return an Error that names the point, when a field is no number
+  /// @return an Error that names the point if a field is not a number
   Status add(const std::vector<std::string_view>& fields, std::string_view where, int line);
 
   std::size_t frames() const { return motion_.frames.size(); }
-  /// The points as columns gave them, in one motion without a name. Where times jump, the rows that are
-  /// missing become frames in which nothing was seen, and a warning counts them.
+  /// The points in column order, as one motion without a name. Where times jump, missing rows become frames
+  /// without visible points, and a warning counts them.
   /// @param seconds_per_time  of the time column
   NamedMotion take(double seconds_per_time = 1.0);
 
@@ -42,24 +42,24 @@ class PointRows {
   bool decimal_commas_;
   std::vector<double> times_;
   std::vector<int> time_lines_;
-  int time_digits_ = 0;  ///< behind the point, at most
+  int time_digits_ = 0;  ///< maximum number of decimals
   NamedMotion motion_;
 };
 
-/// Rows before which more than one and a half of the usual intervals passed.
-/// @param resolution_s  to which times are rounded
+/// Rows preceded by more than 1.5 usual intervals.
+/// @param resolution_s resolution of the times
 std::vector<std::size_t> time_jumps(const std::vector<double>& times_s, double resolution_s);
 
-/// A rate found from times is rounded to a whole one when times of few digits explain the difference.
-/// @param jumps  as `time_jumps` finds them: they do not count
+/// Frame rate from times, rounded to a whole number if the limited digits of the times explain the
+/// difference.
+/// @param jumps from `time_jumps`; they are ignored
 std::optional<double> rate_of_times(const std::vector<double>& times_s,
                                     const std::vector<std::size_t>& jumps = {});
 
-/// What stands most often in a line of a table: a comma, a semicolon or a tab; `usual` where they are as
-/// many.
+/// The most frequent separator in a line: comma, semicolon or tab; `usual` if there is a tie.
 char table_separator(std::string_view line, char usual);
 
-/// "mm", "cm", "m", "in", "ft", spelled out as well; nothing for any other word.
+/// "mm", "cm", "m", "in", "ft", also spelled out; none for any other word.
 std::optional<double> metres_of_unit(std::string_view word);
 
 }  // namespace abrazo

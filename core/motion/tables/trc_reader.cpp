@@ -83,7 +83,7 @@ Status TrcParser::read_header() {
   return error("ends before the line of marker names, which begins with Frame#");
 }
 
-/// "Frame#  Time  LASI    RASI ...": a marker's name stands over its x.
+/// "Frame# Time LASI RASI ...": a marker's name is above its x.
 Status TrcParser::read_names(std::string_view line) {
   if (const char here = table_separator(line, '\t'); line.find(here) != std::string_view::npos)
     separator_ = here;

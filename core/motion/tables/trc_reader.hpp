@@ -8,8 +8,8 @@
 
 namespace abrazo {
 
-/// Reads a TRC file (Motion Analysis, OpenSim): markers, tab by tab, empty fields for gaps. Its counts are
-/// compared with what is there, which decides. Several subjects ("Anna:LASI") give several motions.
+/// Reads a TRC file (Motion Analysis, OpenSim): tab-separated markers, empty fields for gaps. Its counts are
+/// checked; the actual content takes precedence. Several subjects ("Anna:LASI") give several motions.
 Result<std::vector<NamedMotion>> read_trc(std::string_view text, std::string_view where);
 
 }  // namespace abrazo

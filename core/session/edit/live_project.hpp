@@ -11,8 +11,8 @@
 
 namespace abrazo {
 
-/// A project while it is worked on: the value, and the rules by which it changes. Knows no solver and no
-/// window; who changes it passes on which parts are other than before.
+/// A project being edited: the value and the rules by which it changes. Independent of solver and window.
+/// Every change returns the parts that differ; the caller announces them.
 class LiveProject {
  public:
   using Parts = std::vector<ProjectPart>;
@@ -22,40 +22,42 @@ class LiveProject {
   const Project& project() const { return project_; }
   const PresetChoice& preset() const { return preset_; }
   const std::vector<OwnPreset>& own_presets() const { return own_presets_; }
-  /// Of the session ("") or of a take; empty where nothing was marked.
+  /// Markers of the session ("") or of a take; empty if there are none.
   const Markers& markers(const std::string& subject) const;
 
-  /// These settings with one of them as a person typed it. An Error names the setting and what it takes.
+  /// The present settings with one of them set from typed text. The Error names the setting and its valid
+  /// values.
   Result<ChosenSettings> with_setting(const std::string& key, const std::string& text) const;
-  /// @param own  among a person's own presets. An Error when there is none of that name
+  /// @param own whether to look among the user's own presets. An Error if there is none of that name
   Result<ChosenSettings> with_preset(const std::string& name, bool own) const;
-  /// Settings from wherever, with the preset that they are; the one chosen last while they are none's.
+  /// Settings from any origin, with the preset that they equal; if they equal none, the one chosen last.
   ChosenSettings with_settings(const Settings& settings) const;
 
-  /// The step that leads to a value from what there is; nothing when there is nothing to undo about it.
+  /// The undo step from the present value to `after`; none if there is nothing to undo.
   std::optional<ProjectEdit> edit(ProjectValue after, std::string what) const;
-  /// Decisions mean the pairs of the library, and markers the times of the session, that they were made in.
+  /// Whether an undo step still applies: decisions refer to pairs of the library, and markers to times of the
+  /// session, in which they were made.
   bool is_valid(const ProjectEdit& edit) const;
 
-  /// Without a step of undo.
+  /// Sets a value without an undo step.
   Parts put(const ProjectValue& value);
   Parts put(RoleControl by);
-  /// A person's own presets, of which the chosen one may be gone or other.
+  /// Replaces the user's own presets; the chosen one may be missing or changed afterwards.
   Parts put(std::vector<OwnPreset> own);
   Parts put(AnnotationBook annotations);
-  /// Other videos than a person opened: steps of undo that lead to those before have no use any more.
+  /// Replaces all videos, not as an edit: undo steps back to the previous ones become invalid.
   Parts replace_videos(VideoStates videos);
   const VideoStates& videos() const { return videos_; }
   /// In the order of the videos; ProjectVideo::data of project() is an index into it.
   std::vector<DataReference> video_files() const;
 
-  /// A session begins: markers and annotations of the one before are gone, and with another library the
-  /// decisions on its pairs; settings and who decides about the role stay.
+  /// Begins a session. Drops markers and annotations of the previous one and, if the library differs, the
+  /// decisions about its pairs. Settings and role control stay.
   Parts begin_session(bool same_library);
-  /// The session goes on with another library.
+  /// The session continues with another library.
   Parts replace_library(const MotionLibrary& before, const MotionLibrary& after);
-  /// What was saved, in the session that has begun, except annotations and videos: who reads their files puts
-  /// them.
+  /// Takes over a saved project in the new session, except annotations and videos: the reader of their files
+  /// sets them.
   Parts open(const Project& saved);
 
  private:
@@ -65,7 +67,7 @@ class LiveProject {
   PresetChoice preset_;
   std::vector<OwnPreset> own_presets_;
   VideoStates videos_;
-  int libraries_ = 0, sessions_ = 0, replaced_videos_ = 0;  ///< so many came and went
+  int libraries_ = 0, sessions_ = 0, replaced_videos_ = 0;  ///< counters for `epoch`
 };
 
 }  // namespace abrazo

@@ -10,10 +10,10 @@
 
 namespace abrazo {
 
-/// What of a project changes as one value, and is announced when it did.
+/// A part of a project that changes as one value and is announced as such.
 enum class ProjectPart { Settings, Decisions, RoleControl, Markers, Annotations, Videos };
 
-/// The settings, and the preset that they came from.
+/// Settings with the preset that they came from.
 struct ChosenSettings {
   Settings settings;
   PresetChoice preset;
@@ -21,7 +21,7 @@ struct ChosenSettings {
   bool operator==(const ChosenSettings&) const = default;
 };
 
-/// Of the session (""), or of a take by its name.
+/// Markers of the session (""), or of a take by its name.
 struct SubjectMarkers {
   std::string subject;
   Markers markers;
@@ -29,21 +29,20 @@ struct SubjectMarkers {
   bool operator==(const SubjectMarkers&) const = default;
 };
 
-/// A part that a step of undo changes, whole. Who decides about the role is not among the decisions of a
-/// step.
+/// A whole part that an undo step changes. An undo step leaves the role control of the decisions as it is.
 using ProjectValue = std::variant<ChosenSettings, Decisions, SubjectMarkers, VideoStates>;
 
-/// One step of undo: a part as it was, and as a person wants it.
+/// One undo step: a part before and after the edit.
 struct ProjectEdit {
   ProjectValue before, after;
-  std::string what;  ///< "alpha to 0.7": for the menu
-  std::string key;   ///< what is dragged
-  int gesture = 0;   ///< edits of one key with the same number are one step; 0 = a step of its own
+  std::string what;  ///< menu text: "alpha to 0.7"
+  std::string key;   ///< what is dragged, e.g. one slider
+  int gesture = 0;   ///< edits of one key with the same number merge into one step; 0 = separate step
   int epoch = 0;     ///< see LiveProject::is_valid
 
-  /// Takes a later move of the same gesture into this step. @return false when it is not of it
+  /// Merges a later edit of the same gesture into this step. @return false if it belongs to another gesture
   bool absorb(const ProjectEdit& next);
-  /// It ends where it began, as a slider that was dragged and brought back.
+  /// True if the value ends where it began: a slider that was dragged and brought back.
   bool is_nothing() const;
 };
 

@@ -7,9 +7,9 @@
 
 namespace abrazo {
 
-/// A stretch of a session that has a name.
+/// A named stretch of a session.
 struct RecordedTake {
-  std::int64_t id = 0;  ///< of its session, never used twice in it
+  std::int64_t id = 0;  ///< unique in its session, never reused
   std::string name;
   double from_s = 0, to_s = 0;  ///< session clock
   std::uint64_t frames = 0;
@@ -19,7 +19,7 @@ struct RecordedTake {
   bool operator==(const RecordedTake&) const = default;
 };
 
-/// The takes of a session in the order they were recorded. A value: what an undo step keeps is a copy.
+/// The takes of a session in the order of recording. A value type: undo steps keep copies.
 class RecordedTakes {
  public:
   RecordedTakes() = default;
@@ -30,11 +30,11 @@ class RecordedTakes {
   const RecordedTake* find(std::int64_t id) const;
   std::vector<std::string> names() const;
 
-  /// In its place by id; replaces one of the same id.
+  /// Inserts in the order of ids; replaces a take of the same id.
   void put(const RecordedTake& take);
-  /// @return why the take cannot be called so; empty when it can
+  /// @return why the take cannot have this name; empty if it can
   std::string why_not(std::int64_t id, std::string_view name) const;
-  /// Without effect on an id that is not there.
+  /// No effect on an unknown id.
   void rename(std::int64_t id, std::string_view name);
   void remove(std::int64_t id);
 

@@ -13,40 +13,40 @@ namespace abrazo {
 
 struct SessionContents;
 
-/// The takes of a session while it runs: those on its list, the one that is being recorded, and the changes
-/// that its file does not have yet. Plain data and rules; who owns it writes the file.
+/// The takes of a running session: the listed ones, the one being recorded, and the changes not yet in its
+/// file. Plain data and rules; the owner writes the file.
 class SessionTakes {
  public:
   SessionTakes() = default;
-  /// Of a session that was opened from its file.
+  /// For a session that was opened from its file.
   explicit SessionTakes(const SessionContents& file);
 
   const RecordedTakes& list() const { return list_; }
-  /// Id of the take that is being recorded; -1 = none.
+  /// Id of the take being recorded; -1 = none.
   std::int64_t running() const { return running_; }
 
-  /// A take begins; its name is the one the file gets.
+  /// Begins a take; the file gets this name.
   /// @param from_s  session clock
-  /// @param first_frame  index of the first frame that will belong to it
+  /// @param first_frame index of its first frame
   void begin(const std::string& name, double from_s, std::uint64_t first_frame,
              std::vector<std::string> performers);
-  /// The running take lasts until the newest frame of the session, whatever is looked at meanwhile.
+  /// Extends the running take to the newest frame of the session, wherever the cursor is.
   void follow(double newest_s, std::uint64_t newest_frame);
-  /// The running take is over. Without a frame it leaves the list.
-  /// @return it, as it was; its `frames` are 0 when it was not kept
+  /// Ends the running take. A take without frames is removed.
+  /// @return the take; its `frames` are 0 if it was not kept
   RecordedTake end();
 
-  /// Without effect on an id that is not there.
+  /// No effect on an unknown id.
   void rename(std::int64_t id, const std::string& name);
   void remove(std::int64_t id);
   /// Undoes `remove`.
   void restore(const RecordedTake& take);
 
-  /// What is still to be changed in the file, by the names that the takes have there.
+  /// Changes not yet in the file, by the names that the takes have there.
   const TakeEdits& edits() const { return edits_; }
-  /// Of those the new names alone: what was removed can be restored until the session ends.
+  /// Only the renames among `edits`: a removed take can be restored until the session ends.
   TakeEdits renames() const;
-  /// These are in the file now.
+  /// Reports that these renames are in the file.
   void written(const TakeEdits& renames);
 
  private:

@@ -6,23 +6,23 @@
 
 namespace abrazo {
 
-/// "salsa 003": what the takes of a series share, and which of them it is.
+/// "salsa 003": the stem that the takes of a series share, and the number in the series.
 struct TakeName {
   std::string stem;
-  int number = 0;  ///< 0 = none was written
+  int number = 0;  ///< 0 = none given
 
   bool operator==(const TakeName&) const = default;
 };
 
-/// A number of at most six digits at the end counts, with or without something between.
+/// The number is at most six digits at the end, with or without a separator.
 TakeName parse_take_name(std::string_view text);
 /// At least three digits: "salsa 003".
 std::string text_of(const TakeName& name);
 
-/// The name of the next take: what was typed where its number is still free, else one above the highest of
-/// the same stem. "take" where nothing was typed.
+/// The name of the next take: the typed one if its number is free, else one above the highest number of the
+/// same stem. The stem is "take" if nothing was typed.
 std::string next_take_name(std::string_view typed, const std::vector<std::string>& names);
-/// The same stem, a number up, whatever was typed since. Empty when there is no name yet.
+/// The stem of the last take with the next number, whatever was typed since. Empty if there is no take yet.
 std::string again_name(const std::vector<std::string>& names);
 
 }  // namespace abrazo

@@ -6,18 +6,18 @@
 
 namespace abrazo {
 
-/// Recording a take from the key to its end: perhaps a countdown first. Plain data and rules; the caller says
-/// what time it is.
+/// Recording a take from the key press to its end, with an optional countdown. Plain data and rules; the
+/// caller passes the time.
 struct TakeSequence {
   enum class Phase { Idle, CountingDown, Recording };
   static constexpr double longest_countdown_s = 10;
 
   Phase phase = Phase::Idle;
-  std::string name;    ///< of the take that is to be recorded, or is
+  std::string name;    ///< of the take being counted down or recorded
   double since_s = 0;  ///< session clock; when the phase began
   double countdown_s = 0;
 
-  /// @return whether recording starts immediately; otherwise when `advance` says so
+  /// @return whether recording starts immediately; otherwise it starts when `advance` returns true
   bool start(std::string take, double wait_s, double now_s) {
     name = std::move(take);
     since_s = now_s;
@@ -26,7 +26,7 @@ struct TakeSequence {
     return phase == Phase::Recording;
   }
 
-  /// Time passes. @return whether recording begins now
+  /// Advances the time. @return whether recording begins now
   bool advance(double now_s) {
     if (phase != Phase::CountingDown || now_s - since_s < countdown_s) return false;
     phase = Phase::Recording;
@@ -34,14 +34,14 @@ struct TakeSequence {
     return true;
   }
 
-  /// Gives up the countdown or ends the take. @return whether a take was being recorded
+  /// Cancels the countdown or ends the take. @return whether a take was being recorded
   bool stop() {
     const bool recorded = phase == Phase::Recording;
     phase = Phase::Idle;
     return recorded;
   }
 
-  /// What is shown of the countdown: 3, 2, 1; 0 when there is none.
+  /// The number to show of the countdown: 3, 2, 1; 0 without a countdown.
   int count(double now_s) const {
     if (phase != Phase::CountingDown) return 0;
     return std::max(1, static_cast<int>(std::ceil(countdown_s - (now_s - since_s) - 1e-9)));

@@ -10,24 +10,24 @@
 
 namespace abrazo {
 
-/// What a person decided about one open video: what undo goes back to and a project keeps.
+/// The editable state of one open video: undo restores it and a project keeps it.
 struct VideoState {
-  int id = 0;  ///< of the project while it is worked on, never used twice
+  int id = 0;  ///< unique in the open project, never reused
   std::string file;
   std::string subject;  ///< a take of the library, or "" for the session
   VideoSync sync;
-  /// Nothing: a field of view is guessed.
+  /// None: a field of view is guessed.
   std::optional<CameraIntrinsics> intrinsics;
   double guessed_fov_deg = 60;
-  bool free_focal_length = true;      ///< found by the solution
-  std::optional<CameraModel> camera;  ///< solved or loaded; nothing draws over the video without
+  bool free_focal_length = true;      ///< estimated by the camera solution
+  std::optional<CameraModel> camera;  ///< solved or loaded; without it nothing is drawn over the video
   std::vector<PickedPoint> picked;
 
   bool operator==(const VideoState&) const = default;
 };
 using VideoStates = std::vector<VideoState>;
 
-/// Without the reference to its file.
+/// The video as a project keeps it, without the reference to its file.
 inline ProjectVideo project_video(const VideoState& state) {
   return {-1, state.subject, state.sync, state.camera, state.picked};
 }
@@ -42,7 +42,7 @@ inline VideoState video_state(const ProjectVideo& video, const std::string& file
   if (!video.camera) return state;
   const CameraIntrinsics& had = video.camera->intrinsics;
   state.intrinsics = had;
-  // Estimated if not measured: the middle, square pixels, no distortion.
+  // Estimated, not measured: centred principal point, square pixels, no distortion.
   state.free_focal_length = had.fx == had.fy && had.distortion == std::array<double, 8>{};
   return state;
 }

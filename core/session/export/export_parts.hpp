@@ -12,7 +12,7 @@ inline Error cancelled(const SessionRecord& session) {
   return {"cancelled; nothing was written", session.where()};
 }
 
-// One for each kind of content; the wish was checked.
+// One function per kind of content; they expect a checked wish.
 Result<ExportReport> export_motion(const ExportSource& source, const ExportWish& wish,
                                    const Progress& progress);
 Result<ExportReport> export_mesh(ExportSource& source, const ExportWish& wish, const Progress& progress);

@@ -82,7 +82,7 @@ class FileExport : public ExportSource {
   std::shared_ptr<const RecordedFrames> frames_;
 };
 
-/// The lines of frames that are complete as they are.
+/// Lines of frames that are already complete.
 Result<SessionReplay> trace_lines(const SessionRecord& session, const SessionRange& range,
                                   const std::function<Status(const std::string&)>& line,
                                   const Progress& progress) {
@@ -142,7 +142,7 @@ class TakeExport : public ExportSource {
     return Error{"is a recorded take, which was not solved; a trace is of a session", record_.where()};
   }
   Result<std::vector<Tier>> tiers(const SessionRange& range) const override {
-    // A part ends with its last frame; the whole take goes as far as was said of it.
+    // A part ends with its last frame; the whole take extends to its last annotation.
     constexpr double all_s = std::numeric_limits<double>::infinity();
     const SessionContents& contents = record_.contents();
     const double from_s = range.from_s > contents.first_s ? range.from_s : -all_s;

@@ -14,28 +14,31 @@ namespace abrazo {
 
 enum class ExportContent : std::uint8_t { Motion, Mesh, Labels, Trace };
 
-/// What is to be written of a session, and how. The ending of the output's name chooses the file type.
+/// What to write of a session, and how. The extension of the output's name selects the file type.
 struct ExportWish {
   ExportContent content = ExportContent::Motion;
-  std::vector<SessionBody> bodies;                      ///< of a motion, in this order, each once
-  std::optional<std::string> performer = std::nullopt;  ///< motion: the poses received of this one instead
+  std::vector<SessionBody> bodies;                      ///< motion: in this order, each once
+  std::optional<std::string> performer = std::nullopt;  ///< motion: the received poses of this performer
+                                                        ///< instead
   SessionPart part = {};
-  std::optional<double> at_s = std::nullopt;             ///< mesh: of the frame shown then
-  std::optional<std::uint64_t> at_frame = std::nullopt;  ///< mesh: of the frame of this index
-  double rate_hz = 0;                                    ///< 0 = as recorded; of a mesh series: at most
-  ClipFileSpace space = {};                              ///< of a motion
+  std::optional<double> at_s = std::nullopt;             ///< mesh: of the frame shown at this time
+  std::optional<std::uint64_t> at_frame = std::nullopt;  ///< mesh: of the frame with this index
+  double rate_hz = 0;                                    ///< 0 = as recorded; for a mesh series an upper
+                                                         ///< limit
+  ClipFileSpace space = {};                              ///< motion only
   std::string output = {};
 
   bool one_mesh() const { return content == ExportContent::Mesh && (at_s || at_frame); }
 };
 
-/// The file types of a content, as endings of names.
+/// File types of a content, as file extensions.
 std::vector<std::string> export_types(ExportContent content);
 
-/// Whether the wishes fit together: no mesh as motion file, no body twice. The Error says what to change.
+/// Checks that the options fit together: no mesh as motion file, no body twice. The Error says what to
+/// change.
 Status check_export(const ExportWish& wish);
 
-/// What was written: a sentence for people, figures for programs.
+/// What was written: a sentence for people, numbers for programs.
 struct ExportReport {
   std::vector<std::string> files;
   std::string text;               ///< "1234 frames at 120 Hz"
@@ -43,12 +46,12 @@ struct ExportReport {
   JsonText figures;               ///< members of an object that is still open
 };
 
-/// What an export comes to, before it is made.
+/// Expected size of an export.
 struct ExportEstimate {
   std::uint64_t frames = 0;
-  std::uint64_t bytes = 0;  ///< within a quarter for motions, a half for meshes and traces
+  std::uint64_t bytes = 0;  ///< accurate to 25 % for motions, 50 % for meshes and traces
 };
-/// @param length_s  of the part  @param rate_hz  of its frames, where the wish has none
+/// @param length_s of the part @param rate_hz of its frames; used if the wish has no rate
 ExportEstimate estimate_export(const ExportWish& wish, double length_s, double rate_hz);
 
 }  // namespace abrazo

@@ -39,7 +39,7 @@ Status check_motion(const ExportWish& wish) {
   auto sorted = wish.bodies;
   std::ranges::sort(sorted);
   if (std::ranges::adjacent_find(sorted) != sorted.end())
-    return Error{"a body is asked for twice", wish.output};
+    return Error{"a body is requested twice", wish.output};
   return check_clip_file(wish.output, wish.space, wish.bodies.size());
 }
 

@@ -7,8 +7,8 @@
 
 namespace abrazo {
 
-/// Writes what is wished for: all of its files, or none of them. The one way of exporting, for the window and
-/// the command line. @return an Error when nothing was written, also because `progress` asked to stop
+/// Writes all files of a wish, or none. The window and the command line both export through it. @return an
+/// Error if nothing was written, also if `progress` cancelled
 Result<ExportReport> export_session(ExportSource& source, const ExportWish& wish,
                                     const Progress& progress = {});
 

@@ -9,11 +9,11 @@
 
 namespace abrazo {
 
-/// A recorded pair of a library as a record: its frames as TakeFrames has them, performer A as the active
-/// body and the user, B as the passive one, whoever leads. Times are those of the take, from 0.
+/// A take of a library as a record, with the frames of TakeFrames: performer A is the active body and the
+/// user, B the passive body, whoever leads. Times are those of the take, from 0.
 class LibraryTakeRecord : public SessionRecord {
  public:
-  /// @param tiers  what is said of the take
+  /// @param tiers annotations of the take
   /// @throws std::invalid_argument when the library has no such take
   LibraryTakeRecord(std::shared_ptr<const MotionLibrary> library, const std::string& take,
                     std::vector<Tier> tiers);
@@ -26,9 +26,9 @@ class LibraryTakeRecord : public SessionRecord {
                              const std::function<Status(const ReceivedPose&)>& visit) const override;
   Status each_source(double from_s, double to_s,
                      const std::function<Status(const SessionSource&)>& visit) const override;
-  /// With its mesh; null when there is none of this index.
+  /// A frame with its mesh; null if there is none of this index.
   FrameSnapshotPtr frame(std::uint64_t index) const;
-  /// How long a frame of the library lasts; 0 without frames.
+  /// Duration of a frame of the library [s]; 0 without frames.
   double frame_s() const;
 
  private:
@@ -36,7 +36,7 @@ class LibraryTakeRecord : public SessionRecord {
 
   std::shared_ptr<const MotionLibrary> library_;
   std::string take_;
-  std::shared_ptr<const TakeFrames> frames_;  ///< null where the library has none of the take
+  std::shared_ptr<const TakeFrames> frames_;  ///< null if the library has no frame of the take
   SessionContents contents_;
 };
 

@@ -88,7 +88,7 @@ Result<double> rate_of(std::span<const StampedPose> poses, double wanted_hz, con
 }
 
 /// The times at which received poses were taken, on the clock of the session. A sender's own clock is
-/// steadier than arrival over a network; where it jumps, arrival is all there is.
+/// steadier than arrival over a network; where it jumps, only the arrival times are usable.
 void use_sender_clock(std::vector<StampedPose>& poses, const std::vector<double>& sender_s) {
   std::vector<double> offsets;
   for (std::size_t i = 0; i < poses.size(); ++i) offsets.push_back(poses[i].time_s - sender_s[i]);

@@ -16,45 +16,45 @@
 
 namespace abrazo {
 
-/// Which part of a session is wanted; what is not given is not limited.
+/// A part of a session to export; a field that is not set does not limit it.
 struct SessionPart {
   std::optional<std::string> take;
-  std::optional<double> from_s, to_s;  ///< time in the session; within the take when there is one
+  std::optional<double> from_s, to_s;  ///< time in the session, or in the take if one is given
 };
 
-/// A stretch of a session that has frames.
+/// A stretch of a session with frames.
 struct SessionRange {
   double from_s = 0, to_s = 0;                    ///< time in the session, both included
-  std::uint64_t first_frame = 0, last_frame = 0;  ///< those of the session that lie at its ends
+  std::uint64_t first_frame = 0, last_frame = 0;  ///< at its ends, by index in the session
 };
 
-/// The Error names the takes there are, or the time that the session spans.
+/// The Error lists the existing takes, or the time that the session spans.
 Result<SessionRange> session_range(const SessionRecord& session, const SessionPart& part);
 
 enum class SessionBody { User, Active, Passive };
 
-/// Bodies of a session at even times.
+/// Bodies of a session, resampled at a constant rate.
 struct SessionMotion {
   std::vector<Clip> clips;  ///< of equal length and rate
-  EvenPoses timing;         ///< of the first one, without its poses: what was bridged
+  EvenPoses timing;         ///< of the first clip, without its poses: the bridged gaps
   RowsRead rows;
 };
 
-/// The user as the solver got it, and the two bodies as it gave them.
-/// @param rate_hz  0 = that of the frames (median)
+/// The user as given to the solver, and the two bodies of the result.
+/// @param rate_hz 0 = median rate of the frames
 Result<SessionMotion> session_motion(const SessionRecord& session, const SessionRange& range,
                                      std::span<const SessionBody> bodies, double rate_hz,
                                      const Progress& progress = {});
 
-/// What was received of a performer, whether it was solved or not.
-/// @param performer  name; empty = the only one. The Error names those there are
+/// The received poses of a performer, solved or not.
+/// @param performer name; empty = the only one. The Error lists the existing ones
 Result<SessionMotion> performer_motion(const SessionRecord& session, const SessionPart& part,
                                        const std::string& performer, double rate_hz,
                                        const Progress& progress = {});
 
 /// A part of a range that was solved with one library.
 struct SessionSegment {
-  const SessionLibrary* library = nullptr;  ///< of the contents; null when it names none
+  const SessionLibrary* library = nullptr;  ///< of the contents; null if unknown
   SessionRange range;
 };
 
@@ -65,8 +65,8 @@ Result<std::vector<SessionSegment>> session_segments(const SessionRecord& sessio
 Result<std::string> session_trace_header(const SessionRecord& session, const std::string& library_name,
                                          const SessionRange& range);
 
-/// The lines that follow it, without their ends: the frames solved again (see re_solve_session). Frames of a
-/// clip are numbered as the clip's, others by their index in the session.
+/// The lines after the header, without line ends: the frames solved again (see re_solve_session). Frames of a
+/// clip have the clip's frame numbers, others their index in the session.
 Result<SessionReplay> session_trace(const SessionRecord& session,
                                     std::shared_ptr<const MotionLibrary> library, const SessionRange& range,
                                     const std::function<Status(const std::string&)>& each_line,

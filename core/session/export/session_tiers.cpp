@@ -139,7 +139,7 @@ std::vector<SessionTake> takes_in(const SessionRecord& session, const SessionRan
   return {whole};
 }
 
-/// The first tier of moves that a person annotated; null when it says nothing.
+/// The first annotated tier of moves; null if it is empty.
 const Tier* annotated_moves(const SessionContents& contents) {
   for (const Tier& tier : contents.annotations)
     if (tier.kind == TierKind::Move) return tier.intervals.empty() ? nullptr : &tier;

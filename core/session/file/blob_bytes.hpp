@@ -10,7 +10,7 @@
 
 namespace abrazo {
 
-/// Writes numbers one after the other, little-endian.
+/// Writes numbers in sequence, little-endian.
 class BlobWriter {
  public:
   template <typename Unsigned>
@@ -27,7 +27,7 @@ class BlobWriter {
     number(static_cast<std::uint32_t>(value.size()));
     bytes_.insert(bytes_.end(), value.begin(), value.end());
   }
-  /// Row by row.
+  /// Writes a matrix row by row.
   template <typename Derived>
   void matrix(const Eigen::MatrixBase<Derived>& values) {
     for (Eigen::Index r = 0; r < values.rows(); ++r)
@@ -45,7 +45,7 @@ class BlobWriter {
   std::vector<std::uint8_t> bytes_;
 };
 
-/// Reads them back. Past the end everything is zero, and `is_done` says so.
+/// Reads numbers written by BlobWriter. Past the end every number is zero and `is_done` is false.
 class BlobReader {
  public:
   explicit BlobReader(std::span<const std::uint8_t> bytes) : rest_(bytes) {}
@@ -82,7 +82,7 @@ class BlobReader {
   }
 
   std::size_t left() const { return rest_.size(); }
-  bool is_done() const { return good_ && rest_.empty(); }  ///< nothing was missing, and nothing is left over
+  bool is_done() const { return good_ && rest_.empty(); }  ///< all bytes read, none missing
 
  private:
   bool has(std::size_t bytes) {

@@ -78,8 +78,7 @@ bool is_file(const fs::path& path) {
   return fs::is_regular_file(path, failure);
 }
 
-/// A reference that was read from a session made by others can name anything; only what is a file
-/// is ever opened.
+/// A reference from an untrusted session can name anything; only regular files are opened.
 bool has_content(const fs::path& path, const DataReference& reference) {
   std::error_code failure;
   const std::uint64_t bytes = fs::file_size(path, failure);

@@ -9,10 +9,10 @@
 namespace abrazo {
 
 /// {"pinned":33,"vetoes":{"pairs":[],"takes":[],"labels":[]},"meant":{"label":...,"take":...,"until_s":...},
-/// "role_control":"hand"}; what is not decided is null.
+/// "role_control":"hand"}; undecided values are null.
 std::string decisions_json(const Decisions& decisions);
 
-/// Reads it back; what is missing is not decided.
+/// Reads decisions_json; a missing member is undecided.
 Result<Decisions> parse_decisions(std::string_view json, std::string_view where);
 
 }  // namespace abrazo

@@ -11,8 +11,8 @@
 
 namespace abrazo {
 
-/// Reads frames over an open database, with the settings and decisions they were solved under. Indices and
-/// times are those of the file. Used by one thread at a time.
+/// Reads frames from an open database, with the settings and decisions under which they were solved. Indices
+/// and times are those of the file. Used by one thread at a time.
 class FrameReader {
  public:
   static Result<std::unique_ptr<FrameReader>> open(SessionDatabase& database);
@@ -21,13 +21,13 @@ class FrameReader {
     std::shared_ptr<FrameSnapshot> frame;
     std::optional<std::int64_t> library;  ///< id
   };
-  /// Nothing when there is none of this index. An error when it is damaged.
+  /// None if there is no frame of this index. An Error if it is damaged.
   Result<std::optional<Read>> frame(std::int64_t index);
-  /// All in [first, last], in order.
+  /// Visits all frames in [first, last], in order.
   Result<RowsRead> scan(std::int64_t first, std::int64_t last, const std::function<Status(Read&)>& visit);
 
-  /// Index of the last frame not after a time, of the first not before one, of the first not before an index,
-  /// and of the last frame of all; nothing when there is none.
+  /// Index of the last frame not after a time, of the first not before a time, of the first not before an
+  /// index, and of the last frame; none if there is no such frame.
   Result<std::optional<std::int64_t>> last_until(double time_s, std::int64_t from);
   Result<std::optional<std::int64_t>> first_from(double time_s, std::int64_t from);
   Result<std::optional<std::int64_t>> next(std::int64_t index);
@@ -44,7 +44,7 @@ class FrameReader {
   Status add_decisions(FrameSnapshot& frame);
 
   std::unique_ptr<Statements> statements_;
-  /// Read last, by the frame from which on they are in force.
+  /// Cache of those read last, by the first frame they apply to.
   std::map<std::int64_t, Settings> settings_;
   std::map<std::int64_t, std::shared_ptr<const Decisions>> decisions_;
 

@@ -15,8 +15,7 @@
 
 namespace abrazo {
 
-/// A frame as a row of the table `frames`. Column by column in one place, for writing, reading and the
-/// checksum.
+/// A frame as a row of the table `frames`. The one list of columns for writing, reading and the checksum.
 struct FrameRow {
   using Blob = std::vector<std::uint8_t>;
   using Time = std::optional<double>;
@@ -40,7 +39,7 @@ struct FrameRow {
   double input_rate_hz = 0;
   std::int64_t dropped_inputs = 0;
 
-  /// Calls `column(name, type, value)` for every column in order, but for the checksum, which comes last.
+  /// Calls `column(name, type, value)` for every column in order except the checksum, which comes last.
   template <typename Row, typename Column>
   static void each(Row& r, Column&& column) {
     column("frame", "INTEGER PRIMARY KEY", r.frame);
@@ -88,25 +87,25 @@ struct FrameRow {
 
 /// @param offset_s  session clock + this = time in the file
 FrameRow row_of(const FrameSnapshot& frame, std::uint64_t file_index, double offset_s);
-/// Settings, decisions and what needs the library are left as they are by default. An error when the columns
-/// do not fit together.
+/// Leaves settings, decisions and members that need the library at their defaults. An Error if the columns
+/// contradict each other.
 Result<std::shared_ptr<FrameSnapshot>> frame_of(const FrameRow& row);
 
 /// "frame, time_s, ...", without the checksum.
 const std::string& frame_columns();
-/// Their definitions for CREATE TABLE, with the checksum.
+/// Column definitions for CREATE TABLE, with the checksum.
 std::string frame_column_definitions();
 /// "INSERT INTO frames ..." with one parameter per column, the checksum last.
 std::string frame_insert();
 
-/// Blobs must stay until the statement has run.
+/// Binds a row. The row must live until the statement has run.
 void bind_row(SessionStatement& statement, const FrameRow& row);
-/// From a SELECT of frame_columns() and checksum. An error when the checksum is not the row's.
+/// Reads a row from a SELECT of frame_columns() and checksum. An Error if the checksum does not match.
 Result<FrameRow> read_row(const SessionStatement& statement);
 
-/// Poses as they stand in blobs: float64 [25][3], little-endian.
+/// A pose as a blob: float64 [25][3], little-endian.
 std::vector<std::uint8_t> pose_bytes(const Pose& pose);
-/// @return whether there were as many bytes as a pose has
+/// @return whether the number of bytes is that of a pose
 bool read_pose(std::span<const std::uint8_t> bytes, Pose& pose);
 
 }  // namespace abrazo

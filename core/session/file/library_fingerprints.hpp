@@ -11,15 +11,14 @@
 
 namespace abrazo {
 
-/// The fingerprints of the libraries of a session. A million pairs take seconds: each library is gone through
-/// once, on a thread of its own. Keeps no library. Asked by any thread; its end waits for what has begun.
+/// Fingerprints of the libraries of a session. A million pairs take seconds, so each library is hashed once
+/// on its own thread. Does not keep libraries alive. Thread-safe; the destructor waits for running threads.
 class LibraryFingerprints {
  public:
   using Compute = std::function<std::string(const MotionLibrary&)>;
   explicit LibraryFingerprints(Compute compute = library_fingerprint) : compute_(std::move(compute)) {}
 
-  /// Returns immediately. Empty for a library whose file was damaged meanwhile: it has no content to be known
-  /// by.
+  /// Returns immediately. The fingerprint is empty if the library's file was damaged meanwhile.
   std::shared_future<std::string> of(const std::shared_ptr<const MotionLibrary>& library);
 
  private:

@@ -7,7 +7,7 @@ namespace abrazo {
 
 namespace {
 
-/// A tier of roles says "a" or "b"; anything else that was noted under that name is a note.
+/// A tier of roles has only "a" and "b"; with other values it is a tier of notes.
 TierKind kind_of(const Tier& tier, const std::string& kind) {
   if (kind == "move" || kind == "label") return TierKind::Move;
   const auto is_role = [](const TierInterval& one) { return one.value == "a" || one.value == "b"; };

@@ -8,10 +8,9 @@
 
 namespace abrazo {
 
-/// What a file of version 1 noted in its table `intervals`: a tier for each kind, the moves as such, and
-/// further tiers where intervals of a kind overlap. Roles are a tier of moves' neighbours only where they
-/// are "a" and "b".
-/// @param damage  of rows that cannot be, one sentence is added
+/// The table `intervals` of a version 1 file as tiers: one per kind, and further ones where intervals of a
+/// kind overlap. Moves become a tier of moves; roles become a tier of roles only if they are "a" and "b".
+/// @param damage gets one sentence about invalid rows
 std::vector<Tier> noted_intervals(SessionDatabase& database, std::vector<std::string>& damage);
 
 }  // namespace abrazo

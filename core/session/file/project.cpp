@@ -16,7 +16,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// What is to be done in one transaction: all of it, or nothing.
+/// Runs a function in one transaction: all or nothing.
 Status in_transaction(SessionDatabase& database, const std::function<Status()>& work) {
   if (const Status begun = database.execute("BEGIN IMMEDIATE"); !begun) return begun;
   Status done = work();

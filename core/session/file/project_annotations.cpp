@@ -156,7 +156,7 @@ class Reader {
       AnnotationTier tier{static_cast<int>(row.integer(2)), row.text(4), *kind, {}, {}};
       const auto is_same = [&](const AnnotationTier& other) { return other.name == tier.name; };
       if (tier.name.empty() || std::ranges::any_of(subject.tiers, is_same))
-        return Error{"a tier has no name of its own", {}};
+        return Error{"a tier has no unique name", {}};
       if (Status fresh = take_id(subject, row.integer(2)); !fresh) return fresh;
       tiers_[row.integer(0)] = {found->first, subject.tiers.size()};
       subject.tiers.push_back(std::move(tier));

@@ -6,11 +6,11 @@
 
 namespace abrazo {
 
-/// In place of all annotations of the file, in the running transaction.
+/// Replaces all annotations of the file, in the running transaction.
 Status write_annotations(SessionDatabase& database, const AnnotationBook& book);
 
-/// What can be read; a tier, annotation or suggestion that cannot stand beside the others is left out and
-/// counted.
+/// Reads all valid annotations. A tier, annotation or suggestion that conflicts with the others is left out
+/// and counted.
 AnnotationBook read_annotations(TableReader& tables);
 
 }  // namespace abrazo

@@ -57,7 +57,7 @@ Markers read_markers(TableReader& tables, int next_id) {
   return Markers::restored(std::move(markers), next_id);
 }
 
-/// What a recording says of the project that it was made in, for files in which none was saved.
+/// The project derived from a recording, for files without a saved project.
 void take_from_recording(TableReader& tables, Project& project) {
   tables.each("settings", "(SELECT frame + 1 AS id, json FROM settings)", "json",
               [&](const SessionStatement& row) -> Status {

@@ -5,10 +5,10 @@
 
 namespace abrazo {
 
-/// In place of the project that the file has, in the running transaction.
+/// Replaces the project in the file, in the running transaction.
 Status write_project(SessionDatabase& database, const Project& project);
 
-/// Of a database of any version that `check_session_schema` has passed.
+/// Reads a database of any version that passed `check_session_schema`.
 Result<ProjectReading> read_project(SessionDatabase& database);
 
 }  // namespace abrazo

@@ -6,11 +6,11 @@
 
 namespace abrazo {
 
-/// References to data, and videos with their sync points, cameras and picked points, in place of those of the
-/// file; in the running transaction.
+/// Replaces the file's data references and its videos with sync points, cameras and picked points, in the
+/// running transaction.
 Status write_data_and_videos(SessionDatabase& database, const Project& project);
 
-/// What can be read; a video whose file is not among the data is one without.
+/// Reads all valid rows. A video whose file is not among the data has no file.
 void read_data_and_videos(TableReader& tables, Project& project);
 
 }  // namespace abrazo

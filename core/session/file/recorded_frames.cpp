@@ -23,7 +23,7 @@ namespace {
 constexpr std::size_t cached_frames = 512;
 /// Damaged frames before a time, until one that can be read is looked for no longer: some 4 s, too.
 constexpr std::int64_t most_passed_over = 512;
-/// Of the whole file: several views ask for it one after the other, and again when a library is another.
+/// Of the whole file: several views request it in turn, and again after a change of library.
 constexpr std::size_t kept_overview_frames = 4096;
 
 using Library = std::shared_ptr<const MotionLibrary>;
@@ -126,7 +126,7 @@ class FileFrames : public RecordedFrames {
   }
 
   Span span() const override {
-    // Whoever only wants to know how far it goes does not wait for somebody who reads a long range.
+    // Readers of the extent do not wait for readers of a long range.
     const std::unique_lock reading(mutex_, std::try_to_lock);
     if (reading.owns_lock()) {
       const Span span = read_span();
@@ -272,7 +272,7 @@ class FileFrames : public RecordedFrames {
     auto found = reader_->frame(index);
     if (!found) {
       note_damage(1, found.error().message);
-      unreadable_.insert(index);  // asked for again and again while a view stands there
+      unreadable_.insert(index);  // requested repeatedly by a parked view
       return nullptr;
     }
     if (!*found) return nullptr;
@@ -313,7 +313,7 @@ class FileFrames : public RecordedFrames {
     return nullptr;
   }
 
-  /// Of the libraries that are at hand the one that a row of the file means; null when it is not among them.
+  /// The available library of a row of the file; null if there is none.
   Library library_of(std::int64_t id) const {
     if (const auto meant = by_row_.find(id); meant != by_row_.end()) return meant->second;
     if (const auto known = by_id_.find(id); known != by_id_.end()) return known->second;

@@ -16,8 +16,7 @@ bool is_readable(SessionStatement& rows, std::int64_t from, std::int64_t last) {
   return readable;
 }
 
-/// The first id behind a place that cannot be read from which on reading works; beyond `last` when there is
-/// none.
+/// The first readable id after a damaged place; beyond `last` if there is none.
 std::int64_t behind_damage(SessionStatement& rows, std::int64_t damaged, std::int64_t last) {
   std::int64_t bad = damaged, step = 1;
   while (bad + step <= last && step <= longest_gap && !is_readable(rows, bad + step, last)) {

@@ -19,7 +19,7 @@ std::uint64_t counted(const SessionStatement& row, int column) {
   return static_cast<std::uint64_t>(std::max<std::int64_t>(0, row.integer(column)));
 }
 
-/// Calls `take` on every row; a table that cannot be read is said, with what of it could be.
+/// Calls `take` on every row; an unreadable table is reported, with its readable rows.
 class Tables {
  public:
   Tables(SessionDatabase& database, std::vector<std::string>& damage)
@@ -112,7 +112,7 @@ void read_tracks(Tables& tables, SessionContents& contents) {
               });
 }
 
-/// What a person said of the session itself, not of takes of the library.
+/// Annotations of the session itself, not of takes of the library.
 void read_annotated(SessionDatabase& database, SessionContents& contents, std::vector<std::string>& damage) {
   if (contents.version < 2) {
     contents.annotations = noted_intervals(database, damage);
@@ -199,7 +199,7 @@ void bound_runs(SessionDatabase& database, SessionContents& contents) {
   }
 }
 
-/// Reads all small tables. What cannot be read is left out and said in `damage`, one sentence each.
+/// Reads all small tables. Unreadable parts are left out and reported in `damage`, one sentence each.
 SessionContents read_contents(SessionDatabase& database, std::vector<std::string>& damage) {
   SessionContents contents;
   if (const auto version = session_version(database)) contents.version = static_cast<int>(*version);
@@ -212,7 +212,7 @@ SessionContents read_contents(SessionDatabase& database, std::vector<std::string
   read_annotated(database, contents, damage);
   read_performers(tables, contents);
   read_takes(tables, contents);
-  // Each kind of damage is said once.
+  // Each kind of damage is reported once.
   std::vector<std::string> once;
   for (std::string& sentence : damage)
     if (std::find(once.begin(), once.end(), sentence) == once.end()) once.push_back(std::move(sentence));
@@ -220,7 +220,7 @@ SessionContents read_contents(SessionDatabase& database, std::vector<std::string
   return contents;
 }
 
-/// What is to be said of sessions that were cut off: how much is there, and which take was open.
+/// Sentences about sessions that were cut off: the recorded length, and the open take.
 std::vector<std::string> recovery_of(const SessionContents& contents) {
   std::vector<std::string> lines;
   for (const SessionRun& run : contents.runs) {

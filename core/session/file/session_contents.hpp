@@ -8,13 +8,13 @@
 
 namespace abrazo {
 
-/// What is known of a session file when it is opened.
+/// Content of a session file, known when it is opened.
 struct SessionFacts {
   SessionContents contents;
-  std::vector<std::string> recovery;  ///< what is to be said of one that was cut off or damaged
+  std::vector<std::string> recovery;  ///< sentences about a file that was cut off or damaged
   bool is_being_recorded = false;
 };
-/// @return an Error when nothing of it can be read
+/// @return an Error if nothing can be read
 Result<SessionFacts> read_facts(SessionDatabase& database);
 
 }  // namespace abrazo

@@ -173,7 +173,7 @@ SessionDatabase::~SessionDatabase() = default;
 
 namespace {
 
-/// A file name as a URI, which is the only way to say "immutable".
+/// A file name as a URI, the only way to set "immutable".
 std::string frozen_uri(const std::string& path) {
   static constexpr char digits[] = "0123456789ABCDEF";
   std::string uri = "file:";
@@ -223,7 +223,7 @@ void defend(sqlite3* database, bool is_salvage) {
   set(SQLITE_DBCONFIG_DEFENSIVE, is_salvage ? 0 : 1);
   set(SQLITE_DBCONFIG_TRUSTED_SCHEMA, 0);
   set(SQLITE_DBCONFIG_ENABLE_TRIGGER, 0);
-  set(SQLITE_DBCONFIG_ENABLE_VIEW, 0);  // those in the file are for people who look into it
+  set(SQLITE_DBCONFIG_ENABLE_VIEW, 0);  // those in the file are for people
   set(SQLITE_DBCONFIG_ENABLE_LOAD_EXTENSION, 0);
   set(SQLITE_DBCONFIG_ENABLE_FTS3_TOKENIZER, 0);
   set(SQLITE_DBCONFIG_DQS_DDL, 0);
@@ -237,10 +237,10 @@ void defend(sqlite3* database, bool is_salvage) {
   sqlite3_limit(database, SQLITE_LIMIT_WORKER_THREADS, 0);
 }
 
-/// Makes the file unless there is one. SQLite would follow a link to nowhere and make what it leads to.
+/// Creates a missing file. SQLite would follow a dangling link and create its target.
 Status make_database_file(const std::string& path) {
   namespace fs = std::filesystem;
-  if (make_new_file(path) || errno != EEXIST) return Done{};  // SQLite says why it cannot be
+  if (make_new_file(path) || errno != EEXIST) return Done{};  // SQLite reports the reason
   std::error_code failure;
   if (!fs::is_symlink(path, failure) || fs::exists(path, failure)) return Done{};
   return Error{"is a link to " + fs::read_symlink(path, failure).string() +
@@ -276,7 +276,7 @@ Result<SessionDatabase> SessionDatabase::open(const std::string& path, Access ac
   opened.set_patience(usual_patience_ms);
   // No page of a file that others may cut short is mapped, and every page is looked over before it is used.
   (void)opened.execute("PRAGMA mmap_size=0; PRAGMA cell_size_check=ON");
-  // Without this a file that is shorter than it says is refused as a whole.
+  // Without this a truncated file is refused as a whole.
   if (access == Access::Salvage) (void)opened.execute("PRAGMA writable_schema=ON");
   const bool writes = access == Access::Write || access == Access::Create;
   if (!writes) (void)opened.execute("PRAGMA query_only=ON");
@@ -344,7 +344,7 @@ void SessionDatabase::set_patience(int milliseconds) {
 }
 
 bool SessionDatabase::is_held_elsewhere() {
-  // A connection that only reads is not even asked for the lock.
+  // A read-only connection cannot test the lock.
   const auto query_only = integer("PRAGMA query_only");
   const bool only_reads = query_only && query_only->value_or(0) != 0;
   if (only_reads) (void)execute("PRAGMA query_only=OFF");

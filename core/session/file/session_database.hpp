@@ -13,7 +13,7 @@
 
 namespace abrazo {
 
-/// Kinds of errors that callers handle.
+/// Kinds of errors that callers distinguish.
 enum class DatabaseFault { Other, Full, Busy, Damaged, NotADatabase, CannotWrite };
 
 /// A prepared statement. Parameters and columns count from 0. Used by one thread at a time, and not longer
@@ -33,15 +33,15 @@ class SessionStatement {
   SessionStatement& bind(int parameter, bool value) { return bind(parameter, std::int64_t{value}); }
   SessionStatement& bind(int parameter, std::string_view text);
   SessionStatement& bind(int parameter, const char* text) { return bind(parameter, std::string_view(text)); }
-  /// The bytes must stay until the next `reset` or `run`.
+  /// The bytes must live until the next `reset` or `run`.
   SessionStatement& bind(int parameter, std::span<const std::uint8_t> blob);
   SessionStatement& bind_null(int parameter);
 
   /// @return whether there is a row
   Result<bool> step();
-  /// Runs one that has no rows to its end and makes it ready for the next parameters.
+  /// Executes a statement without rows and resets it for the next parameters.
   Status run();
-  /// Ends the read transaction that stepping began; parameters stay.
+  /// Ends the read transaction that `step` began; parameters stay.
   void reset();
   DatabaseFault fault() const { return fault_; }  ///< of the last step that failed
 
@@ -49,7 +49,7 @@ class SessionStatement {
   double real(int column) const;
   std::int64_t integer(int column) const;
   std::string text(int column) const;
-  /// Until the next step or reset.
+  /// Valid until the next step or reset.
   std::span<const std::uint8_t> blob(int column) const;
 
  private:
@@ -65,11 +65,11 @@ class SessionStatement {
 class SessionDatabase {
  public:
   enum class Access {
-    Read,    ///< takes in what a crash left beside the file, where the folder can be written; else only reads
-    Frozen,  ///< reads the file alone, as it is; for folders that cannot be written. Nobody may write it
-    Salvage,  ///< reads what can be read of one that is damaged; changes nothing
-    Write,    ///< must be there
-    Create    ///< is made when it is not there
+    Read,     ///< recovers the log of a crash if the folder is writable; otherwise only reads
+    Frozen,   ///< reads the file alone, for read-only folders. No process may write it
+    Salvage,  ///< reads what is readable of a damaged file; changes nothing
+    Write,    ///< must exist
+    Create    ///< created if missing
   };
   static Result<SessionDatabase> open(const std::string& path, Access access);
   SessionDatabase(SessionDatabase&&) noexcept;
@@ -77,11 +77,11 @@ class SessionDatabase {
   ~SessionDatabase();
 
   const std::string& path() const;
-  bool is_salvage() const;  ///< opened so
+  bool is_salvage() const;  ///< opened with Salvage
   /// Statements without parameters or rows, separated by ";".
   Status execute(const std::string& sql);
   Result<SessionStatement> prepare(std::string_view sql);
-  /// First column of the first row; nothing when there is no row.
+  /// First column of the first row; none if there is no row.
   Result<std::optional<std::int64_t>> integer(std::string_view sql);
   Result<std::optional<std::string>> text(std::string_view sql);
 
@@ -91,14 +91,14 @@ class SessionDatabase {
   void set_patience(int milliseconds);
   /// Whether another program holds the file for writing.
   bool is_held_elsewhere();
-  /// Everything that was committed into a file of its own, which appears whole or not at all.
+  /// Copies everything committed to another file, all or nothing.
   Status copy_to(const std::string& path);
-  /// How much of the file itself, without its log, is on the disk now: less than before when another program
-  /// cut it short, 0 when it does not begin as a database any more. Nothing when that cannot be said.
+  /// Bytes of the file on disk, without its log: less than before if another program truncated it, 0 if it no
+  /// longer begins as a database. None if unknown.
   std::optional<std::int64_t> bytes_on_disk() const;
-  /// Closes without touching what lies beside the file.
+  /// Closes without touching the log.
   Status abandon();
-  /// Moves everything from the write-ahead log into the file, which is all there is then.
+  /// Moves the write-ahead log into the file and removes the log.
   Status close();
 
  private:

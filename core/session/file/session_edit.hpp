@@ -10,19 +10,18 @@ namespace abrazo {
 
 class SessionDatabase;
 
-/// Of a take, by its name in the file: what it is called from now on; nothing takes it off the list. Its
-/// frames stay in any case.
+/// New names by the name in the file; none removes the take from the list. Its frames stay in either case.
 using TakeEdits = std::map<std::string, std::optional<std::string>>;
 
-/// Renames takes of a session file or takes them off its list, all or none. Names that the file does not have
-/// are passed over. Not while it is being recorded.
+/// Renames or removes takes of a session file, all or none. Unknown names are ignored. An Error while the
+/// file is being recorded.
 Status edit_session_takes(const std::string& path, const TakeEdits& edits);
 
 /// The same in a running transaction.
 Status apply_take_edits(SessionDatabase& database, const TakeEdits& edits);
 
-/// A copy of a whole session as one file, also of one that is being recorded: with all that is on disk by
-/// then. An existing file is replaced when the copy is complete.
+/// Copies a whole session to one file, also during recording: with everything on disk by then. An existing
+/// file is replaced when the copy is complete.
 Status copy_session(const std::string& path, const std::string& copy);
 
 }  // namespace abrazo

@@ -96,7 +96,7 @@ class OpenSessionFile : public SessionFile {
     const auto last = reader_->last_until(to_s, lowest);
     if (!first || !last) return {lowest, highest};
     if (!*first || !*last) return {1, 0};
-    // A damaged file's times may lie; where nothing is asked to be left out, nothing is.
+    // Times of a damaged file may be wrong; without a limit no row is skipped.
     const bool all =
         from_s <= facts_.contents.first_s && to_s >= facts_.contents.last_s && !facts_.recovery.empty();
     return all ? std::pair{lowest, highest} : std::pair{**first, **last};

@@ -11,14 +11,14 @@
 
 namespace abrazo {
 
-/// All that a session file has, read over one connection, which the frames keep. For whoever opens a session
-/// to look at it or to go on; SessionFile is for going through it.
+/// Everything in a session file, read over one connection, which the frames keep. For opening a session to
+/// view or continue it; SessionFile is for passes over its rows.
 struct SessionReading {
   SessionContents contents;
   std::vector<std::string> recovery;  ///< as SessionFile::recovery
   bool is_being_recorded = false;     ///< by another process or recorder
   ProjectReading project;
-  std::shared_ptr<RecordedFrames> frames;  ///< without a library; null only in a value that was not read
+  std::shared_ptr<RecordedFrames> frames;  ///< without a library; null only in a default value
 };
 Result<SessionReading> read_session(const std::string& path);
 

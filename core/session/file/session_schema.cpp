@@ -88,7 +88,7 @@ std::string foreign_part(const SessionStatement& row) {
   return (is_virtual ? "a virtual table" : "a " + type) + " in place of its table '" + name + "'";
 }
 
-/// A file made by others may say of its tables what would be run when they are read or written.
+/// Tables of an untrusted file may contain triggers or views that run on access.
 Status check_schema_objects(SessionDatabase& database) {
   // Reads the whole schema, so that damage in it is known as such.
   if (const auto count = database.integer("SELECT count(*) FROM sqlite_schema"); !count)
@@ -159,7 +159,7 @@ Result<SessionDatabase> open_session_database(const std::string& path) {
   Status ours = check_session_schema(*database);
   const DatabaseFault fault = database->fault();
   if (!ours && (fault == DatabaseFault::CannotWrite || fault == DatabaseFault::Damaged)) {
-    // The log's index cannot be made in this folder, or there is less of the file than there should be.
+    // The log's index cannot be created in this folder, or the file is truncated.
     database = SessionDatabase::open(path, fault == DatabaseFault::Damaged ? SessionDatabase::Access::Salvage
                                                                            : SessionDatabase::Access::Frozen);
     if (!database) return database.error();

@@ -6,20 +6,19 @@
 
 namespace abrazo {
 
-/// "Abrz", in the header of the file: what `file` and other programs tell a session file by.
+/// "Abrz", in the header of the file: identifies a session file for `file` and other programs.
 inline constexpr std::int64_t session_application_id = 0x4162727a;
-/// Raised when an older program could not read the file.
+/// Increased when older programs cannot read the new layout.
 inline constexpr std::int64_t session_schema_version = 2;
 
-/// Whether nothing was ever put into the database.
+/// Whether the database has no tables.
 Result<bool> is_empty_database(SessionDatabase& database);
 /// Creates tables and views in an empty database. Within a transaction.
 Status create_session_schema(SessionDatabase& database);
-/// The error says what it is instead of a session file that this program can read.
+/// Checks that this program can read the database as a session file; the Error says what it is instead.
 Status check_session_schema(SessionDatabase& database);
 
-/// A session file for reading, with what a crash left beside it; where its folder cannot be written, the file
-/// alone.
+/// Opens a session file for reading, with the log of a crash; the file alone if its folder is read-only.
 Result<SessionDatabase> open_session_database(const std::string& path);
 
 }  // namespace abrazo

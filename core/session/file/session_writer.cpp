@@ -24,7 +24,7 @@ namespace {
 
 /// A frame is some 4 kB: four rows to a page. Every 32nd has its state, 25 kB, and needs further pages.
 constexpr int page_bytes = 16384;
-/// The log is moved into the file when it has so many bytes: some 40 s.
+/// Size at which the log is moved into the file: about 40 s.
 constexpr std::int64_t bytes_in_log = 16 << 20;
 /// Between two sessions in one file.
 constexpr double pause_s = 1;
@@ -94,7 +94,7 @@ Status SessionWriter::prepare_file(const RecorderOptions& options) {
                           std::to_string(static_cast<std::int64_t>(options.largest_file_bytes) / size));
     if (!limited) return limited.error();
   }
-  // From here to the end there is always a transaction of this writer: no other program can write in between.
+  // From here on this writer always holds a transaction, so no other program can write.
   if (const Status begun = database_.execute("BEGIN IMMEDIATE"); !begun) return begun;
   const Status current = *empty ? create_session_schema(database_) : migrate_session_schema(database_);
   if (!current) return current;
@@ -262,7 +262,7 @@ bool SessionWriter::has_own_log() const {
   return log_ && log_->state() == WatchedFile::State::There;
 }
 
-/// Of a file that was deleted: it would be taken for the log of whatever gets the name.
+/// Log of a deleted file: it would be used as the log of the next file of this name.
 void SessionWriter::remove_own_log() {
   std::error_code failure;
   const std::string& path = database_.path();
@@ -285,7 +285,7 @@ Status SessionWriter::write_again() {
     std::error_code failure;
     return fs::exists(path + end, failure);
   };
-  // A log without a file would be taken for ours.
+  // A log without a file would be used as ours.
   const std::array<const char*, 3> ends = {"", "-wal", "-journal"};
   std::error_code failure = std::make_error_code(std::errc::file_exists);
   if (std::none_of(ends.begin(), ends.end(), is_taken)) fs::rename(beside, path, failure);

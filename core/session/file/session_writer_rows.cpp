@@ -95,7 +95,7 @@ Status SessionWriter::note_library(const FrameSnapshot& frame, std::int64_t inde
   return Done{};
 }
 
-/// Every pair that was a candidate has a row that says which recorded frame it is.
+/// Every pair that was a candidate has a row with its recorded frame.
 Status SessionWriter::note_pairs(const FrameSnapshot& frame) {
   for (const Candidate& candidate : frame.result.candidates) {
     const auto pair = static_cast<std::size_t>(candidate.pair);
@@ -204,7 +204,7 @@ Status SessionWriter::write(const Markers& markers) {
   auto row = database_.prepare("INSERT INTO markers (id, run, time_s, name) VALUES (?, ?, ?, ?)");
   if (!row) return keep_fault(row.error());
   for (const Marker& marker : markers.all()) {
-    // Of a session of its own in the file the numbers may be taken.
+    // In a separate session of the file the numbers may be in use.
     facts_.has_times_of_file ? row->bind(0, marker.id) : row->bind_null(0);
     row->bind(1, run_).bind(2, marker.time_s + origin_.offset_s).bind(3, marker.name);
     if (Status written = keep_fault(*row); !written) return written;

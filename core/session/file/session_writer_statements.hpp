@@ -5,7 +5,7 @@
 
 namespace abrazo {
 
-/// Prepared once for what is written in every frame.
+/// Statements prepared once, for what is written in every frame.
 struct SessionWriter::Statements {
   SessionStatement frame, pose, pair, settings, decisions, begin, commit;
 };

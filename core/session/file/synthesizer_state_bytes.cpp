@@ -243,8 +243,8 @@ void skip_glide(BlobReader& in) {
   in.matrix(velocity);
 }
 
-/// While the place was the root's: where the centre of mass goes cannot be had from it. It is not kept, and
-/// the partner goes on from what is shown.
+/// Earlier the place was that of the root, from which the motion of the centre of mass cannot be derived. It
+/// is dropped, and the partner continues from the shown pose.
 void skip_motion_of_the_root(BlobReader& in) {
   constexpr std::size_t number = sizeof(double), point = 3 * number;
   constexpr std::size_t playhead = sizeof(std::int32_t) + 2 * number + 1;  // with the settings that moved it
@@ -258,8 +258,8 @@ void skip_motion_of_the_root(BlobReader& in) {
   for (std::size_t i = 0; i < all; ++i) in.byte();
 }
 
-// The names stand for the fields: a field that is added to a struct stops these lines from compiling, and is
-// then written and read below under a new version.
+// The names bind all fields: a field added to a struct breaks the compilation here, and must then be written
+// and read below under a new version.
 void write(BlobWriter& out, const FrameMemory& memory) {
   const auto& [frames_since_reset, previous, before_previous, previous_dt_s, previous_query, previous_heading,
                current_pair, has_good_result, locks, motion, partner_is_shown, history, user] = memory;

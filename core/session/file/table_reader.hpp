@@ -9,14 +9,14 @@
 
 namespace abrazo {
 
-/// Reads the rows of a project's tables that can be read, and counts and says which could not.
+/// Reads the valid rows of a project's tables; counts and reports the others.
 class TableReader {
  public:
   explicit TableReader(SessionDatabase& database) : database_(database) {}
 
-  /// In order of their id, which is column 0 and not among `columns`. A row that `take` gives an error for is
-  /// damaged.
-  /// @param what  "annotations", for the sentence
+  /// Visits rows in order of their id, which is column 0 and not in `columns`. A row for which `take` returns
+  /// an Error counts as damaged.
+  /// @param what name for messages: "annotations"
   void each(const std::string& what, const std::string& table, const std::string& columns,
             const std::function<Status(const SessionStatement&)>& take);
 
@@ -31,7 +31,7 @@ class TableReader {
   std::vector<std::string> damage_;
 };
 
-/// A number that a double column must have: what SQLite gives as NULL was not a number.
+/// Checks that double columns have numbers: SQLite stores NaN as NULL.
 Status finite(const SessionStatement& row, std::initializer_list<int> columns, const std::string& of);
 
 }  // namespace abrazo

@@ -16,18 +16,18 @@ class PartnerSynthesizer;
 class PoseSink;
 class PoseSource;
 
-/// All a view may ask of the running solver. Applied in order, between two frames.
+/// Everything a view may request of the running solver. Applied in order, between two frames.
 struct SetSettings {
   Settings settings;
 };
 struct PinPair {
   std::optional<int> pair;
 };
-/// All of them, in place of those before.
+/// Replaces all vetoes.
 struct SetVetoes {
   Vetoes vetoes;
 };
-/// Nothing takes it back.
+/// None cancels the intended move.
 struct IntendMove {
   std::optional<MeantMove> move;
 };
@@ -37,22 +37,21 @@ struct SetRoleControl {
 struct ResetSolver {};
 struct PauseInput {
   bool paused = true;
-};  ///< the clip that stands in for the user holds still
+};  ///< pauses the clip that plays the user
 struct SeekInput {
   double time_s = 0;
-};  ///< of the clip
+};  ///< speed of the clip
 struct SetInputSpeed {
   double factor = 1;
 };
 
-/// The parts of a running session, from the next frame on. What is replaced is destroyed by the solver
-/// thread.
+/// Replaces a part of a running session from the next frame on. The solver thread destroys the replaced one.
 struct ReplaceSource {
   std::shared_ptr<PoseSource> source;
   std::shared_ptr<const std::string> input = nullptr;  ///< FrameSnapshot::input of its frames
 };
-/// Another library (a take was added): settings and decisions stay, those on pairs and takes that the new one
-/// does not have fall away.
+/// Another library (a take was added). Settings and decisions stay, except decisions on pairs and takes that
+/// are not in the new library.
 struct ReplaceSynthesizer {
   std::shared_ptr<PartnerSynthesizer> synthesizer;
 };

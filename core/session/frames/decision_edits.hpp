@@ -8,31 +8,31 @@
 
 namespace abrazo {
 
-/// Nothing is pinned, vetoed or meant; who decides about the role is another matter.
+/// Nothing is pinned, vetoed or intended. Role control does not count.
 bool is_neutral(const Decisions& decisions);
 
-/// What a decision is about: the pair itself, all of its take, all with its label.
+/// Scope of a decision: the pair, all of its take, or all with its label.
 enum class Reach { Pair, Take, Label };
 
-/// Pins a pair, which lifts the veto of that pair, or lets it go when it is the pinned one.
+/// Pins a pair and lifts its veto; unpins it if it is pinned.
 Decisions with_pin_toggled(Decisions decisions, int pair);
 
-/// Vetoes, or lifts the veto that is there. A veto that covers the pinned pair lets it go, because a pin is
-/// stronger than a veto.
+/// Adds a veto, or lifts an existing one. A veto that covers the pinned pair unpins it, because a pin
+/// overrides vetoes.
 Decisions with_veto_toggled(Decisions decisions, Reach reach, int pair, const MotionLibrary& library);
-/// The same of a take by name.
+/// The same for a take by name.
 Decisions with_take_toggled(Decisions decisions, const std::string& take, const MotionLibrary& library);
 
 bool is_vetoed(const Decisions& decisions, Reach reach, int pair, const MotionLibrary& library);
-/// By itself, its take or its label.
+/// Vetoed itself, or by its take or label.
 bool is_vetoed(const Decisions& decisions, int pair, const MotionLibrary& library);
 
-/// Another move than the one that is meant.
+/// Whether a move is intended and the pair belongs to another.
 bool is_not_meant(const Decisions& decisions, int pair, const MotionLibrary& library);
 /// "turn", "take salsa_02", "without a label".
 std::string meant_words(const MeantMove& move);
 
-/// A decision in force, in words, and what is left without it.
+/// A decision in force as text, and the decisions without it.
 struct Decision {
   enum class Kind { Veto, Pin, Meant };
   Kind kind = Kind::Veto;
@@ -40,11 +40,12 @@ struct Decision {
   Decisions without;
 };
 
-/// What is meant and the pin first, then labels, takes and pairs; more than three pairs are one decision.
+/// Intended move and pin first, then labels, takes and pairs; more than three pairs are listed as one
+/// decision.
 std::vector<Decision> decisions_in_force(const Decisions& decisions, const MotionLibrary& library);
 
-/// What of the decisions on one library means something in another: those on pairs, takes and labels that it
-/// does not have fall away, pairs are numbered as there.
+/// Decisions on one library translated to another: those on pairs, takes and labels that are not in it are
+/// dropped, pair numbers are converted.
 Decisions carried_over(const Decisions& decisions, const MotionLibrary& from, const MotionLibrary& to);
 
 /// "salsa_06 1342"

@@ -8,14 +8,14 @@
 
 namespace abrazo {
 
-/// "I mean this move": what a person means when the choice is ambiguous (paper 5). By Eq. 7 only pairs
-/// with this label, or of this take, are selected while there are any among those allowed; to the selection
-/// `intent` it is evidence, and other pairs cost `meant-weight` more.
+/// The intended move: what the user declares when the selection is ambiguous (paper 5). Eq. 7 then selects
+/// only pairs with this label, or of this take, as long as any are allowed; for the selection `intent` it is
+/// evidence, and other pairs cost `meant-weight` more.
 struct MeantMove {
   std::optional<std::string> label;
   std::optional<std::string> take;
-  double until_s = -1;      ///< session clock; negative = until it is taken back
-  bool until_done = false;  ///< also until a recorded move that was followed came to its end
+  double until_s = -1;      ///< session clock; negative = until cancelled
+  bool until_done = false;  ///< also ends when a recorded move that was followed ends
   bool operator==(const MeantMove&) const = default;
 };
 
@@ -26,11 +26,11 @@ inline std::optional<MeantPairs> pairs_of(const std::optional<MeantMove>& move) 
 /// What decides the user's role.
 enum class RoleControl {
   Hand,     ///< the setting `user-role`
-  Library,  ///< the annotated role intervals of the recorded pair that is followed
-  Leader,   ///< who leads, seen in the motion: see role_switch.hpp for the rule
+  Library,  ///< annotated role intervals of the recorded pair that is followed
+  Leader,   ///< who leads, judged from the motion; the rule is in role_switch.hpp
 };
 
-/// What a person asked of the selection beside the settings, as one value; kept with every frame.
+/// A person's choices for the selection beside the settings, as one value; kept with every frame.
 struct Decisions {
   std::optional<int> pinned;
   Vetoes vetoes;

@@ -16,7 +16,7 @@ std::size_t bytes_of(const std::vector<T>& values) {
   return values.capacity() * sizeof(T);
 }
 
-/// A store's frames of a time, of those that are asked for by index.
+/// A store's frames by index, restricted to a time range.
 class FramesWithin : public FrameStore {
  public:
   FramesWithin(std::shared_ptr<const FrameStore> store, double from_s, double to_s)
@@ -122,8 +122,8 @@ FrameHistory::Span FrameHistory::span() const {
   return span;
 }
 
-/// What memory has, as a span, and the store, as they are at one time. The store is asked without the lock:
-/// the solver never waits for the disk.
+/// The frames in memory and the store at one moment. The store is queried without the lock: the solver never
+/// waits for the disk.
 std::pair<FrameHistory::Span, std::shared_ptr<const FrameStore>> FrameHistory::view() const {
   const std::scoped_lock lock(mutex_);
   Span span;
@@ -239,15 +239,14 @@ FrameHistory::SolvableAgain FrameHistory::solvable_again(double from_s, double t
   again.run_up = run_up(*first);
   if (!again.run_up.empty()) return again;
   again.is_short = true;
-  // The states are some dozens of frames apart: the next one is near, or there is none.
+  // States are some dozens of frames apart: the next one is near, or missing.
   FrameSnapshotPtr later = again.frames.next();
   while (later && !later->before) later = again.frames.next();
   again.frames = later ? stretch(later->time_s, to_s) : FrameRange();
   return again;
 }
 
-/// All frames before one, back to the last that has a state; empty when there is none, or one between is
-/// lost.
+/// All frames before one, back to the last with a state; empty if there is none, or a frame between is lost.
 std::vector<FrameSnapshotPtr> FrameHistory::run_up(const FrameSnapshot& to) const {
   std::vector<FrameSnapshotPtr> frames;
   std::shared_ptr<const FrameStore> store;

@@ -15,19 +15,19 @@
 
 namespace abrazo {
 
-/// The solved frames of a session, oldest first: those of the last while in memory, bounded in bytes; those
-/// before from a store, when there is one. Appended by the solver thread, read by any; only readers who ask
-/// for what memory no longer has wait for the store.
+/// The solved frames of a session, oldest first: recent ones in memory, bounded in bytes; older ones from a
+/// store if there is one. Appended by the solver thread, read by any thread. Only readers of frames that are
+/// no longer in memory wait for the store.
 class FrameHistory {
  public:
   explicit FrameHistory(std::size_t max_bytes = std::size_t{512} << 20);
 
   void append(FrameSnapshotPtr frame);
-  /// Forgets the frames in memory.
+  /// Drops the frames in memory.
   void clear();
 
-  /// Where frames are kept that memory does not have, or null. They have the same times and indices; those
-  /// that are in both are taken from memory.
+  /// Sets the store of frames that are not in memory, or null. Its frames have the same times and indices; a
+  /// frame in both is taken from memory.
   void set_store(std::shared_ptr<const FrameStore> store);
   std::shared_ptr<const FrameStore> store() const;
 
@@ -35,49 +35,51 @@ class FrameHistory {
     double first_s = 0;  ///< oldest kept, in memory or in the store
     double last_s = 0;
     std::size_t frames = 0;         ///< in memory
-    std::size_t evicted = 0;        ///< dropped from the old end of memory because of the bound
+    std::size_t evicted = 0;        ///< oldest frames dropped from memory because of the bound
     std::size_t bytes = 0;          ///< in memory
-    double memory_first_s = 0;      ///< from here on frames are in memory; after last_s when none is
-    std::uint64_t stored = 0;       ///< frames before that, which only the store has
+    double memory_first_s = 0;      ///< frames from this time on are in memory; after last_s if none is
+    std::uint64_t stored = 0;       ///< older frames, only in the store
     std::uint64_t first_index = 0;  ///< of the oldest kept
   };
   Span span() const;
 
-  /// So many frames of the store `since` gives at most: enough for a timeline or a plot.
+  /// Maximum number of frames that `since` reads from the store: enough for a timeline or a plot.
   static constexpr std::size_t overview_frames = 4096;
   static constexpr std::size_t all_frames = std::numeric_limits<std::size_t>::max();
 
-  /// The frame shown at a time: the last one not after it; the oldest kept when all are after; null when
-  /// empty.
+  /// The frame shown at a time: the last one not after it; the oldest if all are later; null if empty.
   FrameSnapshotPtr at(double time_s) const;
-  /// The frame `steps` before (negative) or after the one shown at `time_s`, held at the ends.
+  /// The frame `steps` before (negative) or after the one shown at `time_s`, clamped to the ends.
   FrameSnapshotPtr stepped(double time_s, int steps) const;
-  /// All frames in [from_s, to_s]. @param most  when the store has more of them they are evenly thinned to so
-  /// many; those in memory all come
+  /// All frames in [from_s, to_s]. @param most maximum number of frames from the store, evenly thinned;
+  /// frames in memory are all returned
   std::vector<FrameSnapshotPtr> range(double from_s, double to_s, std::size_t most = all_frames) const;
-  /// The same, however many they are: held are those in memory and a piece of the others.
+  /// The same for any number of frames: holds those in memory and one piece of the others.
   FrameRange stretch(double from_s, double to_s) const;
-  /// The frames in [from_s, to_s], after those back to the last one that has the synthesizer's state.
+  /// The frames in [from_s, to_s], with the preceding ones back to the last frame that has the synthesizer's
+  /// state.
   struct SolvableAgain {
-    std::vector<FrameSnapshotPtr> run_up;  ///< come before the range; the first has a state
-    FrameRange frames;      ///< the first has a state where there is no run-up; empty when none can be had
-    bool is_short = false;  ///< the range begins later than asked: what it needs is no longer kept
+    std::vector<FrameSnapshotPtr> run_up;  ///< frames before the range; the first has a state
+    FrameRange frames;      ///< the first has a state if there is no run-up; empty if none can be solved
+                            ///< again
+    bool is_short = false;  ///< the range begins later than requested: the frames it needs are no longer kept
   };
   SolvableAgain solvable_again(double from_s, double to_s) const;
-  /// All frames whose index is at least `index`: what is new since a reader looked last. Of those that only
-  /// the store has, at most `overview_frames`, evenly thinned.
+  /// All frames whose index is at least `index`, for incremental readers. Frames that are only in the store
+  /// are evenly thinned to at most `overview_frames`.
   std::vector<FrameSnapshotPtr> since(std::uint64_t index) const;
 
  private:
   std::pair<Span, std::shared_ptr<const FrameStore>> view() const;
   FrameSnapshotPtr remembered(double time_s, int steps, bool only_inside) const;
   FrameSnapshotPtr stored_step(const FrameStore& store, double time_s, int steps) const;
-  /// What memory has of [from_s, to_s], and what only the store has before it.
+  /// The part of [from_s, to_s] in memory, and the earlier part in the store only.
   struct Parts {
     std::vector<FrameSnapshotPtr> remembered;
-    std::shared_ptr<const FrameStore> store;  ///< null when nothing of it is wanted
+    std::shared_ptr<const FrameStore> store;  ///< null if it is not needed
     double stored_to_s = 0;                   ///< its frames end there
-    std::uint64_t first_index = 0;            ///< of the oldest in memory; those from there on are not wanted
+    std::uint64_t first_index = 0;            ///< of the oldest in memory; the store's frames from it on are
+                                              ///< not read
   };
   Parts parts(double from_s, double to_s) const;
   std::vector<FrameSnapshotPtr> run_up(const FrameSnapshot& to) const;
@@ -92,7 +94,7 @@ class FrameHistory {
   std::size_t evicted_ = 0;
 };
 
-/// Memory that a snapshot holds, with its vectors [bytes].
+/// Memory of a snapshot with its vectors [bytes].
 std::size_t size_of(const FrameSnapshot& frame);
 
 }  // namespace abrazo

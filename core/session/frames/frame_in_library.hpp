@@ -7,21 +7,21 @@
 
 namespace abrazo {
 
-/// The pair of a library that shows the same recorded frame with the same character active as a pair of
-/// another does; when it only has the frame with the other one active, that. -1 when it has neither.
+/// The pair of library `to` with the same take, frame and active performer as `pair` of library `from`; if
+/// `to` has that frame only with the other performer active, that pair. -1 if it has neither.
 int same_pair(const MotionLibrary& from, int pair, const MotionLibrary& to);
 
-/// Whether the library has every pair that a frame and the solver's state before it name: a file may say of
-/// its frames what it likes.
+/// Whether the library has every pair that a frame and the solver's state before it name. Guards against
+/// inconsistent files.
 bool has_pairs_of(const MotionLibrary& library, const FrameSnapshot& frame);
 
-/// The pair selected in a frame, numbered as in this library, or as it is where it is not known which library
-/// it is of. -1 when nothing is selected, or the library does not have it.
+/// The pair selected in a frame, numbered as in this library; unchanged if the frame's library is unknown. -1
+/// if nothing is selected, or the library does not have it.
 int selected_pair(const FrameSnapshot& frame, const std::shared_ptr<const MotionLibrary>& library);
 
-/// A frame whose candidates are numbered as in this library: the same object where they are already, or where
-/// it is not known which library they are of (numbers that this one does not have become -1 there).
-/// Candidates that the library does not have fall away; nothing is selected when the selected one does.
+/// A frame with candidates numbered as in this library. The same object if they already are, or if the
+/// frame's library is unknown (numbers out of range become -1). Candidates that are not in the library are
+/// dropped; if the selected one is among them, nothing is selected.
 FrameSnapshotPtr in_library(const FrameSnapshotPtr& frame,
                             const std::shared_ptr<const MotionLibrary>& library);
 

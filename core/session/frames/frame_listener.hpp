@@ -4,7 +4,7 @@
 
 namespace abrazo {
 
-/// Is given every solved frame, in order, by the solver thread: must return at once (the recorder queues).
+/// Receives every solved frame, in order, on the solver thread. Must return at once (the recorder queues).
 class FrameListener {
  public:
   virtual ~FrameListener() = default;

@@ -17,7 +17,7 @@ FrameRange::FrameRange(std::shared_ptr<const FrameStore> store, std::uint64_t fi
 FrameSnapshotPtr FrameRange::next() {
   while (in_piece_ == piece_.size())
     if (!read_piece()) return in_memory_ < remembered_.size() ? remembered_[in_memory_++] : nullptr;
-  // The piece lets go of what was given, so that nothing is held longer than it is used.
+  // Releases returned frames, so that none is held longer than used.
   return std::move(piece_[in_piece_++]);
 }
 

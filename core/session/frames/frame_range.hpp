@@ -10,12 +10,11 @@
 
 namespace abrazo {
 
-/// The frames of a stretch of time as it was when a FrameHistory was asked for it (FrameHistory::stretch), in
-/// order and of any length: those that only the store has are read a piece at a time, when their turn comes.
-/// Outlives the history. Not thread-safe.
+/// The frames of a time range at the moment of FrameHistory::stretch, in order and of any number. Frames that
+/// are only in the store are read piece by piece on demand. Outlives the history. Not thread-safe.
 class FrameRange {
  public:
-  /// So many frames of the store are held at most: 2 s at 120 Hz.
+  /// Maximum number of store frames held at once: 2 s at 120 Hz.
   static constexpr std::uint64_t piece = 256;
 
   FrameRange() = default;
@@ -25,21 +24,21 @@ class FrameRange {
              std::vector<FrameSnapshotPtr> remembered);
 
   bool empty() const { return size() == 0; }
-  /// How many there are; of those in the store, some may turn out not to be readable.
+  /// Number of frames; some of those in the store may turn out to be unreadable.
   std::uint64_t size() const { return end_ - first_ + remembered_.size(); }
-  /// The next one; null after the last.
+  /// The next frame; null after the last.
   FrameSnapshotPtr next();
-  /// From the first one again.
+  /// Returns to the first frame.
   void rewind();
 
  private:
   bool read_piece();
 
   std::shared_ptr<const FrameStore> store_;
-  std::uint64_t first_ = 0, end_ = 0;  ///< that only the store has, by index
+  std::uint64_t first_ = 0, end_ = 0;  ///< indices of frames that are only in the store
   std::vector<FrameSnapshotPtr> remembered_;
   std::vector<FrameSnapshotPtr> piece_;
-  std::uint64_t unread_ = 0;  ///< index of the store's next frame that is not in the piece
+  std::uint64_t unread_ = 0;  ///< index of the store's first frame after the piece
   std::size_t in_piece_ = 0, in_memory_ = 0;
 };
 
@@ -48,8 +47,8 @@ class FrameRangeAtTimes {
  public:
   explicit FrameRangeAtTimes(FrameRange frames) : frames_(std::move(frames)) {}
 
-  /// The first one when all are after `time_s`; null when there is none. A time before that of the call
-  /// before starts from the beginning.
+  /// The first frame if all are after `time_s`; null if there are none. A time before that of the previous
+  /// call rewinds.
   FrameSnapshotPtr at(double time_s);
 
  private:

@@ -13,38 +13,38 @@ class MotionLibrary;
 struct Decisions;
 struct SynthesizerState;
 
-/// Where the time between a packet and the partner's answer went; session clock, -1 where it did not happen.
+/// Times of one frame from a packet to the partner's answer; session clock, -1 = did not happen.
 struct FrameTimes {
   double arrived_s = -1;    ///< first packet of the pose, by the kernel's stamp where there is one
-  double assembled_s = -1;  ///< the pose was whole
-  double taken_s = -1;      ///< the solver took it (behind the jitter buffer)
+  double assembled_s = -1;  ///< the pose was complete
+  double taken_s = -1;      ///< the solver took it (after the jitter buffer)
   double solved_s = -1;
-  double sent_s = -1;  ///< the last packet of the partner was handed to the network
+  double sent_s = -1;  ///< the last packet of the partner was passed to the network
 };
 
-/// One solved frame, frozen: all that was computed and under which settings. Filled by the solver thread,
-/// then only read.
+/// One solved frame, frozen: everything computed, and the settings. Filled by the solver thread, then
+/// read-only.
 struct FrameSnapshot {
   std::uint64_t index = 0;        ///< counts solved frames of the session from 0
   double time_s = 0;              ///< session clock
-  std::int64_t input_frame = -1;  ///< frame of the clip that was the input; -1 when the input has none
-  Pose user = Pose::Zero();       ///< the input as it came, world [m]
+  std::int64_t input_frame = -1;  ///< frame of the input clip; -1 if the input is not a clip
+  Pose user = Pose::Zero();       ///< the input as received, world space [m]
   FrameResult result;
   Settings settings;
-  double elapsed_s = -1;  ///< as the step was given it; negative when none was taken
-  /// What the synthesizer kept before this step: in the first frame, after every command and each so many
-  /// frames; else null. From there on the frames can be solved again.
+  double elapsed_s = -1;  ///< as passed to the step; negative if there was no step
+  /// The synthesizer's state before this step: in the first frame, after every command and at regular
+  /// intervals; else null. Frames can be solved again from here on.
   std::shared_ptr<const SynthesizerState> before;
-  std::shared_ptr<const Decisions> decisions;  ///< under which it was solved; null where none were made
-  /// That it was solved with, whose pairs the candidates are; null where it is no longer known.
+  std::shared_ptr<const Decisions> decisions;  ///< in force during the step; null if there are none
+  /// The library of the step, to which the candidates refer; null if unknown.
   std::shared_ptr<const MotionLibrary> library;
-  /// The name of its input in a recording: URI or clip; null where only who records knows it.
+  /// The name of its input in a recording: URI or clip; null if only the recorder knows it.
   std::shared_ptr<const std::string> input;
   FrameTimes times;
   double input_rate_hz = 0;  ///< measured
-  /// The selection that was asked for still learns the library; Eq. 7 selected. Not recorded.
+  /// The requested selection was still learning the library, so Eq. 7 selected. Not recorded.
   bool is_learning = false;
-  std::uint64_t dropped_inputs = 0;  ///< poses that a newer one replaced before they were solved
+  std::uint64_t dropped_inputs = 0;  ///< poses replaced by a newer one before they were solved
 };
 
 using FrameSnapshotPtr = std::shared_ptr<const FrameSnapshot>;

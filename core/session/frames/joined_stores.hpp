@@ -6,8 +6,8 @@
 
 namespace abrazo {
 
-/// Two stores as one: up to where the later one begins, frames come from the earlier. Either may be null;
-/// then it is the other.
+/// Two stores as one: frames before the begin of the later store come from the earlier. If one is null,
+/// returns the other.
 std::shared_ptr<const FrameStore> joined_stores(std::shared_ptr<const FrameStore> earlier,
                                                 std::shared_ptr<const FrameStore> later);
 

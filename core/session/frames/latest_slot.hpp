@@ -7,8 +7,8 @@
 
 namespace abrazo {
 
-/// Hands the newest value from one thread to another. Publishing never waits for the reader; older values
-/// vanish.
+/// Passes the newest value from one thread to another. Publishing never waits for the reader; older values
+/// are dropped.
 template <typename T>
 class LatestSlot {
  public:
@@ -20,7 +20,7 @@ class LatestSlot {
     }  // the replaced value is destroyed here, outside the lock
   }
 
-  /// The newest value if it is newer than `seen_version`, which is then brought up to date; otherwise null.
+  /// The newest value if it is newer than `seen_version`, which is then updated; otherwise null.
   std::shared_ptr<const T> take_if_newer(std::uint64_t& seen_version) const {
     const std::scoped_lock lock(mutex_);
     if (version_ == seen_version) return nullptr;

@@ -113,7 +113,7 @@ void Playback::change_speed(int steps) {
 void Playback::set_speed(double factor) {
   const double wanted = std::clamp(std::abs(factor), slowest, fastest);
   if (state == State::Following && wanted < 1) state = State::Playing;
-  // Only what plays backwards now goes on backwards.
+  // Only a cursor that plays backwards now continues backwards.
   speed = state == State::Following ? 1 : state == State::Playing ? std::copysign(wanted, speed) : wanted;
 }
 

@@ -4,11 +4,11 @@
 
 namespace abrazo {
 
-/// The time cursor of the workbench: one timeline for what was recorded and what is still coming in.
-/// Plain data and rules; the caller says how much time passed.
+/// The time cursor of the workbench: one timeline for recorded and incoming frames. Plain data and rules; the
+/// caller passes the elapsed time.
 struct Playback {
   enum class State { Parked, Playing, Following };
-  /// What playing does at the end of the range between in and out, or of all there is.
+  /// What playing does at the end of the range between in and out, or of the whole timeline.
   enum class Repeat { Loop, PingPong };
   struct Range {
     double from_s = 0;
@@ -22,43 +22,44 @@ struct Playback {
   State state = State::Following;
   double cursor_s = 0;
   double speed = 1;    ///< negative plays backwards
-  double first_s = 0;  ///< range there is
+  double first_s = 0;  ///< available range
   double last_s = 0;
-  bool every_frame = false;  ///< rather slower than asked than with a frame left out
+  bool every_frame = false;  ///< play slower rather than skip frames
   bool loop = false;
   Repeat repeat = Repeat::Loop;
-  bool in_set = false;  ///< by hand; what is not set lies at the end of what there is
+  bool in_set = false;  ///< set by the user; an end that is not set lies at the end of the available range
   bool out_set = false;
   double in_s = 0;  ///< a range only when out_s > in_s
   double out_s = 0;
 
-  /// New data extends the range; only a following cursor moves with it. What was evicted pulls the cursor
-  /// along.
+  /// New data extends the range; only a following cursor moves with it. A cursor on evicted data moves to the
+  /// new start.
   void extend(double first, double last);
-  /// Time passes: a playing cursor moves, and follows once it reaches the live end at its speed or faster.
+  /// Advances the time: a playing cursor moves, and follows once it reaches the live end at its speed or
+  /// faster.
   void advance(double elapsed_s);
-  /// The same, but not past the frame that comes next. @return how much of the time it took
+  /// The same, but not past the next frame. @return the time consumed [s]
   double advance_to_next(double elapsed_s, double next_frame_s);
   void seek(double time_s);  ///< parks there
   void play();               ///< from the cursor; at the end, or outside a looped range, starts over
   void pause();              ///< parks where the cursor is
-  void toggle();             ///< parks, or plays onwards whatever the direction was before
-  void follow();             ///< goes to the live end and stays there
-  /// J, K, L: -1 backwards, 0 stop, 1 onwards; again in the same direction doubles the speed up to 8.
+  void toggle();             ///< parks, or plays forward whatever the direction was before
+  void follow();             ///< goes to the live end and follows it
+  /// J, K, L: -1 backward, 0 stop, 1 forward; the same direction again doubles the speed up to 8.
   void shuttle(int direction);
-  /// So many of the usual speeds up, or down (negative). As set_speed.
+  /// Moves `steps` up (negative: down) the list of usual speeds. Otherwise as set_speed.
   void change_speed(int steps);
-  /// Held to 0.01 .. 10; the direction of playing stays. A following cursor falls behind when it is slower
-  /// than 1, and cannot be faster.
+  /// Clamped to 0.01 .. 10; the direction stays. A following cursor falls behind below 1 and cannot be faster
+  /// than 1.
   void set_speed(double factor);
 
-  void set_in();  ///< at the cursor; an out before it is given up
+  void set_in();  ///< at the cursor; clears an out point before it
   void set_out();
   void clear_in();
   void clear_out();
-  /// Both, in either order; an empty range clears them.
+  /// Sets both ends, in either order; an empty range clears them.
   void set_range(double a_s, double b_s);
-  /// What of the range between in and out there still is.
+  /// The part of the range between in and out that is still available.
   std::optional<Range> range() const;
 
   double behind_live_s() const { return last_s - cursor_s; }

@@ -52,7 +52,7 @@ class LibraryTakeFrames : public TakeFrames {
     return {time_of(0), time_of(places_.size() - 1), 0, places_.size() - 1, places_.size()};
   }
   FrameSnapshotPtr at(double time_s) const override {
-    // Times of frames come back from who adds and subtracts them.
+    // Tolerance for frame times after additions and subtractions.
     const int frame = static_cast<int>(std::floor(time_s * about_.fps + 1e-6));
     const auto after = std::upper_bound(places_.begin(), places_.end(), frame,
                                         [](int wanted, Place place) { return wanted < place.frame; });
@@ -98,7 +98,7 @@ class LibraryTakeFrames : public TakeFrames {
 
   using Kept = std::list<std::pair<std::size_t, FrameSnapshotPtr>>;
   mutable std::mutex mutex_;
-  mutable Kept kept_;  ///< the one asked for last in front
+  mutable Kept kept_;  ///< most recently used first
   mutable std::unordered_map<std::size_t, Kept::iterator> kept_at_;
 };
 

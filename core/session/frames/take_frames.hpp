@@ -11,22 +11,21 @@
 
 namespace abrazo {
 
-/// A take of a library as frames of a session: looked at with everything that looks at solved frames. Nothing
-/// is solved: the result of each frame is what was recorded, performer A where the active character is and B
-/// where the passive one is, whoever leads; that is said by the take's roles. Frame f of the take has the
-/// time f / fps and the index of its place among the library's frames of the take. Made when they are asked
-/// for; those asked for last are kept.
+/// A take of a library as session frames, so that every view of solved frames can show it. Nothing is solved:
+/// the result of a frame is the recorded pair, with performer A as the active character and B as the passive
+/// one, whoever leads; the take's roles say who leads. Frame f of the take has the time f / fps; its index is
+/// its position among the library's frames of the take. Frames are made on demand and cached.
 class TakeFrames : public FrameStore {
  public:
-  /// @return an Error when the library has no frame of such a take
+  /// @return an Error if the library has no frame of this take
   static Result<std::shared_ptr<const TakeFrames>> create(std::shared_ptr<const MotionLibrary> library,
                                                           std::string_view take);
 
   /// Of the take's file.
   virtual double fps() const = 0;
-  /// Frames that the take's file has; the last ones may be missing in the library.
+  /// Number of frames in the take's file; the last ones may be missing in the library.
   virtual int take_frames() const = 0;
-  /// The pair of the library that a frame is made of. @throws std::out_of_range
+  /// The library pair from which a frame is made. @throws std::out_of_range
   virtual int pair(std::uint64_t index) const = 0;
 };
 

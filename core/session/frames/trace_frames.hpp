@@ -13,16 +13,16 @@
 
 namespace abrazo {
 
-/// The frames of a trace file (JSON lines), read one at a time: of a long one only the places of its lines
-/// are kept. They have what the trace says of bodies, user, mesh, selected pair, locks and contacts;
-/// candidates only in number, since their pairs are of a library that is not at hand. Not thread-safe.
+/// The frames of a trace file (JSON lines), read one at a time; only the line offsets are kept in memory.
+/// They have the bodies, user, mesh, selected pair, locks and contacts of the trace, but only the number of
+/// candidates, because the library is not available. Not thread-safe.
 class TraceFrames {
  public:
-  /// Goes through the file once and checks every line. The error names file and line.
+  /// Reads the file once and checks every line. The Error names file and line.
   static Result<TraceFrames> open(const std::filesystem::path& file, const Progress& progress);
 
   const TraceHeader& header() const { return header_; }
-  /// Ascending [s].
+  /// Frame times, ascending [s].
   const std::vector<double>& times_s() const { return times_s_; }
   /// The last frame not after a time, the first before it.
   Result<FrameSnapshotPtr> at(double time_s);
@@ -34,7 +34,7 @@ class TraceFrames {
   std::ifstream stream_;
   TraceHeader header_;
   std::vector<double> times_s_;
-  std::vector<std::streamoff> places_;  ///< of the frames' lines
+  std::vector<std::streamoff> places_;  ///< offsets of the frames' lines
   FrameSnapshotPtr newest_;
   std::size_t newest_index_ = 0;
 };

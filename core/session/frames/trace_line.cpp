@@ -15,7 +15,7 @@ namespace {
 
 using Json = nlohmann::json;
 
-/// Reads fields of one line; the first that is wrong is kept as the error, and the rest left out.
+/// Reads fields of one line; keeps the first error and skips the rest.
 class LineReader {
  public:
   LineReader(const Json& json, std::string where) : json_(json), where_(std::move(where)) {}
@@ -25,7 +25,7 @@ class LineReader {
     if (!error_) error_ = Error{fmt::format("\"{}\" {}", field, why), where_};
   }
 
-  /// Null where there is no such field.
+  /// Null if there is no such field.
   const Json* find(const char* group, const char* field) const {
     const Json* in = &json_;
     if (group) {
@@ -111,7 +111,7 @@ void take_mesh(LineReader& reader, FrameResult& result, EdgeWeights weights) {
   }
   if (reader.error() || !active || !passive) return;
   result.selected_pair << *active, *passive;
-  // What the trace leaves out follows from what it has.
+  // Values not in the trace are derived.
   Laplacian laplacian;
   laplacian.build(result.edges, result.selected_pair, weights);
   const PairPose residuals = laplacian.apply(result.result - result.selected_pair);
@@ -122,7 +122,7 @@ void take_mesh(LineReader& reader, FrameResult& result, EdgeWeights weights) {
   }
 }
 
-/// Candidates only in number: their pairs are of a library that is not at hand.
+/// Only the number of candidates: their library is not available.
 void take_selected(LineReader& reader, FrameResult& result) {
   constexpr std::size_t most = 10'000;
   const Json* candidates = reader.find(nullptr, "candidates");

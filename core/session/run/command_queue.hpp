@@ -21,13 +21,13 @@ class CommandQueue {
     wake_up_->notify();
   }
 
-  /// All that wait, leaving none.
+  /// Takes all waiting commands.
   std::vector<Command> drain() {
     const std::scoped_lock lock(mutex_);
     return std::exchange(waiting_, {});
   }
 
-  /// Notified of every command; whoever else has something for the solver thread notifies it too.
+  /// Notified of every command. Other producers for the solver thread notify it too.
   const std::shared_ptr<WakeUp>& wake_up() const { return wake_up_; }
 
  private:

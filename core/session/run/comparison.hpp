@@ -13,7 +13,7 @@
 
 namespace abrazo {
 
-/// What came of a task so far.
+/// Results of a comparison task so far.
 struct Comparison {
   ComparisonTask task;
   /// Frames of both runs at the same indices, without meshes and morph steps. Still growing while not done.
@@ -22,17 +22,16 @@ struct Comparison {
   std::vector<ComparedStep> steps;
   Settings settings_a, settings_b;  ///< at the last step
   bool done = false;
-  bool is_short = false;  ///< begins later than asked: older inputs are no longer kept
-  double fraction = 0;    ///< solved of a task with an end
-  double solve_s = 0;     ///< time it took
-  std::string trouble;    ///< why there is nothing
+  bool is_short = false;  ///< begins later than requested: older inputs are no longer kept
+  double fraction = 0;    ///< progress of a task with an end, 0..1
+  double solve_s = 0;     ///< computation time
+  std::string trouble;    ///< why there is no result
 };
 
-/// Carries out one task, some frames at a time. Without a thread of its own; driven by ComparisonRunner, and
-/// by tests.
+/// Runs one task, a few frames at a time. Has no thread; driven by ComparisonRunner and by tests.
 class ComparisonRun {
  public:
-  /// Solvers of both runs, made when they are first needed and used by one run after the other.
+  /// Solvers of both runs, created on first use and reused by later runs.
   struct Solvers {
     std::shared_ptr<const MotionLibrary> library;
     std::vector<std::string> excluded_takes;
@@ -41,10 +40,11 @@ class ComparisonRun {
   /// The history and the solvers outlive the run.
   ComparisonRun(ComparisonTask task, const FrameHistory& recorded, Solvers& solvers);
 
-  /// Solves up to so many further frames. @return false when there is nothing to do (now, or at all)
+  /// Solves up to `frames` further frames. @return false if there is nothing to do (now, or at all)
   bool advance(std::size_t frames);
   bool is_done() const { return state_.done; }
-  /// With figures over all that was solved; of one that goes on over the last 10 s with the same settings.
+  /// The results with figures over all solved frames; for an endless task over the last 10 s with the same
+  /// settings.
   std::shared_ptr<const Comparison> measured();
 
  private:
@@ -58,8 +58,8 @@ class ComparisonRun {
   Comparison state_;
   std::shared_ptr<FrameHistory> a_, b_;
   FrameRange waiting_;
-  std::uint64_t solved_ = 0;  ///< of waiting_
-  FrameSnapshotPtr last_;     ///< that was solved; null = none yet
+  std::uint64_t solved_ = 0;  ///< number solved of waiting_
+  FrameSnapshotPtr last_;     ///< last solved frame; null = none yet
 };
 
 }  // namespace abrazo

@@ -13,8 +13,8 @@
 
 namespace abrazo {
 
-/// Carries out comparisons on a thread of its own, beside the live solver. A new task takes the place of the
-/// one before, at once. Destruction stops within a frame.
+/// Runs comparisons on a separate thread beside the live solver. A new task replaces the present one at once.
+/// Destruction stops it within one frame.
 class ComparisonRunner {
  public:
   /// @param recorded  outlives the runner
@@ -23,9 +23,9 @@ class ComparisonRunner {
   ~ComparisonRunner();
 
   void ask(const ComparisonTask& task);
-  /// Nothing is solved any more; what was published stays.
+  /// Stops solving; published results stay.
   void cancel();
-  /// What came last of any task, if it is newer; @see LatestSlot
+  /// The newest result of any task, if newer than `seen`; @see LatestSlot
   std::shared_ptr<const Comparison> take_if_newer(std::uint64_t& seen) const {
     return results_.take_if_newer(seen);
   }

@@ -11,7 +11,7 @@ namespace {
 constexpr double longest_gap_s = 0.3;
 constexpr double smallest_distance_m = 1e-3;  ///< nearer than that is the recording itself
 
-/// Pairs that say what a performer in this role does: the library knows who led.
+/// Pairs of a performer in this role: those annotated with who led.
 std::vector<bool> unknown_pairs(const MotionLibrary& library) {
   std::vector<bool> left_out(static_cast<std::size_t>(library.pair_count()));
   for (int pair = 0; pair < library.pair_count(); ++pair) {

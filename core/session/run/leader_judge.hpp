@@ -13,34 +13,34 @@
 
 namespace abrazo {
 
-/// How well a user's motion is that of a recorded performer who leads, and of one who follows.
+/// How well a user's motion fits recorded performers who lead, and those who follow.
 struct RoleFit {
   double active_m = -1;   ///< d_active: root mean square distance of the joints to the best recorded stretch
-  double passive_m = -1;  ///< d_passive; -1 while not enough of the motion is known
-  /// Mean over the last while of ln(d_passive / d_active): above 0 the user moves like one who leads.
+  double passive_m = -1;  ///< d_passive; -1 = too little motion seen yet
+  /// Running mean of ln(d_passive / d_active): above 0 the user moves like a leader.
   double evidence = 0;
 };
 
-/// Judges from the user's motion alone whether the user leads: the partner is our own answer and says
-/// nothing.
+/// Judges from the user's motion alone whether the user leads. The partner is synthesised and carries no
+/// evidence.
 ///
-/// The user is put on the body of the recorded active and of the recorded passive performers. For either
-/// role,
+/// The user is retargeted to the body of the recorded active and of the recorded passive performers. For
+/// either role,
 ///   d_role^2 = min_c 1/25/L sum_{l<L} |p(t - l T/(L-1)) - p_c(t_c - l T/(L-1))|^2
-/// over the recorded stretches that end in one of the k pairs nearest to the pose now (those where the
-/// library says who led); p are the poses of a stretch seen from the root at its end, so that steps and turns
-/// count as well as limbs.
+/// over the recorded stretches that end in one of the k pairs nearest to the present pose (only those
+/// annotated with who led). p are the poses of a stretch relative to the root at its end, so that steps and
+/// turns count as well as limbs.
 class LeaderJudge {
  public:
   static constexpr double stretch_s = 1.0;             ///< T
   static constexpr int poses_of_stretch = 6;           ///< L
   static constexpr int neighbours = 20;                ///< k
   static constexpr double memory_s = 1.0;              ///< time constant of the mean
-  static constexpr double between_looks_s = 1.0 / 30;  ///< it looks no oftener
+  static constexpr double between_looks_s = 1.0 / 30;  ///< minimum interval between evaluations
 
   explicit LeaderJudge(std::shared_ptr<const RoleViews> views);
 
-  /// The user's next pose. A jump back in time or a gap starts again.
+  /// Adds the user's next pose. A jump back in time or a gap resets the judge.
   void see(const Pose& user, const Body& user_body, double time_s);
   const RoleFit& fit() const { return fit_; }
 
@@ -50,10 +50,10 @@ class LeaderJudge {
     Pose pose;  ///< on the role's body, world
     RootFrame root;
   };
-  /// All that is kept for one of the two roles.
+  /// State of one of the two roles.
   struct Side {
     RoleViews::View view;
-    std::vector<bool> left_out;  ///< pairs for which it is unknown who led, or where it was the other
+    std::vector<bool> left_out;  ///< pairs with unknown leader, or led by the other performer
     std::optional<BodyRetargeter> retargeter;
     std::deque<Seen> seen;
     std::vector<PoseMatch> matches;

@@ -8,8 +8,8 @@
 
 namespace abrazo {
 
-/// Between the solver thread and a listener: once it is shut no frame comes through any more, also none that
-/// is on its way.
+/// Stands between the solver thread and a listener: after it is shut, no frame reaches the listener, not even
+/// one in progress.
 class ListenerGate : public FrameListener {
  public:
   explicit ListenerGate(std::shared_ptr<FrameListener> behind) : behind_(std::move(behind)) {}

@@ -18,7 +18,7 @@ constexpr double interval_smoothing = 0.1;
 /// Solving up to a frame from the last kept state takes a few milliseconds; a state is as large as a frame.
 constexpr std::uint64_t frames_between_states = 32;
 constexpr double intervals_until_loss = 3;  ///< of a slow source
-/// A source whose times are farther from the session's runs on a clock of its own.
+/// A source with a larger time difference to the session uses another clock.
 constexpr double same_clock_s = 1;
 constexpr double least_between_frames_s = 1e-6;
 
@@ -31,7 +31,7 @@ bool same_body(const Body& a, const Body& b) {
          a.toe_rest_height == b.toe_rest_height;
 }
 
-/// In place of what was solved from a library whose file others damaged: that would be nonsense.
+/// Replaces a result from a damaged library file, which would be meaningless.
 void hold(FrameSnapshot& snapshot, const FrameSnapshotPtr& last, const std::string& why) {
   snapshot.elapsed_s = -1;
   snapshot.before = nullptr;
@@ -173,7 +173,7 @@ double LiveLoop::loss_after_s() const {
   return rate_hz > 0 ? std::max(tracking_loss_s, intervals_until_loss / rate_hz) : tracking_loss_s;
 }
 
-/// After a while without a pose one frame says so, and the sinks hear of it until there is one again.
+/// After a while without a pose one frame reports it, and the sinks are informed until poses return.
 void LiveLoop::wait_for_pose(double now_s) {
   if (!is_lost_ && now_s - waiting_since_s_ >= loss_after_s()) {
     is_lost_ = true;
@@ -247,7 +247,7 @@ std::shared_ptr<const SynthesizerState> LiveLoop::state_if_due() {
   return std::make_shared<const SynthesizerState>(control_.synthesizer().state());
 }
 
-/// Frames of a session that goes on from a recorded one are counted from there.
+/// Frames of a continued session are numbered from the recorded ones.
 void LiveLoop::continue_counting() {
   const auto recorded = history_.store();
   if (next_index_ > 0 || !recorded) return;

@@ -19,23 +19,23 @@
 namespace abrazo {
 
 /// One turn of the live loop without a thread: commands, newest pose, step, sinks, snapshot. Owned by the
-/// solver thread; driven by tests with a clock of their own. The queue, history and slot outlive it.
+/// solver thread; tests drive it with an injected clock. Queue, history and slot must outlive it.
 class LiveLoop {
  public:
-  /// @param clock  session clock, read when a step is solved and when it is sent; without one both count as
-  /// the time that `turn` was given
+  /// @param clock session clock, read after solving and after sending; without it both times are that of
+  /// `turn`
   LiveLoop(std::shared_ptr<PartnerSynthesizer> synthesizer, std::shared_ptr<PoseSource> source,
            CommandQueue& commands, FrameHistory& history, LatestSlot<FrameSnapshot>& latest,
            std::function<double()> clock = {});
   ~LiveLoop();
 
   /// @param now_s  session clock
-  /// @return session time until which there is nothing to do, unless `wake_up` is notified
-  /// @throws std::runtime_error when a command could not be done, at the end: the others are done and a pose
-  /// that is due is solved all the same
+  /// @return session time of the next work, unless `wake_up` is notified earlier
+  /// @throws std::runtime_error if a command failed; thrown at the end, after the other commands and a due
+  /// pose were handled
   double turn(double now_s);
 
-  /// A failed snapshot with this text; the partner holds its last pose.
+  /// Publishes a failed snapshot with this text; the partner holds its last pose.
   void publish_failure(const std::string& why, double now_s);
 
   /// Notified when a command or a pose came in.
@@ -67,19 +67,19 @@ class LiveLoop {
   PartnerOutput output_;
   std::vector<std::shared_ptr<FrameListener>> listeners_;
 
-  std::optional<Body> source_body_;  ///< as the source gave it last
+  std::optional<Body> source_body_;  ///< last one given by the source
   std::uint64_t next_index_ = 0;
-  std::uint64_t state_due_ = 0;  ///< index of the next frame that keeps the synthesizer's state
+  std::uint64_t state_due_ = 0;  ///< index of the next frame to keep the synthesizer's state
   double previous_time_s_ = -1;  ///< of the last pose, on the source's clock
   double last_frame_s_ = -1;     ///< of the last frame, session clock
-  double waiting_since_s_ = -1;  ///< for a pose; before the first turn not yet
-  bool is_lost_ = false;         ///< there was no pose for too long
+  double waiting_since_s_ = -1;  ///< waiting for a pose since; -1 before the first turn
+  bool is_lost_ = false;         ///< no pose for too long
   bool has_solved_ = false;
   double smoothed_interval_s_ = 0;
-  std::uint64_t dropped_before_ = 0;  ///< by the sources before this one
+  std::uint64_t dropped_before_ = 0;  ///< by previous sources
   std::uint64_t dropped_at_start_ = 0, dropped_now_ = 0;
   bool is_first_of_source_ = true;
-  std::string trouble_;  ///< what could not be done in this turn; thrown at its end
+  std::string trouble_;  ///< what failed in this turn; thrown at its end
 };
 
 }  // namespace abrazo

@@ -10,21 +10,20 @@
 
 namespace abrazo {
 
-/// A move that a person can mean, and how near the user is to it: "turn (0.12 m)".
+/// A move that can be declared as intended, and the user's distance to it: "turn (0.12 m)".
 struct MeantChoice {
   std::string label;             ///< "" = pairs without one
   int pairs = 0;                 ///< that may be selected
-  int nearest = -1;              ///< the pair of this label whose features are nearest to the user's
+  int nearest = -1;              ///< pair of this label nearest to the user in feature space
   double feature_distance = -1;  ///< of that pair, Euclidean [m]; -1 without a frame
   double pose_distance = -1;  ///< root mean square over the joints, normalised poses [m]; -1 without a frame
 };
 
-/// Every label that may be selected, the nearest to a frame's user first.
+/// All selectable labels, nearest to a frame's user first.
 /// @param frame  under `user_role`; null: in alphabetical order, without distances
 std::vector<MeantChoice> meant_choices(const RoleViews& views, UserRole user_role, const FrameResult* frame);
 
-/// Whether any pair that may be selected is meant; the Error lists the labels or takes there are, with
-/// counts.
+/// Checks that a move matches a selectable pair; the Error lists the available labels or takes with counts.
 Status check_meant(const RoleViews& views, const MeantMove& move);
 
 }  // namespace abrazo

@@ -11,35 +11,34 @@
 
 namespace abrazo {
 
-/// The poses of two performers as they come in, and the paired take that they make. Safe to call from any
-/// thread.
+/// Collects the incoming poses of two performers and makes a paired take of them. Thread-safe.
 class PairCapture {
  public:
   PairCapture(std::string a, std::string b) : names_{std::move(a), std::move(b)} {}
 
-  /// Of others than the two it is passed over, and so is one that is not newer than the last.
+  /// Ignores poses of other performers and poses that are not newer than the last.
   void add(const ReceivedPose& pose);
   const std::string& a() const { return names_[0]; }
   const std::string& b() const { return names_[1]; }
 
   struct State {
     std::size_t a = 0, b = 0;  ///< poses
-    double length_s = 0;       ///< in which both were there
+    double length_s = 0;       ///< time in which both were tracked
   };
   State state() const;
 
   struct Wishes {
     std::string name;
-    ActivePerformer leads = ActivePerformer::Unknown;  ///< throughout
-    std::string label;                                 ///< of all of it; empty = none
-    double in_s = 0, out_s = 0;                        ///< cut off at the beginning and at the end
+    ActivePerformer leads = ActivePerformer::Unknown;  ///< for the whole take
+    std::string label;                                 ///< for the whole take; empty = none
+    double in_s = 0, out_s = 0;                        ///< trimmed at the beginning and at the end
   };
-  /// Longest time without a pose of a performer, within what is used of it.
+  /// Longest accepted gap between poses of a performer within the take.
   static constexpr double longest_gap_s = 0.25;
   static constexpr double shortest_s = 0.5;
 
-  /// Both at the lower of their rates, frame for frame: joints go straight from pose to pose.
-  /// @return an Error when one of them was not there, was lost for too long, or too little is left
+  /// Both performers resampled at the lower of their rates; joints are interpolated linearly.
+  /// @return an Error if a performer is missing, was lost for too long, or too little is left
   Result<PairedTake> take(const Wishes& wishes) const;
 
  private:

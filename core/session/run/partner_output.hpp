@@ -12,12 +12,12 @@
 
 namespace abrazo {
 
-/// The bones that a character's poses have in a result: those of the library's usual performer in its role.
+/// The bone lengths of a character's poses in a result: those of the library's usual performer in its role.
 const Body& body_of_character(const MotionLibrary& library, Character character, UserRole user_role);
 
-/// Both characters on their way out: what was solved goes to every sink immediately, and while there is
-/// nothing to solve the last poses are repeated as not tracked, `held_rate_hz` times a second. Each sink is
-/// given the bones of its poses before the first of them, and again when role or library change them.
+/// Sends both characters: solved poses go to every sink immediately; while nothing is solved, the last poses
+/// are repeated as not tracked, `held_rate_hz` times a second. Each sink gets the body before the first pose,
+/// and again when role or library change it.
 class PartnerOutput {
  public:
   static constexpr double held_rate_hz = 10;
@@ -29,9 +29,9 @@ class PartnerOutput {
   /// @return whether anything was sent
   bool send(const FrameResult& result, const std::shared_ptr<const MotionLibrary>& library,
             UserRole user_role, double time_s);
-  /// The poses sent last, if it is time again. @return whether anything was sent
+  /// Repeats the last poses if they are due. @return whether anything was sent
   bool hold(double time_s);
-  /// When `hold` has something to do next.
+  /// Time of the next due `hold`.
   double next_hold_s() const {
     if (!has_poses_ || sinks_.empty()) return std::numeric_limits<double>::infinity();
     return sent_s_ + 1 / held_rate_hz;
@@ -44,7 +44,7 @@ class PartnerOutput {
   struct Attached {
     Character character;
     std::shared_ptr<PoseSink> sink;
-    std::shared_ptr<const MotionLibrary> library = nullptr;  ///< whose bones it was given, in which role
+    std::shared_ptr<const MotionLibrary> library = nullptr;  ///< library of the body it was given
     UserRole user_role = UserRole::Active;
   };
   std::vector<Attached> sinks_;

@@ -63,7 +63,7 @@ std::shared_ptr<FrameSnapshot> ReSolver::solve(const FrameSnapshot& recorded, co
   solved->decisions = recorded.decisions;
   solved->input_rate_hz = recorded.input_rate_hz;
   solved->dropped_inputs = recorded.dropped_inputs;
-  const bool was_stepped = recorded.elapsed_s >= 0;  // otherwise there is nothing to take again
+  const bool was_stepped = recorded.elapsed_s >= 0;  // otherwise there is nothing to restore
   solved->result =
       was_stepped ? synthesizer_->step(recorded.user, Duration(recorded.elapsed_s)) : recorded.result;
   return solved;

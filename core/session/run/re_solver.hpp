@@ -9,23 +9,22 @@
 
 namespace abrazo {
 
-/// Solves recorded inputs again, with the recorded settings or with others, on a synthesizer of its own: the
-/// one that recorded them is never touched. With the recorded settings the results have the same bits.
-/// Not thread-safe.
+/// Solves recorded inputs again, with the recorded or other settings, on a separate synthesizer. With the
+/// recorded settings the results are identical to the bit. Not thread-safe.
 class ReSolver {
  public:
-  /// Of the library and excluded takes that the frames were recorded with. Builds an index over the library.
+  /// Takes library and excluded takes of the recording. Builds an index over the library.
   static Result<std::unique_ptr<ReSolver>> create(std::shared_ptr<const MotionLibrary> library,
                                                   const std::vector<std::string>& excluded_takes);
   explicit ReSolver(std::unique_ptr<PartnerSynthesizer> synthesizer);
 
-  /// Goes to where the recording solver was before the frame after `run_up`, which starts with one that has a
-  /// state. An empty run-up goes to before `next`, which then has a state itself.
-  /// @throws std::invalid_argument when neither has one
+  /// Restores the recording solver's state before the frame after `run_up`, whose first frame has a state.
+  /// With an empty run-up it restores the state in `next`.
+  /// @throws std::invalid_argument if there is no state
   void go_to(std::span<const FrameSnapshotPtr> run_up, const FrameSnapshot& next);
 
-  /// The input of `recorded` once more, after the frames solved so far: with its time and index, but these
-  /// settings and their result. Decisions and fresh starts are those of the recording.
+  /// Solves the input of `recorded` after the frames solved so far. The frame has its time and index, and
+  /// these settings and their result. Decisions and restarts are those of the recording.
   std::shared_ptr<FrameSnapshot> solve(const FrameSnapshot& recorded, const Settings& settings);
 
  private:
@@ -33,7 +32,7 @@ class ReSolver {
   void follow_decisions(const Decisions& decisions);
 
   std::unique_ptr<PartnerSynthesizer> synthesizer_;
-  Decisions decisions_;  ///< those that the synthesizer was given
+  Decisions decisions_;  ///< those last set in the synthesizer
 };
 
 }  // namespace abrazo

@@ -47,7 +47,7 @@ struct SetFingerprint {
 using Item = std::variant<FrameSnapshotPtr, ReceivedPose, BeginTake, EndTake, Markers, SetLibraryPath,
                           SetFingerprint, ProjectPtr, EditTakes>;
 
-/// One thread owns the writer; the others leave what is to be written in a queue.
+/// One thread owns the writer; others put data in a queue.
 class FileRecorder : public Recorder {
  public:
   FileRecorder(std::unique_ptr<SessionWriter> writer, std::shared_ptr<RecordedFrames> store,
@@ -238,7 +238,7 @@ class FileRecorder : public Recorder {
     return written;
   }
 
-  /// Counts what is on disk now, or says why it is not.
+  /// Counts the data on disk, or reports why it is not.
   void settle(std::deque<Item>& batch, const Status& written) {
     const std::uint64_t bytes = writer_->bytes();
     const std::string misplaced = writer_->misplaced();
@@ -287,7 +287,7 @@ class FileRecorder : public Recorder {
     queue_.clear();
     state_.take.clear();
     state_.bytes = writer_->bytes();
-    if (state_.failure == misplaced_) state_.failure.clear();  // closing says what became of it
+    if (state_.failure == misplaced_) state_.failure.clear();  // closing reports the result
     if (!closed && state_.failure.empty()) state_.failure = closed.error().message;
     if (!state_.failure.empty())
       finished_ =
@@ -343,7 +343,7 @@ class FileRecorder : public Recorder {
   const std::shared_ptr<LibraryFingerprints> fingerprints_;
   std::unique_ptr<SessionWriter> writer_;  ///< of the thread
   std::shared_ptr<RecordedFrames> store_;
-  std::string misplaced_;                    ///< of the thread: said at the last write
+  std::string misplaced_;                    ///< owned by the thread: reported at the last write
   bool failed_ = false;                      ///< of the thread: the last attempt to write
   std::optional<std::int64_t> library_row_;  ///< of the thread: of the newest frame
   std::vector<Unknown> unknown_;             ///< of the thread

@@ -18,32 +18,31 @@ namespace abrazo {
 
 struct Project;
 
-/// Writes a running session into a session file, on a thread of its own: everything that was received, the
-/// settings and decisions, every result. Not yet on disk is at most what came in the last
-/// `commit_interval_s`, and the write in progress. Everything but `finish` and `flush` returns immediately
-/// and may be called from any thread.
+/// Writes a running session into a session file on a separate thread: received poses, settings, decisions and
+/// every result. At most the last `commit_interval_s` and the write in progress are not yet on disk. All
+/// functions except `finish` and `flush` return immediately. Thread-safe.
 class Recorder : public FrameListener {
  public:
-  /// Creates the file, or goes on in one that a recorder wrote: then its times and frame indices follow
-  /// those that are in the file.
+  /// Creates the file, or continues one that a recorder wrote: times and frame indices then follow those in
+  /// the file.
   static Result<std::shared_ptr<Recorder>> open(const std::string& path, const RecordingFacts& facts,
                                                 const RecorderOptions& options = {});
 
-  /// Listener of a StreamReceiver: a raw pose of any performer.
+  /// For a StreamReceiver: records a raw pose of any performer.
   virtual void pose_received(const ReceivedPose& pose) = 0;
 
-  /// From here on the frames belong to a take of this name, until `end_take`; all are kept either way. A take
-  /// that is still open ends.
+  /// The following frames belong to a take of this name, until `end_take`; all frames are recorded either
+  /// way. Ends an open take.
   virtual void begin_take(const std::string& name) = 0;
   virtual void end_take() = 0;
 
-  /// The markers of this session, in place of those before.
+  /// Replaces the markers of this session.
   virtual void set_markers(const Markers& markers) = 0;
-  /// The project into the same file, beside what is recorded, in place of the one there; with the next write.
+  /// Replaces the project in the same file with the next write.
   virtual void save_project(std::shared_ptr<const Project> project) = 0;
-  /// Takes of the file, also of its runs before, by the names they have when this is written.
+  /// Edits takes of the file, also of previous runs, by the names they have when this is written.
   virtual void edit_takes(const TakeEdits& edits) = 0;
-  /// Where a library can be opened again that frames will name, other than that of RecordingFacts.
+  /// Sets the file of a library that frames will name, other than that of RecordingFacts.
   virtual void set_library_path(const std::shared_ptr<const MotionLibrary>& library,
                                 const std::string& path) = 0;
 
@@ -51,21 +50,21 @@ class Recorder : public FrameListener {
     std::string path;
     std::uint64_t frames = 0, poses = 0, bytes = 0;
     double behind_s = 0;     ///< age of the oldest frame that is not on disk yet
-    std::string take;        ///< being recorded; empty = none
-    std::string failure;     ///< why nothing more is written (disk full), or would not be found (the file was
-                             ///< deleted): frames are lost from then on. Empty again when it could go on
-    std::uint64_t lost = 0;  ///< frames and poses that are not and will not be on disk
+    std::string take;        ///< open take; empty = none
+    std::string failure;     ///< why frames are being lost: the disk is full or the file was deleted. Empty
+                             ///< again once writing continues
+    std::uint64_t lost = 0;  ///< frames and poses that will never be on disk
   };
   virtual State state() const = 0;
 
-  /// What is already written, readable while it goes on, with this session's times and indices: for a
-  /// history that reaches back to the disk.
+  /// The written frames, readable during recording, with this session's times and indices. For the history's
+  /// store.
   virtual std::shared_ptr<const FrameStore> store() const = 0;
 
-  /// Waits until all that was handed over is on disk. @return why it is not
+  /// Waits until everything queued is on disk. An Error if it could not be written
   virtual Status flush() = 0;
-  /// Waits until all is on disk, with the fingerprint of the library, and closes the file. @return what went
-  /// wrong
+  /// Waits until everything is on disk, with the library's fingerprint, and closes the file. An Error says
+  /// what failed
   virtual Status finish() = 0;
 };
 

@@ -11,14 +11,14 @@
 
 namespace abrazo {
 
-/// Whether the library says enough for something other than the hand to decide.
+/// Checks that the library has the annotations that a role control needs.
 Status check_role_control(const RoleViews& views, RoleControl by);
 
-/// What a RoleSwitch is given after each step.
+/// Input of a RoleSwitch after each step.
 struct RoleEvidence {
   const FrameResult& result;
-  const Pose& user;                      ///< as it came
-  const std::optional<Body>& user_body;  ///< measures of the user; none while they are not known
+  const Pose& user;                      ///< as received
+  const std::optional<Body>& user_body;  ///< of the user; none = unknown
   double time_s = 0;
 };
 
@@ -26,7 +26,7 @@ struct RoleEvidence {
 ///
 /// Library: the user plays performer A or B of the take that is followed: A when the user is active on a pair
 /// whose active performer is A, or passive on one whose active performer is B. The role is the one that this
-/// performer has in the take's annotation `look_ahead_s` later; where it is not annotated, it stays. It
+/// performer has in the take's annotation `look_ahead_s` later; where it is not annotated, the role stays. It
 /// counts once the same take was followed without a cut for `followed_s`.
 ///
 /// Leader: the mean evidence of LeaderJudge has to pass ln(clearly_better) on the other side.
@@ -45,7 +45,7 @@ class RoleSwitch {
   /// @return the role from the next step on
   UserRole after(const RoleEvidence& evidence);
   UserRole role() const { return role_; }
-  /// Of the motion so far, while who leads decides.
+  /// The judge of the motion so far; null unless Leader decides.
   const LeaderJudge* judge() const { return judge_ ? &*judge_ : nullptr; }
 
  private:
@@ -56,7 +56,7 @@ class RoleSwitch {
   RoleControl by_ = RoleControl::Hand;
   UserRole role_;
   std::optional<LeaderJudge> judge_;
-  double since_s_ = -1;           ///< of this role; before the first step under control not yet
+  double since_s_ = -1;           ///< begin of this role; -1 before the first step under control
   double followed_since_s_ = -1;  ///< of the take
 };
 

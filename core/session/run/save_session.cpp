@@ -11,7 +11,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The references completed for the session file; those of files that no longer exist as they were saved.
+/// Completed references for the session file; for missing files the saved ones.
 Project with_contents(const SessionToSave& what) {
   Project project = what.project;
   for (DataReference& data : project.data) {

@@ -21,7 +21,7 @@ namespace {
 
 constexpr double longest_clip_rate_hz = 120;
 
-/// A source that says when the solver thread let go of it.
+/// A source that reports when the solver thread releases it.
 class LentSource {
  public:
   explicit LentSource(std::unique_ptr<PoseSource> source) : source_(std::move(source)) {}
@@ -125,7 +125,7 @@ struct SessionEngine::Parts {
   std::shared_ptr<PoseSource> own_source;  ///< of the constructor; belongs to the solver thread
   std::string own_input;                   ///< its name in a recording, which only the caller knows
   std::shared_ptr<const RoleViews> views;
-  UserRole role;  ///< that was asked for last
+  UserRole role;  ///< last requested
 
   std::shared_ptr<StreamReceiver> receiver;
   std::future<void> lent_source;  ///< when the source that plays was taken back; invalid: it is our own
@@ -148,7 +148,7 @@ SessionEngine::SessionEngine(std::unique_ptr<PartnerSynthesizer> synthesizer,
                                      std::move(source), clock, std::move(openers))) {}
 
 SessionEngine::~SessionEngine() {
-  [[maybe_unused]] const Status recorded = stop_recording();  // who wants to know asks before
+  [[maybe_unused]] const Status recorded = stop_recording();  // callers check beforehand
   parts_->stop_recording_poses();
 }
 
@@ -272,7 +272,7 @@ Status SessionEngine::record(const std::string& path, const RecordingFacts& fact
   RecordingFacts complete = facts;
   if (!complete.library) complete.library = parts_->views->library();
   if (!parts_->lent_source.valid()) parts_->own_input = facts.input;
-  complete.input = parts_->own_input;  // frames of a lent source say what theirs is
+  complete.input = parts_->own_input;  // frames of a lent source name their input
   complete.fingerprints = parts_->fingerprints;
   auto opened = parts_->openers.recorder(path, complete);
   if (!opened) return opened.error();

@@ -18,10 +18,10 @@
 
 namespace abrazo {
 
-/// A running session with all that belongs to it: solver thread, source, sinks, recorder. One for the window
-/// and for `abrazo live`. Called by one thread (the window's); ends with this object, which waits for the
-/// running step and for what the recorder still has to write. The library is prepared for both roles beside
-/// the solver, so that a change of the user's role does not hold it up.
+/// A running session with its solver thread, source, sinks and recorder; used by the window and by `abrazo
+/// live`. Called by one thread (the window's). The destructor waits for the running step and the recorder's
+/// queue. The library is prepared for both roles in the background, so that a role change does not delay the
+/// solver.
 class SessionEngine {
  public:
   SessionEngine(std::unique_ptr<PartnerSynthesizer> synthesizer, std::shared_ptr<PoseSource> source,
@@ -29,42 +29,41 @@ class SessionEngine {
   ~SessionEngine();
 
   void push(const Command& command);
-  /// `push` of what cannot be taken back by looking at it: an Error when no pair that may be selected is
-  /// meant; it lists what could be.
+  /// Declares the intended move. An Error if it matches no selectable pair; it lists the available moves.
   Status intend(const MeantMove& move);
-  /// An Error when the library does not say who leads, and only the hand can decide.
+  /// Sets the role control. An Error if the library lacks the annotations it needs.
   Status control_role(RoleControl by);
-  /// The moves that could be intended now, best fit to the newest frame first.
+  /// The moves that can be intended now, nearest to the newest frame first.
   std::vector<MeantChoice> meant_choices() const;
   const FrameHistory& history() const;
   const LatestSlot<FrameSnapshot>& latest() const;
   const SessionClock& clock() const;
 
-  /// Opens a stream and takes its poses for the user's from then on; the source there was stays ready.
-  /// @param performer  empty = the first that is seen
-  /// On a failure all stays as it was.
+  /// Opens a stream; from then on its poses are the user's. The previous source stays ready. No change on
+  /// failure.
+  /// @param performer empty = the first that appears
   Status receive(const StreamUri& uri, const std::string& performer = {},
                  const StreamReceiverOptions& options = {});
-  /// Another performer of the open stream plays the user.
+  /// Selects another performer of the open stream as the user.
   void follow_performer(const std::string& performer);
-  /// Closes the stream; the source of the constructor goes on.
+  /// Closes the stream and returns to the source of the constructor.
   void stop_receiving();
-  std::shared_ptr<StreamReceiver> receiver() const;  ///< null when no stream is open
+  std::shared_ptr<StreamReceiver> receiver() const;  ///< null if no stream is open
 
-  /// A character's poses to where the URI says, with the bones of the library's performer in its role, also
-  /// after that role or the library changed.
+  /// Sends a character's poses to the URI, with the bone lengths of the library's performer in its role, also
+  /// after role or library change.
   Status send(const StreamUri& uri, Character character);
   void stop_sending(const std::string& uri);
   std::vector<SinkHealth> sinks() const;
 
-  /// Goes on from a recorded session: its frames are the history so far. To be called before the first frame;
-  /// the clock has to be behind them.
+  /// Continues a recorded session: its frames become the history. Call before the first frame; the clock must
+  /// be later than those frames.
   void look_back(std::shared_ptr<const FrameStore> recorded);
 
-  /// Everything from now on into a session file; the history reaches back into it.
+  /// Records everything from now on into a session file, which also extends the history.
   Status record(const std::string& path, const RecordingFacts& facts);
-  std::shared_ptr<Recorder> recorder() const;  ///< null when nothing is recorded
-  /// @return what went wrong while writing
+  std::shared_ptr<Recorder> recorder() const;  ///< null if not recording
+  /// @return an Error if writing failed
   Status stop_recording();
 
  private:

@@ -10,7 +10,7 @@
 
 namespace abrazo {
 
-/// What a SessionEngine opens outside the program. Tests give it their own.
+/// Factories for the resources that a SessionEngine opens outside the program. Tests replace them.
 struct SessionOpeners {
   std::function<Result<std::shared_ptr<StreamReceiver>>(const StreamUri&, const SessionClock&,
                                                         const StreamReceiverOptions&)>

@@ -27,7 +27,7 @@ class Replay {
 
   Status solve(const FrameSnapshot& recorded, double from_s,
                const std::function<Status(const FrameSnapshot&)>& each) {
-    const bool is_before = recorded.time_s < from_s;  // the way to where it begins
+    const bool is_before = recorded.time_s < from_s;  // the run-up to its start
     const auto frame = std::make_shared<const FrameSnapshot>(recorded);
     if (!is_of_library(recorded)) {
       if (!is_before) skip("it was solved with another library");

@@ -58,7 +58,7 @@ SelectionMethod SolverControl::possible_selection(UserRole role) {
   }
   if (const auto trouble = views.intent_trouble(role)) {
     could_not_learn_[number(role)] = true;
-    untold_ = "Eq. 7 goes on selecting: the library could not be learned, " + trouble->message;
+    untold_ = "Eq. 7 continues to select: learning the library failed, " + trouble->message;
   } else {
     views.prepare_intent(role);
   }
@@ -118,7 +118,7 @@ void SolverControl::control_role(RoleControl by) {
 }
 
 void SolverControl::replace(std::shared_ptr<PartnerSynthesizer> synthesizer) {
-  synthesizer->set_settings(synthesizer_->settings());  // throws while all is as it was
+  synthesizer->set_settings(synthesizer_->settings());  // may throw; nothing is changed yet
   const std::shared_ptr<PartnerSynthesizer> before = std::exchange(synthesizer_, std::move(synthesizer));
   decide(carried_over(current_, before->library(), synthesizer_->library()));
   could_not_learn_ = {};

@@ -11,34 +11,34 @@
 
 namespace abrazo {
 
-/// What a person asked of the running solver, and what of it holds at present: settings and decisions.
-/// Applies them to the synthesizer; the only one who does.
+/// The requested settings and decisions of the running solver, and those now in force. The only class that
+/// applies them to the synthesizer.
 class SolverControl {
  public:
   explicit SolverControl(std::shared_ptr<PartnerSynthesizer> synthesizer);
 
   PartnerSynthesizer& synthesizer() const { return *synthesizer_; }
 
-  /// The user's role among them counts while the hand decides about it.
+  /// The user's role in the settings applies only under RoleControl::Hand.
   void set_settings(const Settings& settings);
   void pin(std::optional<int> pair);
   void set_vetoes(const Vetoes& vetoes);
   void intend(const std::optional<MeantMove>& move);
   void control_role(RoleControl by);
-  /// Settings and decisions stay, but those on pairs, takes and labels that the new library does not have
-  /// fall away. Both bodies go on from where they are.
+  /// Settings and decisions stay, except decisions on pairs, takes and labels that are not in the new
+  /// library. Both bodies continue from where they are.
   void replace(std::shared_ptr<PartnerSynthesizer> synthesizer);
 
-  /// Before a step: a declared move that was in force until now is released, the role changes where it is to.
+  /// Before a step: releases an intended move that has ended and applies a due change of role.
   /// @return whether anything changed
   bool before_step(double now_s);
-  /// After a step, as `PartnerSynthesizer::step` was given it.
+  /// After a step, with the input of `PartnerSynthesizer::step`.
   void after_step(const FrameResult& result, const Pose& user, double time_s);
 
-  /// The selection that was asked for waits until it has learned the library; Eq. 7 selects meanwhile.
+  /// Whether the requested selection is still learning the library; Eq. 7 selects meanwhile.
   bool is_learning() const;
 
-  /// Under which the next step is solved; null while there are none.
+  /// The decisions for the next step; null if there are none.
   const std::shared_ptr<const Decisions>& decisions() const { return decisions_; }
 
  private:
@@ -54,10 +54,10 @@ class SolverControl {
   std::shared_ptr<const Decisions> decisions_;
   UserRole asked_role_;                    ///< by the hand
   SelectionMethod asked_selection_;        ///< by the hand
-  std::array<bool, 2> could_not_learn_{};  ///< by role; until it is asked for again
-  std::string untold_;                     ///< why, thrown after the next step's changes
+  std::array<bool, 2> could_not_learn_{};  ///< by role; until requested again
+  std::string untold_;                     ///< unreported reason, thrown after the next step's changes
   RoleSwitch role_switch_;
-  int followed_pair_ = -1;  ///< of the intended move
+  int followed_pair_ = -1;  ///< pair of the intended move followed last
   bool move_is_done_ = false;
 };
 

@@ -12,7 +12,7 @@ namespace abrazo {
 
 namespace {
 
-/// A source that does not say when poses come in is asked this often.
+/// Polling interval of a source that does not report arrivals.
 constexpr double longest_sleep_s = 0.005;
 /// The same failure over and over is one frame so often, not one each turn.
 constexpr double between_failures_s = 1;

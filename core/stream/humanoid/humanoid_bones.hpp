@@ -57,15 +57,15 @@ using PerBone = std::array<T, humanoid::bone_count>;
 const std::string& humanoid_bone_name(int bone);
 /// By exact name. Thumbs by VRM 0's names (Proximal, Intermediate, Distal).
 std::optional<int> humanoid_bone(std::string_view name);
-/// -1 for the hips. Optional bones (chest, neck, shoulders, toes) are parents too, whether there or not.
+/// -1 for the hips. Optional bones (chest, neck, shoulders, toes) are parents too, present or not.
 int humanoid_parent(int bone);
 
-/// From a bone to its parent's in a T-pose that faces +Z, of an adult of some 1.7 m; the hips' from the floor
-/// [m].
+/// Offset of a bone from its parent in a T-pose facing +Z, for an adult of about 1.7 m; of the hips from the
+/// floor [m].
 Vec3 average_bone_offset(int bone);
 
-/// Beyond the last bone of a limb: the toe tip from the toes (or the foot), the knuckles from the hand, the
-/// crown from the head, T-pose [m].
+/// Offset of an end of a limb from its last bone: the toe tip from the toes (or the foot), the knuckles from
+/// the hand, the crown from the head, T-pose [m].
 Vec3 average_end_offset(int bone);
 
 }  // namespace abrazo

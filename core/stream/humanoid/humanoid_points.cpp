@@ -103,7 +103,7 @@ HumanoidPoints::World HumanoidPoints::raw_world(const HumanoidPose& pose) const 
 void HumanoidPoints::calibrate(const HumanoidPose& t_pose) {
   using namespace humanoid;
   const World raw = raw_world(t_pose);
-  // Without offsets only hips that stand upright tell where they face; others have a rest rotation.
+  // Without offsets only upright hips give the facing direction; others have a rest rotation.
   const bool hips_are_upright = (raw.rotation[Hips] * Vec3::UnitY()).y() > 0.85;
   const Rotation& facing = hips_are_upright ? raw.rotation[Hips] : t_pose.root_rotation;
   const Vec3 left = t_pose.lacks_offsets() ? Vec3(facing * Vec3::UnitX())
@@ -129,7 +129,7 @@ void HumanoidPoints::calibrate(const HumanoidPose& t_pose) {
       rest.offset[b] = straight * seen.norm();
       swings[b] = smallest_rotation(seen, straight);
     }
-    if (bone == LeftFoot || bone == RightFoot) swings[b] = Rotation::Identity();  // it stands on the floor
+    if (bone == LeftFoot || bone == RightFoot) swings[b] = Rotation::Identity();  // it is on the floor
     rest.end[b] = t_pose.end[b] ? Vec3(swings[b] * (heading.inverse() * (raw.rotation[b] * *t_pose.end[b])))
                                 : Vec3(size_of(t_pose) * average_end_offset(bone));
   }

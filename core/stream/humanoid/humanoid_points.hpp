@@ -15,23 +15,23 @@ struct HumanoidPose {
   PerBone<bool> present{};  ///< bones that the sender has
   PerBone<Vec3> position;   ///< from the nearest ancestor that is present
   PerBone<Eigen::Quaterniond> rotation;
-  PerBone<std::optional<Vec3>> end;  ///< of a limb beyond its last bone, where the sender tells
+  PerBone<std::optional<Vec3>> end;  ///< end of a limb beyond its last bone, if the sender gives it
   Vec3 root_position = Vec3::Zero();
   Eigen::Quaterniond root_rotation = Eigen::Quaterniond::Identity();
 
   HumanoidPose();
-  /// Distances between bones are nought: the sender tells rotations only.
+  /// Whether all offsets are zero: the sender gives rotations only.
   bool lacks_offsets() const;
-  /// Nearest ancestor that is present; -1 when there is none.
+  /// Nearest ancestor that is present; -1 if there is none.
   int parent(int bone) const;
 };
 
-/// Turns a humanoid's local rotations into points in the world: the bones by their names, and the ends of
+/// Converts a humanoid's local rotations to points in the world: the bones by their names, and the ends of
 /// limbs as "<bone>_End" (toe tips, knuckles, crown).
 ///
-/// Rotations are taken as they are, so that positions are right for any rest pose; only ends, and bodies
-/// whose sender tells no offsets, need rest rotations to be none (VRM 0). `calibrate` lifts that: from then
-/// on rotations are counted from those of that instant, and bones stand in a T-pose then.
+/// Rotations are used unchanged, so positions are right for any rest pose. Only ends, and bodies without
+/// offsets, require identity rest rotations (VRM 0). `calibrate` removes this requirement: rotations are then
+/// relative to those at calibration, when the bones are in a T-pose.
 class HumanoidPoints {
  public:
   /// The performer stands in the T-pose.
@@ -51,9 +51,9 @@ class HumanoidPoints {
     PerBone<Vec3> position;
     PerBone<Eigen::Quaterniond> rotation;
   };
-  /// What was seen in the T-pose.
+  /// Measurements in the T-pose.
   struct Rest {
-    PerBone<Eigen::Quaterniond> inverse;  ///< turns a bone's world rotation into that from the T-pose
+    PerBone<Eigen::Quaterniond> inverse;  ///< converts a bone's world rotation to one relative to the T-pose
     PerBone<Vec3> offset;                 ///< T-pose facing +Z
     PerBone<Vec3> end;
   };

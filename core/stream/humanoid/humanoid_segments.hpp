@@ -6,10 +6,10 @@
 
 namespace abrazo {
 
-/// Places and turns of a humanoid's bones in the world; those it does not have are as their parent.
+/// Positions and rotations of a humanoid's bones in the world; missing bones are as their parent.
 PerBone<SegmentPose> world_segments(const HumanoidPose& pose);
 
-/// The 25 joints of a body that stands in a T-pose, facing +Z, its toes at their rest height.
+/// The 25 joints of a body in a T-pose facing +Z, with toes at rest height.
 Pose t_pose(const Body& body);
 
 }  // namespace abrazo

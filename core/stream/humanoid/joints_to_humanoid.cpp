@@ -32,7 +32,7 @@ constexpr double no_plane = 0.1, full_plane = 0.35;
 /// smallest rotation where nothing tells it.
 constexpr double follow_rad_s = 12, return_rad_s = 1.5;
 
-/// Part of the way from thorax to shoulder where the collar bone begins.
+/// Start of the collar bone, as a share of the distance from thorax to shoulder.
 constexpr double collar_share = 0.15;
 
 double smooth_step(double from, double to, double value) {
@@ -98,9 +98,9 @@ void JointsToHumanoid::restart() {
   trails_.fill(std::nullopt);
 }
 
-/// What of the T-pose is not among the lengths of a body: how the triangle of root and hips leans in an
-/// upright pelvis, and how an ankle stands above the toes. Both as in the first pose, which most often is
-/// upright and stands.
+/// Properties of the T-pose that body lengths do not determine: the inclination of the triangle of root and
+/// hips in an upright pelvis, and the position of the ankle above the toes. Both are taken from the first
+/// pose, which is usually upright.
 void JointsToHumanoid::start(const Pose& joints) {
   const Eigen::Matrix3d pelvis = pelvis_rotation(joints, flat_pelvis_);
   const Vec3 up = pelvis.transpose() * direction(joints, Root, LowerBack, pelvis.col(1));
@@ -159,7 +159,7 @@ void JointsToHumanoid::end(int bone, const Vec3& position_world) {
   made_.end[b] = rotations_[b].inverse() * (position_world - positions_[b]);
 }
 
-/// World rotation of a bone that is turned from its parent by no more than its direction asks.
+/// World rotation of a bone with the smallest rotation from its parent.
 Rotation JointsToHumanoid::swung(int bone, const Rotation& parent, const Vec3& axis, const Vec3& towards) {
   const auto b = static_cast<std::size_t>(bone);
   const Vec3 local = parent.inverse() * towards;

@@ -8,19 +8,19 @@
 
 namespace abrazo {
 
-/// Turns the 25 joints into the local rotations and places of Unity's humanoid bones, counted from a T-pose:
-/// what an avatar shows that knows rotations only. Places are those of the pose, so that nothing is lost
-/// where the 25 joints move in ways that rotations of this skeleton do not give (lower back against pelvis,
-/// neck against chest, collar bones).
+/// Converts the 25 joints to local rotations and positions of Unity's humanoid bones, relative to a T-pose,
+/// for avatars that use rotations only. Positions are those of the pose, so that motion which rotations of
+/// this skeleton cannot express is preserved (lower back relative to pelvis, neck relative to chest, collar
+/// bones).
 ///
-/// What positions leave open: an arm's or leg's twist comes from the plane in which it is bent, a straight
-/// leg's from its foot; where neither tells, it is carried along and returns slowly to the smallest rotation
-/// from the T-pose. Head and hands are not twisted against neck and forearm.
+/// Positions leave the twist open: that of an arm or leg comes from the plane in which it is bent, that of a
+/// straight leg from its foot; otherwise it is carried along and returns slowly to the smallest rotation from
+/// the T-pose. Head and hands are not twisted relative to neck and forearm.
 class JointsToHumanoid {
  public:
   explicit JointsToHumanoid(const Body& body);
 
-  /// Poses in their order in time. @param time_s  of the pose; a step of more than 0.25 s starts over
+  /// Expects poses in order of time. @param time_s of the pose; a step of more than 0.25 s starts over
   HumanoidPose pose(const Pose& joints, double time_s);
   /// The next pose is the first one.
   void restart();
@@ -28,8 +28,7 @@ class JointsToHumanoid {
  private:
   struct Limb;
   using Rotation = Eigen::Quaterniond;
-  /// Directions of the pose before, in the space of the bone's parent: of the bone, of the next one, of the
-  /// foot.
+  /// Directions of bone, next bone and foot in the previous pose, in the space of the bone's parent.
   struct Trail {
     Vec3 upper, lower, foot;
   };
@@ -52,7 +51,7 @@ class JointsToHumanoid {
   double dt_s_ = 0;
 
   HumanoidPose made_;
-  PerBone<Vec3> positions_;  ///< of the pose that is being made, world
+  PerBone<Vec3> positions_;  ///< of the present pose, world
   PerBone<Rotation> rotations_;
   PerBone<TwistFollower> twists_;
   PerBone<std::optional<Trail>> trails_;

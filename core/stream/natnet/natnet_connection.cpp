@@ -9,12 +9,12 @@ namespace abrazo {
 namespace {
 
 constexpr double connect_every_s = 1, model_every_s = 0.25, keep_alive_every_s = 1, echo_every_s = 5;
-/// After so long a silence the server may be another one, or the same after a restart.
+/// After this time without packets the server may be another one, or restarted.
 constexpr double reconnect_after_s = 2;
-/// Frames that could not be read for so long, some six at 60 Hz, are of another version than it said.
+/// Unreadable frames for this time, about six at 60 Hz, indicate another version than stated.
 constexpr double doubt_after_s = 0.1;
 constexpr double connect_in_doubt_every_s = 0.25;
-/// An answer takes milliseconds; what comes later is none.
+/// An answer takes milliseconds; later packets are not answers.
 constexpr double answer_within_s = 2;
 /// Arrivals have the kernel's stamps: an answer may seem to come before its question by this.
 constexpr double stamps_differ_s = 0.05;
@@ -101,7 +101,7 @@ void NatNetConnection::take_echo(ByteReader& reader, double arrived_s) {
   const double sent_s = reader.f64("our time stamp");
   const std::uint64_t server_ticks = reader.u64("the server's time stamp");
   if (reader.failed() || !server_ || server_->clock_hz == 0) return;
-  if (sent_s != echo_s_) return;  // not what was asked last
+  if (sent_s != echo_s_) return;  // not the last request
   heard_s_ = arrived_s;
   if (!(sent_s <= arrived_s && arrived_s - sent_s < 1)) return;  // late: no measure of anything
   server_minus_session_s_ =

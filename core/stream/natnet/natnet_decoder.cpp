@@ -14,11 +14,11 @@ namespace abrazo {
 namespace {
 
 constexpr double silence_text_every_s = 5;
-/// Behind what is read of a frame: its end tag, and what a later version may add [bytes]. A frame that is
-/// read as one of another version mostly leaves more.
+/// Bytes left after a frame: its end tag, and additions of later versions. Reading a frame in a wrong version
+/// mostly leaves more.
 constexpr std::size_t longest_end_bytes = 16;
 
-/// What the options say.
+/// Values of the options.
 struct NatNetOptions {
   NatNetConventions conventions;
   std::optional<NatNetVersion> version;
@@ -75,7 +75,7 @@ class NatNetDecoder : public StreamDecoder {
 
   NatNetOptions options_;
   bool knows_host_;
-  SenderHold server_;  ///< when the host is not known: who is taken for it
+  SenderHold server_;  ///< if the host is unknown: the assumed server
   NatNetConnection connection_;
   std::optional<NatNetModel> model_;
   std::vector<NatNetPerformer> performers_;
@@ -122,11 +122,11 @@ void NatNetDecoder::take(const Datagram& datagram, Decoded& out) {
   }
 }
 
-/// Of a host that the URI names only its packets come here. Of none the first machine that sends frames is
-/// the server; another one becomes it when that one has sent none that can be read for a while.
+/// If the URI names a host, only its packets arrive here. Otherwise the first machine that sends frames is
+/// the server; another one replaces it after a while without readable frames.
 bool NatNetDecoder::is_from_server(const Datagram& datagram, NatNetMessage id, Decoded& out) {
   if (knows_host_ || (id != NatNetMessage::Frame && server_.is_holder(datagram.from))) return true;
-  if (id != NatNetMessage::Frame) return false;  // nobody was asked yet, or somebody else was
+  if (id != NatNetMessage::Frame) return false;  // no request yet, or to another machine
   const std::optional<std::uint32_t> before = server_.address();
   switch (server_.claim(datagram.from, datagram.arrived_s)) {
     case SenderHold::Answer::Refused:
@@ -141,7 +141,7 @@ bool NatNetDecoder::is_from_server(const Datagram& datagram, NatNetMessage id, D
       performers_.clear();
       if (before)
         out.issues.push_back({"sender-changed", address_text(datagram.from.address) +
-                                                    " is taken for the server now, since no frame of " +
+                                                    " is used as the server now, because no frame of " +
                                                     address_text(*before) + " could be read for a while"});
       return true;
     case SenderHold::Answer::Holder:
@@ -177,7 +177,7 @@ void NatNetDecoder::take_server_info(ByteReader& reader, double arrived_s, Decod
 bool NatNetDecoder::can_read(const ByteReader& reader, std::string_view what, Decoded& out) {
   if (reader.failed() || connection_.version()) return !reader.failed();
   out.issues.push_back({"no-version", std::string(what) +
-                                          " came before the server said its version; it is asked for that. "
+                                          " arrived before the server's version; the version is requested. "
                                           "If its command port is closed, give version=3.1 or the like"});
   return false;
 }
@@ -185,8 +185,7 @@ bool NatNetDecoder::can_read(const ByteReader& reader, std::string_view what, De
 void NatNetDecoder::take_model(ByteReader& reader, double arrived_s, Decoded& out) {
   if (!can_read(reader, "a model description", out)) return;
   if (!connection_.expects_model(arrived_s)) {
-    out.issues.push_back(
-        {"unasked-answer", "a model description came that was not asked for; it is not taken"});
+    out.issues.push_back({"unasked-answer", "an unsolicited model description arrived; it is ignored"});
     return;
   }
   Result<NatNetModel> parsed = parse_natnet_model(reader, *connection_.version());
@@ -242,8 +241,8 @@ void NatNetDecoder::take_frame(ByteReader& reader, const Datagram& datagram, Dec
   } else {
     connection_.want_model();
     out.issues.push_back({"no-model",
-                          "a frame came before the description of the skeletons; the server is "
-                          "asked for it at its command port"});
+                          "a frame arrived before the description of the skeletons, which is "
+                          "requested at its command port"});
   }
   const bool gave_poses = out.frames.size() > given_before;
   if (gave_poses || is_whole) {
@@ -274,7 +273,7 @@ void NatNetDecoder::give(const NatNetFrame& frame, const Datagram& datagram, Dec
                                                     std::to_string(skeleton.id) + " and " +
                                                     std::to_string(skeleton.bones.size()) +
                                                     " bones is not the one described; the description is "
-                                                    "asked for again"});
+                                                    "requested again"});
       continue;
     }
     std::optional<Positions> positions = performer->positions(skeleton, out.issues);

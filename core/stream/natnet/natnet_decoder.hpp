@@ -6,11 +6,11 @@
 
 namespace abrazo {
 
-/// NatNet 3.0 to 4.1 and later, as OptiTrack Motive sends it (docs/guide/live/natnet.md): asks the host for
-/// its version and the model, keeps the connection alive, gives the skeletons' bones in world coordinates.
-/// Options: "multicast=GROUP", "coordinates=global|local", "up=y|z"; without the last two they are found from
-/// the data and said in `facts`.
-/// @return an Error for an option's value that is none
+/// NatNet 3.0 to 4.1 and later, as OptiTrack Motive sends it (docs/guide/live/natnet.md): requests version
+/// and model from the host, keeps the connection alive, and decodes the skeletons' bones in world
+/// coordinates. Options: "multicast=GROUP", "coordinates=global|local", "up=y|z"; without the last two they
+/// are detected from the data and reported in `facts`.
+/// @return an Error for an invalid option value
 Result<std::unique_ptr<StreamDecoder>> make_natnet_decoder(const StreamUri& uri);
 
 }  // namespace abrazo

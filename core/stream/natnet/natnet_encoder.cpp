@@ -101,7 +101,7 @@ class NatNetEncoder : public StreamEncoder {
   std::optional<double> change_s_;  ///< when the last change was first announced
 };
 
-/// For a while, since packets get lost: an asker that hears of it asks for the model again.
+/// For a while, because packets may be lost: an informed client requests the model again.
 bool NatNetEncoder::tells_change(double time_s) {
   constexpr double told_for_s = 0.5;
   if (std::exchange(model_changed_, false)) change_s_ = time_s;
@@ -158,7 +158,7 @@ bool NatNetEncoder::answer(const Datagram& question, std::vector<OutgoingDatagra
     case NatNetMessage::KeepAlive:
     case NatNetMessage::RequestFrame:
       return true;
-    case NatNetMessage::Request:  // a command to Motive: there is none here
+    case NatNetMessage::Request:  // a command for Motive, not supported here
       answers.push_back({question.from, natnet_packet(NatNetMessage::Unrecognized, payload)});
       return true;
     default:

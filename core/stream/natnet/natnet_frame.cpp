@@ -21,9 +21,9 @@ auto read_elements(ByteReader& reader, std::size_t number, const Read& read) {
   return elements;
 }
 
-/// Elements of a section that, since 4.1, says how many bytes it has: what is behind its elements is skipped,
-/// so that sections may grow. A size that contradicts the elements is not believed.
-/// @param unread  where to say why the section was skipped; null when the frame is worth nothing without it
+/// Elements of a section, which since 4.1 states its size in bytes: bytes after its elements are skipped, so
+/// that sections may grow. A size that contradicts the elements is an error.
+/// @param unread receives the reason for skipping the section; null if the frame is useless without it
 template <typename Read>
 auto read_section(ByteReader& frame, NatNetVersion version, std::string_view what, std::size_t least_bytes,
                   const Read& read, std::vector<std::string>* unread = nullptr) {
@@ -112,7 +112,7 @@ void read_suffix(ByteReader& reader, NatNetVersion version, NatNetFrame& frame) 
   stamps.transmit = reader.u64("the time stamp of sending");
   if (reader.failed()) return;
   frame.stamps = stamps;
-  // Seconds and fraction of a precision clock stand before the flags since 4.1, though some programs that say
+  // Seconds and fraction of a precision clock precede the flags since 4.1, though some programs that say
   // 4.1 leave them out; the end tag tells.
   constexpr std::size_t precision_bytes = 8, flags_bytes = 2;
   if (version >= natnet_with_section_sizes && reader.left() >= precision_bytes + flags_bytes)

@@ -10,10 +10,10 @@
 
 namespace abrazo {
 
-/// A rigid body of a frame: of its own or a skeleton's bone.
+/// A rigid body of a frame, or a skeleton's bone.
 struct NatNetBody {
-  std::int32_t id = 0;           ///< of a bone: the skeleton in the upper 16 bits, the bone in the lower
-  Vec3 position = Vec3::Zero();  ///< [m], axes as the server is set
+  std::int32_t id = 0;           ///< for a bone: the skeleton in the upper 16 bits, the bone in the lower
+  Vec3 position = Vec3::Zero();  ///< [m], axes by the server's settings
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();  ///< as sent: not checked, not normalised
   float error_m = 0;                                             ///< mean marker error
   bool tracked = false;
@@ -29,27 +29,27 @@ struct NatNetStamps {
   std::uint64_t mid_exposure = 0, received = 0, transmit = 0;
 };
 
-/// A FRAME message. Markers, plates and devices are read and only counted.
+/// A FRAME message. Markers, plates and devices are only counted.
 struct NatNetFrame {
   std::int32_t number = 0;
   std::vector<NatNetBody> bodies;
   std::vector<NatNetSkeletonFrame> skeletons;
   std::size_t marker_sets = 0, unlabelled_markers = 0, labelled_markers = 0, occluded_markers = 0;
   std::size_t assets = 0, force_plates = 0, devices = 0;
-  /// From here on the packet may end early: other programs write different ends.
+  /// The packet may end here: programs write different ends.
   std::optional<double> time_s;
   std::optional<NatNetStamps> stamps;
   bool recording = false;
   bool models_changed = false;
-  /// Sections behind the skeletons that could not be read, and why; the frame holds without them.
+  /// Unreadable sections after the skeletons, with reasons; the frame is valid without them.
   std::vector<std::string> unread;
 };
 
-/// Reads what follows the packet's head.
-/// @return an Error when the packet ends before the skeletons do
+/// Reads the payload after the packet's header.
+/// @return an Error if the packet ends within the skeletons
 Result<NatNetFrame> parse_natnet_frame(ByteReader& reader, NatNetVersion version);
 
-/// Bodies, skeletons and the end; what is only counted is left out.
+/// Writes bodies, skeletons and the end, without the sections that are only counted.
 void write_natnet_frame(ByteWriter& writer, const NatNetFrame& frame, NatNetVersion version);
 
 }  // namespace abrazo

@@ -51,7 +51,7 @@ NatNetServerInfo parse_natnet_server_info(ByteReader& reader) {
   info.version.major = reader.u8("the NatNet version");
   info.version.minor = reader.u8("the NatNet version");
   reader.skip(2, "the NatNet version");
-  // Servers before 3.0 end here; so do some that say 3.0 or later, and then the usual values hold.
+  // Servers before 3.0 end here, and some of 3.0 or later too; the defaults apply then.
   if (reader.failed() || reader.left() < 15) return info;
   info.clock_hz = reader.u64("the clock's rate");
   info.data_port = reader.u16("the data port");

@@ -32,7 +32,7 @@ enum class NatNetMessage : std::uint16_t {
   Unrecognized = 100
 };
 
-/// Of the bit stream: it decides which fields a packet has.
+/// Bit stream version; determines the fields of a packet.
 struct NatNetVersion {
   int major = 0, minor = 0;
   std::string text() const { return std::to_string(major) + "." + std::to_string(minor); }
@@ -40,16 +40,16 @@ struct NatNetVersion {
 };
 
 inline constexpr NatNetVersion oldest_natnet{3, 0};
-/// The newest whose fields are known; what is newer is read as this one.
+/// The newest known version; newer ones are read as this one.
 inline constexpr NatNetVersion newest_natnet{4, 2};
 
-/// From here on every section says how many bytes it has.
+/// From this version on every section states its size in bytes.
 inline constexpr NatNetVersion natnet_with_section_sizes{4, 1};
 
-/// "3.1" -> 3, 1; nothing when it is no version from 3.0 to 4.2.
+/// "3.1" -> 3, 1; none if it is not a version from 3.0 to 4.2.
 std::optional<NatNetVersion> parse_natnet_version(std::string_view text);
 
-/// "239.255.42.99" -> host byte order; nothing when it is no multicast group.
+/// "239.255.42.99" -> host byte order; none if it is not a multicast group.
 std::optional<std::uint32_t> parse_natnet_group(std::string_view text);
 
 /// From 224.0.0.0 to 239.255.255.255. @param address  host byte order
@@ -70,11 +70,11 @@ struct NatNetServerInfo {
   bool operator==(const NatNetServerInfo&) const = default;
 };
 
-/// What follows the packet's head. Look at `reader.failed()` afterwards.
+/// Reads the payload after the packet's header. Check `reader.failed()` afterwards.
 NatNetServerInfo parse_natnet_server_info(ByteReader& reader);
 void write_natnet_server_info(ByteWriter& writer, const NatNetServerInfo& info);
 
-/// Head of a packet: what it is and how many bytes follow.
+/// Header of a packet: type and size of the payload.
 struct NatNetHead {
   std::uint16_t id = 0;
   std::uint16_t payload_bytes = 0;
@@ -82,7 +82,7 @@ struct NatNetHead {
 inline constexpr std::size_t natnet_head_bytes = 4;
 NatNetHead parse_natnet_head(ByteReader& reader);
 
-/// A whole packet. @throws std::invalid_argument  when the payload is longer than a packet can say
+/// A complete packet. @throws std::invalid_argument if the payload is too long for the header
 std::vector<std::uint8_t> natnet_packet(NatNetMessage id, const ByteWriter& payload);
 /// A request without contents; servers expect at least the zero byte of an empty string.
 std::vector<std::uint8_t> natnet_request(NatNetMessage id, std::string_view text = {});

@@ -141,7 +141,7 @@ void append(NatNetModel& model, NatNetModel&& more) {
   model.assets += more.assets;
 }
 
-/// A description that says its size: one that cannot be read costs only itself.
+/// A description with stated size: if unreadable, only this one is lost.
 void read_sized(ByteReader& reader, std::int32_t kind, NatNetVersion version, NatNetModel& model) {
   const std::int32_t bytes = reader.i32("a description's size");
   if (bytes < 0) return reader.fail("a description claims " + std::to_string(bytes) + " bytes");

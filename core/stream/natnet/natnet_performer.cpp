@@ -100,7 +100,7 @@ bool NatNetPerformer::read_samples(const NatNetSkeletonFrame& frame, std::vector
   samples_.assign(bones_.size(), Sample{});
   const bool any_flag = std::any_of(frame.bones.begin(), frame.bones.end(),
                                     [](const NatNetBody& bone) { return bone.tracked; });
-  // Some versions leave the flags of bones unset throughout; then they say nothing.
+  // Some versions never set the flags of bones; then they are ignored.
   flags_mean_something_ = flags_mean_something_ || any_flag;
   bool any = false;
   for (const NatNetBody& body : frame.bones) {
@@ -122,8 +122,8 @@ bool NatNetPerformer::read_samples(const NatNetSkeletonFrame& frame, std::vector
   return any;
 }
 
-/// Compares both readings with the lengths that the model announces: in local coordinates a bone stands at
-/// its offset, in the world's as far from its parent as the offset is long.
+/// Compares both readings with the lengths that the model announces: in local coordinates a bone is at its
+/// offset; in world coordinates its distance from its parent is the length of the offset.
 std::optional<bool> NatNetPerformer::looks_local() const {
   double local_error = 0, world_error = 0, lengths = 0, farthest = 0;
   int compared = 0;
@@ -145,8 +145,8 @@ std::optional<bool> NatNetPerformer::looks_local() const {
   return local_error < world_error;
 }
 
-/// In the rest pose all rotations are the identity, so what a bone's parent sees of it is its rest offset,
-/// however the performer stands. From the root to the head that goes upwards.
+/// In the rest pose all rotations are the identity, so the position of a bone in its parent's space is its
+/// rest offset in any pose. From the root to the head it points upwards.
 std::optional<char> NatNetPerformer::up_of_spine() const {
   if (head_ < 0) return std::nullopt;
   Vec3 rest = Vec3::Zero();

@@ -14,26 +14,26 @@
 
 namespace abrazo {
 
-/// What the wire does not say, as far as the user did; the rest is found from the data.
+/// Conventions that the protocol does not transmit, if set by the user; others are detected from the data.
 struct NatNetConventions {
-  std::optional<bool> local_bones;  ///< bones in their parent's coordinates instead of the world's
+  std::optional<bool> local_bones;  ///< bones in parent coordinates instead of world coordinates
   std::optional<char> up;           ///< 'y' or 'z'
 };
 
-/// One skeleton of the model: makes world positions of its bones. Decides once, from the first frames, what
-/// the wire leaves open.
+/// Computes world positions of the bones of one skeleton. Detects the conventions once, from the first
+/// frames.
 class NatNetPerformer {
  public:
-  /// @param name  that it is known by: the skeleton's, made unique
+  /// @param name the skeleton's name, made unique
   NatNetPerformer(const NatNetSkeleton& skeleton, std::string name, const NatNetConventions& given);
 
   const std::string& name() const { return name_; }
   std::int32_t id() const { return id_; }
   /// Bones, then "<bone>_End" of head, hands and toes.
   const std::shared_ptr<const std::vector<std::string>>& points() const { return points_; }
-  /// Whether the frame has the bones that the model announced.
+  /// Whether the frame has the number of bones in the model.
   bool has_bones_of(const NatNetSkeletonFrame& frame) const { return frame.bones.size() == bones_.size(); }
-  /// Points x 3, Y up [m]; rows that are not tracked are not finite. Nothing when no bone is tracked.
+  /// Points x 3, Y up [m]; rows that are not tracked are not finite. None if no bone is tracked.
   std::optional<Positions> positions(const NatNetSkeletonFrame& frame, std::vector<StreamIssue>& issues);
 
   /// "Ana: 21 bones, world coordinates (found from the data), Y up (found from the data)".
@@ -43,7 +43,7 @@ class NatNetPerformer {
   struct Bone {
     std::string name;
     std::int32_t id;
-    int parent;  ///< index, -1 for none
+    int parent;  ///< index, -1 = none
     Vec3 offset;
   };
   struct End {
@@ -53,7 +53,7 @@ class NatNetPerformer {
   };
   struct Sample {
     SegmentPose pose;
-    bool placed = false, turned = false;  ///< position and rotation can be used
+    bool placed = false, turned = false;  ///< position, rotation usable
   };
 
   void take_bones(const std::vector<NatNetBone>& bones);
@@ -74,8 +74,8 @@ class NatNetPerformer {
   NatNetConventions given_;
   std::optional<bool> local_;
   std::optional<char> up_;
-  bool flags_mean_something_ = false;  ///< a bone's tracking flag was seen set
-  std::vector<Sample> samples_;        ///< of the frame at hand, by bone
+  bool flags_mean_something_ = false;  ///< a tracking flag was set at least once
+  std::vector<Sample> samples_;        ///< of the present frame, by bone
 };
 
 }  // namespace abrazo

@@ -7,7 +7,7 @@ namespace abrazo {
 
 namespace {
 
-/// Of the first packet there is nothing to compare with.
+/// The first packet has no reference.
 constexpr double oldest_first_s = 10;
 /// A wall clock that follows a time server is at most so much faster or slower.
 constexpr double fastest_slew = 1e-3;

@@ -20,14 +20,14 @@ struct Endpoint {
   auto operator<=>(const Endpoint&) const = default;  // NOLINT(modernize-use-nullptr): the check errs
 };
 
-/// One UDP packet as it came.
+/// A received UDP packet.
 struct Datagram {
   Endpoint from;
-  double arrived_s = 0;  ///< session clock; the kernel's stamp where it gives one
+  double arrived_s = 0;  ///< session clock; from the kernel's stamp if available
   std::span<const std::uint8_t> bytes;
 };
 
-/// One to be sent.
+/// A UDP packet to send.
 struct OutgoingDatagram {
   Endpoint to;
   std::vector<std::uint8_t> bytes;

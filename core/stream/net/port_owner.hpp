@@ -5,7 +5,7 @@
 
 namespace abrazo {
 
-/// Who holds a UDP port of this machine, for people: the program's name where the system tells it, else the
+/// The program that holds a UDP port of this machine, for messages: its name if the system gives it, else
 /// programs that usually do ("VSeeFace, Warudo, ...").
 std::string describe_port_owner(std::uint16_t port);
 

@@ -23,7 +23,7 @@ namespace abrazo {
 
 namespace {
 
-/// Some seconds of the fastest stream there is; the kernel cuts it to what it allows.
+/// Some seconds of the fastest stream; the kernel limits the size.
 constexpr int receive_buffer_bytes = 4 << 20;
 constexpr int ports_to_try = 20;
 
@@ -132,10 +132,10 @@ Result<std::uint32_t> resolve_host(const std::string& host) {
 }
 
 std::uint32_t address_towards(const Endpoint& peer) {
-  // Connecting a UDP socket sends nothing; it only makes the system choose the way.
+  // Connecting a UDP socket sends nothing; it only makes the system choose the route.
   const int probe = ::socket(AF_INET, SOCK_DGRAM | SOCK_CLOEXEC, 0);
   if (probe < 0) return 0;
-  set_option(probe, SOL_SOCKET, SO_BROADCAST, 1);  // or there is no way to a broadcast address
+  set_option(probe, SOL_SOCKET, SO_BROADCAST, 1);  // or there is no route to a broadcast address
   sockaddr_in address = to_system(peer);
   sockaddr_in own{};
   socklen_t size = sizeof own;
@@ -148,9 +148,8 @@ std::uint32_t address_towards(const Endpoint& peer) {
 Result<UdpSocket> UdpSocket::bind(const Endpoint& local, bool shared) {
   UdpSocket socket(::socket(AF_INET, SOCK_DGRAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0));
   const int descriptor = socket.descriptor_;
-  if (descriptor < 0) return Error{"no socket is to be had: " + reason(), local.text()};
-  // Without these the stream still works: a smaller buffer, the time of reading, no count of what was
-  // dropped.
+  if (descriptor < 0) return Error{"no socket is available: " + reason(), local.text()};
+  // Without these options the stream still works: smaller buffer, read times, no count of dropped packets.
   set_option(descriptor, SOL_SOCKET, SO_RCVBUF, receive_buffer_bytes);
   set_option(descriptor, SOL_SOCKET, SO_TIMESTAMPNS, 1);
   set_option(descriptor, SOL_SOCKET, SO_RXQ_OVFL, 1);
@@ -262,7 +261,7 @@ Status UdpSocket::send(const Endpoint& to, std::span<const std::uint8_t> bytes) 
   if (size < 0 && errno == ECONNREFUSED) {
     // The refusal was of a packet before; this one was not sent yet.
     [[maybe_unused]] const ssize_t again = hand_over();
-    return Error{"nobody listens there; start the receiver or correct the port", to.text()};
+    return Error{"no program listens there; start the receiver or correct the port", to.text()};
   }
   if (size < 0 && (errno == ENETUNREACH || errno == EHOSTUNREACH))
     return Error{"there is no way to that address; is the network connected?", to.text()};

@@ -18,40 +18,41 @@ namespace abrazo {
 /// The IPv4 address of a name or of "192.168.1.7". May wait for the name server.
 Result<std::uint32_t> resolve_host(const std::string& host);
 
-/// This machine's own address on the network that packets to `peer` go through; 0 when there is no way to it.
+/// This machine's address on the network that routes to `peer`; 0 if there is no route.
 std::uint32_t address_towards(const Endpoint& peer);
 
-/// An IPv4 UDP socket that never waits. Used by one thread.
+/// A non-blocking IPv4 UDP socket. Used by one thread.
 class UdpSocket {
  public:
-  /// @param local   address 0 = every interface, port 0 = any that is free
-  /// @param shared  other programs may have the port as well (multicast)
-  /// @return an Error that says who holds the port and which one is free
+  /// @param local address 0 = every interface, port 0 = any free port
+  /// @param shared other programs may use the port too (multicast)
+  /// @return an Error that names the holder of the port and a free port
   static Result<UdpSocket> bind(const Endpoint& local, bool shared = false);
   UdpSocket(UdpSocket&& other) noexcept;
   UdpSocket& operator=(UdpSocket&& other) noexcept;
   ~UdpSocket();
 
-  /// @param interface_address  0 = the one the system routes the group through
+  /// @param interface_address 0 = chosen by the system's routing
   Status join(std::uint32_t group, std::uint32_t interface_address);
-  /// Multicast goes out through it; 0 = as the system routes.
+  /// Sets the interface for outgoing multicast; 0 = chosen by the system's routing.
   Status send_through(std::uint32_t interface_address);
 
-  /// From now on `send` reports if no program listens there; nothing is received but from there.
+  /// Connects the socket: `send` then reports if no program listens there, and only packets from there are
+  /// received.
   void hear_refusals_of(const Endpoint& peer);
 
   Endpoint local() const;
 
   struct Received {
     Endpoint from;
-    double arrived_s = 0;    ///< session clock, by the kernel's stamp
-    std::size_t size = 0;    ///< of what was kept
+    double arrived_s = 0;    ///< session clock, from the kernel's stamp
+    std::size_t size = 0;    ///< bytes received
     bool truncated = false;  ///< the packet was larger than the buffer
   };
-  /// The next packet, if there is one. @return nothing when there is none, an Error when the socket is broken
+  /// Receives the next packet. @return none if there is none, an Error if the socket failed
   Result<std::optional<Received>> receive(std::span<std::uint8_t> buffer, const SessionClock& clock);
 
-  /// Hands a packet to the network or fails immediately. @return why it was not taken
+  /// Sends a packet or fails immediately. An Error says why it was not accepted
   Status send(const Endpoint& to, std::span<const std::uint8_t> bytes);
 
   /// Packets that the kernel dropped because the buffer was full, since the socket was bound.
@@ -66,16 +67,16 @@ class UdpSocket {
   ArrivalClock arrivals_;
 };
 
-/// Whether a network of this machine has the address; 0 stands for every one.
+/// Whether an interface of this machine has the address; 0 = any address.
 bool has_address(std::uint32_t address);
 
-/// Of whoever talks to a peer: a socket at this machine's address on the network that leads there now, and on
-/// no other network; at the port it had where that is free.
-/// @param before  where its socket is; none yet: address 0
-/// @return nothing when that is still right, or no network leads there
+/// For a connection to a peer: a socket bound to this machine's address on the network that now routes there;
+/// at its previous port if that is free.
+/// @param before present binding; address 0 = none yet
+/// @return none if the binding is still right, or there is no route
 Result<std::optional<UdpSocket>> socket_towards(const Endpoint& peer, const Endpoint& before);
 
-/// Sleeps until one of some sockets has a packet, or until it is woken.
+/// Sleeps until one of several sockets has a packet, or until woken.
 class SocketWait {
  public:
   SocketWait();

@@ -12,12 +12,11 @@ namespace abrazo {
 
 enum class ByteOrder { Little, Big };
 
-/// Reads a packet's fields one after another and never beyond its end. The first field that does not fit
-/// makes it fail: from then on everything read is 0 or empty, so a parser may check once at its end. Every
-/// field names itself, for the message.
+/// Reads a packet's fields in sequence, never beyond its end. It fails at the first field that does not fit;
+/// later reads return 0 or empty, so a parser may check once at its end. Every field has a name for messages.
 class ByteReader {
  public:
-  /// @param origin  place of the first byte in the packet, for messages
+  /// @param origin offset of the first byte in the packet, for messages
   ByteReader(std::span<const std::uint8_t> bytes, ByteOrder order, std::size_t origin = 0)
       : bytes_(bytes), order_(order), origin_(origin) {}
 
@@ -31,22 +30,22 @@ class ByteReader {
   /// Three floats.
   Vec3 vec3(std::string_view what);
 
-  /// Number of elements that follow (i32), none of which is shorter than `least_bytes` (>= 1): a number that
-  /// cannot fit makes the reader fail, so that no memory is reserved for it.
+  /// Number of following elements (i32) of at least `least_bytes` (>= 1) each. Fails if they cannot fit, so
+  /// that no memory is reserved for them.
   std::size_t count(std::string_view what, std::size_t least_bytes);
   /// Characters up to a zero byte, which is consumed.
   std::string c_string(std::string_view what);
   std::string characters(std::size_t length, std::string_view what);
   void skip(std::size_t length, std::string_view what);
-  /// A reader of the next `length` bytes alone; this one goes on behind them.
+  /// A reader of the next `length` bytes only; this one continues after them.
   ByteReader part(std::size_t length, std::string_view what);
 
   std::size_t left() const { return failed() ? 0 : bytes_.size() - at_; }
   std::size_t offset() const { return origin_ + at_; }
   bool failed() const { return !failure_.empty(); }
-  /// "at byte 210: expected the position of a bone (12 bytes), but 3 are left"; empty while all is well.
+  /// "at byte 210: expected the position of a bone (12 bytes), but 3 are left"; empty without a failure.
   const std::string& failure() const { return failure_; }
-  /// For what is there but wrong. Only the first failure is kept.
+  /// Reports an invalid value. Only the first failure is kept.
   void fail(std::string_view why);
 
  private:

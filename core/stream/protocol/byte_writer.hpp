@@ -10,7 +10,7 @@
 
 namespace abrazo {
 
-/// Puts a packet together, field after field.
+/// Builds a packet field by field.
 class ByteWriter {
  public:
   explicit ByteWriter(ByteOrder order) : order_(order) {}
@@ -26,7 +26,7 @@ class ByteWriter {
     for (int axis = 0; axis < 3; ++axis) f32(value[axis]);
   }
   void characters(std::string_view text) { bytes_.insert(bytes_.end(), text.begin(), text.end()); }
-  /// With a zero byte behind it.
+  /// Zero-terminated.
   void c_string(std::string_view text) {
     characters(text);
     u8(0);
@@ -34,7 +34,7 @@ class ByteWriter {
   void zeros(std::size_t number) { bytes_.insert(bytes_.end(), number, std::uint8_t{0}); }
 
   std::size_t size() const { return bytes_.size(); }
-  /// Overwrites what was written at `offset`, for sizes that are known only afterwards.
+  /// Overwrites the value at `offset`, for sizes known only afterwards.
   void u32_at(std::size_t offset, std::uint32_t value) { overwrite(offset, value, 4); }
 
   const std::vector<std::uint8_t>& bytes() const { return bytes_; }

@@ -11,28 +11,27 @@
 
 namespace abrazo {
 
-/// One pose to be sent.
+/// One pose to send.
 struct OutgoingPose {
   Pose pose = Pose::Zero();  ///< world [m]
-  double time_s = 0;         ///< on our clock, from 0 on
-  bool tracked = true;       ///< false: the pose is held because there is none
+  double time_s = 0;         ///< own clock, from 0
+  bool tracked = true;       ///< false: a held pose, because there is no new one
 };
 
-/// A protocol in the other direction: poses in, packets out. Knows neither socket nor clock. One character
-/// each.
+/// A protocol for sending: poses in, packets out. Independent of sockets and clocks. One character each.
 class StreamEncoder {
  public:
   virtual ~StreamEncoder() = default;
   /// The packets of one frame, in order.
   virtual std::vector<std::vector<std::uint8_t>> packets(const OutgoingPose& pose) = 0;
-  /// Where the protocol has a conversation: what to answer, and from when on to send to whom.
-  /// @return whether the asker wants frames
+  /// For protocols with requests: the answers to a request.
+  /// @return whether the client wants frames
   virtual bool answer(const Datagram& /*question*/, std::vector<OutgoingDatagram>& /*answers*/) {
     return false;
   }
-  /// The poses from the next one on have these bones; numbers and times go on.
+  /// Sets the bone lengths from the next pose on; frame numbers and times continue.
   virtual void set_body(const Body& body) = 0;
-  /// Starts over as a sender that was restarted: counters and state start again.
+  /// Resets counters and state, like a restarted sender.
   virtual void restart() = 0;
 };
 

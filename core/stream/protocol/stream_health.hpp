@@ -7,38 +7,37 @@
 
 namespace abrazo {
 
-/// Without a pose for so long, tracking counts as lost.
+/// Tracking counts as lost after this time without a pose.
 inline constexpr double default_tracking_loss_s = 0.25;
 
-/// What of a stream is measured, per performer. Times over the last second or so.
+/// Measurements of a stream per performer. Times are over about the last second.
 struct PerformerHealth {
   std::string performer;
   std::uint64_t frames = 0;
   double rate_hz = 0;
   double interval_p50_ms = 0, interval_p95_ms = 0;  ///< between arrivals
   double assembly_p50_ms = 0, assembly_p95_ms = 0;  ///< first packet of a frame to its last
-  double delay_ms = 0;                              ///< that the jitter buffer adds
-  std::uint64_t lost = 0;                           ///< gaps of the sender's counter
-  std::uint64_t repeated = 0;                       ///< frames that came twice
-  std::uint64_t reordered = 0;                      ///< that came late but in time for the jitter buffer
-  std::uint64_t late = 0;                           ///< that came after a newer one had been given out
-  std::uint64_t held_joints = 0;    ///< joints kept from the frame before since they were not tracked
-  std::uint64_t interruptions = 0;  ///< times that tracking was lost and came back
+  double delay_ms = 0;                              ///< added by the jitter buffer
+  std::uint64_t lost = 0;                           ///< gaps in the sender's counter
+  std::uint64_t repeated = 0;                       ///< duplicate frames
+  std::uint64_t reordered = 0;                      ///< out of order, but in time for the jitter buffer
+  std::uint64_t late = 0;                           ///< arrived after a newer one was delivered
+  std::uint64_t held_joints = 0;                    ///< untracked joints kept from the previous frame
+  std::uint64_t interruptions = 0;                  ///< losses of tracking that ended
   std::uint64_t clock_jumps = 0;
-  std::uint64_t restarts = 0;  ///< of the sender: its counter or time restarted
-  std::uint64_t unusable = 0;  ///< frames that gave no pose: too many joints were not tracked, or unknown
-  std::uint64_t dropped = 0;   ///< poses that a newer one replaced before the solver took them
+  std::uint64_t restarts = 0;  ///< restarts of the sender's counter or time
+  std::uint64_t unusable = 0;  ///< frames without a pose: too many joints untracked or unknown
+  std::uint64_t dropped = 0;   ///< poses replaced by a newer one before the solver took them
   bool tracked = false;        ///< now
   bool calibrated = false;
   std::string joint_map;  ///< "unity", ...
   std::vector<std::string> estimated_joints;
-  double height_m = 0;  ///< of the head joint
-  std::string
-      correction;      ///< what is done to the sender's positions: "unit cm, Z up, floor +0.12 m"; or empty
-  double last_s = -1;  ///< session clock, of the newest frame
+  double height_m = 0;     ///< of the head joint
+  std::string correction;  ///< correction of the sender's positions: "unit cm, Z up, floor +0.12 m"; or empty
+  double last_s = -1;      ///< session clock, of the newest frame
 };
 
-/// One line of advice: what is seen, and what to do about it.
+/// One line of advice: the observation, and what to do about it.
 struct StreamDiagnosis {
   enum class Severity { Note, Warning, Error };
   std::string kind;  ///< short and stable: "no-packets", "other-protocol", "two-senders", ...
@@ -59,15 +58,14 @@ constexpr const char* severity_word(StreamDiagnosis::Severity severity) {
   return "note";
 }
 
-/// Of one kind of issue: how often, and the newest one's text.
+/// Count and newest text of one kind of issue.
 struct IssueCount {
   std::string kind;
   std::uint64_t count = 0;
   std::string latest;
 };
 
-/// The state of a source at one time, as a value: what the connection panel and the summary of `abrazo live`
-/// show.
+/// The state of a source at one time, as a value, for the connection panel and the summary of `abrazo live`.
 struct StreamHealth {
   enum class State { Waiting, Receiving, Stalled, Failed };
   State state = State::Waiting;
@@ -75,9 +73,9 @@ struct StreamHealth {
   std::string listening;  ///< "0.0.0.0:39539"
   double taken_s = 0;     ///< session clock, of this value
   std::uint64_t packets = 0, bytes = 0, packets_with_issues = 0;
-  std::uint64_t overflowed = 0;  ///< packets that the kernel dropped because they were not read in time
+  std::uint64_t overflowed = 0;  ///< packets dropped by the kernel because they were not read in time
   double last_packet_s = -1;
-  std::array<std::uint8_t, 16> first_bytes{};  ///< of the newest packet that was not understood
+  std::array<std::uint8_t, 16> first_bytes{};  ///< of the newest unreadable packet
   std::vector<std::string> senders;
   std::vector<PerformerHealth> performers;
   std::vector<IssueCount> issues;
@@ -85,7 +83,7 @@ struct StreamHealth {
   std::vector<std::string> facts;
 };
 
-/// Of one sink.
+/// The state of one sink.
 struct SinkHealth {
   std::string uri;
   std::string character;  ///< "partner", "user"

@@ -26,7 +26,7 @@ constexpr bool is_in_order() {
 }
 static_assert(is_in_order());
 
-/// An option, where it may stand and what it means; the text is what an error shows.
+/// An option with its valid schemes and meaning; messages show the text.
 struct OptionFacts {
   std::string_view key;
   std::string_view schemes;  ///< names, separated by blanks
@@ -62,7 +62,7 @@ bool names_scheme(const OptionFacts& option, Scheme scheme) {
   return false;
 }
 
-/// The options there are, for an error.
+/// The valid options, for an Error.
 std::string possible_options(Scheme scheme, bool listen, bool send) {
   std::string list;
   for (const OptionFacts& option : option_table)

@@ -13,16 +13,16 @@ namespace abrazo {
 
 /// "vmc://HOST:PORT", "natnet://HOST[:PORT][?multicast=GROUP]", "xsens://HOST:PORT", "clip:FILE", each with
 /// further options after "?" ("performer=Ana&delay=20"). The table of options is in stream_uri.cpp; an
-/// unknown one is an error that lists those there are.
+/// unknown one is an Error that lists the valid ones.
 struct StreamUri {
   enum class Scheme { Vmc, NatNet, Xsens, Clip };
   Scheme scheme = Scheme::Vmc;
-  /// Name or address: this machine's where none was written, "0.0.0.0" (every network) for "*".
+  /// Name or address: this machine if not given, "0.0.0.0" (every network) for "*".
   std::string host;
-  std::uint16_t port = 0;  ///< the protocol's usual one where none was written
+  std::uint16_t port = 0;  ///< the protocol's default if not given
   std::string file;        ///< of a clip
   std::map<std::string, std::string, std::less<>> options;
-  std::string text;  ///< as it was written
+  std::string text;  ///< the original text
 
   std::string option(std::string_view key, std::string_view otherwise = {}) const;
 };
@@ -45,17 +45,17 @@ inline constexpr std::string_view usual_stream_host = "127.0.0.1";
 
 Result<StreamUri> parse_stream_uri(std::string_view text);
 
-/// Who reaches a place that is listened at, such as "0.0.0.0:39539": "on this machine only
+/// Machines that can send to a listening address, such as "0.0.0.0:39539": "on this machine only
 /// (127.0.0.1:39539)", "on every network (0.0.0.0:39539)" or "on the network of 192.168.1.7
 /// (192.168.1.7:39539)".
 std::string listening_words(std::string_view place);
 
 enum class StreamDirection { Listen, Send };
 
-/// An Error for an option that the other direction has; says which there are.
+/// An Error for an option of the other direction; lists the valid ones.
 Status check_stream_options(const StreamUri& uri, StreamDirection direction);
 
-/// An option in milliseconds, as seconds; nothing when it is not there.
+/// An option in milliseconds, as seconds; none if it is not given.
 Result<std::optional<double>> milliseconds_option(const StreamUri& uri, std::string_view key,
                                                   double largest_ms);
 

@@ -5,8 +5,8 @@
 
 namespace abrazo {
 
-/// Plays a clip as if it came from a capture system: poses at the clip's rate (or thinned to `max_rate_hz`),
-/// in a loop.
+/// Plays a clip in a loop, as if from a capture system: poses at the clip's rate (or thinned to
+/// `max_rate_hz`).
 class ClipSource : public PoseSource, public ReplayControl {
  public:
   explicit ClipSource(Clip clip, double max_rate_hz = 120, bool loop = true);
@@ -33,7 +33,7 @@ class ClipSource : public PoseSource, public ReplayControl {
   bool loop_;
   bool paused_ = false;
   double speed_ = 1;
-  double base_now_s_ = 0;  ///< session time at which the clip stood at base_clip_s_
+  double base_now_s_ = 0;  ///< session time of base_clip_s_
   double base_clip_s_ = 0;
   std::int64_t last_tick_ = -1;  ///< number of poses since the base, at rate_hz_
   bool jumped_ = true;

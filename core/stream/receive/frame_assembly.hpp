@@ -11,26 +11,26 @@
 
 namespace abrazo {
 
-/// What is done to the sender's positions before anything else. Stated by a person, never guessed.
+/// Correction of the sender's positions, applied first. Set by a person, never guessed.
 struct StreamCorrection {
   double metres_per_unit = 1;
   bool z_up = false;     ///< (x, y, z) -> (x, z, -y)
-  double floor_y_m = 0;  ///< height of the sender's floor after the above; taken off every y
+  double floor_y_m = 0;  ///< height of the sender's floor after the above; subtracted from every y
 
   Vec3 apply(const Vec3& position) const;
-  /// "unit 0.01 m, Z up, floor +0.120 m"; empty when nothing is done.
+  /// "unit 0.01 m, Z up, floor +0.120 m"; empty if there is no correction.
   std::string text() const;
 };
 
 struct FrameAssemblyOptions {
-  std::optional<JointMap> joint_map;  ///< nothing = the built-in one that fits
+  std::optional<JointMap> joint_map;  ///< none = the built-in one that fits
   StreamCorrection correction;
-  double longest_hold_s = 0.5;  ///< for so long a joint that is not tracked is held
+  double longest_hold_s = 0.5;  ///< time for which an untracked joint is held
 };
 
-/// Named points of one performer -> the 25 joints. A joint that is not tracked keeps its place relative to
-/// its parent for a while; without the root or with more than a third missing there is no pose. What is given
-/// is finite.
+/// Converts named points of one performer to the 25 joints. An untracked joint keeps its position relative to
+/// its parent for a while; without the root or with more than a third missing there is no pose. Output is
+/// finite.
 class FrameAssembly {
  public:
   static constexpr int most_missing = joint_count / 3;
@@ -39,11 +39,11 @@ class FrameAssembly {
 
   struct Assembled {
     std::optional<Pose> pose;
-    int held = 0;                      ///< joints kept from the frame before
-    std::optional<StreamIssue> issue;  ///< why there is no pose, or what is wrong with it
+    int held = 0;                      ///< joints kept from the previous frame
+    std::optional<StreamIssue> issue;  ///< why there is no pose, or a problem with it
   };
   Assembled assemble(const PerformerFrame& frame);
-  /// What was held so far is not held any longer (a new sender).
+  /// Drops held joints (for a new sender).
   void forget() { previous_.reset(); }
 
   const StreamCorrection& correction() const { return options_.correction; }

@@ -38,7 +38,7 @@ FrameOrder::Placed FrameOrder::place(const Frame& frame) {
     case Recollection::Same:
       return {Kind::Repeated, {epoch_, value, arrivals_}};
     case Recollection::Other:
-      // A time that stands still, or is coarser than the frames, tells nothing of their order.
+      // A time that is constant, or coarser than the frames, does not define their order.
       return key == Key::Time && value == newest_ ? next(value, frame) : stray(value, frame);
     case Recollection::Unknown:
       break;

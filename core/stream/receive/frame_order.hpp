@@ -9,25 +9,24 @@
 
 namespace abrazo {
 
-/// Place of a frame in the sender's order. A restarted sender begins a new epoch.
+/// Position of a frame in the sender's order. A restarted sender begins a new epoch.
 struct SequencePlace {
   std::int64_t epoch = 0;
   double value = 0;           ///< the sender's counter, or its time [s], or the number of arrivals
-  std::uint64_t arrival = 0;  ///< tells frames of the same value apart
+  std::uint64_t arrival = 0;  ///< distinguishes frames of equal value
   auto operator<=>(const SequencePlace&) const = default;
 };
 
-/// Tells from counter, time and content of the frames of one performer what is new, what came out of order
-/// or twice, what was lost, and when the sender restarted. By the counter where there is one, else by the
-/// sender's time, else as they come.
+/// Classifies the frames of one performer as new, out of order, repeated or lost, and detects restarts of the
+/// sender. Uses the counter if there is one, else the sender's time, else the order of arrival.
 class FrameOrder {
  public:
   enum class Kind {
     Next,       ///< newer than all before
     Earlier,    ///< older than the newest, not seen before
     Repeated,   ///< seen before
-    Stray,      ///< from another time: of a sender that restarts, or out of nowhere
-    Restarted,  ///< newer than all before, since the sender restarted
+    Stray,      ///< from an unrelated time: perhaps a restarting sender
+    Restarted,  ///< newer than all before, because the sender restarted
   };
   struct Placed {
     Kind kind = Kind::Next;
@@ -42,10 +41,10 @@ class FrameOrder {
   };
   Placed place(const Frame& frame);
 
-  /// Frames that the sender counted and that never came.
+  /// Frames counted by the sender that never arrived.
   std::uint64_t lost() const { return lost_; }
 
-  /// Positions and time that differ less are not told apart: a frame that comes again does so within it.
+  /// A frame is recognised as repeated within this time.
   static constexpr double memory_s = 0.75;
   static constexpr int strays_of_a_restart = 3;
 
@@ -75,9 +74,9 @@ class FrameOrder {
   double newest_arrived_s_ = 0;
   std::optional<double> newest_time_s_;
   std::multimap<double, Seen> seen_;
-  std::set<double> missing_;        ///< counters not (yet) seen
+  std::set<double> missing_;        ///< counters not seen (yet)
   std::deque<std::int64_t> steps_;  ///< of the counter, newest last
-  std::int64_t stride_ = 1;         ///< by which the sender counts
+  std::int64_t stride_ = 1;         ///< step of the sender's counter
   std::uint64_t lost_ = 0;
   int strays_ = 0;
   double last_stray_ = 0;

@@ -22,7 +22,7 @@ JitterBuffer::Fate JitterBuffer::push(Entry entry, double now_s) {
   auto position = entries_.end();
   while (position != entries_.begin() && entry.place < (position - 1)->place) --position;
   const bool is_newest = position == entries_.end();
-  // Due times keep the sender's order whatever the clocks say.
+  // Due times keep the sender's order regardless of the clocks.
   if (position != entries_.begin()) entry.sent_s = std::max(entry.sent_s, (position - 1)->sent_s);
   if (!is_newest) entry.sent_s = std::min(entry.sent_s, position->sent_s);
   entries_.insert(position, std::move(entry));

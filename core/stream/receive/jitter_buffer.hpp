@@ -9,9 +9,9 @@
 
 namespace abrazo {
 
-/// Holds the poses of one performer back for a fixed time, so that what the network delivers unevenly or out
-/// of order comes out evenly and in order. Without a delay it delivers immediately. Never gives a pose that
-/// is older than one that was due before. Bounded.
+/// Delays the poses of one performer by a fixed time, so that poses delivered unevenly or out of order come
+/// out evenly and in order. Without a delay it delivers immediately. Never delivers a pose older than a
+/// previously due one. Bounded.
 class JitterBuffer {
  public:
   static constexpr double longest_delay_s = 0.5;
@@ -23,29 +23,29 @@ class JitterBuffer {
 
   struct Entry {
     SequencePlace place;
-    double sent_s = 0;  ///< on the session clock; due a delay later
+    double sent_s = 0;  ///< session clock; due after the delay
     SourcePose pose;
   };
   enum class Fate {
     Taken,
-    Reordered,  ///< came after a newer one, but in time
-    Late,       ///< came after a newer one was due: left out
+    Reordered,  ///< arrived after a newer one, but in time
+    Late,       ///< arrived after a newer one was due: dropped
   };
   Fate push(Entry entry, double now_s);
 
-  /// Where a reader stands: it has seen all before this.
+  /// Position of a reader: it has seen everything before.
   struct Cursor {
     std::uint64_t next = 0;
   };
-  /// At the newest pose that is due, so that a reader begins with that.
+  /// A cursor at the newest due pose, for a new reader.
   Cursor now(double now_s);
-  /// The oldest pose at or after the cursor that is due, and how many were forgotten before it.
+  /// The oldest due pose at or after the cursor, and the number dropped before it.
   struct Due {
     const Entry* entry = nullptr;
     std::uint64_t number = 0;
   };
   std::optional<Due> due_after(const Cursor& cursor, double now_s);
-  /// When the pose at the cursor is due; nothing when it has not come.
+  /// Due time of the pose at the cursor; none if it has not arrived.
   std::optional<double> next_due_s(const Cursor& cursor) const;
 
  private:
@@ -53,7 +53,7 @@ class JitterBuffer {
 
   double delay_s_ = 0;
   std::deque<Entry> entries_;            ///< in the sender's order
-  std::uint64_t forgotten_ = 0;          ///< number of the first entry
+  std::uint64_t forgotten_ = 0;          ///< index of the first entry
   std::optional<SequencePlace> played_;  ///< newest that was due
 };
 

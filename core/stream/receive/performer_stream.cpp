@@ -96,7 +96,7 @@ PerformerStream::Outcome PerformerStream::take(const PerformerFrame& frame, doub
     if (outcome.issue) why_no_pose_ = outcome.issue->text;
     return outcome;
   }
-  // Given out all the same: whoever answers it holds, and says why.
+  // Delivered anyway: the solver then holds and reports why.
   if (!outcome.issue)
     if (const auto reason = why_not_a_person(*assembled.pose))
       outcome.issue = StreamIssue{"not-a-person", std::string(reason->sentence())};

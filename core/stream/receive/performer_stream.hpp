@@ -15,8 +15,8 @@
 
 namespace abrazo {
 
-/// One performer of a stream: from the protocol's frames to poses in the jitter buffer, with all that is
-/// measured on the way. Time is given; knows no socket, no thread.
+/// One performer of a stream: from the protocol's frames to poses in the jitter buffer, with all
+/// measurements. The caller passes the time; independent of sockets and threads.
 class PerformerStream {
  public:
   struct Options {
@@ -28,11 +28,11 @@ class PerformerStream {
   PerformerStream(std::string name, const Options& options, double now_s);
 
   struct Outcome {
-    std::optional<ReceivedPose> pose;  ///< as it came, before the jitter buffer
+    std::optional<ReceivedPose> pose;  ///< before the jitter buffer
     std::optional<StreamIssue> issue;
   };
   Outcome take(const PerformerFrame& frame, double now_s);
-  /// Finishes a calibration whose time is over.
+  /// Finishes a calibration whose time has passed.
   void pass_time(double now_s);
   void calibrate(double over_s, double now_s);
   void set_delay(double delay_s) { buffer_.set_delay(delay_s); }
@@ -63,7 +63,7 @@ class PerformerStream {
   JitterBuffer buffer_;
   ArrivalMeter arrivals_;
   PostureMeter posture_;
-  PerformerHealth health_;  ///< what is only counted
+  PerformerHealth health_;  ///< counters
   RecentCount recent_frames_, recent_lost_, recent_late_, recent_repeated_, recent_unusable_, recent_held_;
   std::uint64_t counted_lost_ = 0;
   std::string why_no_pose_;

@@ -6,7 +6,7 @@ namespace abrazo {
 
 namespace {
 
-constexpr double silent_s = 1;        ///< a performer who may be followed by a newcomer
+constexpr double silent_s = 1;        ///< a performer that a new one may replace
 constexpr double look_again_s = 0.1;  ///< when nothing is known to come
 constexpr double rates_alike = 1.1;   ///< a rate so little above the wanted one is not thinned
 constexpr double smallest_step_s = 1e-4;
@@ -30,7 +30,7 @@ PerformerStream* PoseReader::follow(StreamPipeline& pipeline, double now_s) {
   if (chosen && (chosen->name() != followed_ || chosen->first_seen_s() != followed_since_s_)) {
     if (wanted_.empty() && !followed_.empty() && chosen->name() != followed_)
       pipeline.note_sender_change(chosen->name() + " is followed now, since " + followed_ +
-                                      " sent no poses any more; name the performer to follow nobody else",
+                                      " stopped sending poses; name the performer to follow only that one",
                                   now_s);
     followed_ = chosen->name();
     followed_since_s_ = chosen->first_seen_s();

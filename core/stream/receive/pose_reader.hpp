@@ -7,18 +7,18 @@
 
 namespace abrazo {
 
-/// Reads the poses of one performer out of a pipeline: always the newest that is due, never one older than
-/// the last. Not thread-safe.
+/// Reads the poses of one performer from a pipeline: always the newest due one, never one older than the
+/// last. Not thread-safe.
 class PoseReader {
  public:
-  /// @param performer  empty = the first that is seen; when that one falls silent and another appears
-  /// thereafter (a restarted sender on another port), that other one
+  /// @param performer empty = the first that appears; if it falls silent and another appears later (a
+  /// restarted sender on another port), that one
   explicit PoseReader(std::string performer) : wanted_(std::move(performer)) {}
 
   std::optional<SourcePose> poll(StreamPipeline& pipeline, double now_s);
   double next_due_s(StreamPipeline& pipeline) const;
   double rate_hz(StreamPipeline& pipeline) const;
-  /// Evenly; poses left out count as dropped. 0 = all.
+  /// Limits the rate evenly; skipped poses count as dropped. 0 = all.
   void set_max_rate(double max_rate_hz) { max_rate_hz_ = max_rate_hz; }
   const std::string& performer() const { return followed_; }
 
@@ -27,7 +27,8 @@ class PoseReader {
   bool is_wanted(double time_s, double rate_hz);
 
   std::string wanted_, followed_;
-  double followed_since_s_ = -1;  ///< when the followed one was first seen: another may come under its name
+  double followed_since_s_ = -1;  ///< first seen time of the followed performer: another may appear under its
+                                  ///< name
   JitterBuffer::Cursor cursor_;
   double max_rate_hz_ = 0, next_slot_s_ = 0;
   double last_time_s_ = 0, last_poll_s_ = 0;

@@ -10,18 +10,18 @@
 
 namespace abrazo {
 
-/// A pose of the user as it arrived.
+/// A pose of the user from a source.
 struct SourcePose {
   Pose pose = Pose::Zero();    ///< world [m]
   double time_s = 0;           ///< on the source's own clock
-  std::int64_t frame = -1;     ///< of the clip; -1 for a device
+  std::int64_t frame = -1;     ///< frame of the clip; -1 for a device
   bool discontinuous = false;  ///< does not follow from the previous one (loop, seek, tracking loss)
   std::uint64_t dropped = 0;   ///< poses replaced by newer ones since the start
   double arrived_s = -1;       ///< session clock, of the first packet it was made from; -1 for a clip
-  double assembled_s = -1;     ///< when all of it was there
+  double assembled_s = -1;     ///< when it was complete
 };
 
-/// What can be asked of a source that plays a recording.
+/// Controls of a source that plays a recording.
 class ReplayControl {
  public:
   virtual ~ReplayControl() = default;
@@ -30,22 +30,22 @@ class ReplayControl {
   virtual void set_speed(double factor, double now_s) = 0;
 };
 
-/// Where the user's motion comes from. Polled by the solver thread with the session clock.
+/// Source of the user's motion. Polled by the solver thread with the session clock.
 class PoseSource {
  public:
   virtual ~PoseSource() = default;
-  /// The newest pose if there is one that was not given out yet.
+  /// The newest pose that was not returned yet, if any.
   virtual std::optional<SourcePose> poll(double now_s) = 0;
   /// Session time at which the next pose is due; lets the solver thread sleep until then.
   virtual double next_due_s() const = 0;
   virtual double rate_hz() const = 0;
-  /// Poses beyond this rate are left out (and count as dropped).
+  /// Poses above this rate are skipped (and count as dropped).
   virtual void set_max_rate(double max_rate_hz) = 0;
-  /// Measures of the user where the source knows them.
+  /// Body of the user if the source knows it.
   virtual std::optional<Body> body() const { return std::nullopt; }
   /// Null for a device.
   virtual ReplayControl* replay() { return nullptr; }
-  /// Called from another thread whenever a pose came in, so that no polling is needed.
+  /// The callback is called from another thread on arrival of a pose, so that no polling is needed.
   virtual void on_arrival(std::function<void()> called) { static_cast<void>(std::move(called)); }
 };
 

@@ -16,7 +16,7 @@ bool SenderClock::take(double sent_s, double arrived_s) {
     late_since_s_.reset();
   else if (!late_since_s_)
     late_since_s_ = arrived_s;
-  // A network that stalled delivers what it held back at once; a clock that stood still stays behind.
+  // A stalled network delivers all held packets at once; a stopped clock stays behind.
   const bool stays_behind = late_since_s_ && arrived_s - *late_since_s_ > patience_s;
   if (set_back || set_forward || stays_behind) {
     begin_with(sent_s, arrived_s);

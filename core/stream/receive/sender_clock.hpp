@@ -5,19 +5,20 @@
 
 namespace abrazo {
 
-/// Sender's clock -> session clock. The least delayed packet of the last two seconds gives the offset
+/// Sender's clock -> session clock. The packet with the smallest delay of the last two seconds gives the
+/// offset
 ///   offset = min (arrived - sent)
-/// so that delays of the network fall out and a slow drift is followed. Packets come in the sender's order;
-/// what comes after a newer one is only asked about.
+/// so that network delays cancel and a slow drift is followed. Expects packets in the sender's order; only
+/// query the time of packets that arrive after a newer one.
 class SenderClock {
  public:
   static constexpr double window_s = 2;
-  static constexpr double jump_s = 0.3;    ///< a difference that no network explains
-  static constexpr double patience_s = 1;  ///< packets so much too late for so long mean another clock
+  static constexpr double jump_s = 0.3;    ///< a difference that network delay does not explain
+  static constexpr double patience_s = 1;  ///< a larger delay for this long means another clock
 
   /// @return whether the sender's clock jumped, backwards or forwards
   bool take(double sent_s, double arrived_s);
-  /// When it was sent [session clock]; never later than `arrived_s` of a packet taken. Nothing before `take`.
+  /// Session time of sending; never later than `arrived_s` of a packet taken. None before `take`.
   std::optional<double> session_time(double sent_s) const;
   void restart();
 

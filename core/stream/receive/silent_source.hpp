@@ -6,7 +6,7 @@
 
 namespace abrazo {
 
-/// Nobody moves: what a session has before its first stream is opened.
+/// A source without poses, for a session before its first stream is opened.
 class SilentSource : public PoseSource {
  public:
   std::optional<SourcePose> poll(double) override { return std::nullopt; }

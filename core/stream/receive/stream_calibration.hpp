@@ -9,14 +9,14 @@
 
 namespace abrazo {
 
-/// What comes of a performer standing in the T-pose for a second.
+/// Result of a calibration in the T-pose for one second.
 struct StreamCalibration {
-  Body body;                        ///< median measures
-  double floor_y_m = 0;             ///< height of the floor that the feet stand on, against the floor so far
-  std::vector<std::string> doubts;  ///< what does not look like a T-pose, and what to change; empty = fine
+  Body body;                        ///< median lengths
+  double floor_y_m = 0;             ///< height of the floor under the feet, relative to the present floor
+  std::vector<std::string> doubts;  ///< deviations from a T-pose, with what to change; empty = good
 };
 
-/// @param poses  world [m], of a person who stands still with straight arms held out sideways; not empty
+/// @param poses world [m], of a person standing still with arms stretched sideways; not empty
 StreamCalibration calibration_of(std::span<const Pose> poses);
 
 }  // namespace abrazo

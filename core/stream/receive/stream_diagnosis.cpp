@@ -16,7 +16,7 @@ using Scheme = StreamUri::Scheme;
 constexpr double patience_s = 2;  ///< before silence or strangeness is worth a word
 constexpr double stalled_s = 1;
 constexpr double frozen_after_s = 1;
-constexpr double remembered_s = 10;  ///< for so long a jump or restart is shown
+constexpr double remembered_s = 10;  ///< time for which a jump or restart is shown
 constexpr double low_rate_hz = 25;
 constexpr double shortest_m = 0.8, tallest_m = 2.6, usual_m = 1.7;
 constexpr double lowest_floor_m = -0.08, highest_floor_m = 0.20;
@@ -74,7 +74,7 @@ void look_for_lost_address(const StreamObservation& seen, Advice& advice) {
     advice.add(Severity::Error, "address-gone",
                lost + ", which is listened at: listen on the one it has now, or on 0.0.0.0:" +
                    std::to_string(seen.uri.port) +
-                   " (every network). When it has the address again, it goes on by itself");
+                   " (every network). When it has the address again, receiving resumes");
 }
 
 void look_for_silence(const StreamObservation& seen, Advice& advice) {
@@ -173,15 +173,15 @@ void look_for_two_senders(const StreamObservation& seen, Advice& advice) {
   const std::string who = std::to_string(seen.recent_senders.size()) + " senders send to this port (" +
                           listed(seen.recent_senders) + "). ";
   if (seen.uri.scheme == Scheme::Vmc)
-    advice.add(
-        Severity::Warning, "two-senders",
-        who + "Each is taken for a performer of its own; choose who plays the user. If one is left over " +
-            "from before, end it; two performers are safer on two ports");
+    advice.add(Severity::Warning, "two-senders",
+               who + "Each counts as a separate performer; choose who plays the user. If one is left over " +
+                   "from before, end it; two performers are safer on two ports");
   else
-    advice.add(
-        Severity::Warning, "two-senders",
-        who + "Of two machines that name a performer alike the first is heard; two programs of one machine " +
-            "mix: end one, or give it another port");
+    advice.add(Severity::Warning, "two-senders",
+               who +
+                   "Of two machines with the same performer name the first is accepted; two programs of one "
+                   "machine " +
+                   "mix: end one, or give it another port");
 }
 
 void look_at_who_is_heard(const StreamObservation& seen, Advice& advice) {
@@ -310,7 +310,7 @@ class PerformerAdvice {
     if (is_recent(seen_.last_clock_jump_s))
       add(Severity::Note, "clock-jump",
           "the sender's clock jumped " + number(stream_.now_s - seen_.last_clock_jump_s, 1) +
-              " s ago; it is followed from there. If it goes on, set the sender's time synchronisation");
+              " s ago; it is followed from there. If it persists, set the sender's time synchronisation");
   }
 
   void look_at_posture() {
@@ -363,7 +363,7 @@ class PerformerAdvice {
       add(Severity::Warning, "calibration", "the T-pose is doubtful: " + doubt + ", then calibrate again");
     if (!health_.calibrated && !seen_.is_calibrating && health_.tracked && stream_.uri.scheme == Scheme::Vmc)
       add(Severity::Note, "not-calibrated",
-          "the measures of the body are not known yet; stand in the T-pose and calibrate");
+          "the body is not measured yet; stand in the T-pose and calibrate");
   }
 
   const StreamObservation& stream_;

@@ -12,50 +12,50 @@
 
 namespace abrazo {
 
-/// Of one performer, beside its health: what happened within the last seconds. Times on the session clock.
+/// Recent observations of one performer, beside its health. Times on the session clock.
 struct PerformerObservation {
   PerformerHealth health;
   std::uint64_t recent_frames = 0, recent_lost = 0, recent_late = 0, recent_repeated = 0, recent_unusable = 0;
   std::uint64_t recent_held_frames = 0;
   PostureMeter::Posture posture;
-  double first_s = 0;        ///< when it was first seen
-  double last_pose_s = -1;   ///< the newest that gave a pose; -1 for none
-  double frozen_s = 0;       ///< for so long every pose has been the same
-  double clock_still_s = 0;  ///< for so long the sender's time has been the same
+  double first_s = 0;        ///< time of first appearance
+  double last_pose_s = -1;   ///< newest frame with a pose; -1 = none
+  double frozen_s = 0;       ///< duration without a change of pose
+  double clock_still_s = 0;  ///< duration without a change of the sender's time
   double last_clock_jump_s = -1, last_restart_s = -1;
   bool is_calibrating = false;
   std::vector<std::string> calibration_doubts;
-  std::string why_no_pose;  ///< of the newest frame that gave none
+  std::string why_no_pose;  ///< reason for the newest frame without one
 };
 
-/// All that the advice about a stream is made from.
+/// Input of the advice about a stream.
 struct StreamObservation {
   StreamUri uri;
   double opened_s = 0, now_s = 0;
   double tracking_loss_s = default_tracking_loss_s;
   std::uint64_t packets = 0;
   double last_packet_s = -1;
-  double last_frame_s = -1;          ///< the newest frame of any performer
-  double last_understood_s = -1;     ///< the newest packet that the decoder had nothing against
-  std::uint64_t recent_unknown = 0;  ///< packets within the last seconds that it could not read
+  double last_frame_s = -1;          ///< newest frame of any performer
+  double last_understood_s = -1;     ///< newest packet that was decoded without an issue
+  std::uint64_t recent_unknown = 0;  ///< unreadable packets within the last seconds
   std::uint64_t recent_packets = 0;
-  std::array<std::uint8_t, 16> first_bytes{};  ///< of the newest packet that could not be read
+  std::array<std::uint8_t, 16> first_bytes{};  ///< of the newest unreadable packet
   std::size_t first_bytes_count = 0, unknown_size = 0;
   std::uint64_t recent_overflow = 0;
-  std::vector<std::string> recent_senders;  ///< that sent something within the last two seconds
-  std::string stranger;                     ///< who was not heard within the last seconds, and why
-  std::string sender_change;                ///< who is followed or heard since then instead of whom
+  std::vector<std::string> recent_senders;  ///< active within the last two seconds
+  std::string stranger;                     ///< rejected sender of the last seconds, and why
+  std::string sender_change;                ///< recent change of the followed performer or accepted sender
   double last_sender_change_s = -1;
-  std::string failure;        ///< why the socket does not work any longer
+  std::string failure;        ///< why the socket failed
   std::string group_failure;  ///< why a multicast group could not be joined
-  std::string lost_address;   ///< that is listened at and that this machine has no longer
+  std::string lost_address;   ///< listening address that this machine no longer has
   std::string latest_issue;   ///< text of the newest issue of the decoder
-  std::string unreadable;     ///< why the newest packet that could not be read could not
+  std::string unreadable;     ///< why the newest unreadable packet could not be read
   std::vector<PerformerObservation> performers;
 };
 
-/// Which protocol a packet looks like: "VMC/OSC", "NatNet", "Xsens MVN (MXTP)", "Rokoko", ...; nothing when
-/// it is like none.
+/// Which protocol a packet looks like: "VMC/OSC", "NatNet", "Xsens MVN (MXTP)", "Rokoko", ...; none if
+/// unknown.
 std::optional<std::string> protocol_of(const std::array<std::uint8_t, 16>& first_bytes, std::size_t count,
                                        std::size_t packet_size);
 

@@ -16,7 +16,7 @@ constexpr double intervals_until_silent = 2.5, longest_interval_s = 5;
 constexpr std::size_t fewest_arrivals = 8, most_arrivals = 2048;
 constexpr double posture_window_s = 3, posture_interval_s = 0.05, posture_known_after_s = 0.5;
 constexpr double share_smoothing = 0.05;
-constexpr double frozen_below_m = 1e-5;  ///< no person stands so still, but rounding may move a joint by less
+constexpr double frozen_below_m = 1e-5;  ///< no person is that still, but rounding may move a joint by less
 
 double mean_distance(const Pose& a, const Pose& b) {
   return (a - b).rowwise().norm().mean();

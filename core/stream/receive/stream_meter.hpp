@@ -9,7 +9,7 @@
 
 namespace abrazo {
 
-/// How often something happened within the last five seconds, to half a second.
+/// Number of events within the last five seconds, with a resolution of half a second.
 class RecentCount {
  public:
   static constexpr double window_s = 5;
@@ -26,7 +26,7 @@ class RecentCount {
   std::array<Bucket, buckets> counts_{};
 };
 
-/// When the frames of a performer came, over the last second (at least the last few).
+/// Arrival times of a performer's frames over the last second (at least the last few).
 class ArrivalMeter {
  public:
   void add(double first_arrived_s, double arrived_s);
@@ -36,7 +36,7 @@ class ArrivalMeter {
     double assembly_p50_ms = 0, assembly_p95_ms = 0;
   };
   Times times(double now_s) const;
-  /// The rate alone; 0 when nothing has come for a second, or for some intervals of a slow stream.
+  /// Frame rate; 0 if nothing arrived for a second, or for some intervals of a slow stream.
   double rate_hz(double now_s) const;
 
  private:
@@ -46,29 +46,30 @@ class ArrivalMeter {
   std::deque<Arrival> arrivals_;
 };
 
-/// How the performer stands and moves, as far as it tells something about the stream: medians over the last
-/// three seconds.
+/// Posture and motion of a performer, as evidence of problems in the stream: medians over the last three
+/// seconds.
 class PostureMeter {
  public:
   void add(const Pose& pose, double arrived_s);
 
   struct Posture {
-    bool is_known = false;          ///< false until half a second was seen
-    double bones_height_m = 0;      ///< standing height that the bones' lengths give
+    bool is_known = false;          ///< false for the first half second
+    double bones_height_m = 0;      ///< standing height from bone lengths
     double hips_above_feet_m = 0;   ///< along Y
-    double hips_before_feet_m = 0;  ///< along Z, which is up where Z is
+    double hips_before_feet_m = 0;  ///< along Z, which may be up
     double head_above_hips_m = 0;
     double lowest_foot_m = 0;  ///< toe base
-    double alternating = 0;    ///< share of frames that jump away and back: two performers in one
-    double jumps = 0;          ///< share of frames that a person cannot reach from the previous one
+    double alternating = 0;    ///< share of frames that alternate between two places: two performers in one
+                               ///< stream
+    double jumps = 0;          ///< share of frames that are impossible after the previous one
   };
   Posture posture() const;
-  /// For how long no joint has moved by as much as a hundredth of a millimetre [s].
+  /// Duration in which no joint moved by 0.01 mm or more [s].
   double frozen_s() const { return last_arrived_s_ - changed_s_; }
 
-  /// Joints' mean displacement that no person makes from one frame to the next [m].
+  /// Impossible mean displacement of the joints between two frames [m].
   static constexpr double impossible_step_m = 0.4;
-  /// Whether no person moves like this between two frames that are so far apart in time.
+  /// Whether the displacement is impossible for a person in the elapsed time.
   static bool is_jump(const Pose& from, const Pose& to, double elapsed_s);
 
  private:
@@ -77,7 +78,7 @@ class PostureMeter {
   };
   std::deque<Sample> samples_;
   std::optional<Pose> last_, before_last_;
-  Pose still_ = Pose::Zero();  ///< since it last moved
+  Pose still_ = Pose::Zero();  ///< pose at the last movement
   double last_arrived_s_ = 0, changed_s_ = 0, first_arrived_s_ = 0;
   double alternating_ = 0, jumps_ = 0;  ///< smoothed shares
 };

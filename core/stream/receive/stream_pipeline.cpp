@@ -78,7 +78,7 @@ Result<PerformerStream::Options> performer_options(const StreamUri& uri, const S
   options.assembly.joint_map = given.joint_map ? given.joint_map : std::move(*map);
   if (*hold) options.assembly.longest_hold_s = **hold;
   options.assembly.correction.metres_per_unit = *unit;
-  // The decoders of NatNet and Xsens turn the axes themselves, as they have rotations to turn too.
+  // The decoders of NatNet and Xsens convert the axes themselves, because they also convert rotations.
   options.assembly.correction.z_up = up == "z" && uri.scheme == StreamUri::Scheme::Vmc;
   if (height) options.assembly.correction.floor_y_m = *height;
   options.floor_by_calibration = !height.has_value();
@@ -186,7 +186,7 @@ void StreamPipeline::note_issue(const StreamIssue& issue) {
 }
 
 void StreamPipeline::note_stranger(const Endpoint& stranger, const std::string& server, double now_s) {
-  stranger_ = "only the server " + server + " is heard, and packets of " + address_text(stranger.address) +
+  stranger_ = "only the server " + server + " is accepted; packets of " + address_text(stranger.address) +
               " are left out";
   recent_strangers_.add(now_s);
   note_issue({"stranger", stranger_});

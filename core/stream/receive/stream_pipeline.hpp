@@ -11,14 +11,14 @@
 
 namespace abrazo {
 
-/// What the URI's options and the caller's come to. @return an Error that says which value does not fit
+/// Combines the URI's options and the caller's. @return an Error that names the invalid value
 Result<PerformerStream::Options> performer_options(const StreamUri& uri, const StreamReceiverOptions& given);
 
 /// A receiver without socket and thread: packets and time in; poses, measurements and advice out. Not
 /// thread-safe.
 class StreamPipeline {
  public:
-  /// @param now_s  session clock, when it begins to listen
+  /// @param now_s session clock, at the start of listening
   StreamPipeline(std::unique_ptr<StreamDecoder> decoder, StreamUri uri, PerformerStream::Options options,
                  double now_s);
 
@@ -26,24 +26,25 @@ class StreamPipeline {
     std::vector<ReceivedPose> poses;  ///< of every performer, before the jitter buffer
     std::vector<OutgoingDatagram> replies;
   };
-  /// @param truncated  the packet was larger than what could be taken: counted, not read
+  /// @param truncated the packet was larger than the buffer: counted, not read
   void take(const Datagram& datagram, double now_s, Output& out, bool truncated = false);
-  /// To be called at least every 10 ms.
+  /// Call at least every 10 ms.
   void pass_time(double now_s, Output& out);
 
   void calibrate(const std::string& performer, double over_s, double now_s);
   void set_delay(double delay_s);
   std::optional<Endpoint> wanted_group() const { return decoder_->wanted_group(); }
 
-  /// A packet that was not taken, since only `server` is heard: neither read nor counted as one.
+  /// Notes a packet that was rejected because only `server` is accepted: neither read nor counted as a
+  /// packet.
   void note_stranger(const Endpoint& stranger, const std::string& server, double now_s);
-  /// Somebody else is followed or heard than before; said for a while.
+  /// Notes a change of the followed performer or accepted sender; reported for a while.
   void note_sender_change(const std::string& text, double now_s);
-  /// Packets that the kernel has dropped so far.
+  /// Notes the total number of packets dropped by the kernel.
   void note_overflow(std::uint64_t total, double now_s);
   void note_failure(const std::string& text) { failure_ = text; }
   void note_group_failure(const std::string& text) { group_failure_ = text; }
-  /// That is listened at and that this machine has no longer; empty when it has it again.
+  /// Sets the listening address that this machine no longer has; empty = it is available.
   void note_lost_address(const std::string& address) { lost_address_ = address; }
   void note_issue(const StreamIssue& issue);
   void note_listening(const std::string& text) { listening_ = text; }
@@ -52,7 +53,7 @@ class StreamPipeline {
   StreamHealth health(double now_s) const;
   StreamObservation observe(double now_s) const;
   std::vector<std::string> performers() const;
-  /// Null when it has not been seen. In the order in which they were: `streams`.
+  /// Null if it has not appeared. `streams` has them in order of appearance.
   PerformerStream* find(const std::string& performer);
   const std::vector<std::unique_ptr<PerformerStream>>& streams() const { return streams_; }
 
@@ -68,9 +69,9 @@ class StreamPipeline {
   PerformerStream::Options options_;
   double opened_s_;
   std::vector<std::unique_ptr<PerformerStream>> streams_;
-  StreamHealth counted_;  ///< what is only counted
+  StreamHealth counted_;  ///< counters
   std::map<std::string, IssueCount> issues_;
-  std::map<Endpoint, double> senders_;  ///< when each sent last
+  std::map<Endpoint, double> senders_;  ///< last time of each
   RecentCount recent_packets_, recent_unknown_, recent_overflow_, recent_strangers_;
   std::size_t first_bytes_count_ = 0, unknown_size_ = 0;
   double last_frame_s_ = -1, last_understood_s_ = -1, last_sender_change_s_ = -1;

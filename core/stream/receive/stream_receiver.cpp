@@ -47,7 +47,7 @@ struct SharedStream {
   SharedStream(StreamPipeline stream, SessionClock session_clock)
       : pipeline(std::move(stream)), clock(session_clock) {}
   mutable std::mutex mutex;
-  std::mutex handing_out;   ///< from when a pose is counted until all who listen have it; before `mutex`
+  std::mutex handing_out;   ///< held from counting a pose until all listeners have it; locked before `mutex`
   StreamPipeline pipeline;  ///< guarded by `mutex`
   SessionClock clock;
   Listeners<const ReceivedPose&> taps;
@@ -158,7 +158,7 @@ class UdpStreamReceiver : public StreamReceiver {
   std::shared_ptr<SharedStream> stream_;
   bool is_broken_ = false;
   double looked_at_network_s_ = 0;
-  std::jthread thread_;  // after what it uses
+  std::jthread thread_;  // declared after the objects it uses
 };
 
 void UdpStreamReceiver::run(const std::stop_token& stop) {

@@ -41,7 +41,7 @@ Result<StreamSockets> StreamSockets::open(const StreamUri& uri) {
   if (talks_to_server)
     local = Endpoint{interface_address, 0};  // not on the other networks of this machine
   else if (uri.scheme == StreamUri::Scheme::NatNet && local.port == natnet_command_port)
-    local.port = natnet_data_port;  // without a server to ask there are only frames to wait for
+    local.port = natnet_data_port;  // without a server for requests it only waits for frames
   // Who waits for frames without a server shares the port with the group's socket.
   const bool is_shared = uri.scheme == StreamUri::Scheme::NatNet && !talks_to_server;
   Result<UdpSocket> socket = UdpSocket::bind(local, is_shared);
@@ -86,7 +86,7 @@ Status StreamSockets::reply(const OutgoingDatagram& datagram) {
   Endpoint to = datagram.to;
   if (to.address == 0) to.address = peer_.address;
   if (to.port == 0) to.port = peer_.port;
-  if (to.address == 0) return Done{};  // nobody to answer: the URI names no server
+  if (to.address == 0) return Done{};  // no one to answer: the URI names no server
   if (follows_network_)
     if (Status followed = follow_network(); !followed) return followed;
   return main_.send(to, datagram.bytes);

@@ -11,36 +11,36 @@
 
 namespace abrazo {
 
-/// The sockets of a stream that is received: the one that also talks to the sender, and one for a multicast
-/// group where there is one. Used by one thread, but for `wake`.
+/// The sockets of a received stream: one that also sends requests, and one for a multicast group if there is
+/// one. Used by one thread, except `wake`.
 class StreamSockets {
  public:
-  /// VMC and Xsens listen where the URI says; NatNet talks to the server there from any port of the network
-  /// that leads to it, also when that becomes another. An Error when no network does.
+  /// VMC and Xsens listen at the URI; NatNet connects to the server at the URI from any port on the network
+  /// that routes to it, and follows changes of that network. An Error if there is no route.
   static Result<StreamSockets> open(const StreamUri& uri);
 
-  /// Sleeps until a packet came, at most so long. @return whether one came
+  /// Sleeps until a packet arrives or the time is over. @return whether one arrived
   bool wait(int at_most_ms);
   void wake() { wait_->wake(); }
 
   enum class Packet {
     Whole,
-    Truncated,    ///< larger than what can be taken
-    OfAStranger,  ///< a server was named, and this is from another machine
+    Truncated,    ///< larger than the buffer
+    OfAStranger,  ///< from another machine than the named server
   };
   using Take = std::function<void(const Datagram&, Packet)>;
-  /// Hands over what has come, at most some hundreds of packets. @return an Error when a socket is broken
+  /// Passes on the received packets, at most some hundreds. @return an Error if a socket failed
   Status receive(const SessionClock& clock, const Take& take);
-  /// An address or port of 0 stands for the URI's. The machine may have another address on the way there than
-  /// before: then the socket is another one, and no group is joined any more.
+  /// Address or port 0 means the URI's. If this machine's address on the route changed, the socket is
+  /// replaced, and joined groups are left.
   Status reply(const OutgoingDatagram& datagram);
-  /// Joins on the network that the sender is reached through. Nothing happens when that was tried already.
+  /// Joins on the network that routes to the sender. No effect if that was tried already.
   Status join(const Endpoint& group);
 
-  /// The server that alone is heard, "192.168.1.5"; empty when everybody is.
+  /// The only accepted server, "192.168.1.5"; empty if all senders are accepted.
   std::string server() const;
   std::string listening() const;
-  /// The address that is listened at when this machine has it no longer, and nothing comes in; or empty.
+  /// The listening address if this machine no longer has it and nothing arrives; or empty.
   std::string lost_address() const;
   Endpoint local() const { return main_.local(); }
   std::uint64_t overflowed() const;
@@ -54,10 +54,10 @@ class StreamSockets {
   std::optional<UdpSocket> group_socket_;
   Endpoint peer_, group_;
   bool peer_is_here_;                                    ///< on this machine
-  std::uint32_t own_address_ = 0, foreign_address_ = 0;  ///< of this machine or not: looked up last
+  std::uint32_t own_address_ = 0, foreign_address_ = 0;  ///< results of the last look-up
   Status joined_ = Done{};
   std::uint32_t interface_address_;
-  bool follows_network_;  ///< to the peer; not when an interface was named
+  bool follows_network_;  ///< to the peer; false if an interface was named
   std::uint64_t overflowed_before_ = 0;
   std::unique_ptr<SocketWait> wait_;
   std::vector<std::uint8_t> buffer_;

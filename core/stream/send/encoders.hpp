@@ -7,7 +7,7 @@
 
 namespace abrazo {
 
-/// @param body  measures of the character, for bone offsets
+/// @param body of the character, for bone offsets
 Result<std::unique_ptr<StreamEncoder>> make_stream_encoder(const StreamUri& uri, const Body& body);
 
 }  // namespace abrazo

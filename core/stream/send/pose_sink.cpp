@@ -14,24 +14,24 @@ namespace abrazo {
 namespace {
 
 constexpr std::uint16_t natnet_sink_port = 1511;
-constexpr double asker_is_forgotten_s = 10;  ///< who receives frames asks again about once a second
+constexpr double asker_is_forgotten_s = 10;  ///< a receiver of frames requests them again about once a second
 constexpr std::size_t most_askers = 32;
 constexpr int questions_at_once = 16;
 constexpr std::size_t largest_question = 2048;
 
-/// How often whoever sends without trouble looks whether the way has become another (a tunnel that came up).
+/// Interval of checks for a changed route while sending works (e.g. a new tunnel).
 constexpr double between_looks_s = 1;
 
 /// What sends, to whom.
 struct Outlet {
   std::optional<UdpSocket> socket;
-  std::optional<Endpoint> receiver;  ///< who gets frames without asking
-  /// The socket is at this machine's address on the network that leads to the receiver, and answers are taken
-  /// from there alone; there is none while no network does.
+  std::optional<Endpoint> receiver;  ///< receivers without requests
+  /// The socket is bound to this machine's address on the network that routes to the receiver, and accepts
+  /// answers only from there; there is no socket without a route.
   bool follows_network = false;
   bool hears_refusals = false;
 
-  /// @return whether there is another socket than before; an Error when none is to be had
+  /// @return whether the socket changed; an Error if there is none
   Result<bool> follow_network() {
     auto moved = socket_towards(*receiver, socket ? socket->local() : Endpoint{});
     if (!moved) return moved.error();
@@ -138,14 +138,14 @@ class UdpPoseSink : public PoseSink {
   Outlet outlet_;
   bool answers_;
   SessionClock clock_;
-  double looked_s_ = 0;                ///< whether the way is the same
+  double looked_s_ = 0;                ///< whether the route is the same
   std::map<Endpoint, double> askers_;  ///< when each asked last
   mutable std::mutex mutex_;
   SinkHealth health_;  ///< guarded by `mutex_`
 };
 
-/// A NatNet server: listens for askers on the URI's port of this machine; frames go to them, and to the group
-/// where there is one.
+/// A NatNet server: listens for clients on the URI's port; frames go to them, and to the group if there is
+/// one.
 Result<Outlet> open_server(const StreamUri& uri, std::uint32_t host) {
   Result<UdpSocket> socket = UdpSocket::bind({host, uri.port});
   if (!socket) return socket.error();
@@ -164,7 +164,7 @@ Result<Outlet> open_server(const StreamUri& uri, std::uint32_t host) {
   return server;
 }
 
-/// Of whoever is sent to without having asked. There need not be a network yet.
+/// For receivers without requests. The network may come up later.
 Result<Outlet> open_towards(const StreamUri& uri, std::uint32_t host) {
   Outlet outlet;
   outlet.receiver = Endpoint{host, uri.port};

@@ -66,7 +66,7 @@ std::size_t padded_length(Bytes bytes) {
   return end == bytes.end() || length > bytes.size() ? 0 : length;
 }
 
-/// Bytes that an argument takes; nothing when it is longer than `bytes`, or there is no such type.
+/// Size of an argument; none if it exceeds `bytes`, or the type is unknown.
 std::optional<std::size_t> argument_length(char type, Bytes bytes) {
   std::size_t length = 0;
   if (std::string_view("ifcrm").find(type) != std::string_view::npos) {
@@ -85,11 +85,11 @@ std::optional<std::size_t> argument_length(char type, Bytes bytes) {
   return length <= bytes.size() ? std::optional(length) : std::nullopt;
 }
 
-/// Why the arguments are not those that the type tags announce; empty when they are. liblo reads the length
-/// of a blob before it looks whether there is one.
+/// Why the arguments do not match the type tags; empty if they do. liblo reads the length of a blob before it
+/// checks whether there is one.
 std::string argument_fault(Bytes message) {
   const std::size_t address = padded_length(message);
-  if (address == 0 || address == message.size()) return {};  // liblo says it
+  if (address == 0 || address == message.size()) return {};  // liblo reports it
   const Bytes tags = message.subspan(address);
   const std::size_t tags_length = padded_length(tags);
   if (tags_length == 0 || tags[0] != ',') return {};
@@ -106,7 +106,7 @@ std::string argument_fault(Bytes message) {
                       : std::to_string(rest.size()) + " bytes are left behind the last argument";
 }
 
-/// What liblo means by a number it returned, with what OSC asks for.
+/// Meaning of an error number of liblo, with the requirement of OSC.
 std::string message_fault(int code) {
   switch (code) {
     case LO_EINVALIDPATH:

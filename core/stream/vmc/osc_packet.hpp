@@ -19,39 +19,39 @@ struct OscArgument {
   bool operator==(const OscArgument&) const = default;
 };
 
-/// A packet is read as a flat list: where bundles begin and end, and the messages between, in their order.
+/// Element of a packet as a flat list: begins and ends of bundles, and messages, in order.
 struct OscElement {
   enum class Kind { Message, BundleBegin, BundleEnd };
   Kind kind = Kind::Message;
-  std::size_t offset = 0;      ///< in the packet, of its first byte (of an end: behind the last)
-  std::uint64_t time_tag = 0;  ///< of a bundle that begins: NTP time, or `osc_immediately`
+  std::size_t offset = 0;      ///< of its first byte in the packet (for an end: after the last byte)
+  std::uint64_t time_tag = 0;  ///< of the begin of a bundle: NTP time, or `osc_immediately`
   std::string address;         ///< of a message: "/VMC/Ext/T"
   std::vector<OscArgument> arguments;
 };
 
 inline constexpr std::uint64_t osc_immediately = 1;
 
-/// Something in a packet that is not OSC; what it concerns is left out.
+/// Invalid OSC in a packet; the affected part is left out.
 struct OscIssue {
   std::string kind;        ///< "not-osc", "truncated", "bad-bundle", "bad-message"
   std::size_t offset = 0;  ///< in the packet [bytes]
-  std::string text;        ///< what was found there and what was expected
+  std::string text;        ///< found and expected content
 };
 
 struct OscPacket {
   std::vector<OscElement> elements;
-  std::vector<OscIssue> issues;  ///< at most `most_osc_issues`, however bad the packet
+  std::vector<OscIssue> issues;  ///< at most `most_osc_issues`
 };
 
 inline constexpr std::size_t most_osc_issues = 16;
 inline constexpr int deepest_osc_bundle = 8;
 
-/// Reads OSC 1.0. Bytes may be anything: never reads beyond them, keeps every good message in front of and
-/// behind a bad one as far as lengths tell where that is, and closes every bundle it opened.
+/// Reads OSC 1.0 from untrusted bytes: never reads beyond them, keeps valid messages before and after an
+/// invalid one as far as lengths permit, and closes every opened bundle.
 OscPacket read_osc(std::span<const std::uint8_t> bytes);
 
-/// One message, or one bundle with what is in it (bundles too). Strings must not hold NUL.
-/// @throws std::invalid_argument when the list is neither
+/// Writes one message, or one bundle with its content (including bundles). Strings must not contain NUL.
+/// @throws std::invalid_argument if the list is neither
 std::vector<std::uint8_t> write_osc(std::span<const OscElement> elements);
 
 OscElement osc_message(std::string address, std::vector<OscArgument> arguments);

@@ -13,7 +13,7 @@ namespace {
 
 /// More senders at once than a stage has people: a program that takes another port for every packet.
 constexpr std::size_t most_vmc_senders = 16;
-/// Who sends nothing for so long makes room for another; so does who sends messages but no poses [s].
+/// A sender without packets, or without poses, for this time makes room for another [s].
 constexpr double forgotten_sender_s = 2, no_pose_for_s = 1;
 constexpr std::size_t most_issues_per_packet = 32;
 constexpr const char* shared_name = "all senders";
@@ -48,7 +48,7 @@ class VmcDecoder : public StreamDecoder {
   }
 
  private:
-  /// Null when there is no room: somebody new forgets nobody who sends poses now.
+  /// Null if there is no room: a new sender does not replace one that sends poses now.
   VmcPerformer* performer_of(const Datagram& datagram, Decoded& out) {
     const std::string name = splits_by_sender_ ? datagram.from.text() : shared_name;
     for (const auto& performer : performers_)

@@ -9,11 +9,11 @@
 
 namespace abrazo {
 
-/// A character as VMC protocol 2.7 sends it: Unity's humanoid bones with rotations from a T-pose, root, OK
-/// and T. Option "framing": "t-last" (as the VMC application: bundles of at most 12 bones, the last one with
-/// T) or "t-first" (as SlimeVR: one bundle that begins with T). See docs/guide/live/vmc.md.
-/// @param body  measures of the character: the offsets of the bones
-/// @return an Error when an option or the body does not fit
+/// Encodes a character as VMC protocol 2.7: Unity's humanoid bones with rotations from a T-pose, root, OK and
+/// T. Option "framing": "t-last" (as the VMC application: bundles of at most 12 bones, the last one with T)
+/// or "t-first" (as SlimeVR: one bundle that begins with T). See docs/guide/live/vmc.md.
+/// @param body of the character, for the offsets of the bones
+/// @return an Error if an option or the body is invalid
 Result<std::unique_ptr<StreamEncoder>> make_vmc_encoder(const StreamUri& uri, const Body& body);
 
 }  // namespace abrazo

@@ -7,8 +7,8 @@ namespace {
 /// T and the first bone of its frame are sent together; a T that is older ended the frame before.
 constexpr double together_s = 0.003;
 
-/// For how many packets a frame with bones missing may go on instead of ending at a bone that comes again:
-/// they came twice or late, not a sender that has fewer bones from now on.
+/// Number of packets for which a frame with missing bones may continue after a repeated bone: packets were
+/// duplicated or late, the sender does not have fewer bones.
 constexpr int most_put_off = 2;
 
 }  // namespace

@@ -11,20 +11,20 @@
 
 namespace abrazo {
 
-/// A place and a rotation, right-handed, Y up, the character facing +Z [m].
+/// Position and rotation, right-handed, Y up, the character facing +Z [m].
 struct VmcTransform {
   Vec3 position = Vec3::Zero();
-  std::optional<Eigen::Quaterniond> rotation;  ///< nothing where the one that came was refused
+  std::optional<Eigen::Quaterniond> rotation;  ///< none if the received one was invalid
 };
 
-/// The messages of the VMC protocol that matter for a pose.
+/// The messages of the VMC protocol that are relevant for a pose.
 struct VmcBone {
   std::string name;
   VmcTransform local;
 };
 struct VmcRoot {
   VmcTransform world;
-  Vec3 scale = Vec3::Ones();  ///< of the avatar against the real person, for mixed reality (2.1)
+  Vec3 scale = Vec3::Ones();  ///< of the avatar relative to the real person, for mixed reality (2.1)
   Vec3 offset = Vec3::Zero();
 };
 struct VmcTime {
@@ -32,17 +32,17 @@ struct VmcTime {
 };
 struct VmcOk {
   int loaded = 1;
-  int calibration = 3;  ///< 0 not, 1 waits, 2 is being done, 3 done
+  int calibration = 3;  ///< 0 none, 1 waiting, 2 in progress, 3 done
   int tracking = 1;     ///< 0 bad
 };
 /// An avatar was loaded: its title.
 struct VmcModel {
   std::string title;
 };
-/// Any other address, which the protocol allows to ignore.
+/// Any other address; the protocol allows ignoring it.
 struct VmcOther {};
-/// Where a limb ends beyond its last bone: "Head", "LeftHand", "LeftToes", ..., local to the bone. An
-/// extension of Abrazo's, under the protocol's own address for such.
+/// End of a limb beyond its last bone ("Head", "LeftHand", "LeftToes", ...), local to the bone. An extension
+/// by Abrazo, under the protocol's address for extensions.
 struct VmcEnd {
   std::string bone;
   Vec3 local = Vec3::Zero();
@@ -51,10 +51,10 @@ using VmcMessage = std::variant<VmcOther, VmcBone, VmcRoot, VmcTime, VmcOk, VmcM
 
 inline constexpr const char* vmc_end_address = "/VMC/Thru/abrazo/End";
 
-/// @return nothing when the message does not hold what its address demands; why is added to `issues`
+/// @return none if the message does not match its address; the reason is added to `issues`
 std::optional<VmcMessage> read_vmc(const OscElement& message, std::vector<StreamIssue>& issues);
 
-/// From Unity's left-handed space (Y up, Z forward, X right) to ours, by mirroring X, and back.
+/// Converts between Unity's left-handed space (Y up, Z forward, X right) and ours by mirroring X.
 Vec3 mirrored(const Vec3& position);
 Eigen::Quaterniond mirrored(const Eigen::Quaterniond& rotation);
 

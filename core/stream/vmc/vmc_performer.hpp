@@ -14,14 +14,14 @@
 
 namespace abrazo {
 
-/// One sender of VMC: its pose so far, and the frames it completes.
+/// One sender of VMC: its present pose and complete frames.
 class VmcPerformer {
  public:
   explicit VmcPerformer(std::string name) : name_(std::move(name)), watch_(name_) {}
 
   void take(const OscPacket& packet, const Datagram& datagram, Decoded& out);
   void pass_time(double now_s, Decoded& out);
-  /// The pose that came last is a T-pose; before the first one: the first one will be.
+  /// Declares the last pose (or, before any pose, the first) a T-pose.
   void calibrate();
 
   const std::string& name() const { return name_; }
@@ -49,7 +49,7 @@ class VmcPerformer {
   std::set<std::string, std::less<>> unknown_bones_;
   double first_s_ = -1, last_s_ = -1;
   std::uint64_t frames_ = 0;
-  /// Packets of the frame that is open: what came twice must not end it.
+  /// Packets of the open frame: a duplicate must not end it.
   std::deque<std::pair<std::size_t, double>> recent_;
 };
 

@@ -35,7 +35,7 @@ void VmcWatch::ok(const VmcOk& ok, double arrived_s) {
 void VmcWatch::time(double value, double arrived_s, Issues& issues) {
   heard(arrived_s);
   if (time_ == value) return;
-  // Two senders' clocks take turns; that is said as what it is.
+  // Two senders' clocks alternate; this is reported as such.
   if (time_ && value < *time_ - reset_s && !two_senders_)
     issues.push_back({"clock-reset", sender_ + ": its T went from " + exact_text(*time_) + " s back to " +
                                          exact_text(value) + " s; the sender was restarted"});

@@ -11,9 +11,9 @@
 
 namespace abrazo {
 
-/// Watches one VMC sender for what is wrong although each message is well: a clock that stands or starts
-/// again, a sender that is not ready, bones of two people on one address. Each is said once a second while it
-/// lasts, not once per packet.
+/// Detects problems of a VMC sender with valid messages: a stopped or restarted clock, a sender that is not
+/// ready, bones of two people on one address. Each is reported once per second while it lasts, not once per
+/// packet.
 class VmcWatch {
  public:
   using Issues = std::vector<StreamIssue>;

@@ -57,7 +57,7 @@ std::string two_digits(int type) {
   return {static_cast<char>('0' + type / 10 % 10), static_cast<char>('0' + type % 10)};
 }
 
-/// The rotation in the axes of Y up; not finite where there is none.
+/// The rotation with Y up; not finite if there is none.
 Eigen::Quaterniond turned(const Eigen::Quaterniond& q, const Vec3& vector_part) {
   return {q.w(), vector_part.x(), vector_part.y(), vector_part.z()};
 }
@@ -198,8 +198,8 @@ void XsensCharacter::place_relative(Poses& poses, std::vector<StreamIssue>& issu
   }
 }
 
-/// In the rest pose all rotations are the identity, so what a segment's parent sees of it is its rest offset,
-/// however the performer stands. From the pelvis to the head that goes upwards.
+/// In the rest pose all rotations are the identity, so the position of a segment in its parent's space is its
+/// rest offset in any pose. From the pelvis to the head it points upwards.
 std::optional<char> XsensCharacter::up_of_spine(const Poses& poses) const {
   Vec3 rest = Vec3::Zero();
   for (int s = head_segment; s != pelvis_segment; s = xsens_parents[static_cast<std::size_t>(s)]) {

@@ -13,14 +13,14 @@
 
 namespace abrazo {
 
-/// What the wire does not say, as far as the user did; the rest is found from the data.
+/// Conventions that the protocol does not transmit, if set by the user; others are detected from the data.
 struct XsensConventions {
   std::optional<double> metres_per_unit;
   std::optional<char> up;  ///< 'y' or 'z', of types 02
 };
 
-/// A counter that may count in steps (a stream thinned by the sender) -> one that counts by 1, so that a gap
-/// means a loss.
+/// Converts a counter with steps (a stream thinned by the sender) to one with step 1, so that a gap means a
+/// loss.
 class SampleSteps {
  public:
   std::int64_t number_of(std::uint32_t sample);
@@ -31,8 +31,8 @@ class SampleSteps {
   std::int64_t step_ = 0;  ///< smallest seen; 0 = none yet
 };
 
-/// One character of a stream: puts samples together that came in several datagrams, and makes world positions
-/// of the segments.
+/// One character of a stream: assembles samples from several datagrams and computes world positions of the
+/// segments.
 class XsensCharacter {
  public:
   XsensCharacter(int id, const XsensConventions& given) : id_(id), given_(given), up_(given.up) {}
@@ -46,7 +46,7 @@ class XsensCharacter {
   std::string fact() const;
 
  private:
-  /// A sample of which datagrams are still on their way.
+  /// A sample with missing datagrams.
   struct Partial {
     XsensHeader header;
     double first_arrived_s = 0;
@@ -64,11 +64,11 @@ class XsensCharacter {
 
   int id_;
   XsensConventions given_;
-  std::string name_;       ///< by the newest meta data
+  std::string name_;       ///< from the newest meta data
   std::string performer_;  ///< fixed by the first frame
   std::optional<char> up_;
-  double metres_per_unit_ = 0;  ///< 0 = not known yet
-  std::optional<int> type_;     ///< that is used, when several come
+  double metres_per_unit_ = 0;  ///< 0 = unknown so far
+  std::optional<int> type_;     ///< the type in use, if several arrive
   double type_s_ = 0;
   SampleSteps steps_;
   std::vector<Partial> partials_;

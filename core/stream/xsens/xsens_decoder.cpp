@@ -61,8 +61,8 @@ void XsensDecoder::take(const Datagram& datagram, Decoded& out) {
   if (content.failed()) out.issues.push_back({"truncated", content.failure()});
 }
 
-/// A character's number is all that a datagram says of who it is, and anybody can write it: it belongs to the
-/// machine that sent a pose of it first. Pose, names and measures of another machine are left out.
+/// A datagram identifies a character only by a number, which any machine can send: the number belongs to the
+/// machine that sent its first pose. Poses, names and scales of other machines are ignored.
 bool XsensDecoder::is_from_its_sender(const XsensHeader& header, const Datagram& datagram, Decoded& out) {
   SenderHold& sender = senders_[header.character];
   const std::optional<std::uint32_t> before = sender.address();

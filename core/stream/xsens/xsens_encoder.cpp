@@ -14,7 +14,7 @@ namespace {
 
 using namespace joints;
 
-/// By segment: the humanoid's bone; L5 has none of its own and stands between pelvis and L3.
+/// By segment: the humanoid's bone; L5 has none and is placed between pelvis and L3.
 constexpr std::array<int, xsens_segment_count> bone_of_segment = {
     humanoid::Hips,          humanoid::Hips,          humanoid::Spine,     humanoid::Chest,
     humanoid::UpperChest,    humanoid::Neck,          humanoid::Head,      humanoid::RightShoulder,

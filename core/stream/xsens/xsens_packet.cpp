@@ -15,7 +15,7 @@ constexpr std::uint8_t last_flag = 0x80;
 constexpr std::array<int, xsens_segment_count> unity_order = {0, 15, 16, 17, 18, 19, 20, 21, 22, 1, 2, 3,
                                                               4, 11, 12, 13, 14, 7,  8,  9,  10, 5, 6};
 
-/// A length (i32) and so many characters.
+/// A length (i32) and that number of characters.
 std::string read_string(ByteReader& reader, std::string_view what) {
   return reader.characters(reader.count(what, 1), what);
 }

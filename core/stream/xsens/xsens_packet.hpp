@@ -13,7 +13,7 @@
 
 namespace abrazo {
 
-/// The two digits behind "MXTP" (docs/guide/live/xsens.md). Others are known to exist and left alone.
+/// The two digits behind "MXTP" (docs/guide/live/xsens.md). Other types exist and are ignored.
 enum class XsensType : int {
   PoseEuler = 1,
   PoseQuaternion = 2,
@@ -26,7 +26,7 @@ enum class XsensType : int {
 
 inline constexpr int xsens_segment_count = 23;
 
-/// Of the body, in the order of their numbers (which begin with 1) in types 01 and 02.
+/// Body segments in the order of their numbers (from 1) in types 01 and 02.
 inline constexpr std::array<std::string_view, xsens_segment_count> xsens_segment_names = {"Pelvis",
                                                                                           "L5",
                                                                                           "L3",
@@ -58,14 +58,14 @@ inline constexpr std::array<int, xsens_segment_count> xsens_parents = {
 struct XsensHeader {
   int type = 0;
   std::uint32_t sample = 0;
-  int datagram = 0;      ///< 0, 1, ... of those of one sample
+  int datagram = 0;      ///< index in the sample, from 0
   bool is_last = false;  ///< of the sample
   int items = 0;
   std::uint32_t time_ms = 0;  ///< on the sender's clock, 0 at the start of a recording
   int character = 0;
   int body_segments = xsens_segment_count;  ///< in all datagrams of the sample
   int props = 0, finger_segments = 0;
-  std::size_t payload_bytes = 0;  ///< 0 where an older sender does not say
+  std::size_t payload_bytes = 0;  ///< 0 = not stated (older senders)
 };
 inline constexpr std::size_t xsens_header_bytes = 24;
 
@@ -73,7 +73,7 @@ inline constexpr std::size_t xsens_header_bytes = 24;
 Result<XsensHeader> parse_xsens_header(ByteReader& reader);
 void write_xsens_header(ByteWriter& writer, const XsensHeader& header);
 
-/// A segment as it is sent: units, axes and parent as the type has them.
+/// A segment as sent, with units, axes and parent of the type.
 struct XsensSegment {
   int number = 0;  ///< from 1 on, in the order of its type
   Vec3 position = Vec3::Zero();
@@ -85,7 +85,7 @@ std::vector<XsensSegment> parse_xsens_segments(ByteReader& reader, const XsensHe
 /// One item of type 02.
 void write_xsens_segment(ByteWriter& writer, const XsensSegment& segment);
 
-/// Index into `xsens_segment_names` of a number in a type's own order; nothing for props and fingers.
+/// Index into `xsens_segment_names` for a number in the order of a type; none for props and fingers.
 std::optional<int> xsens_body_segment(int number, XsensType type);
 
 /// The tags of a type 12: "name", "xmid", "color". Some senders put the text's length before it, some do not.
@@ -103,7 +103,7 @@ struct XsensPoint {
   Vec3 offset = Vec3::Zero();
 };
 
-/// A type 13; usually several of them complete each other.
+/// A message of type 13; usually several complement each other.
 struct XsensScale {
   std::vector<std::pair<std::string, Vec3>> segments;  ///< name, origin in the rest pose
   std::vector<XsensPoint> points;

@@ -99,7 +99,7 @@ DecodedPicture OpenCvStream::picture() const {
   if (rotation_deg_ == 90) cv::rotate(rgb, rgb, cv::ROTATE_90_CLOCKWISE);
   if (rotation_deg_ == 180) cv::rotate(rgb, rgb, cv::ROTATE_180);
   if (rotation_deg_ == 270) cv::rotate(rgb, rgb, cv::ROTATE_90_COUNTERCLOCKWISE);
-  return {rgb.cols, rgb.rows, {rgb.datastart, rgb.dataend}};  // what was converted has no padding
+  return {rgb.cols, rgb.rows, {rgb.datastart, rgb.dataend}};  // converted pictures have no padding
 }
 
 std::uint64_t OpenCvStream::fingerprint() const {

@@ -228,7 +228,7 @@ TEST(C3dReader, StopsAtParametersThatPointBackOrAreTooLong) {
   // The first entry is the group POINT: length, id, name, then where the next begins.
   bytes[C3dBytesWriter::section + 4 + 2 + 5] = 1;
   bytes[C3dBytesWriter::section + 4 + 2 + 6] = 0;
-  EXPECT_THAT(message_of(bytes), HasSubstr("said to begin before it ends"));
+  EXPECT_THAT(message_of(bytes), HasSubstr("stated to begin before it ends"));
   bytes = writer.bytes();
   const auto labels = bytes.find("LABELS");
   bytes[labels + 6 + 2 + 2] = '\xFF', bytes[labels + 6 + 2 + 3] = '\xFF';

@@ -158,7 +158,7 @@ TEST(LearnedSelection, ThatCannotBeLearnedSaysWhyOnceAndEquationSevenStays) {
       said = failure.what();
     }
   test::give_memory_again();
-  EXPECT_THAT(said, HasSubstr("Eq. 7 goes on selecting"));
+  EXPECT_THAT(said, HasSubstr("Eq. 7 continues to select"));
   EXPECT_THAT(said, HasSubstr("not enough memory"));
   EXPECT_FALSE(session.control.is_learning());
   for (int frame = 0; frame < 5; ++frame) EXPECT_FALSE(selects_by_intent(session.step()));
@@ -211,7 +211,7 @@ TEST(LearnedSelection, WhatIsSteeredMeanwhileHoldsThoughLearningFailed) {
       said = failure.what();
     }
   test::give_memory_again();
-  ASSERT_THAT(said, HasSubstr("could not be learned"));
+  ASSERT_THAT(said, HasSubstr("learning the library failed"));
   const FrameResult& result = session.step();
   const int pair = result.candidates.at(static_cast<std::size_t>(result.selected)).pair;
   EXPECT_NE(test::session_library()->take_of(pair).name, "first");

@@ -342,7 +342,7 @@ TEST(Stranger, IsCountedAndSaidByTheReceiver) {
     if (health.diagnoses.size() == 1U) {
       EXPECT_EQ(health.diagnoses[0].kind, "stranger");
       EXPECT_THAT(health.diagnoses[0].text,
-                  HasSubstr("only the server 192.0.2.1 is heard, and packets of 10.0.0.5 are left out"));
+                  HasSubstr("only the server 192.0.2.1 is accepted; packets of 10.0.0.5 are left out"));
     }
     return true;
   });

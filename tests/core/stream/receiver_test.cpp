@@ -276,7 +276,7 @@ TEST(PoseSink, CountsThatNobodyListensAndGoesOn) {
   ASSERT_TRUE(sink) << sink.error().text();
   for (int i = 0; i < 5; ++i) (*sink)->send({test::standing_pose(), i / 100.0, true});
   EXPECT_GT((*sink)->health().failures, 0U);
-  EXPECT_THAT((*sink)->health().latest_failure, HasSubstr("nobody listens there"));
+  EXPECT_THAT((*sink)->health().latest_failure, HasSubstr("no program listens there"));
   EXPECT_EQ((*sink)->health().frames, 5U);
 }
 

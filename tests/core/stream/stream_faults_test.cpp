@@ -342,7 +342,7 @@ TEST(StreamFaults, AnXsensCharacterOfAnotherMachineIsHeardAfterASilenceAndItIsSa
   EXPECT_EQ(line.issues("sender-changed"), 2U)
       << "the number is another machine's; somebody else is followed";
   EXPECT_THAT(line.advice("sender-changed"),
-              HasSubstr("is followed now, since Abrazo sent no poses any more"));
+              HasSubstr("is followed now, since Abrazo stopped sending poses"));
   ASSERT_EQ(line.health().performers.size(), 2U) << "not under the name that the first one sent";
   EXPECT_NEAR(static_cast<double>(line.health().performers[0].frames), 200, 2);
   EXPECT_NEAR(static_cast<double>(line.health().performers[1].frames), 200, 5);
@@ -374,7 +374,7 @@ TEST(StreamFaults, ASenderThatIsFollowedInPlaceOfAnotherIsSaid) {
   Line line(vmc);
   line.run(packets);
   EXPECT_THAT(line.advice("sender-changed"),
-              HasSubstr("10.0.0.2:5000 is followed now, since 10.0.0.1:5000 sent no poses any more"));
+              HasSubstr("10.0.0.2:5000 is followed now, since 10.0.0.1:5000 stopped sending poses"));
 }
 
 /// Sets the 4-byte number at `at` to not-a-number, big-endian.

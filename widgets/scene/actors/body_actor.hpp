@@ -12,8 +12,8 @@ namespace abrazo::widgets {
 
 class BodyLight;
 
-/// A character: lit capsules with a darker silhouette, solid or dashed, so that hue is not the only
-/// difference.
+/// A character: shaded capsules with a darker silhouette, solid or dashed, so that characters differ not only
+/// in hue.
 class BodyActor {
  public:
   enum class Outline { Solid, Dashed };
@@ -26,7 +26,7 @@ class BodyActor {
   void setRadii(const CapsuleRadii& radii);
   void setPose(const Pose& pose);
   void setColour(const QColor& colour);
-  /// Shades the body as it stands; asked for with every picture, since the light goes with the camera.
+  /// Shades the body; called for every picture, because the light moves with the camera.
   void lightFor(const BodyLight& light);
   void setVisible(bool visible);
   void addTo(vtkRenderer* renderer);

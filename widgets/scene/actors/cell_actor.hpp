@@ -10,8 +10,8 @@
 
 namespace abrazo::widgets {
 
-/// Tetrahedra of the interaction mesh: translucent, coloured by how their volume changed; one that turned
-/// over is filled in magenta with a thick rim that nothing hides.
+/// Tetrahedra of the interaction mesh: translucent, coloured by change of volume; inverted ones are magenta
+/// with a thick rim that is always visible.
 class CellActor {
  public:
   CellActor();
@@ -24,7 +24,7 @@ class CellActor {
   /// @param corners  12 numbers per cell, world [m]
   /// @param doublings  |log2 ratio| at the ends of the colour map
   void show(std::vector<double> corners, std::span<const CellVolume> cells, double doublings);
-  /// Puts the faces into the order in which they blend; before each picture.
+  /// Sorts the faces for blending; call before each picture.
   void sortFor(const Vec3& eye, const Vec3& direction);
   void addTo(vtkRenderer* solid, vtkRenderer* in_front);
 

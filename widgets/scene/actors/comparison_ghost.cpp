@@ -37,7 +37,7 @@ void ComparisonGhost::setColours(const Palette& palette, double pixel_ratio) {
   const QColor hues[] = {palette.active, palette.passive};
   for (Run* run : {&m_a, &m_b})
     for (std::size_t body = 0; body < 2; ++body) {
-      // Lighter than the body it may stand in front of, on a rim that parts it from there.
+      // Lighter than a body behind it, with a rim for separation.
       run->bodies[body].setColour(palette.dark ? hues[body].lighter(128) : hues[body].darker(135));
       run->bodies[body].setWidth((run == &m_a ? 3.6 : 2.8) * pixel_ratio);
       run->rims[body].setColour(palette.dark ? QColor("#0b0d10") : QColor("#ffffff"), 0.75);

@@ -9,16 +9,15 @@
 
 namespace abrazo::widgets {
 
-/// The bodies of other runs over the bodies of the frame: run A in dashes, run B in whole lines, each in the
-/// character's colour, with thin lines between the same joints where they are apart.
+/// The bodies of other runs over those of the frame: run A dashed, run B solid, in the character's colour,
+/// with thin lines between joints that differ.
 class ComparisonGhost {
  public:
   ComparisonGhost();
   void addTo(vtkRenderer* in_front);
   void setColours(const Palette& palette, double pixel_ratio);
   void setVisible(bool visible);
-  /// @param recorded  of the frame; what is absent is as recorded, and a body that is as good as there is not
-  /// drawn twice
+  /// @param recorded of the frame; absent runs are as recorded, and an almost equal body is not drawn twice
   void show(const PairPose& recorded, const std::optional<PairPose>& a, const std::optional<PairPose>& b);
 
   bool isThere() const;

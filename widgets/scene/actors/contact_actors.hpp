@@ -17,7 +17,7 @@ class ContactActors {
   void setRadii(const CapsuleRadii& active, const CapsuleRadii& passive);
   void setVisible(bool collisions, bool touches);
   void show(const FrameResult& frame);
-  /// Outlines are silhouettes: they depend on where they are seen from.
+  /// Updates outlines, which are silhouettes and depend on the view direction.
   void outlineFor(const Vec3& direction);
   std::size_t touchCount() const { return m_touch_count; }
 

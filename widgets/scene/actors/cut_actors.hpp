@@ -8,10 +8,10 @@
 
 namespace abrazo::widgets {
 
-/// Leaves out what is beyond the plane in a whole layer; nothing is left out without one.
+/// Clips a whole layer beyond the plane; no clipping without a plane.
 void cut_away(vtkRenderer* layer, const std::optional<CutPlane>& plane);
 
-/// The frame of a plane that stands in the world, with a tick into what is kept.
+/// The outline of a plane fixed in the world, with a tick towards the kept side.
 class CutFrame {
  public:
   void addTo(vtkRenderer* renderer);

@@ -11,8 +11,7 @@ class vtkRenderer;
 
 namespace abrazo::widgets {
 
-/// Half-metre lines on y = 0 that fade with distance from where the characters are, and soft shadows under
-/// them.
+/// Half-metre lines on y = 0 that fade with distance from the characters, and soft shadows under them.
 class FloorActor {
  public:
   FloorActor();
@@ -21,7 +20,7 @@ class FloorActor {
   FloorActor& operator=(const FloorActor&) = delete;
 
   void setColour(const QColor& lines, bool dark_background);
-  /// Lines stay where they are in the world; only which of them are drawn changes.
+  /// Lines are fixed in the world; only the set of drawn lines changes.
   void setCentre(const Vec3& centre);
   struct Shadow {
     Vec3 above;  ///< what casts it, world [m]

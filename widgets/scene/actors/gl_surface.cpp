@@ -37,7 +37,7 @@ void GlSurface::paintGL() {
   if (m_stale || pixels != m_drawnSize) RenderWindow->Render();
   m_stale = false;
   m_drawnSize = pixels;
-  makeCurrent();  // who listens to the end of a picture may have taken the context
+  makeCurrent();  // listeners of the end of a picture may have changed the context
   auto* gl = context()->extraFunctions();
   vtkOpenGLState& state = *RenderWindow->GetState();
   vtkOpenGLFramebufferObject& drawn = *RenderWindow->GetRenderFramebuffer();

@@ -8,22 +8,22 @@
 
 namespace abrazo::widgets {
 
-/// The OpenGL surface. Turns the pointer into camera moves itself: VTK's own styles tilt the horizon and grab
-/// keys. Copies the picture from where VTK drew it: the base class goes by way of a second buffer with its
-/// depth and a pass for alpha, a quarter of what a picture costs a software renderer.
+/// The OpenGL surface. Converts pointer events to camera moves itself, because VTK's interactor styles tilt
+/// the horizon and grab keys. Copies VTK's frame buffer directly: the base class uses a second buffer with
+/// depth and an alpha pass, a quarter of the cost of a picture with a software renderer.
 class GlSurface : public QVTKOpenGLNativeWidget {
  public:
   explicit GlSurface(QWidget* parent);
   NavigationStyle style = NavigationStyle::Abrazo;
-  Qt::KeyboardModifiers keys;  ///< that were held at the reported event
+  Qt::KeyboardModifiers keys;  ///< at the reported event
   std::function<void(QPointF delta, PointerMove move)> dragged;
   std::function<void(double notches)> wheeled;
-  /// The pointer rests or moves here without a button; outside of the widget once it has left.
+  /// The pointer is here without a button; outside of the widget after it left.
   std::function<void(QPointF place)> hovered;
-  /// Pressed and let go at the same place.
+  /// Pressed and released at the same position.
   std::function<void(QPointF place)> clicked;
 
-  /// Draws with the window's next repaint: several requests until then are one picture.
+  /// Draws with the window's next repaint; several requests give one picture.
   void requestPicture();
 
  protected:

@@ -10,7 +10,7 @@ class vtkRenderer;
 
 namespace abrazo::widgets {
 
-/// Some limbs of one body as translucent capsules of the radii that the solver keeps apart.
+/// Limbs of one body as translucent capsules with the solver's radii.
 class LimbActor {
  public:
   LimbActor();

@@ -12,7 +12,7 @@ class vtkRenderer;
 
 namespace abrazo::widgets {
 
-/// Straight lines (or dots) between points of one list. Keeps its topology until it is given another.
+/// Straight lines (or dots) between points of one list. Topology and points are set separately.
 class LineSet {
  public:
   enum class Kind { Lines, Dots };
@@ -26,7 +26,7 @@ class LineSet {
   /// Indices into the points.
   void setLines(std::span<const std::array<int, 2>> lines);
   void setDots(int count);
-  /// One RGBA per line or dot; an empty list goes back to the one colour.
+  /// One RGBA per line or dot; an empty list restores the single colour.
   void setCellColours(std::span<const std::array<unsigned char, 4>> colours);
 
   void setColour(const QColor& colour, double opacity = 1);

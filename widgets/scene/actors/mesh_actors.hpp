@@ -10,17 +10,16 @@
 
 namespace abrazo::widgets {
 
-/// How the interaction mesh is to look in this frame.
+/// Appearance of the interaction mesh in a frame.
 struct MeshLook {
   std::vector<double> scalars;  ///< one per edge
   ColourScale scale;
   double doublings = 0;  ///< |log2 volume ratio| at the ends of the cells' colour map
   MeshFilter filter;
-  double apart = 0;  ///< how far the cells are moved from the middle, share of their distance
+  double apart = 0;  ///< displacement of cells from the middle, share of their distance
 };
 
-/// Edges and tetrahedra of the interaction mesh. Knows which of them are shown, so that they can be pointed
-/// at.
+/// Edges and tetrahedra of the interaction mesh. Keeps the shown ones for picking.
 class MeshActors {
  public:
   void addTo(vtkRenderer* solid, vtkRenderer* in_front);
@@ -31,12 +30,12 @@ class MeshActors {
 
   const std::vector<MeshEdge>& shownEdges() const { return m_shown_edges; }
   const std::vector<MeshTetrahedron>& shownCells() const { return m_shown_cells; }
-  /// Which edges of the frame join the bodies and are shown, and their colours.
+  /// The shown edges of the frame between the bodies, and their colours.
   const std::vector<std::size_t>& betweenEdges() const { return m_between; }
   const std::vector<std::array<unsigned char, 4>>& betweenColours() const { return m_between_colours; }
   /// 12 numbers per shown cell, world [m].
   std::span<const double> corners() const { return m_cells.corners(); }
-  std::size_t betweenCount() const { return m_between_count; }  ///< of the frame, filter or not
+  std::size_t betweenCount() const { return m_between_count; }  ///< of the frame, regardless of the filter
   int invertedCount() const { return m_inverted; }
 
  private:
@@ -46,10 +45,10 @@ class MeshActors {
   bool isOn(ScenePart part) const { return m_visibility[static_cast<std::size_t>(part)]; }
 
   PartVisibility m_visibility = default_visibility;
-  bool m_filtered = false;             ///< so that a filter that was opened takes effect
-  bool m_stale = true;                 ///< the topology on show is not that of the frame and the switches
+  bool m_filtered = false;             ///< detects that a filter was removed
+  bool m_stale = true;                 ///< the shown topology is outdated
   std::vector<MeshEdge> m_edges;       ///< of the frame
-  std::vector<std::size_t> m_between;  ///< which of them join the two bodies and are shown
+  std::vector<std::size_t> m_between;  ///< shown ones between the two bodies
   std::vector<std::array<unsigned char, 4>> m_between_colours;
   std::size_t m_between_count = 0;
   int m_inverted = 0;

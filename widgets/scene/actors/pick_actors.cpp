@@ -20,7 +20,7 @@ void PickActors::addTo(vtkRenderer* in_front, vtkRenderer* topmost) {
 }
 
 void PickActors::setColours(const Palette& palette, double pixel_ratio) {
-  // The opposite of the background with a rim of its own colour: seen on bodies, on edges and on nothing.
+  // Contrast to the background, with a rim in the background colour: visible on bodies, edges and background.
   const QColor ink = palette.dark ? QColor("#ffffff") : QColor("#000000");
   const QColor rim = palette.dark ? QColor("#000000") : QColor("#ffffff");
   const auto dress = [&](Mark& mark, double width, double opacity) {

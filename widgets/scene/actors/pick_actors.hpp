@@ -6,18 +6,18 @@
 
 namespace abrazo::widgets {
 
-/// Marks what is selected and what the pointer is on, over everything else.
+/// Marks of the selected and the hovered item, over everything else.
 class PickActors {
  public:
   PickActors();
-  /// @param in_front  for the rims: in one layer they would fight with their lines for the same pixels
+  /// @param in_front for the rims: in one layer they would have z-fighting with their lines
   void addTo(vtkRenderer* in_front, vtkRenderer* topmost);
   void setColours(const Palette& palette, double pixel_ratio);
-  /// Where an item is marked.
+  /// Geometry of a marked item.
   struct Place {
     const PairPose& pair;
-    std::span<const double> corners;   ///< of the cell as it is drawn, 12 numbers; empty for anything else
-    const PairPose* second = nullptr;  ///< where the same mesh stands a second time
+    std::span<const double> corners;   ///< of the drawn cell, 12 numbers; empty for other items
+    const PairPose* second = nullptr;  ///< positions of the second copy of the mesh
   };
   void showSelected(const Selection& item, const Place& place) { m_selected.show(item, place); }
   void showHovered(const Selection& item, const Place& place) { m_hovered.show(item, place); }

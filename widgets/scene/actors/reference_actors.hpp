@@ -5,14 +5,14 @@
 
 namespace abrazo::widgets {
 
-/// The selected pair's own mesh beside the edited one, its edges in the colours they have there.
+/// The selected pair's mesh beside the edited one, with the same edge colours.
 class ReferenceActors {
  public:
   ReferenceActors();
   void addTo(vtkRenderer* solid, vtkRenderer* in_front);
   void setColours(const Palette& palette, double pixel_ratio);
   void setVisible(bool visible, bool between, bool within);
-  /// @param mesh  the edited one, as it is shown
+  /// @param mesh the shown edited mesh
   void show(const FrameResult& frame, const MeshActors& mesh, const Vec3& offset);
 
  private:

@@ -34,8 +34,7 @@ std::span<const double> half(const PairPose& pair, std::size_t body) {
   return coordinates(pair).subspan(body * joint_count * 3, joint_count * 3);
 }
 
-/// Bones without a radius of their own would leave holes in the drawn body; calibrated ones may be too thin
-/// to see.
+/// Bones without a radius would leave holes in the drawn body; calibrated radii may be too thin to see.
 CapsuleRadii drawn_radii(const CapsuleRadii& radii) {
   auto drawn = generic_capsule_radii();
   for (std::size_t b = 0; b < drawn.size(); ++b)
@@ -207,7 +206,7 @@ void SceneActors::showTrails() {
 }
 
 void SceneActors::showAhead(std::span<const Pose> poses, int first_vertex) {
-  constexpr double strength = 0.7;  // less than what was: it is a guess
+  constexpr double strength = 0.7;  // fainter than the trails of the past: it is a prediction
   drawTrails(ahead_lines(poses, first_vertex), m_ahead_lines, strength);
   const double seconds = poses.empty() ? 0 : static_cast<double>(poses.size() - 1) * ahead_step_s;
   m_counts[static_cast<std::size_t>(ScenePart::LookAhead)] = static_cast<int>(std::lround(1000 * seconds));

@@ -21,36 +21,36 @@
 
 namespace abrazo::widgets {
 
-/// Everything that stands in the scene. Shows what it is given; knows no window and no camera.
+/// All objects of the scene. Shows what it is given; independent of window and camera.
 class SceneActors {
  public:
   SceneActors();
 
   /// @param solid    bodies, lines and floor with depth
-  /// @param in_front what must be seen through the bodies
+  /// @param in_front objects visible through the bodies
   /// @param topmost  the dots of the joints, over their rims
   void addTo(vtkRenderer* solid, vtkRenderer* in_front, vtkRenderer* topmost);
-  /// @param pixel_ratio  device pixels per logical pixel: widths of lines are in logical ones
+  /// @param pixel_ratio device pixels per logical pixel: line widths are in logical pixels
   void setColours(const Palette& palette, double pixel_ratio);
   void setRadii(const CapsuleRadii& active, const CapsuleRadii& passive);
   void setVisibility(const PartVisibility& visibility);
 
   void show(const FrameSnapshot& frame, const MeshLook& look);
-  /// Before each picture: what is translucent must be drawn from the back to the front.
+  /// Call before each picture: translucent parts must be drawn back to front.
   void sortFor(const Vec3& eye, const Vec3& direction);
   const MeshActors& mesh() const { return m_mesh; }
-  /// Whose trails are drawn, vertices of the pair.
+  /// Vertices of the pair with trails.
   void setTrailJoints(const std::vector<int>& vertices) { m_trail_joints = vertices; }
   JointTrails& trails() { return m_trails; }
   void showTrails();
-  /// The partner's next moments, the first as it is shown; empty for none. @see look_ahead
+  /// The partner's next poses, the first is the shown one; empty = none. @see look_ahead
   /// @param first_vertex  of the partner in the pair
   void showAhead(std::span<const Pose> poses, int first_vertex);
-  /// The selected pair's own mesh a second time, moved by an offset; zero for not at all.
+  /// Shows the selected pair's mesh at an offset; zero = hidden.
   void setReferenceOffset(const Vec3& offset);
   void showReference(const FrameResult& result) { m_reference.show(result, m_mesh, m_reference_offset); }
   void showCut(const std::optional<CutPlane>& plane) { m_cut.show(plane); }
-  /// The pair of a candidate under the pointer, world; nothing hides it.
+  /// The pair of the hovered candidate, world; always visible.
   void showCandidate(const std::optional<PairPose>& pair);
   const PartCounts& counts() const { return m_counts; }
 

@@ -31,7 +31,7 @@ SceneStage::SceneStage(GlSurface& surface) : m_parts(std::make_unique<Parts>(sur
   p.in_front->SetLayer(1);
   p.topmost->SetLayer(2);
   p.solid->GradientBackgroundOn();
-  p.solid->SetBackgroundAlpha(1);  // what is drawn over it leaves it at 1
+  p.solid->SetBackgroundAlpha(1);  // objects drawn over it leave it at 1
   for (vtkRenderer* renderer : {p.solid.Get(), p.in_front.Get(), p.topmost.Get()}) {
     renderer->SetActiveCamera(p.solid->GetActiveCamera());
     renderer->AutomaticLightCreationOff();

@@ -12,7 +12,7 @@ namespace abrazo::widgets {
 
 class GlSurface;
 
-/// The render window with its layers and lights, all that stands in them, and the camera that looks at it.
+/// The render window with layers, lights, objects and camera.
 class SceneStage {
  public:
   explicit SceneStage(GlSurface& surface);
@@ -21,7 +21,7 @@ class SceneStage {
   SceneStage& operator=(const SceneStage&) = delete;
 
   void setColours(const Palette& palette, double pixel_ratio);
-  /// @param smooth  edges; costs a software renderer much
+  /// @param smooth anti-aliasing; expensive with a software renderer
   void render(bool smooth);
 
   SceneActors actors;

@@ -11,13 +11,13 @@ namespace abrazo::widgets {
 
 class TabularLabel;
 
-/// Steps through the poses on the way from the selected pair to the result.
+/// Steps through the poses from the selected pair to the result.
 class MorphStrip : public QWidget {
   Q_OBJECT
  public:
   explicit MorphStrip(QWidget* parent);
   void setColours(const Palette& palette);
-  /// @param steps  that the frame keeps; @param text  of the step, "3 / 5 + 2"
+  /// @param steps number kept in the frame; @param text of the step, "3 / 5 + 2"
   void showStep(int step, int steps, const QString& text);
 
  signals:

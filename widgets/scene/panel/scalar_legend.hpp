@@ -9,32 +9,32 @@ class QToolButton;
 
 namespace abrazo::widgets {
 
-/// A colour map with words.
+/// A labelled colour map.
 struct LegendScale {
   QString title, low, high;
   bool is_diverging = false;
   ColourMap map = ColourMap::Viridis;
   QString middle = {};        ///< of a logarithmic map
-  bool lacks_values = false;  ///< some are not numbers: the legend tells their colour
+  bool lacks_values = false;  ///< some values are NaN: the legend shows their colour
   bool operator==(const LegendScale&) const = default;
 };
 
-/// @param lacks_values  some of what is coloured has no value
+/// @param lacks_values some coloured items have no value
 LegendScale scalar_legend(MeshScalar scalar, const ColourScale& scale, bool lacks_values);
 /// @param doublings  |log2 ratio| at the ends
 LegendScale volume_legend(double doublings);
 
-/// What colours mean: title with unit, colour bar, its two ends, a lock that keeps the range, and the choice
-/// of the map.
+/// Legend of colours: title with unit, colour bar, its two ends, a lock for the range, and the choice of the
+/// map.
 class ScalarLegend : public QWidget {
   Q_OBJECT
  public:
   explicit ScalarLegend(QWidget* parent);
   void setColours(const Palette& palette);
   void show(const LegendScale& scale);
-  /// Sets the lock without saying so.
+  /// Sets the lock without a signal.
   void setLocked(bool locked);
-  /// What the menu has ticked.
+  /// Checked entries of the menu.
   void setMap(ColourMap map, bool logarithmic);
   const LegendScale& scale() const { return m_scale; }
 

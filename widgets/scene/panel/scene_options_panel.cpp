@@ -10,7 +10,7 @@
 namespace abrazo::widgets {
 namespace {
 
-constexpr double longest_m = 3;  // shown as "any": no edge of two people who dance is longer
+constexpr double longest_m = 3;  // shown as "any": no edge of a dancing couple is longer
 constexpr int apart_steps = 200, cut_mm = 1000;
 constexpr int half_turn_deg = 180, quarter_turn_deg = 90;
 constexpr double degrees_per_radian = 57.29577951308232;
@@ -102,7 +102,7 @@ SceneOptions SceneOptionsPanel::asked() const {
   options.cuts = m_cuts->isChecked();
   options.cut_in_world = m_inWorld->isChecked();
   options.cut_m = static_cast<double>(m_cut->value()) / 1000;
-  // A slider has whole degrees: one that was not touched keeps what it stands for.
+  // A slider has whole degrees: an untouched one keeps its exact value.
   if (m_turn->value() != degrees(m_options.cut_azimuth_rad))
     options.cut_azimuth_rad = m_turn->value() / degrees_per_radian;
   if (m_tilt->value() != degrees(m_options.cut_elevation_rad))

@@ -11,7 +11,7 @@ class QToolButton;
 
 namespace abrazo::widgets {
 
-/// Opens below its button: which edges are shown, how far the cells stand apart, the cutting plane, trails.
+/// Pop-up below its button: shown edges, spacing of cells, cutting plane, trails.
 class SceneOptionsPanel : public QFrame {
   Q_OBJECT
  public:

@@ -61,7 +61,7 @@ ScalarChips::ScalarChips(QWidget* parent) : QWidget(parent) {
   m_options = new SceneOptionsPanel(this);
   connect(m_options, &SceneOptionsPanel::optionsRequested, this, &ScalarChips::optionsRequested);
   connect(m_filter, &QToolButton::clicked, this, [this] {
-    setOptions(m_shown);  // a click must not leave the chip checked: it says that something is filtered
+    setOptions(m_shown);  // a click must not leave the chip checked: that indicates an active filter
     m_options->move(m_filter->mapToGlobal({0, m_filter->height() + 4}));
     m_options->show();
   });

@@ -21,7 +21,7 @@ class ScalarChips : public QWidget {
   void setBetweenOnly(bool only);
   void setCells(bool shown);
   void setOptions(const SceneOptions& options);
-  /// Shorter words where the whole ones do not fit.
+  /// Uses shorter texts if the full ones do not fit.
   void fitInto(int width_px);
 
  signals:
@@ -35,16 +35,16 @@ class ScalarChips : public QWidget {
   QToolButton *m_cells, *m_betweenOnly, *m_filter;
   SceneOptionsPanel* m_options;
   SceneOptions m_shown;
-  int m_fullWidth = 0;  ///< pixels that the whole words take
+  int m_fullWidth = 0;  ///< width of the full texts [px]
 };
 
-/// A few lines about the frame at the bottom left. Never takes the pointer.
+/// A few lines about the frame at the bottom left. Ignores the pointer.
 class FrameFacts : public QWidget {
   Q_OBJECT
  public:
   explicit FrameFacts(QWidget* parent);
   void setColours(const Palette& palette);
-  /// @param trouble  shown in the warning colour; empty when all is well
+  /// @param trouble shown in the warning colour; empty = none
   void show(const QString& first, const QString& second, const QString& trouble);
 
  protected:

@@ -218,7 +218,7 @@ void SceneTreeList::setCurrent(int row) {
   emit currentChanged(row);
 }
 
-/// What a screen reader says of the current row.
+/// Screen reader text of the current row.
 void SceneTreeList::describe() {
   if (m_current < 0 || m_current >= static_cast<int>(m_rows.size())) return setAccessibleDescription({});
   const TreeRow& row = m_rows[static_cast<std::size_t>(m_current)];

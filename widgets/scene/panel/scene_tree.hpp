@@ -14,8 +14,8 @@ namespace abrazo::widgets {
 
 class SceneTreeList;
 
-/// What the scene shows, as an indented list with a dot to show or hide each part and how many there are of
-/// it; a character opens to its joints, which can be selected. Changes nothing itself: it asks.
+/// The parts of the scene as a tree, with a dot to show or hide each part and its count; a character expands
+/// to its joints, which can be selected. Changes nothing itself: it emits requests.
 class SceneTree : public QWidget {
   Q_OBJECT
  public:
@@ -56,7 +56,7 @@ class SceneTreeList : public QWidget {
   void setCounts(const PartCounts& counts);
   void setSelection(const Selection& selection);
   const Selection& selection() const { return m_selection; }
-  /// The row that keys are about; -1 for none.
+  /// The current row for keys; -1 = none.
   int current() const { return m_current; }
 
  signals:

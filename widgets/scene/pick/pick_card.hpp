@@ -7,7 +7,7 @@
 
 namespace abrazo::widgets {
 
-/// The facts of what is pointed at or selected. Never takes the pointer.
+/// Facts of the hovered or selected item. Ignores the pointer.
 class PickCard : public QWidget {
   Q_OBJECT
  public:

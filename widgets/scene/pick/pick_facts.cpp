@@ -61,7 +61,7 @@ std::string cost_line(const CostBreakdown& cost, double alpha) {
                       cost.temporal_active, cost.temporal_passive);
 }
 
-/// Two lines: one would make the card wider than what it is about.
+/// Two lines: one would make the card too wide.
 void add_intent_cost(PickText& told, const IntentCost& cost) {
   told.lines.push_back(
       text_of_fact("cost %.3f m = partner %.3f + leader %.3f", cost.total, cost.partner, cost.leader));

@@ -25,13 +25,13 @@ struct EdgeFacts {
   double weight = 0, residual_m = 0;
   double energy_share = 0;  ///< [%]
 };
-/// Nothing when the frame's mesh has no such edge.
+/// None if the frame's mesh has no such edge.
 std::optional<EdgeFacts> edge_facts(const FrameSnapshot& frame, const MeshEdge& edge);
 
-/// Nothing when the frame's mesh has no such cell.
+/// None if the frame's mesh has no such cell.
 std::optional<CellVolume> cell_facts(const FrameSnapshot& frame, const Selection& cell);
 
-/// Place of a pair among the candidates of the frame; nothing when it is not one of them.
+/// Index of a pair among the candidates of the frame; none if it is not a candidate.
 std::optional<std::size_t> candidate_of(const FrameSnapshot& frame, int pair);
 
 /// Whether the frame has the item.

@@ -11,41 +11,40 @@
 
 namespace abrazo::widgets {
 
-/// A recorded pair that is shown as a skeleton.
+/// A recorded pair shown as a skeleton.
 struct Ghost {
   int pair = -1;  ///< of the library
   PairPose pose = PairPose::Zero();
 };
 
-/// What can be pointed at.
+/// The items that can be picked.
 struct Pickable {
   const PairPose& pair;
   std::array<bool, 2> bodies{true, true};  ///< whose joints
   std::span<const MeshEdge> edges;
   std::span<const MeshTetrahedron> cells;
-  std::span<const double> corners;  ///< of the cells as they are drawn, 12 numbers each, world [m]
+  std::span<const double> corners;  ///< of the drawn cells, 12 numbers each, world [m]
   std::span<const Ghost> ghosts;
 };
 
 inline constexpr double joint_reach_px = 9, edge_reach_px = 5;
 
-/// Pixels from (x, y) to the segment a b.
+/// Distance of (x, y) from the segment a b [pixels].
 double distance_to_segment(double x, double y, const PicturePoint& a, const PicturePoint& b);
 /// Depth of the triangle at (x, y), interpolated in the picture; negative outside of it.
 double depth_inside(double x, double y, const std::array<PicturePoint, 3>& triangle);
 
 /// A joint within `joint_reach_px`, else an edge or a bone of a ghost within `edge_reach_px`, else the cell
-/// in front. Of several the nearest to the pointer; of those that lie as near as makes no difference, the
-/// nearest to the eye.
+/// in front. Among several the nearest to the pointer; among equally near ones the nearest to the eye.
 Selection pick(double x, double y, const PictureProjection& projection, const Pickable& scene);
 
-/// The lines that an item has in the picture, as ends of segments; what the camera does not show is left out.
+/// The visible lines of an item in the picture, as ends of segments.
 std::vector<std::array<PicturePoint, 2>> segments_of(const Selection& item,
                                                      const PictureProjection& projection,
                                                      const PairPose& pair);
 
-/// A corner of a card of this size beside the pointer, within the room and off the segments where there is
-/// such a place, else where it hides least of them.
+/// Position of a card of this size beside the pointer, inside the view and off the segments if possible, else
+/// where it hides least of them.
 struct CardPlace {
   int x = 0, y = 0;
 };

@@ -51,7 +51,7 @@ bool ScenePicker::pointAt(QPointF place, const FrameSnapshot& frame) {
   return changed;
 }
 
-/// Off what it is about, wherever that leaves room.
+/// Beside the item, if there is room.
 void ScenePicker::moveCard(const FrameSnapshot& frame) {
   auto segments = segments_of(m_hovered, projection(), frame.result.result);
   if (!m_referenceOffset.isZero()) {

@@ -15,29 +15,29 @@ namespace abrazo::widgets {
 class PickCard;
 class SceneStage;
 
-/// What the pointer is on and what is selected: marks both in the scene and tells their facts on cards.
+/// Hovered and selected item: marks both in the scene and shows their facts on cards.
 class ScenePicker {
  public:
   ScenePicker(QWidget* parent, SceneStage& stage);
 
   void setColours(const Palette& palette);
   void setVisibility(const PartVisibility& visibility) { m_visibility = visibility; }
-  /// @return whether the scene looks different now. A place outside of the picture points at nothing.
+  /// @return whether the scene changed. A position outside of the picture means no item.
   bool pointAt(QPointF place, const FrameSnapshot& frame);
-  /// Skeletons of recorded pairs that are shown.
+  /// The shown skeletons of recorded pairs.
   void setGhosts(std::vector<Ghost> ghosts) { m_ghosts = std::move(ghosts); }
-  /// Names candidates; may be null.
+  /// For names of candidates; may be null.
   void setLibrary(std::shared_ptr<const MotionLibrary> library) { m_library = std::move(library); }
-  /// Where the mesh of the selected pair stands a second time; zero when it does not.
+  /// Offset of the second copy of the selected pair's mesh; zero = none.
   void setReferenceOffset(const Vec3& offset) { m_referenceOffset = offset; }
-  /// @return whether something else is selected now
+  /// @return whether the selection changed
   bool select(const Selection& item);
   const Selection& selected() const { return m_selected; }
   const Selection& hovered() const { return m_hovered; }
   Selection itemAt(QPointF place, const FrameSnapshot& frame) const;
-  /// Marks and cards follow the frame; what its mesh does not have is reported and not marked.
+  /// Updates marks and cards for the frame; an item missing in its mesh is reported, not marked.
   void show(const FrameSnapshot& frame);
-  /// The card of what is selected stands at the lower right.
+  /// Places the card of the selection at the lower right.
   void arrange();
 
  private:

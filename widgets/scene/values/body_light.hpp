@@ -10,12 +10,12 @@
 
 namespace abrazo::widgets {
 
-/// Two lamps that go with the camera, and how bright a body is under them (Phong's model). Found per point of
-/// a surface and interpolated between: found per pixel it is most of what a software renderer does for a
-/// body.
+/// Two lights that move with the camera, and the brightness of a body under them (Phong's model). Computed
+/// per vertex and interpolated, because per-pixel lighting dominates the cost of a body in a software
+/// renderer.
 class BodyLight {
  public:
-  /// @param direction  of view, unit length; the world's up is the picture's
+  /// @param direction of view, unit length; the world's up is up in the picture
   explicit BodyLight(const Vec3& direction) : towards_eye_(-direction.cast<float>()) {
     const Eigen::Vector3f ahead = direction.cast<float>();
     Eigen::Vector3f right = ahead.cross(Eigen::Vector3f::UnitY());
@@ -27,7 +27,7 @@ class BodyLight {
     lamps_ = {{{placed(-0.7F, 0.9F, 1.0F), 0.85F}, {placed(0.9F, 0.1F, 0.8F), 0.28F}}};
   }
 
-  /// Share of the surface's own colour, 0.42 in the shade.
+  /// Share of the surface colour, 0.42 in the shade.
   /// @param normal  outwards, unit length
   float on(const Eigen::Vector3f& normal) const {
     float brightness = 0.42F;
@@ -42,7 +42,7 @@ class BodyLight {
 
  private:
   struct Lamp {
-    Eigen::Vector3f direction;  ///< towards it
+    Eigen::Vector3f direction;  ///< towards the light
     float intensity;
   };
   static float power_18(float value) {

@@ -9,13 +9,13 @@
 
 namespace abrazo::widgets {
 
-/// A camera on its way to another view, the shorter way around. Plain arithmetic, no toolkit.
+/// An animated camera move to another view, the shorter way around. Independent of Qt and VTK.
 struct CameraMove {
   static constexpr double duration_s = 0.2;
   OrbitCamera from, to;
 
   bool is_over(double elapsed_s) const { return elapsed_s >= duration_s; }
-  /// Starts and ends slowly; exactly `to` at the end. What the camera leaves out stays as it is.
+  /// Eases in and out; exactly `to` at the end. Cutting planes are unchanged.
   void apply(OrbitCamera& camera, double elapsed_s) const {
     const double t = std::clamp(elapsed_s / duration_s, 0.0, 1.0), share = t * t * (3 - 2 * t);
     const auto between = [share](double a, double b) { return share < 1 ? a + share * (b - a) : b; };
@@ -27,20 +27,19 @@ struct CameraMove {
   }
 };
 
-/// The views that were left, so that one can go back. Separate from the undo of edits: looking changes
-/// nothing.
+/// History of views for going back. Separate from undo, because camera moves are not edits.
 class CameraHistory {
  public:
   static constexpr std::size_t most_views = 64;
 
-  /// Before the camera is moved away from `view`. The same view twice counts once.
+  /// Call before the camera leaves `view`. Equal successive views count once.
   void leave(const OrbitCamera& view) {
     next_.clear();
     if (!earlier_.empty() && earlier_.back() == view) return;
     earlier_.push_back(view);
     if (earlier_.size() > most_views) earlier_.erase(earlier_.begin());
   }
-  /// @param now  the view that is left on the way back; nothing when there is no earlier one
+  /// @param now the present view. @return none if there is no earlier view
   std::optional<OrbitCamera> back(const OrbitCamera& now) { return step(earlier_, next_, now); }
   std::optional<OrbitCamera> forth(const OrbitCamera& now) { return step(next_, earlier_, now); }
 

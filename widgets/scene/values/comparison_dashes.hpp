@@ -7,9 +7,8 @@
 
 namespace abrazo::widgets {
 
-/// Ends of the lines of a body that stands for another run, three numbers a point, two points a line: its
-/// bones whole, or cut into dashes of some 3 cm with gaps between. A bone has a dash at either end, so that
-/// joints are seen.
+/// Ends of the lines of another run's body, three numbers per point, two points per line: bones solid, or cut
+/// into dashes of about 3 cm. A bone has a dash at either end, so that joints are visible.
 inline std::vector<double> bone_strokes(const PairPose& pair, int first_vertex, bool dashed) {
   constexpr double period_m = 0.05;
   constexpr double dash_share = 0.6;
@@ -29,7 +28,7 @@ inline std::vector<double> bone_strokes(const PairPose& pair, int first_vertex, 
   return ends;
 }
 
-/// Lines between the same joints of two bodies that are at least so far apart.
+/// Lines between the same joints of two bodies that differ by at least a minimum distance.
 inline std::vector<double> difference_strokes(const PairPose& a, const PairPose& b, int first_vertex,
                                               double least_m) {
   std::vector<double> ends;

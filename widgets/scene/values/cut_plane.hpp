@@ -6,7 +6,7 @@
 
 namespace abrazo::widgets {
 
-/// A plane that stands in the world; what lies beyond it, along the normal, is left out of the picture.
+/// A cutting plane fixed in the world; everything beyond it, along the normal, is clipped.
 struct CutPlane {
   Vec3 point = Vec3::Zero();
   Vec3 normal = Vec3::UnitZ();  ///< unit

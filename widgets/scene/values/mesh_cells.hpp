@@ -8,12 +8,12 @@
 
 namespace abrazo::widgets {
 
-/// What became of one tetrahedron of the interaction mesh.
+/// Change of volume of one tetrahedron of the interaction mesh.
 struct CellVolume {
   double volume_m3 = 0;     ///< at the result, never negative
   double reference_m3 = 0;  ///< in the selected pair
   double ratio = 1;         ///< signed volume of the result / that of the selected pair; negative: inverted
-  /// Thinner than `flat_m` in the selected pair: its sign says nothing, so it is neither coloured nor
+  /// Thinner than `flat_m` in the selected pair: its sign is meaningless, so it is neither coloured nor
   /// counted.
   bool is_flat = false;
   bool is_inverted = false;
@@ -26,15 +26,14 @@ CellVolume cell_volume(const PairPose& result, const PairPose& reference, const 
 std::vector<CellVolume> cell_volumes(const FrameResult& frame);
 int inverted_count(std::span<const CellVolume> cells);
 
-/// Has vertices of both bodies.
+/// Whether it has vertices of both bodies.
 bool joins_bodies(const MeshTetrahedron& cell);
 
-/// |log2 ratio| that 90 % of the cells stay under; flat and inverted ones do not count. 1 is halved or
-/// doubled.
+/// 90th percentile of |log2 ratio|, without flat and inverted cells. 1 = halved or doubled.
 double typical_doublings(std::span<const CellVolume> cells);
 
-/// Corners of each cell, 12 numbers per cell, world [m]. A cell's centre c goes to c + apart (c - mean of the
-/// vertices); its corners come nearer to it by the share `shrink`.
+/// Corners of each cell, 12 numbers per cell, world [m]. A cell's centre c moves to c + apart (c - mean of
+/// the vertices); its corners move towards it by the share `shrink`.
 std::vector<double> spread_cells(const PairPose& pair, std::span<const MeshTetrahedron> cells, double apart,
                                  double shrink);
 
@@ -42,7 +41,7 @@ std::vector<double> spread_cells(const PairPose& pair, std::span<const MeshTetra
 inline constexpr std::array<std::array<int, 3>, 4> cell_faces = {
     {{0, 1, 2}, {0, 1, 3}, {0, 2, 3}, {1, 2, 3}}};
 
-/// Faces 4 c + f of the cells, the farthest from the eye first: the order in which translucent ones blend.
+/// Faces 4 c + f of the cells, farthest from the eye first, for blending.
 std::vector<int> faces_back_to_front(std::span<const double> corners, const Vec3& eye, const Vec3& direction);
 
 }  // namespace abrazo::widgets

@@ -10,8 +10,8 @@ bool has_length(const MeshFilter& filter, const PairPose& pair, int a, int b) {
   return length >= filter.shortest_m && length <= filter.longest_m;
 }
 
-/// With joints, whatever meets at one of them; with an edge or a cell, what has all of its vertices, and the
-/// parts of it that are asked for.
+/// For joints: items at one of them; for an edge or a cell: items with all of its vertices, and optionally
+/// its parts.
 template <typename Item>
 bool belongs(const Selection& selection, const Item& item, bool with_parts) {
   const auto shared = std::count_if(item.begin(), item.end(), [&](auto v) { return selection.has(v); });

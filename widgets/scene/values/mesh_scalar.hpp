@@ -8,7 +8,7 @@
 
 namespace abrazo::widgets {
 
-/// What colours the edges of the interaction mesh.
+/// Values that colour the edges of the interaction mesh.
 enum class MeshScalar { Residual, Weight, LengthChange, EnergyShare };
 inline constexpr std::size_t mesh_scalar_count = 4;
 
@@ -20,34 +20,33 @@ struct ScalarInfo {
 
 ScalarInfo scalar_info(MeshScalar scalar);
 
-/// One value per edge in the unit of `scalar_info`; NaN where the frame has none.
+/// One value per edge in the unit of `scalar_info`; NaN if the frame has none.
 std::vector<double> edge_scalars(const FrameSnapshot& frame, MeshScalar scalar);
 
-/// Deformation energy of each edge [m^2]: what a vertex has, 1/2 |delta_j - L(v'_j)|^2 (Eq. 11), is split
-/// among its edges by their weights there. Adds up to E_L of the frame.
+/// Deformation energy of each edge [m^2]: the energy of a vertex, 1/2 |delta_j - L(v'_j)|^2 (Eq. 11), is
+/// divided among its edges by their weights. Sums to E_L of the frame.
 std::vector<double> edge_energies(const FrameSnapshot& frame);
 
-/// The size that 90 % of the edges between the bodies stay under: one stretched edge must not darken all
-/// others.
+/// 90th percentile over the edges between the bodies: one stretched edge must not darken all others.
 double typical_upper(const std::vector<MeshEdge>& edges, const std::vector<double>& scalars);
 
 using Colour = std::array<unsigned char, 3>;
 
-/// How values become colours.
+/// Mapping of values to colours.
 struct ColourScale {
-  double upper = 0;        ///< value at the end of the map; nothing is coloured while it is 0
+  double upper = 0;        ///< value at the end of the map; 0 = no colouring
   bool is_signed = false;  ///< from -upper to upper on the diverging map
   ColourMap map = ColourMap::Viridis;
   bool is_logarithmic = false;  ///< `decades` below the upper end; not with signed values
   bool operator==(const ColourScale&) const = default;
 
   static constexpr double decades = 2;
-  /// Along the map, 0 to 1; NaN for what is not a number. On a logarithmic scale 0 and less is the lower end.
+  /// Position on the map, 0 to 1; NaN for NaN. On a logarithmic scale values up to 0 are at the lower end.
   double share(double value) const;
   Colour colour(double value) const;
 };
 
-/// Of what is not a number: on neither map.
+/// Colour of NaN; on neither map.
 inline constexpr Colour no_value_colour = {122, 122, 122};
 
 /// Red, green, blue [0, 255] at `share` in [0, 1] of the map.

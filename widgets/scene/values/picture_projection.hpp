@@ -6,18 +6,18 @@
 
 namespace abrazo::widgets {
 
-/// A point in the picture: pixels from the upper left corner, and how far along the direction of view [m].
+/// A point in the picture: pixels from the upper left corner, and depth along the view direction [m].
 struct PicturePoint {
   double x = 0, y = 0, depth_m = 0;
 };
 
-/// Where world points come to lie in a picture.
+/// Projection of world points to a picture.
 class PictureProjection {
  public:
   /// @param width_px, height_px  of the picture
   PictureProjection(const OrbitCamera& camera, double width_px, double height_px);
 
-  /// Nothing for a point that is nearer than the camera shows, or cut away.
+  /// None for a point before the near limit, or clipped.
   std::optional<PicturePoint> project(const Vec3& world) const;
 
  private:

@@ -2,7 +2,7 @@
 
 namespace abrazo::widgets {
 
-/// Whose mouse a hand is used to.
+/// Mouse conventions of other programs.
 enum class NavigationStyle { Abrazo, Blender, Maya, Vtk };
 enum class PointerMove { None, Turn, Shift, Zoom };
 
@@ -11,7 +11,7 @@ struct PointerButtons {
   bool shift = false, control = false, alt = false;
 };
 
-/// What a drag does.
+/// The effect of a drag.
 inline PointerMove pointer_move(NavigationStyle style, const PointerButtons& pressed) {
   using M = PointerMove;
   switch (style) {

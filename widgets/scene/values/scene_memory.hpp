@@ -8,8 +8,8 @@
 
 namespace abrazo::widgets {
 
-/// How a person has set up the scene: what is remembered between two starts. Not what was selected, isolated
-/// or cut: a start shows everything.
+/// The scene settings remembered between two starts; without selection, isolation and cutting planes, because
+/// a start shows everything.
 struct SceneMemory {
   PartVisibility visibility = default_visibility;
   MeshScalar scalar = MeshScalar::Residual;
@@ -18,7 +18,7 @@ struct SceneMemory {
 
 /// One JSON object, by name.
 QString text_of(const SceneMemory& memory);
-/// What is not known (of another version) or out of range is as usual.
+/// Unknown (of another version) or out-of-range values get their defaults.
 SceneMemory scene_memory_of(const QString& text);
 
 }  // namespace abrazo::widgets

@@ -6,25 +6,24 @@
 
 namespace abrazo::widgets {
 
-/// Perceptual maps that a colour-blind eye can read; signed values have a map of their own.
+/// Perceptual colour maps, safe for colour blindness; signed values have a separate map.
 enum class ColourMap { Viridis, Cividis };
 
-/// How the scene shows what it shows; what is shown is `PartVisibility`.
+/// Display options of the scene; `PartVisibility` has the visible parts.
 struct SceneOptions {
   double shortest_m = 0, longest_m = MeshFilter::no_limit;  ///< of the edges that are shown
-  bool isolates = false;  ///< while something is selected, only what belongs to it
-  double apart = 0;       ///< cells moved from the middle, share of their distance
-  bool cuts = false;      ///< leave out what is nearer to the eye than a plane
-  double cut_m = 0;       ///< how far before the middle of the pair that plane lies
-  /// The plane stays in the world instead of with the eye: through `cut_at`, moved by `cut_m` along its
-  /// normal.
+  bool isolates = false;  ///< shows only items of the selection, if there is one
+  double apart = 0;       ///< displacement of cells from the middle, share of their distance
+  bool cuts = false;      ///< clips everything nearer to the eye than a plane
+  double cut_m = 0;       ///< distance of that plane in front of the middle of the pair
+  /// The plane is fixed in the world instead of the eye: through `cut_at`, moved by `cut_m` along its normal.
   bool cut_in_world = false;
-  double cut_azimuth_rad = 0, cut_elevation_rad = 0;  ///< of the normal; beyond it nothing is shown
+  double cut_azimuth_rad = 0, cut_elevation_rad = 0;  ///< of the normal, which points to the clipped side
   Vec3 cut_at = Vec3(0, 1, 0);
   bool is_parallel = false;
   NavigationStyle navigation = NavigationStyle::Abrazo;
   ColourMap map = ColourMap::Viridis;
-  bool is_logarithmic = false;  ///< two decades below the upper end, where no value is signed
+  bool is_logarithmic = false;  ///< two decades below the upper end, for unsigned values
   double trail_s = 1.5;
   bool shows_reference_beside = false;
 

@@ -5,7 +5,7 @@
 
 namespace abrazo::widgets {
 
-/// What the scene can show or hide.
+/// The parts that the scene can show or hide.
 enum class ScenePart {
   User,
   Leader,
@@ -23,7 +23,7 @@ enum class ScenePart {
   Trails,
   Floor,
   Comparison,  ///< bodies of another run
-  LookAhead,   ///< where the partner goes next if the recording goes on
+  LookAhead,   ///< the partner's next poses if the recording continues
   Count
 };
 
@@ -31,7 +31,7 @@ inline constexpr std::size_t scene_part_count = static_cast<std::size_t>(ScenePa
 using PartVisibility = std::array<bool, scene_part_count>;
 using PartCounts = std::array<int, scene_part_count>;
 
-/// What is quiet until needed starts hidden.
+/// Rarely needed parts are hidden initially.
 inline constexpr PartVisibility default_visibility = [] {
   PartVisibility visible;
   visible.fill(true);

@@ -14,23 +14,23 @@ namespace abrazo::widgets {
 struct TreeRow {
   std::string name;
   int depth = 0;
-  std::vector<ScenePart> parts;  ///< what its dot switches; a group switches all of its own; a joint has none
-  std::string tip;               ///< what it is; a joint has none
+  std::vector<ScenePart> parts;  ///< switched by its dot; a group switches all its parts; a joint has none
+  std::string tip;               ///< tooltip; a joint has none
   int vertex = -1;               ///< of a joint
-  int character = -1;            ///< 0 leader, 1 follower: can be opened
+  int character = -1;            ///< 0 leader, 1 follower: expandable
 };
 
 /// Parts and groups, in the order of the tree. The first nine have keys.
 const std::vector<TreeRow>& part_rows();
 inline constexpr std::size_t rows_with_keys = 9;
 
-/// The rows that are shown. @param open  whose joints; @param filter  only rows that have it in their name,
-/// whatever the case, with the joints of both characters among them; empty for all
+/// The visible rows. @param open characters with visible joints; @param filter only rows with this text in
+/// their name, ignoring case, including the joints of both characters; empty = all
 std::vector<TreeRow> tree_rows(const std::array<bool, 2>& open, std::string_view filter);
 
 /// Whether any of a row's parts is shown.
 bool is_on(const TreeRow& row, const PartVisibility& visibility);
-/// All parts of a row the other way.
+/// Toggles all parts of a row.
 PartVisibility toggled(const TreeRow& row, PartVisibility visibility);
 
 }  // namespace abrazo::widgets

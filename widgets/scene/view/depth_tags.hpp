@@ -11,7 +11,7 @@ class QWidget;
 
 namespace abrazo::widgets {
 
-/// Short words beside points of the scene: how deep limbs overlap. Never take the pointer.
+/// Short texts beside points of the scene: depths of overlaps. Ignore the pointer.
 class DepthTags {
  public:
   static constexpr std::size_t most_tags = 4;

@@ -15,12 +15,11 @@ namespace abrazo::widgets {
 
 class SceneView;
 
-/// Pictures of recorded frames, drawn off the screen in a scene of their own size. The camera follows the
-/// pair by the frames' time: the same frames in the same order give the same pictures. One picture at a time
-/// is kept.
+/// Off-screen pictures of recorded frames. The camera follows the pair by the frames' time: the same frames
+/// in the same order give the same pictures. Keeps one picture at a time.
 class ScenePictures {
  public:
-  /// How a scene is set up that no window shows.
+  /// Setup of an off-screen scene.
   struct Look {
     std::shared_ptr<const MotionLibrary> library;  ///< radii and names of sources; may be null
     Theme theme = Theme::Dark;
@@ -31,11 +30,11 @@ class ScenePictures {
   };
   /// @param size  of the pictures, device pixels
   ScenePictures(QSize size, const Look& look);
-  /// As a view shows its scene now.
+  /// With the present setup of a view.
   ScenePictures(QSize size, const SceneView& like, bool captions);
   ~ScenePictures();
 
-  /// Of exactly the size: red, green, blue. Null shows the frame before once more.
+  /// An RGB picture of exactly the size. A null frame repeats the previous one.
   QImage picture(const FrameSnapshotPtr& frame);
 
  private:
@@ -44,11 +43,11 @@ class ScenePictures {
 
   QSize m_size;
   bool m_captions;
-  std::optional<Look> m_look;  ///< until the first frame is there to look at
+  std::optional<Look> m_look;  ///< until the first frame
   std::unique_ptr<SceneView> m_scene;
 };
 
-/// The picture within `size`, whole, as large as it fits, on black: red, green, blue.
+/// The RGB picture scaled to fit `size`, on black.
 QImage fitted(const QImage& picture, QSize size);
 
 }  // namespace abrazo::widgets

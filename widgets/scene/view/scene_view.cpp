@@ -188,7 +188,7 @@ void SceneView::refresh() {
   render();
 }
 
-/// The selected pair goes on from the frame that is shown.
+/// The selected pair continues from the shown frame.
 void SceneView::showAhead() {
   Parts& p = *m_parts;
   if (!p.shows(ScenePart::LookAhead)) return;

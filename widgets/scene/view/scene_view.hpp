@@ -18,73 +18,73 @@
 
 namespace abrazo::widgets {
 
-/// Both characters, the user, the selected pair and the mesh between the bodies. Renders once for each frame
-/// it is shown; asks nothing of the solver. It asks for a selection and is given it.
+/// Both characters, the user, the selected pair and the mesh between the bodies. Renders once per shown
+/// frame; requests nothing of the solver. Requests selections and shows the given one.
 class SceneView : public QWidget {
   Q_OBJECT
  public:
-  /// What the graphics need to know before the QApplication is made.
+  /// Graphics setup before the QApplication is created.
   static void prepareApplication();
 
   explicit SceneView(QWidget* parent = nullptr);
   ~SceneView() override;
 
-  /// Radii of the bodies and the names of sources come from it.
+  /// Provides radii of the bodies and names of sources.
   void setLibrary(std::shared_ptr<const MotionLibrary> library);
   void setColours(const Palette& palette);
   const PartVisibility& visibility() const;
   MeshScalar scalar() const;
   const OrbitCamera& camera() const;
   const SceneOptions& options() const;
-  /// As it is shown; stays so in other frames, also where the mesh does not have it.
+  /// The shown selection; it persists in other frames, even if their mesh does not have it.
   const Selection& selection() const;
-  /// What a person took out of the mesh, in the order it was hidden.
+  /// Hidden items of the mesh, in order of hiding.
   const std::vector<Selection>& hidden() const;
-  /// Which pose of the frame's way is shown, 0 the selected pair; the last is the result.
+  /// The shown morph step: 0 = selected pair; the last = result.
   int morphStep() const;
-  /// Renders once with smooth edges whatever it costs; before a picture of the window is taken.
+  /// Renders once with anti-aliasing regardless of cost; before a screenshot.
   void renderSharp();
-  /// Drawn now, without what lies over the scene. @param background  absent: that of the colours
+  /// A new picture without overlays. @param background absent: from the palette
   QImage picture(const std::optional<QColor>& background = {});
-  /// As another view shows it now, for pictures of another size: nothing to click, and the camera follows the
-  /// pair by the frames' time, so that the same frames give the same pictures.
+  /// Copies the setup of another view, for pictures of another size: no interaction, and the camera follows
+  /// the pair by the frames' time, so that the same frames give the same pictures.
   void showAs(const SceneView& other, bool captions);
   /// Frames that reached the screen since the start.
   std::uint64_t renderedFrames() const;
 
  public slots:
   void showFrame(abrazo::FrameSnapshotPtr frame);
-  /// Index into the frame's candidates that is pointed at elsewhere; -1 shows none.
+  /// The candidate hovered in another view, index into the frame's; -1 = none.
   void showCandidate(int candidate);
-  /// What other runs came to at the frame that is shown; absent: as it was recorded.
+  /// Results of other runs at the shown frame; absent: as recorded.
   void showComparison(const std::optional<abrazo::PairPose>& a, const std::optional<abrazo::PairPose>& b);
-  /// A pair of the library that is looked at or played, where the user is; nothing shows none.
+  /// A browsed or played library pair, placed at the user; none shows none.
   void showRecorded(const std::optional<abrazo::PairPose>& pair);
   void showSelection(const abrazo::widgets::Selection& selection);
   void setVisibility(const abrazo::widgets::PartVisibility& visibility);
   void setScalar(abrazo::widgets::MeshScalar scalar);
   void setOptions(const abrazo::widgets::SceneOptions& options);
-  /// The poses before the shown frame that trails lack, after the cursor was moved.
+  /// Fills the trails with poses before the shown frame, after the cursor was moved.
   void showPast(const abrazo::FrameHistory& history);
   void hideSelection();
-  /// Lifts what was hidden and isolated.
+  /// Shows hidden items again and ends isolation.
   void showHidden();
-  /// Goes `by` steps along the way of every frame; back to the result at its end.
+  /// Moves by `by` morph steps in every frame; at the end returns to the result.
   void stepMorph(int by);
   void setMorphStep(int step);
-  /// Moves the cutting plane [m], and turns it where it stays in the world [rad].
+  /// Moves the cutting plane [m], and rotates a plane fixed in the world [rad].
   void moveCut(double by_m, double turn_rad, double tilt_rad);
 
   void frameAll();
-  /// What is selected fills the picture; everything while nothing is.
+  /// Fits the selection into the picture; everything without a selection.
   void frameSelection();
-  /// As at the start: beside the pair.
+  /// The initial view: beside the pair.
   void resetView();
   void lookFrom(double azimuth_rad, double elevation_rad);
-  /// Back to the view before, and forth again; not part of the undo of edits.
+  /// Previous and next view; not part of undo.
   void previousView();
   void nextView();
-  /// The camera's target keeps to the pair where it walks away.
+  /// Makes the camera's target follow the pair.
   void setFollowing(bool following);
 
  signals:
@@ -93,9 +93,9 @@ class SceneView : public QWidget {
   void optionsChanged(const abrazo::widgets::SceneOptions& options);
   void scalarChanged(abrazo::widgets::MeshScalar scalar);
   void selectionRequested(const abrazo::widgets::Selection& selection);
-  /// Index into the frame's candidates whose ghost the pointer is on; -1 when it left.
+  /// The candidate whose ghost is hovered, index into the frame's; -1 = the pointer left.
   void candidateHovered(int candidate);
-  /// One more picture reached the screen, so long after it was begun.
+  /// A picture reached the screen `took_ms` after its start.
   void pictureDrawn(double took_ms);
 
  protected:

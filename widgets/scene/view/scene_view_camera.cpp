@@ -35,7 +35,7 @@ void SceneView::followPair() {
   p.followed_s = p.frame->time_s;
 }
 
-/// Goes there within a fifth of a second. Frames are drawn on the way as they come.
+/// Moves there within a fifth of a second. Frames continue to be drawn meanwhile.
 void SceneView::moveCamera(const OrbitCamera& to) {
   Parts& p = *m_parts;
   p.views.leave(p.move ? p.move->to : p.camera);
@@ -69,7 +69,7 @@ void SceneView::resetView() {
 }
 
 void SceneView::frameSelection() {
-  constexpr double nearest_m = 1.2;  // a single joint with what is around it
+  constexpr double nearest_m = 1.2;  // a single joint with its surroundings
   Parts& p = *m_parts;
   const Selection& selected = selection();
   if (!p.shown || !selected.is_of_mesh()) return frameAll();

@@ -1,6 +1,6 @@
 #pragma once
 
-// What SceneView is made of; for its own sources only.
+// Implementation parts of SceneView; for its sources only.
 
 #include <QElapsedTimer>
 #include <QTimer>
@@ -25,7 +25,7 @@
 
 namespace abrazo::widgets {
 
-/// Of both bodies: their trails are drawn while no joint is selected.
+/// Hands of both bodies, with trails while no joint is selected.
 inline constexpr std::array<int, 4> hands = {
     joints::left_hand, joints::right_hand, joint_count + joints::left_hand, joint_count + joints::right_hand};
 
@@ -52,18 +52,18 @@ struct SceneView::Parts {
   MeshScalar scalar = MeshScalar::Residual;
   std::array<SteadyRange, mesh_scalar_count> ranges;
   SteadyRange cell_range, width_range;
-  FrameSnapshotPtr frame;  ///< as it was solved
-  FrameSnapshotPtr shown;  ///< at the morph step that is looked at
+  FrameSnapshotPtr frame;  ///< as solved
+  FrameSnapshotPtr shown;  ///< at the shown morph step
   std::optional<int> step;
   std::shared_ptr<const MotionLibrary> library;
-  std::optional<PairPose> recorded;           ///< of the library, looked at or played
-  int candidate = -1;                         ///< pointed at elsewhere
-  int told_candidate = -1;                    ///< whose ghost the pointer is on here
-  std::uint64_t past_of = ~std::uint64_t{0};  ///< frame whose trails were last filled from the past
+  std::optional<PairPose> recorded;           ///< of the library, browsed or played
+  int candidate = -1;                         ///< hovered in another view
+  int told_candidate = -1;                    ///< hovered ghost in this view
+  std::uint64_t past_of = ~std::uint64_t{0};  ///< frame for which trails were last filled from the past
   double past_length_s = 0;
   bool following = true;
   bool by_frame_time = false;        ///< follow by the frames' time, not by the clock
-  std::optional<double> followed_s;  ///< time of the frame that was followed last
+  std::optional<double> followed_s;  ///< time of the last followed frame
   bool framed = false;
   std::optional<CameraMove> move;
   CameraHistory views;
@@ -73,9 +73,9 @@ struct SceneView::Parts {
   std::uint64_t rendered = 0;
   SmoothingBudget budget;
   bool smoothed = true;
-  bool on_the_way = false;  ///< rendered and not yet on the screen
+  bool on_the_way = false;  ///< rendered, but not yet on the screen
   QElapsedTimer since_render, since_follow;
-  QTimer standstill;  ///< runs out when no picture followed one with rough edges
+  QTimer standstill;  ///< expires if no picture follows one without anti-aliasing
 
   MeshLook look();
   void applyCut();

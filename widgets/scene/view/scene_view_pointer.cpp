@@ -9,7 +9,7 @@ namespace abrazo::widgets {
 namespace {
 
 constexpr double pixels_per_notch = 40;  // of a drag that zooms
-constexpr int one_gesture_ms = 600;      // moves of the hand closer than this are one, for the way back
+constexpr int one_gesture_ms = 600;      // manual moves closer than this count as one in the view history
 constexpr double cut_notch_m = 0.05, cut_radians_per_pixel = 0.0075;
 constexpr double trail_notch = 1.25;
 
