@@ -19,8 +19,8 @@ UnmappedMotion motion_without_joints(const std::vector<std::string>& files, cons
   const auto skeleton = std::ranges::find(known, FileKind::Skeleton, &FileToOpen::kind);
   for (const FileToOpen& file : known) {
     if (file.kind != FileKind::Motion) continue;
-    auto motions = read_motion_points(file.path, skeleton == known.end() ? std::string() : skeleton->path, {},
-                                      {}, progress);
+    auto motions =
+        read_motion_points(file.path, skeleton == known.end() ? std::string() : skeleton->path, {}, progress);
     if (!motions) continue;
     for (NamedMotion& motion : *motions)
       if (!joints_are_known(motion)) return std::make_shared<const NamedMotion>(std::move(motion));
