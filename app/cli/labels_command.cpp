@@ -145,7 +145,7 @@ Status run_convert(CommandLine& line, const LabelWords& words) {
 /// Words for all tiers of moves: one a line, or the vocabularies of a label file.
 Status set_vocabulary(const LabelWords& words, std::vector<Tier>& tiers) {
   std::vector<Tier> known;
-  if (is_tier_file(words.vocabulary)) {
+  if (is_written_tier_file(words.vocabulary)) {  // a .txt is a plain list
     auto document = read_tiers(words.vocabulary, words.reading);
     if (!document) return document.error();
     known = std::move(document->tiers);

@@ -84,7 +84,7 @@ Status write_tier_file(CommandLine& line, const SuggestArguments& arguments, con
 
 Status propose(CommandLine& line, const SuggestArguments& arguments) {
   if (!arguments.output.empty()) {
-    if (!is_tier_file(arguments.output))
+    if (!is_written_tier_file(arguments.output))
       return Error{"is none of the label formats .eaf, .csv, .json, .vtt, .srt", arguments.output};
     if (const Status usable = check_output(arguments.output, {arguments.source}); !usable) return usable;
   }

@@ -107,7 +107,7 @@ class Refusals(unittest.TestCase):
     def test_of_a_performer_that_is_not_there(self):
         pair = demo_set.folder() / "two.bvh"
         abrazo.synthesize(demo_set.library(), demo_set.leader(), keep_frames=False).save(pair)
-        with self.assertRaisesRegex(abrazo.Error, "two.bvh: holds 2 performers; choose one"):
+        with self.assertRaisesRegex(abrazo.Error, "two.bvh: holds 2 performers: 1 active, 2 passive; choose one"):
             abrazo.read_motion(pair)
         with self.assertRaisesRegex(abrazo.Error, "two.bvh: has no performer 3; it holds 1 active, 2 passive"):
             abrazo.read_motion(pair, performer=3)

@@ -144,6 +144,10 @@ bool is_tier_file(std::string_view name) {
   return std::find(known.begin(), known.end(), extension_of(name)) != known.end();
 }
 
+bool is_written_tier_file(std::string_view name) {
+  return is_tier_file(name) && extension_of(name) != elan_text_extension;
+}
+
 Result<TierDocument> parse_tiers(std::string_view text, const std::string& name, const TierReading& reading) {
   if (!is_tier_file(name)) return unknown_format(name);
   const std::string extension = extension_of(name);
@@ -173,7 +177,7 @@ Result<TierDocument> read_tiers(const std::filesystem::path& file, const TierRea
 
 Result<TierText> write_tiers(std::span<const Tier> tiers, const std::string& name,
                              const TierWriting& writing) {
-  if (!is_tier_file(name) || extension_of(name) == elan_text_extension) return unknown_format(name);
+  if (!is_written_tier_file(name)) return unknown_format(name);
   std::vector<Tier> kept(tiers.begin(), tiers.end());
   const int left_out = leave_out_empty(kept);
   if (const Status checked = check_tiers(kept, name); !checked) return checked.error();

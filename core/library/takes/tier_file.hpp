@@ -41,6 +41,8 @@ struct TierText {
 /// ".eaf", ".csv", ".json", ".vtt", ".srt"
 const std::vector<std::string>& tier_file_extensions();
 bool is_tier_file(std::string_view name);
+/// Whether its ending says a format that labels are also written in: not the text of ELAN.
+bool is_written_tier_file(std::string_view name);
 
 /// Tiers from a file of these formats:
 ///   .eaf   ELAN 2.0 to 3.0: alignable and reference annotations, vocabularies, units; see eaf_file.hpp

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cstdint>
 #include <functional>
 
 #include "core/session/file/decisions_json.hpp"
@@ -118,8 +120,9 @@ TEST(SynthesizerStateBytes, OfTheVersionWhosePlaceWasTheRootsGoOnFromWhatIsShown
   const auto end = place_of(state, [](auto& s) { s.memory.partner_is_shown ^= true; });
   auto old = synthesizer_state_bytes(state);
   old.erase(old.begin() + begin, old.begin() + end);
-  // Two more poses of the adaptation; no lead of the feet and its speed.
-  const auto size = static_cast<std::size_t>(end - begin) + 2 * sizeof(Pose) - 4 * 3 * sizeof(double);
+  // Two more poses of the adaptation; no lead of the feet and its speed, pace of holds and steady hands.
+  const auto size =
+      static_cast<std::size_t>(end - begin) + 2 * sizeof(Pose) - (4 * 3 + 4 + 2 * 9) * sizeof(double) - 2;
   old.insert(old.begin() + begin, size, 0);
   old[0] = 3;
   const auto read = parse_synthesizer_state(old);
@@ -132,6 +135,33 @@ TEST(SynthesizerStateBytes, OfTheVersionWhosePlaceWasTheRootsGoOnFromWhatIsShown
   solver->restore(*read);
   EXPECT_NE(solver->step(test::swinging_take("user", 2, 4).a.poses[0], Duration(1.0 / 60)).status,
             StepStatus::Failed);
+}
+
+TEST(SynthesizerStateBytes, OfTheVersionWithoutSteadyHandsHaveAllElse) {
+  const SynthesizerState state = used_state();
+  const auto pace = place_of(state, [](auto& s) {
+    auto holds = s.memory.motion.holds.pairs();
+    // Every byte of the number is another one, so that the first that differs is where it begins.
+    holds[0].ramp_pace = std::bit_cast<double>(~std::bit_cast<std::uint64_t>(holds[0].ramp_pace));
+    s.memory.motion.holds =
+        HandHolds(holds, s.memory.motion.holds.arms(), s.memory.motion.holds.user_hands());
+  });
+  const auto end = place_of(state, [](auto& s) { s.memory.partner_is_shown ^= true; });
+  constexpr std::size_t hold = 2 + 17 * sizeof(double), hands = 2 * (1 + 9 * sizeof(double));
+  auto old = synthesizer_state_bytes(state);
+  old.erase(old.begin() + end - static_cast<std::ptrdiff_t>(hands), old.begin() + end);
+  for (std::size_t p = 4; p-- > 0;) {
+    const std::ptrdiff_t at = pace + static_cast<std::ptrdiff_t>(p * hold);
+    old.erase(old.begin() + at, old.begin() + at + static_cast<std::ptrdiff_t>(sizeof(double)));
+  }
+  old[0] = 4;
+  const auto read = parse_synthesizer_state(old);
+  ASSERT_TRUE(read) << read.error().text();
+  EXPECT_EQ(read->memory.motion.playhead.pair, state.memory.motion.playhead.pair);
+  EXPECT_EQ(read->memory.motion.holds.pairs()[3].asked_speed,
+            state.memory.motion.holds.pairs()[3].asked_speed);
+  EXPECT_FALSE(read->memory.motion.holds.user_hands()[0].is_seen);
+  EXPECT_EQ(read->unsolved_s, state.unsolved_s);
 }
 
 TEST(SynthesizerStateBytes, ADamagedHistoryIsRefused) {
