@@ -50,7 +50,7 @@ class MotionQuality {
     double changes_per_s = 0;  ///< changes of source: marked as such, or not a continuation
     /// Pace: time in the take per elapsed time, over steps that continue the source.
     double pace_p05 = 0, pace_p50 = 0, pace_p95 = 0;
-    double standing_share = 0;  ///< pace below 0.25
+    double standing_share = 0;     ///< pace below 0.25
     double source_pace_share = 0;  ///< pace from 0.75 to 1.25
     /// At a change: mean over the joints of the distance from where the last velocities lead.
     double step_at_change_max_m = 0, step_at_change_mean_m = 0;

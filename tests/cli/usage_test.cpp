@@ -35,7 +35,8 @@ TEST_F(Usage, AMissingCommandIsAnsweredWithTheCommandsThereAre) {
 
 TEST_F(Usage, AnUnknownCommandIsNamed) {
   expect_wrong_usage(run("dance"), "'dance' is not known here");
-  expect_wrong_usage(run("library burn x"), "'burn' is not known here; the commands are build, info, plan, pair");
+  expect_wrong_usage(run("library burn x"),
+                     "'burn' is not known here; the commands are build, info, plan, pair");
 }
 
 TEST_F(Usage, AnUnknownOptionOrWordIsNamed) {

@@ -33,9 +33,9 @@ std::string movement_per_take(const MovementTable& movement) {
   for (std::size_t t = 0; t < movement.takes.size(); ++t) {
     const MovementFigures& f = movement.per_take[t];
     html.row({movement.takes[t], number_text(100 * f.partner_error_m), number_text(f.speed_p99_m_s),
-              number_text(f.captured_speed_p99_m_s), number_text(f.acceleration_ratio), number_text(f.slide_m_s),
-              number_text(f.captured_slide_m_s), percent_text(f.captured_holds_held),
-              number_text(f.changes_per_s)});
+              number_text(f.captured_speed_p99_m_s), number_text(f.acceleration_ratio),
+              number_text(f.slide_m_s), number_text(f.captured_slide_m_s),
+              percent_text(f.captured_holds_held), number_text(f.changes_per_s)});
   }
   return html.html();
 }
@@ -63,7 +63,8 @@ std::string movement_finding(const MovementTable& movement) {
   std::string text = fmt::format(
       "The partner moves at {} m/s in the 99th percentile, the captured one at {} m/s; its joints are "
       "accelerated {} times as hard. ",
-      number_text(f.speed_p99_m_s), number_text(f.captured_speed_p99_m_s), number_text(f.acceleration_ratio, 2));
+      number_text(f.speed_p99_m_s), number_text(f.captured_speed_p99_m_s),
+      number_text(f.acceleration_ratio, 2));
   if (std::isfinite(f.slide_m_s))
     text += fmt::format("Its landed feet slide at {} m/s ({}), {} of the time faster than 0.3 m/s ({}). ",
                         number_text(f.slide_m_s, 2), number_text(f.captured_slide_m_s, 2),
