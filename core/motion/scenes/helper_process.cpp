@@ -55,9 +55,8 @@ class RunningHelper {
 
   /// Of one that has closed its output and so is about to end. Nothing is known of it where the host lets the
   /// system take its children away.
-  HelperAnswer end() {
-    constexpr int patience_ms = 1000;
-    for (int waited = 0; waited < patience_ms; ++waited) {
+  HelperAnswer end(HelperClock::time_point deadline) {
+    while (HelperClock::now() < deadline) {
       int status = 0;
       const pid_t done = ::waitpid(pid_, &status, WNOHANG);
       if (done == 0 || (done < 0 && errno == EINTR)) {
@@ -156,7 +155,7 @@ Result<HelperAnswer> run_helper(const HelperJob& job, const Progress& progress) 
       return HelperAnswer{HelperAnswer::End::TooMuch, 0, {}};
     bytes.append(piece, 0, static_cast<std::size_t>(got));
   }
-  HelperAnswer end = helper.end();
+  HelperAnswer end = helper.end(deadline);
   end.bytes = std::move(bytes);
   return end;
 }
