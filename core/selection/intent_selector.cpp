@@ -128,7 +128,7 @@ void IntentSelector::judge_landings(const SelectablePairs& selectable, const Int
                      ? never
                      : reading_.partner_m[l] +
                            static_cast<float>(weights.move) * (1 - reading_.moves[label]) +
-                           (selectable.is_not_meant(pair) ? static_cast<float>(weights.meant) : 0.0F);
+                           (selectable.is_not_intended(pair) ? static_cast<float>(weights.meant) : 0.0F);
     if (!std::isfinite(totals_[l])) totals_[l] = never;  // a user too far off for a float
     if (totals_[l] < totals_[first]) first = l;
   }
@@ -177,7 +177,7 @@ Candidate IntentSelector::priced(int pair, const IntentModel::PairReading& read,
   const double likely =
       read.label < 0 ? 0.0 : static_cast<double>(reading_.moves[static_cast<std::size_t>(read.label)]);
   cost.move = weights.move * (1 - likely);
-  cost.meant = selectable.is_not_meant(pair) ? weights.meant : 0.0;
+  cost.meant = selectable.is_not_intended(pair) ? weights.meant : 0.0;
   if (query.has_prediction && query.alpha > 0)
     cost.temporal =
         query.alpha * (temporal_distance(library, pair, query) + contact_distance(library, pair, query));
