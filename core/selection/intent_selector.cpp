@@ -23,7 +23,7 @@ constexpr double hurry_factor = 5;
 constexpr double hurry_s = 0.4;
 // The way of a hand to a hold, a hold that would be lost and a standing foot that would be lifted count as
 // this much of mean joint distance.
-constexpr double per_hand_way = 0.3, farthest_hand_way_m = 1, lost_hold_m = 0.15;
+constexpr double per_hand_way = 0.5, farthest_hand_way_m = 1, lost_hold_m = 0.25;
 constexpr double lifted_foot_m = 0.05, lifted_height_m = 0.1;
 constexpr double holds_within_s = 0.2;
 constexpr int hold_looks = 3;
