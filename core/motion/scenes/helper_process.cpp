@@ -53,8 +53,8 @@ class RunningHelper {
     }
   }
 
-  /// Of one that has closed its output and so is about to end. Nothing is known of it where the host lets the
-  /// system take its children away.
+  /// Waits for the end of a helper that has closed its output. The end is unknown if the host application
+  /// lets the system collect its child processes.
   HelperAnswer end(HelperClock::time_point deadline) {
     while (HelperClock::now() < deadline) {
       int status = 0;
@@ -79,7 +79,7 @@ Error not_started(const HelperJob& job, int why) {
   return Error{"cannot be started (" + std::string(std::strerror(why)) + ")", job.program.string()};
 }
 
-/// The input as a file without a name. @return whether all of it is there
+/// Writes the input to an anonymous file. @return whether all of it was written
 bool fill_input(int fd, std::string_view input) {
   while (!input.empty()) {
     const ssize_t wrote = ::write(fd, input.data(), std::min<std::size_t>(input.size(), 1U << 30U));
