@@ -23,13 +23,13 @@ bool limit(int what, rlim_t soft, rlim_t hard) {
   return ::setrlimit(static_cast<__rlimit_resource_t>(what), &wanted) == 0;
 }
 
-/// All kinds of access to files that this version of Landlock knows: what is not allowed below is refused.
+/// All kinds of file access that this version of Landlock knows; all except those allowed below are refused.
 std::uint64_t every_access(long version) {
   constexpr std::uint64_t known[] = {0, (1U << 13U) - 1, (1U << 14U) - 1, (1U << 15U) - 1};
   return known[version < 3 ? version : 3];
 }
 
-/// Only reading below the folder; a kernel without Landlock leaves it at what the reader itself refuses.
+/// Allows only reading in the folder. Without Landlock only the reader's own checks apply.
 void allow_reading_only(const std::string& folder) {
   const long version = ::syscall(SYS_landlock_create_ruleset, nullptr, 0, LANDLOCK_CREATE_RULESET_VERSION);
   if (version < 1) return;

@@ -5,17 +5,17 @@
 
 namespace abrazo::app {
 
-/// What this process may still do from here on.
+/// Limits of this process from now on.
 struct Confinement {
   std::size_t memory_bytes = 0;  ///< of addresses
   unsigned processor_s = 0;
   std::string folder;  ///< below which files may be read; empty: none may be opened
 };
 
-/// Takes the limits: memory, processor time, open files, no file may grow, no process may be started, no
-/// trace of memory is written after a crash. Where the kernel has Landlock, nothing but the folder can be
-/// opened either. Ends this process when its parent does.
-/// @return false when the system does not grant the limits; without Landlock it is true
+/// Applies the limits: memory, processor time and open files; no file may grow, no process may be started,
+/// and no core file is written after a crash. If the kernel supports Landlock, only files in the folder can
+/// be opened. This process ends when its parent does.
+/// @return false if the system refuses the limits; a kernel without Landlock is not a failure
 bool confine(const Confinement& to);
 
 }  // namespace abrazo::app

@@ -23,7 +23,7 @@ constexpr double hurry_factor = 5;
 constexpr double hurry_s = 0.4;
 // The way of a hand to a hold, a hold that would be lost and a standing foot that would be lifted count as
 // this much of mean joint distance.
-constexpr double per_hand_way = 0.3, farthest_hand_way_m = 1, lost_hold_m = 0.15;
+constexpr double per_hand_way = 0.5, farthest_hand_way_m = 1, lost_hold_m = 0.25;
 constexpr double lifted_foot_m = 0.05, lifted_height_m = 0.1;
 constexpr double holds_within_s = 0.2;
 constexpr int hold_looks = 3;
@@ -128,7 +128,7 @@ void IntentSelector::judge_landings(const SelectablePairs& selectable, const Int
                      ? never
                      : reading_.partner_m[l] +
                            static_cast<float>(weights.move) * (1 - reading_.moves[label]) +
-                           (selectable.is_not_meant(pair) ? static_cast<float>(weights.meant) : 0.0F);
+                           (selectable.is_not_intended(pair) ? static_cast<float>(weights.meant) : 0.0F);
     if (!std::isfinite(totals_[l])) totals_[l] = never;  // a user too far off for a float
     if (totals_[l] < totals_[first]) first = l;
   }
@@ -177,7 +177,7 @@ Candidate IntentSelector::priced(int pair, const IntentModel::PairReading& read,
   const double likely =
       read.label < 0 ? 0.0 : static_cast<double>(reading_.moves[static_cast<std::size_t>(read.label)]);
   cost.move = weights.move * (1 - likely);
-  cost.meant = selectable.is_not_meant(pair) ? weights.meant : 0.0;
+  cost.meant = selectable.is_not_intended(pair) ? weights.meant : 0.0;
   if (query.has_prediction && query.alpha > 0)
     cost.temporal =
         query.alpha * (temporal_distance(library, pair, query) + contact_distance(library, pair, query));

@@ -50,7 +50,7 @@ class PairSelector {
   void set_vetoes(const Vetoes& vetoes) { pairs_.set_vetoes(vetoes); }
 
   /// Restricts the selection to these from the next call on, as long as one of them is selectable.
-  void set_meant(const std::optional<MeantPairs>& meant) { pairs_.set_meant(meant); }
+  void set_intended(const std::optional<IntendedPairs>& meant) { pairs_.set_intended(meant); }
 
   const SelectablePairs& pairs() const { return pairs_; }
 

@@ -62,7 +62,7 @@ void SelectablePairs::set_vetoes(const Vetoes& vetoes) {
   leave_out();
 }
 
-void SelectablePairs::set_meant(const std::optional<MeantPairs>& meant) {
+void SelectablePairs::set_intended(const std::optional<IntendedPairs>& meant) {
   meant_ = meant;
   leave_out();
 }

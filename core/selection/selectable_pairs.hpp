@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/library/store/motion_library.hpp"
-#include "core/selection/meant_pairs.hpp"
+#include "core/selection/intended_pairs.hpp"
 #include "core/selection/vetoes.hpp"
 
 namespace abrazo {
@@ -19,9 +19,9 @@ class SelectablePairs {
 
   /// Replaces the vetoes.
   void set_vetoes(const Vetoes& vetoes);
-  /// Restricts to the pairs of an intended move (`left_out`), or marks the others (`is_not_meant`), as long
-  /// as one of them is selectable; otherwise there is no effect.
-  void set_meant(const std::optional<MeantPairs>& meant);
+  /// Restricts to the pairs of an intended move (`left_out`), or marks the others (`is_not_intended`), as
+  /// long as one of them is selectable; otherwise there is no effect.
+  void set_intended(const std::optional<IntendedPairs>& meant);
 
   const std::vector<int>& pairs() const { return pairs_; }
   /// Whether a pair was given to the constructor, vetoed or not.
@@ -30,7 +30,7 @@ class SelectablePairs {
   /// Vetoed, or not of the intended move.
   bool is_left_out(int pair) const { return left_out_[static_cast<std::size_t>(pair)]; }
   /// Whether another, selectable move is intended.
-  bool is_not_meant(int pair) const { return is_narrowed_ && is_left_out(pair) && !is_vetoed(pair); }
+  bool is_not_intended(int pair) const { return is_narrowed_ && is_left_out(pair) && !is_vetoed(pair); }
   /// Whether the vetoes leave no pair.
   bool all_vetoed() const { return !pairs_.empty() && veto_count_ == pairs_.size(); }
 
@@ -46,7 +46,7 @@ class SelectablePairs {
   std::vector<bool> selectable_;
   std::vector<bool> vetoed_;
   std::size_t veto_count_ = 0;  ///< number of selectable pairs that are vetoed
-  std::optional<MeantPairs> meant_;
+  std::optional<IntendedPairs> meant_;
   std::vector<bool> left_out_;
   bool leaves_out_ = false;
   bool is_narrowed_ = false;  ///< by the intended move

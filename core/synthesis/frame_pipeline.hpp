@@ -44,7 +44,7 @@ class FramePipeline {
   bool has_intent() const { return intent_.has_value(); }
   void pin_pair(std::optional<int> pair) { pinned_ = pair; }
   void set_vetoes(const Vetoes& vetoes) { selector_.set_vetoes(vetoes); }
-  void set_meant(const std::optional<MeantPairs>& meant) { selector_.set_meant(meant); }
+  void set_intended(const std::optional<IntendedPairs>& meant) { selector_.set_intended(meant); }
 
   const FrameResult& result() const { return out_; }
 

@@ -52,7 +52,7 @@ struct PartnerSynthesizer::State {
   std::optional<Body> user_body;
   std::optional<int> pinned;
   std::shared_ptr<const Vetoes> vetoes = std::make_shared<const Vetoes>();
-  std::optional<MeantPairs> meant;
+  std::optional<IntendedPairs> meant;
   /// By the user's role, each once needed. A passive user's gets the pairs with the roles exchanged, so that
   /// the user is always the first body.
   std::array<std::unique_ptr<FramePipeline>, 2> pipelines;
@@ -76,7 +76,7 @@ struct PartnerSynthesizer::State {
       made->set_user_body(user_body);
       made->pin_pair(pinned);
       made->set_vetoes(*vetoes);
-      made->set_meant(meant);
+      made->set_intended(meant);
       pipeline = std::move(made);
     }
     return *pipeline;
@@ -196,10 +196,10 @@ void PartnerSynthesizer::set_vetoes(const Vetoes& vetoes) {
   state_->for_each_pipeline([&](FramePipeline& pipeline) { pipeline.set_vetoes(vetoes); });
 }
 
-void PartnerSynthesizer::set_meant(const std::optional<MeantPairs>& meant) {
+void PartnerSynthesizer::set_intended(const std::optional<IntendedPairs>& meant) {
   if (state_->meant == meant) return;
   state_->meant = meant;
-  state_->for_each_pipeline([&](FramePipeline& pipeline) { pipeline.set_meant(meant); });
+  state_->for_each_pipeline([&](FramePipeline& pipeline) { pipeline.set_intended(meant); });
 }
 
 SynthesizerState PartnerSynthesizer::state() const {
@@ -219,7 +219,7 @@ void PartnerSynthesizer::restore(const SynthesizerState& state) {
   pin_pair(state.pinned);
   if (state_->vetoes != state.vetoes) set_vetoes(*state.vetoes);
   state_->vetoes = state.vetoes;
-  set_meant(state.meant);
+  set_intended(state.meant);
   state_->pipeline().set_settings(state_->settings);
   state_->pipeline().restore(state.memory);
   state_->unsolved_s = state.unsolved_s;

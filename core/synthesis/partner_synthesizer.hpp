@@ -9,7 +9,7 @@
 #include "core/base/result.hpp"
 #include "core/library/store/motion_library.hpp"
 #include "core/motion/body/body.hpp"
-#include "core/selection/meant_pairs.hpp"
+#include "core/selection/intended_pairs.hpp"
 #include "core/selection/vetoes.hpp"
 #include "core/synthesis/frame_result.hpp"
 #include "core/synthesis/settings.hpp"
@@ -69,7 +69,7 @@ class PartnerSynthesizer {
 
   /// Sets the intended move, from the next step on. While one of its pairs is selectable, Eq. 7 selects only
   /// these; for the selection `intent` other pairs cost more.
-  void set_meant(const std::optional<MeantPairs>& meant);
+  void set_intended(const std::optional<IntendedPairs>& meant);
 
   /// Everything that the next step depends on beside settings and input.
   SynthesizerState state() const;

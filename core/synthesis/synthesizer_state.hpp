@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/selection/meant_pairs.hpp"
+#include "core/selection/intended_pairs.hpp"
 #include "core/selection/vetoes.hpp"
 #include "core/synthesis/frame_memory.hpp"
 #include "core/synthesis/settings.hpp"
@@ -18,7 +18,7 @@ struct SynthesizerState {
   std::optional<Body> user_body;  ///< as given; none if it is measured
   std::optional<int> pinned;
   std::shared_ptr<const Vetoes> vetoes;  ///< shared by the states between two changes; never null
-  std::optional<MeantPairs> meant;
+  std::optional<IntendedPairs> meant;
   double unsolved_s = 0;  ///< since the last solved frame
 };
 

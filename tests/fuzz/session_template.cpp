@@ -41,7 +41,7 @@ FrameSnapshot snapshot(int index) {
   state.user_body = body_of(test::standing_pose());
   state.pinned = 3;
   state.vetoes = std::make_shared<const Vetoes>(decisions.vetoes);
-  state.meant = MeantPairs{"turn", std::nullopt};
+  state.meant = IntendedPairs{"turn", std::nullopt};
   frame.before = std::make_shared<const SynthesizerState>(state);
   return frame;
 }

@@ -271,7 +271,7 @@ void write_json() {
   decisions.pinned = 33;
   decisions.vetoes.pairs = {3, 4};
   decisions.vetoes.takes = {"salsa"};
-  decisions.meant = MeantMove{"turn", std::nullopt, 12.5, true};
+  decisions.meant = IntendedMove{"turn", std::nullopt, 12.5, true};
   seed("decisions", "all.json", decisions_json(decisions));
   FrameResult result;
   result.result = test::facing_pair(0.7);

@@ -60,5 +60,31 @@ TEST_F(Hardening, ItsFunctionsGuardTheirStackAndTheirCopies) {
   }
 }
 
+#ifdef __x86_64__
+/// How often these bytes stand in a program's code and data.
+std::size_t count_of(std::string_view bytes, const std::string& content) {
+  std::size_t count = 0;
+  for (auto at = content.find(bytes); at != std::string::npos; at = content.find(bytes, at + bytes.size()))
+    ++count;
+  return count;
+}
+
+TEST_F(Hardening, ItsIndirectCallsLandOnlyWhereFunctionsBegin) {
+  constexpr std::string_view endbr64 = "\xf3\x0f\x1e\xfa";
+  for (const fs::path& file : binaries()) EXPECT_GT(count_of(endbr64, content_of(file)), 20U) << file;
+}
+
+TEST_F(Hardening, ALargeFrameTouchesEveryPageOfItsStack) {
+  constexpr std::string_view or_zero_to_stack("\x48\x83\x0c\x24\x00", 5);
+  std::size_t large = 0;
+  for (const fs::path& file : binaries()) {
+    if (fs::file_size(file) < (4U << 20U)) continue;
+    ++large;
+    EXPECT_GT(count_of(or_zero_to_stack, content_of(file)), 0U) << file;
+  }
+  EXPECT_GT(large, 0U);
+}
+#endif
+
 }  // namespace
 }  // namespace abrazo::test::hardening_test

@@ -14,12 +14,12 @@ namespace abrazo::widgets::intended_move_test {
 namespace {
 
 TEST(IntendedMoveChoice, IsAMoveOrATakeForSoLong) {
-  const MeantMove turn = meant_move({"turn", "", 20, 0.1}, IntendedMoveSpan::FiveSeconds, 12);
+  const IntendedMove turn = meant_move({"turn", "", 20, 0.1}, IntendedMoveSpan::FiveSeconds, 12);
   EXPECT_EQ(turn.label, "turn");
   EXPECT_FALSE(turn.take);
   EXPECT_DOUBLE_EQ(turn.until_s, 17);
   EXPECT_FALSE(turn.until_done);
-  const MeantMove take = meant_move({"", "salsa_02", 20, 0.1}, IntendedMoveSpan::UntilDone, 12);
+  const IntendedMove take = meant_move({"", "salsa_02", 20, 0.1}, IntendedMoveSpan::UntilDone, 12);
   EXPECT_EQ(take.take, "salsa_02");
   EXPECT_FALSE(take.label);
   EXPECT_LT(take.until_s, 0);

@@ -112,12 +112,6 @@ TEST(VideoOverlay, NothingIsBetweenTwoPosesWhenTheBodiesChangedTheirParts) {
   EXPECT_DOUBLE_EQ(between(a, b, 1)(7, 1), 1);
 }
 
-TEST(VideoWords, TimesAreReadAsOnAClock) {
-  EXPECT_EQ(clock_text(62.3456), "1:02.346");
-  EXPECT_EQ(clock_text(-0.5), "−0:00.500");
-  EXPECT_EQ(clock_text(-0.0001), "0:00.000");
-}
-
 TEST(VideoWords, TellTheOffsetFromTheTimelinesSide) {
   EXPECT_EQ(offset_text({}), "both begin together");
   EXPECT_EQ(offset_text({{{0, 1.25}}, 1}), "the video began 1.250 s earlier");

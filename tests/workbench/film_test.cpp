@@ -7,7 +7,7 @@
 #include <thread>
 
 #include "app/workbench/base/bounded_queue.hpp"
-#include "app/workbench/base/film_plan.hpp"
+#include "app/workbench/base/film_clock.hpp"
 #include "app/workbench/base/film_writer.hpp"
 #include "app/workbench/shell/scene_picture.hpp"
 #include "widgets/scene/view/scene_pictures.hpp"

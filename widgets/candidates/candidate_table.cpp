@@ -225,7 +225,7 @@ void CandidateTable::showFrame(const FrameSnapshotPtr& frame) {
 void CandidateTable::mark(CandidateRow& row) const {
   row.pinned = m_decisions.pinned == row.pair;
   row.vetoed = is_vetoed(m_decisions, row.pair, *m_library);
-  row.not_meant = is_not_meant(m_decisions, row.pair, *m_library);
+  row.not_meant = is_not_intended(m_decisions, row.pair, *m_library);
 }
 
 void CandidateTable::showRows() {

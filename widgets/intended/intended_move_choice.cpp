@@ -7,8 +7,8 @@
 
 namespace abrazo::widgets {
 
-MeantMove meant_move(const IntendedMoveChoice& choice, IntendedMoveSpan span, double now_s) {
-  MeantMove move;
+IntendedMove meant_move(const IntendedMoveChoice& choice, IntendedMoveSpan span, double now_s) {
+  IntendedMove move;
   if (choice.is_take())
     move.take = choice.take;
   else

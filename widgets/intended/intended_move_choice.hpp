@@ -23,7 +23,7 @@ struct IntendedMoveChoice {
 enum class IntendedMoveSpan { UntilTakenBack, UntilDone, FiveSeconds, TenSeconds };
 
 /// The command for the solver. @param now_s session clock
-MeantMove meant_move(const IntendedMoveChoice& choice, IntendedMoveSpan span, double now_s);
+IntendedMove meant_move(const IntendedMoveChoice& choice, IntendedMoveSpan span, double now_s);
 
 /// "turn", "take salsa_02", "no label".
 std::string choice_title(const IntendedMoveChoice& choice);

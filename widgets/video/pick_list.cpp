@@ -5,6 +5,7 @@
 #include <QPainter>
 #include <algorithm>
 
+#include "core/session/frames/time_place.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/video/video_words.hpp"

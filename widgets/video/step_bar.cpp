@@ -3,6 +3,7 @@
 #include <QHBoxLayout>
 #include <QToolButton>
 
+#include "core/session/frames/time_place.hpp"
 #include "widgets/common/icons.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"

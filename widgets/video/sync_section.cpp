@@ -3,6 +3,7 @@
 #include <QDoubleSpinBox>
 #include <QPushButton>
 
+#include "core/session/frames/time_place.hpp"
 #include "widgets/video/section_parts.hpp"
 #include "widgets/video/video_words.hpp"
 

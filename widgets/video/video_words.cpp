@@ -26,13 +26,6 @@ std::string shortest(double value) {
 
 }  // namespace
 
-std::string clock_text(double time_s) {
-  const long long ms = std::llround(std::abs(time_s) * 1000);
-  std::array<char, 48> text{};
-  std::snprintf(text.data(), text.size(), "%lld:%02lld.%03lld", ms / 60'000, ms / 1000 % 60, ms % 1000);
-  return (time_s < 0 && ms > 0 ? "−" : "") + std::string(text.data());
-}
-
 std::string facts_text(const VideoFacts& facts) {
   std::string text = std::to_string(facts.width) + " × " + std::to_string(facts.height);
   if (!facts.codec.empty()) text += " · " + facts.codec;

@@ -7,8 +7,6 @@
 
 namespace abrazo::widgets {
 
-/// "1:02.345", negative before the beginning.
-std::string clock_text(double time_s);
 /// "1280 × 720 · h264 · 25 Hz · 48.0 s", and wrong statements of the header.
 std::string facts_text(const VideoFacts& facts);
 /// "both begin together", "the video is 1.250 s ahead".

@@ -5,7 +5,7 @@
 #include <QTimer>
 #include <memory>
 
-#include "app/workbench/base/film_plan.hpp"
+#include "app/workbench/base/film_clock.hpp"
 #include "app/workbench/base/film_writer.hpp"
 #include "core/session/frames/frame_range.hpp"
 

@@ -6,7 +6,7 @@
 #include <functional>
 #include <memory>
 
-#include "app/workbench/base/film_plan.hpp"
+#include "app/workbench/base/film_clock.hpp"
 #include "app/workbench/base/film_writer.hpp"
 
 namespace abrazo::app {

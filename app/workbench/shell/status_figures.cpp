@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/statistics.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 
@@ -22,13 +23,6 @@ QString hertz(double rate_hz) {
 }
 
 }  // namespace
-
-double percentile(std::vector<double> values, double share) {
-  if (values.empty()) return 0;
-  const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(values.size() - 1));
-  std::nth_element(values.begin(), values.begin() + place, values.end());
-  return values[static_cast<std::size_t>(place)];
-}
 
 StatusFigures::StatusFigures(QWidget* parent)
     : QWidget(parent), m_palette(widgets::palette_of(widgets::Theme::Dark)) {

@@ -59,7 +59,4 @@ class StatusFigures : public QWidget {
   widgets::SeriesReader m_series;
 };
 
-/// Percentile of values; 0 without values.
-double percentile(std::vector<double> values, double share);
-
 }  // namespace abrazo::app

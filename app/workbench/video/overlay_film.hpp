@@ -5,7 +5,7 @@
 #include <QString>
 #include <optional>
 
-#include "app/workbench/base/film_plan.hpp"
+#include "app/workbench/base/film_clock.hpp"
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/session/frames/frame_range.hpp"

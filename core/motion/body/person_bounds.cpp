@@ -71,7 +71,7 @@ std::optional<PersonDoubt> why_not_a_person(const Pose& pose) {
   return std::nullopt;
 }
 
-bool is_jump_of_nobody(const Pose& from, const Pose& to, double elapsed_s) {
+bool is_jump_beyond_a_person(const Pose& from, const Pose& to, double elapsed_s) {
   const double moved_m = (to - from).rowwise().norm().mean();
   return !(moved_m <= std::max(least_jump_m, fastest_m_per_s * elapsed_s));
 }
@@ -83,7 +83,7 @@ PersonDoubts person_doubts(std::span<const Pose> poses, double fps) {
       if (doubts.poses++ > 0) continue;
       doubts.first_pose = f;
       doubts.first_reason = reason->sentence();
-    } else if (f > 0 && fps > 0 && is_jump_of_nobody(poses[f - 1], poses[f], 1 / fps) &&
+    } else if (f > 0 && fps > 0 && is_jump_beyond_a_person(poses[f - 1], poses[f], 1 / fps) &&
                !why_not_a_person(poses[f - 1])) {
       if (doubts.jumps++ == 0) doubts.first_jump = f;
     }

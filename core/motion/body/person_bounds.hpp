@@ -48,7 +48,7 @@ struct PersonDoubt {
 std::optional<PersonDoubt> why_not_a_person(const Pose& pose);
 
 /// Whether the step is too fast for a person. @param elapsed_s above 0
-bool is_jump_of_nobody(const Pose& from, const Pose& to, double elapsed_s);
+bool is_jump_beyond_a_person(const Pose& from, const Pose& to, double elapsed_s);
 
 /// Counts of the poses and steps of a clip that cannot be a person's.
 struct PersonDoubts {

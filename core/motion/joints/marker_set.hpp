@@ -8,9 +8,8 @@
 
 namespace abrazo {
 
-/// The points of a file that are a model's markers. Names match whatever their letter case and whatever
-/// stands between letters and digits ("r asis", "R.ASIS", "R_Asis"), without a subject before ':' or what all
-/// names begin with.
+/// The points of a file that are markers of a model. Matching ignores letter case, separators ("r asis",
+/// "R.ASIS", "R_Asis"), a subject before ':' and a prefix that all names share.
 class MarkerSet {
  public:
   MarkerSet(const MarkerModel& model, std::vector<std::string> points);

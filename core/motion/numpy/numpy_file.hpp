@@ -12,12 +12,12 @@
 
 namespace abrazo {
 
-/// An array that may be read: of a .npz only what is used is.
+/// An array of the file. Arrays of a .npz are inflated only when they are used.
 struct StoredArray {
   std::string name;  ///< empty in a .npy
   NpyLayout layout;
   const ZipEntry* entry = nullptr;
-  std::optional<Error> trouble = {};  ///< why its elements cannot be read; nobody has to want them
+  std::optional<Error> trouble = {};  ///< why its elements cannot be read
 
   bool is_positions() const {
     return !trouble && layout.is_number() && layout.shape.size() == 3 && layout.shape[2] == 3;
@@ -27,8 +27,7 @@ struct StoredArray {
   }
 };
 
-/// The arrays of a .npy or .npz, of which only those that are wanted are inflated. The bytes have to outlive
-/// it.
+/// The arrays of a .npy or .npz file. The bytes must outlive it.
 class NumpyFile {
  public:
   static Result<NumpyFile> open(std::string_view bytes, std::string_view where);
@@ -45,7 +44,7 @@ class NumpyFile {
   std::string place(const StoredArray& array) const {
     return array.name.empty() ? where_ : where_ + ": " + array.name;
   }
-  /// The bytes of the whole .npy, checked to hold all elements.
+  /// The bytes of the whole .npy; an Error if elements are missing.
   Result<std::string> content_of(const StoredArray& array) const;
   std::string listed(std::size_t most) const;
 
@@ -56,7 +55,7 @@ class NumpyFile {
   std::vector<StoredArray> arrays_;
 };
 
-/// One number above 0 under one of these names; nothing where there is none. @param what  for the Error
+/// A positive number under one of these names; empty if there is none. @param what  for the Error
 Result<std::optional<double>> number_in(const NumpyFile& file, std::initializer_list<std::string_view> names,
                                         std::string_view what);
 Result<std::vector<std::string>> texts_in(const NumpyFile& file, const StoredArray& array);

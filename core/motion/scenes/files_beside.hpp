@@ -7,7 +7,7 @@
 
 namespace abrazo {
 
-/// The folder of a file, for what the file names: regular files in that folder and below, and nothing else.
+/// Opens files that a file refers to: only regular files in its own folder and below.
 class FilesBeside {
  public:
   explicit FilesBeside(const std::string& file);
@@ -15,8 +15,8 @@ class FilesBeside {
   FilesBeside& operator=(const FilesBeside&) = delete;
   ~FilesBeside();
 
-  /// The content of one of them. An Error that names the file for an absolute path, "..", a link, a pipe, a
-  /// folder, a device, for more than 4 GB, and when it is not there.
+  /// The content of such a file. An Error names the file if the path is absolute, contains ".." or is a link,
+  /// a pipe, a folder or a device, if the file is larger than 4 GB, or if it does not exist.
   Result<std::string> read(std::string_view name) const;
 
  private:

@@ -53,11 +53,10 @@ class RunningHelper {
     }
   }
 
-  /// Of one that has closed its output and so is about to end. Nothing is known of it where the host lets the
-  /// system take its children away.
-  HelperAnswer end() {
-    constexpr int patience_ms = 1000;
-    for (int waited = 0; waited < patience_ms; ++waited) {
+  /// Waits for the end of a helper that has closed its output. The end is unknown if the host application
+  /// lets the system collect its child processes.
+  HelperAnswer end(HelperClock::time_point deadline) {
+    while (HelperClock::now() < deadline) {
       int status = 0;
       const pid_t done = ::waitpid(pid_, &status, WNOHANG);
       if (done == 0 || (done < 0 && errno == EINTR)) {
@@ -80,7 +79,7 @@ Error not_started(const HelperJob& job, int why) {
   return Error{"cannot be started (" + std::string(std::strerror(why)) + ")", job.program.string()};
 }
 
-/// The input as a file without a name. @return whether all of it is there
+/// Writes the input to an anonymous file. @return whether all of it was written
 bool fill_input(int fd, std::string_view input) {
   while (!input.empty()) {
     const ssize_t wrote = ::write(fd, input.data(), std::min<std::size_t>(input.size(), 1U << 30U));
@@ -156,7 +155,7 @@ Result<HelperAnswer> run_helper(const HelperJob& job, const Progress& progress) 
       return HelperAnswer{HelperAnswer::End::TooMuch, 0, {}};
     bytes.append(piece, 0, static_cast<std::size_t>(got));
   }
-  HelperAnswer end = helper.end();
+  HelperAnswer end = helper.end(deadline);
   end.bytes = std::move(bytes);
   return end;
 }

@@ -11,17 +11,17 @@
 
 namespace abrazo {
 
-/// A program of ours that does one piece of work in a process of its own.
+/// A program of this project that does one piece of work in a separate process.
 struct HelperJob {
   std::filesystem::path program;
   std::vector<std::string> arguments;  ///< after the program's name
-  std::string_view input;              ///< is its standard input, a file that it may map
+  std::string_view input;              ///< given as standard input, a file that can be mapped
   std::size_t most_bytes = 0;          ///< of its answer
-  double patience_s = 0;               ///< on the wall
+  double patience_s = 0;               ///< of wall-clock time
   std::string doing;                   ///< for the progress
 };
 
-/// What a helper wrote to its standard output, and how it ended.
+/// The helper's standard output, and how it ended.
 struct HelperAnswer {
   enum class End { Exit, Signal, TooLong, TooMuch, Unknown };
   End end = End::Exit;
@@ -29,10 +29,10 @@ struct HelperAnswer {
   std::string bytes;
 };
 
-/// Starts the program and takes its answer. It gets none of this process' open files but its input, and is in
-/// a process group of its own, so that Ctrl-C in a terminal reaches this process alone. It is killed when
-/// progress asks to stop, and when it takes too long or answers too much; it never outlives the call.
-/// @return an Error when it cannot be started, and "cancelled"
+/// Starts the program and reads its answer. The program inherits no open file except its input. It has its
+/// own process group, so that Ctrl-C in a terminal reaches only this process. It is killed if progress
+/// requests a stop, if it takes too long or if its answer is too large; it never outlives the call.
+/// @return an Error if it cannot be started, or "cancelled"
 Result<HelperAnswer> run_helper(const HelperJob& job, const Progress& progress);
 
 }  // namespace abrazo

@@ -12,21 +12,22 @@
 
 namespace abrazo {
 
-/// Reads the animated skeletons of an FBX, glTF or Collada file in the program `abrazo-scene-reader`: what
-/// such a file of a stranger does to its reader, it does to a process with limits of memory, time and files.
-/// Otherwise as read_scene (assimp_scene.hpp), to the bit.
-/// @param progress  asking to stop kills the process
-/// @return an Error with what happened there and what to do; also where that program is not found: a scene is
-///         never read without limits
+/// Reads the animated skeletons of an FBX, glTF or Collada file in a separate program, `abrazo-scene-reader`,
+/// which has limits of memory, processor time and files: a damaged or malicious file cannot harm this
+/// process. The result is that of read_scene (assimp_scene.hpp), to the bit.
+/// @param progress  a request to stop kills the program
+/// @return an Error that says what happened and what to do; also if the program is not found, because a scene
+///         is never read without limits
 Result<std::vector<NamedMotion>> read_scene_apart(std::string_view bytes, MotionFormat format,
                                                   const std::string& file, const std::string& animation,
                                                   const Progress& progress);
 
-/// Where the program is looked for: as the environment's ABRAZO_SCENE_READER says, else beside the code that
-/// asks (a program, or a module that a program has loaded), then where it is installed from there.
+/// Places where the program is searched, in this order: the environment variable ABRAZO_SCENE_READER alone if
+/// it is set; otherwise the folder of the calling code (a program or a loaded module), then the place where
+/// it is installed relative to that.
 std::vector<std::filesystem::path> scene_reader_places();
 
-/// What that program may take for a file of so many bytes.
+/// Limits of that program for a file of this size.
 struct SceneLimits {
   std::size_t memory_bytes = 0;  ///< of addresses
   int processor_s = 0;
@@ -34,7 +35,7 @@ struct SceneLimits {
 };
 SceneLimits scene_limits(std::size_t file_bytes);
 
-/// How the program ends when it has no answer.
+/// Exit codes of the program.
 enum class SceneReaderExit { Answered = 0, WrongUse = 2, OutOfMemory = 3, NoLimits = 4 };
 
 }  // namespace abrazo

@@ -360,7 +360,7 @@ Result<SynthesizerState> parse_synthesizer_state(std::span<const std::uint8_t> b
   if (in.flag()) state.pinned = in.small_integer();
   state.vetoes = read_vetoes(in);
   if (in.flag()) {
-    MeantPairs meant;
+    IntendedPairs meant;
     meant.label = read_optional_text(in);
     meant.take = read_optional_text(in);
     state.meant = std::move(meant);

@@ -29,7 +29,7 @@ struct SetVetoes {
 };
 /// None cancels the intended move.
 struct IntendMove {
-  std::optional<MeantMove> move;
+  std::optional<IntendedMove> move;
 };
 struct SetRoleControl {
   RoleControl by = RoleControl::Hand;

@@ -105,14 +105,14 @@ bool is_vetoed(const Decisions& decisions, int pair, const MotionLibrary& librar
          is_vetoed(decisions, Reach::Label, pair, library);
 }
 
-bool is_not_meant(const Decisions& decisions, int pair, const MotionLibrary& library) {
+bool is_not_intended(const Decisions& decisions, int pair, const MotionLibrary& library) {
   if (!decisions.meant || !exists(pair, library)) return false;
-  const MeantMove& move = *decisions.meant;
+  const IntendedMove& move = *decisions.meant;
   return (move.label && *move.label != library.label(pair)) ||
          (move.take && *move.take != library.take_of(pair).name);
 }
 
-std::string meant_words(const MeantMove& move) {
+std::string meant_words(const IntendedMove& move) {
   std::string words;
   if (move.label) words = move.label->empty() ? "without a label" : *move.label;
   std::replace(words.begin(), words.end(), '_', ' ');

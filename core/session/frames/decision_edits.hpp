@@ -28,9 +28,9 @@ bool is_vetoed(const Decisions& decisions, Reach reach, int pair, const MotionLi
 bool is_vetoed(const Decisions& decisions, int pair, const MotionLibrary& library);
 
 /// Whether a move is intended and the pair belongs to another.
-bool is_not_meant(const Decisions& decisions, int pair, const MotionLibrary& library);
+bool is_not_intended(const Decisions& decisions, int pair, const MotionLibrary& library);
 /// "turn", "take salsa_02", "without a label".
-std::string meant_words(const MeantMove& move);
+std::string meant_words(const IntendedMove& move);
 
 /// A decision in force as text, and the decisions without it.
 struct Decision {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "core/selection/meant_pairs.hpp"
+#include "core/selection/intended_pairs.hpp"
 #include "core/selection/vetoes.hpp"
 
 namespace abrazo {
@@ -11,16 +11,16 @@ namespace abrazo {
 /// The intended move: what the user declares when the selection is ambiguous (paper 5). Eq. 7 then selects
 /// only pairs with this label, or of this take, as long as any are allowed; for the selection `intent` it is
 /// evidence, and other pairs cost `meant-weight` more.
-struct MeantMove {
+struct IntendedMove {
   std::optional<std::string> label;
   std::optional<std::string> take;
   double until_s = -1;      ///< session clock; negative = until cancelled
   bool until_done = false;  ///< also ends when a recorded move that was followed ends
-  bool operator==(const MeantMove&) const = default;
+  bool operator==(const IntendedMove&) const = default;
 };
 
-inline std::optional<MeantPairs> pairs_of(const std::optional<MeantMove>& move) {
-  return move ? std::optional(MeantPairs{move->label, move->take}) : std::nullopt;
+inline std::optional<IntendedPairs> pairs_of(const std::optional<IntendedMove>& move) {
+  return move ? std::optional(IntendedPairs{move->label, move->take}) : std::nullopt;
 }
 
 /// What decides the user's role.
@@ -34,7 +34,7 @@ enum class RoleControl {
 struct Decisions {
   std::optional<int> pinned;
   Vetoes vetoes;
-  std::optional<MeantMove> meant;
+  std::optional<IntendedMove> meant;
   RoleControl role_control = RoleControl::Hand;
   bool operator==(const Decisions&) const = default;
 };

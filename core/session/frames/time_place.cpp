@@ -145,10 +145,11 @@ Result<double> find_time(const TimePlace& place, const FrameHistory& history, do
 }
 
 std::string clock_text(double time_s) {
-  const auto ms = static_cast<long long>(std::llround(std::max(0.0, time_s) * 1000));
+  const auto ms = static_cast<long long>(std::llround(std::abs(time_s) * 1000));
   const long long hours = ms / 3600000;
+  const std::string sign = time_s < 0 && ms > 0 ? "−" : "";
   const std::string tail = formatted("%02lld:%02lld.%03lld", ms / 60000 % 60, ms / 1000 % 60, ms % 1000);
-  return hours > 0 ? formatted("%lld:", hours) + tail : tail;
+  return sign + (hours > 0 ? formatted("%lld:", hours) + tail : tail);
 }
 
 std::string timecode_text(double time_s, double rate_hz) {

@@ -32,7 +32,7 @@ Result<double> find_time(const TimePlace& place, const FrameHistory& history, do
 /// Text format of a time.
 enum class TimeFormat { Clock, Seconds, Frames, Timecode };
 
-/// "00:11.500"; hours only if not zero.
+/// "00:11.500"; hours only if not zero, with a minus before the beginning.
 std::string clock_text(double time_s);
 /// "00:00:11:15": hours, minutes, seconds, frames of `rate_hz` rounded to a whole number. Without a rate the
 /// frames field is omitted.

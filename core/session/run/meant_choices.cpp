@@ -57,7 +57,7 @@ std::vector<MeantChoice> meant_choices(const RoleViews& views, UserRole user_rol
   return choices;
 }
 
-Status check_meant(const RoleViews& views, const MeantMove& move) {
+Status check_meant(const RoleViews& views, const IntendedMove& move) {
   const MotionLibrary& library = *views.library();
   std::map<std::string, int, std::less<>> labels, takes;
   bool any = false;

@@ -24,6 +24,6 @@ struct MeantChoice {
 std::vector<MeantChoice> meant_choices(const RoleViews& views, UserRole user_role, const FrameResult* frame);
 
 /// Checks that a move matches a selectable pair; the Error lists the available labels or takes with counts.
-Status check_meant(const RoleViews& views, const MeantMove& move);
+Status check_meant(const RoleViews& views, const IntendedMove& move);
 
 }  // namespace abrazo

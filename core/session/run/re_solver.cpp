@@ -23,7 +23,7 @@ void ReSolver::go_to(std::span<const FrameSnapshotPtr> run_up, const FrameSnapsh
   decisions_ = {};
   decisions_.pinned = first.before->pinned;
   decisions_.vetoes = *first.before->vetoes;
-  synthesizer_->set_meant(std::nullopt);
+  synthesizer_->set_intended(std::nullopt);
   for (const FrameSnapshotPtr& frame : run_up) {
     follow_commands(*frame);
     synthesizer_->set_settings(frame->settings);
@@ -46,7 +46,7 @@ void ReSolver::follow_commands(const FrameSnapshot& recorded) {
 void ReSolver::follow_decisions(const Decisions& decisions) {
   if (decisions.pinned != decisions_.pinned) synthesizer_->pin_pair(decisions.pinned);
   if (decisions.vetoes != decisions_.vetoes) synthesizer_->set_vetoes(decisions.vetoes);
-  if (decisions.meant != decisions_.meant) synthesizer_->set_meant(pairs_of(decisions.meant));
+  if (decisions.meant != decisions_.meant) synthesizer_->set_intended(pairs_of(decisions.meant));
   decisions_ = decisions;
 }
 

@@ -162,7 +162,7 @@ void SessionEngine::push(const Command& command) {
   parts_->commands.push(command);
 }
 
-Status SessionEngine::intend(const MeantMove& move) {
+Status SessionEngine::intend(const IntendedMove& move) {
   const Status possible = check_meant(*parts_->views, move);
   if (possible) push(IntendMove{move});
   return possible;

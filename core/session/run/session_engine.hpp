@@ -30,7 +30,7 @@ class SessionEngine {
 
   void push(const Command& command);
   /// Declares the intended move. An Error if it matches no selectable pair; it lists the available moves.
-  Status intend(const MeantMove& move);
+  Status intend(const IntendedMove& move);
   /// Sets the role control. An Error if the library lacks the annotations it needs.
   Status control_role(RoleControl by);
   /// The moves that can be intended now, nearest to the newest frame first.

@@ -58,7 +58,7 @@ SelectionMethod SolverControl::possible_selection(UserRole role) {
   }
   if (const auto trouble = views.intent_trouble(role)) {
     could_not_learn_[number(role)] = true;
-    untold_ = "Eq. 7 continues to select: learning the library failed, " + trouble->message;
+    unreported_ = "Eq. 7 continues to select: learning the library failed, " + trouble->message;
   } else {
     views.prepare_intent(role);
   }
@@ -101,13 +101,13 @@ void SolverControl::set_vetoes(const Vetoes& vetoes) {
   synthesizer_->set_vetoes(vetoes);
 }
 
-void SolverControl::intend(const std::optional<MeantMove>& move) {
+void SolverControl::intend(const std::optional<IntendedMove>& move) {
   Decisions wanted = current_;
   wanted.meant = move;
   decide(wanted);
   followed_pair_ = -1;
   move_is_done_ = false;
-  synthesizer_->set_meant(pairs_of(move));
+  synthesizer_->set_intended(pairs_of(move));
 }
 
 void SolverControl::control_role(RoleControl by) {
@@ -125,14 +125,14 @@ void SolverControl::replace(std::shared_ptr<PartnerSynthesizer> synthesizer) {
   apply(before->settings());
   synthesizer_->pin_pair(current_.pinned);
   synthesizer_->set_vetoes(current_.vetoes);
-  synthesizer_->set_meant(pairs_of(current_.meant));
+  synthesizer_->set_intended(pairs_of(current_.meant));
   synthesizer_->take_over(before->state());
   role_switch_ = RoleSwitch(synthesizer_->views(), before->settings().user_role);
   role_switch_.control(current_.role_control, before->settings().user_role);
   followed_pair_ = -1;
 }
 
-bool SolverControl::is_over(const MeantMove& move, double now_s) const {
+bool SolverControl::is_over(const IntendedMove& move, double now_s) const {
   return (move.until_s >= 0 && now_s >= move.until_s) || (move.until_done && move_is_done_);
 }
 
@@ -152,7 +152,7 @@ bool SolverControl::before_step(double now_s) {
     apply(synthesizer_->settings());
     changed = true;
   }
-  if (!untold_.empty()) throw std::runtime_error(std::exchange(untold_, {}));
+  if (!unreported_.empty()) throw std::runtime_error(std::exchange(unreported_, {}));
   return changed;
 }
 
@@ -168,7 +168,7 @@ void SolverControl::watch_move(const FrameResult& result) {
   if (result.selected < 0) return;
   const MotionLibrary& library = synthesizer_->library();
   const int pair = result.candidates[static_cast<std::size_t>(result.selected)].pair;
-  const MeantMove& meant = *current_.meant;
+  const IntendedMove& meant = *current_.meant;
   // What is named is evidence to the selection `intent`: another move may be followed meanwhile.
   const bool is_meant = (!meant.label || library.label(pair) == *meant.label) &&
                         (!meant.take || library.take_of(pair).name == *meant.take);

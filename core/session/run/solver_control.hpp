@@ -23,7 +23,7 @@ class SolverControl {
   void set_settings(const Settings& settings);
   void pin(std::optional<int> pair);
   void set_vetoes(const Vetoes& vetoes);
-  void intend(const std::optional<MeantMove>& move);
+  void intend(const std::optional<IntendedMove>& move);
   void control_role(RoleControl by);
   /// Settings and decisions stay, except decisions on pairs, takes and labels that are not in the new
   /// library. Both bodies continue from where they are.
@@ -46,7 +46,7 @@ class SolverControl {
   void apply(Settings wanted);
   SelectionMethod possible_selection(UserRole role);
   void decide(const Decisions& decisions);
-  bool is_over(const MeantMove& move, double now_s) const;
+  bool is_over(const IntendedMove& move, double now_s) const;
   void watch_move(const FrameResult& result);
 
   std::shared_ptr<PartnerSynthesizer> synthesizer_;
@@ -55,7 +55,7 @@ class SolverControl {
   UserRole asked_role_;                    ///< by the hand
   SelectionMethod asked_selection_;        ///< by the hand
   std::array<bool, 2> could_not_learn_{};  ///< by role; until requested again
-  std::string untold_;                     ///< unreported reason, thrown after the next step's changes
+  std::string unreported_;                 ///< unreported reason, thrown after the next step's changes
   RoleSwitch role_switch_;
   int followed_pair_ = -1;  ///< pair of the intended move followed last
   bool move_is_done_ = false;

@@ -77,10 +77,10 @@ TEST(PersonBounds, PointsAtRandomAreNoPeople) {
 TEST(PersonBounds, NobodyMovesFasterThanTwentyMetresASecond) {
   const Pose here = test::standing_pose();
   const auto moved = [&](double by_m) { return test::moved(here, 0, Vec3(by_m, 0, 0)); };
-  EXPECT_FALSE(is_jump_of_nobody(here, moved(0.3), 1.0 / 60));
-  EXPECT_TRUE(is_jump_of_nobody(here, moved(0.4), 1.0 / 60));
-  EXPECT_FALSE(is_jump_of_nobody(here, moved(0.09), 1.0 / 1000)) << "jitter at a high rate";
-  EXPECT_TRUE(is_jump_of_nobody(here, moved(1e308), 1));
+  EXPECT_FALSE(is_jump_beyond_a_person(here, moved(0.3), 1.0 / 60));
+  EXPECT_TRUE(is_jump_beyond_a_person(here, moved(0.4), 1.0 / 60));
+  EXPECT_FALSE(is_jump_beyond_a_person(here, moved(0.09), 1.0 / 1000)) << "jitter at a high rate";
+  EXPECT_TRUE(is_jump_beyond_a_person(here, moved(1e308), 1));
 }
 
 TEST(PersonBounds, DoubtsOfAClipAreCountedWithTheFirstFrameOfEach) {

@@ -82,7 +82,7 @@ class IntentSelectorTest : public testing::Test {
       const double total = static_cast<double>(read.partner_m) +
                            weights.leader * (1 - static_cast<double>(read.leader_kernel)) +
                            weights.move * (1 - likely) +
-                           (selectable.is_not_meant(landing) ? weights.meant : 0);
+                           (selectable.is_not_intended(landing) ? weights.meant : 0);
       totals.push_back(selectable.is_vetoed(landing) ? std::numeric_limits<double>::infinity() : total);
     }
     return totals;
@@ -332,9 +332,9 @@ TEST_F(IntentSelectorTest, WithEverythingVetoedThereIsNothingToSelectOrBelieve) 
 TEST_F(IntentSelectorTest, WhatIsNotMeantCostsMore) {
   weights.meant = 0.7;
   neighbours = 200;
-  for (const MeantPairs& meant :
-       {MeantPairs{"turn", {}}, MeantPairs{{}, "second"}, MeantPairs{"turn", "second"}}) {
-    selectable.set_meant(meant);
+  for (const IntendedPairs& meant :
+       {IntendedPairs{"turn", {}}, IntendedPairs{{}, "second"}, IntendedPairs{"turn", "second"}}) {
+    selectable.set_intended(meant);
     for (const Candidate& candidate : choose(stranger(), 100).candidates) {
       const bool is_meant = (!meant.label || library().label(candidate.pair) == *meant.label) &&
                             (!meant.take || library().take_of(candidate.pair).name == *meant.take);
@@ -353,13 +353,13 @@ TEST_F(IntentSelectorTest, NamingATakeOrALabelMovesTheBeliefAndTheChoiceThere) {
   const Choice unnamed = choose(first_leader(), 120);
   EXPECT_EQ(library().take_of(unnamed.chosen().pair).name, "first");
   weights.meant = 2;
-  selectable.set_meant(MeantPairs{{}, "second"});
+  selectable.set_intended(IntendedPairs{{}, "second"});
   const Choice named = choose(first_leader(), 120);
   EXPECT_EQ(library().take_of(named.chosen().pair).name, "second");
   EXPECT_EQ(belief_in(unnamed, 0), 255);
   EXPECT_EQ(belief_in(named, 1), 255);
   EXPECT_LT(belief_in(named, 0), 255);
-  selectable.set_meant(MeantPairs{"open_hold", {}});
+  selectable.set_intended(IntendedPairs{"open_hold", {}});
   EXPECT_EQ(library().label(choose(first_leader(), 120).chosen().pair), "open_hold");
   weights.meant = 0;
   const Choice weightless = choose(first_leader(), 120);

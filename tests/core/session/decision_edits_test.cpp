@@ -64,19 +64,19 @@ TEST(DecisionEdits, EachDecisionInForceCanBeLiftedByItself) {
 TEST(DecisionEdits, WhatIsMeantComesFirstAndPutsOtherMovesOut) {
   const auto library = test::two_take_library();  // pairs 0..3 salsa_01 turn, 4..7 salsa_02 open hold
   Decisions decided = with_pin_toggled({}, 6);
-  decided.meant = MeantMove{"turn", {}, -1, false};
-  EXPECT_FALSE(is_not_meant(decided, 1, *library));
-  EXPECT_TRUE(is_not_meant(decided, 5, *library));
+  decided.meant = IntendedMove{"turn", {}, -1, false};
+  EXPECT_FALSE(is_not_intended(decided, 1, *library));
+  EXPECT_TRUE(is_not_intended(decided, 5, *library));
   const auto decisions = decisions_in_force(decided, *library);
   ASSERT_EQ(decisions.size(), 2U);
   EXPECT_EQ(decisions[0].kind, Decision::Kind::Meant);
   EXPECT_EQ(decisions[0].text, "intended: turn");
   EXPECT_FALSE(decisions[0].without.meant);
   EXPECT_EQ(decisions[0].without.pinned, 6);
-  decided.meant = MeantMove{{}, "salsa_02", -1, false};
-  EXPECT_TRUE(is_not_meant(decided, 1, *library));
+  decided.meant = IntendedMove{{}, "salsa_02", -1, false};
+  EXPECT_TRUE(is_not_intended(decided, 1, *library));
   EXPECT_EQ(meant_words(*decided.meant), "take salsa_02");
-  EXPECT_FALSE(is_not_meant({}, 1, *library)) << "nothing is meant";
+  EXPECT_FALSE(is_not_intended({}, 1, *library)) << "nothing is meant";
 }
 
 TEST(DecisionEdits, ManyVetoedPairsAreOneDecision) {
@@ -105,7 +105,7 @@ TEST(DecisionEdits, WhatAnotherLibraryDoesNotHaveFallsAway) {
   decided.vetoes.pairs = {1};
   decided.vetoes.takes = {"salsa_01", to->takes().front().name};
   decided.vetoes.labels = {"turn", "dip"};
-  decided.meant = MeantMove{"dip", {}, -1, false};
+  decided.meant = IntendedMove{"dip", {}, -1, false};
   decided.role_control = RoleControl::Leader;
   const Decisions carried = carried_over(decided, *from, *to);
   EXPECT_FALSE(carried.pinned);
@@ -113,7 +113,7 @@ TEST(DecisionEdits, WhatAnotherLibraryDoesNotHaveFallsAway) {
   EXPECT_EQ(carried.vetoes.takes, std::set<std::string>{to->takes().front().name});
   EXPECT_EQ(carried.vetoes.labels, std::set<std::string>{"turn"});
   EXPECT_FALSE(carried.meant);
-  decided.meant = MeantMove{"turn", {}, -1, false};
+  decided.meant = IntendedMove{"turn", {}, -1, false};
   EXPECT_TRUE(carried_over(decided, *from, *to).meant);
   EXPECT_EQ(carried.role_control, RoleControl::Leader);
   EXPECT_EQ(carried_over(with_pin_toggled({}, 5), *from, *from).pinned, 5);

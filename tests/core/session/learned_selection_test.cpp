@@ -232,7 +232,7 @@ TEST(LearnedSelection, AMoveThatIsNotFollowedIsStillIntended) {
   for (int pair = 0; pair < library.pair_count() && (other.empty() || other == followed); ++pair)
     other = library.label(pair);
   ASSERT_NE(other, followed);
-  MeantMove move{other, std::nullopt};
+  IntendedMove move{other, std::nullopt};
   move.until_done = true;
   session.control.intend(move);
   int steps = 0;
@@ -259,7 +259,7 @@ struct RecordedSession : test::TemporaryFolder, test::DrivenSession {
     run_until(1.2);
     commands.push(SetVetoes{{{}, {"first"}, {}}});
     run_until(1.5);
-    commands.push(IntendMove{MeantMove{"turn", std::nullopt}});
+    commands.push(IntendMove{IntendedMove{"turn", std::nullopt}});
     Settings settings = by_intent();
     settings.user_role = UserRole::Passive;
     settings.switch_margin = 0.07;

@@ -80,7 +80,7 @@ class LiveCommands : public testing::Test {
     return result.candidates[static_cast<std::size_t>(result.selected)].pair;
   }
   void intend(std::optional<std::string> label, double until_s = -1, bool until_done = false) {
-    MeantMove move;
+    IntendedMove move;
     move.label = std::move(label);
     move.until_s = until_s;
     move.until_done = until_done;

@@ -167,7 +167,7 @@ TEST(LiveProject, WhatWasMeantWhenAProjectWasSavedIsNotMeantWhenItIsOpened) {
   Project saved;
   saved.settings.alpha = 2;
   saved.decisions.pinned = 4;
-  saved.decisions.meant = MeantMove{"turn", {}, 5, false};
+  saved.decisions.meant = IntendedMove{"turn", {}, 5, false};
   saved.markers = marked(1);
   saved.take_markers["salsa_01"] = marked(2);
   LiveProject live;

@@ -27,7 +27,7 @@ class ProjectMaker {
     project.settings.user_role = below(2) ? UserRole::Passive : UserRole::Active;
     if (below(2)) project.decisions.pinned = below(1000);
     project.decisions.vetoes.takes.insert(word());
-    if (below(2)) project.decisions.meant = MeantMove{word(), std::nullopt, number(), true};
+    if (below(2)) project.decisions.meant = IntendedMove{word(), std::nullopt, number(), true};
     project.decisions.role_control = RoleControl::Library;
     project.input = word();
     project.library = below(2) ? "" : "generated salsa";

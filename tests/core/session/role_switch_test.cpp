@@ -219,7 +219,7 @@ TEST(SolvedAgain, WithPinsVetoesMeantMovesAndChangesOfRoleTheBitsAreTheSame) {
   Live live(library, exchanging_take().a);
   live.commands.push(SetRoleControl{RoleControl::Library});
   live.run_until(1.3);
-  MeantMove move;
+  IntendedMove move;
   move.label = "turn";
   move.until_s = 2.1;
   live.commands.push(IntendMove{move});

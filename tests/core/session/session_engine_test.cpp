@@ -24,8 +24,8 @@ bool eventually(const std::function<bool()>& holds) {
   return true;
 }
 
-MeantMove meant(std::optional<std::string> label, std::optional<std::string> take) {
-  MeantMove move;
+IntendedMove meant(std::optional<std::string> label, std::optional<std::string> take) {
+  IntendedMove move;
   move.label = std::move(label);
   move.take = std::move(take);
   return move;

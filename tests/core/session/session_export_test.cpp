@@ -231,7 +231,7 @@ TEST_F(SessionExport, RolesMeantMovesTakesAndMarkersAreTiers) {
   Settings passive;
   passive.user_role = UserRole::Passive;
   Decisions meant;
-  meant.meant = MeantMove{"dip", std::nullopt, -1};
+  meant.meant = IntendedMove{"dip", std::nullopt, -1};
   for (int i = 0; i < 60; ++i) {
     if (i == 10) recorder->begin_take("waltz");
     if (i == 50) recorder->end_take();

@@ -37,7 +37,7 @@ struct Eventful : test::TemporaryFolder, test::DrivenSession {
     run_until(1.8);
     commands.push(ResetSolver{});
     run_until(2.0);
-    commands.push(IntendMove{MeantMove{std::nullopt, "second"}});
+    commands.push(IntendMove{IntendedMove{std::nullopt, "second"}});
     run_until(2.3);
     commands.push(SeekInput{0.3});
     run_until(2.5);

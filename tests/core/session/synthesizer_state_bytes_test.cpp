@@ -22,7 +22,7 @@ SynthesizerState used_state() {
   for (const Pose& pose : clip.poses) synthesizer->step(pose, Duration(1.0 / 60));
   SynthesizerState state = synthesizer->state();
   state.pinned = 12;
-  state.meant = MeantPairs{"turn", std::nullopt};
+  state.meant = IntendedPairs{"turn", std::nullopt};
   state.unsolved_s = 0.1 + 0.2;
   return state;
 }
@@ -213,7 +213,7 @@ TEST(DecisionsJson, ReadsBackWhatWasDecided) {
   Decisions decisions;
   decisions.pinned = 7;
   decisions.vetoes = {{1, 2}, {"a \"take\""}, {"", "turn"}};
-  decisions.meant = MeantMove{"turn", "salsa_01", 12.5, true};
+  decisions.meant = IntendedMove{"turn", "salsa_01", 12.5, true};
   decisions.role_control = RoleControl::Leader;
   const auto read = parse_decisions(decisions_json(decisions), "test");
   ASSERT_TRUE(read);

@@ -80,7 +80,8 @@ TEST(TimePlace, WritesATimeAsAClock) {
   EXPECT_EQ(clock_text(11.5), "00:11.500");
   EXPECT_EQ(clock_text(3723.25), "1:02:03.250");
   EXPECT_EQ(clock_text(59.9996), "01:00.000");
-  EXPECT_EQ(clock_text(-1), "00:00.000");
+  EXPECT_EQ(clock_text(-1), "−00:01.000");
+  EXPECT_EQ(clock_text(-0.0001), "00:00.000");
 }
 
 TEST(TimePlace, WritesATimecodeThatReadsBack) {

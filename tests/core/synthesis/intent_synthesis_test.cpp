@@ -267,7 +267,7 @@ TEST(IntentSynthesis, WhatAPersonNamesIsPreferredNotForced) {
   Settings settings = by_intent();
   settings.meant_weight = 2;
   auto synthesizer = synthesizer_with(settings);
-  synthesizer->set_meant(MeantPairs{{}, "second"});
+  synthesizer->set_intended(IntendedPairs{{}, "second"});
   const FrameResult& result = run(*synthesizer, first_take().a, 0, 100);
   EXPECT_EQ(library()->take_of(chosen(result).pair).name, "second");
   settings.switch_margin = 0.03;  // as soon as another is a little better

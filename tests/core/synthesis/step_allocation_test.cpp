@@ -124,8 +124,8 @@ TEST(StepAllocation, DoesNotHappenWithPinsVetoesAndWhatIsMeant) {
   const auto change = [&](std::size_t frame) {
     if (frame % 40 == 10) synthesizer->set_vetoes({{}, {}, {frame % 80 == 10 ? "turn" : "open_hold"}});
     if (frame % 40 == 20) synthesizer->set_vetoes({});
-    if (frame % 100 == 30) synthesizer->set_meant(MeantPairs{.label = {}, .take = "second"});
-    if (frame % 100 == 60) synthesizer->set_meant({});
+    if (frame % 100 == 30) synthesizer->set_intended(IntendedPairs{.label = {}, .take = "second"});
+    if (frame % 100 == 60) synthesizer->set_intended({});
     synthesizer->pin_pair(frame % 7 == 0 ? std::optional<int>(static_cast<int>(frame) % 300) : std::nullopt);
   };
   EXPECT_EQ(allocations_of_steps(*synthesizer, dancing_user(), change), 0U);
@@ -208,8 +208,8 @@ TEST(StepAllocation, DoesNotHappenForTheMostNeighboursByIntentWithPinsVetoesAndW
     if (frame % 40 == 20) synthesizer->set_vetoes({});
     if (frame == 150) synthesizer->set_vetoes({{}, {"first", "second"}, {}});
     if (frame == 155) synthesizer->set_vetoes({});
-    if (frame % 100 == 30) synthesizer->set_meant(MeantPairs{.label = {}, .take = "second"});
-    if (frame % 100 == 60) synthesizer->set_meant({});
+    if (frame % 100 == 30) synthesizer->set_intended(IntendedPairs{.label = {}, .take = "second"});
+    if (frame % 100 == 60) synthesizer->set_intended({});
     synthesizer->pin_pair(frame % 7 == 0 ? std::optional<int>(static_cast<int>(frame) % 300) : std::nullopt);
     if (frame % 90 == 80) synthesizer->reset();
   };

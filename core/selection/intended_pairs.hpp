@@ -6,10 +6,10 @@
 namespace abrazo {
 
 /// The recorded pairs of an intended move, as a value: those with this label and of this take, if given.
-struct MeantPairs {
+struct IntendedPairs {
   std::optional<std::string> label;  ///< "" = pairs without a label
   std::optional<std::string> take;   ///< by its name
-  bool operator==(const MeantPairs&) const = default;
+  bool operator==(const IntendedPairs&) const = default;
 };
 
 }  // namespace abrazo
