@@ -8,7 +8,7 @@
 #include "core/base/positions.hpp"
 #include "core/base/rotation.hpp"
 #include "core/choreography/limb_ik.hpp"
-#include "core/choreography/smooth_window.hpp"
+#include "core/base/smooth_window.hpp"
 #include "core/motion/body/joint_set.hpp"
 
 namespace abrazo {

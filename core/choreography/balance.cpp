@@ -5,7 +5,7 @@
 
 #include "core/base/positions.hpp"
 #include "core/choreography/couple_path.hpp"
-#include "core/choreography/smooth_window.hpp"
+#include "core/base/smooth_window.hpp"
 #include "core/motion/body/joint_set.hpp"
 
 namespace abrazo {
