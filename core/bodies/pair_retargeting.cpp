@@ -7,10 +7,10 @@
 #include <stdexcept>
 
 #include "core/base/parallel.hpp"
-#include "core/base/smooth_window.hpp"
 #include "core/bodies/foot_steps.hpp"
 #include "core/library/build/capsule_calibration.hpp"
 #include "core/motion/body/joint_set.hpp"
+#include "core/motion/body/smooth_window.hpp"
 
 namespace abrazo {
 
@@ -152,9 +152,9 @@ void measure_holds(const PairPose& recorded, RetargetedFrame& made) {
   }
 }
 
-Clip clip_of(const Clip& recorded, const std::vector<RetargetedFrame>& frames, int first_vertex) {
-  Clip clip{recorded.name, recorded.fps, {}};
-  for (const RetargetedFrame& frame : frames)
+Clip clip_of(const RetargetedPair& pair, const std::string& name, int first_vertex) {
+  Clip clip{name, pair.recorded.active.fps, {}};
+  for (const RetargetedFrame& frame : pair.frames)
     clip.poses.push_back(frame.pose.middleRows<joint_count>(first_vertex));
   return clip;
 }
@@ -179,11 +179,11 @@ std::string RetargetedFrame::shortfall() const {
 }
 
 Clip RetargetedPair::active() const {
-  return clip_of(recorded.active, frames, 0);
+  return clip_of(*this, "active", 0);
 }
 
 Clip RetargetedPair::passive() const {
-  return clip_of(recorded.passive, frames, joint_count);
+  return clip_of(*this, "passive", joint_count);
 }
 
 PairCapsules capsules_of(const RecordedPair& recorded, const PairBodies& bodies) {

@@ -42,8 +42,8 @@ struct RetargetedPair {
   PairCapsules capsules;
   std::vector<RetargetedFrame> frames;
 
-  Clip active() const;
-  Clip passive() const;
+  Clip active() const;   ///< called "active"
+  Clip passive() const;  ///< called "passive"
 };
 
 /// A recorded pair on two other bodies: contacts between them stay, feet stand where they stood in

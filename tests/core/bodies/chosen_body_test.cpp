@@ -22,6 +22,12 @@ class ChosenBody : public ::testing::Test {
   std::string file(const std::string& name) const { return (folder_ / name).string(); }
   static Clip clip(double scale) { return {"one", 60, std::vector<Pose>(5, scale * test::standing_pose())}; }
 
+  static Clip named(const std::string& name) {
+    Clip one = clip(1);
+    one.name = name;
+    return one;
+  }
+
   Body recorded_ = body_of(test::standing_pose());
 
  private:
@@ -50,7 +56,7 @@ TEST_F(ChosenBody, AFileThatGivesNoBodyIsRefusedWithItsName) {
     return body ? std::string() : body.error().text();
   };
   EXPECT_THAT(refused("gone.bvh"), HasSubstr("gone.bvh"));
-  ASSERT_TRUE(write_clip_file(file("pair.csv"), std::array{clip(1), clip(1)}));
+  ASSERT_TRUE(write_clip_file(file("pair.csv"), std::array{named("a"), named("b")}));
   EXPECT_THAT(refused("pair.csv"), HasSubstr("holds 2 performers"));
 }
 
