@@ -135,6 +135,7 @@ Result<Made> make(const RetargetArguments& arguments, const Choices& choices, co
 }
 
 struct Summary {
+  std::size_t holds = 0;  ///< frames with one
   double hold_change_mean_m = 0, hold_change_max_m = 0, bone_error_max = 0, excess_max_m = 0;
   std::size_t nearest_only = 0;
   std::string first_shortfall;
@@ -156,21 +157,26 @@ Summary summary_of(const RetargetedPair& pair) {
       summary.first_shortfall_s = static_cast<double>(frame) / pair.recorded.active.fps;
     }
   }
+  summary.holds = holds_m.size();
   summary.hold_change_mean_m = mean(holds_m);
   return summary;
 }
 
 std::string text_of(const Made& made, const std::string& file) {
   const Summary summary = summary_of(made.pair);
+  const std::string holds =
+      summary.holds == 0 ? "no hands hold one another"
+                         : fmt::format("holds change by {:.1f} mm on average, at most {:.1f}",
+                                       1000 * summary.hold_change_mean_m, 1000 * summary.hold_change_max_m);
   std::string text = fmt::format(
-      "{}: {} frames, active {} ({:.2f} m), passive {} ({:.2f} m), to {}\n  holds change by {:.1f} mm on "
-      "average, "
-      "at most {:.1f}; bodies overlap by {:.1f} mm more at most; bones differ by {:.3f} % at most\n",
+      "{}: {} frames, active {} ({:.2f} m), passive {} ({:.2f} m), to {}\n  {}; bodies overlap by {:.1f} mm "
+      "more "
+      "at most; bones differ by {:.3f} % at most\n",
       made.pair.recorded.name, made.pair.frames.size(), made.active.name, made.active.body.height(),
-      made.passive.name, made.passive.body.height(), file, 1000 * summary.hold_change_mean_m,
-      1000 * summary.hold_change_max_m, 1000 * summary.excess_max_m, 100 * summary.bone_error_max);
+      made.passive.name, made.passive.body.height(), file, holds, 1000 * summary.excess_max_m,
+      100 * summary.bone_error_max);
   if (summary.nearest_only > 0)
-    text += fmt::format("  {} frames are the nearest that these bodies can do; the first at {:.2f} s: {}\n",
+    text += fmt::format("  {} of them are the nearest that these bodies can do; the first at {:.2f} s: {}\n",
                         summary.nearest_only, summary.first_shortfall_s, summary.first_shortfall);
   return text;
 }
