@@ -64,6 +64,7 @@ void add_export_command(CommandLine& line);
 void add_labels_command(CommandLine& line);
 void add_render_command(CommandLine& line);
 void add_suggest_command(CommandLine& line);
+void add_retarget_command(CommandLine& line);
 void add_session_command(CommandLine& line);
 
 }  // namespace abrazo::app

@@ -69,6 +69,11 @@ std::string summary(const Evaluation& evaluation, const std::filesystem::path& f
     line("whole step, p50 / p99",
          fmt::format("{:.3f} / {:.3f} ms", result->solve.p50_us / 1000, result->solve.p99_us / 1000));
   }
+  if (evaluation.bodies)
+    for (const BodyRow& row : evaluation.bodies->rows)
+      line("bodies: " + row.bodies,
+           fmt::format("F1 within 25 cm {:.3f}, holds change by {:.1f} mm",
+                       row.methods.front().within_25cm.f1, 1000 * row.methods.front().hold_change_mean_m));
   line("report", fmt::format("{} ({:.0f} s)", (folder / "report.html").string(), evaluation.seconds));
   return text;
 }
@@ -117,9 +122,9 @@ void add_evaluate_command(CommandLine& line) {
           "parts", arguments->parts,
           "selection (Table I), timing (Table II), moves (Table III), zmp (Table IV), contact (holds, "
           "penetration, sliding, partner error, robustness), published (figures of the recent literature), "
-          "or all")
+          "bodies (recorded pairs on other bodies), or all")
       ->required()
-      ->check(CLI::IsMember({"selection", "timing", "moves", "zmp", "contact", "published", "all"}))
+      ->check(CLI::IsMember({"selection", "timing", "moves", "zmp", "contact", "published", "bodies", "all"}))
       ->type_name("PART");
   add_evaluation_source(*command, arguments->source);
   command

@@ -33,6 +33,7 @@ int main(int argc, char** argv) {
   app::add_labels_command(line);
   app::add_render_command(line);
   app::add_suggest_command(line);
+  app::add_retarget_command(line);
   app::add_session_command(line);
   app::note_interruptions();
   take_file_limit_for_full_disk();

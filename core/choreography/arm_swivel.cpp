@@ -8,8 +8,8 @@
 #include "core/base/positions.hpp"
 #include "core/base/rotation.hpp"
 #include "core/choreography/limb_ik.hpp"
-#include "core/choreography/smooth_window.hpp"
 #include "core/motion/body/joint_set.hpp"
+#include "core/motion/body/smooth_window.hpp"
 
 namespace abrazo {
 namespace {

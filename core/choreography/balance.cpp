@@ -5,8 +5,8 @@
 
 #include "core/base/positions.hpp"
 #include "core/choreography/couple_path.hpp"
-#include "core/choreography/smooth_window.hpp"
 #include "core/motion/body/joint_set.hpp"
+#include "core/motion/body/smooth_window.hpp"
 
 namespace abrazo {
 namespace {

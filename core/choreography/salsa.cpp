@@ -13,9 +13,9 @@
 #include "core/choreography/couple_holds.hpp"
 #include "core/choreography/couple_path.hpp"
 #include "core/choreography/dancer_score.hpp"
-#include "core/choreography/smooth_window.hpp"
 #include "core/choreography/wander.hpp"
 #include "core/motion/body/joint_set.hpp"
+#include "core/motion/body/smooth_window.hpp"
 
 namespace abrazo {
 namespace {

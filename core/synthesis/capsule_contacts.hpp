@@ -26,6 +26,11 @@ class CapsuleContacts {
   /// @param clearance_m additional distance to keep
   void prepare(const PairPose& selected, const CapsuleRadii& active, const CapsuleRadii& passive,
                double clearance_m = 0);
+  /// The radii of the bodies that are kept apart, where they are not those of the selected pair.
+  void wear(const CapsuleRadii& active, const CapsuleRadii& passive) {
+    active_ = active;
+    passive_ = passive;
+  }
   /// Capsules whose axes have passed through one another are pushed back to their side in `shown`, instead of
   /// the side in the selected pair, so that the shown bodies do not jump through one another.
   void keep_sides_of(const PairPose& shown) { sides_ = shown; }

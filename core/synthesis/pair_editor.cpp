@@ -6,6 +6,7 @@
 
 #include "core/motion/body/joint_set.hpp"
 #include "core/synthesis/frame_room.hpp"
+#include "core/synthesis/turning_bones.hpp"
 
 namespace abrazo {
 
@@ -151,7 +152,7 @@ bool PairEditor::solve_step(const Settings& settings, const FootLocks& locks, Re
   for (std::size_t n = 0; n < lengths.size(); ++n)
     lengths[n].length_m =
         recorded_[n].length_m + fraction * (task_.wanted[n].length_m - recorded_[n].length_m);
-  damp_turning_bones(lengths, linear);
+  damp_turning_bones(lengths, iterate_, !rows_.empty(), solver_, linear);
   build_rows(settings, locks, relaxation, lengths);
   return solver_.solve(linear, rows_, active_rows_, iterate_) && keep_iterate();
 }
@@ -161,26 +162,6 @@ bool PairEditor::project_step(const Settings& settings, const FootLocks& locks, 
   build_rows(settings, locks, relaxation, task_.wanted);
   const PairPose from = iterate_;
   return solver_.project(from, rows_, active_rows_, iterate_) && keep_iterate();
-}
-
-/// A bone row is linear, so a bone pulled hard towards a far point turns too far: by d/l times the angle it
-/// should, for a target at d. The exact second derivative of the length constraint, |multiplier| / l across
-/// the bone, prevents that; it is added in all directions, about the current iterate, where it matters (the
-/// multipliers are those of the last step).
-void PairEditor::damp_turning_bones(const RigidDistances& lengths, PairPose& linear) {
-  solver_.relax();
-  if (rows_.empty()) return;
-  for (std::size_t n = 0; n < lengths.size(); ++n) {
-    const RigidDistance& rigid = lengths[n];
-    const double tension = -solver_.multiplier(n);
-    if (rigid.length_m < 1e-6 || tension < 0.3 * rigid.length_m * solver_.stiffness(rigid.a, rigid.b))
-      continue;
-    const double c = tension / rigid.length_m;
-    solver_.stiffen(rigid.a, rigid.b, c);
-    const Eigen::RowVector3d apart = iterate_.row(rigid.a) - iterate_.row(rigid.b);
-    linear.row(rigid.a) += c * apart;
-    linear.row(rigid.b) -= c * apart;
-  }
 }
 
 void PairEditor::build_rows(const Settings& settings, const FootLocks& locks, Relaxation relaxation,

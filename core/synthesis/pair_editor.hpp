@@ -76,7 +76,6 @@ class PairEditor {
   bool project_step(const Settings& settings, const FootLocks& locks, Relaxation relaxation);
   void build_rows(const Settings& settings, const FootLocks& locks, Relaxation relaxation,
                   const RigidDistances& lengths);
-  void damp_turning_bones(const RigidDistances& lengths, PairPose& linear);
   bool keep_iterate();
   bool parts_bodies(const Settings& settings, Relaxation relaxation) const;
   double overlap(const Settings& settings, Relaxation relaxation);

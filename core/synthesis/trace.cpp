@@ -1,5 +1,7 @@
 #include "core/synthesis/trace.hpp"
 
+#include "core/synthesis/recording_trace.hpp"
+
 #include "core/base/version.hpp"
 #include "core/motion/body/joint_set.hpp"
 #include "core/selection/intent_model.hpp"
@@ -106,30 +108,9 @@ void write_measures(JsonText& json, const FrameResult& frame) {
   json.end_object();
 }
 
-}  // namespace
-
-std::string trace_header_line(const TraceHeader& header) {
-  JsonText json;
-  json.begin_object();
-  json.key("abrazo_trace").value(1);
-  json.key("version").value(version());
-  json.key("library").value(header.library);
-  json.key("input").value(header.input);
-  std::string line = json.take();
-  line += ",\"settings\":" + settings_json(header.settings);
-  JsonText rest;
-  rest.begin_object();
-  rest.key("joints").begin_array();
-  for (const std::string_view name : joint_names) rest.value(name);
-  rest.end_array();
-  rest.key("units").value("m");
-  rest.key("fps").value(header.fps);
-  rest.end_object();
-  return line + "," + rest.text().substr(1);
-}
-
-std::string trace_frame_line(const FrameResult& frame, const MotionLibrary& library, long long input_frame,
-                             double time_s) {
+/// @param library  null for a frame without candidates
+std::string frame_line(const FrameResult& frame, const MotionLibrary* library, long long input_frame,
+                       double time_s) {
   JsonText json;
   json.begin_object();
   json.key("frame").value(input_frame);
@@ -140,9 +121,9 @@ std::string trace_frame_line(const FrameResult& frame, const MotionLibrary& libr
   json.key("features").begin_array();
   for (const double feature : frame.features) json.value(feature);
   json.end_array().end_object();
-  write_candidates(json, frame, library);
-  if (frame.intent.model) write_intent(json, frame.intent, library);
-  json.key("selected").value(frame.selected);
+  if (library) write_candidates(json, frame, *library);
+  if (library && frame.intent.model) write_intent(json, frame.intent, *library);
+  if (library) json.key("selected").value(frame.selected);
   json.key("source_changed").value(frame.source_changed);
   json.key("selected_pair").begin_object();
   json.key("active").rows(frame.selected_pair.topRows<joint_count>());
@@ -168,6 +149,37 @@ std::string trace_frame_line(const FrameResult& frame, const MotionLibrary& libr
   json.key("total").value(frame.timing.total_us);
   json.end_object().end_object();
   return json.take();
+}
+
+}  // namespace
+
+std::string trace_header_line(const TraceHeader& header) {
+  JsonText json;
+  json.begin_object();
+  json.key("abrazo_trace").value(1);
+  json.key("version").value(version());
+  json.key("library").value(header.library);
+  json.key("input").value(header.input);
+  std::string line = json.take();
+  line += ",\"settings\":" + settings_json(header.settings);
+  JsonText rest;
+  rest.begin_object();
+  rest.key("joints").begin_array();
+  for (const std::string_view name : joint_names) rest.value(name);
+  rest.end_array();
+  rest.key("units").value("m");
+  rest.key("fps").value(header.fps);
+  rest.end_object();
+  return line + "," + rest.text().substr(1);
+}
+
+std::string trace_frame_line(const FrameResult& frame, const MotionLibrary& library, long long input_frame,
+                             double time_s) {
+  return frame_line(frame, &library, input_frame, time_s);
+}
+
+std::string trace_frame_line(const FrameResult& frame, long long input_frame, double time_s) {
+  return frame_line(frame, nullptr, input_frame, time_s);
 }
 
 }  // namespace abrazo

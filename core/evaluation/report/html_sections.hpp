@@ -21,6 +21,7 @@ std::optional<HtmlSection> movement_section(
 std::optional<HtmlSection> contact_section(const Evaluation& evaluation);  ///< what the paper does not print
 std::optional<HtmlSection> published_section(
     const Evaluation& evaluation);  ///< figures of the recent literature
+std::optional<HtmlSection> bodies_section(const Evaluation& evaluation);  ///< recorded pairs on other bodies
 std::optional<HtmlSection> robustness_section(
     const Evaluation& evaluation);  ///< other users, disturbed input
 /// @param swept  keys of settings that vary instead

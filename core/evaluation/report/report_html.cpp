@@ -116,7 +116,7 @@ std::string report_html(const Evaluation& evaluation) {
       "Real-Time Applications (2013), section 4, and what goes beyond them";
   page.head_html = facts(evaluation) + html_tiles(tiles(evaluation));
   for (const auto section : {selection_section, timing_section, moves_section, zmp_section, movement_section,
-                             contact_section, published_section, robustness_section})
+                             contact_section, published_section, bodies_section, robustness_section})
     if (auto made = section(evaluation)) page.sections.push_back(std::move(*made));
   page.sections.push_back(settings_section(evaluation.settings));
   if (!evaluation.remarks.empty())

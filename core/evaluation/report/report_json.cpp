@@ -284,6 +284,41 @@ void write_published(JsonText& json, const PublishedTable& published) {
   }
 }
 
+void write_contact_score(JsonText& json, std::string_view key, const ContactScore& score) {
+  const Object object(json, key);
+  json.key("precision").value(score.precision);
+  json.key("recall").value(score.recall);
+  json.key("f1").value(score.f1);
+}
+
+void write_bodies(JsonText& json, const BodyTable& bodies) {
+  const Object object(json, "bodies");
+  json.key("takes").value(bodies.takes);
+  json.key("frames").value(bodies.frames);
+  json.key("recorded_slide_m_per_s").value(bodies.recorded_slide_m_s);
+  const Array array(json, "pairs");
+  for (const BodyRow& row : bodies.rows) {
+    const Object pair(json);
+    json.key("bodies").value(row.bodies);
+    for (std::size_t m = 0; m < row.methods.size(); ++m) {
+      const BodyFigures& figures = row.methods[m];
+      const Object method(json, body_method_keys[m]);
+      write_contact_score(json, "contact_15cm", figures.within_15cm);
+      write_contact_score(json, "contact_25cm", figures.within_25cm);
+      json.key("hold_change_mean_m").value(figures.hold_change_mean_m);
+      json.key("hold_change_p95_m").value(figures.hold_change_p95_m);
+      json.key("penetration_excess_p99_m").value(figures.penetration_excess_p99_m);
+      json.key("floor_contact").value(figures.floor_contact);
+      json.key("slide_m_per_s").value(figures.slide_m_s);
+      json.key("slide_ratio").value(figures.slide_ratio);
+      json.key("speed_p99_ratio").value(figures.speed_p99_ratio);
+      json.key("acceleration_p99_ratio").value(figures.acceleration_p99_ratio);
+      json.key("bone_error_max").value(figures.bone_error_max);
+      json.key("nearest_only").value(figures.nearest_only);
+    }
+  }
+}
+
 void write_solve(JsonText& json, const SolveTimes& solve) {
   const Object object(json, "solve_us");
   json.key("p50").value(solve.p50_us);
@@ -342,6 +377,7 @@ std::string report_json(const Evaluation& evaluation) {
     if (result.published) write_published(json, *result.published);
     write_solve(json, result.solve);
   }
+  if (evaluation.bodies) write_bodies(json, *evaluation.bodies);
   write_users(json, "builds", evaluation, evaluation.builds);
   write_users(json, "disturbed", evaluation, evaluation.disturbed);
   return finished_with_settings(json, evaluation.settings);

@@ -243,8 +243,13 @@ Result<Evaluation> evaluate(const EvaluationData& data, const EvaluationOptions&
     evaluation.selection = std::move(*tables);
   }
   if (wanted_of(options).any())
-    if (const Status done = measure_users(data, *takes, options, part(progress, 0.1, 0.8), evaluation); !done)
+    if (const Status done = measure_users(data, *takes, options, part(progress, 0.1, 0.6), evaluation); !done)
       return done.error();
+  if (options.parts.contains(EvaluationPart::Bodies)) {
+    auto table = measure_bodies(*takes, part(progress, 0.6, 0.8));
+    if (!table) return table.error();
+    evaluation.bodies = std::move(*table);
+  }
   if (options.parts.contains(EvaluationPart::Timing)) {
     auto rows = measure_timing(data, options, part(progress, 0.8, 1));
     if (!rows) return rows.error();

@@ -15,7 +15,7 @@
 
 namespace abrazo {
 
-enum class EvaluationPart { Selection, Timing, Moves, Zmp, Contact, Published };
+enum class EvaluationPart { Selection, Timing, Moves, Zmp, Contact, Published, Bodies };
 
 struct EvaluationOptions {
   std::set<EvaluationPart> parts;

@@ -13,8 +13,8 @@
 namespace abrazo {
 
 /// Parts of an evaluation by name, in the order of EvaluationPart.
-inline constexpr std::array<std::string_view, 6> evaluation_part_names = {
-    "selection", "timing", "moves", "zmp", "contact", "published"};
+inline constexpr std::array<std::string_view, 7> evaluation_part_names = {
+    "selection", "timing", "moves", "zmp", "contact", "published", "bodies"};
 
 /// The parts of these names; "all" means every one. An Error lists the names.
 Result<std::set<EvaluationPart>> evaluation_parts(std::span<const std::string> names);

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "core/evaluation/tables/body_table.hpp"
 #include "core/evaluation/tables/movement_table.hpp"
 #include "core/evaluation/tables/published_table.hpp"
 #include "core/metrics/continuity.hpp"
@@ -129,6 +130,7 @@ struct Evaluation {
   std::vector<UserResult> builds;                                ///< users of other builds
   std::vector<UserResult> disturbed;                             ///< frames lost, noise, delay
   bool has_moves = false, has_zmp = false, has_contact = false;  ///< parts of `result` asked for
+  std::optional<BodyTable> bodies;                               ///< recorded pairs on other bodies
   std::vector<std::string> remarks;  ///< what a reader must know: takes without labels, warnings
 };
 

@@ -1,4 +1,4 @@
-#include "core/choreography/smooth_window.hpp"
+#include "core/motion/body/smooth_window.hpp"
 
 #include <gtest/gtest.h>
 

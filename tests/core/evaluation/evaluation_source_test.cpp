@@ -30,7 +30,7 @@ TEST(EvaluationParts, ThatThereAreNotAreRefusedWithThoseThereAre) {
   const std::vector<std::string> names = {"moves", "tempo"};
   EXPECT_EQ(evaluation_parts(names).error().text(),
             "'tempo' is no part of the evaluation; there are selection, timing, moves, zmp, contact, "
-            "published, and all");
+            "published, bodies, and all");
 }
 
 }  // namespace

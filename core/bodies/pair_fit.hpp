@@ -1,0 +1,82 @@
+#pragma once
+
+#include <array>
+#include <span>
+#include <vector>
+
+#include "core/base/positions.hpp"
+#include "core/bodies/placed_pair.hpp"
+#include "core/bodies/split_mesh.hpp"
+#include "core/mesh/capsules.hpp"
+#include "core/synthesis/capsule_contacts.hpp"
+#include "core/synthesis/constrained_solver.hpp"
+
+namespace abrazo {
+
+/// Weights of a fit, all against the unit weight of the mesh's shape.
+struct FitWeights {
+  RelationWeights relation;
+  double place = 0.02;   ///< of every joint at the rebuilt pair
+  double free_foot = 4;  ///< of ankle, toe base and toe tip at the rebuilt pair
+  double smooth = 30;     ///< of every joint at the smoothed pair, if there is one
+};
+
+/// Radii of both bodies, as recorded and as they become.
+struct PairCapsules {
+  CapsuleRadii recorded_active{}, recorded_passive{}, active{}, passive{};
+};
+
+/// One frame of a recorded pair that gets other bodies. World [m].
+struct FitTask {
+  std::span<const MeshEdge> edges;
+  PairPose recorded = PairPose::Zero();
+  PairPose rebuilt = PairPose::Zero();  ///< has the lengths that the result will have
+  /// Feet that stand, active left, active right, passive left, passive right: their toe bases stay where the
+  /// rebuilt pair has them.
+  std::array<bool, 4> stands{};
+  const PairPose* smoothed = nullptr;
+};
+
+/// Fits two bodies to the relation that a recorded pair has: mesh, springs of near joints, bones exactly,
+/// standing feet, floor, capsules. A function of its task: frames can be fitted in any order.
+class PairFit {
+ public:
+  explicit PairFit(const PairCapsules& capsules, const FitWeights& weights = {});
+
+  /// What was let go, in this order, because not all could be met. With `Everything` the result is the
+  /// rebuilt pair itself.
+  enum class LetGo : std::uint8_t { Nothing, Capsules, StandingFeet, Everything };
+
+  struct Outcome {
+    PairPose pose = PairPose::Zero();
+    LetGo let_go = LetGo::Nothing;
+    double bone_error = 0;    ///< largest, relative
+    double foot_drift_m = 0;  ///< largest of standing feet
+    double excess_m = 0;      ///< deepest overlap of capsules beyond the recorded
+  };
+  Outcome fit(const FitTask& task);
+
+  const SplitMesh& mesh() const { return mesh_; }
+
+ private:
+  bool morph(LetGo let_go);
+  bool solve_step(LetGo let_go, double fraction);
+  bool project_step(LetGo let_go);
+  void build_rows(LetGo let_go);
+  double foot_drift() const;
+  double excess(LetGo let_go);
+
+  PairCapsules capsules_;
+  FitWeights weights_;
+  const FitTask* task_ = nullptr;
+  RigidDistances lengths_;
+  SplitMesh mesh_;
+  PairPose anchored_;  ///< the linear part of the anchors
+  ConstrainedSolver solver_;
+  CapsuleContacts contacts_;
+  std::vector<ConstraintRow> rows_;
+  std::vector<char> active_rows_;
+  PairPose iterate_;
+};
+
+}  // namespace abrazo

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <span>
+
+#include "core/base/positions.hpp"
+#include "core/mesh/interaction_mesh.hpp"
+#include "core/mesh/laplacian.hpp"
+
+namespace abrazo {
+
+/// What the edges between and within two bodies are worth. Distances are those of the recording.
+struct RelationWeights {
+  double contact = 30;  ///< of a pair of joints that touch
+  double contact_width_m = 0.10;
+  double near = 4;  ///< of one that is near
+  double near_width_m = 0.20;
+  double far_m = 0.5;          ///< pairs farther apart are left to the mesh
+  double mesh_width_m = 0.35;  ///< a mesh edge between the bodies keeps its vector by exp(-(d/width)^2)
+};
+
+/// An interaction mesh whose edges say what is kept when bodies change: those within a body have the shape of
+/// the rebuilt body, and so scale with it; those between the bodies have the recorded vector where the
+/// bodies are near, and the rebuilt pair's where they are far. With it a spring for every near pair of
+/// joints,
+///   k(d) = contact exp(-(d/contact_width)^2) + near exp(-(d/near_width)^2),
+/// whether or not the mesh has an edge there, so that it does not come and go with the mesh. Energy:
+///   1/2 sum_j |L(v_j) - delta_j|^2 + 1/2 sum k |(v_a - v_s) - (r_a - r_s)|^2,
+/// delta_j = sum_l w_jl g_jl with these edges g.
+class SplitMesh {
+ public:
+  /// @param rebuilt  both bodies as they are to be, as recorded in shape; @see rebuilt()
+  void build(std::span<const MeshEdge> edges, const PairPose& recorded, const PairPose& rebuilt,
+             const RelationWeights& weights);
+
+  const VertexMatrix& energy() const { return energy_; }  ///< K: its gradient is K V - linear
+  /// The linear part when the edges are as far on the way from the rebuilt pair's (0) to the kept ones (1).
+  PairPose linear(double fraction) const { return start_ + fraction * (goal_ - start_); }
+  const Laplacian& laplacian() const { return laplacian_; }
+
+ private:
+  PairPose transposed_times(const PairPose& delta) const;
+
+  Laplacian laplacian_;
+  VertexMatrix energy_;
+  PairPose start_, goal_;
+};
+
+/// k(d) of RelationWeights.
+double relation_weight(const RelationWeights& weights, double distance_m);
+
+}  // namespace abrazo

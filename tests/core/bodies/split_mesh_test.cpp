@@ -1,0 +1,99 @@
+#include "core/bodies/split_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "tests/support/bodies.hpp"
+
+namespace abrazo::split_mesh_test {
+namespace {
+
+PairPose scaled_halves(const PairPose& pair, double active, double passive) {
+  PairPose scaled = pair;
+  scaled.topRows<joint_count>() *= active;
+  scaled.bottomRows<joint_count>() *= passive;
+  return scaled;
+}
+
+/// The energy of the header, summed edge by edge.
+double energy_by_hand(const std::vector<MeshEdge>& edges, const PairPose& recorded, const PairPose& rebuilt,
+                      const RelationWeights& weights, const PairPose& at) {
+  double energy = 0;
+  for (int j = 0; j < pair_vertex_count; ++j) {
+    double total = 0;
+    Eigen::RowVector3d residual = Eigen::RowVector3d::Zero();
+    for (const MeshEdge& edge : edges) {
+      if (edge[0] != j && edge[1] != j) continue;
+      const int l = edge[0] == j ? edge[1] : edge[0];
+      const Eigen::RowVector3d was = recorded.row(j) - recorded.row(l), own = rebuilt.row(j) - rebuilt.row(l);
+      const double d = was.norm();
+      const bool between = (j < joint_count) != (l < joint_count);
+      const double share = between ? std::exp(-std::pow(d / weights.mesh_width_m, 2)) : 0;
+      residual += (at.row(j) - at.row(l) - share * was - (1 - share) * own) / d;
+      total += 1 / d;
+    }
+    energy += 0.5 * (residual / total).squaredNorm();
+  }
+  for (int a = 0; a < joint_count; ++a)
+    for (int s = joint_count; s < pair_vertex_count; ++s) {
+      const Eigen::RowVector3d was = recorded.row(a) - recorded.row(s);
+      energy += 0.5 * relation_weight(weights, was.norm()) * (at.row(a) - at.row(s) - was).squaredNorm();
+    }
+  return energy;
+}
+
+TEST(SplitMesh, ItsQuadraticFormIsTheSumOverEdges) {
+  std::mt19937 random(3);
+  PairPose recorded = test::facing_pair(0.5);
+  recorded.topRows<joint_count>() = test::shaken(recorded.topRows<joint_count>(), 0.03, random);
+  const PairPose rebuilt = scaled_halves(recorded, 1.2, 0.9);
+  const InteractionMesh mesh = tetrahedralize(recorded);
+  const RelationWeights weights;
+  SplitMesh split;
+  split.build(mesh.edges, recorded, rebuilt, weights);
+  const auto form = [&](const PairPose& at) {
+    return 0.5 * (at.transpose() * split.energy() * at).trace() - (split.linear(1).transpose() * at).trace();
+  };
+  const auto by_hand = [&](const PairPose& at) {
+    return energy_by_hand(mesh.edges, recorded, rebuilt, weights, at);
+  };
+  // Equal but for a constant.
+  const double difference = form(recorded) - by_hand(recorded);
+  for (const PairPose& at : {rebuilt, PairPose(1.1 * recorded), PairPose(0.5 * (rebuilt + recorded))})
+    EXPECT_NEAR(form(at) - by_hand(at), difference, 1e-9);
+}
+
+TEST(SplitMesh, BodiesThatDoNotChangeAreAtItsMinimum) {
+  const PairPose recorded = test::facing_pair(0.4);
+  SplitMesh split;
+  split.build(tetrahedralize(recorded).edges, recorded, recorded, {});
+  for (const double fraction : {0.0, 0.5, 1.0})
+    EXPECT_LT((split.energy() * recorded - split.linear(fraction)).cwiseAbs().maxCoeff(), 1e-9);
+}
+
+TEST(SplitMesh, BeginsAtTheRebuiltPair) {
+  const PairPose recorded = test::facing_pair(0.4);
+  const PairPose rebuilt = scaled_halves(recorded, 1.3, 0.85);
+  SplitMesh split;
+  split.build(tetrahedralize(recorded).edges, recorded, rebuilt, {});
+  EXPECT_LT((split.energy() * rebuilt - split.linear(0)).cwiseAbs().maxCoeff(), 1e-9);
+  EXPECT_GT((split.energy() * rebuilt - split.linear(1)).cwiseAbs().maxCoeff(), 1e-3);
+}
+
+TEST(SplitMesh, ARelationFadesWithDistanceAndEndsWithoutAJump) {
+  const RelationWeights weights;
+  double before = relation_weight(weights, 0);
+  EXPECT_NEAR(before, weights.contact + weights.near, 0.05);
+  for (double d = 0.01; d < weights.far_m; d += 0.01) {
+    const double now = relation_weight(weights, d);
+    EXPECT_LT(now, before);
+    before = now;
+  }
+  EXPECT_LT(before, 0.01);
+  EXPECT_EQ(relation_weight(weights, weights.far_m), 0);
+}
+
+}  // namespace
+}  // namespace abrazo::split_mesh_test
