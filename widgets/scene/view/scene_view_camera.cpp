@@ -123,7 +123,6 @@ void SceneView::render() {
   p.smoothed = p.budget.wants_smoothing(moving);
   if (!p.smoothed) p.standstill.start();
   p.since_render.start();
-  p.on_the_way = true;
   p.stage.render(p.smoothed);
 }
 
