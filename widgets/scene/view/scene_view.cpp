@@ -255,7 +255,9 @@ void SceneView::setScalar(MeshScalar scalar) {
 void SceneView::setOptions(const SceneOptions& wanted) {
   Parts& p = *m_parts;
   if (wanted == p.options) return;
-  const bool moves_beside = wanted.shows_reference_beside != p.options.shows_reference_beside;
+  // Two pairs take more room than one, and cells that are apart more than a pair.
+  const bool is_of_other_size = wanted.shows_reference_beside != p.options.shows_reference_beside ||
+                                (wanted.apart != p.options.apart && p.shows(ScenePart::Tetrahedra));
   const bool places_plane = wanted.cut_in_world && !p.options.cut_in_world && p.shown;
   p.options = wanted;
   if (places_plane) {  // where the plane of the eye would be, upright
@@ -270,7 +272,7 @@ void SceneView::setOptions(const SceneOptions& wanted) {
   p.legend->setMap(p.options.map, p.options.is_logarithmic);
   p.chips->setOptions(p.options);
   refresh();
-  if (moves_beside) frameAll();  // two pairs take more room than one
+  if (is_of_other_size) frameAll();
   emit optionsChanged(p.options);
 }
 
