@@ -13,7 +13,6 @@
 #include "core/base/output_file.hpp"
 #include "core/base/printable.hpp"
 #include "core/base/version.hpp"
-#include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -58,8 +57,6 @@ int main(int argc, char** argv) {
   app::note_interruptions();
   take_file_limit_for_full_disk();
   qInstallMessageHandler(app::pass_on_fatal_only);
-  widgets::SceneView::prepareApplication();
-  QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
   int words = 1;  // the toolkit's own options are none of this program's
   QApplication application(words, argv);
   std::setlocale(LC_NUMERIC, "C");

@@ -133,7 +133,6 @@ void add(const char* name, const PartVisibility& visibility, QSize size) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  SceneView::prepareApplication();
   QApplication application(argc, argv);
   widgets::apply_theme(application, widgets::palette_of(widgets::Theme::Dark));
   add("nothing", PartVisibility{}, {1280, 720});

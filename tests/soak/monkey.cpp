@@ -41,7 +41,6 @@
 #include "app/workbench/stream/stream_desk.hpp"
 #include "core/base/file_limit.hpp"
 #include "widgets/common/plain_text.hpp"
-#include "widgets/scene/view/scene_view.hpp"
 
 using namespace abrazo;
 
@@ -374,8 +373,6 @@ int main(int argc, char** argv) {
   std::snprintf(seed_line.data(), seed_line.size(), "seed %u\n", wish.seed);
   for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL}) std::signal(signal, on_crash);
   take_file_limit_for_full_disk();
-  widgets::SceneView::prepareApplication();
-  QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
   QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
   QApplication application(argc, argv);
   QApplication::setQuitOnLastWindowClosed(false);

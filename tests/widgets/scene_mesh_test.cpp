@@ -74,7 +74,7 @@ TEST(SpreadCells, MovesACellAwayFromTheMiddleWithoutTurningIt) {
   const PairPose pair = corner_pair(1);
   const std::vector<MeshTetrahedron> cells = {corner_cell};
   const auto plain = spread_cells(pair, cells, 0, 0), apart = spread_cells(pair, cells, 1.5, 0);
-  const Vec3 centre(0.25, 0.25, 0.25), middle(0.02, 0.02, 0.02);  // of 4, of 50 points
+  const Vec3 centre(0.25, 0.25, 0.25), middle(0.02, 0, 0.02);  // of 4, of 50 points, on the floor
   for (std::size_t i = 0; i < 4; ++i) {
     EXPECT_NEAR((corner_of(plain, i) - pair.row(corner_cell[i]).transpose()).norm(), 0, 1e-12);
     EXPECT_NEAR((corner_of(apart, i) - corner_of(plain, i) - 1.5 * (centre - middle)).norm(), 0, 1e-12);

@@ -3,7 +3,9 @@
 
 #include <QDoubleSpinBox>
 #include <QHelpEvent>
+#include <QLabel>
 #include <QLineEdit>
+#include <QSlider>
 #include <QTest>
 #include <QToolTip>
 #include <algorithm>
@@ -26,6 +28,26 @@ TEST(SceneOptionsPanel, AsksForWhatIsSetAndLeavesTheRest) {
   EXPECT_DOUBLE_EQ(asked.shortest_m, 0.4);
   EXPECT_EQ(asked.longest_m, MeshFilter::no_limit);
   EXPECT_EQ(asked.navigation, NavigationStyle::Maya);
+}
+
+TEST(SceneOptionsPanel, SaysTheValueBesideEachSlider) {
+  SceneOptionsPanel panel(nullptr);
+  SceneOptions options;
+  options.apart = 0.4;
+  options.cuts = options.cut_in_world = true;
+  options.cut_m = 0.25;
+  options.cut_azimuth_rad = 0.5235987756;
+  panel.setOptions(options);
+  const auto says = [&panel](const QString& text) {
+    return std::ranges::any_of(panel.findChildren<QLabel*>(),
+                               [&](const QLabel* label) { return label->text() == text; });
+  };
+  EXPECT_TRUE(says("40 %"));
+  EXPECT_TRUE(says("+0.25 m"));
+  EXPECT_TRUE(says("30°"));
+  EXPECT_TRUE(says("0°"));
+  panel.findChildren<QSlider*>().front()->setValue(150);
+  EXPECT_TRUE(says("150 %"));
 }
 
 TEST(SceneTree, OpensACharacterAndSelectsItsJoints) {

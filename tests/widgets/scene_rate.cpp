@@ -11,7 +11,6 @@
 #include "widgets/scene/view/scene_view.hpp"
 
 int main(int argc, char** argv) {
-  abrazo::widgets::SceneView::prepareApplication();
   QApplication application(argc, argv);
   abrazo::widgets::apply_theme(application, abrazo::widgets::palette_of(abrazo::widgets::Theme::Dark));
   abrazo::widgets::SceneView scene;

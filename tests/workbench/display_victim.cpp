@@ -13,7 +13,6 @@
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/start/termination.hpp"
 #include "app/workbench/takes/take_desk.hpp"
-#include "widgets/scene/view/scene_view.hpp"
 
 using namespace abrazo;
 
@@ -25,7 +24,6 @@ double monotonic_s() {
 }  // namespace
 
 int main(int argc, char** argv) {
-  widgets::SceneView::prepareApplication();
   QApplication application(argc, argv);
   app::UserSettings remembered;
   app::MainWindow window(remembered);

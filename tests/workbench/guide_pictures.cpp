@@ -243,8 +243,6 @@ int make_pictures(const QString& out, widgets::Theme theme, const QStringList& f
 }  // namespace abrazo::app
 
 int main(int argc, char** argv) {
-  abrazo::widgets::SceneView::prepareApplication();
-  QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   QApplication application(argc, argv);

@@ -13,7 +13,6 @@
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "core/base/file_limit.hpp"
-#include "widgets/scene/view/scene_view.hpp"
 
 using namespace abrazo;
 
@@ -30,7 +29,6 @@ void say(const char* what, std::size_t markers) {
 
 int main(int argc, char** argv) {
   take_file_limit_for_full_disk();
-  widgets::SceneView::prepareApplication();
   QApplication application(argc, argv);
   if (argc != 2) return 2;
   const QString file = QString::fromLocal8Bit(argv[1]);

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QElapsedTimer>
 #include <QTest>
+#include <QToolButton>
 
 #include "core/motion/body/joint_set.hpp"
 #include "tests/workbench/demo_window.hpp"
@@ -11,6 +12,7 @@
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/selection_model.hpp"
 #include "widgets/plots/plot_panel.hpp"
+#include "widgets/scene/panel/scalar_legend.hpp"
 #include "widgets/scene/panel/scene_tree.hpp"
 #include "widgets/scene/values/scene_memory.hpp"
 #include "widgets/scene/view/scene_view.hpp"
@@ -112,6 +114,26 @@ TEST_F(SceneKeys, BackquoteGoesToTheOtherCharacterAndEscapeToNothing) {
   QTest::keyClick(surface, Qt::Key_Escape);
   turn();
   EXPECT_EQ(selection(), Selection());
+}
+
+TEST_F(SceneKeys, EscapeClosesTheFilterAndKeepsTheSelection) {
+  press(Qt::Key_QuoteLeft);
+  QToolButton* filter = nullptr;
+  for (QToolButton* button : scene().findChildren<QToolButton*>())
+    if (button->text().startsWith("Filter")) filter = button;
+  ASSERT_TRUE(filter);
+  filter->click();
+  turn();
+  QWidget* popup = QApplication::activePopupWidget();
+  ASSERT_TRUE(popup);
+  const QWidget* legend = scene().findChild<widgets::ScalarLegend*>();
+  const QRect shown(popup->mapToGlobal({0, 0}), popup->size());
+  EXPECT_FALSE(shown.intersects({legend->mapToGlobal({0, 0}), legend->size()}));
+  EXPECT_FALSE(shown.intersects({window().candidates().mapToGlobal({0, 0}), window().candidates().size()}));
+  QTest::keyClick(popup, Qt::Key_Escape);
+  turn();
+  EXPECT_FALSE(popup->isVisible());
+  EXPECT_EQ(selection(), Selection::joint(0));
 }
 
 TEST_F(SceneKeys, XIsolatesHHidesAltHShowsFFrames) {

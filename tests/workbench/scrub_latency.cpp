@@ -106,8 +106,6 @@ std::vector<double> in_one_go(app::MainWindow& window, int moves) {
 int main(int argc, char** argv) {
   const int width = argc > 2 ? std::atoi(argv[1]) : 1600, height = argc > 2 ? std::atoi(argv[2]) : 1000;
   const double wanted_s = argc > 3 ? std::atof(argv[3]) : 12;
-  widgets::SceneView::prepareApplication();
-  QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
   QApplication application(argc, argv);
   app::UserSettings remembered;
   app::MainWindow window(remembered);

@@ -249,8 +249,9 @@ void measure(MainWindow& window, Responsiveness& responsiveness, const Asked& as
   measurement.during("playing what was recorded, solver goes on");
   ticker.pause();
   measurement.during("parked, camera turning, solver goes on", DragOfScene(window.scene()));
+  measurement.during("parked, untouched, solver goes on");
   window.session()->push(PauseInput{true});
-  measurement.during("parked, untouched");
+  measurement.during("parked, untouched, input paused");
   measurement.during("scrubbing", [&, step = 0]() mutable {
     const auto span = window.session()->history().span();
     const double share = 0.5 + 0.5 * std::sin(0.11 * ++step);
@@ -293,8 +294,6 @@ void measure(MainWindow& window, Responsiveness& responsiveness, const Asked& as
 
 int main(int argc, char** argv) {
   using namespace abrazo;
-  widgets::SceneView::prepareApplication();
-  QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
   app::Application application(argc, argv);
   const QTemporaryDir home;
   qputenv("ABRAZO_HOME", home.path().toUtf8());

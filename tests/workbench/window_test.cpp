@@ -9,6 +9,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QUrl>
+#include <utility>
 
 #include "app/workbench/shell/status_figures.hpp"
 #include "tests/workbench/demo_window.hpp"
@@ -33,6 +34,7 @@ class Window : public DemoWindow {
     DemoWindow::SetUp();
   }
 
+  static std::uint64_t newest() { return window().session()->latest().newest()->index; }
   static std::uint64_t shown() { return ticker().shown()->index; }
 };
 
@@ -104,6 +106,36 @@ TEST_F(Window, SpaceParksAndPlaysOn) {
   EXPECT_EQ(shown(), parked) << "what comes in must not move a parked cursor";
   press(Qt::Key_Space);
   EXPECT_EQ(ticker().playback().state, State::Playing);
+}
+
+/// A parked window cost most of a core: a lane that grew made Qt put the whole window together, scene and
+/// all. Counted, not timed: so many turns of the display, however long they take.
+TEST_F(Window, AParkedWindowDrawsNoSceneAndFewPanelsWhileTheSolverGoesOn) {
+  for (const QSize size : {QSize(1280, 720), QSize(1600, 1000)}) {
+    window().resize(size);
+    ticker().pause();
+    std::uint64_t before = ~std::uint64_t{0};  // the last picture is drawn again with smooth edges
+    ASSERT_TRUE(until([&before] {
+      QTest::qWait(600);
+      const std::uint64_t seen = std::exchange(before, window().scene().renderedFrames());
+      return seen == before;
+    }));
+    const std::uint64_t pictures = window().scene().renderedFrames(), solved = newest();
+    int turns = 0, panels = 0;
+    const QObject here;
+    QObject::connect(&ticker(), &FrameTicker::playbackChanged, &here, [&turns] { ++turns; });
+    QObject::connect(&ticker(), &FrameTicker::panelsDue, &here, [&panels] { ++panels; });
+    QElapsedTimer clock;
+    clock.start();
+    ASSERT_TRUE(until([&] { return turns > 60 && newest() > solved + 30; }));
+    const int due = static_cast<int>(clock.elapsed() / 500) + 1;
+    // A message that goes makes the scene higher, which is one picture.
+    EXPECT_LE(window().scene().renderedFrames(), pictures + 1);
+    EXPECT_LE(panels, due);
+  }
+  for (const QWidget* widget : window().findChildren<QWidget*>())
+    EXPECT_FALSE(widget->inherits("QOpenGLWidget")) << "with it every repaint is one of the whole window";
+  window().resize(1280, 720);
 }
 
 TEST_F(Window, ArrowsStepFrames) {

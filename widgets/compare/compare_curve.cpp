@@ -36,6 +36,7 @@ void CompareCurve::setFigure(StepFigure figure) {
 }
 
 void CompareCurve::setSteps(std::vector<ComparedStep> steps) {
+  if (steps.empty() && m_steps.empty()) return;
   m_steps = std::move(steps);
   update();
 }

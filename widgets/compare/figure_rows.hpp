@@ -15,6 +15,8 @@ struct FigureRow {
   std::string a, b;                 ///< "—" = nothing to measure
   std::string difference;           ///< B minus A, with its sign; empty if one is missing
   Better better = Better::Neither;  ///< Neither if both texts are equal
+
+  bool operator==(const FigureRow&) const = default;
 };
 
 FigureRow figure_row(RunFigure figure, const RunFigures& a, const RunFigures& b);

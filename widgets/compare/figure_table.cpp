@@ -39,6 +39,7 @@ void FigureTable::setColours(const Palette& palette) {
 }
 
 void FigureTable::showRows(std::vector<FigureRow> rows) {
+  if (rows == m_rows) return;
   const bool resized = rows.size() != m_rows.size();
   m_rows = std::move(rows);
   setAccessibleDescription(text());

@@ -301,6 +301,7 @@ void PlotPanel::readSelection(const FrameHistory& history) {
   }
   p.table.refresh_extremes(first, p.unread_before);
   p.unread_before = first;
+  if (first > rows.front().index) emit unfinished();
 }
 
 void PlotPanel::attach() {

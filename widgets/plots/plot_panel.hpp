@@ -74,6 +74,8 @@ class PlotPanel : public QWidget {
   void seekRequested(double time_s);
   void followRequested();
   void arrangementChanged();
+  /// Values of the selection are not read as far back as the rows go: to be refreshed again soon.
+  void unfinished();
   void exportRequested(abrazo::widgets::PlotExport what);
 
  protected:

@@ -231,7 +231,8 @@ void TakePanel::showStatus(const RecordingStatus& status) {
                      : words.weight == DiskWords::Weight::Behind ? m_palette.warning
                                                                  : m_palette.text;
   m_disk->setText((words.weight == DiskWords::Weight::Fine ? "" : "⚠ ") + QString::fromStdString(words.text));
-  m_disk->setStyleSheet("color: " + ink.name());
+  const QString dress = "color: " + ink.name();  // set anew, even the same is worked out for the whole panel
+  if (m_disk->styleSheet() != dress) m_disk->setStyleSheet(dress);
   const QString file = QString::fromStdString(status.file);
   m_file->setVisible(!file.isEmpty());
   m_file->setText(QFileInfo(file).fileName());

@@ -11,6 +11,7 @@ namespace {
 
 constexpr int display_interval_ms = 16;
 constexpr int panel_interval_ms = 80;
+constexpr int parked_panel_interval_ms = 500;  // only the lanes and curves of what goes on are new
 constexpr int longest_wait_ms = 400;  // for a picture that may never come: the scene may be hidden
 constexpr double measured_over_s = 0.7;
 
@@ -30,7 +31,7 @@ void FrameTicker::setSources(const FrameHistory* history, const LatestSlot<Frame
   m_playback = {};
   m_shown = m_kept = nullptr;
   m_panelsNow = true;
-  m_scrubbing = false;
+  m_panelsSoon = m_scrubbing = false;
   m_soon.stop();
   if (!history) return m_timer.stop();
   m_clock.start();
@@ -74,8 +75,9 @@ void FrameTicker::tick() {
     emit frameReady(frame);
   }
   emit playbackChanged(m_playback);
-  if (m_panelsNow || m_panels.elapsed() >= panel_interval_ms) {
-    m_panelsNow = false;
+  const bool still = m_playback.state == Playback::State::Parked && !m_scrubbing && !m_panelsSoon;
+  if (m_panelsNow || m_panels.elapsed() >= (still ? parked_panel_interval_ms : panel_interval_ms)) {
+    m_panelsNow = m_panelsSoon = false;
     emit panelsDue();
     m_panels.restart();
   }
@@ -111,6 +113,10 @@ void FrameTicker::changed() {
   m_played_s = m_elapsed_s = 0;
   m_panelsNow = m_panelsNow || !m_scrubbing;
   if (m_history && !m_soon.isActive()) m_soon.start();
+}
+
+void FrameTicker::askForPanels() {
+  m_panelsSoon = true;
 }
 
 void FrameTicker::toggle() {

@@ -55,12 +55,15 @@ class FrameTicker : public QObject {
   void shuttle(int direction);
   /// While the cursor is dragged the scene has priority; panels update at their own rate.
   void setScrubbing(bool on);
+  /// A panel has more to show, or something else to show: panels are due soon even when parked.
+  void askForPanels();
   void tick();
 
  signals:
   void frameReady(abrazo::FrameSnapshotPtr frame);
   void playbackChanged(const abrazo::Playback& playback);
-  /// Update of panels that show a time span: about 12 times per second, and immediately after a request.
+  /// Update of panels that show a time span: about 12 times per second, twice when parked, and immediately
+  /// after a request.
   void panelsDue();
 
  private:
@@ -75,6 +78,7 @@ class FrameTicker : public QObject {
   QElapsedTimer m_panels;
   QElapsedTimer m_sinceShown;
   bool m_panelsNow = true;
+  bool m_panelsSoon = false;
   bool m_scrubbing = false;
   Playback m_playback;
   FrameSnapshotPtr m_shown;

@@ -101,8 +101,6 @@ MainWindow::~MainWindow() {
   m_document->endSession();
 }
 
-/// The scene is made in the place it keeps: a native OpenGL view does not survive being moved to another
-/// parent.
 QWidget* MainWindow::makeCentre() {
   auto* box = new QWidget(m_panels);
   auto* column = columnIn(box);
@@ -200,6 +198,8 @@ void MainWindow::wireViews() {
   connect(&m_ticker, &FrameTicker::frameReady, m_scene, &SceneView::showFrame);
   connect(&m_ticker, &FrameTicker::frameReady, m_candidates, &CandidateTable::showFrame);
   connect(&m_ticker, &FrameTicker::panelsDue, this, &MainWindow::showPanels);
+  connect(m_selection, &SelectionModel::selectionChanged, &m_ticker, &FrameTicker::askForPanels);
+  connect(m_plots, &PlotPanel::unfinished, &m_ticker, &FrameTicker::askForPanels);
   connect(m_candidates, &CandidateTable::candidateHovered, m_scene, &SceneView::showCandidate);
   connect(m_tree, &SceneTree::visibilityRequested, m_scene, &SceneView::setVisibility);
   connect(m_scene, &SceneView::visibilityChanged, m_tree, &SceneTree::setVisibility);

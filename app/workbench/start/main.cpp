@@ -47,8 +47,6 @@ QStringList asked_files(const app::CommandLine& asked) {
 }
 
 void set_up_toolkit() {
-  widgets::SceneView::prepareApplication();
-  QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   QApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   QApplication::setApplicationName("abrazo");

@@ -1,12 +1,15 @@
 #include "widgets/scene/actors/gl_surface.hpp"
 
+#include <vtkCommand.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkOpenGLFramebufferObject.h>
 #include <vtkOpenGLState.h>
 
 #include <QMouseEvent>
-#include <QOpenGLContext>
 #include <QOpenGLExtraFunctions>
+#include <QPainter>
+#include <QSurfaceFormat>
+#include <QTimer>
 
 namespace abrazo::widgets {
 namespace {
@@ -22,8 +25,47 @@ PointerButtons pressed_in(const QMouseEvent& event) {
 
 }  // namespace
 
-GlSurface::GlSurface(QWidget* parent) : QVTKOpenGLNativeWidget(parent) {
+GlSurface::GlSurface(QWidget* parent) : QWidget(parent) {
   setMouseTracking(true);
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  QSurfaceFormat format;
+  format.setRenderableType(QSurfaceFormat::OpenGL);
+  format.setVersion(3, 2);  // what VTK needs
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  m_context.setFormat(format);
+  m_place.setFormat(format);
+}
+
+GlSurface::~GlSurface() {
+  if (!m_window) return;
+  if (m_context.isValid()) m_window->Finalize();
+  m_window->RemoveAllObservers();
+  m_window->SetReadyForRendering(false);
+}
+
+void GlSurface::setRenderWindow(vtkGenericOpenGLRenderWindow* window) {
+  m_window = window;
+  m_window->SetOwnContext(false);
+  m_window->SetSwapBuffers(false);
+  m_window->SetFrameBlitModeToNoBlit();  // the picture is fetched from where it was drawn
+  m_window->SetForceMaximumHardwareLineWidth(1);
+  m_window->AddObserver(vtkCommand::WindowMakeCurrentEvent, this, &GlSurface::makeCurrent);
+}
+
+void GlSurface::makeCurrent() {
+  m_window->SetIsCurrent(m_context.makeCurrent(&m_place));
+}
+
+/// @return whether there is OpenGL
+bool GlSurface::start() {
+  if (m_context.isValid()) return true;
+  m_place.create();
+  if (!m_context.create() || !m_context.makeCurrent(&m_place)) return false;
+  m_window->SetReadyForRendering(true);
+  m_window->SetIsCurrent(true);
+  m_window->OpenGLInitContext();
+  m_window->SetMapped(true);
+  return true;
 }
 
 void GlSurface::requestPicture() {
@@ -31,24 +73,53 @@ void GlSurface::requestPicture() {
   update();
 }
 
-void GlSurface::paintGL() {
-  if (!RenderWindow) return;
-  const QSize pixels = size() * devicePixelRatioF();
-  if (m_stale || pixels != m_drawnSize) RenderWindow->Render();
+const QImage& GlSurface::picture() {
+  if (m_stale || m_picture.size() != size() * devicePixelRatioF()) draw();
+  return m_picture;
+}
+
+void GlSurface::draw() {
   m_stale = false;
-  m_drawnSize = pixels;
+  const QSize pixels = size() * devicePixelRatioF();
+  if (m_picture.size() != pixels) {
+    m_picture = QImage(pixels, QImage::Format_RGB32);
+    m_picture.fill(Qt::black);
+    m_fetched.resize(static_cast<std::size_t>(pixels.width()) * static_cast<std::size_t>(pixels.height()));
+  }
+  if (!m_window || pixels.isEmpty() || !start()) return;
+  m_window->SetSize(pixels.width(), pixels.height());
+  m_window->Render();
   makeCurrent();  // listeners of the end of a picture may have changed the context
-  auto* gl = context()->extraFunctions();
-  vtkOpenGLState& state = *RenderWindow->GetState();
-  vtkOpenGLFramebufferObject& drawn = *RenderWindow->GetRenderFramebuffer();
+  fetch();
+  m_picture.setDevicePixelRatio(devicePixelRatioF());
+}
+
+void GlSurface::fetch() {
+  const int width = m_picture.width(), height = m_picture.height();
+  auto* gl = m_context.extraFunctions();
+  vtkOpenGLState& state = *m_window->GetState();
+  vtkOpenGLFramebufferObject& drawn = *m_window->GetRenderFramebuffer();
   state.PushFramebufferBindings();
   drawn.Bind(GL_READ_FRAMEBUFFER);
   drawn.ActivateReadBuffer(0);
-  gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
-  state.vtkglDisable(GL_SCISSOR_TEST);
-  const int width = pixels.width(), height = pixels.height();
-  gl->glBlitFramebuffer(0, 0, width, height, 0, 0, width, height, GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl->glPixelStorei(GL_PACK_ALIGNMENT, 4);
+  gl->glReadPixels(0, 0, width, height, GL_RGBA, GL_UNSIGNED_BYTE, m_fetched.data());
   state.PopFramebufferBindings();
+  const quint32* from = m_fetched.data();
+  for (int row = height - 1; row >= 0; --row, from += width) {
+    auto* to = reinterpret_cast<quint32*>(m_picture.scanLine(row));
+    for (int column = 0; column < width; ++column) {
+      const quint32 colour = from[column];
+      to[column] = 0xff000000U | (colour & 0xffU) << 16 | (colour & 0xff00U) | (colour >> 16 & 0xffU);
+    }
+  }
+}
+
+void GlSurface::paintEvent(QPaintEvent*) {
+  const bool is_requested = m_stale;
+  QPainter(this).drawImage(0, 0, picture());
+  // Told once the window has it.
+  if (is_requested && shown) QTimer::singleShot(0, this, [this] { shown(); });
 }
 
 void GlSurface::mousePressEvent(QMouseEvent* event) {

@@ -1,19 +1,28 @@
 #pragma once
 
-#include <QVTKOpenGLNativeWidget.h>
+#include <vtkSmartPointer.h>
 
+#include <QImage>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QWidget>
 #include <functional>
+#include <vector>
 
 #include "widgets/scene/values/pointer_moves.hpp"
 
+class vtkGenericOpenGLRenderWindow;
+
 namespace abrazo::widgets {
 
-/// The OpenGL surface. Converts pointer events to camera moves itself, because VTK's interactor styles tilt
-/// the horizon and grab keys. Copies VTK's frame buffer directly: the base class uses a second buffer with
-/// depth and an alpha pass, a quarter of the cost of a picture with a software renderer.
-class GlSurface : public QVTKOpenGLNativeWidget {
+/// Where the scene is shown: drawn off the screen by OpenGL, and painted as a picture like any other widget.
+/// A widget with OpenGL in the window would make Qt put the whole window together by OpenGL whenever anything
+/// in it changes (decision 0040). Converts pointer events to camera moves itself, because VTK's interactor
+/// styles tilt the horizon and grab keys.
+class GlSurface : public QWidget {
  public:
   explicit GlSurface(QWidget* parent);
+  ~GlSurface() override;
   NavigationStyle style = NavigationStyle::Abrazo;
   Qt::KeyboardModifiers keys;  ///< at the reported event
   std::function<void(QPointF delta, PointerMove move)> dragged;
@@ -22,12 +31,17 @@ class GlSurface : public QVTKOpenGLNativeWidget {
   std::function<void(QPointF place)> hovered;
   /// Pressed and released at the same position.
   std::function<void(QPointF place)> clicked;
+  /// A requested picture is in the window.
+  std::function<void()> shown;
 
+  void setRenderWindow(vtkGenericOpenGLRenderWindow* window);
   /// Draws with the window's next repaint; several requests give one picture.
   void requestPicture();
+  /// The requested picture, drawn now; in pixels of the screen.
+  const QImage& picture();
 
  protected:
-  void paintGL() override;
+  void paintEvent(QPaintEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseReleaseEvent(QMouseEvent* event) override;
   void mouseDoubleClickEvent(QMouseEvent*) override {}
@@ -36,8 +50,17 @@ class GlSurface : public QVTKOpenGLNativeWidget {
   void leaveEvent(QEvent* event) override;
 
  private:
+  bool start();
+  void makeCurrent();
+  void draw();
+  void fetch();
+
+  QOffscreenSurface m_place;
+  QOpenGLContext m_context;
+  vtkSmartPointer<vtkGenericOpenGLRenderWindow> m_window;
+  std::vector<quint32> m_fetched;  ///< as OpenGL gives it: from the bottom, red first
+  QImage m_picture;
   bool m_stale = true;
-  QSize m_drawnSize;
   QPointF m_last, m_pressed;
   bool m_isClick = false;
 };

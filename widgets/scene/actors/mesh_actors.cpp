@@ -39,13 +39,21 @@ void MeshActors::setColours(const Palette& palette, double pixel_ratio) {
 void MeshActors::setVisibility(const PartVisibility& visibility) {
   m_visibility = visibility;
   m_stale = true;
-  for (LineSet* lines : {&m_between_lines, &m_between_strong, &m_between_through})
-    lines->setVisible(isOn(ScenePart::MeshBetween));
-  m_within.setVisible(isOn(ScenePart::MeshWithin));
   m_cells.setVisible(isOn(ScenePart::Tetrahedra));
 }
 
+/// Edges stay where the cells were: between exploded cells they would only be in the way.
+bool MeshActors::showsEdges(ScenePart part) const {
+  return isOn(part) && !m_exploded;
+}
+
 void MeshActors::show(const FrameResult& result, const MeshLook& look) {
+  const bool exploded = look.apart > 0 && isOn(ScenePart::Tetrahedra);
+  m_stale |= exploded != m_exploded;
+  m_exploded = exploded;
+  for (LineSet* lines : {&m_between_lines, &m_between_strong, &m_between_through})
+    lines->setVisible(showsEdges(ScenePart::MeshBetween));
+  m_within.setVisible(showsEdges(ScenePart::MeshWithin));
   // With a filter by length the shown edges change with every pose.
   if (m_stale || result.edges != m_edges || !look.filter.is_open() || m_filtered)
     rebuildEdges(result, look.filter);
@@ -70,7 +78,8 @@ void MeshActors::rebuildEdges(const FrameResult& result, const MeshFilter& filte
     if (!filter.passes(result.result, m_edges[e])) continue;
     if (joins) m_between.push_back(e);
     (joins ? between : within).push_back({m_edges[e][0], m_edges[e][1]});
-    if (isOn(joins ? ScenePart::MeshBetween : ScenePart::MeshWithin)) m_shown_edges.push_back(m_edges[e]);
+    if (showsEdges(joins ? ScenePart::MeshBetween : ScenePart::MeshWithin))
+      m_shown_edges.push_back(m_edges[e]);
   }
   m_between_lines.setLines(between);
   m_between_through.setLines(between);

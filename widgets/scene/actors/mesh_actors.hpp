@@ -42,10 +42,12 @@ class MeshActors {
   void rebuildEdges(const FrameResult& result, const MeshFilter& filter);
   void colourEdges(const MeshLook& look);
   void showCells(const FrameResult& result, const MeshLook& look);
+  bool showsEdges(ScenePart part) const;
   bool isOn(ScenePart part) const { return m_visibility[static_cast<std::size_t>(part)]; }
 
   PartVisibility m_visibility = default_visibility;
   bool m_filtered = false;             ///< detects that a filter was removed
+  bool m_exploded = false;             ///< cells are shown, and apart
   bool m_stale = true;                 ///< the shown topology is outdated
   std::vector<MeshEdge> m_edges;       ///< of the frame
   std::vector<std::size_t> m_between;  ///< shown ones between the two bodies

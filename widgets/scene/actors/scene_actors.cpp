@@ -145,6 +145,12 @@ void SceneActors::sortFor(const Vec3& eye, const Vec3& direction) {
 
 void SceneActors::show(const FrameSnapshot& frame, const MeshLook& look) {
   const FrameResult& result = frame.result;
+  // Exploded cells are seen alone, with the bones that tell where they were.
+  const auto is_on = [this](ScenePart part) { return m_visibility[static_cast<std::size_t>(part)]; };
+  const bool exploded = look.apart > 0 && is_on(ScenePart::Tetrahedra);
+  m_leader.setVisible(is_on(ScenePart::Leader) && !exploded);
+  m_follower.setVisible(is_on(ScenePart::Follower) && !exploded);
+  for (LineSet& bones : m_bones) bones.setVisible(is_on(ScenePart::Bones) || exploded);
   m_leader.setPose(result.active());
   m_follower.setPose(result.passive());
   m_user.setPoints(coordinates(frame.user));

@@ -4,7 +4,6 @@
 #include <vtkFXAAOptions.h>
 #include <vtkGenericOpenGLRenderWindow.h>
 #include <vtkNew.h>
-#include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
 
 #include <cmath>
@@ -22,8 +21,6 @@ struct SceneStage::Parts {
 SceneStage::SceneStage(GlSurface& surface) : m_parts(std::make_unique<Parts>(surface)) {
   Parts& p = *m_parts;
   surface.setRenderWindow(p.window.Get());
-  if (p.window->GetInteractor()) p.window->GetInteractor()->SetInteractorStyle(nullptr);
-  p.window->SetSwapBuffers(false);  // the surface fetches the picture itself
   p.window->SetMultiSamples(0);
   p.window->LineSmoothingOn();
   p.window->SetNumberOfLayers(3);

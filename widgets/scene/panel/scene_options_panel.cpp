@@ -2,6 +2,9 @@
 
 #include <QDoubleSpinBox>
 #include <QFormLayout>
+#include <QHBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
 #include <QSlider>
 #include <QToolButton>
 #include <algorithm>
@@ -55,18 +58,55 @@ SceneOptionsPanel::SceneOptionsPanel(QWidget* parent) : QFrame(parent, Qt::Popup
   form->addRow("Shortest edge", m_shortest);
   form->addRow("Longest edge", m_longest);
   form->addRow(m_isolates);
-  form->addRow("Exploded tetrahedra", m_apart);
+  form->addRow("Exploded tetrahedra", withValue(m_apart, m_apartValue));
   form->addRow(m_cuts, m_inWorld);
-  form->addRow("Offset", m_cut);
-  form->addRow("Turn", m_turn);
-  form->addRow("Tilt", m_tilt);
+  form->addRow("Offset", withValue(m_cut, m_cutValue));
+  form->addRow("Turn", withValue(m_turn, m_turnValue));
+  form->addRow("Tilt", withValue(m_tilt, m_tiltValue));
   form->addRow("Trails", m_trail);
   const auto ask = [this] { emit optionsRequested(asked()); };
   for (QDoubleSpinBox* box : {m_shortest, m_longest, m_trail})
     connect(box, qOverload<double>(&QDoubleSpinBox::valueChanged), this, ask);
   for (QToolButton* one : {m_isolates, m_cuts, m_inWorld}) connect(one, &QToolButton::toggled, this, ask);
-  for (QSlider* one : {m_apart, m_cut, m_turn, m_tilt}) connect(one, &QSlider::valueChanged, this, ask);
+  for (QSlider* one : {m_apart, m_cut, m_turn, m_tilt}) {
+    connect(one, &QSlider::valueChanged, this, &SceneOptionsPanel::showValues);
+    connect(one, &QSlider::valueChanged, this, ask);
+  }
   setOptions({});
+}
+
+/// The slider with its value beside it.
+QWidget* SceneOptionsPanel::withValue(QSlider* slider, QLabel*& value) {
+  auto* both = new QWidget(this);
+  auto* row = new QHBoxLayout(both);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(slider, 1);
+  value = new QLabel(both);
+  value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  value->setMinimumWidth(value->fontMetrics().horizontalAdvance("+1.00 m "));
+  row->addWidget(value);
+  return both;
+}
+
+void SceneOptionsPanel::showValues() {
+  const auto show = [](QLabel* label, const QSlider* slider, const QString& text) {
+    label->setText(text);
+    label->setEnabled(slider->isEnabled());
+  };
+  const double cut_m = static_cast<double>(m_cut->value()) / 1000;
+  show(m_apartValue, m_apart, QString("%1 %").arg(m_apart->value()));
+  show(m_cutValue, m_cut, QString("%1%2 m").arg(cut_m > 0 ? "+" : "").arg(cut_m, 0, 'f', 2));
+  show(m_turnValue, m_turn, QString("%1°").arg(m_turn->value()));
+  show(m_tiltValue, m_tilt, QString("%1°").arg(m_tilt->value()));
+}
+
+/// Escape closes it; without this the window's shortcut would clear the selection instead.
+bool SceneOptionsPanel::event(QEvent* event) {
+  if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+    event->accept();
+    return true;
+  }
+  return QFrame::event(event);
 }
 
 std::vector<QWidget*> SceneOptionsPanel::fields() const {
@@ -127,6 +167,7 @@ void SceneOptionsPanel::setOptions(const SceneOptions& options) {
   for (QWidget* one : std::initializer_list<QWidget*>{m_inWorld, m_cut}) one->setEnabled(options.cuts);
   for (QSlider* one : {m_turn, m_tilt}) one->setEnabled(options.cuts && options.cut_in_world);
   for (QWidget* one : fields()) one->blockSignals(false);
+  showValues();
 }
 
 }  // namespace abrazo::widgets

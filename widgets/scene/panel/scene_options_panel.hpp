@@ -6,6 +6,7 @@
 #include "widgets/scene/values/scene_options.hpp"
 
 class QDoubleSpinBox;
+class QLabel;
 class QSlider;
 class QToolButton;
 
@@ -21,7 +22,12 @@ class SceneOptionsPanel : public QFrame {
  signals:
   void optionsRequested(const abrazo::widgets::SceneOptions& options);
 
+ protected:
+  bool event(QEvent* event) override;
+
  private:
+  QWidget* withValue(QSlider* slider, QLabel*& value);
+  void showValues();
   SceneOptions asked() const;
   QToolButton* tick(const QString& text, const QString& tip);
   QDoubleSpinBox* length(const QString& name, const QString& tip);
@@ -32,6 +38,7 @@ class SceneOptionsPanel : public QFrame {
   QDoubleSpinBox *m_shortest, *m_longest, *m_trail;
   QToolButton *m_isolates, *m_cuts, *m_inWorld;
   QSlider *m_apart, *m_cut, *m_turn, *m_tilt;
+  QLabel *m_apartValue, *m_cutValue, *m_turnValue, *m_tiltValue;
 };
 
 }  // namespace abrazo::widgets

@@ -62,8 +62,11 @@ ScalarChips::ScalarChips(QWidget* parent) : QWidget(parent) {
   connect(m_options, &SceneOptionsPanel::optionsRequested, this, &ScalarChips::optionsRequested);
   connect(m_filter, &QToolButton::clicked, this, [this] {
     setOptions(m_shown);  // a click must not leave the chip checked: that indicates an active filter
-    m_options->move(m_filter->mapToGlobal({0, m_filter->height() + 4}));
+    m_options->adjustSize();
+    // Below the chips on the left, over the scene: on the right are the legend and the candidates.
+    m_options->move(mapToGlobal({0, height() + 4}));
     m_options->show();
+    m_options->setFocus();
   });
 }
 

@@ -90,8 +90,10 @@ void ScenePicker::show(const FrameSnapshot& frame) {
   };
   m_stage.picks.showSelected(in_frame(m_selected), {pair, cornersOf(m_selected), second});
   m_stage.picks.showHovered(in_frame(m_hovered), {pair, cornersOf(m_hovered), second});
-  m_hovered ? m_hoveredCard->show(describe(frame, m_hovered, m_library.get())) : m_hoveredCard->hide();
-  if (m_hovered) moveCard(frame);
+  // What is selected has a card already.
+  const bool tells = m_hovered && m_hovered != m_selected;
+  tells ? m_hoveredCard->show(describe(frame, m_hovered, m_library.get())) : m_hoveredCard->hide();
+  if (tells) moveCard(frame);
   m_selected ? m_selectedCard->show(describe(frame, m_selected, m_library.get())) : m_selectedCard->hide();
   arrange();
 }

@@ -64,7 +64,8 @@ double typical_doublings(std::span<const CellVolume> cells) {
 
 std::vector<double> spread_cells(const PairPose& pair, std::span<const MeshTetrahedron> cells, double apart,
                                  double shrink) {
-  const Vec3 middle = pair.colwise().mean().transpose();
+  Vec3 middle = pair.colwise().mean().transpose();
+  middle.y() = pair.col(1).minCoeff();  // upwards only: the floor hides what is below it
   std::vector<double> corners;
   corners.reserve(12 * cells.size());
   for (const MeshTetrahedron& cell : cells) {

@@ -32,8 +32,9 @@ bool joins_bodies(const MeshTetrahedron& cell);
 /// 90th percentile of |log2 ratio|, without flat and inverted cells. 1 = halved or doubled.
 double typical_doublings(std::span<const CellVolume> cells);
 
-/// Corners of each cell, 12 numbers per cell, world [m]. A cell's centre c moves to c + apart (c - mean of
-/// the vertices); its corners move towards it by the share `shrink`.
+/// Corners of each cell, 12 numbers per cell, world [m]. A cell's centre c moves to c + apart (c - m), m
+/// being the mean of the vertices at the height of the lowest, so that no cell gets below that; its corners
+/// move towards it by the share `shrink`.
 std::vector<double> spread_cells(const PairPose& pair, std::span<const MeshTetrahedron> cells, double apart,
                                  double shrink);
 

@@ -1,7 +1,6 @@
 #include "widgets/scene/view/scene_view.hpp"
 
 #include <QEvent>
-#include <QSurfaceFormat>
 #include <QVBoxLayout>
 #include <cmath>
 
@@ -51,10 +50,6 @@ void SceneView::Parts::applyCut() {
   actors.showCut(camera.plane);
 }
 
-void SceneView::prepareApplication() {
-  QSurfaceFormat::setDefaultFormat(QVTKOpenGLNativeWidget::defaultFormat());
-}
-
 SceneView::SceneView(QWidget* parent) : QWidget(parent), m_parts(std::make_unique<Parts>(this)) {
   Parts& p = *m_parts;
   setMinimumSize(320, 220);
@@ -75,14 +70,12 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_parts(std::make_uniqu
   p.morph->setVisible(false);
   wireOverlay();
   wirePointer();
-  connect(p.surface, &QOpenGLWidget::frameSwapped, this, [this] {
-    if (!m_parts->on_the_way) return;  // the window was put together again without a new picture of the scene
-    m_parts->on_the_way = false;
+  p.surface->shown = [this] {
     ++m_parts->rendered;
     const double took_ms = static_cast<double>(m_parts->since_render.nsecsElapsed()) * 1e-6;
     m_parts->budget.took(m_parts->smoothed, took_ms);
     emit pictureDrawn(took_ms);
-  });
+  };
   p.standstill.setSingleShot(true);
   p.standstill.setInterval(standstill_ms);
   connect(&p.standstill, &QTimer::timeout, this, &SceneView::renderSharp);
@@ -262,7 +255,9 @@ void SceneView::setScalar(MeshScalar scalar) {
 void SceneView::setOptions(const SceneOptions& wanted) {
   Parts& p = *m_parts;
   if (wanted == p.options) return;
-  const bool moves_beside = wanted.shows_reference_beside != p.options.shows_reference_beside;
+  // Two pairs take more room than one, and cells that are apart more than a pair.
+  const bool is_of_other_size = wanted.shows_reference_beside != p.options.shows_reference_beside ||
+                                (wanted.apart != p.options.apart && p.shows(ScenePart::Tetrahedra));
   const bool places_plane = wanted.cut_in_world && !p.options.cut_in_world && p.shown;
   p.options = wanted;
   if (places_plane) {  // where the plane of the eye would be, upright
@@ -277,7 +272,7 @@ void SceneView::setOptions(const SceneOptions& wanted) {
   p.legend->setMap(p.options.map, p.options.is_logarithmic);
   p.chips->setOptions(p.options);
   refresh();
-  if (moves_beside) frameAll();  // two pairs take more room than one
+  if (is_of_other_size) frameAll();
   emit optionsChanged(p.options);
 }
 

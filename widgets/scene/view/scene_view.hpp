@@ -23,9 +23,6 @@ namespace abrazo::widgets {
 class SceneView : public QWidget {
   Q_OBJECT
  public:
-  /// Graphics setup before the QApplication is created.
-  static void prepareApplication();
-
   explicit SceneView(QWidget* parent = nullptr);
   ~SceneView() override;
 

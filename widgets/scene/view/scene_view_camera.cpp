@@ -56,6 +56,14 @@ void SceneView::frameAll() {
   if (!p.frame) return;
   OrbitCamera to = p.camera;
   p.pair_camera.show_all(to, p.frame->result.result, p.shape());
+  const auto corners = p.actors.mesh().corners();
+  if (p.options.apart > 0 && p.shows(ScenePart::Tetrahedra) && !corners.empty()) {
+    const Positions cells =
+        Eigen::Map<const Positions>(corners.data(), static_cast<Eigen::Index>(corners.size() / 3), 3);
+    to.target = 0.5 * (cells.colwise().minCoeff() + cells.colwise().maxCoeff()).transpose();
+    to.distance_m = to.distance_for(cells, p.shape());
+    p.pair_camera.zoomed_by_hand();  // the pair alone would draw it near again
+  }
   moveCamera(to);
 }
 
@@ -123,7 +131,6 @@ void SceneView::render() {
   p.smoothed = p.budget.wants_smoothing(moving);
   if (!p.smoothed) p.standstill.start();
   p.since_render.start();
-  p.on_the_way = true;
   p.stage.render(p.smoothed);
 }
 

@@ -73,7 +73,6 @@ struct SceneView::Parts {
   std::uint64_t rendered = 0;
   SmoothingBudget budget;
   bool smoothed = true;
-  bool on_the_way = false;  ///< rendered, but not yet on the screen
   QElapsedTimer since_render, since_follow;
   QTimer standstill;  ///< expires if no picture follows one without anti-aliasing
 

@@ -10,7 +10,7 @@ QImage SceneView::picture(const std::optional<QColor>& background) {
     p.stage.setColours(plain, devicePixelRatioF());
   }
   renderSharp();
-  const QImage drawn = p.surface->grabFramebuffer();
+  const QImage drawn = p.surface->picture();
   if (background) {
     p.stage.setColours(p.palette, devicePixelRatioF());
     renderSharp();
