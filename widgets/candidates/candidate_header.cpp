@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
+#include <algorithm>
 
 #include "widgets/candidates/candidate_list.hpp"
 #include "widgets/common/theme.hpp"
@@ -15,7 +16,7 @@ namespace {
 constexpr int head_height = 20;  ///< of a line
 constexpr int arrow_room = 9;
 constexpr int swatch = 8;  ///< px
-constexpr int swatch_gap = 3;
+constexpr int swatch_gap = 2, term_gap = 5;
 
 QString title(CandidateColumn column) {
   return text(column_title(column));
@@ -50,7 +51,7 @@ void CandidateHeader::setOrder(const CandidateOrder& order) {
   if (order == m_order) return;
   m_order = order;
   setAccessibleDescription("Sorted by " + title(order.column) + (order.descending ? ", descending" : ""));
-  update();
+  arrange();
 }
 
 void CandidateHeader::setColours(const Palette& palette) {
@@ -64,8 +65,9 @@ void CandidateHeader::setMethod(SelectionMethod method) {
 }
 
 double CandidateHeader::widthOf(CandidateColumn column) const {
-  return arrow_room + (term_of(column) ? swatch + swatch_gap : 0) +
-         QFontMetricsF(font()).horizontalAdvance(name(column));
+  const double words = QFontMetricsF(font()).horizontalAdvance(name(column));
+  if (!term_of(column)) return words + arrow_room;
+  return swatch + swatch_gap + words + (column == m_order.column ? arrow_room : term_gap);
 }
 
 double CandidateHeader::widthOfTerms() const {
@@ -81,7 +83,9 @@ bool CandidateHeader::termsStandAlone() const {
 }
 
 void CandidateHeader::arrange() {
-  setFixedHeight(termsStandAlone() ? 2 * head_height : head_height);
+  double bottom = head_height;
+  for (const Head& head : heads()) bottom = std::max(bottom, head.area.bottom());
+  setFixedHeight(static_cast<int>(bottom));
   update();
 }
 
@@ -104,10 +108,16 @@ std::vector<CandidateHeader::Head> CandidateHeader::heads() const {
   const double total = right - widthOf(CandidateColumn::Total);
   put(CandidateColumn::Distance, total - widthOf(CandidateColumn::Distance));
   put(CandidateColumn::Total, total);
-  double left = alone ? std::max(0.0, std::min<double>(CandidateLayout::margin, right - widthOfTerms()))
-                      : CandidateLayout{width()}.barsLeft();
-  for (const CostTermInfo& info : cost_terms(m_method).terms)
-    left = put(column_of(info.term), left, alone ? head_height : 0);
+  double left = alone ? CandidateLayout::margin : CandidateLayout{width()}.barsLeft(),
+         top = alone ? head_height : 0;
+  for (const CostTermInfo& info : cost_terms(m_method).terms) {
+    const CandidateColumn column = column_of(info.term);
+    if (alone && left > CandidateLayout::margin && left + widthOf(column) > right) {
+      left = CandidateLayout::margin;
+      top += head_height;
+    }
+    left = put(column, left, top);
+  }
   return heads;
 }
 

@@ -10,7 +10,7 @@ namespace abrazo::widgets {
 
 /// The header of the candidate table: a click sorts by a column, another click reverses the order. Terms have
 /// their colour beside their name, so that it is the legend of the bars; where they have no room beside the
-/// other columns, they have a line of their own.
+/// other columns, they have lines of their own.
 class CandidateHeader : public QWidget {
   Q_OBJECT
  public:
