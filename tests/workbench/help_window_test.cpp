@@ -97,7 +97,10 @@ TEST_F(HelpAndSearch, TheGuideIsSearchedAndTheWordIsMarked) {
   auto& search = *help().findChild<QLineEdit*>();
   search.clear();
   QTest::keyClicks(&search, "tap mode");
-  EXPECT_EQ(help().listed().value(0), QString("Annotation"));
+  const int place = help().listed().indexOf("Annotation");
+  ASSERT_GE(place, 0) << help().listed().join(", ").toStdString();
+  EXPECT_FALSE(help().listed().contains("Export")) << "it has one of the words only";
+  help().findChild<QListWidget*>()->setCurrentRow(place);
   EXPECT_TRUE(page.toPlainText().startsWith("Annotation"));
   EXPECT_FALSE(page.extraSelections().isEmpty());
   search.clear();

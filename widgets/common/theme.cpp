@@ -125,6 +125,7 @@ void apply_theme(QApplication& application, const Palette& p) {
     colours.setColor(role, p.text);
   colours.setColor(QPalette::PlaceholderText, p.secondary);
   colours.setColor(QPalette::ToolTipBase, p.window);
+  colours.setColor(QPalette::Link, p.dark ? p.active.lighter(125) : p.active);
   colours.setColor(QPalette::Highlight, p.accent);
   colours.setColor(QPalette::HighlightedText, Qt::white);
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
