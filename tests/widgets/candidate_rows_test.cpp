@@ -117,8 +117,8 @@ TEST(CandidateOrder, SortsByEveryTermOfIntent) {
   EXPECT_EQ(found.back().rank, 1) << "only the first is no change";
 }
 
-TEST(CandidateOrder, ShowsFiguresOfIntentInMetres) {
-  EXPECT_EQ(figure_unit(rows()[0], CandidateColumn::Total), "");
+TEST(CandidateOrder, ShowsEveryFigureWithItsUnit) {
+  EXPECT_EQ(figure_unit(rows()[0], CandidateColumn::Total), " m²");
   EXPECT_EQ(figure_unit(rows()[0], CandidateColumn::Distance), " m");
   EXPECT_EQ(figure_unit(rows_by_intent()[0], CandidateColumn::Total), " m");
 }
@@ -134,12 +134,35 @@ TEST(CandidateRows, BarsEndWhereTheirPartsDo) {
   CandidateRow row;
   row.terms = {1, 0.5, 0.5};
   row.total = 2;
-  const auto ends = bar_ends(row, 4);
+  const auto ends = bar_ends(row, 4, 0);
   EXPECT_DOUBLE_EQ(ends[0], 0.25);
   EXPECT_DOUBLE_EQ(ends[1], 0.375);
   EXPECT_DOUBLE_EQ(ends[2], 0.5);
   EXPECT_DOUBLE_EQ(ends[4], 0.5) << "terms that there are not take no room";
-  EXPECT_DOUBLE_EQ(bar_ends(row, 0)[2], 0);
+  EXPECT_DOUBLE_EQ(bar_ends(row, 0, 0)[2], 0);
+}
+
+TEST(CandidateRows, BarsShowEveryPartThatThereIs) {
+  CandidateRow row;
+  row.terms = {0.0001, 3.9999, 0};
+  row.total = 4;
+  const auto ends = bar_ends(row, 4, 0.01);
+  EXPECT_GE(ends[0], 0.01);
+  EXPECT_GT(ends[1], 0.9);
+  EXPECT_LE(ends[1], 1);
+  EXPECT_DOUBLE_EQ(ends[2], ends[1]) << "nothing is shown of a part that is not there";
+}
+
+TEST(CandidateRows, TellTheMarginForAChangeFromTheDistanceToTheShownPartner) {
+  FrameSnapshot frame = *test::frame_by_intent(0, 0);
+  frame.result.candidates[1].intent->temporal = 0.05;
+  frame.result.candidates[1].intent->total += 0.05;
+  for (const CandidateRow& row : candidate_rows(frame, *test::two_take_library())) {
+    EXPECT_NEAR(sum(row), row.total, 1e-12);
+    if (row.candidate != 1) continue;
+    EXPECT_DOUBLE_EQ(value_of(row, CostTerm::Change), 0.03);
+    EXPECT_DOUBLE_EQ(value_of(row, CostTerm::Temporal), 0.05);
+  }
 }
 
 }  // namespace

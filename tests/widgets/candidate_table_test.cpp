@@ -149,27 +149,49 @@ TEST(CandidateTable, SortsByAClickOnAColumn) {
 
 TEST(CandidateHeader, HasRoomForItsColumnsInEveryWidthOfThePanel) {
   CandidateHeader header;
+  header.show();
   for (const SelectionMethod method : {SelectionMethod::Paper, SelectionMethod::Intent}) {
     header.setMethod(method);
     for (const int width : {300, 340, 406, 420, 700}) {
       header.resize(width, header.height());
-      double right = 0;
+      std::vector<QRectF> areas;
       for (const CandidateColumn column : candidate_columns(method)) {
-        if (column == CandidateColumn::Total || column == CandidateColumn::Distance) continue;
         const QRectF area = header.area(column);
-        EXPECT_GE(area.left(), right - 0.5) << width << " px, " << column_title(column);
-        right = area.right();
+        EXPECT_FALSE(area.isEmpty()) << width << " px, " << column_title(column);
+        EXPECT_TRUE(QRectF(header.rect()).adjusted(0, 0, 9, 0).contains(area))
+            << width << " px, " << column_title(column);
+        for (const QRectF& other : areas)
+          EXPECT_FALSE(other.adjusted(0.5, 0, -0.5, 0).intersects(area))
+              << width << " px, " << column_title(column);
+        areas.push_back(area);
       }
-      EXPECT_LE(right, header.area(CandidateColumn::Total).left() + 0.5) << width << " px";
     }
   }
+}
+
+/// What a person reads in the panel: the sentence's number is the difference of two figures of the list.
+TEST(CandidateTable, NamesADifferenceThatTheListBearsOut) {
+  Table t;
+  auto frame = std::make_shared<FrameSnapshot>(*frame_by_intent(1, 0.03));
+  frame->result.candidates[0].intent = IntentCost{0.1504, 0, 0, 0, 0, 0.1504, 0};
+  frame->result.candidates[1].intent = IntentCost{0.0796, 0, 0, 0, 0.1, 0.1796, 0};
+  t.table.showFrame(frame);
+  QStringList totals;
+  for (int row = 0; row < 2; ++row) {
+    t.list->setCurrent(row);
+    totals << t.list->accessibleDescription().section("total cost ", 1).section(',', 0, 0);
+  }
+  EXPECT_EQ(totals, QStringList({"0.150 m", "0.180 m"}));
+  EXPECT_EQ(t.table.reason(),
+            QString("Continues: #2 costs 0.030 m more, only by the 0.100 m for the change"));
 }
 
 TEST(CandidateTable, SpeaksTheTermsOfTheMethodThatDecidedTheShownFrame) {
   Table t;
   auto* header = t.table.findChild<CandidateHeader*>();
   t.table.showFrame(frame_by_intent(1, 0.03));
-  EXPECT_EQ(t.table.reason(), QString("Continues: #2 costs 0.010 m more, by the 0.030 m for the change"));
+  EXPECT_EQ(t.table.reason(),
+            QString("Continues: #2 costs 0.010 m more, only by the 0.030 m for the change"));
   EXPECT_TRUE(header->area(CandidateColumn::Pose).isEmpty());
   EXPECT_FALSE(header->area(CandidateColumn::Partner).isEmpty());
   QTest::keyClick(t.list, Qt::Key_Down);

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <QLabel>
+#include <QLineEdit>
 #include <QSignalSpy>
 #include <QSlider>
 #include <QTest>
@@ -14,6 +15,7 @@
 #include "tests/support/libraries.hpp"
 #include "tests/widgets/pictures.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
+#include "widgets/common/entry_frame.hpp"
 #include "widgets/scene/panel/morph_strip.hpp"
 #include "widgets/scene/panel/scalar_legend.hpp"
 #include "widgets/scene/values/picture_projection.hpp"
@@ -520,6 +522,28 @@ TEST(ScalarLegend, TellsMapScaleAndTheColourOfMissingValues) {
   EXPECT_GT(legend.height(), height) << "room for the key of missing values";
   const auto [r, g, b] = no_value_colour;
   EXPECT_GT(pixels_like(picture_of(legend), QColor(r, g, b), 4), 60);
+}
+
+TEST(SceneView, KeepsTheRangeThatAPersonSetsInTheLegend) {
+  Scene scene({ScenePart::MeshBetween});
+  picture_of(scene.view);
+  auto& legend = *scene.view.findChild<ScalarLegend*>();
+  ASSERT_NE(legend.scale().high, QString("24"));
+  const auto set = [&](const char* upper) {
+    QTest::mouseDClick(&legend, Qt::LeftButton, {}, legend.rect().center());
+    auto* entry = scene.view.findChild<EntryFrame*>();
+    if (!entry) return std::string("nothing asks");
+    auto& field = *entry->findChild<QLineEdit*>();
+    field.setText(upper);
+    QTest::keyClick(&field, Qt::Key_Return);
+    return entry->complaint().toStdString();
+  };
+  EXPECT_NE(set("-3").find("above 0"), std::string::npos);
+  EXPECT_EQ(set("24"), "");
+  EXPECT_EQ(legend.scale().high, QString("24"));
+  scene.view.showFrame(synthetic_frame(40, 30));
+  picture_of(scene.view);
+  EXPECT_EQ(legend.scale().high, QString("24")) << "it is kept over frames";
 }
 
 TEST(SceneView, ColoursTheMeshByTheMapThatIsChosen) {

@@ -70,6 +70,9 @@ TEST(SweepGrid, AnotherFigureKeepsWhatFailed) {
 }
 
 TEST(MetricUnit, IsReadFromThePath) {
+  EXPECT_EQ(metric_words("partner.mean_joint_error_m"), "partner: mean joint error [m]");
+  EXPECT_EQ(metric_words("contact.foot_slide_m_per_s.synthesised"), "contact: foot slide: synthesised [m/s]");
+  EXPECT_EQ(metric_words("moves.rate"), "moves: rate");
   EXPECT_EQ(metric_unit("partner.mean_joint_error_m"), "m");
   EXPECT_EQ(metric_unit("partner.lag_ms"), "ms");
   EXPECT_EQ(metric_unit("solve_us.p99"), "\u00b5s");

@@ -8,16 +8,20 @@
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QThread>
+#include <QToolButton>
 
 #include "app/workbench/export/export_desk.hpp"
 #include "app/workbench/export/export_dialog.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "tests/workbench/demo_window.hpp"
+#include "widgets/annotation/annotation_panel.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/offer_bar.hpp"
+#include "widgets/timeline/transport_bar.hpp"
 
 namespace abrazo::app::export_window_test {
 namespace {
@@ -70,6 +74,75 @@ TEST_F(ExportWindow, TheMenuOpensTheDialogOfWhatThereIs) {
   EXPECT_GT(box("Of").count(), 1) << "the session and the takes of its library";
   EXPECT_TRUE(estimate().contains("frames, about")) << estimate().toStdString();
   dialog().hide();
+}
+
+TEST_F(ExportWindow, LabelsOfWhatIsAnnotatedAreExportedFromItsMenu) {
+  auto& subjects = *window().findChild<AnnotationDesk*>();
+  const std::string take = window().session()->material().library->takes().front().name;
+  subjects.showSubject(take);
+  turn();
+  action("Export labels…")->trigger();
+  turn();
+  EXPECT_TRUE(dialog().isVisible());
+  EXPECT_EQ(box("Of").currentData().toString().toStdString(), take);
+  EXPECT_EQ(box("What").currentText(), QString("Labels"));
+  EXPECT_EQ(box("As").currentData().toString(), QString(".eaf"));
+  EXPECT_GE(box("As").findData(".csv"), 0);
+  dialog().hide();
+  subjects.showSubject("");
+  turn();
+}
+
+TEST_F(ExportWindow, ThePanelOfAnnotationsHasItToo) {
+  auto& panel = window().findChild<AnnotationDesk*>()->panel();
+  QToolButton* files = nullptr;
+  for (auto* each : panel.findChildren<QToolButton*>())
+    if (each->accessibleName() == "Label files") files = each;
+  ASSERT_TRUE(files);
+  files->menu()->actions().front()->trigger();
+  turn();
+  EXPECT_TRUE(dialog().isVisible());
+  EXPECT_EQ(box("What").currentText(), QString("Labels"));
+  EXPECT_EQ(box("Of").currentData().toString(), QString()) << "of the session, which is annotated";
+  dialog().hide();
+}
+
+TEST_F(ExportWindow, WhatWasWrittenIsAmongTheMessagesAndItsOldErrorLeaves) {
+  QStringList told_as_well;
+  const auto listening = QObject::connect(&window().messages(), &widgets::MessageBar::told, &window(),
+                                          [&](widgets::MessageKind kind, const QString& text) {
+                                            if (kind == widgets::MessageKind::Information)
+                                              told_as_well << text;
+                                          });
+  window().messages().showError("of something else");
+  choose("As", ".bvh");
+  desk().write(dialog().request(), "/no/such/folder/motion.bvh");
+  ASSERT_TRUE(until([] { return !desk().isBusy(); }));
+  EXPECT_EQ(window().messages().openErrors().size(), 2);
+  write("again.bvh");
+  EXPECT_EQ(window().messages().openErrors(), QStringList("of something else"));
+  EXPECT_EQ(window().messages().text(), QString("of something else")) << "that nobody has answered";
+  ASSERT_FALSE(told_as_well.isEmpty());
+  EXPECT_TRUE(told_as_well.last().startsWith("Exported again.bvh")) << told_as_well.last().toStdString();
+  QObject::disconnect(listening);
+}
+
+TEST_F(ExportWindow, NothingSpeaksOfTheUserOrOfTheLiveEndWhileATakeIsAnnotated) {
+  auto& subjects = *window().findChild<AnnotationDesk*>();
+  QPushButton* live = nullptr;
+  for (auto* each : window().transport().findChildren<QPushButton*>())
+    if (each->text().startsWith("LIVE")) live = each;
+  ASSERT_TRUE(live);
+  EXPECT_TRUE(live->isVisible());
+  EXPECT_EQ(window().transport().roleText(), QString("user leads ▾"));
+  subjects.showSubject(window().session()->material().library->takes().front().name);
+  turn();
+  EXPECT_FALSE(live->isVisible());
+  EXPECT_EQ(window().transport().roleText(), QString());
+  EXPECT_EQ(window().transport().stateText(), QString("PARKED"));
+  subjects.showSubject("");
+  ASSERT_TRUE(until([] { return !window().transport().roleText().isEmpty(); }));
+  EXPECT_TRUE(live->isVisible());
 }
 
 TEST_F(ExportWindow, MotionIsWrittenAndTheFolderIsOffered) {

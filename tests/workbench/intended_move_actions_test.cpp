@@ -58,11 +58,11 @@ TEST_F(IntendedMoveActions, EscapeLeavesItAndUndoTakesItBack) {
 }
 
 TEST_F(IntendedMoveActions, TheRoleIsSwitchedByKeyAndShown) {
-  ASSERT_TRUE(window().transport().roleText().startsWith("user active"))
+  ASSERT_TRUE(window().transport().roleText().startsWith("user leads"))
       << window().transport().roleText().toStdString();
   press(Qt::Key_U);
   EXPECT_TRUE(until([] { return newest()->settings.user_role == UserRole::Passive; }));
-  EXPECT_TRUE(until([] { return window().transport().roleText().startsWith("user passive"); }));
+  EXPECT_TRUE(until([] { return window().transport().roleText().startsWith("user follows"); }));
   EXPECT_TRUE(window().timeline().lanes().is_shown(widgets::TimelineLane::UserRole));
   EXPECT_TRUE(until([] {
     const auto& roles = window().timeline().tracks().user_roles();

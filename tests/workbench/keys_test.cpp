@@ -234,7 +234,7 @@ std::vector<KeyRow> program_rows() {
        [](auto&) { return qobject_cast<QLineEdit*>(QApplication::focusWidget()) != nullptr; }},
       {"F3", Qt::Key_F3, none, nothing,
        [](auto&) { return qobject_cast<QLineEdit*>(QApplication::focusWidget()) != nullptr; }},
-      {"F1", Qt::Key_F1, none, nothing, [](auto&) { return dialog("Keys") != nullptr; }},
+      {"F1", Qt::Key_F1, none, nothing, [](auto&) { return dialog("Help") != nullptr; }},
       // A keyboard writes it with Shift, which the window system takes out again; a test has none.
       {"Question", Qt::Key_Question, none, nothing, [](auto&) { return dialog("Keys") != nullptr; }},
       {"CtrlZ", Qt::Key_Z, ctrl, change_alpha, [](auto&) { return !alpha_is_changed(); }},

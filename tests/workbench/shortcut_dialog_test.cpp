@@ -80,7 +80,7 @@ TEST_F(Editing, TheKeySheetShowsTheKeysAsTheyAre) {
   ShortcutTable changed = shortcuts->table();
   changed.give("timeline.marker", "F7");
   shortcuts->change(changed);
-  press(Qt::Key_F1);
+  press(Qt::Key_Question);
   ASSERT_TRUE(until([] { return dialog("Keys") != nullptr; }));
   EXPECT_TRUE(dialog("Keys")->findChild<QLabel*>()->text().contains("M, F7"));
   changed.reset_all();

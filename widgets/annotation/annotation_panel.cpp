@@ -5,6 +5,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QTableWidget>
@@ -69,6 +70,15 @@ QWidget* AnnotationPanel::makeSubject() {
   row->addWidget(caption("Annotate", box));
   row->addWidget(m_subject, 1);
   row->addWidget(m_back);
+  auto* files = chip("Files ▾", "Labels as a file, for ELAN or a table; labels from a file", box);
+  files->setAccessibleName("Label files");
+  files->setStyleSheet("QToolButton::menu-indicator { image: none; width: 0; }");
+  files->setPopupMode(QToolButton::InstantPopup);
+  auto* menu = new QMenu(files);
+  menu->addAction("Export labels (EAF, CSV, …)…", this, &AnnotationPanel::exportRequested);
+  menu->addAction("Import labels…", this, &AnnotationPanel::importRequested);
+  files->setMenu(menu);
+  row->addWidget(files);
   return box;
 }
 
@@ -235,7 +245,7 @@ void AnnotationPanel::fillRow(int row, const AnnotationTier& tier, const Annotat
   put(End, time(annotation.end_s));
   QPixmap swatch(10, 14);
   swatch.fill(value_colour(m_palette, tier, annotation.value));
-  put(Value, text(annotation.value))->setIcon(QIcon(swatch));
+  put(Value, value_words(tier, annotation.value))->setIcon(QIcon(swatch));
   put(Detail, text(annotation.detail));
   put(Confidence, text(annotation.confidence));
 }
@@ -248,6 +258,15 @@ void AnnotationPanel::chooseRow() {
   const double start_s = chosen->start_s;
   emit annotationChosen(id);
   emit seekRequested(start_s);
+}
+
+/// The vocabulary's value that is shown in these words; else what was typed.
+std::string AnnotationPanel::valueOf(const std::string& typed) const {
+  const AnnotationTier* tier = m_shown.annotations.tier(m_shown.tier);
+  if (!tier) return typed;
+  for (const VocabularyEntry& entry : tier->vocabulary)
+    if (value_words(*tier, entry.value) == text(typed)) return entry.value;
+  return typed;
 }
 
 void AnnotationPanel::edited(QTableWidgetItem* item) {
@@ -270,7 +289,7 @@ void AnnotationPanel::edited(QTableWidgetItem* item) {
                    : next.place(before.id, start ? *time_s : before.start_s, start ? before.end_s : *time_s,
                                 m_shown.conflict, m_shown.range);
   } else {
-    done = next.say(before.id, item->column() == Value ? typed : before.value,
+    done = next.say(before.id, item->column() == Value ? valueOf(typed) : before.value,
                     item->column() == Detail ? typed : before.detail,
                     item->column() == Confidence ? typed : before.confidence);
   }

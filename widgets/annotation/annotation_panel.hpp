@@ -58,6 +58,9 @@ class AnnotationPanel : public QWidget {
  signals:
   void subjectRequested(const QString& subject);
   void changeRequested(const abrazo::Annotations& next, const QString& what);
+  /// The user wants the labels of what is shown as a file, or labels from one.
+  void exportRequested();
+  void importRequested();
   void refused(const QString& why);
   void tierChosen(int tier);
   void annotationChosen(int annotation);
@@ -73,6 +76,7 @@ class AnnotationPanel : public QWidget {
   void connectParts();
   void fillTable();
   void fillRow(int row, const AnnotationTier& tier, const Annotation& annotation);
+  std::string valueOf(const std::string& typed) const;
   void edited(QTableWidgetItem* item);
   void chooseRow();
 

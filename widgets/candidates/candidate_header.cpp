@@ -4,6 +4,7 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
+#include <algorithm>
 
 #include "widgets/candidates/candidate_list.hpp"
 #include "widgets/common/theme.hpp"
@@ -12,12 +13,29 @@
 namespace abrazo::widgets {
 namespace {
 
-constexpr int head_height = 20;
+constexpr int head_height = 20;  ///< of a line
 constexpr int arrow_room = 9;
 constexpr int swatch = 8;  ///< px
+constexpr int swatch_gap = 2, term_gap = 5;
 
 QString title(CandidateColumn column) {
   return text(column_title(column));
+}
+
+QString name(CandidateColumn column) {
+  if (const auto term = term_of(column)) return text(info_of(*term).name);
+  switch (column) {
+    case CandidateColumn::Rank:
+      return "#";
+    case CandidateColumn::Source:
+      return "take";
+    case CandidateColumn::Label:
+      return "move";
+    case CandidateColumn::Distance:
+      return "distance";
+    default:
+      return "total";
+  }
 }
 
 }  // namespace
@@ -33,7 +51,7 @@ void CandidateHeader::setOrder(const CandidateOrder& order) {
   if (order == m_order) return;
   m_order = order;
   setAccessibleDescription("Sorted by " + title(order.column) + (order.descending ? ", descending" : ""));
-  update();
+  arrange();
 }
 
 void CandidateHeader::setColours(const Palette& palette) {
@@ -43,63 +61,63 @@ void CandidateHeader::setColours(const Palette& palette) {
 
 void CandidateHeader::setMethod(SelectionMethod method) {
   m_method = method;
+  arrange();
+}
+
+double CandidateHeader::widthOf(CandidateColumn column) const {
+  const double words = QFontMetricsF(font()).horizontalAdvance(name(column));
+  if (!term_of(column)) return words + arrow_room;
+  return swatch + swatch_gap + words + (column == m_order.column ? arrow_room : term_gap);
+}
+
+double CandidateHeader::widthOfTerms() const {
+  double wide = 0;
+  for (const CostTermInfo& info : cost_terms(m_method).terms) wide += widthOf(column_of(info.term));
+  return wide;
+}
+
+bool CandidateHeader::termsStandAlone() const {
+  const double others = widthOf(CandidateColumn::Distance) + widthOf(CandidateColumn::Total);
+  return CandidateLayout{width()}.barsLeft() + widthOfTerms() >
+         width() - CandidateLayout::margin + arrow_room - others;
+}
+
+void CandidateHeader::arrange() {
+  double bottom = head_height;
+  for (const Head& head : heads()) bottom = std::max(bottom, head.area.bottom());
+  setFixedHeight(static_cast<int>(bottom));
   update();
 }
 
-/// Empty if a swatch represents the term.
-QString CandidateHeader::name(CandidateColumn column, Fit fit) {
-  if (const auto term = term_of(column)) {
-    const CostTermInfo& info = info_of(*term);
-    return fit == Fit::Swatches ? QString() : text(fit == Fit::Brief ? info.brief : info.name);
-  }
-  switch (column) {
-    case CandidateColumn::Rank:
-      return "#";
-    case CandidateColumn::Source:
-      return "take";
-    case CandidateColumn::Label:
-      return "move";
-    case CandidateColumn::Distance:
-      return "dist.";
-    default:
-      return "total";
-  }
-}
-
-double CandidateHeader::widthOf(CandidateColumn column, Fit fit) const {
-  const QString words = name(column, fit);
-  return arrow_room + (words.isEmpty() ? swatch : QFontMetricsF(font()).horizontalAdvance(words));
-}
-
-/// The distance gives way to names that are at least brief.
-CandidateHeader::Fit CandidateHeader::fitOfTerms(double until_distance, double until_total) const {
-  const auto right = [this](Fit fit) {
-    double end = CandidateLayout{width()}.barsLeft();
-    for (const CostTermInfo& info : cost_terms(m_method).terms) end += widthOf(column_of(info.term), fit);
-    return end;
-  };
-  if (right(Fit::Names) <= until_distance) return Fit::Names;
-  return right(Fit::Brief) <= until_total ? Fit::Brief : Fit::Swatches;
+void CandidateHeader::resizeEvent(QResizeEvent*) {
+  arrange();
 }
 
 std::vector<CandidateHeader::Head> CandidateHeader::heads() const {
   std::vector<Head> heads;
-  const auto put = [&](CandidateColumn column, double left, Fit fit = Fit::Names) {
-    const QRectF area(left, 0, widthOf(column, fit), head_height);
-    heads.push_back({column, name(column, fit), area});
+  const bool alone = termsStandAlone();
+  const auto put = [&](CandidateColumn column, double left, double top = 0) {
+    const QRectF area(left, top, widthOf(column), head_height);
+    heads.push_back({column, name(column), area});
     return area.right();
   };
   put(CandidateColumn::Rank, CandidateLayout::gutter + 7);
   const double after = put(CandidateColumn::Source, CandidateLayout::name_left);
   put(CandidateColumn::Label, after + 6);
   const double right = width() - CandidateLayout::margin + arrow_room;
-  const double total = right - widthOf(CandidateColumn::Total, Fit::Names);
-  const double distance = total - widthOf(CandidateColumn::Distance, Fit::Names);
-  const Fit fit = fitOfTerms(distance, total);
-  double left = CandidateLayout{width()}.barsLeft();
-  for (const CostTermInfo& info : cost_terms(m_method).terms) left = put(column_of(info.term), left, fit);
-  if (left <= distance) put(CandidateColumn::Distance, distance);
+  const double total = right - widthOf(CandidateColumn::Total);
+  put(CandidateColumn::Distance, total - widthOf(CandidateColumn::Distance));
   put(CandidateColumn::Total, total);
+  double left = alone ? CandidateLayout::margin : CandidateLayout{width()}.barsLeft(),
+         top = alone ? head_height : 0;
+  for (const CostTermInfo& info : cost_terms(m_method).terms) {
+    const CandidateColumn column = column_of(info.term);
+    if (alone && left > CandidateLayout::margin && left + widthOf(column) > right) {
+      left = CandidateLayout::margin;
+      top += head_height;
+    }
+    left = put(column, left, top);
+  }
   return heads;
 }
 
@@ -115,11 +133,14 @@ void CandidateHeader::paintEvent(QPaintEvent*) {
   painter.setFont(font());
   for (const Head& head : heads()) {
     const bool sorted = head.column == m_order.column;
-    painter.setPen(sorted ? m_palette.text : m_palette.secondary);
-    painter.drawText(head.area, Qt::AlignVCenter | Qt::AlignLeft, head.name);
-    if (const auto term = term_of(head.column); term && head.name.isEmpty())
-      painter.fillRect(QRectF(head.area.left(), head.area.center().y() - 0.5 * swatch, swatch, swatch),
+    QRectF words = head.area;
+    if (const auto term = term_of(head.column)) {
+      painter.fillRect(QRectF(words.left(), words.center().y() - 0.5 * swatch, swatch, swatch),
                        colour_of(*term, m_palette));
+      words.setLeft(words.left() + swatch + swatch_gap);
+    }
+    painter.setPen(sorted ? m_palette.text : m_palette.secondary);
+    painter.drawText(words, Qt::AlignVCenter | Qt::AlignLeft, head.name);
     if (!sorted) continue;
     const double x = head.area.right() - arrow_room + 5, y = head.area.center().y() + 0.5;
     const double up = m_order.descending ? -1 : 1;

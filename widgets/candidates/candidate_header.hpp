@@ -8,7 +8,9 @@
 
 namespace abrazo::widgets {
 
-/// The header of the candidate table: a click sorts by a column, another click reverses the order.
+/// The header of the candidate table: a click sorts by a column, another click reverses the order. Terms have
+/// their colour beside their name, so that it is the legend of the bars; where they have no room beside the
+/// other columns, they have lines of their own.
 class CandidateHeader : public QWidget {
   Q_OBJECT
  public:
@@ -25,6 +27,7 @@ class CandidateHeader : public QWidget {
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   bool event(QEvent* event) override;
 
@@ -34,12 +37,11 @@ class CandidateHeader : public QWidget {
     QString name;
     QRectF area;
   };
-  /// Level of detail of the term names, by the available width.
-  enum class Fit { Names, Brief, Swatches };
   std::vector<Head> heads() const;
-  double widthOf(CandidateColumn column, Fit fit) const;
-  Fit fitOfTerms(double until_distance, double until_total) const;
-  static QString name(CandidateColumn column, Fit fit);
+  double widthOf(CandidateColumn column) const;
+  double widthOfTerms() const;
+  bool termsStandAlone() const;
+  void arrange();
 
   SelectionMethod m_method = SelectionMethod::Paper;
   CandidateOrder m_order;

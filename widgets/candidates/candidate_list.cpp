@@ -17,6 +17,7 @@ namespace abrazo::widgets {
 namespace {
 
 constexpr double vetoed_opacity = 0.4;
+constexpr double least_part = 2;  ///< width of the smallest part of a bar [px]
 
 QString figure(const CandidateRow& row, CandidateColumn column) {
   return QString::number(shown_figure(row, column), 'f', 3) + text(figure_unit(row, column));
@@ -218,7 +219,7 @@ void CandidateList::paintBar(QPainter& painter, int index) const {
   const QRectF area = barArea(index);
   const CandidateRow& row = m_rows[static_cast<std::size_t>(index)];
   const auto terms = cost_terms(row.method).terms;
-  const auto ends = bar_ends(row, m_fullBar);
+  const auto ends = bar_ends(row, m_fullBar, std::min(least_part / area.width(), 1.0 / most_cost_terms));
   double from = 0;
   for (std::size_t i = 0; i < terms.size(); from = ends[i++])
     painter.fillRect(

@@ -12,8 +12,8 @@ using enum CandidateColumn;
 
 constexpr std::array<CandidateColumn, 8> paper_columns = {Rank,   Source,  Label, Pose,
                                                           Active, Passive, Total, Distance};
-constexpr std::array<CandidateColumn, 10> intent_columns = {Rank, Source, Label,  Partner, Leader,
-                                                            Move, Meant,  Change, Total,   Distance};
+constexpr std::array<CandidateColumn, 11> intent_columns = {Rank,  Source, Label,    Partner, Leader,  Move,
+                                                            Meant, Change, Temporal, Total,   Distance};
 
 /// Negative, zero or positive, as strcmp.
 int compare(const CandidateRow& a, const CandidateRow& b, CandidateColumn column) {
@@ -40,7 +40,7 @@ std::span<const CandidateColumn> candidate_columns(SelectionMethod method) {
 }
 
 std::optional<CostTerm> term_of(CandidateColumn column) {
-  if (column < Pose || column > Change) return std::nullopt;
+  if (column < Pose || column > Temporal) return std::nullopt;
   return static_cast<CostTerm>(static_cast<int>(column) - static_cast<int>(Pose));
 }
 
@@ -86,7 +86,7 @@ double shown_figure(const CandidateRow& row, CandidateColumn column) {
 }
 
 std::string_view figure_unit(const CandidateRow& row, CandidateColumn column) {
-  return column == Distance || row.method == SelectionMethod::Intent ? " m" : "";
+  return column == Distance || row.method == SelectionMethod::Intent ? " m" : " m²";
 }
 
 }  // namespace abrazo::widgets

@@ -22,6 +22,7 @@ enum class CandidateColumn {
   Move,
   Meant,
   Change,
+  Temporal,
   Total,
   Distance
 };
@@ -53,7 +54,7 @@ void sort_rows(std::vector<CandidateRow>& rows, const CandidateOrder& order);
 
 /// The figure at the end of a row: that of the sorted column if it is a figure, else the total.
 double shown_figure(const CandidateRow& row, CandidateColumn column);
-/// " m", or empty if all figures of the table are in m^2.
+/// " m" or " m²".
 std::string_view figure_unit(const CandidateRow& row, CandidateColumn column);
 
 }  // namespace abrazo::widgets

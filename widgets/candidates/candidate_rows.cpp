@@ -13,7 +13,7 @@ void read_paper(const Candidate& candidate, double alpha, CandidateRow& row) {
 
 void read_intent(const Candidate& candidate, const FrameIntent& intent, CandidateRow& row) {
   const IntentCost& cost = *candidate.intent;
-  row.terms = {cost.partner, cost.leader, cost.move, cost.meant, cost.change + cost.temporal};
+  row.terms = {cost.partner, cost.leader, cost.move, cost.meant, cost.change, cost.temporal};
   row.total = cost.total;
   row.goes_on = candidate.continuation || candidate.pair == intent.continued;
 }
@@ -56,11 +56,16 @@ double value_of(const CandidateRow& row, CostTerm term) {
   return place ? row.terms[*place] : 0;
 }
 
-std::array<double, most_cost_terms> bar_ends(const CandidateRow& row, double largest_total) {
+std::array<double, most_cost_terms> bar_ends(const CandidateRow& row, double largest_total, double least) {
+  constexpr double least_part = 5e-5;  // what reads 0.0000 is not there
   std::array<double, most_cost_terms> ends{};
   if (!(largest_total > 0)) return ends;
+  const double room = 1 - least * static_cast<double>(ends.size());
   double end = 0;
-  for (std::size_t i = 0; i < ends.size(); ++i) ends[i] = end += row.terms[i] / largest_total;
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    if (row.terms[i] >= least_part) end += least;
+    ends[i] = end += room * row.terms[i] / largest_total;
+  }
   return ends;
 }
 

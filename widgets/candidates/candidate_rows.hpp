@@ -42,7 +42,9 @@ std::vector<CandidateRow> candidate_rows(const FrameSnapshot& frame, const Motio
 /// The value of a term; 0 if the row's method does not have it.
 double value_of(const CandidateRow& row, CostTerm term);
 
-/// Ends of the segments of a bar, in [0, 1] of the width of `largest_total`.
-std::array<double, most_cost_terms> bar_ends(const CandidateRow& row, double largest_total);
+/// Ends of the segments of a bar, in [0, 1] of the width of `largest_total`. Every part that there is has
+/// `least` of the width and its share of the rest, so that it is seen however small.
+/// @param least  at most 1 / most_cost_terms
+std::array<double, most_cost_terms> bar_ends(const CandidateRow& row, double largest_total, double least);
 
 }  // namespace abrazo::widgets

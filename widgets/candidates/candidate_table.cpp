@@ -155,7 +155,6 @@ void CandidateTable::setLibrary(std::shared_ptr<const MotionLibrary> library) {
 void CandidateTable::setColours(const Palette& palette) {
   m_palette = palette;
   m_header->setColours(palette);
-  showKeys();
   m_columns->setColours(palette);
   m_list->setColours(palette);
   m_inForce->setColours(palette);
@@ -178,18 +177,10 @@ void CandidateTable::arrangeFoot(bool has_belief) {
   m_belief->setVisible(has_belief);
 }
 
-void CandidateTable::showKeys() {
-  std::vector<SectionHeader::Key> keys;
-  for (const CostTermInfo& info : cost_terms(m_method).terms)
-    keys.push_back({text(info.key), colour_of(info.term, m_palette), text(info.brief_key)});
-  m_header->setKeys(std::move(keys));
-}
-
 void CandidateTable::showMethod(SelectionMethod method) {
   if (method == m_method) return;
   m_method = method;
   m_columns->setMethod(method);
-  showKeys();
 }
 
 void CandidateTable::showBelief() {

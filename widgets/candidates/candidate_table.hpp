@@ -79,7 +79,6 @@ class CandidateTable : public QWidget {
   QWidget* makeFoot();
   void showRows();
   void showMethod(SelectionMethod method);
-  void showKeys();
   void showBelief();
   void arrangeFoot(bool has_belief);
   void keepSelectedRow();

@@ -9,23 +9,25 @@ namespace abrazo::widgets {
 namespace {
 
 constexpr std::array<CostTermInfo, 3> paper_terms = {{
-    {CostTerm::Pose, "pose", "pose", "pose", "pose", "pose cost", "pose", "nearer to the user's pose"},
-    {CostTerm::Active, "leader", "lead.", "temporal leader", "leader", "temporal cost of the leader",
-     "α · temporal leader", "less temporal cost of the leader"},
-    {CostTerm::Passive, "follower", "foll.", "follower", "follower", "temporal cost of the follower",
-     "α · temporal follower", "less temporal cost of the follower"},
+    {CostTerm::Pose, "pose", "pose cost", "pose", "nearer to the user's pose"},
+    {CostTerm::Active, "leader", "temporal cost of the leader", "α · temporal leader",
+     "less temporal cost of the leader"},
+    {CostTerm::Passive, "follower", "temporal cost of the follower", "α · temporal follower",
+     "less temporal cost of the follower"},
 }};
 
 constexpr std::array<CostTermInfo, most_cost_terms> intent_terms = {{
-    {CostTerm::Partner, "partner", "part.", "partner", "part.", "expected distance of the partner",
-     "expected distance of the partner", "partner expected nearer"},
-    {CostTerm::Leader, "leader", "lead.", "leader", "lead.", "motion of the leader",
-     "w_l · other motion of the leader", "motion of the leader"},
-    {CostTerm::Move, "move", "move", "move", "move", "unlikely move", "w_m · unlikely move", "likelier move"},
-    {CostTerm::Meant, "intended", "int.", "intended", "int.", "not the intended move",
-     "w_p · not the intended move", "the intended move"},
-    {CostTerm::Change, "change", "chg.", "change", "chg.", "change of source",
-     "margin for a change of source, α · distance from the shown pose", "it goes on"},
+    {CostTerm::Partner, "partner", "expected distance of the partner", "expected distance of the partner",
+     "partner expected nearer"},
+    {CostTerm::Leader, "leader", "motion of the leader", "w_l · other motion of the leader",
+     "motion of the leader"},
+    {CostTerm::Move, "move", "unlikely move", "w_m · unlikely move", "likelier move"},
+    {CostTerm::Meant, "intended", "not the intended move", "w_p · not the intended move",
+     "the intended move"},
+    {CostTerm::Change, "change", "margin for a change of source", "margin for a change of source",
+     "it goes on"},
+    {CostTerm::Temporal, "temporal", "distance from the shown partner", "α · distance from the shown partner",
+     "nearer to the shown partner"},
 }};
 
 constexpr std::array<CostTerms, 2> of_methods = {{
@@ -66,6 +68,8 @@ QColor colour_of(CostTerm term, const Palette& palette) {
       return palette.residual_penetration;
     case CostTerm::Meant:
       return palette.warning;
+    case CostTerm::Temporal:
+      return palette.good;
   }
   return palette.text;
 }

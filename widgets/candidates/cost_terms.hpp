@@ -14,17 +14,14 @@ namespace abrazo::widgets {
 struct Palette;
 
 /// A term of the cost: the first three of Eq. 7 [m^2], the others of `intent` [m].
-enum class CostTerm { Pose, Active, Passive, Partner, Leader, Move, Meant, Change };
+enum class CostTerm { Pose, Active, Passive, Partner, Leader, Move, Meant, Change, Temporal };
 
-inline constexpr std::size_t most_cost_terms = 5;  ///< maximum of one method
+inline constexpr std::size_t most_cost_terms = 6;  ///< maximum of one method
 
 /// Names of a term; weights are written with their term.
 struct CostTermInfo {
   CostTerm term;
-  std::string_view name;   ///< in a column header
-  std::string_view brief;  ///< if that is too wide
-  std::string_view key;    ///< in the colour legend
-  std::string_view brief_key;
+  std::string_view name;     ///< in the column header, which is the legend of the bars
   std::string_view title;    ///< "temporal cost of the leader"
   std::string_view weighed;  ///< in a row's figures, for `typeset`: "α · temporal leader"
   std::string_view gain;     ///< as the reason of a winner: "less temporal cost of the leader"

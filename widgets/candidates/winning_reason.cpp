@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 
@@ -10,24 +11,25 @@ namespace {
 
 constexpr double least_shown = 5e-5;  ///< smaller differences are ignored
 
-/// Three decimals, four where that would read 0.000.
+/// As the rows show it.
 std::string figure(double value) {
   std::array<char, 32> text{};
-  std::snprintf(text.data(), text.size(), value != 0 && value < 0.0005 ? "%.4f" : "%.3f", value);
+  std::snprintf(text.data(), text.size(), "%.3f", value);
   return text.data();
 }
 
-/// The largest advantage of a row over another in one term; without the margin, which concerns the source and
-/// not the user.
+/// The largest advantage of a row over another in one term.
 struct Gain {
   const CostTermInfo* term;
   double value;
 };
-Gain largest_gain(const CandidateRow& row, const CandidateRow& other) {
+
+/// @param with_change  whether the margin counts, which concerns the source and not the user
+Gain largest_gain(const CandidateRow& row, const CandidateRow& other, bool with_change = false) {
   Gain largest{nullptr, 0};
   for (const CostTermInfo& info : cost_terms(row.method).terms) {
     const double gain = value_of(other, info.term) - value_of(row, info.term);
-    if (info.term != CostTerm::Change && gain > largest.value) largest = {&info, gain};
+    if ((with_change || info.term != CostTerm::Change) && gain > largest.value) largest = {&info, gain};
   }
   return largest;
 }
@@ -36,33 +38,43 @@ std::string because(const Gain& gain) {
   return gain.term ? " — " + std::string(gain.term->gain) : std::string();
 }
 
-/// "0.024 m": with the unit of the totals.
 std::string amount(double value, SelectionMethod method) {
   return figure(value) + " " + std::string(cost_terms(method).unit);
+}
+
+/// "0.024 m", by which the second is dearer: the difference of the totals as the rows show them, so that a
+/// person who subtracts these finds the same.
+std::string dearer_by(const CandidateRow& first, const CandidateRow& second) {
+  const double thousandths = std::round(1000 * second.total) - std::round(1000 * first.total);
+  if (thousandths <= 0) return "less than " + amount(0.001, first.method);
+  return amount(thousandths / 1000, first.method);
 }
 
 std::string paper_reason(const CandidateRow& winner, const CandidateRow& second) {
   const Gain gain = largest_gain(winner, second);
   if (!gain.term || second.total - winner.total < least_shown) return "A tie with the second";
-  return "Winner by " + amount(second.total - winner.total, winner.method) + because(gain);
+  return "Winner by " + dearer_by(winner, second) + because(gain);
 }
 
 /// Of a winner that continues its source: others pay for the change, and are compared with what they pay.
 std::string going_on(const CandidateRow& winner, const CandidateRow& second) {
   const double more = second.total - winner.total;
-  const double paid = value_of(second, CostTerm::Change) - value_of(winner, CostTerm::Change);
   if (more < least_shown) return "Continues: #2 costs as much";
-  const std::string words = "Continues: #2 costs " + amount(more, winner.method) + " more";
-  if (paid > more + least_shown) return words + ", by the " + amount(paid, winner.method) + " for the change";
-  if (paid > more - least_shown) return words + ", all of it for the change";
-  if (2 * paid > more) return words + ", " + amount(paid, winner.method) + " of it for the change";
-  return words + because(largest_gain(winner, second));
+  const std::string difference = dearer_by(winner, second);
+  const std::string words = "Continues: #2 costs " + difference + " more";
+  const Gain part = largest_gain(winner, second, true);
+  const bool is_change = part.term && part.term->term == CostTerm::Change;
+  if (!is_change && !(part.term && part.term->term == CostTerm::Temporal)) return words + because(part);
+  const std::string paid = amount(part.value, winner.method);
+  const std::string what = is_change ? "for the change" : "for leaving the shown partner";
+  if (paid == difference || std::abs(part.value - more) < least_shown) return words + ", all of it " + what;
+  return words + (part.value > more ? ", only by the " + paid + " " : ", " + paid + " of it ") + what;
 }
 
 std::string change(const CandidateRow& winner, const CandidateRow& going_on) {
   if (going_on.is_out()) return "Change: continuing is vetoed";
-  return "Change: going on costs " + amount(going_on.total - winner.total, winner.method) + " more" +
-         because(largest_gain(winner, going_on));
+  return "Change: going on (#" + std::to_string(going_on.rank) + ") costs " + dearer_by(winner, going_on) +
+         " more" + because(largest_gain(winner, going_on));
 }
 
 std::string intent_reason(const std::vector<CandidateRow>& rows, const FrameIntent& intent) {
@@ -75,8 +87,7 @@ std::string intent_reason(const std::vector<CandidateRow>& rows, const FrameInte
   const std::string before = intent.model && intent.continued < 0 ? "No source to continue. " : "";
   const double margin = second.total - winner.total;
   if (margin < least_shown) return before + "A tie with #2";
-  return before + "#2 costs " + amount(margin, winner.method) + " more" +
-         because(largest_gain(winner, second));
+  return before + "#2 costs " + dearer_by(winner, second) + " more" + because(largest_gain(winner, second));
 }
 
 std::string move_name(std::string label) {
@@ -94,7 +105,7 @@ std::string winning_reason(const std::vector<CandidateRow>& rows, const FrameInt
   if (rows.size() == 1) return "The only candidate";
   const bool is_by_intent = winner->method == SelectionMethod::Intent;
   if (winner != rows.begin())
-    return "Not the cheapest: " + amount(winner->total - rows.front().total, winner->method) + " above it";
+    return "Not the cheapest: #1 costs " + dearer_by(rows.front(), *winner) + " less";
   return is_by_intent ? intent_reason(rows, intent) : paper_reason(rows[0], rows[1]);
 }
 

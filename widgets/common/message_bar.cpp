@@ -12,7 +12,8 @@ namespace abrazo::widgets {
 namespace {
 
 constexpr int information_ms = 6000, warnings_ms = 15000;
-constexpr int most_in_tip = 20, most_errors = 20;
+constexpr int most_in_tip = 20;
+constexpr std::size_t most_errors = 20;
 constexpr int longest_text = 320;  // more would push the scene out of the window; the tool tip has the rest
 
 }  // namespace
@@ -55,12 +56,29 @@ QString MessageBar::text() const {
   return m_text->text();
 }
 
+QStringList MessageBar::openErrors() const {
+  QStringList texts;
+  for (const OpenError& error : m_errors) texts << error.text;
+  return texts;
+}
+
 void MessageBar::showError(const QString& text) {
-  m_errors.removeAll(text);
-  m_errors.append(text);
-  if (m_errors.size() > most_errors) m_errors.removeFirst();
+  showErrorOf({}, text);
+}
+
+void MessageBar::showErrorOf(const QString& job, const QString& text) {
+  std::erase_if(m_errors, [&](const OpenError& error) { return error.text == text; });
+  m_errors.push_back({job, text});
+  if (m_errors.size() > most_errors) m_errors.erase(m_errors.begin());
   present(MessageKind::Error, text);
   emit told(MessageKind::Error, text);
+}
+
+void MessageBar::succeed(const QString& job, const QString& text, bool is_shown_elsewhere) {
+  std::erase_if(m_errors, [&](const OpenError& error) { return error.job == job; });
+  if (!is_shown_elsewhere) return showInformation(text);
+  if (m_kind == MessageKind::Error) leave();
+  emit told(MessageKind::Information, text);
 }
 
 void MessageBar::showInformation(const QString& text) {
@@ -95,12 +113,12 @@ void MessageBar::endProgress() {
 /// What leaves by itself makes room for the last error that was not closed.
 void MessageBar::leave() {
   m_leave->stop();
-  m_errors.isEmpty() ? hide() : present(MessageKind::Error, m_errors.last());
+  m_errors.empty() ? hide() : present(MessageKind::Error, m_errors.back().text);
 }
 
 void MessageBar::close() {
   if (m_kind == MessageKind::Progress) emit cancelRequested();
-  if (m_kind == MessageKind::Error && !m_errors.isEmpty()) m_errors.removeLast();
+  if (m_kind == MessageKind::Error && !m_errors.empty()) m_errors.pop_back();
   leave();
 }
 

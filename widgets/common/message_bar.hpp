@@ -2,6 +2,7 @@
 
 #include <QStringList>
 #include <QWidget>
+#include <vector>
 
 #include "widgets/common/palette.hpp"
 
@@ -23,10 +24,15 @@ class MessageBar : public QWidget {
   /// The present or last text.
   QString text() const;
   /// Errors that are not closed yet.
-  const QStringList& openErrors() const { return m_errors; }
+  QStringList openErrors() const;
 
  public slots:
   void showError(const QString& text);
+  /// An error that leaves by itself once the same job succeeds. @param job "export"
+  void showErrorOf(const QString& job, const QString& text);
+  /// The job succeeded: its errors leave. @param text listed among the messages; shown as well unless another
+  /// bar does
+  void succeed(const QString& job, const QString& text, bool is_shown_elsewhere = false);
   void showInformation(const QString& text);
   /// A single warning is shown in full; several as their number and the first, with all in the tooltip.
   void showWarnings(const QStringList& warnings);
@@ -49,7 +55,10 @@ class MessageBar : public QWidget {
 
   Palette m_palette;
   MessageKind m_kind = MessageKind::Information;
-  QStringList m_errors;
+  struct OpenError {
+    QString job, text;
+  };
+  std::vector<OpenError> m_errors;
   double m_fraction = 0;
   QLabel* m_sign;
   QLabel* m_text;

@@ -78,6 +78,15 @@ QScrollBar:horizontal { background: transparent; height: 8px; margin: 0; }
 QScrollBar::handle:horizontal { background: %8; border-radius: 3px; min-width: 24px; margin: 1px; }
 QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
+QTableView, QTreeView { background: %2; border: none; gridline-color: %4; selection-background-color: %7; selection-color: #ffffff; outline: 0; }
+QHeaderView, QTableCornerButton::section { background: %2; border: none; }
+QHeaderView::section { background: %2; color: %6; border: none; border-bottom: 1px solid %4; padding: 3px 6px; }
+QSlider:horizontal { min-height: 18px; }
+QSlider::groove:horizontal { background: %8; height: 3px; border-radius: 1px; }
+QSlider::sub-page:horizontal { background: %7; height: 3px; border-radius: 1px; }
+QSlider::handle:horizontal { background: #ffffff; border: 2px solid %7; width: 8px; margin: -5px 0; border-radius: 6px; }
+QSlider::sub-page:horizontal:disabled { background: %8; }
+QSlider::handle:horizontal:disabled { background: %3; border-color: %8; }
 QListView { background: %2; border: 1px solid %4; outline: 0; }
 QListView::item { padding: 4px 8px; }
 QListView::item:selected { background: %7; color: #ffffff; }
@@ -116,6 +125,7 @@ void apply_theme(QApplication& application, const Palette& p) {
     colours.setColor(role, p.text);
   colours.setColor(QPalette::PlaceholderText, p.secondary);
   colours.setColor(QPalette::ToolTipBase, p.window);
+  colours.setColor(QPalette::Link, p.dark ? p.active.lighter(125) : p.active);
   colours.setColor(QPalette::Highlight, p.accent);
   colours.setColor(QPalette::HighlightedText, Qt::white);
   for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})

@@ -27,6 +27,11 @@ class SteadyRange {
   void show(double largest, double time_s);
   double upper() const { return upper_; }
   void set_locked(bool locked) { locked_ = locked; }
+  /// Sets and keeps an upper end.
+  void fix(double upper) {
+    upper_ = upper;
+    locked_ = true;
+  }
   bool locked() const { return locked_; }
   void reset() { upper_ = 0; }
 

@@ -146,7 +146,9 @@ void SettingRow::buildChoice() {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 3, 12, 3);
   m_choice = new QComboBox(this);
-  m_choice->addItems(text(m_info.choices).split('|'));
+  // The keys of a role are the paper's words; the window says who leads.
+  for (const QString& choice : text(m_info.choices).split('|'))
+    m_choice->addItem(m_info.key != "user-role" ? choice : choice == "active" ? "leads" : "follows", choice);
   m_choice->setMinimumWidth(118);
   m_choice->setFocusPolicy(Qt::TabFocus);
   row->addWidget(m_title, 1);
@@ -154,7 +156,7 @@ void SettingRow::buildChoice() {
   setFixedHeight(34);
   name(*m_choice);
   connect(m_choice, qOverload<int>(&QComboBox::activated), this,
-          [this](int index) { emit changed(key(), m_choice->itemText(index), 0); });
+          [this](int index) { emit changed(key(), m_choice->itemData(index).toString(), 0); });
 }
 
 void SettingRow::contextMenuEvent(QContextMenuEvent* event) {

@@ -276,10 +276,11 @@ bool HeatMap::event(QEvent* event) {
     if (point < 0)
       QToolTip::hideText();
     else
-      QToolTip::showText(help->globalPos(),
-                         "<div>" + text(typeset(m_grid.place_text(point))) + "</div><div>" +
-                             text(escaped_html(m_grid.metric() + " " + m_grid.value_text(point))) + "</div>",
-                         this, cellRect(point).toRect());
+      QToolTip::showText(
+          help->globalPos(),
+          "<div>" + text(typeset(m_grid.place_text(point))) + "</div><div>" +
+              text(escaped_html(metric_words(m_grid.metric()) + " " + m_grid.value_text(point))) + "</div>",
+          this, cellRect(point).toRect());
     return true;
   }
   return QWidget::event(event);

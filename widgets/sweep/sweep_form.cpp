@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "widgets/common/utf8.hpp"
+#include "widgets/sweep/sweep_grid.hpp"
 
 namespace abrazo::widgets {
 namespace {
@@ -56,7 +57,7 @@ SweepForm::SweepForm(QWidget* parent) : QWidget(parent), m_settings(*preset(pres
   grid->addWidget(new QLabel("Figure", this), 3, 0);
   m_metric = new QComboBox(this);
   m_metric->setAccessibleName("Figure that is drawn");
-  m_metric->setToolTip("A path in report.json, as `abrazo sweep --metric` takes it");
+  m_metric->setToolTip("A figure of the report, the mean over the takes");
   m_metric->setMaxVisibleItems(20);
   grid->addWidget(m_metric, 3, 1, 1, 2);
   m_takesButton = new QToolButton(this);
@@ -70,7 +71,8 @@ SweepForm::SweepForm(QWidget* parent) : QWidget(parent), m_settings(*preset(pres
   grid->addWidget(m_takesButton, 3, 3, 1, 3, Qt::AlignLeft);
   grid->setColumnStretch(1, 3);
   grid->setColumnStretch(5, 1);
-  connect(m_metric, &QComboBox::currentTextChanged, this, [this](const QString& name) {
+  connect(m_metric, &QComboBox::currentTextChanged, this, [this] {
+    const QString name = m_metric->currentData().toString();
     emit metricChosen(name);
     emit changed();
   });
@@ -161,12 +163,12 @@ void SweepForm::offer(Side& side) {
 }
 
 void SweepForm::setMetrics(const std::vector<std::string>& names, const std::string& proposed) {
-  const QString before = m_metric->currentText();
+  const QString before = m_metric->currentData().toString();
   {
     const QSignalBlocker quiet(m_metric);
     m_metric->clear();
-    for (const std::string& name : names) m_metric->addItem(text(name));
-    const int kept = m_metric->findText(before.isEmpty() ? text(proposed) : before);
+    for (const std::string& name : names) m_metric->addItem(text(metric_words(name)), text(name));
+    const int kept = m_metric->findData(before.isEmpty() ? text(proposed) : before);
     m_metric->setCurrentIndex(std::max(0, kept));
   }
   emit changed();
@@ -220,7 +222,7 @@ std::string SweepForm::axis(const Side& side) const {
 }
 
 SweepRequest SweepForm::request() const {
-  SweepRequest request{axis(m_x), axis(m_y), m_metric->currentText().toStdString(), {}};
+  SweepRequest request{axis(m_x), axis(m_y), m_metric->currentData().toString().toStdString(), {}};
   const bool all = std::find(m_answered.begin(), m_answered.end(), false) == m_answered.end();
   for (std::size_t t = 0; t < m_takes.size() && !all; ++t)
     if (m_answered[t]) request.takes.push_back(m_takes[t]);

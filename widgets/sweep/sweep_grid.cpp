@@ -42,6 +42,22 @@ std::string metric_unit(std::string_view metric) {
   return {};
 }
 
+std::string metric_words(std::string_view metric) {
+  const std::string unit = metric_unit(metric);
+  std::string name(metric);
+  for (const std::string_view in_name : {"_m_per_s", "_ms", "_m", "_asf", "_per_100"}) {
+    const std::size_t at = in_name == "_m_per_s" ? name.find(in_name) : name.rfind(in_name);
+    const bool is_unit =
+        at != std::string::npos && (in_name == "_m_per_s" || at + in_name.size() == name.size());
+    if (!is_unit) continue;
+    name.erase(at, in_name.size());
+    break;
+  }
+  std::string words;
+  for (const char c : name) words += c == '_' ? " " : c == '.' ? ": " : std::string(1, c);
+  return unit.empty() ? words : words + " [" + unit + "]";
+}
+
 std::array<double, 3> sweep_colour(double fraction) {
   constexpr std::array<std::array<double, 3>, 9> anchors = {{{68, 1, 84},
                                                              {71, 45, 123},

@@ -37,6 +37,9 @@ struct SweepSide {
 /// shares.
 std::string metric_unit(std::string_view metric);
 
+/// A figure of report.json in words: "partner: mean joint error [m]".
+std::string metric_words(std::string_view metric);
+
 /// Viridis (van der Walt and Smith 2015) at [0, 1] as red, green, blue in [0, 1].
 std::array<double, 3> sweep_colour(double fraction);
 

@@ -28,6 +28,7 @@ class AccessibleTimeline : public QAccessibleWidget, public QAccessibleValueInte
       case Playback::State::Parked:
         break;
     }
+    if (view()->lanes().is_of_take()) return time + ", parked";
     return time + QString(", parked %1 s behind live").arg(playback.behind_live_s(), 0, 'f', 1);
   }
   QVariant currentValue() const override { return view()->playback().cursor_s; }

@@ -84,8 +84,8 @@ QString take_facts(const TimelineContent& content, double time_s) {
 QString user_role_facts(const TimelineContent& content, double time_s) {
   const auto* role = interval_at(content.tracks.user_roles(), time_s);
   if (!role) return {};
-  return QString("<b>The user is the %1</b><br>since %2")
-      .arg(role->key == 1 ? "active performer, the partner answers" : "passive performer, the partner leads",
+  return QString("<b>The user %1</b><br>since %2")
+      .arg(role->key == 1 ? "leads, the partner follows" : "follows, the partner leads",
            clock_at(role->from_s));
 }
 

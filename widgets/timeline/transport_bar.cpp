@@ -189,6 +189,18 @@ void TransportBar::dress() {
                                  behind ? m_palette.live.name() : m_palette.border.name()));
 }
 
+void TransportBar::showOfTake(bool on) {
+  if (on == m_isOfTake) return;
+  m_isOfTake = on;
+  m_live->setVisible(!on);
+  m_role->hide();  // of a session, the next frame brings it again
+  const QString to = on ? "To the end of the take" : "To the live end";
+  m_end->setAccessibleName(to);
+  m_end->setToolTip(to + " (End)");
+  showState();
+  makeRoom();
+}
+
 void TransportBar::setInput(const QString& text) {
   m_input->setText(text);
   makeRoom();
@@ -216,13 +228,14 @@ void TransportBar::showRecording(const QString& words) {
 
 void TransportBar::showRole(bool user_is_active, const QString& by) {
   m_userIsActive = user_is_active;
-  const QString role = user_is_active ? "active" : "passive";
+  if (m_isOfTake) return;  // a take has no user
+  const QString role = user_is_active ? "leads" : "follows";
   const QString text = "user " + role + (by.isEmpty() ? QString() : " · " + by) + " ▾";
   if (text == m_role->text() && !m_role->isHidden()) return;
   m_role->setText(text);
   m_role->setAccessibleName("Role of the user: " + role);
-  m_role->setToolTip(user_is_active ? "The user is the active performer; the partner answers (U switches)"
-                                    : "The user is the passive performer; the partner leads (U switches)");
+  m_role->setToolTip(user_is_active ? "The user leads, the partner follows (U switches)"
+                                    : "The user follows, the partner leads (U switches)");
   m_role->show();
   dressRole();
   makeRoom();
@@ -318,11 +331,12 @@ void TransportBar::showTime() {
 }
 
 void TransportBar::showState() {
-  const QString behind = QString(" −%1 s").arg(std::max(0.0, m_shown.behind_live_s()), 0, 'f', 1);
+  const QString behind =
+      m_isOfTake ? QString() : QString(" −%1 s").arg(std::max(0.0, m_shown.behind_live_s()), 0, 'f', 1);
   switch (m_shown.state) {
     case Playback::State::Parked:
       m_state->setText("PARKED" + behind);
-      m_state->setColour(m_palette.warning);
+      m_state->setColour(m_isOfTake ? m_palette.secondary : m_palette.warning);
       break;
     case Playback::State::Playing:
       m_state->setText((m_shown.speed < 0 ? "PLAYING BACK" : "PLAYING") + behind);

@@ -22,6 +22,8 @@ class TransportBar : public QWidget {
  public:
   explicit TransportBar(QWidget* parent = nullptr);
   void setColours(const Palette& palette);
+  /// A take has no user and no live end: what speaks of these is hidden.
+  void showOfTake(bool on);
   void setInput(const QString& text);
   /// Rate of the timecode; 0 = none.
   void setRate(double rate_hz);
@@ -85,6 +87,7 @@ class TransportBar : public QWidget {
   QLabel* m_recording;
   QToolButton* m_role;
   bool m_userIsActive = true;
+  bool m_isOfTake = false;
   QToolButton *m_start, *m_back, *m_play, *m_forward, *m_end, *m_speed, *m_loop;
   TabularLabel *m_time, *m_frame, *m_state;
   QPushButton* m_live;

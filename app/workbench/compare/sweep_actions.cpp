@@ -76,8 +76,8 @@ void export_report(MainWindow& window, QWidget* over, const SweepRun& run) {
       "Page (*.html);;JSON (*.json)");
   if (file.isEmpty()) return;
   const QString wrong = save_sweep(run.outcome(), file);
-  wrong.isEmpty() ? window.messages().showInformation("Sweep written to " + file)
-                  : window.messages().showError(wrong);
+  wrong.isEmpty() ? window.messages().succeed("sweep", "Sweep written to " + file)
+                  : window.messages().showErrorOf("sweep", wrong);
 }
 
 void connect_run(MainWindow& window, SweepPanel& panel, SweepRun& run) {

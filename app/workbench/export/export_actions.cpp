@@ -61,13 +61,21 @@ void add_export_actions(MainWindow& window, ExportSources sources) {
   auto* desk = new ExportDesk(window, std::move(sources));
   auto* dialog = new ExportDialog(&window);
   QMenu* menu = window.menu("File");
-  QAction* open = add_action(window, menu, "Export…", {}, [&window, dialog, desk] {
+  const auto show = [&window, dialog, desk](bool labels) {
     if (!window.session()) return window.messages().showInformation("Nothing is open yet");
     dialog->offer(desk->offer());
     dialog->restore(last_choices(window).value("choices").toStringList());
+    if (labels) dialog->chooseLabels(desk->subject());
     dialog->show();
     dialog->activateWindow();
-  });
+  };
+  QAction* open = add_action(window, menu, "Export…", {}, [show] { show(false); });
+  QMenu* annotation = window.menu("Annotation");
+  QAction* labels = add_action(window, annotation, "Export labels…", {}, [show] { show(true); });
+  if (QAction* import = action_of(window, "annotation.import_labels")) {
+    move_before(*annotation, labels, import);
+    move_before(*annotation, import, labels);
+  }
   move_before(*menu, open, action_of(window, "file.save_picture_of_the_window"));
   QObject::connect(dialog, &ExportDialog::exportRequested, dialog,
                    [&window, dialog, desk] { start(window, *dialog, *desk); });

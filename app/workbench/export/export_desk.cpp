@@ -21,6 +21,8 @@ namespace {
 
 using widgets::PlotExport;
 
+constexpr const char* export_job = "export";  // of the messages
+
 /// Of the frames shown last: what an estimate goes by.
 double rate_of(const FrameHistory& history) {
   const auto span = history.span();
@@ -118,7 +120,7 @@ void ExportDesk::write(const ExportRequest& request, const QString& file) {
                             : file.endsWith(".svg") ? PlotExport::Svg
                                                     : PlotExport::Csv;
     const QString trouble = save_plots(m_window, type, file);
-    if (!trouble.isEmpty()) return messages.showError(trouble);
+    if (!trouble.isEmpty()) return messages.showErrorOf(export_job, trouble);
     ExportReport done;
     done.files = {file.toStdString()};
     done.text = "plots";
@@ -128,7 +130,7 @@ void ExportDesk::write(const ExportRequest& request, const QString& file) {
   ExportWish wish = request.wish;
   wish.output = file.toStdString();
   if (const Status usable = check_output(wish.output, {m_window.session()->material().library_file}); !usable)
-    return messages.showError(words(usable.error()));
+    return messages.showErrorOf(export_job, words(usable.error()));
   run(source_of(request), wish);
 }
 
@@ -139,7 +141,7 @@ void ExportDesk::run(const MakeSource& make, const ExportWish& wish) {
         if (m_job->wasCancelled())
           m_window.messages().showInformation("The export was cancelled; nothing was written");
         else
-          m_window.messages().showError(text);
+          m_window.messages().showErrorOf(export_job, text);
       };
     };
     const auto source = make(part(progress, 0, 0.3));
@@ -171,6 +173,7 @@ void ExportDesk::tell(const ExportReport& done) {
   if (done.files.size() > 1) text += QString(", %1 files").arg(done.files.size());
   if (!warnings.isEmpty()) text += QString(" · %1").arg(warnings.join(" · "));
   m_window.messages().endProgress();
+  m_window.messages().succeed(export_job, "Exported " + text, true);
   m_bar->offer(
       text, "Show in folder",
       [file] { QDesktopServices::openUrl(QUrl::fromLocalFile(QFileInfo(file).absolutePath())); },

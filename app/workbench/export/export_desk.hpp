@@ -24,6 +24,8 @@ struct ExportSources {
   /// Annotations of a subject, the session ("") or a take.
   std::function<Annotations(const std::string& subject)> said;
   std::function<RecordedTakes()> takes;
+  /// What is annotated: the session ("") or a take.
+  std::function<std::string()> subject;
 };
 
 /// Exports from the window: lists what is available, writes on a worker with progress and cancel, and reports
@@ -36,6 +38,8 @@ class ExportDesk : public QObject {
 
   /// Available data of the running session and its library.
   ExportOffer offer() const;
+  /// What is annotated now, as the dialog names it.
+  QString subject() const { return QString::fromStdString(m_sources.subject()); }
   /// Writes to a file; errors are reported.
   void write(const ExportRequest& request, const QString& file);
   bool isBusy() const { return m_job != nullptr; }

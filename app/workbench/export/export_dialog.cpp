@@ -160,6 +160,14 @@ void ExportDialog::offer(ExportOffer offer) {
   sourceChanged();
 }
 
+void ExportDialog::chooseLabels(const QString& subject) {
+  const bool had_labels = what() == Labels;
+  choose(m_source, subject);
+  choose(m_what, Labels);
+  choose(m_part, "all");
+  if (!had_labels) choose(m_type, ".eaf");
+}
+
 ExportOffer::Stretch ExportDialog::stretch() const {
   const QString take = m_source->currentData().toString();
   for (const ExportOffer::Stretch& one : m_offer.library_takes)

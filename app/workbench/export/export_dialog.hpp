@@ -44,6 +44,8 @@ class ExportDialog : public QDialog {
   explicit ExportDialog(QWidget* parent);
   /// Keeps choices that are still valid.
   void offer(ExportOffer offer);
+  /// Chooses labels as EAF. @param subject  a take of the library; empty = the session
+  void chooseLabels(const QString& subject);
   ExportRequest request() const;
   /// The last choices, for the next start. @see restore
   QStringList choices() const;

@@ -30,7 +30,8 @@ QString ask_file(MainWindow& window, QWidget* over, const QString& title) {
 }
 
 void tell_end(MainWindow& window, const QString& trouble, const QString& words) {
-  trouble.isEmpty() ? window.messages().showInformation(words) : window.messages().showError(trouble);
+  trouble.isEmpty() ? window.messages().succeed("film", words)
+                    : window.messages().showErrorOf("film", trouble);
 }
 
 /// One action that starts and stops. The other way of recording waits meanwhile.

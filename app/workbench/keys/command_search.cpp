@@ -8,7 +8,12 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QStandardItemModel>
+#include <algorithm>
+#include <functional>
+#include <utility>
+#include <vector>
 
+#include "app/workbench/keys/command_meaning.hpp"
 #include "app/workbench/keys/command_row.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
@@ -23,11 +28,20 @@ QAction* find_action(MainWindow& window, const QString& text) {
   return nullptr;
 }
 
-/// The enabled actions with their present keys.
-void fill(const MainWindow& window, QStandardItemModel& model) {
-  model.clear();
+/// The enabled actions that answer what was typed, best first, with their present keys; all of them while
+/// nothing is typed.
+void fill(const MainWindow& window, QStandardItemModel& model, const QString& typed) {
+  std::vector<std::pair<int, const QAction*>> found;
   for (const QAction* action : window.actions()) {
     if (action->text().isEmpty() || action->isSeparator() || !action->isEnabled()) continue;
+    const int match = typed.trimmed().isEmpty()
+                          ? 1
+                          : command_match(typed, action->objectName(), action->text(), menu_path(*action));
+    if (match > 0) found.emplace_back(match, action);
+  }
+  std::ranges::stable_sort(found, std::ranges::greater{}, &std::pair<int, const QAction*>::first);
+  model.clear();
+  for (const auto& [match, action] : found) {
     auto* item = new QStandardItem(action->text());
     item->setData(action->shortcut().toString(QKeySequence::NativeText), CommandRow::key_role);
     model.appendRow(item);
@@ -38,19 +52,22 @@ void fill(const MainWindow& window, QStandardItemModel& model) {
 class FillOnFocus : public QObject {
  public:
   FillOnFocus(const MainWindow& window, QLineEdit* field, QStandardItemModel* model)
-      : QObject(field), m_window(window), m_model(model) {
+      : QObject(field), m_window(window), m_field(field), m_model(model) {
     field->installEventFilter(this);
+    connect(field, &QLineEdit::textEdited, this,
+            [this](const QString& typed) { fill(m_window, *m_model, typed); });
   }
   bool eventFilter(QObject* watched, QEvent* event) override {
     // Not when it comes back from its own list.
     const bool is_new = event->type() == QEvent::FocusIn &&
                         static_cast<QFocusEvent*>(event)->reason() != Qt::PopupFocusReason;
-    if (is_new) fill(m_window, *m_model);
+    if (is_new) fill(m_window, *m_model, m_field->text());
     return QObject::eventFilter(watched, event);
   }
 
  private:
   const MainWindow& m_window;
+  QLineEdit* m_field;
   QStandardItemModel* m_model;
 };
 
@@ -89,8 +106,7 @@ void add_command_search(MainWindow& window) {
   field->setAccessibleName("Search commands");
   auto* model = new QStandardItemModel(field);
   auto* completer = new QCompleter(model, field);
-  completer->setFilterMode(Qt::MatchContains);
-  completer->setCaseSensitivity(Qt::CaseInsensitive);
+  completer->setCompletionMode(QCompleter::UnfilteredPopupCompletion);  // the model has what answers
   completer->setMaxVisibleItems(12);
   completer->popup()->setItemDelegate(new CommandRow(completer->popup()));
   field->setCompleter(completer);
@@ -102,8 +118,8 @@ void add_command_search(MainWindow& window) {
   row->addWidget(field);
   window.menuBar()->setCornerWidget(holder, Qt::TopRightCorner);
 
-  const auto run = [&window, field, completer](QString text) {
-    if (!find_action(window, text) && completer->completionCount() > 0) text = completer->currentCompletion();
+  const auto run = [&window, field, model](QString text) {
+    if (!find_action(window, text) && model->rowCount() > 0) text = model->item(0)->text();
     QAction* action = find_action(window, text);
     if (!action) return;
     // After the completer has put the text in.

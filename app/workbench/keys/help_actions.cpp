@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/workbench/keys/help_window.hpp"
 #include "app/workbench/keys/key_sheet.hpp"
 #include "app/workbench/keys/shortcut_dialog.hpp"
 #include "app/workbench/keys/shortcuts.hpp"
@@ -62,9 +63,7 @@ void show_keys(MainWindow& window, Shortcuts& shortcuts) {
   const int columns = std::clamp(width / column_width, 2, 4);
   QDialog* dialog = show_sheet(window, "Keys", key_sheet(shortcuts.table(), window.colours(), columns));
   if (!dialog) return;
-  for (const char* key : {"F1", "?"})
-    QObject::connect(new QShortcut(QKeySequence(key), dialog), &QShortcut::activated, dialog,
-                     &QDialog::close);
+  QObject::connect(new QShortcut(QKeySequence("?"), dialog), &QShortcut::activated, dialog, &QDialog::close);
   auto* change = new QPushButton("Change keys…", dialog);
   change->setAutoDefault(false);
   dialog->layout()->addWidget(change);
@@ -81,7 +80,15 @@ void show_keys(MainWindow& window, Shortcuts& shortcuts) {
 
 void add_help_actions(MainWindow& window, Shortcuts& shortcuts) {
   QMenu* menu = window.menu("Help");
-  add_action(window, menu, "Keys", {QKeySequence("F1"), QKeySequence("?")},
+  add_action(window, menu, "Help", {QKeySequence("F1")}, [&window, &shortcuts] {
+    auto* help = window.findChild<HelpWindow*>();
+    if (!help) help = new HelpWindow(&window);
+    if (help->isVisible()) return void(help->close());
+    help->setKeys(key_sheet(shortcuts.table(), window.colours(), 1));
+    help->show();
+    help->activateWindow();
+  });
+  add_action(window, menu, "Keys", {QKeySequence("?")},
              [&window, &shortcuts] { show_keys(window, shortcuts); });
   add_action(window, menu, "Shortcuts…", {}, [&window, &shortcuts] { show_shortcuts(window, shortcuts); });
   add_action(window, menu, "About Abrazo", {}, [&window] {

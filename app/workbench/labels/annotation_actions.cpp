@@ -9,6 +9,7 @@
 #include "app/workbench/labels/label_questions.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
+#include "widgets/annotation/annotation_panel.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/utf8.hpp"
 #include "widgets/library/take_list.hpp"
@@ -118,6 +119,10 @@ void add_annotation_actions(MainWindow& window, AnnotationDesk& desk, LabelKeyFi
   menu->addSeparator();
   auto* import = new LabelImport(window, desk);
   add_action(window, menu, "Import labels…", {}, [import] { import->choose(); });
+  QObject::connect(&desk.panel(), &widgets::AnnotationPanel::importRequested, import, &LabelImport::choose);
+  QObject::connect(&desk.panel(), &widgets::AnnotationPanel::exportRequested, &desk, [&window] {
+    if (QAction* action = action_of(window, "annotation.export_labels")) action->trigger();
+  });
   add_suggestion_actions(window, desk);
 }
 

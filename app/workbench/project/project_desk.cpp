@@ -203,7 +203,7 @@ void ProjectDesk::write(const QString& target) {
                        takes = m_takes.takes()](const Result<Project>& done) {
     if (!done) {
       const QString why = words(done.error());
-      m_window.messages().showError(why);
+      m_window.messages().showErrorOf("save", why);
       return emit notSaved(why);
     }
     if (m_takes.session() != session) {  // another one has begun meanwhile
@@ -228,7 +228,8 @@ void ProjectDesk::write(const QString& target) {
     m_window.undoStack().setClean();
     refresh();
     showTitle();
-    m_window.noteOpened({target});  // among the recent ones
+    m_window.messages().succeed("save", "Saved as " + target, true);  // the title shows it
+    m_window.noteOpened({target});                                    // among the recent ones
     emit saved(target);
   };
   m_job = std::make_unique<Job>([what, finish](const Progress& progress) -> Job::Finish {

@@ -37,8 +37,8 @@ QString picture_file(const MainWindow& window) {
 }
 
 void tell_picture(MainWindow& window, const QString& file, const QString& trouble) {
-  trouble.isEmpty() ? window.messages().showInformation("Picture written to " + file)
-                    : window.messages().showError(trouble);
+  trouble.isEmpty() ? window.messages().succeed("picture", "Picture written to " + file)
+                    : window.messages().showErrorOf("picture", trouble);
 }
 
 /// Whole or not at all. @return what went wrong, or nothing

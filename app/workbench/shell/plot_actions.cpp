@@ -45,8 +45,8 @@ void choose_export(MainWindow& window, PlotExport what) {
   if (QFileInfo(file).suffix().isEmpty()) file += "." + ending;
   window.remembered().setLastFolder(QFileInfo(file).absolutePath());
   const QString trouble = save_plots(window, what, file);
-  trouble.isEmpty() ? window.messages().showInformation("Plots written to " + file)
-                    : window.messages().showError(trouble);
+  trouble.isEmpty() ? window.messages().succeed("plots", "Plots written to " + file)
+                    : window.messages().showErrorOf("plots", trouble);
 }
 
 void add_panes(MainWindow& window, QMenu* menu) {

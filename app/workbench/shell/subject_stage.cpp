@@ -49,6 +49,7 @@ void SubjectStage::look(const std::shared_ptr<const TakeFrames>& take) {
   m_take = take;
   m_window.timeline().showOtherFrames();
   m_window.timeline().showOfTake(take != nullptr);
+  m_window.transport().showOfTake(take != nullptr);
   m_window.ticker().setSources(&session.history(), &session.latest());
 }
 
@@ -92,6 +93,7 @@ void SubjectStage::forget() {
   m_window.document().setSubject("");
   m_heldInput = false;
   m_window.timeline().showOfTake(false);
+  m_window.transport().showOfTake(false);
 }
 
 }  // namespace abrazo::app

@@ -143,12 +143,13 @@ void MainWindow::start(const std::shared_ptr<PreparedSolver>& prepared) {
   m_ticker.setSources(&session()->history(), &session()->latest());
   QStringList warnings;
   for (const std::string& warning : material.warnings) warnings << QString::fromStdString(warning);
+  m_messages->succeed("open", "Opened " + input + " with " + library, true);  // the title shows it
   m_messages->showWarnings(warnings);
   emit sessionStarted();
 }
 
 void MainWindow::fail(const QString& message) {
-  m_messages->showError(message);
+  m_messages->showErrorOf("open", message);
   emit failed(message);
 }
 

@@ -48,7 +48,7 @@ Rooms add_all_actions(MainWindow& window) {
   add_plot_actions(window);
   add_export_actions(window,
                      {[labels](const std::string& subject) { return labels->annotations_of(subject); },
-                      [&takes] { return takes.takes(); }});
+                      [&takes] { return takes.takes(); }, [labels] { return labels->subject(); }});
   add_candidate_actions(window);
   add_intended_move_actions(window);
   add_compare_actions(window);

@@ -174,7 +174,7 @@ void WelcomePage::addKeys() {
   const std::vector<std::pair<QString, QString>> keys = {
       {"Space", "play or pause"},           {"Left  Right", "a frame back, a frame forward"},
       {"End", "follow the live end again"}, {"F6", "to the next panel"},
-      {"Ctrl+P", "find any command"},       {"F1", "all keys"}};
+      {"Ctrl+P", "find any command"},       {"F1", "the guide and all keys"}};
   for (const auto& [key, what] : keys) {
     auto* name = new QLabel(key, this);
     name->setFont(widgets::interface_font(13, QFont::DemiBold));

@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <cmath>
 
+#include "widgets/common/entry_frame.hpp"
 #include "widgets/common/icons.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
@@ -27,6 +28,27 @@ QToolButton* button(const QString& name, const QString& tip, QWidget* parent) {
   return made;
 }
 
+/// Asks for the upper end of a range, below its corner.
+class RangeEntry : public EntryFrame {
+ public:
+  static void open(QWidget& legend, const QString& prompt, const QString& start, Take take) {
+    QWidget& window = *legend.window();
+    for (auto* other : window.findChildren<EntryFrame*>()) delete other;
+    auto* entry = new RangeEntry(window, prompt, start, std::move(take));
+    entry->openAt(legend.mapTo(&window, QPoint(0, legend.height())));
+  }
+
+ protected:
+  void settle() override {
+    adjustSize();
+    moveInside(corner());
+  }
+
+ private:
+  RangeEntry(QWidget& window, const QString& prompt, const QString& start, Take take)
+      : EntryFrame(window, prompt, start, std::move(take)) {}
+};
+
 QColor colour(const Colour& c) {
   return {c[0], c[1], c[2]};
 }
@@ -42,6 +64,7 @@ LegendScale scalar_legend(MeshScalar scalar, const ColourScale& scale, bool lack
     return scale.upper > 0 ? QString::number(share * scale.upper, 'g', 3) : QString("–");
   };
   LegendScale legend{info.title + unit, "0", number(1), info.is_signed, scale.map, {}, lacks_values};
+  legend.upper = scale.upper;
   if (info.is_signed) {
     legend.low = "−" + number(1);
     legend.high = "+" + number(1);
@@ -62,7 +85,8 @@ LegendScale volume_legend(double doublings) {
 ScalarLegend::ScalarLegend(QWidget* parent)
     : QWidget(parent),
       m_lock(button("Keep the range of colours", "Keep this range: do not adapt it to the frame", this)),
-      m_more(button("Colour map", "Colour map", this)) {
+      m_more(button("Range and colour map",
+                    "Range and colour map; a double click on the legend sets the range", this)) {
   setAccessibleName("Colour legend");
   setFixedSize(bar_width + 12, plain_height);
   m_lock->setCheckable(true);
@@ -104,18 +128,41 @@ void ScalarLegend::setMap(ColourMap map, bool logarithmic) {
 void ScalarLegend::show(const LegendScale& scale) {
   if (scale == m_scale) return;
   m_scale = scale;
-  m_more->setVisible(!scale.is_diverging);  // a signed value has one map only
+  m_more->setVisible(!scale.is_diverging || scale.upper > 0);
   setFixedHeight(scale.lacks_values ? height_with_key : plain_height);
   update();
 }
 
+void ScalarLegend::mouseDoubleClickEvent(QMouseEvent*) {
+  askRange();
+}
+
+void ScalarLegend::askRange() {
+  if (!(m_scale.upper > 0)) return;
+  const auto take = [this](const QString& typed) -> QString {
+    bool is_number = false;
+    const double upper = QString(typed).replace(',', '.').toDouble(&is_number);
+    if (!is_number || !(upper > 0) || !std::isfinite(upper))
+      return "'" + typed + "' is not an end of a range; write a number above 0";
+    setLocked(true);
+    emit rangeRequested(upper);
+    return {};
+  };
+  RangeEntry::open(*this, "Upper end of the range: " + m_scale.title, QString::number(m_scale.upper, 'g', 4),
+                   take);
+}
+
 void ScalarLegend::contextMenuEvent(QContextMenuEvent* event) {
-  if (!m_scale.is_diverging) showMenu(event->globalPos());
+  showMenu(event->globalPos());
 }
 
 void ScalarLegend::showMenu(const QPoint& global) {
   auto* menu = new QMenu(this);
   menu->setAttribute(Qt::WA_DeleteOnClose);
+  if (m_scale.upper > 0) {
+    menu->addAction("Set the range…", this, &ScalarLegend::askRange);
+    menu->addSeparator();
+  }
   const auto add = [&](const QString& name, bool ticked, ColourMap map, bool logarithmic) {
     QAction* action = menu->addAction(name);
     action->setCheckable(true);
@@ -123,6 +170,7 @@ void ScalarLegend::showMenu(const QPoint& global) {
     connect(action, &QAction::triggered, this,
             [this, map, logarithmic] { emit mapRequested(map, logarithmic); });
   };
+  if (m_scale.is_diverging) return menu->popup(global);  // a signed value has one map only
   add("Viridis", m_map == ColourMap::Viridis, ColourMap::Viridis, m_isLogarithmic);
   add("Cividis", m_map == ColourMap::Cividis, ColourMap::Cividis, m_isLogarithmic);
   menu->addSeparator();
@@ -149,7 +197,7 @@ void ScalarLegend::paintEvent(QPaintEvent*) {
 
   painter.setFont(interface_font(12));
   painter.setPen(m_palette.secondary);
-  const int buttons = m_scale.is_diverging ? 1 : 2;
+  const int buttons = m_more->isVisibleTo(this) ? 2 : 1;
   const QRectF ends(bar.left(), 39, bar.width() - buttons * lock_size, 20);
   draw_tabular(painter, ends, Qt::AlignRight, m_scale.high);
   draw_tabular(painter, ends, Qt::AlignLeft, m_scale.low);

@@ -16,6 +16,7 @@ struct LegendScale {
   ColourMap map = ColourMap::Viridis;
   QString middle = {};        ///< of a logarithmic map
   bool lacks_values = false;  ///< some values are NaN: the legend shows their colour
+  double upper = 0;           ///< end that a person can set, in the unit of the title; 0 = none
   bool operator==(const LegendScale&) const = default;
 };
 
@@ -25,7 +26,7 @@ LegendScale scalar_legend(MeshScalar scalar, const ColourScale& scale, bool lack
 LegendScale volume_legend(double doublings);
 
 /// Legend of colours: title with unit, colour bar, its two ends, a lock for the range, and the choice of the
-/// map.
+/// map. A double click sets the upper end.
 class ScalarLegend : public QWidget {
   Q_OBJECT
  public:
@@ -40,14 +41,18 @@ class ScalarLegend : public QWidget {
 
  signals:
   void lockToggled(bool locked);
+  /// @param upper  positive, in the unit of the title; the range is kept from then on
+  void rangeRequested(double upper);
   void mapRequested(abrazo::widgets::ColourMap map, bool logarithmic);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
+  void mouseDoubleClickEvent(QMouseEvent* event) override;
   void contextMenuEvent(QContextMenuEvent* event) override;
 
  private:
   void dressButtons();
+  void askRange();
   void showMenu(const QPoint& global);
   Palette m_palette;
   LegendScale m_scale;

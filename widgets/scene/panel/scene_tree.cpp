@@ -136,8 +136,8 @@ QString SceneTreeList::note(const TreeRow& row) const {
   const auto count = [this](ScenePart part) { return m_counts[static_cast<std::size_t>(part)]; };
   if (row.vertex >= 0) return {};
   if (row.name == "User") return m_input;
-  if (row.name == "Leader") return "active";
-  if (row.name == "Follower") return "passive";
+  if (row.name == "Leader") return "leads";
+  if (row.name == "Follower") return "follows";
   if (row.name == "Selected pair") return "ghost";
   if (row.name == "Interaction mesh")
     return QString("%1 edges").arg(count(ScenePart::MeshBetween) + count(ScenePart::MeshWithin));

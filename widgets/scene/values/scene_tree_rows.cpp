@@ -32,8 +32,8 @@ const std::vector<TreeRow>& part_rows() {
   static const std::vector<TreeRow> all = {
       {"User", 0, {P::User}, "The motion as received"},
       {"Result", 0, {P::Leader, P::Follower}, "Both characters as they were solved"},
-      {"Leader", 1, {P::Leader}, "The active character", -1, 0},
-      {"Follower", 1, {P::Follower}, "The passive character", -1, 1},
+      {"Leader", 1, {P::Leader}, "The character that leads", -1, 0},
+      {"Follower", 1, {P::Follower}, "The character that follows", -1, 1},
       {"Selected pair", 0, {P::SelectedPair}, "The selected recorded pair, placed at the user"},
       {"Interaction mesh", 0, {P::MeshBetween, P::MeshWithin}, "Edges that connect nearby joints"},
       {"between bodies", 1, {P::MeshBetween}, "Edges of the interaction mesh from one body to the other"},

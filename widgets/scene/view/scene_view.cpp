@@ -101,6 +101,10 @@ void SceneView::wireOverlay() {
   connect(p.chips, &ScalarChips::optionsRequested, this, &SceneView::setOptions);
   connect(p.legend, &ScalarLegend::lockToggled, this,
           [this](bool locked) { m_parts->range().set_locked(locked); });
+  connect(p.legend, &ScalarLegend::rangeRequested, this, [this](double upper) {
+    m_parts->range().fix(upper);
+    refresh();
+  });
   connect(p.cell_legend, &ScalarLegend::lockToggled, this,
           [this](bool locked) { m_parts->cell_range.set_locked(locked); });
   connect(p.legend, &ScalarLegend::mapRequested, this, [this](ColourMap map, bool logarithmic) {

@@ -1,0 +1,134 @@
+// Finding commands by what they are for, and the guide in the program.
+#include <gtest/gtest.h>
+
+#include <QAbstractItemView>
+#include <QCompleter>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QTextBlock>
+#include <QTextBrowser>
+
+#include "app/workbench/export/export_dialog.hpp"
+#include "app/workbench/keys/command_meaning.hpp"
+#include "app/workbench/keys/command_row.hpp"
+#include "app/workbench/keys/help_window.hpp"
+#include "tests/workbench/demo_window.hpp"
+
+namespace abrazo::app::help_window_test {
+namespace {
+
+class HelpAndSearch : public DemoWindow {
+ protected:
+  static void SetUpTestSuite() { showDemo({1280, 720}); }
+
+  static QLineEdit& field() {
+    for (auto* each : window().findChildren<QLineEdit*>())
+      if (each->accessibleName() == "Search commands") return *each;
+    throw std::invalid_argument("no search");
+  }
+  static QString first(int role = Qt::DisplayRole) {
+    return field().completer()->popup()->model()->index(0, 0).data(role).toString();
+  }
+  static void type(const QString& text) {
+    press(Qt::Key_P, Qt::ControlModifier);
+    field().clear();
+    QTest::keyClicks(&field(), text);
+    turn();
+  }
+  static void leave() {
+    field().completer()->popup()->hide();
+    field().clear();
+    window().setFocus();
+    turn();
+  }
+  static HelpWindow& help() { return *window().findChild<HelpWindow*>(); }
+};
+
+TEST_F(HelpAndSearch, OtherWordsAreOfCommandsThatThereAre) {
+  for (const CommandWords& command : command_words())
+    EXPECT_TRUE(action_of(window(), command.id)) << command.id;
+}
+
+TEST_F(HelpAndSearch, ACommandIsFoundByWhatItIsFor) {
+  const std::pair<const char*, const char*> asked[] = {{"EAF", "Export labels…"},
+                                                       {"export", "Export labels…"},
+                                                       {"save eaf", "Export labels…"},
+                                                       {"guide", "Help"},
+                                                       {"screenshot", "Save picture of the window"}};
+  for (const auto& [typed, expected] : asked) {
+    type(typed);
+    EXPECT_EQ(first().toStdString(), expected) << typed;
+    leave();
+  }
+  type("zzzz");
+  EXPECT_EQ(first(), QString());
+  leave();
+}
+
+TEST_F(HelpAndSearch, TheListSaysTheKeyOfACommand) {
+  type("guide");
+  EXPECT_EQ(first(CommandRow::key_role), QString("F1"));
+  leave();
+}
+
+TEST_F(HelpAndSearch, ReturnRunsTheFirstThatWasFound) {
+  type("eaf");
+  QTest::keyClick(&field(), Qt::Key_Return);
+  auto& dialog = *window().findChild<ExportDialog*>();
+  EXPECT_TRUE(until([&] { return dialog.isVisible(); }));
+  dialog.hide();
+}
+
+TEST_F(HelpAndSearch, F1ShowsTheGuideAndTheKeys) {
+  window().setFocus();
+  press(Qt::Key_F1);
+  ASSERT_TRUE(help().isVisible());
+  auto& page = *help().findChild<QTextBrowser*>();
+  EXPECT_TRUE(page.toPlainText().startsWith("User guide")) << page.toPlainText().left(80).toStdString();
+  EXPECT_GT(help().listed().size(), 25);
+  help().findChild<QListWidget*>()->setCurrentRow(0);
+  EXPECT_TRUE(page.toPlainText().contains("Play or pause")) << page.toPlainText().left(200).toStdString();
+  help().close();
+}
+
+TEST_F(HelpAndSearch, TheGuideIsSearchedAndTheWordIsMarked) {
+  press(Qt::Key_F1);
+  auto& page = *help().findChild<QTextBrowser*>();
+  auto& search = *help().findChild<QLineEdit*>();
+  search.clear();
+  QTest::keyClicks(&search, "tap mode");
+  const int place = help().listed().indexOf("Annotation");
+  ASSERT_GE(place, 0) << help().listed().join(", ").toStdString();
+  EXPECT_FALSE(help().listed().contains("Export")) << "it has one of the words only";
+  help().findChild<QListWidget*>()->setCurrentRow(place);
+  EXPECT_TRUE(page.toPlainText().startsWith("Annotation"));
+  EXPECT_FALSE(page.extraSelections().isEmpty());
+  search.clear();
+  QTest::keyClicks(&search, "nosuchword");
+  EXPECT_TRUE(help().listed().isEmpty());
+  help().close();
+}
+
+TEST_F(HelpAndSearch, EveryPageHasItsPicturesAndNoLinkLeadsNowhere) {
+  press(Qt::Key_F1);
+  help().search({});
+  auto& page = *help().findChild<QTextBrowser*>();
+  page.setSource(QUrl("qrc:/docs/guide/workbench/candidates.md"));
+  bool has_picture = false;
+  for (QTextBlock block = page.document()->begin(); block.isValid(); block = block.next())
+    for (auto at = block.begin(); !at.atEnd(); ++at)
+      if (at.fragment().charFormat().isImageFormat()) {
+        has_picture = true;
+        const QString name = at.fragment().charFormat().toImageFormat().name();
+        const QVariant picture =
+            page.loadResource(QTextDocument::ImageResource, page.source().resolved(name));
+        EXPECT_FALSE(picture.value<QImage>().isNull()) << name.toStdString();
+      }
+  EXPECT_TRUE(has_picture);
+  emit page.anchorClicked(QUrl("../intent.md"));
+  EXPECT_EQ(page.source(), QUrl("qrc:/docs/guide/intent.md"));
+  help().close();
+}
+
+}  // namespace
+}  // namespace abrazo::app::help_window_test
