@@ -173,8 +173,10 @@ QWidget* ImportPanel::makeSpaceColumn() {
   column->addWidget(new widgets::SectionHeader("Space and time", side));
   const auto add_note = [&](QLabel*& note) {
     note = small_label(side);
-    note->setContentsMargins(106, 0, 12, 4);
-    column->addWidget(note);
+    auto* row = new QHBoxLayout;
+    row->setContentsMargins(106, 0, 12, 4);
+    row->addWidget(note);
+    column->addLayout(row);
   };
   m_unit = addField(column, "Unit", true);
   add_note(m_height);
@@ -198,7 +200,10 @@ QWidget* ImportPanel::makeSpaceColumn() {
   m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   m_table->setSelectionMode(QAbstractItemView::NoSelection);
   m_table->setTabKeyNavigation(false);
-  column->addWidget(m_table, 3);
+  auto* list = new QHBoxLayout;
+  list->setContentsMargins(8, 0, 4, 0);
+  list->addWidget(m_table);
+  column->addLayout(list, 3);
   m_warnings = new QLabel;
   m_warnings->setObjectName("warnings");
   m_warnings->setAccessibleName("Warnings");
