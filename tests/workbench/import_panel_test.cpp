@@ -3,6 +3,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCompleter>
 #include <QDir>
 #include <QLineEdit>
 #include <QPushButton>
@@ -11,6 +12,7 @@
 
 #include "app/workbench/library/import_desk.hpp"
 #include "app/workbench/library/import_rules_dialog.hpp"
+#include "app/workbench/library/mapping_dialog.hpp"
 #include "core/motion/bvh/bvh.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/widgets/pictures.hpp"
@@ -59,7 +61,8 @@ class ImportPanelTest : public DemoWindow {
   }
   static void choose(const QString& field, const QString& entry) {
     auto* box = named<QComboBox>(field);
-    const int at = box->findText(entry, Qt::MatchContains);
+    const int exact = box->findText(entry);
+    const int at = exact >= 0 ? exact : box->findText(entry, Qt::MatchContains);
     ASSERT_GE(at, 0) << entry.toStdString();
     box->setCurrentIndex(at);
     emit box->activated(at);
@@ -209,7 +212,48 @@ TEST_F(ImportPanelTest, ThePictureStandsOnTheGroundAndLiesWhenTheAxisIsWrong) {
   EXPECT_GT(panel()->picture().namesDrawn(), 8);
   choose("Up axis", "Y");
   const QRect lying = box_of_body();
-  EXPECT_LT(lying.height(), standing.height() / 2);
+  EXPECT_LT(lying.height(), 0.65 * standing.height());
+}
+
+class MappingDialogTest : public testing::Test {
+ protected:
+  /// Three markers, Y up; one was not seen in the first frame.
+  static NamedMotion motion() {
+    NamedMotion motion;
+    motion.name = "three", motion.points = {"LASI", "RASI", "Head top"}, motion.parents = {-1, -1, -1};
+    for (int f = 0; f < 3; ++f) {
+      Positions frame(3, 3);
+      frame << 0.1, 1, 0, -0.1, 1, 0, 0, 1.7, 0;
+      motion.frames.push_back(frame);
+    }
+    return motion;
+  }
+};
+
+TEST_F(MappingDialogTest, NamesStandAtThePointsAndTheGroundBelow) {
+  MappingDialog dialog(motion(), nullptr);
+  (void)test::picture_of(dialog.preview());
+  EXPECT_EQ(dialog.preview().namesDrawn(), 3);
+  EXPECT_DOUBLE_EQ(dialog.preview().space().ground, 1) << "the lowest point";
+  EXPECT_LT(dialog.preview().placeOf(2).y(), dialog.preview().placeOf(0).y()) << "upright";
+}
+
+TEST_F(MappingDialogTest, NamesAreCompletedWhileTypingAlsoBehindAWeight) {
+  MappingDialog dialog(motion(), nullptr);
+  dialog.show();
+  dialog.table().setCurrentCell(0, 1);
+  dialog.table().editItem(dialog.table().item(0, 1));
+  auto* line = dialog.table().findChild<QLineEdit*>();
+  ASSERT_TRUE(line);
+  ASSERT_TRUE(line->completer());
+  const auto complete = [line](const QString& typed) {
+    line->setText(typed);
+    line->completer()->setCompletionPrefix(line->completer()->splitPath(typed).front());
+    return line->completer()->currentCompletion();
+  };
+  EXPECT_EQ(complete("ras").toStdString(), "RASI");
+  EXPECT_EQ(complete("0.5 LASI + 0.5 ra").toStdString(), "0.5 LASI + 0.5 RASI");
+  EXPECT_EQ(complete("top").toStdString(), "Head top");
 }
 
 }  // namespace

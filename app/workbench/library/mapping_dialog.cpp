@@ -9,6 +9,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSlider>
+#include <QStyledItemDelegate>
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -43,6 +44,48 @@ const char* rule_words(JointGuess::By by) {
   }
   return "";
 }
+
+/// Completes the name that is being typed, also behind a weight or a plus: "0.5 LASI + 0.5 RA".
+class PointCompleter : public QCompleter {
+ public:
+  PointCompleter(const QStringList& points, QObject* parent) : QCompleter(points, parent) {
+    setCaseSensitivity(Qt::CaseInsensitive);
+    setFilterMode(Qt::MatchContains);
+  }
+  QStringList splitPath(const QString& typed) const override { return {typed.mid(begin(typed))}; }
+  QString pathFromIndex(const QModelIndex& index) const override {
+    const auto* line = qobject_cast<const QLineEdit*>(widget());
+    const QString typed = line ? line->text() : QString();
+    return typed.left(begin(typed)) + QCompleter::pathFromIndex(index);
+  }
+
+ private:
+  /// Where the last name begins.
+  static int begin(const QString& typed) {
+    const int plus = typed.lastIndexOf(" + ");
+    const int term = plus < 0 ? 0 : plus + 3;
+    const int blank = typed.indexOf(' ', term);
+    bool is_weight = false;
+    if (blank > 0) (void)typed.mid(term, blank - term).toDouble(&is_weight);
+    return is_weight ? blank + 1 : term;
+  }
+};
+
+/// Edits the points of a joint with their names at hand.
+class PointDelegate : public QStyledItemDelegate {
+ public:
+  PointDelegate(QStringList points, QObject* parent)
+      : QStyledItemDelegate(parent), m_points(std::move(points)) {}
+  QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
+                        const QModelIndex& index) const override {
+    QWidget* editor = QStyledItemDelegate::createEditor(parent, option, index);
+    if (auto* line = qobject_cast<QLineEdit*>(editor)) line->setCompleter(new PointCompleter(m_points, line));
+    return editor;
+  }
+
+ private:
+  QStringList m_points;
+};
 
 /// A recording may be hundreds of megabytes.
 NamedMotion without_frames(const NamedMotion& motion) {
@@ -88,6 +131,9 @@ MappingDialog::MappingDialog(NamedMotion motion, QWidget* parent)
   m_table->setShowGrid(false);
   m_table->horizontalHeader()->setSectionResizeMode(Points, QHeaderView::Stretch);
   m_table->setColumnWidth(Source, 96);
+  QStringList points;
+  for (const std::string& point : m_motion.points) points << QString::fromStdString(point);
+  m_table->setItemDelegateForColumn(Points, new PointDelegate(points, m_table));
   row->addWidget(m_table, 5);
   auto* side = new QVBoxLayout;
   side->addWidget(m_preview, 1);
