@@ -29,6 +29,11 @@ void add_reading_options(CLI::App& command, MotionReading& reading) {
   command.add_option("--up", reading.up, "the file's axis that points up")
       ->check(CLI::IsMember({"y", "z"}))
       ->type_name("AXIS");
+  command
+      .add_option("--floor", reading.floor_m,
+                  "height of the floor above the file's zero; by default it is moved only if it is far off")
+      ->check(CLI::Number)
+      ->type_name("METRES");
   command.add_option("--performer", reading.performer, "which performer of a file with several")
       ->check([](const std::string& word) {
         const auto number = parse_number(word);

@@ -5,6 +5,7 @@
 
 #include "core/base/text.hpp"
 #include "core/library/store/normalization.hpp"
+#include "core/opening/import_rules.hpp"
 #include "core/opening/opened_session.hpp"
 
 namespace abrazo {
@@ -53,6 +54,15 @@ Markers RecordedSession::markers() const {
   return markers;
 }
 
+std::vector<std::string> Material::input_files() const {
+  std::vector<std::string> files;
+  for (const std::string& file : {reading.file, reading.skeleton})
+    if (!file.empty()) files.push_back(file);
+  if (!reading.joint_map.empty() && !is_builtin_joint_map(reading.joint_map))
+    files.push_back(reading.joint_map);
+  return files;
+}
+
 bool Material::has_unsaved_library() const {
   return library && library_file.empty() && !is_generated && !stands_in;
 }
@@ -75,7 +85,8 @@ Material danced_with(const Material& open, int take) {
   material.recorded.reset();
   material.project.reset();
   material.stands_in = false;
-  material.input_files.clear();
+  material.reading = {};
+  material.is_doubtful = false;
   material.input = clip_of_take(*open.library, take);
   material.excluded_takes.clear();
   if (open.library->takes().size() > 1)
@@ -100,10 +111,12 @@ Material built_material(std::shared_ptr<const MotionLibrary> library, Manifest m
 void describe(const Material& material, Project& project) {
   material.stands_in&& material.project ? describe_missing_library(material.project->project(), project)
                                         : describe_library(material, project);
-  for (const std::string& file : material.input_files)
+  for (const std::string& file : material.input_files())
     project.data.push_back(unread_reference(use_of_input(file), file));
+  if (const std::string how = reading_json(material.reading); how != reading_json({}))
+    project.view[view_of_reading] = how;
   // Of a recorded session the input is in the recording.
-  if (material.input_files.empty() && !material.recorded) project.input = material.input.name;
+  if (material.reading.file.empty() && !material.recorded) project.input = material.input.name;
 }
 
 Project with_library_file(Project project, const std::string& file) {

@@ -8,6 +8,7 @@
 #include "core/library/store/motion_library.hpp"
 #include "core/library/takes/manifest.hpp"
 #include "core/motion/body/clip.hpp"
+#include "core/motion/files/motion_reading.hpp"
 #include "core/session/file/project.hpp"
 #include "core/session/file/session_file.hpp"
 #include "core/session/frames/frame_store.hpp"
@@ -36,13 +37,17 @@ struct Material {
   bool is_generated = false;  ///< the library can be generated again, by its name
   bool stands_in = false;     ///< the library is in the place of the project's, which was not found
   Clip input;
-  /// Motion, skeleton and joint map that the input was read from; none when it is a take of the library.
-  std::vector<std::string> input_files;
+  /// How the input was read; without a file when it is a take of the library.
+  MotionReading reading;
+  /// The reader had doubts about the input's file, and nobody said how it is to be read.
+  bool is_doubtful = false;
   std::vector<std::string> excluded_takes;  ///< the input's own take, where it comes from the library
   std::vector<std::string> warnings;
   std::shared_ptr<const RecordedSession> recorded;  ///< null: nothing was recorded before
   std::shared_ptr<const OpenedProject> project;     ///< null: what is open was not opened from a session file
 
+  /// Motion, skeleton and joint map that the input was read from; none when it is a take of the library.
+  std::vector<std::string> input_files() const;
   /// The library is neither a file nor generated: closing the session loses it, but for its manifest.
   bool has_unsaved_library() const;
 };

@@ -2,8 +2,8 @@
 
 #include <filesystem>
 
-#include "core/base/atomic_file.hpp"
 #include "core/opening/generated_set.hpp"
+#include "core/opening/import_rules.hpp"
 #include "core/opening/joint_maps.hpp"
 #include "core/opening/library_search.hpp"
 #include "core/opening/session_material.hpp"
@@ -11,16 +11,64 @@
 namespace abrazo {
 namespace {
 
-/// The same with a joint map that was remembered for points like these.
-Status read_input_with_remembered_map(SortedFiles files, const OpeningWish& wish, Material& material,
-                                      const Progress& progress) {
-  Status read = read_input(files, wish.said, material, progress);
-  if (read || wish.joint_maps.empty() || !files.joint_map.empty()) return read;
-  std::vector<std::string> motion = {files.motion};
-  if (!files.skeleton.empty()) motion.push_back(files.skeleton);
-  const UnmappedMotion unmapped = motion_without_joints(motion, progress);
-  if (unmapped) files.joint_map = remembered_map(*unmapped, wish.joint_maps);
-  return files.joint_map.empty() ? read : read_input(files, wish.said, material, progress);
+MotionReading files_in(const SortedFiles& files, const MotionReading& said) {
+  MotionReading reading = said;
+  reading.file = files.motion;
+  if (!files.skeleton.empty()) reading.skeleton = files.skeleton;
+  if (!files.joint_map.empty()) reading.joint_map = files.joint_map;
+  return reading;
+}
+
+/// The clips become the input.
+void take_input(const MotionReading& reading, std::vector<ImportedClip> clips, Material& material) {
+  const std::string name = std::filesystem::path(reading.file).filename().string();
+  ImportedClip& first = clips.front();
+  if (clips.size() > 1)
+    material.warnings.push_back(name + ": has " + std::to_string(clips.size()) + " performers; the first, " +
+                                first.clip.name + ", plays the user");
+  for (const ImportWarning& warning : first.report.warnings)
+    material.warnings.push_back(name + ": " + warning.detail);
+  material.input = std::move(first.clip);
+  material.reading = reading;
+  material.excluded_takes.clear();
+}
+
+/// With a joint map that was remembered for points like these, where no other fits.
+Result<std::vector<ImportedClip>> with_remembered_map(MotionPoints& points, MotionReading& reading,
+                                                      const std::string& folder, const Progress& progress) {
+  auto clips = points.performers(reading, progress);
+  if (clips || folder.empty() || !reading.joint_map.empty()) return clips;
+  for (const NamedMotion& motion : points.motions())
+    if (!joints_are_known(motion)) {
+      reading.joint_map = remembered_map(motion, folder);
+      break;
+    }
+  return reading.joint_map.empty() ? clips : points.performers(reading, progress);
+}
+
+/// As a person said it, else as was said of files alike, else as found: then doubts are noted.
+Status read_as_wished(const SortedFiles& files, const OpeningWish& wish, Material& material,
+                      const Progress& progress) {
+  MotionPoints points;
+  MotionReading reading = files_in(files, wish.said.value_or(MotionReading{}));
+  auto clips = with_remembered_map(points, reading, wish.joint_maps, progress);
+  bool settled = wish.said.has_value();
+  if (!settled && !wish.import_rules.empty()) {
+    const StoredRules stored = import_rules(wish.import_rules);
+    if (const ImportRule* rule = rule_for(stored.rules, reading.file, layout_of(points.motions()))) {
+      MotionReading ruled = files_in(files, rule->how);
+      auto said = points.performers(ruled, progress);
+      if (said)
+        clips = std::move(said), reading = std::move(ruled), settled = true;
+      else
+        material.warnings.push_back("what was said of files like this does not suit it (" +
+                                    said.error().text() + "); it was read as found");
+    }
+  }
+  if (!clips) return clips.error();
+  material.is_doubtful = !settled && (clips->size() > 1 || !clips->front().report.warnings.empty());
+  take_input(reading, std::move(*clips), material);
+  return Done{};
 }
 
 Result<Material> open_as_session(const SortedFiles& files, const OpeningWish& wish,
@@ -39,7 +87,8 @@ Status add_library(const SortedFiles& files, const Progress& progress, Material&
     opened->warnings.emplace_back(
         "no library is open: a generated dance answers; open a library (.h5) or a manifest");
   opened->input = std::move(material.input);
-  opened->input_files = std::move(material.input_files);
+  opened->reading = std::move(material.reading);
+  opened->is_doubtful = material.is_doubtful;
   opened->warnings.insert(opened->warnings.begin(), material.warnings.begin(), material.warnings.end());
   material = std::move(*opened);
   return Done{};
@@ -56,40 +105,20 @@ Result<Material> open_files(const OpeningWish& wish, const Progress& progress) {
   material.recorded.reset();
   material.project.reset();
   material.stands_in = false;
+  material.is_doubtful = false;
   const bool has_motion = !files->motion.empty();
   if (has_motion)
-    if (const Status read = read_input_with_remembered_map(*files, wish, material, progress); !read)
-      return read.error();
+    if (const Status read = read_as_wished(*files, wish, material, progress); !read) return read.error();
   if (!files->library.empty() || !material.library)
     if (const Status added = add_library(*files, progress, material); !added) return added.error();
   if (has_motion) return material;
   return danced_with(material, static_cast<int>(material.library->takes().size()) - 1);
 }
 
-Status read_input(const SortedFiles& files, const ImportOptions& said, Material& material,
-                  const Progress& progress) {
-  const std::string name = std::filesystem::path(files.motion).filename().string();
-  ImportOptions options = said;
-  if (!files.joint_map.empty()) {
-    const auto content = read_whole_file(files.joint_map);
-    if (!content) return content.error();
-    auto map = parse_joint_map(*content, files.joint_map);
-    if (!map) return map.error();
-    options.joint_map = std::move(map).value();
-  }
-  auto clips = load_motion(files.motion, files.skeleton, options, progress);
+Status read_input(const MotionReading& reading, Material& material, const Progress& progress) {
+  auto clips = read_performers(reading, progress);
   if (!clips) return clips.error();
-  ImportedClip& first = clips->front();
-  if (clips->size() > 1)
-    material.warnings.push_back(name + ": has " + std::to_string(clips->size()) + " performers; the first, " +
-                                first.clip.name + ", plays the user");
-  for (const ImportWarning& warning : first.report.warnings)
-    material.warnings.push_back(name + ": " + warning.detail);
-  material.input = std::move(first.clip);
-  material.input_files = {files.motion};
-  for (const std::string& file : {files.skeleton, files.joint_map})
-    if (!file.empty()) material.input_files.push_back(file);
-  material.excluded_takes.clear();
+  take_input(reading, std::move(*clips), material);
   return Done{};
 }
 

@@ -1,10 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "core/base/progress.hpp"
-#include "core/motion/files/import_clip.hpp"
+#include "core/motion/files/motion_reading.hpp"
 #include "core/opening/file_kinds.hpp"
 #include "core/opening/material.hpp"
 
@@ -16,7 +17,9 @@ struct OpeningWish {
   Material open;           ///< what is open now
   std::string joint_maps;  ///< folder of joint maps that are tried where no built-in one fits; empty = none
   std::string autosaves;   ///< see open_session
-  ImportOptions said;      ///< what a person knows of the motion
+  /// How the motion is read, but for its files; none = as was said of files alike, else as found.
+  std::optional<MotionReading> said = {};
+  std::string import_rules = {};  ///< folder of what was said of files alike; empty = none
 };
 
 /// What opening these files gives, in addition to what is open now. A library file or manifest replaces the
@@ -24,8 +27,7 @@ struct OpeningWish {
 /// comes from the library or the generated dance.
 Result<Material> open_files(const OpeningWish& wish, const Progress& progress);
 
-/// Reads the motion of these files as the input.
-Status read_input(const SortedFiles& files, const ImportOptions& said, Material& material,
-                  const Progress& progress = {});
+/// Reads a motion as the input.
+Status read_input(const MotionReading& reading, Material& material, const Progress& progress = {});
 
 }  // namespace abrazo

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "core/opening/generated_set.hpp"
+#include "core/opening/import_rules.hpp"
 #include "core/opening/library_search.hpp"
 #include "core/opening/open_files.hpp"
 #include "core/session/frames/frame_history.hpp"
@@ -89,6 +90,25 @@ Status add_frames(const OpenedSession& session, const FoundLibrary& found, const
   return Done{};
 }
 
+/// As the person said it who saved the project.
+MotionReading reading_of(const OpenedProject& project, const std::string& motion,
+                         std::vector<std::string>& warnings) {
+  MotionReading reading;
+  const auto& view = project.project().view;
+  if (const auto how = view.find(view_of_reading); how != view.end()) {
+    auto said = parse_reading(how->second, project.file);
+    if (said)
+      reading = std::move(*said);
+    else
+      warnings.push_back("how its motion was read is damaged (" + said.error().message +
+                         "); it was read as found");
+  }
+  reading.file = motion;
+  reading.skeleton = project.place_of(Use::Skeleton);
+  if (const std::string map = project.place_of(Use::JointMap); !map.empty()) reading.joint_map = map;
+  return reading;
+}
+
 /// The motion file of the project where all of it is there, else a take of the library.
 Status add_input(const OpenedProject& project, Material& material) {
   const auto missing = project.missing();
@@ -97,8 +117,7 @@ Status add_input(const OpenedProject& project, Material& material) {
     return use == Use::Skeleton || use == Use::JointMap;
   });
   if (const std::string motion = project.place_of(Use::Motion); can_read && !motion.empty())
-    return read_input({"", motion, project.place_of(Use::Skeleton), project.place_of(Use::JointMap), ""}, {},
-                      material);
+    return read_input(reading_of(project, motion, material.warnings), material);
   const int take = material.library->find_take(project.project().input);
   if (take < 0 && !material.input.poses.empty()) return Done{};  // of a generated set
   material = danced_with(material, take < 0 ? static_cast<int>(material.library->takes().size()) - 1 : take);

@@ -109,7 +109,7 @@ TEST_F(LibraryActions, TwoMotionsAskWhatTheyAreForAndBecomeALibrary) {
 
 TEST_F(LibraryActions, OneMotionStaysTheUser) {
   const QStringList files = written_couple();
-  window().openFiles({files[0]});
+  window().openFiles({files[0]}, MotionReading{});
   EXPECT_EQ(desk().building(), nullptr);
   EXPECT_TRUE(until([] { return input() == "x_leader"; }));
 }

@@ -16,6 +16,8 @@ class UserSettings {
   QString autosaveFolder() const { return m_folder + "/autosave"; }
   /// Folder of joint maps that the user made for unknown motions.
   QString jointMapFolder() const { return m_folder + "/joint-maps"; }
+  /// Folder of what the user said of motion files, for files alike.
+  QString importRuleFolder() const { return m_folder + "/import-rules"; }
 
   QByteArray geometry() const { return m_store.value("window/geometry").toByteArray(); }
   void setGeometry(const QByteArray& geometry) { m_store.setValue("window/geometry", geometry); }

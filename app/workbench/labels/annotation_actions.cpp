@@ -23,7 +23,7 @@ using widgets::text;
 
 /// -1 when no take of the library does.
 int take_that_plays_the_user(const Material& material) {
-  return material.input_files.empty() ? material.library->find_take(material.input.name) : -1;
+  return material.reading.file.empty() ? material.library->find_take(material.input.name) : -1;
 }
 
 /// @param take  -1 = the one chosen in the library, else the one that plays the user

@@ -199,9 +199,9 @@ void LibraryBuild::askForJoints(const Read& read) {
   connect(m_mapping, &QDialog::accepted, this, [this, again = read.without_joints] {
     const auto map = remember_map(m_mapping->map(), m_maps.toStdString());
     if (!map) return m_dialog->showError(words(map.error()));
-    const ImportOptions said = m_mapping->said();
+    const MotionReading said = m_mapping->said();
     for (Survey survey : again) {
-      if (said.up_axis) survey.source.up_axis = said.up_axis;
+      if (!said.up.empty()) survey.source.up_axis = said.up == "z" ? UpAxis::Z : UpAxis::Y;
       if (said.metres_per_unit) survey.source.metres_per_unit = said.metres_per_unit;
       if (said.fps) survey.fps = said.fps;
       m_surveys.push_back(survey);

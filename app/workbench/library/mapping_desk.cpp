@@ -3,7 +3,6 @@
 #include "app/workbench/base/error_words.hpp"
 #include "app/workbench/library/mapping_dialog.hpp"
 #include "app/workbench/shell/main_window.hpp"
-#include "core/opening/open_files.hpp"
 #include "widgets/common/message_bar.hpp"
 
 namespace abrazo::app {
@@ -27,14 +26,7 @@ void MappingDesk::offer(const QStringList& files, const UnmappedMotion& motion) 
 void MappingDesk::use(const QStringList& files) {
   const auto map = remember_map(m_dialog->map(), m_window.remembered().jointMapFolder().toStdString());
   if (!map) return m_window.messages().showError(words(map.error()));
-  std::vector<std::string> names{*map};
-  for (const QString& file : files) names.push_back(file.toStdString());
-  OpeningWish wish;
-  wish.files = recognised(names);
-  std::erase_if(wish.files, [](const FileToOpen& file) { return file.kind == FileKind::Video; });
-  if (m_window.session()) wish.open = m_window.session()->material();
-  wish.said = m_dialog->said();
-  m_window.openMaterial([wish](const Progress& progress) { return open_files(wish, progress); }, files);
+  m_window.openFiles(QStringList(QString::fromStdString(*map)) + files, m_dialog->said());
 }
 
 }  // namespace abrazo::app

@@ -9,6 +9,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSlider>
+#include <QStyledItemDelegate>
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -17,8 +18,9 @@
 #include "app/workbench/base/error_words.hpp"
 #include "app/workbench/library/mapping_words.hpp"
 #include "core/base/atomic_file.hpp"
+#include "core/base/statistics.hpp"
 #include "core/base/text.hpp"
-#include "widgets/library/mapping_preview.hpp"
+#include "widgets/library/motion_picture.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -43,6 +45,48 @@ const char* rule_words(JointGuess::By by) {
   return "";
 }
 
+/// Completes the name that is being typed, also behind a weight or a plus: "0.5 LASI + 0.5 RA".
+class PointCompleter : public QCompleter {
+ public:
+  PointCompleter(const QStringList& points, QObject* parent) : QCompleter(points, parent) {
+    setCaseSensitivity(Qt::CaseInsensitive);
+    setFilterMode(Qt::MatchContains);
+  }
+  QStringList splitPath(const QString& typed) const override { return {typed.mid(begin(typed))}; }
+  QString pathFromIndex(const QModelIndex& index) const override {
+    const auto* line = qobject_cast<const QLineEdit*>(widget());
+    const QString typed = line ? line->text() : QString();
+    return typed.left(begin(typed)) + QCompleter::pathFromIndex(index);
+  }
+
+ private:
+  /// Where the last name begins.
+  static int begin(const QString& typed) {
+    const int plus = typed.lastIndexOf(" + ");
+    const int term = plus < 0 ? 0 : plus + 3;
+    const int blank = typed.indexOf(' ', term);
+    bool is_weight = false;
+    if (blank > 0) (void)typed.mid(term, blank - term).toDouble(&is_weight);
+    return is_weight ? blank + 1 : term;
+  }
+};
+
+/// Edits the points of a joint with their names at hand.
+class PointDelegate : public QStyledItemDelegate {
+ public:
+  PointDelegate(QStringList points, QObject* parent)
+      : QStyledItemDelegate(parent), m_points(std::move(points)) {}
+  QWidget* createEditor(QWidget* parent, const QStyleOptionViewItem& option,
+                        const QModelIndex& index) const override {
+    QWidget* editor = QStyledItemDelegate::createEditor(parent, option, index);
+    if (auto* line = qobject_cast<QLineEdit*>(editor)) line->setCompleter(new PointCompleter(m_points, line));
+    return editor;
+  }
+
+ private:
+  QStringList m_points;
+};
+
 /// A recording may be hundreds of megabytes.
 NamedMotion without_frames(const NamedMotion& motion) {
   NamedMotion about;
@@ -63,7 +107,7 @@ MappingDialog::MappingDialog(NamedMotion motion, QWidget* parent)
     : QDialog(parent),
       m_motion(std::move(motion)),
       m_table(new QTableWidget(joint_count, 3, this)),
-      m_preview(new widgets::MappingPreview(this)),
+      m_preview(new widgets::MotionPicture(this)),
       m_frame(new QSlider(Qt::Horizontal, this)),
       m_palette(widgets::palette_of(widgets::Theme::Dark)) {
   setWindowTitle(QString("Which points are which joints? · %1").arg(QString::fromStdString(m_motion.name)));
@@ -87,6 +131,9 @@ MappingDialog::MappingDialog(NamedMotion motion, QWidget* parent)
   m_table->setShowGrid(false);
   m_table->horizontalHeader()->setSectionResizeMode(Points, QHeaderView::Stretch);
   m_table->setColumnWidth(Source, 96);
+  QStringList points;
+  for (const std::string& point : m_motion.points) points << QString::fromStdString(point);
+  m_table->setItemDelegateForColumn(Points, new PointDelegate(points, m_table));
   row->addWidget(m_table, 5);
   auto* side = new QVBoxLayout;
   side->addWidget(m_preview, 1);
@@ -164,7 +211,7 @@ void MappingDialog::connectParts() {
     if (!m_filling && column == Points) setPoints(joint, m_table->item(joint, Points)->text());
   });
   connect(m_table, &QTableWidget::currentCellChanged, this, [this](int joint) { chooseJoint(joint); });
-  connect(m_preview, &widgets::MappingPreview::pointClicked, this, &MappingDialog::togglePoint);
+  connect(m_preview, &widgets::MotionPicture::pointClicked, this, &MappingDialog::togglePoint);
   connect(m_frame, &QSlider::valueChanged, this, &MappingDialog::showFrame);
   connect(m_up, qOverload<int>(&QComboBox::activated), this, &MappingDialog::changed);
   connect(m_unit, qOverload<int>(&QComboBox::activated), this, &MappingDialog::changed);
@@ -267,8 +314,9 @@ Positions MappingDialog::upright(const Positions& points) const {
 
 void MappingDialog::showFrame() {
   if (m_motion.frames.empty()) return;
-  widgets::MappedFrame shown;
+  widgets::PicturedFrame shown;
   shown.points = upright(m_motion.frames[at(m_frame->value())]);
+  shown.names = m_motion.points;
   shown.joint = m_joint;
   const JointBinding binding = bind_joints(m_map, m_motion.points);
   for (int j = 0; j < joint_count; ++j) {
@@ -277,16 +325,37 @@ void MappingDialog::showFrame() {
     shown.known[at(j)] = !binding.terms[at(j)].empty() && shown.pose.row(j).allFinite();
   }
   for (const auto& [point, weight] : binding.terms[at(m_joint)]) shown.chosen.push_back(point);
+  m_preview->setSpace(spaceOf());
   m_preview->show(shown);
 }
 
-ImportOptions MappingDialog::said() const {
-  ImportOptions options;
-  if (m_up->currentIndex() > 0) options.up_axis = m_up->currentIndex() == 1 ? UpAxis::Y : UpAxis::Z;
-  if (const double unit = m_unit->currentData().toDouble(); unit > 0) options.metres_per_unit = unit;
+/// As tall as the points are in most frames, over the lowest of them.
+widgets::PicturedSpace MappingDialog::spaceOf() const {
+  std::vector<double> lows, highs;
+  constexpr std::size_t most_frames = 60;
+  const std::size_t step = std::max<std::size_t>(1, m_motion.frames.size() / most_frames);
+  for (std::size_t f = 0; f < m_motion.frames.size(); f += step) {
+    const Positions points = upright(m_motion.frames[f]);
+    double low = 1e300, high = -1e300;
+    for (Eigen::Index p = 0; p < points.rows(); ++p)
+      if (points.row(p).allFinite()) low = std::min(low, points(p, 1)), high = std::max(high, points(p, 1));
+    if (low <= high) lows.push_back(low), highs.push_back(high);
+  }
+  widgets::PicturedSpace space;
+  if (lows.empty()) return space;
+  space.ground = quantile(lows, 0.05);
+  space.high.y() = quantile(highs, 0.5) + 1e-9;
+  space.grid = (space.high.y() - space.ground) / 4;
+  return space;
+}
+
+MotionReading MappingDialog::said() const {
+  MotionReading reading;
+  if (m_up->currentIndex() > 0) reading.up = m_up->currentIndex() == 1 ? "y" : "z";
+  if (const double unit = m_unit->currentData().toDouble(); unit > 0) reading.metres_per_unit = unit;
   if (const auto rate = parse_number(m_rate->text().trimmed().toStdString()); rate && *rate > 0)
-    options.fps = *rate;
-  return options;
+    reading.fps = *rate;
+  return reading;
 }
 
 /// Imports a few frames in the same way as the whole file later, and shows the result.
@@ -305,7 +374,10 @@ void MappingDialog::showFacts() {
   const std::size_t step = std::max<std::size_t>(1, m_motion.frames.size() / most_frames);
   for (std::size_t f = 0; f < m_motion.frames.size(); f += step)
     if (m_motion.frames[f].allFinite() || few.frames.empty()) few.frames.push_back(m_motion.frames[f]);
-  ImportOptions options = said();
+  const MotionReading reading = said();
+  ImportOptions options;
+  options.metres_per_unit = reading.metres_per_unit, options.fps = reading.fps;
+  if (!reading.up.empty()) options.up_axis = reading.up == "z" ? UpAxis::Z : UpAxis::Y;
   options.joint_map = m_map;
   const auto clip = import_clip(few, options);
   if (!clip) return m_state->setText(words(clip.error()));

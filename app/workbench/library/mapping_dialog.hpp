@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "core/motion/files/import_clip.hpp"
+#include "core/motion/files/motion_reading.hpp"
 #include "core/motion/joints/joint_guess.hpp"
 #include "widgets/common/palette.hpp"
 
@@ -16,7 +16,8 @@ class QSlider;
 class QTableWidget;
 
 namespace abrazo::widgets {
-class MappingPreview;
+class MotionPicture;
+struct PicturedSpace;
 }
 
 namespace abrazo::app {
@@ -31,9 +32,9 @@ class MappingDialog : public QDialog {
   /// The map; complete after the dialog was accepted.
   const JointMap& map() const { return m_map; }
   /// Unit, rate and axis, if set by the user.
-  ImportOptions said() const;
+  MotionReading said() const;
   QTableWidget& table() { return *m_table; }
-  widgets::MappingPreview& preview() { return *m_preview; }
+  widgets::MotionPicture& preview() { return *m_preview; }
   QString state() const;
 
  public slots:
@@ -56,13 +57,14 @@ class MappingDialog : public QDialog {
   void saveMap();
   void loadMap();
   Positions upright(const Positions& points) const;
+  widgets::PicturedSpace spaceOf() const;
 
   NamedMotion m_motion;
   JointMap m_map;
   std::array<JointGuess::By, joint_count> m_by{};
   int m_joint = 0;
   QTableWidget* m_table;
-  widgets::MappingPreview* m_preview;
+  widgets::MotionPicture* m_preview;
   QSlider* m_frame;
   QComboBox *m_up = nullptr, *m_unit = nullptr;
   QLineEdit* m_rate = nullptr;

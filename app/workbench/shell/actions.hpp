@@ -99,6 +99,8 @@ void add_sweep_actions(MainWindow& window);
 StreamDesk& add_stream_actions(MainWindow& window);
 /// The library browser, and building libraries from motion files.
 void add_library_actions(MainWindow& window);
+/// How motion files are read; after the file actions.
+void add_import_actions(MainWindow& window);
 /// Labels of the session and of takes: the panel, the lanes, their keys; after the timeline actions.
 void add_annotation_actions(MainWindow& window, AnnotationDesk& desk, LabelKeyFilter& keys);
 /// Called by the annotation actions, whose desk they use.

@@ -3,6 +3,7 @@
 #include <QMainWindow>
 #include <QTimer>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "app/workbench/base/user_settings.hpp"
@@ -48,7 +49,8 @@ class MainWindow : public QMainWindow {
   using MakeMaterial = std::function<Result<Material>(const Progress&)>;
   /// @param files source files, for the list of recent files
   void openMaterial(MakeMaterial make, const QStringList& files = {});
-  void openFiles(const QStringList& files);
+  /// @param said  how their motion is read; none = as was said of files alike, else as found
+  void openFiles(const QStringList& files, const std::optional<MotionReading>& said = std::nullopt);
   void openDemo();
   /// Adds the files to the recent ones.
   void noteOpened(const QStringList& files) { emit filesOpened(files); }
@@ -109,6 +111,8 @@ class MainWindow : public QMainWindow {
   void motionsOffered(const QStringList& files);
   /// No joint map fits this motion, so the user must assign joints.
   void mappingOffered(const QStringList& files, const std::shared_ptr<const abrazo::NamedMotion>& motion);
+  /// The motion among these files can be read, with doubts: the user must say how, or that it is right.
+  void importOffered(const QStringList& files);
   void subjectRequested(const QString& subject);
   /// Label files for the shown subject.
   void labelsOffered(const QStringList& files);

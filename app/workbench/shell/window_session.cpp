@@ -43,7 +43,7 @@ void MainWindow::openDemo() {
   openMaterial(generated_dance);
 }
 
-void MainWindow::openFiles(const QStringList& all) {
+void MainWindow::openFiles(const QStringList& all, const std::optional<MotionReading>& said) {
   const std::vector<FileToOpen> known = recognised(names_of(all));
   const auto has = [&known](FileKind kind) { return std::ranges::count(known, kind, &FileToOpen::kind); };
   const QStringList videos = files_of(known, FileKind::Video);
@@ -63,7 +63,8 @@ void MainWindow::openFiles(const QStringList& all) {
                    session() ? session()->material() : Material{},
                    m_remembered.jointMapFolder().toStdString(),
                    m_remembered.autosaveFolder().toStdString(),
-                   {}};
+                   said,
+                   m_remembered.importRuleFolder().toStdString()};
   std::erase_if(wish.files, [](const FileToOpen& file) { return file.kind == FileKind::Video; });
   bool taken = false;
   if (has(FileKind::Session) > 0) emit sessionOffered(wish.files, taken);
@@ -101,6 +102,8 @@ void MainWindow::openMaterial(MakeMaterial make, const QStringList& files) {
           return emit mappingOffered(files, unmapped);
         fail(why);
       };
+    if (material->is_doubtful && isSignalConnected(QMetaMethod::fromSignal(&MainWindow::importOffered)))
+      return [this, files] { emit importOffered(files); };
     report(progress, 1, "Indexing the library");
     auto prepared = prepare_solver(std::move(material).value(), wanted);
     if (!prepared) return [this, why = words(prepared.error())] { fail(why); };

@@ -26,6 +26,7 @@ Rooms add_all_actions(MainWindow& window) {
   add_scene_actions(window);
   add_selection_actions(window);
   add_library_actions(window);
+  add_import_actions(window);
   add_playback_actions(window);
   add_timeline_actions(window);
   auto* labels = new AnnotationDesk(window);

@@ -69,10 +69,25 @@ Error no_map_fits(const NamedMotion& motion, const ChosenMap& closest, bool only
   return Error{message, motion.name, Hint::NameJointMap};
 }
 
+/// "Hips", "0.5 LeftHip + 0.5 RightHip".
+std::string sum_of_points(const NamedMotion& motion, const std::vector<std::pair<int, double>>& terms) {
+  std::string words;
+  for (const auto& [point, weight] : terms)
+    words += (words.empty() ? "" : " + ") +
+             (weight == 1 ? "" : exact_text(std::round(weight * 1e4) / 1e4) + " ") +
+             motion.points[static_cast<std::size_t>(point)];
+  return words;
+}
+
 Result<JointBinding> bind(const NamedMotion& motion, const ImportOptions& options, ImportReport& report) {
   ChosenMap chosen = choose_map(motion, options.joint_map);
   if (!chosen.fits()) return no_map_fits(motion, chosen, options.joint_map.has_value());
-  if (report.joint_map.empty()) report.joint_map = chosen.map.name;
+  if (report.joint_map.empty()) {
+    report.joint_map = chosen.map.name;
+    for (std::size_t j = 0; j < joint_count; ++j)
+      report.joint_points[j] = sum_of_points(motion, chosen.binding.terms[j]);
+  }
+  report.inferred_joints = chosen.inferred;
   if (!chosen.binding.estimated.empty())
     warn(report, "estimated-joints",
          names_of(chosen.binding.estimated) + ": not in the file, estimated from neighbouring points");
@@ -257,8 +272,13 @@ void settle_rate(const NamedMotion& motion, const ImportOptions& options, Import
   }
 }
 
-void settle_floor(std::vector<Pose>& poses, ImportReport& report) {
+void settle_floor(const ImportOptions& options, std::vector<Pose>& poses, ImportReport& report) {
   report.floor_y_m = body_of(poses).toe_rest_height;
+  if (options.floor_m) {
+    report.floor_shift_m = -*options.floor_m;
+    for (Pose& pose : poses) pose.col(1).array() += report.floor_shift_m;
+    return;
+  }
   if (report.floor_y_m >= lowest_floor_m && report.floor_y_m <= highest_floor_m) return;
   report.floor_shift_m = toe_rest_height_m - report.floor_y_m;
   for (Pose& pose : poses) pose.col(1).array() += report.floor_shift_m;
@@ -310,6 +330,8 @@ Result<ImportedClip> import_clip(const NamedMotion& file_points, const ImportOpt
     return Error{"metres per unit must be above 0", file_points.name};
   if (options.fps && !(*options.fps > 0 && std::isfinite(*options.fps)))
     return Error{"the frame rate must be above 0", file_points.name};
+  if (options.floor_m && !std::isfinite(*options.floor_m))
+    return Error{"the height of the floor must be a finite number of metres", file_points.name};
   ImportedClip result;
   ImportReport& report = result.report;
   report.warnings = file_points.warnings;
@@ -325,7 +347,7 @@ Result<ImportedClip> import_clip(const NamedMotion& file_points, const ImportOpt
   if (report.up_axis == UpAxis::Z) turn_z_up_to_y_up(*poses);
   settle_unit(motion, options, *poses, report);
   settle_rate(motion, options, report);
-  settle_floor(*poses, report);
+  settle_floor(options, *poses, report);
   look_for_rest_pose(*poses, report);
   look_for_a_person(*poses, report);
   result.clip = Clip{motion.name, report.fps, std::move(*poses)};

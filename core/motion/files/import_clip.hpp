@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -24,11 +25,15 @@ struct ImportOptions {
   std::optional<MarkerModel> marker_model;  ///< in place of a joint map
   std::string animation;   ///< name of the one to read, of a file with several; empty = the longest
   std::string body_model;  ///< file of the body that SMPL parameters are for (SmplBodyFile); empty = none
+  std::optional<double> floor_m;  ///< height of the floor above the file's zero [m]
 };
 
 /// How a file was interpreted. Every guess is marked.
 struct ImportReport {
   std::string joint_map;  ///< name of the map or marker model used
+  /// Per joint what it was found from, "Hips" or "0.5 LeftHip + 0.5 RightHip"; empty: from markers.
+  std::array<std::string, joint_count> joint_points;
+  std::vector<int> inferred_joints;  ///< joints that the file lacks
   double metres_per_unit = 1;
   bool unit_guessed = false;
   double fps = 0;
@@ -68,6 +73,12 @@ Status choose_joints(const std::string& name_or_file, ImportOptions& options);
 Result<std::vector<NamedMotion>> read_motion_points(const std::string& file, const std::string& skeleton,
                                                     const ImportOptions& options = {},
                                                     const Progress& progress = {});
+
+/// Imports all motions of one file: performers share unit, axes and floor. Objects that are not performers
+/// are left out with a warning, unless there is nothing else.
+Result<std::vector<ImportedClip>> import_performers(const std::string& file,
+                                                    const std::vector<NamedMotion>& motions,
+                                                    const ImportOptions& options);
 
 /// Reads any known motion file and imports it. Several performers in one file give several clips. Objects
 /// that are not performers (a box with markers) are left out with a warning, unless there is nothing else.

@@ -60,11 +60,17 @@ Result<std::vector<ImportedClip>> load_motion(const std::string& file, const std
                                               const ImportOptions& options, const Progress& progress) {
   const Result<std::vector<NamedMotion>> motions = read_motion_points(file, skeleton, options, progress);
   if (!motions) return motions.error();
+  return import_performers(file, *motions, options);
+}
+
+Result<std::vector<ImportedClip>> import_performers(const std::string& file,
+                                                    const std::vector<NamedMotion>& motions,
+                                                    const ImportOptions& options) {
   std::vector<ImportedClip> clips;
   std::vector<Error> errors;
   std::vector<std::string> left_out;
   ImportOptions settled = options;
-  for (const NamedMotion& motion : *motions) {
+  for (const NamedMotion& motion : motions) {
     Result<ImportedClip> imported = import_clip(motion, settled);
     if (!imported) {
       errors.push_back(imported.error());
@@ -79,11 +85,11 @@ Result<std::vector<ImportedClip>> load_motion(const std::string& file, const std
     }
     clips.push_back(std::move(*imported));
   }
-  if (clips.empty()) return nobody(file, *motions, errors);
+  if (clips.empty()) return nobody(file, motions, errors);
   if (!left_out.empty())
     clips.front().report.warnings.push_back(
         {"left-out", 0,
-         std::to_string(left_out.size()) + " of " + std::to_string(motions->size()) +
+         std::to_string(left_out.size()) + " of " + std::to_string(motions.size()) +
              " in the file cannot be read as performers and were left out: " + some_of(left_out)});
   share_floor(clips);
   return clips;

@@ -25,6 +25,8 @@ Result<ImportOptions> options_of(const MotionReading& reading) {
     return usable.error();
   if (const Status usable = check_above_zero(reading.fps, "frame rate", Hint::SetFrameRate); !usable)
     return usable.error();
+  if (reading.floor_m && !std::isfinite(*reading.floor_m))
+    return Error{"expected a finite number of metres", "height of the floor"};
   if (!reading.up.empty() && reading.up != "y" && reading.up != "z")
     return Error{"'" + reading.up + "' is not an axis; use y or z", "axis that points up", Hint::SetUpAxis};
   ImportOptions options;
@@ -40,6 +42,7 @@ Result<ImportOptions> options_of(const MotionReading& reading) {
   }
   options.animation = reading.animation;
   options.body_model = reading.body_model;
+  options.floor_m = reading.floor_m;
   return options;
 }
 
@@ -51,29 +54,49 @@ std::string who_is_there(const std::vector<ImportedClip>& clips) {
   return names;
 }
 
-/// Of the clips the one that is meant by its name or its number.
-Result<std::vector<ImportedClip>> only(std::vector<ImportedClip> clips, const MotionReading& reading) {
-  const auto number = parse_number(reading.performer);
-  for (std::size_t c = 0; c < clips.size(); ++c)
-    if (clips[c].clip.name == reading.performer || (number && *number == static_cast<double>(c + 1)))
-      return std::vector<ImportedClip>{std::move(clips[c])};
-  return Error{
-      fmt::format("has no performer {}; it holds {}", printable_line(reading.performer), who_is_there(clips)),
-      reading.file};
-}
-
 }  // namespace
 
-Result<std::vector<ImportedClip>> read_performers(const MotionReading& reading, const Progress& progress) {
+std::optional<std::size_t> find_performer(const std::vector<ImportedClip>& clips, const std::string& wanted) {
+  const auto number = parse_number(wanted);
+  for (std::size_t c = 0; c < clips.size(); ++c)
+    if (clips[c].clip.name == wanted || (number && *number == static_cast<double>(c + 1))) return c;
+  return std::nullopt;
+}
+
+Status MotionPoints::read(const MotionReading& reading, const ImportOptions& options,
+                          const Progress& progress) {
+  MotionReading wanted;
+  wanted.file = reading.file, wanted.skeleton = reading.skeleton, wanted.joints = reading.joints;
+  wanted.animation = reading.animation, wanted.body_model = reading.body_model;
+  if (!motions_.empty() && wanted == read_) return Done{};
+  motions_.clear();
+  auto motions = read_motion_points(reading.file, reading.skeleton, options, progress);
+  if (!motions) return motions.error();
+  motions_ = std::move(*motions);
+  read_ = std::move(wanted);
+  return Done{};
+}
+
+Result<std::vector<ImportedClip>> MotionPoints::performers(const MotionReading& reading,
+                                                           const Progress& progress) {
   const auto options = options_of(reading);
   if (!options) return options.error();
   const auto format = format_of_name(reading.file);
   if (!reading.skeleton.empty() && format && format != MotionFormat::Amc)
     return Error{"a " + std::string(name_of(*format)) + " file has its own skeleton; leave out the other one",
                  reading.file, Hint::LeaveOutSkeleton};
-  auto clips = load_motion(reading.file, reading.skeleton, *options, progress);
+  if (const Status done = read(reading, *options, progress); !done) return done.error();
+  auto clips = import_performers(reading.file, motions_, *options);
   if (!clips || reading.performer.empty()) return clips;
-  return only(std::move(*clips), reading);
+  if (const auto found = find_performer(*clips, reading.performer))
+    return std::vector<ImportedClip>{std::move((*clips)[*found])};
+  return Error{fmt::format("has no performer {}; it holds {}", printable_line(reading.performer),
+                           who_is_there(*clips)),
+               reading.file};
+}
+
+Result<std::vector<ImportedClip>> read_performers(const MotionReading& reading, const Progress& progress) {
+  return MotionPoints().performers(reading, progress);
 }
 
 Result<ImportedClip> read_performer(const MotionReading& reading, const Progress& progress) {

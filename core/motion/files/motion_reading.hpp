@@ -18,13 +18,36 @@ struct MotionReading {
   std::string up = {};                         ///< "y" or "z"
   std::optional<double> metres_per_unit = {};  ///< above 0
   std::optional<double> fps = {};              ///< above 0 [Hz]
-  std::string performer = {};   ///< which one of a file with several: its name, or a number from 1
-  std::string animation = {};   ///< which one of a file with several; the longest by default
-  std::string body_model = {};  ///< file of the body that SMPL parameters are for
+  std::string performer = {};          ///< which one of a file with several: its name, or a number from 1
+  std::string animation = {};          ///< which one of a file with several; the longest by default
+  std::string body_model = {};         ///< file of the body that SMPL parameters are for
+  std::optional<double> floor_m = {};  ///< height of the floor above the file's zero [m]
+
+  bool operator==(const MotionReading&) const = default;
 };
 
-/// All performers of the file, or the one that is asked for.
-/// @param progress  as for load_motion
+/// Of the clips the one that is meant by its name or its number from 1.
+std::optional<std::size_t> find_performer(const std::vector<ImportedClip>& clips, const std::string& wanted);
+
+/// A motion file of which the points are read once. What only concerns how they are understood (unit, axes,
+/// rate, joints, floor, performer) is then answered without the file; another animation, order of joints or
+/// body model reads it again.
+class MotionPoints {
+ public:
+  /// All performers of the file, or the one that is asked for.
+  /// @param progress  as for load_motion
+  Result<std::vector<ImportedClip>> performers(const MotionReading& reading, const Progress& progress = {});
+  /// What was read last; empty before, and after a failure.
+  const std::vector<NamedMotion>& motions() const { return motions_; }
+
+ private:
+  Status read(const MotionReading& reading, const ImportOptions& options, const Progress& progress);
+
+  MotionReading read_;  ///< of which the file, and what needs it read again
+  std::vector<NamedMotion> motions_;
+};
+
+/// The same of a file that is read for this alone.
 Result<std::vector<ImportedClip>> read_performers(const MotionReading& reading,
                                                   const Progress& progress = {});
 

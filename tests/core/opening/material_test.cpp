@@ -31,7 +31,7 @@ TEST_F(MaterialTest, ALibraryFileIsDataOfTheProject) {
   Material material;
   material.library = test::session_library();
   material.library_file = file("small.h5");
-  material.input_files = {file("a.amc"), file("a.asf")};
+  material.reading.file = file("a.amc"), material.reading.skeleton = file("a.asf");
   const Project project = described(material);
   EXPECT_EQ(project.library, "small");
   EXPECT_EQ(project.manifest, "");

@@ -39,7 +39,7 @@ TEST_F(OpenFiles, AMotionReplacesTheUserAndKeepsTheLibrary) {
   ASSERT_TRUE(material) << material.error().text();
   EXPECT_EQ(material->library, open.library);
   EXPECT_EQ(material->library_file, manifest);
-  EXPECT_THAT(material->input_files, ElementsAre(motion));
+  EXPECT_THAT(material->input_files(), ElementsAre(motion));
   EXPECT_THAT(material->excluded_takes, IsEmpty());
 }
 
@@ -47,7 +47,7 @@ TEST_F(OpenFiles, AMotionByItselfIsAnsweredByTheGeneratedDanceWhichIsSaid) {
   const auto material = opened({motion});
   ASSERT_TRUE(material) << material.error().text();
   EXPECT_TRUE(material->is_generated);
-  EXPECT_THAT(material->input_files, ElementsAre(motion));
+  EXPECT_THAT(material->input_files(), ElementsAre(motion));
   EXPECT_THAT(material->warnings, Contains(HasSubstr("a generated dance answers")));
 }
 

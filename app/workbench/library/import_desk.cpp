@@ -1,0 +1,153 @@
+#include "app/workbench/library/import_desk.hpp"
+
+#include <utility>
+
+#include "app/workbench/base/error_words.hpp"
+#include "app/workbench/base/job.hpp"
+#include "app/workbench/library/import_rules_dialog.hpp"
+#include "app/workbench/library/mapping_dialog.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "core/opening/import_rules.hpp"
+#include "widgets/common/message_bar.hpp"
+
+namespace abrazo::app {
+namespace {
+
+/// The motion and its skeleton among the files, with a joint map that is named there.
+MotionReading motion_among(const QStringList& files, const MotionReading& said) {
+  MotionReading reading = said;
+  for (const QString& file : files) {
+    const std::string name = file.toStdString();
+    const FileKind kind = kind_of_file(name);
+    if (kind == FileKind::Motion) reading.file = name;
+    if (kind == FileKind::Skeleton) reading.skeleton = name;
+    if (kind == FileKind::JointMap) reading.joint_map = name;
+  }
+  return reading;
+}
+
+}  // namespace
+
+ImportDesk::ImportDesk(MainWindow& window) : QObject(&window), m_window(window) {
+  connect(&window, &MainWindow::importOffered, this, [this](const QStringList& files) { offer(files); });
+  connect(&window, &MainWindow::coloursChanged, this, [this](const widgets::Palette& palette) {
+    if (m_panel) m_panel->setColours(palette);
+  });
+}
+
+ImportDesk::~ImportDesk() = default;
+
+void ImportDesk::offer(const QStringList& files, const std::optional<MotionReading>& said) {
+  const MotionReading reading = motion_among(files, said.value_or(MotionReading{}));
+  if (reading.file.empty())
+    return m_window.messages().showError("Among these files is no motion: " + files.join(", "));
+  delete m_panel;
+  m_files = files;
+  m_preview = std::make_shared<ImportPreview>();
+  m_panel = new ImportPanel(reading, &m_window);
+  m_panel->setAttribute(Qt::WA_DeleteOnClose);
+  m_panel->setColours(m_window.colours());
+  connect(m_panel, &ImportPanel::viewRequested, this,
+          [this](const MotionReading& wanted) { look(wanted, false); });
+  connect(m_panel, &ImportPanel::jointsRequested, this, &ImportDesk::assignJoints);
+  connect(m_panel, &ImportPanel::rulesRequested, this, &ImportDesk::showRules);
+  connect(m_panel, &QDialog::accepted, this, &ImportDesk::accept);
+  m_panel->open();
+  look(reading, !said);
+}
+
+bool ImportDesk::offerOpenOne() {
+  if (!m_window.session()) return false;
+  const Material& material = m_window.session()->material();
+  if (material.reading.file.empty()) return false;
+  QStringList files;
+  for (const std::string& file : material.input_files()) files << QString::fromStdString(file);
+  offer(files, material.reading);
+  return true;
+}
+
+void ImportDesk::look(const MotionReading& reading, bool by_rule) {
+  m_next = {reading, by_rule};
+  if (!m_job) lookNext();
+}
+
+/// One view at a time; of several that were requested meanwhile only the last is of use.
+void ImportDesk::lookNext() {
+  if (!m_next || !m_panel) return;
+  const auto [reading, by_rule] = *std::exchange(m_next, std::nullopt);
+  const std::string folder = m_window.remembered().importRuleFolder().toStdString();
+  auto work = [this, reading = reading, by_rule = by_rule, folder, preview = m_preview,
+               panel = m_panel](const Progress& progress) -> Job::Finish {
+    auto view = std::make_shared<ImportView>(preview->look(reading, progress));
+    if (by_rule) {
+      const StoredRules stored = import_rules(folder);
+      if (const ImportRule* rule = rule_for(stored.rules, reading.file, view->layout)) {
+        MotionReading ruled = rule->how;
+        ruled.file = reading.file, ruled.skeleton = reading.skeleton;
+        *view = preview->look(ruled, progress);
+      }
+    }
+    return [this, view, panel] {
+      if (panel && panel == m_panel && !m_next) panel->show(*view);
+    };
+  };
+  m_job = std::make_unique<Job>(std::move(work));
+  connect(
+      m_job.get(), &Job::finished, this,
+      [this] {
+        Job::retire(std::move(m_job), this);
+        lookNext();
+      },
+      Qt::QueuedConnection);
+}
+
+void ImportDesk::assignJoints(const UnmappedMotion& motion) {
+  if (!motion) return;
+  delete m_mapping;
+  m_mapping = new MappingDialog(*motion, m_panel);
+  m_mapping->setAttribute(Qt::WA_DeleteOnClose);
+  m_mapping->setColours(m_window.colours());
+  connect(m_mapping, &QDialog::accepted, this, [this] {
+    const auto map = remember_map(m_mapping->map(), m_window.remembered().jointMapFolder().toStdString());
+    if (!map) return m_window.messages().showError(words(map.error()));
+    if (m_panel) m_panel->chooseJoints(QString::fromStdString(*map));
+  });
+  m_mapping->open();
+}
+
+/// A rule takes the place of one for the same files; without one they are asked about again.
+bool ImportDesk::remember(const MotionReading& reading) {
+  const std::string folder = m_window.remembered().importRuleFolder().toStdString();
+  const ImportRule rule = rule_of(reading, m_panel->view().layout);
+  if (m_panel->remembers()) {
+    const auto stored = remember_import(rule, folder);
+    if (!stored) m_window.messages().showError(words(stored.error()));
+    return stored.ok();
+  }
+  for (const ImportRule& known : import_rules(folder).rules)
+    if (known.layout == rule.layout && known.folder == rule.folder)
+      if (const Status gone = forget_import(known.path); !gone) {
+        m_window.messages().showError(words(gone.error()));
+        return false;
+      }
+  return true;
+}
+
+void ImportDesk::accept() {
+  const MotionReading reading = m_panel->reading();
+  if (!remember(reading)) return;
+  // The joint map of the reading is the one that counts, also where another was among the files.
+  QStringList files;
+  for (const QString& file : m_files)
+    if (kind_of_file(file.toStdString()) != FileKind::JointMap) files << file;
+  m_window.openFiles(files, reading);
+}
+
+void ImportDesk::showRules() {
+  auto* dialog = new ImportRulesDialog(m_window.remembered().importRuleFolder(),
+                                       m_panel ? static_cast<QWidget*>(m_panel.data()) : &m_window);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->open();
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <QDialog>
+#include <QTimer>
+#include <optional>
+
+#include "core/opening/import_preview.hpp"
+#include "widgets/common/palette.hpp"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QSlider;
+class QTableWidget;
+class QToolButton;
+class QVBoxLayout;
+
+namespace abrazo::widgets {
+class MotionPicture;
+}
+
+namespace abrazo::app {
+
+/// How one motion file is read, with a picture of what it becomes. Changes nothing but itself: it requests
+/// views of the file, and hands over the reading when it is accepted.
+class ImportPanel : public QDialog {
+  Q_OBJECT
+ public:
+  ImportPanel(const MotionReading& reading, QWidget* parent);
+  void setColours(const widgets::Palette& palette);
+  /// What the file becomes; the fields show what was found where nothing is said.
+  void show(const ImportView& view);
+  using QDialog::show;
+  /// Whether files alike are read this way.
+  void setRemembers(bool on);
+  bool remembers() const;
+  const MotionReading& reading() const { return m_reading; }
+  const ImportView& view() const { return m_view; }
+  /// Waits for a view that was requested.
+  bool isWaiting() const { return m_isWaiting; }
+  widgets::MotionPicture& picture() { return *m_picture; }
+  QString warnings() const;
+  /// Uses a joint map or marker model, by its name or file.
+  void chooseJoints(const QString& name_or_file);
+
+ signals:
+  /// Requests a view of the file, read so.
+  void viewRequested(const abrazo::MotionReading& reading);
+  /// Requests the user to say which points are which joints.
+  void jointsRequested(const std::shared_ptr<const abrazo::NamedMotion>& motion);
+  void rulesRequested();
+
+ private:
+  QWidget* makeFileColumn();
+  QWidget* makePicture();
+  QWidget* makeSpaceColumn();
+  QWidget* makeFoot();
+  QComboBox* addField(QVBoxLayout* column, const QString& name, bool editable = false);
+  void connectParts();
+  void take(QComboBox* field);
+  void request();
+  void refuse(QComboBox* field, const QString& why);
+  void showFields();
+  void showJoints();
+  void showWarnings();
+  void showSpace();
+  void showFrame();
+  void showTime();
+
+  MotionReading m_reading;
+  ImportView m_view;
+  bool m_isWaiting = true;
+  widgets::Palette m_palette;
+  QComboBox *m_performer = nullptr, *m_animation = nullptr, *m_order = nullptr;
+  QComboBox *m_unit = nullptr, *m_up = nullptr, *m_rate = nullptr, *m_floor = nullptr, *m_joints = nullptr;
+  QLabel *m_file = nullptr, *m_facts = nullptr, *m_height = nullptr, *m_toes = nullptr;
+  QLabel *m_found = nullptr, *m_warnings = nullptr, *m_time = nullptr, *m_state = nullptr;
+  QTableWidget* m_table = nullptr;
+  widgets::MotionPicture* m_picture = nullptr;
+  QToolButton *m_play = nullptr, *m_names = nullptr;
+  QSlider* m_frame = nullptr;
+  QCheckBox* m_remember = nullptr;
+  QPushButton *m_assign = nullptr, *m_import = nullptr;
+  QTimer m_clock;
+};
+
+}  // namespace abrazo::app

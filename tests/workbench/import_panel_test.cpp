@@ -1,0 +1,260 @@
+// The panel that asks how a motion file is read, driven as a person does.
+#include <gmock/gmock.h>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCompleter>
+#include <QDir>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableWidget>
+#include <fstream>
+
+#include "app/workbench/library/import_desk.hpp"
+#include "app/workbench/library/import_rules_dialog.hpp"
+#include "app/workbench/library/mapping_dialog.hpp"
+#include "core/motion/bvh/bvh.hpp"
+#include "tests/support/libraries.hpp"
+#include "tests/widgets/pictures.hpp"
+#include "tests/workbench/demo_window.hpp"
+#include "widgets/library/motion_picture.hpp"
+
+namespace abrazo::app::import_panel_test {
+namespace {
+
+using testing::HasSubstr;
+
+class ImportPanelTest : public DemoWindow {
+ protected:
+  static void SetUpTestSuite() { showDemo({1280, 720}); }
+  void SetUp() override {
+    DemoWindow::SetUp();
+    QDir(remembered().importRuleFolder()).removeRecursively();
+  }
+  void TearDown() override { delete desk().panel(); }
+
+  static ImportDesk& desk() { return *window().findChild<ImportDesk*>(); }
+  static ImportPanel* panel() { return desk().panel(); }
+  /// A swinging person of 1.7 m in some unit, in a folder of its own for each test.
+  static QString walk(const QString& name, double units_per_metre = 1, bool z_up = false) {
+    PairedTake take = test::swinging_take("t", 40, 1);
+    for (Pose& pose : take.a.poses)
+      if (z_up) {
+        const Eigen::Matrix<double, joint_count, 1> y = pose.col(1);
+        pose.col(1) = -pose.col(2);
+        pose.col(2) = y;
+      }
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    QDir(home().path()).mkpath(test->name());
+    const QString file = home().filePath(QString("%1/%2").arg(test->name(), name));
+    std::ofstream(file.toStdString()) << *write_bvh(std::vector<Clip>{take.a}, units_per_metre);
+    return file;
+  }
+  static bool shows() {
+    return until([] { return panel() && !panel()->isWaiting(); });
+  }
+  template <typename Widget>
+  static Widget* named(const QString& name) {
+    for (auto* one : panel()->findChildren<Widget*>())
+      if (one->accessibleName() == name) return one;
+    return nullptr;
+  }
+  static void choose(const QString& field, const QString& entry) {
+    auto* box = named<QComboBox>(field);
+    const int exact = box->findText(entry);
+    const int at = exact >= 0 ? exact : box->findText(entry, Qt::MatchContains);
+    ASSERT_GE(at, 0) << entry.toStdString();
+    box->setCurrentIndex(at);
+    emit box->activated(at);
+    ASSERT_TRUE(shows());
+  }
+  static void type(const QString& field, const QString& text) {
+    auto* line = named<QComboBox>(field)->lineEdit();
+    line->setFocus();
+    line->selectAll();
+    QTest::keyClicks(line, text);
+    emit line->editingFinished();
+  }
+  static void click(const QString& text) {
+    for (auto* button : panel()->findChildren<QPushButton*>())
+      if (button->text() == text) return button->click();
+    ADD_FAILURE() << "no button " << text.toStdString();
+  }
+  static QPushButton* import() {
+    for (auto* button : panel()->findChildren<QPushButton*>())
+      if (button->text() == "Import") return button;
+    return nullptr;
+  }
+  static const Material& open() { return window().session()->material(); }
+  static double height() { return panel()->view().imported.report.height_m; }
+};
+
+TEST_F(ImportPanelTest, AFileThatIsReadWithDoubtsIsAskedAboutAndChangesNothingUntilThen) {
+  const QString before = QString::fromStdString(open().input.name);
+  window().openFiles({walk("asked_1.bvh")});
+  ASSERT_TRUE(shows());
+  EXPECT_THAT(panel()->warnings().toStdString(), HasSubstr("does not state its unit"));
+  EXPECT_EQ(QString::fromStdString(open().input.name), before);
+  click("Cancel");
+  ASSERT_TRUE(until([] { return !panel(); }));
+  EXPECT_EQ(QString::fromStdString(open().input.name), before);
+  EXPECT_TRUE(QDir(remembered().importRuleFolder()).isEmpty()) << "nothing is remembered either";
+}
+
+TEST_F(ImportPanelTest, WhatIsSaidIsSeenAtOnceImportedAndDoneForFilesAlike) {
+  window().openFiles({walk("walk_1.bvh", 100)});
+  ASSERT_TRUE(shows());
+  EXPECT_NEAR(height(), 1.6, 0.2);
+  choose("Unit", "millimetres");
+  EXPECT_NEAR(height(), 0.16, 0.02);
+  EXPECT_THAT(panel()->warnings().toStdString(), HasSubstr("m tall"));
+  choose("Unit", "centimetres");
+  type("Frame rate", "48");
+  ASSERT_TRUE(until([] { return panel()->view().imported.clip.fps == 48; }));
+  ASSERT_TRUE(shows());
+  click("Import");
+  ASSERT_TRUE(until([] { return open().input.name == "walk_1"; }));
+  EXPECT_EQ(open().input.fps, 48);
+  EXPECT_EQ(open().reading.metres_per_unit, 0.01);
+  window().openFiles({walk("walk_2.bvh", 100)});
+  ASSERT_TRUE(until([] { return open().input.name == "walk_2"; })) << "without a question";
+  EXPECT_FALSE(panel());
+  EXPECT_EQ(open().input.fps, 48);
+}
+
+TEST_F(ImportPanelTest, WhatIsRememberedCanBeSeenAndRemoved) {
+  window().openFiles({walk("walk_1.bvh")});
+  ASSERT_TRUE(shows());
+  choose("Unit", "metres");
+  click("Import");
+  ASSERT_TRUE(until([] { return open().input.name == "walk_1" && !panel(); }));
+  ImportRulesDialog rules(remembered().importRuleFolder(), nullptr);
+  ASSERT_EQ(rules.table().rowCount(), 1);
+  EXPECT_EQ(rules.table().item(0, 0)->text(), "walk_#.bvh");
+  EXPECT_EQ(rules.table().item(0, 2)->text(), "metres per unit 1");
+  rules.table().selectRow(0);
+  rules.removeChosen();
+  EXPECT_EQ(rules.table().rowCount(), 0);
+  window().openFiles({walk("walk_2.bvh")});
+  EXPECT_TRUE(shows()) << "asked again";
+}
+
+TEST_F(ImportPanelTest, WithoutTheTickNothingIsRemembered) {
+  window().openFiles({walk("walk_1.bvh")});
+  ASSERT_TRUE(shows());
+  panel()->setRemembers(false);
+  click("Import");
+  ASSERT_TRUE(until([] { return open().input.name == "walk_1" && !panel(); }));
+  EXPECT_TRUE(QDir(remembered().importRuleFolder()).isEmpty());
+}
+
+TEST_F(ImportPanelTest, AFileWithoutDoubtsIsReachedByTheMenu) {
+  const QString file = walk("plain_1.bvh");
+  MotionReading said;
+  said.metres_per_unit = 1;
+  window().openFiles({file}, said);
+  ASSERT_TRUE(until([] { return open().input.name == "plain_1"; }));
+  EXPECT_FALSE(panel()) << "somebody said how it is read";
+  action_of(window(), "file.import_options_of_the_open_motion")->trigger();
+  ASSERT_TRUE(shows());
+  EXPECT_EQ(panel()->reading().metres_per_unit, 1) << "as it was read";
+  EXPECT_EQ(panel()->warnings(), "");
+  choose("Floor", "below the toes");
+  EXPECT_NEAR(panel()->view().imported.clip.poses.front().col(1).minCoeff(), 0.04, 0.05);
+}
+
+TEST_F(ImportPanelTest, NumbersThatAreNoneAreRefusedAndTheFileStaysAsItWasRead) {
+  desk().offer({walk("walk_1.bvh")});
+  ASSERT_TRUE(shows());
+  for (const char* text : {"fast", "-3", "0", "1e999"}) {
+    type("Frame rate", text);
+    EXPECT_FALSE(panel()->isWaiting()) << text;
+    EXPECT_FALSE(panel()->reading().fps) << text;
+  }
+}
+
+TEST_F(ImportPanelTest, AFileThatCannotBeReadSaysWhyInThePanelAndCannotBeImported) {
+  const QString broken = home().filePath("broken.bvh");
+  std::ofstream(broken.toStdString()) << "HIERARCHY\nROOT Hips\n{\n";
+  desk().offer({broken});
+  ASSERT_TRUE(shows());
+  EXPECT_THAT(panel()->warnings().toStdString(), HasSubstr("broken.bvh"));
+  EXPECT_FALSE(import()->isEnabled());
+}
+
+TEST_F(ImportPanelTest, AJointMapThatDoesNotFitIsSaidAndTakenBack) {
+  desk().offer({walk("walk_1.bvh")});
+  ASSERT_TRUE(shows());
+  choose("Joint map", "xsens");
+  EXPECT_THAT(panel()->warnings().toStdString(), HasSubstr("'xsens' does not fit"));
+  EXPECT_FALSE(import()->isEnabled());
+  choose("Joint map", "as found");
+  EXPECT_TRUE(import()->isEnabled());
+}
+
+TEST_F(ImportPanelTest, ThePictureStandsOnTheGroundAndLiesWhenTheAxisIsWrong) {
+  desk().offer({walk("walk_1.bvh", 1, true)});
+  ASSERT_TRUE(shows());
+  const QColor blue = window().colours().active;
+  const auto box_of_body = [&] {
+    const QImage picture = test::picture_of(panel()->picture());
+    QRect box;
+    for (int y = 0; y < picture.height(); y += 2)
+      for (int x = 0; x < picture.width(); x += 2)
+        if (QColor pixel(picture.pixel(x, y));
+            std::abs(pixel.hslHue() - blue.hslHue()) < 8 && pixel.hslSaturation() > blue.hslSaturation() / 2)
+          box |= QRect(x, y, 2, 2);
+    return box;
+  };
+  const QRect standing = box_of_body();
+  EXPECT_GT(standing.height(), 1.5 * standing.width()) << "upright";
+  EXPECT_GT(standing.height(), panel()->picture().height() / 2) << "and fills the picture";
+  EXPECT_GT(panel()->picture().namesDrawn(), 8);
+  choose("Up axis", "Y");
+  const QRect lying = box_of_body();
+  EXPECT_LT(lying.height(), 0.65 * standing.height());
+}
+
+class MappingDialogTest : public testing::Test {
+ protected:
+  /// Three markers, Y up; one was not seen in the first frame.
+  static NamedMotion motion() {
+    NamedMotion motion;
+    motion.name = "three", motion.points = {"LASI", "RASI", "Head top"}, motion.parents = {-1, -1, -1};
+    for (int f = 0; f < 3; ++f) {
+      Positions frame(3, 3);
+      frame << 0.1, 1, 0, -0.1, 1, 0, 0, 1.7, 0;
+      motion.frames.push_back(frame);
+    }
+    return motion;
+  }
+};
+
+TEST_F(MappingDialogTest, NamesStandAtThePointsAndTheGroundBelow) {
+  MappingDialog dialog(motion(), nullptr);
+  (void)test::picture_of(dialog.preview());
+  EXPECT_EQ(dialog.preview().namesDrawn(), 3);
+  EXPECT_DOUBLE_EQ(dialog.preview().space().ground, 1) << "the lowest point";
+  EXPECT_LT(dialog.preview().placeOf(2).y(), dialog.preview().placeOf(0).y()) << "upright";
+}
+
+TEST_F(MappingDialogTest, NamesAreCompletedWhileTypingAlsoBehindAWeight) {
+  MappingDialog dialog(motion(), nullptr);
+  dialog.show();
+  dialog.table().setCurrentCell(0, 1);
+  dialog.table().editItem(dialog.table().item(0, 1));
+  auto* line = dialog.table().findChild<QLineEdit*>();
+  ASSERT_TRUE(line);
+  ASSERT_TRUE(line->completer());
+  const auto complete = [line](const QString& typed) {
+    line->setText(typed);
+    line->completer()->setCompletionPrefix(line->completer()->splitPath(typed).front());
+    return line->completer()->currentCompletion();
+  };
+  EXPECT_EQ(complete("ras").toStdString(), "RASI");
+  EXPECT_EQ(complete("0.5 LASI + 0.5 ra").toStdString(), "0.5 LASI + 0.5 RASI");
+  EXPECT_EQ(complete("top").toStdString(), "Head top");
+}
+
+}  // namespace
+}  // namespace abrazo::app::import_panel_test
