@@ -119,9 +119,7 @@ void cut() {
   scene().setOptions(options);
 }
 bool input_is_held() {
-  const auto frames = window->session()->history().since(0);
-  const std::size_t n = frames.size();
-  return n > 6 && frames[n - 1]->user == frames[n - 5]->user;
+  return window->session()->engine().is_held();
 }
 
 std::vector<KeyRow> transport_rows() {
@@ -277,15 +275,14 @@ std::vector<KeyRow> program_rows() {
       {"W", Qt::Key_W, none, nothing,
        [](auto&) { return window->findChild<IntendedMoveDesk*>()->popup().isVisible(); }},
       {"CtrlSpace", Qt::Key_Space, ctrl, nothing, [](auto&) { return input_is_held(); }},
-      {"P", Qt::Key_P, none, nothing,
-       [](auto&) { return window->document().decisions().pinned.has_value(); }},
+      {"P", Qt::Key_P, none, nothing, [](auto&) { return window->document().triedPin().has_value(); }},
       {"V", Qt::Key_V, none, nothing, [](auto&) { return !window->document().decisions().vetoes.empty(); }},
       {"ShiftV", Qt::Key_V, shift, nothing,
        [](auto&) { return !window->document().decisions().vetoes.takes.empty(); }},
       {"AltV", Qt::Key_V, alt, nothing,
        [](auto&) { return !window->document().decisions().vetoes.labels.empty(); }},
       {"ShiftP", Qt::Key_P, shift, [] { window->candidates().togglePin(); },
-       [](auto&) { return is_neutral(window->document().decisions()); }},
+       [](auto&) { return is_neutral(window->document().shownDecisions()); }},
       {"AltC", Qt::Key_C, alt, nothing,
        [](auto&) { return QApplication::focusWidget() == window->candidates().focusProxy(); }},
       {"A", Qt::Key_A, none, nothing,

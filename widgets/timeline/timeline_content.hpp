@@ -42,6 +42,7 @@ struct TimelineContent {
   std::vector<SettingsChange> settings_marks;  ///< of `settings`, near ones merged
   std::vector<TimelineTake> takes;             ///< in order of recording
   double memory_first_s = 0;                   ///< earlier frames are on disk
+  QString lost;                                ///< why the oldest frames are not kept; empty = all are
   Markers markers;
   int selected_marker = 0;
   TimelineTiers tiers;

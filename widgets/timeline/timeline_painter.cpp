@@ -289,6 +289,17 @@ class Painting {
     if (end - begin < 1 || c.playback.first_s <= 0.5) return;
     p.fillRect(QRectF(begin, 0, end - begin, c.lanes.bottom_px()),
                QBrush(mixed(colours.secondary, colours.panel, 0.45), Qt::BDiagPattern));
+    if (c.lost.isEmpty() || c.lanes.is_of_take()) return;
+    p.save();
+    p.setFont(interface_font(11, QFont::DemiBold));
+    const double wide = p.fontMetrics().horizontalAdvance(c.lost) + 14, high = 20;
+    const double left = wide < end - begin ? end - wide : begin;
+    const QRectF label(left, c.lanes.bottom_px() - high - 4, wide, high);
+    p.fillRect(label, colours.panel);
+    p.fillRect(QRectF(end - 1, 4, 1.5, c.lanes.bottom_px() - 4), colours.warning);
+    p.setPen(colours.warning);
+    p.drawText(label, Qt::AlignCenter, c.lost);
+    p.restore();
   }
 
   void live_end() {

@@ -118,6 +118,7 @@ void TimelineView::showOtherFrames() {
   m_content.lanes = std::move(before.lanes);
   m_content.tiers.rules = before.tiers.rules;
   m_content.takes = std::move(before.takes);
+  m_content.lost = std::move(before.lost);
   m_nextIndex = 0;
   m_isBegun = false;
   m_settingsMarksScale = 0;
@@ -139,6 +140,12 @@ void TimelineView::selectMarker(int id) {
 void TimelineView::showTakes(std::vector<TimelineTake> takes) {
   if (takes == m_content.takes) return;
   m_content.takes = std::move(takes);
+  redraw();
+}
+
+void TimelineView::showLost(const QString& why) {
+  if (why == m_content.lost) return;
+  m_content.lost = why;
   redraw();
 }
 

@@ -42,6 +42,10 @@ class TimelineView : public QWidget {
   const std::vector<TimelineTake>& takes() const { return m_content.takes; }
   void showTakes(std::vector<TimelineTake> takes);
 
+  /// Why the oldest frames are not kept, written where the timeline begins; empty = all are.
+  void showLost(const QString& why);
+  const QString& lost() const { return m_content.lost; }
+
   const TimelineTiers& tiers() const { return m_content.tiers; }
   void showAnnotations(const Annotations& annotations, const TierRules& rules);
   /// Which tier is active, and what is selected; 0 = none.

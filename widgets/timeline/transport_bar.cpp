@@ -55,6 +55,18 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent), m_palette(palette
   m_role->setPopupMode(QToolButton::InstantPopup);
   m_role->setFocusPolicy(Qt::TabFocus);
   m_role->hide();
+  m_livePin = button("Lift the pin of the live partner",
+                     "You pinned a pair: the live partner answers with it until you lift it here");
+  m_livePin->setText("live: pinned by you ✕");
+  m_triedPin = button("Pin the live partner, too",
+                      "Tried on the parked frame only: the live partner is not pinned. Click to pin it, too");
+  m_triedPin->setText("what if: pinned · apply to live");
+  for (QToolButton* pin : {m_livePin, m_triedPin}) {
+    pin->setFocusPolicy(Qt::TabFocus);
+    pin->hide();
+  }
+  connect(m_livePin, &QToolButton::clicked, this, &TransportBar::liftPinRequested);
+  connect(m_triedPin, &QToolButton::clicked, this, &TransportBar::applyPinRequested);
   m_input = new QLabel(this);
   m_input->setObjectName("secondary");
   arrange();
@@ -141,6 +153,10 @@ void TransportBar::arrange() {
   }
   row->addSpacing(8);
   row->addWidget(m_role);
+  for (QToolButton* pin : {m_livePin, m_triedPin}) {
+    row->addSpacing(6);
+    row->addWidget(pin);
+  }
   row->addStretch(1);
   row->addWidget(m_recording, 0, Qt::AlignVCenter);
   row->addSpacing(12);
@@ -173,6 +189,10 @@ void TransportBar::dress() {
                                      "font-weight: 600; font-size: 12px;")
                                  .arg(m_palette.live.name()));
   dressRole();
+  for (QToolButton* pin : {m_livePin, m_triedPin})
+    pin->setStyleSheet(QString("QToolButton { color: %1; border: 1px solid %2; border-radius: 6px; "
+                               "padding: 2px 8px; font-weight: 600; font-size: 12px; }")
+                           .arg(m_palette.text.name(), m_palette.warning.name()));
   const auto coloured = [](const QColor& colour) {
     return QString("QToolButton { color: %1; } QToolButton::menu-indicator { image: none; }")
         .arg(colour.name());
@@ -226,6 +246,15 @@ void TransportBar::showRecording(const QString& words) {
   makeRoom();
 }
 
+void TransportBar::showHeld(bool on) {
+  if (on == m_isHeld) return;
+  m_isHeld = on;
+  m_live->setText(on ? "HELD  End" : "LIVE  End");
+  m_live->setToolTip(on ? "To the live end (End). The input is held: nothing is recorded until it goes on"
+                        : "Follow what comes in (End)");
+  showState();
+}
+
 void TransportBar::showRole(bool user_is_active, const QString& by) {
   m_userIsActive = user_is_active;
   if (m_isOfTake) return;  // a take has no user
@@ -251,6 +280,13 @@ void TransportBar::dressRole() {
           .arg(m_palette.text.name(), m_userIsActive ? "solid" : "dashed", ink.name()));
 }
 
+void TransportBar::showPins(bool live, bool tried) {
+  if (m_livePin->isHidden() == !live && m_triedPin->isHidden() == !tried) return;
+  m_livePin->setVisible(live);
+  m_triedPin->setVisible(tried);
+  makeRoom();
+}
+
 void TransportBar::setRoleMenu(QMenu* menu) {
   m_role->setMenu(menu);
 }
@@ -266,7 +302,8 @@ QString TransportBar::roleText() const {
 /// Rather nothing than half a name.
 void TransportBar::makeRoom() {
   int others_px = 660;
-  for (const QWidget* part : {static_cast<QWidget*>(m_recording), static_cast<QWidget*>(m_role)})
+  for (const QWidget* part : {static_cast<QWidget*>(m_recording), static_cast<QWidget*>(m_role),
+                              static_cast<QWidget*>(m_livePin), static_cast<QWidget*>(m_triedPin)})
     if (!part->isHidden()) others_px += part->sizeHint().width() + 12;
   m_input->setVisible(width() >= others_px + m_input->sizeHint().width());
   // Both are in the menus and on the ruler as well.
@@ -343,8 +380,10 @@ void TransportBar::showState() {
       m_state->setColour(m_palette.text);
       break;
     case Playback::State::Following:
-      m_state->setText("● LIVE");
-      m_state->setColour(m_palette.dark ? m_palette.live.lighter(135) : m_palette.live);
+      m_state->setText(m_isHeld ? "‖ HELD" : "● LIVE");
+      m_state->setColour(m_isHeld         ? m_palette.warning
+                         : m_palette.dark ? m_palette.live.lighter(135)
+                                          : m_palette.live);
       break;
   }
 }

@@ -32,8 +32,12 @@ class TransportBar : public QWidget {
   TimeFormat format() const { return m_format; }
   /// The take being recorded, "salsa 003 · 00:35"; empty = none.
   void showRecording(const QString& words);
+  /// Whether the input is held: the live end stays where it is.
+  void showHeld(bool on);
   /// The user's role. @param by role control: "by hand", "by the library"
   void showRole(bool user_is_active, const QString& by);
+  /// @param live  the live partner is pinned  @param tried  a pin is tried on the parked frame only
+  void showPins(bool live, bool tried);
   /// Menu of the role button.
   void setRoleMenu(QMenu* menu);
   QString recordingText() const;
@@ -58,6 +62,8 @@ class TransportBar : public QWidget {
   void everyFrameRequested(bool on);
   void loopRequested(bool on);
   void repeatRequested(abrazo::Playback::Repeat repeat);
+  void liftPinRequested();
+  void applyPinRequested();
   void placeEntryRequested();
   void formatRequested(abrazo::TimeFormat format);
 
@@ -86,7 +92,8 @@ class TransportBar : public QWidget {
   TimeFormat m_format = TimeFormat::Clock;
   QLabel* m_recording;
   QToolButton* m_role;
-  bool m_userIsActive = true;
+  QToolButton *m_livePin, *m_triedPin;
+  bool m_userIsActive = true, m_isHeld = false;
   bool m_isOfTake = false;
   QToolButton *m_start, *m_back, *m_play, *m_forward, *m_end, *m_speed, *m_loop;
   TabularLabel *m_time, *m_frame, *m_state;

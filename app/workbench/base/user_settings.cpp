@@ -20,4 +20,9 @@ QString settings_folder() {
 UserSettings::UserSettings()
     : m_folder(settings_folder()), m_store(m_folder + "/workbench.ini", QSettings::IniFormat) {}
 
+QString UserSettings::historyFolder() const {
+  if (qEnvironmentVariableIsSet("ABRAZO_HOME")) return m_folder + "/history";
+  return QStandardPaths::writableLocation(QStandardPaths::GenericCacheLocation) + "/abrazo/history";
+}
+
 }  // namespace abrazo::app

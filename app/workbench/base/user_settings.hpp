@@ -14,6 +14,11 @@ class UserSettings {
   QString folder() const { return m_folder; }
   /// Folder of unsaved work.
   QString autosaveFolder() const { return m_folder + "/autosave"; }
+  /// Folder of histories on disk: ABRAZO_HOME/history, else abrazo/history in the cache folder of the user.
+  QString historyFolder() const;
+  /// Bound of the history on disk [GB]; 0 = in memory only.
+  double historyBound() const { return m_store.value("history/gigabytes", 4.0).toDouble(); }
+  void setHistoryBound(double gigabytes) { m_store.setValue("history/gigabytes", gigabytes); }
   /// Folder of joint maps that the user made for unknown motions.
   QString jointMapFolder() const { return m_folder + "/joint-maps"; }
   /// Folder of what the user said of motion files, for files alike.

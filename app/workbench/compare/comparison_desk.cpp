@@ -92,11 +92,13 @@ CompareSituation ComparisonDesk::situation() const {
           m_isAside,
           m_window.ticker().playback(),
           m_window.ticker().shown(),
-          m_panel.span()};
+          m_panel.span(),
+          m_window.document().triedPin()};
 }
 
 void ComparisonDesk::refresh() {
   if (!m_window.session() || !m_window.ticker().history() || m_window.session()->looksElsewhere()) return;
+  if (m_window.ticker().playback().state == Playback::State::Following) m_window.document().tryPin({});
   const CompareSituation now = situation();
   const double cursor_s = now.shown ? now.shown->time_s : 0;
   const bool is_moving = now.playback.state != Playback::State::Following && cursor_s != m_cursor_s;
@@ -119,7 +121,7 @@ void ComparisonDesk::plan(const CompareSituation& now) {
   if (!differs && !is_same) ask(m_shadow, std::nullopt);
   if (differs && !is_same && (!now.is_aside || is_at_rest)) ask(m_shadow, shadow);
 
-  if (!m_panel.isVisible()) return ask(m_whatIf, std::nullopt);
+  if (!m_panel.isVisible() && !now.tried_pin) return ask(m_whatIf, std::nullopt);
   const auto what_if = what_if_task(now, m_whatIf.asked ? &*m_whatIf.asked : nullptr);
   const bool is_parked = now.playback.state == Playback::State::Parked;
   if (!what_if && is_parked) return ask(m_whatIf, std::nullopt);

@@ -17,7 +17,9 @@ widgets::CompareSides sides_of(const CompareSituation& now, double frozen_at_s, 
   widgets::CompareSides sides;
   sides.is_frozen = now.frozen.has_value();
   sides.is_aside = now.is_aside;
-  sides.origin_b = is_following ? (now.is_aside ? "tried aside" : "live") : "what if";
+  sides.origin_b = is_following    ? (now.is_aside ? "tried aside" : "live")
+                   : now.tried_pin ? "what if, pinned"
+                                   : "what if";
   if (now.frozen) {
     sides.origin_a = now.is_aside ? "live, held" : "frozen at " + in_seconds(frozen_at_s, 1);
     sides.settings_a = line(*now.frozen, now.present);

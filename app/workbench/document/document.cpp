@@ -3,6 +3,7 @@
 #include <QUndoCommand>
 
 #include "app/workbench/base/error_words.hpp"
+#include "core/session/frames/decision_edits.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -82,6 +83,27 @@ bool Document::controlRole(RoleControl by) {
   return possible.ok();
 }
 
+void Document::tryPin(std::optional<int> pair) {
+  if (pair == m_triedPin) return;
+  m_triedPin = pair;
+  emit triedPinChanged();
+}
+
+Decisions Document::shownDecisions() const {
+  Decisions shown = decisions();
+  if (m_triedPin) shown.pinned = m_triedPin;
+  return shown;
+}
+
+void Document::decide(const Decisions& next, const QString& what, bool is_parked) {
+  const bool is_other_pin = next.pinned && next.pinned != shownDecisions().pinned;
+  if (is_parked && is_other_pin) return tryPin(next.pinned);
+  Decisions live = next;
+  if (m_triedPin && !is_neutral(next)) live.pinned = decisions().pinned;
+  if (!next.pinned) tryPin({});
+  change(live, what);
+}
+
 void Document::open(const Project& saved, const QStringList& videos) {
   announce(m_live.open(saved));
   controlRole(saved.decisions.role_control);
@@ -91,6 +113,7 @@ void Document::open(const Project& saved, const QStringList& videos) {
 
 void Document::beginSession(PreparedSolver prepared) {
   const bool same_library = m_session && m_session->material().library == prepared.material.library;
+  tryPin({});
   m_session.reset();
   m_session = std::make_unique<LiveSession>(std::move(prepared));
   m_subject.clear();
@@ -101,6 +124,7 @@ void Document::beginSession(PreparedSolver prepared) {
 }
 
 void Document::replaceSolver(PreparedSolver prepared) {
+  tryPin({});  // pairs may have other numbers
   const auto before = m_session->material().library, after = prepared.material.library;
   m_session->replaceSolver(std::move(prepared));
   const auto changed = m_live.replace_library(*before, *after);
@@ -110,6 +134,7 @@ void Document::replaceSolver(PreparedSolver prepared) {
 
 void Document::setSubject(const std::string& subject) {
   if (subject == m_subject) return;
+  tryPin({});
   m_subject = subject;
   emit subjectChanged();
   emit changed(ProjectPart::Markers);

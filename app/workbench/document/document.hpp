@@ -4,6 +4,7 @@
 #include <QStringList>
 #include <QUndoStack>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -49,6 +50,14 @@ class Document : public QObject {
   void putSettings(const Settings& settings) { put(m_live.with_settings(settings)); }
   /// Refused if the library lacks the annotations for it. @return whether it was done
   bool controlRole(RoleControl by);
+  /// A pair that is tried on the parked frame: solved again there, while the live solver is not told. None
+  /// ends it.
+  void tryPin(std::optional<int> pair);
+  const std::optional<int>& triedPin() const { return m_triedPin; }
+  /// The decisions for the parked frame: those in force, with the tried pin.
+  Decisions shownDecisions() const;
+  /// Takes new decisions that a view requests. While parked, another pin is tried on the parked frame only.
+  void decide(const Decisions& next, const QString& what, bool is_parked);
   /// Opens a saved project in the new session.
   void open(const Project& saved, const QStringList& videos);
   void openAnnotations(const AnnotationBook& book) { emit annotationsOpened(book); }
@@ -68,6 +77,7 @@ class Document : public QObject {
  signals:
   void changed(abrazo::ProjectPart part);
   void subjectChanged();
+  void triedPinChanged();
   void refused(const QString& why);
   void libraryReplaced(const std::shared_ptr<const abrazo::MotionLibrary>& before,
                        const std::shared_ptr<const abrazo::MotionLibrary>& after);
@@ -84,6 +94,7 @@ class Document : public QObject {
   LiveProject m_live;
   QUndoStack m_undo;
   std::string m_subject;
+  std::optional<int> m_triedPin;
   std::unique_ptr<LiveSession> m_session;
 };
 

@@ -1,6 +1,7 @@
 #include <QAction>
 #include <QMenu>
 
+#include "app/workbench/project/history_desk.hpp"
 #include "app/workbench/project/project_desk.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
@@ -18,6 +19,9 @@ ProjectDesk& add_project_actions(MainWindow& window, TakeDesk& takes) {
       add_action(window, menu, "Save as…", {QKeySequence("Ctrl+Shift+S")}, [desk] { desk->askSaveAs(); });
   for (QAction* action : {save, save_as})
     move_before(*menu, action, action_of(window, "file.generated_dance"));
+  auto* history = new HistoryDesk(window);
+  QObject::connect(desk, &ProjectDesk::leftForNextStart, history, &HistoryDesk::leave);
+  add_action(window, window.menu("Timeline"), "History on disk…", {}, [history] { history->askBound(); });
   return *desk;
 }
 

@@ -95,7 +95,10 @@ void ProjectDesk::setAsks(bool on) {
 
 void ProjectDesk::leaveChanges() {
   refresh();
-  if (m_asks && m_isModified) m_autosave.leave(current(), file());
+  if (m_asks && m_isModified) {
+    m_autosave.leave(current(), file());
+    emit leftForNextStart();
+  }
   m_asks = false;
 }
 

@@ -53,6 +53,8 @@ class ProjectDesk : public QObject {
  signals:
   void saved(const QString& file);
   void notSaved(const QString& why);
+  /// Unsaved work stays for the next start.
+  void leftForNextStart();
   /// Name or modified state changed.
   void changed();
 

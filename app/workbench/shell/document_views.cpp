@@ -8,6 +8,7 @@
 #include "widgets/scene/view/scene_view.hpp"
 #include "widgets/settings/settings_panel.hpp"
 #include "widgets/timeline/timeline_view.hpp"
+#include "widgets/timeline/transport_bar.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -21,7 +22,8 @@ void show_part(MainWindow& window, ProjectPart part) {
   if (part == ProjectPart::Settings)
     window.settings().showSettings(document.settings(), document.live().preset());
   if (part == ProjectPart::Decisions) {
-    window.candidates().showDecisions(document.decisions());
+    window.candidates().showDecisions(document.shownDecisions());
+    window.transport().showPins(document.decisions().pinned.has_value(), document.triedPin().has_value());
     window.takes().setVetoedTakes(document.decisions().vetoes.takes);
   }
   if (part == ProjectPart::Markers) window.timeline().showMarkers(document.markers());
@@ -50,7 +52,12 @@ void show_document(MainWindow& window) {
   connect(window.settings(), &SettingsPanel::presetRequested, &Document::choosePreset);
   connect(window.settings(), &SettingsPanel::settingsRequested, &Document::adopt);
   connect(window.candidates(), &CandidateTable::decisionsRequested,
-          [&document](const Decisions& next, const QString& what) { document.change(next, what); });
+          [&window](const Decisions& next, const QString& what) {
+            const bool is_parked = window.ticker().playback().state == Playback::State::Parked;
+            window.document().decide(next, what, is_parked && window.document().subject().empty());
+          });
+  QObject::connect(&document, &Document::triedPinChanged, &window,
+                   [&window] { show_part(window, ProjectPart::Decisions); });
   connect(window.timeline(), &TimelineView::markersRequested, &Document::changeMarkers);
   QObject::connect(&document, &Document::changed, &window,
                    [&window](ProjectPart part) { show_part(window, part); });

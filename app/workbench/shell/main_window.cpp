@@ -209,7 +209,9 @@ void MainWindow::wireViews() {
     if (m_job) m_job->cancel();
   });
   connect(&m_statusTimer, &QTimer::timeout, this, [this] {
-    if (session()) m_status->refresh(session()->engine().history(), m_scene->renderedFrames());
+    if (!session()) return;
+    m_status->showHeld(session()->engine().is_held());
+    m_status->refresh(session()->engine().history(), m_scene->renderedFrames());
   });
   m_statusTimer.start(status_interval_ms);
 }
@@ -226,6 +228,7 @@ void MainWindow::wireTransport() {
   connect(m_plots, &PlotPanel::seekRequested, &m_ticker, &FrameTicker::seek);
   connect(&m_ticker, &FrameTicker::playbackChanged, m_transport, [this](const Playback& playback) {
     const auto& shown = m_ticker.shown();
+    m_transport->showHeld(session() && session()->engine().is_held());
     m_transport->showPlayback(playback, shown ? static_cast<long long>(shown->index) : -1);
   });
 }

@@ -77,9 +77,10 @@ void StatusFigures::refresh(const FrameHistory& history, std::uint64_t rendered_
     return QString::number(percentile(m_solve_us, share) / 1000, 'f', 2);
   };
   const QString render = "render", rendered = QString("%1 fps").arg(m_renderRate, 0, 'f', 0);
+  const QString in = m_isHeld ? "held" : hertz(m_input.comes ? m_input.rate_hz : 0);
   if (newest) {
     m_ok = newest->result.status != StepStatus::Failed;
-    m_left = {{"in", hertz(m_input.comes ? m_input.rate_hz : 0)}, {"steps", hertz(newest->input_rate_hz)}};
+    m_left = {{"in", in}, {"steps", hertz(newest->input_rate_hz)}};
     if (m_input.lost) m_left.push_back({"lost", QString::number(*m_input.lost)});
     m_left.insert(m_left.end(),
                   {{"solve", ms(0.5) + " ms"},
@@ -89,7 +90,8 @@ void StatusFigures::refresh(const FrameHistory& history, std::uint64_t rendered_
     if (newest->dropped_inputs > 0) m_left.push_back({"replaced", QString::number(newest->dropped_inputs)});
   } else {
     for (Figure& figure : m_left) {
-      if (figure.name == "in" || figure.name == "steps") figure.value = hertz(0);
+      if (figure.name == "in") figure.value = m_isHeld ? in : hertz(0);
+      if (figure.name == "steps") figure.value = hertz(0);
       if (figure.name == render) figure.value = rendered;
     }
   }

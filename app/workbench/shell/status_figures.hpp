@@ -33,6 +33,8 @@ class StatusFigures : public QWidget {
   void setInput(const Input& input, int library_pairs);
   void setLibrary(int pairs) { m_pairs = pairs; }
   void showInput(const Input& input);
+  /// Whether the input is held: by the user, or while a take is annotated.
+  void showHeld(bool on) { m_isHeld = on; }
   void refresh(const FrameHistory& history, std::uint64_t rendered_frames);
 
   /// The shown texts from left to right, such as "in 60 Hz".
@@ -48,7 +50,7 @@ class StatusFigures : public QWidget {
   widgets::Palette m_palette;
   Input m_input;
   int m_pairs = 0;
-  bool m_ok = true;
+  bool m_ok = true, m_isHeld = false;
   std::vector<Figure> m_left, m_right;
   std::uint64_t m_nextIndex = 0;
   std::uint64_t m_rendered = 0;

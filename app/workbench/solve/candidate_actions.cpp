@@ -6,6 +6,7 @@
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/library/take_list.hpp"
+#include "widgets/timeline/transport_bar.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -35,6 +36,20 @@ void connect_table(MainWindow& window) {
   });
 }
 
+/// Takes the pin of the live partner away; the parked frame keeps what is tried on it.
+void lift_live_pin(Document& document) {
+  Decisions next = document.decisions();
+  next.pinned.reset();
+  document.change(next, "lift the live pin");
+}
+
+void apply_tried_pin(Document& document) {
+  if (!document.triedPin()) return;
+  const Decisions next = document.shownDecisions();
+  document.tryPin({});
+  document.change(next, "pin the live partner");
+}
+
 }  // namespace
 
 void add_candidate_actions(MainWindow& window) {
@@ -44,6 +59,15 @@ void add_candidate_actions(MainWindow& window) {
   menu->addSeparator();
   add_action(window, menu, "Use this candidate, or unpin it", {QKeySequence("P")},
              [&table] { table.togglePin(); });
+  Document& document = window.document();
+  add_action(window, menu, "Lift the pin of the live partner", {}, [&document] { lift_live_pin(document); });
+  add_action(window, menu, "Pin the live partner as tried here", {},
+             [&document] { apply_tried_pin(document); });
+  widgets::TransportBar& transport = window.transport();
+  QObject::connect(&transport, &widgets::TransportBar::liftPinRequested, &document,
+                   [&document] { lift_live_pin(document); });
+  QObject::connect(&transport, &widgets::TransportBar::applyPinRequested, &document,
+                   [&document] { apply_tried_pin(document); });
   add_action(window, menu, "Veto this candidate", {QKeySequence("V")},
              [&table] { table.toggleVeto(Reach::Pair); });
   add_action(window, menu, "Veto its take", {QKeySequence("Shift+V")},

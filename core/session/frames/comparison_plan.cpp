@@ -34,15 +34,19 @@ bool covers(const ComparisonTask& task, double time_s) {
 std::optional<ComparisonTask> what_if_task(const CompareSituation& now, const ComparisonTask* current) {
   const bool is_following = now.playback.state == Playback::State::Following;
   if (is_following || !now.shown) return std::nullopt;
-  if (now.present == now.frozen.value_or(now.shown->settings)) return std::nullopt;
+  if (now.present == now.frozen.value_or(now.shown->settings) && !now.tried_pin) return std::nullopt;
   ComparisonTask task;
   task.a = now.frozen;
   task.b = now.present;
+  if (now.tried_pin) {
+    task.b_decisions = now.shown->decisions ? *now.shown->decisions : Decisions{};
+    task.b_decisions->pinned = now.tried_pin;
+  }
   const bool is_range = now.span == WhatIfSpan::InToOut;
   const bool is_same_length =
       current && (now.span == WhatIfSpan::Frame) == (current->from_s == current->to_s);
   if (current && !is_range && is_same_length && current->a == task.a && current->b == task.b &&
-      covers(*current, now.shown->time_s))
+      current->b_decisions == task.b_decisions && covers(*current, now.shown->time_s))
     return *current;
   if (now.playback.state == Playback::State::Playing && !is_range) return std::nullopt;
   const auto span = span_of(now);

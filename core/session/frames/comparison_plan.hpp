@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "core/session/frames/decisions.hpp"
 #include "core/session/frames/frame_snapshot.hpp"
 #include "core/session/frames/playback.hpp"
 #include "core/synthesis/settings.hpp"
@@ -13,7 +14,8 @@ struct ComparisonTask {
   std::optional<Settings> a, b;  ///< solved again with these; none: as recorded
   double from_s = 0;             ///< both start from the solver's state at this time
   double to_s = 0;
-  bool goes_on = false;  ///< follows the live solver, without an end
+  bool goes_on = false;                       ///< follows the live solver, without an end
+  std::optional<Decisions> b_decisions = {};  ///< B is solved with these; none: those of the recording
 
   bool operator==(const ComparisonTask&) const = default;
 };
@@ -29,6 +31,7 @@ struct CompareSituation {
   Playback playback;
   FrameSnapshotPtr shown;  ///< at the cursor
   WhatIfSpan span = WhatIfSpan::TwoSeconds;
+  std::optional<int> tried_pin = {};  ///< pair tried on the parked frame; the live solver is not told
 };
 
 /// What to solve again around a parked cursor; none if nothing would differ, or no range is marked. A cursor

@@ -132,11 +132,13 @@ bool ComparisonRun::advance(std::size_t frames) {
 }
 
 void ComparisonRun::solve(const FrameSnapshot& recorded) {
-  const auto of_run = [&recorded](const std::optional<Settings>& settings, ReSolver* solver) {
-    return slim(settings ? solver->solve(recorded, *settings) : std::make_shared<FrameSnapshot>(recorded));
+  const auto of_run = [&recorded](const std::optional<Settings>& settings, ReSolver* solver,
+                                  const std::optional<Decisions>& decisions) {
+    return slim(settings ? solver->solve(recorded, *settings, decisions)
+                         : std::make_shared<FrameSnapshot>(recorded));
   };
-  a_->append(of_run(state_.task.a, solvers_.a.get()));
-  b_->append(of_run(state_.task.b, solvers_.b.get()));
+  a_->append(of_run(state_.task.a, solvers_.a.get(), std::nullopt));
+  b_->append(of_run(state_.task.b, solvers_.b.get(), state_.task.b_decisions));
 }
 
 std::shared_ptr<const Comparison> ComparisonRun::measured() {

@@ -31,6 +31,18 @@ bool same_body(const Body& a, const Body& b) {
          a.toe_rest_height == b.toe_rest_height;
 }
 
+bool changes_the_answer(const Command& command) {
+  return std::visit(
+      []<typename Wish>(const Wish&) {
+        return std::is_same_v<Wish, SetSettings> || std::is_same_v<Wish, PinPair> ||
+               std::is_same_v<Wish, SetVetoes> || std::is_same_v<Wish, IntendMove> ||
+               std::is_same_v<Wish, SetRoleControl> || std::is_same_v<Wish, ResetSolver> ||
+               std::is_same_v<Wish, SeekInput> || std::is_same_v<Wish, ReplaceSource> ||
+               std::is_same_v<Wish, ReplaceSynthesizer>;
+      },
+      command);
+}
+
 /// Replaces a result from a damaged library file, which would be meaningless.
 void hold(FrameSnapshot& snapshot, const FrameSnapshotPtr& last, const std::string& why) {
   snapshot.elapsed_s = -1;
@@ -91,6 +103,10 @@ double LiveLoop::turn(double now_s) {
   for (const Command& command : commands_.drain()) {
     attempt([&] { apply(command, now_s); });
     state_due_ = next_index_;
+  }
+  if (rests(now_s)) {
+    if (!trouble_.empty()) throw std::runtime_error(std::exchange(trouble_, {}));
+    return output_.next_hold_s();
   }
   if (const auto input = source_->poll(now_s)) {
     waiting_since_s_ = now_s;
@@ -173,6 +189,20 @@ double LiveLoop::loss_after_s() const {
   return rate_hz > 0 ? std::max(tracking_loss_s, intervals_until_loss / rate_hz) : tracking_loss_s;
 }
 
+/// Whether a held input needs no solving. Its sinks still get the pose; the solver's time does not pass.
+bool LiveLoop::rests(double now_s) {
+  const bool rested = rests_since_s_ >= 0;
+  if (is_held_ && has_solved_ && now_s >= settles_until_s_) {
+    if (!rested) rests_since_s_ = now_s;
+    output_.hold(now_s, true);
+    return true;
+  }
+  if (rested && previous_time_s_ >= 0) previous_time_s_ += now_s - rests_since_s_;
+  if (rested) waiting_since_s_ = now_s;
+  rests_since_s_ = -1;
+  return false;
+}
+
 /// After a while without a pose one frame reports it, and the sinks are informed until poses return.
 void LiveLoop::wait_for_pose(double now_s) {
   if (!is_lost_ && now_s - waiting_since_s_ >= loss_after_s()) {
@@ -200,6 +230,8 @@ void LiveLoop::replace_source(const ReplaceSource& replacement, double now_s) {
 }
 
 void LiveLoop::apply(const Command& command, double now_s) {
+  if (std::holds_alternative<PauseInput>(command)) settles_until_s_ = -1;  // rests at once
+  if (changes_the_answer(command)) settles_until_s_ = now_s + settling_s;
   std::visit(
       [&](const auto& wish) {
         using Wish = std::decay_t<decltype(wish)>;
@@ -239,6 +271,8 @@ void LiveLoop::apply(const Command& command, double now_s) {
         }
       },
       command);
+  ReplayControl* replay = source_->replay();
+  is_held_ = replay && replay->is_paused();
 }
 
 std::shared_ptr<const SynthesizerState> LiveLoop::state_if_due() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -38,6 +39,11 @@ class LiveLoop {
   /// Publishes a failed snapshot with this text; the partner holds its last pose.
   void publish_failure(const std::string& why, double now_s);
 
+  /// Whether the clip that plays the user is paused. No frames are made then, except for `settling_s` after
+  /// a command that changes the answer. Thread-safe.
+  bool is_held() const { return is_held_; }
+  static constexpr double settling_s = 0.5;
+
   /// Notified when a command or a pose came in.
   const std::shared_ptr<WakeUp>& wake_up() const { return commands_.wake_up(); }
 
@@ -52,6 +58,7 @@ class LiveLoop {
   double time_since_previous(const SourcePose& input);
   double frame_time(const SourcePose& input, double now_s) const;
   void wait_for_pose(double now_s);
+  bool rests(double now_s);
   double loss_after_s() const;
   std::shared_ptr<const SynthesizerState> state_if_due();
   void continue_counting();
@@ -75,6 +82,9 @@ class LiveLoop {
   double waiting_since_s_ = -1;  ///< waiting for a pose since; -1 before the first turn
   bool is_lost_ = false;         ///< no pose for too long
   bool has_solved_ = false;
+  std::atomic<bool> is_held_ = false;
+  double settles_until_s_ = -1;  ///< a held pose is solved until then
+  double rests_since_s_ = -1;    ///< a held pose is not solved since then; -1 = it is
   double smoothed_interval_s_ = 0;
   std::uint64_t dropped_before_ = 0;  ///< by previous sources
   std::uint64_t dropped_at_start_ = 0, dropped_now_ = 0;

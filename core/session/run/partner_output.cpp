@@ -29,10 +29,10 @@ bool PartnerOutput::send(const FrameResult& result, const std::shared_ptr<const 
   return !sinks_.empty();
 }
 
-bool PartnerOutput::hold(double time_s) {
+bool PartnerOutput::hold(double time_s, bool is_tracked) {
   if (!has_poses_ || time_s < next_hold_s()) return false;
   sent_s_ = time_s;
-  send_to_all(time_s, false);
+  send_to_all(time_s, is_tracked);
   return !sinks_.empty();
 }
 

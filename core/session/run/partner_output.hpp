@@ -16,7 +16,7 @@ namespace abrazo {
 const Body& body_of_character(const MotionLibrary& library, Character character, UserRole user_role);
 
 /// Sends both characters: solved poses go to every sink immediately; while nothing is solved, the last poses
-/// are repeated as not tracked, `held_rate_hz` times a second. Each sink gets the body before the first pose,
+/// are repeated, `held_rate_hz` times a second. Each sink gets the body before the first pose,
 /// and again when role or library change it.
 class PartnerOutput {
  public:
@@ -29,8 +29,9 @@ class PartnerOutput {
   /// @return whether anything was sent
   bool send(const FrameResult& result, const std::shared_ptr<const MotionLibrary>& library,
             UserRole user_role, double time_s);
-  /// Repeats the last poses if they are due. @return whether anything was sent
-  bool hold(double time_s);
+  /// Repeats the last poses if they are due. @param is_tracked the user is there, but held still
+  /// @return whether anything was sent
+  bool hold(double time_s, bool is_tracked = false);
   /// Time of the next due `hold`.
   double next_hold_s() const {
     if (!has_poses_ || sinks_.empty()) return std::numeric_limits<double>::infinity();

@@ -32,8 +32,8 @@ void ReSolver::go_to(std::span<const FrameSnapshotPtr> run_up, const FrameSnapsh
 }
 
 /// What came between the frame before and this one: each command makes that a frame has a state.
-void ReSolver::follow_commands(const FrameSnapshot& recorded) {
-  follow_decisions(recorded.decisions ? *recorded.decisions : Decisions{});
+void ReSolver::follow_commands(const FrameSnapshot& recorded, const std::optional<Decisions>& instead) {
+  follow_decisions(instead ? *instead : recorded.decisions ? *recorded.decisions : Decisions{});
   if (!recorded.before) return;
   const FrameMemory& before = recorded.before->memory;
   if (before.frames_since_reset == 0 && !before.partner_is_shown) synthesizer_->reset();
@@ -50,8 +50,9 @@ void ReSolver::follow_decisions(const Decisions& decisions) {
   decisions_ = decisions;
 }
 
-std::shared_ptr<FrameSnapshot> ReSolver::solve(const FrameSnapshot& recorded, const Settings& settings) {
-  follow_commands(recorded);
+std::shared_ptr<FrameSnapshot> ReSolver::solve(const FrameSnapshot& recorded, const Settings& settings,
+                                               const std::optional<Decisions>& decisions) {
+  follow_commands(recorded, decisions);
   synthesizer_->set_settings(settings);
   auto solved = std::make_shared<FrameSnapshot>();
   solved->index = recorded.index;
@@ -60,7 +61,7 @@ std::shared_ptr<FrameSnapshot> ReSolver::solve(const FrameSnapshot& recorded, co
   solved->user = recorded.user;
   solved->settings = settings;
   solved->elapsed_s = recorded.elapsed_s;
-  solved->decisions = recorded.decisions;
+  solved->decisions = decisions ? std::make_shared<const Decisions>(*decisions) : recorded.decisions;
   solved->input_rate_hz = recorded.input_rate_hz;
   solved->dropped_inputs = recorded.dropped_inputs;
   const bool was_stepped = recorded.elapsed_s >= 0;  // otherwise there is nothing to restore

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
 #include "core/session/frames/decisions.hpp"
@@ -24,11 +25,13 @@ class ReSolver {
   void go_to(std::span<const FrameSnapshotPtr> run_up, const FrameSnapshot& next);
 
   /// Solves the input of `recorded` after the frames solved so far. The frame has its time and index, and
-  /// these settings and their result. Decisions and restarts are those of the recording.
-  std::shared_ptr<FrameSnapshot> solve(const FrameSnapshot& recorded, const Settings& settings);
+  /// these settings and their result. Restarts are those of the recording.
+  /// @param decisions none: those of the recording
+  std::shared_ptr<FrameSnapshot> solve(const FrameSnapshot& recorded, const Settings& settings,
+                                       const std::optional<Decisions>& decisions = std::nullopt);
 
  private:
-  void follow_commands(const FrameSnapshot& recorded);
+  void follow_commands(const FrameSnapshot& recorded, const std::optional<Decisions>& instead = {});
   void follow_decisions(const Decisions& decisions);
 
   std::unique_ptr<PartnerSynthesizer> synthesizer_;

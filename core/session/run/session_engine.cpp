@@ -133,6 +133,7 @@ struct SessionEngine::Parts {
   std::shared_ptr<Recorder> recorder;
   std::shared_ptr<LibraryFingerprints> fingerprints = std::make_shared<LibraryFingerprints>();
   std::shared_ptr<ListenerGate> gate;
+  std::shared_ptr<HistoryKeeper> keeper;
   struct Sending {
     std::string uri;
     std::shared_ptr<PoseSink> sink;
@@ -190,6 +191,10 @@ const LatestSlot<FrameSnapshot>& SessionEngine::latest() const {
 
 const SessionClock& SessionEngine::clock() const {
   return parts_->clock;
+}
+
+bool SessionEngine::is_held() const {
+  return parts_->solver.is_held();
 }
 
 // ---- stream in ----
@@ -266,6 +271,16 @@ void SessionEngine::look_back(std::shared_ptr<const FrameStore> recorded) {
   parts_->history.set_store(std::move(recorded));
 }
 
+void SessionEngine::keep_history(std::shared_ptr<HistoryKeeper> keeper) {
+  parts_->keeper = std::move(keeper);
+  parts_->history.set_store(joined_stores(parts_->history.store(), parts_->keeper->store()));
+  push(AttachListener{parts_->keeper});
+}
+
+std::shared_ptr<HistoryKeeper> SessionEngine::history_keeper() const {
+  return parts_->keeper;
+}
+
 Status SessionEngine::record(const std::string& path, const RecordingFacts& facts) {
   if (parts_->recorder)
     return Error{"is being recorded already; stop that first", parts_->recorder->state().path};
@@ -278,7 +293,10 @@ Status SessionEngine::record(const std::string& path, const RecordingFacts& fact
   if (!opened) return opened.error();
   parts_->recorder = std::move(*opened);
   parts_->gate = std::make_shared<ListenerGate>(parts_->recorder);
-  parts_->history.set_store(joined_stores(parts_->history.store(), parts_->recorder->store()));
+  if (parts_->keeper)
+    parts_->keeper->rest(parts_->recorder->store());
+  else
+    parts_->history.set_store(joined_stores(parts_->history.store(), parts_->recorder->store()));
   push(AttachListener{parts_->gate});
   if (parts_->receiver) parts_->record_poses_of(*parts_->receiver);
   return Done{};
@@ -291,6 +309,7 @@ std::shared_ptr<Recorder> SessionEngine::recorder() const {
 Status SessionEngine::stop_recording() {
   if (!parts_->recorder) return Done{};
   parts_->stop_recording_poses();
+  if (parts_->keeper) (void)parts_->keeper->go_on();  // its state says why it does not
   parts_->gate->shut();
   push(DetachListener{parts_->gate});
   parts_->gate.reset();

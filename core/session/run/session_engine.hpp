@@ -10,6 +10,7 @@
 #include "core/session/frames/command.hpp"
 #include "core/session/frames/frame_history.hpp"
 #include "core/session/frames/latest_slot.hpp"
+#include "core/session/run/history_keeper.hpp"
 #include "core/session/run/meant_choices.hpp"
 #include "core/session/run/recorder.hpp"
 #include "core/session/run/session_openers.hpp"
@@ -38,6 +39,8 @@ class SessionEngine {
   const FrameHistory& history() const;
   const LatestSlot<FrameSnapshot>& latest() const;
   const SessionClock& clock() const;
+  /// Whether the clip that plays the user is held: nothing is recorded until it goes on.
+  bool is_held() const;
 
   /// Opens a stream; from then on its poses are the user's. The previous source stays ready. No change on
   /// failure.
@@ -59,6 +62,10 @@ class SessionEngine {
   /// Continues a recorded session: its frames become the history. Call before the first frame; the clock must
   /// be later than those frames.
   void look_back(std::shared_ptr<const FrameStore> recorded);
+
+  /// Keeps the frames from now on on disk, also those that no longer fit in memory. Once in a session.
+  void keep_history(std::shared_ptr<HistoryKeeper> keeper);
+  std::shared_ptr<HistoryKeeper> history_keeper() const;  ///< null if history is in memory only
 
   /// Records everything from now on into a session file, which also extends the history.
   Status record(const std::string& path, const RecordingFacts& facts);

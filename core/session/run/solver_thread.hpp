@@ -14,6 +14,8 @@ class SolverThread {
  public:
   explicit SolverThread(std::unique_ptr<LiveLoop> loop, SessionClock clock = SessionClock());
 
+  bool is_held() const { return loop_->is_held(); }
+
  private:
   std::unique_ptr<LiveLoop> loop_;
   std::jthread thread_;  // declared after what it uses: stops first

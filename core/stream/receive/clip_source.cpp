@@ -23,7 +23,7 @@ std::optional<SourcePose> ClipSource::poll(double now_s) {
   // A little early counts as due: the caller slept until the very instant.
   const auto tick = static_cast<std::int64_t>(std::floor((now_s - base_now_s_) * rate_hz_ + 1e-6));
   if (tick <= last_tick_) return std::nullopt;
-  if (last_tick_ >= 0) dropped_ += static_cast<std::uint64_t>(tick - last_tick_ - 1);
+  if (last_tick_ >= 0 && !paused_) dropped_ += static_cast<std::uint64_t>(tick - last_tick_ - 1);
   last_tick_ = tick;
 
   const double tick_s = base_now_s_ + static_cast<double>(tick) / rate_hz_;

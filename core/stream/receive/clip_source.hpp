@@ -20,6 +20,7 @@ class ClipSource : public PoseSource, public ReplayControl {
   ReplayControl* replay() override { return this; }
 
   void set_paused(bool paused, double now_s) override;
+  bool is_paused() const override { return paused_; }
   void seek(double clip_time_s, double now_s) override;
   void set_speed(double factor, double now_s) override;
   const Clip& clip() const { return clip_; }

@@ -26,6 +26,7 @@ class ReplayControl {
  public:
   virtual ~ReplayControl() = default;
   virtual void set_paused(bool paused, double now_s) = 0;
+  virtual bool is_paused() const = 0;
   virtual void seek(double clip_time_s, double now_s) = 0;
   virtual void set_speed(double factor, double now_s) = 0;
 };

@@ -53,6 +53,30 @@ class Recorded : public testing::Test {
   ComparisonRun::Solvers solvers{library(), {}, nullptr, nullptr};
 };
 
+TEST_F(Recorded, AFrameIsSolvedAgainWithAPinThatTheLiveSolverDoesNotHave) {
+  run_until(3);
+  const FrameSnapshotPtr parked = history.at(2);
+  const int other = parked->result.candidates.back().pair;
+  ASSERT_NE(other, parked->result.candidates[static_cast<std::size_t>(parked->result.selected)].pair);
+  CompareSituation now{
+      .frozen = {}, .present = parked->settings, .is_aside = false, .playback = {}, .shown = parked};
+  now.playback.state = Playback::State::Parked;
+  EXPECT_FALSE(what_if_task(now, nullptr)) << "nothing would differ";
+  now.tried_pin = other;
+  const auto task = what_if_task(now, nullptr);
+  ASSERT_TRUE(task);
+  const auto result = carried_out(*task);
+  ASSERT_TRUE(result->trouble.empty()) << result->trouble;
+  const FrameSnapshotPtr pinned = result->b->at(2);
+  EXPECT_EQ(pinned->result.candidates[static_cast<std::size_t>(pinned->result.selected)].pair, other);
+  EXPECT_EQ(pinned->decisions->pinned, other);
+  EXPECT_NE(pinned->result.result, parked->result.result);
+  EXPECT_EQ(history.at(2), parked) << "the recorded frame stays what it was";
+  EXPECT_FALSE(latest.newest()->decisions) << "the live solver is not told";
+  now.tried_pin = parked->result.candidates.front().pair;
+  EXPECT_NE(what_if_task(now, &*task), task) << "another pin is another what-if";
+}
+
 TEST_F(Recorded, TwoRunsAreSolvedOverTheSameFrames) {
   run_until(3);
   const auto result = carried_out({slow_settings(), test::responsive_by_pose(), 1, 2, false});

@@ -60,15 +60,64 @@ TEST(LiveLoop, SettingsActOnTheRunningSolverAndAreRecorded) {
   EXPECT_EQ(live.history.at(0.3)->settings, *preset("paper"));
 }
 
-TEST(LiveLoop, APausedInputStaysAndTheSolverGoesOn) {
+TEST(LiveLoop, AHeldInputMakesNoFramesAndTheLiveEndStays) {
+  Live live;
+  const auto loop = live.loop(test::responsive_by_pose());
+  run_for(*loop, 0, 0.5);
+  EXPECT_FALSE(loop->is_held());
+  live.commands.push(SetSettings{test::responsive_by_pose()});  // nothing to settle afterwards
+  live.commands.push(PauseInput{true});
+  run_for(*loop, 0.5, 600);
+  EXPECT_TRUE(loop->is_held());
+  EXPECT_EQ(live.history.span().frames, 30U);
+  EXPECT_LT(live.history.span().last_s, 0.5);
+  EXPECT_NE(live.latest.newest()->result.status, StepStatus::Failed) << "a held user is not lost";
+}
+
+TEST(LiveLoop, AfterAHoldTheClipGoesOnFromTheHeldPoseAsIfNoTimeHadPassed) {
+  Live live;
+  const auto loop = live.loop(test::responsive_by_pose());
+  run_for(*loop, 0, 0.5);
+  const FrameSnapshotPtr last = live.latest.newest();
+  live.commands.push(PauseInput{true});
+  run_for(*loop, 0.5, 100);
+  live.commands.push(PauseInput{false});
+  run_for(*loop, 100, 100.5);
+  const FrameSnapshotPtr next = live.history.stepped(last->time_s, 1);
+  EXPECT_NEAR(next->time_s, 100, 0.05);
+  EXPECT_NEAR(static_cast<double>(next->input_frame), static_cast<double>(last->input_frame), 2);
+  EXPECT_LT(next->elapsed_s, 0.05) << "no step over the time held";
+  EXPECT_EQ(next->dropped_inputs, 0U);
+  EXPECT_EQ(live.latest.newest()->dropped_inputs, 0U) << "what was held back was not lost";
+  EXPECT_NE(next->result.status, StepStatus::Failed);
+}
+
+TEST(LiveLoop, AChangeIsSolvedOnTheHeldPoseAndThenItRestsAgain) {
   Live live;
   const auto loop = live.loop(test::responsive_by_pose());
   run_for(*loop, 0, 0.5);
   live.commands.push(PauseInput{true});
-  run_for(*loop, 0.5, 1.0);
-  const auto frames = live.history.range(0.6, 1.0);
-  ASSERT_GT(frames.size(), 20U);
-  for (const FrameSnapshotPtr& frame : frames) EXPECT_EQ(frame->input_frame, frames.front()->input_frame);
+  run_for(*loop, 0.5, 10);
+  const FrameSnapshotPtr held = live.latest.newest();
+  live.commands.push(SetSettings{*preset("paper")});
+  run_for(*loop, 10, 100);
+  const FrameSnapshotPtr settled = live.latest.newest();
+  EXPECT_EQ(settled->settings, *preset("paper"));
+  EXPECT_EQ(settled->user, live.history.at(10.2)->user) << "the pose stays";
+  EXPECT_NEAR(static_cast<double>(settled->input_frame), static_cast<double>(held->input_frame), 1);
+  EXPECT_EQ(settled->dropped_inputs, 0U);
+  EXPECT_NEAR(settled->time_s, 10 + LiveLoop::settling_s, 0.1);
+  live.commands.push(AttachListener{nullptr});
+  run_for(*loop, 100, 110);
+  EXPECT_EQ(live.latest.newest(), settled) << "who listens changes no answer";
+}
+
+TEST(LiveLoop, ASessionThatIsHeldFromTheBeginningHasAFrame) {
+  Live live;
+  const auto loop = live.loop(test::responsive_by_pose());
+  live.commands.push(PauseInput{true});
+  run_for(*loop, 0, 5);
+  EXPECT_EQ(live.history.span().frames, 1U);
 }
 
 TEST(LiveLoop, APinnedPairIsTheSourceUntilItIsLetGo) {

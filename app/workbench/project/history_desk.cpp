@@ -1,0 +1,192 @@
+#include "app/workbench/project/history_desk.hpp"
+
+#include <QDateTime>
+#include <QDir>
+#include <QFileInfo>
+#include <QUuid>
+#include <utility>
+
+#include "app/workbench/base/error_words.hpp"
+#include "app/workbench/document/session_places.hpp"
+#include "app/workbench/shell/main_window.hpp"
+#include "core/base/text.hpp"
+#include "core/session/frames/time_place.hpp"
+#include "widgets/common/message_bar.hpp"
+#include "widgets/timeline/quick_entry.hpp"
+#include "widgets/timeline/timeline_view.hpp"
+#include "widgets/timeline/transport_bar.hpp"
+
+namespace abrazo::app {
+namespace {
+
+constexpr int look_ms = 1000;
+constexpr double gigabyte = 1024.0 * 1024 * 1024;
+constexpr double least_lost_s = 0.5;  // what came before the first frame is not lost
+constexpr double least_bound = 0.1, most_bound = 10000;
+const QPoint above_the_transport(150, 0);
+
+QString lock_beside(const QString& folder) {
+  return folder + ".lock";
+}
+
+QString clock_words(double time_s) {
+  return QString::fromStdString(clock_text(time_s));
+}
+
+/// Oldest first.
+QFileInfoList parts_in(const QString& folder) {
+  return QDir(folder).entryInfoList({"*.abrazo"}, QDir::Files, QDir::Time | QDir::Reversed);
+}
+
+RecordingFacts facts_of_history(const Material& material) {
+  RecordingFacts facts;
+  facts.library_path = material.library_file;
+  facts.library_name = material.library->name();
+  facts.library_pairs = static_cast<std::uint64_t>(material.library->pair_count());
+  facts.library = material.library;
+  facts.excluded_takes = material.excluded_takes;
+  facts.input = "clip:" + material.input.name;
+  return facts;
+}
+
+}  // namespace
+
+HistoryDesk::HistoryDesk(MainWindow& window) : QObject(&window), m_window(window) {
+  setObjectName("history desk");
+  connect(&window, &MainWindow::sessionStarted, this, &HistoryDesk::begin);
+  connect(&window, &MainWindow::sessionEnding, this, &HistoryDesk::end);
+  connect(&m_timer, &QTimer::timeout, this, &HistoryDesk::look);
+  m_timer.start(look_ms);
+}
+
+HistoryDesk::~HistoryDesk() = default;
+
+double HistoryDesk::bound() const {
+  return m_window.remembered().historyBound();
+}
+
+void HistoryDesk::begin() {
+  m_toldMarkers.clear();
+  m_toldFailure.clear();
+  m_isToldBound = false;
+  m_window.timeline().showLost({});
+  if (bound() <= 0) return;
+  const QString parent = m_window.remembered().historyFolder();
+  QDir().mkpath(parent);
+  const QString folder = parent + "/" + QUuid::createUuid().toString(QUuid::WithoutBraces);
+  auto lock = std::make_unique<QLockFile>(lock_beside(folder));
+  lock->setStaleLockTime(0);
+  const HistoryBound limit{.bytes = static_cast<std::uint64_t>(bound() * gigabyte)};
+  auto keeper =
+      lock->tryLock(0)
+          ? HistoryKeeper::open(folder.toStdString(), facts_of_history(m_window.session()->material()), limit)
+          : Result<std::shared_ptr<HistoryKeeper>>(Error{"nothing can be written", parent.toStdString()});
+  if (!keeper)
+    return m_window.messages().showError("The history is kept in memory only: " + words(keeper.error()));
+  m_folder = folder;
+  m_lock = std::move(lock);
+  m_keeper = *keeper;
+  m_window.session()->engine().keep_history(m_keeper);
+}
+
+void HistoryDesk::end() {
+  if (m_keeper && !m_isLeft) m_keeper->remove();
+  m_keeper.reset();
+  m_lock.reset();
+  m_folder.clear();
+}
+
+void HistoryDesk::look() {
+  if (!m_window.session()) return;
+  const auto span = m_window.session()->engine().history().span();
+  const HistoryKeeper::State state = m_keeper ? m_keeper->state() : HistoryKeeper::State();
+  const QString failure = QString::fromStdString(state.failure);
+  if (!failure.isEmpty() && failure != m_toldFailure)
+    m_window.messages().showError("The history is not on disk any more: " + failure);
+  m_toldFailure = failure;
+  // What memory still has is not lost, whatever the bound removed.
+  const bool is_cut = span.first_s > least_lost_s && (m_keeper ? state.removed_files > 0 : span.evicted > 0);
+  if (!is_cut) return;
+  const QString bound =
+      m_keeper ? QString("%1 GB on disk").arg(static_cast<double>(state.bound) / gigabyte, 0, 'g', 3)
+               : QString("%1 MB in memory").arg(static_cast<double>(span.bytes) / (1 << 20), 0, 'f', 0);
+  m_window.timeline().showLost("not kept: over " + bound);
+  const QString markers = lostMarkers(span.first_s);
+  const QString told =
+      std::exchange(m_isToldBound, true)
+          ? QString()
+          : QString(
+                "The history has reached its bound of %1: what came before %2 is no longer kept. "
+                "Timeline > History on disk… changes the bound; a recording keeps everything. ")
+                .arg(bound, clock_words(span.first_s));
+  if (!markers.isEmpty()) return m_window.messages().showError(told + markers);
+  if (!told.isEmpty()) m_window.messages().showInformation(told.trimmed());
+}
+
+/// Those that were not told before.
+QString HistoryDesk::lostMarkers(double first_s) {
+  QStringList lost;
+  for (const Marker& marker : m_window.document().project().markers.all()) {
+    if (marker.time_s >= first_s || !m_toldMarkers.insert(marker.id).second) continue;
+    lost << QString("%1 at %2").arg(QString::fromStdString(marker_title(marker)), clock_words(marker.time_s));
+  }
+  if (lost.isEmpty()) return {};
+  return QString("%1 in the part of the history that is no longer kept: %2")
+      .arg(lost.size() == 1 ? "A marker stands" : "Markers stand", lost.join(", "));
+}
+
+void HistoryDesk::askBound() {
+  widgets::QuickEntry::open(
+      m_window.transport(), above_the_transport,
+      "History on disk, GB; the oldest is removed above it. 0: in memory only (512 MB)",
+      QString::number(bound()), [this](const QString& text) -> QString {
+        const auto wanted = parse_number(text.trimmed().toStdString());
+        if (!wanted || (*wanted != 0 && (*wanted < least_bound || *wanted > most_bound)))
+          return "'" + text + "' is no bound; write gigabytes from 0.1 to 10000, or 0";
+        setBound(*wanted);
+        return {};
+      });
+}
+
+void HistoryDesk::setBound(double gigabytes) {
+  m_window.remembered().setHistoryBound(gigabytes);
+  if (m_keeper && gigabytes > 0) return m_keeper->set_bound(static_cast<std::uint64_t>(gigabytes * gigabyte));
+  if (m_keeper || gigabytes > 0)
+    m_window.messages().showInformation("The history is kept so from the next session on");
+}
+
+QStringList HistoryDesk::leftBehind(const QString& folder) {
+  QStringList files;
+  for (const QFileInfo& each : QDir(folder).entryInfoList(QDir::Dirs | QDir::NoDotAndDotDot)) {
+    QLockFile lock(lock_beside(each.absoluteFilePath()));
+    lock.setStaleLockTime(0);
+    const QFileInfoList parts = parts_in(each.absoluteFilePath());
+    if (!parts.isEmpty() && lock.tryLock(0)) files << parts.back().absoluteFilePath();
+  }
+  return files;
+}
+
+QString HistoryDesk::adopt(const QString& file) {
+  const QString folder = QFileInfo(file).absolutePath();
+  QDir().mkpath(sessions_folder());
+  QString newest;
+  for (const QFileInfo& part : parts_in(folder)) {
+    const QString to = new_session_file(sessions_folder(), part.lastModified());
+    if (!QFile::rename(part.absoluteFilePath(), to)) return {};
+    for (const char* end : {"-wal", "-shm"})
+      if (QFileInfo::exists(part.absoluteFilePath() + end))
+        QFile::rename(part.absoluteFilePath() + end, to + end);
+    newest = to;
+  }
+  QDir(folder).removeRecursively();
+  QFile::remove(lock_beside(folder));
+  return newest;
+}
+
+void HistoryDesk::discard(const QString& file) {
+  const QString folder = QFileInfo(file).absolutePath();
+  QDir(folder).removeRecursively();
+  QFile::remove(lock_beside(folder));
+}
+
+}  // namespace abrazo::app

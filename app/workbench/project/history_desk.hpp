@@ -1,0 +1,56 @@
+#pragma once
+
+#include <QLockFile>
+#include <QObject>
+#include <QTimer>
+#include <memory>
+#include <set>
+
+#include "core/session/run/history_keeper.hpp"
+
+namespace abrazo::app {
+
+class MainWindow;
+
+/// Keeps the frames of the running session in files of a folder of its own, says what the bound removes, and
+/// deletes the folder when the session ends. A lock beside the folder identifies the owner process, so that a
+/// crash leaves it for the next start.
+class HistoryDesk : public QObject {
+  Q_OBJECT
+ public:
+  explicit HistoryDesk(MainWindow& window);
+  ~HistoryDesk() override;
+
+  /// Folder of the session's files; empty = history is in memory only.
+  const QString& folder() const { return m_folder; }
+  /// The files stay for the next start.
+  void leave() { m_isLeft = true; }
+  /// Asks for the bound.
+  void askBound();
+  /// @param gigabytes 0 = in memory only, from the next session on
+  void setBound(double gigabytes);
+  /// Looks whether the bound removed frames or the disk refuses; called once a second.
+  void look();
+
+  /// The newest session file of each history that a crash left behind.
+  static QStringList leftBehind(const QString& folder);
+  /// Moves the files of such a history to the sessions. @return the newest; empty if it cannot be moved
+  static QString adopt(const QString& file);
+  static void discard(const QString& file);
+
+ private:
+  void begin();
+  void end();
+  QString lostMarkers(double first_s);
+  double bound() const;
+
+  MainWindow& m_window;
+  QTimer m_timer;
+  QString m_folder, m_toldFailure;
+  std::unique_ptr<QLockFile> m_lock;
+  std::shared_ptr<HistoryKeeper> m_keeper;
+  std::set<int> m_toldMarkers;
+  bool m_isToldBound = false, m_isLeft = false;
+};
+
+}  // namespace abrazo::app

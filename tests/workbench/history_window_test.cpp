@@ -1,0 +1,166 @@
+// The history of a session in the whole window: held, on disk, left behind; and a pin on a parked frame.
+#include <gtest/gtest.h>
+
+#include <QDir>
+#include <QDockWidget>
+#include <QFile>
+#include <QTest>
+#include <QToolButton>
+
+#include "app/workbench/compare/comparison_desk.hpp"
+#include "app/workbench/document/session_places.hpp"
+#include "app/workbench/labels/annotation_desk.hpp"
+#include "app/workbench/project/history_desk.hpp"
+#include "app/workbench/shell/panel_area.hpp"
+#include "app/workbench/shell/status_figures.hpp"
+#include "tests/workbench/demo_window.hpp"
+#include "widgets/candidates/candidate_table.hpp"
+#include "widgets/timeline/timeline_view.hpp"
+#include "widgets/timeline/transport_bar.hpp"
+
+namespace abrazo::app::history_window_test {
+namespace {
+
+using State = Playback::State;
+
+class HistoryInTheWindow : public DemoWindow {
+ protected:
+  static void SetUpTestSuite() {
+    showDemo({1280, 720}, 120);
+    QTest::qWait(300);
+  }
+  void SetUp() override {
+    ASSERT_TRUE(until([] { return ticker().shown() != nullptr; })) << "the demo did not start";
+    DemoWindow::SetUp();
+    window().document().put(Decisions{});
+    window().document().tryPin({});
+    if (is_held()) press(Qt::Key_Space, Qt::ControlModifier);
+    ticker().follow();
+    ASSERT_TRUE(until([] { return !is_held() && ticker().playback().state == State::Following; }));
+  }
+  static SessionEngine& engine() { return window().session()->engine(); }
+  static bool is_held() { return engine().is_held(); }
+  static HistoryDesk& desk() { return *window().findChild<HistoryDesk*>(); }
+  static ComparisonDesk& comparison() { return *window().findChild<ComparisonDesk*>(); }
+  static int winner_of(const FrameSnapshot& frame) {
+    return frame.result.candidates[static_cast<std::size_t>(frame.result.selected)].pair;
+  }
+  static QToolButton* button(const QString& name) {
+    for (auto* each : window().transport().findChildren<QToolButton*>())
+      if (each->accessibleName() == name) return each;
+    return nullptr;
+  }
+};
+
+TEST_F(HistoryInTheWindow, AHeldClipRecordsNothingAndSaysSo) {
+  press(Qt::Key_Space, Qt::ControlModifier);
+  ASSERT_TRUE(until([] { return is_held(); }));
+  QTest::qWait(100);
+  const auto before = engine().history().span();
+  QTest::qWait(1500);
+  const auto after = engine().history().span();
+  EXPECT_EQ(after.frames, before.frames);
+  EXPECT_EQ(after.bytes, before.bytes);
+  EXPECT_EQ(after.last_s, before.last_s) << "the live end stays";
+  EXPECT_EQ(window().transport().stateText(), "‖ HELD");
+  EXPECT_TRUE(until([] { return window().status().words().contains("in held"); }));
+  press(Qt::Key_Space, Qt::ControlModifier);
+  EXPECT_TRUE(until([&] { return engine().history().span().frames > after.frames + 5; }));
+  EXPECT_TRUE(until([] { return window().transport().stateText() == "● LIVE"; }));
+}
+
+TEST_F(HistoryInTheWindow, WhileATakeIsAnnotatedTheSessionRecordsNothing) {
+  auto& labels = *window().findChild<AnnotationDesk*>();
+  labels.showSubject(window().session()->material().library->takes().front().name);
+  ASSERT_TRUE(until([] { return is_held(); }));
+  QTest::qWait(100);
+  const auto before = engine().history().span();
+  QTest::qWait(1000);
+  EXPECT_EQ(engine().history().span().bytes, before.bytes);
+  EXPECT_TRUE(until([] { return window().status().words().contains("in held"); }));
+  labels.showSubject("");
+  EXPECT_TRUE(until([&] { return engine().history().span().frames > before.frames + 5; }));
+}
+
+TEST_F(HistoryInTheWindow, TheSameFramesAreOnDisk) {
+  ASSERT_FALSE(desk().folder().isEmpty());
+  EXPECT_TRUE(desk().folder().startsWith(remembered().historyFolder()));
+  const std::uint64_t now = engine().latest().newest()->index;
+  const auto store = engine().history_keeper()->store();
+  EXPECT_TRUE(until([&] { return store->span().last_index >= now; }));
+  const FrameSnapshotPtr remembered_frame = engine().history().stepped(1e9, -10);
+  const FrameSnapshotPtr kept = store->frame(remembered_frame->index);
+  ASSERT_TRUE(kept);
+  EXPECT_EQ(kept->result.result, remembered_frame->result.result);
+}
+
+TEST_F(HistoryInTheWindow, WhatACrashLeavesIsOfferedAndBecomesASession) {
+  EXPECT_TRUE(HistoryDesk::leftBehind(remembered().historyFolder()).isEmpty()) << "it belongs to this window";
+  const QString crashed = remembered().historyFolder() + "/crashed";
+  ASSERT_TRUE(QDir().mkpath(crashed));
+  const QString own = QDir(desk().folder()).filePath("1.abrazo");
+  ASSERT_TRUE(QFile::copy(own, crashed + "/1.abrazo")) << own.toStdString();
+  ASSERT_EQ(HistoryDesk::leftBehind(remembered().historyFolder()), QStringList{crashed + "/1.abrazo"});
+  const QString adopted = HistoryDesk::adopt(crashed + "/1.abrazo");
+  EXPECT_EQ(QFileInfo(adopted).absolutePath(), QFileInfo(sessions_folder()).absoluteFilePath());
+  EXPECT_FALSE(QDir(crashed).exists());
+  EXPECT_TRUE(HistoryDesk::leftBehind(remembered().historyFolder()).isEmpty());
+}
+
+TEST_F(HistoryInTheWindow, APinOnAParkedFrameIsTriedThereAndTheLivePartnerIsNotTold) {
+  ticker().step(-30);
+  turn();
+  ASSERT_EQ(ticker().playback().state, State::Parked);
+  window().panels().panel("candidates")->raise();
+  const FrameSnapshotPtr parked = ticker().shown();
+  const int other = parked->result.candidates.back().pair;
+  ASSERT_NE(other, winner_of(*parked));
+  window().selection().select(widgets::Selection::candidate(other));
+  turn();
+  press(Qt::Key_P);
+  EXPECT_EQ(window().document().triedPin(), other);
+  EXPECT_FALSE(window().document().decisions().pinned) << "the live partner is not pinned";
+  EXPECT_FALSE(button("Lift the pin of the live partner")->isVisible());
+  EXPECT_TRUE(button("Pin the live partner, too")->isVisible());
+  ASSERT_TRUE(until([] { return comparison().shown() && comparison().shown()->done; }));
+  const FrameSnapshotPtr tried = comparison().shown()->b->at(parked->time_s);
+  ASSERT_TRUE(tried);
+  EXPECT_EQ(winner_of(*tried), other);
+  EXPECT_NE(tried->result.result, parked->result.result);
+  EXPECT_FALSE(engine().latest().newest()->decisions && engine().latest().newest()->decisions->pinned);
+}
+
+TEST_F(HistoryInTheWindow, TheTriedPinIsAppliedToLiveByAClickAndLiftedByAnother) {
+  ticker().step(-30);
+  turn();
+  const int other = ticker().shown()->result.candidates.back().pair;
+  window().selection().select(widgets::Selection::candidate(other));
+  turn();
+  press(Qt::Key_P);
+  ASSERT_TRUE(window().document().triedPin());
+  QTest::mouseClick(button("Pin the live partner, too"), Qt::LeftButton);
+  EXPECT_EQ(window().document().decisions().pinned, other);
+  EXPECT_FALSE(window().document().triedPin());
+  EXPECT_TRUE(button("Lift the pin of the live partner")->isVisible()) << "also while parked";
+  EXPECT_TRUE(until([&] { return winner_of(*engine().latest().newest()) == other; }));
+  QTest::mouseClick(button("Lift the pin of the live partner"), Qt::LeftButton);
+  EXPECT_FALSE(window().document().decisions().pinned);
+  EXPECT_FALSE(button("Lift the pin of the live partner")->isVisible());
+}
+
+TEST_F(HistoryInTheWindow, ATriedPinEndsWithTheSameKeyAndAtTheLiveEnd) {
+  ticker().step(-30);
+  turn();
+  press(Qt::Key_P);
+  ASSERT_TRUE(window().document().triedPin());
+  press(Qt::Key_P);
+  EXPECT_FALSE(window().document().triedPin());
+  press(Qt::Key_P);
+  ASSERT_TRUE(window().document().triedPin());
+  press(Qt::Key_End);
+  EXPECT_TRUE(until([] { return !window().document().triedPin(); }));
+  EXPECT_FALSE(window().document().decisions().pinned);
+}
+
+}  // namespace
+}  // namespace abrazo::app::history_window_test
