@@ -18,7 +18,7 @@ struct FitWeights {
   RelationWeights relation;
   double place = 0.02;   ///< of every joint at the rebuilt pair
   double free_foot = 4;  ///< of ankle, toe base and toe tip at the rebuilt pair
-  double smooth = 30;     ///< of every joint at the smoothed pair, if there is one
+  double smooth = 30;    ///< of every joint at the smoothed pair, if there is one
 };
 
 /// Radii of both bodies, as recorded and as they become.

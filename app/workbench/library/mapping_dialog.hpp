@@ -18,7 +18,7 @@ class QTableWidget;
 namespace abrazo::widgets {
 class MotionPicture;
 struct PicturedSpace;
-}
+}  // namespace abrazo::widgets
 
 namespace abrazo::app {
 

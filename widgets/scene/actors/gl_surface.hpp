@@ -17,7 +17,7 @@ namespace abrazo::widgets {
 
 /// Where the scene is shown: drawn off the screen by OpenGL, and painted as a picture like any other widget.
 /// A widget with OpenGL in the window would make Qt put the whole window together by OpenGL whenever anything
-/// in it changes (decision 0040). Converts pointer events to camera moves itself, because VTK's interactor
+/// in it changes (decision 0041). Converts pointer events to camera moves itself, because VTK's interactor
 /// styles tilt the horizon and grab keys.
 class GlSurface : public QWidget {
  public:
