@@ -42,7 +42,7 @@ class Evaluations(unittest.TestCase):
 
     def test_refuse_parts_that_there_are_not(self):
         with self.assertRaisesRegex(
-            abrazo.Error, "'tempo' is no part of the evaluation; there are selection, timing, moves, zmp, contact, published, and all"
+            abrazo.Error, "'tempo' is no part of the evaluation; there are selection, timing, moves, zmp, contact, published, bodies, and all"
         ):
             abrazo.evaluate(manifest(), parts=["tempo"])
 

@@ -152,7 +152,7 @@ TEST_F(IntentSelectorTest, WhatAChangeDoesToHandsAndFeetIsPaidFor) {
       without += !holds;
     }
   EXPECT_GT(without, 0);
-  EXPECT_NEAR(lost - nothing, 0.5 * without * 0.15, 1e-9);
+  EXPECT_NEAR(lost - nothing, 0.5 * without * 0.25, 1e-9);
   const double lifted = cost_with([](SelectionQuery& query) { query.planted.fill(true); });
   EXPECT_GE(lifted, nothing);
   EXPECT_LE(lifted, nothing + 0.5 * 2 * 0.05);

@@ -70,8 +70,8 @@ TEST_F(CapturedSalsa, ConstraintsHoldInBothPresets) {
     EXPECT_EQ(figures.failed, 0U) << name;
     EXPECT_LT(figures.bone_length_max, 1e-3) << name;
     EXPECT_LT(figures.foot_lock_drift_max_m, 1e-3) << name;
-    // A partner that moves on its own is parted by and by.
-    EXPECT_LT(figures.excess_penetration_p99_m, name == "paper" ? 0.01 : 0.05) << name;
+    // A partner that moves on its own is parted by and by, and hands that are held keep bodies nearer.
+    EXPECT_LT(figures.excess_penetration_p99_m, name == "paper" ? 0.01 : 0.055) << name;
     EXPECT_LT(static_cast<double>(figures.relaxed), 0.02 * static_cast<double>(figures.frames)) << name;
   }
 }
