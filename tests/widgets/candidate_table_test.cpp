@@ -183,7 +183,7 @@ TEST(CandidateTable, NamesADifferenceThatTheListBearsOut) {
   }
   EXPECT_EQ(totals, QStringList({"0.150 m", "0.180 m"}));
   EXPECT_EQ(t.table.reason(),
-            QString("Continues: #2 costs 0.030 m more, only by the 0.100 m for the change"));
+            QString("Continues: #2 costs 0.030 m more, because of the 0.100 m for the change"));
 }
 
 TEST(CandidateTable, SpeaksTheTermsOfTheMethodThatDecidedTheShownFrame) {
@@ -191,7 +191,7 @@ TEST(CandidateTable, SpeaksTheTermsOfTheMethodThatDecidedTheShownFrame) {
   auto* header = t.table.findChild<CandidateHeader*>();
   t.table.showFrame(frame_by_intent(1, 0.03));
   EXPECT_EQ(t.table.reason(),
-            QString("Continues: #2 costs 0.010 m more, only by the 0.030 m for the change"));
+            QString("Continues: #2 costs 0.010 m more, because of the 0.030 m for the change"));
   EXPECT_TRUE(header->area(CandidateColumn::Pose).isEmpty());
   EXPECT_FALSE(header->area(CandidateColumn::Partner).isEmpty());
   QTest::keyClick(t.list, Qt::Key_Down);

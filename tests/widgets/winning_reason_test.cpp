@@ -65,7 +65,7 @@ TEST(WinningReasonOfIntent, SaysThatGoingOnWasVetoed) {
 
 TEST(WinningReasonOfIntent, SaysHowMuchOfTheDifferenceIsForTheChange) {
   EXPECT_EQ(winning_reason(candidate_rows(*test::frame_by_intent(0, 0), *test::two_take_library())),
-            "Continues: #2 costs 0.010 m more, only by the 0.030 m for the change");
+            "Continues: #2 costs 0.010 m more, because of the 0.030 m for the change");
   auto better = rows_by_intent({{0.10, 0.02, 0.02, 0, 0}, {0.11, 0.05, 0.02, 0, 0.03}});
   better[0].goes_on = true;
   EXPECT_EQ(winning_reason(better), "Continues: #2 costs 0.070 m more — motion of the leader");

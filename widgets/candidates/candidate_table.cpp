@@ -169,8 +169,10 @@ void CandidateTable::resizeEvent(QResizeEvent* event) {
 /// The height is independent of the text, which differs in every frame. The map's button is beside the belief
 /// if there is one, because reasons by intent are longer.
 void CandidateTable::arrangeFoot(bool has_belief) {
-  constexpr int one_line = 24, two_lines = 40, narrow = 400;
-  m_reason->setFixedHeight(width() < narrow ? two_lines : one_line);
+  constexpr int one_line = 24, two_lines = 40, margins = 32;
+  const int longest = m_reason->fontMetrics().horizontalAdvance(
+      "Continues: #2 costs 0.000 m more, because of the 0.000 m for leaving the shown partner");
+  m_reason->setFixedHeight(width() < longest + margins ? two_lines : one_line);
   if (has_belief == m_belief->isVisibleTo(this)) return;
   m_foot->addWidget(m_reason, 0, 0, 1, has_belief ? 2 : 1);
   m_foot->addWidget(m_mapButton, has_belief ? 1 : 0, 1, Qt::AlignTop);

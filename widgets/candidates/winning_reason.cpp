@@ -68,7 +68,7 @@ std::string going_on(const CandidateRow& winner, const CandidateRow& second) {
   const std::string paid = amount(part.value, winner.method);
   const std::string what = is_change ? "for the change" : "for leaving the shown partner";
   if (paid == difference || std::abs(part.value - more) < least_shown) return words + ", all of it " + what;
-  return words + (part.value > more ? ", only by the " + paid + " " : ", " + paid + " of it ") + what;
+  return words + (part.value > more ? ", because of the " + paid + " " : ", " + paid + " of it ") + what;
 }
 
 std::string change(const CandidateRow& winner, const CandidateRow& going_on) {
