@@ -91,6 +91,8 @@ TEST_F(LoadTake, RefusesAFileThatShowsTwoWhereOneIsMeant) {
   EXPECT_THAT(refusal(), HasSubstr("both.bvh: shows 2 performers; expected one"));
   take.b.motion = take.a.motion;
   EXPECT_THAT(refusal(), HasSubstr("a.bvh: is named for both performers of take t but shows 1"));
+  take.a.index = 0;
+  EXPECT_THAT(refusal(), HasSubstr("but shows 1; expected 2")) << "b is still not named";
 }
 
 TEST_F(LoadTake, OneRoleReachesToTheLastFrame) {

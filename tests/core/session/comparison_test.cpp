@@ -148,6 +148,7 @@ TEST_F(Recorded, ARunThatFellBehindStartsAnewAtTheLiveEnd) {
   }
   EXPECT_EQ(run.measured()->a->at(99)->index, latest.newest()->index);
   EXPECT_LT(run.measured()->steps.size(), 60U);
+  EXPECT_GT(run.measured()->a->span().first_s, 1.1) << "what was solved before the gap is gone";
 }
 
 TEST_F(Recorded, AnUnknownExcludedTakeIsTrouble) {

@@ -216,5 +216,30 @@ TEST(Project, IsTheSameWorkWhereverItsPanelsStandAndOtherWorkWithAnotherMarker) 
   EXPECT_FALSE(is_same_work(a, b));
 }
 
+TEST(Project, IsOtherWorkWithAnyOtherThingThatAPersonDecided) {
+  const std::vector<std::pair<const char*, std::function<void(Project&)>>> changes = {
+      {"settings", [](Project& p) { p.settings.alpha = 0.9; }},
+      {"pin", [](Project& p) { p.decisions.pinned = 3; }},
+      {"vetoes",
+       [](Project& p) {
+         p.decisions.vetoes = {{3, 7}, {}, {}};
+       }},
+      {"role control", [](Project& p) { p.decisions.role_control = RoleControl::Leader; }},
+      {"markers", [](Project& p) { p.markers = marked(1); }},
+      {"markers of a take", [](Project& p) { p.take_markers["salsa_01"] = marked(1); }},
+      {"videos",
+       [](Project& p) {
+         p.videos.push_back({0, "salsa_01", {}, {}, {}});
+       }},
+  };
+  for (const auto& [what, change] : changes) {
+    Project a, b;
+    change(b);
+    EXPECT_FALSE(is_same_work(a, b)) << what;
+    change(a);
+    EXPECT_TRUE(is_same_work(a, b)) << what;
+  }
+}
+
 }  // namespace
 }  // namespace abrazo::live_project_test

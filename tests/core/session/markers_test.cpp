@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 namespace abrazo::markers_test {
 namespace {
 
@@ -79,6 +81,16 @@ TEST(Markers, ComeBackFromTheirTextAndWhatIsNoneIsLeftOut) {
   EXPECT_EQ(odd.all()[1].id, 5);
   EXPECT_NE(odd.all()[2].id, 5) << "no id is there twice";
   EXPECT_TRUE(parse_markers("no markers").empty());
+}
+
+TEST(Markers, RestoredOnesNeverShareAnIdWithANewOne) {
+  // A file that was edited by hand: the next id is too small, one id is there twice and one is none.
+  Markers markers = Markers::restored({{4, 1, "a"}, {4, 2, "b"}, {0, 3, "c"}}, 2);
+  std::set<int> ids{markers.add(4), markers.add(5)};
+  for (const Marker& marker : markers.all()) ids.insert(marker.id);
+  EXPECT_EQ(markers.all().size(), 5U);
+  EXPECT_EQ(ids.size(), 5U);
+  EXPECT_EQ(markers.all()[0].id, 4);
 }
 
 }  // namespace

@@ -37,6 +37,10 @@ TEST(SynthesizerStateBytes, ReadBackToTheSameBits) {
   EXPECT_EQ(read->memory.previous_heading, state.memory.previous_heading);
   EXPECT_EQ(read->memory.motion.playhead, state.memory.motion.playhead);
   EXPECT_EQ(read->memory.motion.adaptation.offset(), state.memory.motion.adaptation.offset());
+  for (const std::size_t hand : {0U, 1U}) {
+    EXPECT_TRUE(state.memory.motion.holds.user_hands()[hand].is_seen);
+    EXPECT_TRUE(read->memory.motion.holds.user_hands()[hand].is_seen);
+  }
   EXPECT_EQ(read->memory.locks.feet()[0].ankle, state.memory.locks.feet()[0].ankle);
   EXPECT_EQ(read->memory.user.body()->bone_lengths, state.memory.user.body()->bone_lengths);
   EXPECT_EQ(*read->vetoes, *state.vetoes);

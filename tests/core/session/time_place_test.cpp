@@ -99,6 +99,7 @@ TEST(TimePlace, WritesWhatTheFormatAsks) {
   EXPECT_EQ(time_text(TimeFormat::Clock, 11.5, 690, 60), "00:11.500");
   EXPECT_EQ(time_text(TimeFormat::Seconds, 11.5, 690, 60), "11.500 s");
   EXPECT_EQ(time_text(TimeFormat::Frames, 11.5, 690, 60), "690");
+  EXPECT_EQ(time_text(TimeFormat::Frames, 0, 0, 60), "0");
   EXPECT_EQ(time_text(TimeFormat::Frames, 11.5, -1, 60), "no frame");
   EXPECT_EQ(time_text(TimeFormat::Timecode, 11.5, 690, 60), "00:00:11:30");
 }

@@ -36,6 +36,18 @@ TEST_P(EncoderBody, PosesAfterAChangeOfBonesAreSentAsWithThemFromTheStart) {
 INSTANTIATE_TEST_SUITE_P(Protocols, EncoderBody,
                          testing::Values("vmc://127.0.0.1:39539", "natnet://h", "xsens://127.0.0.1:9763"));
 
+TEST(XsensBody, ANewOneIsDescribedWithTheNextPose) {
+  const auto encoder = std::move(
+      *make_stream_encoder(*parse_stream_uri("xsens://127.0.0.1:9763"), body_of(test::standing_pose())));
+  const std::size_t described = encoder->packets({test::standing_pose(), 0, true}).size();
+  const std::size_t plain = encoder->packets({test::standing_pose(), 0.1, true}).size();
+  ASSERT_LT(plain, described);
+  encoder->set_body(body_of(Pose(1.1 * test::standing_pose())));
+  EXPECT_EQ(encoder->packets({test::standing_pose(), 0.2, true}).size(), described);
+  encoder->restart();
+  EXPECT_EQ(encoder->packets({test::standing_pose(), 0.3, true}).size(), described);
+}
+
 TEST(NatNetBody, FramesSayThatTheModelChangedAndWhoAsksGetsTheNewOne) {
   const auto changing =
       std::move(*make_stream_encoder(*parse_stream_uri("natnet://h"), body_of(test::standing_pose())));

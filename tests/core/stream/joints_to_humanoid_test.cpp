@@ -197,5 +197,14 @@ TEST(JointsToHumanoid, TurnsNoBoneFasterThanPositionsDoInCapturedClips) {
   }
 }
 
+TEST(JointsToHumanoid, SendsNoBonesOfTheFaceBecauseNoJointMovesThem) {
+  JointsToHumanoid humanoid(body_of(t_pose()));
+  const HumanoidPose pose = humanoid.pose(t_pose(), 0);
+  for (std::size_t bone = 0; bone < static_cast<std::size_t>(humanoid::FirstFinger); ++bone) {
+    const bool is_of_face = bone == humanoid::Jaw || bone == humanoid::LeftEye || bone == humanoid::RightEye;
+    EXPECT_EQ(pose.present[bone], !is_of_face) << humanoid_bone_name(static_cast<int>(bone));
+  }
+}
+
 }  // namespace
 }  // namespace abrazo::joints_to_humanoid_test

@@ -175,6 +175,9 @@ TEST(StreamDiagnosis, SeesUnitAxisFloorAndRestPose) {
               HasSubstr("floor: the feet are at 0.40 m"));
   EXPECT_THAT(when([](S&, P& p) { p.health.calibrated = false; }), HasSubstr("not-calibrated"));
   EXPECT_THAT(when([](S&, P& p) { p.health.calibrated = false; }, "xsens://0.0.0.0"), IsEmpty());
+  EXPECT_THAT(when([](S&, P& p) { p.health.calibrated = p.health.tracked = false; }),
+              Not(HasSubstr("not-calibrated")))
+      << "nobody is there who could stand in the T-pose";
   EXPECT_THAT(when([](S&, P& p) { p.calibration_doubts = {"the left arm is bent"}; }),
               HasSubstr("calibration: the T-pose is doubtful: the left arm is bent"));
 }
