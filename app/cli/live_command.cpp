@@ -17,7 +17,7 @@
 #include "core/session/run/session_engine.hpp"
 #include "core/stream/receive/clip_source.hpp"
 #include "core/stream/receive/silent_source.hpp"
-#include "core/synthesis/role_views.hpp"
+#include "core/synthesis/step/role_views.hpp"
 
 namespace abrazo::app {
 
@@ -200,7 +200,7 @@ std::vector<LiveEnd::Diagnosis> run(CommandLine& line, const LiveOptions& option
       if (const auto recorder = engine.recorder())
         if (const std::string failure = recorder->state().failure; failure != told_failure) {
           told_failure = failure;
-          warn(line, failure.empty() ? "recording goes on" : "nothing is recorded now: " + failure);
+          warn(line, failure.empty() ? "recording continues" : "nothing is recorded now: " + failure);
         }
       show_state(line, live.line(now_s - start_s));
     }

@@ -19,8 +19,8 @@
 #include "core/library/store/motion_library_file.hpp"
 #include "core/library/takes/manifest.hpp"
 #include "core/motion/files/clip_file.hpp"
-#include "core/synthesis/recording_trace.hpp"
-#include "core/synthesis/trace.hpp"
+#include "core/synthesis/frames/recording_trace.hpp"
+#include "core/synthesis/frames/trace.hpp"
 
 namespace abrazo::app {
 

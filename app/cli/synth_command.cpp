@@ -11,7 +11,7 @@
 #include "core/library/store/motion_library_file.hpp"
 #include "core/metrics/clip_run.hpp"
 #include "core/motion/files/clip_file.hpp"
-#include "core/synthesis/trace.hpp"
+#include "core/synthesis/frames/trace.hpp"
 
 namespace abrazo::app {
 

@@ -13,7 +13,7 @@
 #include "app/python/hint_words.hpp"
 #include "core/base/positions.hpp"
 #include "core/base/result.hpp"
-#include "core/synthesis/settings.hpp"
+#include "core/synthesis/settings/settings.hpp"
 
 namespace abrazo::python {
 

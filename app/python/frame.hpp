@@ -7,7 +7,7 @@
 #include "app/python/binding.hpp"
 #include "core/library/store/motion_library.hpp"
 #include "core/session/frames/frame_snapshot.hpp"
-#include "core/synthesis/frame_result.hpp"
+#include "core/synthesis/frames/frame_result.hpp"
 
 namespace abrazo::python {
 

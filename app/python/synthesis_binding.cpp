@@ -11,8 +11,8 @@
 #include "app/python/progress.hpp"
 #include "core/metrics/clip_run.hpp"
 #include "core/motion/files/clip_file.hpp"
-#include "core/synthesis/partner_synthesizer.hpp"
-#include "core/synthesis/synthesizer_state.hpp"
+#include "core/synthesis/step/partner_synthesizer.hpp"
+#include "core/synthesis/step/synthesizer_state.hpp"
 
 namespace abrazo::python {
 

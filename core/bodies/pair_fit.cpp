@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "core/motion/body/joint_set.hpp"
-#include "core/synthesis/foot_locks.hpp"
-#include "core/synthesis/turning_bones.hpp"
+#include "core/synthesis/edit/foot_locks.hpp"
+#include "core/synthesis/edit/turning_bones.hpp"
 
 namespace abrazo {
 

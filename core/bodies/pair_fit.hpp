@@ -8,8 +8,8 @@
 #include "core/bodies/placed_pair.hpp"
 #include "core/bodies/split_mesh.hpp"
 #include "core/mesh/capsules.hpp"
-#include "core/synthesis/capsule_contacts.hpp"
-#include "core/synthesis/constrained_solver.hpp"
+#include "core/synthesis/edit/capsule_contacts.hpp"
+#include "core/synthesis/edit/constrained_solver.hpp"
 
 namespace abrazo {
 

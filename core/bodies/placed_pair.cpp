@@ -3,7 +3,7 @@
 #include <Eigen/Geometry>
 
 #include "core/motion/body/joint_set.hpp"
-#include "core/synthesis/foot_plants.hpp"
+#include "core/synthesis/motion/foot_plants.hpp"
 
 namespace abrazo {
 

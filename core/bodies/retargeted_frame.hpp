@@ -3,7 +3,7 @@
 #include <cstddef>
 
 #include "core/bodies/pair_retargeting.hpp"
-#include "core/synthesis/frame_result.hpp"
+#include "core/synthesis/frames/frame_result.hpp"
 
 namespace abrazo {
 

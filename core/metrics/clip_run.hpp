@@ -5,7 +5,7 @@
 
 #include "core/metrics/run_summary.hpp"
 #include "core/motion/body/clip.hpp"
-#include "core/synthesis/clip_synthesis.hpp"
+#include "core/synthesis/step/clip_synthesis.hpp"
 
 namespace abrazo {
 

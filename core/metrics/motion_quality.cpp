@@ -44,7 +44,7 @@ PartnerStep partner_step(const FrameResult& frame, double time_s, const MotionLi
   return step;
 }
 
-bool goes_on(const SourceMoment& before, const SourceMoment& after) {
+bool continues(const SourceMoment& before, const SourceMoment& after) {
   const double advance_s = after.time_s - before.time_s;
   return before.take == after.take && before.swapped == after.swapped && advance_s > -time_tolerance_s &&
          advance_s < longest_advance_s + time_tolerance_s;
@@ -63,7 +63,7 @@ void MotionQuality::add_source(const PartnerStep& step, const std::optional<Move
   if (!last_) return;
   const double elapsed_s = step.time_s - last_->time_s;
   observed_s_ += elapsed_s;
-  if (!step.source_changed && goes_on(last_->source, step.source)) {
+  if (!step.source_changed && continues(last_->source, step.source)) {
     paces_.push_back((step.source.time_s - last_->source.time_s) / elapsed_s);
     return;
   }

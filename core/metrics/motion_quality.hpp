@@ -7,7 +7,7 @@
 #include "core/base/positions.hpp"
 #include "core/library/store/motion_library.hpp"
 #include "core/metrics/movement.hpp"
-#include "core/synthesis/frame_result.hpp"
+#include "core/synthesis/frames/frame_result.hpp"
 
 namespace abrazo {
 
@@ -33,7 +33,7 @@ PartnerStep partner_step(const FrameResult& frame, double time_s, const MotionLi
 
 /// Whether the second moment is a continuation of the first: the same take and roles, not before it, and not
 /// more than 1/3 s of the take after it.
-bool goes_on(const SourceMoment& before, const SourceMoment& after);
+bool continues(const SourceMoment& before, const SourceMoment& after);
 
 /// Quality of the partner's motion, and its relation to the recordings it is made from.
 class MotionQuality {

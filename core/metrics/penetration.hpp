@@ -4,7 +4,7 @@
 
 #include "core/base/positions.hpp"
 #include "core/library/build/capsule_calibration.hpp"
-#include "core/synthesis/capsule_contacts.hpp"
+#include "core/synthesis/edit/capsule_contacts.hpp"
 
 namespace abrazo {
 

@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "core/library/store/motion_library.hpp"
-#include "core/synthesis/frame_result.hpp"
-#include "core/synthesis/settings.hpp"
+#include "core/synthesis/frames/frame_result.hpp"
+#include "core/synthesis/settings/settings.hpp"
 
 namespace abrazo {
 

@@ -8,8 +8,8 @@
 #include "core/metrics/holds.hpp"
 #include "core/metrics/motion_quality.hpp"
 #include "core/metrics/penetration.hpp"
-#include "core/synthesis/frame_result.hpp"
-#include "core/synthesis/settings.hpp"
+#include "core/synthesis/frames/frame_result.hpp"
+#include "core/synthesis/settings/settings.hpp"
 
 namespace abrazo {
 

@@ -116,10 +116,10 @@ void IntentModel::Learned::place_in_blocks() {
   for (const int pair : landings) {
     const PairSource& source = library->source(pair);
     const auto frame = static_cast<int>(source.frame);
-    const bool goes_on = before >= 0 && library->later_pair(before, pair - before) == pair;
-    if (!goes_on && before >= 0) end_stretch();
-    if (!goes_on || frame >= blocks.back().end_frame) {
-      const int begin = goes_on ? blocks.back().end_frame : frame;
+    const bool continues = before >= 0 && library->later_pair(before, pair - before) == pair;
+    if (!continues && before >= 0) end_stretch();
+    if (!continues || frame >= blocks.back().end_frame) {
+      const int begin = continues ? blocks.back().end_frame : frame;
       const LibraryTake& take = library->take_of(pair);
       const int length = std::max(
           1, static_cast<int>(std::min<double>(std::round(take.fps / blocks_per_second), take.frames)));

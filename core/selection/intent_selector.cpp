@@ -28,7 +28,7 @@ constexpr double lifted_foot_m = 0.05, lifted_height_m = 0.1;
 constexpr double holds_within_s = 0.2;
 constexpr int hold_looks = 3;
 constexpr int most_looked_at = 60;
-constexpr double take_goes_on_s = 0.5;  ///< a pair that is changed to has so much of its take ahead
+constexpr double least_ahead_s = 0.5;  ///< a pair that is changed to has so much of its take ahead
 constexpr double looks_back_s = 0.4, looks_ahead_s = 0.6;  ///< for where the user is in the source
 constexpr double lead_width_m = 0.01;                      ///< so much worse counts e times less
 // Scales of the mean place: belief, range and similarity.
@@ -205,7 +205,7 @@ void IntentSelector::list_landings(const SelectionQuery& query, const Selectable
     const auto landing = static_cast<std::size_t>(*at);
     const int pair = model_->landings()[landing];
     if (query.playhead.pair >= 0 &&
-        recorded_ahead(*model_->library(), {pair, 0, 1}, take_goes_on_s) < take_goes_on_s)
+        recorded_ahead(*model_->library(), {pair, 0, 1}, least_ahead_s) < least_ahead_s)
       continue;
     if (std::any_of(candidates.begin(), candidates.end(), [&](const Candidate& listed) {
           return is_same_moment(*model_->library(), listed.pair, pair);

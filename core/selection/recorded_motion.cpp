@@ -8,8 +8,8 @@ namespace abrazo {
 RecordedMotion::RecordedMotion(const MotionLibrary& library)
     : library_(library), first_(static_cast<std::size_t>(library.pair_count())) {
   for (int pair = 0; pair < library.pair_count(); ++pair) {
-    const bool goes_on = pair > 0 && library.later_pair(pair - 1, 1) == pair;
-    first_[static_cast<std::size_t>(pair)] = goes_on ? first_[static_cast<std::size_t>(pair) - 1] : pair;
+    const bool continues = pair > 0 && library.later_pair(pair - 1, 1) == pair;
+    first_[static_cast<std::size_t>(pair)] = continues ? first_[static_cast<std::size_t>(pair) - 1] : pair;
   }
 }
 

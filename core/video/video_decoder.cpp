@@ -108,10 +108,10 @@ class VideoDecoder::Work {
     int index = 0;
     bool is_asked = false;
   };
-  std::optional<Task> next_task(const VideoReader& reader, int ahead_of, bool& goes_on) {
+  std::optional<Task> next_task(const VideoReader& reader, int ahead_of, bool& continues) {
     std::unique_lock lock(mutex_);
     const auto ahead = [&]() -> std::optional<int> {
-      if (!goes_on || ahead_of < 0) return {};
+      if (!continues || ahead_of < 0) return {};
       const int last = std::min(reader.facts().frames() - 1, ahead_of + pictures_ahead);
       for (int index = ahead_of + 1; index <= last; ++index)
         if (!reader.holds(index)) return index;
@@ -122,18 +122,18 @@ class VideoDecoder::Work {
     wake_.wait(lock, [&] { return stops_ || is_new_; });
     if (stops_) return {};
     is_new_ = false;
-    goes_on = !before_ || *before_ < *requested_;
+    continues = !before_ || *before_ < *requested_;
     return Task{std::clamp(*requested_, 0, reader.facts().frames() - 1), true};
   }
 
   void serve(VideoReader& reader) {
     int answered = -1;
-    bool goes_on = true;
-    while (const auto task = next_task(reader, answered, goes_on)) {
+    bool continues = true;
+    while (const auto task = next_task(reader, answered, continues)) {
       auto frame = reader.frame(task->index, [this](double, std::string_view) { return !stops_; });
       if (stops_) return;
       if (!task->is_asked) {
-        if (!frame) goes_on = false;  // reported on request
+        if (!frame) continues = false;  // reported on request
         continue;
       }
       answered = task->index;

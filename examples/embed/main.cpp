@@ -5,7 +5,7 @@
 
 #include "core/library/store/motion_library_file.hpp"
 #include "core/motion/files/import_clip.hpp"
-#include "core/synthesis/partner_synthesizer.hpp"
+#include "core/synthesis/step/partner_synthesizer.hpp"
 
 int fail(const abrazo::Error& error) {
   std::fprintf(stderr, "embed: %s\n", error.text().c_str());

@@ -243,7 +243,7 @@ TEST(ArchitectureRules, CatchASecondPlaceOfAThirdParty) {
 
 TEST(ArchitectureRules, CatchAWidgetThatReachesForTheSolver) {
   for (const char* header : {"core/session/run/solver_thread.hpp", "core/stream/receive/clip_source.hpp",
-                             "core/motion/bvh/bvh.hpp", "core/synthesis/partner_synthesizer.hpp",
+                             "core/motion/bvh/bvh.hpp", "core/synthesis/step/partner_synthesizer.hpp",
                              "core/library/store/motion_library_file.hpp", "core/base/atomic_file.hpp"}) {
     const std::string text = std::string("#include \"") + header + "\"\n";
     EXPECT_THAT(widgets_see_only_snapshots(one("widgets/scene/a.cpp", text)), SizeIs(1)) << header;

@@ -202,11 +202,11 @@ void register_frames(int size, int off) {
         ->Iterations(1)
         ->Unit(benchmark::kMillisecond);
   };
-  const auto add_index = [&](const char* who, PoseIndex::Tree tree, bool goes_on) {
+  const auto add_index = [&](const char* who, PoseIndex::Tree tree, bool continues) {
     add(who, [=] {
       return [=, &index = index_of(size, tree), matches = std::vector<PoseMatch>()](const Features& query,
                                                                                     bool is_second) mutable {
-        if (is_second && !goes_on) matches.clear();
+        if (is_second && !continues) matches.clear();
         index.nearest(query, counts.front(), matches);
       };
     });

@@ -14,7 +14,7 @@
 #include "core/library/build/motion_library_builder.hpp"
 #include "core/library/takes/manifest.hpp"
 #include "core/metrics/run_summary.hpp"
-#include "core/synthesis/clip_synthesis.hpp"
+#include "core/synthesis/step/clip_synthesis.hpp"
 
 namespace {
 

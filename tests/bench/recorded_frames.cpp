@@ -3,14 +3,14 @@
 #include <algorithm>
 
 #include "core/evaluation/takes/pose_queries.hpp"
-#include "core/synthesis/partner_synthesizer.hpp"
+#include "core/synthesis/step/partner_synthesizer.hpp"
 #include "tests/bench/recording_pipeline.hpp"
 
 namespace abrazo::bench {
 
 namespace {
 
-constexpr double regularisation = 1e-9;  ///< eps, as in core/synthesis/dual_system.cpp
+constexpr double regularisation = 1e-9;  ///< eps, as in core/synthesis/edit/dual_system.cpp
 
 /// The user's pose at step `step`; frames in between are those nearest in time.
 const Pose& user_at(const Clip& user, int step, double rate_hz) {

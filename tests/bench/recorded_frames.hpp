@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/synthesis/settings.hpp"
+#include "core/synthesis/settings/settings.hpp"
 #include "tests/bench/bench_data.hpp"
 #include "tests/bench/kkt_system.hpp"
 #include "tests/bench/recording_solver.hpp"

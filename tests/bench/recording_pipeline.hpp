@@ -1,11 +1,11 @@
 #pragma once
 
-// core/synthesis/frame_pipeline.hpp as RecordingPipeline.
+// core/synthesis/step/frame_pipeline.hpp as RecordingPipeline.
 #include "core/library/store/motion_library.hpp"
-#include "core/synthesis/partner_synthesizer.hpp"
+#include "core/synthesis/step/partner_synthesizer.hpp"
 #include "tests/bench/recording_names.hpp"
 // clang-format off
-#include "core/synthesis/frame_pipeline.hpp"
+#include "core/synthesis/step/frame_pipeline.hpp"
 // clang-format on
 
 #undef ConstrainedSolver

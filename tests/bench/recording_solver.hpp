@@ -3,7 +3,7 @@
 #include <span>
 #include <vector>
 
-#include "core/synthesis/constrained_solver.hpp"
+#include "core/synthesis/edit/constrained_solver.hpp"
 
 namespace abrazo::bench {
 

@@ -9,7 +9,7 @@
 #include <ctime>
 
 #include "core/base/statistics.hpp"
-#include "core/synthesis/partner_synthesizer.hpp"
+#include "core/synthesis/step/partner_synthesizer.hpp"
 #include "tests/bench/bench_data.hpp"
 #include "tests/bench/bench_main.hpp"
 #include "widgets/common/theme.hpp"

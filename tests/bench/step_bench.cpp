@@ -9,7 +9,7 @@
 
 #include "core/base/statistics.hpp"
 #include "core/motion/body/resample.hpp"
-#include "core/synthesis/partner_synthesizer.hpp"
+#include "core/synthesis/step/partner_synthesizer.hpp"
 #include "tests/bench/bench_data.hpp"
 #include "tests/bench/bench_main.hpp"
 

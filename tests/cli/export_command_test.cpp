@@ -3,7 +3,7 @@
 
 #include "core/base/text.hpp"
 #include "core/library/store/motion_library_file.hpp"
-#include "core/synthesis/trace.hpp"
+#include "core/synthesis/frames/trace.hpp"
 #include "tests/cli/command_line_fixture.hpp"
 #include "tests/core/opening/opening_files.hpp"
 

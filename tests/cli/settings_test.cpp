@@ -4,7 +4,7 @@
 #include <map>
 
 #include "core/base/text.hpp"
-#include "core/synthesis/settings.hpp"
+#include "core/synthesis/settings/settings.hpp"
 #include "tests/cli/command_line_fixture.hpp"
 
 namespace abrazo::test::settings_test {

@@ -8,7 +8,7 @@
 #include "core/session/file/session_file.hpp"
 #include "core/session/file/session_writer.hpp"
 #include "core/session/file/synthesizer_state_bytes.hpp"
-#include "core/synthesis/synthesizer_state.hpp"
+#include "core/synthesis/step/synthesizer_state.hpp"
 #include "tests/core/session/project_values.hpp"
 #include "tests/support/bodies.hpp"
 

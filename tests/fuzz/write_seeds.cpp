@@ -23,7 +23,7 @@
 #include "core/stream/protocol/stream_encoder.hpp"
 #include "core/stream/receive/decoders.hpp"
 #include "core/stream/send/encoders.hpp"
-#include "core/synthesis/trace.hpp"
+#include "core/synthesis/frames/trace.hpp"
 #include "core/video/camera_file.hpp"
 #include "tests/core/motion/c3d_bytes.hpp"
 #include "tests/fuzz/fuzz_target.hpp"

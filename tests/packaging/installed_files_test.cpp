@@ -197,7 +197,7 @@ TEST(InstalledHeaders, CompileAloneAsTheirOwnSourceIncludesThemFirst) {
 
 TEST(InstalledHeaders, AreThoseOfTheEngineAndHaveTheirCodeInIt) {
   const std::string root = installed("include/abrazo").string();
-  EXPECT_TRUE(fs::exists(root + "/core/synthesis/partner_synthesizer.hpp"));
+  EXPECT_TRUE(fs::exists(root + "/core/synthesis/step/partner_synthesizer.hpp"));
   EXPECT_TRUE(fs::exists(root + "/core/video/camera_model.hpp"));
   EXPECT_FALSE(fs::exists(root + "/core/video/video_reader.hpp")) << "its code is in the workbench";
 }

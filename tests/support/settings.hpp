@@ -1,6 +1,6 @@
 #pragma once
 
-#include "core/synthesis/settings.hpp"
+#include "core/synthesis/settings/settings.hpp"
 
 namespace abrazo::test {
 

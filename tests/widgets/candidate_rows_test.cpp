@@ -41,7 +41,7 @@ TEST(CandidateRows, SpeakTheTermsOfEquation7) {
   EXPECT_DOUBLE_EQ(value_of(first, CostTerm::Active), 0.5 * 0.02) << "times alpha";
   EXPECT_DOUBLE_EQ(value_of(first, CostTerm::Passive), 0.5 * 0.04);
   EXPECT_EQ(value_of(first, CostTerm::Partner), 0) << "no term of it";
-  EXPECT_FALSE(first.goes_on);
+  EXPECT_FALSE(first.continues_source);
 }
 
 TEST(CandidateRows, SpeakTheTermsOfIntentWhereItDecided) {
@@ -58,8 +58,8 @@ TEST(CandidateRows, SpeakTheTermsOfIntentWhereItDecided) {
 
 TEST(CandidateRows, MarkTheOneThatGoesOnWithTheSource) {
   const auto found = rows_by_intent();
-  EXPECT_TRUE(found[0].goes_on);
-  for (std::size_t i = 1; i < found.size(); ++i) EXPECT_FALSE(found[i].goes_on) << i;
+  EXPECT_TRUE(found[0].continues_source);
+  for (std::size_t i = 1; i < found.size(); ++i) EXPECT_FALSE(found[i].continues_source) << i;
 }
 
 TEST(CandidateRows, SpeakOfEquation7WhenACandidateLacksTheCostOfIntent) {

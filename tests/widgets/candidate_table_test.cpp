@@ -196,7 +196,7 @@ TEST(CandidateTable, SpeaksTheTermsOfTheMethodThatDecidedTheShownFrame) {
   EXPECT_FALSE(header->area(CandidateColumn::Partner).isEmpty());
   QTest::keyClick(t.list, Qt::Key_Down);
   EXPECT_EQ(t.list->accessibleDescription(),
-            QString("Rank 1 of 5, salsa_01 frame 0, turn, total cost 0.190 m, selected, goes on"));
+            QString("Rank 1 of 5, salsa_01 frame 0, turn, total cost 0.190 m, selected, continues"));
   t.table.showFrame(synthetic_frame(2, 0.06));
   EXPECT_TRUE(t.table.reason().startsWith("Winner by"));
   EXPECT_TRUE(header->area(CandidateColumn::Partner).isEmpty());

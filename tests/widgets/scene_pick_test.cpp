@@ -234,7 +234,7 @@ TEST(Describe, TellsWhatTheFilterExpectsOfACandidate) {
   const auto frame = test::frame_by_intent(0, 0);
   const auto library = test::two_take_library();
   EXPECT_THAT(describe(*frame, Selection::candidate(0), library.get()).lines,
-              ::testing::ElementsAre("turn", "rank 1 of 5, selected, goes on",
+              ::testing::ElementsAre("turn", "rank 1 of 5, selected, continues",
                                      "cost 0.190 m = partner 0.100 + leader 0.060", "+ move 0.030"));
   EXPECT_THAT(describe(*frame, Selection::candidate(1), library.get()).lines,
               ::testing::ElementsAre("turn", "rank 2 of 5", "cost 0.200 m = partner 0.090 + leader 0.050",

@@ -3,7 +3,7 @@
 
 #include <regex>
 
-#include "core/synthesis/preset_choice.hpp"
+#include "core/synthesis/settings/preset_choice.hpp"
 #include "widgets/common/typeset.hpp"
 #include "widgets/settings/setting_help.hpp"
 #include "widgets/settings/slider_scale.hpp"

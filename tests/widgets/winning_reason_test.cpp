@@ -49,17 +49,17 @@ std::vector<CandidateRow> rows_by_intent(const std::vector<std::array<double, mo
 
 TEST(WinningReasonOfIntent, SaysWhatAChangeIsFor) {
   auto nearer = rows_by_intent({{0.10, 0.05, 0.02, 0, 0.03}, {0.16, 0.06, 0.02, 0, 0}});
-  nearer[1].goes_on = true;
-  EXPECT_EQ(winning_reason(nearer), "Change: going on (#2) costs 0.040 m more — partner expected nearer");
+  nearer[1].continues_source = true;
+  EXPECT_EQ(winning_reason(nearer), "Change: continuing (#2) costs 0.040 m more — partner expected nearer");
   auto likelier = rows_by_intent({{0.10, 0.05, 0.02, 0, 0.03}, {0.11, 0.05, 0.09, 0, 0}});
-  likelier[1].goes_on = true;
-  EXPECT_EQ(winning_reason(likelier), "Change: going on (#2) costs 0.050 m more — likelier move")
+  likelier[1].continues_source = true;
+  EXPECT_EQ(winning_reason(likelier), "Change: continuing (#2) costs 0.050 m more — likelier move")
       << "as the totals say, in which it paid for the change";
 }
 
 TEST(WinningReasonOfIntent, SaysThatGoingOnWasVetoed) {
   auto found = rows_by_intent({{0.10, 0.05, 0.02, 0, 0.03}, {0.16, 0.06, 0.02, 0, 0}});
-  found[1].goes_on = found[1].vetoed = true;
+  found[1].continues_source = found[1].vetoed = true;
   EXPECT_EQ(winning_reason(found), "Change: continuing is vetoed");
 }
 
@@ -67,13 +67,13 @@ TEST(WinningReasonOfIntent, SaysHowMuchOfTheDifferenceIsForTheChange) {
   EXPECT_EQ(winning_reason(candidate_rows(*test::frame_by_intent(0, 0), *test::two_take_library())),
             "Continues: #2 costs 0.010 m more, because of the 0.030 m for the change");
   auto better = rows_by_intent({{0.10, 0.02, 0.02, 0, 0}, {0.11, 0.05, 0.02, 0, 0.03}});
-  better[0].goes_on = true;
+  better[0].continues_source = true;
   EXPECT_EQ(winning_reason(better), "Continues: #2 costs 0.070 m more — motion of the leader");
   auto mostly = rows_by_intent({{0.10, 0.02, 0.02, 0, 0}, {0.11, 0.02, 0.02, 0, 0.06}});
-  mostly[0].goes_on = true;
+  mostly[0].continues_source = true;
   EXPECT_EQ(winning_reason(mostly), "Continues: #2 costs 0.070 m more, 0.060 m of it for the change");
   auto equal = rows_by_intent({{0.10, 0.02, 0.02, 0, 0}, {0.10, 0.02, 0.02, 0, 0.03}});
-  equal[0].goes_on = true;
+  equal[0].continues_source = true;
   EXPECT_EQ(winning_reason(equal), "Continues: #2 costs 0.030 m more, all of it for the change");
 }
 
@@ -81,7 +81,7 @@ TEST(WinningReasonOfIntent, NamesTheDifferenceThatThePersonFindsWhoSubtractsTheR
   // 0.1504 and 0.1796 read 0.150 and 0.180; their difference, 0.0292, would read 0.029.
   auto found = rows_by_intent({{0.1504, 0, 0, 0, 0}, {0.1796, 0, 0, 0, 0}});
   EXPECT_EQ(winning_reason(found), "#2 costs 0.030 m more — partner expected nearer");
-  found[0].goes_on = true;
+  found[0].continues_source = true;
   EXPECT_EQ(winning_reason(found), "Continues: #2 costs 0.030 m more — partner expected nearer");
   const auto near = rows_by_intent({{0.1501, 0, 0, 0, 0}, {0.1503, 0, 0, 0, 0}});
   EXPECT_EQ(winning_reason(near), "#2 costs less than 0.001 m more — partner expected nearer");
@@ -89,7 +89,7 @@ TEST(WinningReasonOfIntent, NamesTheDifferenceThatThePersonFindsWhoSubtractsTheR
 
 TEST(WinningReasonOfIntent, TellsTheMarginFromTheDistanceToTheShownPartner) {
   auto found = rows_by_intent({{0.10, 0.02, 0.02, 0, 0, 0}, {0.10, 0.02, 0.02, 0, 0.1, 0.22}});
-  found[0].goes_on = true;
+  found[0].continues_source = true;
   EXPECT_EQ(winning_reason(found),
             "Continues: #2 costs 0.320 m more, 0.220 m of it for leaving the shown partner");
 }

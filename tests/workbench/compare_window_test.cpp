@@ -54,7 +54,7 @@ TEST_F(CompareInTheWindow, AFrozenRunGoesOnBesideTheLiveOne) {
   window().document().changeSetting("velocity-weight", "2");
   ASSERT_TRUE(until([] { return desk().shown() && desk().shown()->steps.size() > 60; }));
   const Comparison& comparison = *desk().shown();
-  EXPECT_TRUE(comparison.task.goes_on);
+  EXPECT_TRUE(comparison.task.follows_live);
   EXPECT_EQ(comparison.settings_a, *preset("responsive"));
   EXPECT_EQ(comparison.settings_b.velocity_weight, 2);
   EXPECT_GT(lag(comparison.figures_b), lag(comparison.figures_a));
@@ -68,7 +68,7 @@ TEST_F(CompareInTheWindow, AParkedCursorIsSolvedAgainWhileLiveGoesOn) {
   const std::uint64_t before = live().index;
   window().document().changeSetting("velocity-weight", "2");
   ASSERT_TRUE(until([] { return desk().shown() && desk().shown()->done; }));
-  EXPECT_FALSE(desk().shown()->task.goes_on);
+  EXPECT_FALSE(desk().shown()->task.follows_live);
   EXPECT_FALSE(desk().shown()->task.a) << "A is what was recorded";
   EXPECT_EQ(desk().shown()->task.b->velocity_weight, 2);
   EXPECT_EQ(window().ticker().playback().cursor_s, parked_s);

@@ -118,7 +118,7 @@ int main(int argc, char** argv) {
     std::fprintf(stderr, "the demo did not start\n");
     return 1;
   }
-  std::printf("window %dx%d, scene %dx%d, %.0f s of history, the solver goes on\n", width, height,
+  std::printf("window %dx%d, scene %dx%d, %.0f s of history, the solver running\n", width, height,
               window.scene().width(), window.scene().height(), window.ticker().playback().last_s);
   widgets::TimelineView& timeline = window.timeline();
   send(timeline, QEvent::MouseButtonPress, {timeline.axis().x(2), 60}, Qt::LeftButton);

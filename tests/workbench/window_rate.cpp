@@ -246,10 +246,10 @@ void measure(MainWindow& window, Responsiveness& responsiveness, const Asked& as
   FrameTicker& ticker = window.ticker();
   ticker.goToStart();
   ticker.toggle();
-  measurement.during("playing what was recorded, solver goes on");
+  measurement.during("playing what was recorded, solver running");
   ticker.pause();
-  measurement.during("parked, camera turning, solver goes on", DragOfScene(window.scene()));
-  measurement.during("parked, untouched, solver goes on");
+  measurement.during("parked, camera turning, solver running", DragOfScene(window.scene()));
+  measurement.during("parked, untouched, solver running");
   window.session()->push(PauseInput{true});
   measurement.during("parked, untouched, input paused");
   measurement.during("scrubbing", [&, step = 0]() mutable {

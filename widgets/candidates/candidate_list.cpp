@@ -122,7 +122,7 @@ void CandidateList::describe() {
                       .arg(row->label.empty() ? "no label" : text(row->label))
                       .arg(figure(*row, CandidateColumn::Total));
   if (row->selected) words += ", selected";
-  if (row->goes_on) words += ", goes on";
+  if (row->continues_source) words += ", continues";
   if (row->pinned) words += ", pinned";
   if (row->vetoed) words += ", vetoed";
   if (row->not_meant) words += ", not the intended move";
@@ -210,8 +210,8 @@ void CandidateList::paintName(QPainter& painter, const CandidateRow& row, const 
   const double after = CandidateLayout::name_left + painter.fontMetrics().horizontalAdvance(name) + 5;
   painter.setPen(m_palette.secondary);
   draw_tabular(painter, QRectF(after, line.top(), number_width + 2, row_height), Qt::AlignLeft, number);
-  if (row.goes_on)
-    draw_goes_on(painter, QPointF(after + number_width + 8, line.center().y()), m_palette.text);
+  if (row.continues_source)
+    draw_continuation(painter, QPointF(after + number_width + 8, line.center().y()), m_palette.text);
   painter.setFont(interface_font(13));
 }
 
@@ -239,7 +239,7 @@ QString CandidateList::tip(const CandidateRow& row) const {
                     .arg(row.frame)
                     .arg(row.swapped ? " (roles swapped)" : "")
                     .arg(row.label.empty() ? "no label" : text(row.label).toHtmlEscaped())
-                    .arg(row.goes_on ? " · continues the source" : "")
+                    .arg(row.continues_source ? " · continues the source" : "")
                     .arg(row.pinned ? " · pinned" : "")
                     .arg(row.vetoed       ? " · vetoed"
                          : !row.not_meant ? ""

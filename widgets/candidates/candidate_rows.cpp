@@ -15,7 +15,7 @@ void read_intent(const Candidate& candidate, const FrameIntent& intent, Candidat
   const IntentCost& cost = *candidate.intent;
   row.terms = {cost.partner, cost.leader, cost.move, cost.meant, cost.change, cost.temporal};
   row.total = cost.total;
-  row.goes_on = candidate.continuation || candidate.pair == intent.continued;
+  row.continues_source = candidate.continuation || candidate.pair == intent.continued;
 }
 
 }  // namespace

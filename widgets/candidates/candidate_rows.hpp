@@ -26,7 +26,7 @@ struct CandidateRow {
   double equation_7 = 0;                        ///< total of Eq. 7, even if it does not decide [m^2]
   double feature_distance = 0;                  ///< [m]
   bool selected = false;
-  bool goes_on = false;  ///< continues the source of the previous frame; only with `intent`
+  bool continues_source = false;  ///< continues the source of the previous frame; only with `intent`
   bool pinned = false;
   bool vetoed = false;     ///< by itself, its take or its label
   bool not_meant = false;  ///< another move is intended

@@ -25,7 +25,7 @@ constexpr std::array<CostTermInfo, most_cost_terms> intent_terms = {{
     {CostTerm::Meant, "intended", "not the intended move", "w_p · not the intended move",
      "the intended move"},
     {CostTerm::Change, "change", "margin for a change of source", "margin for a change of source",
-     "it goes on"},
+     "it continues the source"},
     {CostTerm::Temporal, "temporal", "distance from the shown partner", "α · distance from the shown partner",
      "nearer to the shown partner"},
 }};

@@ -4,7 +4,7 @@
 #include <span>
 
 #include "core/library/store/motion_library.hpp"
-#include "core/synthesis/settings.hpp"
+#include "core/synthesis/settings/settings.hpp"
 
 namespace abrazo::widgets {
 

@@ -34,7 +34,7 @@ void draw_meant(QPainter& painter, const QPointF& middle, const QColor& colour, 
   painter.restore();
 }
 
-void draw_goes_on(QPainter& painter, const QPointF& middle, const QColor& colour) {
+void draw_continuation(QPainter& painter, const QPointF& middle, const QColor& colour) {
   painter.save();
   painter.setPen(QPen(colour, 1.3, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.setBrush(Qt::NoBrush);

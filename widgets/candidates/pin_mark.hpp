@@ -17,6 +17,6 @@ void draw_veto(QPainter& painter, const QPointF& middle, const QColor& colour);
 void draw_meant(QPainter& painter, const QPointF& middle, const QColor& colour, bool out = false);
 
 /// An arrow to the right, 8 px: continues the source.
-void draw_goes_on(QPainter& painter, const QPointF& middle, const QColor& colour);
+void draw_continuation(QPainter& painter, const QPointF& middle, const QColor& colour);
 
 }  // namespace abrazo::widgets

@@ -57,7 +57,7 @@ std::string paper_reason(const CandidateRow& winner, const CandidateRow& second)
 }
 
 /// Of a winner that continues its source: others pay for the change, and are compared with what they pay.
-std::string going_on(const CandidateRow& winner, const CandidateRow& second) {
+std::string continuation(const CandidateRow& winner, const CandidateRow& second) {
   const double more = second.total - winner.total;
   if (more < least_shown) return "Continues: #2 costs as much";
   const std::string difference = dearer_by(winner, second);
@@ -71,17 +71,17 @@ std::string going_on(const CandidateRow& winner, const CandidateRow& second) {
   return words + (part.value > more ? ", because of the " + paid + " " : ", " + paid + " of it ") + what;
 }
 
-std::string change(const CandidateRow& winner, const CandidateRow& going_on) {
-  if (going_on.is_out()) return "Change: continuing is vetoed";
-  return "Change: going on (#" + std::to_string(going_on.rank) + ") costs " + dearer_by(winner, going_on) +
-         " more" + because(largest_gain(winner, going_on));
+std::string change(const CandidateRow& winner, const CandidateRow& continuation) {
+  if (continuation.is_out()) return "Change: continuing is vetoed";
+  return "Change: continuing (#" + std::to_string(continuation.rank) + ") costs " +
+         dearer_by(winner, continuation) + " more" + because(largest_gain(winner, continuation));
 }
 
 std::string intent_reason(const std::vector<CandidateRow>& rows, const FrameIntent& intent) {
   const CandidateRow& winner = rows.front();
   const CandidateRow& second = rows[1];
-  if (winner.goes_on) return going_on(winner, second);
-  const auto other = std::ranges::find_if(rows, &CandidateRow::goes_on);
+  if (winner.continues_source) return continuation(winner, second);
+  const auto other = std::ranges::find_if(rows, &CandidateRow::continues_source);
   if (other != rows.end()) return change(winner, *other);
   // Only a frame solved here has the information that there was no continuation.
   const std::string before = intent.model && intent.continued < 0 ? "No source to continue. " : "";

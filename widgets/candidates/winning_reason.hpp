@@ -10,7 +10,7 @@ namespace abrazo::widgets {
 
 /// Reason of the selection, from rows in order of cost. By Eq. 7: "Winner by 0.024 m² — less temporal cost of
 /// the follower", the margin to the runner-up and the term that decided it. With `intent`: why the source
-/// changed, "Change: going on (#3) costs 0.060 m more — partner expected nearer", or why it did not,
+/// changed, "Change: continuing (#3) costs 0.060 m more — partner expected nearer", or why it did not,
 /// "Continues: #2 costs 0.130 m more, 0.113 m of it for the change". Also states if the winner is not the
 /// cheapest (a pinned pair), or has no competitor. Differences are those of the totals as rows show them, to
 /// 0.001.

@@ -3,7 +3,7 @@
 #include <QWidget>
 #include <vector>
 
-#include "core/synthesis/preset_choice.hpp"
+#include "core/synthesis/settings/preset_choice.hpp"
 
 class QMenu;
 class QToolButton;

@@ -3,7 +3,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/synthesis/settings.hpp"
+#include "core/synthesis/settings/settings.hpp"
 
 namespace abrazo::widgets {
 

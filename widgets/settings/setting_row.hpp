@@ -2,7 +2,7 @@
 
 #include <QWidget>
 
-#include "core/synthesis/settings.hpp"
+#include "core/synthesis/settings/settings.hpp"
 #include "widgets/common/palette.hpp"
 #include "widgets/settings/slider_scale.hpp"
 

@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/synthesis/preset_choice.hpp"
+#include "core/synthesis/settings/preset_choice.hpp"
 #include "widgets/common/palette.hpp"
 
 class QLabel;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "core/synthesis/settings.hpp"
+#include "core/synthesis/settings/settings.hpp"
 #include "widgets/sweep/sweep_request.hpp"
 
 class QComboBox;

@@ -250,7 +250,7 @@ void TransportBar::showHeld(bool on) {
   if (on == m_isHeld) return;
   m_isHeld = on;
   m_live->setText(on ? "HELD  End" : "LIVE  End");
-  m_live->setToolTip(on ? "To the live end (End). The input is held: nothing is recorded until it goes on"
+  m_live->setToolTip(on ? "To the live end (End). The input is held: nothing is recorded until it is released"
                         : "Follow what comes in (End)");
   showState();
 }

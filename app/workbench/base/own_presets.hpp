@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/result.hpp"
-#include "core/synthesis/preset_choice.hpp"
+#include "core/synthesis/settings/preset_choice.hpp"
 
 namespace abrazo::app {
 

@@ -36,7 +36,7 @@ widgets::CompareSides sides_of(const CompareSituation& now, double frozen_at_s, 
   if (shown && !shown->steps.empty()) {
     sides.settings_a = line(shown->settings_a, shown->settings_b);
     sides.settings_b = line(shown->settings_b, shown->settings_a);
-    if (!shown->task.goes_on && !shown->task.a) sides.origin_a = "as recorded";
+    if (!shown->task.follows_live && !shown->task.a) sides.origin_a = "as recorded";
   }
   return sides;
 }
@@ -49,7 +49,7 @@ QString note_of(const Comparison& comparison) {
           : QString("%1 steps over %2, from the same start at %3.")
                 .arg(comparison.steps.size())
                 .arg(in_seconds(length_s, 1), in_seconds(comparison.task.from_s, 2));
-  if (comparison.task.goes_on)
+  if (comparison.task.follows_live)
     note = QString("The last %1 with these settings, %2 steps; the runs parted at %3.")
                .arg(in_seconds(length_s, 1))
                .arg(comparison.steps.size())

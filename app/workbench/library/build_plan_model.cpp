@@ -56,9 +56,9 @@ void BuildPlanModel::refresh() {
   m_remarks = remarks_on(m_plan);
   m_shaded.clear();
   for (int row = 0; row < rowCount(); ++row) {
-    const bool goes_on =
+    const bool same_take =
         row > 0 && !performer(row).take.empty() && performer(row).take == performer(row - 1).take;
-    m_shaded.push_back(row > 0 && (goes_on ? m_shaded.back() : !m_shaded.back()));
+    m_shaded.push_back(row > 0 && (same_take ? m_shaded.back() : !m_shaded.back()));
   }
 }
 

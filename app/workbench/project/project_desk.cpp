@@ -221,7 +221,7 @@ void ProjectDesk::write(const QString& target) {
     const bool has_gone_on = what.recorder || m_window.session()->engine().recorder() ||
                              m_takes.file() != from || m_takes.takes() != takes;
     if (target != from && has_gone_on) {
-      m_window.messages().showInformation("Copied to " + target + "; the session goes on in " + file());
+      m_window.messages().showInformation("Copied to " + target + "; the session continues in " + file());
       return emit saved(target);
     }
     if (m_takes.file() != target) m_takes.setFile(target);

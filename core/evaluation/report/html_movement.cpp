@@ -72,7 +72,7 @@ std::string movement_finding(const MovementTable& movement) {
   if (std::isfinite(f.captured_holds_held))
     text += fmt::format("Of the holds of the capture {} are held. ", percent_text(f.captured_holds_held, 0));
   return text + fmt::format(
-                    "The source changes {} times a second, and goes on at its own pace in {} of the "
+                    "The source changes {} times a second, and plays at its own pace in {} of the "
                     "steps between.",
                     number_text(f.changes_per_s, 2), percent_text(f.source_pace_share, 0));
 }

@@ -12,7 +12,7 @@
 #include "core/evaluation/tables/run_measures.hpp"
 #include "core/evaluation/takes/take_synthesis.hpp"
 #include "core/library/build/motion_library_builder.hpp"
-#include "core/synthesis/clip_synthesis.hpp"
+#include "core/synthesis/step/clip_synthesis.hpp"
 
 namespace abrazo {
 

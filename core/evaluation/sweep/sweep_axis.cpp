@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/base/text.hpp"
-#include "core/synthesis/settings.hpp"
+#include "core/synthesis/settings/settings.hpp"
 
 namespace abrazo {
 

@@ -12,7 +12,7 @@
 #include "core/metrics/holds.hpp"
 #include "core/metrics/penetration.hpp"
 #include "core/metrics/zmp.hpp"
-#include "core/synthesis/settings.hpp"
+#include "core/synthesis/settings/settings.hpp"
 
 namespace abrazo {
 

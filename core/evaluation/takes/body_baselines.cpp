@@ -3,7 +3,7 @@
 #include "core/metrics/foot_slide.hpp"
 #include "core/motion/body/joint_set.hpp"
 #include "core/retarget/body_retargeter.hpp"
-#include "core/synthesis/pair_editor.hpp"
+#include "core/synthesis/edit/pair_editor.hpp"
 
 namespace abrazo {
 

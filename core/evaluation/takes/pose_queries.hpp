@@ -7,7 +7,7 @@
 #include "core/library/store/motion_library.hpp"
 #include "core/library/takes/paired_take.hpp"
 #include "core/selection/pair_selector.hpp"
-#include "core/synthesis/settings.hpp"
+#include "core/synthesis/settings/settings.hpp"
 
 namespace abrazo {
 

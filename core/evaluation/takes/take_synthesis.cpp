@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/synthesis/clip_synthesis.hpp"
+#include "core/synthesis/step/clip_synthesis.hpp"
 
 namespace abrazo {
 

@@ -10,7 +10,7 @@
 #include "core/library/store/motion_library.hpp"
 #include "core/library/takes/paired_take.hpp"
 #include "core/metrics/motion_quality.hpp"
-#include "core/synthesis/settings.hpp"
+#include "core/synthesis/settings/settings.hpp"
 
 namespace abrazo {
 

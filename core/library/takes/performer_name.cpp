@@ -86,8 +86,9 @@ std::vector<NamePart> parts_of_name(std::string_view name) {
     if (kind == Kind::Other) continue;
     const bool capital = std::isupper(static_cast<unsigned char>(name[i])) != 0;
     const bool after_small = i > 0 && std::islower(static_cast<unsigned char>(name[i - 1])) != 0;
-    const bool goes_on = i > 0 && !parts.empty() && kind_of(name[i - 1]) == kind && !(capital && after_small);
-    if (!goes_on) parts.push_back({{}, i, 0});
+    const bool same_part =
+        i > 0 && !parts.empty() && kind_of(name[i - 1]) == kind && !(capital && after_small);
+    if (!same_part) parts.push_back({{}, i, 0});
     ++parts.back().size;
   }
   for (NamePart& part : parts) part.text = lower_case(name.substr(part.begin, part.size));

@@ -6,7 +6,7 @@
 #include "core/session/edit/video_state.hpp"
 #include "core/session/frames/decisions.hpp"
 #include "core/session/frames/markers.hpp"
-#include "core/synthesis/preset_choice.hpp"
+#include "core/synthesis/settings/preset_choice.hpp"
 
 namespace abrazo {
 

@@ -9,7 +9,7 @@
 #include "core/session/export/library_take_record.hpp"
 #include "core/session/export/session_tiers.hpp"
 #include "core/session/file/recorded_frames.hpp"
-#include "core/synthesis/trace.hpp"
+#include "core/synthesis/frames/trace.hpp"
 
 namespace abrazo {
 

@@ -9,7 +9,7 @@
 #include <string_view>
 
 #include "core/base/statistics.hpp"
-#include "core/synthesis/trace.hpp"
+#include "core/synthesis/frames/trace.hpp"
 
 namespace abrazo {
 

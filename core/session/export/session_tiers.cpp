@@ -41,8 +41,8 @@ std::vector<TierInterval> FrameValues::intervals() const {
   const double usual_s = usual_interval_s();
   std::vector<TierInterval> found;
   for (std::size_t i = 0; i < times_s.size(); ++i) {
-    const bool goes_on = i + 1 < times_s.size() && times_s[i + 1] - times_s[i] <= longest_pause_s;
-    const double end_s = goes_on ? std::max(times_s[i + 1], times_s[i]) : times_s[i] + usual_s;
+    const bool continues = i + 1 < times_s.size() && times_s[i + 1] - times_s[i] <= longest_pause_s;
+    const double end_s = continues ? std::max(times_s[i + 1], times_s[i]) : times_s[i] + usual_s;
     if (values[i].empty()) continue;
     if (!found.empty() && found.back().value == values[i] && found.back().end_s >= times_s[i])
       found.back().end_s = std::max(found.back().end_s, end_s);

@@ -11,7 +11,7 @@
 #include "core/session/file/data_reference.hpp"
 #include "core/session/frames/decisions.hpp"
 #include "core/session/frames/markers.hpp"
-#include "core/synthesis/settings.hpp"
+#include "core/synthesis/settings/settings.hpp"
 #include "core/video/camera_model.hpp"
 #include "core/video/video_sync.hpp"
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/result.hpp"
-#include "core/synthesis/synthesizer_state.hpp"
+#include "core/synthesis/step/synthesizer_state.hpp"
 
 namespace abrazo {
 

@@ -7,7 +7,7 @@
 
 #include "core/selection/vetoes.hpp"
 #include "core/session/frames/decisions.hpp"
-#include "core/synthesis/settings.hpp"
+#include "core/synthesis/settings/settings.hpp"
 
 namespace abrazo {
 

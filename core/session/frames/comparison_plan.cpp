@@ -28,7 +28,7 @@ std::optional<std::pair<double, double>> span_of(const CompareSituation& now) {
 }  // namespace
 
 bool covers(const ComparisonTask& task, double time_s) {
-  return !task.goes_on && time_s >= task.from_s && time_s <= task.to_s;
+  return !task.follows_live && time_s >= task.from_s && time_s <= task.to_s;
 }
 
 std::optional<ComparisonTask> what_if_task(const CompareSituation& now, const ComparisonTask* current) {
@@ -60,7 +60,7 @@ std::optional<ComparisonTask> shadow_task(const CompareSituation& now, double si
   ComparisonTask task;
   (now.is_aside ? task.b : task.a) = now.is_aside ? now.present : *now.frozen;
   task.from_s = task.to_s = since_s;
-  task.goes_on = true;
+  task.follows_live = true;
   return task;
 }
 

@@ -5,7 +5,7 @@
 #include "core/session/frames/decisions.hpp"
 #include "core/session/frames/frame_snapshot.hpp"
 #include "core/session/frames/playback.hpp"
-#include "core/synthesis/settings.hpp"
+#include "core/synthesis/settings/settings.hpp"
 
 namespace abrazo {
 
@@ -14,7 +14,7 @@ struct ComparisonTask {
   std::optional<Settings> a, b;  ///< solved again with these; none: as recorded
   double from_s = 0;             ///< both start from the solver's state at this time
   double to_s = 0;
-  bool goes_on = false;                       ///< follows the live solver, without an end
+  bool follows_live = false;                  ///< follows the live solver, without an end
   std::optional<Decisions> b_decisions = {};  ///< B is solved with these; none: those of the recording
 
   bool operator==(const ComparisonTask&) const = default;

@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/synthesis/synthesizer_state.hpp"
+#include "core/synthesis/step/synthesizer_state.hpp"
 
 namespace abrazo {
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/synthesis/synthesizer_state.hpp"
+#include "core/synthesis/step/synthesizer_state.hpp"
 
 namespace abrazo {
 

@@ -4,8 +4,8 @@
 #include <memory>
 #include <string>
 
-#include "core/synthesis/frame_result.hpp"
-#include "core/synthesis/settings.hpp"
+#include "core/synthesis/frames/frame_result.hpp"
+#include "core/synthesis/settings/settings.hpp"
 
 namespace abrazo {
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/session/frames/frame_snapshot.hpp"
-#include "core/synthesis/settings.hpp"
+#include "core/synthesis/settings/settings.hpp"
 
 namespace abrazo {
 

@@ -9,7 +9,7 @@
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/session/frames/frame_snapshot.hpp"
-#include "core/synthesis/trace.hpp"
+#include "core/synthesis/frames/trace.hpp"
 
 namespace abrazo {
 

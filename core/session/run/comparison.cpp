@@ -64,8 +64,8 @@ ComparisonRun::ComparisonRun(ComparisonTask task, const FrameHistory& recorded, 
     if (!made) fail(made.error().text());
   }
   if (state_.done) return;
-  start(state_.task.from_s, state_.task.goes_on ? state_.task.from_s : state_.task.to_s);
-  if (waiting_.empty() && !state_.task.goes_on)
+  start(state_.task.from_s, state_.task.follows_live ? state_.task.from_s : state_.task.to_s);
+  if (waiting_.empty() && !state_.task.follows_live)
     fail("the inputs of these frames are no longer kept; choose later ones");
 }
 
@@ -112,7 +112,7 @@ bool ComparisonRun::find_more() {
 bool ComparisonRun::advance(std::size_t frames) {
   if (state_.done) return false;
   const auto began = std::chrono::steady_clock::now();
-  if (solved_ == waiting_.size() && state_.task.goes_on && !find_more()) return false;
+  if (solved_ == waiting_.size() && state_.task.follows_live && !find_more()) return false;
   for (; frames > 0 && solved_ < waiting_.size(); --frames) {
     const FrameSnapshotPtr recorded = waiting_.next();
     if (!recorded) {
@@ -123,7 +123,7 @@ bool ComparisonRun::advance(std::size_t frames) {
     last_ = recorded;
     ++solved_;
   }
-  if (!state_.task.goes_on) {
+  if (!state_.task.follows_live) {
     state_.done = solved_ == waiting_.size();
     state_.fraction = static_cast<double>(solved_) / static_cast<double>(waiting_.size());
   }
@@ -146,7 +146,7 @@ std::shared_ptr<const Comparison> ComparisonRun::measured() {
   auto a = a_->since(0), b = b_->since(0);
   if (a.empty() || b.empty()) return measured;
   double from_s = std::max(a.front()->time_s, b.front()->time_s);  // one may have lost more of its oldest
-  if (state_.task.goes_on)
+  if (state_.task.follows_live)
     from_s = std::max({from_s, settled_since(a), settled_since(b), a.back()->time_s - longest_window_s});
   const auto is_before = [from_s](const FrameSnapshotPtr& frame) { return frame->time_s < from_s; };
   std::erase_if(a, is_before);

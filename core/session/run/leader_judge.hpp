@@ -9,7 +9,7 @@
 #include "core/library/store/pose_index.hpp"
 #include "core/motion/body/body.hpp"
 #include "core/retarget/body_retargeter.hpp"
-#include "core/synthesis/role_views.hpp"
+#include "core/synthesis/step/role_views.hpp"
 
 namespace abrazo {
 

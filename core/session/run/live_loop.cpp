@@ -7,7 +7,7 @@
 #include <utility>
 #include <variant>
 
-#include "core/synthesis/synthesizer_state.hpp"
+#include "core/synthesis/step/synthesizer_state.hpp"
 
 namespace abrazo {
 

@@ -7,8 +7,8 @@
 #include "core/library/store/motion_library.hpp"
 #include "core/session/frames/command.hpp"
 #include "core/stream/send/pose_sink.hpp"
-#include "core/synthesis/frame_result.hpp"
-#include "core/synthesis/settings.hpp"
+#include "core/synthesis/frames/frame_result.hpp"
+#include "core/synthesis/settings/settings.hpp"
 
 namespace abrazo {
 

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <utility>
 
-#include "core/synthesis/synthesizer_state.hpp"
+#include "core/synthesis/step/synthesizer_state.hpp"
 
 namespace abrazo {
 

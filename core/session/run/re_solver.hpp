@@ -6,7 +6,7 @@
 
 #include "core/session/frames/decisions.hpp"
 #include "core/session/frames/frame_snapshot.hpp"
-#include "core/synthesis/partner_synthesizer.hpp"
+#include "core/synthesis/step/partner_synthesizer.hpp"
 
 namespace abrazo {
 

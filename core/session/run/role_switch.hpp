@@ -6,8 +6,8 @@
 #include "core/base/result.hpp"
 #include "core/session/frames/decisions.hpp"
 #include "core/session/run/leader_judge.hpp"
-#include "core/synthesis/frame_result.hpp"
-#include "core/synthesis/role_views.hpp"
+#include "core/synthesis/frames/frame_result.hpp"
+#include "core/synthesis/step/role_views.hpp"
 
 namespace abrazo {
 

@@ -13,7 +13,7 @@
 #include "core/session/run/partner_output.hpp"
 #include "core/session/run/solver_thread.hpp"
 #include "core/stream/receive/clip_source.hpp"
-#include "core/synthesis/role_views.hpp"
+#include "core/synthesis/step/role_views.hpp"
 
 namespace abrazo {
 

@@ -15,7 +15,7 @@
 #include "core/session/run/recorder.hpp"
 #include "core/session/run/session_openers.hpp"
 #include "core/stream/receive/stream_receiver.hpp"
-#include "core/synthesis/partner_synthesizer.hpp"
+#include "core/synthesis/step/partner_synthesizer.hpp"
 
 namespace abrazo {
 

@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "core/session/frames/decision_edits.hpp"
-#include "core/synthesis/role_views.hpp"
-#include "core/synthesis/synthesizer_state.hpp"
+#include "core/synthesis/step/role_views.hpp"
+#include "core/synthesis/step/synthesizer_state.hpp"
 
 namespace abrazo {
 

@@ -7,7 +7,7 @@
 
 #include "core/session/frames/decisions.hpp"
 #include "core/session/run/role_switch.hpp"
-#include "core/synthesis/partner_synthesizer.hpp"
+#include "core/synthesis/step/partner_synthesizer.hpp"
 
 namespace abrazo {
 

@@ -20,7 +20,7 @@ struct Partner {
   PartnerStep step = {.partner = test::standing_pose(), .source = {.take = 2, .time_s = 4}};
 
   /// @param advance_s  of the source
-  void goes_on(double advance_s, double moved_m = 0) {
+  void continues(double advance_s, double moved_m = 0) {
     step.source.time_s += advance_s;
     step.time_s += step_s;
     step.partner.col(0).array() += moved_m;
@@ -30,8 +30,8 @@ struct Partner {
 
 TEST(MotionQuality, PaceIsTheTimeInTheTakeByTheTimeThatPassed) {
   Partner partner;
-  partner.goes_on(0);
-  for (int i = 0; i < 60; ++i) partner.goes_on(i < 30 ? step_s : i < 45 ? 0 : 2 * step_s);
+  partner.continues(0);
+  for (int i = 0; i < 60; ++i) partner.continues(i < 30 ? step_s : i < 45 ? 0 : 2 * step_s);
   const auto f = partner.quality.figures();
   EXPECT_NEAR(f.pace_p50, 1, 1e-9);
   EXPECT_NEAR(f.pace_p05, 0, 1e-9);
@@ -45,9 +45,9 @@ TEST(MotionQuality, PaceIsTheTimeInTheTakeByTheTimeThatPassed) {
 TEST(MotionQuality, AnotherTakeOrRoleAStepBackAndALeapAheadAreChanges) {
   const auto changes = [](const auto& change) {
     Partner partner;
-    for (int i = 0; i < 31; ++i) partner.goes_on(step_s);
+    for (int i = 0; i < 31; ++i) partner.continues(step_s);
     change(partner.step);
-    for (int i = 0; i < 30; ++i) partner.goes_on(step_s);
+    for (int i = 0; i < 30; ++i) partner.continues(step_s);
     return partner.quality.figures().changes_per_s;  // in one second
   };
   EXPECT_NEAR(changes([](PartnerStep& step) { step.source.take = 3; }), 1, 1e-9);
@@ -60,9 +60,9 @@ TEST(MotionQuality, AnotherTakeOrRoleAStepBackAndALeapAheadAreChanges) {
 
 TEST(MotionQuality, AChangeThatTheStepSpeaksOfIsOneAndHasNoPace) {
   Partner partner;
-  partner.goes_on(step_s);
+  partner.continues(step_s);
   partner.step.source_changed = true;
-  partner.goes_on(3 * step_s);
+  partner.continues(3 * step_s);
   const auto f = partner.quality.figures();
   EXPECT_NEAR(f.changes_per_s, 60, 1e-9);
   EXPECT_TRUE(std::isnan(f.pace_p50));
@@ -70,13 +70,13 @@ TEST(MotionQuality, AChangeThatTheStepSpeaksOfIsOneAndHasNoPace) {
 
 TEST(MotionQuality, WhatItsOwnVelocityExplainsIsNoStepAtAChange) {
   Partner partner;
-  for (int i = 0; i < 10; ++i) partner.goes_on(step_s, 0.02);
-  partner.goes_on(step_s, 0.20);  // not at a change
-  partner.goes_on(step_s, 0.02);
-  partner.goes_on(step_s, 0.02);
-  partner.goes_on(5, 0.02);
+  for (int i = 0; i < 10; ++i) partner.continues(step_s, 0.02);
+  partner.continues(step_s, 0.20);  // not at a change
+  partner.continues(step_s, 0.02);
+  partner.continues(step_s, 0.02);
+  partner.continues(5, 0.02);
   EXPECT_NEAR(partner.quality.figures().step_at_change_max_m, 0, 1e-9);
-  partner.goes_on(5, 0.07);
+  partner.continues(5, 0.07);
   EXPECT_NEAR(partner.quality.figures().step_at_change_max_m, 0.05, 1e-9);
 }
 
@@ -84,12 +84,12 @@ TEST(MotionQuality, LockedToeBasesHoverAboveTheirOwnRest) {
   Partner partner;
   partner.step.partner(joints::left_toe_base, 1) = 0.06;
   partner.step.partner(joints::right_toe_base, 1) = 0.06;
-  partner.goes_on(step_s);
+  partner.continues(step_s);
   EXPECT_TRUE(std::isnan(partner.quality.figures().hover_p90_m)) << "neither is locked";
   partner.step.locked = {true, false};
-  partner.goes_on(step_s);
+  partner.continues(step_s);
   partner.step.locked = {false, true};
-  partner.goes_on(step_s);
+  partner.continues(step_s);
   const auto f = partner.quality.figures();
   EXPECT_NEAR(f.hover_mean_m, 0.015, 1e-12);
   EXPECT_NEAR(f.hover_p90_m, 0.019, 1e-12);
@@ -97,12 +97,12 @@ TEST(MotionQuality, LockedToeBasesHoverAboveTheirOwnRest) {
 
 TEST(MotionQuality, AnInterruptionIsNoChangeAndNoTime) {
   Partner partner;
-  for (int i = 0; i < 31; ++i) partner.goes_on(step_s);
+  for (int i = 0; i < 31; ++i) partner.continues(step_s);
   partner.quality.interrupt();
   partner.step.time_s += 100;
   partner.step.source.take = 7;
-  partner.goes_on(0);
-  for (int i = 0; i < 30; ++i) partner.goes_on(5);
+  partner.continues(0);
+  for (int i = 0; i < 30; ++i) partner.continues(5);
   EXPECT_NEAR(partner.quality.figures().changes_per_s, 30, 1e-9) << "in the second half of one second";
 }
 

@@ -253,7 +253,7 @@ TEST(ComparisonPlan, WhileFollowingTheShadowIsTheRunThatLiveDoesNotSolve) {
   now.is_aside = true;
   EXPECT_FALSE(shadow_task(now, 20)->a);
   EXPECT_EQ(shadow_task(now, 20)->b, slow_settings());
-  EXPECT_TRUE(shadow_task(now, 20)->goes_on);
+  EXPECT_TRUE(shadow_task(now, 20)->follows_live);
 }
 
 }  // namespace

@@ -8,7 +8,7 @@
 #include "core/session/file/session_file.hpp"
 #include "core/session/frames/frame_in_library.hpp"
 #include "core/session/run/session_replay.hpp"
-#include "core/synthesis/synthesizer_state.hpp"
+#include "core/synthesis/step/synthesizer_state.hpp"
 #include "tests/core/session/recorded_session.hpp"
 
 namespace abrazo::foreign_pairs_test {

@@ -6,7 +6,7 @@
 #include "core/session/run/live_loop.hpp"
 #include "core/session/run/solver_thread.hpp"
 #include "core/stream/receive/clip_source.hpp"
-#include "core/synthesis/synthesizer_state.hpp"
+#include "core/synthesis/step/synthesizer_state.hpp"
 #include "tests/core/session/fakes.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/support/settings.hpp"

@@ -6,7 +6,7 @@
 
 #include "core/session/run/live_loop.hpp"
 #include "core/stream/receive/clip_source.hpp"
-#include "core/synthesis/trace.hpp"
+#include "core/synthesis/frames/trace.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/support/settings.hpp"
 

@@ -10,7 +10,7 @@
 #include "core/session/file/library_fingerprints.hpp"
 #include "core/session/file/session_database.hpp"
 #include "core/session/file/session_file.hpp"
-#include "core/synthesis/synthesizer_state.hpp"
+#include "core/synthesis/step/synthesizer_state.hpp"
 #include "tests/core/session/recorded_session.hpp"
 
 namespace abrazo::recorder_test {

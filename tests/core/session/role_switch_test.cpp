@@ -6,7 +6,7 @@
 #include "core/session/run/live_loop.hpp"
 #include "core/session/run/re_solver.hpp"
 #include "core/stream/receive/clip_source.hpp"
-#include "core/synthesis/synthesizer_state.hpp"
+#include "core/synthesis/step/synthesizer_state.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/support/settings.hpp"
 

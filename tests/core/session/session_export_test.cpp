@@ -11,7 +11,7 @@
 #include "core/session/export/session_tiers.hpp"
 #include "core/session/file/library_reference.hpp"
 #include "core/session/file/project.hpp"
-#include "core/synthesis/trace.hpp"
+#include "core/synthesis/frames/trace.hpp"
 #include "tests/core/session/recorded_session.hpp"
 #include "tests/support/bodies.hpp"
 

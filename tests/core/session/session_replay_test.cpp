@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/synthesis/trace.hpp"
+#include "core/synthesis/frames/trace.hpp"
 #include "tests/core/session/recorded_session.hpp"
 #include "tests/support/settings.hpp"
 

@@ -8,7 +8,7 @@
 #include <functional>
 
 #include "core/session/file/decisions_json.hpp"
-#include "core/synthesis/partner_synthesizer.hpp"
+#include "core/synthesis/step/partner_synthesizer.hpp"
 #include "tests/core/session/recorded_session.hpp"
 
 namespace abrazo::synthesizer_state_bytes_test {

@@ -1,4 +1,4 @@
-#include "core/synthesis/capsule_contacts.hpp"
+#include "core/synthesis/edit/capsule_contacts.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/synthesis/clip_synthesis.hpp"
+#include "core/synthesis/step/clip_synthesis.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,10 +1,10 @@
-#include "core/synthesis/constrained_solver.hpp"
+#include "core/synthesis/edit/constrained_solver.hpp"
 
 #include <gtest/gtest.h>
 
 #include <random>
 
-#include "core/synthesis/capsule_contacts.hpp"
+#include "core/synthesis/edit/capsule_contacts.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/support/dense_algebra.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/synthesis/constraints.hpp"
+#include "core/synthesis/edit/constraints.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/synthesis/dense_kernels.hpp"
+#include "core/synthesis/edit/dense_kernels.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/synthesis/foot_locks.hpp"
+#include "core/synthesis/edit/foot_locks.hpp"
 
 #include <gtest/gtest.h>
 

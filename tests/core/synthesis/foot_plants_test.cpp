@@ -1,4 +1,4 @@
-#include "core/synthesis/foot_plants.hpp"
+#include "core/synthesis/motion/foot_plants.hpp"
 
 #include <gtest/gtest.h>
 

@@ -4,10 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "core/selection/intent_model.hpp"
-#include "core/synthesis/partner_synthesizer.hpp"
-#include "core/synthesis/role_views.hpp"
-#include "core/synthesis/synthesizer_state.hpp"
-#include "core/synthesis/trace.hpp"
+#include "core/synthesis/frames/trace.hpp"
+#include "core/synthesis/step/partner_synthesizer.hpp"
+#include "core/synthesis/step/role_views.hpp"
+#include "core/synthesis/step/synthesizer_state.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/support/settings.hpp"

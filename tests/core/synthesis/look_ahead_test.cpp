@@ -1,10 +1,10 @@
-#include "core/synthesis/look_ahead.hpp"
+#include "core/synthesis/step/look_ahead.hpp"
 
 #include <gtest/gtest.h>
 
 #include "core/library/build/motion_library_builder.hpp"
 #include "core/session/frames/take_frames.hpp"
-#include "core/synthesis/partner_synthesizer.hpp"
+#include "core/synthesis/step/partner_synthesizer.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 

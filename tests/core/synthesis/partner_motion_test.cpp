@@ -1,4 +1,4 @@
-#include "core/synthesis/partner_motion.hpp"
+#include "core/synthesis/motion/partner_motion.hpp"
 
 #include <gtest/gtest.h>
 #include <rapidcheck.h>
@@ -8,8 +8,8 @@
 #include "core/library/build/motion_library_builder.hpp"
 #include "core/motion/body/body_segments.hpp"
 #include "core/motion/body/joint_set.hpp"
-#include "core/synthesis/partner_synthesizer.hpp"
-#include "core/synthesis/synthesizer_state.hpp"
+#include "core/synthesis/step/partner_synthesizer.hpp"
+#include "core/synthesis/step/synthesizer_state.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/support/settings.hpp"

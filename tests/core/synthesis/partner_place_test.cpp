@@ -1,4 +1,4 @@
-#include "core/synthesis/partner_place.hpp"
+#include "core/synthesis/motion/partner_place.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/synthesis/partner_synthesizer.hpp"
+#include "core/synthesis/step/partner_synthesizer.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,7 +8,7 @@
 
 #include "core/library/build/motion_library_builder.hpp"
 #include "core/selection/pair_selector.hpp"
-#include "core/synthesis/trace.hpp"
+#include "core/synthesis/frames/trace.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 

@@ -1,4 +1,4 @@
-#include "core/synthesis/rigid_lengths.hpp"
+#include "core/synthesis/edit/rigid_lengths.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/synthesis/role_views.hpp"
+#include "core/synthesis/step/role_views.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 #include <thread>
 
 #include "core/library/store/motion_library_file.hpp"
-#include "core/synthesis/partner_synthesizer.hpp"
+#include "core/synthesis/step/partner_synthesizer.hpp"
 #include "tests/support/libraries.hpp"
 
 namespace abrazo::role_views_test {

@@ -4,8 +4,8 @@
 #include "core/base/text.hpp"
 #include "core/choreography/salsa.hpp"
 #include "core/library/build/motion_library_builder.hpp"
-#include "core/synthesis/partner_synthesizer.hpp"
-#include "core/synthesis/settings.hpp"
+#include "core/synthesis/settings/settings.hpp"
+#include "core/synthesis/step/partner_synthesizer.hpp"
 
 namespace abrazo::setting_effects_test {
 namespace {

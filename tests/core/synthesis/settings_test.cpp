@@ -1,4 +1,4 @@
-#include "core/synthesis/settings.hpp"
+#include "core/synthesis/settings/settings.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -5,8 +5,8 @@
 #include <random>
 
 #include "core/mesh/capsules.hpp"
-#include "core/synthesis/capsule_contacts.hpp"
-#include "core/synthesis/constrained_solver.hpp"
+#include "core/synthesis/edit/capsule_contacts.hpp"
+#include "core/synthesis/edit/constrained_solver.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/support/dense_algebra.hpp"
 #include "tests/support/libraries.hpp"

@@ -1,4 +1,4 @@
-#include "core/synthesis/steady_hand.hpp"
+#include "core/synthesis/motion/steady_hand.hpp"
 
 #include <gtest/gtest.h>
 

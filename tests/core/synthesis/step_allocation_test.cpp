@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/library/build/motion_library_builder.hpp"
-#include "core/synthesis/partner_synthesizer.hpp"
+#include "core/synthesis/step/partner_synthesizer.hpp"
 #include "tests/core/synthesis/counted_allocations.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"

@@ -9,8 +9,8 @@
 #include <tuple>
 
 #include "core/library/build/motion_library_builder.hpp"
-#include "core/synthesis/partner_synthesizer.hpp"
-#include "core/synthesis/synthesizer_state.hpp"
+#include "core/synthesis/step/partner_synthesizer.hpp"
+#include "core/synthesis/step/synthesizer_state.hpp"
 #include "tests/support/bodies.hpp"
 #include "tests/support/libraries.hpp"
 
@@ -225,9 +225,9 @@ Session run(PartnerSynthesizer& synthesizer, const std::vector<Step>& steps) {
     holds_together(frame, *library, last_good ? &*last_good : nullptr);
     const Settings& settings = synthesizer.settings();
     const bool by_intent = settings.selection == SelectionMethod::Intent;
-    const bool goes_on = by_intent || settings.playback == SourcePlayback::Continuous;
+    const bool continues = by_intent || settings.playback == SourcePlayback::Continuous;
     const int most =
-        settings.neighbours + std::max(goes_on ? 1 : 0, by_intent ? 0 : settings.continuations) + 1;
+        settings.neighbours + std::max(continues ? 1 : 0, by_intent ? 0 : settings.continuations) + 1;
     RC_ASSERT(static_cast<int>(frame.candidates.size()) <= std::min(most, library->pair_count()));
     if (frame.status != StepStatus::Failed) last_good = frame.result, ++session.solved;
     session.results.push_back(frame.result);

@@ -1,11 +1,11 @@
-#include "core/synthesis/trace.hpp"
+#include "core/synthesis/frames/trace.hpp"
 
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
-#include "core/synthesis/partner_synthesizer.hpp"
+#include "core/synthesis/step/partner_synthesizer.hpp"
 #include "tests/support/libraries.hpp"
 
 namespace abrazo::trace_test {

@@ -1,4 +1,4 @@
-#include "core/synthesis/transition.hpp"
+#include "core/synthesis/motion/transition.hpp"
 
 #include <gtest/gtest.h>
 

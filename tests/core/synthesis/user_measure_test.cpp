@@ -1,4 +1,4 @@
-#include "core/synthesis/user_measure.hpp"
+#include "core/synthesis/step/user_measure.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "core/synthesis/settings.hpp"
+#include "core/synthesis/settings/settings.hpp"
 
 #include "tests/fuzz/fuzz_target.hpp"
 

@@ -91,11 +91,11 @@ PickText describe_candidate(const FrameSnapshot& frame, int pair, const MotionLi
   });
   const bool is_used =
       frame.result.selected >= 0 && *place == static_cast<std::size_t>(frame.result.selected);
-  const bool goes_on =
+  const bool is_continuation =
       candidate.intent && (candidate.continuation || candidate.pair == frame.result.intent.continued);
   told.lines.push_back(text_of_fact("rank %d of %zu%s%s", static_cast<int>(cheaper) + 1,
                                     frame.result.candidates.size(), is_used ? ", selected" : "",
-                                    goes_on ? ", goes on" : ""));
+                                    is_continuation ? ", continues" : ""));
   if (candidate.intent)
     add_intent_cost(told, *candidate.intent);
   else

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/library/store/motion_library.hpp"
-#include "core/synthesis/frame_result.hpp"
+#include "core/synthesis/frames/frame_result.hpp"
 
 namespace abrazo::widgets {
 

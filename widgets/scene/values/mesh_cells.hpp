@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "core/synthesis/frame_result.hpp"
+#include "core/synthesis/frames/frame_result.hpp"
 
 namespace abrazo::widgets {
 

@@ -4,7 +4,7 @@
 #include <QVBoxLayout>
 #include <cmath>
 
-#include "core/synthesis/look_ahead.hpp"
+#include "core/synthesis/step/look_ahead.hpp"
 #include "widgets/scene/actors/ahead_lines.hpp"
 #include "widgets/scene/values/morph_step.hpp"
 #include "widgets/scene/view/scene_view_parts.hpp"

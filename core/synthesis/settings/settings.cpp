@@ -1,0 +1,397 @@
+#include "core/synthesis/settings/settings.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "core/base/json_nesting.hpp"
+#include "core/base/json_text.hpp"
+#include "core/base/text.hpp"
+#include "core/synthesis/settings/settings_check.hpp"
+
+namespace abrazo {
+
+namespace {
+
+constexpr double reference_rate_hz = 15;
+constexpr double lowest_step_rate_hz = 5;
+constexpr double highest_weighed_rate_hz =
+    240;  ///< poses closer than this are weighed as if they were this far apart
+
+/// Sessions that were recorded with it are still read: how a change of source fades is another setting now.
+constexpr std::string_view retired_setting = "transition-half-life";
+
+/// The former name of the selection `intent`, still read in sessions, settings and scripts.
+constexpr std::string_view retired_intent = "filter";
+
+using Kind = SettingInfo::Kind;
+
+/// A setting's description and its place in Settings, as a number (flags 0/1, choices their index).
+struct Entry {
+  SettingInfo info;
+  std::function<double(const Settings&)> get;
+  std::function<void(Settings&, double)> set;
+};
+
+template <typename T>
+Entry entry(const SettingInfo& info, T Settings::*member) {
+  return {info, [member](const Settings& s) { return static_cast<double>(s.*member); },
+          [member](Settings& s, double value) { s.*member = static_cast<T>(value); }};
+}
+
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> all = {
+      entry({"selection", "", "method", "Selection", "", Kind::Choice, 0, 1, false, "paper|intent",
+             "How a recorded pair is chosen.\n"
+             "  paper: the cheapest of the k nearest poses by Eq. 7\n"
+             "  intent: the pair whose partner is expected to be nearest to the one the user means, by the "
+             "user's last two seconds; learned from the library in a second or more\n"
+             "Paper 3.3.2-3.3.3: paper."},
+            &Settings::selection),
+      entry({"alpha", "\u03b1", "temporal smoothness", "Selection", "", Kind::Real, 0, 5, false, "",
+             "Weight of temporal coherence when a recorded pair is chosen.\n"
+             "  cost = \u03a3|p_in \u2212 p_A|\u00b2 + \u03b1 (\u03a3|s_{A,i*} \u2212 q\u2033_A|\u00b2 + "
+             "\u03a3|s_{S,i*} \u2212 q\u2033_S|\u00b2)\n"
+             "s_{i*} is the result before, moved on at its speed (Eq. 3-4). The method intent adds \u03b1 "
+             "times the mean "
+             "distance from the partner that is shown, 0.1 s of the difference in speed, and what the change "
+             "does "
+             "to held hands and standing feet [m]. Higher: fewer changes of source, but the partner sticks "
+             "to a "
+             "move longer.\n"
+             "Paper 3.3.3, Eq. 7: 0.5."},
+            &Settings::alpha),
+      entry({"neighbours", "k", "neighbours", "Selection", "", Kind::Integer, 1, 200, true, "",
+             "Recorded pairs nearest to the user's pose, by the positions of head, hands and feet, that are "
+             "compared by Eq. 7.\n"
+             "Higher: the best pair is missed more rarely, and a step takes longer. The method intent "
+             "compares all "
+             "pairs: this number of the best is fully evaluated and listed.\n"
+             "Paper 3.3.2: 10."},
+            &Settings::neighbours),
+      entry({"continuations", "", "continuations", "Selection", "frames", Kind::Integer, 0, 15, false, "",
+             "So many recorded successors of the current source join the candidates, so that continuing is "
+             "always a choice.\n"
+             "Not in the paper: 0. Of the method paper with the playback frames."},
+            &Settings::continuations),
+      entry({"switch-margin", "", "switch margin", "Selection", "m", Kind::Real, 0, 0.5, false, "",
+             "What another source must be better by than continuing the current one. Higher: fewer "
+             "changes of source, later ones.\n"
+             "Not in the paper; of the method intent."},
+            &Settings::switch_margin),
+      entry({"leader-weight", "w_l", "leader weight", "Selection", "m", Kind::Real, 0, 2, false, "",
+             "Cost of a pair whose recorded leader did not move as the user did.\n"
+             "  w_l (1 \u2212 k(user's last 2 s, leader's 2 s before the pair))\n"
+             "Not in the paper; of the method intent."},
+            &Settings::leader_weight),
+      entry({"move-weight", "w_m", "move weight", "Selection", "m", Kind::Real, 0, 2, false, "",
+             "Cost of a pair whose label is unlikely after what the user did.\n"
+             "  w_m (1 \u2212 P(label))\n"
+             "Not in the paper; of the method intent. Nothing in a library without labels."},
+            &Settings::move_weight),
+      entry({"meant-weight", "w_p", "named-move weight", "Selection", "m", Kind::Real, 0, 2, false, "",
+             "Cost of a pair that is not of the label or take that a person named. Higher: what is named "
+             "counts more than what is seen.\n"
+             "Not in the paper; of the method intent. By Eq. 7 only what is named is compared."},
+            &Settings::meant_weight),
+      entry({"user-role", "", "user's role", "Selection", "", Kind::Choice, 0, 1, false, "active|passive",
+             "Whether the person leads (Role_A) or the partner does (Role_S). Both bodies go on "
+             "from where they are.\n"
+             "Paper 3.3.1: active; section 5 speaks of both."},
+            &Settings::user_role),
+      entry({"velocity-weight", "w_\u0394", "velocity weight", "Energies", "", Kind::Real, 0, 2, false, "",
+             "Weight of the velocity energy, which compares a pose with the one before.\n"
+             "  minimise E_L + w_\u0394 E_V + E_C\n"
+             "At f steps per second it is w_\u0394 f/15, or w_\u0394 (f/15)\u00b2 when predicted, so that "
+             "the time constant stays. Higher: smoother, but the partner lags behind.\n"
+             "Paper 3.4.2, Eq. 11: 0.2 at 15 steps per second."},
+            &Settings::velocity_weight),
+      entry({"velocity-form", "", "velocity energy", "Energies", "", Kind::Choice, 0, 1, false,
+             "velocity|predicted",
+             "What the velocity energy compares a pose with: the result before, or where the two before lead "
+             "to.\n"
+             "  velocity: E_V = \u00bd|V_i \u2212 V_{i-1}|\u00b2\n"
+             "  predicted: E_V = \u00bd|V_i \u2212 (2V_{i-1} \u2212 V_{i-2})|\u00b2\n"
+             "Paper 3.4.2 has E_V(V_i, V_{i-1}) and prints no formula."},
+            &Settings::velocity_form),
+      entry({"morph-weight", "w_C", "morphing weight", "Energies", "", Kind::Real, 0.1, 1000, true, "",
+             "Weight of the morphing constraint, which pulls the user's character to the user.\n"
+             "  E_C = \u00bd w_C \u03a3|q_interpolated \u2212 v_A|\u00b2\n"
+             "Higher: it follows the user more exactly.\n"
+             "Paper 3.4.2, Eq. 9; a soft constraint whose weight is not printed."},
+            &Settings::morph_weight),
+      entry({"edge-weights", "", "edge weights", "Energies", "", Kind::Choice, 0, 2, false,
+             "inverse|inverse-mean|uniform",
+             "How the mesh neighbours of a joint weigh in its Laplacian coordinate, by their distance d in "
+             "the selected pair.\n"
+             "  L(v_j) = \u03a3_l w_jl (v_j \u2212 v_l)\n"
+             "  inverse: w_jl = (1/d_jl) / \u03a3_k (1/d_jk)\n"
+             "  inverse-mean: w_jl = (1/n)(1/d_jl)\n"
+             "  uniform: w_jl = 1/n\n"
+             "Paper 3.4.2 takes E_L from Ho et al. 2010: inverse."},
+            &Settings::edge_weights),
+      entry({"anchor-weight", "", "anchor weight", "Energies", "", Kind::Real, 1e-6, 0.1, true, "",
+             "Holds the partner weakly to the selected pair, for moments when no short mesh edge does.\n"
+             "  \u00bd w_a |V_S \u2212 q\u2033_{S,sel}|\u00b2\n"
+             "Not in the paper."},
+            &Settings::anchor_weight),
+      entry({"hold-weight", "w_H", "hold weight", "Energies", "", Kind::Real, 0, 1000, false, "",
+             "Brings hands together that hold one another in the recording. 0: holds are left to the mesh.\n"
+             "  \u00bd w_H |(v_S \u2212 v_A) \u2212 (q_S \u2212 q_A)|\u00b2\n"
+             "Not in the paper: 0; of the playback continuous."},
+            &Settings::hold_weight),
+      entry({"morph-steps", "m", "morph steps", "Constraints", "", Kind::Integer, 1, 20, false, "",
+             "Steps from the selected pose to the user's. Each solves Eq. 11 once.\n"
+             "  q_interpolated = (i/m)(q\u2032_in \u2212 q\u2033_{A,sel}) + q\u2033_{A,sel}\n"
+             "Paper 3.4.2, Eq. 8; it prints no number. Of the playback frames."},
+            &Settings::morph_steps),
+      entry({"projection-steps", "", "projection steps", "Constraints", "", Kind::Integer, 0, 10, false, "",
+             "Further steps on the full target, which bring bone lengths back after the last turn.\n"
+             "More are taken when a bone is still off by over 0.02 %.\n"
+             "Not in the paper."},
+            &Settings::projection_steps),
+      entry({"foot-locks", "", "foot locks", "Constraints", "", Kind::Flag, 0, 1, false, "",
+             "A foot that was landed in the frame before and still is stays where it was.\n"
+             "  V_{feet,i} = V_{feet,i-1}\n"
+             "Paper 3.4.2, Eq. 10: on."},
+            &Settings::foot_locks),
+      entry({"foot-lock-speed", "", "planted below", "Constraints", "m/s", Kind::Real, 0, 1, false, "",
+             "A foot faster than this is not planted. 0: height alone decides. With the playback continuous "
+             "it is "
+             "the user's; the partner's stands as in the recording.\n"
+             "Paper 3.4.2: 0."},
+            &Settings::foot_lock_speed),
+      entry({"collisions", "", "collisions", "Constraints", "", Kind::Flag, 0, 1, false, "",
+             "The bodies' capsules are kept apart, as far as the recorded pair does itself.\n"
+             "Paper 3.4.2, hard constraint C_C: on."},
+            &Settings::collisions),
+      entry({"playback", "", "playback", "Timing", "", Kind::Choice, 0, 1, false, "frames|continuous",
+             "How the selected pair becomes motion.\n"
+             "  frames: every step edits the recorded frame that was selected, where the user is\n"
+             "  continuous: the recording runs at the user's pace, the partner's place is a state with a "
+             "speed, "
+             "changes of source fade, feet stand where they landed, hands that hold stay together\n"
+             "Paper 3.4: frames."},
+            &Settings::playback),
+      entry(
+          {"transition-time", "", "transition time", "Timing", "s", Kind::Real, 0.05, 1, false, "",
+           "In which a small change of source fades; a large one takes up to 5/3 of it. Longer: softer, and "
+           "later where the user wants the partner.\n"
+           "Not in the paper; of the playback continuous."},
+          &Settings::transition_time_s),
+      entry({"place-rate", "\u03c9", "place rate", "Timing", "1/s", Kind::Real, 0.5, 30, true, "",
+             "How fast the partner goes to where the user wants it, beside what the recording carries it.\n"
+             "  u\u2032 = \u03c9\u00b2 (D \u2212 P) \u2212 2 \u03c9 u\n"
+             "Higher: nearer, and every sway of the user's hips is seen in the partner.\n"
+             "Not in the paper; of the playback continuous."},
+            &Settings::place_rate),
+      entry({"step-rate", "", "step rate", "Timing", "Hz", Kind::Real, 0, 120, false, "",
+             "Solved frames per second, at least 5. 0: the input's own rate, at most 120.\n"
+             "Paper 3.3.3: \u0394t = 1/15 s, so 15."},
+            &Settings::step_rate_hz),
+      entry({"scale-root-path", "", "scale the user's path", "Timing", "", Kind::Flag, 0, 1, false, "",
+             "A user of another size covers ground in proportion to the length of the legs.\n"
+             "Off: the path stays 1:1 and planted feet of such a user slide.\n"
+             "Paper 3.3.1 retargets after Gleicher 1998 and does not say."},
+            &Settings::scale_root_path),
+  };
+  return all;
+}
+
+const Entry* find_entry(std::string_view key) {
+  const auto found =
+      std::find_if(entries().begin(), entries().end(), [&](const Entry& e) { return e.info.key == key; });
+  return found == entries().end() ? nullptr : &*found;
+}
+
+Error wrong_value(const SettingInfo& info, std::string_view text, const std::string& expected) {
+  return Error{"'" + std::string(text) + "' cannot be used: " + expected, "--" + std::string(info.key)};
+}
+
+Status set_checked(Settings& settings, const Entry& found, double value, std::string_view text) {
+  const SettingInfo& info = found.info;
+  const bool whole = info.kind == Kind::Real || value == std::floor(value);
+  if (!std::isfinite(value) || !whole || value < info.minimum || value > info.maximum)
+    return wrong_value(info, text,
+                       std::string(info.kind == Kind::Integer ? "a whole number" : "a number") + " from " +
+                           exact_text(info.minimum) + " to " + exact_text(info.maximum) + " is expected");
+  if (info.key == "step-rate" && value > 0 && value < lowest_step_rate_hz)
+    return wrong_value(info, text,
+                       "0 (the input's own rate) or a number from 5 to 120 is expected: after a gap of 0.3 s "
+                       "every step would be a first one");
+  found.set(settings, value);
+  return Done{};
+}
+
+Status set_json(Settings& settings, const Entry& found, const nlohmann::json& value) {
+  if (value.is_boolean()) return set_setting(settings, found.info.key, value.get<bool>() ? "on" : "off");
+  if (value.is_string()) return set_setting(settings, found.info.key, value.get<std::string>());
+  if (value.is_number()) return set_setting(settings, found.info.key, exact_text(value.get<double>()));
+  return wrong_value(found.info, value.dump(), "a number, a text or true/false is expected");
+}
+
+}  // namespace
+
+Result<Settings> preset(std::string_view name) {
+  Settings settings;
+  if (name == "paper") {
+    settings.step_rate_hz = 15;
+    return settings;
+  }
+  if (name == "responsive") {
+    settings.selection = SelectionMethod::Intent;
+    settings.step_rate_hz = 0;
+    settings.alpha = 0.2;
+    settings.velocity_weight = 0;
+    settings.continuations = 3;
+    settings.foot_lock_speed = 0.3;
+    settings.playback = SourcePlayback::Continuous;
+    settings.hold_weight = 50;
+    settings.switch_margin = 0.1;
+    return settings;
+  }
+  return Error{"'" + std::string(name) + "' is not a preset; use paper or responsive", "",
+               Hint::ChoosePreset};
+}
+
+double velocity_weight_at(const Settings& settings, double dt_s) {
+  if (dt_s <= 0) return settings.velocity_weight;
+  const double rate_ratio = std::min(1.0 / dt_s, highest_weighed_rate_hz) / reference_rate_hz;
+  return settings.velocity_weight *
+         (settings.velocity_form == VelocityForm::Velocity ? rate_ratio : rate_ratio * rate_ratio);
+}
+
+std::span<const SettingInfo> all_settings() {
+  static const std::vector<SettingInfo> infos = [] {
+    std::vector<SettingInfo> list;
+    for (const Entry& e : entries()) list.push_back(e.info);
+    return list;
+  }();
+  return infos;
+}
+
+const SettingInfo* find_setting(std::string_view key) {
+  const Entry* found = find_entry(key);
+  return found ? &found->info : nullptr;
+}
+
+std::string setting_names() {
+  std::string names;
+  for (const SettingInfo& info : all_settings()) names += (names.empty() ? "" : ", ") + std::string(info.key);
+  return names;
+}
+
+bool applies(const Settings& settings, std::string_view key) {
+  constexpr std::array<std::string_view, 1> of_paper = {"continuations"};
+  // The continuation of the running recording is always a candidate.
+  constexpr std::array<std::string_view, 2> of_frames = {"morph-steps", "continuations"};
+  constexpr std::array<std::string_view, 3> of_continuous = {"transition-time", "place-rate", "hold-weight"};
+  constexpr std::array<std::string_view, 4> of_intent = {"switch-margin", "leader-weight", "move-weight",
+                                                         "meant-weight"};
+  const auto is_of = [key](const auto& keys) {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+  };
+  if (settings.playback == SourcePlayback::Frames ? is_of(of_continuous) : is_of(of_frames)) return false;
+  return settings.selection == SelectionMethod::Intent ? !is_of(of_paper) : !is_of(of_intent);
+}
+
+std::string why_it_does_not_apply(const Settings& settings, std::string_view key) {
+  Settings of_method = settings, of_playback = settings;
+  of_method.selection =
+      settings.selection == SelectionMethod::Paper ? SelectionMethod::Intent : SelectionMethod::Paper;
+  of_playback.playback =
+      settings.playback == SourcePlayback::Frames ? SourcePlayback::Continuous : SourcePlayback::Frames;
+  const bool by_method = applies(of_method, key), by_playback = applies(of_playback, key);
+  std::string needed, now;
+  const auto need = [&](const char* what, const std::string& wanted, const std::string& is) {
+    needed += (needed.empty() ? "" : " and ") + (what + (" " + wanted));
+    now += (now.empty() ? "" : " and ") + is;
+  };
+  if (!by_playback)
+    need("the method", setting_text(of_method, "selection"), setting_text(settings, "selection"));
+  if (!by_method)
+    need("the playback", setting_text(of_playback, "playback"), setting_text(settings, "playback"));
+  return "Only with " + needed + "; it is " + now + " now";
+}
+
+double setting_number(const Settings& settings, std::string_view key) {
+  return find_entry(key)->get(settings);
+}
+
+std::string setting_text(const Settings& settings, std::string_view key) {
+  const Entry& found = *find_entry(key);
+  const double value = found.get(settings);
+  if (found.info.kind == Kind::Flag) return value != 0 ? "on" : "off";
+  if (found.info.kind == Kind::Choice)
+    return std::string(split_fields(found.info.choices, '|').at(static_cast<std::size_t>(value)));
+  return exact_text(value);
+}
+
+Status set_setting(Settings& settings, std::string_view key, std::string_view text) {
+  const Entry* found = find_entry(key);
+  if (!found) return Error{"there is no setting of this name", std::string(key)};
+  if (found->info.kind == Kind::Flag) {
+    if (text != "on" && text != "off") return wrong_value(found->info, text, "on or off is expected");
+    found->set(settings, text == "on" ? 1 : 0);
+    return Done{};
+  }
+  if (found->info.kind == Kind::Choice) {
+    const auto choices = split_fields(found->info.choices, '|');
+    const std::string_view name = key == "selection" && text == retired_intent ? "intent" : text;
+    const auto at = std::find(choices.begin(), choices.end(), name);
+    if (at == choices.end())
+      return wrong_value(found->info, text, "one of " + std::string(found->info.choices) + " is expected");
+    found->set(settings, static_cast<double>(at - choices.begin()));
+    return Done{};
+  }
+  const auto value = parse_number(text);
+  return set_checked(settings, *found, value.value_or(std::numeric_limits<double>::quiet_NaN()), text);
+}
+
+Status check_settings(const Settings& settings) {
+  Settings checked;
+  for (const Entry& e : entries()) {
+    const double value = e.get(settings);
+    const Status fits = set_checked(checked, e, value, exact_text(value));
+    if (!fits) return fits;
+  }
+  return Done{};
+}
+
+std::string settings_json(const Settings& settings) {
+  JsonText json;
+  json.begin_object();
+  for (const Entry& e : entries()) {
+    json.key(e.info.key);
+    if (e.info.kind == Kind::Flag)
+      json.value(e.get(settings) != 0);
+    else if (e.info.kind == Kind::Choice)
+      json.value(setting_text(settings, e.info.key));
+    else
+      json.value(e.get(settings));
+  }
+  json.end_object();
+  return json.take();
+}
+
+Result<Settings> parse_settings(std::string_view json, const Settings& start, std::string_view where) {
+  if (nests_too_deep(json)) return Error{too_deep_words, std::string(where)};
+  const nlohmann::json parsed = nlohmann::json::parse(json, nullptr, false);
+  if (!parsed.is_object())
+    return Error{"an object of settings is expected, as in {\"alpha\": 0.5}", std::string(where)};
+  Settings settings = start;
+  for (const auto& [key, value] : parsed.items()) {
+    if (key == retired_setting) continue;
+    const Entry* found = find_entry(key);
+    if (!found)
+      return Error{in_quotes(key) + " is not a setting; there are " + setting_names(), std::string(where)};
+    const Status set = set_json(settings, *found, value);
+    if (!set) return Error{set.error().text(), std::string(where)};
+  }
+  return settings;
+}
+
+}  // namespace abrazo
