@@ -183,5 +183,15 @@ TEST(EafReader, ReadsOtherEncodings) {
   EXPECT_EQ(read(latin).tiers[0].intervals[0].value, "sal\xC3\xB3n");
 }
 
+TEST(EafReader, TimesBetweenKnownOnesFollowTheOrderOfTheSlotsNotOfTheAnnotations) {
+  // Slots 2 and 3 have no time; the later annotation is listed first.
+  const TierDocument found = read(document(
+      slot(1, "0") + "<TIME_SLOT TIME_SLOT_ID=\"ts2\"/><TIME_SLOT TIME_SLOT_ID=\"ts3\"/>" + slot(4, "3000"),
+      "<TIER LINGUISTIC_TYPE_REF=\"moves\" TIER_ID=\"Move\">" + aligned("a3", 3, 4, "c") +
+          aligned("a1", 1, 2, "a") + aligned("a2", 2, 3, "b") + "</TIER>",
+      "<LINGUISTIC_TYPE LINGUISTIC_TYPE_ID=\"moves\" TIME_ALIGNABLE=\"true\"/>"));
+  EXPECT_EQ(found.tiers.at(0).intervals, (std::vector<TierInterval>{{0, 1, "a"}, {1, 2, "b"}, {2, 3, "c"}}));
+}
+
 }  // namespace
 }  // namespace abrazo::eaf_reader_test

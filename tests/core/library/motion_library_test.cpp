@@ -174,5 +174,11 @@ TEST(MotionLibrary, RefusesABodyWithoutLengths) {
   }
 }
 
+TEST(MotionLibrary, AMeshQualityThatThereIsNotIsRefused) {
+  LibraryColumns columns = switching_library().columns();
+  columns.mesh_quality.back() = 200;
+  EXPECT_THROW(MotionLibrary(std::move(columns)), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace abrazo::motion_library_test

@@ -4,10 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <functional>
 #include <future>
 #include <thread>
 
 #include "core/session/file/library_fingerprints.hpp"
+#include "core/session/file/library_reference.hpp"
 #include "core/session/file/session_database.hpp"
 #include "core/session/file/session_file.hpp"
 #include "core/synthesis/step/synthesizer_state.hpp"
@@ -425,6 +427,23 @@ TEST(Recorder, ThreadsMayHandOverWhileOthersRead) {
   EXPECT_TRUE(session.recorder().finish());
   EXPECT_EQ(session.recorder().state().poses, 200U);
   EXPECT_EQ(frames_of(*opened(session.path)).size(), session.keeper->frames.size());
+}
+
+TEST(LibraryFingerprint, ChangesWithEveryMeasureOfABody) {
+  const MotionLibrary& library = *test::session_library();
+  const std::string usual = library_fingerprint(library);
+  EXPECT_EQ(library_fingerprint(MotionLibrary(library.columns())), usual);
+  const std::vector<std::pair<const char*, std::function<void(LibraryBody&)>>> changes = {
+      {"bone", [](LibraryBody& body) { body.body.bone_lengths[3] += 1e-6; }},
+      {"pseudo bone", [](LibraryBody& body) { body.body.pseudo_lengths[0] += 1e-6; }},
+      {"capsule", [](LibraryBody& body) { body.capsule_radii[2] += 1e-6; }},
+      {"toe at rest", [](LibraryBody& body) { body.body.toe_rest_height += 1e-6; }},
+  };
+  for (const auto& [what, change] : changes) {
+    LibraryColumns columns = library.columns();
+    change(columns.bodies.back());
+    EXPECT_NE(library_fingerprint(MotionLibrary(std::move(columns))), usual) << what;
+  }
 }
 
 }  // namespace

@@ -97,6 +97,8 @@ TEST(StreamDiagnosis, NamesTheProtocolThatComesInstead) {
   seen.unreadable = "expected an address";
   set_bytes(seen, "hello", 5);
   EXPECT_THAT(texts(seen), AllOf(HasSubstr("\"hello\""), HasSubstr("expected an address")));
+  set_bytes(seen, "a\x7f\x1f~ ", 5);
+  EXPECT_THAT(texts(seen), HasSubstr("61 7f 1f 7e 20 \"a..~ \"")) << "no control characters in a message";
 }
 
 TEST(StreamDiagnosis, TheRightProtocolWithoutBonesSaysWhatToSwitchOn) {

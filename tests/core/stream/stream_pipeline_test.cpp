@@ -157,7 +157,10 @@ TEST(StreamCalibration, SaysWhatIsNoTPose) {
                           Eigen::RowVector3d(0, 0, 0.28 * (joint - joints::right_shoulder));
   EXPECT_THAT(calibration_of(std::vector<Pose>{forwards}).doubts,
               testing::ElementsAre(HasSubstr("the right arm points 90 degrees away from sideways")));
-  EXPECT_THAT(calibration_of(std::vector<Pose>{100 * t_pose()}).doubts, Contains(HasSubstr("set the unit")));
+  for (const double scale : {100.0, 0.01})
+    EXPECT_THAT(calibration_of(std::vector<Pose>{scale * t_pose()}).doubts,
+                Contains(HasSubstr("set the unit")))
+        << scale;
 }
 
 TEST(StreamCalibration, FindsTheFloorUnderTheFeet) {
