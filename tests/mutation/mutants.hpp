@@ -1,8 +1,9 @@
+#pragma once
+
 // Included before every source of a mutated build (tests/mutation/mutate). One mutant is active in a
 // process: the one that ABRAZO_MUTANT names. ABRAZO_MUTANTS_REACHED names a folder in which each process
 // leaves the numbers of the mutants that it came past.
 
-#pragma once
 
 #include <unistd.h>
 #include <cstdio>
