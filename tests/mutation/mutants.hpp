@@ -4,7 +4,6 @@
 // process: the one that ABRAZO_MUTANT names. ABRAZO_MUTANTS_REACHED names a folder in which each process
 // leaves the numbers of the mutants that it came past.
 
-
 #include <unistd.h>
 #include <cstdio>
 #include <cstdlib>
