@@ -39,7 +39,8 @@ struct Material {
   Clip input;
   /// How the input was read; without a file when it is a take of the library.
   MotionReading reading;
-  /// The reader had doubts about the input's file, and nobody said how it is to be read.
+  /// The input's file leaves open how it is to be read (ImportReport::asks, or several performers), and
+  /// nobody said.
   bool is_doubtful = false;
   std::vector<std::string> excluded_takes;  ///< the input's own take, where it comes from the library
   std::vector<std::string> warnings;

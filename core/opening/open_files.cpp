@@ -46,19 +46,21 @@ Result<std::vector<ImportedClip>> with_remembered_map(MotionPoints& points, Moti
   return reading.joint_map.empty() ? clips : points.performers(reading, progress);
 }
 
-/// As a person said it, else as was said of files alike, else as found: then doubts are noted.
+/// As a person said it, else as was said of files alike, else as found: then it is noted whether the file
+/// leaves questions.
 Status read_as_wished(const SortedFiles& files, const OpeningWish& wish, Material& material,
                       const Progress& progress) {
   MotionPoints points;
   MotionReading reading = files_in(files, wish.said.value_or(MotionReading{}));
   auto clips = with_remembered_map(points, reading, wish.joint_maps, progress);
-  bool settled = wish.said.has_value();
+  bool settled = wish.said.has_value(), suits = true;
   if (!settled && !wish.import_rules.empty()) {
     const StoredRules stored = import_rules(wish.import_rules);
     if (const ImportRule* rule = rule_for(stored.rules, reading.file, layout_of(points.motions()))) {
       MotionReading ruled = files_in(files, rule->how);
       auto said = points.performers(ruled, progress);
-      if (said)
+      suits = said.ok();
+      if (suits)
         clips = std::move(said), reading = std::move(ruled), settled = true;
       else
         material.warnings.push_back("what was said of files like this does not suit it (" +
@@ -66,7 +68,7 @@ Status read_as_wished(const SortedFiles& files, const OpeningWish& wish, Materia
     }
   }
   if (!clips) return clips.error();
-  material.is_doubtful = !settled && (clips->size() > 1 || !clips->front().report.warnings.empty());
+  material.is_doubtful = !settled && (!suits || clips->size() > 1 || clips->front().report.asks());
   take_input(reading, std::move(*clips), material);
   return Done{};
 }

@@ -209,6 +209,10 @@ TEST(ColourScale, IsLinearOrTwoDecadesLongOrSigned) {
   EXPECT_DOUBLE_EQ(logarithmic.share(0), 0);
   EXPECT_DOUBLE_EQ(both_ways.share(0), 0.5);
   EXPECT_DOUBLE_EQ(both_ways.share(-10), 0);
+  ColourScale narrow{10};
+  narrow.lower = 8;
+  EXPECT_DOUBLE_EQ(narrow.share(9), 0.5);
+  EXPECT_DOUBLE_EQ(narrow.share(3), 0) << "below the lower end";
   EXPECT_DOUBLE_EQ(ColourScale{}.share(3), 0) << "without a range everything is at the low end";
 }
 

@@ -544,6 +544,31 @@ TEST(SceneView, KeepsTheRangeThatAPersonSetsInTheLegend) {
   scene.view.showFrame(synthetic_frame(40, 30));
   picture_of(scene.view);
   EXPECT_EQ(legend.scale().high, QString("24")) << "it is kept over frames";
+  EXPECT_NE(set("30 to 24").find("0.01 to 0.05"), std::string::npos) << "the lower end is above the upper";
+  EXPECT_EQ(set("4 to 24"), "");
+  EXPECT_EQ(legend.scale().low, QString("4"));
+  auto* lock = legend.findChild<QToolButton*>();
+  lock->setChecked(false);
+  scene.view.showFrame(synthetic_frame(41, 31));
+  picture_of(scene.view);
+  EXPECT_EQ(legend.scale().low, QString("0")) << "a range that adapts begins at 0";
+}
+
+TEST(SceneView, KeepsTheRangeOfTheCellsThatAPersonSets) {
+  Scene scene({ScenePart::Tetrahedra});
+  picture_of(scene.view);
+  const auto legends = scene.view.findChildren<ScalarLegend*>();
+  const auto found = std::find_if(legends.begin(), legends.end(), [](const ScalarLegend* each) {
+    return each->scale().title.startsWith("Volume");
+  });
+  ASSERT_NE(found, legends.end());
+  QTest::mouseDClick(*found, Qt::LeftButton, {}, (*found)->rect().center());
+  auto* entry = scene.view.findChild<EntryFrame*>();
+  ASSERT_TRUE(entry);
+  entry->findChild<QLineEdit*>()->setText("4");
+  QTest::keyClick(entry->findChild<QLineEdit*>(), Qt::Key_Return);
+  EXPECT_EQ((*found)->scale().high, QString("× 4"));
+  EXPECT_EQ((*found)->scale().low, QString("× 0.25"));
 }
 
 TEST(SceneView, ColoursTheMeshByTheMapThatIsChosen) {

@@ -27,6 +27,17 @@ TEST(WinningReason, SayWhenTheSelectedIsNotTheCheapest) {
   EXPECT_THAT(winning_reason(found), HasSubstr("Not the cheapest"));
 }
 
+TEST(WinningReason, NamesThePinOrTheVetoThatDecided) {
+  auto found = rows();
+  found[0].selected = false;
+  found[1].selected = true;
+  found[0].vetoed = true;
+  EXPECT_THAT(winning_reason(found), HasSubstr("#1 is vetoed by you: #1 costs 0.045"));
+  found[0].vetoed = false;
+  found[1].pinned = true;
+  EXPECT_THAT(winning_reason(found), HasSubstr("Pinned by you: #1 costs 0.045"));
+}
+
 TEST(WinningReason, SayWhenThereIsNothingToCompare) {
   EXPECT_EQ(winning_reason({}), "No candidate");
   EXPECT_EQ(winning_reason({rows()[0]}), "The only candidate");

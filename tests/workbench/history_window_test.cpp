@@ -94,6 +94,31 @@ TEST_F(HistoryInTheWindow, TheSameFramesAreOnDisk) {
   EXPECT_EQ(kept->result.result, remembered_frame->result.result);
 }
 
+TEST_F(HistoryInTheWindow, AShortHistoryGoesWithoutAQuestionALongOneIsAskedAboutAndKept) {
+  bool allowed = true;
+  int asked = 0;
+  const auto before = desk().ask;
+  desk().ask = [&asked](double) { return ++asked, HistoryDesk::Answer::Cancel; };
+  desk().leaveSession(allowed);
+  EXPECT_TRUE(allowed);
+  EXPECT_EQ(asked, 0);
+  desk().long_s = 0.1;
+  desk().leaveSession(allowed);
+  EXPECT_FALSE(allowed) << "cancelled";
+  EXPECT_EQ(asked, 1);
+  desk().ask = [](double) { return HistoryDesk::Answer::Keep; };
+  allowed = true;
+  desk().leaveSession(allowed);
+  EXPECT_TRUE(allowed);
+  const QString folder = desk().folder();
+  window().openDemo();
+  ASSERT_TRUE(until([&] { return !desk().folder().isEmpty() && desk().folder() != folder; }));
+  EXPECT_EQ(HistoryDesk::leftBehind(remembered().historyFolder()).size(), 1) << "offered at the next start";
+  HistoryDesk::discard(folder + "/1.abrazo");
+  desk().long_s = 300;
+  desk().ask = before;
+}
+
 TEST_F(HistoryInTheWindow, WhatACrashLeavesIsOfferedAndBecomesASession) {
   EXPECT_TRUE(HistoryDesk::leftBehind(remembered().historyFolder()).isEmpty()) << "it belongs to this window";
   const QString crashed = remembered().historyFolder() + "/crashed";

@@ -13,11 +13,14 @@
 #include "app/workbench/library/import_desk.hpp"
 #include "app/workbench/library/import_rules_dialog.hpp"
 #include "app/workbench/library/mapping_dialog.hpp"
+#include "core/library/build/motion_library_builder.hpp"
 #include "core/motion/bvh/bvh.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/widgets/pictures.hpp"
 #include "tests/workbench/demo_window.hpp"
+#include "widgets/common/message_bar.hpp"
 #include "widgets/library/motion_picture.hpp"
+#include "widgets/library/take_list.hpp"
 
 namespace abrazo::app::import_panel_test {
 namespace {
@@ -35,9 +38,16 @@ class ImportPanelTest : public DemoWindow {
 
   static ImportDesk& desk() { return *window().findChild<ImportDesk*>(); }
   static ImportPanel* panel() { return desk().panel(); }
-  /// A swinging person of 1.7 m in some unit, in a folder of its own for each test.
-  static QString walk(const QString& name, double units_per_metre = 1, bool z_up = false) {
+  /// A swinging person of 1.7 m in some unit, in a folder of its own for each test. The floor of the file
+  /// leaves a question: it is half a metre below the feet.
+  static QString walk(const QString& name, double units_per_metre = 1) {
+    return written(name, units_per_metre, false, 0.5);
+  }
+  /// The same on the floor: that the unit is not stated is no question, as only one makes an adult.
+  static QString plain(const QString& name) { return written(name, 100, false, 0); }
+  static QString written(const QString& name, double units_per_metre, bool z_up, double above_floor_m) {
     PairedTake take = test::swinging_take("t", 40, 1);
+    for (Pose& pose : take.a.poses) pose.col(1).array() += above_floor_m;
     for (Pose& pose : take.a.poses)
       if (z_up) {
         const Eigen::Matrix<double, joint_count, 1> y = pose.col(1);
@@ -148,19 +158,74 @@ TEST_F(ImportPanelTest, WithoutTheTickNothingIsRemembered) {
   EXPECT_TRUE(QDir(remembered().importRuleFolder()).isEmpty());
 }
 
+TEST_F(ImportPanelTest, AGuessThatIsCertainOpensNoPanel) {
+  window().openFiles({plain("certain_1.bvh")});
+  ASSERT_TRUE(until([] { return open().input.name == "certain_1"; }));
+  EXPECT_FALSE(panel());
+  EXPECT_THAT(window().messages().text().toStdString(), HasSubstr("does not state its unit"))
+      << "but is told";
+}
+
 TEST_F(ImportPanelTest, AFileWithoutDoubtsIsReachedByTheMenu) {
-  const QString file = walk("plain_1.bvh");
+  const QString file = plain("plain_1.bvh");
   MotionReading said;
-  said.metres_per_unit = 1;
+  said.metres_per_unit = 0.01;
   window().openFiles({file}, said);
   ASSERT_TRUE(until([] { return open().input.name == "plain_1"; }));
   EXPECT_FALSE(panel()) << "somebody said how it is read";
   action_of(window(), "file.import_options_of_the_open_motion")->trigger();
   ASSERT_TRUE(shows());
-  EXPECT_EQ(panel()->reading().metres_per_unit, 1) << "as it was read";
+  EXPECT_EQ(panel()->reading().metres_per_unit, 0.01) << "as it was read";
   EXPECT_EQ(panel()->warnings(), "");
   choose("Floor", "below the toes");
   EXPECT_NEAR(panel()->view().imported.clip.poses.front().col(1).minCoeff(), 0.04, 0.05);
+}
+
+TEST_F(ImportPanelTest, ATakeOfTheLibraryIsReadAnewAndTheLibraryBuiltAgain) {
+  const PairedTake take = test::swinging_take("t", 40, 1);
+  Manifest manifest;
+  manifest.name = "pairs";
+  for (const char* name : {"one", "two"}) {
+    Manifest::Take& each = manifest.takes.emplace_back();
+    each.name = name;
+    for (const auto& [performer, clip, ending] :
+         {std::tuple(&each.a, &take.a, "_a.bvh"), {&each.b, &take.b, "_b.bvh"}}) {
+      performer->motion = home().filePath(QString(name) + ending).toStdString();
+      std::ofstream(performer->motion) << *write_bvh(std::vector<Clip>{*clip}, 100);
+    }
+  }
+  std::vector<std::string> warnings;
+  auto library = std::make_shared<const MotionLibrary>(*build_library(manifest, {}, {}, warnings));
+  window().openMaterial(
+      [&](const Progress&) -> Result<Material> { return built_material(library, manifest, "", {}); });
+  ASSERT_TRUE(until([&] { return open().library == library; }));
+  const int row = library->find_take("one");
+  emit window().takes().readingRequested(row, true);
+  ASSERT_TRUE(shows());
+  EXPECT_THAT(panel()->reading().file, HasSubstr("one_b.bvh"));
+  click("Import");
+  ASSERT_TRUE(until([] { return !panel(); }));
+  EXPECT_EQ(open().library, library) << "nothing was changed";
+  emit window().takes().readingRequested(row, true);
+  ASSERT_TRUE(shows());
+  type("Unit", "0.011");
+  ASSERT_TRUE(until([] { return panel()->reading().metres_per_unit == 0.011; }));
+  ASSERT_TRUE(shows());
+  panel()->setRemembers(false);
+  click("Import");
+  ASSERT_TRUE(until([&] { return open().library != library; }));
+  ASSERT_TRUE(open().manifest);
+  EXPECT_EQ(open().manifest->takes.front().b.metres_per_unit, 0.011);
+  EXPECT_EQ(open().manifest->takes.front().a.metres_per_unit, std::nullopt)
+      << "the other file is read as before";
+}
+
+TEST_F(ImportPanelTest, ALibraryThatWasNotBuiltOfFilesSaysSo) {
+  window().openDemo();
+  ASSERT_TRUE(until([] { return open().is_generated; }));
+  emit window().takes().readingRequested(0, false);
+  EXPECT_FALSE(panel());
+  EXPECT_THAT(window().messages().text().toStdString(), HasSubstr("was generated"));
 }
 
 TEST_F(ImportPanelTest, NumbersThatAreNoneAreRefusedAndTheFileStaysAsItWasRead) {
@@ -193,7 +258,7 @@ TEST_F(ImportPanelTest, AJointMapThatDoesNotFitIsSaidAndTakenBack) {
 }
 
 TEST_F(ImportPanelTest, ThePictureStandsOnTheGroundAndLiesWhenTheAxisIsWrong) {
-  desk().offer({walk("walk_1.bvh", 1, true)});
+  desk().offer({written("walk_1.bvh", 1, true, 0)});
   ASSERT_TRUE(shows());
   const QColor blue = window().colours().active;
   const auto box_of_body = [&] {

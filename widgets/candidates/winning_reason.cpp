@@ -104,8 +104,13 @@ std::string winning_reason(const std::vector<CandidateRow>& rows, const FrameInt
   if (winner == rows.end()) return "No candidate was selected";
   if (rows.size() == 1) return "The only candidate";
   const bool is_by_intent = winner->method == SelectionMethod::Intent;
-  if (winner != rows.begin())
-    return "Not the cheapest: #1 costs " + dearer_by(rows.front(), *winner) + " less";
+  if (winner != rows.begin()) {
+    const std::string why = winner->pinned           ? "Pinned by you"
+                            : rows.front().vetoed    ? "#1 is vetoed by you"
+                            : rows.front().not_meant ? "#1 is not the intended move"
+                                                     : "Not the cheapest";
+    return why + ": #1 costs " + dearer_by(rows.front(), *winner) + " less";
+  }
   return is_by_intent ? intent_reason(rows, intent) : paper_reason(rows[0], rows[1]);
 }
 

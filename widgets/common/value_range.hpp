@@ -20,15 +20,22 @@ inline double robust_upper(std::vector<double> values) {
   return usual > 0 && largest > towering * usual ? room * usual : largest;
 }
 
-/// Stable upper end of a colour range: round numbers; grows immediately, shrinks only after values stayed
-/// below 60 % of it for a while.
+/// Stable ends of a colour range: the upper one has round numbers; grows immediately, shrinks only after
+/// values stayed below 60 % of it for a while.
 class SteadyRange {
  public:
   void show(double largest, double time_s);
   double upper() const { return upper_; }
-  void set_locked(bool locked) { locked_ = locked; }
-  /// Sets and keeps an upper end.
-  void fix(double upper) {
+  /// 0 unless somebody set another.
+  double lower() const { return lower_; }
+  /// A range that adapts begins at 0.
+  void set_locked(bool locked) {
+    locked_ = locked;
+    if (!locked) lower_ = 0;
+  }
+  /// Sets and keeps both ends. @param lower  below `upper`
+  void fix(double lower, double upper) {
+    lower_ = lower;
     upper_ = upper;
     locked_ = true;
   }
@@ -36,7 +43,7 @@ class SteadyRange {
   void reset() { upper_ = 0; }
 
  private:
-  double upper_ = 0;
+  double upper_ = 0, lower_ = 0;
   double low_since_s_ = 0;
   bool is_low_ = false;
   bool locked_ = false;

@@ -312,6 +312,9 @@ void TakeList::showMenu(int take, const QPoint& at) {
   menu.addAction(m_model->isVetoed(take) ? "Use again" : "Exclude from selection", this,
                  &TakeList::toggleVeto);
   menu.addAction("Annotate take", this, [this, take] { emit annotateRequested(take); });
+  for (const bool second : {false, true})
+    menu.addAction(QString("Import options of performer %1…").arg(second ? "B" : "A"), this,
+                   [this, take, second] { emit readingRequested(take, second); });
   menu.addSeparator();
   menu.addAction("Go to the shown source", this, &TakeList::goToSource);
   menu.exec(at);

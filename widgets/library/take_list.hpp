@@ -74,6 +74,8 @@ class TakeList : public QWidget {
   void danceRequested(int take);
   void vetoRequested(int take);
   void annotateRequested(int take);
+  /// Requests to show how the file of a performer was read. @param second  performer B
+  void readingRequested(int take, bool second);
 
  private:
   QWidget* makeHead();

@@ -138,7 +138,7 @@ std::string SweepGrid::value_text(int point) const {
     case State::Measured:
       return with_unit(number(here.value), metric_unit(metric_));
     case State::Undefined:
-      return "no value: " + metric_ + " is not defined here";
+      return "no value: " + metric_words(metric_) + " is not defined here";
     case State::Failed:
       return "failed: " + here.explanation;
     case State::Waiting:

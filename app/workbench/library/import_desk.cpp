@@ -1,5 +1,6 @@
 #include "app/workbench/library/import_desk.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "app/workbench/base/error_words.hpp"
@@ -7,8 +8,11 @@
 #include "app/workbench/library/import_rules_dialog.hpp"
 #include "app/workbench/library/mapping_dialog.hpp"
 #include "app/workbench/shell/main_window.hpp"
+#include "core/library/build/motion_library_builder.hpp"
 #include "core/opening/import_rules.hpp"
+#include "core/opening/take_reading.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/library/take_list.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -26,10 +30,22 @@ MotionReading motion_among(const QStringList& files, const MotionReading& said) 
   return reading;
 }
 
+/// The library of a manifest with one take that is read in another way.
+Result<Material> built_with(Manifest manifest, const Manifest::Take& take, const Progress& progress) {
+  for (Manifest::Take& each : manifest.takes)
+    if (each.name == take.name) each = take;
+  std::vector<std::string> warnings;
+  auto library = build_library(manifest, {}, progress, warnings);
+  if (!library) return library.error();
+  return built_material(std::make_shared<const MotionLibrary>(std::move(*library)), std::move(manifest), "",
+                        std::move(warnings));
+}
+
 }  // namespace
 
 ImportDesk::ImportDesk(MainWindow& window) : QObject(&window), m_window(window) {
   connect(&window, &MainWindow::importOffered, this, [this](const QStringList& files) { offer(files); });
+  connect(&window.takes(), &widgets::TakeList::readingRequested, this, &ImportDesk::offerTake);
   connect(&window, &MainWindow::coloursChanged, this, [this](const widgets::Palette& palette) {
     if (m_panel) m_panel->setColours(palette);
   });
@@ -41,8 +57,35 @@ void ImportDesk::offer(const QStringList& files, const std::optional<MotionReadi
   const MotionReading reading = motion_among(files, said.value_or(MotionReading{}));
   if (reading.file.empty())
     return m_window.messages().showError("Among these files is no motion: " + files.join(", "));
+  show(reading, !said, [this, files](const ImportView& view) { open(files, view.reading); });
+}
+
+void ImportDesk::offerTake(int take, bool second) {
+  if (!m_window.session()) return;
+  const Material& material = m_window.session()->material();
+  const std::string name = material.library->takes()[static_cast<std::size_t>(take)].name;
+  const Result<Manifest> manifest = manifest_behind(material);
+  if (!manifest) return m_window.messages().showInformation(words(manifest.error()));
+  const auto found = std::find_if(manifest->takes.begin(), manifest->takes.end(),
+                                  [&name](const Manifest::Take& each) { return each.name == name; });
+  if (found == manifest->takes.end())
+    return m_window.messages().showInformation("The manifest of the library has no take " +
+                                               QString::fromStdString(name));
+  const Performer performer = second ? Performer::B : Performer::A;
+  const MotionReading before = reading_of(*found, performer);
+  show(before, false, [this, manifest = *manifest, before, performer, was = *found](const ImportView& view) {
+    if (view.reading == before) return;
+    auto take = with_reading(was, performer, view.reading, static_cast<int>(view.performer));
+    if (!take) return m_window.messages().showError(words(take.error()));
+    m_window.openMaterial(
+        [manifest, take = *take](const Progress& progress) { return built_with(manifest, take, progress); });
+  });
+}
+
+void ImportDesk::show(const MotionReading& reading, bool by_rule,
+                      std::function<void(const ImportView&)> accepted) {
   delete m_panel;
-  m_files = files;
+  m_accepted = std::move(accepted);
   m_preview = std::make_shared<ImportPreview>();
   m_panel = new ImportPanel(reading, &m_window);
   m_panel->setAttribute(Qt::WA_DeleteOnClose);
@@ -53,7 +96,7 @@ void ImportDesk::offer(const QStringList& files, const std::optional<MotionReadi
   connect(m_panel, &ImportPanel::rulesRequested, this, &ImportDesk::showRules);
   connect(m_panel, &QDialog::accepted, this, &ImportDesk::accept);
   m_panel->open();
-  look(reading, !said);
+  look(reading, by_rule);
 }
 
 bool ImportDesk::offerOpenOne() {
@@ -134,13 +177,16 @@ bool ImportDesk::remember(const MotionReading& reading) {
 }
 
 void ImportDesk::accept() {
-  const MotionReading reading = m_panel->reading();
-  if (!remember(reading)) return;
+  const ImportView view = m_panel->view();
+  if (remember(view.reading)) m_accepted(view);
+}
+
+void ImportDesk::open(const QStringList& files, const MotionReading& reading) {
   // The joint map of the reading is the one that counts, also where another was among the files.
-  QStringList files;
-  for (const QString& file : m_files)
-    if (kind_of_file(file.toStdString()) != FileKind::JointMap) files << file;
-  m_window.openFiles(files, reading);
+  QStringList without_map;
+  for (const QString& file : files)
+    if (kind_of_file(file.toStdString()) != FileKind::JointMap) without_map << file;
+  m_window.openFiles(without_map, reading);
 }
 
 void ImportDesk::showRules() {

@@ -3,6 +3,7 @@
 #include <QObject>
 #include <QPointer>
 #include <QStringList>
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -14,8 +15,9 @@ class Job;
 class MainWindow;
 class MappingDialog;
 
-/// Asks how a motion is read that opens with doubts, or of which the user wants to say so; remembers it for
-/// files alike, and opens the file with it. What is open stays until then.
+/// Asks how a motion is read of which the file leaves that open, or of which the user wants to say so;
+/// remembers it for files alike, and opens the file with it, or builds the library again where the file is of
+/// a take. What is open stays until then.
 class ImportDesk : public QObject {
   Q_OBJECT
  public:
@@ -26,12 +28,19 @@ class ImportDesk : public QObject {
   void offer(const QStringList& files, const std::optional<MotionReading>& said = std::nullopt);
   /// For the motion that plays the user. @return whether it is of a file
   bool offerOpenOne();
+  /// For a performer of a take in the library. Accepted, the library is built again with it, if the take is
+  /// read in another way than before. Says so where nobody knows what the library was built from.
+  /// @param second  performer B
+  void offerTake(int take, bool second);
   /// Null if no panel is open.
   ImportPanel* panel() const { return m_panel; }
   /// Shows what is remembered, to be removed.
   void showRules();
 
  private:
+  /// @param accepted  what is done with what was said
+  void show(const MotionReading& reading, bool by_rule, std::function<void(const ImportView&)> accepted);
+  void open(const QStringList& files, const MotionReading& reading);
   void look(const MotionReading& reading, bool by_rule);
   void lookNext();
   void assignJoints(const UnmappedMotion& motion);
@@ -41,7 +50,7 @@ class ImportDesk : public QObject {
   MainWindow& m_window;
   QPointer<ImportPanel> m_panel;
   QPointer<MappingDialog> m_mapping;
-  QStringList m_files;
+  std::function<void(const ImportView&)> m_accepted;
   std::shared_ptr<ImportPreview> m_preview;  ///< used by one job at a time
   struct Look {
     MotionReading reading;

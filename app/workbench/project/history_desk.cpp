@@ -3,6 +3,8 @@
 #include <QDateTime>
 #include <QDir>
 #include <QFileInfo>
+#include <QMessageBox>
+#include <QPushButton>
 #include <QUuid>
 #include <utility>
 
@@ -38,6 +40,22 @@ QFileInfoList parts_in(const QString& folder) {
   return QDir(folder).entryInfoList({"*.abrazo"}, QDir::Files, QDir::Time | QDir::Reversed);
 }
 
+HistoryDesk::Answer ask_about_history(MainWindow& window, double seconds, double gigabytes) {
+  QMessageBox box(
+      QMessageBox::Question, "Abrazo",
+      QString("Keep the history of %1 (%2 GB on disk)?").arg(clock_words(seconds)).arg(gigabytes, 0, 'f', 2),
+      QMessageBox::Cancel, &window);
+  box.setInformativeText(
+      "A saved session has annotations, markers and settings, not the frames. Kept, they are offered as a "
+      "session at the next start; otherwise they are deleted now.");
+  QAbstractButton* keep = box.addButton("Keep", QMessageBox::AcceptRole);
+  QAbstractButton* discard = box.addButton("Delete", QMessageBox::DestructiveRole);
+  box.exec();
+  return box.clickedButton() == keep      ? HistoryDesk::Answer::Keep
+         : box.clickedButton() == discard ? HistoryDesk::Answer::Discard
+                                          : HistoryDesk::Answer::Cancel;
+}
+
 RecordingFacts facts_of_history(const Material& material) {
   RecordingFacts facts;
   facts.library_path = material.library_file;
@@ -56,6 +74,11 @@ HistoryDesk::HistoryDesk(MainWindow& window) : QObject(&window), m_window(window
   connect(&window, &MainWindow::sessionStarted, this, &HistoryDesk::begin);
   connect(&window, &MainWindow::sessionEnding, this, &HistoryDesk::end);
   connect(&m_timer, &QTimer::timeout, this, &HistoryDesk::look);
+  ask = [this](double seconds) {
+    double bytes = 0;
+    for (const QFileInfo& part : parts_in(m_folder)) bytes += static_cast<double>(part.size());
+    return ask_about_history(m_window, seconds, bytes / gigabyte);
+  };
   m_timer.start(look_ms);
 }
 
@@ -89,8 +112,18 @@ void HistoryDesk::begin() {
   m_window.session()->engine().keep_history(m_keeper);
 }
 
+void HistoryDesk::leaveSession(bool& allowed) {
+  if (!m_window.session() || !m_keeper) return;
+  const auto span = m_window.session()->engine().history().span();
+  const double seconds = span.last_s - span.first_s;
+  if (seconds < long_s) return;
+  const Answer answer = ask(seconds);
+  m_isLeft = answer == Answer::Keep;
+  allowed = answer != Answer::Cancel;
+}
+
 void HistoryDesk::end() {
-  if (m_keeper && !m_isLeft) m_keeper->remove();
+  if (m_keeper && !std::exchange(m_isLeft, false)) m_keeper->remove();
   m_keeper.reset();
   m_lock.reset();
   m_folder.clear();

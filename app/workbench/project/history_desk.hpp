@@ -3,6 +3,7 @@
 #include <QLockFile>
 #include <QObject>
 #include <QTimer>
+#include <functional>
 #include <memory>
 #include <set>
 
@@ -18,6 +19,9 @@ class MainWindow;
 class HistoryDesk : public QObject {
   Q_OBJECT
  public:
+  enum class Answer { Keep, Discard, Cancel };
+  double long_s = 300;  ///< a history of this length does not go without a question [s]
+
   explicit HistoryDesk(MainWindow& window);
   ~HistoryDesk() override;
 
@@ -25,6 +29,10 @@ class HistoryDesk : public QObject {
   const QString& folder() const { return m_folder; }
   /// The files stay for the next start.
   void leave() { m_isLeft = true; }
+  /// The session is about to end: asks what becomes of a long history. @param allowed  false: it goes on
+  void leaveSession(bool& allowed);
+  /// The question; replaced by tests. @param seconds  of the history on disk
+  std::function<Answer(double seconds)> ask;
   /// Asks for the bound.
   void askBound();
   /// @param gigabytes 0 = in memory only, from the next session on

@@ -21,6 +21,7 @@ ProjectDesk& add_project_actions(MainWindow& window, TakeDesk& takes) {
     move_before(*menu, action, action_of(window, "file.generated_dance"));
   auto* history = new HistoryDesk(window);
   QObject::connect(desk, &ProjectDesk::leftForNextStart, history, &HistoryDesk::leave);
+  QObject::connect(desk, &ProjectDesk::losingHistory, history, &HistoryDesk::leaveSession);
   add_action(window, window.menu("Timeline"), "History on disk…", {}, [history] { history->askBound(); });
   return *desk;
 }

@@ -246,9 +246,11 @@ void ProjectDesk::write(const QString& target) {
 void ProjectDesk::onLeaving(bool& allowed) {
   if (!m_asks || !m_hasSession || !allowed) return;
   refresh();
-  if (!m_isModified) return;
-  const Answer answer = ask();
-  if (answer == Answer::Cancel || (answer == Answer::Save && !saveAndWait())) allowed = false;
+  if (m_isModified) {
+    const Answer answer = ask();
+    if (answer == Answer::Cancel || (answer == Answer::Save && !saveAndWait())) allowed = false;
+  }
+  if (allowed) emit losingHistory(allowed);
 }
 
 bool ProjectDesk::waitForSave() {

@@ -1,18 +1,27 @@
 #include <QAction>
+#include <QDialog>
+#include <QFileDialog>
+#include <QFileInfo>
 #include <QMenu>
+#include <QVBoxLayout>
 
+#include "app/workbench/base/error_words.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
+#include "core/base/atomic_file.hpp"
 #include "widgets/candidates/candidate_table.hpp"
+#include "widgets/common/message_bar.hpp"
 #include "widgets/common/selection_model.hpp"
 #include "widgets/plots/plot_panel.hpp"
 #include "widgets/scene/panel/scene_tree.hpp"
+#include "widgets/scene/pick/part_table_view.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app {
 namespace {
 
 using widgets::CandidateTable;
+using widgets::PartTableView;
 using widgets::PlotPanel;
 using widgets::SceneOptions;
 using widgets::SceneTree;
@@ -45,6 +54,50 @@ void link_views(MainWindow& window) {
   });
 }
 
+void export_table(MainWindow& window, const PartTableView& view) {
+  QString file = QFileDialog::getSaveFileName(&window, "Export the table",
+                                              window.remembered().lastFolder() + "/selection.csv",
+                                              "CSV (*.csv);;All files (*)");
+  if (file.isEmpty()) return;
+  if (QFileInfo(file).suffix().isEmpty()) file += ".csv";
+  window.remembered().setLastFolder(QFileInfo(file).absolutePath());
+  const Status written = write_whole_file(file.toStdString(), csv_of(view.shown()));
+  written ? window.messages().succeed("table", "The table was written to " + file)
+          : window.messages().showErrorOf("table", words(written.error()));
+}
+
+/// The table goes with the shown frame and the selection while its window is open.
+void show_table(MainWindow& window) {
+  const QString name = "selection table";
+  if (auto* open = window.findChild<QDialog*>(name)) return open->raise();
+  auto* dialog = new QDialog(&window);
+  dialog->setObjectName(name);
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setWindowTitle("Figures of the selection");
+  dialog->resize(760, 420);
+  auto* column = new QVBoxLayout(dialog);
+  auto* view = new PartTableView(dialog);
+  column->addWidget(view);
+  const auto show_frame = [&window, view] {
+    const FrameSnapshotPtr& frame = window.ticker().shown();
+    const FrameHistory* history = window.ticker().history();
+    if (frame) view->showFrame(frame, history ? history->stepped(frame->time_s, -1) : nullptr);
+  };
+  QObject::connect(&window.ticker(), &FrameTicker::frameReady, view, show_frame);
+  QObject::connect(&window.selection(), &SelectionModel::selectionChanged, view,
+                   &PartTableView::showSelection);
+  QObject::connect(view, &PartTableView::selectionRequested, &window.selection(), &SelectionModel::select);
+  QObject::connect(view, &PartTableView::csvRequested, view,
+                   [&window, view] { export_table(window, *view); });
+  view->showSelection(window.selection().selection());
+  if (window.selection().selection().kind == widgets::SelectionKind::Joints)
+    view->setKind(widgets::TableOf::Joints);
+  if (window.selection().selection().kind == widgets::SelectionKind::Tetrahedron)
+    view->setKind(widgets::TableOf::Tetrahedra);
+  show_frame();
+  dialog->show();
+}
+
 }  // namespace
 
 void add_selection_actions(MainWindow& window) {
@@ -66,6 +119,7 @@ void add_selection_actions(MainWindow& window) {
   add_action(window, menu, "Show hidden parts", {QKeySequence("Alt+H")}, [&scene] { scene.showHidden(); });
   add_action(window, menu, "Same part of the other character", {QKeySequence("`")},
              [&model] { model.select(widgets::other_character(model.selection())); });
+  add_action(window, menu, "Figures of the selection…", {}, [&window] { show_table(window); });
   QAction* nothing =
       add_action(window, menu, "Select nothing", {QKeySequence("Esc")}, [&model] { model.select({}); });
   // Only if the scene has the focus: fields and lists handle Escape themselves.

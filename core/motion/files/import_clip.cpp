@@ -38,6 +38,11 @@ void warn(ImportReport& report, std::string kind, std::string detail, Hint hint 
   report.warnings.push_back({std::move(kind), 0, std::move(detail), hint});
 }
 
+/// Where the evidence leaves open what a person can say.
+void ask(ImportReport& report, std::string kind, std::string detail, Hint hint = Hint::None) {
+  report.warnings.push_back({std::move(kind), 0, std::move(detail), hint, true});
+}
+
 std::string names_of(const std::vector<int>& joint_list) {
   std::string names;
   for (const int joint : joint_list)
@@ -189,9 +194,9 @@ UpAxis guess_up_axis(const std::vector<Pose>& poses, ImportReport& report) {
   if (!stands_along(guess) && stands_along(other)) return other;
   const double along = guess == UpAxis::Z ? up.z() : up.y();
   if (along < 0.7 * up.norm())
-    warn(report, "up-axis",
-         std::string("the head is mostly not above the feet along Y or Z; ") +
-             (guess == UpAxis::Z ? "Z" : "Y") + " was taken as up, say if it is the other");
+    ask(report, "up-axis",
+        std::string("the head is mostly not above the feet along Y or Z; ") +
+            (guess == UpAxis::Z ? "Z" : "Y") + " was taken as up, say if it is the other");
   return guess;
 }
 
@@ -211,9 +216,9 @@ UpAxis settle_up_axis(const NamedMotion& motion, const ImportOptions& options, c
   if (guess == *motion.up_axis || !sure) return *motion.up_axis;
   report.up_axis_guessed = true;
   const auto name = [](UpAxis axis) { return std::string(axis == UpAxis::Z ? "Z" : "Y"); };
-  warn(report, "up-axis",
-       "the file says that " + name(*motion.up_axis) + " points up, but the head is above the feet along " +
-           name(guess) + ", which was taken");
+  ask(report, "up-axis",
+      "the file says that " + name(*motion.up_axis) + " points up, but the head is above the feet along " +
+          name(guess) + ", which was taken");
   return guess;
 }
 
@@ -225,14 +230,24 @@ void turn_z_up_to_y_up(std::vector<Pose>& poses) {
   }
 }
 
+struct GuessedUnit {
+  double metres = 1;
+  bool is_only_one = false;  ///< with each other unit the performer would be no adult
+};
+
 /// Metres, the CMU unit, inches, centimetres or millimetres: whichever makes an adult of the performer.
-double guess_unit(double height_in_file_units) {
-  double best = 1.0, best_misfit = std::numeric_limits<double>::infinity();
+GuessedUnit guess_unit(double height_in_file_units) {
+  GuessedUnit guess;
+  double best_misfit = std::numeric_limits<double>::infinity();
+  int adults = 0;
   for (const double unit : {1.0, cmu_unit_m, 0.0254, 0.01, 0.001}) {
-    const double misfit = std::abs(std::log(height_in_file_units * unit / usual_height_m));
-    if (misfit < best_misfit) best = unit, best_misfit = misfit;
+    const double height = height_in_file_units * unit;
+    if (height >= smallest_adult_m && height <= tallest_adult_m) ++adults;
+    const double misfit = std::abs(std::log(height / usual_height_m));
+    if (misfit < best_misfit) guess.metres = unit, best_misfit = misfit;
   }
-  return best;
+  guess.is_only_one = adults == 1;
+  return guess;
 }
 
 void settle_unit(const NamedMotion& motion, const ImportOptions& options, std::vector<Pose>& poses,
@@ -244,16 +259,18 @@ void settle_unit(const NamedMotion& motion, const ImportOptions& options, std::v
     report.metres_per_unit = *motion.metres_per_unit;
   } else {
     report.unit_guessed = true;
-    report.metres_per_unit = raw_height > 0 ? guess_unit(raw_height) : 1.0;
-    warn(report, "units",
-         "the file does not state its unit; " + exact_text(report.metres_per_unit) +
-             " m was guessed from the standing height of " + rounded(raw_height, 2) + " units");
+    const GuessedUnit guess = raw_height > 0 ? guess_unit(raw_height) : GuessedUnit{};
+    report.metres_per_unit = guess.metres;
+    (guess.is_only_one ? warn : ask)(report, "units",
+                                     "the file does not state its unit; " + exact_text(guess.metres) +
+                                         " m was guessed from the standing height of " +
+                                         rounded(raw_height, 2) + " units",
+                                     Hint::None);
   }
   for (Pose& pose : poses) pose *= report.metres_per_unit;
   report.height_m = raw_height * report.metres_per_unit;
   if (report.height_m < smallest_adult_m || report.height_m > tallest_adult_m)
-    warn(
-        report, "height",
+    ask(report, "height",
         "the performer would stand " + rounded(report.height_m, 2) + " m tall; set the unit if that is wrong",
         Hint::SetUnit);
 }
@@ -266,9 +283,11 @@ void settle_rate(const NamedMotion& motion, const ImportOptions& options, Import
   } else {
     report.fps = cmu_rate_fps;
     report.fps_guessed = true;
-    warn(report, "fps",
-         "the file does not state its frame rate; 120 fps was guessed, set it if it is another",
-         Hint::SetFrameRate);
+    // A skeleton with CMU's unit is CMU's, whose rate is known.
+    const bool is_cmu = motion.metres_per_unit && std::abs(*motion.metres_per_unit - cmu_unit_m) < 1e-9;
+    (is_cmu ? warn : ask)(
+        report, "fps", "the file does not state its frame rate; 120 fps was guessed, set it if it is another",
+        Hint::SetFrameRate);
   }
 }
 
@@ -282,9 +301,9 @@ void settle_floor(const ImportOptions& options, std::vector<Pose>& poses, Import
   if (report.floor_y_m >= lowest_floor_m && report.floor_y_m <= highest_floor_m) return;
   report.floor_shift_m = toe_rest_height_m - report.floor_y_m;
   for (Pose& pose : poses) pose.col(1).array() += report.floor_shift_m;
-  warn(report, "floor",
-       "the toe bases rest at " + rounded(report.floor_y_m, 3) + " m; everything was moved by " +
-           rounded(report.floor_shift_m, 3) + " m so that they rest at 0.04 m");
+  ask(report, "floor",
+      "the toe bases rest at " + rounded(report.floor_y_m, 3) + " m; everything was moved by " +
+          rounded(report.floor_shift_m, 3) + " m so that they rest at 0.04 m");
 }
 
 /// Mean distance the joints move relative to the root from one frame to the next [m].
@@ -310,17 +329,24 @@ void look_for_rest_pose(const std::vector<Pose>& poses, ImportReport& report) {
 void look_for_a_person(const std::vector<Pose>& poses, ImportReport& report) {
   const PersonDoubts doubts = person_doubts(poses, report.fps);
   const std::string of_all = " of " + std::to_string(poses.size()) + " frames";
+  // A few frames are noise of the capture; where most are wrong the reading is.
+  const auto tell = [frames = static_cast<int>(poses.size())](int wrong) {
+    return 2 * wrong > frames ? ask : warn;
+  };
   if (doubts.poses > 0)
-    warn(report, "not-a-person",
-         std::to_string(doubts.poses) + of_all + " cannot be a person's; the first is frame " +
-             std::to_string(doubts.first_pose) + ": " + doubts.first_reason +
-             ". They are kept, and the partner is held there; leave them out, or set unit and axes");
+    tell(static_cast<int>(doubts.poses))(
+        report, "not-a-person",
+        std::to_string(doubts.poses) + of_all + " cannot be a person's; the first is frame " +
+            std::to_string(doubts.first_pose) + ": " + doubts.first_reason +
+            ". They are kept, and the partner is held there; leave them out, or set unit and axes",
+        Hint::None);
   if (doubts.jumps > 0)
-    warn(report, "jumps",
-         "the performer jumps in " + std::to_string(doubts.jumps) + of_all +
-             " faster than anybody moves; the first is frame " + std::to_string(doubts.first_jump) +
-             ". They are kept; look there, or set the rate if that is wrong",
-         Hint::SetFrameRate);
+    tell(static_cast<int>(doubts.jumps))(report, "jumps",
+                                         "the performer jumps in " + std::to_string(doubts.jumps) + of_all +
+                                             " faster than anybody moves; the first is frame " +
+                                             std::to_string(doubts.first_jump) +
+                                             ". They are kept; look there, or set the rate if that is wrong",
+                                         Hint::SetFrameRate);
 }
 
 }  // namespace
@@ -352,6 +378,10 @@ Result<ImportedClip> import_clip(const NamedMotion& file_points, const ImportOpt
   look_for_a_person(*poses, report);
   result.clip = Clip{motion.name, report.fps, std::move(*poses)};
   return result;
+}
+
+bool ImportReport::asks() const {
+  return animations.size() > 1 || std::ranges::any_of(warnings, &ImportWarning::asks);
 }
 
 bool joints_are_known(const NamedMotion& motion) {

@@ -45,6 +45,10 @@ struct ImportReport {
   double floor_shift_m = 0;             ///< added to every y if the floor was far from 0; otherwise 0
   std::vector<std::string> animations;  ///< NamedMotion::animations
   std::vector<ImportWarning> warnings;
+
+  /// Whether a person should say how the file is read before it is used: it has several animations, or a
+  /// warning asks.
+  bool asks() const;
 };
 
 struct ImportedClip {

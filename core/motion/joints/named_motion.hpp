@@ -19,6 +19,8 @@ struct ImportWarning {
   int line = 0;  ///< 1-based; 0 when it concerns the whole file
   std::string detail;
   Hint hint = Hint::None;
+  /// The file leaves open how it is to be read, and a person can say so: unit, axis, rate, floor, animation.
+  bool asks = false;
 };
 
 /// A motion as read from a file: world positions of named points in the file's unit and axes. `import_clip`

@@ -61,6 +61,23 @@ TEST(ImportClip, GuessesTheUnitFromTheHeightAndSaysSo) {
   }
 }
 
+TEST(ImportClip, AsksForWhatTheFileLeavesOpenOnly) {
+  EXPECT_FALSE(imported(standing_motion(100)).report.asks()) << "only centimetres make an adult";
+  EXPECT_TRUE(imported(standing_motion(5)).report.asks()) << "no unit does";
+  NamedMotion without_rate = standing_motion();
+  without_rate.fps.reset();
+  EXPECT_TRUE(imported(without_rate).report.asks());
+  without_rate.metres_per_unit = (1.0 / 0.45) * 2.54 / 100.0;
+  for (Positions& frame : without_rate.frames) frame /= *without_rate.metres_per_unit;
+  EXPECT_FALSE(imported(without_rate).report.asks()) << "CMU's rate is known";
+  NamedMotion with_two = standing_motion();
+  with_two.animations = {"walk", "run"};
+  EXPECT_TRUE(imported(with_two).report.asks());
+  ImportOptions said;
+  said.fps = 60;
+  EXPECT_FALSE(imported(without_rate, said).report.asks());
+}
+
 TEST(ImportClip, DoesNotGuessAUnitThatIsStated) {
   NamedMotion motion = standing_motion(100.0);
   motion.metres_per_unit = 0.01;

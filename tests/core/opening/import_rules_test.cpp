@@ -22,9 +22,10 @@ using ::testing::Not;
 
 class ImportRules : public ::testing::Test, protected test::TemporaryFolder {
  protected:
-  /// A swinging person in some unit.
-  std::string walk(const std::string& name, double units_per_metre = 1) {
-    const PairedTake take = test::swinging_take("t", 40, 1);
+  /// A swinging person in some unit, half a metre above the floor: whether that is the floor is a question.
+  std::string walk(const std::string& name, double units_per_metre = 1, double above_floor_m = 0.5) {
+    PairedTake take = test::swinging_take("t", 40, 1);
+    for (Pose& pose : take.a.poses) pose.col(1).array() += above_floor_m;
     std::filesystem::create_directories(std::filesystem::path(file(name)).parent_path());
     std::ofstream(file(name)) << *write_bvh(std::vector<Clip>{take.a}, units_per_metre);
     return file(name);
@@ -108,7 +109,9 @@ TEST_F(ImportRules, AFileWithDoubtsIsToBeAskedAboutUntilSomebodySaidSomething) {
   const std::string motion = walk("a/walk_01.bvh");
   const auto unasked = opened(motion);
   ASSERT_TRUE(unasked) << unasked.error().text();
-  EXPECT_TRUE(unasked->is_doubtful) << "a BVH does not state its unit";
+  EXPECT_TRUE(unasked->is_doubtful) << "the floor";
+  EXPECT_FALSE(opened(walk("c/plain.bvh", 100, 0))->is_doubtful) << "only centimetres make an adult";
+  EXPECT_TRUE(opened(walk("d/giant.bvh", 4, 0))->is_doubtful) << "no unit does";
   EXPECT_FALSE(opened(motion, MotionReading{})->is_doubtful) << "as found, said a person";
   remember(motion, with_unit(1));
   const auto ruled = opened(walk("a/walk_02.bvh"));

@@ -6,7 +6,9 @@
 #include <QPainter>
 #include <QSignalBlocker>
 #include <QToolButton>
+#include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "widgets/common/entry_frame.hpp"
 #include "widgets/common/icons.hpp"
@@ -28,7 +30,7 @@ QToolButton* button(const QString& name, const QString& tip, QWidget* parent) {
   return made;
 }
 
-/// Asks for the upper end of a range, below its corner.
+/// Asks for a range, below its corner.
 class RangeEntry : public EntryFrame {
  public:
   static void open(QWidget& legend, const QString& prompt, const QString& start, Take take) {
@@ -49,6 +51,23 @@ class RangeEntry : public EntryFrame {
       : EntryFrame(window, prompt, start, std::move(take)) {}
 };
 
+struct TypedRange {
+  double lower = 0, upper = 0;
+};
+
+/// "0.15", or "0.01 to 0.15" where the lower end can be set.
+std::optional<TypedRange> typed_range(const QString& typed, bool has_lower) {
+  const QStringList ends = QString(typed).replace(',', '.').split("to");
+  if (ends.size() > (has_lower ? 2 : 1)) return std::nullopt;
+  TypedRange range;
+  bool is_upper = false, is_lower = true;
+  range.upper = ends.back().trimmed().toDouble(&is_upper);
+  if (ends.size() == 2) range.lower = ends.front().trimmed().toDouble(&is_lower);
+  const bool is_range = is_upper && is_lower && std::isfinite(range.lower) && std::isfinite(range.upper) &&
+                        range.upper > std::max(0.0, range.lower);
+  return is_range ? std::optional(range) : std::nullopt;
+}
+
 QColor colour(const Colour& c) {
   return {c[0], c[1], c[2]};
 }
@@ -65,6 +84,9 @@ LegendScale scalar_legend(MeshScalar scalar, const ColourScale& scale, bool lack
   };
   LegendScale legend{info.title + unit, "0", number(1), info.is_signed, scale.map, {}, lacks_values};
   legend.upper = scale.upper;
+  legend.has_lower = !info.is_signed && !logs;
+  legend.lower = legend.has_lower ? scale.lower : 0;
+  if (legend.lower != 0) legend.low = QString::number(legend.lower, 'g', 3);
   if (info.is_signed) {
     legend.low = "−" + number(1);
     legend.high = "+" + number(1);
@@ -79,7 +101,9 @@ LegendScale volume_legend(double doublings) {
   const auto number = [doublings](double sign) {
     return doublings > 0 ? "× " + QString::number(std::exp2(sign * doublings), 'g', 2) : QString("–");
   };
-  return {"Volume ratio (log)", number(-1), number(1), true, ColourMap::Viridis, "× 1", false};
+  LegendScale legend{"Volume ratio (log)", number(-1), number(1), true, ColourMap::Viridis, "× 1"};
+  legend.upper = doublings > 0 ? std::exp2(doublings) : 0;
+  return legend;
 }
 
 ScalarLegend::ScalarLegend(QWidget* parent)
@@ -140,16 +164,19 @@ void ScalarLegend::mouseDoubleClickEvent(QMouseEvent*) {
 void ScalarLegend::askRange() {
   if (!(m_scale.upper > 0)) return;
   const auto take = [this](const QString& typed) -> QString {
-    bool is_number = false;
-    const double upper = QString(typed).replace(',', '.').toDouble(&is_number);
-    if (!is_number || !(upper > 0) || !std::isfinite(upper))
-      return "'" + typed + "' is not an end of a range; write a number above 0";
+    const auto range = typed_range(typed, m_scale.has_lower);
+    if (!range)
+      return "'" + typed +
+             (m_scale.has_lower ? "' is not a range; write its upper end above 0, or both as in 0.01 to 0.05"
+                                : "' is not an end of a range; write a number above 0");
     setLocked(true);
-    emit rangeRequested(upper);
+    emit rangeRequested(range->lower, range->upper);
     return {};
   };
-  RangeEntry::open(*this, "Upper end of the range: " + m_scale.title, QString::number(m_scale.upper, 'g', 4),
-                   take);
+  const QString upper = QString::number(m_scale.upper, 'g', 4);
+  RangeEntry::open(
+      *this, (m_scale.has_lower ? "Range, as in 0.01 to 0.05: " : "Upper end of the range: ") + m_scale.title,
+      m_scale.has_lower ? QString::number(m_scale.lower, 'g', 4) + " to " + upper : upper, take);
 }
 
 void ScalarLegend::contextMenuEvent(QContextMenuEvent* event) {

@@ -17,6 +17,8 @@ struct LegendScale {
   QString middle = {};        ///< of a logarithmic map
   bool lacks_values = false;  ///< some values are NaN: the legend shows their colour
   double upper = 0;           ///< end that a person can set, in the unit of the title; 0 = none
+  double lower = 0;           ///< the other end of a linear map from 0 on
+  bool has_lower = false;     ///< a person can set that as well
   bool operator==(const LegendScale&) const = default;
 };
 
@@ -26,7 +28,7 @@ LegendScale scalar_legend(MeshScalar scalar, const ColourScale& scale, bool lack
 LegendScale volume_legend(double doublings);
 
 /// Legend of colours: title with unit, colour bar, its two ends, a lock for the range, and the choice of the
-/// map. A double click sets the upper end.
+/// map. A double click sets the range.
 class ScalarLegend : public QWidget {
   Q_OBJECT
  public:
@@ -41,8 +43,8 @@ class ScalarLegend : public QWidget {
 
  signals:
   void lockToggled(bool locked);
-  /// @param upper  positive, in the unit of the title; the range is kept from then on
-  void rangeRequested(double upper);
+  /// In the unit of the title; the range is kept from then on. @param upper  positive, above `lower`
+  void rangeRequested(double lower, double upper);
   void mapRequested(abrazo::widgets::ColourMap map, bool logarithmic);
 
  protected:

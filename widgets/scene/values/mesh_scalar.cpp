@@ -121,7 +121,7 @@ double ColourScale::share(double value) const {
   if (!(upper > 0)) return is_signed ? 0.5 : 0;
   const double part = value / upper;
   if (is_signed) return std::clamp(0.5 + part / 2, 0.0, 1.0);
-  if (!is_logarithmic) return std::clamp(part, 0.0, 1.0);
+  if (!is_logarithmic) return std::clamp((value - lower) / (upper - lower), 0.0, 1.0);
   return part > 0 ? std::clamp(1 + std::log10(part) / decades, 0.0, 1.0) : 0;
 }
 

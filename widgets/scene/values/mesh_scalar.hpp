@@ -38,6 +38,7 @@ struct ColourScale {
   bool is_signed = false;  ///< from -upper to upper on the diverging map
   ColourMap map = ColourMap::Viridis;
   bool is_logarithmic = false;  ///< `decades` below the upper end; not with signed values
+  double lower = 0;             ///< value at the start of a linear map; below `upper`; not with signed values
   bool operator==(const ColourScale&) const = default;
 
   static constexpr double decades = 2;

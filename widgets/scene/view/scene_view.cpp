@@ -19,6 +19,8 @@ QString seconds(double time_s) {
   return QString::number(time_s, 'f', 3) + " s";
 }
 
+constexpr double least_doublings = 0.01;  ///< a ratio of 1 would be no range
+
 }  // namespace
 
 /// Colours of the mesh for the frame, and the legends that explain them.
@@ -28,7 +30,7 @@ MeshLook SceneView::Parts::look() {
   look.scalars = edge_scalars(*shown, scalar);
   range().show(typical_upper(result.edges, look.scalars), shown->time_s);
   look.scale = {range().upper(), scalar_info(scalar).is_signed, options.map,
-                options.is_logarithmic && !scalar_info(scalar).is_signed};
+                options.is_logarithmic && !scalar_info(scalar).is_signed, range().lower()};
   const bool lacks_values =
       std::any_of(look.scalars.begin(), look.scalars.end(), [](double v) { return !std::isfinite(v); });
   legend->show(scalar_legend(scalar, look.scale, lacks_values));
@@ -101,8 +103,12 @@ void SceneView::wireOverlay() {
   connect(p.chips, &ScalarChips::optionsRequested, this, &SceneView::setOptions);
   connect(p.legend, &ScalarLegend::lockToggled, this,
           [this](bool locked) { m_parts->range().set_locked(locked); });
-  connect(p.legend, &ScalarLegend::rangeRequested, this, [this](double upper) {
-    m_parts->range().fix(upper);
+  connect(p.legend, &ScalarLegend::rangeRequested, this, [this](double lower, double upper) {
+    m_parts->range().fix(lower, upper);
+    refresh();
+  });
+  connect(p.cell_legend, &ScalarLegend::rangeRequested, this, [this](double, double ratio) {
+    m_parts->cell_range.fix(0, std::max(std::abs(std::log2(ratio)), least_doublings));
     refresh();
   });
   connect(p.cell_legend, &ScalarLegend::lockToggled, this,
