@@ -75,10 +75,11 @@ void ImportDesk::offerTake(int take, bool second) {
   const MotionReading before = reading_of(*found, performer);
   show(before, false, [this, manifest = *manifest, before, performer, was = *found](const ImportView& view) {
     if (view.reading == before) return;
-    auto take = with_reading(was, performer, view.reading, static_cast<int>(view.performer));
-    if (!take) return m_window.messages().showError(words(take.error()));
-    m_window.openMaterial(
-        [manifest, take = *take](const Progress& progress) { return built_with(manifest, take, progress); });
+    auto changed = with_reading(was, performer, view.reading, static_cast<int>(view.performer));
+    if (!changed) return m_window.messages().showError(words(changed.error()));
+    m_window.openMaterial([manifest, changed = *changed](const Progress& progress) {
+      return built_with(manifest, changed, progress);
+    });
   });
 }
 
