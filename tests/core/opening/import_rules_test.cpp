@@ -183,7 +183,7 @@ TEST_F(ImportRules, APreviewOfAFileNobodyCanReadSaysWhyAndKeepsItsPoints) {
 
 TEST_F(ImportRules, AFloorThatIsSaidIsWhereTheGroundIs) {
   MotionReading reading;
-  reading.file = walk("a/walk_01.bvh");
+  reading.file = walk("a/walk_01.bvh", 1, 0);
   const double before = read_performer(reading)->clip.poses.front()(joints::Head, 1);
   reading.floor_m = 0.3;
   const auto said = read_performer(reading);
