@@ -40,6 +40,17 @@ class HistoryInTheWindow : public DemoWindow {
   }
   static SessionEngine& engine() { return window().session()->engine(); }
   static bool is_held() { return engine().is_held(); }
+  /// What is recorded once the step that was being solved has ended.
+  static auto settled() {
+    auto span = engine().history().span();
+    EXPECT_TRUE(until([&span] {
+      const auto before = span;
+      QTest::qWait(200);
+      span = engine().history().span();
+      return span.frames == before.frames && span.bytes == before.bytes;
+    }));
+    return span;
+  }
   static HistoryDesk& desk() { return *window().findChild<HistoryDesk*>(); }
   static ComparisonDesk& comparison() { return *window().findChild<ComparisonDesk*>(); }
   static int winner_of(const FrameSnapshot& frame) {
@@ -55,8 +66,7 @@ class HistoryInTheWindow : public DemoWindow {
 TEST_F(HistoryInTheWindow, AHeldClipRecordsNothingAndSaysSo) {
   press(Qt::Key_Space, Qt::ControlModifier);
   ASSERT_TRUE(until([] { return is_held(); }));
-  QTest::qWait(100);
-  const auto before = engine().history().span();
+  const auto before = settled();
   QTest::qWait(1500);
   const auto after = engine().history().span();
   EXPECT_EQ(after.frames, before.frames);
@@ -73,8 +83,7 @@ TEST_F(HistoryInTheWindow, WhileATakeIsAnnotatedTheSessionRecordsNothing) {
   auto& labels = *window().findChild<AnnotationDesk*>();
   labels.showSubject(window().session()->material().library->takes().front().name);
   ASSERT_TRUE(until([] { return is_held(); }));
-  QTest::qWait(100);
-  const auto before = engine().history().span();
+  const auto before = settled();
   QTest::qWait(1000);
   EXPECT_EQ(engine().history().span().bytes, before.bytes);
   EXPECT_TRUE(until([] { return window().status().words().contains("in held"); }));
@@ -85,10 +94,9 @@ TEST_F(HistoryInTheWindow, WhileATakeIsAnnotatedTheSessionRecordsNothing) {
 TEST_F(HistoryInTheWindow, TheSameFramesAreOnDisk) {
   ASSERT_FALSE(desk().folder().isEmpty());
   EXPECT_TRUE(desk().folder().startsWith(remembered().historyFolder()));
-  const std::uint64_t now = engine().latest().newest()->index;
-  const auto store = engine().history_keeper()->store();
-  EXPECT_TRUE(until([&] { return store->span().last_index >= now; }));
   const FrameSnapshotPtr remembered_frame = engine().history().stepped(1e9, -10);
+  const auto store = engine().history_keeper()->store();
+  ASSERT_TRUE(until([&] { return store->span().last_index >= remembered_frame->index; }));
   const FrameSnapshotPtr kept = store->frame(remembered_frame->index);
   ASSERT_TRUE(kept);
   EXPECT_EQ(kept->result.result, remembered_frame->result.result);

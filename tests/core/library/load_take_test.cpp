@@ -93,6 +93,8 @@ TEST_F(LoadTake, RefusesAFileThatShowsTwoWhereOneIsMeant) {
   EXPECT_THAT(refusal(), HasSubstr("a.bvh: is named for both performers of take t but shows 1"));
   take.a.index = 0;
   EXPECT_THAT(refusal(), HasSubstr("but shows 1; expected 2")) << "b is still not named";
+  take.a.index.reset(), take.b.index = 0;
+  EXPECT_THAT(refusal(), HasSubstr("but shows 1; expected 2")) << "a is not named";
 }
 
 TEST_F(LoadTake, OneRoleReachesToTheLastFrame) {

@@ -213,19 +213,19 @@ TEST(NatNetFrame, WhatIsWrittenIsReadAgainInEveryVersion) {
   }
 }
 
-TEST(NatNetFrame, AnAssetWithBodiesAndMarkersLeavesWhatFollowsInItsPlace) {
+TEST(NatNetFrame, AssetsWithBodiesAndMarkersLeaveWhatFollowsInItsPlace) {
   std::string frame_text = frame_4_1();
   const std::string labelled = "01 00 00 00  1A 00 00 00";
   const std::string none = "00 00 00 00  00 00 00 00";
   const std::size_t assets = frame_text.rfind(none, frame_text.find(labelled));
-  // Number, one body of 38 bytes, one marker of 26 bytes: 76 of them.
-  frame_text.replace(assets, none.size(),
-                     "01 00 00 00  4C 00 00 00  03 00 00 00  01 00 00 00" + std::string(body_7) +
-                         "\n  01 00 00 00" + labelled_marker + "\n");
+  // Number, one body of 38 bytes, one marker of 26 bytes: 76 bytes each.
+  const std::string asset =
+      std::string("03 00 00 00  01 00 00 00") + body_7 + "\n  01 00 00 00" + labelled_marker + "\n";
+  frame_text.replace(assets, none.size(), "02 00 00 00  98 00 00 00" + asset + asset);
   const auto frame = parse(frame_text, {4, 1});
   ASSERT_TRUE(frame) << frame.error().text();
   expect_body_and_bone(*frame);
-  EXPECT_EQ(frame->assets, 1u);
+  EXPECT_EQ(frame->assets, 2u);
   EXPECT_EQ(frame->labelled_markers, 1u);
   EXPECT_TRUE(frame->unread.empty());
 }
