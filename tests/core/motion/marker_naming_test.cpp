@@ -4,6 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 #include "core/motion/files/import_clip.hpp"
 #include "tests/core/motion/marker_body.hpp"
 
@@ -159,9 +162,10 @@ TEST(MarkerNaming, ASavedModelReadsBackToTheSameJoints) {
   for (std::size_t place = 0; place < marker_place_count; ++place)
     for (const std::size_t side : {0U, 1U})
       for (const std::string& name : builtin_marker_models().front().names[place][side])
-        if (const auto at = std::ranges::find(named.points, name); at != named.points.end())
+        if (const auto at = std::ranges::find(named.points, name); at != named.points.end()) {
           ASSERT_TRUE(naming.say(static_cast<int>(at - named.points.begin()),
                                  name_of_place(static_cast<MarkerPlace>(place), side)));
+        }
   const MarkerModel model = naming.model("mine");
   const auto again = parse_marker_model(marker_model_json(model), "mine.json");
   ASSERT_TRUE(again) << again.error().text();
@@ -175,9 +179,9 @@ TEST(MarkerNaming, ASavedModelReadsBackToTheSameJoints) {
   const auto expected = import_clip(named, by_name), found = import_clip(unnamed, by_file);
   ASSERT_TRUE(expected) << expected.error().text();
   ASSERT_TRUE(found) << found.error().text();
-  ASSERT_EQ(found->clip.frames.size(), expected->clip.frames.size());
-  for (std::size_t f = 0; f < found->clip.frames.size(); ++f)
-    EXPECT_TRUE(found->clip.frames[f].isApprox(expected->clip.frames[f])) << "frame " << f;
+  ASSERT_EQ(found->clip.poses.size(), expected->clip.poses.size());
+  for (std::size_t f = 0; f < found->clip.poses.size(); ++f)
+    EXPECT_TRUE(found->clip.poses[f].isApprox(expected->clip.poses[f])) << "frame " << f;
 }
 
 }  // namespace
