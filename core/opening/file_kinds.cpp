@@ -26,13 +26,14 @@ std::string head_of(const std::string& file) {
   return head;
 }
 
-/// A file of labels has "tiers", a manifest "takes", a joint map "joints"; all are JSON.
+/// A file of labels has "tiers", a manifest "takes", a joint map "joints", a marker model "markers"; all are
+/// JSON.
 FileKind kind_of_json(const std::string& file) {
   constexpr std::size_t enough_for_tiers = 400;
   const std::string head = head_of(file);
   if (head.substr(0, enough_for_tiers).find("\"tiers\"") != std::string::npos) return FileKind::Labels;
-  const bool names_joints =
-      head.find("\"joints\"") != std::string::npos && head.find("\"takes\"") == std::string::npos;
+  const auto has = [&](const char* key) { return head.find(key) != std::string::npos; };
+  const bool names_joints = (has("\"joints\"") || has("\"markers\"")) && !has("\"takes\"");
   return names_joints ? FileKind::JointMap : FileKind::Manifest;
 }
 

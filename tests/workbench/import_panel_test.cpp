@@ -5,16 +5,21 @@
 #include <QComboBox>
 #include <QCompleter>
 #include <QDir>
+#include <QKeyEvent>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QTableWidget>
+#include <QTemporaryDir>
+#include <algorithm>
 #include <fstream>
 
 #include "app/workbench/library/import_desk.hpp"
 #include "app/workbench/library/import_rules_dialog.hpp"
 #include "app/workbench/library/mapping_dialog.hpp"
 #include "core/library/build/motion_library_builder.hpp"
+#include "app/workbench/library/marker_table.hpp"
 #include "core/motion/bvh/bvh.hpp"
+#include "tests/core/motion/marker_body.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/widgets/pictures.hpp"
 #include "tests/workbench/demo_window.hpp"
@@ -319,6 +324,75 @@ TEST_F(MappingDialogTest, NamesAreCompletedWhileTypingAlsoBehindAWeight) {
   EXPECT_EQ(complete("ras").toStdString(), "RASI");
   EXPECT_EQ(complete("0.5 LASI + 0.5 ra").toStdString(), "0.5 LASI + 0.5 RASI");
   EXPECT_EQ(complete("top").toStdString(), "Head top");
+}
+
+/// Markers of a person whose names say nothing.
+NamedMotion nameless_markers() {
+  NamedMotion motion = test::marked_body(60, 0.15).markers;
+  motion.name = "nameless";
+  for (std::size_t p = 0; p < motion.points.size(); ++p) motion.points[p] = "U" + std::to_string(p + 1);
+  return motion;
+}
+
+class MarkerDialogTest : public MappingDialogTest {
+ protected:
+  void SetUp() override {
+    dialog.show();
+    ASSERT_TRUE(until([this] { return dialog.state().contains("markers guessed"); }));
+  }
+  int first(MarkerNaming::By by) const {
+    const auto& rows = dialog.markers().naming().rows();
+    return static_cast<int>(std::ranges::find(rows, by, &MarkerNaming::Row::by) - rows.begin());
+  }
+  QTemporaryDir folder;
+  MappingDialog dialog{nameless_markers(), nullptr};
+};
+
+TEST_F(MarkerDialogTest, GuessesAtOnceWhereNamesSayNothingAndCountsInASentence) {
+  EXPECT_TRUE(dialog.namesMarkers());
+  EXPECT_THAT(dialog.state().toStdString(),
+              testing::ContainsRegex("[0-9]+ of 38 markers guessed, [0-9]+ sure"));
+  const int sure = first(MarkerNaming::By::Guess), proposed = first(MarkerNaming::By::Proposal);
+  EXPECT_EQ(dialog.markers().item(sure, MarkerTable::Belief)->text(), "sure");
+  EXPECT_THAT(dialog.markers().item(proposed, MarkerTable::Belief)->text().toStdString(),
+              testing::AnyOf("likely · accept", "doubtful · accept"));
+}
+
+TEST_F(MarkerDialogTest, EnterOrAClickAcceptsAProposal) {
+  const int by_key = first(MarkerNaming::By::Proposal);
+  dialog.markers().setCurrentCell(by_key, MarkerTable::Place);
+  QKeyEvent enter(QEvent::KeyPress, Qt::Key_Return, Qt::NoModifier);
+  QCoreApplication::sendEvent(&dialog.markers(), &enter);
+  EXPECT_EQ(dialog.markers().item(by_key, MarkerTable::Belief)->text(), "said");
+  const int by_click = first(MarkerNaming::By::Proposal);
+  emit dialog.markers().cellClicked(by_click, MarkerTable::Belief);
+  EXPECT_EQ(dialog.markers().item(by_click, MarkerTable::Belief)->text(), "said");
+  EXPECT_TRUE(dialog.isVisible()) << "Enter does not close the dialog";
+}
+
+TEST_F(MarkerDialogTest, WhatWasTypedStaysWhenItGuessesAgain) {
+  const int row = first(MarkerNaming::By::Guess);
+  dialog.markers().item(row, MarkerTable::Place)->setText("left tail");
+  EXPECT_THAT(dialog.state().toStdString(), HasSubstr("no place 'left tail'"));
+  dialog.markers().item(row, MarkerTable::Place)->setText("left ear");
+  dialog.guessFromMotion();
+  ASSERT_TRUE(until([this] { return dialog.state().contains("markers guessed"); }));
+  EXPECT_EQ(dialog.markers().item(row, MarkerTable::Place)->text(), "left ear");
+}
+
+TEST_F(MarkerDialogTest, ASavedModelIsReadAgainAndABrokenOneSaysWhy) {
+  const QString file = folder.filePath("model.json");
+  const auto names = dialog.markers().naming().model("").names;
+  dialog.saveTo(file);
+  MappingDialog other(motion(), nullptr);
+  other.loadFrom(file);
+  EXPECT_THAT(other.state().toStdString(), HasSubstr("none of the 3 points"));
+  dialog.loadFrom(file);
+  EXPECT_EQ(dialog.markers().naming().model("").names, names);
+  std::ofstream(file.toStdString()) << R"({"name": "bad", "markers": {"left tail": "U1"}})";
+  dialog.loadFrom(file);
+  EXPECT_THAT(dialog.state().toStdString(), HasSubstr("no place 'left tail'"));
+  EXPECT_EQ(dialog.markers().naming().model("").names, names) << "nothing changed";
 }
 
 }  // namespace

@@ -152,7 +152,7 @@ void ImportDesk::assignJoints(const UnmappedMotion& motion) {
   m_mapping->setAttribute(Qt::WA_DeleteOnClose);
   m_mapping->setColours(m_window.colours());
   connect(m_mapping, &QDialog::accepted, this, [this] {
-    const auto map = remember_map(m_mapping->map(), m_window.remembered().jointMapFolder().toStdString());
+    const auto map = m_mapping->keep(m_window.remembered().jointMapFolder());
     if (!map) return m_window.messages().showError(words(map.error()));
     if (m_panel) m_panel->chooseJoints(QString::fromStdString(*map));
   });

@@ -197,7 +197,7 @@ void LibraryBuild::askForJoints(const Read& read) {
   m_mapping->setAttribute(Qt::WA_DeleteOnClose);
   m_mapping->setColours(m_palette);
   connect(m_mapping, &QDialog::accepted, this, [this, again = read.without_joints] {
-    const auto map = remember_map(m_mapping->map(), m_maps.toStdString());
+    const auto map = m_mapping->keep(m_maps);
     if (!map) return m_dialog->showError(words(map.error()));
     const MotionReading said = m_mapping->said();
     for (Survey survey : again) {

@@ -24,7 +24,7 @@ void MappingDesk::offer(const QStringList& files, const UnmappedMotion& motion) 
 }
 
 void MappingDesk::use(const QStringList& files) {
-  const auto map = remember_map(m_dialog->map(), m_window.remembered().jointMapFolder().toStdString());
+  const auto map = m_dialog->keep(m_window.remembered().jointMapFolder());
   if (!map) return m_window.messages().showError(words(map.error()));
   m_window.openFiles(QStringList(QString::fromStdString(*map)) + files, m_dialog->said());
 }

@@ -10,6 +10,7 @@
 #include <QPushButton>
 #include <QSlider>
 #include <QStyledItemDelegate>
+#include <QTabWidget>
 #include <QTableWidget>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -17,9 +18,11 @@
 
 #include "app/workbench/base/error_words.hpp"
 #include "app/workbench/library/mapping_words.hpp"
+#include "app/workbench/library/marker_table.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/statistics.hpp"
 #include "core/base/text.hpp"
+#include "core/opening/joint_maps.hpp"
 #include "widgets/library/motion_picture.hpp"
 
 namespace abrazo::app {
@@ -107,6 +110,8 @@ MappingDialog::MappingDialog(NamedMotion motion, QWidget* parent)
     : QDialog(parent),
       m_motion(std::move(motion)),
       m_table(new QTableWidget(joint_count, 3, this)),
+      m_markers(new MarkerTable(m_motion, this)),
+      m_pages(new QTabWidget(this)),
       m_preview(new widgets::MotionPicture(this)),
       m_frame(new QSlider(Qt::Horizontal, this)),
       m_palette(widgets::palette_of(widgets::Theme::Dark)) {
@@ -115,11 +120,11 @@ MappingDialog::MappingDialog(NamedMotion motion, QWidget* parent)
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 14, 16, 14);
   column->setSpacing(10);
-  column->addWidget(new QLabel(
-      QString(
-          "No joint map fits the %1 points of this file. Say which they are; what was guessed is marked “?”.")
-          .arg(m_motion.points.size()),
-      this));
+  column->addWidget(new QLabel(QString("No joint map fits the %1 points of this file. Say which joints they "
+                                       "are, or where on the body if they "
+                                       "are markers. Guesses are marked.")
+                                   .arg(m_motion.points.size()),
+                               this));
   auto* row = new QHBoxLayout;
   m_table->setAccessibleName("Joints and their points");
   m_table->setHorizontalHeaderLabels({"Joint", "Points", "Found"});
@@ -134,7 +139,9 @@ MappingDialog::MappingDialog(NamedMotion motion, QWidget* parent)
   QStringList points;
   for (const std::string& point : m_motion.points) points << QString::fromStdString(point);
   m_table->setItemDelegateForColumn(Points, new PointDelegate(points, m_table));
-  row->addWidget(m_table, 5);
+  m_pages->addTab(m_table, "Joints");
+  m_pages->addTab(m_markers, "Markers");
+  row->addWidget(m_pages, 5);
   auto* side = new QVBoxLayout;
   side->addWidget(m_preview, 1);
   m_frame->setAccessibleName("Frame of the preview");
@@ -147,6 +154,11 @@ MappingDialog::MappingDialog(NamedMotion motion, QWidget* parent)
   column->addWidget(makeFoot());
   connectParts();
   guessAgain();
+  if (names_say_nothing(m_motion)) guessFromMotion();
+}
+
+MappingDialog::~MappingDialog() {
+  if (m_job) Job::retire(std::move(m_job), parent());
 }
 
 QWidget* MappingDialog::makeFacts() {
@@ -185,22 +197,28 @@ QWidget* MappingDialog::makeFoot() {
   auto* foot = new QWidget(this);
   auto* row = new QHBoxLayout(foot);
   row->setContentsMargins(0, 0, 0, 0);
-  auto* load = new QPushButton("Load map…", foot);
-  auto* save = new QPushButton("Save map…", foot);
-  auto* guess = new QPushButton("Guess again", foot);
+  auto* load = new QPushButton("Load…", foot);
+  load->setToolTip("A joint map or a marker model");
+  m_save = new QPushButton("Save map…", foot);
+  m_again = new QPushButton("Guess again", foot);
+  m_from_motion = new QPushButton("Guess from motion", foot);
+  m_from_motion->setToolTip(
+      "Where each marker is on the body, from positions, symmetry and distances over time");
   auto* cancel = new QPushButton("Cancel", foot);
   m_state = new QLabel(foot);
   m_state->setWordWrap(true);
   m_use = new QPushButton("Use", foot);
   m_use->setDefault(true);
   m_use->setToolTip("Files with the same point names are then read this way without a question");
-  for (QWidget* widget : std::initializer_list<QWidget*>{load, save, guess}) row->addWidget(widget);
+  for (QWidget* widget : std::initializer_list<QWidget*>{load, m_save, m_again, m_from_motion})
+    row->addWidget(widget);
   row->addWidget(m_state, 1);
   row->addWidget(cancel);
   row->addWidget(m_use);
-  connect(load, &QPushButton::clicked, this, &MappingDialog::loadMap);
-  connect(save, &QPushButton::clicked, this, &MappingDialog::saveMap);
-  connect(guess, &QPushButton::clicked, this, &MappingDialog::guessAgain);
+  connect(load, &QPushButton::clicked, this, &MappingDialog::load);
+  connect(m_save, &QPushButton::clicked, this, &MappingDialog::save);
+  connect(m_again, &QPushButton::clicked, this, &MappingDialog::guessAgain);
+  connect(m_from_motion, &QPushButton::clicked, this, &MappingDialog::guessFromMotion);
   connect(cancel, &QPushButton::clicked, this, &QDialog::reject);
   connect(m_use, &QPushButton::clicked, this, &QDialog::accept);
   return foot;
@@ -211,7 +229,16 @@ void MappingDialog::connectParts() {
     if (!m_filling && column == Points) setPoints(joint, m_table->item(joint, Points)->text());
   });
   connect(m_table, &QTableWidget::currentCellChanged, this, [this](int joint) { chooseJoint(joint); });
-  connect(m_preview, &widgets::MotionPicture::pointClicked, this, &MappingDialog::togglePoint);
+  connect(m_preview, &widgets::MotionPicture::pointClicked, this, [this](int point) {
+    if (namesMarkers())
+      m_markers->setCurrentCell(point, MarkerTable::Place);
+    else
+      togglePoint(point);
+  });
+  connect(m_markers, &QTableWidget::currentCellChanged, this, &MappingDialog::showFrame);
+  connect(m_markers, &MarkerTable::changed, this, &MappingDialog::showFacts);
+  connect(m_markers, &MarkerTable::refused, m_state, &QLabel::setText);
+  connect(m_pages, &QTabWidget::currentChanged, this, &MappingDialog::showPage);
   connect(m_frame, &QSlider::valueChanged, this, &MappingDialog::showFrame);
   connect(m_up, qOverload<int>(&QComboBox::activated), this, &MappingDialog::changed);
   connect(m_unit, qOverload<int>(&QComboBox::activated), this, &MappingDialog::changed);
@@ -221,6 +248,7 @@ void MappingDialog::connectParts() {
 void MappingDialog::setColours(const widgets::Palette& palette) {
   m_palette = palette;
   m_preview->setColours(palette);
+  m_markers->setColours(palette);
   setStyleSheet(
       QString("QTableWidget { background: %1; border: 1px solid %2; border-radius: 5px; "
               "selection-background-color: %3; selection-color: white; }"
@@ -237,6 +265,51 @@ void MappingDialog::guessAgain() {
   m_by = guess.by;
   changed();
   m_table->setCurrentCell(m_joint, Points);
+}
+
+bool MappingDialog::namesMarkers() const {
+  return m_pages->currentWidget() == m_markers;
+}
+
+MarkerModel MappingDialog::model() const {
+  return m_markers->naming().model(m_motion.name);
+}
+
+Result<std::string> MappingDialog::keep(const QString& folder) const {
+  return namesMarkers() ? remember_map(model(), folder.toStdString())
+                        : remember_map(m_map, folder.toStdString());
+}
+
+void MappingDialog::guessFromMotion() {
+  if (m_job) return;
+  m_pages->setCurrentWidget(m_markers);
+  m_from_motion->setEnabled(false);
+  m_state->setText("Guessing where the markers are…");
+  // A copy: the work may outlive the dialog.
+  m_job = std::make_unique<Job>([this, motion = m_motion](const Progress&) -> Job::Finish {
+    return [this, guess = guess_markers(motion)] { showGuess(guess); };
+  });
+  connect(
+      m_job.get(), &Job::finished, this,
+      [this] {
+        Job::retire(std::move(m_job), this);
+        m_from_motion->setEnabled(true);
+      },
+      Qt::QueuedConnection);
+}
+
+void MappingDialog::showGuess(const Result<MarkerGuess>& guess) {
+  if (guess)
+    m_markers->propose(*guess);
+  else
+    m_state->setText(words(guess.error()));
+}
+
+void MappingDialog::showPage() {
+  m_save->setText(namesMarkers() ? "Save marker model…" : "Save map…");
+  m_again->setVisible(!namesMarkers());
+  showFrame();
+  showFacts();
 }
 
 void MappingDialog::showRow(int joint) {
@@ -317,6 +390,11 @@ void MappingDialog::showFrame() {
   widgets::PicturedFrame shown;
   shown.points = upright(m_motion.frames[at(m_frame->value())]);
   shown.names = m_motion.points;
+  if (namesMarkers()) {
+    if (m_markers->currentRow() >= 0) shown.chosen = {m_markers->currentRow()};
+    m_preview->setSpace(spaceOf());
+    return m_preview->show(shown);
+  }
   shown.joint = m_joint;
   const JointBinding binding = bind_joints(m_map, m_motion.points);
   for (int j = 0; j < joint_count; ++j) {
@@ -358,16 +436,28 @@ MotionReading MappingDialog::said() const {
   return reading;
 }
 
+/// Joints without points; of markers the places that a body needs.
+QStringList MappingDialog::missing() const {
+  QStringList names;
+  if (namesMarkers())
+    for (const std::string& place : missing_markers(model(), m_motion.points))
+      names << QString::fromStdString(place);
+  else
+    for (const int joint : bind_joints(m_map, m_motion.points).missing)
+      names << QString::fromUtf8(joint_names[at(joint)].data());
+  return names;
+}
+
 /// Imports a few frames in the same way as the whole file later, and shows the result.
 void MappingDialog::showFacts() {
-  QStringList missing;
-  for (const int joint : bind_joints(m_map, m_motion.points).missing)
-    missing << QString::fromUtf8(joint_names[at(joint)].data());
+  const QStringList missing = this->missing();
+  const QString counted =
+      namesMarkers() ? QString::fromStdString(m_markers->naming().counted()) + ". " : QString();
   m_use->setEnabled(missing.isEmpty());
   m_facts->clear();
   if (!missing.isEmpty())
     return m_state->setText(
-        QString("No points yet for %1").arg(missing.mid(0, 5).join(", ")) +
+        counted + QString("No points yet for %1").arg(missing.mid(0, 5).join(", ")) +
         (missing.size() > 5 ? QString(" and %1 more").arg(missing.size() - 5) : QString()));
   NamedMotion few = without_frames(m_motion);
   constexpr std::size_t most_frames = 40;
@@ -378,9 +468,12 @@ void MappingDialog::showFacts() {
   ImportOptions options;
   options.metres_per_unit = reading.metres_per_unit, options.fps = reading.fps;
   if (!reading.up.empty()) options.up_axis = reading.up == "z" ? UpAxis::Z : UpAxis::Y;
-  options.joint_map = m_map;
+  if (namesMarkers())
+    options.marker_model = model();
+  else
+    options.joint_map = m_map;
   const auto clip = import_clip(few, options);
-  if (!clip) return m_state->setText(words(clip.error()));
+  if (!clip) return m_state->setText(counted + words(clip.error()));
   const ImportReport& report = clip->report;
   const auto mark = [](bool guessed) { return guessed ? " ?" : ""; };
   m_facts->setText(QString("%1 up%2 · %3 m per unit%4 · %5 fps%6 · head at %7 m")
@@ -390,30 +483,46 @@ void MappingDialog::showFacts() {
                        .arg(report.fps, 0, 'g', 5)
                        .arg(mark(report.fps_guessed))
                        .arg(report.height_m, 0, 'f', 2));
-  m_state->setText("Every joint has its points");
+  m_state->setText(counted + (namesMarkers() ? "Enough for a body" : "Every joint has its points"));
 }
 
 QString MappingDialog::state() const {
   return m_state->text();
 }
 
-void MappingDialog::saveMap() {
-  const QString file = QFileDialog::getSaveFileName(
-      this, "Save joint map", QString::fromStdString(m_motion.name) + ".json", "Joint maps (*.json)");
-  if (file.isEmpty()) return;
-  const Status written = write_whole_file(file.toStdString(), joint_map_json(m_map));
-  m_state->setText(written ? "Joint map written to " + file : words(written.error()));
+void MappingDialog::save() {
+  const QString file =
+      QFileDialog::getSaveFileName(this, namesMarkers() ? "Save marker model" : "Save joint map",
+                                   QString::fromStdString(m_motion.name) + ".json",
+                                   namesMarkers() ? "Marker models (*.json)" : "Joint maps (*.json)");
+  if (!file.isEmpty()) saveTo(file);
 }
 
-void MappingDialog::loadMap() {
-  const QString file =
-      QFileDialog::getOpenFileName(this, "Joint map", {}, "Joint maps (*.json);;All files (*)");
-  if (file.isEmpty()) return;
-  const auto text = read_whole_file(file.toStdString());
-  const auto map = text ? parse_joint_map(*text, file.toStdString()) : Result<JointMap>(text.error());
-  if (!map) return m_state->setText(words(map.error()));
-  m_map = *map;
+void MappingDialog::saveTo(const QString& file) {
+  const Status written = write_whole_file(
+      file.toStdString(), namesMarkers() ? marker_model_json(model()) : joint_map_json(m_map));
+  const QString what = namesMarkers() ? "Marker model" : "Joint map";
+  m_state->setText(written ? what + " written to " + file : words(written.error()));
+}
+
+void MappingDialog::load() {
+  const QString file = QFileDialog::getOpenFileName(this, "Joint map or marker model", {},
+                                                    "Joint maps and marker models (*.json);;All files (*)");
+  if (!file.isEmpty()) loadFrom(file);
+}
+
+void MappingDialog::loadFrom(const QString& file) {
+  ImportOptions read;
+  const Status chosen = choose_joints(file.toStdString(), read);
+  if (!chosen) return m_state->setText(words(chosen.error()));
+  if (read.marker_model) {
+    if (const auto found = m_markers->read(*read.marker_model); !found)
+      return m_state->setText(words(found.error()));
+    return m_pages->setCurrentWidget(m_markers);
+  }
+  m_map = *read.joint_map;
   m_by.fill(JointGuess::By::Nothing);
+  m_pages->setCurrentWidget(m_table);
   changed();
 }
 

@@ -2,10 +2,14 @@
 
 #include <QDialog>
 #include <array>
+#include <memory>
+#include <string>
 #include <vector>
 
+#include "app/workbench/base/job.hpp"
 #include "core/motion/files/motion_reading.hpp"
 #include "core/motion/joints/joint_guess.hpp"
+#include "core/motion/joints/marker_guess.hpp"
 #include "widgets/common/palette.hpp"
 
 class QComboBox;
@@ -14,6 +18,7 @@ class QLineEdit;
 class QPushButton;
 class QSlider;
 class QTableWidget;
+class QTabWidget;
 
 namespace abrazo::widgets {
 class MotionPicture;
@@ -22,18 +27,24 @@ struct PicturedSpace;
 
 namespace abrazo::app {
 
-/// Dialog that assigns a file's points to joints if no joint map or marker model fits. Starts from a guess.
-/// Reads and writes only the joint maps that the user names.
+class MarkerTable;
+
+/// Dialog that assigns a file's points to joints if no joint map or marker model fits, or to places on the
+/// body where they are markers. Starts from a guess. Reads and writes only the files that the user names.
 class MappingDialog : public QDialog {
   Q_OBJECT
  public:
   MappingDialog(NamedMotion motion, QWidget* parent);
+  ~MappingDialog() override;
   void setColours(const widgets::Palette& palette);
-  /// The map; complete after the dialog was accepted.
-  const JointMap& map() const { return m_map; }
+  /// Keeps what was chosen, a joint map or a marker model, for files with the same points. @return its file
+  Result<std::string> keep(const QString& folder) const;
   /// Unit, rate and axis, if set by the user.
   MotionReading said() const;
   QTableWidget& table() { return *m_table; }
+  MarkerTable& markers() { return *m_markers; }
+  /// Whether the markers are shown, and count, in place of the joints.
+  bool namesMarkers() const;
   widgets::MotionPicture& preview() { return *m_preview; }
   QString state() const;
 
@@ -44,6 +55,11 @@ class MappingDialog : public QDialog {
   /// Adds the point to the chosen joint (all with equal weight), or removes it.
   void togglePoint(int point);
   void chooseJoint(int joint);
+  /// Guesses the places of the markers from their motion, apart from the window; shows them when done.
+  void guessFromMotion();
+  void saveTo(const QString& file);
+  /// A joint map or a marker model. On an error it shows the reason and changes nothing.
+  void loadFrom(const QString& file);
 
  private:
   QWidget* makeFacts();
@@ -54,8 +70,12 @@ class MappingDialog : public QDialog {
   void showRow(int joint);
   void showFrame();
   void showFacts();
-  void saveMap();
-  void loadMap();
+  void showPage();
+  void showGuess(const Result<MarkerGuess>& guess);
+  MarkerModel model() const;
+  QStringList missing() const;
+  void save();
+  void load();
   Positions upright(const Positions& points) const;
   widgets::PicturedSpace spaceOf() const;
 
@@ -64,14 +84,17 @@ class MappingDialog : public QDialog {
   std::array<JointGuess::By, joint_count> m_by{};
   int m_joint = 0;
   QTableWidget* m_table;
+  MarkerTable* m_markers;
+  QTabWidget* m_pages;
   widgets::MotionPicture* m_preview;
   QSlider* m_frame;
   QComboBox *m_up = nullptr, *m_unit = nullptr;
   QLineEdit* m_rate = nullptr;
   QLabel *m_facts = nullptr, *m_state = nullptr;
-  QPushButton* m_use = nullptr;
+  QPushButton *m_use = nullptr, *m_save = nullptr, *m_again = nullptr, *m_from_motion = nullptr;
   widgets::Palette m_palette;
   bool m_filling = false;
+  std::unique_ptr<Job> m_job;
 };
 
 }  // namespace abrazo::app

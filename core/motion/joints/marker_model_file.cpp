@@ -4,6 +4,7 @@
 #include "core/base/json_nesting.hpp"
 #include "core/base/json_text.hpp"
 #include "core/motion/joints/marker_model.hpp"
+#include "core/motion/joints/marker_places.hpp"
 
 namespace abrazo {
 
@@ -17,13 +18,6 @@ constexpr std::array<const char*, marker_place_count> place_names = {
     "shoulder",    "upper arm",   "elbow",     "inner elbow", "thumb wrist", "little wrist", "hand",
     "thumb hand",  "little hand", "thigh",     "knee",        "inner knee",  "shin",         "ankle",
     "inner ankle", "heel",        "toe",       "inner toe",   "outer toe",   "toe tip"};
-
-std::string all_places() {
-  std::string names;
-  for (std::size_t place = 0; place < marker_place_count; ++place)
-    names += (place > 0 ? ", " : "") + name_of_place(static_cast<MarkerPlace>(place), 0);
-  return names;
-}
 
 Result<std::vector<std::string>> names_in(const OrderedJson& entry, const std::string& where) {
   std::vector<std::string> names;
@@ -46,6 +40,21 @@ std::string name_of_place(MarkerPlace place, std::size_t side) {
   return index < first_sided_place ? name : (side == 0 ? "left " : "right ") + name;
 }
 
+std::optional<std::pair<MarkerPlace, std::size_t>> marker_spot(std::string_view name) {
+  for (std::size_t place = 0; place < marker_place_count; ++place)
+    for (std::size_t side = 0; side < (place < first_sided_place ? 1U : 2U); ++side)
+      if (name == name_of_place(static_cast<MarkerPlace>(place), side))
+        return std::pair(static_cast<MarkerPlace>(place), side);
+  return std::nullopt;
+}
+
+std::string all_marker_places() {
+  std::string names;
+  for (std::size_t place = 0; place < marker_place_count; ++place)
+    names += (place > 0 ? ", " : "") + name_of_place(static_cast<MarkerPlace>(place), 0);
+  return names;
+}
+
 Result<MarkerModel> parse_marker_model(std::string_view text, std::string_view where) {
   const std::string file(where);
   if (nests_too_deep(text)) return Error{too_deep_words, file};
@@ -56,17 +65,13 @@ Result<MarkerModel> parse_marker_model(std::string_view text, std::string_view w
   MarkerModel model;
   model.name = json.contains("name") && json["name"].is_string() ? json["name"].get<std::string>() : file;
   for (const auto& [name, entry] : json["markers"].items()) {
-    bool known = false;
-    for (std::size_t place = 0; place < marker_place_count; ++place)
-      for (std::size_t side = 0; side < (place < first_sided_place ? 1U : 2U); ++side) {
-        if (name != name_of_place(static_cast<MarkerPlace>(place), side)) continue;
-        auto names = names_in(entry, file + ": markers." + name);
-        if (!names) return names.error();
-        model.names[place][side] = std::move(*names);
-        known = true;
-      }
-    if (!known)
-      return Error{"there is no place '" + name + "' for a marker; expected one of " + all_places(), file};
+    const auto spot = marker_spot(name);
+    if (!spot)
+      return Error{"there is no place '" + name + "' for a marker; expected one of " + all_marker_places(),
+                   file};
+    auto names = names_in(entry, file + ": markers." + name);
+    if (!names) return names.error();
+    model.names[static_cast<std::size_t>(spot->first)][spot->second] = std::move(*names);
   }
   return model;
 }

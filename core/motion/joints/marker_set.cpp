@@ -53,10 +53,16 @@ std::vector<std::string> missing_of(const MarkerModel& model, const MarkerSet& s
 }  // namespace
 
 MarkerSet::MarkerSet(const MarkerModel& model, std::vector<std::string> points) {
-  strip_common_beginning(points);
   std::map<std::string, int> known;
-  for (std::size_t p = 0; p < points.size(); ++p)
-    if (const std::string key = marker_key(points[p]); !key.empty()) known.emplace(key, static_cast<int>(p));
+  const auto take_names = [&] {
+    for (std::size_t p = 0; p < points.size(); ++p)
+      if (const std::string key = marker_key(points[p]); !key.empty())
+        known.emplace(key, static_cast<int>(p));
+  };
+  // As written, for a model that was made for this file; then without what all have in common.
+  take_names();
+  strip_common_beginning(points);
+  take_names();
   for (std::size_t place = 0; place < marker_place_count; ++place)
     for (const std::size_t side : {0U, 1U}) {
       points_[place][side] = -1;

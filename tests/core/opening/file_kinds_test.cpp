@@ -39,6 +39,7 @@ TEST_F(FileKinds, AreToldByTheName) {
 TEST_F(FileKinds, OfJsonAreToldByWhatItHas) {
   EXPECT_EQ(kind_of_file(with("m.json", R"({"name":"x","takes":[]})")), FileKind::Manifest);
   EXPECT_EQ(kind_of_file(with("j.json", R"({"name":"x","joints":{}})")), FileKind::JointMap);
+  EXPECT_EQ(kind_of_file(with("k.json", R"({"name":"x","markers":{"neck":"C7"}})")), FileKind::JointMap);
   EXPECT_EQ(kind_of_file(with("t.json", R"({"tiers":[]})")), FileKind::Labels);
   EXPECT_EQ(kind_of_file(file("none.json")), FileKind::Manifest) << "and is then refused as missing";
 }

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/motion/joints/marker_model.hpp"
+
+namespace abrazo {
+
+/// Where the markers of a file without known names seem to be on a body, for a person to check.
+struct MarkerGuess {
+  struct Marker {
+    int point = -1;
+    MarkerPlace place = MarkerPlace::Count;
+    std::size_t side = 0;   ///< as in MarkerModel
+    double confidence = 0;  ///< 0 to 1
+  };
+  std::vector<Marker> markers;  ///< by place and side
+  double confidence = 0;        ///< mean over all points; one without a place counts as 0
+  UpAxis up_axis = UpAxis::Y;
+  bool is_upside_down = false;      ///< the axis points down
+  bool front_from_walking = false;  ///< the person walks; else feet and pelvis alone say which way is front
+
+  /// The model of those with at least this confidence.
+  MarkerModel model(const NamedMotion& motion, double least_confidence) const;
+};
+
+/// Guesses of this confidence are used unless a person says otherwise.
+inline constexpr double sure_enough_of_marker = 0.6;
+
+/// Compares the mean place of each marker, in the space of the trunk and in body heights, with a standing
+/// person whose arms hang, are bent, or are stretched out; markers left and right of the body are placed in
+/// pairs. Markers that keep their distance over time are of one segment. Front is where the person walks to
+/// and the toes point. Names are not used.
+/// @return an Error when there are fewer than 12 points, or hardly a frame in which most are seen
+Result<MarkerGuess> guess_markers(const NamedMotion& motion);
+
+}  // namespace abrazo
