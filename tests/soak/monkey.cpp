@@ -8,6 +8,7 @@
 // and opening again. A seed gives the same wishes again; what they meet depends on time. Answers 1 after a
 // crash, when the window was unanswered for more than 0.5 s, or when memory grew by more than 60 MB after the
 // first quarter; says the seed and the last 50 things it did.
+#include <execinfo.h>
 #include <fcntl.h>
 #include <unistd.h>
 
@@ -79,6 +80,10 @@ void on_crash(int signal) {
   if (::write(STDERR_FILENO, words, std::strlen(words)) > 0 &&
       ::write(STDERR_FILENO, seed_line.data(), std::strlen(seed_line.data())) > 0)
     diary.write_to(STDERR_FILENO);
+  // `addr2line -Cfipe PROGRAM ADDRESS` names the lines.
+  std::array<void*, 100> calls{};
+  ::backtrace_symbols_fd(calls.data(), ::backtrace(calls.data(), static_cast<int>(calls.size())),
+                         STDERR_FILENO);
   std::signal(signal, SIG_DFL);
   std::raise(signal);
 }
@@ -371,6 +376,8 @@ int main(int argc, char** argv) {
       wish.sender = QFileInfo(QString::fromLocal8Bit(argv[word + 1])).absoluteFilePath();
   }
   std::snprintf(seed_line.data(), seed_line.size(), "seed %u\n", wish.seed);
+  void* caller = nullptr;
+  ::backtrace(&caller, 1);  // the first call loads a library, which a signal handler cannot do
   for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL}) std::signal(signal, on_crash);
   take_file_limit_for_full_disk();
   QApplication::setAttribute(Qt::AA_DontUseNativeDialogs);

@@ -19,7 +19,7 @@ namespace {
 constexpr double on_floor_m = 0.02;
 constexpr double never_lost_m = 1e9;  ///< a hold counts whatever becomes of it
 
-constexpr std::array variants = {
+constexpr std::array all_variants = {
     BodyVariant{"both 0.7", {.all = 0.7}, {.all = 0.7}},
     BodyVariant{"both 0.85", {.all = 0.85}, {.all = 0.85}, true},
     BodyVariant{"both 1.15", {.all = 1.15}, {.all = 1.15}, true},
@@ -161,7 +161,7 @@ PairBodies bodies_of(const RecordedPair& recorded, const BodyVariant& variant) {
 }  // namespace
 
 std::span<const BodyVariant> body_variants() {
-  return variants;
+  return all_variants;
 }
 
 Body body_with(const Body& body, const BodyVariant::Ratios& ratios) {

@@ -67,8 +67,8 @@ Result<std::vector<Pose>> nearest_partners(const SynthesisedTake& take, const Mo
 }
 
 void append_clips(const Duet& duet, std::vector<CrossDistances>& clips) {
-  const auto length = static_cast<std::size_t>(published_clip_s * published_rate_hz);
-  const auto part = [length](const std::vector<Pose>& poses, std::size_t from) {
+  constexpr auto length = static_cast<std::size_t>(published_clip_s * published_rate_hz);
+  const auto part = [](const std::vector<Pose>& poses, std::size_t from) {
     const auto begin = poses.begin() + static_cast<std::ptrdiff_t>(from);
     return std::vector<Pose>(begin, begin + static_cast<std::ptrdiff_t>(length));
   };

@@ -17,7 +17,8 @@ using Lengths = Eigen::Array<float, 8, 1>;  ///< seven axes, and the norm of the
 /// A squared distance as a distinct type, because FLANN allocates vectors of it in every search
 /// (std::allocator below).
 struct FlannSquare {
-  FlannSquare(double number = 0)
+  template <typename Number = float>
+  FlannSquare(Number number = 0)
       : value(static_cast<float>(number)) {}  // NOLINT(google-explicit-constructor)
   operator float() const { return value; }    // NOLINT(google-explicit-constructor)
   FlannSquare& operator+=(FlannSquare more) {

@@ -103,6 +103,7 @@ TEST_F(Plan, UsesTheFramesThatBothHave) {
   write("x_B.bvh", 20, true, 1, 3);  // began three frames later
   pair_up(plan);
   EXPECT_EQ(used_frames(plan, 0), 17);
+  EXPECT_EQ(used_frames(plan, 1), 17) << "also of the partner of the first";
   EXPECT_THAT(warnings(), Contains(HasSubstr("3 frames more; the first 17 of both are used")));
   plan.performers[0].source.start = 3;
   EXPECT_THAT(warnings(), testing::Not(Contains(HasSubstr("frames more"))));

@@ -76,6 +76,16 @@ TEST(TierFile, JsonKeepsEverything) {
   EXPECT_EQ(back(rich_tiers(), "x.json").tiers, rich_tiers());
 }
 
+TEST(TierFile, JsonKeepsTheColourOrTheKeyOfAValueWithoutDescription) {
+  const std::vector<Tier> tiers = {{"m", {{0, 1, "a"}}, {{"a", "", 0x336699}, {"b", "", {}, 'b'}, {"c"}}}};
+  EXPECT_EQ(back(tiers, "x.json").tiers, tiers);
+}
+
+TEST(TierFile, SubtitlesOfPlainTiersLeaveNothingOut) {
+  for (const char* name : {"x.vtt", "x.srt"})
+    EXPECT_THAT(write_tiers(std::vector<Tier>{{"m", {{0, 1, "a"}}}}, name, {})->warnings, IsEmpty());
+}
+
 TEST(TierFile, CsvKeepsIntervalsAndSaysWhatItLeavesOut) {
   EXPECT_EQ(back(rich_tiers(), "x.csv").tiers, plain(rich_tiers(), true));
   EXPECT_THAT(write_tiers(rich_tiers(), "x.csv", {})->warnings,

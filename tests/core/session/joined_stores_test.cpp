@@ -33,10 +33,10 @@ class Frames : public FrameStore {
       if (frame->index == index) return frame;
     return nullptr;
   }
-  std::vector<FrameSnapshotPtr> range(double from_s, double to_s, std::size_t) const override {
+  std::vector<FrameSnapshotPtr> range(double from_s, double to_s, std::size_t most) const override {
     std::vector<FrameSnapshotPtr> found;
     for (const auto& frame : frames_)
-      if (from_s <= frame->time_s && frame->time_s <= to_s) found.push_back(frame);
+      if (from_s <= frame->time_s && frame->time_s <= to_s && found.size() < most) found.push_back(frame);
     return found;
   }
   std::vector<FrameSnapshotPtr> between(std::uint64_t first, std::uint64_t last, std::size_t) const override {
@@ -88,6 +88,11 @@ TEST_F(Joined, GiveRangesAcrossBothInOrder) {
   EXPECT_EQ(joined->between(39, 61, 1000).size(), 4U);
   EXPECT_EQ(joined->range(2, 3, 1000).size(), 11U);
   EXPECT_EQ(joined->between(70, 75, 1000).size(), 6U);
+}
+
+TEST_F(Joined, GiveNoMoreFramesThanAreWanted) {
+  EXPECT_EQ(joined->range(2, 8, 10).size(), 10U);
+  EXPECT_EQ(joined->range(2, 8, 1000).size(), 42U);
 }
 
 TEST_F(Joined, FindTheStateBeforeAFrame) {

@@ -16,7 +16,9 @@ test::RoundTrip by_natnet(const Clip& clip, const std::string& version) {
                                     body_of(clip.poses));
   if (!server) throw std::invalid_argument(server.error().text());
   test::Listener listener("natnet://h");
-  return test::round_trip(clip, listener, **server, true);
+  const test::RoundTrip trip = test::round_trip(clip, listener, **server, true);
+  EXPECT_TRUE(listener.has_fact("NatNet " + version)) << "the server speaks what it was asked to";
+  return trip;
 }
 
 /// Of Motive's skeleton the thorax is only estimated, and limbs end where the last bone begins: how far head,

@@ -232,6 +232,10 @@ TEST(XsensAssembly, ASampleInTwoDatagramsIsOneFrameInAnyOrder) {
     ASSERT_EQ(listener.out.frames.size(), 1u);
     EXPECT_EQ(listener.out.frames[0].first_arrived_s, 1.0);
     EXPECT_EQ(listener.out.frames[0].arrived_s, 1.002);
+    Listener at_once("xsens://0.0.0.0:9763");
+    at_once.take(packet(made), 1.0);
+    ASSERT_EQ(at_once.out.frames.size(), 1u);
+    EXPECT_EQ(listener.out.frames[0].positions, at_once.out.frames[0].positions);
   }
 }
 

@@ -102,6 +102,90 @@ TEST(FootPlants, AFootInTheAirMakesForWhereTheBodyGoes) {
   EXPECT_LT((led[1] - here[1]).norm(), 1e-9) << "the standing foot";
 }
 
+TEST(FootPlants, AFootThatWasLetGoForAnotherReasonStandsOnlyAfterItWasLifted) {
+  FootPlants plants;
+  for (int step = 0; step < 10; ++step) plants.update(drifting(0, 0), step == 0 ? 0 : step_s);
+  ASSERT_TRUE(plants.feet()[0].planted);
+  plants.let_go(0, plants.feet()[0].shown);
+  for (int step = 0; step < 60; ++step) {
+    plants.update(drifting(0, 0), step_s);
+    EXPECT_FALSE(plants.feet()[0].planted) << step;
+    EXPECT_TRUE(plants.feet()[1].planted) << step;
+  }
+  for (int step = 0; step < 20; ++step) {
+    auto feet = drifting(0, 0);
+    feet[0].lands = false;
+    plants.update(feet, step_s);
+  }
+  plants.update(drifting(0, 0), step_s);
+  EXPECT_TRUE(plants.feet()[0].planted);
+}
+
+TEST(FootPlants, AFootOfABentLegIsLeftBehindByAQuarterOfAMetreAtMost) {
+  FootPlants plants;
+  bool stepped = false;
+  for (int step = 0; step < 300; ++step) {
+    auto feet = drifting(step * step_s, 0.3);
+    for (FootMoment& foot : feet) foot.hip.y() = 0.6;  // so that the leg would reach 0.7 m
+    plants.update(feet, step == 0 ? 0 : step_s);
+    for (std::size_t f = 0; f < 2; ++f) {
+      const FootPlants::Foot& foot = plants.feet()[f];
+      stepped |= foot.steps;
+      // The other foot has to wait for a step of 0.4 s.
+      if (foot.planted) {
+        EXPECT_LT(std::abs(foot.anchor.x() - feet[f].free.x()), 0.25 + 0.4 * 0.3 + 0.02) << step;
+      }
+    }
+  }
+  EXPECT_TRUE(stepped);
+}
+
+TEST(FootPlants, AFootThatLandsSlidingComesToRestWithinATenthOfASecond) {
+  FootPlants plants;
+  constexpr double speed = 1.5;
+  double time_s = 0;
+  for (; time_s < 0.5; time_s += step_s) {
+    auto feet = drifting(time_s, speed);
+    feet[0].lands = false;
+    plants.update(feet, step_s);
+  }
+  const auto feet = drifting(time_s, speed);
+  const double landed = plants.update(feet, step_s)[0].x();
+  ASSERT_TRUE(plants.feet()[0].planted);
+  std::array<double, 30> at{};
+  for (double& x : at) x = plants.update(feet, step_s)[0].x();
+  EXPECT_NEAR(at.back() - landed, 0.03 * speed, 0.005) << "its speed dies within 0.03 s";
+  EXPECT_LT(at.back() - at[6], 1e-3);
+}
+
+TEST(FootPlants, AFootThatIsTakenFarAwayOnTheFloorIsLetGoAtOnce) {
+  FootPlants plants;
+  for (int step = 0; step < 10; ++step) plants.update(drifting(0, 0), step == 0 ? 0 : step_s);
+  ASSERT_TRUE(plants.feet()[0].planted);
+  for (const double away_m : {0.1, 0.2}) {
+    auto feet = drifting(0, 0);
+    feet[0].lands = false;
+    feet[0].free += Vec3(away_m, -0.02, 0);
+    feet[0].recorded_height = rest_height;
+    plants.update(feet, step_s);
+    EXPECT_EQ(plants.feet()[0].planted, away_m < 0.15) << away_m;
+  }
+}
+
+TEST(FootPlants, AFootThatRushesIsNotStoppedDead) {
+  for (const double speed : {2.0, 4.0}) {
+    FootPlants plants;
+    double time_s = 0;
+    for (; time_s < 0.5; time_s += step_s) {
+      auto feet = drifting(time_s, speed);
+      for (FootMoment& foot : feet) foot.lands = false;
+      plants.update(feet, step_s);
+    }
+    plants.update(drifting(time_s, speed), step_s);
+    EXPECT_EQ(plants.feet()[0].planted, speed < 3) << speed;
+  }
+}
+
 TEST(FootPlants, ABentLegThatNothingHoldsIsLeftAsItIs) {
   Pose pose = test::standing_pose();
   pose.row(joints::left_hip + 1) += Eigen::RowVector3d(0, 0, 0.1);
