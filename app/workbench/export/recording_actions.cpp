@@ -60,7 +60,6 @@ Film make_film(MainWindow& window, const QString& text, ViewRecording::TakePictu
     if (recording->isRunning()) return recording->stop();
     if (recording->isBusy()) return window.messages().showInformation("The last recording is being written");
     const QString file = ask_file(window, &window, "Record as video");
-    // The dialog ran an event loop: a recording may have been started elsewhere meanwhile.
     if (!file.isEmpty() && !recording->isBusy()) start_recording(window, *recording, file);
   });
   QObject::connect(
