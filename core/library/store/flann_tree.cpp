@@ -74,7 +74,7 @@ struct std::allocator<abrazo::FlannSquare> {
     else
       ::operator delete(squares);
   }
-  friend bool operator==(const allocator&, const allocator&) { return true; }
+  [[maybe_unused]] friend bool operator==(const allocator&, const allocator&) { return true; }
 
  private:
   struct Room {
