@@ -78,10 +78,11 @@ bool view_direction(const std::string& text, std::optional<ViewDirection>& direc
   const auto parts = split_fields(text, ',');
   const auto azimuth = parts.size() == 2 ? parse_number(parts[0]) : std::nullopt;
   const auto elevation = parts.size() == 2 ? parse_number(parts[1]) : std::nullopt;
-  if (!azimuth || !elevation || std::abs(*azimuth) > 360 || std::abs(*elevation) > straight_down_deg)
-    return false;
-  direction = {*azimuth, *elevation};
-  return true;
+  // Written so that "nan" is none.
+  const bool is_direction =
+      azimuth && elevation && std::abs(*azimuth) <= 360 && std::abs(*elevation) <= straight_down_deg;
+  if (is_direction) direction = {*azimuth, *elevation};
+  return is_direction;
 }
 
 Result<RenderKind> render_kind(const std::string& output) {

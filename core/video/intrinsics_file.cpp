@@ -40,6 +40,13 @@ std::size_t most_levels(std::string_view text) {
   return openings + furthest;
 }
 
+/// OpenCV's XML reader follows a null pointer where the text ends behind the '=' of an attribute.
+bool is_cut_off_xml(std::string_view text) {
+  if (text.starts_with("\xEF\xBB\xBF")) text.remove_prefix(3);
+  const std::string_view body = trimmed(text);
+  return body.starts_with('<') && !body.ends_with('>');
+}
+
 /// The numbers of a matrix entry, read one by one: the stated size does not allocate memory.
 Result<std::vector<double>> numbers(const cv::FileNode& node, const char* entry, std::size_t most,
                                     const std::string& where) {
@@ -149,6 +156,7 @@ Result<CameraIntrinsics> read_intrinsics(const std::filesystem::path& file) {
   if (most_levels(*text) > deepest)
     return Error{fmt::format("may have more than {} levels inside each other; {}", deepest, advice),
                  file.string()};
+  if (is_cut_off_xml(*text)) return Error{std::string("is XML that is cut off; ") + advice, file.string()};
   try {
     const cv::FileStorage storage(*text, cv::FileStorage::READ | cv::FileStorage::MEMORY);
     if (!storage.isOpened()) return Error{std::string("cannot be read; ") + advice, file.string()};

@@ -35,6 +35,9 @@ TEST_F(RenderCommand, RefusesWordsThatCannotBe) {
   expect_wrong_usage(run("render T.jsonl -o a.png --size 10x10"), "write a size as 1280x720");
   expect_wrong_usage(run("render T.jsonl -o a.png --camera behind"),
                      "expected follow, front, right, top, iso");
+  for (const char* direction : {"nan,9", "0,nan", "361,0", "0,90"})
+    expect_wrong_usage(run(std::string("render T.jsonl -o a.png --camera ") + direction),
+                       "expected follow, front, right, top, iso");
   expect_wrong_usage(run("render T.jsonl -o a.mp4 --rate 0"), "expected a rate of 0.1 to 240 Hz");
   expect_failure(run("render T.jsonl -o a.gif"), "a film (.mp4), a picture (.png) or a series");
   expect_failure(run("render T.jsonl -o a%s.png"), "has a '%' that is not a number");

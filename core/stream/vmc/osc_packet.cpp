@@ -53,7 +53,7 @@ OscArgument argument_of(char type, const lo_arg* argument) {
       return {type, 1, {}};
     case LO_STRING:
     case LO_SYMBOL:
-      return {type, 0, &argument->s};
+      return {type, 0, reinterpret_cast<const char*>(argument)};
     default:
       return {type, 0, {}};
   }

@@ -101,6 +101,15 @@ TEST(IntrinsicsFile, SoDeepThatReadingItWouldTakeTheWholeStackIsRefused) {
   }
 }
 
+TEST(IntrinsicsFile, XmlThatIsCutOffIsRefused) {
+  for (const char* text : {"<?xml ve=", "\xEF\xBB\xBF<?xml version=\"1.0\"?>\n<opencv_storage b=\n",
+                           "<?xml version=\"1.0\"?>\n<opencv_storage>\n<a type_id="}) {
+    const auto read = reading(text);
+    ASSERT_FALSE(read);
+    EXPECT_THAT(read.error().text(), HasSubstr("is XML that is cut off")) << text;
+  }
+}
+
 TEST(IntrinsicsFile, IsWrittenInFormatsOfOpenCvAlone) {
   EXPECT_THAT(write_intrinsics(example, file_of(".csv")).error().text(),
               HasSubstr(".yaml, .yml, .xml or .json"));
