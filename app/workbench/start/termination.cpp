@@ -23,7 +23,7 @@ static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may not w
 void pass_on(int /*signal*/) {
   const int error = errno;
   const char wish = 1;
-  // A full pipe holds a wish already.
+  // A full pipe already contains a request.
   [[maybe_unused]] const auto written = ::write(write_end.load(), &wish, 1);
   errno = error;
 }

@@ -107,7 +107,7 @@ constexpr const char* free_text = "free text";  ///< linguistic type of tiers wi
 constexpr const char* language = "und";         ///< ISO 639-3: words of no known language
 constexpr const char* one_to_one = "Symbolic_Association";
 
-/// An attribute that is there whatever the value.
+/// An attribute that is written for every value.
 pugi::xml_attribute set(pugi::xml_node node, const char* name, const std::string& value) {
   pugi::xml_attribute attribute = node.append_attribute(name);
   attribute.set_value(value.c_str());

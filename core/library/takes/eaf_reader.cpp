@@ -101,7 +101,7 @@ void EafReader::read_tier(pugi::xml_node node) {
   contents_.tiers.push_back(std::move(tier));
 }
 
-/// Entries of before 2.8 have one word without a language.
+/// Entries of formats before 2.8 have one word without a language.
 void EafReader::read_vocabulary(pugi::xml_node node) {
   EafContents::Vocabulary vocabulary;
   vocabulary.is_elsewhere = node.attribute("EXT_REF");
