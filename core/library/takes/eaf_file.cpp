@@ -52,7 +52,7 @@ Status check(std::span<const Tier> tiers) {
   for (const Tier& tier : tiers) {
     if (!names.insert(tier.name).second) return Error{"two tiers of one name; rename one", tier.name};
     if (!is_xml_text(tier))
-      return Error{"has a control character, which XML cannot hold; write it anew", in_quotes(tier.name)};
+      return Error{"has a control character, which XML cannot hold; write it again", in_quotes(tier.name)};
     double free_from_s = 0;
     for (const TierInterval& interval : tier.intervals) {
       // Negated, so that NaN fails too.

@@ -147,8 +147,9 @@ Result<EafContents> parse_eaf(std::string_view text, std::string_view where) {
   const auto outcome = document.load_buffer(
       text.data(), text.size(), pugi::parse_default | pugi::parse_doctype | pugi::parse_ws_pcdata_single);
   if (!outcome)
-    return Error{std::string("is not XML from here on (") + outcome.description() + "); save it anew in ELAN",
-                 place_of_byte(where, text, outcome.offset)};
+    return Error{
+        std::string("is not XML from here on (") + outcome.description() + "); save it again in ELAN",
+        place_of_byte(where, text, outcome.offset)};
   for (const pugi::xml_node child : document.children())
     if (child.type() == pugi::node_doctype)
       return Error{"has a DOCTYPE, whose entities are not expanded; remove it", std::string(where)};
