@@ -4,6 +4,7 @@
 #include "app/workbench/base/job_progress.hpp"
 #include "app/workbench/video/overlay_film.hpp"
 #include "app/workbench/video/video_desk.hpp"
+#include "core/session/frames/frame_history.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/video/overlay_section.hpp"
 #include "widgets/video/video_panel.hpp"

@@ -5,6 +5,10 @@
 #include "app/workbench/base/job.hpp"
 #include "app/workbench/base/range_rendering.hpp"
 
+namespace abrazo {
+class FrameHistory;
+}
+
 namespace abrazo::widgets {
 class MessageBar;
 }
