@@ -54,17 +54,9 @@ void append_take(JsonText& json, const LibraryTake& take, int pairs) {
       take.frames);
   json.key("frame_stride").value(take.frame_stride).key("pairs").value(pairs);
   json.key("body_a").value(static_cast<int>(take.body_a)).key("body_b").value(static_cast<int>(take.body_b));
-  json.key("roles").begin_array();
-  for (const RoleInterval& role : take.roles)
-    json.begin_object()
-        .key("start")
-        .value(role.start)
-        .key("end")
-        .value(role.end)
-        .key("active")
-        .value(letter_of(role.active))
-        .end_object();
-  json.end_array().key("labels").begin_array();
+  json.key("roles");
+  write_role_list(json, take.roles);
+  json.key("labels").begin_array();
   for (const LabelInterval& label : take.labels) {
     json.begin_object()
         .key("start")

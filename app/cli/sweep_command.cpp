@@ -22,7 +22,7 @@ struct SweepArguments {
   SettingsOptions settings;
 };
 
-/// Tells this sweep's data from others'.
+/// Distinguishes the data of this sweep from others.
 std::string data_name(const EvaluationData& data, const std::vector<std::string>& hold_out) {
   std::string name = fmt::format("{} ({} pairs)", data.name, data.library->pair_count());
   if (!data.users_name.empty()) name += ", users " + data.users_name;

@@ -100,7 +100,7 @@ void bind_motion(py::module_& module) {
       py::arg("joints") = "", py::arg("up") = "", py::arg("performer") = py::none(),
       py::arg("animation") = "", py::arg("body_model") = "",
       "Reads a motion file of any known format as 25 joints in metres.\n\n"
-      "skeleton: the .asf of an .amc; metres_per_unit: length of the file's unit; fps: in place of "
+      "skeleton: the .asf of an .amc; metres_per_unit: length of the file's unit; fps: instead of "
       "the file's;\njoint_map: a built-in map or marker model by its name, or a JSON file; joints: "
       "order of the joints of an array without\nnames, as 'smplh52'; up: 'y' or 'z';\nperformer: "
       "which one of a file with several, a number from 1 or a name;\nanimation: which one of a file "

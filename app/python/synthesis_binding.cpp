@@ -132,7 +132,8 @@ void bind_synthesis(py::module_& module) {
       .def("step", &Synthesizer::step, py::arg("user"), py::arg("elapsed"),
            "Solves one frame.\n\n"
            "user: (25, 3) [m], world, joints in the order of abrazo.JOINTS; elapsed: since the step before "
-           "[s], 0 at the\nfirst; more than 0.3 without a solved frame starts anew. The Frame is the "
+           "[s], 0 at the\nfirst; more than 0.3 without a solved frame resets the temporal state. The Frame "
+           "is the "
            "caller's to keep. A pose that cannot\nbe answered raises nothing: the frame's status says "
            "'failed: ...' and the last good poses are held. Raises\nValueError on another shape.")
       .def(
@@ -168,7 +169,8 @@ void bind_synthesis(py::module_& module) {
             self.alone([&](PartnerSynthesizer& synthesizer) { synthesizer.pin_pair(pair); });
           },
           py::arg("pair"),
-          "Selects this pair of the library from the next step on, whatever it costs; None: by cost again.")
+          "Selects this pair of the library from the next step on, regardless of its cost; None: by cost "
+          "again.")
       .def(
           "state",
           [](Synthesizer& self) {
@@ -180,7 +182,7 @@ void bind_synthesis(py::module_& module) {
           [](Synthesizer& self, const SynthesizerState& state) {
             self.alone([&](PartnerSynthesizer& synthesizer) { synthesizer.restore(state); });
           },
-          py::arg("state"), "Goes on where the state was taken, on a synthesizer of the same library.")
+          py::arg("state"), "Continues from the state, on a synthesizer of the same library.")
       .def(
           "reset",
           [](Synthesizer& self) { self.alone([](PartnerSynthesizer& synthesizer) { synthesizer.reset(); }); },

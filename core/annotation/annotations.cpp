@@ -228,14 +228,13 @@ Status Annotations::place(int annotation, double from_s, double to_s, Conflict c
   return Done{};
 }
 
-Status Annotations::say(int annotation, std::string_view value, std::string_view detail,
-                        std::string_view confidence) {
+Status Annotations::say(int annotation, const TierInterval& said) {
   const AnnotationTier* tier = tier_of(annotation);
   if (!tier) return no_such("annotation", annotation);
-  Annotation& said = *with_id(with_id(tiers_, tier->id)->annotations, annotation);
-  said.value = value;
-  said.detail = detail;
-  said.confidence = confidence;
+  Annotation& label = *with_id(with_id(tiers_, tier->id)->annotations, annotation);
+  const double start_s = label.start_s, end_s = label.end_s;
+  static_cast<TierInterval&>(label) = said;
+  label.start_s = start_s, label.end_s = end_s;
   return Done{};
 }
 
@@ -288,8 +287,7 @@ Result<int> Annotations::copy_to(int annotation, int tier, Conflict conflict) {
   const Range range{std::min(0.0, original.start_s), everywhere.last_s};
   const auto id = draw(tier, original.start_s, original.end_s, original.value, conflict, range);
   if (!id) return id.error();
-  if (const Status said = say(*id, original.value, original.detail, original.confidence); !said)
-    return said.error();
+  if (const Status said = say(*id, original); !said) return said.error();
   return *id;
 }
 

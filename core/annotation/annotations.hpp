@@ -21,6 +21,12 @@ struct Annotation : TierInterval {
   bool operator==(const Annotation&) const = default;
 };
 
+/// The label with another value.
+inline TierInterval with_value(TierInterval label, std::string_view value) {
+  label.value = value;
+  return label;
+}
+
 struct AnnotationTier {
   int id = 0;
   std::string name;
@@ -86,7 +92,8 @@ class Annotations {
                    const Range& range);
   /// Sets start and end (resize, move, nudge).
   Status place(int annotation, double from_s, double to_s, Conflict conflict, const Range& range);
-  Status say(int annotation, std::string_view value, std::string_view detail, std::string_view confidence);
+  /// Sets everything except the times.
+  Status say(int annotation, const TierInterval& said);
   /// Splits at a time within it; both parts keep the value. @return the id of the later part
   Result<int> split(int annotation, double at_s);
   /// Merges with the next annotation of its tier, including a gap. The earlier value stays.

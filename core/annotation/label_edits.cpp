@@ -102,9 +102,8 @@ Result<LabelEdit> say_label(const Annotations& annotations, int annotation, std:
   const Annotation* known = annotations.find(annotation);
   if (!known) return Error{"The label no longer exists", ""};
   if (const Status good = check_role(*annotations.tier_of(annotation), value); !good) return good.error();
-  return edited(annotations, "label " + plain(value), [&](LabelEdit& edit) {
-    return edit.next.say(annotation, value, known->detail, known->confidence);
-  });
+  return edited(annotations, "label " + plain(value),
+                [&](LabelEdit& edit) { return edit.next.say(annotation, with_value(*known, value)); });
 }
 
 Result<LabelEdit> label_span(const Annotations& annotations, const EditPlace& place, int tier,
@@ -121,9 +120,8 @@ Result<LabelEdit> say_at_cursor(const Annotations& annotations, const EditPlace&
   const AnnotationTier* of_selected = annotations.tier_of(place.selected);
   if (of_selected && of_selected->id == tier) {
     const Annotation& selected = *annotations.find(place.selected);
-    return edited(annotations, "label " + plain(value), [&](LabelEdit& edit) {
-      return edit.next.say(selected.id, value, selected.detail, selected.confidence);
-    });
+    return edited(annotations, "label " + plain(value),
+                  [&](LabelEdit& edit) { return edit.next.say(selected.id, with_value(selected, value)); });
   }
   if (place.in_out) return label_span(annotations, place, tier, *place.in_out, value);
   const AnnotationTier* of = annotations.tier(tier);

@@ -36,8 +36,7 @@ Status fill_tier(Annotations& next, int tier, const Tier& read, const Annotation
   for (const TierInterval& each : read.intervals) {
     const auto drawn = next.draw(tier, each.start_s, each.end_s, each.value, Conflict::Refuse, range);
     if (!drawn) return drawn.error();
-    const Status said = next.say(*drawn, each.value, each.detail, each.confidence);
-    if (!said) return said;
+    if (const Status said = next.say(*drawn, each); !said) return said;
   }
   return Done{};
 }

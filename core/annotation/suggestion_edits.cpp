@@ -53,7 +53,7 @@ Result<LabelEdit> accept_suggestion_as(const Annotations& annotations, const Edi
   LabelEdit edit{annotations, "accept suggestion as " + std::string(value)};
   const auto id = edit.next.accept(suggestion, place.conflict, place.range);
   if (!id) return id.error();
-  if (const Status said = edit.next.say(*id, value, "", ""); !said) return said.error();
+  if (const Status said = edit.next.say(*id, with_value({}, value)); !said) return said.error();
   return edit;
 }
 

@@ -28,7 +28,7 @@ class Wording {
                     .reason = std::move(reason)});
   }
 
-  /// Goes on with the last one when the role is the same. Moves are to come in order.
+  /// Extends the last interval if the role is the same. Moves must be in order.
   void add_role(std::vector<Suggestion>& tier, const ProposedMove& move) {
     const std::string role = move.active == 0 ? "a" : "b";
     const double duration_s = seconds(move.end) - seconds(move.begin);

@@ -19,7 +19,7 @@ namespace {
 /// An hour of one person at 120 Hz is some 300 MB as BVH text.
 constexpr std::uintmax_t most_bytes_read_whole = std::uintmax_t{4} << 30;
 
-/// Names are drawn anew so often when they are taken; one of 62 bits is taken by accident never.
+/// Number of attempts to draw an unused name; a name of 62 bits is never taken by accident.
 constexpr int most_draws = 100;
 
 std::string unforeseeable_text() {

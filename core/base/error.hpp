@@ -32,7 +32,7 @@ enum class Hint {
 /// A program's words for a hint, appended to the sentence as they are: " (--fps HZ)"; empty = none.
 using HintWords = std::string_view (*)(Hint hint);
 
-/// Why something from outside could not be used, fit to be shown to a person as it is.
+/// Why external data could not be used. Can be shown to a person unchanged.
 struct Error {
   std::string message;  ///< what was expected, what was found, what to change
   std::string
@@ -45,7 +45,7 @@ struct Error {
   std::string text(HintWords words) const;
 };
 
-/// Something odd that did not stop the work, one sentence.
+/// A problem that did not stop the work, one sentence.
 struct Warning {
   std::string message;
   Hint hint = Hint::None;

@@ -9,15 +9,15 @@
 
 namespace abrazo {
 
-/// The body that a choice comes to, and how it is named for a person.
+/// The body of a choice, with its name for messages.
 struct ChosenBody {
   Body body;
   std::string name;  ///< "library", "scale:0.85", "walk.bvh"
 };
 
 /// The body of a choice for a character whose recorded body is known. Reads and measures a file. An Error if
-/// the file cannot be read, holds several performers or no plausible one, or if the choice is `user`: a
-/// recorded pair has none.
+/// the file cannot be read, has several performers or no plausible one, or if the choice is `user`: a
+/// recorded pair has no user.
 Result<ChosenBody> choose_body(const BodyChoice& choice, const Body& recorded, const Progress& progress = {});
 
 }  // namespace abrazo

@@ -11,9 +11,9 @@ namespace abrazo {
 /// height) and slower than 0.5 m/s over the floor, without gaps and runs shorter than 1/15 s.
 std::vector<char> standing_frames(std::span<const Vec3> toe_base, double fps);
 
-/// How far a foot is moved against its recorded (and scaled) path: constant while it stands, at the mean of
-/// what is wanted there, so that what stood still does; from one stand to the next by a cubic that begins and
-/// ends at rest. What is wanted itself for a foot that never stands.
+/// Offset of a foot from its recorded (and scaled) path: constant while it stands, at the mean of the wanted
+/// offsets, so that a foot that stood still stands still; from one stand to the next a cubic that begins and
+/// ends at rest. For a foot that never stands, the wanted offset itself.
 std::vector<Vec3> stepwise(std::span<const Vec3> wanted, std::span<const char> standing);
 
 }  // namespace abrazo

@@ -113,7 +113,7 @@ void PairFit::build_rows(LetGo let_go) {
         add_position_rows(toe_base_of(foot), task_->rebuilt.row(toe_base_of(foot)), rows_);
   const std::size_t lasting_rows = rows_.size();
   if (let_go < LetGo::Capsules) contacts_.add_rows(iterate_, rows_);
-  // Capsule rows are found anew in every step, so the guess of what binds is only kept for the others.
+  // Capsule rows are determined again in every step, so the guess of active rows is kept only for the others.
   active_rows_.resize(lasting_rows, 0);
   active_rows_.resize(rows_.size(), 0);
   for (std::size_t r = lasting_rows; r < rows_.size(); ++r)

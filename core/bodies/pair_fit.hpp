@@ -21,7 +21,7 @@ struct FitWeights {
   double smooth = 30;    ///< of every joint at the smoothed pair, if there is one
 };
 
-/// Radii of both bodies, as recorded and as they become.
+/// Radii of both bodies, recorded and new.
 struct PairCapsules {
   CapsuleRadii recorded_active{}, recorded_passive{}, active{}, passive{};
 };
@@ -30,21 +30,21 @@ struct PairCapsules {
 struct FitTask {
   std::span<const MeshEdge> edges;
   PairPose recorded = PairPose::Zero();
-  PairPose rebuilt = PairPose::Zero();  ///< has the lengths that the result will have
-  /// Feet that stand, active left, active right, passive left, passive right: their toe bases stay where the
-  /// rebuilt pair has them.
+  PairPose rebuilt = PairPose::Zero();  ///< with the lengths of the result
+  /// Standing feet, active left, active right, passive left, passive right: their toe bases stay at those of
+  /// the rebuilt pair.
   std::array<bool, 4> stands{};
   const PairPose* smoothed = nullptr;
 };
 
-/// Fits two bodies to the relation that a recorded pair has: mesh, springs of near joints, bones exactly,
-/// standing feet, floor, capsules. A function of its task: frames can be fitted in any order.
+/// Fits two bodies to the spatial relation of a recorded pair: mesh, springs of near joints, exact bones,
+/// standing feet, floor, capsules. Has no state between tasks: frames can be fitted in any order.
 class PairFit {
  public:
   explicit PairFit(const PairCapsules& capsules, const FitWeights& weights = {});
 
-  /// What was let go, in this order, because not all could be met. With `Everything` the result is the
-  /// rebuilt pair itself.
+  /// Constraints that were relaxed, in this order, because not all could be satisfied. With `Everything` the
+  /// result is the rebuilt pair itself.
   enum class LetGo : std::uint8_t { Nothing, Capsules, StandingFeet, Everything };
 
   struct Outcome {
@@ -52,7 +52,7 @@ class PairFit {
     LetGo let_go = LetGo::Nothing;
     double bone_error = 0;    ///< largest, relative
     double foot_drift_m = 0;  ///< largest of standing feet
-    double excess_m = 0;      ///< deepest overlap of capsules beyond the recorded
+    double excess_m = 0;      ///< deepest overlap of capsules beyond the recorded one
   };
   Outcome fit(const FitTask& task);
 

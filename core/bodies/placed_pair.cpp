@@ -39,7 +39,7 @@ Pose rebuilt(const Pose& recorded, const BodyChange& change, const Vec3& place) 
   for (int joint = 1; joint < joint_count; ++joint) {
     const int parent = joint_parents[static_cast<std::size_t>(joint)];
     Vec3 along = recorded.row(joint) - recorded.row(parent);
-    // A bone that the recorded body does not have goes on in the direction of the one before it.
+    // A bone that the recorded body does not have continues in the direction of its parent bone.
     if (along.norm() < shortest_m && parent > 0)
       along = recorded.row(parent) - recorded.row(joint_parents[static_cast<std::size_t>(parent)]);
     along = along.norm() < shortest_m ? Vec3(Vec3::UnitY()) : Vec3(along.normalized());

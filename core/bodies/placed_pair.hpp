@@ -7,7 +7,7 @@
 
 namespace abrazo {
 
-/// One character's recorded body and the one that it gets.
+/// A character's recorded body and its new body.
 struct BodyChange {
   Body from, to;
 
@@ -22,12 +22,12 @@ struct BodyChange {
 using ToeBases = std::array<Vec3, 2>;
 ToeBases toe_bases(const Pose& pose);
 
-/// The recorded pose with the lengths of the other body: bones keep their directions, the root stands at
-/// `place` (its height is ignored), the hips are as high as the legs allow in proportion.
+/// The recorded pose with the lengths of the new body: bones keep their directions, the root is at
+/// `place` (its height is ignored), and the height of the hips scales with the legs.
 Pose rebuilt(const Pose& recorded, const BodyChange& change, const Vec3& place);
 
-/// The same with its toe bases where they are to be, by the inverse kinematics of the legs; a leg that cannot
-/// reach ends as near as it can.
+/// The same with its toe bases at the given places, by inverse kinematics of the legs; a leg that cannot
+/// reach ends as near as possible.
 Pose standing_at(Pose pose, const Body& body, const ToeBases& toe_bases);
 
 }  // namespace abrazo

@@ -7,8 +7,8 @@
 
 namespace abrazo {
 
-/// One frame of a retargeted pair in the form of a solved one, for traces and views: the recording is the
-/// selected pair, its mesh the mesh, standing feet are the locks. There are no candidates.
+/// One frame of a retargeted pair as a solved frame, for traces and views: the recording becomes the
+/// selected pair with its mesh, standing feet become foot locks. There are no candidates.
 FrameResult frame_result_of(const RetargetedPair& pair, std::size_t frame);
 
 }  // namespace abrazo

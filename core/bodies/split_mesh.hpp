@@ -8,32 +8,32 @@
 
 namespace abrazo {
 
-/// What the edges between and within two bodies are worth. Distances are those of the recording.
+/// Weights of the edges between and within two bodies. Distances are those of the recording.
 struct RelationWeights {
   double contact = 30;  ///< of a pair of joints that touch
   double contact_width_m = 0.10;
   double near = 4;  ///< of one that is near
   double near_width_m = 0.20;
-  double far_m = 0.5;          ///< pairs farther apart are left to the mesh
+  double far_m = 0.5;          ///< pairs farther apart have only the mesh
   double mesh_width_m = 0.35;  ///< a mesh edge between the bodies keeps its vector by exp(-(d/width)^2)
 };
 
-/// An interaction mesh whose edges say what is kept when bodies change: those within a body have the shape of
-/// the rebuilt body, and so scale with it; those between the bodies have the recorded vector where the
-/// bodies are near, and the rebuilt pair's where they are far. With it a spring for every near pair of
-/// joints,
+/// An interaction mesh whose edges have targets for changed bodies: edges within a body have the shape of
+/// the rebuilt body, and so scale with it; edges between the bodies have the recorded vector where the
+/// bodies are near, and that of the rebuilt pair where they are far. In addition a spring for every near pair
+/// of joints,
 ///   k(d) = contact exp(-(d/contact_width)^2) + near exp(-(d/near_width)^2),
-/// whether or not the mesh has an edge there, so that it does not come and go with the mesh. Energy:
+/// whether or not the mesh has an edge there, so that it does not change with the mesh. Energy:
 ///   1/2 sum_j |L(v_j) - delta_j|^2 + 1/2 sum k |(v_a - v_s) - (r_a - r_s)|^2,
 /// delta_j = sum_l w_jl g_jl with these edges g.
 class SplitMesh {
  public:
-  /// @param rebuilt  both bodies as they are to be, as recorded in shape; @see rebuilt()
+  /// @param rebuilt  both new bodies in the recorded shape; @see rebuilt()
   void build(std::span<const MeshEdge> edges, const PairPose& recorded, const PairPose& rebuilt,
              const RelationWeights& weights);
 
   const VertexMatrix& energy() const { return energy_; }  ///< K: its gradient is K V - linear
-  /// The linear part when the edges are as far on the way from the rebuilt pair's (0) to the kept ones (1).
+  /// The linear part with edges interpolated from the rebuilt pair's (0) to their targets (1).
   PairPose linear(double fraction) const { return start_ + fraction * (goal_ - start_); }
   const Laplacian& laplacian() const { return laplacian_; }
 

@@ -82,17 +82,7 @@ void write_roles(const PairedTake& take, JsonText& json) {
     json.value(take.roles.empty() ? std::string_view("unknown") : letter_of(take.roles.front().active));
     return;
   }
-  json.begin_array();
-  for (const RoleInterval& role : take.roles)
-    json.begin_object()
-        .key("start")
-        .value(role.start)
-        .key("end")
-        .value(role.end)
-        .key("active")
-        .value(letter_of(role.active))
-        .end_object();
-  json.end_array();
+  write_role_list(json, take.roles);
 }
 
 Result<std::string> manifest_json(const std::vector<PairedTake>& takes, const std::string& name) {

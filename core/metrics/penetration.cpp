@@ -10,46 +10,18 @@ namespace {
 
 constexpr double deep_m = 0.01;
 
-struct Depths {
-  double deepest_m = 0, excess_m = 0;
-};
-
-Depths measure(const PairPose& pair, const PairPose& reference, const CapsuleRadii& active,
-               const CapsuleRadii& passive, CapsuleContacts& contacts,
-               std::vector<CapsuleContact>& overlaps) {
-  Depths depths;
-  contacts.prepare(reference, active, passive);
-  contacts.measure(pair, overlaps, depths.deepest_m, depths.excess_m);
-  return depths;
-}
-
-Depths measure(const PairPose& pair, const PairPose& reference, const CapsuleRadii& active,
-               const CapsuleRadii& passive) {
-  CapsuleContacts contacts;
-  std::vector<CapsuleContact> overlaps;
-  return measure(pair, reference, active, passive, contacts, overlaps);
-}
-
 double largest(const std::vector<double>& values) {
   return values.empty() ? 0 : *std::max_element(values.begin(), values.end());
 }
 
 }  // namespace
 
-double deepest_penetration(const PairPose& pair, const PairPose& reference, const CapsuleRadii& active,
-                           const CapsuleRadii& passive) {
-  return measure(pair, reference, active, passive).deepest_m;
-}
-
-double deepest_excess_penetration(const PairPose& pair, const PairPose& reference, const CapsuleRadii& active,
-                                  const CapsuleRadii& passive) {
-  return measure(pair, reference, active, passive).excess_m;
-}
-
 void PenetrationMetric::add(const PairPose& result, const PairPose& selected, const CapsuleRadii& active,
                             const CapsuleRadii& passive) {
-  const Depths depths = measure(result, selected, active, passive, contacts_, overlaps_);
-  add(depths.deepest_m, depths.excess_m);
+  double deepest_m = 0, excess_m = 0;
+  contacts_.prepare(selected, active, passive);
+  contacts_.measure(result, overlaps_, deepest_m, excess_m);
+  add(deepest_m, excess_m);
 }
 
 void PenetrationMetric::add(double deepest_m, double deepest_excess_m) {

@@ -8,16 +8,9 @@
 
 namespace abrazo {
 
-/// Deepest overlap of two capsules of different bodies in a pair [m], 0 when none touch. Leaves out hands and
-/// forearms of arms that hold one another in `reference` (which may be the pair itself).
-double deepest_penetration(const PairPose& pair, const PairPose& reference, const CapsuleRadii& active,
-                           const CapsuleRadii& passive);
-
-/// Deepest overlap beyond what the same two capsules have in `reference` [m].
-double deepest_excess_penetration(const PairPose& pair, const PairPose& reference, const CapsuleRadii& active,
-                                  const CapsuleRadii& passive);
-
-/// Penetration over a run, measured with the capsules of the synthesis.
+/// Penetration over a run, measured with the capsules of the synthesis: per frame the deepest overlap of two
+/// capsules of different bodies, 0 if none touch. Leaves out hands and forearms of arms that hold one another
+/// in the selected pair.
 class PenetrationMetric {
  public:
   void add(const PairPose& result, const PairPose& selected, const CapsuleRadii& active,

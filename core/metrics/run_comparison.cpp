@@ -17,12 +17,12 @@ constexpr std::size_t fewest_steps = 3;  ///< number needed for an acceleration
 
 constexpr std::array<RunFigureInfo, run_figure_count> run_infos = {{
     {"Lag", "mm", 1e3, 0,
-     "Mean distance of the partner's joints from those of the selected pair: what the velocity energy holds "
-     "back."},
+     "Mean distance of the partner's joints from those of the selected pair: the effect of the velocity "
+     "energy."},
     {"Hold change", "mm", 1e3, 1,
      "Hands that hold one another in the selected pair (within 13 cm): mean change of their distance in the "
      "result."},
-    {"Source changes", "/100", 1, 1, "Steps of 100 whose pair does not continue the one before."},
+    {"Source changes", "/100", 1, 1, "Steps of 100 whose pair does not continue the previous one."},
     {"Jumps, p99", "mm", 1e3, 0, "The partner's mean joint displacement from step to step, 99th percentile."},
     {"Speed, p99", "m/s", 1, 2, "The partner's speed, mean over the joints, 99th percentile."},
     {"Acceleration", "m/s²", 1, 1, "Acceleration of the partner's joints, root mean square."},
@@ -31,10 +31,10 @@ constexpr std::array<RunFigureInfo, run_figure_count> run_infos = {{
     {"Penetration, p99", "mm", 1e3, 1,
      "Deepest overlap of the bodies beyond the selected pair's own, 99th percentile."},
     {"Foot sliding", "mm/s", 1e3, 0,
-     "Mean horizontal speed of the partner's toe bases less than 3 cm above where its body's rest."},
+     "Mean horizontal speed of the partner's toe bases while they are less than 3 cm above their rest."},
     {"ZMP error", "mm", 1e3, 1, "Mean distance of the partner's zero moment point from the support polygon."},
     {"Bone length, max", "%", 1e2, 4, "Largest relative error of a bone's length."},
-    {"Relaxed or failed", "/100", 1, 1, "Steps of 100 in which not every constraint could be met."},
+    {"Relaxed or failed", "/100", 1, 1, "Steps of 100 in which a constraint could not be satisfied."},
     {"Step, p50", "ms", 1e3, 2, "Time of a whole step, median."},
     {"Step, p99", "ms", 1e3, 2, "Time of a whole step, 99th percentile."},
 }};

@@ -19,7 +19,7 @@ double moved_on_the_ground(const std::vector<Pose>& poses) {
   return poses.empty() ? 0 : (high - low).norm();
 }
 
-/// The motion with most points of those whose points nobody knows.
+/// Of the motions with unknown points, the one with most points.
 UnmappedMotion largest_unknown(const std::vector<NamedMotion>& motions) {
   const NamedMotion* largest = nullptr;
   for (const NamedMotion& motion : motions)

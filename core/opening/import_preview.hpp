@@ -9,21 +9,21 @@
 
 namespace abrazo {
 
-/// What a motion file becomes when it is read in some way, for a person to judge before it is opened.
+/// The result of reading a motion file with some options, for a person to judge before it is opened.
 struct ImportView {
   MotionReading reading;
   std::vector<std::string> performers;  ///< those that can be read
   std::size_t performer = 0;            ///< the one that would play the user
-  ImportedClip imported;                ///< of that performer; without poses where it cannot be read
+  ImportedClip imported;                ///< of that performer; without poses if it cannot be read
   std::optional<Error> trouble;         ///< why it cannot be read
-  UnmappedMotion unmapped;              ///< the points, where which point is which joint is what is missing
-  std::string layout;                   ///< layout_of; empty: not even its points could be read
+  UnmappedMotion unmapped;              ///< the points, if only their assignment to joints is missing
+  std::string layout;                   ///< layout_of; empty: the points could not be read
   double moves_m = 0;                   ///< largest distance on the ground between two places of the root
 
   bool is_readable() const { return !imported.clip.poses.empty(); }
 };
 
-/// Reads a file in one way after another. One thread at a time.
+/// Reads a file with changing options. One thread at a time.
 class ImportPreview {
  public:
   ImportView look(const MotionReading& reading, const Progress& progress = {});

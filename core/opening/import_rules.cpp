@@ -120,7 +120,7 @@ std::string folder_of(const std::string& file) {
   return fs::absolute(file, ignored).lexically_normal().parent_path().string();
 }
 
-/// The same for the same layout and folder, so that what is said anew takes the place of what was said.
+/// The same for the same layout and folder, so that a new rule replaces the previous one.
 std::string file_of_rule(const ImportRule& rule) {
   Checksum sum;
   sum.add(rule.layout), sum.add("\n"), sum.add(rule.folder);

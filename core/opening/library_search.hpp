@@ -26,32 +26,32 @@ struct LibraryClues {
 };
 
 struct FoundLibrary {
-  Material material;  ///< library and where it is from; of a generated set the input as well
-  /// As it was before takes of it were annotated in the window: earlier frames may be of that. Or null.
+  Material material;  ///< library and its origin; for a generated set also the input
+  /// The library before its takes were annotated in the window, which earlier frames may refer to. Or null.
   std::shared_ptr<const MotionLibrary> before;
-  Status fits = Done{};  ///< an Error when frames were solved with other content than it has
+  Status fits = Done{};  ///< an Error if frames were solved with a library of other content
 };
 
-/// The one way to the library of a session, for the window and the command line: the one that was given, else
-/// the first that has the content the frames were solved with of
-///   1. what is open,
-///   2. the files that the recording names for it: beside the session, then where they were,
+/// Finds the library of a session, for the window and the command line: the given one, otherwise
+/// the first of these that has the content with which the frames were solved:
+///   1. the open library,
+///   2. the files that the recording names: by their relative, then by their absolute path,
 ///   3. the library or manifest among the project's data, likewise,
-///   4. what the manifest builds that the project keeps,
-///   5. what can be generated under its name,
-/// each as it is, or with what the project says of its takes. Where none has that content, the first that has
-/// its name or is named by the project.
+///   4. the library built from the project's manifest,
+///   5. a generated library of its name,
+/// each unchanged, or with the project's annotations of its takes. If none has that content, the first with
+/// its name or named by the project.
 class LibrarySearch {
  public:
   explicit LibrarySearch(LibraryClues clues) : clues_(std::move(clues)) {}
 
-  /// @param reference  null: of a project in which nothing was recorded
-  /// @return an Error that says where it was looked for
+  /// @param reference  null for a project without a recording
+  /// @return an Error that lists the searched places
   Result<FoundLibrary> find(const SessionLibrary* reference, const Progress& progress = {});
 
-  /// All that the references name, each once, with a warning for each that was not found or is another. One
-  /// that was given comes last, and with a warning where it is none of them.
-  /// @return an Error when the given one cannot be read
+  /// All libraries that the references name, each once, with a warning for each that was not found or
+  /// differs. A given library comes last, with a warning if it is none of them.
+  /// @return an Error if the given one cannot be read
   Result<std::vector<std::shared_ptr<const MotionLibrary>>> all(std::vector<std::string>& warnings,
                                                                 const Progress& progress = {});
 
@@ -68,13 +68,14 @@ class LibrarySearch {
   const SessionLibrary* last_reference_ = nullptr;
 };
 
-/// For what goes through a session file and needs its libraries: the one of the reference or an Error, also
-/// where only another is at hand.
-/// @param given  as LibraryClues::given   @param hint  ends the errors of one that is not found: what to do
+/// For readers of a session file that need its libraries: the referenced library, or an Error, even if
+/// a library of other content was found.
+/// @param given  as LibraryClues::given   @param hint  advice at the end of the error for a library that is
+/// not found
 LibraryOpener library_opener(std::shared_ptr<const SessionFile> file, const std::string& given,
                              const std::string& hint);
 
-/// Of a session file that is gone through, and not opened: all that it says of its libraries.
+/// Everything that a session file says about its libraries, without opening the session.
 Result<LibraryClues> library_clues(const SessionFile& file, const std::string& given);
 
 }  // namespace abrazo

@@ -46,8 +46,8 @@ Result<std::vector<ImportedClip>> with_remembered_map(MotionPoints& points, Moti
   return reading.joint_map.empty() ? clips : points.performers(reading, progress);
 }
 
-/// As a person said it, else as was said of files alike, else as found: then it is noted whether the file
-/// leaves questions.
+/// By the person's choices, otherwise by the rule for similar files, otherwise as found; then notes whether
+/// the file leaves questions.
 Status read_as_wished(const SortedFiles& files, const OpeningWish& wish, Material& material,
                       const Progress& progress) {
   MotionPoints points;
@@ -81,7 +81,7 @@ Result<Material> open_as_session(const SortedFiles& files, const OpeningWish& wi
   return material_of(*session, {files.library, wish.open}, progress);
 }
 
-/// The library of the wish with what was open for the user; of a new one a take plays the user.
+/// The requested library with the open input; a take of a new library plays the user.
 Status add_library(const SortedFiles& files, const Progress& progress, Material& material) {
   auto opened = files.library.empty() ? generated_dance(progress) : open_library(files.library, progress);
   if (!opened) return opened.error();

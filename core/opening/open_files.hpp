@@ -11,20 +11,20 @@
 
 namespace abrazo {
 
-/// What a person wants to open, and with what.
+/// Files that a person wants to open, and the data to open them with.
 struct OpeningWish {
   std::vector<FileToOpen> files;
   Material open;           ///< what is open now
-  std::string joint_maps;  ///< folder of joint maps that are tried where no built-in one fits; empty = none
+  std::string joint_maps;  ///< folder of joint maps that are tried if no built-in one fits; empty = none
   std::string autosaves;   ///< see open_session
-  /// How the motion is read, but for its files; none = as was said of files alike, else as found.
+  /// How to read the motion, without its files; none = by the rule for similar files, otherwise as found.
   std::optional<MotionReading> said = {};
-  std::string import_rules = {};  ///< folder of what was said of files alike; empty = none
+  std::string import_rules = {};  ///< folder of rules for similar files; empty = none
 };
 
-/// What opening these files gives, in addition to what is open now. A library file or manifest replaces the
-/// library, a motion replaces the input, a session file is opened with its library; what is still missing
-/// comes from the library or the generated dance.
+/// Opens files in addition to those that are open. A library file or manifest replaces the
+/// library, a motion replaces the input, a session file is opened with its library. A missing library or
+/// input is taken from the generated dance or the library.
 Result<Material> open_files(const OpeningWish& wish, const Progress& progress);
 
 /// Reads a motion as the input.

@@ -55,7 +55,7 @@ OpenedSession with_places(OpenedSession session, const Places& places);
 /// What opening without a file of this use means for a person.
 std::string without(DataReference::Use use);
 
-// ---- the manifest of a library that was built and is no file ----
+// ---- the manifest of a library that was built and is not a file ----
 
 /// Every file that a manifest names, each once, whole paths: data of the project, DataReference::Use::Take.
 std::vector<std::string> files_of(const Manifest& manifest);

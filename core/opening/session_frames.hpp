@@ -16,7 +16,7 @@ struct SessionFrames {
   std::string file;
   SessionContents contents;
   std::shared_ptr<RecordedFrames> frames;
-  std::vector<std::shared_ptr<const MotionLibrary>> libraries;  ///< one that was given comes last
+  std::vector<std::shared_ptr<const MotionLibrary>> libraries;  ///< a given library comes last
   std::vector<std::string> warnings;  ///< what was recovered, and which library is missing or another
 };
 

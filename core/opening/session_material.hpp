@@ -8,7 +8,7 @@
 
 namespace abrazo {
 
-/// With what a session is opened, beside what it says itself.
+/// Data for opening a session that is not in its file.
 struct SessionWish {
   std::string library;  ///< library or manifest in the place of its own; empty = none was given
   Material open;        ///< what is open now: its library may be the session's

@@ -11,7 +11,7 @@ namespace abrazo {
 
 class IntentModel;
 
-/// Results of the selection `intent` for one frame, beside the candidates.
+/// Results of the selection `intent` for one frame, in addition to the candidates.
 struct FrameIntent {
   std::shared_ptr<const IntentModel> model;  ///< null if Eq. 7 selected
   /// Per block of the model: 255 exp(-(cost of its best landing - cost of the best landing of all) / 3 cm).

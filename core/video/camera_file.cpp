@@ -26,7 +26,7 @@ void add(JsonText& text, const char* name, std::span<const double> numbers) {
   text.end_array();
 }
 
-/// So many finite numbers, or an error that names the entry.
+/// This number of finite numbers, or an error that names the entry.
 Result<std::vector<double>> numbers(const json& object, const char* name, std::size_t count,
                                     const std::string& where) {
   const Error wrong{std::string("\"") + name + "\" is not " + std::to_string(count) +

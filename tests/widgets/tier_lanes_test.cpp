@@ -239,7 +239,7 @@ TEST(ProblemFix, AGapIsFilledFromEitherSide) {
 
 TEST(ProblemFix, AnUnknownValueGoesIntoTheVocabulary) {
   Scene scene;
-  ASSERT_TRUE(scene.annotations.say(scene.turn, "spin", "", ""));
+  ASSERT_TRUE(scene.annotations.say(scene.turn, {.value = "spin"}));
   const auto problem = first_problem(scene, AnnotationProblem::Kind::UnknownValue);
   ASSERT_EQ(fixes_of(problem, scene.annotations).front(), ProblemFix::AddToVocabulary);
   const auto next = fixed(scene.annotations, problem, ProblemFix::AddToVocabulary, scene.rules.range, 60);

@@ -119,7 +119,7 @@ TEST(VideoWords, TellTheOffsetFromTheTimelinesSide) {
 }
 
 TEST(VideoWords, TellTheDriftInWhatItAmountsTo) {
-  EXPECT_EQ(rate_text({}), "both run alike");
+  EXPECT_EQ(rate_text({}), "both at the same rate");
   EXPECT_EQ(rate_text({{{0, 0}, {100, 100.012}}, 1}), "rate 1.000120: the video gains 7.2 ms a minute");
   EXPECT_EQ(rate_text({{}, 0.5}), "rate 0.500000: the video loses 30.00 s a minute");
 }

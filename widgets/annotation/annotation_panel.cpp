@@ -289,9 +289,11 @@ void AnnotationPanel::edited(QTableWidgetItem* item) {
                    : next.place(before.id, start ? *time_s : before.start_s, start ? before.end_s : *time_s,
                                 m_shown.conflict, m_shown.range);
   } else {
-    done = next.say(before.id, item->column() == Value ? valueOf(typed) : before.value,
-                    item->column() == Detail ? typed : before.detail,
-                    item->column() == Confidence ? typed : before.confidence);
+    TierInterval said = before;
+    (item->column() == Value    ? said.value
+     : item->column() == Detail ? said.detail
+                                : said.confidence) = item->column() == Value ? valueOf(typed) : typed;
+    done = next.say(before.id, said);
   }
   if (done) return emit changeRequested(next, "edit " + text(before.value).replace('_', ' '));
   fillTable();

@@ -138,7 +138,7 @@ void VocabularyEditor::rename(std::size_t row, const std::string& value) {
   }
   const auto labels = next.tier(m_tier)->annotations;
   for (const Annotation& each : labels)
-    if (each.value == before) (void)next.say(each.id, value, each.detail, each.confidence);
+    if (each.value == before) (void)next.say(each.id, with_value(each, value));
   emit changeRequested(next, "rename value");
 }
 

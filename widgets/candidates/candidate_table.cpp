@@ -3,7 +3,6 @@
 #include <QGridLayout>
 #include <QLabel>
 #include <QMenu>
-#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -15,6 +14,7 @@
 #include "widgets/candidates/feature_map.hpp"
 #include "widgets/candidates/winning_reason.hpp"
 #include "widgets/common/plain_text.hpp"
+#include "widgets/common/scrolled.hpp"
 #include "widgets/common/section_header.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/common/utf8.hpp"
@@ -62,13 +62,8 @@ void CandidateTable::arrange() {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);
-  m_scroll->setWidget(m_list);
-  m_scroll->setWidgetResizable(true);
-  m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  m_scroll->setFrameShape(QFrame::NoFrame);
+  scroll_vertically(*m_scroll, m_list);
   m_scroll->setFocusPolicy(Qt::NoFocus);
-  m_scroll->viewport()->setAutoFillBackground(false);
-  m_list->setAutoFillBackground(false);
   m_scroll->setMinimumHeight(4 * CandidateList::row_height);
   column->addWidget(m_header);
   column->addWidget(m_columns);

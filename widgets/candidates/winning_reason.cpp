@@ -42,7 +42,7 @@ std::string amount(double value, SelectionMethod method) {
   return figure(value) + " " + std::string(cost_terms(method).unit);
 }
 
-/// "0.024 m", by which the second is dearer: the difference of the totals as the rows show them, so that a
+/// "0.024 m", by which the second costs more: the difference of the totals as the rows show them, so that a
 /// person who subtracts these finds the same.
 std::string dearer_by(const CandidateRow& first, const CandidateRow& second) {
   const double thousandths = std::round(1000 * second.total) - std::round(1000 * first.total);

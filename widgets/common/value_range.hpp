@@ -26,7 +26,7 @@ class SteadyRange {
  public:
   void show(double largest, double time_s);
   double upper() const { return upper_; }
-  /// 0 unless somebody set another.
+  /// 0 unless set.
   double lower() const { return lower_; }
   /// A range that adapts begins at 0.
   void set_locked(bool locked) {

@@ -6,10 +6,10 @@
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "widgets/common/scrolled.hpp"
 #include "widgets/common/section_header.hpp"
 #include "widgets/compare/compare_curve.hpp"
 #include "widgets/compare/figure_table.hpp"
@@ -61,12 +61,7 @@ ComparePanel::ComparePanel(QWidget* parent) : QWidget(parent) {
     m_column->addWidget(part);
   m_column->addStretch(1);
   auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(content);
-  scroll->viewport()->setAutoFillBackground(false);
-  content->setAutoFillBackground(false);
+  scroll_vertically(*scroll, content);
   outer->addWidget(scroll);
   connect(m_curve, &CompareCurve::seekRequested, this, &ComparePanel::seekRequested);
   showProgress(-1);

@@ -43,7 +43,6 @@ class MotionPicture : public QWidget {
   /// In the place of a frame, why there is none.
   void showNothing(const QString& why);
   void setNames(bool on);
-  bool hasNames() const { return m_hasNames; }
   /// Position of a point in the view.
   QPointF placeOf(int point) const;
   /// Names that found room in the last drawing.

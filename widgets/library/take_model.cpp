@@ -9,7 +9,7 @@ namespace abrazo::widgets {
 namespace {
 
 constexpr int picture_side = 34;
-constexpr std::size_t many_takes = 32;  ///< more than a list shows: telling of all at once costs less
+constexpr std::size_t many_takes = 32;  ///< more than a list shows: announcing all at once costs less
 
 }  // namespace
 

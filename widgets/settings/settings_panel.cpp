@@ -4,9 +4,9 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QVBoxLayout>
 
+#include "widgets/common/scrolled.hpp"
 #include "widgets/common/section_header.hpp"
 #include "widgets/common/typeset.hpp"
 #include "widgets/common/utf8.hpp"
@@ -41,13 +41,8 @@ SettingsPanel::SettingsPanel(QWidget* parent) : QWidget(parent) {
   column->addWidget(frameNotice());
   column->addWidget(filterField());
   auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
+  scroll_vertically(*scroll, rowList());
   scroll->setFocusPolicy(Qt::NoFocus);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(rowList());
-  scroll->viewport()->setAutoFillBackground(false);
-  scroll->widget()->setAutoFillBackground(false);
   column->addWidget(scroll, 1);
   connect(m_presets, &PresetBar::chosen, this,
           [this](const QString& name) { emit presetRequested(name, false); });

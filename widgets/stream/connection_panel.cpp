@@ -5,11 +5,11 @@
 #include <QGuiApplication>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "widgets/common/plain_text.hpp"
+#include "widgets/common/scrolled.hpp"
 #include "widgets/common/section_header.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/stream/address_form.hpp"
@@ -78,13 +78,8 @@ ConnectionPanel::ConnectionPanel(QWidget* parent) : QWidget(parent), m_palette(p
     column->addWidget(part);
   column->addStretch(1);
   auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll_vertically(*scroll, content);
   scroll->setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);  // its coming and going would move all columns
-  scroll->setWidget(content);
-  scroll->viewport()->setAutoFillBackground(false);
-  content->setAutoFillBackground(false);
   outer->addWidget(scroll);
   setMinimumWidth(260);
   showCalibration({}, false);

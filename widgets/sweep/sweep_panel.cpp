@@ -53,7 +53,7 @@ QWidget* SweepPanel::buttons() {
   m_start = new QPushButton(box);
   m_start->setObjectName("startSweep");
   m_start->setMinimumWidth(90);
-  m_start->setAutoDefault(false);  // Return in a field is not yet a wish to start
+  m_start->setAutoDefault(false);  // Return in a field does not start the sweep
   row->addLayout(words, 1);
   row->addWidget(m_start, 0, Qt::AlignTop);
   connect(m_start, &QPushButton::clicked, this,

@@ -243,9 +243,10 @@ void TakePanel::showStatus(const RecordingStatus& status) {
 void TakePanel::showNext() {
   const bool busy = m_status.phase != Phase::Idle;
   m_next->setText((busy ? "now " : "next ") + (busy ? QString::fromStdString(m_status.take) : nextName()));
-  m_again->setToolTip(m_takes.empty() ? "There is no take to repeat yet"
-                                      : "Records " + QString::fromStdString(again_name(m_takes.names())) +
-                                            " at once; ends the take that is being recorded (Ctrl+Shift+R)");
+  m_again->setToolTip(m_takes.empty()
+                          ? "There is no take to repeat yet"
+                          : "Records " + QString::fromStdString(again_name(m_takes.names())) +
+                                " immediately; ends the take that is being recorded (Ctrl+Shift+R)");
 }
 
 QString TakePanel::typedName() const {

@@ -29,7 +29,6 @@ class TimelineViewport {
   }
   /// Was moved by hand and no longer follows.
   bool is_detached() const { return !attached_; }
-  bool shows_all() const { return all_; }
 
   /// Updates from the playback. A seek, playing and following bring the view back to the cursor.
   /// @param held  the cursor is being dragged: the view stays under the pointer

@@ -28,7 +28,7 @@ SyncSection::SyncSection(QWidget* parent) : QWidget(parent) {
       "The picture that is shown and the timeline's cursor are the same moment. The first such point gives "
       "the "
       "offset, a second one the rate too (Ctrl+M)");
-  m_clear = text_chip("Clear", "Both begin together and run alike again", this);
+  m_clear = text_chip("Clear", "Both start together and at the same rate again", this);
   buttons->addWidget(m_same, 1);
   buttons->addWidget(m_clear);
   m_points = new QVBoxLayout;

@@ -2,9 +2,9 @@
 
 #include <QComboBox>
 #include <QResizeEvent>
-#include <QScrollArea>
 #include <QSplitter>
 
+#include "widgets/common/scrolled.hpp"
 #include "widgets/common/section_header.hpp"
 #include "widgets/video/camera_section.hpp"
 #include "widgets/video/overlay_section.hpp"
@@ -93,13 +93,8 @@ QWidget* VideoPanel::makeSections() {
     column->addWidget(part);
   column->addStretch(1);
   auto* scroll = new QScrollArea(this);
-  scroll->setWidgetResizable(true);
-  scroll->setFrameShape(QFrame::NoFrame);
-  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  scroll->setWidget(content);
+  scroll_vertically(*scroll, content);
   scroll->setMinimumHeight(90);
-  scroll->viewport()->setAutoFillBackground(false);
-  content->setAutoFillBackground(false);
   return scroll;
 }
 

@@ -31,7 +31,6 @@ class VideoView : public QWidget {
   const QString& notice() const { return m_notice; }
   /// Shows enlarged pixels smoothed, or as squares.
   void setSmooth(bool on);
-  bool isSmooth() const { return m_smooth; }
   void setZoom(const PictureZoom& zoom);
   const PictureZoom& zoom() const { return m_zoom; }
   void zoomBy(double factor);
@@ -45,7 +44,6 @@ class VideoView : public QWidget {
   void setPicks(std::vector<PickMark> picks);
   const std::vector<PickMark>& picks() const { return m_picks; }
   void selectPick(int index);
-  int selectedPick() const { return m_selected; }
   QSize sizeHint() const override { return {384, 216}; }
   QSize minimumSizeHint() const override { return {160, 90}; }
 

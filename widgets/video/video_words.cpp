@@ -47,7 +47,7 @@ double drift_ms_per_minute(const VideoSync& sync) {
 
 std::string rate_text(const VideoSync& sync) {
   const double drift_ms = drift_ms_per_minute(sync);
-  if (std::abs(drift_ms) < 0.05) return "both run alike";
+  if (std::abs(drift_ms) < 0.05) return "both at the same rate";
   const char* how = drift_ms > 0 ? "gains" : "loses";
   const double ms = std::abs(drift_ms);
   return "rate " + fixed(sync.effective_rate(), 6) + ": the video " + how + " " +

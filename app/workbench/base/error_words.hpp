@@ -35,7 +35,7 @@ inline std::string_view window_words(Hint hint) {
   return "";
 }
 
-/// An error as it is told in the window.
+/// An error in the words of the window.
 inline QString words(const Error& error) {
   return widgets::text(error.text(window_words));
 }

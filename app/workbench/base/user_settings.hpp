@@ -21,7 +21,7 @@ class UserSettings {
   void setHistoryBound(double gigabytes) { m_store.setValue("history/gigabytes", gigabytes); }
   /// Folder of joint maps that the user made for unknown motions.
   QString jointMapFolder() const { return m_folder + "/joint-maps"; }
-  /// Folder of what the user said of motion files, for files alike.
+  /// Folder of the user's rules for reading similar motion files.
   QString importRuleFolder() const { return m_folder + "/import-rules"; }
 
   QByteArray geometry() const { return m_store.value("window/geometry").toByteArray(); }

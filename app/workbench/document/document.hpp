@@ -50,7 +50,7 @@ class Document : public QObject {
   void putSettings(const Settings& settings) { put(m_live.with_settings(settings)); }
   /// Refused if the library lacks the annotations for it. @return whether it was done
   bool controlRole(RoleControl by);
-  /// A pair that is tried on the parked frame: solved again there, while the live solver is not told. None
+  /// A pair that is tried on the parked frame: solved again there, without effect on the live solver. None
   /// ends it.
   void tryPin(std::optional<int> pair);
   const std::optional<int>& triedPin() const { return m_triedPin; }

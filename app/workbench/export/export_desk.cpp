@@ -51,7 +51,7 @@ ExportOffer ExportDesk::offer() const {
   ExportOffer offer;
   auto* session = m_window.session();
   if (!session) return offer;
-  // Whatever take is looked at: that is among those of the library.
+  // Also the annotated take: it is among those of the library.
   const FrameHistory& history = session->engine().history();
   const auto span = history.span();
   const Material& material = session->material();
@@ -75,7 +75,7 @@ ExportOffer ExportDesk::offer() const {
   return offer;
 }
 
-/// The frames of the wish alone: of a session of hours the rest is not looked at.
+/// Only the requested frames: the rest of a long session is not examined.
 RunningExport ExportDesk::running(const ExportWish& wish) const {
   auto& session = *m_window.session();
   const FrameHistory& history = session.engine().history();

@@ -3,6 +3,7 @@
 #include <QGuiApplication>
 #include <QLabel>
 #include <QMenu>
+#include <QPointer>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollArea>
@@ -80,14 +81,14 @@ void show_keys(MainWindow& window, Shortcuts& shortcuts) {
 
 void add_help_actions(MainWindow& window, Shortcuts& shortcuts) {
   QMenu* menu = window.menu("Help");
-  add_action(window, menu, "Help", {QKeySequence("F1")}, [&window, &shortcuts] {
-    auto* help = window.findChild<HelpWindow*>();
-    if (!help) help = new HelpWindow(&window);
-    if (help->isVisible()) return void(help->close());
-    help->setKeys(key_sheet(shortcuts.table(), window.colours(), 1));
-    help->show();
-    help->activateWindow();
-  });
+  add_action(window, menu, "Help", {QKeySequence("F1")},
+             [&window, &shortcuts, help = QPointer<HelpWindow>()]() mutable {
+               if (!help) help = new HelpWindow(&window);
+               if (help->isVisible()) return void(help->close());
+               help->setKeys(key_sheet(shortcuts.table(), window.colours(), 1));
+               help->show();
+               help->activateWindow();
+             });
   add_action(window, menu, "Keys", {QKeySequence("?")},
              [&window, &shortcuts] { show_keys(window, shortcuts); });
   add_action(window, menu, "Shortcuts…", {}, [&window, &shortcuts] { show_shortcuts(window, shortcuts); });

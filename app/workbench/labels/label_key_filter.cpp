@@ -3,7 +3,7 @@
 #include <QKeyEvent>
 
 #include "app/workbench/labels/annotation_desk.hpp"
-#include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/shell/frame_ticker.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 
 namespace abrazo::app {
@@ -19,10 +19,11 @@ char key_of(const QKeyEvent& event) {
 
 }  // namespace
 
-LabelKeyFilter::LabelKeyFilter(MainWindow& window, AnnotationDesk& desk)
-    : QObject(&desk), m_window(window), m_desk(desk) {
-  window.timeline().installEventFilter(this);
-  connect(&window.ticker(), &FrameTicker::playbackChanged, this, [this] {
+LabelKeyFilter::LabelKeyFilter(widgets::TimelineView& timeline, const FrameTicker& ticker,
+                               AnnotationDesk& desk)
+    : QObject(&desk), m_timeline(timeline), m_ticker(ticker), m_desk(desk) {
+  timeline.installEventFilter(this);
+  connect(&ticker, &FrameTicker::playbackChanged, this, [this] {
     const bool said_something = !m_keys.running().empty();
     const auto said = m_keys.follow(now());
     if (said_something) draw(said);
@@ -38,7 +39,7 @@ void LabelKeyFilter::setTaps(bool on) {
 }
 
 LabelKeys::Moment LabelKeyFilter::now() const {
-  const Playback& playback = m_window.ticker().playback();
+  const Playback& playback = m_ticker.playback();
   const auto range = playback.range();
   return {playback.cursor_s, m_desk.fps(), playback.state == Playback::State::Parked, playback.speed,
           range ? std::optional(range->to_s) : std::nullopt};
@@ -83,7 +84,7 @@ void LabelKeyFilter::show() {
   std::vector<widgets::RunningLabel> labels;
   for (const auto& [key, running] : m_keys.running())
     labels.push_back({running.tier, running.from_s, running.value});
-  m_window.timeline().showRunning(std::move(labels));
+  m_timeline.showRunning(std::move(labels));
 }
 
 }  // namespace abrazo::app

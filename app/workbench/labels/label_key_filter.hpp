@@ -6,17 +6,21 @@
 
 class QKeyEvent;
 
+namespace abrazo::widgets {
+class TimelineView;
+}
+
 namespace abrazo::app {
 
 class AnnotationDesk;
-class MainWindow;
+class FrameTicker;
 
 /// Labelling by the keys of the vocabularies while the timeline has the focus: keys and time go to
 /// `LabelKeys`, or to `say_at_cursor` while the cursor is parked; the result becomes an edit of the desk.
 class LabelKeyFilter : public QObject {
   Q_OBJECT
  public:
-  LabelKeyFilter(MainWindow& window, AnnotationDesk& desk);
+  LabelKeyFilter(widgets::TimelineView& timeline, const FrameTicker& ticker, AnnotationDesk& desk);
 
   void setTaps(bool on);
   /// Whether a tier has a value with this key.
@@ -32,7 +36,8 @@ class LabelKeyFilter : public QObject {
   void draw(const std::vector<LabelKeys::Said>& said);
   void show();
 
-  MainWindow& m_window;
+  widgets::TimelineView& m_timeline;
+  const FrameTicker& m_ticker;
   AnnotationDesk& m_desk;
   LabelKeys m_keys;
 };

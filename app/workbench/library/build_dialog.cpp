@@ -62,7 +62,7 @@ BuildDialog::BuildDialog(QWidget* parent)
   column->addWidget(makeOverview(), 1);
   column->addWidget(m_form);
   column->addWidget(makeOutputs());
-  m_remarks->setAccessibleName("What to look at before building");
+  m_remarks->setAccessibleName("Problems to check before building");
   m_remarks->setWordWrap(true);
   m_remarks->setIconSize({14, 14});
   m_remarks->setFixedHeight(116);
@@ -168,8 +168,8 @@ QWidget* BuildDialog::makeOutputs() {
   grid->addWidget(m_name, 0, 1, 1, 2);
   m_labels = addPath(grid, 1, "Labels", "CSV: take,start_frame,end_frame,label[,detail,confidence]",
                      "Labels (*.csv *.eaf *.json *.vtt *.srt);;All files (*)", false);
-  m_library =
-      addPath(grid, 0, "Save library", "An .h5 that opens at once next time", "Libraries (*.h5)", true);
+  m_library = addPath(grid, 0, "Save library", "Library file (.h5) that opens without building",
+                      "Libraries (*.h5)", true);
   m_manifest =
       addPath(grid, 1, "Save manifest",
               "A .json with all choices made here: “abrazo library build” makes the same library from it",

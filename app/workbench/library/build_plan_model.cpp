@@ -237,7 +237,7 @@ QVariant BuildPlanModel::data(const QModelIndex& index, int role) const {
     return text(row, column) + (guess && column != Take && column != Joints ? " ?" : "");
   if (role == Qt::ToolTipRole) return widgets::plain_tip(tip(row, column));
   if (role == Qt::AccessibleTextRole)
-    return text(row, column) + (guess ? ", guessed" : "") + (trouble ? ", look at this" : "");
+    return text(row, column) + (guess ? ", guessed" : "") + (trouble ? ", check this" : "");
   if (role == Qt::ForegroundRole) {
     if (trouble) return QBrush(m_palette.warning);
     const bool unused = performer(row).take.empty() && column != Performer;

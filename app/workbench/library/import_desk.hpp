@@ -15,30 +15,30 @@ class Job;
 class MainWindow;
 class MappingDialog;
 
-/// Asks how a motion is read of which the file leaves that open, or of which the user wants to say so;
-/// remembers it for files alike, and opens the file with it, or builds the library again where the file is of
-/// a take. What is open stays until then.
+/// Asks how to read a motion file that is ambiguous, or for which the user requests it. Remembers the answer
+/// for similar files, and opens the file with it, or builds the library again if the file belongs to a take.
+/// The open session stays until then.
 class ImportDesk : public QObject {
   Q_OBJECT
  public:
   explicit ImportDesk(MainWindow& window);
   ~ImportDesk() override;
   /// Shows the panel for the motion among these files.
-  /// @param said  how it was read before; none = as was said of files alike
+  /// @param said  how it was read before; none = by the rule for similar files
   void offer(const QStringList& files, const std::optional<MotionReading>& said = std::nullopt);
-  /// For the motion that plays the user. @return whether it is of a file
+  /// For the motion that plays the user. @return whether it was read from a file
   bool offerOpenOne();
-  /// For a performer of a take in the library. Accepted, the library is built again with it, if the take is
-  /// read in another way than before. Says so where nobody knows what the library was built from.
+  /// For a performer of a take in the library. If the user accepts other values than before, the library is
+  /// built again. Shows a message if the files of the library are unknown.
   /// @param second  performer B
   void offerTake(int take, bool second);
   /// Null if no panel is open.
   ImportPanel* panel() const { return m_panel; }
-  /// Shows what is remembered, to be removed.
+  /// Lists the remembered rules, which can be removed there.
   void showRules();
 
  private:
-  /// @param accepted  what is done with what was said
+  /// @param accepted  called with the accepted values
   void show(const MotionReading& reading, bool by_rule, std::function<void(const ImportView&)> accepted);
   void open(const QStringList& files, const MotionReading& reading);
   void look(const MotionReading& reading, bool by_rule);
@@ -54,7 +54,7 @@ class ImportDesk : public QObject {
   std::shared_ptr<ImportPreview> m_preview;  ///< used by one job at a time
   struct Look {
     MotionReading reading;
-    bool by_rule = false;  ///< as was said of files alike
+    bool by_rule = false;  ///< from the rule for similar files
   };
   std::optional<Look> m_next;
   std::unique_ptr<Job> m_job;

@@ -231,7 +231,7 @@ QWidget* ImportPanel::makeFoot() {
   row->setContentsMargins(12, 10, 12, 10);
   m_remember = new QCheckBox("Do the same for files like this one", foot);
   m_remember->setChecked(true);
-  m_remember->setToolTip("Files with the same points in this folder, or named alike: " +
+  m_remember->setToolTip("Files with the same points in this folder, or with a similar name: " +
                          QString::fromStdString(name_pattern(m_reading.file)));
   auto* rules = new QPushButton("Rules…", foot);
   m_state = small_label(foot);

@@ -22,17 +22,17 @@ class MotionPicture;
 
 namespace abrazo::app {
 
-/// How one motion file is read, with a picture of what it becomes. Changes nothing but itself: it requests
-/// views of the file, and hands over the reading when it is accepted.
+/// How one motion file is read, with a picture of the result. Changes only itself: it requests
+/// views of the file, and passes on the reading when the user accepts it.
 class ImportPanel : public QDialog {
   Q_OBJECT
  public:
   ImportPanel(const MotionReading& reading, QWidget* parent);
   void setColours(const widgets::Palette& palette);
-  /// What the file becomes; the fields show what was found where nothing is said.
+  /// Shows the imported file; fields that the user did not set show the values found.
   void show(const ImportView& view);
   using QDialog::show;
-  /// Whether files alike are read this way.
+  /// Whether similar files are read in the same way.
   void setRemembers(bool on);
   bool remembers() const;
   const MotionReading& reading() const { return m_reading; }
@@ -45,9 +45,9 @@ class ImportPanel : public QDialog {
   void chooseJoints(const QString& name_or_file);
 
  signals:
-  /// Requests a view of the file, read so.
+  /// Requests a view of the file with this reading.
   void viewRequested(const abrazo::MotionReading& reading);
-  /// Requests the user to say which points are which joints.
+  /// Requests the assignment of points to joints.
   void jointsRequested(const std::shared_ptr<const abrazo::NamedMotion>& motion);
   void rulesRequested();
 

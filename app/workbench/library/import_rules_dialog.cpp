@@ -23,7 +23,8 @@ ImportRulesDialog::ImportRulesDialog(QString folder, QWidget* parent)
   resize(760, 360);
   auto* column = new QVBoxLayout(this);
   auto* about = new QLabel(
-      "Files with the same points are read this way if they are in the folder, or named alike (# stands for "
+      "Files with the same points are read this way if they are in the folder, or have a similar name (# "
+      "stands for "
       "any number).",
       this);
   about->setWordWrap(true);

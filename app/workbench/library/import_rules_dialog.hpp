@@ -9,7 +9,7 @@ class QTableWidget;
 
 namespace abrazo::app {
 
-/// What is remembered of how motion files are read, and its removal.
+/// Lists the remembered rules for reading motion files, and removes them.
 class ImportRulesDialog : public QDialog {
   Q_OBJECT
  public:

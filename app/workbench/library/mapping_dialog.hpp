@@ -29,21 +29,21 @@ namespace abrazo::app {
 
 class MarkerTable;
 
-/// Dialog that assigns a file's points to joints if no joint map or marker model fits, or to places on the
-/// body where they are markers. Starts from a guess. Reads and writes only the files that the user names.
+/// Dialog that assigns a file's points to joints, or markers to places on the body, if no joint map or marker
+/// model fits. Starts from a guess. Reads and writes only the files that the user names.
 class MappingDialog : public QDialog {
   Q_OBJECT
  public:
   MappingDialog(NamedMotion motion, QWidget* parent);
   ~MappingDialog() override;
   void setColours(const widgets::Palette& palette);
-  /// Keeps what was chosen, a joint map or a marker model, for files with the same points. @return its file
+  /// Stores the joint map or marker model for files with the same points. @return its file
   Result<std::string> keep(const QString& folder) const;
   /// Unit, rate and axis, if set by the user.
   MotionReading said() const;
   QTableWidget& table() { return *m_table; }
   MarkerTable& markers() { return *m_markers; }
-  /// Whether the markers are shown, and count, in place of the joints.
+  /// Whether the page of markers is shown and used instead of that of joints.
   bool namesMarkers() const;
   widgets::MotionPicture& preview() { return *m_preview; }
   QString state() const;
@@ -55,7 +55,7 @@ class MappingDialog : public QDialog {
   /// Adds the point to the chosen joint (all with equal weight), or removes it.
   void togglePoint(int point);
   void chooseJoint(int joint);
-  /// Guesses the places of the markers from their motion, apart from the window; shows them when done.
+  /// Guesses the places of the markers from their motion on a worker thread, and then shows them.
   void guessFromMotion();
   void saveTo(const QString& file);
   /// A joint map or a marker model. On an error it shows the reason and changes nothing.

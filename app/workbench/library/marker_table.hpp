@@ -7,8 +7,8 @@
 
 namespace abrazo::app {
 
-/// The points of a file with their places on the body, one a row. Enter or a click on a proposal accepts it;
-/// a place can be typed.
+/// The points of a file with their places on the body, one per row. Enter or a click on a proposal accepts
+/// it; a place can be typed.
 class MarkerTable : public QTableWidget {
   Q_OBJECT
  public:
@@ -17,9 +17,9 @@ class MarkerTable : public QTableWidget {
   MarkerTable(const NamedMotion& motion, QWidget* parent);
   void setColours(const widgets::Palette& palette);
   const MarkerNaming& naming() const { return m_naming; }
-  /// The guess with its proposals, beside what was said.
+  /// Shows the proposals of a guess beside the named places.
   void propose(const MarkerGuess& guess);
-  /// Takes the places from a model. @return as MarkerNaming::read
+  /// Reads the places from a model. @return as MarkerNaming::read
   Result<std::size_t> read(const MarkerModel& model);
   /// Of the chosen row or another.
   void accept(int point);

@@ -137,7 +137,7 @@ void HistoryDesk::look() {
   if (!failure.isEmpty() && failure != m_toldFailure)
     m_window.messages().showError("The history is not on disk any more: " + failure);
   m_toldFailure = failure;
-  // What memory still has is not lost, whatever the bound removed.
+  // Frames that are still in memory are not lost, even if the bound removed them on disk.
   const bool is_cut = span.first_s > least_lost_s && (m_keeper ? state.removed_files > 0 : span.evicted > 0);
   if (!is_cut) return;
   const QString bound =
@@ -156,7 +156,7 @@ void HistoryDesk::look() {
   if (!told.isEmpty()) m_window.messages().showInformation(told.trimmed());
 }
 
-/// Those that were not told before.
+/// Those that were not reported before.
 QString HistoryDesk::lostMarkers(double first_s) {
   QStringList lost;
   for (const Marker& marker : m_window.document().project().markers.all()) {

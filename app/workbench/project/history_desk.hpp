@@ -13,14 +13,14 @@ namespace abrazo::app {
 
 class MainWindow;
 
-/// Keeps the frames of the running session in files of a folder of its own, says what the bound removes, and
+/// Keeps the frames of the running session in files of a separate folder, reports what the bound removes, and
 /// deletes the folder when the session ends. A lock beside the folder identifies the owner process, so that a
 /// crash leaves it for the next start.
 class HistoryDesk : public QObject {
   Q_OBJECT
  public:
   enum class Answer { Keep, Discard, Cancel };
-  double long_s = 300;  ///< a history of this length does not go without a question [s]
+  double long_s = 300;  ///< a history of this length or more is not deleted without a question [s]
 
   explicit HistoryDesk(MainWindow& window);
   ~HistoryDesk() override;
@@ -29,7 +29,8 @@ class HistoryDesk : public QObject {
   const QString& folder() const { return m_folder; }
   /// The files stay for the next start.
   void leave() { m_isLeft = true; }
-  /// The session is about to end: asks what becomes of a long history. @param allowed  false: it goes on
+  /// The session is about to end: asks whether to keep a long history. @param allowed  set to false if the
+  /// user cancels
   void leaveSession(bool& allowed);
   /// The question; replaced by tests. @param seconds  of the history on disk
   std::function<Answer(double seconds)> ask;
@@ -37,7 +38,7 @@ class HistoryDesk : public QObject {
   void askBound();
   /// @param gigabytes 0 = in memory only, from the next session on
   void setBound(double gigabytes);
-  /// Looks whether the bound removed frames or the disk refuses; called once a second.
+  /// Checks whether the bound removed frames or the disk refuses data; called once a second.
   void look();
 
   /// The newest session file of each history that a crash left behind.

@@ -9,7 +9,7 @@ namespace abrazo::app {
 
 class UserSettings;
 
-/// Files that programs which are gone left behind.
+/// Files left behind by ended programs.
 struct LeftoverFiles {
   QStringList sessions;   ///< not closed
   QStringList autosaves;  ///< with changes that were not saved
@@ -19,7 +19,7 @@ struct LeftoverFiles {
 
 LeftoverFiles leftover_files(const UserSettings& remembered);
 
-/// What is offered of them, in words. Reads the files: call it on a worker.
+/// Descriptions of these files for the user. Reads them: call it on a worker.
 std::vector<widgets::LeftoverSession> described(const LeftoverFiles& files);
 
 }  // namespace abrazo::app

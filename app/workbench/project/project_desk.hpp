@@ -55,8 +55,8 @@ class ProjectDesk : public QObject {
   void notSaved(const QString& why);
   /// Unsaved work stays for the next start.
   void leftForNextStart();
-  /// The session is about to end with its work saved or discarded: its history goes as well. @param allowed
-  /// false: the session goes on
+  /// The session is about to end with its work saved or discarded: its history is deleted as well. @param
+  /// allowed set to false if the user cancels
   void losingHistory(bool& allowed);
   /// Name or modified state changed.
   void changed();

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int display_interval_ms = 16;
 constexpr int panel_interval_ms = 80;
-constexpr int parked_panel_interval_ms = 500;  // only the lanes and curves of what goes on are new
+constexpr int parked_panel_interval_ms = 500;  // only the lanes and curves of the running session are new
 constexpr int longest_wait_ms = 400;           // for a picture that may never come: the scene may be hidden
 constexpr double measured_over_s = 0.7;
 

@@ -49,7 +49,7 @@ class MainWindow : public QMainWindow {
   using MakeMaterial = std::function<Result<Material>(const Progress&)>;
   /// @param files source files, for the list of recent files
   void openMaterial(MakeMaterial make, const QStringList& files = {});
-  /// @param said  how their motion is read; none = as was said of files alike, else as found
+  /// @param said  how to read their motion; none = by the rule for similar files, otherwise as found
   void openFiles(const QStringList& files, const std::optional<MotionReading>& said = std::nullopt);
   void openDemo();
   /// Adds the files to the recent ones.
@@ -111,7 +111,7 @@ class MainWindow : public QMainWindow {
   void motionsOffered(const QStringList& files);
   /// No joint map fits this motion, so the user must assign joints.
   void mappingOffered(const QStringList& files, const std::shared_ptr<const abrazo::NamedMotion>& motion);
-  /// The motion among these files can be read, with doubts: the user must say how, or that it is right.
+  /// The motion among these files is ambiguous: the user must confirm or change how it is read.
   void importOffered(const QStringList& files);
   void subjectRequested(const QString& subject);
   /// Label files for the shown subject.

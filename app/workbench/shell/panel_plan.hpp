@@ -14,7 +14,7 @@ struct PanelPlan {
   int right_width = 406;
 };
 
-/// The user's wishes; none = decided by the size.
+/// The user's choices; none = decided by the size.
 struct PanelWishes {
   std::optional<bool> left, right, plots;
 

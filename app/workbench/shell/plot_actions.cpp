@@ -64,7 +64,7 @@ void add_panes(MainWindow& window, QMenu* menu) {
   add_action(window, menu, "Default plots", {}, [&plots] { plots.restoreUsual(); });
 }
 
-/// Whatever goes back to the live end takes the plots along, also where only they had been moved away.
+/// Going back to the live end also moves the plots there, even if only they had been moved away.
 void follow_with(MainWindow& window) {
   PlotPanel& plots = window.plots();
   QObject::connect(&plots, &PlotPanel::followRequested, &window.ticker(), &FrameTicker::follow);

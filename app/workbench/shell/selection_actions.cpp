@@ -3,6 +3,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
+#include <QPointer>
 #include <QVBoxLayout>
 
 #include "app/workbench/base/error_words.hpp"
@@ -67,11 +68,10 @@ void export_table(MainWindow& window, const PartTableView& view) {
 }
 
 /// The table goes with the shown frame and the selection while its window is open.
-void show_table(MainWindow& window) {
-  const QString name = "selection table";
-  if (auto* open = window.findChild<QDialog*>(name)) return open->raise();
-  auto* dialog = new QDialog(&window);
-  dialog->setObjectName(name);
+void show_table(MainWindow& window, QPointer<QDialog>& dialog) {
+  if (dialog) return dialog->raise();
+  dialog = new QDialog(&window);
+  dialog->setObjectName("selection table");
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle("Figures of the selection");
   dialog->resize(760, 420);
@@ -119,7 +119,8 @@ void add_selection_actions(MainWindow& window) {
   add_action(window, menu, "Show hidden parts", {QKeySequence("Alt+H")}, [&scene] { scene.showHidden(); });
   add_action(window, menu, "Same part of the other character", {QKeySequence("`")},
              [&model] { model.select(widgets::other_character(model.selection())); });
-  add_action(window, menu, "Figures of the selection…", {}, [&window] { show_table(window); });
+  add_action(window, menu, "Figures of the selection…", {},
+             [&window, dialog = QPointer<QDialog>()]() mutable { show_table(window, dialog); });
   QAction* nothing =
       add_action(window, menu, "Select nothing", {QKeySequence("Esc")}, [&model] { model.select({}); });
   // Only if the scene has the focus: fields and lists handle Escape themselves.

@@ -13,7 +13,7 @@ void add_panel_actions(MainWindow& window, QMenu* menu) {
   QAction* left = add_action(window, menu, "Panels at the left", {QKeySequence("F8")}, [] {});
   QAction* right = add_action(window, menu, "Panels at the right", {QKeySequence("F9")}, [] {});
   for (QAction* action : {left, right}) action->setCheckable(true);
-  // triggered, not toggled: a window that gets small hides a panel without it being a wish
+  // triggered, not toggled: a window that gets small hides panels without a request
   QObject::connect(left, &QAction::triggered, &window, &MainWindow::showLeft);
   QObject::connect(right, &QAction::triggered, &window, &MainWindow::showRight);
   QObject::connect(&window, &MainWindow::panelsArranged, menu, [left, right](const PanelPlan& plan) {

@@ -30,7 +30,7 @@ Rooms add_all_actions(MainWindow& window) {
   add_playback_actions(window);
   add_timeline_actions(window);
   auto* labels = new AnnotationDesk(window);
-  auto* label_keys = new LabelKeyFilter(window, *labels);
+  auto* label_keys = new LabelKeyFilter(window.timeline(), window.ticker(), *labels);
   add_marker_actions(window, *labels);
   add_lane_actions(window);
   add_annotation_actions(window, *labels, *label_keys);

@@ -120,7 +120,7 @@ int main(int argc, char** argv) {
   std::unique_ptr<app::Unattended> unattended;
   if (asked.unattended()) {
     // No user can answer dialogs: two motions, and unknown joints, are refused as by the
-    // command line, and doubts are told.
+    // command line, and doubts are reported.
     QObject::disconnect(&window, &app::MainWindow::motionsOffered, nullptr, nullptr);
     QObject::disconnect(&window, &app::MainWindow::mappingOffered, nullptr, nullptr);
     QObject::disconnect(&window, &app::MainWindow::importOffered, nullptr, nullptr);

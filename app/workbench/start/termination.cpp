@@ -5,13 +5,13 @@
 
 #include <QApplication>
 #include <QSocketNotifier>
+#include <QWidget>
 #include <array>
 #include <atomic>
 #include <cerrno>
 #include <csignal>
 
 #include "app/workbench/project/project_desk.hpp"
-#include "app/workbench/shell/main_window.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -23,7 +23,7 @@ static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may not w
 void pass_on(int /*signal*/) {
   const int error = errno;
   const char wish = 1;
-  // A full pipe holds a wish already.
+  // A full pipe already contains a request.
   [[maybe_unused]] const auto written = ::write(write_end.load(), &wish, 1);
   errno = error;
 }
@@ -61,7 +61,7 @@ Termination::~Termination() {
   ::close(write_end.exchange(-1));
 }
 
-void close_when_told(MainWindow& window, ProjectDesk& project, const Termination& termination) {
+void close_when_told(QWidget& window, ProjectDesk& project, const Termination& termination) {
   QObject::connect(&termination, &Termination::requested, &window, [&window, &project] {
     project.leaveChanges();
     window.close();

@@ -3,10 +3,10 @@
 #include <QObject>
 
 class QSocketNotifier;
+class QWidget;
 
 namespace abrazo::app {
 
-class MainWindow;
 class ProjectDesk;
 
 /// Termination signals of the system (SIGTERM, SIGINT, SIGHUP) as a Qt signal on the window's thread: a
@@ -27,6 +27,6 @@ class Termination : public QObject {
 
 /// Ends the program as the close button does, without a dialog: unsaved changes are offered at the next
 /// start.
-void close_when_told(MainWindow& window, ProjectDesk& project, const Termination& termination);
+void close_when_told(QWidget& window, ProjectDesk& project, const Termination& termination);
 
 }  // namespace abrazo::app

@@ -119,7 +119,7 @@ void CameraDesk::connectSection() {
 
 // ---- edits
 
-/// Whatever is decided, the solution follows from it.
+/// The solution always follows from the decisions.
 void CameraDesk::edit(const std::function<void(VideoState&)>& change, const QString& what, int merges) {
   m_videos.changeCurrent(
       [&](VideoState& state) {

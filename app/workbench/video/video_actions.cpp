@@ -2,6 +2,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
+#include <QPointer>
 
 #include "app/workbench/base/render_dialog.hpp"
 #include "app/workbench/document/open_video.hpp"
@@ -67,15 +68,17 @@ void add_rendering(MainWindow& window, VideoDesk& desk, RenderDialog* dialog) {
     const auto facts = desk.currentVideo() ? desk.currentVideo()->facts() : nullptr;
     dialog->offerVideo(facts ? QSize(facts->width, facts->height) : QSize(), facts ? facts->rate_hz : 0);
   });
-  QObject::connect(dialog, &RenderDialog::videoRenderRequested, &window, [&window, &desk, dialog] {
-    RangeRequest request = dialog->request();
-    request.file = QFileDialog::getSaveFileName(
-        dialog, "Render as video", window.remembered().lastFolder() + "/overlay.mp4", "Video (*.mp4)");
-    if (request.file.isEmpty()) return;
-    if (QFileInfo(request.file).suffix().isEmpty()) request.file += ".mp4";
-    dialog->hide();
-    render_video(window, desk, request);
-  });
+  QObject::connect(dialog, &RenderDialog::videoRenderRequested, &window,
+                   [&window, &desk, dialog, running = QPointer<Job>()]() mutable {
+                     RangeRequest request = dialog->request();
+                     request.file = QFileDialog::getSaveFileName(
+                         dialog, "Render as video", window.remembered().lastFolder() + "/overlay.mp4",
+                         "Video (*.mp4)");
+                     if (request.file.isEmpty()) return;
+                     if (QFileInfo(request.file).suffix().isEmpty()) request.file += ".mp4";
+                     dialog->hide();
+                     render_video(desk, window.ticker().history(), window.messages(), request, running);
+                   });
 }
 
 }  // namespace

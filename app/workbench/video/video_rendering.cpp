@@ -2,8 +2,9 @@
 
 #include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/job_progress.hpp"
-#include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/video/overlay_film.hpp"
 #include "app/workbench/video/video_desk.hpp"
+#include "core/session/frames/frame_history.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/video/overlay_section.hpp"
 #include "widgets/video/video_panel.hpp"
@@ -12,11 +13,9 @@ namespace abrazo::app {
 namespace {
 
 constexpr double around_s = 0.5;  // frames before and after the range that poses are interpolated with
-const char* const job_name = "videoRendering";
 
-}  // namespace
-
-OverlayFilm overlay_film(const MainWindow& window, const VideoDesk& desk, const RangeRequest& request) {
+/// The film of the shown video.
+OverlayFilm overlay_film(const VideoDesk& desk, const RangeRequest& request) {
   OverlayFilm film;
   film.plan = request.plan;
   film.size = request.size;
@@ -27,18 +26,17 @@ OverlayFilm overlay_film(const MainWindow& window, const VideoDesk& desk, const 
   film.parts = desk.panel().overlay().parts();
   film.opacity = desk.panel().overlay().opacity();
   film.palette = widgets::palette_of(widgets::Theme::Dark);  // as over the picture in either theme
-  (void)window;
   return film;
 }
 
-void render_video(MainWindow& window, VideoDesk& desk, const RangeRequest& request) {
-  const FrameHistory* history = window.ticker().history();
-  if (!desk.current() || !history) return window.messages().showInformation("There is no video to render");
-  if (window.findChild<Job*>(job_name))
-    return window.messages().showInformation("A video is being rendered; wait for it, or cancel it");
-  const OverlayFilm film = overlay_film(window, desk, request);
+}  // namespace
+
+void render_video(VideoDesk& desk, const FrameHistory* history, widgets::MessageBar& messages,
+                  const RangeRequest& request, QPointer<Job>& running) {
+  if (!desk.current() || !history) return messages.showInformation("There is no video to render");
+  if (running) return messages.showInformation("A video is being rendered; wait for it, or cancel it");
+  const OverlayFilm film = overlay_film(desk, request);
   const FrameRange frames = history->stretch(film.plan.from_s - around_s, film.plan.to_s + around_s);
-  auto& messages = window.messages();
   const auto is_cancelled = std::make_shared<bool>(false);
   const auto tell = [&messages, is_cancelled](const QString& file, const Status& written) {
     messages.endProgress();
@@ -54,8 +52,8 @@ void render_video(MainWindow& window, VideoDesk& desk, const RangeRequest& reque
           tell(file, written);
         };
       },
-      &window);
-  job->setObjectName(job_name);
+      &desk);
+  running = job;
   show_progress(*job, messages);
   QObject::connect(&messages, &widgets::MessageBar::cancelRequested, job, [job, is_cancelled] {
     *is_cancelled = true;

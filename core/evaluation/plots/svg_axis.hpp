@@ -19,7 +19,7 @@ std::vector<double> linear_ticks(double low, double high, int count);
 /// Powers of ten from `low` to `high` inclusive; over less than two decades also 2 and 5 times those.
 std::vector<double> logarithmic_ticks(double low, double high);
 
-/// Where values stand on paper.
+/// Places of values on an axis.
 class AxisScale {
  public:
   /// @param low, high      smallest and largest value to be shown; positive when logarithmic

@@ -35,7 +35,7 @@ std::vector<Bar> bars_of(const BarPlot& plot, std::size_t group) {
   return bars;
 }
 
-/// A name in at most two lines, broken where they become most alike in length.
+/// A name in at most two lines, broken where their lengths differ least.
 std::vector<std::string> name_lines(const std::string& name, double width) {
   if (text_width(name, plot_text_size) <= width) return {name};
   std::size_t best = std::string::npos;

@@ -47,7 +47,7 @@ std::string series_colour(int n);
 /// About how wide a text is in the pictures' sans-serif face.
 double text_width(std::string_view text, double size);
 
-/// The text itself, or as much as fits, with an ellipsis.
+/// The text, shortened with an ellipsis if it does not fit.
 std::string fitted(std::string_view text, double width, double size);
 
 /// A coordinate with as many digits as a picture needs.

@@ -9,7 +9,7 @@
 
 namespace abrazo {
 
-// What line and bar plots have in common: title, legend and axes.
+// Common parts of line and bar plots: title, legend and axes.
 
 inline constexpr double plot_width = 480, plot_margin = 8, plot_text_size = 12;
 inline constexpr std::string_view reference_dashes = "6 4";

@@ -7,9 +7,9 @@
 
 #include "core/evaluation/plots/svg_axis.hpp"
 
-// Plots as SVG elements that stand in a page. Colours are CSS variables of the page (--ink, --muted, --grid,
+// Plots as SVG elements for a page. Colours are CSS variables of the page (--ink, --muted, --grid,
 // --paper, --series-1 .. --series-7, --reference) with values for a light page built in. Okabe and Ito's
-// colours, told apart with any colour vision; every point, bar and cell has a <title>.
+// colours that can be distinguished with any colour vision; every point, bar and cell has a <title>.
 
 namespace abrazo {
 
@@ -58,8 +58,8 @@ struct HeatCell {
 
 struct HeatMap {
   enum class Colours {
-    Tint,    ///< from the page's own colour to --series-1: what is zero stays quiet
-    Viridis  ///< where each value matters alike
+    Tint,    ///< from the page's own colour to --series-1: zero is inconspicuous
+    Viridis  ///< for values of equal importance
   };
   std::string title;
   std::string column_title = {}, row_title = {},

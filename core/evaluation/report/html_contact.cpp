@@ -172,7 +172,7 @@ std::vector<std::string> contact_definitions(const Evaluation& evaluation) {
       "takes by length. Displacement and second difference: mean over the joints, from step to step; not "
       "across failed steps.");
   texts.emplace_back(
-      "Relaxed: constraints contradicted one another, and some were let go in a fixed order. Failed: the "
+      "Relaxed: constraints contradicted one another, and some were relaxed in a fixed order. Failed: the "
       "last good pose was held.");
   return texts;
 }

@@ -28,29 +28,29 @@ class HtmlTable {
   std::size_t longest_name_ = 0;
 };
 
-/// A figure that matters, with what it is to be compared with.
+/// A key figure with its reference value.
 struct HtmlTile {
   std::string name, value, comparison;
 };
 
 std::string html_tiles(const std::vector<HtmlTile>& tiles);
 
-/// Sentences that say what was found.
+/// Sentences with the findings.
 std::string html_finding(std::string_view text);
 
 /// How a figure is defined: smaller, after the figures. One paragraph for each text.
 std::string html_definitions(const std::vector<std::string>& texts);
 
-/// Observations beside the paper, one for each text; nothing for none.
+/// Observations in comparison with the paper, one per text; empty if there are none.
 std::string html_notes(std::string_view title, const std::vector<std::string>& texts);
 
-/// A line to be copied, as it is.
+/// A line to copy, unchanged.
 std::string html_code(std::string_view text);
 
 /// Plots side by side where there is room. Empty ones are left out.
 std::string html_figures(const std::vector<std::string>& svgs);
 
-/// Parts beside one another where there is room, else below.
+/// Parts side by side if there is room, otherwise one below the other.
 std::string html_side_by_side(const std::vector<std::string>& parts_html);
 
 struct HtmlSection {

@@ -6,7 +6,7 @@
 
 #include "core/evaluation/tables/evaluation.hpp"
 
-// What Ho, Chan, Komura and Leung (2013) print in section 4, to stand beside our figures.
+// Figures of section 4 of Ho, Chan, Komura and Leung (2013), shown beside ours.
 
 namespace abrazo::paper {
 
@@ -47,22 +47,22 @@ struct ZmpRow {
 };
 inline constexpr std::array<ZmpRow, 2> table_4 = {{{"salsa dance", 0.70, 0.72}, {"fighting", 2.24, 2.21}}};
 
-/// Table I's row for k; null when it has none.
+/// The row of Table I for k; null if it has none.
 const SelectionRow* selection_row(int k);
-/// Table II's row for so many pairs; null when it has none.
+/// The row of Table II for this number of pairs; null if it has none.
 const TimingRow* timing_row(int pairs);
 
 }  // namespace abrazo::paper
 
 namespace abrazo {
 
-/// Which of the paper's experiments the moves resemble, by the names of their labels.
+/// The experiment of the paper that the moves resemble, by the names of their labels.
 struct Style {
   bool dance = false, fight = false;
 };
 Style style_of(const Evaluation& evaluation);
 
-/// 95 % interval of a share that was counted (Wilson's score interval).
+/// 95 % interval of a counted share (Wilson's score interval).
 struct ShareInterval {
   double low = 0, high = 1;
 };

@@ -89,11 +89,11 @@ std::vector<std::string> zmp_notes(const Evaluation& evaluation, const ZmpTable&
                     number_text(between, 3), number_text(partner, 3)));
   notes.emplace_back(
       "The paper prints no unit. In metres its 0.70 would put the zero moment point far outside any foot; in "
-      "the unit of the CMU skeleton files (1 = 5.644 cm) it is 4 cm. The ratios can be compared whatever the "
+      "the unit of the CMU skeleton files (1 = 5.644 cm) it is 4 cm. The ratios can be compared for any "
       "unit, the values only if that guess is right.");
   notes.emplace_back(
       "The value depends much on the rate and on how accelerations are smoothed, and the paper names "
-      "neither. Original and synthesis are measured alike here.");
+      "neither. Original and synthesis are measured in the same way here.");
   return notes;
 }
 

@@ -6,7 +6,7 @@
 
 namespace abrazo {
 
-/// One self-contained page: each table beside the paper's printed values, with plots (SVG) and what explains
+/// One self-contained page: each table with the paper's values, with plots (SVG) and explanations of
 /// the differences. For a reader who knows the paper.
 std::string report_html(const Evaluation& evaluation);
 

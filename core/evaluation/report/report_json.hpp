@@ -7,8 +7,8 @@
 
 namespace abrazo {
 
-/// report.json as described in docs/guide/evaluation.md. Parts that were not asked for are missing;
-/// what is not defined (a success rate of no moves) is null.
+/// report.json as described in docs/guide/evaluation.md. Parts that were not requested are missing;
+/// undefined values (a success rate of no moves) are null.
 std::string report_json(const Evaluation& evaluation);
 
 /// Ends the outermost object, with the settings as its last member.

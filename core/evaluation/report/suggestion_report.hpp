@@ -6,13 +6,14 @@
 
 namespace abrazo {
 
-/// agreement.json: figures of all takes together, of each, of each label, and how far confidences hold.
+/// agreement.json: figures of all takes together, of each take and label, and the calibration of the
+/// confidences.
 std::string suggestion_json(const SuggestionAgreement& agreement, const std::string& library);
 
 /// One self-contained page of the same.
 std::string suggestion_html(const SuggestionAgreement& agreement, const std::string& library);
 
-/// The few figures a person asks for first, as lines.
+/// The most important figures, as lines.
 std::string suggestion_summary(const SuggestionAgreement& agreement);
 
 }  // namespace abrazo

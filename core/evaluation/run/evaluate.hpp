@@ -44,8 +44,8 @@ struct EvaluationData {
 Result<EvaluationData> read_evaluation_data(const Manifest& manifest, const Manifest* users, bool both_roles,
                                             const Progress& progress);
 
-/// Whether `hold_out` can be answered, asked of the manifests before their takes are read: an Error when one
-/// of the names does not exist among the users', or a take is to be left out that is the only one.
+/// Checks `hold_out` against the manifests before their takes are read. An Error if a name is not among the
+/// users' takes, or if the only take would be left out.
 Status check_answered(const Manifest& manifest, const Manifest* users,
                       const std::vector<std::string>& hold_out);
 

@@ -19,7 +19,7 @@ inline constexpr std::array<std::string_view, 7> evaluation_part_names = {
 /// The parts of these names; "all" means every one. An Error lists the names.
 Result<std::set<EvaluationPart>> evaluation_parts(std::span<const std::string> names);
 
-/// Which takes an evaluation or a sweep is made on.
+/// The takes of an evaluation or a sweep.
 struct EvaluationSource {
   std::string manifest;
   std::string users;  ///< manifest of other people's takes; empty: leave one take out
@@ -27,7 +27,7 @@ struct EvaluationSource {
   std::vector<std::string> hold_out;  ///< takes to be answered; empty = all
 };
 
-/// The manifests of a source: read, and checked for the takes to be answered, in no time.
+/// The manifests of a source: read, and checked for the takes to be answered, without reading motions.
 struct EvaluationManifests {
   Manifest manifest;
   std::optional<Manifest> users;

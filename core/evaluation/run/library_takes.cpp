@@ -35,7 +35,8 @@ PairedTake empty_take(const LibraryTake& about) {
   return take;
 }
 
-/// A pair whose roles are not those of its take: the library has both ways, whatever the takes say.
+/// A pair whose roles differ from those of its take: the library has both assignments, whatever the takes
+/// say.
 bool is_against_roles(const PairSource& source) {
   return source.annotated == (source.swapped ? ActivePerformer::A : ActivePerformer::B);
 }

@@ -10,9 +10,9 @@
 
 namespace abrazo {
 
-/// The takes that a library was built from, put together again from its pairs: both performers, world, at
-/// the library's rate, with roles and labels. For evaluations of a library whose files are not at hand.
-/// An Error names a take of which frames are missing.
+/// The takes of a library, reconstructed from its pairs: both performers, world, at
+/// the library's rate, with roles and labels. For evaluations of a library whose files are not available.
+/// An Error names a take with missing frames.
 Result<std::vector<PairedTake>> takes_of_library(const MotionLibrary& library);
 
 /// As `read_evaluation_data` gives it for the manifest of this library: each take can be left out.

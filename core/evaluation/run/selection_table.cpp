@@ -54,7 +54,7 @@ struct RecallCount {
   std::vector<double> times_us;
 };
 
-/// Frames drawn from all takes alike, so many from each as it has of all frames.
+/// Frames drawn from all takes, from each in proportion to its number of frames.
 Result<std::vector<TakeQueries>> draw_queries(const std::vector<const PairedTake*>& takes,
                                               const PoseQueries& queries, int count, unsigned seed) {
   std::vector<std::pair<const PairedTake*, int>> frames;

@@ -31,7 +31,7 @@ Status check_files(const Sweep& sweep, int shard_count, const fs::path& folder,
       return Error{"belongs to another sweep: " + what + "; choose another folder or remove the file", place};
     if (file.shard.count != shard_count)
       return Error{
-          fmt::format("is one of {} shards, not of {}; divide a sweep always alike, or remove the file",
+          fmt::format("is one of {} shards, not of {}; use the same number of shards, or remove the file",
                       file.shard.count, shard_count),
           place};
     if (file.name != shard_file_name(file.shard))

@@ -19,13 +19,13 @@ namespace abrazo {
 
 /// A grid over two settings, each point one evaluation.
 struct Sweep {
-  std::string data;   ///< what is evaluated: manifest, users, takes; tells one sweep from another
+  std::string data;   ///< what is evaluated: manifest, users, takes; distinguishes sweeps
   Settings settings;  ///< those that are not swept
   SweepAxis x, y;
-  std::string metric;  ///< path in report.json: "moves.rate"; which figure is drawn, every point has them all
+  std::string metric;  ///< path in report.json: "moves.rate"; the drawn figure; every point has all figures
 };
 
-/// Checks that the axes differ and that there is such a metric.
+/// Checks that the axes differ and that the metric exists.
 Status check_sweep(const Sweep& sweep);
 
 int point_count(const Sweep& sweep);
@@ -46,12 +46,13 @@ std::string shard_file_name(const SweepShard& shard);
 /// Evaluates one point.
 using SweepEvaluator = std::function<Result<Evaluation>(const Settings&, const Progress&)>;
 
-/// Hears of a point when it is done: its figures, or why it has none. @return false to leave out the rest
+/// Called for each finished point with its figures, or with the reason if it has none. @return false to skip
+/// the rest
 using SweepListener = std::function<bool(int point, const Result<Figures>& figures)>;
 
-/// Evaluates these points in the order given and writes nothing. A point that cannot be evaluated does not
-/// keep the others from it.
-/// @return an Error "cancelled" when progress asked to stop, or the listener
+/// Evaluates these points in the order given and writes nothing. A failed point does not
+/// affect the others.
+/// @return an Error "cancelled" if `progress` or the listener cancels
 Status evaluate_points(const Sweep& sweep, std::span<const int> points, const SweepEvaluator& evaluate,
                        const SweepListener& listener, const Progress& progress);
 
@@ -59,23 +60,23 @@ Status evaluate_points(const Sweep& sweep, std::span<const int> points, const Sw
 /// of the map shows early.
 std::vector<int> coarse_first(const Sweep& sweep);
 
-/// What a folder of shards has come to.
+/// State of a folder of shards.
 struct SweepOutcome {
   Sweep sweep;
-  bool was_there = false;    ///< the shard had been evaluated before
+  bool was_there = false;    ///< the shard was evaluated before
   std::vector<int> missing;  ///< shards that have not been written yet
   int shard_count = 1;
-  std::optional<int> best;      ///< point with the best value of the metric, when nothing is missing
-  std::vector<Figures> points;  ///< figures of every point, when nothing is missing
+  std::optional<int> best;      ///< point with the best value of the metric, if nothing is missing
+  std::vector<Figures> points;  ///< figures of every point, if nothing is missing
 };
 
-/// What the reports are made from, of figures that were gathered without files.
-/// @param points  as many as the grid has; empty where there are none
+/// Data for the reports, from figures that were collected without files.
+/// @param points  one per point of the grid; empty where there is no figure
 SweepOutcome sweep_outcome(const Sweep& sweep, std::vector<Figures> points);
 
-/// Evaluates the shard unless its file is there already, writes it, and when it was the last one also
-/// sweep.json and sweep.html. Files appear whole or not at all. A file in `folder` that belongs to another
-/// sweep is an Error that says in what it differs, before anything is evaluated.
+/// Evaluates the shard unless its file exists, and writes it; after the last shard also
+/// sweep.json and sweep.html. Files appear complete or not at all. A file in `folder` that belongs to another
+/// sweep is an Error that states the difference, before anything is evaluated.
 Result<SweepOutcome> run_sweep(const Sweep& sweep, const SweepShard& shard,
                                const std::filesystem::path& folder, const SweepEvaluator& evaluate,
                                const Progress& progress);

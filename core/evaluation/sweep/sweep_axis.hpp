@@ -17,7 +17,7 @@ struct SweepAxis {
 };
 
 /// Reads
-///   "alpha=0:1:5"                     5 values from 0 to 1, both included, equally far apart
+///   "alpha=0:1:5"                     5 equally spaced values from 0 to 1, both included
 ///   "velocity-weight=log:0.01:1:5"    with equal ratios, to 4 digits
 ///   "edge-weights=inverse,uniform"    the values themselves
 /// Values of whole-number settings are rounded. An Error says what is out of range, or that rounding made two

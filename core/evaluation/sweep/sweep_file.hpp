@@ -10,7 +10,7 @@
 
 namespace abrazo {
 
-/// What a shard's file holds: which sweep and which of its points, and their figures.
+/// Content of a shard's file: the sweep, the points of the shard, and their figures.
 struct SweepShardFile {
   std::string name;  ///< of the file
   Sweep sweep;
@@ -18,7 +18,7 @@ struct SweepShardFile {
   std::vector<Figures> points;  ///< in the order of `points_of`
 };
 
-/// What shards and the merged file have in common: which sweep it is, and a point.
+/// Common parts of shards and the merged file: the sweep, and a point.
 void write_sweep_head(JsonText& json, const Sweep& sweep);
 void write_sweep_point(JsonText& json, const Sweep& sweep, int point, const Figures& figures);
 
@@ -30,8 +30,8 @@ Result<SweepShardFile> read_shard_file(const std::filesystem::path& path);
 /// All shard-*.json of a folder, by name.
 Result<std::vector<SweepShardFile>> read_shard_files(const std::filesystem::path& folder);
 
-/// In what `found` is not the same sweep: "alpha has the values 0, 1 instead of 0, 0.5, 1"; empty when it is.
-/// The metric may differ.
+/// How `found` differs from the same sweep: "alpha has the values 0, 1 instead of 0, 0.5, 1"; empty if it
+/// does not. The metric may differ.
 std::string difference(const Sweep& expected, const Sweep& found);
 
 }  // namespace abrazo

@@ -20,10 +20,10 @@ using Figures = std::map<std::string, double>;
 /// defined (null) are missing.
 Figures figures_of(const Evaluation& evaluation);
 
-/// What has to be evaluated for the figures: one synthesis gives them all.
+/// Parts that have to be evaluated for the figures: one synthesis gives them all.
 std::set<EvaluationPart> sweep_parts();
 
-/// The paths a sweep can be about, but for those per label and per take, which depend on the data.
+/// Possible metrics of a sweep, except those per label and per take, which depend on the data.
 std::vector<std::string> metric_names();
 
 /// An Error lists the names.

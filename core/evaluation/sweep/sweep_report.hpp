@@ -6,10 +6,10 @@
 
 namespace abrazo {
 
-/// The command-line options that give the settings of a point: the nearest preset and what differs from it.
+/// The command-line options for the settings of a point: the nearest preset and the differences from it.
 std::string settings_options(const Settings& settings);
 
-/// The point with the best value of the metric; the first of equals. Nothing when no point has a value.
+/// The point with the best value of the metric; the first of equals. None if no point has a value.
 std::optional<int> best_point(const Sweep& sweep, const std::vector<Figures>& points);
 
 /// sweep.json of a complete sweep.

@@ -17,7 +17,7 @@ namespace abrazo {
 namespace {
 
 constexpr double on_floor_m = 0.02;
-constexpr double never_lost_m = 1e9;  ///< a hold counts whatever becomes of it
+constexpr double never_lost_m = 1e9;  ///< a hold counts even if it opens
 
 constexpr std::array all_variants = {
     BodyVariant{"both 0.7", {.all = 0.7}, {.all = 0.7}},

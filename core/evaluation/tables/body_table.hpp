@@ -13,7 +13,7 @@
 
 namespace abrazo {
 
-/// Bodies that a recorded pair gets, as ratios of the recorded lengths.
+/// Bodies for a recorded pair, as ratios of the recorded lengths.
 struct BodyVariant {
   struct Ratios {
     double all = 1, arms = 1, legs = 1;
@@ -26,7 +26,7 @@ std::span<const BodyVariant> body_variants();
 /// A body with these ratios.
 Body body_with(const Body& body, const BodyVariant::Ratios& ratios);
 
-/// How a recorded pair gets its bodies: ours and three baselines.
+/// Method of the transfer to other bodies: ours and three baselines.
 enum class BodyMethod { Retargeted, AnglesCopied, PaperMesh, NoMesh };
 inline constexpr std::array<std::string_view, 4> body_method_names = {
     "retargeted", "joint angles copied", "mesh of the paper", "no mesh: hands and feet"};
@@ -38,15 +38,15 @@ struct ContactScore {
   double precision = 0, recall = 0, f1 = 0;  ///< 0 without contacts
 };
 
-/// What was measured of one method on one pair of bodies, over all takes. Speeds and accelerations are
-/// divided by the body's leg ratio, and then by the recording's. NaN where there was nothing to measure.
+/// Figures of one method on one pair of bodies, over all takes. Speeds and accelerations are
+/// divided by the body's leg ratio, and then by the recording's. NaN if there was nothing to measure.
 struct BodyFigures {
   ContactScore within_15cm, within_25cm;
   double hold_change_mean_m = 0, hold_change_p95_m = 0;  ///< of hands that hold one another in the recording
-  double penetration_excess_p99_m = 0;  ///< beyond what the same capsules of the recorded bodies have
+  double penetration_excess_p99_m = 0;  ///< beyond the overlap of the same capsules of the recorded bodies
   double floor_contact = 0;  ///< share of standing feet within 2 cm of their recorded (scaled) height
   double slide_m_s = 0;      ///< of landed toe bases
-  double slide_ratio = 0, speed_p99_ratio = 0, acceleration_p99_ratio = 0;  ///< the recording has 1
+  double slide_ratio = 0, speed_p99_ratio = 0, acceleration_p99_ratio = 0;  ///< 1 for the recording
   double bone_error_max = 0;
   double nearest_only = 0;  ///< share of frames reported as nearest pose; only of ours
 };

@@ -16,8 +16,8 @@
 
 namespace abrazo {
 
-/// Table I: how often the search in the 15-D features (M_A) finds what comparing whole poses with every pair
-/// (M_B, pose term of Eq. 7) finds.
+/// Table I: how often the search in the 15-D features (M_A) finds the result of a comparison of whole poses
+/// with every pair (M_B, pose term of Eq. 7).
 struct SelectionRow {
   int k = 0;
   double recall_best = 0;   ///< the best pair is among the k
@@ -45,7 +45,7 @@ struct TimingRow {
 struct MoveCount {
   int total = 0;
   int successful = 0;
-  int lenient = 0;  ///< successful, or the label an annotator might as well have given
+  int lenient = 0;  ///< successful by the label or by an alternative of the annotator
   double rate() const { return total > 0 ? static_cast<double>(successful) / total : 0; }
   double lenient_rate() const { return total > 0 ? static_cast<double>(lenient) / total : 0; }
 };
@@ -68,8 +68,8 @@ struct ZmpTable {
   double original_partner_m = 0, synthesised_partner_m = 0;
   int frames = 0, skipped_frames = 0;  ///< body frames of the synthesis
   int original_skipped_frames = 0;
-  /// The partner in stretches without a change of source, and the captured partner in the same steps: what is
-  /// left when jumps between recorded pairs do not count.
+  /// The partner in stretches without a change of source, and the captured partner in the same steps: without
+  /// the effect of jumps between recorded pairs.
   double partner_between_changes_m = 0, original_between_changes_m = 0;
   double between_changes_share = 0;  ///< of the steps
   /// Captured and synthesised over the body frames that count in both.
@@ -102,7 +102,7 @@ struct SolveTimes {
   int steps = 0, relaxed = 0, failed = 0;
 };
 
-/// What one kind of user came to over all takes.
+/// Results of one kind of user over all takes.
 struct UserResult {
   std::string user;  ///< "as captured", "body at 85 %", "10 % of the frames lost", ...
   MoveTable moves;
@@ -111,10 +111,10 @@ struct UserResult {
   PartnerTable partner;
   MovementTable movement;
   SolveTimes solve;
-  std::optional<PublishedTable> published;  ///< if asked for; of the takes as they are only
+  std::optional<PublishedTable> published;  ///< if requested; only for the takes as captured
 };
 
-/// Everything an evaluation measured; what was not asked for is empty.
+/// All results of an evaluation; parts that were not requested are empty.
 struct Evaluation {
   std::string data;   ///< name of the manifest
   std::string users;  ///< name of the users' manifest; empty when takes are left out one by one
@@ -123,13 +123,13 @@ struct Evaluation {
   bool both_roles = false;
   int library_pairs = 0;
   std::vector<std::string> takes;         ///< that were answered
-  double seconds = 0;                     ///< it took
+  double seconds = 0;                     ///< duration
   std::vector<SelectionTable> selection;  ///< full rate first, then thinned
   std::vector<TimingRow> timing;
-  std::optional<UserResult> result;                              ///< takes as they are
+  std::optional<UserResult> result;                              ///< takes as captured
   std::vector<UserResult> builds;                                ///< users of other builds
   std::vector<UserResult> disturbed;                             ///< frames lost, noise, delay
-  bool has_moves = false, has_zmp = false, has_contact = false;  ///< parts of `result` asked for
+  bool has_moves = false, has_zmp = false, has_contact = false;  ///< requested parts of `result`
   std::optional<BodyTable> bodies;                               ///< recorded pairs on other bodies
   std::vector<std::string> remarks;  ///< what a reader must know: takes without labels, warnings
 };

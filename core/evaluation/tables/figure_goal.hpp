@@ -4,7 +4,7 @@
 
 namespace abrazo {
 
-/// Which value of a figure is best. None: neither more nor less of it is better.
+/// Which value of a figure is best. None: neither higher nor lower is better.
 enum class FigureGoal : std::uint8_t { None, Lowest, Highest, NearestZero };
 
 }  // namespace abrazo

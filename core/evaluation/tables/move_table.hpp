@@ -10,15 +10,15 @@
 
 namespace abrazo {
 
-/// Labels of what is no move: standing, walking in, footwork between exchanges.
+/// Labels that are not moves: standing, walking in, footwork between exchanges.
 bool is_move(std::string_view label);
 
-/// What another annotator would have said, as a label's detail has it ("alt=turn"); empty when it has none.
+/// The alternative label in a label's detail ("alt=turn"); empty if there is none.
 std::string alternative_label(const LabelInterval& label);
 
 /// Table III (Eq. 12) over takes answered by `library`. A step's label is that of the pair it was made from.
 /// Where either performer may be the active one (`both_roles`), who attacks belongs to the move:
-/// "kick_block (user)" is not "kick_block (partner)". A move of which no step could be solved is a miss.
+/// "kick_block (user)" is not "kick_block (partner)". A move without a solved step is not successful.
 MoveTable count_moves(std::span<const SynthesisedTake> takes, const MotionLibrary& library, bool both_roles);
 
 }  // namespace abrazo

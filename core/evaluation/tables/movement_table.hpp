@@ -11,8 +11,8 @@ namespace abrazo {
 
 struct SynthesisedTake;
 
-/// How the partner moves in one take, or on average: of what was made, and of the captured partner
-/// (`captured_`) at the same steps. Not a number where there was nothing to measure.
+/// Motion of the partner in one take, or on average: of the synthesised partner, and of the captured one
+/// (`captured_`) at the same steps. NaN if there was nothing to measure.
 struct MovementFigures {
   double partner_error_m = 0, selected_error_m = 0;
   double lag_s = 0;  ///< positive: late
@@ -22,7 +22,7 @@ struct MovementFigures {
   double acceleration_p50_m_s2 = 0, captured_acceleration_p50_m_s2 = 0;
   double acceleration_p99_m_s2 = 0, captured_acceleration_p99_m_s2 = 0;
   double acceleration_rms_m_s2 = 0, captured_acceleration_rms_m_s2 = 0;
-  double acceleration_ratio = 0;  ///< rms, of what was made by the captured
+  double acceleration_ratio = 0;  ///< rms, synthesised divided by captured
   double largest_step_m = 0, captured_largest_step_m = 0;
   double slide_m_s = 0, captured_slide_m_s = 0;
   double slide_share_fast = 0, captured_slide_share_fast = 0;
@@ -49,11 +49,11 @@ struct MovementRow {
 };
 std::span<const MovementRow> movement_rows();
 
-/// A hundred and one values: the percentiles of what was measured in all takes; empty for nothing.
+/// 101 values: the percentiles of the measurements in all takes; empty without measurements.
 using Percentiles = std::vector<double>;
 
 struct MovementTable {
-  MovementFigures all;  ///< mean over the takes, each weighing the same, or the largest
+  MovementFigures all;  ///< mean over the takes with equal weights, or the largest
   std::vector<std::string> takes;
   std::vector<MovementFigures> per_take;
   struct Curves {
@@ -63,7 +63,7 @@ struct MovementTable {
   Percentiles pace, hover_m;
 };
 
-/// How the partner moves, in every take and over all. A toe base's rest is the 5th percentile of its height
+/// Motion of the partner, in every take and over all. A toe base's rest is the 5th percentile of its height
 /// in the whole captured take.
 MovementTable measure_movement(std::span<const SynthesisedTake> takes);
 

@@ -11,8 +11,8 @@ namespace abrazo {
 class MotionLibrary;
 struct SynthesisedTake;
 
-/// Figures of the literature on two people (core/metrics/published.hpp) of one way to answer the user. Not a
-/// number where there was nothing to measure.
+/// Figures of the literature on two people (core/metrics/published.hpp) of one way to answer the user. NaN
+/// if there was nothing to measure.
 struct PublishedFigures {
   double mpjpe_m = 0, mpjve_m = 0;
   double foot_sliding_m = 0, skating_share = 0, jitter_10_m_s3 = 0;
@@ -33,17 +33,17 @@ struct PublishedRow {
 };
 std::span<const PublishedRow> published_rows();
 
-/// What was made, beside two baselines: the recorded partner of the nearest pose, unedited, and the recording
-/// itself.
+/// The synthesised partner and two baselines: the recorded partner of the nearest pose, unedited, and the
+/// recording itself.
 struct PublishedTable {
   PublishedFigures made, nearest, captured;
-  int clips = 0;  ///< of which the cross-distances were taken
+  int clips = 0;  ///< number of clips for the cross-distances
 };
 
-/// Every take is brought to 30 Hz, and the partner is measured beside the user as captured. All is the mean
-/// over the takes, each weighing the same, except contacts, which are counted over all frames, and fid_cd and
+/// Every take is brought to 30 Hz, and the partner is measured with the user as captured. Figures are means
+/// over the takes with equal weights, except contacts, which are counted over all frames, and fid_cd and
 /// diversity, which are of all clips of 2 s without overlap, z-scored by the recorded ones.
-/// @param library  as the takes were answered by; a take of its own is left out for the nearest pose as well
+/// @param library  that answered the takes; a take of its own is left out for the nearest pose as well
 Result<PublishedTable> measure_published(std::span<const SynthesisedTake> takes,
                                          const std::shared_ptr<const MotionLibrary>& library,
                                          bool both_roles);

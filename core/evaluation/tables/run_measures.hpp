@@ -9,15 +9,15 @@
 
 namespace abrazo {
 
-/// Table IV: both bodies of the takes as they were captured and as they came out, at the same frames with the
+/// Table IV: both bodies of the takes, captured and synthesised, at the same frames with the
 /// same settings.
 ZmpTable measure_zmp(std::span<const SynthesisedTake> takes, const ZmpSettings& settings);
 
-/// Holds and penetration against the selected pairs, foot sliding against the capture, bone lengths, foot
-/// locks.
+/// Holds and penetration relative to the selected pairs, foot sliding relative to the capture, bone lengths,
+/// foot locks.
 ContactTable measure_contact(std::span<const SynthesisedTake> takes, const MotionLibrary& library);
 
-/// The partner against the captured one, and how it moves.
+/// Distance of the partner from the captured one, and its motion.
 PartnerTable measure_partner(std::span<const SynthesisedTake> takes);
 
 SolveTimes measure_solve_times(std::span<const SynthesisedTake> takes);

@@ -11,7 +11,7 @@
 
 namespace abrazo {
 
-/// How well one way to label a take agrees with the labels that persons gave it.
+/// Agreement of one way to label a take with the labels of persons.
 struct LabelAgreement {
   long frames = 0, agreed = 0, agreed_lenient = 0;
   int truths = 0, proposed = 0;
@@ -27,7 +27,7 @@ struct LabelAgreement {
 };
 
 /// Labels of [start, end) frames against the truth. A frame without a true label does not count. Lenient:
-/// what `alternative_label` says counts as well.
+/// the alternative label counts as well.
 LabelAgreement label_agreement(const std::vector<LabelInterval>& truth,
                                const std::vector<LabelInterval>& proposed);
 
@@ -40,14 +40,15 @@ struct SuggestionAgreement {
     int proposed_roles = 0, true_roles = 0;
   };
   std::vector<TakeResult> takes;
-  /// How many frames labelled `first` by a person were suggested as `second`.
+  /// Number of frames labelled `first` by a person and suggested as `second`.
   std::map<std::pair<std::string, std::string>, long> confusion;
-  /// True moves of a label, found ones, and found ones when alternatives count.
+  /// True moves of a label, found ones, and found ones including alternatives.
   struct LabelCount {
     int truths = 0, found = 0, found_lenient = 0, proposed = 0;
   };
   std::map<std::string, LabelCount> labels;
-  /// Every suggestion: how sure it was, and whether it was right (label and IoU >= 0.5; role of most frames).
+  /// Every suggestion: its confidence, and whether it was correct (label and IoU >= 0.5; role of most
+  /// frames).
   struct Trial {
     double confidence = 0;
     bool right = false, right_lenient = false;
@@ -61,13 +62,14 @@ struct SuggestionAgreement {
 /// @return an Error when fewer than two takes have labels, or "cancelled"
 Result<SuggestionAgreement> measure_suggestions(const MotionLibrary& library, const Progress& progress);
 
-/// Confidences in ten steps: how many suggestions there were, how sure on average, how many right.
+/// Confidences in ten steps: number of suggestions, mean confidence, share of correct ones.
 struct ReliabilityBin {
   int count = 0;
   double mean_confidence = 0, right = 0, right_lenient = 0;  ///< shares
 };
 std::vector<ReliabilityBin> reliability(const std::vector<SuggestionAgreement::Trial>& trials, int bins);
-/// Mean distance between confidence and share right, weighted by count (expected calibration error).
+/// Mean distance between confidence and share of correct ones, weighted by count (expected calibration
+/// error).
 double calibration_error(const std::vector<ReliabilityBin>& bins);
 
 }  // namespace abrazo

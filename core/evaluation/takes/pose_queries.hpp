@@ -11,16 +11,16 @@
 
 namespace abrazo {
 
-/// Single poses of users, made ready for the search: retargeted to the library's body, normalised, with their
-/// feature. The recorded pair stands in for the prediction of Eq. 3-4, so that Eq. 7 costs what it costs in a
+/// Single poses of users, prepared for the search: retargeted to the library's body, normalised, with their
+/// feature. The recorded pair replaces the prediction of Eq. 3-4, so that Eq. 7 takes the same time as in a
 /// run.
 class PoseQueries {
  public:
-  /// @param library  as the user's role sees it: first bodies are the user's
+  /// @param library  the view of the user's role: first bodies are the user's
   PoseQueries(const MotionLibrary& library, UserRole role, bool both_roles)
       : library_(library), role_(role), both_roles_(both_roles) {}
 
-  /// Poses of `take` at `frames`; an Error when it is unknown which performer is the user.
+  /// Poses of `take` at `frames`; an Error if the user's performer is unknown.
   Result<std::vector<SelectionQuery>> of(const PairedTake& take, const std::vector<int>& frames) const;
 
  private:

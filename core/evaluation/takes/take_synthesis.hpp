@@ -14,10 +14,10 @@
 
 namespace abrazo {
 
-/// The one who dances or fights with this performer, A or B.
+/// The other performer, A or B.
 ActivePerformer other(ActivePerformer performer);
 
-/// A take whose one performer was the user and whose other was answered by the library: what the steps left.
+/// A take in which one performer was the user and the library replaced the other: results of the steps.
 struct SynthesisedTake {
   const PairedTake* take = nullptr;
   ActivePerformer user = ActivePerformer::A;  ///< which performer was the input
@@ -47,9 +47,9 @@ struct SynthesisedTake {
     return body(selected[step], user_role != UserRole::Active);
   }
   PartnerStep partner_step(std::size_t step) const;
-  /// Who was made to play the active role.
+  /// The performer in the active role.
   ActivePerformer active() const { return user_role == UserRole::Active ? user : other(user); }
-  /// What the partner did in the take.
+  /// The captured partner of the take.
   const Pose& true_partner(std::size_t step) const;
   const Pose& true_user(std::size_t step) const;
   /// Both as captured, in the order of `results`.
@@ -63,8 +63,9 @@ struct SynthesisedTake {
   }
 };
 
-/// Which performer of a take is the user: the one whose role the user takes throughout; A where either may be
-/// (`both_roles`) or nobody knows. An Error when the performers change roles in a library that follows them.
+/// The performer of a take who is the user: the one with the user's role throughout; A if either is possible
+/// (`both_roles`) or roles are unknown. An Error if the performers change roles in a library that follows
+/// them.
 Result<ActivePerformer> user_of(const PairedTake& take, UserRole role, bool both_roles);
 
 struct TakeSynthesisOptions {

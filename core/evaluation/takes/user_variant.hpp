@@ -7,18 +7,18 @@
 
 namespace abrazo {
 
-/// A user who differs from the one captured, or whose capture is worse.
+/// A user of another build than the captured one, or with a disturbed capture.
 struct UserVariant {
   std::string name = "as captured";
-  double legs = 1, trunk = 1, arms = 1;  ///< bone lengths against the captured ones
+  double legs = 1, trunk = 1, arms = 1;  ///< bone lengths relative to the captured ones
   double noise_m = 0;                    ///< normal error of each coordinate, standard deviation
-  double lost_share = 0;                 ///< frames that do not arrive; the last one that did stands in
+  double lost_share = 0;                 ///< lost frames; each is replaced by the previous one
   double loss_burst_s = 0.05;            ///< mean length of a gap
-  double delay_s = 0;                    ///< frames arrive so much later
+  double delay_s = 0;                    ///< delay of all frames
 };
 
-/// The motion of such a user. Directions of bones are kept; the path is scaled with the legs, so that feet
-/// that stood still do. Same seed, same motion.
+/// The motion of such a user. Directions of bones are kept; the path is scaled with the legs, so that
+/// standing feet stay still. Same seed, same motion.
 Clip as_performed_by(const UserVariant& variant, const Clip& clip, unsigned seed);
 
 /// Users of other builds, and disturbed input, as the report shows them.

@@ -71,7 +71,7 @@ std::optional<Error> RowGuard::damage(const std::string& library_name) const {
         library_name};
   if (mapping_->was_changed())
     return Error{
-        "another program wrote to the library's file while it was in use; open it again, or build it anew",
+        "another program wrote to the library's file while it was in use; open it again, or build it again",
         library_name};
   if (pair < 0) return std::nullopt;
   return Error{fmt::format("pair {} is damaged in the library's file, or another program writes to it; build "

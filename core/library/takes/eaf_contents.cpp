@@ -145,7 +145,7 @@ Status TierBuilder::add(const TierElement& element, const EafTimes& times) {
     const EafSpan span = times.of(one.id);
     if (span.end_s < span.start_s)
       return Error{
-          fmt::format("annotation {} ({}) runs backwards, from {:.3f} to {:.3f} s; mend its time slots",
+          fmt::format("annotation {} ({}) runs backwards, from {:.3f} to {:.3f} s; correct its time slots",
                       in_quotes(one.id), in_quotes(one.value), span.start_s, span.end_s),
           fmt::format("{}: tier {}", where_, in_quotes(element.id))};
     if (span.end_s == span.start_s) {

@@ -52,7 +52,7 @@ Status check(std::span<const Tier> tiers) {
   for (const Tier& tier : tiers) {
     if (!names.insert(tier.name).second) return Error{"two tiers of one name; rename one", tier.name};
     if (!is_xml_text(tier))
-      return Error{"has a control character, which XML cannot hold; write it anew", in_quotes(tier.name)};
+      return Error{"has a control character, which XML cannot hold; write it again", in_quotes(tier.name)};
     double free_from_s = 0;
     for (const TierInterval& interval : tier.intervals) {
       // Negated, so that NaN fails too.
@@ -107,7 +107,7 @@ constexpr const char* free_text = "free text";  ///< linguistic type of tiers wi
 constexpr const char* language = "und";         ///< ISO 639-3: words of no known language
 constexpr const char* one_to_one = "Symbolic_Association";
 
-/// An attribute that is there whatever the value.
+/// An attribute that is written for every value.
 pugi::xml_attribute set(pugi::xml_node node, const char* name, const std::string& value) {
   pugi::xml_attribute attribute = node.append_attribute(name);
   attribute.set_value(value.c_str());

@@ -101,7 +101,7 @@ void EafReader::read_tier(pugi::xml_node node) {
   contents_.tiers.push_back(std::move(tier));
 }
 
-/// Entries of before 2.8 have one word without a language.
+/// Entries of formats before 2.8 have one word without a language.
 void EafReader::read_vocabulary(pugi::xml_node node) {
   EafContents::Vocabulary vocabulary;
   vocabulary.is_elsewhere = node.attribute("EXT_REF");
@@ -147,8 +147,9 @@ Result<EafContents> parse_eaf(std::string_view text, std::string_view where) {
   const auto outcome = document.load_buffer(
       text.data(), text.size(), pugi::parse_default | pugi::parse_doctype | pugi::parse_ws_pcdata_single);
   if (!outcome)
-    return Error{std::string("is not XML from here on (") + outcome.description() + "); save it anew in ELAN",
-                 place_of_byte(where, text, outcome.offset)};
+    return Error{
+        std::string("is not XML from here on (") + outcome.description() + "); save it again in ELAN",
+        place_of_byte(where, text, outcome.offset)};
   for (const pugi::xml_node child : document.children())
     if (child.type() == pugi::node_doctype)
       return Error{"has a DOCTYPE, whose entities are not expanded; remove it", std::string(where)};

@@ -148,7 +148,7 @@ Status EafTimes::resolve_references(const EafContents& contents) {
   const auto& [parent, families] = *children.begin();
   return in_tier(*families.front().tier,
                  fmt::format("annotation {} refers to {}, which the file does not have, or which refers back "
-                             "to it; mend its ANNOTATION_REF",
+                             "to it; correct its ANNOTATION_REF",
                              in_quotes(families.front().siblings.front()->id), in_quotes(parent)));
 }
 

@@ -70,7 +70,7 @@ std::vector<std::string> takes_in_labels(std::string_view csv);
 
 /// Reads both performers of a take, cut to its frames, with roles and labels, whose frames count from the
 /// cut. Unequal lengths are an error that says by how many frames.
-/// @param warnings  what the readers found odd is appended, prefixed by the file
+/// @param warnings  those of the readers are appended, prefixed by the file
 /// @param progress  as for load_motion
 Result<PairedTake> load_take(const Manifest::Take& take, std::vector<std::string>& warnings,
                              const Progress& progress = {});

@@ -21,8 +21,8 @@ Result<const Tier*> tier_for_take(std::span<const Tier> tiers, std::string_view 
 TierInterval interval_of(const LabelInterval& label, double fps);
 LabelInterval label_over(const TierInterval& interval, int start, int end);
 
-/// A tier's values as labels of frames, rounded to the nearest. What is left out is counted in `warnings`:
-/// intervals shorter than a frame or before the first one, and those that say nothing.
+/// A tier's values as labels of frames, rounded to the nearest. Omitted intervals are counted in `warnings`:
+/// those shorter than a frame or before the first one, and those without a value.
 std::vector<LabelInterval> labels_of(const Tier& tier, double fps, std::string_view where,
                                      std::vector<std::string>& warnings);
 

@@ -26,12 +26,6 @@ double Body::leg_length() const {
                 length_of_bone(*this, RightFemur) + length_of_bone(*this, RightTibia));
 }
 
-double Body::arm_length() const {
-  using namespace joints;
-  return 0.5 * (length_of_bone(*this, LeftHumerus) + length_of_bone(*this, LeftWrist) +
-                length_of_bone(*this, RightHumerus) + length_of_bone(*this, RightWrist));
-}
-
 double Body::height() const {
   using namespace joints;
   double spine = 0;

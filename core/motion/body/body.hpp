@@ -16,8 +16,6 @@ struct Body {
 
   /// Hip to ankle, mean of both legs [m].
   double leg_length() const;
-  /// Shoulder to wrist, mean of both arms [m].
-  double arm_length() const;
   /// Height of the head joint while standing with a straight back [m]; the crown is about 10 cm higher. The
   /// height of the ankle is not a bone length and is estimated from the leg.
   double height() const;

@@ -25,7 +25,7 @@ struct BodyChoice {
   bool operator==(const BodyChoice&) const = default;
 };
 
-/// Reads a choice; text that is no keyword is the path of a file ("./user" for a file of that name). The
+/// Reads a choice; text that is not a keyword is the path of a file ("./user" for a file of that name). The
 /// Error lists what can be said, or gives the range of the scale.
 Result<BodyChoice> parse_body_choice(std::string_view text);
 

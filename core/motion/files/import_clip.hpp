@@ -22,16 +22,16 @@ struct ImportOptions {
   std::optional<UpAxis> up_axis;
   std::optional<JointMap> joint_map;
   std::optional<JointOrder> joint_order;    ///< of arrays of positions without names
-  std::optional<MarkerModel> marker_model;  ///< in place of a joint map
-  std::string animation;   ///< name of the one to read, of a file with several; empty = the longest
-  std::string body_model;  ///< file of the body that SMPL parameters are for (SmplBodyFile); empty = none
+  std::optional<MarkerModel> marker_model;  ///< instead of a joint map
+  std::string animation;          ///< the animation to read if the file has several; empty = the longest
+  std::string body_model;         ///< body model file for SMPL parameters (SmplBodyFile); empty = none
   std::optional<double> floor_m;  ///< height of the floor above the file's zero [m]
 };
 
 /// How a file was interpreted. Every guess is marked.
 struct ImportReport {
   std::string joint_map;  ///< name of the map or marker model used
-  /// Per joint what it was found from, "Hips" or "0.5 LeftHip + 0.5 RightHip"; empty: from markers.
+  /// The points of each joint, "Hips" or "0.5 LeftHip + 0.5 RightHip"; empty: from markers.
   std::array<std::string, joint_count> joint_points;
   std::vector<int> inferred_joints;  ///< joints that the file lacks
   double metres_per_unit = 1;
@@ -46,8 +46,8 @@ struct ImportReport {
   std::vector<std::string> animations;  ///< NamedMotion::animations
   std::vector<ImportWarning> warnings;
 
-  /// Whether a person should say how the file is read before it is used: it has several animations, or a
-  /// warning asks.
+  /// Whether a person should confirm how the file is read: it has several animations, or a
+  /// warning requires it.
   bool asks() const;
 };
 
@@ -63,17 +63,17 @@ Result<ImportedClip> import_clip(const NamedMotion& motion, const ImportOptions&
 /// Whether a built-in joint map or marker model finds all joints among the points.
 bool joints_are_known(const NamedMotion& motion);
 
-/// Whether a built-in joint map or marker model is called so: a name, and no file.
+/// Whether this is the name of a built-in joint map or marker model, not a file.
 bool is_builtin_joint_map(const std::string& name);
 
-/// Sets how points become joints: a built-in joint map or marker model by its name, or the file of one.
+/// Sets the conversion of points to joints: a built-in joint map or marker model by its name, or by its file.
 Status choose_joints(const std::string& name_or_file, ImportOptions& options);
 
-/// The points of any known motion file (motion_format.hpp), one motion for each performer. What the content
-/// is decides over the file's extension. Gaps of markers are filled where that is safe, and reported.
+/// The points of any known motion file (motion_format.hpp), one motion for each performer. The content
+/// decides the format, not the extension. Gaps of markers are filled where that is safe, and reported.
 /// @param skeleton  as for load_motion
 /// @param options   of which joint_order, animation and body_model say how to read
-/// @param progress  asking to stop ends the reading of a scene (FBX, glTF, Collada); the others are quick
+/// @param progress  can cancel the reading of a scene (FBX, glTF, Collada); the others are fast
 Result<std::vector<NamedMotion>> read_motion_points(const std::string& file, const std::string& skeleton,
                                                     const ImportOptions& options = {},
                                                     const Progress& progress = {});

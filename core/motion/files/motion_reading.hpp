@@ -18,43 +18,43 @@ struct MotionReading {
   std::string up = {};                         ///< "y" or "z"
   std::optional<double> metres_per_unit = {};  ///< above 0
   std::optional<double> fps = {};              ///< above 0 [Hz]
-  std::string performer = {};          ///< which one of a file with several: its name, or a number from 1
-  std::string animation = {};          ///< which one of a file with several; the longest by default
-  std::string body_model = {};         ///< file of the body that SMPL parameters are for
+  std::string performer = {};          ///< the performer in a file with several: its name, or a number from 1
+  std::string animation = {};          ///< the animation in a file with several; by default the longest
+  std::string body_model = {};         ///< body model file for SMPL parameters
   std::optional<double> floor_m = {};  ///< height of the floor above the file's zero [m]
 
   bool operator==(const MotionReading&) const = default;
 };
 
-/// Of the clips the one that is meant by its name or its number from 1.
+/// The clip with this name or number (from 1).
 std::optional<std::size_t> find_performer(const std::vector<ImportedClip>& clips, const std::string& wanted);
 
-/// A motion file of which the points are read once. What only concerns how they are understood (unit, axes,
-/// rate, joints, floor, performer) is then answered without the file; another animation, order of joints or
-/// body model reads it again.
+/// A motion file whose points are read once. Changes of their interpretation (unit, axes,
+/// rate, joints, floor, performer) do not read the file again; another animation, order of joints or
+/// body model does.
 class MotionPoints {
  public:
-  /// All performers of the file, or the one that is asked for.
+  /// All performers of the file, or the requested one.
   /// @param progress  as for load_motion
   Result<std::vector<ImportedClip>> performers(const MotionReading& reading, const Progress& progress = {});
-  /// What was read last; empty before, and after a failure.
+  /// The last result; empty before the first, and after a failure.
   const std::vector<NamedMotion>& motions() const { return motions_; }
 
  private:
   Status read(const MotionReading& reading, const ImportOptions& options, const Progress& progress);
 
-  MotionReading read_;  ///< of which the file, and what needs it read again
+  MotionReading read_;  ///< the file, and the options that require reading it again
   std::vector<NamedMotion> motions_;
 };
 
-/// The same of a file that is read for this alone.
+/// The same for a file that is read only once.
 Result<std::vector<ImportedClip>> read_performers(const MotionReading& reading,
                                                   const Progress& progress = {});
 
-/// The one performer wanted: an Error that says how many there are when that is not clear.
+/// The only performer: an Error with their number if there are several.
 Result<ImportedClip> read_performer(const MotionReading& reading, const Progress& progress = {});
 
-/// What was odd about a file, a sentence each: "walk.bvh:17: glued-numbers: ...".
+/// Problems of a file, one sentence each: "walk.bvh:17: glued-numbers: ...".
 std::vector<Warning> warnings_of_import(const MotionReading& reading, const ImportedClip& imported);
 
 }  // namespace abrazo

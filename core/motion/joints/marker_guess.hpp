@@ -8,7 +8,7 @@
 
 namespace abrazo {
 
-/// Where the markers of a file without known names seem to be on a body, for a person to check.
+/// Guessed places of a file's markers on the body, if their names are unknown; for a person to check.
 struct MarkerGuess {
   struct Marker {
     int point = -1;
@@ -20,20 +20,20 @@ struct MarkerGuess {
   double confidence = 0;        ///< mean over all points; one without a place counts as 0
   UpAxis up_axis = UpAxis::Y;
   bool is_upside_down = false;      ///< the axis points down
-  bool front_from_walking = false;  ///< the person walks; else feet and pelvis alone say which way is front
+  bool front_from_walking = false;  ///< the person walks; otherwise only feet and pelvis give the direction
 
-  /// The model of those with at least this confidence.
+  /// A model of the markers with at least this confidence.
   MarkerModel model(const NamedMotion& motion, double least_confidence) const;
 };
 
-/// Guesses of this confidence are used unless a person says otherwise.
+/// Guesses with this confidence are used unless a person changes them.
 inline constexpr double sure_enough_of_marker = 0.6;
 
 /// Compares the mean place of each marker, in the space of the trunk and in body heights, with a standing
 /// person whose arms hang, are bent, or are stretched out; markers left and right of the body are placed in
-/// pairs. Markers that keep their distance over time are of one segment. Front is where the person walks to
-/// and the toes point. Names are not used.
-/// @return an Error when there are fewer than 12 points, or hardly a frame in which most are seen
+/// pairs. Markers at constant distances belong to one segment. The front is the direction of walking
+/// and of the toes. Names are not used.
+/// @return an Error for fewer than 12 points, or if most markers are visible in hardly any frame
 Result<MarkerGuess> guess_markers(const NamedMotion& motion);
 
 }  // namespace abrazo

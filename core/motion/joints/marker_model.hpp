@@ -33,7 +33,7 @@ enum class MarkerPlace {
   WristThumb,
   WristLittle,
   Hand,       ///< head of a middle metacarpal
-  HandThumb,  ///< head of the 2nd metacarpal; with the next in place of a middle one
+  HandThumb,  ///< head of the 2nd metacarpal; with the next an alternative to a middle one
   HandLittle,
   Thigh,
   Knee,  ///< outer
@@ -43,7 +43,7 @@ enum class MarkerPlace {
   AnkleInner,
   Heel,
   Toe,       ///< head of the 2nd metatarsal
-  ToeInner,  ///< of the 1st; with the next in place of the 2nd
+  ToeInner,  ///< of the 1st; with the next an alternative to the 2nd
   ToeOuter,  ///< of the 5th
   ToeTip,
   Count
@@ -69,7 +69,7 @@ const std::vector<MarkerModel>& builtin_marker_models();
 /// ...}}.
 Result<MarkerModel> parse_marker_model(std::string_view json, std::string_view where);
 
-/// Whether a file's text is meant as a marker model, and not as a joint map.
+/// Whether a file's text is a marker model rather than a joint map.
 bool is_marker_model(std::string_view json);
 
 /// The JSON that reads back to the same model.
@@ -86,18 +86,19 @@ struct MarkerFit {
   bool legs = false, arms = false;   ///< the pelvis, knees and ankles; elbows and wrists of both sides
 };
 
-/// Of the built-in models the first that fits; else the one that finds most places, of those with as many the
-/// one that lacks least.
+/// The first built-in model that fits, otherwise the one with most places found, and among equals the
+/// one with fewest missing.
 MarkerFit nearest_marker_model(const std::vector<std::string>& points);
 MarkerFit fit_of(const MarkerModel& model, const std::vector<std::string>& points);
 
-/// A sentence on why the points are no whole body by that model: "the markers are of the lower body ...".
+/// A sentence that says why the points are not a whole body in that model: "the markers are of the lower body
+/// ...".
 std::string why_no_body(const MarkerFit& fit);
 
 /// The 25 joints, named as in the joint set, in the file's unit: docs/guide/formats.md says how each is
-/// found. Joints that no marker tells of (a head without one, hands) are inferred and named in a warning.
+/// found. Joints without markers (head, hands) are inferred and named in a warning.
 /// @param metres_per_unit  the estimates know sizes of bodies and markers
-/// @return an Error that names the marker and the frames, when one that is needed has gaps
+/// @return an Error that names the marker and the frames if a required marker has gaps
 Result<NamedMotion> joints_of_markers(const MarkerModel& model, const NamedMotion& markers,
                                       double metres_per_unit);
 

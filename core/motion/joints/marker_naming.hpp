@@ -8,15 +8,15 @@
 
 namespace abrazo {
 
-/// Which marker of a file is where on a body: what a person said, and beside it what a guess proposes.
-/// A place belongs to one marker at most.
+/// The places of a file's markers on the body: those that a person named, and those that a guess proposes.
+/// A place belongs to at most one marker.
 class MarkerNaming {
  public:
   enum class By {
     Nothing,
     Proposal,  ///< guessed and not sure; not part of the model until it is accepted
     Guess,     ///< guessed and sure
-    Person     ///< said, accepted or read from a file; a guess leaves it alone
+    Person     ///< named, accepted or read from a file; a guess does not change it
   };
   struct Row {
     MarkerPlace place = MarkerPlace::Count;
@@ -26,24 +26,25 @@ class MarkerNaming {
   };
 
   explicit MarkerNaming(std::vector<std::string> points);
-  /// In place of an earlier guess. What a person said stays, and the places that were said are not guessed.
+  /// Replaces an earlier guess. Places named by a person stay, and are not proposed for other points.
   void propose(const MarkerGuess& guess);
-  /// What is guessed of this point holds from now on. @return whether there was a guess
+  /// Accepts the guess for this point. @return whether there was one
   bool accept(int point);
-  /// Puts a point to a place by its name ("left knee"); nothing: takes it away. A guess gives way.
+  /// Names the place of a point ("left knee"); an empty name removes it. Replaces a guess.
   /// @return an Error for an unknown name, or a place that a person gave to another point
   Status say(int point, std::string_view place);
-  /// In place of all that was said. @return how many points it names; an Error, changing nothing, for none
+  /// Replaces all named places. @return the number of points that the model names; for none an Error, without
+  /// a change
   Result<std::size_t> read(const MarkerModel& model);
 
   const std::vector<Row>& rows() const { return rows_; }  ///< one per point
   /// "left knee"; empty without a place.
   std::string place_of(int point) const;
-  /// "sure", "likely" or "doubtful" of a guess, "said", or nothing.
+  /// "sure", "likely" or "doubtful" for a guess, "said" for a named place, or nothing.
   std::string belief_in(int point) const;
   /// "12 of 41 markers guessed, 9 sure; 3 said".
   std::string counted() const;
-  /// Of what is sure or said.
+  /// Of the sure, named and accepted places.
   MarkerModel model(const std::string& name) const;
 
  private:
@@ -51,8 +52,8 @@ class MarkerNaming {
   std::vector<Row> rows_;
 };
 
-/// Whether the points are markers (no bones between them) enough for a guess, and no name of them is like
-/// that of a joint or of a known marker.
+/// Whether the points are markers (no bones between them), enough for a guess, and none has a name like
+/// that of a joint or a known marker.
 bool names_say_nothing(const NamedMotion& motion);
 
 }  // namespace abrazo

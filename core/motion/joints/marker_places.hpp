@@ -9,10 +9,10 @@
 
 namespace abrazo {
 
-/// The place and side that are called so by name_of_place; nothing for another name.
+/// The place and side with this name (name_of_place); none for an unknown name.
 std::optional<std::pair<MarkerPlace, std::size_t>> marker_spot(std::string_view name);
 
-/// The names of all places, of pairs the left one, separated by commas; for errors.
+/// The names of all places, for pairs the left one, separated by commas; for errors.
 std::string all_marker_places();
 
 }  // namespace abrazo

@@ -16,7 +16,7 @@ namespace abrazo {
 /// `joint_names`, `fps`, `up` ("y", "z") and `metres_per_unit` are honoured. NaN is a gap. Pickled objects
 /// are never read.
 /// @param order  which joint is which, over what the file says; where neither says it, the built-in order
-/// that alone has so many joints is taken, with a warning
+/// that alone has this number of joints is used, with a warning
 /// @param body  of a file with the parameters of an SMPL body
 /// @return an Error that says what is missing: names for the joints, the body file of SMPL parameters, a
 /// person where there is a robot

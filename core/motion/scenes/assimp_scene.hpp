@@ -11,9 +11,10 @@
 namespace abrazo {
 
 /// Reads the animated skeletons of an FBX, glTF or Collada file: one motion for each. Sampled at the rate of
-/// its keys. In this process and without limits: for the program that reads scenes apart (scene_process.hpp).
-/// @param bytes      of the file; parts of a .gltf that stand in files beside it are read from there
-/// @param animation  of several the one of this name; empty: the longest, which is said
+/// its keys. In this process and without limits: for the separate program that reads scenes
+/// (scene_process.hpp).
+/// @param bytes      of the file; parts of a .gltf in other files are read from its folder
+/// @param animation  name of the animation if there are several; empty: the longest, with a warning
 /// @throws std::bad_alloc
 Result<std::vector<NamedMotion>> read_scene(std::string_view bytes, MotionFormat format,
                                             const std::string& file, const std::string& animation = {});

@@ -21,7 +21,7 @@ std::optional<std::uint64_t> number_in_front(std::string_view word) {
   return value;
 }
 
-/// "Key: value, value {": what of it tells of models.
+/// "Key: value, value {": the parts that concern models.
 class LinkCollector {
  public:
   void key(std::string_view name) {
@@ -97,7 +97,7 @@ void take_properties(std::string_view text, LinkCollector& collector) {
 
 /// Records: where it ends, number and bytes of properties (words of 4 bytes, from version 7500 on 8), length
 /// of the name, name, properties, records inside, an empty record. One after the other in the order of the
-/// file, whatever stands inside what.
+/// file, at any nesting level.
 FbxLinks links_of_binary(std::string_view bytes) {
   LinkCollector collector;
   constexpr std::size_t header = 27;

@@ -7,9 +7,9 @@
 
 namespace abrazo {
 
-/// What an FBX file says of how its models hang together.
+/// The hierarchy of the models of an FBX file.
 struct FbxLinks {
-  std::vector<std::uint64_t> models;  ///< numbers, as often as they stand there
+  std::vector<std::uint64_t> models;  ///< numbers, as often as they occur
   std::vector<std::pair<std::uint64_t, std::uint64_t>>
       connections;  ///< child and parent, of objects of any kind
 };

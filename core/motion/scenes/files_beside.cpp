@@ -109,7 +109,7 @@ Result<std::string> FilesBeside::read(std::string_view name) const {
   ::close(fd);
   if (!is_file) return refusal(name, "is no file; copy the file there");
   if (!fits) return refusal(name, "has more than 4 GB; export a shorter range");
-  if (!was_read) return refusal(name, "cannot be read; look at the disk");
+  if (!was_read) return refusal(name, "cannot be read; check the disk");
   return content;
 }
 

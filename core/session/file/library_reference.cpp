@@ -79,7 +79,7 @@ Status check_session_library(const SessionLibrary& reference, const MotionLibrar
   return Error{"the session was recorded with the library '" + reference.name + "' of " +
                    std::to_string(reference.pairs) + " pairs; this one has " +
                    std::to_string(library.pair_count()) +
-                   " and other content: it has been built anew since, or is another one",
+                   " and other content: it was built again since, or is another one",
                library.name()};
 }
 

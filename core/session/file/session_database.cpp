@@ -392,8 +392,8 @@ Status SessionDatabase::abandon() {
 }
 
 Status SessionDatabase::close() {
-  // Whoever reads the file at the moment keeps it from becoming a plain file, which its last reader then
-  // makes of it when it closes.
+  // A program that reads the file at the moment prevents it from becoming a plain file, which its last reader
+  // then makes of it when it closes.
   set_patience(0);
   const Status checkpointed = execute("PRAGMA wal_checkpoint(TRUNCATE)");
   if (checkpointed) (void)execute("PRAGMA journal_mode=DELETE");

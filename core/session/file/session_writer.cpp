@@ -100,7 +100,7 @@ Status SessionWriter::prepare_file(const RecorderOptions& options) {
   if (!current) return current;
   if (const Status begun = begin_run(); !begun) return begun;
   if (const Status prepared = prepare_statements(); !prepared) return prepared;
-  // In the file itself, so that it is a session file whatever becomes of the log.
+  // In the file itself, so that it is a session file even if the log is lost.
   if (Status done = keep_fault(statements_->commit); !done) return done;
   (void)database_.execute("PRAGMA wal_checkpoint(PASSIVE)");
   committed_ = memory_;

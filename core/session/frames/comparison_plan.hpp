@@ -31,7 +31,7 @@ struct CompareSituation {
   Playback playback;
   FrameSnapshotPtr shown;  ///< at the cursor
   WhatIfSpan span = WhatIfSpan::TwoSeconds;
-  std::optional<int> tried_pin = {};  ///< pair tried on the parked frame; the live solver is not told
+  std::optional<int> tried_pin = {};  ///< pair tried on the parked frame; without effect on the live solver
 };
 
 /// What to solve again around a parked cursor; none if nothing would differ, or no range is marked. A cursor

@@ -17,7 +17,7 @@ int same_pair(const MotionLibrary& from, int pair, const MotionLibrary& to) {
 
 namespace {
 
-/// A pair of so many, or none.
+/// A pair within this number, or none.
 bool is_within(int pair, int count) {
   return pair >= -1 && pair < count;
 }

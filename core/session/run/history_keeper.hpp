@@ -17,7 +17,7 @@ struct HistoryBound {
 };
 
 /// Keeps the frames of a running session on disk for its history: several session files in a folder, each an
-/// eighth of the bound. While a recorder writes the frames anyway, it rests. Thread-safe; no function waits
+/// eighth of the bound. Pauses while a recorder writes the frames. Thread-safe; no function waits
 /// for the disk except `open`, `go_on`, `tend` and `remove`.
 class HistoryKeeper : public FrameListener {
  public:
@@ -40,7 +40,7 @@ class HistoryKeeper : public FrameListener {
     std::string failure;              ///< why frames are not on disk; empty again once they are
   };
   virtual State state() const = 0;
-  /// The frames on disk, and those of recorders that it rested for.
+  /// The frames on disk, and those of the recorders during pauses.
   virtual std::shared_ptr<const FrameStore> store() const = 0;
 
   /// Ends and deletes the files and the folder.

@@ -85,7 +85,7 @@ struct SessionEngine::Parts {
     prepare_roles();
   }
 
-  /// Whatever role the user takes later, the library is seen from there already; unless that takes the memory
+  /// Prepares the view of the library for the other role before it is needed; unless that takes the memory
   /// of a library that was too large to be read.
   void prepare_roles() const {
     for (const UserRole each : {role, other_character(role)})

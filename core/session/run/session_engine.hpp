@@ -39,7 +39,7 @@ class SessionEngine {
   const FrameHistory& history() const;
   const LatestSlot<FrameSnapshot>& latest() const;
   const SessionClock& clock() const;
-  /// Whether the clip that plays the user is held: nothing is recorded until it goes on.
+  /// Whether the clip that plays the user is held: nothing is recorded until it continues.
   bool is_held() const;
 
   /// Opens a stream; from then on its poses are the user's. The previous source stays ready. No change on

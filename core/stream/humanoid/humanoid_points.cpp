@@ -26,7 +26,7 @@ Vec3 average_offset(const HumanoidPose& pose, int bone) {
   return offset;
 }
 
-/// Of the sender's body against the average one; 1 where it tells nothing of its measures.
+/// Size of the sender's body relative to the average one; 1 if it does not send measures.
 double size_of(const HumanoidPose& pose) {
   using namespace humanoid;
   const double hips = pose.position[Hips].y();

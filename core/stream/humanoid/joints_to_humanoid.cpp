@@ -24,12 +24,12 @@ using Rotation = Eigen::Quaterniond;
 
 constexpr double longest_step_s = 0.25;
 
-/// Sines of the angle between two parts of a limb: below the first their plane tells nothing, above the
-/// second it tells all (6 and 20 degrees).
+/// Sines of the angle between two parts of a limb: below the first their plane is not used, above the
+/// second it alone is used (6 and 20 degrees).
 constexpr double no_plane = 0.1, full_plane = 0.35;
 
-/// Speed at which a twist follows what tells it, beyond that one's own motion; and that of the return to the
-/// smallest rotation where nothing tells it.
+/// Speed at which a twist follows its source, beyond the source's own motion; and speed of the return to the
+/// smallest rotation without a source.
 constexpr double follow_rad_s = 12, return_rad_s = 1.5;
 
 /// Start of the collar bone, as a share of the distance from thorax to shoulder.

@@ -263,7 +263,7 @@ class PerformerAdvice {
     else if (seen_.posture.jumps > 0.1)
       add(Severity::Warning, "jumps",
           "the pose jumps farther than anybody moves in " + number(100 * seen_.posture.jumps) +
-              " % of the frames; look at the tracking, and whether two sources feed the sender");
+              " % of the frames; check the tracking, and whether two sources feed the sender");
   }
 
   double wise_delay_ms() const {
@@ -305,7 +305,7 @@ class PerformerAdvice {
     };
     if (is_recent(seen_.last_restart_s))
       add(Severity::Note, "sender-restarted",
-          "the sender began anew " + number(stream_.now_s - seen_.last_restart_s, 1) +
+          "the sender restarted " + number(stream_.now_s - seen_.last_restart_s, 1) +
               " s ago; it is followed from there, calibrate again if it was");
     if (is_recent(seen_.last_clock_jump_s))
       add(Severity::Note, "clock-jump",
@@ -351,7 +351,7 @@ class PerformerAdvice {
       const double off = std::abs(std::log(std::max(height, 1e-12) * factor / usual_m));
       if (off < misfit) best = factor, misfit = off;
     }
-    if (best == 1 || misfit > 0.5) return text + "; look at the scale of the avatar at the sender";
+    if (best == 1 || misfit > 0.5) return text + "; check the scale of the avatar at the sender";
     if (stream_.uri.scheme == Scheme::Xsens) return text + "; add ?units=" + (best < 1 ? "cm" : "m");
     const std::string unit = best == 0.01 ? "cm" : best == 0.001 ? "mm" : exact_text(best);
     return text + ": the sender counts in " + (best < 1 ? "smaller" : "larger") +

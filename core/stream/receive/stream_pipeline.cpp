@@ -158,7 +158,7 @@ PerformerStream* StreamPipeline::find(const std::string& performer) {
 PerformerStream* StreamPipeline::stream_of(const PerformerFrame& frame, double now_s) {
   if (PerformerStream* const known = find(frame.performer)) return known;
   if (streams_.size() >= most_performers) {
-    // Whoever has been silent longest, and rather one of whom nothing was measured.
+    // The performer that has been silent longest, preferably one without measurements.
     const auto silent = std::min_element(streams_.begin(), streams_.end(), [](const auto& a, const auto& b) {
       return std::pair(a->body().has_value(), a->last_frame_s()) <
              std::pair(b->body().has_value(), b->last_frame_s());

@@ -91,7 +91,7 @@ bool ConstrainedSolver::solve_from_unconstrained(std::span<const ConstraintRow> 
   for (int pass = 0;; ++pass) {
     if (!solve_active(rows, active)) return false;
     bool changed = false;
-    // A row let go in the last pass could be violated by the answer: the last pass only adds.
+    // A row released in the last pass could be violated by the result: the last pass only adds rows.
     const bool only_adds = pass == active_set_passes - 1;
     for (std::size_t r = 0; any_inequality && pass < active_set_passes && r < rows.size(); ++r) {
       if (!rows[r].inequality || (only_adds && active[r])) continue;

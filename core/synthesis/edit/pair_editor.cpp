@@ -175,7 +175,7 @@ void PairEditor::build_rows(const Settings& settings, const FootLocks& locks, Re
     if (task_.planted[f]) add_place_rows(FootLocks::ankles[2 + f] + 1, *task_.planted[f], rows_);
   const std::size_t lasting_rows = rows_.size();
   if (parts_bodies(settings, relaxation)) contacts_.add_rows(iterate_, rows_);
-  // Capsule rows are found anew in every step, so the guess of what binds is only kept for the others.
+  // Capsule rows are determined again in every step, so the guess of active rows is kept only for the others.
   met_capsules_ |= rows_.size() > lasting_rows;
   active_rows_.resize(lasting_rows, 0);
   active_rows_.resize(rows_.size(), 0);

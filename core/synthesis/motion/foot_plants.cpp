@@ -31,7 +31,7 @@ constexpr double pressed_share = 0.3;  ///< of its recorded height over rest tha
 constexpr double stepping_s = 0.4, step_height_m = 0.06;
 // Omega of the springs that press a standing foot down and lift one that leaves [1/s].
 constexpr double press_rate = 50, lift_rate = 24;
-// A foot that the recording lifts is let go when it is off the floor, or after these at the latest.
+// A foot that the recording lifts is released when it is off the floor, or after these at the latest.
 constexpr double lifted_m = 0.02, longest_lift_s = 0.12, farthest_lift_m = 0.15;
 // A foot in the air anticipates the body's way beside the recording: by this share of the remaining way.
 constexpr double lead_share = 0.3, lead_rate = 12;  // omega [1/s]
@@ -181,7 +181,7 @@ void FootPlants::stay(Foot& foot, const FootMoment& now, double elapsed_s) const
   }
 }
 
-/// Where a foot is that was let go, and how much of a step it is lifted by.
+/// Position of a released foot, and its lift during a step.
 FootPlants::OnItsWay FootPlants::go(Foot& foot, const FootMoment& now) {
   const double share = foot.fades_s > 0 ? foot.since_s / foot.fades_s : 1;
   if (share >= 1) {

@@ -24,7 +24,7 @@ constexpr double reach_found_m = 0.05;
 // A hand at the shoulder: the arm points nowhere.
 constexpr double near_lost_m = 0.12, near_found_m = 0.16;
 constexpr double lag_rate = 30;      ///< omega [1/s]
-constexpr double rests_in_s = 0.15;  ///< a hand that is let go
+constexpr double rests_in_s = 0.15;  ///< a released hand
 
 constexpr double full_arm = 0.995;
 constexpr double elbow_bias_m = 0.03;    ///< an elbow hangs: where a straight arm bends
@@ -82,7 +82,7 @@ bool HandHolds::is_out_of_reach(const Pair& pair, double from_shoulder_m, double
          from_shoulder_m < (pair.out_of_reach ? near_found_m : near_lost_m);
 }
 
-/// The recorded offset; what another source or a hand that was let go had differs, and fades.
+/// The recorded offset; the difference from that of another source or of a released hand fades.
 void HandHolds::follow(Pair& pair, const Vec3& offset, bool begins, double elapsed_s) {
   if (begins) {
     pair.lag = pair.ramp > 0 ? Vec3(pair.offset - offset) : Vec3::Zero();

@@ -19,7 +19,7 @@ class HandHolds {
     bool recorded = false;  ///< between the two distances: held
     bool out_of_reach = false;
     double ramp = 0;             ///< 0 = not held, 1 = held
-    double ramp_pace = 0;        ///< does not jump where a hold is let go half way [1/s]
+    double ramp_pace = 0;        ///< continuous if a hold is released during its ramp [1/s]
     Vec3 offset = Vec3::Zero();  ///< partner's hand from the user's, from the user's heading [m]
     Vec3 lag = Vec3::Zero();     ///< remainder of a previous source in `offset`
     Vec3 lag_speed = Vec3::Zero();

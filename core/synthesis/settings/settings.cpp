@@ -21,7 +21,7 @@ constexpr double lowest_step_rate_hz = 5;
 constexpr double highest_weighed_rate_hz =
     240;  ///< poses closer than this are weighed as if they were this far apart
 
-/// Sessions that were recorded with it are still read: how a change of source fades is another setting now.
+/// Still accepted in recorded sessions; `transition-time` has replaced it.
 constexpr std::string_view retired_setting = "transition-half-life";
 
 /// The former name of the selection `intent`, still read in sessions, settings and scripts.
@@ -45,87 +45,86 @@ Entry entry(const SettingInfo& info, T Settings::*member) {
 const std::vector<Entry>& entries() {
   static const std::vector<Entry> all = {
       entry({"selection", "", "method", "Selection", "", Kind::Choice, 0, 1, false, "paper|intent",
-             "How a recorded pair is chosen.\n"
+             "How a recorded pair is selected.\n"
              "  paper: the cheapest of the k nearest poses by Eq. 7\n"
-             "  intent: the pair whose partner is expected to be nearest to the one the user means, by the "
-             "user's last two seconds; learned from the library in a second or more\n"
+             "  intent: the pair with the least expected distance from the partner that fits the user's last "
+             "two seconds; learned from the library in a second or more\n"
              "Paper 3.3.2-3.3.3: paper."},
             &Settings::selection),
-      entry({"alpha", "\u03b1", "temporal smoothness", "Selection", "", Kind::Real, 0, 5, false, "",
-             "Weight of temporal coherence when a recorded pair is chosen.\n"
-             "  cost = \u03a3|p_in \u2212 p_A|\u00b2 + \u03b1 (\u03a3|s_{A,i*} \u2212 q\u2033_A|\u00b2 + "
-             "\u03a3|s_{S,i*} \u2212 q\u2033_S|\u00b2)\n"
-             "s_{i*} is the result before, moved on at its speed (Eq. 3-4). The method intent adds \u03b1 "
-             "times the mean "
-             "distance from the partner that is shown, 0.1 s of the difference in speed, and what the change "
-             "does "
-             "to held hands and standing feet [m]. Higher: fewer changes of source, but the partner sticks "
-             "to a "
-             "move longer.\n"
-             "Paper 3.3.3, Eq. 7: 0.5."},
-            &Settings::alpha),
-      entry({"neighbours", "k", "neighbours", "Selection", "", Kind::Integer, 1, 200, true, "",
-             "Recorded pairs nearest to the user's pose, by the positions of head, hands and feet, that are "
-             "compared by Eq. 7.\n"
-             "Higher: the best pair is missed more rarely, and a step takes longer. The method intent "
-             "compares all "
-             "pairs: this number of the best is fully evaluated and listed.\n"
-             "Paper 3.3.2: 10."},
-            &Settings::neighbours),
+      entry(
+          {"alpha", "\u03b1", "temporal smoothness", "Selection", "", Kind::Real, 0, 5, false, "",
+           "Weight of temporal coherence in the selection.\n"
+           "  cost = \u03a3|p_in \u2212 p_A|\u00b2 + \u03b1 (\u03a3|s_{A,i*} \u2212 q\u2033_A|\u00b2 + "
+           "\u03a3|s_{S,i*} \u2212 q\u2033_S|\u00b2)\n"
+           "s_{i*} is the previous result, extrapolated with its velocity (Eq. 3-4). The method intent adds "
+           "\u03b1 times the sum of the mean distance from the shown partner, 0.1 s of the difference in "
+           "velocity, and the effect of the change on held hands and standing feet [m]. Higher: fewer "
+           "changes "
+           "of source, but the partner stays in a move longer.\n"
+           "Paper 3.3.3, Eq. 7: 0.5."},
+          &Settings::alpha),
+      entry(
+          {"neighbours", "k", "neighbours", "Selection", "", Kind::Integer, 1, 200, true, "",
+           "Number of recorded pairs nearest to the user's pose, by the positions of head, hands and feet, "
+           "that Eq. 7 compares.\n"
+           "Higher: the best pair is missed less often, and a step takes longer. The method intent compares "
+           "all pairs, and fully evaluates and lists this number of the best.\n"
+           "Paper 3.3.2: 10."},
+          &Settings::neighbours),
       entry({"continuations", "", "continuations", "Selection", "frames", Kind::Integer, 0, 15, false, "",
-             "So many recorded successors of the current source join the candidates, so that continuing is "
-             "always a choice.\n"
-             "Not in the paper: 0. Of the method paper with the playback frames."},
+             "Number of recorded successors of the current source that join the candidates, so that the "
+             "source can always continue.\n"
+             "Not in the paper: 0. Used by the method paper with the playback frames."},
             &Settings::continuations),
       entry({"switch-margin", "", "switch margin", "Selection", "m", Kind::Real, 0, 0.5, false, "",
-             "What another source must be better by than continuing the current one. Higher: fewer "
-             "changes of source, later ones.\n"
-             "Not in the paper; of the method intent."},
+             "Gain in cost that a change of source must bring. Higher: fewer and later changes.\n"
+             "Not in the paper; used by the method intent."},
             &Settings::switch_margin),
       entry({"leader-weight", "w_l", "leader weight", "Selection", "m", Kind::Real, 0, 2, false, "",
-             "Cost of a pair whose recorded leader did not move as the user did.\n"
+             "Cost of a pair whose recorded leader moved differently from the user.\n"
              "  w_l (1 \u2212 k(user's last 2 s, leader's 2 s before the pair))\n"
-             "Not in the paper; of the method intent."},
+             "Not in the paper; used by the method intent."},
             &Settings::leader_weight),
       entry({"move-weight", "w_m", "move weight", "Selection", "m", Kind::Real, 0, 2, false, "",
-             "Cost of a pair whose label is unlikely after what the user did.\n"
+             "Cost of a pair whose label is unlikely after the user's last motion.\n"
              "  w_m (1 \u2212 P(label))\n"
-             "Not in the paper; of the method intent. Nothing in a library without labels."},
+             "Not in the paper; used by the method intent. No effect in a library without labels."},
             &Settings::move_weight),
-      entry({"meant-weight", "w_p", "named-move weight", "Selection", "m", Kind::Real, 0, 2, false, "",
-             "Cost of a pair that is not of the label or take that a person named. Higher: what is named "
-             "counts more than what is seen.\n"
-             "Not in the paper; of the method intent. By Eq. 7 only what is named is compared."},
+      entry({"meant-weight", "w_p", "intended-move weight", "Selection", "m", Kind::Real, 0, 2, false, "",
+             "Cost of a pair that does not have the declared label or take. Higher: the declaration counts "
+             "more than the observed motion.\n"
+             "Not in the paper; used by the method intent. Eq. 7 compares only pairs of the declared move."},
             &Settings::meant_weight),
-      entry({"user-role", "", "user's role", "Selection", "", Kind::Choice, 0, 1, false, "active|passive",
-             "Whether the person leads (Role_A) or the partner does (Role_S). Both bodies go on "
-             "from where they are.\n"
-             "Paper 3.3.1: active; section 5 speaks of both."},
-            &Settings::user_role),
+      entry(
+          {"user-role", "", "user's role", "Selection", "", Kind::Choice, 0, 1, false, "active|passive",
+           "Whether the user leads (active, Role_A) or follows (passive, Role_S). After a change both bodies "
+           "continue from their positions.\n"
+           "Paper 3.3.1: active; section 5 mentions both."},
+          &Settings::user_role),
       entry({"velocity-weight", "w_\u0394", "velocity weight", "Energies", "", Kind::Real, 0, 2, false, "",
-             "Weight of the velocity energy, which compares a pose with the one before.\n"
+             "Weight of the velocity energy, which compares a pose with the previous one.\n"
              "  minimise E_L + w_\u0394 E_V + E_C\n"
              "At f steps per second it is w_\u0394 f/15, or w_\u0394 (f/15)\u00b2 when predicted, so that "
-             "the time constant stays. Higher: smoother, but the partner lags behind.\n"
+             "the time constant is the same. Higher: smoother, but the partner lags behind.\n"
              "Paper 3.4.2, Eq. 11: 0.2 at 15 steps per second."},
             &Settings::velocity_weight),
       entry({"velocity-form", "", "velocity energy", "Energies", "", Kind::Choice, 0, 1, false,
              "velocity|predicted",
-             "What the velocity energy compares a pose with: the result before, or where the two before lead "
-             "to.\n"
+             "What the velocity energy compares a pose with: the previous result, or the linear prediction "
+             "from the previous two.\n"
              "  velocity: E_V = \u00bd|V_i \u2212 V_{i-1}|\u00b2\n"
              "  predicted: E_V = \u00bd|V_i \u2212 (2V_{i-1} \u2212 V_{i-2})|\u00b2\n"
-             "Paper 3.4.2 has E_V(V_i, V_{i-1}) and prints no formula."},
+             "Paper 3.4.2 has E_V(V_i, V_{i-1}) without a formula."},
             &Settings::velocity_form),
       entry({"morph-weight", "w_C", "morphing weight", "Energies", "", Kind::Real, 0.1, 1000, true, "",
-             "Weight of the morphing constraint, which pulls the user's character to the user.\n"
+             "Weight of the morphing constraint, which pulls the user's character to the user's pose.\n"
              "  E_C = \u00bd w_C \u03a3|q_interpolated \u2212 v_A|\u00b2\n"
              "Higher: it follows the user more exactly.\n"
-             "Paper 3.4.2, Eq. 9; a soft constraint whose weight is not printed."},
+             "Paper 3.4.2, Eq. 9; a soft constraint whose weight is not stated."},
             &Settings::morph_weight),
       entry({"edge-weights", "", "edge weights", "Energies", "", Kind::Choice, 0, 2, false,
              "inverse|inverse-mean|uniform",
-             "How the mesh neighbours of a joint weigh in its Laplacian coordinate, by their distance d in "
+             "Weights of the mesh neighbours of a joint in its Laplacian coordinate, by their distance d in "
              "the selected pair.\n"
              "  L(v_j) = \u03a3_l w_jl (v_j \u2212 v_l)\n"
              "  inverse: w_jl = (1/d_jl) / \u03a3_k (1/d_jk)\n"
@@ -134,68 +133,67 @@ const std::vector<Entry>& entries() {
              "Paper 3.4.2 takes E_L from Ho et al. 2010: inverse."},
             &Settings::edge_weights),
       entry({"anchor-weight", "", "anchor weight", "Energies", "", Kind::Real, 1e-6, 0.1, true, "",
-             "Holds the partner weakly to the selected pair, for moments when no short mesh edge does.\n"
+             "Weak pull of the partner to the selected pair, for joints without a short mesh edge.\n"
              "  \u00bd w_a |V_S \u2212 q\u2033_{S,sel}|\u00b2\n"
              "Not in the paper."},
             &Settings::anchor_weight),
       entry({"hold-weight", "w_H", "hold weight", "Energies", "", Kind::Real, 0, 1000, false, "",
-             "Brings hands together that hold one another in the recording. 0: holds are left to the mesh.\n"
+             "Pulls hands together that hold one another in the recording. 0: only the mesh does.\n"
              "  \u00bd w_H |(v_S \u2212 v_A) \u2212 (q_S \u2212 q_A)|\u00b2\n"
-             "Not in the paper: 0; of the playback continuous."},
+             "Not in the paper: 0; used by the playback continuous."},
             &Settings::hold_weight),
       entry({"morph-steps", "m", "morph steps", "Constraints", "", Kind::Integer, 1, 20, false, "",
              "Steps from the selected pose to the user's. Each solves Eq. 11 once.\n"
              "  q_interpolated = (i/m)(q\u2032_in \u2212 q\u2033_{A,sel}) + q\u2033_{A,sel}\n"
-             "Paper 3.4.2, Eq. 8; it prints no number. Of the playback frames."},
+             "Paper 3.4.2, Eq. 8, without a number. Used by the playback frames."},
             &Settings::morph_steps),
       entry({"projection-steps", "", "projection steps", "Constraints", "", Kind::Integer, 0, 10, false, "",
-             "Further steps on the full target, which bring bone lengths back after the last turn.\n"
-             "More are taken when a bone is still off by over 0.02 %.\n"
+             "Further steps on the full target, which restore the bone lengths.\n"
+             "More are taken while a bone length is wrong by more than 0.02 %.\n"
              "Not in the paper."},
             &Settings::projection_steps),
       entry({"foot-locks", "", "foot locks", "Constraints", "", Kind::Flag, 0, 1, false, "",
-             "A foot that was landed in the frame before and still is stays where it was.\n"
+             "A foot that was landed in the previous frame and still is does not move.\n"
              "  V_{feet,i} = V_{feet,i-1}\n"
              "Paper 3.4.2, Eq. 10: on."},
             &Settings::foot_locks),
-      entry({"foot-lock-speed", "", "planted below", "Constraints", "m/s", Kind::Real, 0, 1, false, "",
-             "A foot faster than this is not planted. 0: height alone decides. With the playback continuous "
-             "it is "
-             "the user's; the partner's stands as in the recording.\n"
-             "Paper 3.4.2: 0."},
-            &Settings::foot_lock_speed),
+      entry(
+          {"foot-lock-speed", "", "planted below", "Constraints", "m/s", Kind::Real, 0, 1, false, "",
+           "A foot faster than this is not planted. 0: only the height decides. With the playback continuous "
+           "it applies to the user's feet; the partner's stand as in the recording.\n"
+           "Paper 3.4.2: 0."},
+          &Settings::foot_lock_speed),
       entry({"collisions", "", "collisions", "Constraints", "", Kind::Flag, 0, 1, false, "",
-             "The bodies' capsules are kept apart, as far as the recorded pair does itself.\n"
+             "Keeps the bodies' capsules apart, as far as they are apart in the recorded pair.\n"
              "Paper 3.4.2, hard constraint C_C: on."},
             &Settings::collisions),
-      entry({"playback", "", "playback", "Timing", "", Kind::Choice, 0, 1, false, "frames|continuous",
-             "How the selected pair becomes motion.\n"
-             "  frames: every step edits the recorded frame that was selected, where the user is\n"
-             "  continuous: the recording runs at the user's pace, the partner's place is a state with a "
-             "speed, "
-             "changes of source fade, feet stand where they landed, hands that hold stay together\n"
-             "Paper 3.4: frames."},
-            &Settings::playback),
       entry(
-          {"transition-time", "", "transition time", "Timing", "s", Kind::Real, 0.05, 1, false, "",
-           "In which a small change of source fades; a large one takes up to 5/3 of it. Longer: softer, and "
-           "later where the user wants the partner.\n"
-           "Not in the paper; of the playback continuous."},
-          &Settings::transition_time_s),
+          {"playback", "", "playback", "Timing", "", Kind::Choice, 0, 1, false, "frames|continuous",
+           "How the selected pair becomes motion.\n"
+           "  frames: every step edits the selected recorded frame, placed at the user\n"
+           "  continuous: the recording continues at the user's pace, the partner's place is a state with a "
+           "speed, changes of source fade, feet stand where they landed, hands that hold stay together\n"
+           "Paper 3.4: frames."},
+          &Settings::playback),
+      entry({"transition-time", "", "transition time", "Timing", "s", Kind::Real, 0.05, 1, false, "",
+             "Duration of the transition after a small change of source; a large one takes up to 5/3 of it. "
+             "Longer: smoother, but the partner reaches its place later.\n"
+             "Not in the paper; used by the playback continuous."},
+            &Settings::transition_time_s),
       entry({"place-rate", "\u03c9", "place rate", "Timing", "1/s", Kind::Real, 0.5, 30, true, "",
-             "How fast the partner goes to where the user wants it, beside what the recording carries it.\n"
+             "Rate at which the partner approaches its desired place, in addition to the recorded movement.\n"
              "  u\u2032 = \u03c9\u00b2 (D \u2212 P) \u2212 2 \u03c9 u\n"
-             "Higher: nearer, and every sway of the user's hips is seen in the partner.\n"
-             "Not in the paper; of the playback continuous."},
+             "Higher: nearer, but the partner follows every movement of the user's hips.\n"
+             "Not in the paper; used by the playback continuous."},
             &Settings::place_rate),
       entry({"step-rate", "", "step rate", "Timing", "Hz", Kind::Real, 0, 120, false, "",
              "Solved frames per second, at least 5. 0: the input's own rate, at most 120.\n"
              "Paper 3.3.3: \u0394t = 1/15 s, so 15."},
             &Settings::step_rate_hz),
       entry({"scale-root-path", "", "scale the user's path", "Timing", "", Kind::Flag, 0, 1, false, "",
-             "A user of another size covers ground in proportion to the length of the legs.\n"
-             "Off: the path stays 1:1 and planted feet of such a user slide.\n"
-             "Paper 3.3.1 retargets after Gleicher 1998 and does not say."},
+             "Scales the path of a user of another size by the ratio of the leg lengths.\n"
+             "Off: the path stays 1:1, and planted feet of such a user slide.\n"
+             "Paper 3.3.1 retargets after Gleicher 1998 without a statement on this."},
             &Settings::scale_root_path),
   };
   return all;

@@ -109,7 +109,7 @@ void FramePipeline::select_pinned(const SelectionQuery& query) {
   out_.candidates.insert(place, candidate);
 }
 
-/// Whether the selected pair is the source that the frame before had, at whatever pace.
+/// Whether the selected pair continues the source of the previous frame, at any pace.
 bool FramePipeline::continues_source(int pair, double dt_s) const {
   if (plays()) {
     const SourcePlayhead& now = next_.motion.playhead;

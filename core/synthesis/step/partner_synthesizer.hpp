@@ -32,13 +32,14 @@ class PartnerSynthesizer {
       const std::vector<std::string>& excluded_takes = {});
   ~PartnerSynthesizer();
 
-  /// After a longer time without a solved frame, the next one starts anew.
+  /// After a longer time without a solved frame, the temporal state is reset.
   static constexpr double tracking_loss_s = 0.3;
 
   /// Solves one frame. Never throws and never returns a pose that is not finite: unmet constraints are in
   /// `status` and `residual`; after a failure the last good poses are held.
   /// @param user the user's pose, 25 joints, world [m]; any body size
-  /// @param elapsed  since the previous step; more than `tracking_loss_s` without a solved frame starts anew
+  /// @param elapsed  since the previous step; after more than `tracking_loss_s` without a solved frame the
+  /// temporal state is reset
   /// @return         valid until the next call
   const FrameResult& step(const Pose& user, Duration elapsed);
 
@@ -71,13 +72,13 @@ class PartnerSynthesizer {
   /// these; for the selection `intent` other pairs cost more.
   void set_intended(const std::optional<IntendedPairs>& meant);
 
-  /// Everything that the next step depends on beside settings and input.
+  /// Everything that the next step depends on, except settings and input.
   SynthesizerState state() const;
   /// Continues from `state`, taken from a synthesizer of the same library and excluded takes. Settings stay,
   /// except the user's role, which is the state's.
   void restore(const SynthesizerState& state);
   /// Continues from the state of a synthesizer over another library: bodies and locks stay, recorded pairs
-  /// are selected anew; pin, vetoes and intended move stay those of this object.
+  /// are selected again; pin, vetoes and intended move stay those of this object.
   void take_over(const SynthesizerState& state);
 
   const MotionLibrary& library() const;

@@ -83,7 +83,7 @@ TEST(Annotations, ReplaceCutsWhatReachesInAndRemovesWhatIsCovered) {
 
 TEST(Annotations, ReplaceWithinALongOneLeavesBothItsParts) {
   Moves moves;
-  ASSERT_TRUE(moves.annotations.say(moves.b, "b", "detail", "low"));
+  ASSERT_TRUE(moves.annotations.say(moves.b, {.value = "b", .detail = "detail", .confidence = "low"}));
   ASSERT_TRUE(moves.annotations.draw(moves.tier, 3.5, 4, "d", Conflict::Replace, ten_seconds));
   EXPECT_THAT(moves.now(), ElementsAre("1-2 a", "3-3.5 b", "3.5-4 d", "4-5 b", "6-7 c"));
   const Annotation& later = moves.annotations.tier(moves.tier)->annotations[3];
@@ -158,7 +158,7 @@ TEST(Annotations, OneThatIsResizedIsCutAtTheEnds) {
 
 TEST(Annotations, SplitPartsSayTheSame) {
   Moves moves;
-  ASSERT_TRUE(moves.annotations.say(moves.b, "b", "detail", "high"));
+  ASSERT_TRUE(moves.annotations.say(moves.b, {.value = "b", .detail = "detail", .confidence = "high"}));
   const auto later = moves.annotations.split(moves.b, 4);
   ASSERT_TRUE(later);
   EXPECT_THAT(moves.now(), ElementsAre("1-2 a", "3-4 b", "4-5 b", "6-7 c"));
@@ -177,7 +177,7 @@ TEST(Annotations, MergedOnesFillWhatWasBetweenThem) {
 TEST(Annotations, ACopyStandsInTheOtherTierAndSaysTheSame) {
   Moves moves;
   const int other = *moves.annotations.add_tier("move of b", TierKind::Move, {});
-  ASSERT_TRUE(moves.annotations.say(moves.b, "b", "detail", "high"));
+  ASSERT_TRUE(moves.annotations.say(moves.b, {.value = "b", .detail = "detail", .confidence = "high"}));
   const auto copy = moves.annotations.copy_to(moves.b, other, Conflict::Refuse);
   ASSERT_TRUE(copy);
   EXPECT_THAT(texts(moves.annotations, other), ElementsAre("3-5 b"));
@@ -203,7 +203,7 @@ TEST(Annotations, WhatIsGoneIsNamedInTheRefusal) {
   for (const std::string& text :
        {refusal(moves.annotations.remove(moves.a)), refusal(moves.annotations.split(moves.a, 1.5)),
         refusal(moves.annotations.merge_with_next(moves.a)),
-        refusal(moves.annotations.say(moves.a, "", "", "")),
+        refusal(moves.annotations.say(moves.a, {.value = ""})),
         refusal(moves.annotations.place(moves.a, 1, 2, Conflict::Push, ten_seconds)),
         refusal(moves.annotations.copy_to(moves.a, moves.tier, Conflict::Push))})
     EXPECT_THAT(text, HasSubstr("there is no annotation " + std::to_string(moves.a)));

@@ -59,7 +59,7 @@ TEST_F(LabelEdits, OnlyANoteMaySayNothingAndARoleIsAOrB) {
 }
 
 TEST_F(LabelEdits, AnotherValueKeepsDetailAndConfidence) {
-  ASSERT_TRUE(annotations.say(second, "two", "to the left", "high"));
+  ASSERT_TRUE(annotations.say(second, {.value = "two", .detail = "to the left", .confidence = "high"}));
   const auto edit = say_label(annotations, second, "one");
   ASSERT_TRUE(edit);
   EXPECT_EQ(edit->next.find(second)->detail, "to the left");

@@ -34,26 +34,34 @@ CapsuleRadii hands() {
   return radii;
 }
 
+/// Figures of one frame.
+PenetrationMetric::Figures figures_of(const PairPose& pair, const PairPose& selected,
+                                      const CapsuleRadii& active, const CapsuleRadii& passive) {
+  PenetrationMetric metric;
+  metric.add(pair, selected, active, passive);
+  return metric.figures();
+}
+
 TEST(Penetration, IsTheDepthOfTwoCapsulesInOneAnother) {
   const PairPose pair = heads_overlapping_by(0.03);
-  EXPECT_NEAR(deepest_penetration(pair, pair, heads(), heads()), 0.03, 1e-9);
-  EXPECT_NEAR(deepest_penetration(heads_overlapping_by(-0.01), pair, heads(), heads()), 0, 1e-9);
+  EXPECT_NEAR(figures_of(pair, pair, heads(), heads()).max_m, 0.03, 1e-9);
+  EXPECT_NEAR(figures_of(heads_overlapping_by(-0.01), pair, heads(), heads()).max_m, 0, 1e-9);
 }
 
 TEST(Penetration, ExcessIsWhatTheRecordingDoesNotHave) {
   const PairPose recorded = heads_overlapping_by(0.02);
-  EXPECT_NEAR(deepest_excess_penetration(heads_overlapping_by(0.03), recorded, heads(), heads()), 0.01, 1e-9);
-  EXPECT_NEAR(deepest_excess_penetration(heads_overlapping_by(0.015), recorded, heads(), heads()), 0, 1e-9);
+  EXPECT_NEAR(figures_of(heads_overlapping_by(0.03), recorded, heads(), heads()).excess_max_m, 0.01, 1e-9);
+  EXPECT_NEAR(figures_of(heads_overlapping_by(0.015), recorded, heads(), heads()).excess_max_m, 0, 1e-9);
   EXPECT_NEAR(
-      deepest_excess_penetration(heads_overlapping_by(0.03), heads_overlapping_by(-0.1), heads(), heads()),
-      0.03, 1e-9)
+      figures_of(heads_overlapping_by(0.03), heads_overlapping_by(-0.1), heads(), heads()).excess_max_m, 0.03,
+      1e-9)
       << "room in the recording is no debt";
 }
 
 TEST(Penetration, OfHandsThatHoldOneAnotherIsNone) {
-  EXPECT_NEAR(deepest_penetration(hands_apart(0.12), hands_apart(0.12), hands(), hands()), 0, 1e-9);
-  EXPECT_NEAR(deepest_penetration(hands_apart(0.14), hands_apart(0.14), hands(), hands()), 0.06, 1e-9);
-  EXPECT_NEAR(deepest_penetration(hands_apart(0.14), hands_apart(0.12), hands(), hands()), 0, 1e-9)
+  EXPECT_NEAR(figures_of(hands_apart(0.12), hands_apart(0.12), hands(), hands()).max_m, 0, 1e-9);
+  EXPECT_NEAR(figures_of(hands_apart(0.14), hands_apart(0.14), hands(), hands()).max_m, 0.06, 1e-9);
+  EXPECT_NEAR(figures_of(hands_apart(0.14), hands_apart(0.12), hands(), hands()).max_m, 0, 1e-9)
       << "the reference decides who holds";
 }
 
@@ -61,8 +69,8 @@ TEST(Penetration, RadiiBelongToTheirBody) {
   CapsuleRadii larger = heads();
   larger[joints::Head - 1] = 0.15;
   PairPose pair = heads_overlapping_by(0.03);
-  EXPECT_NEAR(deepest_penetration(pair, pair, larger, heads()), 0.05, 1e-9);
-  EXPECT_EQ(deepest_penetration(pair, pair, CapsuleRadii{}, heads()), 0);
+  EXPECT_NEAR(figures_of(pair, pair, larger, heads()).max_m, 0.05, 1e-9);
+  EXPECT_EQ(figures_of(pair, pair, CapsuleRadii{}, heads()).max_m, 0);
 }
 
 TEST(Penetration, DoesNotChangeUnderATurnAndAShift) {
@@ -72,8 +80,9 @@ TEST(Penetration, DoesNotChangeUnderATurnAndAShift) {
     result.bottomRows<joint_count>() = test::moved(pair.bottomRows<joint_count>(), 0.7, {2, 0, -1});
     return result;
   };
-  EXPECT_NEAR(deepest_excess_penetration(elsewhere(heads_overlapping_by(0.03)),
-                                         elsewhere(heads_overlapping_by(0.02)), heads(), heads()),
+  EXPECT_NEAR(figures_of(elsewhere(heads_overlapping_by(0.03)), elsewhere(heads_overlapping_by(0.02)),
+                         heads(), heads())
+                  .excess_max_m,
               0.01, 1e-9);
 }
 

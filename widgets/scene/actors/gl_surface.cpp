@@ -118,7 +118,7 @@ void GlSurface::fetch() {
 void GlSurface::paintEvent(QPaintEvent*) {
   const bool is_requested = m_stale;
   QPainter(this).drawImage(0, 0, picture());
-  // Told once the window has it.
+  // Reported when the window has it.
   if (is_requested && shown) QTimer::singleShot(0, this, [this] { shown(); });
 }
 

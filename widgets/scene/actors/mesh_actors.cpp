@@ -13,7 +13,7 @@ using Line = std::array<int, 2>;
 using Rgba = std::array<unsigned char, 4>;
 
 constexpr double strong_share = 0.45;  // of the map, from which an edge is drawn thicker
-constexpr double cell_shrink = 0.06;   // a gap that tells neighbouring cells apart
+constexpr double cell_shrink = 0.06;   // a gap that separates neighbouring cells
 
 }  // namespace
 

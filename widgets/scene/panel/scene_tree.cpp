@@ -5,12 +5,12 @@
 #include <QLineEdit>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QScrollArea>
 #include <QToolTip>
 #include <QVBoxLayout>
 #include <algorithm>
 
 #include "widgets/common/plain_text.hpp"
+#include "widgets/common/scrolled.hpp"
 #include "widgets/common/selection_model.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
@@ -38,13 +38,8 @@ SceneTree::SceneTree(QWidget* parent)
   auto* field = new QHBoxLayout;
   field->setContentsMargins(10, 0, 10, 2);
   field->addWidget(m_filter);
-  m_scroll->setWidget(m_list);
-  m_scroll->setWidgetResizable(true);
-  m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  m_scroll->setFrameShape(QFrame::NoFrame);
+  scroll_vertically(*m_scroll, m_list);
   m_scroll->setFocusPolicy(Qt::NoFocus);
-  m_scroll->viewport()->setAutoFillBackground(false);
-  m_list->setAutoFillBackground(false);
   m_scroll->setMinimumHeight(least_rows * SceneTreeList::row_height);
   column->addLayout(field);
   column->addWidget(m_scroll, 1);

@@ -17,7 +17,7 @@ inline std::vector<double> bone_strokes(const PairPose& pair, int first_vertex, 
     const Vec3 from = pair.row(first_vertex + bone(b).first);
     const Vec3 along = Vec3(pair.row(first_vertex + bone(b).second)) - from;
     const int gaps = dashed ? static_cast<int>(std::lround(along.norm() / period_m)) : 0;
-    // So many dashes and gaps in turn, the last a dash: (gaps + 1) d + gaps g = 1 with d : g fixed.
+    // Alternating dashes and gaps, the last a dash: (gaps + 1) d + gaps g = 1 with d : g fixed.
     const double dash = dash_share / (gaps + dash_share), step = 1 / (gaps + dash_share);
     for (int d = 0; d <= gaps; ++d)
       for (const double share : {d * step, d * step + dash}) {
