@@ -133,8 +133,11 @@ std::size_t C3dParser::declared_frames() {
 
 /// A file of segments alone: each sample is a frame.
 Status C3dParser::measure_rotations() {
-  const std::size_t declared =
-      rotations_->announced() > 0 ? rotations_->announced() : declared_frames() * rotations_->ratio();
+  const std::size_t frames = declared_frames();
+  const bool says_all = frames == std::numeric_limits<std::size_t>::max();
+  const std::size_t declared = rotations_->announced() > 0 ? rotations_->announced()
+                               : says_all                  ? 0
+                                                           : frames * rotations_->ratio();
   frames_ = declared > 0 ? std::min(rotations_->samples(), declared) : rotations_->samples();
   if (frames_ < declared) warn_of_end(declared);
   return Done{};

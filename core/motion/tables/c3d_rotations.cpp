@@ -15,6 +15,7 @@ namespace {
 constexpr std::size_t block_bytes = 512;
 constexpr std::size_t floats_of_segment = 17;
 constexpr std::size_t segment_bytes = 4 * floats_of_segment;
+constexpr std::size_t highest_ratio = 10'000;
 constexpr double loosest_axis = 0.01;  ///< single precision and a program's own rounding are far below
 
 const C3dParameter* find_rotation(const C3dParameters& parameters, const std::string& name) {
@@ -82,7 +83,11 @@ Result<std::optional<C3dRotations>> C3dRotations::announced(const C3dBytes& byte
   rotations.ratio_ = std::max<std::size_t>(1, count_of(parameters, "RATIO"));
   if (!find_rotation(parameters, "RATIO") && rotations.rate_ > 0 && point_rate > 0)
     rotations.ratio_ = std::max<std::size_t>(
-        1, static_cast<std::size_t>(std::llround(std::min(1e4, rotations.rate_ / point_rate))));
+        1, static_cast<std::size_t>(std::llround(std::min(1e9, rotations.rate_ / point_rate))));
+  if (rotations.ratio_ > highest_ratio)
+    return error("there are said to be " + std::to_string(rotations.ratio_) +
+                 " samples of the segments in a frame of points; expected 1 to " +
+                 std::to_string(highest_ratio));
   if (rotations.rate_ == 0 && point_rate > 0)
     rotations.rate_ = point_rate * static_cast<double>(rotations.ratio_);
   rotations.announced_ = count_of(parameters, "FRAMES");

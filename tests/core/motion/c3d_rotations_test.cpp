@@ -196,6 +196,15 @@ TEST(C3dRotations, OfAFileThatIsCutOffAreReadToTheLastWholeSample) {
               HasSubstr("announces 5 frames and ends after 4"));
 }
 
+TEST(C3dRotations, WithoutACountAreAsManyAsTheFileSaysOrHolds) {
+  C3dBytesWriter writer = theia_file(6);
+  writer.announced_samples = 0;
+  writer.announced_frames = 4;
+  EXPECT_EQ(read_one(writer.bytes()).frames.size(), 4U);
+  writer.announced_frames = 65535;  // as many as a header can count: perhaps more
+  EXPECT_EQ(read_one(writer.bytes()).frames.size(), 6U);
+}
+
 TEST(C3dRotations, ThatAreNoTransformsAreRefused) {
   C3dBytesWriter writer = two_segments();
   auto& numbers = writer.segment_samples[0][1];
@@ -221,6 +230,9 @@ TEST(C3dRotations, ThatAreSaidToBeWhereTheFileHasNoneAreRefused) {
       HasSubstr("ROTATION: the segments are said to begin at block 900, where one sample of 2 takes 136"));
   writer.segment_data_block = 0;
   EXPECT_THAT(message_of(writer.bytes()), HasSubstr("said to begin at block 0"));
+  writer = two_segments();
+  writer.segment_ratio = 30000;
+  EXPECT_THAT(message_of(writer.bytes()), HasSubstr("30000 samples of the segments in a frame of points"));
   writer = two_segments();
   const std::string whole = writer.bytes();
   EXPECT_THAT(message_of(whole.substr(0, whole.size() - 1)), HasSubstr("it is cut off"));
