@@ -13,8 +13,8 @@ struct FunctionalCentre {
   Vec3 centre = Vec3::Zero();     ///< in the axes of the trajectories [m]
   std::array<double, 2> range{};  ///< rad, of the segment's direction, 5th to 95th percentile: the widest,
                                   ///< and across it
-  double noise_m = 0;           ///< standard deviation of the markers' distances from the centre
-  double expected_error_m = 0;  ///< standard error of the centre, from noise, range and distinct directions
+  double noise_m = 0;             ///< standard deviation of the markers' distances from the centre
+  double expected_error_m = 0;    ///< standard error of the centre, from noise, range and distinct directions
 };
 
 /// Least squares for the common centre of the spheres on which markers move, with a radius for each: Gamage
