@@ -139,6 +139,19 @@ void write_c3d() {
       writer.add_integers("TRIAL", "ACTUAL_START_FIELD", {1, 0});
       seed("c3d", fmt::format("small_{}.c3d", number++), writer.bytes());
     }
+  // Segments as Theia3D has them, with points and alone.
+  Writer writer;
+  writer.segment_labels = {"l_hand_4X4", "head_4X4"};
+  const std::array<double, 17> still{1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 10, 20, 30, 1, 0.5};
+  writer.segment_samples.assign(2, {still, still});
+  writer.announced_frames = 2;
+  writer.add_texts("THEIA3D", "LHAND_LENGTH", {"0.08"});
+  writer.add_reals("THEIA3D", "HEADCENTER_POS", {0, 0.01, 0.05});
+  seed("c3d", "segments.c3d", writer.bytes());
+  writer.labels = {"BALL"};
+  writer.frames = {{{1, 2, 3}}};
+  writer.segment_ratio = 2;
+  seed("c3d", "segments_and_points.c3d", writer.bytes());
 }
 
 /// Two nodes of which one moves.

@@ -12,6 +12,7 @@
 #include <QTemporaryDir>
 #include <algorithm>
 #include <fstream>
+#include <nlohmann/json.hpp>
 
 #include "app/workbench/library/import_desk.hpp"
 #include "app/workbench/library/import_rules_dialog.hpp"
@@ -19,6 +20,7 @@
 #include "app/workbench/library/marker_table.hpp"
 #include "core/library/build/motion_library_builder.hpp"
 #include "core/motion/bvh/bvh.hpp"
+#include "core/motion/scenes/glb_writer.hpp"
 #include "tests/core/motion/marker_body.hpp"
 #include "tests/support/libraries.hpp"
 #include "tests/widgets/pictures.hpp"
@@ -63,6 +65,50 @@ class ImportPanelTest : public DemoWindow {
     QDir(home().path()).mkpath(test->name());
     const QString file = home().filePath(QString("%1/%2").arg(test->name(), name));
     std::ofstream(file.toStdString()) << *write_bvh(std::vector<Clip>{take.a}, units_per_metre);
+    return file;
+  }
+  /// Two people in one file, who stand two metres apart.
+  static QString pair(const QString& name) {
+    PairedTake take = test::swinging_take("t", 40, 1);
+    take.a.name = "Anna", take.b.name = "Ben";
+    const QString file = home().filePath(name);
+    std::ofstream(file.toStdString()) << *write_bvh(std::vector<Clip>{take.a, take.b}, 100);
+    return file;
+  }
+  /// A person with two animations: "motion" of 40 frames, and "short", the first 20 of them.
+  static QString with_two_animations(const QString& name) {
+    const PairedTake take = test::swinging_take("t", 40, 1);
+    const std::string glb = *write_glb(std::vector<Clip>{take.a});
+    const auto number = [](const std::string& bytes, std::size_t at) {
+      std::size_t value = 0;
+      for (std::size_t byte = 4; byte-- > 0;)
+        value = value << 8U | static_cast<unsigned char>(bytes[at + byte]);
+      return value;
+    };
+    const auto written = [](std::size_t value) {
+      std::string bytes;
+      for (int byte = 0; byte < 4; ++byte, value >>= 8U) bytes += static_cast<char>(value & 0xffU);
+      return bytes;
+    };
+    const std::size_t header = 20, length = number(glb, 12);
+    auto scene = nlohmann::json::parse(glb.substr(header, length));
+    auto half = scene["animations"][0];
+    half["name"] = "short";
+    for (auto& sampler : half["samplers"])
+      for (const char* of : {"input", "output"}) {
+        auto accessor = scene["accessors"][sampler[of].get<std::size_t>()];
+        accessor["count"] = std::max<std::size_t>(1, accessor["count"].get<std::size_t>() / 2);
+        sampler[of] = scene["accessors"].size();
+        scene["accessors"].push_back(accessor);
+      }
+    scene["animations"].push_back(half);
+    std::string text = scene.dump();
+    text.resize((text.size() + 3) / 4 * 4, ' ');
+    const std::string rest = glb.substr(header + length);
+    const QString file = home().filePath(name);
+    std::ofstream(file.toStdString(), std::ios::binary)
+        << glb.substr(0, 8) << written(header + text.size() + rest.size()) << written(text.size())
+        << glb.substr(16, 4) << text << rest;
     return file;
   }
   static bool shows() {
@@ -184,6 +230,40 @@ TEST_F(ImportPanelTest, AFileWithoutDoubtsIsReachedByTheMenu) {
   EXPECT_EQ(panel()->warnings(), "");
   choose("Floor", "below the toes");
   EXPECT_NEAR(panel()->view().imported.clip.poses.front().col(1).minCoeff(), 0.04, 0.05);
+}
+
+TEST_F(ImportPanelTest, OfSeveralPerformersTheOneThatIsChosenPlaysTheUser) {
+  window().openFiles({pair("two.bvh")});
+  ASSERT_TRUE(shows()) << "the file asks";
+  auto* performers = named<QComboBox>("Performer");
+  ASSERT_TRUE(performers->isVisible());
+  ASSERT_EQ(performers->count(), 2);
+  EXPECT_EQ(performers->currentText(), "Anna");
+  const Pose anna = panel()->view().imported.clip.poses.front();
+  choose("Performer", "Ben");
+  const Pose ben = panel()->view().imported.clip.poses.front();
+  EXPECT_GT((anna.row(0) - ben.row(0)).norm(), 0.5) << "the picture shows the other one";
+  panel()->setRemembers(false);
+  click("Import");
+  ASSERT_TRUE(until([] { return open().reading.performer == "Ben" && !panel(); }));
+  EXPECT_LT((open().input.poses.front() - ben).norm(), 1e-9);
+}
+
+TEST_F(ImportPanelTest, OfSeveralAnimationsTheOneThatIsChosenIsRead) {
+  window().openFiles({with_two_animations("two.glb")});
+  ASSERT_TRUE(shows()) << "the file asks";
+  auto* animations = named<QComboBox>("Animation");
+  ASSERT_TRUE(animations->isVisible());
+  ASSERT_EQ(animations->count(), 2);
+  EXPECT_EQ(animations->currentText(), "motion") << "the longest";
+  EXPECT_EQ(panel()->view().imported.clip.poses.size(), 40U);
+  choose("Animation", "short");
+  EXPECT_EQ(panel()->view().imported.clip.poses.size(), 20U);
+  EXPECT_EQ(animations->count(), 2) << "it can be taken back";
+  panel()->setRemembers(false);
+  click("Import");
+  ASSERT_TRUE(until([] { return open().reading.animation == "short" && !panel(); }));
+  EXPECT_EQ(open().input.poses.size(), 20U);
 }
 
 TEST_F(ImportPanelTest, ATakeOfTheLibraryIsReadAnewAndTheLibraryBuiltAgain) {

@@ -352,12 +352,43 @@ JointMap joint_centres() {
   return map;
 }
 
+/// Segments of Theia3D, as C3dRotations names their origins: the proximal joint of a limb, the middle of the
+/// pelvis, the base of the neck (torso), the middle of the ears (head). Source: "Theia model description" of
+/// its documentation.
+JointMap theia() {
+  using namespace joints;
+  JointMap map{"theia", {}};
+  const auto both = [&](int left_joint, const Rules& rules) { set_both(map, left_joint, rules, "l", "r"); };
+  both(LeftHipJoint, {at("%_thigh_4X4")});
+  both(LeftFemur, {at("%_shank_4X4")});
+  both(LeftTibia, {at("%_foot_4X4")});
+  both(LeftFoot, {at("%_toes_4X4")});
+  both(LeftToes, {at("%_toes_end"), along("%_foot_4X4", "%_toes_4X4", toe_tip_beyond_foot)});
+  both(LeftClavicle, {at("%_uarm_4X4")});
+  both(LeftHumerus, {at("%_larm_4X4")});
+  both(LeftWrist, {at("%_hand_4X4")});
+  both(LeftHand, {at("%_hand_end"), along("%_larm_4X4", "%_hand_4X4", hand_beyond_forearm)});
+  set(map, Root, {at("pelvis_4X4")});
+  Rules neck, upper_neck;
+  std::array<Rules, 3> back;
+  for (const std::string trunk : {"torso_4X4", "thorax_4X4"}) {
+    neck.push_back(at(trunk));
+    for (const char* head : {"head_center", "head_4X4"}) upper_neck.push_back(along(trunk, head, 0.5));
+    constexpr std::array shares = {0.265, 0.527, 0.79};
+    for (std::size_t b = 0; b < shares.size(); ++b) back[b].push_back(along("pelvis_4X4", trunk, shares[b]));
+  }
+  set(map, LowerBack, back[0]), set(map, UpperBack, back[1]), set(map, Thorax, back[2]);
+  set(map, LowerNeck, neck), set(map, UpperNeck, upper_neck);
+  set(map, Head, {at("head_center"), at("head_4X4")});
+  return map;
+}
+
 }  // namespace
 
 const std::vector<JointMap>& builtin_joint_maps() {
   // Stricter maps first: the first one that finds all joints is used.
-  static const std::vector<JointMap> maps = {cmu(),   cmu_bvh(), mixamo(), lafan(),        unity(),
-                                             xsens(), motive(),  smpl(),   joint_centres()};
+  static const std::vector<JointMap> maps = {cmu(),   cmu_bvh(), mixamo(), lafan(),         unity(),
+                                             xsens(), motive(),  smpl(),   joint_centres(), theia()};
   return maps;
 }
 

@@ -10,6 +10,7 @@
 #include "core/motion/body/joint_set.hpp"
 #include "core/motion/joints/marker_gaps.hpp"
 #include "core/motion/joints/marker_geometry.hpp"
+#include "core/motion/joints/marker_hips.hpp"
 #include "core/motion/joints/marker_set.hpp"
 #include "core/motion/joints/performers.hpp"
 
@@ -38,6 +39,7 @@ constexpr double sides[2] = {1.0, -1.0};
 /// Sizes of one person, the same in all frames [m].
 struct Sizes {
   double pelvis_width = 0, pelvis_depth = 0, leg = 0;
+  std::array<Vec3, 2> hips{Vec3::Zero(), Vec3::Zero()};  ///< HipCentres::places
 };
 
 /// One frame of markers in metres, and the joints found so far.
@@ -49,10 +51,6 @@ class FrameSolver {
     return frame_.row(set_.of(place, side)).transpose();
   }
   Vec3 middle(MarkerPlace place) const { return (marker(place, 0) + marker(place, 1)) / 2; }
-  Vec3 pelvis_back() const {
-    if (set_.has_both(PelvisBack)) return (marker(PelvisBack, 0) + marker(PelvisBack, 1)) / 2;
-    return marker(Sacrum);
-  }
   Pose solve();
 
  private:
@@ -77,13 +75,13 @@ class FrameSolver {
 };
 
 void FrameSolver::pelvis() {
-  const Vec3 left = marker(PelvisFront, 0), right = marker(PelvisFront, 1), back = pelvis_back();
+  const Vec3 left = marker(PelvisFront, 0), right = marker(PelvisFront, 1), back = pelvis_back(set_, frame_);
   const Vec3 front = (left + right) / 2;
   const Eigen::Matrix3d axes = pelvis_axes(left, right, back);
   left_ = axes.col(0);
   put(joints::Root, (front + back) / 2);
-  put(joints::left_hip, front + axes * hip_centre(sizes_.pelvis_width, sizes_.pelvis_depth, 1));
-  put(joints::right_hip, front + axes * hip_centre(sizes_.pelvis_width, sizes_.pelvis_depth, -1));
+  put(joints::left_hip, front + axes * sizes_.hips[0]);
+  put(joints::right_hip, front + axes * sizes_.hips[1]);
 }
 
 /// Between C7 and the collar bones; where one of both is not marked, as far from the other as in an average
@@ -281,10 +279,11 @@ Sizes sizes_of(const MarkerSet& set, const std::vector<Positions>& frames, doubl
   std::vector<double> widths, depths, legs;
   const std::size_t step = std::max<std::size_t>(1, frames.size() / 500);
   for (std::size_t f = 0; f < frames.size(); f += step) {
-    const FrameSolver frame(set, {}, frames[f] * metres_per_unit);
+    const Positions metres = frames[f] * metres_per_unit;
+    const FrameSolver frame(set, {}, metres);
     const Vec3 left = frame.marker(PelvisFront, 0), right = frame.marker(PelvisFront, 1);
     widths.push_back((left - right).norm());
-    depths.push_back(((left + right) / 2 - frame.pelvis_back()).norm());
+    depths.push_back(((left + right) / 2 - pelvis_back(set, metres)).norm());
     legs.push_back((left - frame.marker(Knee, 0)).norm() +
                    (frame.marker(Knee, 0) - frame.marker(Ankle, 0)).norm());
   }
@@ -356,7 +355,12 @@ Result<NamedMotion> joints_of_markers(const MarkerModel& model, const NamedMotio
          std::to_string(inferred.size()) +
              " of the 25 joints have no marker and were inferred from those beside them: " +
              some_of(inferred, 25)});
-  const Sizes sizes = sizes_of(set, markers.frames, metres_per_unit);
+  Sizes sizes = sizes_of(set, markers.frames, metres_per_unit);
+  const HipCentres hips =
+      hip_centres(set, markers.frames, metres_per_unit, sizes.pelvis_width, sizes.pelvis_depth);
+  sizes.hips = hips.places;
+  if (const std::string words = hips.words(); !words.empty())
+    joints.warnings.push_back({"functional-joints", 0, words});
   joints.points.assign(joint_names.begin(), joint_names.end());
   joints.parents.assign(joint_parents.begin(), joint_parents.end());
   for (Positions& frame : joints.frames)

@@ -27,6 +27,7 @@ namespace abrazo {
 namespace {
 
 constexpr const char* helper_mark = "_$AssimpFbx$_";  ///< in names of nodes that hold a pivot or one rotation
+constexpr const char* post_rotation = "_$AssimpFbx$_PostRotation";
 constexpr std::size_t most_nodes = 100'000;
 constexpr std::size_t deepest = 1000;  ///< levels: Assimp descends by recursion
 
@@ -64,6 +65,7 @@ class SceneReader {
   Result<std::vector<const aiAnimation*>> choose_animations();
   std::optional<double> stated_rate(const aiAnimation& animation) const;
   Status add_channel(const aiNodeAnim& channel, double ticks);
+  std::vector<std::size_t> helpers_of(const SceneNode& node) const;
   void clear_helpers();
   void settle(NamedMotion& motion) const;
   void settle_fbx_space(NamedMotion& motion) const;
@@ -243,25 +245,39 @@ std::optional<double> SceneReader::stated_rate(const aiAnimation& animation) con
   return mode > 0 && rate >= slowest && rate <= fastest ? std::optional(rate) : std::nullopt;
 }
 
+/// The helpers above a node, the nearest first.
+std::vector<std::size_t> SceneReader::helpers_of(const SceneNode& node) const {
+  std::vector<std::size_t> helpers;
+  for (int above = node.parent; above >= 0; above = nodes_[helpers.back()].parent) {
+    const SceneNode& helper = nodes_[static_cast<std::size_t>(above)];
+    if (!helper.is_helper || !helper.name.starts_with(node.name + helper_mark)) break;
+    helpers.push_back(static_cast<std::size_t>(above));
+  }
+  return helpers;
+}
+
 /// Assimp splits a node with pivots or a turn of its joint into helpers above it. Where the keys stand at the
 /// node itself, they hold all of its transform, and the helpers would turn it a second time; where they stand
 /// at helpers, each has its part.
+/// A rotation is Rpre * R * Rpost^-1 (FBX SDK, "Computing transformation matrices"). Assimp 5.2 has that at
+/// the helper, and Rpost itself in the keys.
 void SceneReader::clear_helpers() {
   const auto moves = [](const SceneNode& node) {
     return !node.translations.times_s.empty() || !node.rotations.times_s.empty() ||
            !node.scales.times_s.empty();
   };
-  for (const SceneNode& node : nodes_) {
+  for (SceneNode& node : nodes_) {
     if (node.is_helper || !moves(node)) continue;
-    std::vector<std::size_t> helpers;
-    for (int above = node.parent; above >= 0; above = nodes_[helpers.back()].parent) {
-      const SceneNode& helper = nodes_[static_cast<std::size_t>(above)];
-      if (!helper.is_helper || !helper.name.starts_with(node.name + helper_mark)) break;
-      helpers.push_back(static_cast<std::size_t>(above));
-    }
+    const std::vector<std::size_t> helpers = helpers_of(node);
     if (std::any_of(helpers.begin(), helpers.end(), [&](std::size_t h) { return moves(nodes_[h]); }))
       continue;
-    for (const std::size_t helper : helpers) nodes_[helper].rest.setIdentity();
+    for (const std::size_t helper : helpers) {
+      if (nodes_[helper].name.ends_with(post_rotation)) {
+        const Eigen::Quaterniond back(nodes_[helper].rest.linear());
+        for (Eigen::Quaterniond& turn : node.rotations.values) turn = turn * back * back;
+      }
+      nodes_[helper].rest.setIdentity();
+    }
   }
 }
 

@@ -9,6 +9,7 @@
 #include "core/base/text.hpp"
 #include "core/motion/joints/performers.hpp"
 #include "core/motion/tables/c3d_parameters.hpp"
+#include "core/motion/tables/c3d_rotations.hpp"
 #include "core/motion/tables/point_rows.hpp"
 
 namespace abrazo {
@@ -25,12 +26,16 @@ class C3dParser {
 
  private:
   Status read_header();
+  Status find_rotations();
   Status measure();
+  Status measure_rotations();
   std::size_t declared_frames();
   std::vector<std::string> labels();
   std::set<std::string> modelled() const;
   void choose_points();
-  void read_frames();
+  double point_rate() const;
+  Status read_frames();
+  Status read_rotations(std::size_t frame, Positions& places) const;
   Vec3 point(std::size_t at, bool& seen) const;
   void settle_unit();
   void settle_axes();
@@ -41,6 +46,10 @@ class C3dParser {
   }
   void warn(std::string kind, std::string detail) {
     motion_.warnings.push_back({std::move(kind), 0, std::move(detail)});
+  }
+  void warn_of_end(std::size_t declared) {
+    warn("frame-count", "the file announces " + std::to_string(declared) + " frames and ends after " +
+                            std::to_string(frames_) + "; those were read");
   }
   Error error(std::string message, std::size_t byte) const {
     return Error{std::move(message), where_ + ": byte " + std::to_string(byte)};
@@ -56,6 +65,7 @@ class C3dParser {
   double scale_ = 1;  ///< of integers
   bool is_float_ = false;
   std::vector<std::size_t> chosen_;  ///< points with a label
+  std::optional<C3dRotations> rotations_;
 };
 
 Status C3dParser::read_header() {
@@ -87,6 +97,14 @@ Status C3dParser::read_header() {
   Result<C3dParameters> parameters = parse_c3d_parameters(bytes_, section, end, where_, motion_.warnings);
   if (!parameters) return parameters.error();
   parameters_ = std::move(*parameters);
+  return find_rotations();
+}
+
+Status C3dParser::find_rotations() {
+  Result<std::optional<C3dRotations>> rotations =
+      C3dRotations::announced(bytes_, parameters_, point_rate(), where_);
+  if (!rotations) return rotations.error();
+  rotations_ = std::move(*rotations);
   return Done{};
 }
 
@@ -113,9 +131,23 @@ std::size_t C3dParser::declared_frames() {
   return std::max(in_header, in_parameters);
 }
 
+/// A file of segments alone: each sample is a frame.
+Status C3dParser::measure_rotations() {
+  const std::size_t frames = declared_frames();
+  const bool says_all = frames == std::numeric_limits<std::size_t>::max();
+  const std::size_t declared = rotations_->announced() > 0 ? rotations_->announced()
+                               : says_all                  ? 0
+                                                           : frames * rotations_->ratio();
+  frames_ = declared > 0 ? std::min(rotations_->samples(), declared) : rotations_->samples();
+  if (frames_ < declared) warn_of_end(declared);
+  return Done{};
+}
+
 Status C3dParser::measure() {
+  if (points_ == 0 && rotations_) return measure_rotations();
   if (points_ == 0)
-    return error("has no markers (the header says 0 points); export it with its trajectories", 2);
+    return error("has no markers (the header says 0 points) and no segments; export it with its trajectories",
+                 2);
   const C3dParameter* scale = find("POINT:SCALE");
   scale_ = static_cast<double>(bytes_.real(12));
   if (scale && !scale->numbers.empty() && scale->numbers[0] != 0) scale_ = scale->numbers[0];
@@ -142,9 +174,7 @@ Status C3dParser::measure() {
     return error("has no frames (first " + std::to_string(bytes_.word(6)) + ", last " +
                      std::to_string(bytes_.word(8)) + ")",
                  6);
-  if (frames_ < declared && declared != std::numeric_limits<std::size_t>::max())
-    warn("frame-count", "the file announces " + std::to_string(declared) + " frames and ends after " +
-                            std::to_string(frames_) + "; those were read");
+  if (frames_ < declared && declared != std::numeric_limits<std::size_t>::max()) warn_of_end(declared);
   return Done{};
 }
 
@@ -184,7 +214,13 @@ void C3dParser::choose_points() {
       motion_.parents.push_back(-1);
     }
   }
-  make_names_unique(motion_.points, "marker", motion_.warnings);
+  if (rotations_) {
+    for (const std::string& name : rotations_->names())
+      motion_.points.push_back(name), motion_.parents.push_back(-1);
+    if (rotations_->unnamed() > 0)
+      warn("unlabelled", std::to_string(rotations_->unnamed()) + " segments have no name and were left out");
+  }
+  make_names_unique(motion_.points, "point", motion_.warnings);
   if (unlabelled > 0)
     warn("unlabelled", std::to_string(unlabelled) + " of " + std::to_string(points_) +
                            " trajectories have no name and were left out");
@@ -209,11 +245,32 @@ Vec3 C3dParser::point(std::size_t at, bool& seen) const {
   return place;
 }
 
-void C3dParser::read_frames() {
+double C3dParser::point_rate() const {
+  const C3dParameter* rate = find("POINT:RATE");
+  double fps = rate && !rate->numbers.empty() ? rate->numbers[0] : 0;
+  if (!(fps > 0) || !std::isfinite(fps)) fps = static_cast<double>(bytes_.real(20));
+  return fps > 0 && std::isfinite(fps) ? fps : 0;
+}
+
+/// Segments may be sampled several times in a frame of points: the first is at its time.
+Status C3dParser::read_rotations(std::size_t frame, Positions& places) const {
+  const auto own = static_cast<Eigen::Index>(motion_.points.size() - chosen_.size());
+  const std::size_t sample = points_ > 0 ? frame * rotations_->ratio() : frame;
+  if (sample >= rotations_->samples()) {
+    places.bottomRows(own).setConstant(std::numeric_limits<double>::quiet_NaN());
+    return Done{};
+  }
+  const Result<Positions> found = rotations_->places(sample);
+  if (!found) return found.error();
+  places.bottomRows(own) = *found;
+  return Done{};
+}
+
+Status C3dParser::read_frames() {
   const std::size_t width = is_float_ ? 4 : 2;
   motion_.frames.reserve(frames_);
   for (std::size_t f = 0; f < frames_; ++f) {
-    Positions& frame = motion_.frames.emplace_back(static_cast<Eigen::Index>(chosen_.size()), 3);
+    Positions& frame = motion_.frames.emplace_back(static_cast<Eigen::Index>(motion_.points.size()), 3);
     for (std::size_t c = 0; c < chosen_.size(); ++c) {
       bool seen = false;
       const Vec3 place = point(data_ + f * frame_bytes_ + chosen_[c] * 4 * width, seen);
@@ -223,11 +280,12 @@ void C3dParser::read_frames() {
       else
         frame.row(row).setConstant(std::numeric_limits<double>::quiet_NaN());
     }
+    if (!rotations_) continue;
+    if (const Status read = read_rotations(f, frame); !read) return read.error();
   }
-  const C3dParameter* rate = find("POINT:RATE");
-  double fps = rate && !rate->numbers.empty() ? rate->numbers[0] : 0;
-  if (!(fps > 0) || !std::isfinite(fps)) fps = static_cast<double>(bytes_.real(20));
-  if (fps > 0 && std::isfinite(fps)) motion_.fps = fps;
+  const double fps = points_ == 0 && rotations_->rate() > 0 ? rotations_->rate() : point_rate();
+  if (fps > 0) motion_.fps = fps;
+  return Done{};
 }
 
 void C3dParser::settle_unit() {
@@ -273,11 +331,11 @@ Result<std::vector<NamedMotion>> C3dParser::parse() {
   if (const Status header = read_header(); !header) return header.error();
   if (const Status measured = measure(); !measured) return measured.error();
   choose_points();
-  if (chosen_.empty())
+  if (motion_.points.empty())
     return Error{"none of its " + std::to_string(points_) +
                      " trajectories has a name; label them in the capturing program and export again",
                  where_};
-  read_frames();
+  if (const Status read = read_frames(); !read) return read.error();
   settle_unit();
   settle_axes();
   motion_.name = stem_of(where_);

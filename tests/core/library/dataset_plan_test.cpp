@@ -4,7 +4,12 @@
 #include <gtest/gtest.h>
 
 #include <climits>
+#include <cmath>
 #include <fstream>
+
+#include "core/motion/joints/joint_order.hpp"
+#include "tests/core/motion/numpy_fixtures.hpp"
+#include "tests/support/libraries.hpp"
 
 namespace abrazo::dataset_plan_test {
 namespace {
@@ -36,6 +41,24 @@ class DatasetPlan : public testing::Test {
   }
   std::filesystem::path folder_;
 };
+
+/// A body as InterHuman's rows have it: 62 joints of which the first 22 are SMPL-X's body, Z up, metres; then
+/// turns of 51, six numbers each.
+std::string interhuman_rows(const std::vector<Pose>& poses, const std::string& type, bool column_order) {
+  constexpr std::uint64_t columns = 62 * 3 + 51 * 6;
+  const auto body = OrderedPoints::of(find_joint_order("smplx22").value()).value();
+  std::vector<double> values;
+  for (const Pose& pose : poses) {
+    std::vector<double> row(columns, 0.25);
+    const Positions places = body.positions_of(pose);
+    for (Eigen::Index j = 0; j < places.rows(); ++j) {
+      const auto at = static_cast<std::size_t>(3 * j);
+      row[at] = places(j, 0), row[at + 1] = -places(j, 2), row[at + 2] = places(j, 1);
+    }
+    values.insert(values.end(), row.begin(), row.end());
+  }
+  return test::NpyBytes{type, column_order, {poses.size(), columns}}.of(values);
+}
 
 std::vector<std::string> names(const Manifest& manifest) {
   std::vector<std::string> all;
@@ -73,6 +96,46 @@ TEST_F(DatasetPlan, KnowsRatesAndFoldersOfInterXAndInterHuman) {
   ASSERT_THAT(names(interhuman), ElementsAre("7"));
   EXPECT_EQ(interhuman.takes[0].fps, 30);
   EXPECT_EQ(interhuman.takes[0].b.motion, folder_ / "person2/7.npy");
+}
+
+TEST_F(DatasetPlan, PairsOfInterHumanAreReadAsTheirManifestSays) {
+  const PairedTake pair = test::swinging_take("dance", 40, 1);
+  for (const bool column_order : {false, true}) {
+    for (const auto& [person, clip] : {std::pair("person1/7.npy", &pair.a), {"person2/7.npy", &pair.b}}) {
+      touch(person);
+      std::ofstream(folder_ / person, std::ios::binary) << interhuman_rows(clip->poses, "<f4", column_order);
+    }
+    std::vector<std::string> warnings;
+    const auto take = load_take(plan("interhuman").takes.at(0), warnings);
+    ASSERT_TRUE(take) << take.error().text();
+    EXPECT_EQ(take->fps, 30);
+    ASSERT_EQ(take->b.poses.size(), 40U);
+    for (const int joint :
+         std::initializer_list<int>{joints::Root, joints::left_hip, joints::right_knee, joints::left_toe_base,
+                                    joints::LowerNeck, joints::right_shoulder, joints::left_wrist})
+      for (const std::size_t frame : {0U, 39U}) {
+        EXPECT_LT((take->a.poses[frame].row(joint) - pair.a.poses[frame].row(joint)).norm(), 1e-6) << joint;
+        EXPECT_LT((take->b.poses[frame].row(joint) - pair.b.poses[frame].row(joint)).norm(), 1e-6) << joint;
+      }
+  }
+}
+
+TEST_F(DatasetPlan, RowsThatAreNotInterHumansAreRefusedWithTheReason) {
+  touch("person1/7.npy"), touch("person2/7.npy");
+  const auto reason = [&](const std::string& bytes) {
+    std::ofstream(folder_ / "person1/7.npy", std::ios::binary) << bytes;
+    std::vector<std::string> warnings;
+    const auto take = load_take(plan("interhuman").takes.at(0), warnings);
+    return take ? "was read" : take.error().text();
+  };
+  const std::string whole = interhuman_rows({test::swinging_take("d", 12, 1).a.poses[0]}, "<f8", false);
+  EXPECT_THAT(reason(whole.substr(0, whole.size() - 9)), HasSubstr("cut off"));
+  EXPECT_THAT(reason(test::NpyBytes{"<f8", false, {1, 491}}.of(std::vector<double>(491, 0.5))),
+              HasSubstr("(1, 491)"));
+  std::vector<double> infinite(492, 0.5);
+  infinite[7] = HUGE_VAL;
+  EXPECT_THAT(reason(test::NpyBytes{"<f8", false, {1, 492}}.of(infinite)),
+              HasSubstr("frame 0 (counted from 0) has an infinite position"));
 }
 
 TEST_F(DatasetPlan, PairsFilesThatDifferByOneWord) {

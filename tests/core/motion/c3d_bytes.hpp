@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -29,6 +30,12 @@ class C3dBytesWriter {
   int announced_frames = -1;  ///< -1: as many as there are
   std::string units = "mm", x_screen, y_screen;
   bool scale_in_parameters = true;
+  /// Segments: per sample 17 numbers each, a transform by columns and its reliability.
+  std::vector<std::string> segment_labels;
+  std::vector<std::vector<std::array<double, 17>>> segment_samples;
+  int segment_ratio = 1;        ///< samples per frame
+  int announced_samples = -1;   ///< -1: as many as there are
+  int segment_data_block = -1;  ///< -1: where they are
 
   /// Further parameters of groups: texts of one length.
   void add_texts(const std::string& group, const std::string& name, const std::vector<std::string>& texts) {
@@ -78,12 +85,12 @@ class C3dBytesWriter {
     }
     return value;
   }
-  std::string parameter_section() const;
+  std::string parameter_section(int segment_block) const;
 
   std::vector<Parameter> parameters_;
 };
 
-inline std::string C3dBytesWriter::parameter_section() const {
+inline std::string C3dBytesWriter::parameter_section(int segment_block) const {
   std::vector<Parameter> all;
   for (std::size_t first = 0; first < labels.size(); first += 255) {
     const auto end = std::min(labels.size(), first + 255);
@@ -98,6 +105,17 @@ inline std::string C3dBytesWriter::parameter_section() const {
   if (scale_in_parameters)
     all.push_back({"POINT", "SCALE", std::string{4, 0} + real(floats ? -scale : scale)});
   all.insert(all.end(), parameters_.begin(), parameters_.end());
+  if (!segment_labels.empty()) {
+    const auto add_word = [&](const char* name, int value) {
+      all.push_back({"ROTATION", name, std::string{2, 0} + word(value)});
+    };
+    add_word("USED", static_cast<int>(segment_labels.size()));
+    add_word("DATA_START", segment_data_block < 0 ? segment_block : segment_data_block);
+    add_word("RATIO", segment_ratio);
+    all.push_back({"ROTATION", "RATE", std::string{4, 0} + real(rate * segment_ratio)});
+    add_word("FRAMES", announced_samples < 0 ? static_cast<int>(segment_samples.size()) : announced_samples);
+    all.push_back({"ROTATION", "LABELS", text_value(segment_labels)});
+  }
   std::vector<std::string> groups;
   std::string text;
   const auto add = [&](int id, const std::string& name, const std::string& value) {
@@ -126,14 +144,6 @@ inline std::string C3dBytesWriter::parameter_section() const {
 }
 
 inline std::string C3dBytesWriter::bytes() const {
-  const std::string parameters = parameter_section();
-  std::string header{2, 0x50};
-  const int count = announced_frames < 0 ? static_cast<int>(frames.size()) : announced_frames;
-  header += word(static_cast<int>(labels.size())) + word(analog_values) + word(first_frame) +
-            word(std::min(65535, first_frame + count - 1)) + word(10) + real(floats ? -scale : scale) +
-            word(static_cast<int>(2 + parameters.size() / 512)) + word(analog_values > 0 ? 1 : 0) +
-            real(rate);
-  header.resize(512, '\0');
   std::string values;
   for (const auto& frame : frames) {
     for (const Sample& sample : frame) {
@@ -143,6 +153,18 @@ inline std::string C3dBytesWriter::bytes() const {
     }
     for (int a = 0; a < analog_values; ++a) values += floats ? real(7.5) : word(77);
   }
+  if (!segment_labels.empty()) values.resize((values.size() + 511) / 512 * 512, '\0');
+  const auto first_block = static_cast<int>(2 + parameter_section(0).size() / 512);
+  const std::string parameters = parameter_section(first_block + static_cast<int>(values.size() / 512));
+  for (const auto& sample : segment_samples)
+    for (const auto& segment : sample)
+      for (const double value : segment) values += real(value);
+  std::string header{2, 0x50};
+  const int count = announced_frames < 0 ? static_cast<int>(frames.size()) : announced_frames;
+  header += word(static_cast<int>(labels.size())) + word(analog_values) + word(first_frame) +
+            word(std::min(65535, first_frame + count - 1)) + word(10) + real(floats ? -scale : scale) +
+            word(first_block) + word(analog_values > 0 ? 1 : 0) + real(rate);
+  header.resize(512, '\0');
   return header + parameters + values;
 }
 

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <numbers>
 
 #include "core/motion/scenes/assimp_scene.hpp"
@@ -79,6 +80,29 @@ TEST(ReadFbx, AStillJointKeepsItsOrientation) {
   joints[4].properties = fbx_property("PreRotation", {0, 0, 90});
   const NamedMotion motion = read_one(fbx_text(joints));
   test::expect_near(place(motion, 0, "J5") - place(motion, 0, "J4"), {-10, 5, 2.5}, 1e-4);
+}
+
+TEST(ReadFbx, ATurnBehindTheKeysIsAppliedInverted) {
+  std::vector<FbxJoint> joints = chain();
+  const Vec3 before(10, -20, 30), behind(40, 15, -25), pivot(1, 2, 3);
+  joints[2].properties = fbx_property("PostRotation", behind);
+  joints[4].properties = fbx_property("PreRotation", before) + fbx_property("PostRotation", behind);
+  joints[5].properties = fbx_property("PostRotation", behind) + fbx_property("RotationPivot", pivot);
+  joints[6].properties = fbx_property("PostRotation", behind);
+  joints[6].rotations.clear();  // it is still
+  const NamedMotion motion = read_one(fbx_text(joints));
+  for (const std::size_t frame : {0U, 17U}) {
+    Eigen::Affine3d world = Eigen::Affine3d::Identity();
+    for (std::size_t j = 0; j < joints.size(); ++j) {
+      world = world * moved(joints[j].place);
+      if (j == 4) world = world * turned(before);
+      if (j == 5) world = world * moved(pivot);
+      if (!joints[j].rotations.empty()) world = world * turned(joints[j].rotations[frame].second);
+      if (j == 2 || (j >= 4 && j <= 6)) world = world * turned(behind).inverse();
+      if (j == 5) world = world * moved(-pivot);
+      test::expect_near(place(motion, frame, joints[j].name), world.translation(), 1e-4);
+    }
+  }
 }
 
 TEST(ReadFbx, AJointTurnsAboutItsPivot) {
