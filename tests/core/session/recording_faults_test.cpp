@@ -252,6 +252,9 @@ TEST_F(RecordingFaults, AFileThatIsCutShortOrWrittenOverWhileItIsRecordedIsSaidA
     session.run_until(1);
     (void)session.recorder().flush();
     EXPECT_THAT(session.recorder().state().failure, HasSubstr("cut short or written over")) << harm;
+    const Status finished = session.recorder().finish();
+    ASSERT_FALSE(finished) << harm << ": a recording that may have lost something does not end well";
+    EXPECT_THAT(finished.error().message, HasSubstr("look whether the session opens")) << harm;
   }
 }
 
