@@ -113,8 +113,9 @@ TEST(ImportClip, CountsTheFramesThatCannotBeAPersons) {
 
 TEST(ImportClip, NumbersOfADamagedFileStayReadable) {
   NamedMotion motion = standing_motion();
-  for (auto& frame : motion.frames) frame *= 40;
-  EXPECT_THAT(the_warning(imported(motion).report.warnings, "not-a-person").detail,
+  ImportOptions options;
+  options.metres_per_unit = 40;
+  EXPECT_THAT(the_warning(imported(motion, options).report.warnings, "not-a-person").detail,
               HasSubstr("Is the unit right? They are kept"));
   for (auto& frame : motion.frames) frame.array() += 1e300;
   const std::string floor = the_warning(imported(motion).report.warnings, "floor").detail;
