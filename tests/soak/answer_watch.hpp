@@ -1,15 +1,13 @@
 #pragma once
 
 #include <pthread.h>
-#include <sys/types.h>
 
-#include <atomic>
 #include <thread>
 
 namespace abrazo::soak {
 
-/// Sees when the thread that made it stops answering, and prints where it is then. What it waited for a
-/// processor on a busy machine is told apart from what it did itself.
+/// Sees when the thread that made it, the only one in a program, stops answering, and prints where it is
+/// then. What it waited for a processor on a busy machine is told apart from what it did itself.
 class AnswerWatch {
  public:
   /// @param limit_s  a gap between two beats that is longer, without the wait for a processor, is reported
@@ -31,10 +29,7 @@ class AnswerWatch {
  private:
   void watch(const std::stop_token& stop) const;
 
-  double limit_s_;
   pthread_t watched_;
-  pid_t id_;
-  std::atomic<double> beat_s_{0}, starved_s_{0};
   std::jthread watching_;  // last: joined first
 };
 
