@@ -29,8 +29,9 @@ constexpr double cmu_rate_fps = 120.0;  ///< CMU's published rate; AMC files do 
 constexpr double cmu_unit_m = (1.0 / 0.45) * 2.54 / 100.0;
 
 std::string rounded(double value, int digits) {
+  constexpr double countable = 1e6;  // beyond, a damaged file's number would fill the line with digits
   char text[64];
-  std::snprintf(text, sizeof text, "%.*f", digits, value);
+  std::snprintf(text, sizeof text, std::abs(value) < countable ? "%.*f" : "%.*g", digits, value);
   return text;
 }
 
@@ -338,7 +339,8 @@ void look_for_a_person(const std::vector<Pose>& poses, ImportReport& report) {
         report, "not-a-person",
         std::to_string(doubts.poses) + of_all + " cannot be a person's; the first is frame " +
             std::to_string(doubts.first_pose) + ": " + doubts.first_reason +
-            ". They are kept, and the partner is held there; leave them out, or set unit and axes",
+            (doubts.first_reason.ends_with('?') ? "" : ".") +
+            " They are kept, and the partner is held there; leave them out, or set unit and axes",
         Hint::None);
   if (doubts.jumps > 0)
     tell(static_cast<int>(doubts.jumps))(report, "jumps",

@@ -327,6 +327,11 @@ Status SessionWriter::close(std::uint64_t lost) {
     return Error{
         "the file was moved or renamed while it was recorded; the recording is whole, under its new name",
         database_.path()};
+  if (closed && was_cut_)
+    return Error{
+        "the file was cut short or written over by another program while it was recorded; what was "
+        "lost cannot be told, so look whether the session opens",
+        database_.path()};
   return closed;
 }
 

@@ -50,10 +50,14 @@ void NatNetConnection::set_server_place(const Endpoint& from) {
   server_place_ = {from.address, command_port};
 }
 
+bool NatNetConnection::expects_server_info(double arrived_s) const {
+  return !connect_answered_ && is_answer(connect_s_, arrived_s);
+}
+
 std::optional<StreamIssue> NatNetConnection::take_server_info(const NatNetServerInfo& info,
                                                               double arrived_s) {
   const bool says_something_new = server_ != info;
-  if (connect_answered_ || !is_answer(connect_s_, arrived_s)) {
+  if (!expects_server_info(arrived_s)) {
     if (!says_something_new) return std::nullopt;
     return StreamIssue{"unasked-answer",
                        "something says unasked that the server is " + info.text() +

@@ -21,6 +21,8 @@ class NatNetConnection {
   /// group nor model. An answer that contradicts a version whose frames are being read is ignored too.
   /// @return the problem; none if it was accepted or has nothing new
   std::optional<StreamIssue> take_server_info(const NatNetServerInfo& info, double arrived_s);
+  /// Whether a server's description of itself that arrived at this time was requested.
+  bool expects_server_info(double arrived_s) const;
   /// Whether a model description that arrived at this time was requested.
   bool expects_model(double arrived_s) const;
   void take_model(double arrived_s);

@@ -156,13 +156,14 @@ void NatNetDecoder::take_server_info(ByteReader& reader, double arrived_s, Decod
     out.issues.push_back({"truncated", reader.failure()});
     return;
   }
-  if (info.version < oldest_natnet) {
+  const bool was_asked = connection_.expects_server_info(arrived_s);
+  if (was_asked && info.version < oldest_natnet) {
     out.issues.push_back({"old-version", info.text() +
                                              " is spoken there; 3.0 or later can be read. Use Motive "
                                              "2.0 or later"});
     return;
   }
-  if (info.multicast && info.group != 0 && !is_multicast_group(info.group)) {
+  if (was_asked && info.multicast && info.group != 0 && !is_multicast_group(info.group)) {
     out.issues.push_back({"no-group", "the server names " + address_text(info.group) +
                                           " as its multicast group; expected 224.0.0.0 to 239.255.255.255. "
                                           "Set the group in Motive, or choose Unicast there"});

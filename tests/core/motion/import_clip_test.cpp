@@ -111,6 +111,17 @@ TEST(ImportClip, CountsTheFramesThatCannotBeAPersons) {
   EXPECT_FALSE(has_warning(imported(standing_motion()).report.warnings, "not-a-person"));
 }
 
+TEST(ImportClip, NumbersOfADamagedFileStayReadable) {
+  NamedMotion motion = standing_motion();
+  ImportOptions options;
+  options.metres_per_unit = 40;
+  EXPECT_THAT(the_warning(imported(motion, options).report.warnings, "not-a-person").detail,
+              HasSubstr("Is the unit right? They are kept"));
+  for (auto& frame : motion.frames) frame.array() += 1e300;
+  const std::string floor = the_warning(imported(motion).report.warnings, "floor").detail;
+  EXPECT_THAT(floor, HasSubstr("the toe bases rest at 1e+300 m;"));
+}
+
 TEST(ImportClip, TurnsZUpFilesToYUp) {
   NamedMotion motion = standing_motion();
   for (Positions& frame : motion.frames) {

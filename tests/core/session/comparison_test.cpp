@@ -228,6 +228,10 @@ TEST(ComparisonPlan, ACursorInsideWhatIsSolvedAsksForNothingNew) {
   CompareSituation outside = parked_at(21, test::responsive_by_pose());
   outside.present = slow_settings();
   EXPECT_NE(what_if_task(outside, &*task), task);
+  CompareSituation frozen = earlier;
+  frozen.frozen = *preset("paper");
+  ASSERT_TRUE(what_if_task(frozen, &*task));
+  EXPECT_EQ(what_if_task(frozen, &*task)->a, *preset("paper")) << "the other side is another run";
 }
 
 TEST(ComparisonPlan, ARangeNeedsItsMarks) {

@@ -252,6 +252,11 @@ TEST_F(RecordingFaults, AFileThatIsCutShortOrWrittenOverWhileItIsRecordedIsSaidA
     session.run_until(1);
     (void)session.recorder().flush();
     EXPECT_THAT(session.recorder().state().failure, HasSubstr("cut short or written over")) << harm;
+    const Status finished = session.recorder().finish();
+    ASSERT_FALSE(finished) << harm << ": a recording that may have lost something does not end well";
+    EXPECT_THAT(finished.error().message,
+                AnyOf(HasSubstr("look whether the session opens"), HasSubstr("the file is damaged")))
+        << harm;
   }
 }
 

@@ -194,6 +194,17 @@ TEST_F(RoleByLeader, ARoleIsKeptForAWhile) {
   EXPECT_GE(changed_s.front(), RoleSwitch::dwell_s);
 }
 
+TEST_F(RoleByLeader, WhereTimeBeginsAnewARoleIsKeptFromThereOn) {
+  const PairedTake take = equal_take("first", 180, 1);
+  RoleSwitch by_leader(views, UserRole::Passive);
+  by_leader.control(RoleControl::Leader, UserRole::Passive);
+  const std::optional<Body> body = body_of(std::span(take.a.poses));
+  by_leader.after({FrameResult(), take.a.poses.front(), body, 1000});
+  for (std::size_t i = 0; i < take.a.poses.size(); ++i)
+    by_leader.after({FrameResult(), take.a.poses[i], body, static_cast<double>(i) * frame_s});
+  EXPECT_EQ(by_leader.role(), UserRole::Active);
+}
+
 TEST_F(RoleByLeader, WithoutAnnotationNobodyCanTell) {
   PairedTake take = equal_take("first", 180, 1);
   take.roles.clear();

@@ -158,6 +158,13 @@ TEST(NatNetTakeover, AServerInfoThatNobodyAskedForChangesNothing) {
   EXPECT_TRUE(listener.has_fact("Motive 3.1.0, NatNet 4.1"));
 }
 
+TEST(NatNetTakeover, AnOldVersionOrNoGroupThatNobodyAskedForIsNotToldAsTheServers) {
+  Listener listener = connected({skeleton("Ana", 1)});
+  listener.take(forged_info({2, 0}), 0.1);
+  EXPECT_TRUE(listener.has_issue("unasked-answer")) << listener.issues();
+  EXPECT_FALSE(listener.has_issue("old-version")) << "what to do about it would be false advice";
+}
+
 TEST(NatNetTakeover, AModelThatNobodyAskedForChangesNothing) {
   Listener listener = connected({skeleton("Ana", 1)});
   listener.take(model_packet({skeleton("Eve", 1)}, v41), 0.1);

@@ -46,6 +46,29 @@ void set_bytes(StreamObservation& seen, std::string_view text, std::size_t size)
   seen.unknown_size = size;
 }
 
+TEST(StreamDiagnosis, KnowsOtherProtocolsByHowTheyBegin) {
+  const auto guessed = [](std::string_view text) {
+    StreamObservation seen;
+    set_bytes(seen, text, text.size());
+    return protocol_of(seen.first_bytes, seen.first_bytes_count, seen.unknown_size).value_or("none");
+  };
+  for (const auto& [text, protocol] : {std::pair<std::string_view, std::string>{"MXTP02", "Xsens MVN (MXTP)"},
+                                       {"#bundle", "VMC (OSC)"},
+                                       {"/VMC/Ext/OK", "VMC (OSC)"},
+                                       {"/other", "OSC"},
+                                       {"{\"scene\":", "Rokoko (JSON)"},
+                                       {"\x04\x22\x4D\x18", "Rokoko (JSON)"},
+                                       {"\xDD\xFF", "Noitom (binary BVH)"},
+                                       {"\xFF\xDD", "Noitom (binary BVH)"},
+                                       {"vrpn: ver. 07.35", "VRPN"},
+                                       {"GET / HTTP/1.1", "HTTP"},
+                                       {"POST / HTTP/1.1", "HTTP"},
+                                       {"HTTP/1.1 400", "HTTP"},
+                                       {"GETTING", "none"},
+                                       {"hello", "none"}})
+    EXPECT_EQ(guessed(text), protocol) << text;
+}
+
 TEST(StreamDiagnosis, AHealthyStreamNeedsNoAdvice) {
   EXPECT_EQ(texts(healthy()), "");
 }

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -46,6 +47,10 @@ TEST(FrameAssembly, SaysWhichPointsAJointMapLacks) {
   ASSERT_TRUE(assembled.issue);
   EXPECT_EQ(assembled.issue->kind, "no-joint-map");
   EXPECT_THAT(assembled.issue->text, HasSubstr("lacks"));
+  const std::string names = assembled.issue->text.substr(assembled.issue->text.find("lacks"));
+  EXPECT_EQ(std::count(names.begin(), names.begin() + static_cast<std::ptrdiff_t>(names.find(" and ")), ','),
+            4)
+      << "five of them: " << names;
 }
 
 TEST(FrameAssembly, HoldsAJointRelativeToItsParent) {
