@@ -20,7 +20,7 @@ class HistoryDesk : public QObject {
   Q_OBJECT
  public:
   enum class Answer { Keep, Discard, Cancel };
-  double long_s = 300;  ///< a history of this length does not go without a question [s]
+  double long_s = 300;  ///< so much that is in no session file does not go without a question [s]
 
   explicit HistoryDesk(MainWindow& window);
   ~HistoryDesk() override;
@@ -31,7 +31,9 @@ class HistoryDesk : public QObject {
   void leave() { m_isLeft = true; }
   /// The session is about to end: asks what becomes of a long history. @param allowed  false: it goes on
   void leaveSession(bool& allowed);
-  /// The question; replaced by tests. @param seconds  of the history on disk
+  /// The frames up to this time are in a session file.
+  void noteSaved(double until_s) { m_savedUntil_s = until_s; }
+  /// The question; replaced by tests. @param seconds  of the history that is in no session file
   std::function<Answer(double seconds)> ask;
   /// Asks for the bound.
   void askBound();
@@ -58,6 +60,7 @@ class HistoryDesk : public QObject {
   std::unique_ptr<QLockFile> m_lock;
   std::shared_ptr<HistoryKeeper> m_keeper;
   std::set<int> m_toldMarkers;
+  double m_savedUntil_s = 0;
   bool m_isToldBound = false, m_isLeft = false;
 };
 
