@@ -50,6 +50,7 @@ class CandidateTable : public QWidget {
   /// Shows the user's path up to a time in the feature map.
   void showPath(const abrazo::FrameHistory& history, double until_s);
   void sortBy(abrazo::widgets::CandidateColumn column);
+  /// Shows the map where there is room below the candidates.
   void showMap(bool on);
   void showSelection(const abrazo::widgets::Selection& selection);
   /// Marks a candidate hovered in another view, index into the frame's; -1 = none.
@@ -72,12 +73,14 @@ class CandidateTable : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
+  QSize minimumSizeHint() const override;
 
  private:
   void arrange();
   void connectParts();
   QWidget* makeFoot();
   void showRows();
+  void arrangeMap();
   void showMethod(SelectionMethod method);
   void showBelief();
   void arrangeFoot(bool has_belief);

@@ -95,8 +95,8 @@ void HistoryDesk::begin() {
   m_toldMarkers.clear();
   m_toldFailure.clear();
   m_isToldBound = false;
-  const LiveSession& session = *m_window.session();
-  m_savedUntil_s = session.material().recorded ? session.engine().history().span().last_s : 0;
+  const bool is_recorded = m_window.session()->material().recorded != nullptr;
+  m_savedUntil_s = is_recorded ? m_window.session()->history().span().last_s : 0;
   m_window.timeline().showLost({});
   if (bound() <= 0) return;
   const QString parent = m_window.remembered().historyFolder();

@@ -175,6 +175,8 @@ void PanelArea::showWhatFits() {
 void PanelArea::arrangeFor(QSize window) {
   m_window = window;
   m_room = plan_panels(window, m_wishes);
+  if (QDockWidget* settings = panel("settings"))
+    settings->widget()->setMinimumHeight(m_room.tunes ? settings->widget()->sizeHint().height() : 0);
   showWhatFits();
   restoreSizes();
 }
