@@ -156,6 +156,10 @@ TEST_F(HistoryInTheWindow, ASavedSessionOpensWithTheFramesOfItsHistory) {
   EXPECT_EQ(again->result.result, early->result.result);
   desk().leaveSession(allowed);
   EXPECT_EQ(asked, 0) << "nor what was read from it";
+  EXPECT_TRUE(until([&] { return engine().history().span().last_s > span.last_s + 0.5; }))
+      << "the clip plays on after them";
+  ASSERT_TRUE(engine().history().stepped(1e9, 0));
+  EXPECT_GT(engine().history().stepped(1e9, 0)->index, early->index);
   desk().ask = before;
   desk().long_s = 300;
   window().openDemo();

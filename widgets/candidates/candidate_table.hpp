@@ -44,6 +44,8 @@ class CandidateTable : public QWidget {
   /// returns.
   const CandidateOrder& order() const { return m_order; }
 
+  QSize minimumSizeHint() const override;
+
  public slots:
   void showFrame(const abrazo::FrameSnapshotPtr& frame);
   void showDecisions(const abrazo::Decisions& decisions);
@@ -73,7 +75,6 @@ class CandidateTable : public QWidget {
 
  protected:
   void resizeEvent(QResizeEvent* event) override;
-  QSize minimumSizeHint() const override;
 
  private:
   void arrange();
