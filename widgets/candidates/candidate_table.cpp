@@ -37,7 +37,7 @@ QString subject(Reach reach, const CandidateRow& row) {
 
 /// Rows that are read before the map has room.
 constexpr const char* map_tip = "The candidates among all pairs of the library, in feature space";
-constexpr int least_rows = 3, rows_before_map = 8;
+constexpr int least_candidates = 3, candidates_before_map = 8;
 
 /// The key is a hint: the program's own action has it.
 QString with_key(const QString& words, const char* key) {
@@ -73,7 +73,7 @@ void CandidateTable::arrange() {
   m_scroll->setFocusPolicy(Qt::NoFocus);
   m_scroll->viewport()->setAutoFillBackground(false);
   m_list->setAutoFillBackground(false);
-  m_scroll->setMinimumHeight(least_rows * CandidateList::row_height);
+  m_scroll->setMinimumHeight(least_candidates * CandidateList::row_height);
   column->addWidget(m_header);
   column->addWidget(m_columns);
   column->addWidget(m_scroll, 8);
@@ -179,7 +179,7 @@ QSize CandidateTable::minimumSizeHint() const {
 }
 
 void CandidateTable::arrangeMap() {
-  const int more_rows = (rows_before_map - least_rows) * CandidateList::row_height;
+  const int more_rows = (candidates_before_map - least_candidates) * CandidateList::row_height;
   const bool has_room = height() >= minimumSizeHint().height() + more_rows + m_map->minimumHeight();
   m_mapButton->setEnabled(has_room);
   m_mapButton->setToolTip(map_tip + QString(has_room ? "" : "; a higher panel has room for it"));

@@ -30,7 +30,7 @@ struct Stretch {
 
 /// Calls `take` on every row.
 template <typename Take>
-Status each_row(SessionStatement& rows, Take&& take) {
+Status for_each_row(SessionStatement& rows, Take&& take) {
   while (true) {
     const auto more = rows.step();
     if (!more) return more.error();
@@ -46,7 +46,7 @@ Result<std::vector<std::int64_t>> frames_in(SessionDatabase& database) {
   auto rows = database.prepare("SELECT frame FROM frames INDEXED BY frames_by_time ORDER BY time_s");
   if (!rows) return rows.error();
   std::vector<std::int64_t> frames;
-  const Status read = each_row(*rows, [&](const SessionStatement& row) -> Status {
+  const Status read = for_each_row(*rows, [&](const SessionStatement& row) -> Status {
     frames.push_back(row.integer(0));
     return Done{};
   });
@@ -55,11 +55,11 @@ Result<std::vector<std::int64_t>> frames_in(SessionDatabase& database) {
   return frames;
 }
 
-std::vector<Stretch> missing(const std::vector<std::int64_t>& all, const std::vector<std::int64_t>& known) {
+std::vector<Stretch> lacking(const std::vector<std::int64_t>& all, const std::vector<std::int64_t>& known) {
   std::vector<Stretch> stretches;
-  std::vector<std::int64_t> lacking;
-  std::ranges::set_difference(all, known, std::back_inserter(lacking));
-  for (const std::int64_t frame : lacking) {
+  std::vector<std::int64_t> frames;
+  std::ranges::set_difference(all, known, std::back_inserter(frames));
+  for (const std::int64_t frame : frames) {
     if (!stretches.empty() && stretches.back().last + 1 == frame)
       stretches.back().last = frame;
     else
@@ -69,7 +69,7 @@ std::vector<Stretch> missing(const std::vector<std::int64_t>& all, const std::ve
 }
 
 /// Which row was in force at a frame: the last that begins not after it, else the first of all.
-constexpr const char* in_force =
+constexpr const char* row_in_force =
     " ORDER BY first_frame <= ?1 DESC, iif(first_frame <= ?1, -first_frame, first_frame), id LIMIT 1";
 
 /// Adds the rows of one file to another, whose ids are other ones.
@@ -103,7 +103,7 @@ class FrameCopy {
         "SELECT id, absolute_path, name, pairs, fingerprint, excluded_takes, first_frame FROM libraries "
         "ORDER BY first_frame");
     if (!rows) return rows.error();
-    return each_row(*rows, [&](const SessionStatement& row) -> Status {
+    return for_each_row(*rows, [&](const SessionStatement& row) -> Status {
       const auto known = knownLibrary(row);
       if (!known) return known.error();
       const auto id = *known ? Result<std::int64_t>(**known) : freeId("libraries", row.integer(6));
@@ -118,7 +118,7 @@ class FrameCopy {
   Result<std::optional<std::int64_t>> knownLibrary(const SessionStatement& row) {
     auto found = to_.prepare(
         std::string("SELECT id, absolute_path, name, pairs, fingerprint, excluded_takes FROM libraries") +
-        in_force);
+        row_in_force);
     if (!found) return found.error();
     const auto stepped = found->bind(0, row.integer(6)).step();
     if (!stepped) return stepped.error();
@@ -156,7 +156,7 @@ class FrameCopy {
     auto insert = to_.prepare("INSERT OR IGNORE INTO pairs VALUES (?, ?, ?, ?, ?, ?)");
     if (!rows || !insert) return rows ? insert.error() : rows.error();
     rows->bind(0, library);
-    return each_row(*rows, [&](const SessionStatement& row) -> Status {
+    return for_each_row(*rows, [&](const SessionStatement& row) -> Status {
       const std::string take = row.text(1), label = row.text(4);
       insert->bind(0, added).bind(1, row.integer(0)).bind(2, std::string_view(take));
       insert->bind(3, row.integer(2)).bind(4, row.integer(3));
@@ -168,9 +168,9 @@ class FrameCopy {
   Status addInputs() {
     auto rows = from_.prepare("SELECT id, input, first_frame FROM inputs ORDER BY first_frame");
     if (!rows) return rows.error();
-    return each_row(*rows, [&](const SessionStatement& row) -> Status {
+    return for_each_row(*rows, [&](const SessionStatement& row) -> Status {
       const std::string input = row.text(1);
-      auto found = to_.prepare(std::string("SELECT id, input FROM inputs") + in_force);
+      auto found = to_.prepare(std::string("SELECT id, input FROM inputs") + row_in_force);
       if (!found) return found.error();
       const auto stepped = found->bind(0, row.integer(2)).step();
       if (!stepped) return stepped.error();
@@ -199,14 +199,14 @@ class FrameCopy {
     for (const Stretch& stretch : stretches_) {
       held->bind(0, stretch.first);
       time->bind(0, stretch.first);
-      Status done = each_row(*time, [&](const SessionStatement& frame) {
-        return each_row(*held, [&](const SessionStatement& row) {
+      Status done = for_each_row(*time, [&](const SessionStatement& frame) {
+        return for_each_row(*held, [&](const SessionStatement& row) {
           return insert->bind(0, stretch.first).bind(1, frame.real(0)).bind(2, row.text(0)).run();
         });
       });
       changes->bind(0, stretch.first).bind(1, stretch.last);
       if (done)
-        done = each_row(*changes, [&](const SessionStatement& row) {
+        done = for_each_row(*changes, [&](const SessionStatement& row) {
           return insert->bind(0, row.integer(0)).bind(1, row.real(1)).bind(2, row.text(2)).run();
         });
       if (!done) return done;
@@ -220,7 +220,7 @@ class FrameCopy {
     if (!rows) return rows.error();
     std::vector<std::int64_t> repeated;
     std::optional<std::string> before;
-    const Status read = each_row(*rows, [&](const SessionStatement& row) -> Status {
+    const Status read = for_each_row(*rows, [&](const SessionStatement& row) -> Status {
       std::string json = row.text(1);
       if (before == json) repeated.push_back(row.integer(0));
       before = std::move(json);
@@ -243,7 +243,7 @@ class FrameCopy {
     for (const Stretch& stretch : stretches_) all += stretch.count();
     for (const Stretch& stretch : stretches_) {
       rows->bind(0, stretch.first).bind(1, stretch.last);
-      const Status added = each_row(*rows, [&](const SessionStatement& stored) -> Status {
+      const Status added = for_each_row(*rows, [&](const SessionStatement& stored) -> Status {
         if (seen++ % frames_between_reports == 0 &&
             !report(progress, static_cast<double>(seen) / static_cast<double>(all), "saving the history"))
           return Error{"cancelled", to_.path()};
@@ -304,7 +304,7 @@ Status add_frames(SessionDatabase& session, const std::string& from, const Progr
   const auto all = frames_in(*database);
   const auto known = frames_in(session);
   if (!all || !known) return !all ? all.error() : known.error();
-  std::vector<Stretch> stretches = missing(*all, *known);
+  std::vector<Stretch> stretches = lacking(*all, *known);
   if (stretches.empty()) return Done{};
   return FrameCopy(session, *database, std::move(stretches)).run(progress);
 }

@@ -13,7 +13,7 @@
 namespace abrazo::widgets {
 namespace {
 
-constexpr int gap = 6;  ///< between chips [px]
+constexpr int chip_gap = 6;  ///< between chips [px]
 
 QToolButton* overlay_chip(const QString& text, const QString& tip, QWidget* parent) {
   auto* button = text_chip(text, tip, parent);
@@ -73,12 +73,12 @@ void ScalarChips::fitInto(int width_px) {
     int x = 0;
     for (QToolButton* chip : row) {
       chip->setGeometry(QRect(QPoint(x, y), chip->sizeHint()));
-      x += chip->width() + gap;
+      x += chip->width() + chip_gap;
     }
-    right = std::max(right, x - gap);
-    y += row.front()->height() + gap;
+    right = std::max(right, x - chip_gap);
+    y += row.front()->height() + chip_gap;
   }
-  setFixedSize(right, y - gap);
+  setFixedSize(right, y - chip_gap);
 }
 
 void ScalarChips::say(bool is_short) {
@@ -104,7 +104,7 @@ std::vector<std::vector<QToolButton*>> ScalarChips::inRows(int width_px) const {
       x = 0;
     }
     rows.back().push_back(chip);
-    x += width + gap;
+    x += width + chip_gap;
   }
   return rows;
 }

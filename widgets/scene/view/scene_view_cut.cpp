@@ -7,7 +7,7 @@
 namespace abrazo::widgets {
 namespace {
 
-constexpr double farthest_m = 1, steepest_rad = 1.5707963267948966;
+constexpr double farthest_cut_m = 1, steepest_cut_rad = 1.5707963267948966;
 constexpr int one_edit_ms = 600;  // manual changes closer than this are taken back together
 
 }  // namespace
@@ -52,7 +52,7 @@ void SceneView::pullCut(QPointF place) {
   if (drag.grip == CutGrip::Move) {
     const CutHandles begun(drag.before.plane(), p.camera, p.surface->width(), p.surface->height());
     const double by_m = begun.moved_m(drag.from.x(), drag.from.y(), place.x(), place.y());
-    options.cut_m = std::clamp(options.cut_m + by_m, -farthest_m, farthest_m);
+    options.cut_m = std::clamp(options.cut_m + by_m, -farthest_cut_m, farthest_cut_m);
   } else if (const auto handles = p.cutHandles()) {
     const QPointF knob = place + drag.offset;
     options.turn_cut_to(handles->turned(knob.x(), knob.y()));
@@ -116,10 +116,11 @@ void SceneView::edit(const SceneOptions& wanted) {
 void SceneView::moveCut(double by_m, double turn_rad, double tilt_rad) {
   SceneOptions options = m_parts->options;
   if (!options.cuts) return;
-  options.cut_m = std::clamp(options.cut_m + by_m, -farthest_m, farthest_m);
+  options.cut_m = std::clamp(options.cut_m + by_m, -farthest_cut_m, farthest_cut_m);
   if (options.cut_in_world) {
-    options.cut_azimuth_rad = std::remainder(options.cut_azimuth_rad + turn_rad, 4 * steepest_rad);
-    options.cut_elevation_rad = std::clamp(options.cut_elevation_rad + tilt_rad, -steepest_rad, steepest_rad);
+    options.cut_azimuth_rad = std::remainder(options.cut_azimuth_rad + turn_rad, 4 * steepest_cut_rad);
+    options.cut_elevation_rad =
+        std::clamp(options.cut_elevation_rad + tilt_rad, -steepest_cut_rad, steepest_cut_rad);
   }
   edit(options);
 }
