@@ -17,7 +17,7 @@
 namespace abrazo::widgets {
 namespace {
 
-constexpr int filter_width = 96, group_head_height = 24;
+constexpr int least_filter_width = 44, filter_width = 96, group_head_height = 24;
 constexpr int tuned_rows = 5;  ///< alpha, the weights and k, which are at the begin
 
 /// "α, w_Δ, foot locks": what of a frame's settings is otherwise.
@@ -69,7 +69,8 @@ QWidget* SettingsPanel::filterField() {
   m_filter = new QLineEdit(box);
   m_filter->setObjectName("filter");
   m_filter->setPlaceholderText("Filter");
-  m_filter->setFixedWidth(filter_width);
+  m_filter->setMinimumWidth(least_filter_width);  // long names of presets come first
+  m_filter->setMaximumWidth(filter_width);
   m_filter->setAccessibleName("Filter settings");
   m_filter->setClearButtonEnabled(true);
   m_filter->setFocusPolicy(Qt::StrongFocus);
