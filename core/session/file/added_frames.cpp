@@ -30,7 +30,7 @@ struct Stretch {
 
 /// Calls `take` on every row.
 template <typename Take>
-Status for_each_row(SessionStatement& rows, Take&& take) {
+Status each_stored_row(SessionStatement& rows, Take&& take) {
   while (true) {
     const auto more = rows.step();
     if (!more) return more.error();
@@ -46,7 +46,7 @@ Result<std::vector<std::int64_t>> frames_in(SessionDatabase& database) {
   auto rows = database.prepare("SELECT frame FROM frames INDEXED BY frames_by_time ORDER BY time_s");
   if (!rows) return rows.error();
   std::vector<std::int64_t> frames;
-  const Status read = for_each_row(*rows, [&](const SessionStatement& row) -> Status {
+  const Status read = each_stored_row(*rows, [&](const SessionStatement& row) -> Status {
     frames.push_back(row.integer(0));
     return Done{};
   });
@@ -103,7 +103,7 @@ class FrameCopy {
         "SELECT id, absolute_path, name, pairs, fingerprint, excluded_takes, first_frame FROM libraries "
         "ORDER BY first_frame");
     if (!rows) return rows.error();
-    return for_each_row(*rows, [&](const SessionStatement& row) -> Status {
+    return each_stored_row(*rows, [&](const SessionStatement& row) -> Status {
       const auto known = knownLibrary(row);
       if (!known) return known.error();
       const auto id = *known ? Result<std::int64_t>(**known) : freeId("libraries", row.integer(6));
@@ -156,7 +156,7 @@ class FrameCopy {
     auto insert = to_.prepare("INSERT OR IGNORE INTO pairs VALUES (?, ?, ?, ?, ?, ?)");
     if (!rows || !insert) return rows ? insert.error() : rows.error();
     rows->bind(0, library);
-    return for_each_row(*rows, [&](const SessionStatement& row) -> Status {
+    return each_stored_row(*rows, [&](const SessionStatement& row) -> Status {
       const std::string take = row.text(1), label = row.text(4);
       insert->bind(0, added).bind(1, row.integer(0)).bind(2, std::string_view(take));
       insert->bind(3, row.integer(2)).bind(4, row.integer(3));
@@ -168,7 +168,7 @@ class FrameCopy {
   Status addInputs() {
     auto rows = from_.prepare("SELECT id, input, first_frame FROM inputs ORDER BY first_frame");
     if (!rows) return rows.error();
-    return for_each_row(*rows, [&](const SessionStatement& row) -> Status {
+    return each_stored_row(*rows, [&](const SessionStatement& row) -> Status {
       const std::string input = row.text(1);
       auto found = to_.prepare(std::string("SELECT id, input FROM inputs") + row_in_force);
       if (!found) return found.error();
@@ -199,14 +199,14 @@ class FrameCopy {
     for (const Stretch& stretch : stretches_) {
       held->bind(0, stretch.first);
       time->bind(0, stretch.first);
-      Status done = for_each_row(*time, [&](const SessionStatement& frame) {
-        return for_each_row(*held, [&](const SessionStatement& row) {
+      Status done = each_stored_row(*time, [&](const SessionStatement& frame) {
+        return each_stored_row(*held, [&](const SessionStatement& row) {
           return insert->bind(0, stretch.first).bind(1, frame.real(0)).bind(2, row.text(0)).run();
         });
       });
       changes->bind(0, stretch.first).bind(1, stretch.last);
       if (done)
-        done = for_each_row(*changes, [&](const SessionStatement& row) {
+        done = each_stored_row(*changes, [&](const SessionStatement& row) {
           return insert->bind(0, row.integer(0)).bind(1, row.real(1)).bind(2, row.text(2)).run();
         });
       if (!done) return done;
@@ -220,7 +220,7 @@ class FrameCopy {
     if (!rows) return rows.error();
     std::vector<std::int64_t> repeated;
     std::optional<std::string> before;
-    const Status read = for_each_row(*rows, [&](const SessionStatement& row) -> Status {
+    const Status read = each_stored_row(*rows, [&](const SessionStatement& row) -> Status {
       std::string json = row.text(1);
       if (before == json) repeated.push_back(row.integer(0));
       before = std::move(json);
@@ -243,7 +243,7 @@ class FrameCopy {
     for (const Stretch& stretch : stretches_) all += stretch.count();
     for (const Stretch& stretch : stretches_) {
       rows->bind(0, stretch.first).bind(1, stretch.last);
-      const Status added = for_each_row(*rows, [&](const SessionStatement& stored) -> Status {
+      const Status added = each_stored_row(*rows, [&](const SessionStatement& stored) -> Status {
         if (seen++ % frames_between_reports == 0 &&
             !report(progress, static_cast<double>(seen) / static_cast<double>(all), "saving the history"))
           return Error{"cancelled", to_.path()};
