@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/session/file/library_fingerprints.hpp"
 #include "core/session/frames/joined_stores.hpp"
+#include "core/session/run/library_fingerprints.hpp"
 #include "core/session/run/recorder.hpp"
 
 namespace abrazo {

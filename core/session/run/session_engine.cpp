@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/motion/files/import_clip.hpp"
-#include "core/session/file/library_fingerprints.hpp"
 #include "core/session/frames/joined_stores.hpp"
+#include "core/session/run/library_fingerprints.hpp"
 #include "core/session/run/listener_gate.hpp"
 #include "core/session/run/partner_output.hpp"
 #include "core/session/run/solver_thread.hpp"
