@@ -27,8 +27,8 @@ Status in_transaction(SessionDatabase& database, const std::function<Status()>& 
 }
 
 /// The frames and the project, in the running transaction.
-Status write(SessionDatabase& database, const Project& project, const std::vector<std::string>& history,
-             const Progress& progress) {
+Status write_all(SessionDatabase& database, const Project& project, const std::vector<std::string>& history,
+                 const Progress& progress) {
   if (!history.empty())
     if (const Status noted = note_units(database); !noted) return noted;
   for (std::size_t i = 0; i < history.size(); ++i) {
@@ -53,7 +53,7 @@ Status create(const std::string& path, const Project& project, const std::vector
     if (!history.empty()) (void)database->execute("PRAGMA page_size=" + std::to_string(recording_page_bytes));
     const Status made = in_transaction(*database, [&] {
       const Status created = create_session_schema(*database);
-      return created ? write(*database, project, history, progress) : created;
+      return created ? write_all(*database, project, history, progress) : created;
     });
     if (!made) return Error{made.error().message, path};
     if (const Status closed = database->close(); !closed) return Error{closed.error().message, path};
@@ -97,7 +97,7 @@ Status save_project(const std::string& path, const Project& project, const std::
   if (!database) return database.error();
   const Status saved = in_transaction(*database, [&] {
     const Status migrated = migrate_session_schema(*database);
-    return migrated ? write(*database, project, history, progress) : migrated;
+    return migrated ? write_all(*database, project, history, progress) : migrated;
   });
   const Status closed = database->close();
   return saved ? closed : saved;
