@@ -20,7 +20,10 @@ namespace abrazo {
 /// no longer in memory wait for the store.
 class FrameHistory {
  public:
-  explicit FrameHistory(std::size_t max_bytes = std::size_t{512} << 20);
+  static constexpr std::size_t usual_bytes = std::size_t{512} << 20;
+
+  explicit FrameHistory(std::size_t max_bytes = usual_bytes,
+                        std::shared_ptr<const FrameStore> store = nullptr);
 
   void append(FrameSnapshotPtr frame);
   /// Drops the frames in memory.
