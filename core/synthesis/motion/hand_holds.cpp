@@ -21,6 +21,8 @@ constexpr double longest_ramp_s = 0.4;
 constexpr double turns_round_s = 0.02;  ///< a ramp that is half way up and is to go down again
 constexpr double reach_lost_m = 0.15;   ///< beyond the stretched arm
 constexpr double reach_found_m = 0.05;
+constexpr double easy_reach = 0.95;  ///< of the stretched arm; beyond it the body goes along
+constexpr double draws_fully_m = 0.25, draws_least_m = 0.35;  ///< beyond easy reach
 // A hand at the shoulder: the arm points nowhere.
 constexpr double near_lost_m = 0.12, near_found_m = 0.16;
 constexpr double lag_rate = 30;      ///< omega [1/s]
@@ -195,6 +197,26 @@ void HandHolds::reach_for(Pose& pose, const Body& body, const RootFrame& place, 
           .transpose();
   pose.row(wrist) = end.transpose();
   pose.row(hand) = (end + to_hand).transpose();
+}
+
+Vec3 HandHolds::drawn(const Pose& partner, const RecordedMoment& moment, const Pose& user,
+                      const RootFrame& user_root, const Body& body) const {
+  const Eigen::Matrix3d heading = user_root.rotation();
+  Vec3 most = Vec3::Zero();
+  for (std::size_t p = 0; p < pairs_.size(); ++p) {
+    if (!pairs_[p].recorded) continue;
+    const int user_hand = hands[p / 2], partner_hand = hands[p % 2];
+    const Vec3 offset =
+        (moment.pair.row(partner_hand + joint_count) - moment.pair.row(user_hand)).transpose();
+    const Vec3 to_hand = Vec3(user.row(user_hand)) + heading * offset - Vec3(partner.row(partner_hand - 3));
+    const double apart = to_hand.norm(), excess = apart - easy_reach * stretched_arm(body, partner_hand);
+    if (excess <= 0) continue;
+    const double share = std::clamp((draws_least_m - excess) / (draws_least_m - draws_fully_m), 0.0, 1.0);
+    const Vec3 drawn = share * excess / apart * to_hand;
+    if (drawn.squaredNorm() > most.squaredNorm()) most = drawn;
+  }
+  most.y() = 0;
+  return most;
 }
 
 void HandHolds::list(const Pose& partner, const Pose& user, const RootFrame& user_root,

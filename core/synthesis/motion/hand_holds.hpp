@@ -64,6 +64,14 @@ class HandHolds {
   /// the hold ramps up.
   void place_arms(Pose& partner, const Surroundings& now, double elapsed_s);
 
+  /// How far the hands that are to be held lie beyond the partner's easy reach: the largest excess, from the
+  /// shoulder towards the hand, horizontal [m]. A dancer whose hand is drawn away goes along with it. A hand
+  /// that is too far away draws nobody.
+  /// @param partner where it would be shown now, world [m]
+  /// @param moment  of the recording, whose offset between the hands is aimed at
+  Vec3 drawn(const Pose& partner, const RecordedMoment& moment, const Pose& user, const RootFrame& user_root,
+             const Body& body) const;
+
   /// Lists the holds with strength above 0; a ramping hold demands little more than the arm's reach.
   /// @param partner after place_arms
   void list(const Pose& partner, const Pose& user, const RootFrame& user_root,

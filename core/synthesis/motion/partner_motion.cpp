@@ -18,7 +18,8 @@ constexpr double adaptation_rate = 13;  ///< omega [1/s]
 constexpr double near_m = 0.05;         ///< joints nearer to one another than this weigh no more
 constexpr double looks_ahead_s = 0.5;
 constexpr double body_room_m = 0.4;  ///< between two roots
-constexpr double pushes_off = 3;     ///< times what is missing of it
+constexpr double pushes_off = 5;     ///< times what is missing of it
+constexpr double drawn_share = 1.5;  ///< of what a held hand lies beyond reach
 
 RootFrame on_floor(const RootFrame& root) {
   return {{root.position.x(), 0, root.position.z()}, root.heading_rad};
@@ -91,19 +92,26 @@ PairPose PartnerMover::move() {
   wanted.position = user_place.position + user_place.rotation() * on_floor(relation).position + shift;
   wanted.heading_rad = user_place.heading_rad + relation.heading_rad;
   wanted.position += wanted.rotation() * centre_of(shape_in(moment_), body_);
-  if (!is_placed_)
+  if (!is_placed_) {
     motion_.place = PartnerPlace(wanted);
-  else
-    motion_.place.approach(away(wanted), step_.elapsed_s, step_.settings.place_rate);
+  } else {
+    stand();
+    const Vec3 drawn = motion_.holds.drawn(moved_, moment_, step_.user, step_.user_root, body_);
+    motion_.place.approach(away(wanted), step_.elapsed_s, step_.settings.place_rate, drawn_share * drawn);
+  }
   goes_ = motion_.place.way_to(wanted);
   motion_.since_change_s = changed_ ? 0 : motion_.since_change_s + step_.elapsed_s;
+  stand();
+  PairPose pair;
+  pair << step_.user, moved_;
+  return pair;
+}
+
+void PartnerMover::stand() {
   const BodyShape shown = motion_.transition.shown(shape_in(moment_));
   root_ = motion_.place.at();
   root_.position -= root_.rotation() * centre_of(shown, body_);
   moved_ = placed_body(shown, body_, root_);
-  PairPose pair;
-  pair << step_.user, moved_;
-  return pair;
 }
 
 /// Not through the user: the wanted place is as far off as in the recording, or as bodies are.

@@ -78,6 +78,8 @@ class PartnerMover {
   RecordedPath path_between(const RecordedMoment& from, const RecordedMoment& to) const;
   RecordedMoment moment_at(const SourcePlayhead& playhead) const;
   RootFrame away(const RootFrame& wanted);
+  /// Stands the shown shape at the place.
+  void stand();
   void begin();
   void begin_from(const ShownPartner& shown);
   void go_on();

@@ -10,7 +10,7 @@ namespace abrazo {
 namespace {
 
 // Beyond these the spring pulls no harder: a partner that is far off walks there, and does not fly.
-constexpr double farthest_pull_m = 0.24;
+constexpr double farthest_pull_m = 0.28;
 constexpr double farthest_turn_rad = 1.0;
 
 /// x'' = -omega^2 x - 2 omega x', exactly.
@@ -42,8 +42,8 @@ Vec3 PartnerPlace::way_to(const RootFrame& wanted) const {
   return way.norm() > farthest_pull_m ? Vec3(way * (farthest_pull_m / way.norm())) : way;
 }
 
-void PartnerPlace::approach(const RootFrame& wanted, double elapsed_s, double rate) {
-  Vec3 off = -way_to(wanted);
+void PartnerPlace::approach(const RootFrame& wanted, double elapsed_s, double rate, const Vec3& drawn) {
+  Vec3 off = -(way_to(wanted) + drawn);
   const Vec3 near = at_.position - off;
   relax_critically(off, speed_, elapsed_s, rate);
   double turned_off = std::clamp(within_half_turn(at_.heading_rad - wanted.heading_rad), -farthest_turn_rad,

@@ -25,8 +25,9 @@ class PartnerPlace {
   void keep_speed(const Vec3& lost_speed, double lost_turning);
   /// Distance over which the spring pulls, horizontal [m].
   Vec3 way_to(const RootFrame& wanted) const;
-  /// @param rate omega of the spring [1/s]
-  void approach(const RootFrame& wanted, double elapsed_s, double rate);
+  /// @param rate  omega of the spring [1/s]
+  /// @param drawn pull of held hands, added to that of the spring without its bound, horizontal [m]
+  void approach(const RootFrame& wanted, double elapsed_s, double rate, const Vec3& drawn = Vec3::Zero());
 
   PartnerPlace(const RootFrame& at, const Vec3& speed, double turning)
       : at_(at), speed_(speed), turning_(turning) {}

@@ -5,7 +5,7 @@
 namespace abrazo::partner_place_test {
 namespace {
 
-constexpr double step_s = 1.0 / 240, rate = 7;
+constexpr double step_s = 1.0 / 240, rate = 5.5;
 
 RootFrame at(double x, double heading_rad = 0) {
   return {{x, 0, 0}, heading_rad};
@@ -34,6 +34,20 @@ TEST(PartnerPlace, APartnerThatIsFarOffWalksThere) {
   EXPECT_LT(fastest_turn, 3.6);
   EXPECT_NEAR(place.at().position.x(), 3, 1e-3);
   EXPECT_NEAR(place.at().heading_rad, 3, 1e-3);
+}
+
+TEST(PartnerPlace, AHandThatIsDrawnAddsToThePullWithoutItsBound) {
+  const Vec3 drawn(0, 0, 0.15);
+  PartnerPlace drawn_place(at(0)), elsewhere(at(0));
+  drawn_place.approach(at(0.1), step_s, rate, drawn);
+  elsewhere.approach({Vec3(0.1, 0, 0.15), 0}, step_s, rate);
+  EXPECT_LT((drawn_place.at().position - elsewhere.at().position).norm(), 1e-12)
+      << "near by it is another place";
+  PartnerPlace far(at(0)), far_drawn(at(0));
+  far.approach(at(3), step_s, rate);
+  far_drawn.approach(at(3), step_s, rate, drawn);
+  EXPECT_NEAR(far_drawn.at().position.x(), far.at().position.x(), 1e-12);
+  EXPECT_NEAR(far_drawn.at().position.z(), drawn_place.at().position.z(), 1e-12);
 }
 
 TEST(PartnerPlace, AChangeOfWhatCarriesItKeepsItsSpeed) {
