@@ -65,20 +65,8 @@ Result<FoundLibrary> library_for(const OpenedSession& session, const SessionWish
   return found;
 }
 
-/// The clip that played the user when the session was saved plays on after the recorded frames. What a device
-/// sent does not: that it is connected again is a person's decision.
-bool clip_plays_on(const OpenedSession& session) {
-  const auto& inputs = session.recording.contents.inputs;
-  const Project& project = session.project->project();
-  const bool is_named = !project.input.empty() || std::ranges::any_of(project.data, [](const auto& data) {
-    return data.use == Use::Motion;
-  });
-  return session.project->reading.is_saved && is_named && !inputs.empty() &&
-         inputs.back().text.starts_with("clip:");
-}
-
-Status add_frames(const OpenedSession& session, const FoundLibrary& found, bool plays_on,
-                  const Progress& progress, Material& material) {
+Status add_frames(const OpenedSession& session, const FoundLibrary& found, const Progress& progress,
+                  Material& material) {
   const SessionReading& recording = session.recording;
   const std::string& file = session.project->file;
   for (const auto& library : {found.material.library, found.before}) recording.frames->add_library(library);
@@ -96,7 +84,6 @@ Status add_frames(const OpenedSession& session, const FoundLibrary& found, bool 
   material.recorded =
       std::make_shared<const RecordedSession>(RecordedSession{file, recording.frames, recording.contents});
   material.excluded_takes = recording.contents.libraries.back().excluded_takes;
-  if (plays_on) return Done{};
   material.input = {};
   material.input.name = fs::path(file).stem().string();
   material.input.fps = rate_of(recording.contents);
@@ -168,15 +155,12 @@ Result<Material> material_of(const OpenedSession& session, const SessionWish& wi
   auto found = library_for(session, wish, progress);
   if (!found) return found.error();
   Material material = found->material;
-  const bool plays_on = has_frames && clip_plays_on(session);
-  if (!has_frames || plays_on)
-    if (const Status added = add_input(project, material); !added) return added.error();
-  if (has_frames)
-    if (const Status added = add_frames(session, *found, plays_on, progress, material); !added)
-      return added.error();
+  const Status added =
+      has_frames ? add_frames(session, *found, progress, material) : add_input(project, material);
+  if (!added) return added.error();
   const auto damage = session.damage();
   material.warnings.insert(material.warnings.begin(), damage.begin(), damage.end());
-  if (!has_frames || plays_on) warn_of_data(project, material.warnings);
+  if (!has_frames) warn_of_data(project, material.warnings);
   warn_of_takes(project.project(), material);
   material.stands_in = found->material.stands_in;
   material.project = session.project;

@@ -11,12 +11,10 @@
 #include "app/workbench/document/session_places.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/project/history_desk.hpp"
-#include "app/workbench/project/project_desk.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/status_figures.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/candidates/candidate_table.hpp"
-#include "widgets/common/message_bar.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 #include "widgets/timeline/transport_bar.hpp"
 
@@ -127,43 +125,6 @@ TEST_F(HistoryInTheWindow, AShortHistoryGoesWithoutAQuestionALongOneIsAskedAbout
   HistoryDesk::discard(folder + "/1.abrazo");
   desk().long_s = 300;
   desk().ask = before;
-}
-
-TEST_F(HistoryInTheWindow, ASavedSessionOpensWithTheFramesOfItsHistory) {
-  auto& project = *window().findChild<ProjectDesk*>();
-  const QString file = home().filePath("saved.abrazo");
-  ASSERT_TRUE(until([] { return engine().history().span().last_s > 3; }));
-  const FrameSnapshotPtr early = engine().history().at(1);
-  const double until_s = engine().history().span().last_s;
-  project.saveAs(file);
-  ASSERT_TRUE(until([&] { return !project.isSaving(); }));
-  EXPECT_TRUE(window().messages().openErrors().isEmpty()) << window().messages().text().toStdString();
-  int asked = 0;
-  bool allowed = true;
-  const auto before = desk().ask;
-  desk().ask = [&asked](double) { return ++asked, HistoryDesk::Answer::Discard; };
-  desk().long_s = 2;
-  desk().leaveSession(allowed);
-  EXPECT_EQ(asked, 0) << "what is saved goes without a question";
-  window().openFiles({file});
-  ASSERT_TRUE(until([&] { return window().session() && window().session()->material().recorded; }));
-  const auto span = engine().history().span();
-  EXPECT_EQ(span.first_s, 0);
-  EXPECT_GE(span.last_s, until_s);
-  const FrameSnapshotPtr again = engine().history().at(1);
-  ASSERT_TRUE(again);
-  EXPECT_EQ(again->index, early->index);
-  EXPECT_EQ(again->result.result, early->result.result);
-  desk().leaveSession(allowed);
-  EXPECT_EQ(asked, 0) << "nor what was read from it";
-  EXPECT_TRUE(until([&] { return engine().history().span().last_s > span.last_s + 0.5; }))
-      << "the clip plays on after them";
-  ASSERT_TRUE(engine().history().stepped(1e9, 0));
-  EXPECT_GT(engine().history().stepped(1e9, 0)->index, early->index);
-  desk().ask = before;
-  desk().long_s = 300;
-  window().openDemo();
-  ASSERT_TRUE(until([] { return window().session() && !window().session()->material().recorded; }));
 }
 
 TEST_F(HistoryInTheWindow, WhatACrashLeavesIsOfferedAndBecomesASession) {

@@ -35,8 +35,8 @@ QString subject(Reach reach, const CandidateRow& row) {
   return {};
 }
 
-/// Rows that are read before the map has room.
 constexpr const char* map_tip = "The candidates among all pairs of the library, in feature space";
+/// Rows that are always in view, and those that are in view before the map has room.
 constexpr int least_candidates = 3, candidates_before_map = 8;
 
 /// The key is a hint: the program's own action has it.
@@ -68,8 +68,6 @@ void CandidateTable::arrange() {
   column->setSpacing(0);
   scroll_vertically(*m_scroll, m_list);
   m_scroll->setFocusPolicy(Qt::NoFocus);
-  m_scroll->viewport()->setAutoFillBackground(false);
-  m_list->setAutoFillBackground(false);
   m_scroll->setMinimumHeight(least_candidates * CandidateList::row_height);
   column->addWidget(m_header);
   column->addWidget(m_columns);

@@ -6,7 +6,6 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QUuid>
-#include <algorithm>
 #include <utility>
 
 #include "app/workbench/base/error_words.hpp"
@@ -42,15 +41,13 @@ QFileInfoList parts_in(const QString& folder) {
 }
 
 HistoryDesk::Answer ask_about_history(MainWindow& window, double seconds, double gigabytes) {
-  QMessageBox box(QMessageBox::Question, "Abrazo",
-                  QString("Keep the history (%2 GB on disk)? %1 of it are in no session file.")
-                      .arg(clock_words(seconds))
-                      .arg(gigabytes, 0, 'f', 2),
-                  QMessageBox::Cancel, &window);
+  QMessageBox box(
+      QMessageBox::Question, "Abrazo",
+      QString("Keep the history of %1 (%2 GB on disk)?").arg(clock_words(seconds)).arg(gigabytes, 0, 'f', 2),
+      QMessageBox::Cancel, &window);
   box.setInformativeText(
-      "Saving the session keeps them in its file. Kept here, they are offered as a session at the next "
-      "start; "
-      "otherwise they are deleted now.");
+      "A saved session has annotations, markers and settings, not the frames. Kept, they are offered as a "
+      "session at the next start; otherwise they are deleted now.");
   QAbstractButton* keep = box.addButton("Keep", QMessageBox::AcceptRole);
   QAbstractButton* discard = box.addButton("Delete", QMessageBox::DestructiveRole);
   box.exec();
@@ -95,8 +92,6 @@ void HistoryDesk::begin() {
   m_toldMarkers.clear();
   m_toldFailure.clear();
   m_isToldBound = false;
-  const bool is_recorded = m_window.session()->material().recorded != nullptr;
-  m_savedUntil_s = is_recorded ? m_window.session()->history().span().last_s : 0;
   m_window.timeline().showLost({});
   if (bound() <= 0) return;
   const QString parent = m_window.remembered().historyFolder();
@@ -120,7 +115,7 @@ void HistoryDesk::begin() {
 void HistoryDesk::leaveSession(bool& allowed) {
   if (!m_window.session() || !m_keeper) return;
   const auto span = m_window.session()->engine().history().span();
-  const double seconds = span.last_s - std::max(span.first_s, m_savedUntil_s);
+  const double seconds = span.last_s - span.first_s;
   if (seconds < long_s) return;
   const Answer answer = ask(seconds);
   m_isLeft = answer == Answer::Keep;

@@ -28,7 +28,7 @@ ProjectDesk::Answer ask_person(MainWindow& window, const QString& name) {
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window);
   box.setInformativeText(
       "Annotations, markers, settings and decisions since it was saved last are lost "
-      "otherwise. What was recorded is on disk in any case; the history is saved with them.");
+      "otherwise. What was recorded is on disk in any case.");
   box.setDefaultButton(QMessageBox::Save);
   switch (box.exec()) {
     case QMessageBox::Save:
@@ -200,19 +200,10 @@ void ProjectDesk::write(const QString& target) {
   what.to = target.toStdString();
   what.takes = m_takes.edits();
   what.recorder = m_window.session()->engine().recorder();
-  what.history = m_window.session()->engine().history_keeper();
   what.library = m_window.session()->material().library;
   what.library_file = *library_file;
-  const bool has_frames = what.history && !(what.recorder && what.to == what.file);
-  const double until_s = m_window.session()->history().span().last_s;
-  const auto finish = [this, what, target, has_frames, until_s, session = m_takes.session(), from = file(),
+  const auto finish = [this, what, target, session = m_takes.session(), from = file(),
                        takes = m_takes.takes()](const Result<Project>& done) {
-    m_window.messages().endProgress();
-    if (!done && m_job->wasCancelled()) {
-      const QString why = "Saving was cancelled; nothing was written";
-      m_window.messages().showInformation(why);
-      return emit notSaved(why);
-    }
     if (!done) {
       const QString why = words(done.error());
       m_window.messages().showErrorOf("save", why);
@@ -222,7 +213,6 @@ void ProjectDesk::write(const QString& target) {
       m_window.noteOpened({target});
       return emit saved(target);
     }
-    if (has_frames) emit historySaved(until_s);
     if (!what.library_file.empty()) {
       m_window.session()->setLibraryFile(what.library, what.library_file);
       m_window.messages().showInformation("The library was written to " +
@@ -249,10 +239,6 @@ void ProjectDesk::write(const QString& target) {
     return [finish, done = save_session(what, progress)] { finish(done); };
   });
   connect(m_job.get(), &Job::finished, this, [this] { m_job.release()->deleteLater(); });
-  widgets::MessageBar& messages = m_window.messages();
-  connect(m_job.get(), &Job::progressed, &messages,
-          [&messages](double fraction, const QString& doing) { messages.showProgress(doing, fraction); });
-  connect(&messages, &widgets::MessageBar::cancelRequested, m_job.get(), &Job::cancel);
 }
 
 // ---- leaving ----

@@ -53,8 +53,6 @@ class ProjectDesk : public QObject {
  signals:
   void saved(const QString& file);
   void notSaved(const QString& why);
-  /// The frames of the session's history up to this time are in a session file.
-  void historySaved(double until_s);
   /// Unsaved work stays for the next start.
   void leftForNextStart();
   /// The session is about to end with its work saved or discarded: its history is deleted as well. @param

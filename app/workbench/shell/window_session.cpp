@@ -138,7 +138,7 @@ void MainWindow::start(const std::shared_ptr<PreparedSolver>& prepared) {
   const QString input = QString::fromStdString(material.input.name);
   m_panels->setHead("library", "Library · " + library);
   m_transport->setInput(QString("%1 %2 · %3 Hz")
-                            .arg(material.is_only_recorded() ? "recorded" : "clip", input)
+                            .arg(material.recorded ? "recorded" : "clip", input)
                             .arg(material.input.fps, 0, 'f', 0));
   m_status->setInput({input, true, material.input.fps}, material.library->pair_count());
   setWindowTitle(input + " with " + library + " — Abrazo");

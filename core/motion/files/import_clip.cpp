@@ -223,28 +223,6 @@ UpAxis settle_up_axis(const NamedMotion& motion, const ImportOptions& options, c
   return guess;
 }
 
-/// Whether the head is far below the feet in nearly all frames, Y up.
-bool hangs_head_down(const std::vector<Pose>& poses) {
-  std::vector<double> above;
-  for (const Pose& pose : poses) {
-    const Vec3 up = (pose.row(Head) - 0.5 * (pose.row(left_ankle) + pose.row(right_ankle))).transpose();
-    above.push_back(up.y() / up.norm());
-  }
-  return quantile(above, 0.9) < -0.7;
-}
-
-/// Half a turn about X: files that name the axis pointing down as the one pointing up.
-void turn_over(std::vector<Pose>& poses, ImportReport& report) {
-  for (Pose& pose : poses) {
-    pose.col(1) = (-pose.col(1)).eval();
-    pose.col(2) = (-pose.col(2)).eval();
-  }
-  report.up_axis_guessed = true;
-  ask(report, "up-axis",
-      "the head was below the feet along the axis that should point up; the motion was turned over, say the "
-      "axis if they stand on their hands");
-}
-
 void turn_z_up_to_y_up(std::vector<Pose>& poses) {
   for (Pose& pose : poses) {
     const Eigen::Matrix<double, joint_count, 1> y = pose.col(1);
@@ -395,7 +373,6 @@ Result<ImportedClip> import_clip(const NamedMotion& file_points, const ImportOpt
   if (!poses) return poses.error();
   report.up_axis = settle_up_axis(motion, options, *poses, report);
   if (report.up_axis == UpAxis::Z) turn_z_up_to_y_up(*poses);
-  if (!options.up_axis && hangs_head_down(*poses)) turn_over(*poses, report);
   settle_unit(motion, options, *poses, report);
   settle_rate(motion, options, report);
   settle_floor(options, *poses, report);

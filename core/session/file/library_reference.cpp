@@ -83,13 +83,6 @@ Status check_session_library(const SessionLibrary& reference, const MotionLibrar
                library.name()};
 }
 
-std::string path_from_session(const std::string& session, const std::string& library) {
-  std::error_code failure;
-  const fs::path folder = fs::absolute(session, failure).parent_path();
-  const fs::path relative = fs::relative(fs::absolute(library, failure), folder, failure);
-  return failure ? std::string() : relative.generic_string();
-}
-
 std::vector<std::string> places_of(const SessionLibrary& reference, const std::string& session_path) {
   std::error_code failure;
   std::vector<std::string> places;

@@ -16,9 +16,6 @@ std::string library_fingerprint(const MotionLibrary& library);
 /// recording. Empty for a library that was never a file.
 std::vector<std::string> places_of(const SessionLibrary& reference, const std::string& session_path);
 
-/// The path of a library from the session file's folder; empty if there is none (another drive).
-std::string path_from_session(const std::string& session, const std::string& library);
-
 /// Checks that a library is the referenced one; the Error says how they differ.
 Status check_session_library(const SessionLibrary& reference, const MotionLibrary& library);
 

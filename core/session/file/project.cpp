@@ -5,7 +5,6 @@
 #include <functional>
 
 #include "core/base/atomic_file.hpp"
-#include "core/session/file/added_frames.hpp"
 #include "core/session/file/project_rows.hpp"
 #include "core/session/file/project_schema.hpp"
 #include "core/session/file/session_database.hpp"
@@ -26,23 +25,7 @@ Status in_transaction(SessionDatabase& database, const std::function<Status()>& 
   return done;
 }
 
-/// The frames and the project, in the running transaction.
-Status write_all(SessionDatabase& database, const Project& project, const std::vector<std::string>& history,
-                 const Progress& progress) {
-  if (!history.empty())
-    if (const Status noted = note_units(database); !noted) return noted;
-  for (std::size_t i = 0; i < history.size(); ++i) {
-    const auto share = [&history](std::size_t done) {
-      return static_cast<double>(done) / static_cast<double>(history.size());
-    };
-    const Status added = add_frames(database, history[i], part(progress, share(i), share(i + 1)));
-    if (!added) return added;
-  }
-  return write_project(database, project);
-}
-
-Status create(const std::string& path, const Project& project, const std::vector<std::string>& history,
-              const Progress& progress) {
+Status create(const std::string& path, const Project& project) {
   AtomicFile file(path);
   {
     auto database = SessionDatabase::open(file.partial().string(), SessionDatabase::Access::Create);
@@ -50,10 +33,9 @@ Status create(const std::string& path, const Project& project, const std::vector
     // The file is thrown away when it does not come to be: a journal beside it would only be left over.
     if (const auto set = database->execute("PRAGMA journal_mode=MEMORY"); !set)
       return Error{set.error().message, path};
-    if (!history.empty()) (void)database->execute("PRAGMA page_size=" + std::to_string(recording_page_bytes));
     const Status made = in_transaction(*database, [&] {
       const Status created = create_session_schema(*database);
-      return created ? write_all(*database, project, history, progress) : created;
+      return created ? write_project(*database, project) : created;
     });
     if (!made) return Error{made.error().message, path};
     if (const Status closed = database->close(); !closed) return Error{closed.error().message, path};
@@ -87,17 +69,16 @@ bool is_same_work(const Project& a, const Project& b) {
          std::ranges::equal(a.videos, b.videos, videos) && a.annotations == b.annotations;
 }
 
-Status save_project(const std::string& path, const Project& project, const std::vector<std::string>& history,
-                    const Progress& progress) {
+Status save_project(const std::string& path, const Project& project) {
   std::error_code failure;
   if (fs::is_directory(path, failure)) return Error{"this is a folder; name a file in it", path};
   const bool is_there = fs::exists(path, failure) && fs::file_size(path, failure) > 0;
-  if (!is_there) return create(path, project, history, progress);
+  if (!is_there) return create(path, project);
   auto database = open_to_write(path);
   if (!database) return database.error();
   const Status saved = in_transaction(*database, [&] {
     const Status migrated = migrate_session_schema(*database);
-    return migrated ? write_all(*database, project, history, progress) : migrated;
+    return migrated ? write_project(*database, project) : migrated;
   });
   const Status closed = database->close();
   return saved ? closed : saved;

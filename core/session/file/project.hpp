@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/annotation/annotations.hpp"
-#include "core/base/progress.hpp"
 #include "core/base/result.hpp"
 #include "core/session/file/data_reference.hpp"
 #include "core/session/frames/decisions.hpp"
@@ -56,9 +55,7 @@ bool is_same_work(const Project& a, const Project& b);
 /// Writes the project into a session file, all or nothing; recorded data stays. Creates a missing file and
 /// migrates one of an older version. An Error if another process records into it. While this process records,
 /// use Recorder::save_project.
-/// @param history  session files of the same session: their frames are added in the same transaction
-Status save_project(const std::string& path, const Project& project,
-                    const std::vector<std::string>& history = {}, const Progress& progress = {});
+Status save_project(const std::string& path, const Project& project);
 
 /// A project as read from a file, and what could not be read.
 struct ProjectReading {

@@ -124,12 +124,6 @@ Status create_session_schema(SessionDatabase& database) {
                           project_tables);
 }
 
-Status note_units(SessionDatabase& database) {
-  return database.execute(
-      "INSERT OR IGNORE INTO meta VALUES ('units', 'm, s; right-handed, Y up'), ('poses', 'float64 [25][3], "
-      "little-endian')");
-}
-
 Status check_session_schema(SessionDatabase& database) {
   const auto id = database.integer("PRAGMA application_id");
   if (!id) return id.error();

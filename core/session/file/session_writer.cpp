@@ -22,6 +22,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
+/// A frame is some 4 kB: four rows to a page. Every 32nd has its state, 25 kB, and needs further pages.
+constexpr int page_bytes = 16384;
 /// Size at which the log is moved into the file: about 40 s.
 constexpr std::int64_t bytes_in_log = 16 << 20;
 /// Between two sessions in one file.
@@ -67,8 +69,7 @@ Status SessionWriter::prepare_file(const RecorderOptions& options) {
   if (!*empty) {
     const Status ours = check_session_schema(database_);
     if (!ours) return ours;
-  } else if (const Status sized =
-                 database_.execute("PRAGMA page_size=" + std::to_string(recording_page_bytes));
+  } else if (const Status sized = database_.execute("PRAGMA page_size=" + std::to_string(page_bytes));
              !sized) {
     return sized;
   }
@@ -80,7 +81,7 @@ Status SessionWriter::prepare_file(const RecorderOptions& options) {
   // A file that began as a project has smaller pages.
   const auto page = database_.integer("PRAGMA page_size");
   if (!page) return page.error();
-  const std::int64_t size = std::max<std::int64_t>(512, page->value_or(recording_page_bytes));
+  const std::int64_t size = std::max<std::int64_t>(512, page->value_or(page_bytes));
   // FULL: every commit is on the platter before the next, so that also a power cut costs no more than the
   // last fraction of a second. The wait is this thread's alone.
   const Status tuned = database_.execute(
@@ -130,7 +131,12 @@ Status SessionWriter::begin_run() {
   run->bind(2, origin_.offset_s).bind(3, origin_.offset_frames);
   if (const Status done = run->run(); !done) return done;
   run_ = database_.last_row_id();
-  return note_units(database_);
+  const auto known = database_.integer("SELECT count(*) FROM meta");
+  if (!known) return known.error();
+  if (known->value_or(0) > 0) return Done{};
+  return database_.execute(
+      "INSERT INTO meta VALUES ('units', 'm, s; right-handed, Y up'), ('poses', 'float64 [25][3], "
+      "little-endian')");
 }
 
 /// Of a session that was cut off: they end with its last frame.

@@ -7,7 +7,6 @@
 #include "core/library/store/motion_library.hpp"
 #include "core/session/file/decisions_json.hpp"
 #include "core/session/file/frame_row.hpp"
-#include "core/session/file/library_reference.hpp"
 #include "core/session/file/session_writer_statements.hpp"
 
 namespace abrazo {
@@ -21,6 +20,14 @@ std::string json_list(const std::vector<std::string>& names) {
   json.begin_array();
   for (const std::string& name : names) json.value(name);
   return json.end_array().take();
+}
+
+/// The path from the session file's folder; empty when there is none (another drive).
+std::string path_from(const std::string& session, const std::string& library) {
+  std::error_code failure;
+  const fs::path folder = fs::absolute(session, failure).parent_path();
+  const fs::path relative = fs::relative(fs::absolute(library, failure), folder, failure);
+  return failure ? std::string() : relative.generic_string();
 }
 
 }  // namespace
@@ -76,7 +83,7 @@ Status SessionWriter::note_library(const FrameSnapshot& frame, std::int64_t inde
   if (path.empty())
     row->bind_null(0).bind_null(1);
   else
-    row->bind(0, path_from_session(database_.path(), path))
+    row->bind(0, path_from(database_.path(), path))
         .bind(1, fs::absolute(path, failure).lexically_normal().string());
   row->bind(2, library ? library->name() : facts_.library_name);
   row->bind(3, library ? static_cast<std::uint64_t>(library->pair_count()) : facts_.library_pairs);

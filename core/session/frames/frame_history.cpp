@@ -68,8 +68,7 @@ std::size_t size_of(const FrameSnapshot& frame) {
          bytes_of(r.collisions) + r.message.capacity() + (frame.before ? sizeof(SynthesizerState) : 0);
 }
 
-FrameHistory::FrameHistory(std::size_t max_bytes, std::shared_ptr<const FrameStore> store)
-    : store_(std::move(store)), max_bytes_(max_bytes) {}
+FrameHistory::FrameHistory(std::size_t max_bytes) : max_bytes_(max_bytes) {}
 
 void FrameHistory::append(FrameSnapshotPtr frame) {
   std::vector<FrameSnapshotPtr> evicted;  // destroyed outside the lock

@@ -20,10 +20,7 @@ namespace abrazo {
 /// no longer in memory wait for the store.
 class FrameHistory {
  public:
-  static constexpr std::size_t usual_bytes = std::size_t{512} << 20;
-
-  explicit FrameHistory(std::size_t max_bytes = usual_bytes,
-                        std::shared_ptr<const FrameStore> store = nullptr);
+  explicit FrameHistory(std::size_t max_bytes = std::size_t{512} << 20);
 
   void append(FrameSnapshotPtr frame);
   /// Drops the frames in memory.

@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/session/file/library_fingerprints.hpp"
 #include "core/session/frames/joined_stores.hpp"
-#include "core/session/run/library_fingerprints.hpp"
 #include "core/session/run/recorder.hpp"
 
 namespace abrazo {
@@ -67,7 +67,7 @@ void remove_session(const std::string& file) {
   for (const char* end : {"", "-wal", "-shm"}) fs::remove(file + end, ignored);
 }
 
-class FolderKeeper : public HistoryKeeper, public std::enable_shared_from_this<FolderKeeper> {
+class FolderKeeper : public HistoryKeeper {
  public:
   FolderKeeper(std::string folder, RecordingFacts facts, const HistoryBound& bound)
       : folder_(std::move(folder)), facts_(std::move(facts)), bound_(bound.bytes) {
@@ -112,7 +112,7 @@ class FolderKeeper : public HistoryKeeper, public std::enable_shared_from_this<F
     if (rests_for_ && writing_ && rests_for_->span().frames > 0) write_to(nullptr);
     const std::uint64_t bytes = writing_ ? writing_->state().bytes : 0;
     if (writing_ && bytes >= bound() / files_within_bound) (void)begin_file();
-    while (holds_ == 0 && bytes_on_disk() > bound() && remove_oldest()) continue;
+    while (bytes_on_disk() > bound() && remove_oldest()) continue;
     note_state();
   }
 
@@ -130,28 +130,15 @@ class FolderKeeper : public HistoryKeeper, public std::enable_shared_from_this<F
 
   std::shared_ptr<const FrameStore> store() const override { return store_; }
 
-  Result<Files> files() override {
-    Files found;
-    std::shared_ptr<Recorder> writing;
-    {
-      const std::scoped_lock changing(changing_);
-      for (const Part& part : parts_)
-        if (!part.file.empty()) found.paths.push_back(part.file);
-      ++holds_;
-      writing = writing_;
-    }
-    found.held = {nullptr, [keeper = shared_from_this()](const void*) { keeper->release(); }};
-    if (writing)
-      if (const Status flushed = writing->flush(); !flushed) return flushed.error();
-    return found;
-  }
-
   void remove() override {
     const std::scoped_lock changing(changing_);
     write_to(nullptr);
     store_->set(nullptr);
-    is_removed_ = true;
-    if (holds_ == 0) remove_files();
+    for (const Part& part : parts_)
+      if (!part.file.empty()) remove_session(part.file);
+    parts_.clear();
+    std::error_code ignored;
+    fs::remove(folder_, ignored);
   }
 
   /// Every change of the parts is made by one thread at a time.
@@ -179,19 +166,6 @@ class FolderKeeper : public HistoryKeeper, public std::enable_shared_from_this<F
     std::string file;         ///< empty: of a recorder, which keeps it
     std::uint64_t bytes = 0;  ///< once it is complete
   };
-
-  void release() {
-    const std::scoped_lock changing(changing_);
-    if (--holds_ == 0 && is_removed_) remove_files();
-  }
-
-  void remove_files() {
-    for (const Part& part : parts_)
-      if (!part.file.empty()) remove_session(part.file);
-    parts_.clear();
-    std::error_code ignored;
-    fs::remove(folder_, ignored);
-  }
 
   /// The new file has the next frame; the old one gets what still waits.
   void write_to(std::shared_ptr<Recorder> next, const std::string& file = {}) {
@@ -258,8 +232,6 @@ class FolderKeeper : public HistoryKeeper, public std::enable_shared_from_this<F
   std::shared_ptr<const FrameStore> rests_for_;
   std::string writing_file_, trouble_;
   std::uint64_t number_ = 0;
-  int holds_ = 0;  ///< of `files`: nothing is deleted meanwhile
-  bool is_removed_ = false;
   const std::shared_ptr<ChangingStore> store_ = std::make_shared<ChangingStore>();
 
   mutable std::mutex mutex_;  ///< short: the solver waits for it

@@ -3,7 +3,6 @@
 #include <cstdint>
 #include <memory>
 #include <string>
-#include <vector>
 
 #include "core/base/result.hpp"
 #include "core/session/file/recording_facts.hpp"
@@ -19,7 +18,7 @@ struct HistoryBound {
 
 /// Keeps the frames of a running session on disk for its history: several session files in a folder, each an
 /// eighth of the bound. Pauses while a recorder writes the frames. Thread-safe; no function waits
-/// for the disk except `open`, `go_on`, `tend`, `files` and `remove`.
+/// for the disk except `open`, `go_on`, `tend` and `remove`.
 class HistoryKeeper : public FrameListener {
  public:
   /// @param folder created if missing; belongs to the keeper alone
@@ -44,14 +43,7 @@ class HistoryKeeper : public FrameListener {
   /// The frames on disk, and those of the recorders during pauses.
   virtual std::shared_ptr<const FrameStore> store() const = 0;
 
-  struct Files {
-    std::vector<std::string> paths;    ///< session files, oldest first
-    std::shared_ptr<const void> held;  ///< as long as this lives none of them is deleted
-  };
-  /// Its files with all frames solved so far; waits for the disk. An Error if it refuses
-  virtual Result<Files> files() = 0;
-
-  /// Ends and deletes the files and the folder; if the files are held, later.
+  /// Ends and deletes the files and the folder.
   virtual void remove() = 0;
 };
 

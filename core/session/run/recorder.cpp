@@ -14,9 +14,9 @@
 #include <variant>
 
 #include "core/base/wake_up.hpp"
+#include "core/session/file/library_fingerprints.hpp"
 #include "core/session/file/recorded_frames.hpp"
 #include "core/session/file/session_writer.hpp"
-#include "core/session/run/library_fingerprints.hpp"
 
 namespace abrazo {
 

@@ -4,7 +4,6 @@
 
 #include "core/base/atomic_file.hpp"
 #include "core/library/store/motion_library_file.hpp"
-#include "core/session/run/history_keeper.hpp"
 #include "core/session/run/recorder.hpp"
 
 namespace abrazo {
@@ -26,8 +25,7 @@ Project with_contents(const SessionToSave& what) {
   return project;
 }
 
-Status save_copy(const SessionToSave& what, const Project& project, const std::vector<std::string>& history,
-                 const Progress& progress) {
+Status save_copy(const SessionToSave& what, const Project& project) {
   std::error_code trouble;
   if (fs::exists(what.to + "-wal", trouble))
     return Error{"another program or window is recording into this file; choose another name", what.to};
@@ -37,23 +35,18 @@ Status save_copy(const SessionToSave& what, const Project& project, const std::v
   const std::string partial = copy.partial().string();
   const bool has_frames = !what.file.empty() && fs::exists(what.file, trouble);
   Status done = has_frames ? copy_session(what.file, partial) : Status(Done{});
-  if (done) done = save_project(partial, project, history, progress);
+  if (done) done = save_project(partial, project);
   if (done) done = edit_session_takes(partial, what.takes);
   if (done) done = copy.commit();
   if (!done) return Error{done.error().message, what.to};
   return done;
 }
 
-Status save_to(const SessionToSave& what, const Project& project, const Progress& progress) {
-  const bool is_copy = what.to != what.file;
-  if (what.recorder && !is_copy) {
-    what.recorder->save_project(std::make_shared<const Project>(project));
-    return what.recorder->flush();
-  }
-  auto history = what.history ? what.history->files() : Result<HistoryKeeper::Files>(HistoryKeeper::Files{});
-  if (!history) return history.error();
-  if (is_copy) return save_copy(what, project, history->paths, progress);
-  return save_project(what.to, project, history->paths, progress);
+Status save_to(const SessionToSave& what, const Project& project) {
+  if (what.to != what.file) return save_copy(what, project);
+  if (!what.recorder) return save_project(what.to, project);
+  what.recorder->save_project(std::make_shared<const Project>(project));
+  return what.recorder->flush();
 }
 
 }  // namespace
@@ -63,11 +56,10 @@ Result<Project> save_session(const SessionToSave& what, const Progress& progress
   std::error_code ignored;
   const bool was_there = with_library && fs::exists(what.library_file, ignored);
   if (with_library)
-    if (const Status written = write_library(*what.library, what.library_file, part(progress, 0, 0.5));
-        !written)
+    if (const Status written = write_library(*what.library, what.library_file, progress); !written)
       return written.error();
   Project project = with_contents(what);
-  const Status saved = save_to(what, project, with_library ? part(progress, 0.5, 1) : progress);
+  const Status saved = save_to(what, project);
   if (saved) return project;
   if (with_library && !was_there) fs::remove(what.library_file, ignored);
   return saved.error();

@@ -9,7 +9,6 @@
 
 namespace abrazo {
 
-class HistoryKeeper;
 class MotionLibrary;
 class Recorder;
 
@@ -21,9 +20,6 @@ struct SessionToSave {
   std::string to;    ///< `file`, or another: then everything recorded is copied, with the project
   TakeEdits takes;   ///< edits not yet in `file`; for a copy
   std::shared_ptr<Recorder> recorder;  ///< writing into `file`; null = none
-  /// Frames that are in no session file yet; null = none. They are added, unless a recorder writes into `to`:
-  /// it has the frames from its begin on.
-  std::shared_ptr<HistoryKeeper> history;
   std::shared_ptr<const MotionLibrary> library;
   std::string library_file;  ///< also writes the library here; empty = no
 };

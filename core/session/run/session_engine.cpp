@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/motion/files/import_clip.hpp"
+#include "core/session/file/library_fingerprints.hpp"
 #include "core/session/frames/joined_stores.hpp"
-#include "core/session/run/library_fingerprints.hpp"
 #include "core/session/run/listener_gate.hpp"
 #include "core/session/run/partner_output.hpp"
 #include "core/session/run/solver_thread.hpp"
@@ -73,11 +73,9 @@ UserRole other_character(UserRole role) {
 
 struct SessionEngine::Parts {
   Parts(std::shared_ptr<PartnerSynthesizer> synthesizer, std::shared_ptr<PoseSource> source,
-        const SessionClock& session_clock, SessionOpeners open_with,
-        std::shared_ptr<const FrameStore> recorded)
+        const SessionClock& session_clock, SessionOpeners open_with)
       : clock(session_clock),
         openers(std::move(open_with)),
-        history(FrameHistory::usual_bytes, std::move(recorded)),
         own_source(source),
         views(synthesizer->views()),
         role(synthesizer->settings().user_role),
@@ -146,10 +144,9 @@ struct SessionEngine::Parts {
 };
 
 SessionEngine::SessionEngine(std::unique_ptr<PartnerSynthesizer> synthesizer,
-                             std::shared_ptr<PoseSource> source, SessionClock clock, SessionOpeners openers,
-                             std::shared_ptr<const FrameStore> recorded)
+                             std::shared_ptr<PoseSource> source, SessionClock clock, SessionOpeners openers)
     : parts_(std::make_unique<Parts>(std::shared_ptr<PartnerSynthesizer>(std::move(synthesizer)),
-                                     std::move(source), clock, std::move(openers), std::move(recorded))) {}
+                                     std::move(source), clock, std::move(openers))) {}
 
 SessionEngine::~SessionEngine() {
   [[maybe_unused]] const Status recorded = stop_recording();  // callers check beforehand
@@ -269,6 +266,10 @@ std::vector<SinkHealth> SessionEngine::sinks() const {
 }
 
 // ---- recording ----
+
+void SessionEngine::look_back(std::shared_ptr<const FrameStore> recorded) {
+  parts_->history.set_store(std::move(recorded));
+}
 
 void SessionEngine::keep_history(std::shared_ptr<HistoryKeeper> keeper) {
   parts_->keeper = std::move(keeper);

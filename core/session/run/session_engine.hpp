@@ -25,11 +25,8 @@ namespace abrazo {
 /// solver.
 class SessionEngine {
  public:
-  /// @param recorded  frames before this session, which continues them: its own follow their times and
-  /// indices
   SessionEngine(std::unique_ptr<PartnerSynthesizer> synthesizer, std::shared_ptr<PoseSource> source,
-                SessionClock clock = SessionClock(), SessionOpeners openers = SessionOpeners::system(),
-                std::shared_ptr<const FrameStore> recorded = nullptr);
+                SessionClock clock = SessionClock(), SessionOpeners openers = SessionOpeners::system());
   ~SessionEngine();
 
   void push(const Command& command);
@@ -61,6 +58,10 @@ class SessionEngine {
   Status send(const StreamUri& uri, Character character);
   void stop_sending(const std::string& uri);
   std::vector<SinkHealth> sinks() const;
+
+  /// Continues a recorded session: its frames become the history. Call before the first frame; the clock must
+  /// be later than those frames.
+  void look_back(std::shared_ptr<const FrameStore> recorded);
 
   /// Keeps the frames from now on on disk, also those that no longer fit in memory. Once in a session.
   void keep_history(std::shared_ptr<HistoryKeeper> keeper);

@@ -17,12 +17,27 @@ constexpr double farthest_asked_m = 0.3;
 constexpr double adaptation_rate = 13;  ///< omega [1/s]
 constexpr double near_m = 0.05;         ///< joints nearer to one another than this weigh no more
 constexpr double looks_ahead_s = 0.5;
-constexpr double body_room_m = 0.4;  ///< between two roots
-constexpr double pushes_off = 5;     ///< times what is missing of it
-constexpr double drawn_share = 1.5;  ///< of what a held hand lies beyond reach
+constexpr double body_room_m = 0.4;          ///< between two roots
+constexpr double pushes_off = 3;             ///< times what is missing of it
+constexpr double drawn_share = 1.5;          ///< of what a held hand lies beyond reach
+constexpr double approaches_within_m = 0.1;  ///< so much nearer than in the recording: not drawn to the user
 
 RootFrame on_floor(const RootFrame& root) {
   return {{root.position.x(), 0, root.position.z()}, root.heading_rad};
+}
+
+/// A hand draws the body along, but not into the user. @param relation  recorded place of the partner
+/// relative to the user's root
+Vec3 no_nearer(const Vec3& drawn, const RootFrame& partner, const RootFrame& user,
+               const RootFrame& relation) {
+  Vec3 to_user = user.position - partner.position;
+  to_user.y() = 0;
+  const double far = to_user.norm();
+  if (far < 1e-3) return drawn;
+  to_user /= far;
+  const double recorded = std::hypot(relation.position.x(), relation.position.z());
+  const double barred = std::clamp((recorded - far) / approaches_within_m, 0.0, 1.0);
+  return drawn - barred * std::max(0.0, drawn.dot(to_user)) * to_user;
 }
 
 /// The centre of mass, horizontal, seen from the body's own root and heading [m].
@@ -97,7 +112,8 @@ PairPose PartnerMover::move() {
   } else {
     stand();
     const Vec3 drawn = motion_.holds.drawn(moved_, moment_, step_.user, step_.user_root, body_);
-    motion_.place.approach(away(wanted), step_.elapsed_s, step_.settings.place_rate, drawn_share * drawn);
+    motion_.place.approach(away(wanted), step_.elapsed_s, step_.settings.place_rate,
+                           drawn_share * no_nearer(drawn, root_, step_.user_root, moment_.partner));
   }
   goes_ = motion_.place.way_to(wanted);
   motion_.since_change_s = changed_ ? 0 : motion_.since_change_s + step_.elapsed_s;

@@ -10,7 +10,7 @@ namespace abrazo {
 namespace {
 
 // Beyond these the spring pulls no harder: a partner that is far off walks there, and does not fly.
-constexpr double farthest_pull_m = 0.28;
+constexpr double farthest_pull_m = 0.24;
 constexpr double farthest_turn_rad = 1.0;
 
 /// x'' = -omega^2 x - 2 omega x', exactly.

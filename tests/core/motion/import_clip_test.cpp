@@ -140,22 +140,6 @@ TEST(ImportClip, TurnsZUpFilesToYUp) {
   EXPECT_FALSE(has_warning(imported(motion, options).report.warnings, "up-axis"));
 }
 
-/// A C3D file of Qualisys names -Z as up, and has +Z up.
-TEST(ImportClip, TurnsOverWhoStandsOnTheHeadAllTheTimeAndAsks) {
-  NamedMotion motion = standing_motion();
-  motion.up_axis = UpAxis::Y;
-  for (Positions& frame : motion.frames) frame.rightCols(2) *= -1;
-  const ImportedClip result = imported(motion);
-  EXPECT_LT((result.clip.poses[0] - test::standing_pose()).cwiseAbs().maxCoeff(), 1e-12);
-  EXPECT_TRUE(result.report.up_axis_guessed);
-  EXPECT_TRUE(the_warning(result.report.warnings, "up-axis").asks);
-  ImportOptions options;
-  options.up_axis = UpAxis::Y;
-  const ImportedClip as_said = imported(motion, options);
-  EXPECT_LT(as_said.clip.poses[0](joints::Head, 1), 0) << "who says so means it";
-  EXPECT_FALSE(has_warning(as_said.report.warnings, "up-axis"));
-}
-
 TEST(ImportClip, QuestionsThePersonWhoLies) {
   NamedMotion motion = standing_motion();
   for (Positions& frame : motion.frames) frame.col(0).swap(frame.col(1));

@@ -127,21 +127,6 @@ TEST(HistoryKeeper, WhatIsRemovedIsGoneFromDiskAndFromTheStore) {
   EXPECT_TRUE(session.history.at(3.9));
 }
 
-TEST(HistoryKeeper, FilesThatAreHeldAreDeletedOnceTheyAreLetGo) {
-  Kept session(4 * megabyte);
-  session.run_on_disk_until(3);
-  auto held = session.kept->files();
-  ASSERT_TRUE(held) << held.error().text();
-  const std::vector<std::string> paths = held->paths;
-  ASSERT_FALSE(paths.empty());
-  session.run_on_disk_until(30);
-  EXPECT_EQ(session.kept->state().removed_files, 0U) << "the bound waits";
-  session.kept->remove();
-  for (const std::string& path : paths) EXPECT_TRUE(fs::exists(path)) << path;
-  *held = {};
-  EXPECT_FALSE(fs::exists(session.folder));
-}
-
 TEST(HistoryKeeper, AFolderThatCannotBeMadeIsAnError) {
   const test::TemporaryFolder place;
   const std::string taken = place.file("taken");

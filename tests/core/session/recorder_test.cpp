@@ -8,10 +8,10 @@
 #include <future>
 #include <thread>
 
+#include "core/session/file/library_fingerprints.hpp"
 #include "core/session/file/library_reference.hpp"
 #include "core/session/file/session_database.hpp"
 #include "core/session/file/session_file.hpp"
-#include "core/session/run/library_fingerprints.hpp"
 #include "core/synthesis/step/synthesizer_state.hpp"
 #include "tests/core/session/recorded_session.hpp"
 

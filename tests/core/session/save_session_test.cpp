@@ -4,13 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <fstream>
 
 #include "core/library/store/motion_library_file.hpp"
-#include "core/session/file/recorded_frames.hpp"
 #include "core/session/file/session_file.hpp"
-#include "core/session/run/history_keeper.hpp"
 #include "tests/core/session/project_values.hpp"
 #include "tests/core/session/recorded_session.hpp"
 
@@ -49,42 +46,6 @@ struct SaveSession : testing::Test {
     session.keeper->recorder->end_take();
     return file;
   }
-  /// Of the session, with its times and frames.
-  static RecordingFacts facts() {
-    RecordingFacts facts = test::session_facts();
-    facts.has_times_of_file = true;
-    return facts;
-  }
-  /// The history goes to several files, which are small.
-  void keep_history() {
-    history = *HistoryKeeper::open(folder.file("history"), facts(), {.bytes = 4 << 20, .tend_every_s = 0});
-    session.commands.push(AttachListener{history});
-  }
-  void run_for(double seconds) {
-    for (const double end = session.now_s + seconds; session.now_s < end;) {
-      session.run_until(std::min(end, session.now_s + 0.5));
-      history->tend();
-      ASSERT_TRUE(history->files());  // on disk before more comes
-    }
-  }
-  /// That a file has every frame of the session, as it was solved.
-  void expect_all_frames_in(const std::string& file) const {
-    const auto opened = SessionFile::open(file);
-    ASSERT_TRUE(opened) << opened.error().text();
-    EXPECT_THAT((*opened)->recovery(), ElementsAre());
-    const auto stored = *RecordedFrames::open(file, test::session_library());
-    const auto all = stored->range(0, 1e9, FrameHistory::all_frames);
-    const std::vector<FrameSnapshotPtr>& solved = session.keeper->frames;
-    ASSERT_EQ(all.size(), solved.size());
-    for (std::size_t i = 0; i < all.size(); ++i) {
-      ASSERT_EQ(all[i]->index, solved[i]->index);
-      ASSERT_EQ(all[i]->time_s, solved[i]->time_s);
-      ASSERT_EQ(all[i]->result.result, solved[i]->result.result) << "frame " << i;
-      ASSERT_EQ(all[i]->settings, solved[i]->settings);
-      ASSERT_EQ(all[i]->result.edges, solved[i]->result.edges) << "its library is known";
-    }
-  }
-  std::shared_ptr<HistoryKeeper> history;
   static std::vector<std::string> takes_in(const std::string& file) {
     std::vector<std::string> names;
     const auto opened = SessionFile::open(file);
@@ -183,89 +144,6 @@ TEST_F(SaveSession, ACopyThatFailsLeavesTheFileThatWasThere) {
   EXPECT_FALSE(save_session(what, {}));
   std::ifstream other(what.to);
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(other), {}), "as it was");
-}
-
-TEST_F(SaveSession, HasTheFramesThatTheHistoryOnDiskHas) {
-  keep_history();
-  run_for(4);
-  Settings slower = session.keeper->frames.back()->settings;
-  slower.alpha = 0.25;
-  session.commands.push(SetSettings{slower});
-  run_for(3);
-  SessionToSave what = to("s.abrazo", 9);
-  what.history = history;
-  ASSERT_GT(history->files()->paths.size(), 1U) << "else nothing is joined";
-  const auto saved = save_session(what, {});
-  ASSERT_TRUE(saved) << saved.error().text();
-  EXPECT_EQ(*load_project(what.to), what.project);
-  expect_all_frames_in(what.to);
-  const SessionContents contents = (*SessionFile::open(what.to))->contents();
-  EXPECT_EQ(contents.settings.size(), 2U) << "a file's begin is no change of settings";
-  EXPECT_EQ(contents.libraries.size(), 1U);
-  EXPECT_EQ(contents.inputs.size(), 1U);
-  ASSERT_EQ(contents.runs.size(), 1U);
-  EXPECT_TRUE(contents.runs[0].finished);
-  EXPECT_EQ(contents.runs[0].frames, contents.frames);
-}
-
-TEST_F(SaveSession, SavedAgainItGetsTheFramesSince) {
-  keep_history();
-  run_for(2);
-  SessionToSave what = to("s.abrazo", 10);
-  what.history = history;
-  ASSERT_TRUE(save_session(what, {}));
-  run_for(2);
-  what.file = what.to;
-  what.project = project_of(11);
-  const auto saved = save_session(what, {});
-  ASSERT_TRUE(saved) << saved.error().text();
-  EXPECT_EQ(*load_project(what.to), what.project);
-  expect_all_frames_in(what.to);
-  EXPECT_EQ((*SessionFile::open(what.to))->contents().runs.size(), 1U);
-}
-
-TEST_F(SaveSession, WhatWasSolvedBeforeAndAfterARecordingIsAddedToIt) {
-  keep_history();
-  run_for(2);
-  SessionToSave what = to("copy.abrazo", 12);
-  what.file = folder.file("s.abrazo");
-  what.history = history;
-  const auto recorder = *Recorder::open(what.file, facts());
-  session.commands.push(AttachListener{recorder});
-  run_for(1);
-  history->rest(recorder->store());
-  history->tend();
-  run_for(1);
-  ASSERT_TRUE(history->go_on());
-  run_for(0.5);
-  session.commands.push(DetachListener{recorder});
-  run_for(2);
-  ASSERT_TRUE(recorder->finish());
-  const auto saved = save_session(what, {});
-  ASSERT_TRUE(saved) << saved.error().text();
-  expect_all_frames_in(what.to);
-  const SessionContents contents = (*SessionFile::open(what.to))->contents();
-  EXPECT_EQ(contents.libraries.size(), 1U);
-  ASSERT_EQ(contents.runs.size(), 2U) << "before the recording, and from its begin on";
-  EXPECT_EQ(contents.runs[0].frames + contents.runs[1].frames, contents.frames);
-}
-
-TEST_F(SaveSession, ThatIsCancelledWhileTheHistoryIsCopiedLeavesTheFileAsItWas) {
-  keep_history();
-  run_for(2);
-  SessionToSave what = to("s.abrazo", 13);
-  what.history = history;
-  const auto cancelled = [](double, std::string_view) { return false; };
-  EXPECT_FALSE(save_session(what, cancelled));
-  EXPECT_THAT(files(), ElementsAre("history"));
-  ASSERT_TRUE(save_session(what, {}));
-  const auto frames = (*SessionFile::open(what.to))->contents().frames;
-  run_for(2);
-  what.file = what.to;
-  what.project = project_of(14);
-  EXPECT_FALSE(save_session(what, cancelled));
-  EXPECT_EQ((*SessionFile::open(what.to))->contents().frames, frames);
-  EXPECT_EQ(*load_project(what.to), project_of(13));
 }
 
 }  // namespace

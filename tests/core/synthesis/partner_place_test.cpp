@@ -5,7 +5,7 @@
 namespace abrazo::partner_place_test {
 namespace {
 
-constexpr double step_s = 1.0 / 240, rate = 5.5;
+constexpr double step_s = 1.0 / 240, rate = 7;
 
 RootFrame at(double x, double heading_rad = 0) {
   return {{x, 0, 0}, heading_rad};

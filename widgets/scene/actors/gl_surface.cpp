@@ -123,6 +123,7 @@ void GlSurface::paintEvent(QPaintEvent*) {
 }
 
 void GlSurface::mousePressEvent(QMouseEvent* event) {
+  if (m_isTaken) return;  // a second button does not end a drag that was taken
   m_last = m_pressed = event->localPos();
   m_isClick = event->button() == Qt::LeftButton;
   m_isTaken = m_isClick && event->modifiers() == Qt::NoModifier && taken && taken(event->localPos());

@@ -1,4 +1,4 @@
-#include "core/session/run/library_fingerprints.hpp"
+#include "core/session/file/library_fingerprints.hpp"
 
 #include <utility>
 
