@@ -212,22 +212,6 @@ TEST(CandidateTable, StaysWithTheMethodOverAFrameWithoutCandidates) {
   EXPECT_FALSE(t.table.findChild<CandidateHeader*>()->area(CandidateColumn::Partner).isEmpty());
 }
 
-TEST(CandidateTable, HidesTheMapUntilThereIsRoomBelowEightRows) {
-  Table t;
-  auto* button = t.table.findChild<QToolButton*>();
-  ASSERT_EQ(button->text(), "Map");
-  EXPECT_TRUE(t.map->isVisible());
-  t.table.resize(406, t.table.minimumSizeHint().height() + 60);
-  EXPECT_FALSE(t.map->isVisible());
-  EXPECT_FALSE(button->isEnabled());
-  EXPECT_TRUE(button->toolTip().contains("a higher panel")) << button->toolTip().toStdString();
-  t.table.resize(406, 460);
-  EXPECT_TRUE(t.map->isVisible()) << "it is still wanted";
-  button->click();
-  t.table.resize(406, 500);
-  EXPECT_FALSE(t.map->isVisible()) << "and not when it was closed";
-}
-
 TEST(CandidateTable, KeepsTheSortingAndTheScrollWhenTheMethodChanges) {
   Table t;
   t.table.showMap(false);

@@ -30,14 +30,10 @@ QString subject(Reach reach, const CandidateRow& row) {
     case Reach::Take:
       return "take " + text(row.take);
     case Reach::Label:
-      return row.label.empty() ? QString("all without a label") : "all " + text(row.label).replace('_', ' ');
+      return row.label.empty() ? QString("all without a label") : "all " + text(row.label);
   }
   return {};
 }
-
-constexpr const char* map_tip = "The candidates among all pairs of the library, in feature space";
-/// Rows that are always in view, and those that are in view before the map has room.
-constexpr int least_candidates = 3, candidates_before_map = 8;
 
 /// The key is a hint: the program's own action has it.
 QString with_key(const QString& words, const char* key) {
@@ -68,7 +64,7 @@ void CandidateTable::arrange() {
   column->setSpacing(0);
   scroll_vertically(*m_scroll, m_list);
   m_scroll->setFocusPolicy(Qt::NoFocus);
-  m_scroll->setMinimumHeight(least_candidates * CandidateList::row_height);
+  m_scroll->setMinimumHeight(4 * CandidateList::row_height);
   column->addWidget(m_header);
   column->addWidget(m_columns);
   column->addWidget(m_scroll, 8);
@@ -93,7 +89,7 @@ QWidget* CandidateTable::makeFoot() {
   m_mapButton->setCheckable(true);
   m_mapButton->setChecked(true);
   m_mapButton->setFocusPolicy(Qt::TabFocus);
-  m_mapButton->setToolTip(map_tip);
+  m_mapButton->setToolTip("The candidates among all pairs of the library, in feature space");
   m_mapButton->setAccessibleName("Show the feature-space neighbourhood");
   m_belief->setObjectName("secondary");
   m_belief->setFont(interface_font(12));
@@ -163,25 +159,6 @@ void CandidateTable::setColours(const Palette& palette) {
 void CandidateTable::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   showBelief();
-  arrangeMap();
-}
-
-/// Without the map: it leaves before the rest is squeezed.
-QSize CandidateTable::minimumSizeHint() const {
-  QSize least = QWidget::minimumSizeHint();
-  if (m_map->isVisibleTo(this)) least.rheight() -= m_map->minimumHeight();
-  return least;
-}
-
-void CandidateTable::arrangeMap() {
-  const int more_rows = (candidates_before_map - least_candidates) * CandidateList::row_height;
-  const bool has_room = height() >= minimumSizeHint().height() + more_rows + m_map->minimumHeight();
-  m_mapButton->setEnabled(has_room);
-  m_mapButton->setToolTip(map_tip + QString(has_room ? "" : "; a higher panel has room for it"));
-  const bool shows = has_room && m_mapButton->isChecked();
-  if (shows == m_map->isVisibleTo(this)) return;
-  m_map->setVisible(shows);
-  if (shows && m_frame) m_map->setFrame(*m_frame, m_ranked);
 }
 
 /// The height is independent of the text, which differs in every frame. The map's button is beside the belief
@@ -267,7 +244,7 @@ void CandidateTable::sortBy(CandidateColumn column) {
 
 void CandidateTable::showMap(bool on) {
   m_mapButton->setChecked(on);
-  arrangeMap();
+  m_map->setVisible(on);
   showRows();
 }
 

@@ -16,8 +16,8 @@ namespace abrazo::app {
 namespace {
 
 constexpr int plots_height = 172;
-constexpr int usual_head = 32, low_head = 24;  // low where height is scarce
-constexpr int candidates_share = 55;           // per cent of the right side
+constexpr int low_head = 24;          // where height is scarce
+constexpr int candidates_share = 55;  // per cent of the right side
 // More panels of a side share the last place as tabs: each needs some height to be read.
 constexpr int most_stacked_beside = 2, most_stacked_below = 1;
 
@@ -175,11 +175,6 @@ void PanelArea::showWhatFits() {
 void PanelArea::arrangeFor(QSize window) {
   m_window = window;
   m_room = plan_panels(window, m_wishes);
-  for (const Panel& panel : m_panels)
-    if (panel.usual_side != Qt::BottomDockWidgetArea)
-      panel.title->header().setFixedHeight(m_room.has_low_heads ? low_head : usual_head);
-  if (QDockWidget* settings = panel("settings"))
-    settings->widget()->setMinimumHeight(m_room.tunes ? settings->widget()->sizeHint().height() : 0);
   showWhatFits();
   restoreSizes();
 }

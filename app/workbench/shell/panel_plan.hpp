@@ -10,8 +10,6 @@ struct PanelPlan {
   bool left = true;   ///< scene and library
   bool right = true;  ///< candidates and settings
   bool plots = true;
-  bool tunes = true;  ///< the settings that are tuned most are in view, whatever else shares their side
-  bool has_low_heads = false;
   int left_width = 262;
   int right_width = 406;
 };
@@ -28,8 +26,6 @@ inline PanelPlan plan_panels(QSize window, const PanelWishes& wishes) {
   plan.left = wishes.left.value_or(window.width() >= 1040 && window.height() >= 600);
   plan.right = wishes.right.value_or(window.width() >= 760);
   plan.plots = wishes.plots.value_or(window.height() >= 760);
-  plan.has_low_heads = window.height() < 800;
-  plan.tunes = window.height() >= 700;
   if (window.width() < 1440) plan.right_width = 340;
   if (window.width() < 1200) plan.right_width = 300;
   if (window.width() < 1200) plan.left_width = 230;

@@ -99,7 +99,6 @@ void add_cut(MainWindow& window, QMenu* menu) {
   add("Turn the plane right", "Alt+Right", 0, step_rad, 0);
   add("Tilt the plane up", "Alt+Up", 0, 0, step_rad);
   add("Tilt the plane down", "Alt+Down", 0, 0, -step_rad);
-  keep_cut_edits(window);
 }
 
 /// Restores the scene's setup; changes are stored together shortly afterwards.

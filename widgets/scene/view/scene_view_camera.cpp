@@ -127,7 +127,6 @@ void SceneView::render() {
   }
   placeReference();
   placeTags();
-  placeCutHandles();
   const bool moving = p.since_render.isValid() && p.since_render.elapsed() < moving_ms;
   p.smoothed = p.budget.wants_smoothing(moving);
   if (!p.smoothed) p.standstill.start();
