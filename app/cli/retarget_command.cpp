@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <memory>
 #include <optional>
 
+#include "app/cli/character_output.hpp"
 #include "app/cli/command_line.hpp"
 #include "app/cli/interruption.hpp"
 #include "core/base/atomic_file.hpp"
@@ -32,6 +34,7 @@ struct RetargetArguments {
   long long from = 0;
   std::optional<long long> to;
   std::string active_body = "library", passive_body = "library";
+  CharacterOutput character;
   bool json = false;
 
   const std::string& source() const { return library.empty() ? manifest : library; }
@@ -57,10 +60,19 @@ Status check_outputs(const RetargetArguments& arguments, const Choices& choices)
   std::vector<std::string> inputs = {arguments.source()};
   for (const BodyChoice* choice : {&choices.active, &choices.passive})
     if (!choice->file.empty()) inputs.push_back(choice->file);
-  if (const Status known = check_clip_file(arguments.output, {}, 2); !known) return known;
+  if (arguments.character.is_given()) inputs.push_back(arguments.character.file());
+  const Status known = arguments.character.is_given() ? arguments.character.check(arguments.output)
+                                                      : check_clip_file(arguments.output, {}, 2);
+  if (!known) return known;
   for (const std::string& take : arguments.takes) {
     const std::string output = arguments.file_of(arguments.output, take);
-    if (const Status usable = check_output(output, inputs); !usable) return usable;
+    std::vector<std::string> files = {output};
+    if (arguments.character.is_given()) {
+      const auto both = arguments.character.outputs(output);
+      files.assign(both.begin(), both.end());
+    }
+    for (const std::string& file : files)
+      if (const Status usable = check_output(file, inputs); !usable) return usable;
     if (arguments.trace.empty()) continue;
     const std::string trace = arguments.file_of(arguments.trace, take);
     if (trace == output) return Error{"the trace and the motion cannot share a file; name two", trace};
@@ -209,9 +221,15 @@ Status write_outputs(const RetargetArguments& arguments, const std::vector<Made>
   for (const Made& made : all) {
     const std::string& take = made.pair.recorded.name;
     const std::string output = arguments.file_of(arguments.output, take);
-    auto content = clip_file_content(output, std::array<Clip, 2>{made.pair.active(), made.pair.passive()});
-    if (!content) return content.error();
-    contents.emplace_back(output, std::move(*content));
+    if (arguments.character.is_given()) {
+      auto both = arguments.character.contents(output, made.pair.active(), made.pair.passive());
+      if (!both) return both.error();
+      std::ranges::move(*both, std::back_inserter(contents));
+    } else {
+      auto content = clip_file_content(output, std::array<Clip, 2>{made.pair.active(), made.pair.passive()});
+      if (!content) return content.error();
+      contents.emplace_back(output, std::move(*content));
+    }
     if (arguments.trace.empty()) continue;
     auto trace = LineFile::open(arguments.file_of(arguments.trace, take));
     if (!trace) return trace.error();
@@ -287,9 +305,12 @@ void add_retarget_command(CommandLine& line) {
   command->add_option("--passive-body", arguments->passive_body, std::string("body of the partner: ") + body)
       ->type_name("BODY")
       ->capture_default_str();
-  command->add_option("-o,--output", arguments->output, "both characters: .bvh (two roots), .glb, .csv, .npz")
-      ->required()
-      ->type_name("FILE");
+  CLI::Option* output = command
+                            ->add_option("-o,--output", arguments->output,
+                                         "both characters: .bvh (two roots), .glb, .csv, .npz")
+                            ->required()
+                            ->type_name("FILE");
+  arguments->character.add_to(*command, output);
   command
       ->add_option(
           "--trace", arguments->trace,

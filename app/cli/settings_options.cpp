@@ -3,6 +3,7 @@
 #include <fmt/core.h>
 
 #include "core/base/text.hpp"
+#include "core/bodies/chosen_body.hpp"
 
 namespace abrazo::app {
 
@@ -10,7 +11,8 @@ namespace {
 
 std::string choices_of(const SettingInfo& info) {
   if (info.kind == SettingInfo::Kind::Flag) return "on|off";
-  if (info.kind == SettingInfo::Kind::Choice) return std::string(info.choices);
+  if (info.kind == SettingInfo::Kind::Choice || info.kind == SettingInfo::Kind::Body)
+    return std::string(info.choices);
   return fmt::format("{} to {}{}{}", exact_text(info.minimum), exact_text(info.maximum),
                      info.unit.empty() ? "" : " ", info.unit);
 }
@@ -47,7 +49,7 @@ void SettingsOptions::add_to(CLI::App& command) {
             names, [this, key](const std::string& text) { given_[key] = text; },
             fmt::format("{} [{}; {}]", info.help, choices_of(info), preset_values(info)))
         ->group("Settings")
-        ->type_name(number ? "NUMBER" : "WORD")
+        ->type_name(number ? "NUMBER" : info.kind == SettingInfo::Kind::Body ? "BODY" : "WORD")
         ->check([key](const std::string& text) {
           Settings scratch;
           const Status usable = set_setting(scratch, key, text);
@@ -64,6 +66,8 @@ Result<Settings> SettingsOptions::read() const {
     const Status set = set_setting(*settings, key, text);
     if (!set) return set.error();
   }
+  for (BodyChoice* choice : {&settings->active_body, &settings->passive_body})
+    if (const Status measured = measure_file(*choice); !measured) return measured.error();
   return settings;
 }
 

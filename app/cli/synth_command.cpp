@@ -2,10 +2,12 @@
 #include <array>
 #include <memory>
 
+#include "app/cli/character_output.hpp"
 #include "app/cli/command_line.hpp"
 #include "app/cli/interruption.hpp"
 #include "app/cli/motion_reading.hpp"
 #include "app/cli/settings_options.hpp"
+#include "core/base/atomic_file.hpp"
 #include "core/base/line_file.hpp"
 #include "core/base/output_file.hpp"
 #include "core/library/store/motion_library_file.hpp"
@@ -22,10 +24,18 @@ struct SynthOptions {
   MotionReading input;
   std::vector<std::string> excluded;
   SettingsOptions settings;
+  CharacterOutput character;
   bool split = false, json = false;
 };
 
 Status write_clips(const SynthOptions& options, const Clip& active, const Clip& passive) {
+  if (options.character.is_given()) {
+    const auto contents = options.character.contents(options.output, active, passive);
+    if (!contents) return contents.error();
+    for (const auto& [file, content] : *contents)
+      if (const Status written = write_whole_file(file, content); !written) return written;
+    return Done{};
+  }
   if (!options.split) return write_clip_file(options.output, std::array<Clip, 2>{active, passive});
   const Status first = write_clip_file(with_suffix(options.output, "_active"), std::array<Clip, 1>{active});
   if (!first) return first;
@@ -35,9 +45,13 @@ Status write_clips(const SynthOptions& options, const Clip& active, const Clip& 
 /// The files that will be written, asked before the work.
 Status check_outputs(const SynthOptions& options) {
   const std::vector<std::string> inputs = {options.library, options.input.file, options.input.skeleton,
-                                           options.input.joint_map};
+                                           options.input.joint_map, options.character.file()};
   std::vector<std::string> outputs;
-  if (!options.output.empty()) {
+  if (options.character.is_given()) {
+    if (const Status fits = options.character.check(options.output); !fits) return fits;
+    const auto both = options.character.outputs(options.output);
+    outputs.assign(both.begin(), both.end());
+  } else if (!options.output.empty()) {
     if (const Status known = check_clip_file(options.output, {}, options.split ? 1 : 2); !known) return known;
     if (options.split)
       outputs = {with_suffix(options.output, "_active"), with_suffix(options.output, "_passive")};
@@ -119,6 +133,7 @@ void add_synth_command(CommandLine& line) {
                        "both characters at the step rate: .bvh (two roots), .glb, .csv, .npz")
           ->type_name("FILE");
   synth->add_flag("--split", options->split, "two files instead: OUT_active and OUT_passive")->needs(output);
+  options->character.add_to(*synth, output);
   synth
       ->add_option("--trace", options->trace,
                    "one JSON object per solved step, with all intermediate results (JSON lines)")

@@ -59,8 +59,8 @@ using Numbers = py::array_t<double, py::array::c_style | py::array::forcecast>;
 /// One pose. @throws py::value_error when the shape is not (25, 3); `name` is that of the argument
 Pose pose_of(const Numbers& numbers, const char* name);
 
-/// A dict of settings as the text that parse_settings reads.
-std::string settings_text(const py::object& changes);
+/// Settings with some of them changed, and the files of bodies measured. @param changes  a dict by key
+Settings changed_settings(const Settings& settings, const py::object& changes);
 
 /// The settings of a preset with some of them changed. @param changes  a dict by key, or None
 Settings settings_of(const std::string& preset_name, const py::object& changes);

@@ -1,5 +1,6 @@
 #include "app/python/binding.hpp"
 #include "core/base/version.hpp"
+#include "core/bodies/chosen_body.hpp"
 #include "core/motion/body/joint_set.hpp"
 
 namespace abrazo::python {
@@ -20,14 +21,18 @@ Pose pose_of(const Numbers& numbers, const char* name) {
   return Eigen::Map<const Pose>(numbers.data());
 }
 
-std::string settings_text(const py::object& changes) {
-  return py::module_::import("json").attr("dumps")(changes, py::arg("allow_nan") = false).cast<std::string>();
+Settings settings_of(const std::string& preset_name, const py::object& changes) {
+  const Settings settings = unwrap(preset(preset_name));
+  if (changes.is_none()) return settings;
+  return changed_settings(settings, changes);
 }
 
-Settings settings_of(const std::string& preset_name, const py::object& changes) {
-  Settings settings = unwrap(preset(preset_name));
-  if (changes.is_none()) return settings;
-  return unwrap(parse_settings(settings_text(changes), settings, "settings"));
+Settings changed_settings(const Settings& settings, const py::object& changes) {
+  const auto json =
+      py::module_::import("json").attr("dumps")(changes, py::arg("allow_nan") = false).cast<std::string>();
+  Settings changed = unwrap(parse_settings(json, settings, "settings"));
+  for (BodyChoice* body : {&changed.active_body, &changed.passive_body}) unwrap(measure_file(*body));
+  return changed;
 }
 
 py::object from_json(const std::string& json) {

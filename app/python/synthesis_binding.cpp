@@ -150,10 +150,10 @@ void bind_synthesis(py::module_& module) {
       .def(
           "change_settings",
           [](Synthesizer& self, const py::object& changes) {
-            const std::string json = settings_text(changes);
-            self.alone([&](PartnerSynthesizer& synthesizer) {
-              synthesizer.set_settings(unwrap(parse_settings(json, synthesizer.settings(), "settings")));
-            });
+            const Settings now =
+                self.alone([](PartnerSynthesizer& synthesizer) { return synthesizer.settings(); });
+            const Settings changed = changed_settings(now, changes);
+            self.alone([&](PartnerSynthesizer& synthesizer) { synthesizer.set_settings(changed); });
           },
           py::arg("settings"), "Changes some settings from the next step on, a dict. Raises abrazo.Error.")
       .def_property_readonly(

@@ -32,6 +32,14 @@ Result<ChosenBody> body_of_file(const std::string& file, const Progress& progres
 
 }  // namespace
 
+Status measure_file(BodyChoice& choice, const Progress& progress) {
+  if (choice.kind != BodyChoice::Kind::OfFile || choice.measured) return Done{};
+  auto chosen = body_of_file(choice.file, progress);
+  if (!chosen) return chosen.error();
+  choice.measured = chosen->body;
+  return Done{};
+}
+
 Result<ChosenBody> choose_body(const BodyChoice& choice, const Body& recorded, const Progress& progress) {
   switch (choice.kind) {
     case BodyChoice::Kind::Library:

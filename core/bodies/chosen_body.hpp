@@ -20,4 +20,7 @@ struct ChosenBody {
 /// recorded pair has no user.
 Result<ChosenBody> choose_body(const BodyChoice& choice, const Body& recorded, const Progress& progress = {});
 
+/// Reads and measures the file of a choice, unless that was done; other choices stay as they are.
+Status measure_file(BodyChoice& choice, const Progress& progress = {});
+
 }  // namespace abrazo

@@ -23,6 +23,9 @@ class BodyRetargeter {
   /// bit.
   bool is_identity() const { return same_bones_ && floor_shift_ == 0; }
 
+  /// Scale of the path over the floor; 1 if poses are returned unchanged.
+  double path_scale() const { return same_bones_ ? 1.0 : path_scale_; }
+
   Pose apply(const Pose& user_pose) const;
 
  private:

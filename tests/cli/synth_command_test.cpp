@@ -8,6 +8,7 @@ namespace abrazo::test::synth_command_test {
 namespace {
 
 using ::testing::ElementsAre;
+using ::testing::HasSubstr;
 using ::testing::IsEmpty;
 using ::testing::SizeIs;
 
@@ -113,6 +114,38 @@ TEST_F(SynthCommand, AUserOfAnotherSizeGetsTheLibrarysBodies) {
                       table.at(20, "active.lfemur_z") - table.at(20, "active.ltibia_z"));
   };
   EXPECT_NEAR(shin(tall), shin(usual), 1e-3 * shin(usual));
+}
+
+double shin(const Table& table, const std::string& who) {
+  double sum = 0;
+  for (const std::string axis : {"_x", "_y", "_z"})
+    sum += std::pow(table.at(15, who + ".lfemur" + axis) - table.at(15, who + ".ltibia" + axis), 2);
+  return std::sqrt(sum);
+}
+
+TEST_F(SynthCommand, TheCharactersAreShownOnTheChosenBodies) {
+  make_library();
+  ASSERT_EQ(synth("-o library.csv").status, 0);
+  ASSERT_EQ(synth("--active-body scale:0.85 --passive-body demo/salsa_01_a.bvh -o others.csv").status, 0);
+  ASSERT_EQ(synth("--active-body user -o user.csv").status, 0);
+  ASSERT_EQ(run("motion positions demo/salsa_01_a.bvh -o input.csv").status, 0);
+  const Table library = parse_table(read("library.csv")), others = parse_table(read("others.csv"));
+  const Table user = parse_table(read("user.csv")), input = parse_table(read("input.csv"));
+  EXPECT_NEAR(shin(others, "active"), 0.85 * shin(library, "active"), 1e-3);
+  const double of_input = std::sqrt(std::pow(input.at(15, "lfemur_x") - input.at(15, "ltibia_x"), 2) +
+                                    std::pow(input.at(15, "lfemur_y") - input.at(15, "ltibia_y"), 2) +
+                                    std::pow(input.at(15, "lfemur_z") - input.at(15, "ltibia_z"), 2));
+  EXPECT_NEAR(shin(others, "passive"), of_input, 1e-3);
+  EXPECT_NEAR(shin(user, "active"), of_input, 1e-3);
+  EXPECT_NEAR(user.at(15, "active.head_y"), input.at(60, "head_y"), 0.02);
+}
+
+TEST_F(SynthCommand, ABodyThatCannotBeHadIsRefused) {
+  make_library();
+  EXPECT_THAT(synth("--passive-body user -o a.csv").err, HasSubstr("library, scale:NUMBER"));
+  EXPECT_THAT(synth("--active-body scale:9 -o a.csv").err, HasSubstr("0.3 to 3"));
+  EXPECT_THAT(synth("--active-body nowhere.bvh -o a.csv").err, HasSubstr("nowhere.bvh"));
+  EXPECT_THAT(names(), ElementsAre("demo", "demo.h5"));
 }
 
 TEST_F(SynthCommand, AThinnedLibraryServesToo) {

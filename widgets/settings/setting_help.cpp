@@ -40,7 +40,7 @@ std::string preset_values(const SettingInfo& info) {
 
 std::string value_range(const SettingInfo& info) {
   if (info.kind == Kind::Flag) return "on, off";
-  if (info.kind == Kind::Choice) return joined(split_fields(info.choices, '|'));
+  if (info.kind == Kind::Choice || info.kind == Kind::Body) return joined(split_fields(info.choices, '|'));
   return exact_text(info.minimum) + " to " + exact_text(info.maximum) + with_unit(info);
 }
 

@@ -70,6 +70,9 @@ SettingRow::SettingRow(const SettingInfo& info, QWidget* parent) : QWidget(paren
     case SettingInfo::Kind::Choice:
       buildChoice();
       break;
+    case SettingInfo::Kind::Body:
+      buildBody();
+      break;
   }
   name(*this);
 }
@@ -159,6 +162,29 @@ void SettingRow::buildChoice() {
           [this](int index) { emit changed(key(), m_choice->itemData(index).toString(), 0); });
 }
 
+void SettingRow::buildBody() {
+  auto* row = new QHBoxLayout(this);
+  row->setContentsMargins(12, 3, 12, 3);
+  m_body = new QComboBox(this);
+  m_body->setEditable(true);
+  m_body->setInsertPolicy(QComboBox::NoInsert);
+  m_body->addItem("library");
+  if (m_info.choices.find("user") != std::string_view::npos) m_body->addItem("user");
+  m_body->addItems({"scale:0.85", "scale:1.15"});
+  m_body->setMinimumWidth(118);
+  m_body->setFocusPolicy(Qt::StrongFocus);
+  row->addWidget(m_title, 1);
+  row->addWidget(m_body);
+  setFixedHeight(34);
+  name(*m_body);
+  const auto ask = [this] {
+    const QString typed = m_body->currentText().trimmed();
+    if (typed != m_bodyText) emit changed(key(), typed, 0);
+  };
+  connect(m_body, qOverload<int>(&QComboBox::activated), this, ask);
+  connect(m_body->lineEdit(), &QLineEdit::editingFinished, this, ask);
+}
+
 void SettingRow::contextMenuEvent(QContextMenuEvent* event) {
   QMenu menu(this);
   menu.addAction("Default (" + m_defaultText + ")", this, [this] { emit changed(key(), m_defaultText, 0); })
@@ -194,7 +220,7 @@ void SettingRow::showTitle(bool changed, const QString& of_frame) {
 void SettingRow::showApplies(const Settings& settings) {
   if (applies(settings, m_info.key) == m_applies) return;
   m_applies = !m_applies;
-  for (QWidget* part : std::initializer_list<QWidget*>{m_title, m_slider, m_value, m_toggle, m_choice})
+  for (QWidget* part : std::initializer_list<QWidget*>{m_title, m_slider, m_value, m_toggle, m_choice, m_body})
     if (part) part->setEnabled(m_applies);
   QString help = QString::fromStdString(setting_tooltip(m_info));
   if (!m_applies)
@@ -207,15 +233,20 @@ void SettingRow::show(const Settings& settings, const Settings& defaults, const 
   m_number = setting_number(settings, m_info.key);
   const double usual = setting_number(defaults, m_info.key);
   m_defaultText = QString::fromStdString(setting_text(defaults, m_info.key));
-  const bool differs = of_frame && setting_number(*of_frame, m_info.key) != m_number;
+  const std::string now = setting_text(settings, m_info.key);
+  const bool differs = of_frame && setting_text(*of_frame, m_info.key) != now;
   const double then = differs ? setting_number(*of_frame, m_info.key) : m_number;
   QString then_text;
   if (differs) then_text = m_slider ? valueText(then) : text(setting_text(*of_frame, m_info.key));
-  m_changed = m_number != usual;
+  m_changed = now != setting_text(defaults, m_info.key);
   showApplies(settings);
   showTitle(m_changed, then_text);
   if (m_toggle) m_toggle->setOn(m_number > 0.5);
   if (m_choice) m_choice->setCurrentIndex(static_cast<int>(m_number));
+  if (m_body && !m_body->lineEdit()->isModified()) {
+    m_bodyText = text(now);
+    m_body->setEditText(m_bodyText);
+  }
   if (!m_slider) return;
   m_slider->setPlace(m_scale.place(m_number));
   m_slider->setDefaultPlace(m_scale.place(usual));

@@ -40,6 +40,7 @@ class SettingRow : public QWidget {
   void buildNumber();
   void buildToggle();
   void buildChoice();
+  void buildBody();
   void connectSlider();
   void connectField();
   void name(QWidget& control) const;
@@ -55,6 +56,8 @@ class SettingRow : public QWidget {
   QLineEdit* m_value = nullptr;
   Toggle* m_toggle = nullptr;
   QComboBox* m_choice = nullptr;
+  QComboBox* m_body = nullptr;
+  QString m_bodyText;
   double m_number = 0;  ///< shown value
   QString m_defaultText;
   bool m_changed = false;  ///< differs from the preset

@@ -21,7 +21,7 @@ namespace {
 QString differing(const Settings& of_frame, const Settings& now) {
   QStringList names;
   for (const SettingInfo& info : all_settings())
-    if (setting_number(of_frame, info.key) != setting_number(now, info.key))
+    if (setting_text(of_frame, info.key) != setting_text(now, info.key))
       names << QString::fromStdString(typeset(info.symbol.empty() ? info.title : info.symbol));
   if (names.size() > 4)
     return QString("%1 and %2 more").arg(names.mid(0, 3).join(", ")).arg(names.size() - 3);

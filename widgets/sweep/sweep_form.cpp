@@ -33,6 +33,7 @@ QLabel* secondary(const QString& words, QWidget* parent) {
 
 /// Values without numbers are all taken.
 int value_count(const SettingInfo& info) {
+  if (info.kind == SettingInfo::Kind::Body) return 3;
   return info.kind == SettingInfo::Kind::Flag ? 2 : static_cast<int>(split_fields(info.choices, '|').size());
 }
 

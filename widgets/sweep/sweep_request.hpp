@@ -58,6 +58,7 @@ inline std::string axis_text(const SettingInfo& info, const std::string& from, c
                              int count) {
   const std::string key(info.key);
   if (info.kind == SettingInfo::Kind::Flag) return key + "=off,on";
+  if (info.kind == SettingInfo::Kind::Body) return key + "=scale:0.85,library,scale:1.15";
   if (info.kind == SettingInfo::Kind::Choice) {
     std::string values(info.choices);
     std::replace(values.begin(), values.end(), '|', ',');

@@ -3,6 +3,7 @@
 #include <QUndoCommand>
 
 #include "app/workbench/base/error_words.hpp"
+#include "core/bodies/chosen_body.hpp"
 #include "core/session/frames/decision_edits.hpp"
 
 namespace abrazo::app {
@@ -59,7 +60,13 @@ void Document::take(const Result<ChosenSettings>& next, const QString& what, con
 
 void Document::changeSetting(const QString& key, const QString& text, int gesture) {
   const std::string name = key.toStdString();
-  const auto next = m_live.with_setting(name, text.toStdString());
+  auto next = m_live.with_setting(name, text.toStdString());
+  if (next)
+    for (BodyChoice* body : {&next->settings.active_body, &next->settings.passive_body})
+      if (const Status measured = measure_file(*body); !measured) {
+        next = measured.error();
+        break;
+      }
   const QString what =
       next ? title_of(name) + " to " + QString::fromStdString(setting_text(next->settings, name)) : QString();
   take(next, what, key, gesture);

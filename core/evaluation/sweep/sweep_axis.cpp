@@ -7,6 +7,7 @@
 
 #include "core/base/text.hpp"
 #include "core/synthesis/settings/settings.hpp"
+#include "core/synthesis/settings/settings_check.hpp"
 
 namespace abrazo {
 
@@ -59,8 +60,10 @@ Result<Span> parse_span(std::string_view text, std::string_view whole) {
 
 Result<std::vector<std::string>> spread(const SettingInfo& info, std::string_view text,
                                         std::string_view whole) {
-  if (info.kind == SettingInfo::Kind::Flag || info.kind == SettingInfo::Kind::Choice) {
-    std::string values = info.kind == SettingInfo::Kind::Flag ? "off,on" : std::string(info.choices);
+  if (info.kind != SettingInfo::Kind::Real && info.kind != SettingInfo::Kind::Integer) {
+    std::string values = info.kind == SettingInfo::Kind::Flag   ? "off,on"
+                         : info.kind == SettingInfo::Kind::Body ? "scale:0.85,scale:1.15"
+                                                                : std::string(info.choices);
     std::replace(values.begin(), values.end(), '|', ',');
     return Error{
         fmt::format("{0} has no numbers to count through; name its values, as in {0}={1}", info.key, values),
@@ -81,7 +84,8 @@ Result<std::vector<std::string>> spread(const SettingInfo& info, std::string_vie
 Status check_values(const SweepAxis& axis, std::string_view whole) {
   for (const std::string& value : axis.values) {
     Settings scratch;
-    const Status usable = set_setting(scratch, axis.key, value);
+    Status usable = set_setting(scratch, axis.key, value);
+    if (usable) usable = check_settings(scratch);
     if (!usable) return Error{usable.error().message, std::string(whole)};
     if (std::count(axis.values.begin(), axis.values.end(), value) > 1)
       return Error{fmt::format("gives {} twice; ask for fewer values or a wider range", value),

@@ -6,6 +6,7 @@
 #include "core/base/statistics.hpp"
 #include "core/bodies/foot_steps.hpp"
 #include "core/evaluation/takes/body_baselines.hpp"
+#include "core/evaluation/takes/live_bodies.hpp"
 #include "core/metrics/bone_lengths.hpp"
 #include "core/metrics/holds.hpp"
 #include "core/metrics/movement.hpp"
@@ -190,7 +191,7 @@ Result<BodyTable> measure_bodies(const std::vector<const PairedTake*>& takes, co
   const double share = 1.0 / static_cast<double>(std::max<std::size_t>(1, variants.size() * takes.size()));
   double done = 0;
   for (const BodyVariant& variant : variants) {
-    std::array<Collected, 4> collected;
+    std::array<Collected, body_method_count> collected;
     for (const PairedTake* take : takes) {
       const RecordedPair recorded = recorded_pair_of(*take);
       const PairBodies bodies = bodies_of(recorded, variant);
@@ -207,6 +208,9 @@ Result<BodyTable> measure_bodies(const std::vector<const PairedTake*>& takes, co
         collected.front().nearest_only += frame.is_nearest_only();
       }
       measure(BodyMethod::Retargeted, made);
+      const LivePair live = shown_live(recorded, bodies, ours->capsules);
+      measure(BodyMethod::Live, live.poses);
+      collected[static_cast<std::size_t>(BodyMethod::Live)].nearest_only += live.nearest_only;
       measure(BodyMethod::AnglesCopied, rebuilt_on_path(recorded, bodies));
       measure(BodyMethod::NoMesh, by_inverse_kinematics(recorded, bodies));
       if (!report(progress, done + 0.7 * share, "measuring bodies")) return Error{"cancelled", take->name};

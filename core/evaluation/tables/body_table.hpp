@@ -26,12 +26,13 @@ std::span<const BodyVariant> body_variants();
 /// A body with these ratios.
 Body body_with(const Body& body, const BodyVariant::Ratios& ratios);
 
-/// Method of the transfer to other bodies: ours and three baselines.
-enum class BodyMethod { Retargeted, AnglesCopied, PaperMesh, NoMesh };
-inline constexpr std::array<std::string_view, 4> body_method_names = {
-    "retargeted", "joint angles copied", "mesh of the paper", "no mesh: hands and feet"};
-inline constexpr std::array<std::string_view, 4> body_method_keys = {"retargeted", "angles_copied",
-                                                                     "paper_mesh", "no_mesh"};
+/// Method of the transfer to other bodies: ours, offline and live, and three baselines.
+enum class BodyMethod { Retargeted, Live, AnglesCopied, PaperMesh, NoMesh };
+inline constexpr std::size_t body_method_count = 5;
+inline constexpr std::array<std::string_view, body_method_count> body_method_names = {
+    "retargeted", "live", "joint angles copied", "mesh of the paper", "no mesh: hands and feet"};
+inline constexpr std::array<std::string_view, body_method_count> body_method_keys = {
+    "retargeted", "live", "angles_copied", "paper_mesh", "no_mesh"};
 
 /// Joint pairs of different bodies nearer than a distance, in the recording and in the result.
 struct ContactScore {
@@ -54,7 +55,7 @@ struct BodyFigures {
 struct BodyRow {
   std::string bodies;
   bool has_marks = false;
-  std::array<BodyFigures, 4> methods;  ///< in the order of BodyMethod
+  std::array<BodyFigures, body_method_count> methods;  ///< in the order of BodyMethod
 };
 
 struct BodyTable {

@@ -10,6 +10,31 @@ namespace {
 constexpr std::string_view scale_prefix = "scale:";
 }  // namespace
 
+bool BodyChoice::operator==(const BodyChoice& other) const {
+  if (measured.has_value() != other.measured.has_value()) return false;
+  return kind == other.kind && scale == other.scale && file == other.file &&
+         (!measured || are_same_lengths(*measured, *other.measured));
+}
+
+Body body_of_choice(const BodyChoice& choice, const Body& recorded, const std::optional<Body>& user) {
+  switch (choice.kind) {
+    case BodyChoice::Kind::Library:
+      return recorded;
+    case BodyChoice::Kind::User:
+      return user.value_or(recorded);
+    case BodyChoice::Kind::Scaled:
+      return scaled_body(recorded, choice.scale);
+    case BodyChoice::Kind::OfFile:
+      break;
+  }
+  return choice.measured.value_or(recorded);
+}
+
+bool are_same_lengths(const Body& a, const Body& b) {
+  return a.bone_lengths == b.bone_lengths && a.pseudo_lengths == b.pseudo_lengths &&
+         a.toe_rest_height == b.toe_rest_height;
+}
+
 Result<BodyChoice> parse_body_choice(std::string_view text) {
   const std::string_view word = trimmed(text);
   if (word.empty())

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -21,9 +22,20 @@ struct BodyChoice {
   Kind kind = Kind::Library;
   double scale = 1;       ///< with Scaled
   std::string file = {};  ///< with OfFile
+  /// With OfFile: the body in `file`, once it was read. Kept, because the file may change or be gone later.
+  std::optional<Body> measured = std::nullopt;
 
-  bool operator==(const BodyChoice&) const = default;
+  bool operator==(const BodyChoice& other) const;
 };
+
+/// The body of a choice.
+/// @param recorded  of the recorded performer in this role
+/// @param user      of the person at the input; before it is known, and with a file that was not read, the
+/// recorded body is taken
+Body body_of_choice(const BodyChoice& choice, const Body& recorded, const std::optional<Body>& user);
+
+/// Whether all lengths are equal, to the bit.
+bool are_same_lengths(const Body& a, const Body& b);
 
 /// Reads a choice; text that is not a keyword is the path of a file ("./user" for a file of that name). The
 /// Error lists what can be said, or gives the range of the scale.

@@ -9,7 +9,8 @@ namespace abrazo {
 
 namespace {
 
-constexpr std::uint8_t format_version = 5;
+constexpr std::uint8_t format_version = 6;
+constexpr std::uint8_t without_bodies = 5;  ///< was written while bodies were always the library's
 constexpr std::uint8_t without_hold_pace =
     4;                                   ///< was written before a hold had a pace and user's hands a filter
 constexpr std::uint8_t of_the_root = 3;  ///< was written while the partner's place was that of its root
@@ -236,6 +237,52 @@ UserMeasure read_user(BlobReader& in, std::uint8_t version) {
   return {body, is_given, seen_s, in.small_integer()};
 }
 
+void write(BlobWriter& out, const GlidingBody& body) {
+  const auto& [from, goal, since_s, of_user, is_known] = body;
+  write(out, from);
+  write(out, goal);
+  out.real(since_s);
+  out.flag(of_user);
+  out.flag(is_known);
+}
+
+GlidingBody read_gliding_body(BlobReader& in) {
+  GlidingBody body;
+  body.from = read_body(in);
+  body.goal = read_body(in);
+  body.since_s = in.real();
+  body.of_user = in.flag();
+  body.is_known = in.flag();
+  return body;
+}
+
+void write(BlobWriter& out, const ShownMemory& shown) {
+  const auto& [bodies, is_fitted, leaves_s, change, difference, shift, feet, foot_offsets] = shown;
+  for (const GlidingBody& body : bodies) write(out, body);
+  out.flag(is_fitted);
+  if (!is_fitted) return;  // the rest is then determined anew
+  out.real(leaves_s);
+  out.matrix(change);
+  out.matrix(difference);
+  out.matrix(shift);
+  for (const auto* of_feet : {&feet, &foot_offsets})
+    for (const Vec3& foot : *of_feet) out.matrix(foot);
+}
+
+ShownMemory read_shown(BlobReader& in) {
+  ShownMemory shown;
+  for (GlidingBody& body : shown.bodies) body = read_gliding_body(in);
+  shown.is_fitted = in.flag();
+  if (!shown.is_fitted) return shown;
+  shown.leaves_s = in.real();
+  in.matrix(shown.change);
+  in.matrix(shown.difference);
+  in.matrix(shown.shift);
+  for (auto* of_feet : {&shown.feet, &shown.foot_offsets})
+    for (Vec3& foot : *of_feet) in.matrix(foot);
+  return shown;
+}
+
 /// Before there was a motion: the offset that the reference glided by. It is not kept.
 void skip_glide(BlobReader& in) {
   Pose offset, velocity;
@@ -262,7 +309,7 @@ void skip_motion_of_the_root(BlobReader& in) {
 // and read below under a new version.
 void write(BlobWriter& out, const FrameMemory& memory) {
   const auto& [frames_since_reset, previous, before_previous, previous_dt_s, previous_query, previous_heading,
-               current_pair, has_good_result, locks, motion, partner_is_shown, history, user] = memory;
+               current_pair, has_good_result, locks, motion, partner_is_shown, history, user, shown] = memory;
   out.small_integer(frames_since_reset);
   out.matrix(previous);
   out.matrix(before_previous);
@@ -277,6 +324,7 @@ void write(BlobWriter& out, const FrameMemory& memory) {
   out.flag(partner_is_shown);
   write(out, history);
   write(out, user);
+  write(out, shown);
 }
 
 /// @return whether its history can be one
@@ -299,6 +347,7 @@ bool read(BlobReader& in, std::uint8_t version, FrameMemory& memory) {
   }
   const bool has_history = version == without_history || read(in, memory.history);
   memory.user = read_user(in, version);
+  if (version > without_bodies) memory.shown = read_shown(in);
   return has_history;
 }
 

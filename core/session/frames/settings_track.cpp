@@ -28,7 +28,7 @@ std::string one_change(const SettingInfo& info, const Settings& before, const Se
 std::vector<std::string_view> changed_settings(const Settings& before, const Settings& after) {
   std::vector<std::string_view> keys;
   for (const SettingInfo& info : all_settings())
-    if (setting_number(before, info.key) != setting_number(after, info.key)) keys.push_back(info.key);
+    if (setting_text(before, info.key) != setting_text(after, info.key)) keys.push_back(info.key);
   return keys;
 }
 

@@ -5,9 +5,11 @@
 
 namespace abrazo {
 
-const Body& body_of_character(const MotionLibrary& library, Character character, UserRole user_role) {
-  const bool is_active = (character == Character::User) == (user_role == UserRole::Active);
-  return is_active ? library.usual_active_body().body : library.usual_passive_body().body;
+Body body_of_character(const MotionLibrary& library, Character character, const Settings& settings,
+                       const std::optional<Body>& user) {
+  const bool is_active = (character == Character::User) == (settings.user_role == UserRole::Active);
+  return is_active ? body_of_choice(settings.active_body, library.usual_active_body().body, user)
+                   : body_of_choice(settings.passive_body, library.usual_passive_body().body, user);
 }
 
 void PartnerOutput::attach(Character character, std::shared_ptr<PoseSink> sink) {
@@ -19,10 +21,11 @@ void PartnerOutput::detach(const std::shared_ptr<PoseSink>& sink) {
 }
 
 bool PartnerOutput::send(const FrameResult& result, const std::shared_ptr<const MotionLibrary>& library,
-                         UserRole user_role, double time_s) {
-  tell_bodies(library, user_role);
-  user_ = user_role == UserRole::Passive ? Pose(result.passive()) : Pose(result.active());
-  partner_ = user_role == UserRole::Passive ? Pose(result.active()) : Pose(result.passive());
+                         const Settings& settings, const std::optional<Body>& user_body, double time_s) {
+  tell_bodies(*library, settings, user_body);
+  const bool user_is_passive = settings.user_role == UserRole::Passive;
+  user_ = user_is_passive ? Pose(result.passive()) : Pose(result.active());
+  partner_ = user_is_passive ? Pose(result.active()) : Pose(result.passive());
   has_poses_ = true;
   sent_s_ = time_s;
   send_to_all(time_s, true);
@@ -36,12 +39,13 @@ bool PartnerOutput::hold(double time_s, bool is_tracked) {
   return !sinks_.empty();
 }
 
-void PartnerOutput::tell_bodies(const std::shared_ptr<const MotionLibrary>& library, UserRole user_role) {
+void PartnerOutput::tell_bodies(const MotionLibrary& library, const Settings& settings,
+                                const std::optional<Body>& user_body) {
   for (Attached& attached : sinks_) {
-    if (attached.library == library && attached.user_role == user_role) continue;
-    attached.sink->set_body(body_of_character(*library, attached.character, user_role));
-    attached.library = library;
-    attached.user_role = user_role;
+    const Body body = body_of_character(library, attached.character, settings, user_body);
+    if (attached.body && are_same_lengths(*attached.body, body)) continue;
+    attached.sink->set_body(body);
+    attached.body = body;
   }
 }
 

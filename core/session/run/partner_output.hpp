@@ -2,6 +2,7 @@
 
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/library/store/motion_library.hpp"
@@ -12,12 +13,14 @@
 
 namespace abrazo {
 
-/// The bone lengths of a character's poses in a result: those of the library's usual performer in its role.
-const Body& body_of_character(const MotionLibrary& library, Character character, UserRole user_role);
+/// The body of a character's poses in a result: the chosen one for its role. While it changes, the goal.
+/// @param user  the user's body, once it is known
+Body body_of_character(const MotionLibrary& library, Character character, const Settings& settings,
+                       const std::optional<Body>& user);
 
 /// Sends both characters: solved poses go to every sink immediately; while nothing is solved, the last poses
 /// are repeated, `held_rate_hz` times a second. Each sink gets the body before the first pose,
-/// and again when role or library change it.
+/// and again when a choice, role or library change it.
 class PartnerOutput {
  public:
   static constexpr double held_rate_hz = 10;
@@ -27,8 +30,9 @@ class PartnerOutput {
   bool empty() const { return sinks_.empty(); }
 
   /// @return whether anything was sent
+  /// @param user_body  the user's, once it is known
   bool send(const FrameResult& result, const std::shared_ptr<const MotionLibrary>& library,
-            UserRole user_role, double time_s);
+            const Settings& settings, const std::optional<Body>& user_body, double time_s);
   /// Repeats the last poses if they are due. @param is_tracked the user is there, but held still
   /// @return whether anything was sent
   bool hold(double time_s, bool is_tracked = false);
@@ -39,14 +43,14 @@ class PartnerOutput {
   }
 
  private:
-  void tell_bodies(const std::shared_ptr<const MotionLibrary>& library, UserRole user_role);
+  void tell_bodies(const MotionLibrary& library, const Settings& settings,
+                   const std::optional<Body>& user_body);
   void send_to_all(double time_s, bool tracked);
 
   struct Attached {
     Character character;
     std::shared_ptr<PoseSink> sink;
-    std::shared_ptr<const MotionLibrary> library = nullptr;  ///< library of the body it was given
-    UserRole user_role = UserRole::Active;
+    std::optional<Body> body = std::nullopt;  ///< that it was given
   };
   std::vector<Attached> sinks_;
   Pose user_ = Pose::Zero(), partner_ = Pose::Zero();

@@ -78,7 +78,7 @@ struct SessionEngine::Parts {
         openers(std::move(open_with)),
         own_source(source),
         views(synthesizer->views()),
-        role(synthesizer->settings().user_role),
+        settings(synthesizer->settings()),
         solver(std::make_unique<LiveLoop>(std::move(synthesizer), std::move(source), commands, history,
                                           latest, [this] { return clock.now_s(); }),
                clock) {
@@ -88,7 +88,7 @@ struct SessionEngine::Parts {
   /// Prepares the view of the library for the other role before it is needed; unless that takes the memory
   /// of a library that was too large to be read.
   void prepare_roles() const {
-    for (const UserRole each : {role, other_character(role)})
+    for (const UserRole each : {settings.user_role, other_character(settings.user_role)})
       if (!views->is_costly(each)) views->prepare(each);
   }
 
@@ -125,7 +125,7 @@ struct SessionEngine::Parts {
   std::shared_ptr<PoseSource> own_source;  ///< of the constructor; belongs to the solver thread
   std::string own_input;                   ///< its name in a recording, which only the caller knows
   std::shared_ptr<const RoleViews> views;
-  UserRole role;  ///< last requested
+  Settings settings;  ///< last requested
 
   std::shared_ptr<StreamReceiver> receiver;
   std::future<void> lent_source;  ///< when the source that plays was taken back; invalid: it is our own
@@ -154,7 +154,7 @@ SessionEngine::~SessionEngine() {
 }
 
 void SessionEngine::push(const Command& command) {
-  if (const auto* settings = std::get_if<SetSettings>(&command)) parts_->role = settings->settings.user_role;
+  if (const auto* wish = std::get_if<SetSettings>(&command)) parts_->settings = wish->settings;
   const auto* replacement = std::get_if<ReplaceSynthesizer>(&command);
   if (replacement && replacement->synthesizer) {
     parts_->views = replacement->synthesizer->views();
@@ -177,7 +177,7 @@ Status SessionEngine::control_role(RoleControl by) {
 
 std::vector<MeantChoice> SessionEngine::meant_choices() const {
   const FrameSnapshotPtr newest = parts_->latest.newest();
-  if (!newest) return abrazo::meant_choices(*parts_->views, parts_->role, nullptr);
+  if (!newest) return abrazo::meant_choices(*parts_->views, parts_->settings.user_role, nullptr);
   return abrazo::meant_choices(*parts_->views, newest->settings.user_role, &newest->result);
 }
 
@@ -243,8 +243,8 @@ Status SessionEngine::send(const StreamUri& uri, Character character) {
   const auto same = [&](const Parts::Sending& sending) { return sending.uri == uri.text; };
   if (std::any_of(parts_->sending.begin(), parts_->sending.end(), same))
     return Error{"something is sent there already; stop that first, or give another port", uri.text};
-  // To begin with: which role the user has in a frame is only known with it.
-  const Body& body = body_of_character(*parts_->views->library(), character, parts_->role);
+  // To begin with: the role and the body that the user has in a frame are only known with it.
+  const Body body = body_of_character(*parts_->views->library(), character, parts_->settings, std::nullopt);
   auto opened = parts_->openers.sink(uri, body, character == Character::User ? "user" : "partner");
   if (!opened) return opened.error();
   const std::shared_ptr<PoseSink> sink = std::move(*opened);

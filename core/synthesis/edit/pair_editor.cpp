@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/motion/body/joint_set.hpp"
+#include "core/synthesis/edit/hold_springs.hpp"
 #include "core/synthesis/edit/turning_bones.hpp"
 #include "core/synthesis/frames/frame_room.hpp"
 
@@ -53,7 +54,7 @@ PairEditor::Outcome PairEditor::edit(const EditTask& task, const Settings& setti
     energy.diagonal().array() += task_.velocity_weight;
     constant_ += task_.velocity_weight * task_.velocity_target;
   }
-  add_holds(energy);
+  add_hold_springs(task_.holds, task_.hold_weight, energy, constant_);
   if (!solver_.set_energy(energy)) return {};
 
   std::optional<Relaxation> tried;
@@ -103,21 +104,6 @@ double PairEditor::drift(const FootLocks& locks, int bodies) const {
         largest = std::max(largest, std::hypot(at.x() - toe_base->x(), at.z() - toe_base->z()));
       }
   return largest;
-}
-
-/// w_H/2 |(v_S - v_A) - offset|^2 for each hold, by its strength.
-void PairEditor::add_holds(VertexMatrix& energy) {
-  for (const HandHold& hold : task_.holds) {
-    const double weight = task_.hold_weight * hold.strength;
-    const int a = hold.active_left ? joints::left_hand : joints::right_hand;
-    const int s = joint_count + (hold.passive_left ? joints::left_hand : joints::right_hand);
-    energy(a, a) += weight;
-    energy(s, s) += weight;
-    energy(a, s) -= weight;
-    energy(s, a) -= weight;
-    constant_.row(s) += weight * hold.offset.transpose();
-    constant_.row(a) -= weight * hold.offset.transpose();
-  }
 }
 
 bool PairEditor::morph(const Settings& settings, const FootLocks& locks, Relaxation relaxation) {

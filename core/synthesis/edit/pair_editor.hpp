@@ -70,7 +70,6 @@ class PairEditor {
   bool lets_more_go(const Settings& settings, const FootLocks& locks, Relaxation tried,
                     Relaxation next) const;
   bool morph(const Settings& settings, const FootLocks& locks, Relaxation relaxation);
-  void add_holds(VertexMatrix& energy);
   int held_feet(const FootLocks& locks, int bodies) const;
   bool solve_step(const Settings& settings, const FootLocks& locks, Relaxation relaxation, double fraction);
   bool project_step(const Settings& settings, const FootLocks& locks, Relaxation relaxation);

@@ -34,12 +34,17 @@ struct Entry {
   SettingInfo info;
   std::function<double(const Settings&)> get;
   std::function<void(Settings&, double)> set;
+  BodyChoice Settings::*body = nullptr;  ///< with Kind::Body, instead of a number
 };
 
 template <typename T>
 Entry entry(const SettingInfo& info, T Settings::*member) {
   return {info, [member](const Settings& s) { return static_cast<double>(s.*member); },
           [member](Settings& s, double value) { s.*member = static_cast<T>(value); }};
+}
+
+Entry body_entry(const SettingInfo& info, BodyChoice Settings::*member) {
+  return {info, [](const Settings&) { return 0.0; }, [](Settings&, double) {}, member};
 }
 
 const std::vector<Entry>& entries() {
@@ -195,6 +200,23 @@ const std::vector<Entry>& entries() {
              "Off: the path stays 1:1, and planted feet of such a user slide.\n"
              "Paper 3.3.1 retargets after Gleicher 1998 without a statement on this."},
             &Settings::scale_root_path),
+      body_entry(
+          {"active-body", "", "active body", "Bodies", "", Kind::Body, 0, 0, false,
+           "library|user|scale:NUMBER|FILE",
+           "Body that the active character is shown with.\n"
+           "  library: the recorded performer's\n"
+           "  user: the user's own, in the user's own pose\n"
+           "  scale:0.85: the recorded performer's, all lengths times 0.85\n"
+           "  FILE: with the lengths of the performer in a motion file\n"
+           "The partner is selected and moved with the library's bodies, and then fitted: holds and near "
+           "joints keep their relation, steps follow the legs. A change takes 1.5 s.\n"
+           "Not in the paper: library."},
+          &Settings::active_body),
+      body_entry({"passive-body", "", "passive body", "Bodies", "", Kind::Body, 0, 0, false,
+                  "library|scale:NUMBER|FILE",
+                  "Body that the passive character is shown with; see the active body.\n"
+                  "Not in the paper: library."},
+                 &Settings::passive_body),
   };
   return all;
 }
@@ -224,7 +246,66 @@ Status set_checked(Settings& settings, const Entry& found, double value, std::st
   return Done{};
 }
 
+Status set_body(Settings& settings, const Entry& found, std::string_view text) {
+  auto choice = parse_body_choice(text);
+  if (!choice) return Error{choice.error().message, "--" + std::string(found.info.key)};
+  if (choice->kind == BodyChoice::Kind::User && found.body == &Settings::passive_body)
+    return wrong_value(found.info, text, "library, scale:NUMBER or a motion file is expected");
+  // A file that was read stays read.
+  BodyChoice& chosen = settings.*found.body;
+  if (choice->kind == BodyChoice::Kind::OfFile && choice->file == chosen.file)
+    choice->measured = chosen.measured;
+  chosen = std::move(*choice);
+  return Done{};
+}
+
+constexpr double greatest_length_m = 10;
+
+/// {"file": "walk.bvh", "bones": [...], "pseudo-bones": [...], "toe-rest-height": 0.02}, as body_json writes.
+Status set_body(Settings& settings, const Entry& found, const nlohmann::json& value) {
+  const auto wrong = [&] {
+    return wrong_value(found.info, value.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace),
+                       "a file with its lengths in metres is expected");
+  };
+  const auto is_length = [](const nlohmann::json& length) {
+    return length.is_number() && std::abs(length.get<double>()) <= greatest_length_m;
+  };
+  Body body;
+  const auto read = [&](const char* key, auto& lengths) {
+    if (!value.contains(key) || !value[key].is_array() || value[key].size() != lengths.size()) return false;
+    for (std::size_t i = 0; i < lengths.size(); ++i) {
+      if (!is_length(value[key][i]) || value[key][i].template get<double>() < 0) return false;
+      lengths[i] = value[key][i].template get<double>();
+    }
+    return true;
+  };
+  if (value.size() != 4 || !value.contains("file") || !value["file"].is_string() ||
+      !value.contains("toe-rest-height") || !is_length(value["toe-rest-height"]) ||
+      !read("bones", body.bone_lengths) || !read("pseudo-bones", body.pseudo_lengths))
+    return wrong();
+  body.toe_rest_height = value["toe-rest-height"].get<double>();
+  const Status set = set_body(settings, found, std::string_view(value["file"].get_ref<const std::string&>()));
+  if (!set) return set;
+  BodyChoice& choice = settings.*found.body;
+  if (choice.kind != BodyChoice::Kind::OfFile) return wrong();
+  choice.measured = body;
+  return Done{};
+}
+
+void write_body(const BodyChoice& choice, JsonText& json) {
+  if (!choice.measured) {
+    json.value(body_choice_text(choice));
+    return;
+  }
+  json.begin_object().key("file").value(body_choice_text(choice)).key("bones").begin_array();
+  for (const double length : choice.measured->bone_lengths) json.value(length);
+  json.end_array().key("pseudo-bones").begin_array();
+  for (const double length : choice.measured->pseudo_lengths) json.value(length);
+  json.end_array().key("toe-rest-height").value(choice.measured->toe_rest_height).end_object();
+}
+
 Status set_json(Settings& settings, const Entry& found, const nlohmann::json& value) {
+  if (found.body && value.is_object()) return set_body(settings, found, value);
   if (value.is_boolean()) return set_setting(settings, found.info.key, value.get<bool>() ? "on" : "off");
   if (value.is_string()) return set_setting(settings, found.info.key, value.get<std::string>());
   if (value.is_number()) return set_setting(settings, found.info.key, exact_text(value.get<double>()));
@@ -321,6 +402,7 @@ double setting_number(const Settings& settings, std::string_view key) {
 
 std::string setting_text(const Settings& settings, std::string_view key) {
   const Entry& found = *find_entry(key);
+  if (found.body) return body_choice_text(settings.*found.body);
   const double value = found.get(settings);
   if (found.info.kind == Kind::Flag) return value != 0 ? "on" : "off";
   if (found.info.kind == Kind::Choice)
@@ -331,6 +413,7 @@ std::string setting_text(const Settings& settings, std::string_view key) {
 Status set_setting(Settings& settings, std::string_view key, std::string_view text) {
   const Entry* found = find_entry(key);
   if (!found) return Error{"there is no setting of this name", std::string(key)};
+  if (found->body) return set_body(settings, *found, text);
   if (found->info.kind == Kind::Flag) {
     if (text != "on" && text != "off") return wrong_value(found->info, text, "on or off is expected");
     found->set(settings, text == "on" ? 1 : 0);
@@ -352,6 +435,14 @@ Status set_setting(Settings& settings, std::string_view key, std::string_view te
 Status check_settings(const Settings& settings) {
   Settings checked;
   for (const Entry& e : entries()) {
+    if (e.body) {
+      const BodyChoice& choice = settings.*e.body;
+      if (choice.kind == BodyChoice::Kind::OfFile && !choice.measured)
+        return Error{"the body in this file was not measured", choice.file};
+      if (choice.kind == BodyChoice::Kind::User && e.body == &Settings::passive_body)
+        return wrong_value(e.info, "user", "library, scale:NUMBER or a motion file is expected");
+      continue;
+    }
     const double value = e.get(settings);
     const Status fits = set_checked(checked, e, value, exact_text(value));
     if (!fits) return fits;
@@ -364,7 +455,9 @@ std::string settings_json(const Settings& settings) {
   json.begin_object();
   for (const Entry& e : entries()) {
     json.key(e.info.key);
-    if (e.info.kind == Kind::Flag)
+    if (e.body)
+      write_body(settings.*e.body, json);
+    else if (e.info.kind == Kind::Flag)
       json.value(e.get(settings) != 0);
     else if (e.info.kind == Kind::Choice)
       json.value(setting_text(settings, e.info.key));

@@ -7,6 +7,7 @@
 
 #include "core/base/result.hpp"
 #include "core/mesh/laplacian.hpp"
+#include "core/motion/body/body_choice.hpp"
 
 namespace abrazo {
 
@@ -51,6 +52,8 @@ struct Settings {
   double anchor_weight = 1e-3;  ///< holds the partner to the selected pair where no mesh edge does
   bool scale_root_path = true;  ///< scales the user's path in proportion to leg length
 
+  BodyChoice active_body, passive_body;  ///< that the characters are shown with
+
   bool operator==(const Settings&) const = default;
 };
 
@@ -65,7 +68,7 @@ double velocity_weight_at(const Settings& settings, double dt_s);
 
 /// Description of one setting for the command line, JSON, session files and the settings panel.
 struct SettingInfo {
-  enum class Kind { Real, Integer, Flag, Choice };
+  enum class Kind { Real, Integer, Flag, Choice, Body };
   std::string_view key;     ///< "alpha", "velocity-weight", ... as in the contract
   std::string_view symbol;  ///< "α", "w_Δ"; may be empty
   std::string_view title;   ///< "temporal smoothness"
@@ -90,7 +93,7 @@ std::string why_it_does_not_apply(const Settings& settings, std::string_view key
 
 /// A setting by key as text ("0.5", "on", "inverse-mean"). The key must exist.
 std::string setting_text(const Settings& settings, std::string_view key);
-/// As a number (flags 0/1, choices their index).
+/// As a number (flags 0/1, choices their index, bodies 0: they have only a text).
 double setting_number(const Settings& settings, std::string_view key);
 /// Sets a setting from text; the Error gives the range or the choices.
 Status set_setting(Settings& settings, std::string_view key, std::string_view text);

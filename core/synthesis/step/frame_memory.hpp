@@ -4,13 +4,14 @@
 
 #include "core/motion/body/body.hpp"
 #include "core/selection/motion_history.hpp"
+#include "core/synthesis/bodies/shown_bodies.hpp"
 #include "core/synthesis/edit/foot_locks.hpp"
 #include "core/synthesis/motion/partner_motion.hpp"
 #include "core/synthesis/step/user_measure.hpp"
 
 namespace abrazo {
 
-/// Everything a frame needs of previous frames, as one value of about 27 kB without pointers. World space,
+/// Everything a frame needs of previous frames, as one value of about 33 kB without pointers. World space,
 /// metres.
 struct FrameMemory {
   int frames_since_reset = 0;
@@ -27,6 +28,7 @@ struct FrameMemory {
                                   ///< tracking
   MotionHistory history;          ///< q'_in of the last two seconds
   UserMeasure user;               ///< body of the user: given, or measured over the first seconds
+  ShownMemory shown;              ///< the characters on other bodies than the library's
 };
 
 }  // namespace abrazo

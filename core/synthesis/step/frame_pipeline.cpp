@@ -22,11 +22,6 @@ constexpr double moved_anchor_weight = 1;
 constexpr double parting_clearance_m = 0.02;
 constexpr double shortest_step_s = 1.0 / 240;  ///< closer poses would make velocities out of noise
 
-bool are_same(const Body& a, const Body& b) {
-  return a.bone_lengths == b.bone_lengths && a.pseudo_lengths == b.pseudo_lengths &&
-         a.toe_rest_height == b.toe_rest_height;
-}
-
 double microseconds_since(Clock::time_point start) {
   return std::chrono::duration<double, std::micro>(Clock::now() - start).count();
 }
@@ -42,7 +37,7 @@ FramePipeline::FramePipeline(std::shared_ptr<const MotionLibrary> library, const
 }
 
 void FramePipeline::set_user_body(const std::optional<Body>& body) {
-  if (body && memory_.user.is_given() && are_same(*body, *memory_.user.body())) return;
+  if (body && memory_.user.is_given() && are_same_lengths(*body, *memory_.user.body())) return;
   memory_.user = UserMeasure(body);
   memory_.motion.playhead.pair = -1;
   retargeter_.reset();
@@ -65,6 +60,7 @@ void FramePipeline::lose_track() {
 void FramePipeline::forget() {
   lose_track();
   memory_.partner_is_shown = false;
+  memory_.shown = {};
 }
 
 void FramePipeline::restore(const FrameMemory& memory) {
@@ -234,6 +230,7 @@ void FramePipeline::fail(std::string_view why, std::string_view where) {
   out_.message.assign(why).append(where);
   if (memory_.has_good_result) {
     out_.result = memory_.previous;
+    if (memory_.shown.is_fitted) out_.result += memory_.shown.difference;
   } else {
     out_.result = library_->pose(0);
     out_.result.rowwise() += Vec3(0, library_->root(0).position.y(), 0).transpose();
@@ -250,8 +247,9 @@ void FramePipeline::hold_feet(double dt_s) {
 
 /// A step that failed leaves nothing behind: all that it changed is in `next_`.
 void FramePipeline::remember(double dt_s) {
-  next_.before_previous = next_.frames_since_reset > 0 ? next_.previous : out_.result;
-  next_.previous = out_.result;
+  const PairPose& solved = editor_.result();
+  next_.before_previous = next_.frames_since_reset > 0 ? next_.previous : solved;
+  next_.previous = solved;
   next_.previous_dt_s = dt_s;
   next_.previous_query = out_.query_world;
   next_.previous_heading = out_.query_root.heading_rad;
@@ -321,6 +319,7 @@ void FramePipeline::solve(const Pose& user, double elapsed_s) {
   if (!outcome.solved)
     return fail("the constraints of this frame contradict one another; the last poses are held");
   report(outcome);
+  show(user, dt_s);
   out_.timing.solve_us = microseconds_since(solving);
 
   remember(dt_s);

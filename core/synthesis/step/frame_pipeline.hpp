@@ -10,6 +10,7 @@
 #include "core/retarget/body_retargeter.hpp"
 #include "core/selection/intent_selector.hpp"
 #include "core/selection/pair_selector.hpp"
+#include "core/synthesis/bodies/shown_bodies.hpp"
 #include "core/synthesis/edit/pair_editor.hpp"
 #include "core/synthesis/frames/frame_result.hpp"
 #include "core/synthesis/settings/settings.hpp"
@@ -18,7 +19,7 @@
 namespace abrazo {
 
 /// Processes one frame for a user who plays the first body of the library's pairs: retarget, select, edit,
-/// measure. Keeps the state for the next frame: the two previous results, foot locks, the current source.
+/// measure, show on the chosen bodies. Keeps the state for the next frame: the two previous results, foot locks, the current source.
 class FramePipeline {
  public:
   /// @param pairs the selectable pairs
@@ -83,6 +84,8 @@ class FramePipeline {
   void add_motion(EditTask& task) const;
   void report(const PairEditor::Outcome& outcome);
   void report_feet(int locked_bodies);
+  void show(const Pose& user, double dt_s);
+  void show_on_bodies(const Pose& user, double dt_s);
   void remember(double dt_s);
 
   std::shared_ptr<const MotionLibrary> library_;
@@ -90,6 +93,7 @@ class FramePipeline {
   PairSelector selector_;
   std::optional<IntentSelector> intent_;
   PairEditor editor_;
+  ShownBodies shown_;
   std::optional<BodyRetargeter> retargeter_;
   bool retargeter_scales_path_ = true;
   std::optional<int> pinned_;

@@ -192,6 +192,22 @@ TEST_F(LiveCommands, SinksAreToldTheBonesOfTheRoleThatTheirCharacterHas) {
   EXPECT_EQ(partner->bodies().size(), 3U) << "another library";
 }
 
+TEST_F(LiveCommands, SinksAreToldTheBonesOfTheChosenBodies) {
+  const auto partner = std::make_shared<FakeSink>(), user_sink = std::make_shared<FakeSink>();
+  commands.push(AttachSink{Character::Partner, partner});
+  commands.push(AttachSink{Character::User, user_sink});
+  dance(2);
+  Settings chosen = test::responsive_by_pose();
+  ASSERT_TRUE(set_setting(chosen, "active-body", "scale:1.2"));
+  ASSERT_TRUE(set_setting(chosen, "passive-body", "scale:0.85"));
+  commands.push(SetSettings{chosen});
+  dance(2);
+  const auto library = newest().library;
+  ASSERT_EQ(partner->bodies().size(), 2U);
+  EXPECT_NEAR(user_sink->bodies().back().height(), 1.2 * library->usual_active_body().body.height(), 1e-9);
+  EXPECT_NEAR(partner->bodies().back().height(), 0.85 * library->usual_passive_body().body.height(), 1e-9);
+}
+
 TEST_F(LiveCommands, TheFirstFrameAListenerGetsHasTheStateBefore) {
   dance(5);
   const auto listener = std::make_shared<FakeListener>();

@@ -93,6 +93,49 @@ std::ptrdiff_t place_of(const SynthesizerState& state, const std::function<void(
   return std::mismatch(bytes.begin(), bytes.end(), others.begin()).first - bytes.begin();
 }
 
+/// As written while bodies were always the library's.
+std::vector<std::uint8_t> bytes_without_bodies(const SynthesizerState& state) {
+  const auto begin = place_of(state, [](auto& s) {
+    double& length = s.memory.shown.bodies[0].from.bone_lengths[0];
+    length = std::bit_cast<double>(~std::bit_cast<std::uint64_t>(length));
+  });
+  constexpr std::ptrdiff_t body = (bone_count + pseudo_bones.size() + 1) * sizeof(double);
+  constexpr std::ptrdiff_t gliding = 2 * body + sizeof(double) + 2;
+  auto bytes = synthesizer_state_bytes(state);
+  bytes.erase(bytes.begin() + begin, bytes.begin() + begin + 2 * gliding + 1);
+  return bytes;
+}
+
+TEST(SynthesizerStateBytes, OfTheVersionBeforeBodiesCouldBeChosenHaveTheLibrarys) {
+  const SynthesizerState state = used_state();
+  auto old = bytes_without_bodies(state);
+  old[0] = 5;
+  const auto read = parse_synthesizer_state(old);
+  ASSERT_TRUE(read) << read.error().text();
+  EXPECT_FALSE(read->memory.shown.is_fitted);
+  EXPECT_EQ(read->memory.previous, state.memory.previous);
+  EXPECT_EQ(read->pinned, 12);
+}
+
+TEST(SynthesizerStateBytes, ASolverThatShowsOtherBodiesGoesOnFromThem) {
+  Settings settings = *preset("responsive");
+  settings.active_body = {.kind = BodyChoice::Kind::Scaled, .scale = 1.2};
+  auto first = std::move(*PartnerSynthesizer::create(test::session_library(), settings));
+  auto second = std::move(*PartnerSynthesizer::create(test::session_library(), settings));
+  const Clip clip = test::swinging_take("user", 120, 4).a;
+  for (int i = 0; i < 60; ++i) first->step(clip.poses[static_cast<std::size_t>(i)], Duration(1.0 / 60));
+  const auto bytes = synthesizer_state_bytes(first->state());
+  const auto read = parse_synthesizer_state(bytes);
+  ASSERT_TRUE(read) << read.error().text();
+  EXPECT_TRUE(read->memory.shown.is_fitted);
+  EXPECT_EQ(synthesizer_state_bytes(*read), bytes);
+  second->restore(*read);
+  for (std::size_t i = 60; i < 120; ++i) {
+    const PairPose expected = first->step(clip.poses[i], Duration(1.0 / 60)).result;
+    ASSERT_EQ(second->step(clip.poses[i], Duration(1.0 / 60)).result, expected) << i;
+  }
+}
+
 TEST(SynthesizerStateBytes, OfTheVersionBeforeThePartnerHadAMotionAreReadWithoutOne) {
   const SynthesizerState state = used_state();
   const auto begin = place_of(state, [](auto& s) { s.memory.motion.playhead.pair ^= 1; });
@@ -101,7 +144,7 @@ TEST(SynthesizerStateBytes, OfTheVersionBeforeThePartnerHadAMotionAreReadWithout
     s.memory.user = UserMeasure(s.memory.user.body(), !s.memory.user.is_given(), s.memory.user.seen_s(),
                                 s.memory.user.seen());
   });
-  auto old = synthesizer_state_bytes(state);
+  auto old = bytes_without_bodies(state);
   old.erase(old.begin() + measured, old.begin() + measured + 13);  // given, seconds, poses
   old.erase(old.begin() + begin, old.begin() + end + 1);
   old.insert(old.begin() + begin, 2 * sizeof(Pose), 0);
@@ -122,7 +165,7 @@ TEST(SynthesizerStateBytes, OfTheVersionWhosePlaceWasTheRootsGoOnFromWhatIsShown
   const SynthesizerState state = used_state();
   const auto begin = place_of(state, [](auto& s) { s.memory.motion.playhead.pair ^= 1; });
   const auto end = place_of(state, [](auto& s) { s.memory.partner_is_shown ^= true; });
-  auto old = synthesizer_state_bytes(state);
+  auto old = bytes_without_bodies(state);
   old.erase(old.begin() + begin, old.begin() + end);
   // Two more poses of the adaptation; no lead of the feet and its speed, pace of holds and steady hands.
   const auto size =
@@ -152,7 +195,7 @@ TEST(SynthesizerStateBytes, OfTheVersionWithoutSteadyHandsHaveAllElse) {
   });
   const auto end = place_of(state, [](auto& s) { s.memory.partner_is_shown ^= true; });
   constexpr std::size_t hold = 2 + 17 * sizeof(double), hands = 2 * (1 + 9 * sizeof(double));
-  auto old = synthesizer_state_bytes(state);
+  auto old = bytes_without_bodies(state);
   old.erase(old.begin() + end - static_cast<std::ptrdiff_t>(hands), old.begin() + end);
   for (std::size_t p = 4; p-- > 0;) {
     const std::ptrdiff_t at = pace + static_cast<std::ptrdiff_t>(p * hold);

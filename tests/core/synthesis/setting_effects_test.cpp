@@ -63,6 +63,7 @@ std::vector<Settings> with_other_values(const Settings& settings, const SettingI
     for (const std::string_view choice : split_fields(info.choices, '|')) add(std::string(choice));
     return others;
   }
+  if (info.kind == SettingInfo::Kind::Body) return add("scale:0.85"), others;
   add(exact_text(info.minimum));
   add(exact_text(info.maximum));
   return others;

@@ -5,6 +5,9 @@
 
 #include <cmath>
 
+#include "core/synthesis/settings/settings_check.hpp"
+#include "tests/support/bodies.hpp"
+
 namespace abrazo::settings_test {
 namespace {
 
@@ -54,6 +57,25 @@ TEST(Settings, JsonRoundTrips) {
   const auto back = parse_settings(settings_json(settings), Settings{}, "settings.json");
   ASSERT_TRUE(back.ok());
   EXPECT_EQ(*back, settings);
+}
+
+TEST(Settings, BodiesAreSaidByTheirWordAndAMeasuredFileKeepsItsLengths) {
+  Settings settings;
+  ASSERT_TRUE(set_setting(settings, "active-body", "user"));
+  ASSERT_TRUE(set_setting(settings, "passive-body", "scale:0.85"));
+  EXPECT_EQ(setting_text(settings, "active-body"), "user");
+  EXPECT_EQ(setting_text(settings, "passive-body"), "scale:0.85");
+  EXPECT_TRUE(check_settings(settings));
+  ASSERT_TRUE(set_setting(settings, "active-body", "tall.bvh"));
+  EXPECT_FALSE(check_settings(settings)) << "the file was not read";
+  settings.active_body.measured = body_of(test::standing_pose());
+  EXPECT_TRUE(check_settings(settings));
+  const auto read = parse_settings(settings_json(settings), Settings{}, "settings.json");
+  ASSERT_TRUE(read) << read.error().text();
+  EXPECT_EQ(*read, settings);
+  EXPECT_FALSE(parse_settings(R"({"active-body": {"file": "tall.bvh", "bones": [1]}})", Settings{}, "s"));
+  EXPECT_FALSE(set_setting(settings, "passive-body", "user"));
+  EXPECT_EQ(setting_text(settings, "passive-body"), "scale:0.85");
 }
 
 TEST(Settings, TheContractsKeysExist) {

@@ -110,6 +110,23 @@ TEST(StepAllocation, DoesNotHappenWhileSettingsChangeUnderEveryStep) {
   EXPECT_EQ(allocations_of_steps(*synthesizer, dancing_user(1.1), change), 0U);
 }
 
+TEST(StepAllocation, DoesNotHappenOnOtherBodiesNorWhileTheyChange) {
+  for (const auto name : preset_names)
+    for (const auto role : {UserRole::Active, UserRole::Passive}) {
+      Settings settings = *preset(name);
+      settings.user_role = role;
+      auto synthesizer = running(settings);
+      const auto change = [&](std::size_t frame) {
+        if (frame == 10) settings.active_body = {.kind = BodyChoice::Kind::User};
+        if (frame == 40) settings.passive_body = {.kind = BodyChoice::Kind::Scaled, .scale = 0.3};
+        if (frame == 70) settings.active_body = {.kind = BodyChoice::Kind::Scaled, .scale = 3};
+        if (frame == 110) settings.active_body = settings.passive_body = {};
+        synthesizer->set_settings(settings);
+      };
+      EXPECT_EQ(allocations_of_steps(*synthesizer, dancing_user(1.1), change), 0U) << name;
+    }
+}
+
 TEST(StepAllocation, DoesNotHappenForTheMostNeighboursOfAnySetting) {
   auto synthesizer = running(*preset("paper"));
   Settings settings = synthesizer->settings();

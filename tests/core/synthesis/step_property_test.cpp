@@ -78,6 +78,8 @@ Settings any_settings() {
       const std::string choices(info.choices);
       const auto bar = choices.find('|');
       text = *rc::gen::arbitrary<bool>() ? choices.substr(0, bar) : choices.substr(choices.rfind('|') + 1);
+    } else if (info.kind == SettingInfo::Kind::Body) {
+      text = *rc::gen::element("library", "scale:0.3", "scale:0.85", "scale:1.3", "scale:3");
     } else {
       const double share = *rc::gen::element(0.0, 1.0, 0.01, 0.3);
       double value = info.minimum + share * (info.maximum - info.minimum);

@@ -1,4 +1,4 @@
-#include "core/bodies/placed_pair.hpp"
+#include "core/synthesis/bodies/placed_pair.hpp"
 
 #include <gtest/gtest.h>
 

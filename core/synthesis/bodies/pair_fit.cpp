@@ -1,9 +1,10 @@
-#include "core/bodies/pair_fit.hpp"
+#include "core/synthesis/bodies/pair_fit.hpp"
 
 #include <algorithm>
 
 #include "core/motion/body/joint_set.hpp"
 #include "core/synthesis/edit/foot_locks.hpp"
+#include "core/synthesis/edit/hold_springs.hpp"
 #include "core/synthesis/edit/turning_bones.hpp"
 
 namespace abrazo {
@@ -50,18 +51,33 @@ PairFit::Outcome PairFit::fit(const FitTask& task) {
       anchored_.row(first + joint) += weights_.free_foot * task.rebuilt.row(first + joint);
     }
   if (task.smoothed) {
-    energy.diagonal().array() += weights_.smooth;
-    anchored_ += weights_.smooth * *task.smoothed;
+    const double smooth = task.smooth_share * weights_.smooth;
+    energy.diagonal().array() += smooth;
+    anchored_ += smooth * *task.smoothed;
   }
+  if (task.given > 0) {
+    energy.diagonal().head<joint_count>().array() += task.given;
+    anchored_.topRows<joint_count>() += task.given * task.rebuilt.topRows<joint_count>();
+  }
+  for (std::size_t foot = 0; foot < task.foot_weights.size(); ++foot) {
+    const int toe_base = toe_base_of(foot);
+    energy(toe_base, toe_base) += task.foot_weights[foot];
+    anchored_.row(toe_base) += task.foot_weights[foot] * task.rebuilt.row(toe_base);
+  }
+  add_hold_springs(task.holds, task.hold_weight, energy, anchored_);
 
   Outcome outcome;
   outcome.let_go = LetGo::Everything;
   if (solver_.set_energy(energy))
-    for (const LetGo let_go : {LetGo::Nothing, LetGo::Capsules, LetGo::StandingFeet})
+    for (const LetGo let_go : {LetGo::Nothing, LetGo::Capsules, LetGo::StandingFeet}) {
+      // Without the rows that it lets go, the same would be calculated again.
+      if (let_go == LetGo::StandingFeet && std::ranges::find(task.stands, true) == task.stands.end())
+        continue;
       if (morph(let_go)) {
         outcome.let_go = let_go;
         break;
       }
+    }
   if (outcome.let_go == LetGo::Everything) iterate_ = task.rebuilt;
   outcome.pose = iterate_;
   outcome.bone_error = bone_length_error(iterate_, lengths_);

@@ -1,4 +1,4 @@
-#include "core/bodies/split_mesh.hpp"
+#include "core/synthesis/bodies/split_mesh.hpp"
 
 #include <cmath>
 

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "core/base/positions.hpp"
-#include "core/bodies/placed_pair.hpp"
-#include "core/bodies/split_mesh.hpp"
 #include "core/mesh/capsules.hpp"
+#include "core/synthesis/bodies/placed_pair.hpp"
+#include "core/synthesis/bodies/split_mesh.hpp"
 #include "core/synthesis/edit/capsule_contacts.hpp"
 #include "core/synthesis/edit/constrained_solver.hpp"
 
@@ -35,6 +35,13 @@ struct FitTask {
   /// the rebuilt pair.
   std::array<bool, 4> stands{};
   const PairPose* smoothed = nullptr;
+  double smooth_share = 1;  ///< times the weight of the smoothed pair
+
+  // Of a live pair, whose active pose is given and whose feet are on their way.
+  double given = 0;                         ///< weight of the active body's joints at the rebuilt pair
+  std::array<double, 4> foot_weights = {};  ///< of the toe bases there, in the order of `stands`
+  std::span<const HandHold> holds = {};     ///< hands that hold one another
+  double hold_weight = 0;
 };
 
 /// Fits two bodies to the spatial relation of a recorded pair: mesh, springs of near joints, exact bones,
@@ -56,7 +63,12 @@ class PairFit {
   };
   Outcome fit(const FitTask& task);
 
+  /// The bodies of the next fits.
+  void wear(const PairCapsules& capsules) { capsules_ = capsules; }
+
   const SplitMesh& mesh() const { return mesh_; }
+  /// Measures overlaps of the last fit.
+  CapsuleContacts& contacts() { return contacts_; }
 
  private:
   bool morph(LetGo let_go);

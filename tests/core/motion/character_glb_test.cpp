@@ -1,0 +1,211 @@
+#include "core/motion/scenes/character_glb.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cstring>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "core/motion/body/joint_set.hpp"
+#include "tests/support/bodies.hpp"
+#include "tests/support/libraries.hpp"
+
+namespace abrazo::character_glb_test {
+namespace {
+
+using ::testing::HasSubstr;
+using Json = nlohmann::json;
+
+struct RigBone {
+  std::string vrm, mixamo, parent;
+  Vec3 at;  ///< at rest, facing +Z
+};
+
+/// A person of 1.6 m in a T-pose.
+const std::vector<RigBone>& rig_bones() {
+  static const std::vector<RigBone> all = [] {
+    std::vector<RigBone> bones = {{"hips", "Hips", "", {0, 0.9, 0}},
+                                  {"spine", "Spine", "hips", {0, 1.0, 0}},
+                                  {"neck", "Neck", "spine", {0, 1.35, 0}},
+                                  {"head", "Head", "neck", {0, 1.45, 0}}};
+    for (const double side : {1.0, -1.0}) {
+      const std::string vrm = side > 0 ? "left" : "right", mixamo = side > 0 ? "Left" : "Right";
+      bones.push_back({vrm + "UpperArm", mixamo + "Arm", "spine", {side * 0.18, 1.3, 0}});
+      bones.push_back({vrm + "LowerArm", mixamo + "ForeArm", vrm + "UpperArm", {side * 0.43, 1.3, 0}});
+      bones.push_back({vrm + "Hand", mixamo + "Hand", vrm + "LowerArm", {side * 0.67, 1.3, 0}});
+      bones.push_back({vrm + "UpperLeg", mixamo + "UpLeg", "hips", {side * 0.09, 0.85, 0}});
+      bones.push_back({vrm + "LowerLeg", mixamo + "Leg", vrm + "UpperLeg", {side * 0.09, 0.46, 0}});
+      bones.push_back({vrm + "Foot", mixamo + "Foot", vrm + "LowerLeg", {side * 0.09, 0.08, 0}});
+    }
+    return bones;
+  }();
+  return all;
+}
+
+enum class Naming { Mixamo, Vrm0, Vrm1 };
+
+/// The rig below an armature of centimetres, its bones rotated in themselves; VRM 0.x faces -Z.
+std::string rig(Naming naming) {
+  const Eigen::AngleAxisd facing(naming == Naming::Vrm0 ? 3.14159265358979323846 : 0, Vec3::UnitY());
+  std::map<std::string, Eigen::Affine3d> world;
+  Json json = {{"asset", {{"version", "2.0"}}}, {"scenes", {{{"nodes", {0}}}}}};
+  json["nodes"].push_back({{"name", "Armature"}, {"scale", {0.01, 0.01, 0.01}}, {"children", {1}}});
+  world[""] = Eigen::Affine3d(Eigen::Scaling(0.01));
+  std::map<std::string, std::size_t> numbers;
+  Json of_0 = Json::array(), of_1 = Json::object();
+  for (const RigBone& bone : rig_bones()) {
+    const std::size_t number = json["nodes"].size();
+    numbers[bone.vrm] = number;
+    const Eigen::Quaterniond own(
+        Eigen::AngleAxisd(0.4 * static_cast<double>(number), Vec3(1, 2, 3).normalized()));
+    const Eigen::Affine3d goal = Eigen::Translation3d(facing * bone.at) * own * Eigen::Scaling(0.01);
+    const Eigen::Affine3d local = world[bone.parent].inverse() * goal;
+    const Eigen::Quaterniond turn(local.rotation());
+    json["nodes"].push_back(
+        {{"name", naming == Naming::Mixamo ? "mixamorig:" + bone.mixamo : "J_" + std::to_string(number)},
+         {"translation", {local.translation().x(), local.translation().y(), local.translation().z()}},
+         {"rotation", {turn.x(), turn.y(), turn.z(), turn.w()}}});
+    if (!bone.parent.empty()) json["nodes"][numbers[bone.parent]]["children"].push_back(number);
+    world[bone.vrm] = goal;
+    of_0.push_back({{"bone", bone.vrm}, {"node", number}});
+    of_1[bone.vrm] = {{"node", number}};
+  }
+  if (naming == Naming::Vrm0) json["extensions"]["VRM"]["humanoid"]["humanBones"] = of_0;
+  if (naming == Naming::Vrm1) json["extensions"]["VRMC_vrm"]["humanoid"]["humanBones"] = of_1;
+  json["animations"] = {{{"name", "idle"}, {"samplers", Json::array()}, {"channels", Json::array()}}};
+  std::string text = json.dump();
+  text.resize((text.size() + 3) / 4 * 4, ' ');
+  const auto number = [](std::size_t value) {
+    std::string bytes(4, '\0');
+    const auto small = static_cast<std::uint32_t>(value);
+    std::memcpy(bytes.data(), &small, 4);
+    return bytes;
+  };
+  return "glTF" + number(2) + number(20 + text.size()) + number(text.size()) + "JSON" + text;
+}
+
+/// Where the file's animation puts its bones.
+class Played {
+ public:
+  explicit Played(const std::string& glb) {
+    std::uint32_t length = 0;
+    std::memcpy(&length, glb.data() + 12, 4);
+    json_ = Json::parse(glb.substr(20, length));
+    binary_ = glb.substr(20 + length + 8);
+    for (std::size_t n = 0; n < json_["nodes"].size(); ++n)
+      if (json_["nodes"][n].contains("children"))
+        for (const Json& child : json_["nodes"][n]["children"]) parents_[child.get<std::size_t>()] = n;
+  }
+  const Json& json() const { return json_; }
+
+  /// Of the bone, in the order of rig_bones().
+  Vec3 place(std::size_t bone, std::size_t frame) const { return world(bone + 1, frame).translation(); }
+
+ private:
+  std::vector<float> values(std::size_t node, const char* path, std::size_t frame, std::size_t count) const {
+    for (const Json& channel : json_["animations"][0]["channels"])
+      if (channel["target"]["node"] == node && channel["target"]["path"] == path) {
+        const auto sampler = channel["sampler"].get<std::size_t>();
+        const auto output = json_["animations"][0]["samplers"][sampler]["output"].get<std::size_t>();
+        const auto view = json_["accessors"][output]["bufferView"].get<std::size_t>();
+        const auto offset = json_["bufferViews"][view]["byteOffset"].get<std::size_t>();
+        std::vector<float> numbers(count);
+        std::memcpy(numbers.data(), binary_.data() + offset + frame * count * sizeof(float),
+                    count * sizeof(float));
+        return numbers;
+      }
+    const Json& node_json = json_["nodes"][node];
+    return node_json.contains(path) ? node_json[path].get<std::vector<float>>() : std::vector<float>();
+  }
+  Eigen::Affine3d world(std::size_t node, std::size_t frame) const {
+    Eigen::Affine3d local = Eigen::Affine3d::Identity();
+    if (const auto t = values(node, "translation", frame, 3); !t.empty())
+      local.translate(Eigen::Vector3f(t[0], t[1], t[2]).cast<double>());
+    if (const auto r = values(node, "rotation", frame, 4); !r.empty())
+      local.rotate(Eigen::Quaternionf(r[3], r[0], r[1], r[2]).cast<double>());
+    if (json_["nodes"][node].contains("scale")) local.scale(json_["nodes"][node]["scale"][0].get<double>());
+    const auto parent = parents_.find(node);
+    return parent == parents_.end() ? local : world(parent->second, frame) * local;
+  }
+
+  Json json_;
+  std::string binary_;
+  std::map<std::size_t, std::size_t> parents_;
+};
+
+const Clip& dance() {
+  static const Clip clip = test::swinging_take("dance", 60, 3).a;
+  return clip;
+}
+
+std::size_t number_of(const std::string& vrm) {
+  for (std::size_t b = 0; b < rig_bones().size(); ++b)
+    if (rig_bones()[b].vrm == vrm) return b;
+  return 0;
+}
+
+TEST(CharacterGlb, ItsLimbsPointWhereThoseOfTheClipDoForEveryNamingAndRestPose) {
+  using namespace joints;
+  for (const Naming naming : {Naming::Mixamo, Naming::Vrm0, Naming::Vrm1}) {
+    const auto written = write_character_glb(rig(naming), dance(), "rig.glb");
+    ASSERT_TRUE(written) << written.error().text();
+    const Played played(*written);
+    for (const std::size_t frame : {0U, 20U, 59U})
+      for (const auto& [from, to, a, b] : std::vector<std::tuple<const char*, const char*, int, int>>{
+               {"leftUpperArm", "leftLowerArm", left_shoulder, left_elbow},
+               {"leftLowerArm", "leftHand", left_elbow, left_wrist},
+               {"rightUpperArm", "rightLowerArm", right_shoulder, right_elbow},
+               {"leftUpperLeg", "leftLowerLeg", left_hip, left_knee},
+               {"rightLowerLeg", "rightFoot", right_knee, right_ankle}}) {
+        const Vec3 shown =
+            (played.place(number_of(to), frame) - played.place(number_of(from), frame)).normalized();
+        const Pose& pose = dance().poses[frame];
+        const Vec3 wanted = (joint_at(pose, b) - joint_at(pose, a)).normalized();
+        EXPECT_LT((shown - wanted).norm(), 1e-4) << from << ' ' << frame << ' ' << static_cast<int>(naming);
+      }
+  }
+}
+
+TEST(CharacterGlb, KeepsItsBoneLengthsAndStandsOnTheFloor) {
+  const Played played(*write_character_glb(rig(Naming::Vrm1), dance(), "rig.vrm"));
+  for (std::size_t frame = 0; frame < dance().poses.size(); frame += 10) {
+    for (std::size_t b = 1; b < rig_bones().size(); ++b) {
+      const RigBone& bone = rig_bones()[b];
+      const std::size_t parent = number_of(bone.parent);
+      EXPECT_NEAR((played.place(b, frame) - played.place(parent, frame)).norm(),
+                  (bone.at - rig_bones()[parent].at).norm(), 1e-5);
+    }
+    EXPECT_NEAR(std::min(played.place(number_of("leftFoot"), frame).y(),
+                         played.place(number_of("rightFoot"), frame).y()),
+                0.08, 0.05);
+  }
+}
+
+TEST(CharacterGlb, KeepsEverythingExceptItsAnimations) {
+  const std::string file = rig(Naming::Vrm0);
+  const Played played(*write_character_glb(file, dance(), "rig.vrm"));
+  EXPECT_EQ(played.json()["animations"].size(), 1u);
+  EXPECT_EQ(played.json()["animations"][0]["name"], "motion");
+  EXPECT_EQ(played.json()["extensions"]["VRM"]["humanoid"]["humanBones"].size(), rig_bones().size());
+}
+
+TEST(CharacterGlb, WhatIsNoHumanoidIsRefused) {
+  const std::string file = rig(Naming::Mixamo);
+  EXPECT_THAT(write_character_glb("no glb", dance(), "a.glb").error().text(), HasSubstr("is no GLB"));
+  for (std::size_t size = 0; size < file.size(); size += 7)
+    EXPECT_FALSE(write_character_glb(std::string_view(file).substr(0, size), dance(), "a.glb"));
+  std::string nameless = file;
+  for (std::size_t at = 0; (at = nameless.find("LeftUpLeg", at)) != std::string::npos;) nameless[at] = 'X';
+  EXPECT_THAT(write_character_glb(nameless, dance(), "a.glb").error().text(),
+              HasSubstr("it lacks leftupperleg"));
+  std::string circle = file;
+  const auto at = circle.find("\"children\":[1]");
+  ASSERT_NE(at, std::string::npos);
+  circle[at + 12] = '0';
+  EXPECT_THAT(write_character_glb(circle, dance(), "a.glb").error().text(), HasSubstr("damaged"));
+}
+
+}  // namespace
+}  // namespace abrazo::character_glb_test
