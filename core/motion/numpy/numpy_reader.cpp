@@ -17,14 +17,16 @@ namespace {
 Result<std::optional<UpAxis>> up_axis_in(const NumpyFile& file) {
   const StoredArray* array = file.find({"up", "up_axis"});
   if (!array) return std::optional<UpAxis>();
-  const Error expected{R"(expected the axis that points up: the text "y" or "z")", file.place(*array)};
+  const Error expected{"expected the axis that points up, as a text: " + up_axis_names(), file.place(*array)};
   if (array->trouble) return *array->trouble;
   if (array->layout.is_number() || array->layout.count() != 1) return expected;
   const auto texts = texts_in(file, *array);
   if (!texts) return texts.error();
-  const std::string axis = lower_case(texts->front());
-  if (axis != "y" && axis != "z") return expected;
-  return std::optional<UpAxis>(axis == "z" ? UpAxis::Z : UpAxis::Y);
+  std::string axis = lower_case(texts->front());
+  if (axis.starts_with('+')) axis.erase(0, 1);
+  const auto up = find_up_axis(axis);
+  if (!up) return expected;
+  return up;
 }
 
 /// What a file without positions of joints is, as far as its arrays tell.
