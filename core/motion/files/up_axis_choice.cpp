@@ -184,11 +184,13 @@ UpAxisChoice guessed_axis(const Posture& posture) {
             axis_question(how_upright(UpAxis::MinusY, posture) +
                           "; -Y was taken as up, say the axis if they stand on their hands")};
   }
-  if (!posture.anybody_upright(along) && posture.mostly_upright(UpAxis::MinusZ) &&
-      posture.stands_on_zero(UpAxis::MinusZ) && !posture.lies_on_zero(UpAxis::Y))
-    return {UpAxis::MinusZ, true,
-            axis_question(how_upright(UpAxis::MinusZ, posture) +
-                          "; -Z was taken as up, say the axis if that is wrong")};
+  for (const UpAxis unusual : {UpAxis::MinusZ, UpAxis::X, UpAxis::MinusX})
+    if (!posture.anybody_upright(along) && posture.mostly_upright(unusual) &&
+        posture.stands_on_zero(unusual) && !posture.lies_on_zero(UpAxis::Y) &&
+        !posture.lies_on_zero(UpAxis::Z))
+      return {unusual, true,
+              axis_question(how_upright(unusual, posture) + "; " + axis_label(unusual) +
+                            " was taken as up, say the axis if that is wrong")};
   return {along, true,
           axis_question("the head is mostly not above the feet along Y or Z; " + axis_label(along) +
                         " was taken as up, say if it is the other")};

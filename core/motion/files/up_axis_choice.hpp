@@ -22,7 +22,7 @@ struct UpAxisChoice {
 /// along it in most frames, with a question. The floor is expected at 0: hands that rest on it below the head
 /// are a handstand, and a body that stays close to it lies there.
 /// Without a statement it is Y or Z, as the head is above the feet; Y pointing down, as in the space of a
-/// camera, or -Z only where nobody stands along these.
+/// camera, -Z or X only where nobody stands along these.
 /// @param stated  by the file; none if its format has no axes
 /// @param poses   at least one, in the file's unit and axes
 UpAxisChoice choose_up_axis(std::optional<UpAxis> stated, const std::vector<Pose>& poses);
