@@ -117,9 +117,8 @@ std::string why_no_body(const MarkerFit& fit) {
       "and "
       "toes and the pelvis must be marked";
   if (fit.legs && !fit.arms)
-    return std::string(fit.shoulders ? "both arms" : "the markers are of the lower body; arms") +
-           (fit.shoulders ? " are not marked from shoulder to wrist" : " are not marked") +
-           ", and cannot be inferred: " + nearest + needed;
+    return std::string(fit.shoulders ? "" : "the markers are of the lower body; ") +
+           "arms are not marked, and cannot be inferred: " + nearest + needed;
   if (fit.arms && !fit.legs)
     return "the markers are of the upper body; legs are not marked, and cannot be inferred: " + nearest +
            needed;

@@ -34,7 +34,7 @@ std::size_t name_begin(const std::string& point, const std::string& marks,
 }
 
 std::string performer_name(std::string beginning) {
-  while (beginning.size() > 1 && std::string(":._|").find(beginning.back()) != std::string::npos)
+  while (beginning.size() > 1 && std::string(":._|- ").find(beginning.back()) != std::string::npos)
     beginning.pop_back();
   return beginning;
 }
