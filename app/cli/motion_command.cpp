@@ -51,7 +51,7 @@ void add_performer(TextLines& text, const ImportedClip& imported) {
   text.add("  fps      {}{}", exact_text(report.fps), guess_mark(report.fps_guessed));
   text.add("  joints   {} by the joint map '{}'", joint_count, report.joint_map);
   text.add("  unit     {} m{}", exact_text(report.metres_per_unit), guess_mark(report.unit_guessed));
-  text.add("  up       {}{}", report.up_axis == UpAxis::Z ? 'z' : 'y', guess_mark(report.up_axis_guessed));
+  text.add("  up       {}{}", name_of(report.up_axis), guess_mark(report.up_axis_guessed));
   text.add("  height   {:.3f} m to the head joint", report.height_m);
   text.add("  floor    toe bases rest at {:.3f} m{}", report.floor_y_m,
            report.floor_shift_m == 0 ? "" : fmt::format("; moved by {:.3f} m", report.floor_shift_m));
@@ -72,7 +72,7 @@ void put_performer(JsonText& json, const ImportedClip& imported) {
   json.key("joints").value(joint_count);
   json.key("joint_map").value(report.joint_map);
   json.key("metres_per_unit").value(report.metres_per_unit);
-  json.key("up").value(report.up_axis == UpAxis::Z ? "z" : "y");
+  json.key("up").value(name_of(report.up_axis));
   json.key("height").value(report.height_m);
   json.key("floor").value(report.floor_y_m);
   json.key("floor_shift").value(report.floor_shift_m);

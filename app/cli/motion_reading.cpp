@@ -26,8 +26,10 @@ void add_reading_options(CLI::App& command, MotionReading& reading) {
                   "order of the joints of a .npy or .npz without names: " + joint_order_names() +
                       ", or a file with a name a line")
       ->type_name("NAME|FILE");
-  command.add_option("--up", reading.up, "the file's axis that points up")
-      ->check(CLI::IsMember({"y", "z"}))
+  command.add_option("--up", reading.up, "the file's axis that points up: " + up_axis_names())
+      ->check([](const std::string& word) {
+        return find_up_axis(word) ? std::string() : "expected " + up_axis_names() + ", found '" + word + "'";
+      })
       ->type_name("AXIS");
   command
       .add_option("--floor", reading.floor_m,

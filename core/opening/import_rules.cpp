@@ -162,7 +162,7 @@ std::string layout_of(const std::vector<NamedMotion>& motions) {
   for (const std::string& point : points) sum.add(point), sum.add("\n");
   const NamedMotion& first = motions.front();
   sum.add(first.metres_per_unit ? exact_text(*first.metres_per_unit) : "no unit");
-  sum.add(!first.up_axis ? "no axis" : *first.up_axis == UpAxis::Y ? "Y" : "Z");
+  sum.add(first.up_axis ? axis_label(*first.up_axis) : "no axis");
   return fmt::format("{:016x}", static_cast<std::uint64_t>(sum.value()));
 }
 

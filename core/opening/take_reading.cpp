@@ -20,7 +20,7 @@ MotionReading reading_of(const Manifest::Take& take, Performer performer) {
   reading.skeleton = source.skeleton.string();
   reading.joint_map = source.joint_map;
   reading.joints = source.joints;
-  if (source.up_axis) reading.up = *source.up_axis == UpAxis::Z ? "z" : "y";
+  if (source.up_axis) reading.up = name_of(*source.up_axis);
   reading.metres_per_unit = source.metres_per_unit ? source.metres_per_unit : take.metres_per_unit;
   reading.fps = take.fps;
   if (source.index) reading.performer = std::to_string(*source.index + 1);
@@ -47,8 +47,7 @@ Result<Manifest::Take> with_reading(Manifest::Take take, Performer performer, co
     if (each != &source && !share_file) continue;
     each->joint_map = reading.joint_map;
     each->joints = reading.joints;
-    each->up_axis.reset();
-    if (!reading.up.empty()) each->up_axis = reading.up == "z" ? UpAxis::Z : UpAxis::Y;
+    each->up_axis = find_up_axis(reading.up);
     each->metres_per_unit = reading.metres_per_unit;
     each->animation = reading.animation;
     each->body_model = reading.body_model;

@@ -25,12 +25,11 @@ int main(int count, char** words) {
     for (std::size_t p = 0; p < motion.points.size(); ++p) {
       json.key(motion.name + "/" + motion.points[p]).begin_array();
       for (const abrazo::Positions& frame : motion.frames) {
-        const abrazo::Vec3 place =
-            motion.metres_per_unit.value_or(1) * frame.row(static_cast<Eigen::Index>(p)).transpose();
-        const bool z_up = motion.up_axis == abrazo::UpAxis::Z;
+        Eigen::RowVector3d place =
+            motion.metres_per_unit.value_or(1) * frame.row(static_cast<Eigen::Index>(p));
+        turn_to_y_up(place, motion.up_axis.value_or(abrazo::UpAxis::Y));
         json.begin_array();
-        for (const double value : {place.x(), z_up ? place.z() : place.y(), z_up ? -place.y() : place.z()})
-          json.value(value);
+        for (const double value : {place.x(), place.y(), place.z()}) json.value(value);
         json.end_array();
       }
       json.end_array();

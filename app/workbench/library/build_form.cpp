@@ -78,7 +78,8 @@ BuildForm::BuildForm(BuildPlanModel& model, QWidget* parent) : QWidget(parent), 
   m_unit->setEditable(true);
   m_unit->addItems({as_found, "1 · metres", "0.01 · centimetres", "0.001 · millimetres", "0.0254 · inches",
                     "0.056444444 · CMU"});
-  m_up->addItems({as_found, "Y", "Z"});
+  m_up->addItem(as_found);
+  for (const UpAxis up : every_up_axis) m_up->addItem(QString::fromStdString(axis_label(up)));
   for (QComboBox* box : {m_take, m_rate, m_unit}) box->setInsertPolicy(QComboBox::NoInsert);
   connectParts();
   show({});
@@ -119,7 +120,8 @@ void BuildForm::connectParts() {
   when_typed(m_unit, say_unit);
   connect(m_up, chosen, this, [this](int at) {
     reread([at](Manifest::Performer& source, std::optional<double>&) {
-      source.up_axis = at == 0 ? std::nullopt : std::optional(at == 1 ? UpAxis::Y : UpAxis::Z);
+      source.up_axis =
+          at == 0 ? std::nullopt : std::optional(every_up_axis[static_cast<std::size_t>(at - 1)]);
       return true;
     });
   });
@@ -211,7 +213,7 @@ void BuildForm::show(const std::vector<int>& rows) {
   m_rate->setCurrentText(first.fps ? QString::number(*first.fps) : as_found);
   const auto unit = first.source.metres_per_unit;
   m_unit->setCurrentText(unit ? QString::fromStdString(exact_text(*unit)) : as_found);
-  m_up->setCurrentIndex(!first.source.up_axis ? 0 : *first.source.up_axis == UpAxis::Y ? 1 : 2);
+  m_up->setCurrentIndex(first.source.up_axis ? 1 + static_cast<int>(*first.source.up_axis) : 0);
   m_start->setMaximum(std::max(0, first.frames() - 2));
   m_start->setValue(first.source.start);
   showJoints(first);

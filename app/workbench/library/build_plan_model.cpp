@@ -184,7 +184,7 @@ QString BuildPlanModel::text(int row, int column) const {
     case Height:
       return QString("%1 m").arg(report.height_m, 0, 'f', 2);
     case Up:
-      return report.up_axis == UpAxis::Z ? "Z" : "Y";
+      return QString::fromStdString(axis_label(report.up_axis));
     case Joints:
       return cell_text(report.joint_map);
     case Pairing:

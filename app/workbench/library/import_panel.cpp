@@ -388,10 +388,10 @@ void ImportPanel::showFields() {
   fill(m_unit, unit_said ? "as found" : found(unit_words(report.metres_per_unit), report.unit_guessed));
   for (const UnitEntry& unit : unit_entries) m_unit->addItem(unit.name, unit.metres);
   choose_data(*m_unit, unit_said ? QVariant(*m_reading.metres_per_unit) : QVariant());
-  const QString axis = report.up_axis == UpAxis::Z ? "Z" : "Y";
+  const QString axis = QString::fromStdString(axis_label(report.up_axis));
   fill(m_up, m_reading.up.empty() ? found(axis, report.up_axis_guessed) : "as found");
-  m_up->addItem("Y", "y");
-  m_up->addItem("Z", "z");
+  for (const UpAxis up : every_up_axis)
+    m_up->addItem(QString::fromStdString(axis_label(up)), QString::fromStdString(name_of(up)));
   choose_data(*m_up, QString::fromStdString(m_reading.up));
   fill(m_rate, m_reading.fps ? "as found" : found(number(report.fps) + " fps", report.fps_guessed));
   for (const double rate : {24.0, 25.0, 30.0, 50.0, 60.0, 100.0, 120.0, 240.0})

@@ -201,7 +201,7 @@ void LibraryBuild::askForJoints(const Read& read) {
     if (!map) return m_dialog->showError(words(map.error()));
     const MotionReading said = m_mapping->said();
     for (Survey survey : again) {
-      if (!said.up.empty()) survey.source.up_axis = said.up == "z" ? UpAxis::Z : UpAxis::Y;
+      if (!said.up.empty()) survey.source.up_axis = find_up_axis(said.up);
       if (said.metres_per_unit) survey.source.metres_per_unit = said.metres_per_unit;
       if (said.fps) survey.fps = said.fps;
       m_surveys.push_back(survey);

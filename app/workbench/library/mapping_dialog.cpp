@@ -174,7 +174,8 @@ QWidget* MappingDialog::makeFacts() {
     row->addWidget(field);
   };
   m_up = new QComboBox(box);
-  m_up->addItems({"as found", "Y", "Z"});
+  m_up->addItem("as found");
+  for (const UpAxis up : every_up_axis) m_up->addItem(QString::fromStdString(axis_label(up)));
   m_unit = new QComboBox(box);
   m_unit->addItem("as found", 0.0);
   for (const auto& [name, metres] :
@@ -379,9 +380,10 @@ void MappingDialog::chooseJoint(int joint) {
 Positions MappingDialog::upright(const Positions& points) const {
   const Eigen::RowVector3d extent = points.array().isNaN().select(0, points).colwise().maxCoeff() -
                                     points.array().isNaN().select(0, points).colwise().minCoeff();
-  const bool z_up = m_up->currentIndex() == 2 || (m_up->currentIndex() == 0 && extent.z() > extent.y());
   Positions turned = points;
-  if (z_up) turned.col(1) = points.col(2), turned.col(2) = -points.col(1);
+  turn_to_y_up(turned, m_up->currentIndex() > 0  ? every_up_axis[at(m_up->currentIndex() - 1)]
+                       : extent.z() > extent.y() ? UpAxis::Z
+                                                 : UpAxis::Y);
   return turned;
 }
 
@@ -429,7 +431,7 @@ widgets::PicturedSpace MappingDialog::spaceOf() const {
 
 MotionReading MappingDialog::said() const {
   MotionReading reading;
-  if (m_up->currentIndex() > 0) reading.up = m_up->currentIndex() == 1 ? "y" : "z";
+  if (m_up->currentIndex() > 0) reading.up = name_of(every_up_axis[at(m_up->currentIndex() - 1)]);
   if (const double unit = m_unit->currentData().toDouble(); unit > 0) reading.metres_per_unit = unit;
   if (const auto rate = parse_number(m_rate->text().trimmed().toStdString()); rate && *rate > 0)
     reading.fps = *rate;
@@ -467,7 +469,7 @@ void MappingDialog::showFacts() {
   const MotionReading reading = said();
   ImportOptions options;
   options.metres_per_unit = reading.metres_per_unit, options.fps = reading.fps;
-  if (!reading.up.empty()) options.up_axis = reading.up == "z" ? UpAxis::Z : UpAxis::Y;
+  options.up_axis = find_up_axis(reading.up);
   if (namesMarkers())
     options.marker_model = model();
   else
@@ -477,7 +479,7 @@ void MappingDialog::showFacts() {
   const ImportReport& report = clip->report;
   const auto mark = [](bool guessed) { return guessed ? " ?" : ""; };
   m_facts->setText(QString("%1 up%2 · %3 m per unit%4 · %5 fps%6 · head at %7 m")
-                       .arg(report.up_axis == UpAxis::Z ? "Z" : "Y", mark(report.up_axis_guessed))
+                       .arg(QString::fromStdString(axis_label(report.up_axis)), mark(report.up_axis_guessed))
                        .arg(report.metres_per_unit, 0, 'g', 5)
                        .arg(mark(report.unit_guessed))
                        .arg(report.fps, 0, 'g', 5)

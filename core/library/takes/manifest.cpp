@@ -140,9 +140,8 @@ void parse_take_labels(const ManifestNode& node, const fs::path& folder, Manifes
 
 UpAxis parse_up_axis(const ManifestNode& node) {
   const std::string text = node.string();
-  if (text == "y") return UpAxis::Y;
-  if (text == "z") return UpAxis::Z;
-  node.refuse(fmt::format("expected \"y\" or \"z\", found \"{}\"", text));
+  if (const auto up = find_up_axis(text)) return *up;
+  node.refuse(fmt::format("expected an axis, {}, found \"{}\"", up_axis_names(), text));
 }
 
 Manifest::Performer parse_manifest_performer(const ManifestNode& node, const fs::path& folder) {

@@ -28,7 +28,7 @@ OrderedJson performer_json(const Manifest::Performer& performer, const fs::path&
   if (performer.index) object["performer"] = *performer.index;
   if (performer.start > 0) object["start"] = performer.start;
   if (performer.metres_per_unit) object["metres_per_unit"] = *performer.metres_per_unit;
-  if (performer.up_axis) object["up_axis"] = *performer.up_axis == UpAxis::Z ? "z" : "y";
+  if (performer.up_axis) object["up_axis"] = name_of(*performer.up_axis);
   if (!performer.joints.empty())
     object["joints"] =
         is_builtin_joint_order(performer.joints) ? performer.joints : portable(performer.joints, folder);

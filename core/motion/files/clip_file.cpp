@@ -18,11 +18,7 @@ std::vector<Clip> in_space(std::span<const Clip> clips, double scale, UpAxis up)
   std::vector<Clip> moved(clips.begin(), clips.end());
   for (Clip& clip : moved)
     for (Pose& pose : clip.poses) {
-      if (up == UpAxis::Z) {
-        const Eigen::VectorXd back = -pose.col(2);
-        pose.col(2) = pose.col(1);
-        pose.col(1) = back;
-      }
+      turn_from_y_up(pose, up);
       pose *= scale;
     }
   return moved;
@@ -55,7 +51,7 @@ Result<std::string> clip_file_content(const std::string& path, std::span<const C
   // A BVH is scaled by its writer: the end sites of its bones are not among the positions.
   const double scale = is_bvh ? 1 : space.units_per_metre;
   std::vector<Clip> moved;
-  if (scale != 1 || space.up == UpAxis::Z) {
+  if (scale != 1 || space.up != UpAxis::Y) {
     moved = in_space(clips, scale, space.up);
     clips = moved;
   }

@@ -10,6 +10,7 @@
 #include "core/base/text.hpp"
 #include "core/motion/body/body.hpp"
 #include "core/motion/body/person_bounds.hpp"
+#include "core/motion/files/up_axis_choice.hpp"
 #include "core/motion/joints/map_choice.hpp"
 #include "core/motion/joints/marker_gaps.hpp"
 #include "core/motion/joints/marker_model.hpp"
@@ -18,8 +19,6 @@
 namespace abrazo {
 
 namespace {
-
-using joints::left_ankle, joints::right_ankle, joints::left_toe_base, joints::right_toe_base, joints::Head;
 
 constexpr double smallest_adult_m = 1.0, tallest_adult_m = 2.3;  ///< standing heights that raise no question
 constexpr double usual_height_m = 1.7;
@@ -163,72 +162,14 @@ Result<std::vector<Pose>> extract(const NamedMotion& motion, const JointBinding&
   return poses;
 }
 
-/// Whether a floor at 0 lies below the toes and the head is above the feet in a tenth of the frames at least,
-/// if that axis points up.
-bool stands_on_zero(const std::vector<Pose>& poses, int axis) {
-  std::vector<double> toes, above, sizes;
-  for (const Pose& pose : poses) {
-    toes.push_back(std::min(pose(left_toe_base, axis), pose(right_toe_base, axis)));
-    const Vec3 up = (pose.row(Head) - 0.5 * (pose.row(left_ankle) + pose.row(right_ankle))).transpose();
-    above.push_back(up[axis] / up.norm());
-    sizes.push_back(up.norm());
-  }
-  const double metre = quantile(sizes, 0.9) / usual_height_m;
-  const double rest = quantile(toes, 0.05);
-  return quantile(above, 0.9) > 0.9 && rest > lowest_floor_m * metre && rest < highest_floor_m * metre;
-}
-
-/// The axis from feet to head, median over the frames. Y unless Z is clear. A crawling person mostly has the
-/// head in front of the feet: then the standing frames decide.
-UpAxis guess_up_axis(const std::vector<Pose>& poses, ImportReport& report) {
-  std::vector<double> values;
-  Vec3 up;
-  for (int axis = 0; axis < 3; ++axis) {
-    values.clear();
-    for (const Pose& pose : poses)
-      values.push_back(pose(Head, axis) - 0.5 * (pose(left_ankle, axis) + pose(right_ankle, axis)));
-    up[axis] = upper_median(values);
-  }
-  const UpAxis guess = up.z() > std::abs(up.y()) ? UpAxis::Z : UpAxis::Y;
-  const UpAxis other = guess == UpAxis::Y ? UpAxis::Z : UpAxis::Y;
-  const auto stands_along = [&](UpAxis axis) { return stands_on_zero(poses, axis == UpAxis::Y ? 1 : 2); };
-  if (!stands_along(guess) && stands_along(other)) return other;
-  const double along = guess == UpAxis::Z ? up.z() : up.y();
-  if (along < 0.7 * up.norm())
-    ask(report, "up-axis",
-        std::string("the head is mostly not above the feet along Y or Z; ") +
-            (guess == UpAxis::Z ? "Z" : "Y") + " was taken as up, say if it is the other");
-  return guess;
-}
-
-/// The axis stated in the file, unless the people clearly stand along the other axis.
+/// The axis that a person said, or the one that the file states and the posture confirms.
 UpAxis settle_up_axis(const NamedMotion& motion, const ImportOptions& options, const std::vector<Pose>& poses,
                       ImportReport& report) {
-  report.up_axis_guessed = !options.up_axis && !motion.up_axis;
   if (options.up_axis) return *options.up_axis;
-  const std::size_t warnings = report.warnings.size();
-  const UpAxis guess = guess_up_axis(poses, report);
-  const bool sure = report.warnings.size() == warnings;
-  if (!motion.up_axis) {
-    if (guess == UpAxis::Z) warn(report, "up-axis", "Z was taken as up: the head is above the feet along it");
-    return guess;
-  }
-  if (!sure) report.warnings.pop_back();
-  if (guess == *motion.up_axis || !sure) return *motion.up_axis;
-  report.up_axis_guessed = true;
-  const auto name = [](UpAxis axis) { return std::string(axis == UpAxis::Z ? "Z" : "Y"); };
-  ask(report, "up-axis",
-      "the file says that " + name(*motion.up_axis) + " points up, but the head is above the feet along " +
-          name(guess) + ", which was taken");
-  return guess;
-}
-
-void turn_z_up_to_y_up(std::vector<Pose>& poses) {
-  for (Pose& pose : poses) {
-    const Eigen::Matrix<double, joint_count, 1> y = pose.col(1);
-    pose.col(1) = pose.col(2);
-    pose.col(2) = -y;
-  }
+  UpAxisChoice choice = choose_up_axis(motion.up_axis, poses);
+  report.up_axis_guessed = choice.guessed;
+  if (choice.warning) report.warnings.push_back(std::move(*choice.warning));
+  return choice.axis;
 }
 
 struct GuessedUnit {
@@ -372,7 +313,7 @@ Result<ImportedClip> import_clip(const NamedMotion& file_points, const ImportOpt
   Result<std::vector<Pose>> poses = extract(motion, *binding);
   if (!poses) return poses.error();
   report.up_axis = settle_up_axis(motion, options, *poses, report);
-  if (report.up_axis == UpAxis::Z) turn_z_up_to_y_up(*poses);
+  for (Pose& pose : *poses) turn_to_y_up(pose, report.up_axis);
   settle_unit(motion, options, *poses, report);
   settle_rate(motion, options, report);
   settle_floor(options, *poses, report);

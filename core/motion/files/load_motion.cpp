@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <span>
+
 #include "core/base/printable.hpp"
 #include "core/base/text.hpp"
 #include "core/motion/files/import_clip.hpp"
@@ -20,6 +23,24 @@ void share_floor(std::vector<ImportedClip>& clips) {
     imported.report.warnings.push_back(
         {"floor", 0, "moved by " + exact_text(shift) + " m with the other performer of the file"});
   }
+}
+
+bool asks_which_axis(const ImportedClip& imported) {
+  return std::ranges::any_of(imported.report.warnings, [](const ImportWarning& warning) {
+    return warning.kind == "up-axis" && warning.asks;
+  });
+}
+
+/// Where the posture of the first performer leaves open which axis points up, another one's may not: who is
+/// head down or lies says less than who stands.
+/// @param others  performers and objects of the same file
+/// @return the report of the first of them without this question; nothing if there is none
+std::optional<ImportReport> without_doubt_of_axis(std::span<const NamedMotion> others,
+                                                  const ImportOptions& options) {
+  for (const NamedMotion& other : others)
+    if (Result<ImportedClip> imported = import_clip(other, options); imported && !asks_which_axis(*imported))
+      return std::move(imported->report);
+  return std::nullopt;
 }
 
 /// Performers of one file share unit and axes: a second guess could differ from the first.
@@ -70,7 +91,8 @@ Result<std::vector<ImportedClip>> import_performers(const std::string& file,
   std::vector<Error> errors;
   std::vector<std::string> left_out;
   ImportOptions settled = options;
-  for (const NamedMotion& motion : motions) {
+  for (std::size_t m = 0; m < motions.size(); ++m) {
+    const NamedMotion& motion = motions[m];
     Result<ImportedClip> imported = import_clip(motion, settled);
     if (!imported) {
       errors.push_back(imported.error());
@@ -78,6 +100,13 @@ Result<std::vector<ImportedClip>> import_performers(const std::string& file,
       continue;
     }
     if (clips.empty()) {
+      if (asks_which_axis(*imported))
+        if (const auto sure = without_doubt_of_axis(std::span(motions).subspan(m + 1), options)) {
+          settled.up_axis = sure->up_axis;
+          imported = import_clip(motion, settled);
+          if (!imported) return imported.error();
+          imported->report.up_axis_guessed = sure->up_axis_guessed;
+        }
       settled.metres_per_unit = imported->report.metres_per_unit;
       settled.up_axis = imported->report.up_axis;
     } else {

@@ -27,12 +27,14 @@ Result<ImportOptions> options_of(const MotionReading& reading) {
     return usable.error();
   if (reading.floor_m && !std::isfinite(*reading.floor_m))
     return Error{"expected a finite number of metres", "height of the floor"};
-  if (!reading.up.empty() && reading.up != "y" && reading.up != "z")
-    return Error{"'" + reading.up + "' is not an axis; use y or z", "axis that points up", Hint::SetUpAxis};
+  const auto up = find_up_axis(reading.up);
+  if (!reading.up.empty() && !up)
+    return Error{"'" + reading.up + "' is not an axis; use " + up_axis_names(), "axis that points up",
+                 Hint::SetUpAxis};
   ImportOptions options;
   options.metres_per_unit = reading.metres_per_unit;
   options.fps = reading.fps;
-  if (!reading.up.empty()) options.up_axis = reading.up == "z" ? UpAxis::Z : UpAxis::Y;
+  options.up_axis = up;
   if (!reading.joint_map.empty())
     if (const Status chosen = choose_joints(reading.joint_map, options); !chosen) return chosen.error();
   if (!reading.joints.empty()) {

@@ -15,7 +15,7 @@ struct MotionReading {
   std::string skeleton = {};                   ///< the .asf of an .amc
   std::string joint_map = {};                  ///< a built-in map or marker model by its name, or a JSON file
   std::string joints = {};                     ///< order of the joints of an array: its name, or a file
-  std::string up = {};                         ///< "y" or "z"
+  std::string up = {};                         ///< name of an UpAxis: "y", "-z"
   std::optional<double> metres_per_unit = {};  ///< above 0
   std::optional<double> fps = {};              ///< above 0 [Hz]
   std::string performer = {};          ///< the performer in a file with several: its name, or a number from 1

@@ -35,6 +35,12 @@ std::vector<std::string> smplh_points() {
   return points;
 }
 
+/// SMPL-H, as its body model orders it: the body as in SMPL-X, then the fingers.
+std::vector<std::string> smplh_model_points(std::vector<std::string> points) {
+  for (const char* side : {"L_", "R_"}) add_fingers(points, side);
+  return points;
+}
+
 std::vector<std::string> mocap_points() {
   std::vector<std::string> points = {"Hips", "Spine", "Spine1", "Neck", "Head"};
   for (const std::string side : {"Left", "Right"}) {
@@ -96,17 +102,19 @@ std::vector<int> joints_at(const JointMap& map, const std::vector<std::string>& 
 }  // namespace
 
 const std::vector<JointOrder>& builtin_joint_orders() {
+  static const std::vector<std::string> smplx_body = {
+      "Pelvis",     "L_Hip",      "R_Hip",   "Spine1",  "L_Knee",  "R_Knee",   "Spine2",   "L_Ankle",
+      "R_Ankle",    "Spine3",     "L_Foot",  "R_Foot",  "Neck",    "L_Collar", "R_Collar", "Head",
+      "L_Shoulder", "R_Shoulder", "L_Elbow", "R_Elbow", "L_Wrist", "R_Wrist"};
   static const std::vector<JointOrder> orders = {
       {"abrazo25", own_points()},
       {"lafan22", {"Hips",         "RightUpLeg", "RightLeg",      "RightFoot", "RightToeBase", "LeftUpLeg",
                    "LeftLeg",      "LeftFoot",   "LeftToeBase",   "Spine",     "Spine1",       "Spine2",
                    "Neck",         "Head",       "RightShoulder", "RightArm",  "RightForeArm", "RightHand",
                    "LeftShoulder", "LeftArm",    "LeftForeArm",   "LeftHand"}},
-      {"smplx22",
-       {"Pelvis",     "L_Hip",      "R_Hip",   "Spine1",  "L_Knee",  "R_Knee",   "Spine2",   "L_Ankle",
-        "R_Ankle",    "Spine3",     "L_Foot",  "R_Foot",  "Neck",    "L_Collar", "R_Collar", "Head",
-        "L_Shoulder", "R_Shoulder", "L_Elbow", "R_Elbow", "L_Wrist", "R_Wrist"}},
+      {"smplx22", smplx_body},
       {"smplh52", smplh_points()},
+      {"smplhmodel52", smplh_model_points(smplx_body)},
       {"mocap53", mocap_points()},
   };
   return orders;

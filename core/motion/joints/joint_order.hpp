@@ -15,7 +15,7 @@ struct JointOrder {
   std::vector<std::string> points;  ///< unique
 };
 
-/// "abrazo25" (the 25 joints), "lafan22", "smplx22", "smplh52", "mocap53".
+/// "abrazo25" (the 25 joints), "lafan22", "smplx22", "smplh52", "smplhmodel52", "mocap53".
 const std::vector<JointOrder>& builtin_joint_orders();
 
 bool is_builtin_joint_order(std::string_view name);

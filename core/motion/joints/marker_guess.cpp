@@ -152,13 +152,12 @@ std::vector<int> cheapest_assignment(const Eigen::MatrixXd& cost) {
 }
 
 /// Frames of the motion, Y up, with most markers seen.
-std::vector<Positions> upright_frames(const NamedMotion& motion, UpAxis up, bool upside_down) {
+std::vector<Positions> upright_frames(const NamedMotion& motion, UpAxis up) {
   std::vector<Positions> frames;
   const std::size_t step = std::max<std::size_t>(1, motion.frames.size() / most_frames);
   for (std::size_t f = 0; f < motion.frames.size(); f += step) {
     Positions frame = motion.frames[f];
-    if (up == UpAxis::Z) frame.col(1) = motion.frames[f].col(2), frame.col(2) = -motion.frames[f].col(1);
-    if (upside_down) frame.leftCols(2) *= -1;
+    turn_to_y_up(frame, up);
     Eigen::Index seen = 0;
     for (Eigen::Index p = 0; p < frame.rows(); ++p) seen += frame.row(p).allFinite() ? 1 : 0;
     if (3 * seen >= 2 * frame.rows()) frames.push_back(std::move(frame));
@@ -475,12 +474,10 @@ struct Hypothesis {
 };
 
 /// @return the guess, and what it costs against others of the motion
-Result<std::pair<MarkerGuess, double>> guess_standing(const NamedMotion& motion, UpAxis up,
-                                                      bool upside_down) {
+Result<std::pair<MarkerGuess, double>> guess_standing(const NamedMotion& motion, UpAxis up) {
   MarkerGuess guess;
   guess.up_axis = up;
-  guess.is_upside_down = upside_down;
-  std::vector<Positions> frames = upright_frames(motion, up, upside_down);
+  std::vector<Positions> frames = upright_frames(motion, up);
   if (frames.empty())
     return Error{"has no frame in which two thirds of its points are seen; a guess needs some", motion.name};
   std::vector<double> lows, highs;
@@ -568,8 +565,8 @@ Result<MarkerGuess> guess_markers(const NamedMotion& motion) {
         motion.name};
   const UpAxis up = motion.up_axis.value_or(
       extent_along(motion, 2) > 1.15 * extent_along(motion, 1) ? UpAxis::Z : UpAxis::Y);
-  auto standing = guess_standing(motion, up, false);
-  auto hanging = guess_standing(motion, up, true);
+  auto standing = guess_standing(motion, up);
+  auto hanging = guess_standing(motion, opposite(up));
   if (!standing || !hanging) return standing.error();
   return hanging->second < standing->second ? std::move(hanging->first) : std::move(standing->first);
 }

@@ -19,7 +19,6 @@ struct MarkerGuess {
   std::vector<Marker> markers;  ///< by place and side
   double confidence = 0;        ///< mean over all points; one without a place counts as 0
   UpAxis up_axis = UpAxis::Y;
-  bool is_upside_down = false;      ///< the axis points down
   bool front_from_walking = false;  ///< the person walks; otherwise only feet and pelvis give the direction
 
   /// A model of the markers with at least this confidence.

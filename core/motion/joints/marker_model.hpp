@@ -84,6 +84,7 @@ struct MarkerFit {
   std::size_t found = 0;             ///< of its places
   std::vector<std::string> missing;  ///< missing_markers
   bool legs = false, arms = false;   ///< the pelvis, knees and ankles; elbows and wrists of both sides
+  bool shoulders = false;
 };
 
 /// The first built-in model that fits, otherwise the one with most places found, and among equals the

@@ -91,6 +91,7 @@ MarkerFit fit_of(const MarkerModel& model, const std::vector<std::string>& point
   MarkerFit fit{&model, set.all().size(), missing_of(model, set)};
   fit.legs = set.has_both(PelvisFront) && set.has_both(Knee) && (set.has_both(Ankle) || set.has_both(Heel));
   fit.arms = set.has_both(Elbow) && marks_wrist(set, 0) && marks_wrist(set, 1);
+  fit.shoulders = set.has_both(Shoulder);
   return fit;
 }
 
@@ -116,8 +117,8 @@ std::string why_no_body(const MarkerFit& fit) {
       "and "
       "toes and the pelvis must be marked";
   if (fit.legs && !fit.arms)
-    return "the markers are of the lower body; arms are not marked, and cannot be inferred: " + nearest +
-           needed;
+    return std::string(fit.shoulders ? "" : "the markers are of the lower body; ") +
+           "arms are not marked, and cannot be inferred: " + nearest + needed;
   if (fit.arms && !fit.legs)
     return "the markers are of the upper body; legs are not marked, and cannot be inferred: " + nearest +
            needed;

@@ -6,11 +6,9 @@
 
 #include "core/base/error.hpp"
 #include "core/base/positions.hpp"
+#include "core/motion/joints/up_axis.hpp"
 
 namespace abrazo {
-
-/// The axis of a file that points up.
-enum class UpAxis { Y, Z };
 
 /// A defect of a file that did not prevent reading it. Always shown, never dropped.
 struct ImportWarning {

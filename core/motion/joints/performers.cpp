@@ -5,12 +5,20 @@
 #include <set>
 
 #include "core/base/text.hpp"
+#include "core/motion/joints/joint_map.hpp"
+#include "core/motion/joints/marker_model.hpp"
 
 namespace abrazo {
 
 namespace {
 
 constexpr std::size_t fewest_points = 8;  ///< of a performer; fewer are a prop
+
+/// "L", "right": of a name that is one of both sides, and of no performer.
+bool is_side(std::string_view word) {
+  const std::string plain = lower_case(word);
+  return plain == "l" || plain == "r" || plain == "left" || plain == "right";
+}
 
 /// Where the point's own name begins.
 std::size_t name_begin(const std::string& point, const std::string& marks,
@@ -22,12 +30,11 @@ std::size_t name_begin(const std::string& point, const std::string& marks,
   if (begin > 0) return begin;
   const auto mark = point.find_last_of(marks);
   if (mark == std::string::npos || mark == 0 || mark + 1 == point.size()) return 0;
-  const std::string word = lower_case(std::string_view(point).substr(0, mark));
-  return word == "l" || word == "r" || word == "left" || word == "right" ? 0 : mark + 1;
+  return is_side(std::string_view(point).substr(0, mark)) ? 0 : mark + 1;
 }
 
 std::string performer_name(std::string beginning) {
-  while (beginning.size() > 1 && std::string(":._|").find(beginning.back()) != std::string::npos)
+  while (beginning.size() > 1 && std::string(":._|- ").find(beginning.back()) != std::string::npos)
     beginning.pop_back();
   return beginning;
 }
@@ -50,6 +57,65 @@ NamedMotion part_of(const NamedMotion& whole, const std::string& beginning, cons
   part.frames.reserve(whole.frames.size());
   for (const Positions& frame : whole.frames) part.frames.emplace_back(frame(points, Eigen::all));
   return part;
+}
+
+/// Points with the same beginning, in the order in which the beginnings appear.
+struct PointGroup {
+  std::string beginning;
+  std::vector<int> points;
+};
+using PointGroups = std::vector<PointGroup>;
+
+template <class BeginOf>
+PointGroups groups_by(const NamedMotion& motion, const BeginOf& begin_of) {
+  PointGroups groups;
+  std::map<std::string, std::size_t> places;
+  for (std::size_t p = 0; p < motion.points.size(); ++p) {
+    const std::string beginning = motion.points[p].substr(0, begin_of(motion.points[p]));
+    const auto [place, is_new] = places.emplace(beginning, groups.size());
+    if (is_new) groups.push_back({beginning, {}});
+    groups[place->second].points.push_back(static_cast<int>(p));
+  }
+  return groups;
+}
+
+/// Whether the names, without their beginning, are those of a whole body that Abrazo knows.
+bool is_known_body(const NamedMotion& motion, const PointGroup& group) {
+  std::vector<std::string> names;
+  for (const int point : group.points)
+    names.push_back(motion.points[static_cast<std::size_t>(point)].substr(group.beginning.size()));
+  return names.size() >= fewest_points &&
+         (nearest_marker_model(names).missing.empty() ||
+          std::ranges::any_of(builtin_joint_maps(),
+                              [&](const JointMap& map) { return bind_joints(map, names).missing.empty(); }));
+}
+
+/// Some programs put another mark between performer and point: "Anna_LASI", "Ben-LASI". Taken only where it
+/// gives known bodies, since most names have such marks themselves.
+PointGroups groups_by_unusual_marks(const NamedMotion& motion) {
+  const bool is_tree = std::ranges::any_of(motion.parents, [](int parent) { return parent >= 0; });
+  const auto known = [&](const PointGroup& group) { return is_known_body(motion, group); };
+  for (const char mark : {'_', '-', '.', ' '}) {
+    if (is_tree) break;
+    PointGroups groups = groups_by(motion, [mark](const std::string& point) -> std::size_t {
+      const auto at = point.find(mark);
+      return at == std::string::npos || at == 0 || at + 1 == point.size() || is_side(point.substr(0, at))
+                 ? 0
+                 : at + 1;
+    });
+    if (std::ranges::any_of(
+            groups, [&](const PointGroup& group) { return !group.beginning.empty() && known(group); }))
+      return groups;
+  }
+  return {};
+}
+
+/// Of points without a beginning: somebody whose capture also has a box with one, or nobody.
+bool is_somebody_without_prefix(const NamedMotion& motion, const PointGroups& groups) {
+  const auto known = [&](const PointGroup& group) { return is_known_body(motion, group); };
+  const auto group = std::ranges::find(groups, std::string(), &PointGroup::beginning);
+  if (group == groups.end() || group->points.size() < fewest_points) return false;
+  return known(*group) || std::ranges::none_of(groups, known);
 }
 
 }  // namespace
@@ -78,26 +144,29 @@ void make_names_unique(std::vector<std::string>& names, const std::string& what,
 
 std::vector<NamedMotion> split_performers(NamedMotion motion, const std::string& marks,
                                           const std::vector<std::string>& beginnings) {
-  std::map<std::string, std::vector<int>> parts;
-  std::vector<std::string> order;
-  for (std::size_t p = 0; p < motion.points.size(); ++p) {
-    const std::string beginning = motion.points[p].substr(0, name_begin(motion.points[p], marks, beginnings));
-    auto& points = parts[beginning];
-    if (points.empty()) order.push_back(beginning);
-    points.push_back(static_cast<int>(p));
-  }
-  std::vector<NamedMotion> performers;
-  std::vector<std::string> left_out;
-  for (const std::string& beginning : order)
-    if (!beginning.empty() && parts[beginning].size() >= fewest_points)
-      performers.push_back(part_of(motion, beginning, parts[beginning]));
-    else
-      for (const int point : parts[beginning])
-        left_out.push_back(motion.points[static_cast<std::size_t>(point)]);
-  if (performers.empty()) {
+  PointGroups groups =
+      groups_by(motion, [&](const std::string& point) { return name_begin(point, marks, beginnings); });
+  if (std::ranges::none_of(groups, [&](const PointGroup& each) { return is_known_body(motion, each); }))
+    if (PointGroups others = groups_by_unusual_marks(motion); !others.empty()) groups = std::move(others);
+  const bool has_prefixes = std::ranges::any_of(groups, [](const PointGroup& group) {
+    return !group.beginning.empty() && group.points.size() >= fewest_points;
+  });
+  if (!has_prefixes) {
     std::vector<NamedMotion> whole;
     whole.push_back(std::move(motion));
     return whole;
+  }
+  const bool somebody_without = is_somebody_without_prefix(motion, groups);
+  std::vector<NamedMotion> performers;
+  std::vector<std::string> left_out;
+  for (const PointGroup& group : groups) {
+    const bool is_one = group.beginning.empty() ? somebody_without : group.points.size() >= fewest_points;
+    if (is_one) {
+      performers.push_back(part_of(motion, group.beginning, group.points));
+      if (group.beginning.empty()) performers.back().name = motion.name;
+      continue;
+    }
+    for (const int point : group.points) left_out.push_back(motion.points[static_cast<std::size_t>(point)]);
   }
   // An armature's own node, which everything hangs on, is not missed.
   std::erase_if(left_out, [&](const std::string& point) {
@@ -124,7 +193,7 @@ void strip_common_beginning(std::vector<std::string>& names) {
   std::string_view common = names.front();
   for (const std::string& name : names)
     while (!name.starts_with(common)) common.remove_suffix(1);
-  const auto mark = common.find_last_of("_:|");
+  const auto mark = common.find_last_of("_:|.-");
   if (mark == std::string_view::npos) return;
   const std::size_t length = mark + 1;
   if (std::any_of(names.begin(), names.end(), [&](const std::string& name) { return name.size() == length; }))

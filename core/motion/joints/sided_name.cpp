@@ -8,12 +8,14 @@ namespace abrazo {
 std::vector<std::string> name_parts(std::string_view name) {
   if (const auto colon = name.rfind(':'); colon != std::string_view::npos) name.remove_prefix(colon + 1);
   std::vector<std::string> parts(1);
+  std::size_t begin = 0;  // of the current word between marks
   for (std::size_t i = 0; i < name.size(); ++i) {
     const auto c = static_cast<unsigned char>(name[i]);
     const bool breaks = !std::isalnum(c) ||
                         (i > 0 && std::isupper(c) && std::islower(static_cast<unsigned char>(name[i - 1])));
-    const bool second_capital =
-        i == 1 && std::isupper(c) && name.size() > 2 && (name[0] == 'L' || name[0] == 'R');
+    if (!std::isalnum(c)) begin = i + 1;
+    const bool second_capital = i == begin + 1 && std::isupper(c) && i + 1 < name.size() &&
+                                (name[begin] == 'L' || name[begin] == 'R');
     if ((breaks || second_capital) && !parts.back().empty()) parts.emplace_back();
     if (std::isalnum(c)) parts.back() += static_cast<char>(std::tolower(c));
   }

@@ -42,8 +42,8 @@ struct LimbNames {
   Words knee = {"shin", "calf", "lowerleg", "leglower", "lowleg", "knee", "leg", "tibia", "crus"};
   Words ankle = {"ankle", "foot", "feet"};
   Words toe_base = {"toebase", "toe", "toes", "toe0", "ball", "toe1", "metatarsals", "foot", "bigtoe"};
-  Words shoulder = {"upperarm", "uparm",   "arm",           "shldr",   "shldrbend",
-                    "armupper", "humerus", "uppershoulder", "shoulder"};
+  Words shoulder = {"upperarm",  "uparm",    "uarm",    "arm",           "shldr",
+                    "shldrbend", "armupper", "humerus", "uppershoulder", "shoulder"};
   Words elbow = {"forearm", "forearmbend", "lowerarm", "armlower", "lowarm",
                  "loarm",   "elbow",       "radius",   "farm"};
   Words wrist = {"wrist", "hand"};
@@ -72,32 +72,75 @@ class SkeletonReader {
   SkeletonMap result_;
 };
 
-/// A common prefix has no meaning: "Bip01", "J Bip", "Character1", "Robot".
-std::vector<SidedName> names_without_prefix(const std::vector<std::string>& points) {
-  std::vector<std::vector<std::string>> all;
-  for (const std::string& point : points) all.push_back(name_parts(point));
+using NameParts = std::vector<std::string>;
+
+/// Removes a first or last part that most names share and that has no meaning: "Bip01", "J Bip",
+/// "Character1"; "JNT".
+/// @param at  the place of the part in a name
+void drop_common_part(std::vector<NameParts>& all, NameParts::iterator (*at)(NameParts&)) {
   for (bool again = true; again;) {
     again = false;
     std::map<std::string, std::size_t> counts;
-    for (const auto& parts : all)
-      if (parts.size() > 1) ++counts[parts.front()];
+    for (NameParts& parts : all)
+      if (parts.size() > 1) ++counts[*at(parts)];
     for (const auto& [part, count] : counts) {
-      if (5 * count < 3 * all.size() || sided_name(std::vector{part}).side != 0) continue;
-      for (auto& parts : all)
-        if (parts.size() > 1 && parts.front() == part) parts.erase(parts.begin());
+      if (5 * count < 3 * all.size() || sided_name(NameParts{part}).side != 0) continue;
+      for (NameParts& parts : all)
+        if (parts.size() > 1 && *at(parts) == part) parts.erase(at(parts));
       again = true;
     }
   }
+}
+
+/// Some exporters number every node: "Hips_01", "LeftArm_015".
+void drop_running_numbers(std::vector<NameParts>& all) {
+  const auto is_numbered = [](const NameParts& parts) {
+    return parts.size() > 1 && parts.back().find_first_not_of("0123456789") == std::string::npos;
+  };
+  if (5 * static_cast<std::size_t>(std::ranges::count_if(all, is_numbered)) < 4 * all.size()) return;
+  for (NameParts& parts : all)
+    if (is_numbered(parts)) parts.pop_back();
+}
+
+/// "lfemur" and "rfemur" are the two sides of a limb's bone.
+void part_glued_sides(std::vector<SidedName>& names) {
+  const LimbNames limbs;
+  const auto is_limb = [&](const std::string& word) {
+    for (const Words* words : {&limbs.hip, &limbs.knee, &limbs.ankle, &limbs.toe_base, &limbs.shoulder,
+                               &limbs.elbow, &limbs.wrist})
+      if (std::ranges::any_of(*words, [&](const char* each) { return word == each; })) return true;
+    return false;
+  };
+  std::set<std::string> whole;
+  for (const SidedName& name : names)
+    if (name.side == 0) whole.insert(name.word);
+  for (SidedName& name : names) {
+    if (name.side != 0 || name.word.size() < 2) continue;
+    const std::string limb = name.word.substr(1);
+    if (is_limb(limb) && whole.contains("l" + limb) && whole.contains("r" + limb))
+      name = {limb, name.word.front() == 'l' ? 1 : -1};
+  }
+}
+
+std::vector<SidedName> names_without_ornament(const std::vector<std::string>& points) {
+  std::vector<NameParts> all;
+  for (const std::string& point : points) all.push_back(name_parts(point));
+  drop_running_numbers(all);
+  drop_common_part(all, [](NameParts& parts) { return parts.begin(); });
+  drop_common_part(all, [](NameParts& parts) { return parts.end() - 1; });
   std::vector<SidedName> names;
-  for (auto& parts : all) {
-    if (parts.size() > 1 && parts.front() == "c") parts.erase(parts.begin());  // as others have "L" and "R"
+  for (NameParts& parts : all) {
+    // "C" and "M" of the middle, as others have "L" and "R".
+    if (parts.size() > 1 && parts.front() == "c") parts.erase(parts.begin());
+    if (parts.size() > 1 && (parts.back() == "m" || parts.back() == "c")) parts.pop_back();
     names.push_back(sided_name(parts));
   }
+  part_glued_sides(names);
   return names;
 }
 
 SkeletonReader::SkeletonReader(const NamedMotion& motion)
-    : motion_(motion), names_(names_without_prefix(motion.points)) {
+    : motion_(motion), names_(names_without_ornament(motion.points)) {
   points_.fill(-1);
 }
 
@@ -157,8 +200,8 @@ void SkeletonReader::trunk() {
   if (root < 0)  // whatever both legs hang on
     for (int p = left; p >= 0 && root < 0; p = motion_.parents[index_of(p)])
       if (p != left && is_below(right, p)) root = p;
-  const int head = find({"head", "skull"}, 0);
-  int neck = find({"neck", "neck1", "neck01", "necklower", "lowerneck", "neck0"}, 0);
+  const int head = find({"head", "skull", "spine006"}, 0);  // the last of Rigify
+  int neck = find({"neck", "neck1", "neck01", "necklower", "lowerneck", "neck0", "spine004"}, 0);
   if (neck < 0 && head >= 0) neck = motion_.parents[index_of(head)];
   points_[Root] = root, points_[UpperNeck] = head, points_[LowerNeck] = neck;
   if (root < 0 || neck < 0) return;

@@ -6,6 +6,7 @@
 
 #include "core/base/little_endian.hpp"
 #include "core/base/text.hpp"
+#include "core/motion/joints/order_choice.hpp"
 #include "core/motion/joints/performers.hpp"
 #include "core/motion/numpy/numpy_file.hpp"
 #include "core/motion/numpy/smpl_body.hpp"
@@ -17,14 +18,16 @@ namespace {
 Result<std::optional<UpAxis>> up_axis_in(const NumpyFile& file) {
   const StoredArray* array = file.find({"up", "up_axis"});
   if (!array) return std::optional<UpAxis>();
-  const Error expected{R"(expected the axis that points up: the text "y" or "z")", file.place(*array)};
+  const Error expected{"expected the axis that points up, as a text: " + up_axis_names(), file.place(*array)};
   if (array->trouble) return *array->trouble;
   if (array->layout.is_number() || array->layout.count() != 1) return expected;
   const auto texts = texts_in(file, *array);
   if (!texts) return texts.error();
-  const std::string axis = lower_case(texts->front());
-  if (axis != "y" && axis != "z") return expected;
-  return std::optional<UpAxis>(axis == "z" ? UpAxis::Z : UpAxis::Y);
+  std::string axis = lower_case(texts->front());
+  if (axis.starts_with('+')) axis.erase(0, 1);
+  const auto up = find_up_axis(axis);
+  if (!up) return expected;
+  return up;
 }
 
 /// What a file without positions of joints is, as far as its arrays tell.
@@ -92,56 +95,6 @@ struct FoundNames {
   std::vector<ImportWarning> warnings;
 };
 
-Result<FoundNames> order_by_count(std::size_t joints, const std::string& where) {
-  std::vector<const JointOrder*> fitting;
-  for (const JointOrder& order : builtin_joint_orders())
-    if (order.points.size() == joints) fitting.push_back(&order);
-  const std::string says_it = "say which joint is which with an array joint_names in a .npz";
-  if (fitting.empty())
-    return Error{std::to_string(joints) + " joints without names, and no known order has this number (" +
-                     joint_order_names() + "); " + says_it,
-                 where, Hint::NameJointOrder};
-  if (fitting.size() > 1)
-    return Error{std::to_string(joints) + " joints without names may be " + fitting[0]->name + " or " +
-                     fitting[1]->name + "; " + says_it,
-                 where, Hint::NameJointOrder};
-  return FoundNames{fitting.front()->points,
-                    {{"joint-order", 0,
-                      "the joints have no names; the order " + fitting.front()->name +
-                          " was guessed, since it alone has " + std::to_string(joints)}}};
-}
-
-Result<FoundNames> names_for(const NumpyFile& file, const std::optional<JointOrder>& order,
-                             const StoredArray& positions) {
-  const std::size_t joints = positions.layout.shape[1];
-  if (order) {
-    if (order->points.size() != joints)
-      return Error{"has " + std::to_string(joints) + " joints; the order " + order->name + " has " +
-                       std::to_string(order->points.size()),
-                   file.place(positions)};
-    return FoundNames{order->points, {}};
-  }
-  const StoredArray* array = file.find({"joint_names"});
-  if (!array) return order_by_count(joints, file.place(positions));
-  if (array->trouble) return *array->trouble;
-  if (array->layout.is_number() || array->layout.shape.size() != 1 || array->layout.count() != joints)
-    return Error{"expected a name for each of the " + std::to_string(joints) + " joints, found " +
-                     (array->layout.is_number() ? "numbers of the shape " : "texts of the shape ") +
-                     array->layout.shape_text(),
-                 file.place(*array)};
-  auto names = texts_in(file, *array);
-  if (!names) return names.error();
-  if (are_of_a_robot(*names))
-    return Error{"has the names of a robot's parts (" + some_of(*names, 3) +
-                     "), and a robot is no person; expected positions of a person's joints",
-                 file.place(*array)};
-  FoundNames found{std::move(*names), {}};
-  for (const std::string& name : found.names)
-    if (name.empty()) return Error{"has a joint without a name", file.place(*array)};
-  make_names_unique(found.names, "joint", found.warnings);
-  return found;
-}
-
 Result<NamedMotion> motion_of(const NumpyFile& file, const StoredArray& array, const FoundNames& found) {
   const auto content = file.content_of(array);
   if (!content) return content.error();
@@ -171,6 +124,67 @@ Result<NamedMotion> motion_of(const NumpyFile& file, const StoredArray& array, c
                                std::to_string(content->size() - array.layout.bytes()) +
                                    " bytes behind the last element were not read"});
   return motion;
+}
+
+/// Without names: by the number of joints and, if that leaves several orders, by the bones.
+Result<FoundNames> guess_order(const NumpyFile& file, const StoredArray& positions) {
+  const std::size_t joints = positions.layout.shape[1];
+  std::vector<const JointOrder*> fitting;
+  for (const JointOrder& order : builtin_joint_orders())
+    if (order.points.size() == joints) fitting.push_back(&order);
+  const std::string where = file.place(positions);
+  const std::string says_it = "say which joint is which with an array joint_names in a .npz";
+  if (fitting.empty())
+    return Error{std::to_string(joints) + " joints without names, and no known order has this number (" +
+                     joint_order_names() + "); " + says_it,
+                 where, Hint::NameJointOrder};
+  const JointOrder* chosen = fitting.front();
+  std::string reason = "since it alone has " + std::to_string(joints);
+  if (fitting.size() > 1) {
+    const auto motion = motion_of(file, positions, {chosen->points, {}});
+    if (!motion) return motion.error();
+    chosen = order_of_steady_bones(fitting, motion->frames);
+    if (!chosen)
+      return Error{std::to_string(joints) + " joints without names may be " + fitting[0]->name + " or " +
+                       fitting[1]->name + "; " + says_it,
+                   where, Hint::NameJointOrder};
+    const JointOrder* other = chosen == fitting[0] ? fitting[1] : fitting[0];
+    reason = "since by it the bones keep their lengths, and not by " + other->name;
+  }
+  return FoundNames{chosen->points,
+                    {{"joint-order", 0,
+                      "the joints have no names; the order " + chosen->name + " was guessed, " + reason}}};
+}
+
+Result<FoundNames> names_for(const NumpyFile& file, const std::optional<JointOrder>& order,
+                             const StoredArray& positions) {
+  const std::size_t joints = positions.layout.shape[1];
+  if (order) {
+    if (order->points.size() != joints)
+      return Error{"has " + std::to_string(joints) + " joints; the order " + order->name + " has " +
+                       std::to_string(order->points.size()),
+                   file.place(positions)};
+    return FoundNames{order->points, {}};
+  }
+  const StoredArray* array = file.find({"joint_names"});
+  if (!array) return guess_order(file, positions);
+  if (array->trouble) return *array->trouble;
+  if (array->layout.is_number() || array->layout.shape.size() != 1 || array->layout.count() != joints)
+    return Error{"expected a name for each of the " + std::to_string(joints) + " joints, found " +
+                     (array->layout.is_number() ? "numbers of the shape " : "texts of the shape ") +
+                     array->layout.shape_text(),
+                 file.place(*array)};
+  auto names = texts_in(file, *array);
+  if (!names) return names.error();
+  if (are_of_a_robot(*names))
+    return Error{"has the names of a robot's parts (" + some_of(*names, 3) +
+                     "), and a robot is no person; expected positions of a person's joints",
+                 file.place(*array)};
+  FoundNames found{std::move(*names), {}};
+  for (const std::string& name : found.names)
+    if (name.empty()) return Error{"has a joint without a name", file.place(*array)};
+  make_names_unique(found.names, "joint", found.warnings);
+  return found;
 }
 
 /// Nothing in a file is ignored silently.

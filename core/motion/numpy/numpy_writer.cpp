@@ -35,7 +35,7 @@ Result<std::string> write_npz(std::span<const Clip> clips, const JointOrder& ord
   }
   files.push_back({"joint_names.npy", npy_of_texts(order.points, {order.points.size()})});
   files.push_back({"fps.npy", npy_of_numbers({clips.front().fps}, {})});
-  files.push_back({"up.npy", npy_of_texts({up == UpAxis::Z ? "z" : "y"}, {})});
+  files.push_back({"up.npy", npy_of_texts({name_of(up)}, {})});
   files.push_back({"metres_per_unit.npy", npy_of_numbers({metres_per_unit}, {})});
   return write_zip(files);
 }

@@ -105,7 +105,8 @@ void write_motion(const NamedMotion& motion, AnswerWriter& out) {
   for (const int parent : motion.parents) out.number(static_cast<std::int32_t>(parent));
   out.maybe(motion.fps);
   out.maybe(motion.metres_per_unit);
-  out.maybe(motion.up_axis ? std::optional<std::int32_t>(*motion.up_axis == UpAxis::Z) : std::nullopt);
+  out.maybe(motion.up_axis ? std::optional<std::int32_t>(static_cast<std::int32_t>(*motion.up_axis))
+                           : std::nullopt);
   out.texts(motion.animations);
   out.count(motion.warnings.size());
   for (const ImportWarning& warning : motion.warnings) {
@@ -132,8 +133,8 @@ NamedMotion read_answered_motion(AnswerReader& in) {
   motion.fps = in.maybe<double>();
   motion.metres_per_unit = in.maybe<double>();
   if (const auto axis = in.maybe<std::int32_t>()) {
-    if (*axis != 0 && *axis != 1) in.fail();
-    motion.up_axis = *axis == 1 ? UpAxis::Z : UpAxis::Y;
+    if (*axis < 0 || *axis >= static_cast<std::int32_t>(every_up_axis.size())) in.fail();
+    if (in.good()) motion.up_axis = every_up_axis[static_cast<std::size_t>(*axis)];
   }
   motion.animations = in.texts();
   motion.warnings.resize(in.count(2 * sizeof(std::uint64_t) + sizeof(std::int32_t)));

@@ -296,25 +296,13 @@ void C3dParser::settle_unit() {
     warn("unit", "the unit " + in_quotes(word) + " is not known");
 }
 
-/// Y_SCREEN is the axis that points up on the screen: +Z, +Y, ... X and negative ones are turned to Y here.
+/// Y_SCREEN is the axis that a program shows upwards: +Z, Y, -Z, ... It says how the capture was looked at;
+/// import_clip compares it with the people.
 void C3dParser::settle_axes() {
-  const auto axis = [this](const char* name) -> std::string {
-    const C3dParameter* screen = find(name);
-    const std::string text = screen && !screen->texts.empty() ? screen->texts.front() : std::string();
-    return text.size() == 1 ? "+" + text : text;
-  };
-  const std::string up = axis("POINT:Y_SCREEN");
-  if (up == "+Y") motion_.up_axis = UpAxis::Y;
-  if (up == "+Z") motion_.up_axis = UpAxis::Z;
-  if (up != "-Y" && up != "-Z" && up != "+X" && up != "-X") return;
-  Eigen::Matrix3d turn;  // proper rotations that take `up` to +Y
-  if (up == "-Y") turn << 1, 0, 0, 0, -1, 0, 0, 0, -1;
-  if (up == "-Z") turn << 1, 0, 0, 0, 0, -1, 0, 1, 0;
-  if (up == "+X") turn << 0, -1, 0, 1, 0, 0, 0, 0, 1;
-  if (up == "-X") turn << 0, 1, 0, -1, 0, 0, 0, 0, 1;
-  for (Positions& frame : motion_.frames) frame = (frame * turn.transpose()).eval();
-  motion_.up_axis = UpAxis::Y;
-  warn("up-axis", "the file says that " + up + " points up; it was turned to Y");
+  const C3dParameter* screen = find("POINT:Y_SCREEN");
+  std::string axis = screen && !screen->texts.empty() ? lower_case(screen->texts.front()) : std::string();
+  if (axis.starts_with('+')) axis.erase(0, 1);
+  motion_.up_axis = find_up_axis(axis);
 }
 
 std::vector<std::string> C3dParser::label_prefixes() const {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <map>
+#include <set>
 
 #include "core/base/text.hpp"
 #include "core/motion/body/joint_set.hpp"
@@ -35,13 +36,18 @@ AxisName axis_name(std::string_view field) {
     if (const auto at = field.rfind(open); at != std::string_view::npos && field.back() == close) {
       name.unit = trimmed(field.substr(at + 1, field.size() - at - 2));
       field = trimmed(field.substr(0, at));
+      if (const int axis = axis_of(name.unit); axis >= 0 && !field.empty())
+        return {std::string(field), axis, {}};  // "Hips[X]"
     }
   if (field.size() < 2) return name;
   const std::string_view marks = "_.:- ";
   if (const int axis = axis_of(field.substr(field.size() - 1)); axis >= 0) {
     std::string_view point = field.substr(0, field.size() - 1);
     const bool apart = marks.find(point.back()) != std::string_view::npos;
-    const bool capital = field.back() < 'a';  // "LASIX", but not "index"
+    bool capital = field.back() < 'a';  // "LASIX", but not "index"
+    if (point.size() > 2 && point.back() == 't' &&
+        marks.find(point[point.size() - 2]) != std::string_view::npos)
+      capital = true;  // "Hips_tx"
     if (apart) point = point.substr(0, point.size() - 1);
     if ((apart || capital) && !point.empty()) name.point = trimmed(point), name.axis = axis;
   } else if (const int first = axis_of(field.substr(0, 1));
@@ -69,6 +75,35 @@ void note_time(const Fields& names, PointCsvHeader& header) {
     }
 }
 
+/// "Hips_pos", "Hips.position", "Hips T" without the word behind the point; empty where there is none.
+std::string_view without_position_word(std::string_view point) {
+  const std::string_view marks = "_.:- ";
+  const std::string lower = lower_case(point);
+  for (const std::string_view word : {"position", "translation", "translate", "trans", "pos", "t"}) {
+    if (!lower.ends_with(word) || lower.size() == word.size()) continue;
+    const std::size_t end = lower.size() - word.size();
+    if (marks.find(point[end - 1]) != std::string_view::npos) return trimmed(point.substr(0, end - 1));
+    if (word.size() > 2 && std::isupper(static_cast<unsigned char>(point[end]))) return point.substr(0, end);
+  }
+  return {};
+}
+
+/// Where the columns of positions are called so, others (rotations, velocities) are no points.
+void keep_positions(PointCsvHeader& header) {
+  constexpr std::size_t fewest_positions = 8;
+  std::vector<PointColumn> positions;
+  for (const PointColumn& column : header.columns)
+    if (const std::string_view point = without_position_word(column.name); !point.empty())
+      positions.push_back({std::string(point), column.fields});
+  if (positions.size() < fewest_positions || 3 * positions.size() < header.columns.size()) return;
+  if (positions.size() < header.columns.size())
+    header.warnings.push_back({"columns", 0,
+                               std::to_string(header.columns.size() - positions.size()) + " of " +
+                                   std::to_string(header.columns.size()) +
+                                   " groups of columns are not called positions and were left out"});
+  header.columns = std::move(positions);
+}
+
 /// One line that names each column: root_x, root_y, root_z. Points with all three axes, in their order.
 bool read_axis_names(const Fields& fields, PointCsvHeader& header) {
   std::map<std::string, std::array<std::optional<std::size_t>, 3>> places;
@@ -86,6 +121,7 @@ bool read_axis_names(const Fields& fields, PointCsvHeader& header) {
     if (const auto& place = places[point]; place[0] && place[1] && place[2])
       header.columns.push_back({point, {*place[0], *place[1], *place[2]}});
   if (header.columns.empty()) return false;
+  keep_positions(header);
   if (!unit.empty()) header.metres_per_unit = metres_of_unit(unit);
   note_time(fields, header);
   return true;
@@ -129,6 +165,7 @@ class MotiveHeader {
 
  private:
   void take_columns(const std::string& type);
+  void name_roots();
   std::string_view at(const Fields& row, std::size_t f) const {
     return f < row.size() ? row[f] : std::string_view();
   }
@@ -147,11 +184,22 @@ void MotiveHeader::take_columns(const std::string& type) {
   }
 }
 
+/// The first bone may be called like its skeleton: "Anna", then "Anna:Ab".
+void MotiveHeader::name_roots() {
+  std::set<std::string> names;
+  for (const PointColumn& column : header_.columns) names.insert(column.name);
+  for (PointColumn& column : header_.columns) {
+    const bool is_skeleton = std::ranges::any_of(
+        names, [&](const std::string& name) { return name.starts_with(column.name + ":"); });
+    if (is_skeleton && !names.contains(column.name + ":Hip")) column.name += ":Hip";
+  }
+}
+
 Status MotiveHeader::read(const Fields& first) {
-  header_.separator = ',';
   header_.metres_per_unit = metres_of_unit(value_behind(first, "length units"));
-  if (const auto rate = parse_number(value_behind(first, "export frame rate")); rate && *rate > 0)
-    header_.fps = *rate;
+  std::string stated(value_behind(first, "export frame rate"));
+  if (header_.separator != ',') std::ranges::replace(stated, ',', '.');
+  if (const auto rate = parse_number(stated); rate && *rate > 0) header_.fps = *rate;
   const std::string space = lower_case(value_behind(first, "coordinate space"));
   if (!space.empty() && space != "global")
     return error_at(where_, 1,
@@ -159,7 +207,7 @@ Status MotiveHeader::read(const Fields& first) {
                         ", relative to the parent bone; export from Motive with the coordinate space Global");
   std::string_view line;
   for (int n = 0; n < header_lines && lines_.next(line); ++n) {
-    const Fields fields = table_fields(line, ',');
+    const Fields fields = table_fields(line, header_.separator);
     const std::string label = fields.size() > 1 ? lower_case(fields[1]) : std::string();
     if (label == "type") types_ = fields;
     if (label == "name") names_ = fields;
@@ -170,6 +218,7 @@ Status MotiveHeader::read(const Fields& first) {
     note_time(fields, header_);
     for (const char* type : {"bone", "bone marker", "rigid body", "marker", "rigid body marker"}) {
       take_columns(type);
+      if (type == std::string_view("bone")) name_roots();
       if (header_.columns.size() >= 8) return Done{};
       header_.columns.clear();
     }

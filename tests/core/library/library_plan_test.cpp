@@ -98,6 +98,31 @@ TEST_F(Plan, SavedAsAManifestReadsBackTheSame) {
   EXPECT_NE(manifest_json(told, folder).find("\"x_A.bvh\""), std::string::npos) << "relative to its folder";
 }
 
+/// Y points down, as in the space of a camera: the manifest must say so, or the library is upside down.
+TEST_F(Plan, KeepsAnAxisThatPointsDown) {
+  for (const bool follower : {false, true}) {
+    const PairedTake take = test::circling_take("t", 20);
+    Clip clip = follower ? take.b : take.a;
+    for (Pose& pose : clip.poses) turn_from_y_up(pose, UpAxis::MinusY);
+    std::ofstream(folder / (follower ? "x_follower.bvh" : "x_leader.bvh"))
+        << *write_bvh(std::vector<Clip>{clip});
+    survey(follower ? "x_follower.bvh" : "x_leader.bvh");
+  }
+  pair_up(plan);
+  const auto read = parse_manifest(manifest_json(manifest_of(plan), folder), folder / "mine.json");
+  ASSERT_TRUE(read.ok()) << read.error().text();
+  ASSERT_EQ(read->takes.size(), 1U);
+  std::vector<std::string> warned;
+  const auto library = build_library(*read, {}, {}, warned);
+  ASSERT_TRUE(library.ok()) << library.error().text();
+  EXPECT_EQ(read->takes[0].a.up_axis, UpAxis::MinusY);
+  EXPECT_EQ(read->takes[0].b.up_axis, UpAxis::MinusY);
+  const auto take = load_take(read->takes[0], warned);
+  ASSERT_TRUE(take.ok()) << take.error().text();
+  for (const Clip* clip : {&take->a, &take->b})
+    EXPECT_GT(clip->poses[0](joints::Head, 1), 1.2) << "metres above the floor";
+}
+
 TEST_F(Plan, UsesTheFramesThatBothHave) {
   write("x_A.bvh", 20, false);
   write("x_B.bvh", 20, true, 1, 3);  // began three frames later

@@ -137,14 +137,19 @@ TEST(C3dReader, KnowsUnits) {
   EXPECT_THAT(the_warning(motion.warnings, "unit").detail, HasSubstr("'furlong'"));
 }
 
-TEST(C3dReader, KnowsWhichAxisPointsUpAndTurnsUnusualOnes) {
+TEST(C3dReader, TellsWhichAxisWasShownUpwardsAndTurnsNothing) {
   C3dBytesWriter writer = two_markers();
-  writer.x_screen = "+X", writer.y_screen = "+Z";
-  EXPECT_EQ(read_one(writer.bytes()).up_axis, UpAxis::Z);
-  writer.y_screen = "-Y";
-  const NamedMotion turned = read_one(writer.bytes());
-  EXPECT_EQ(turned.up_axis, UpAxis::Y);
-  test::expect_near(place(turned, 0, "LASI"), {100.5, 20.3, -900.1}, 5e-5);
+  const Vec3 as_written = place(read_one(writer.bytes()), 0, "LASI");
+  for (const auto& [screen, up] : {std::pair("+Z", UpAxis::Z), std::pair("y", UpAxis::Y),
+                                   std::pair("-Z", UpAxis::MinusZ), std::pair("-X", UpAxis::MinusX)}) {
+    writer.x_screen = "+X", writer.y_screen = screen;
+    const NamedMotion motion = read_one(writer.bytes());
+    EXPECT_EQ(motion.up_axis, up) << screen;
+    EXPECT_EQ(place(motion, 0, "LASI"), as_written);
+    EXPECT_FALSE(has_warning(motion.warnings, "up-axis"));
+  }
+  writer.y_screen = "up";
+  EXPECT_FALSE(read_one(writer.bytes()).up_axis);
 }
 
 TEST(C3dReader, LeavesOutWhatAModelComputedAndWhatHasNoName) {

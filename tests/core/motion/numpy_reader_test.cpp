@@ -154,6 +154,19 @@ TEST(NumpyReader, GuessesTheOrderByTheCountWhereThatTellsAndSaysSo) {
   EXPECT_THAT(refusal(either, find_joint_order("smplh52").value()), HasSubstr("the order smplh52 has 52"));
 }
 
+/// An order with as many joints as another would put knees where elbows are, and be read without a word.
+TEST(NumpyReader, OfTwoOrdersTakesTheOneByWhichBonesKeepTheirLengths) {
+  const auto take = test::swinging_take("dance", 60, 1);
+  for (const char* name : {"lafan22", "smplx22", "smplh52", "smplhmodel52"}) {
+    const JointOrder order = find_joint_order(name).value();
+    const std::string bytes = clip_file_content("a.npy", std::array{take.a}, {1, UpAxis::Y, order}).value();
+    const NamedMotion motion = read_one(bytes);
+    EXPECT_EQ(motion.points, order.points) << name;
+    EXPECT_THAT(test::the_warning(motion.warnings, "joint-order").detail,
+                HasSubstr(std::string("the order ") + name + " was guessed, since by it the bones keep"));
+  }
+}
+
 TEST(NumpyReader, WhatWasNotSeenIsAGap) {
   std::vector<double> values = in_c_order({test::standing_pose()});
   values[4] = std::nan("");
@@ -226,6 +239,7 @@ TEST(JointOrders, KneesStayKneesInEveryOrder) {
   for (const auto& [order, knee] : {std::pair("lafan22", "LeftLeg"),
                                     {"smplx22", "L_Knee"},
                                     {"smplh52", "L_Knee"},
+                                    {"smplhmodel52", "L_Knee"},
                                     {"mocap53", "LeftLeg"},
                                     {"abrazo25", "lfemur"}}) {
     const JointOrder found = find_joint_order(order).value();

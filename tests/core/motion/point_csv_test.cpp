@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdio>
 
@@ -121,6 +123,52 @@ TEST(PointCsv, ReadsTheBonesOfAnExportOfMotive) {
   EXPECT_EQ(motion.fps, 60.0);
   EXPECT_EQ(motion.metres_per_unit, 0.001);
   EXPECT_THAT(message_of(motive_export("Local")), HasSubstr("coordinate space Global"));
+}
+
+/// Saved again by a table program of a country with decimal commas.
+TEST(PointCsv, ReadsAnExportOfMotiveWithSemicolonsOrTabs) {
+  for (const char separator : {';', '\t'}) {
+    std::string text = motive_export("Global");
+    std::ranges::replace(text, ',', separator);
+    text.replace(text.find("60"), 2, "59,94");
+    text.replace(text.rfind("4"), 1, "4,5");
+    const NamedMotion motion = read(text).front();
+    EXPECT_EQ(motion.points.size(), 9U);
+    EXPECT_EQ(place(motion, 0, "Bone4"), Vec3(4.5, 2, 3));
+    EXPECT_EQ(motion.fps, 59.94);
+  }
+}
+
+TEST(PointCsv, TheFirstBoneOfMotiveMayBeCalledLikeItsSkeleton) {
+  std::string text = motive_export("Global");
+  for (auto at = text.find("Fred:Bone0"); at != std::string::npos; at = text.find("Fred:Bone0"))
+    text.replace(at, 10, "Fred");
+  const NamedMotion motion = read(text).front();
+  EXPECT_EQ(motion.name, "Fred");
+  EXPECT_EQ(place(motion, 0, "Hip"), Vec3(0, 2, 3));
+  EXPECT_EQ(motion.points.size(), 9U);
+}
+
+TEST(PointCsv, TakesTheColumnsThatAreCalledPositions) {
+  for (const char* word : {"_pos_", ".position.", "Position", " T", "_t", "_trans_"}) {
+    SCOPED_TRACE(word);
+    const bool capital =
+        std::isalpha(static_cast<unsigned char>(std::string(word).back())) != 0 && *word != '_';
+    std::string names = "time", row = "0";
+    for (int point = 0; point < 8; ++point)
+      for (const char* kind : {word, "_rot_"})
+        for (const char* axis : {"x", "y", "z"}) {
+          const std::string letter =
+              capital && kind == word ? std::string(1, static_cast<char>(*axis - 32)) : axis;
+          names += ",M" + std::to_string(point) + kind + letter;
+          row += kind == word ? "," + std::to_string(point) : ",9";
+        }
+    const NamedMotion motion = read(names + "\n" + row + "\n").front();
+    ASSERT_EQ(motion.points.size(), 8U);
+    EXPECT_EQ(place(motion, 0, "M3"), Vec3(3, 3, 3));
+    EXPECT_THAT(the_warning(motion.warnings, "columns").detail, HasSubstr("8 of 16 groups of columns"));
+  }
+  EXPECT_EQ(read("a[X],a[Y],a[Z]\n1,2,3\n").front().points, std::vector<std::string>{"a"});
 }
 
 TEST(PointCsv, IsToldFromLabels) {
