@@ -187,6 +187,26 @@ TEST(NatNetModelDescription, IsReadInEveryVersionWithMarkersAndRestRotations) {
   }
 }
 
+TEST(NatNetModelDescription, OnlyTheSkeletonsOwnNameIsTakenOffItsBones) {
+  const auto names_in = [](const std::string& skeleton_name, std::vector<std::string> names) {
+    NatNetModel sent, read;
+    sent.skeletons = {skeleton(skeleton_name, 1)};
+    auto& bones = sent.skeletons[0].bones;
+    names.resize(std::min(names.size(), bones.size()));
+    bones.resize(names.size());
+    for (std::size_t b = 0; b < names.size(); ++b) bones[b].name = names[b];
+    ByteWriter writer(ByteOrder::Little);
+    write_natnet_model(writer, sent, v41);
+    ByteReader reader(writer.bytes(), ByteOrder::Little);
+    read = *parse_natnet_model(reader, v41);
+    for (std::size_t b = 0; b < names.size(); ++b) names[b] = read.skeletons.at(0).bones.at(b).name;
+    return names;
+  };
+  EXPECT_EQ(names_in("Ana", {"Ana_Hip", "Ana:Head"}), (std::vector<std::string>{"Hip", "Head"}));
+  EXPECT_EQ(names_in("Ana", {"Arm_twist", "An"}), (std::vector<std::string>{"Arm_twist", "An"}));
+  EXPECT_EQ(names_in("", {"_Hip"}), std::vector<std::string>{"_Hip"});
+}
+
 TEST(NatNetModelDescription, AnUnknownKindCostsOnlyItselfWhereSizesAreSent) {
   const auto bytes = test::bytes_of("02 00 00 00  63 00 00 00 02 00 00 00 EE EE" +
                                     std::string("05 00 00 00 1E 00 00 00 43 00") + std::string(56, '0'));
