@@ -298,6 +298,21 @@ TEST_F(RecordingFaults, ReadingAFileWhileItIsRecordedIsNoTrouble) {
   EXPECT_TRUE(session.recorder().finish());
 }
 
+TEST_F(RecordingFaults, AnotherThatMayNotWriteIntoTheFileDoesNot) {
+  const std::string path = file("s.abrazo");
+  Recorded session(path);
+  session.run_until(0.5);
+  ASSERT_TRUE(session.recorder().flush());
+  std::this_thread::sleep_for(kernel_tick);
+  EXPECT_FALSE(save_project(path, Project()));
+  EXPECT_FALSE(migrate_session(path));
+  EXPECT_FALSE(Recorder::open(path, test::session_facts()));
+  session.run_until(0.6);
+  ASSERT_TRUE(session.recorder().flush());
+  EXPECT_THAT(session.recorder().state().failure, IsEmpty());
+  EXPECT_TRUE(session.recorder().finish());
+}
+
 TEST_F(RecordingFaults, AFileThatIsPutBackIsNoTroubleAnyMore) {
   const std::string path = file("s.abrazo"), away = file("away.abrazo");
   Recorded session(path);
