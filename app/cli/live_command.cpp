@@ -200,7 +200,7 @@ std::vector<LiveEnd::Diagnosis> run(CommandLine& line, const LiveOptions& option
       if (const auto recorder = engine.recorder())
         if (const std::string failure = recorder->state().failure; failure != told_failure) {
           told_failure = failure;
-          warn(line, failure.empty() ? "recording continues" : "nothing is recorded now: " + failure);
+          warn(line, failure.empty() ? "recording continues" : "recording: " + failure);
         }
       show_state(line, live.line(now_s - start_s));
     }

@@ -35,4 +35,10 @@ WatchedFile::State WatchedFile::state() const {
   return is_same ? State::There : State::Moved;
 }
 
+std::optional<std::int64_t> WatchedFile::written_ns() const {
+  struct stat own {};
+  if (descriptor_ < 0 || ::fstat(descriptor_, &own) != 0) return std::nullopt;
+  return std::int64_t{own.st_mtim.tv_sec} * 1'000'000'000 + own.st_mtim.tv_nsec;
+}
+
 }  // namespace abrazo

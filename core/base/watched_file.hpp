@@ -1,11 +1,13 @@
 #pragma once
 
+#include <cstdint>
+#include <optional>
 #include <string>
 
 namespace abrazo {
 
-/// Remembers the file behind a path, to detect that it is deleted or moved while in use. Does not read or
-/// lock the file.
+/// Remembers the file behind a path, to detect that it is deleted, moved or written by others while in use.
+/// Does not read or lock the file.
 class WatchedFile {
  public:
   /// @param path of an existing file; a missing one counts as deleted
@@ -20,6 +22,9 @@ class WatchedFile {
     Moved     ///< it has another name, or another file has taken its name
   };
   State state() const;
+  /// When the file was last written under any name [ns since 1970]; none if unknown. Two writes within one
+  /// tick of the kernel's clock, some 4 ms, have the same time.
+  std::optional<std::int64_t> written_ns() const;
 
  private:
   std::string path_;

@@ -7,10 +7,11 @@
 // Actions, keys, clicks, drags, wheel, values, sizes, dialogs, files, a stream that comes and goes, closing
 // and opening again. A seed gives the same wishes again; what they meet depends on time. Answers 1 after a
 // crash, when the window was unanswered for more than 0.5 s, not counting the wait for a processor, or when
-// memory without the frames of the history, which has a bound, grew by more than 60 MB after the first
+// memory in use without the frames of the history, which has a bound, grew by more than 60 MB after the first
 // quarter; says the seed and the last 50 things it did.
 #include <execinfo.h>
 #include <fcntl.h>
+#include <malloc.h>
 #include <unistd.h>
 
 #include <QAction>
@@ -184,10 +185,15 @@ class Monkey : public QObject {
     m_sampled = minutes;
     const app::LiveSession* session = m_window->session();
     const double history_mb = session ? static_cast<double>(session->history().span().bytes) / 1e6 : 0;
+    // Pages that were freed and that the allocator keeps for what comes are no growth.
+    const double with_freed_mb = memory_mb();
+    ::malloc_trim(0);
     m_memoryLast = memory_mb() - history_mb;
     if (minutes < m_wish.minutes / 4) m_memoryEarly = m_memoryLast;
-    std::printf("monkey: %.1f min, %d windows, %.0f MB, and %.0f MB of the history's frames\n", minutes,
-                m_windows, m_memoryLast, history_mb);
+    std::printf(
+        "monkey: %.1f min, %d windows, %.0f MB in use, %.0f MB freed and kept by the allocator, %.0f MB of "
+        "the history's frames\n",
+        minutes, m_windows, m_memoryLast, with_freed_mb - history_mb - m_memoryLast, history_mb);
     std::fflush(stdout);
   }
 

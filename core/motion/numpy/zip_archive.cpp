@@ -204,7 +204,7 @@ Result<std::string> write_zip(std::span<const ZipContent> files) {
     contents.append(contents_mark);
     put(contents, version, 2);
     contents.append(common);
-    put(contents, 0, 10), put(contents, at, 4);
+    put(contents, 0, 8), put(contents, 0, 2), put(contents, at, 4);
     contents.append(file.name);
   }
   const std::uint64_t at = archive.size();

@@ -392,11 +392,13 @@ Status SessionDatabase::abandon() {
 }
 
 Status SessionDatabase::close() {
+  // The file and log of a program that records into them are its own to write.
+  const bool is_held = is_held_elsewhere();
   // A program that reads the file at the moment prevents it from becoming a plain file, which its last reader
   // then makes of it when it closes.
   set_patience(0);
-  const Status checkpointed = execute("PRAGMA wal_checkpoint(TRUNCATE)");
-  if (checkpointed) (void)execute("PRAGMA journal_mode=DELETE");
+  const Status checkpointed = is_held ? Status(Done{}) : execute("PRAGMA wal_checkpoint(TRUNCATE)");
+  if (checkpointed && !is_held) (void)execute("PRAGMA journal_mode=DELETE");
   const int code = sqlite3_close_v2(std::exchange(handle_->database, nullptr));
   if (!checkpointed && fault_ != DatabaseFault::Busy) return checkpointed.error();
   if (code != SQLITE_OK) return error_of(code, nullptr, handle_->path);

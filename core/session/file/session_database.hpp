@@ -98,7 +98,7 @@ class SessionDatabase {
   std::optional<std::int64_t> bytes_on_disk() const;
   /// Closes without touching the log.
   Status abandon();
-  /// Moves the write-ahead log into the file and removes the log.
+  /// Moves the write-ahead log into the file and removes the log, unless another program writes to them.
   Status close();
 
  private:

@@ -106,6 +106,7 @@ Status SessionWriter::prepare_file(const RecorderOptions& options) {
   committed_ = memory_;
   log_.emplace(database_.path() + "-wal");
   log_index_.emplace(database_.path() + "-shm");
+  note_own_write();
   return keep_fault(statements_->begin);
 }
 
@@ -207,12 +208,14 @@ Status SessionWriter::commit(std::uint64_t lost) {
   }
   if (Status done = keep_fault(statements_->commit); !done) return done;
   committed_ = memory_;
+  note_own_write();
   // What was written is on disk; that another program writes now is the next batch's trouble.
   is_open_ = statements_->begin.run().ok();
   return Done{};
 }
 
 Status SessionWriter::begin_batch() {
+  look_for_other_writers();
   if (is_open_) return Done{};
   const Status begun = keep_fault(statements_->begin);
   is_open_ = begun.ok();
@@ -222,6 +225,7 @@ Status SessionWriter::begin_batch() {
 void SessionWriter::roll_back() {
   memory_ = committed_;
   (void)database_.execute("ROLLBACK");  // fails when SQLite has already done it
+  note_own_write();
   is_open_ = statements_->begin.run().ok();
 }
 
@@ -233,6 +237,18 @@ std::uint64_t SessionWriter::bytes() const {
     if (!failure) total += size;
   }
   return total;
+}
+
+// This connection holds the right to write from the first row to the last, and readers write neither file: a
+// time that is not of its own last write is another program's.
+void SessionWriter::look_for_other_writers() {
+  was_cut_ =
+      was_cut_ || file_.written_ns() != file_written_ns_ || (log_ && log_->written_ns() != log_written_ns_);
+}
+
+void SessionWriter::note_own_write() {
+  file_written_ns_ = file_.written_ns();
+  if (log_) log_written_ns_ = log_->written_ns();
 }
 
 std::string SessionWriter::misplaced() {
@@ -250,6 +266,7 @@ std::string SessionWriter::misplaced() {
     was_cut_ = was_cut_ || *on_disk < most_on_disk_;
     most_on_disk_ = std::max(most_on_disk_, *on_disk);
   }
+  look_for_other_writers();
   if (was_cut_)
     return "the file was cut short or written over by another program while it is recorded; end the "
            "recording now, look whether it opens, and record to another file";

@@ -97,6 +97,8 @@ class SessionWriter {
   Status note_settings(const FrameSnapshot& frame, std::int64_t index, double time_s);
   Status note_take(std::int64_t index, double time_s);
   Result<std::int64_t> performer_id(const std::string& name);
+  void look_for_other_writers();
+  void note_own_write();
   bool has_own_log() const;
   void remove_own_log();
   Status write_again();
@@ -113,10 +115,12 @@ class SessionWriter {
   bool is_open_ = true;  ///< a transaction is open
   SessionDatabase database_;
   WatchedFile file_;
-  std::int64_t most_on_disk_ = 0;  ///< largest file size seen: a shorter file was truncated
-  bool was_cut_ = false;
+  std::int64_t most_on_disk_ = 0;               ///< largest file size seen: a shorter file was truncated
+  bool was_cut_ = false;                        ///< or written over
   std::optional<WatchedFile> log_, log_index_;  ///< created or found by this connection
-  std::unique_ptr<Statements> statements_;      // after the database: destroyed before it
+  /// Times of the last write to the file and to its log, which were this writer's.
+  std::optional<std::int64_t> file_written_ns_, log_written_ns_;
+  std::unique_ptr<Statements> statements_;  // after the database: destroyed before it
 
  public:
   ~SessionWriter();

@@ -2,7 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstdlib>
+#include <thread>
 
 #include "core/base/atomic_file.hpp"
 #include "core/session/file/project.hpp"
@@ -22,6 +24,9 @@ using testing::IsEmpty;
 
 #define NEEDS_A_DISK(disk) \
   if (!(disk).mounted()) GTEST_SKIP() << "this user may not mount a disk of its own; needs root"
+
+/// Two writes within it have the same time.
+constexpr std::chrono::milliseconds kernel_tick(20);
 
 struct Recorded : test::DrivenSession {
   explicit Recorded(const std::string& path) {
@@ -241,9 +246,10 @@ TEST_F(RecordingFaults, AFileThatIsRenamedWhileItIsRecordedIsSaidAndIsWholeUnder
 
 TEST_F(RecordingFaults, AFileThatIsCutShortOrWrittenOverWhileItIsRecordedIsSaidAtOnce) {
   // By other programs, as it happens; our own descriptors would drop the locks of the recording.
+  int number = 0;
   for (const std::string harm :
        {"truncate -s 100 ", "dd if=/dev/zero bs=64 count=1 conv=notrunc status=none of="}) {
-    const std::string path = file("harmed_" + std::to_string(harm.size()) + ".abrazo");
+    const std::string path = file("harmed_" + std::to_string(number++) + ".abrazo");
     Recorded session(path);
     session.run_until(0.5);
     ASSERT_TRUE(session.recorder().flush());
@@ -258,6 +264,53 @@ TEST_F(RecordingFaults, AFileThatIsCutShortOrWrittenOverWhileItIsRecordedIsSaidA
                 AnyOf(HasSubstr("look whether the session opens"), HasSubstr("the file is damaged")))
         << harm;
   }
+}
+
+TEST_F(RecordingFaults, WritingOverTheMiddleOfTheFileOrOfItsLogIsSaidAtOnce) {
+  const std::string harm = "dd if=/dev/urandom bs=100 seek=300 count=1 conv=notrunc status=none of=";
+  for (const std::string end : {"", "-wal"}) {
+    const std::string path = file("harmed" + end + ".abrazo");
+    Recorded session(path);
+    session.run_until(0.5);
+    ASSERT_TRUE(session.recorder().flush());
+    ASSERT_GT(fs::file_size(path + end), 30'100U);
+    EXPECT_THAT(session.recorder().state().failure, IsEmpty());
+    std::this_thread::sleep_for(kernel_tick);
+    ASSERT_EQ(std::system((harm + path + end).c_str()), 0);
+    session.run_until(0.6);
+    (void)session.recorder().flush();
+    EXPECT_THAT(session.recorder().state().failure, HasSubstr("written over by another program"));
+    EXPECT_FALSE(session.recorder().finish());
+  }
+}
+
+TEST_F(RecordingFaults, ReadingAFileWhileItIsRecordedIsNoTrouble) {
+  const std::string path = file("s.abrazo");
+  Recorded session(path);
+  for (double until_s = 0.5; until_s < 3; until_s += 0.5) {
+    session.run_until(until_s);
+    ASSERT_TRUE(session.recorder().flush());
+    std::this_thread::sleep_for(kernel_tick);
+    expect_all(frames_in(path), session.solved());
+    ASSERT_EQ(std::system(("cat " + path + " " + path + "-wal > /dev/null").c_str()), 0);
+    EXPECT_THAT(session.recorder().state().failure, IsEmpty());
+  }
+  EXPECT_TRUE(session.recorder().finish());
+}
+
+TEST_F(RecordingFaults, AnotherThatMayNotWriteIntoTheFileDoesNot) {
+  const std::string path = file("s.abrazo");
+  Recorded session(path);
+  session.run_until(0.5);
+  ASSERT_TRUE(session.recorder().flush());
+  std::this_thread::sleep_for(kernel_tick);
+  EXPECT_FALSE(save_project(path, Project()));
+  EXPECT_FALSE(migrate_session(path));
+  EXPECT_FALSE(Recorder::open(path, test::session_facts()));
+  session.run_until(0.6);
+  ASSERT_TRUE(session.recorder().flush());
+  EXPECT_THAT(session.recorder().state().failure, IsEmpty());
+  EXPECT_TRUE(session.recorder().finish());
 }
 
 TEST_F(RecordingFaults, AFileThatIsPutBackIsNoTroubleAnyMore) {

@@ -187,6 +187,53 @@ TEST(NatNetModelDescription, IsReadInEveryVersionWithMarkersAndRestRotations) {
   }
 }
 
+TEST(NatNetModelDescription, OnlyTheSkeletonsOwnNameIsTakenOffItsBones) {
+  const auto names_in = [](const std::string& skeleton_name, std::vector<std::string> names) {
+    ByteWriter writer(ByteOrder::Little);
+    for (const int head : {1, 2}) writer.i32(head);  // one description, a skeleton
+    writer.c_string(skeleton_name);
+    writer.i32(7);
+    writer.i32(static_cast<std::int32_t>(names.size()));
+    for (std::size_t b = 0; b < names.size(); ++b) {
+      writer.c_string(names[b]);
+      writer.i32(static_cast<std::int32_t>(b + 1));
+      writer.i32(static_cast<std::int32_t>(b));
+      writer.vec3(Vec3::UnitY());
+      writer.i32(0);  // markers
+    }
+    ByteReader reader(writer.bytes(), ByteOrder::Little);
+    const auto model = parse_natnet_model(reader, {3, 0});
+    for (std::size_t b = 0; b < names.size(); ++b) names[b] = model->skeletons.at(0).bones.at(b).name;
+    return names;
+  };
+  EXPECT_EQ(names_in("Ana", {"Ana_Hip", "Ana:Head"}), (std::vector<std::string>{"Hip", "Head"}));
+  EXPECT_EQ(names_in("Ana", {"Arm_twist", "An"}), (std::vector<std::string>{"Arm_twist", "An"}));
+  EXPECT_EQ(names_in("", {"_Hip"}), std::vector<std::string>{"_Hip"});
+}
+
+TEST(NatNetModelDescription, AnAssetIsPassedOverWhole) {
+  for (const int markers : {0, 1, 3}) {
+    ByteWriter writer(ByteOrder::Little);
+    for (const int head : {1, 6}) writer.i32(head);  // one description, an asset
+    const std::size_t size_at = writer.size();
+    writer.u32(0);
+    writer.c_string("A");
+    for (const int number : {1, 2, 0, markers}) writer.i32(number);  // kind, number, rigid bodies, markers
+    for (int m = 0; m < markers; ++m) {
+      writer.c_string("M");
+      writer.i32(m);
+      writer.vec3(Vec3::UnitX());
+      writer.i32(1);
+      for (int rest = 0; rest < 2; ++rest) writer.u8(0);
+    }
+    writer.u32_at(size_at, static_cast<std::uint32_t>(writer.size() - size_at - 4));
+    ByteReader reader(writer.bytes(), ByteOrder::Little);
+    const auto model = parse_natnet_model(reader, v41);
+    ASSERT_TRUE(model) << model.error().text();
+    EXPECT_TRUE(model->unread.empty()) << markers << ": " << model->unread.front();
+  }
+}
+
 TEST(NatNetModelDescription, AnUnknownKindCostsOnlyItselfWhereSizesAreSent) {
   const auto bytes = test::bytes_of("02 00 00 00  63 00 00 00 02 00 00 00 EE EE" +
                                     std::string("05 00 00 00 1E 00 00 00 43 00") + std::string(56, '0'));

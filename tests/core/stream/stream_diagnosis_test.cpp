@@ -191,6 +191,7 @@ TEST(StreamDiagnosis, SeesUnitAxisFloorAndRestPose) {
   EXPECT_THAT(tall(1700), HasSubstr("?unit=mm"));
   EXPECT_THAT(tall(0.017), AllOf(HasSubstr("1.7 cm tall"), HasSubstr("?unit=100")));
   EXPECT_THAT(tall(2.4), IsEmpty()) << "a tall avatar";
+  EXPECT_THAT(tall(2.7), HasSubstr("check the scale of the avatar")) << "no unit makes a person of it";
   EXPECT_THAT(when([](S&, P& p) { p.posture.hips_above_feet_m = 0.02, p.posture.hips_before_feet_m = 0.86; }),
               AllOf(HasSubstr("axis: the hips are 0.02 m above the feet"), HasSubstr("add ?up=z")));
   EXPECT_THAT(when([](S&, P& p) { p.posture.hips_above_feet_m = -0.85; }),

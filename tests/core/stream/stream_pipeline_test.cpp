@@ -34,6 +34,7 @@ TEST(FrameAssembly, FindsTheJointMapByItself) {
   FrameAssembly assembly({});
   const Pose pose = test::standing_pose();
   EXPECT_EQ(*assemble(assembly, pose).pose, pose);
+  EXPECT_FALSE(assemble(assembly, pose).issue) << "nothing is held";
   EXPECT_EQ(assembly.joint_map(), "cmu");
 }
 

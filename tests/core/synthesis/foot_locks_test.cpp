@@ -103,6 +103,19 @@ TEST(FootLocks, AStretchedLegLetsGo) {
   EXPECT_EQ(locked(locks).size(), 3U);
 }
 
+TEST(FootLocks, ThoseOfTheFirstBodiesAreListed) {
+  const PairPose pair = test::facing_pair(0.7);
+  FootLocks locks;
+  locks.update(standing(pair), nullptr, false);
+  locks.update(standing(pair), &pair, false);
+  for (const int bodies : {0, 1, 2}) {
+    std::vector<FootLock> list;
+    locks.list(bodies, list);
+    EXPECT_EQ(list.size(), static_cast<std::size_t>(2 * bodies));
+    EXPECT_EQ(locks.held(bodies), 2 * bodies);
+  }
+}
+
 TEST(FootLocks, ReleasedBodiesAreForgotten) {
   const PairPose pair = test::facing_pair(0.7);
   FootLocks locks;

@@ -71,6 +71,21 @@ TEST(PartnerMotion, TheResultIsContinuousAtAChangeOfSource) {
   EXPECT_GT(changes, 4);
 }
 
+TEST(PartnerMotion, TheFirstPairOfTheLibraryIsLeftAsSmoothlyAsAnyOther) {
+  auto synthesizer = synthesizer_with(test::responsive_by_pose());
+  const auto& library = synthesizer->library();
+  Shown shown;
+  synthesizer->pin_pair(0);
+  for (int step = 0; step < 60; ++step) {
+    if (step == 30) synthesizer->pin_pair(library.find_pair("second", 50, false));
+    shown.add(
+        synthesizer->step(user().poses[static_cast<std::size_t>(step)], Duration(step == 0 ? 0 : step_s)));
+    if (step >= 25) {
+      EXPECT_LT(shown.kink(), 0.01) << step;
+    }
+  }
+}
+
 TEST(PartnerMotion, AChangeOfSourceLeavesTheCentreOfMassOnItsWay) {
   // Without what the user's hands and the floor ask for: how a body whose shape fades is carried.
   Settings settings = test::responsive_by_pose();
@@ -179,6 +194,24 @@ TEST(PartnerMotion, AHoldIsHeld) {
     }
   }
   EXPECT_GT(held, 60);
+}
+
+TEST(PartnerMotion, AHoldIsTakenUpSlowlyAgainAfterTheUserWasLost) {
+  const auto library = std::make_shared<const MotionLibrary>(library_of_a_hold());
+  auto synthesizer = std::move(*PartnerSynthesizer::create(library, test::responsive_by_pose()));
+  const Clip holding = test::swinging_take("hold", 240, 5).a;
+  const auto strongest = [&](int step) {
+    const FrameResult& frame =
+        synthesizer->step(holding.poses[static_cast<std::size_t>(step)], Duration(step == 0 ? 0 : step_s));
+    double strength = 0;
+    for (const HandHold& hold : frame.holds) strength = std::max(strength, hold.strength);
+    return strength;
+  };
+  int step = 0;
+  while (step < 120 && strongest(step) < 0.999) ++step;
+  ASSERT_LT(step, 120) << "never held";
+  synthesizer->reset();
+  EXPECT_LT(strongest(step + 1), 0.5);
 }
 
 TEST(PartnerMotion, NeverTeleportsWhateverIsChanged) {
