@@ -184,6 +184,7 @@ void SettingRow::showTitle(bool changed, const QString& of_frame) {
   const QString symbol = QString::fromStdString(typeset(m_info.symbol));
   QString words = (symbol.isEmpty() ? QString() : symbol + " ") + text(m_info.title).toHtmlEscaped();
   if (changed) words += " *";
+  if (!m_applies) words += " · no effect now";  // why says the tooltip
   if (!of_frame.isEmpty())
     words +=
         QString(" <span style='color: %1'>\u25b4 %2</span>").arg(m_mark.name(), of_frame.toHtmlEscaped());
