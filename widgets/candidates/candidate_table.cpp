@@ -30,7 +30,7 @@ QString subject(Reach reach, const CandidateRow& row) {
     case Reach::Take:
       return "take " + text(row.take);
     case Reach::Label:
-      return row.label.empty() ? QString("all without a label") : "all " + text(row.label);
+      return row.label.empty() ? QString("all without a label") : "all " + text(row.label).replace('_', ' ');
   }
   return {};
 }
