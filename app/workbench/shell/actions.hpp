@@ -76,6 +76,8 @@ void add_recent_actions(MainWindow& window);
 /// After all actions that add a start to the welcome page.
 void add_welcome_actions(MainWindow& window);
 void add_scene_actions(MainWindow& window);
+/// Changes of the cutting plane become undo steps; called by the scene actions.
+void keep_cut_edits(MainWindow& window);
 /// Links the selection of all views.
 void add_selection_actions(MainWindow& window);
 /// Recording takes of a session.
