@@ -318,11 +318,10 @@ void SceneView::arrange() {
   Parts& p = *m_parts;
   p.cut_layer->setGeometry(rect());
   p.chips->fitInto(width() - 24);
-  p.chips->adjustSize();
   p.chips->move(12, 10);
   // Where the chips leave no room the legend goes below them.
   const bool narrow = width() < p.chips->width() + p.legend->width() + 36;
-  p.legend->move(width() - p.legend->width() - 10, narrow ? 40 : 8);
+  p.legend->move(width() - p.legend->width() - 10, narrow ? p.chips->geometry().bottom() + 4 : 8);
   p.cell_legend->move(p.legend->x(), p.legend->y() + p.legend->height() + 2);
   p.facts->setGeometry(14, height() - p.facts->height() - 10, width() - 28, p.facts->height());
   p.morph->adjustSize();

@@ -95,7 +95,7 @@ struct SceneView::Parts {
   SteadyRange& range() { return ranges[static_cast<std::size_t>(scalar)]; }
   bool shows(ScenePart part) const { return visibility[static_cast<std::size_t>(part)]; }
   PictureShape shape() const {
-    constexpr double overlays_px = 100;  // the chips above and the facts below
+    constexpr double overlays_px = 72;  // the chips above; the facts are beside the pair
     const double height = std::max(1, surface->height());
     return {surface->width() / height, std::clamp(1 - overlays_px / height, 0.58, 0.84)};
   }
