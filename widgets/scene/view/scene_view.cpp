@@ -31,6 +31,7 @@ MeshLook SceneView::Parts::look() {
   range().show(typical_upper(result.edges, look.scalars), shown->time_s);
   look.scale = {range().upper(), scalar_info(scalar).is_signed, options.map,
                 options.is_logarithmic && !scalar_info(scalar).is_signed, range().lower()};
+  look.scale.part = part_on(palette.dark);
   const bool lacks_values =
       std::any_of(look.scalars.begin(), look.scalars.end(), [](double v) { return !std::isfinite(v); });
   legend->show(scalar_legend(scalar, look.scale, lacks_values));
