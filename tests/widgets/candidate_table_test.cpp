@@ -212,6 +212,33 @@ TEST(CandidateTable, StaysWithTheMethodOverAFrameWithoutCandidates) {
   EXPECT_FALSE(t.table.findChild<CandidateHeader*>()->area(CandidateColumn::Partner).isEmpty());
 }
 
+TEST(CandidateTable, HidesTheMapUntilThereIsRoomBelowEightRows) {
+  Table t;
+  auto* button = t.table.findChild<QToolButton*>();
+  ASSERT_EQ(button->text(), "Map");
+  EXPECT_TRUE(t.map->isVisible());
+  t.table.resize(406, t.table.minimumSizeHint().height() + 60);
+  EXPECT_FALSE(t.map->isVisible());
+  EXPECT_FALSE(button->isEnabled());
+  EXPECT_TRUE(button->toolTip().contains("a higher panel")) << button->toolTip().toStdString();
+  t.table.resize(406, 460);
+  EXPECT_TRUE(t.map->isVisible()) << "it is still wanted";
+  button->click();
+  t.table.resize(406, 500);
+  EXPECT_FALSE(t.map->isVisible()) << "and not when it was closed";
+}
+
+TEST(CandidateTable, NeedsNoMoreHeightForADecisionInForce) {
+  Table t;
+  const int before = t.table.minimumSizeHint().height();
+  Decisions decisions;
+  decisions.pinned = 0;
+  t.table.showDecisions(decisions);
+  QTest::qWait(20);
+  ASSERT_TRUE(t.table.findChild<DecisionBar*>()->isVisible());
+  EXPECT_LE(t.table.minimumSizeHint().height(), before);
+}
+
 TEST(CandidateTable, KeepsTheSortingAndTheScrollWhenTheMethodChanges) {
   Table t;
   t.table.showMap(false);

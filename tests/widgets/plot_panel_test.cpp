@@ -6,6 +6,7 @@
 #include <QApplication>
 #include <QMenu>
 #include <QMouseEvent>
+#include <QPainter>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolButton>
@@ -14,6 +15,7 @@
 #include "core/session/frames/frame_history.hpp"
 #include "tests/widgets/pictures.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
+#include "widgets/plots/plot_head.hpp"
 #include "widgets/plots/plot_menu.hpp"
 #include "widgets/plots/plot_pane.hpp"
 
@@ -275,6 +277,24 @@ TEST_F(Plots, TheLastPaneOfTheTopRowSaysThatItFollows) {
   panel.zoom(0.9);
   drag(0, at(0, 30), at(0, 35));
   EXPECT_LT(pixels_of_hue(picture_of(panel).copy(820, 0, 110, 30), p.live, 6), 4);
+}
+
+/// With four panes in 900 pixels the title went, and the unit with it.
+TEST(PlotHead, KeepsItsTitleAboveTheNamesWhereItIsNarrow) {
+  const Palette& p = palette_of(Theme::Dark);
+  const PaneSeries series = usual_series("Residuals");
+  const std::optional<SeriesValues> values;
+  const auto painted = [&](int width) {
+    QImage image(width, 30, QImage::Format_RGB32);
+    image.fill(p.panel);
+    QPainter painter(&image);
+    paint_plot_head(painter, image.rect(), {series, values, p, PlotMark::Detached});
+    return image;
+  };
+  const QImage narrow = painted(190), wide = painted(600);
+  EXPECT_GT(pixels_like(narrow.copy(0, 0, 110, 16), p.text), 40) << "Residuals [mm]";
+  EXPECT_GT(pixels_of_hue(narrow.copy(0, 14, 190, 16), p.residual_penetration), 20) << "its names below";
+  EXPECT_GT(pixels_like(wide.copy(0, 0, 110, 30), p.text), 40);
 }
 
 TEST_F(Plots, ThePictureHasTwoPixelsAPointAndAllPanes) {

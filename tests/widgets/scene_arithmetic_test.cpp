@@ -192,6 +192,31 @@ TEST(MeshScalar, MapsBeginAndEndWithTheirColours) {
   EXPECT_EQ(sequential_colour(1, ColourMap::Cividis), (Colour{254, 232, 56}));
 }
 
+/// The dark end of viridis was not seen on the dark scene, nor its bright end on the light one.
+TEST(MeshScalar, EveryColourOfAMapDiffersFromTheBackgroundInBrightness) {
+  for (const Theme theme : {Theme::Dark, Theme::Light})
+    for (const ColourMap map : {ColourMap::Viridis, ColourMap::Cividis})
+      for (int stop = 0; stop <= 20; ++stop) {
+        const Palette& p = palette_of(theme);
+        const auto [r, g, b] = sequential_colour(stop / 20.0, map, part_on(p.dark));
+        for (const QColor& ground : {p.scene_top, p.scene_bottom})
+          EXPECT_GT(contrast(QColor(r, g, b), ground), 2) << stop << (p.dark ? " dark" : " light");
+      }
+}
+
+/// Red was not seen on the coral body, and blue not on the blue one.
+TEST(MeshScalar, TheEndsOfTheDivergingMapHaveTheHueOfNoBody) {
+  for (const Theme theme : {Theme::Dark, Theme::Light})
+    for (const double end : {0.0, 1.0}) {
+      const Palette& p = palette_of(theme);
+      const auto [r, g, b] = diverging_colour(end);
+      for (const QColor& body : {p.active, p.passive}) {
+        const int apart = std::abs(QColor(r, g, b).hslHue() - body.hslHue());
+        EXPECT_GT(std::min(apart, 360 - apart), 60) << end << ' ' << body.name().toStdString();
+      }
+    }
+}
+
 TEST(ColourScale, GivesWhatIsNoNumberAColourOfItsOwn) {
   for (const bool is_signed : {false, true})
     for (const ColourMap map : {ColourMap::Viridis, ColourMap::Cividis})

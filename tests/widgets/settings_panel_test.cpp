@@ -200,6 +200,21 @@ TEST(SettingsPanel, EveryControlHasANameAndADescription) {
     EXPECT_FALSE(segment->accessibleName().isEmpty());
 }
 
+TEST(SettingsPanel, ASettingWithoutEffectSaysSoWhereItStands) {
+  ShownPanel p;
+  int without = 0;
+  for (const char* method : {"paper", "intent"}) {
+    p.enter("selection", method);
+    for (const SettingInfo& info : all_settings()) {
+      const bool has_effect = applies(p.settings(), info.key);
+      const QString title = p.title(std::string(info.key).c_str());
+      EXPECT_EQ(title.contains("no effect now"), !has_effect) << title.toStdString();
+      without += has_effect ? 0 : 1;
+    }
+  }
+  EXPECT_GT(without, 1);
+}
+
 TEST(SettingsPanel, AStarMarksThePresetAndTheRowThatWereChanged) {
   ShownPanel p;
   EXPECT_FALSE(p.title("alpha").contains("*"));

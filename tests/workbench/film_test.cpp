@@ -74,21 +74,25 @@ QImage plain(QSize size, const QColor& colour) {
 TEST(FilmWriter, WritesEveryPictureAsOftenAsItStands) {
   const QTemporaryDir folder;
   const QString file = folder.filePath("film.mp4");
-  auto film = FilmWriter::open(file, {64, 48}, 25);
-  ASSERT_TRUE(film);
-  EXPECT_TRUE((*film)->offer(plain({64, 48}, Qt::red), 3));
-  EXPECT_TRUE((*film)->offer(plain({80, 20}, Qt::blue))) << "another shape is fitted in";
-  EXPECT_EQ((*film)->finishNow(), QString());
-  EXPECT_EQ((*film)->written(), 4);
+  FilmWriter film(file, {64, 48}, 25);
+  EXPECT_TRUE(film.offer(plain({64, 48}, Qt::red), 3));
+  EXPECT_TRUE(film.offer(plain({80, 20}, Qt::blue))) << "another shape is fitted in";
+  EXPECT_EQ(film.finishNow(), QString());
+  EXPECT_EQ(film.written(), 4);
   EXPECT_TRUE(QFile::exists(file));
+}
+
+TEST(FilmWriter, AFileThatCannotBeWrittenIsToldAtTheEnd) {
+  FilmWriter film("/no/such/folder/film.mp4", {64, 48}, 25);
+  EXPECT_TRUE(film.finishNow().contains("check that the folder exists"));
+  EXPECT_EQ(film.written(), 0);
 }
 
 TEST(FilmWriter, LeavesNothingBehindWhenItIsGivenUp) {
   const QTemporaryDir folder;
   {
-    auto film = FilmWriter::open(folder.filePath("film.mp4"), {64, 48}, 25);
-    ASSERT_TRUE(film);
-    (*film)->offer(plain({64, 48}, Qt::red), 3);
+    FilmWriter film(folder.filePath("film.mp4"), {64, 48}, 25);
+    film.offer(plain({64, 48}, Qt::red), 3);
   }
   EXPECT_TRUE(QDir(folder.path()).isEmpty());
 }

@@ -17,8 +17,12 @@
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/window_place.hpp"
 #include "tests/workbench/demo_window.hpp"
+#include "widgets/candidates/candidate_list.hpp"
+#include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/scene/view/scene_view.hpp"
+#include "widgets/settings/setting_row.hpp"
+#include "widgets/settings/settings_panel.hpp"
 
 namespace abrazo::app::layout_test {
 namespace {
@@ -268,6 +272,37 @@ TEST_F(Layout, SizesThatAPersonChoseComeBackWhenThereIsRoomAgain) {
   EXPECT_NEAR(panel("plots").height(), height, 2);
   EXPECT_NEAR(panel("settings").height(), settings, 4);
   EXPECT_NEAR(panel("library").width(), left, 2);
+}
+
+/// One row of them was left at 1280 x 720, the map of the candidates took the room.
+TEST_F(Layout, FiveSettingsAreInViewBelowTheCandidates) {
+  const auto whole_rows = [] {
+    int rows = 0;
+    for (const auto* row : window().settings().findChildren<widgets::SettingRow*>())
+      rows += row->visibleRegion().boundingRect().height() == row->height();
+    return rows;
+  };
+  const auto candidate_rows = [] {
+    return window()
+               .candidates()
+               .findChild<widgets::CandidateList*>()
+               ->visibleRegion()
+               .boundingRect()
+               .height() /
+           widgets::CandidateList::row_height;
+  };
+  for (const QSize size : {QSize(1600, 1000), QSize(1280, 720), QSize(1600, 1000)}) {
+    window().resize(size);
+    QTest::qWait(40);
+    EXPECT_EQ(window().size(), size);
+    EXPECT_GE(whole_rows(), 5) << size.height();
+    EXPECT_GE(candidate_rows(), 3) << size.height();
+    EXPECT_LE(panel("candidates").geometry().bottom(), panel("settings").geometry().top());
+  }
+  window().resize(1280, 720);
+  window().resetLayout();
+  QTest::qWait(40);
+  EXPECT_GE(whole_rows(), 5) << "also from the beginning";
 }
 
 TEST_F(Layout, APanelThatIsMovedForgetsTheSizeItHadElsewhere) {

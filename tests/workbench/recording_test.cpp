@@ -47,8 +47,10 @@ TEST_F(Recording, TheViewIsFilmedUntilItIsStoppedWithAMarkMeanwhile) {
   const QString file = folder.filePath("view.mp4");
   auto* recording = window().findChild<ViewRecording*>("viewRecording");
   ASSERT_TRUE(recording);
-  start_recording(window(), *recording, file);
-  ASSERT_TRUE(recording->isRunning()) << text().toStdString();
+  recording->start(file);
+  EXPECT_FALSE(recording->isRunning()) << "the encoder is loaded elsewhere, the window goes on";
+  EXPECT_TRUE(recording->isBusy());
+  ASSERT_TRUE(until([&] { return recording->isRunning(); })) << text().toStdString();
   EXPECT_TRUE(until([&] { return recording->elapsed_s() > 0.6 && mark()->isVisible(); }));
   EXPECT_TRUE(mark()->text().contains("REC"));
   EXPECT_FALSE(QFile::exists(file)) << "whole or not at all";
@@ -65,7 +67,8 @@ TEST_F(Recording, TheViewIsFilmedUntilItIsStoppedWithAMarkMeanwhile) {
 
 TEST_F(Recording, AFilmThatCannotBeWrittenSaysWhy) {
   auto* recording = window().findChild<ViewRecording*>("viewRecording");
-  start_recording(window(), *recording, "/no/such/folder/view.mp4");
+  recording->start("/no/such/folder/view.mp4");
+  EXPECT_TRUE(until([&] { return !recording->isBusy(); }));
   EXPECT_FALSE(recording->isRunning());
   EXPECT_TRUE(text().contains("check that the folder exists")) << text().toStdString();
 }

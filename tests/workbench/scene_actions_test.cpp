@@ -3,6 +3,8 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QLineF>
+#include <QMouseEvent>
 #include <QTest>
 #include <QToolButton>
 
@@ -14,6 +16,7 @@
 #include "widgets/plots/plot_panel.hpp"
 #include "widgets/scene/panel/scalar_legend.hpp"
 #include "widgets/scene/panel/scene_tree.hpp"
+#include "widgets/scene/values/cut_handles.hpp"
 #include "widgets/scene/values/scene_memory.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 
@@ -66,6 +69,127 @@ TEST_F(SceneKeys, SwitchPartsAndWaysOfShowing) {
   EXPECT_NEAR(scene().options().cut_m, 0.05, 1e-12);
   press(Qt::Key_R);
   EXPECT_TRUE(scene().options().shows_reference_beside);
+}
+
+/// The plane of the world with its handles, which face aside.
+class CuttingPlane : public SceneKeys {
+ protected:
+  void SetUp() override {
+    SceneKeys::SetUp();
+    press(Qt::Key_C);
+    press(Qt::Key_C, Qt::ShiftModifier);
+    for (int step = 0; step < 8; ++step) press(Qt::Key_Left, Qt::AltModifier);
+    window().undoStack().clear();
+    m_before = scene().options();
+  }
+  static QWidget& surface() { return *scene().childAt(scene().rect().center()); }
+  static widgets::CutHandles handles() {
+    return {scene().options().plane(), scene().camera(), static_cast<double>(surface().width()),
+            static_cast<double>(surface().height())};
+  }
+  static QPointF knob() { return {handles().knob->x, handles().knob->y}; }
+  /// Of the shaft, where it is held to move the plane.
+  static QPointF shaft() { return 0.4 * QPointF(handles().middle->x, handles().middle->y) + 0.6 * knob(); }
+  static void send(QEvent::Type type, QPointF place, Qt::MouseButton button) {
+    QMouseEvent event(type, place, surface().mapToGlobal(place.toPoint()), button,
+                      type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, {});
+    QApplication::sendEvent(&surface(), &event);
+  }
+  static void take(QPointF from, QPointF to) {
+    surface().setFocus();
+    send(QEvent::MouseButtonPress, from, Qt::LeftButton);
+    for (const double share : {0.25, 0.5, 0.75, 1.0})
+      send(QEvent::MouseMove, from + share * (to - from), Qt::NoButton);
+  }
+  static void letGo(QPointF place) {
+    send(QEvent::MouseButtonRelease, place, Qt::LeftButton);
+    turn();
+  }
+  widgets::SceneOptions m_before;
+};
+
+TEST_F(CuttingPlane, IsDraggedAlongItsNormalByItsShaftAndUndoTakesItBack) {
+  const widgets::OrbitCamera camera = scene().camera();
+  const QPointF from = shaft(), along = knob() - from;
+  take(from, from + along);
+  EXPECT_GT(scene().options().cut_m, m_before.cut_m + 0.05);
+  EXPECT_EQ(scene().options().cut_azimuth_rad, m_before.cut_azimuth_rad);
+  letGo(from + along);
+  EXPECT_EQ(scene().camera(), camera) << "the drag is the plane's, not the camera's";
+  EXPECT_FALSE(selection()) << "nor a click";
+  EXPECT_NEAR(QLineF(shaft(), from + along).length(), 0, 3) << "what was held stays under the pointer";
+  EXPECT_EQ(window().undoStack().count(), 1) << "one drag is one step";
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(scene().options().has_cut_of(m_before));
+  press(Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
+  EXPECT_GT(scene().options().cut_m, m_before.cut_m + 0.05);
+}
+
+TEST_F(CuttingPlane, IsTurnedByItsKnobAboutItsMiddle) {
+  const Vec3 middle = m_before.plane().point, normal = m_before.plane().normal;
+  const QPointF from = knob(), to = from + QPointF(20, -30);
+  take(from, to);
+  letGo(to);
+  EXPECT_NEAR(QLineF(knob(), to).length(), 0, 3) << "the knob follows the pointer";
+  EXPECT_LT(scene().options().plane().normal.dot(normal), 0.99);
+  EXPECT_NEAR((scene().options().plane().point - middle).norm(), 0, 1e-9);
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(scene().options().has_cut_of(m_before));
+}
+
+TEST_F(CuttingPlane, EscapeLeavesTheDragAsItWasBefore) {
+  window().selection().select(Selection::joint(3));
+  const QPointF from = knob();
+  take(from, from + QPointF(25, 10));
+  ASSERT_FALSE(scene().options().has_cut_of(m_before));
+  QTest::keyClick(&surface(), Qt::Key_Escape);
+  EXPECT_TRUE(scene().options().has_cut_of(m_before));
+  letGo(from + QPointF(25, 10));
+  EXPECT_TRUE(scene().options().has_cut_of(m_before)) << "the button is still down, the drag is over";
+  EXPECT_FALSE(window().undoStack().canUndo());
+  EXPECT_EQ(selection(), Selection::joint(3)) << "Escape left the drag, not the selection";
+}
+
+TEST_F(CuttingPlane, ASecondButtonDoesNotEndTheDrag) {
+  const QPointF from = knob(), half = from + QPointF(10, -15), to = from + QPointF(20, -30);
+  take(from, half);
+  const widgets::OrbitCamera camera = scene().camera();
+  send(QEvent::MouseButtonPress, half, Qt::RightButton);
+  send(QEvent::MouseMove, to, Qt::NoButton);
+  send(QEvent::MouseButtonRelease, to, Qt::RightButton);
+  EXPECT_NEAR(QLineF(knob(), to).length(), 0, 3);
+  EXPECT_EQ(scene().camera(), camera);
+  EXPECT_FALSE(window().undoStack().canUndo()) << "it is still in the hand";
+  letGo(to);
+  EXPECT_EQ(window().undoStack().count(), 1);
+}
+
+TEST_F(CuttingPlane, SwitchingItOffIsTakenBackBeforeTheDragThatCameFirst) {
+  const QPointF from = knob(), to = from + QPointF(20, -30);
+  take(from, to);
+  letGo(to);
+  const widgets::SceneOptions dragged = scene().options();
+  press(Qt::Key_C);
+  ASSERT_FALSE(scene().options().cuts);
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(scene().options().has_cut_of(dragged)) << "on again, where it was";
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(scene().options().has_cut_of(m_before));
+}
+
+TEST_F(CuttingPlane, KeysThatMoveItAreTakenBackTogether) {
+  for (int step = 0; step < 3; ++step) press(Qt::Key_PageUp, Qt::AltModifier);
+  EXPECT_NEAR(scene().options().cut_m, m_before.cut_m + 0.15, 1e-9);
+  press(Qt::Key_Z, Qt::ControlModifier);
+  EXPECT_TRUE(scene().options().has_cut_of(m_before));
+}
+
+TEST_F(CuttingPlane, IsNotInPicturesThatAreSaved) {
+  const QImage with = scene().picture();
+  ASSERT_TRUE(scene().findChild<QWidget*>("cut handles")->isVisible());
+  QTest::mouseMove(&surface(), shaft().toPoint());
+  turn();
+  EXPECT_EQ(scene().picture(), with);
 }
 
 TEST_F(SceneKeys, AltAndADigitShowOrHideARowOfTheTree) {

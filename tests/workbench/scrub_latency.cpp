@@ -1,7 +1,8 @@
 // How long it takes from moving the mouse in the timeline to the picture of that frame on the screen, in the
 // whole window with the solver running. Prints; not a test.
 //
-//   scrub_latency [width height [seconds of history]]
+//   scrub_latency [width height [seconds of history [FILE]]]    FILE: a session, whose frames are read from
+//   disk
 
 #include <QApplication>
 #include <QElapsedTimer>
@@ -47,8 +48,8 @@ void report(const char* what, std::vector<double> taken) {
   const auto at = [&taken](double share) {
     return taken[static_cast<std::size_t>(share * static_cast<double>(taken.size() - 1))];
   };
-  std::printf("%s: %zu pictures, p50 %.1f ms, p95 %.1f ms, longest %.1f ms\n", what, taken.size(), at(0.5),
-              at(0.95), taken.back());
+  std::printf("%s: %zu pictures, p50 %.1f ms, p95 %.1f ms, p99 %.1f ms, longest %.1f ms\n", what,
+              taken.size(), at(0.5), at(0.95), at(0.99), taken.back());
 }
 
 /// Places of a slow hand going to and fro over what is in view.
@@ -113,13 +114,15 @@ int main(int argc, char** argv) {
   app::add_all_actions(window);
   window.resize(width, height);
   window.show();
-  window.openDemo();
+  argc > 4 ? window.openFiles({QString::fromLocal8Bit(argv[4])}) : window.openDemo();
   if (!until([&] { return window.ticker().playback().last_s > wanted_s; }, 120'000)) {
     std::fprintf(stderr, "the demo did not start\n");
     return 1;
   }
-  std::printf("window %dx%d, scene %dx%d, %.0f s of history, the solver running\n", width, height,
-              window.scene().width(), window.scene().height(), window.ticker().playback().last_s);
+  const auto span = window.session()->history().span();
+  std::printf("window %dx%d, scene %dx%d, %.0f s of history, %.0f of them on disk only, the solver running\n",
+              width, height, window.scene().width(), window.scene().height(), span.last_s,
+              std::max(0.0, span.memory_first_s - span.first_s));
   widgets::TimelineView& timeline = window.timeline();
   send(timeline, QEvent::MouseButtonPress, {timeline.axis().x(2), 60}, Qt::LeftButton);
   until([] { return false; }, 300);

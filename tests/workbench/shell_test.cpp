@@ -9,6 +9,7 @@
 #include <QMimeData>
 #include <QPushButton>
 #include <QTest>
+#include <QToolButton>
 #include <QUndoView>
 #include <QUrl>
 #include <set>
@@ -20,6 +21,8 @@
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/message_log.hpp"
+#include "widgets/scene/panel/scene_overlay.hpp"
+#include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app::shell_test {
 namespace {
@@ -65,6 +68,30 @@ TEST_F(Shell, EveryControlThatTakesTheKeyboardHasANameToBeReadOut) {
   }
   action("Welcome")->setChecked(false);
   window().resetLayout();
+}
+
+/// At 1280 x 720 the last three could not be reached beside the page.
+TEST_F(Shell, EveryChipOfTheSceneIsReachedAlsoBesideTheWelcomePage) {
+  const auto chips = [] {
+    std::vector<QToolButton*> found;
+    for (auto* button : window().scene().findChildren<QToolButton*>("chip"))
+      if (qobject_cast<widgets::ScalarChips*>(button->parentWidget())) found.push_back(button);
+    return found;
+  };
+  ASSERT_EQ(chips().size(), 7U);
+  for (const QSize size : {QSize(1600, 1000), QSize(1280, 720), QSize(1060, 640)})
+    for (const bool beside : {false, true}) {
+      window().resize(size);
+      action("Welcome")->setChecked(beside);
+      QTest::qWait(40);
+      for (const QToolButton* chip : chips()) {
+        EXPECT_EQ(chip->visibleRegion().boundingRect(), chip->rect())
+            << chip->text().toStdString() << " at " << size.width() << (beside ? " beside the page" : "");
+        EXPECT_GE(chip->width(), chip->fontMetrics().horizontalAdvance(chip->text()));
+      }
+    }
+  action("Welcome")->setChecked(false);
+  window().resize(1600, 1000);
 }
 
 TEST_F(Shell, F6GoesRoundEveryPanelThatIsSeenAndShiftF6GoesBack) {

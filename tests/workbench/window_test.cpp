@@ -295,6 +295,9 @@ TEST(PanelPlan, TheSceneComesFirstInASmallWindow) {
   EXPECT_TRUE(plan_panels({900, 600}, {}).right);
   EXPECT_FALSE(plan_panels({640, 480}, {}).right);
   EXPECT_FALSE(plan_panels({640, 480}, {}).plots);
+  EXPECT_TRUE(plan_panels({1280, 720}, {}, 348).left) << "beside the welcome page";
+  EXPECT_FALSE(plan_panels({1060, 640}, {}, 348).left);
+  EXPECT_TRUE(plan_panels({1060, 640}, {}, 348).right);
 }
 
 TEST(PanelPlan, WhatWasAskedForStands) {

@@ -238,7 +238,7 @@ QString CandidateList::tip(const CandidateRow& row) const {
                     .arg(text(row.take).toHtmlEscaped())
                     .arg(row.frame)
                     .arg(row.swapped ? " (roles swapped)" : "")
-                    .arg(row.label.empty() ? "no label" : text(row.label).toHtmlEscaped())
+                    .arg(row.label.empty() ? "no label" : text(row.label).replace('_', ' ').toHtmlEscaped())
                     .arg(row.continues_source ? " · continues the source" : "")
                     .arg(row.pinned ? " · pinned" : "")
                     .arg(row.vetoed       ? " · vetoed"

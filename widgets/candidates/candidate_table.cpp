@@ -30,10 +30,14 @@ QString subject(Reach reach, const CandidateRow& row) {
     case Reach::Take:
       return "take " + text(row.take);
     case Reach::Label:
-      return row.label.empty() ? QString("all without a label") : "all " + text(row.label);
+      return row.label.empty() ? QString("all without a label") : "all " + text(row.label).replace('_', ' ');
   }
   return {};
 }
+
+constexpr const char* map_tip = "The candidates among all pairs of the library, in feature space";
+/// Rows that are always in view, and those that are in view before the map has room.
+constexpr int least_candidates = 3, candidates_before_map = 8;
 
 /// The key is a hint: the program's own action has it.
 QString with_key(const QString& words, const char* key) {
@@ -64,7 +68,7 @@ void CandidateTable::arrange() {
   column->setSpacing(0);
   scroll_vertically(*m_scroll, m_list);
   m_scroll->setFocusPolicy(Qt::NoFocus);
-  m_scroll->setMinimumHeight(4 * CandidateList::row_height);
+  keepRows();
   column->addWidget(m_header);
   column->addWidget(m_columns);
   column->addWidget(m_scroll, 8);
@@ -77,7 +81,7 @@ void CandidateTable::arrange() {
 QWidget* CandidateTable::makeFoot() {
   auto* foot = new QWidget(this);
   m_foot = new QGridLayout(foot);
-  m_foot->setContentsMargins(12, 4, 12, 6);
+  m_foot->setContentsMargins(12, 2, 12, 4);
   m_foot->setVerticalSpacing(0);
   m_reason->setObjectName("secondary");
   m_reason->setFont(interface_font(12));
@@ -89,7 +93,7 @@ QWidget* CandidateTable::makeFoot() {
   m_mapButton->setCheckable(true);
   m_mapButton->setChecked(true);
   m_mapButton->setFocusPolicy(Qt::TabFocus);
-  m_mapButton->setToolTip("The candidates among all pairs of the library, in feature space");
+  m_mapButton->setToolTip(map_tip);
   m_mapButton->setAccessibleName("Show the feature-space neighbourhood");
   m_belief->setObjectName("secondary");
   m_belief->setFont(interface_font(12));
@@ -159,12 +163,39 @@ void CandidateTable::setColours(const Palette& palette) {
 void CandidateTable::resizeEvent(QResizeEvent* event) {
   QWidget::resizeEvent(event);
   showBelief();
+  keepRows();
+  arrangeMap();
+}
+
+/// Decisions in force take their room from the list, so that the panel needs no more because of them.
+void CandidateTable::keepRows() {
+  constexpr int row = CandidateList::row_height;
+  const int decisions = m_inForce->isVisibleTo(this) ? m_inForce->minimumHeight() : 0;
+  m_scroll->setMinimumHeight(std::max(row, least_candidates * row - decisions));
+}
+
+/// Without the map: it leaves before the rest is squeezed.
+QSize CandidateTable::minimumSizeHint() const {
+  QSize least = QWidget::minimumSizeHint();
+  if (m_map->isVisibleTo(this)) least.rheight() -= m_map->minimumHeight();
+  return least;
+}
+
+void CandidateTable::arrangeMap() {
+  const int more_rows = (candidates_before_map - least_candidates) * CandidateList::row_height;
+  const bool has_room = height() >= minimumSizeHint().height() + more_rows + m_map->minimumHeight();
+  m_mapButton->setEnabled(has_room);
+  m_mapButton->setToolTip(map_tip + QString(has_room ? "" : "; a higher panel has room for it"));
+  const bool shows = has_room && m_mapButton->isChecked();
+  if (shows == m_map->isVisibleTo(this)) return;
+  m_map->setVisible(shows);
+  if (shows && m_frame) m_map->setFrame(*m_frame, m_ranked);
 }
 
 /// The height is independent of the text, which differs in every frame. The map's button is beside the belief
 /// if there is one, because reasons by intent are longer.
 void CandidateTable::arrangeFoot(bool has_belief) {
-  constexpr int one_line = 24, two_lines = 40, margins = 32;
+  constexpr int one_line = 24, two_lines = 34, margins = 32;
   const int longest = m_reason->fontMetrics().horizontalAdvance(
       "Continues: #2 costs 0.000 m more, because of the 0.000 m for leaving the shown partner");
   m_reason->setFixedHeight(width() < longest + margins ? two_lines : one_line);
@@ -230,6 +261,7 @@ void CandidateTable::showRows() {
 void CandidateTable::showDecisions(const Decisions& decisions) {
   m_decisions = decisions;
   m_inForce->setDecisions(m_library ? decisions_in_force(decisions, *m_library) : std::vector<Decision>{});
+  keepRows();
   showRows();
 }
 
@@ -244,7 +276,7 @@ void CandidateTable::sortBy(CandidateColumn column) {
 
 void CandidateTable::showMap(bool on) {
   m_mapButton->setChecked(on);
-  m_map->setVisible(on);
+  arrangeMap();
   showRows();
 }
 

@@ -44,12 +44,15 @@ class CandidateTable : public QWidget {
   /// returns.
   const CandidateOrder& order() const { return m_order; }
 
+  QSize minimumSizeHint() const override;
+
  public slots:
   void showFrame(const abrazo::FrameSnapshotPtr& frame);
   void showDecisions(const abrazo::Decisions& decisions);
   /// Shows the user's path up to a time in the feature map.
   void showPath(const abrazo::FrameHistory& history, double until_s);
   void sortBy(abrazo::widgets::CandidateColumn column);
+  /// Shows the map where there is room below the candidates.
   void showMap(bool on);
   void showSelection(const abrazo::widgets::Selection& selection);
   /// Marks a candidate hovered in another view, index into the frame's; -1 = none.
@@ -78,6 +81,8 @@ class CandidateTable : public QWidget {
   void connectParts();
   QWidget* makeFoot();
   void showRows();
+  void keepRows();
+  void arrangeMap();
   void showMethod(SelectionMethod method);
   void showBelief();
   void arrangeFoot(bool has_belief);

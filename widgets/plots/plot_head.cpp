@@ -86,18 +86,24 @@ void paint_plot_head(QPainter& painter, const QRectF& place, const PlotHead& hea
   const QString title = text(head.title.empty() ? title_of(head.series) : head.title);
   painter.save();
   painter.setClipRect(place, Qt::IntersectClip);
-  painter.setFont(interface_font(12, QFont::DemiBold));
+  QFont title_font = interface_font(12, QFont::DemiBold);
   const double room = place.right() - (head.mark == PlotMark::None ? 0 : least_mark_room);
-  const double title_end =
-      place.left() + left_margin + painter.fontMetrics().horizontalAdvance(title) + title_gap;
-  const bool with_title = title_end + key_width(head.series, false) < room;
-  const double key_begin = with_title ? title_end : place.left() + left_margin;
-  const bool with_values = key_begin + key_width(head.series, true) < room;
+  const double left = place.left() + left_margin;
+  const double title_end = left + QFontMetricsF(title_font).horizontalAdvance(title) + title_gap;
+  const bool in_one_line = title_end + key_width(head.series, false) < room;
+  // Otherwise the title with its unit has a line of its own.
+  const QRectF upper(place.left(), place.top() - 3, place.width(), 19);
+  const QRectF lower(place.left(), place.top() + 10, place.width(), 20);
+  const QRectF& title_line = in_one_line ? place : upper;
+  const QRectF& key_line = in_one_line ? place : lower;
+  const double key_begin = in_one_line ? title_end : left;
+  const bool with_values = key_begin + key_width(head.series, true) < (in_one_line ? room : place.right());
+  if (!in_one_line) title_font = interface_font(11, QFont::DemiBold);
+  painter.setFont(title_font);
   painter.setPen(head.palette.text);
-  if (with_title)
-    painter.drawText(from(place, place.left() + left_margin), Qt::AlignVCenter | Qt::AlignLeft, title);
-  const double key_end = paint_key(painter, place, key_begin, head, with_values);
-  paint_mark(painter, place, key_end, head);
+  painter.drawText(from(title_line, left), Qt::AlignVCenter | Qt::AlignLeft, title);
+  const double key_end = paint_key(painter, key_line, key_begin, head, with_values);
+  paint_mark(painter, title_line, in_one_line ? key_end : title_end, head);
   painter.restore();
 }
 

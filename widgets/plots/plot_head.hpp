@@ -23,7 +23,7 @@ struct PlotHead {
   std::string title = {};  ///< empty: that of the series
 };
 
-/// Without room for the values it shows the names, and finally the names without the title.
+/// Without room for the values it shows the names; without room beside the title, below it.
 void paint_plot_head(QPainter& painter, const QRectF& place, const PlotHead& head);
 
 }  // namespace abrazo::widgets

@@ -103,7 +103,7 @@ void SettingRow::buildNumber() {
   grid->addWidget(m_value, 0, 1, Qt::AlignRight);
   grid->addWidget(m_slider, 1, 0, 1, 2);
   grid->setColumnStretch(0, 1);
-  setFixedHeight(43);
+  setFixedHeight(height_of_number);
   name(*m_slider);
   name(*m_value);
   connectSlider();
@@ -210,6 +210,7 @@ void SettingRow::showTitle(bool changed, const QString& of_frame) {
   const QString symbol = QString::fromStdString(typeset(m_info.symbol));
   QString words = (symbol.isEmpty() ? QString() : symbol + " ") + text(m_info.title).toHtmlEscaped();
   if (changed) words += " *";
+  if (!m_applies) words += " · no effect now";  // why says the tooltip
   if (!of_frame.isEmpty())
     words +=
         QString(" <span style='color: %1'>\u25b4 %2</span>").arg(m_mark.name(), of_frame.toHtmlEscaped());

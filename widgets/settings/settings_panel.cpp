@@ -17,6 +17,9 @@
 namespace abrazo::widgets {
 namespace {
 
+constexpr int least_filter_width = 44, filter_width = 96, group_head_height = 24;
+constexpr int tuned_rows = 5;  ///< alpha, the weights and k, which are at the begin
+
 /// "α, w_Δ, foot locks": what of a frame's settings is otherwise.
 QString differing(const Settings& of_frame, const Settings& now) {
   QStringList names;
@@ -37,9 +40,12 @@ SettingsPanel::SettingsPanel(QWidget* parent) : QWidget(parent) {
   m_heads.push_back(new SectionHeader("Settings", this));
   column->addWidget(m_heads.back());
   m_presets = new PresetBar(this);
-  column->addWidget(m_presets);
+  auto* above = new QHBoxLayout;
+  above->setSpacing(0);
+  above->addWidget(m_presets, 1);
+  above->addWidget(filterField());
+  column->addLayout(above);
   column->addWidget(frameNotice());
-  column->addWidget(filterField());
   auto* scroll = new QScrollArea(this);
   scroll_vertically(*scroll, rowList());
   scroll->setFocusPolicy(Qt::NoFocus);
@@ -54,10 +60,12 @@ SettingsPanel::SettingsPanel(QWidget* parent) : QWidget(parent) {
 QWidget* SettingsPanel::filterField() {
   auto* box = new QWidget(this);
   auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(12, 0, 12, 2);
+  row->setContentsMargins(0, 0, 12, 8);
   m_filter = new QLineEdit(box);
   m_filter->setObjectName("filter");
-  m_filter->setPlaceholderText("Filter settings");
+  m_filter->setPlaceholderText("Filter");
+  m_filter->setMinimumWidth(least_filter_width);  // long names of presets come first
+  m_filter->setMaximumWidth(filter_width);
   m_filter->setAccessibleName("Filter settings");
   m_filter->setClearButtonEnabled(true);
   m_filter->setFocusPolicy(Qt::StrongFocus);
@@ -95,7 +103,7 @@ QWidget* SettingsPanel::rowList() {
   for (const SettingInfo& info : all_settings()) {
     if (m_rows.empty() || m_rows.back()->info().group != info.group) {
       m_heads.push_back(new SectionHeader(text(info.group), list));
-      m_heads.back()->setFixedHeight(28);
+      m_heads.back()->setFixedHeight(group_head_height);
       column->addWidget(m_heads.back());
       m_groups.push_back({m_heads.back(), {}});
     }
@@ -112,6 +120,11 @@ QWidget* SettingsPanel::rowList() {
   column->addWidget(m_noMatch);
   column->addStretch(1);
   return list;
+}
+
+QSize SettingsPanel::sizeHint() const {
+  const int above = m_presets->sizeHint().height();
+  return {QWidget::sizeHint().width(), above + group_head_height + tuned_rows * SettingRow::height_of_number};
 }
 
 void SettingsPanel::filter(const QString& wanted) {

@@ -26,6 +26,9 @@ class SettingsPanel : public QWidget {
   void setColours(const Palette& palette);
   PresetBar& presets() { return *m_presets; }
 
+  /// With room for the settings that are tuned most.
+  QSize sizeHint() const override;
+
  public slots:
   void showSettings(const abrazo::Settings& settings, const abrazo::PresetChoice& choice);
   /// The settings of the shown frame; none if it is the newest one.

@@ -1,18 +1,16 @@
 #include "app/workbench/base/film_writer.hpp"
 
 #include "app/workbench/base/error_words.hpp"
+#include "core/video/video_codec.hpp"
 #include "widgets/scene/view/scene_pictures.hpp"
 
 namespace abrazo::app {
 
-Result<std::unique_ptr<FilmWriter>> FilmWriter::open(const QString& file, QSize size, double rate_hz) {
-  auto video = VideoWriter::open(file.toStdString(), size.width(), size.height(), rate_hz);
-  if (!video) return video.error();
-  return std::unique_ptr<FilmWriter>(new FilmWriter(std::move(video).value(), size));
+FilmWriter::FilmWriter(const QString& file, QSize size, double rate_hz)
+    : m_file(file), m_size(size), m_rate_hz(rate_hz) {
+  silence_video_codec();
+  m_worker = std::thread([this] { run(); });
 }
-
-FilmWriter::FilmWriter(VideoWriter video, QSize size)
-    : m_video(std::move(video)), m_size(size), m_worker([this] { run(); }) {}
 
 FilmWriter::~FilmWriter() {
   m_isGivenUp = true;
@@ -34,26 +32,36 @@ QString FilmWriter::finishNow() {
   return m_trouble;
 }
 
-Status FilmWriter::write(const Picture& picture) {
+Status FilmWriter::write(VideoWriter& video, const Picture& picture) {
   const QImage rgb = widgets::fitted(picture.image, m_size);
   for (int i = 0; i < picture.times; ++i) {
-    const Status added = m_video.add({rgb.constBits(), static_cast<std::size_t>(rgb.sizeInBytes())},
-                                     static_cast<std::size_t>(rgb.bytesPerLine()));
+    const Status added = video.add({rgb.constBits(), static_cast<std::size_t>(rgb.sizeInBytes())},
+                                   static_cast<std::size_t>(rgb.bytesPerLine()));
     if (!added) return added;
     ++m_written;
   }
   return Done{};
 }
 
-void FilmWriter::run() {
+Status FilmWriter::writeAll() {
+  auto video = VideoWriter::open(m_file.toStdString(), m_size.width(), m_size.height(), m_rate_hz);
+  if (!video) {
+    m_queue.abandon();
+    return video.error();
+  }
+  QMetaObject::invokeMethod(this, &FilmWriter::opened, Qt::QueuedConnection);
   Status all = Done{};
   while (const auto picture = m_queue.pop()) {
-    if (m_isGivenUp) return;
-    if (all) all = write(*picture);
+    if (m_isGivenUp) return Done{};
+    if (all) all = write(*video, *picture);
     QMetaObject::invokeMethod(this, &FilmWriter::hasRoom, Qt::QueuedConnection);
   }
+  return all && !m_isGivenUp ? video->finish() : all;
+}
+
+void FilmWriter::run() {
+  const Status all = writeAll();
   if (m_isGivenUp) return;
-  if (all) all = m_video.finish();
   if (!all) m_trouble = words(all.error());
   QMetaObject::invokeMethod(
       this, [this] { emit ended(m_trouble); }, Qt::QueuedConnection);

@@ -11,15 +11,16 @@
 
 namespace abrazo::app {
 
-/// Writes a film: pictures are passed from the drawing thread and encoded on another. The file appears when
-/// it is complete; without finish() it is discarded.
+/// Writes a film: pictures are passed from the drawing thread and encoded on another, which also loads the
+/// encoder; that takes a second the first time. The file appears when it is complete; without finish() it is
+/// discarded.
 class FilmWriter : public QObject {
   Q_OBJECT
  public:
   static constexpr std::size_t most_waiting = 6;
 
   /// @param size  of the film [pixels], even
-  static Result<std::unique_ptr<FilmWriter>> open(const QString& file, QSize size, double rate_hz);
+  FilmWriter(const QString& file, QSize size, double rate_hz);
   ~FilmWriter() override;
 
   bool isFull() const { return m_queue.is_full(); }
@@ -33,6 +34,8 @@ class FilmWriter : public QObject {
   int written() const { return m_written; }
 
  signals:
+  /// The encoder takes pictures; if it cannot, ended() says why instead.
+  void opened();
   void hasRoom();
   void ended(const QString& trouble);
 
@@ -41,12 +44,13 @@ class FilmWriter : public QObject {
     QImage image;
     int times = 1;
   };
-  FilmWriter(VideoWriter video, QSize size);
   void run();
-  Status write(const Picture& picture);
+  Status writeAll();
+  Status write(VideoWriter& video, const Picture& picture);
 
-  VideoWriter m_video;
+  QString m_file;
   QSize m_size;
+  double m_rate_hz;
   BoundedQueue<Picture> m_queue{most_waiting};
   std::atomic<bool> m_isGivenUp = false;
   std::atomic<int> m_written = 0;

@@ -1,6 +1,5 @@
 #include "app/workbench/base/range_rendering.hpp"
 
-#include "app/workbench/base/error_words.hpp"
 #include "widgets/scene/view/scene_pictures.hpp"
 
 namespace abrazo::app {
@@ -22,9 +21,7 @@ RangeRendering::~RangeRendering() = default;
 QString RangeRendering::start(const RangeRequest& request, const widgets::SceneView& like) {
   if (m_isEmpty) return "There is no frame in this range; choose another";
   m_request = request;
-  auto writer = FilmWriter::open(request.file, request.size, request.plan.rate_hz);
-  if (!writer) return words(writer.error());
-  m_writer = std::move(writer).value();
+  m_writer = std::make_unique<FilmWriter>(request.file, request.size, request.plan.rate_hz);
   m_pictures = std::make_unique<widgets::ScenePictures>(request.size, like, request.captions);
   connect(m_writer.get(), &FilmWriter::hasRoom, this, [this] {
     if (!m_timer.isActive()) m_timer.start();

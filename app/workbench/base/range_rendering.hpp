@@ -31,7 +31,8 @@ class RangeRendering : public QObject {
   /// @param frames frames of the plan
   RangeRendering(FrameRange frames, QObject* parent);
   ~RangeRendering() override;
-  /// @param like setup of scene and camera. @return the error, or empty
+  /// @param like setup of scene and camera. @return the error, or empty; ended() tells what the encoder
+  /// refuses
   QString start(const RangeRequest& request, const widgets::SceneView& like);
   void cancel();
   /// The picture at one time of the plan; fast for successive times.

@@ -58,9 +58,10 @@ Film make_film(MainWindow& window, const QString& text, ViewRecording::TakePictu
   auto* recording = new ViewRecording(std::move(take), &window);
   QAction* action = add_action(window, window.menu("File"), text, {}, [&window, recording] {
     if (recording->isRunning()) return recording->stop();
-    if (recording->isBusy()) return window.messages().showInformation("The last recording is being written");
+    if (recording->isBusy())
+      return window.messages().showInformation("A recording is being started or written; wait a moment");
     const QString file = ask_file(window, &window, "Record as video");
-    if (!file.isEmpty() && !recording->isBusy()) start_recording(window, *recording, file);
+    if (!file.isEmpty() && !recording->isBusy()) recording->start(file);
   });
   QObject::connect(
       recording, &ViewRecording::ended, &window,
@@ -104,10 +105,6 @@ void open_dialog(MainWindow& window, RenderDialog& dialog) {
 }
 
 }  // namespace
-
-void start_recording(MainWindow& window, ViewRecording& recording, const QString& file) {
-  if (const QString trouble = recording.start(file); !trouble.isEmpty()) window.messages().showError(trouble);
-}
 
 void render_range(MainWindow& window, const RangeRequest& request) {
   const FrameHistory* history = window.ticker().history();

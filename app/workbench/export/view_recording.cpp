@@ -1,7 +1,5 @@
 #include "app/workbench/export/view_recording.hpp"
 
-#include "app/workbench/base/error_words.hpp"
-
 namespace abrazo::app {
 
 ViewRecording::ViewRecording(TakePicture take, QObject* parent) : QObject(parent), m_take(std::move(take)) {
@@ -12,18 +10,21 @@ ViewRecording::ViewRecording(TakePicture take, QObject* parent) : QObject(parent
 
 ViewRecording::~ViewRecording() = default;
 
-QString ViewRecording::start(const QString& file) {
+void ViewRecording::start(const QString& file) {
   const QSize now = m_take().size();
-  auto writer = FilmWriter::open(file, {now.width() & ~1, now.height() & ~1}, rate_hz);
-  if (!writer) return words(writer.error());
-  m_writer = std::move(writer).value();
-  connect(m_writer.get(), &FilmWriter::ended, this, &ViewRecording::onEnded);
   m_file = file;
+  m_hasBegun = false;
   m_due = FilmClock(rate_hz);
+  m_writer = std::make_unique<FilmWriter>(file, QSize(now.width() & ~1, now.height() & ~1), rate_hz);
+  connect(m_writer.get(), &FilmWriter::opened, this, &ViewRecording::begin);
+  connect(m_writer.get(), &FilmWriter::ended, this, &ViewRecording::onEnded);
+}
+
+void ViewRecording::begin() {
+  m_hasBegun = true;
   m_clock.start();
   m_timer.start();
   takePicture();
-  return {};
 }
 
 void ViewRecording::takePicture() {
@@ -45,7 +46,11 @@ void ViewRecording::stop() {
 
 void ViewRecording::stopNow() {
   m_timer.stop();
-  if (m_writer) m_writer->finishNow();
+  if (!m_writer) return;
+  if (m_hasBegun)
+    m_writer->finishNow();
+  else
+    m_writer.reset();  // there is nothing to write
 }
 
 void ViewRecording::onEnded(const QString& trouble) {

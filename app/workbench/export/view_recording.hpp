@@ -20,14 +20,14 @@ class ViewRecording : public QObject {
 
   ViewRecording(TakePicture take, QObject* parent);
   ~ViewRecording() override;
-  /// @return the error, or empty
-  QString start(const QString& file);
+  /// Begins as soon as the encoder takes pictures; if it cannot, ended() says why.
+  void start(const QString& file);
   /// ended() follows when the file is complete.
   void stop();
   /// As stop(), but waits; for the end of the program.
   void stopNow();
   bool isRunning() const { return m_timer.isActive(); }
-  /// Still writing, even if stopped.
+  /// The encoder is being loaded, or writes, even if stopped.
   bool isBusy() const { return m_writer != nullptr; }
   double elapsed_s() const { return static_cast<double>(m_clock.elapsed()) / 1000; }
 
@@ -39,6 +39,7 @@ class ViewRecording : public QObject {
   void ended(const QString& trouble, const QString& words);
 
  private:
+  void begin();
   void takePicture();
   void onEnded(const QString& trouble);
 
@@ -47,6 +48,7 @@ class ViewRecording : public QObject {
   QTimer m_timer;
   QElapsedTimer m_clock;
   FilmClock m_due{rate_hz};
+  bool m_hasBegun = false;
   std::unique_ptr<FilmWriter> m_writer;
 };
 

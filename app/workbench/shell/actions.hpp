@@ -29,7 +29,6 @@ class RenderDialog;
 class Shortcuts;
 class StreamDesk;
 class TakeDesk;
-class ViewRecording;
 struct ExportSources;
 struct PairSources;
 struct RangeRequest;
@@ -76,6 +75,8 @@ void add_recent_actions(MainWindow& window);
 /// After all actions that add a start to the welcome page.
 void add_welcome_actions(MainWindow& window);
 void add_scene_actions(MainWindow& window);
+/// Changes of the cutting plane become undo steps; called by the scene actions.
+void keep_cut_edits(MainWindow& window);
 /// Links the selection of all views.
 void add_selection_actions(MainWindow& window);
 /// Recording takes of a session.
@@ -137,8 +138,6 @@ void remove_missing_recent(MainWindow& window);
 /// Writes a screenshot of the window, including the 3D scene. @return the error, or empty
 QString save_screenshot(MainWindow& window, const QString& file);
 
-/// Records a film until stopped; errors are reported.
-void start_recording(MainWindow& window, ViewRecording& recording, const QString& file);
 /// Renders recorded frames to a film in the background; the end is reported.
 void render_range(MainWindow& window, const RangeRequest& request);
 

@@ -16,8 +16,8 @@ namespace abrazo::app {
 namespace {
 
 constexpr int plots_height = 172;
-constexpr int low_head = 24;          // where height is scarce
-constexpr int candidates_share = 55;  // per cent of the right side
+constexpr int usual_head = 32, low_head = 24;  // low where height is scarce
+constexpr int candidates_share = 55;           // per cent of the right side
 // More panels of a side share the last place as tabs: each needs some height to be read.
 constexpr int most_stacked_beside = 2, most_stacked_below = 1;
 
@@ -174,9 +174,31 @@ void PanelArea::showWhatFits() {
 
 void PanelArea::arrangeFor(QSize window) {
   m_window = window;
-  m_room = plan_panels(window, m_wishes);
+  m_room = plan_panels(window, m_wishes, m_beside);
+  for (const Panel& panel : m_panels)
+    if (panel.usual_side != Qt::BottomDockWidgetArea)
+      panel.title->header().setFixedHeight(m_room.has_low_heads ? low_head : usual_head);
   showWhatFits();
+  keepTuned();
   restoreSizes();
+}
+
+void PanelArea::leaveRoomBeside(int width) {
+  m_beside = width;
+  arrangeFor(m_window);
+}
+
+/// The settings that are tuned most are in view wherever the candidates leave room for them.
+void PanelArea::keepTuned() {
+  QDockWidget *settings = panel("settings"), *candidates = panel("candidates");
+  if (!settings) return;
+  const bool shares = candidates && !candidates->isHidden() && !candidates->isFloating() &&
+                      dockWidgetArea(candidates) == dockWidgetArea(settings) &&
+                      !tabifiedDockWidgets(settings).contains(candidates);
+  const int needed = settings->widget()->sizeHint().height();
+  const int heads = (m_room.has_low_heads ? low_head : usual_head) + 2;  // with the borders
+  const int left = height() - heads - (shares ? candidates->minimumSizeHint().height() : 0);
+  settings->widget()->setMinimumHeight(needed <= left ? needed : 0);
 }
 
 int PanelArea::planned(Qt::DockWidgetArea side) const {
@@ -247,6 +269,7 @@ void PanelArea::showEvent(QShowEvent* event) {
 
 void PanelArea::resizeEvent(QResizeEvent* event) {
   QMainWindow::resizeEvent(event);
+  keepTuned();
   restoreSizes();
 }
 

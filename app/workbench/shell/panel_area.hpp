@@ -39,6 +39,8 @@ class PanelArea : public QMainWindow {
   void wantSide(Qt::DockWidgetArea side, bool on);
   /// @param window  the size of the whole window
   void arrangeFor(QSize window);
+  /// For what stands beside the scene, with this width; 0 = nothing. Sides give way to it.
+  void leaveRoomBeside(int width);
   /// Returns every panel to its initial place.
   void reset();
   WindowLayout state() const;
@@ -71,6 +73,7 @@ class PanelArea : public QMainWindow {
   void showWhatFits();
   int planned(Qt::DockWidgetArea side) const;
   void rememberSizes();
+  void keepTuned();
   void restoreSizes();
   void applyUsualSizes();
   void raiseFirstOfEachPlace();
@@ -79,6 +82,7 @@ class PanelArea : public QMainWindow {
   PanelWishes m_wishes;
   PanelPlan m_room;
   QSize m_window{1600, 1000};
+  int m_beside = 0;  ///< width of what stands beside the scene
   /// Sizes of panels as set by the user, for windows with enough room. Width 0 follows the plan.
   std::map<QString, QSize> m_sizes;
   bool m_hasSizes = false;  ///< from a layout, or set at the first show

@@ -26,7 +26,7 @@ void add_option(MainWindow& window, QMenu* menu, const QString& text, const char
   QObject::connect(action, &QAction::toggled, &scene, [&scene, option](bool on) {
     SceneOptions options = scene.options();
     options.*option = on;
-    scene.setOptions(options);
+    scene.edit(options);
   });
   QObject::connect(&scene, &SceneView::optionsChanged, action,
                    [action, option](const SceneOptions& options) { action->setChecked(options.*option); });
@@ -99,6 +99,7 @@ void add_cut(MainWindow& window, QMenu* menu) {
   add("Turn the plane right", "Alt+Right", 0, step_rad, 0);
   add("Tilt the plane up", "Alt+Up", 0, 0, step_rad);
   add("Tilt the plane down", "Alt+Down", 0, 0, -step_rad);
+  keep_cut_edits(window);
 }
 
 /// Restores the scene's setup; changes are stored together shortly afterwards.

@@ -23,8 +23,10 @@ QString facts(const MotionLibrary& library, int take, int frame) {
                       .arg(frame / of.fps, 0, 'f', 2);
   for (const LabelInterval& label : of.labels)
     if (label.start <= frame && frame < label.end)
-      words +=
-          QString(" · %1 %2–%3").arg(QString::fromStdString(label.label)).arg(label.start).arg(label.end);
+      words += QString(" · %1 %2–%3")
+                   .arg(QString::fromStdString(label.label).replace('_', ' '))
+                   .arg(label.start)
+                   .arg(label.end);
   return words;
 }
 

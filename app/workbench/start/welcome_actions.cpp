@@ -4,6 +4,7 @@
 #include "app/workbench/base/recent_files.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/start/welcome_page.hpp"
 #include "core/opening/generated_set.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -59,6 +60,7 @@ void add_welcome_actions(MainWindow& window) {
   show->setCheckable(true);
   QObject::connect(show, &QAction::toggled, page, [page, show, &window](bool on) {
     page->setVisible(on);
+    window.panels().leaveRoomBeside(on ? page->minimumWidth() : 0);
     if (on)
       page->setFocus();
     else

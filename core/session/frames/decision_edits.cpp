@@ -12,6 +12,13 @@ std::string label_of(int pair, const MotionLibrary& library) {
   return std::string(library.label(pair));
 }
 
+/// "in and out": a label as it is read.
+std::string words_of(std::string label) {
+  if (label.empty()) return "without a label";
+  std::ranges::replace(label, '_', ' ');
+  return label;
+}
+
 template <typename Set, typename Value>
 void toggle(Set& set, const Value& value) {
   if (set.erase(value) == 0) set.insert(value);
@@ -114,8 +121,7 @@ bool is_not_intended(const Decisions& decisions, int pair, const MotionLibrary& 
 
 std::string meant_words(const IntendedMove& move) {
   std::string words;
-  if (move.label) words = move.label->empty() ? "without a label" : *move.label;
-  std::replace(words.begin(), words.end(), '_', ' ');
+  if (move.label) words = words_of(*move.label);
   if (move.take) words += (words.empty() ? "take " : " of ") + *move.take;
   return words;
 }
@@ -156,8 +162,8 @@ std::vector<Decision> decisions_in_force(const Decisions& decisions, const Motio
     found.push_back({Decision::Kind::Pin, pair_name(*decisions.pinned, library), rest});
   }
   for (const std::string& label : decisions.vetoes.labels)
-    found.push_back({Decision::Kind::Veto, label.empty() ? "all without a label" : "all " + label,
-                     without(decisions, &Vetoes::labels, label)});
+    found.push_back(
+        {Decision::Kind::Veto, "all " + words_of(label), without(decisions, &Vetoes::labels, label)});
   for (const std::string& take : decisions.vetoes.takes)
     found.push_back({Decision::Kind::Veto, "take " + take, without(decisions, &Vetoes::takes, take)});
   if (decisions.vetoes.pairs.size() > most_single_pairs) {

@@ -8,9 +8,9 @@
 #include <vtkPlaneCollection.h>
 #include <vtkRenderer.h>
 
-#include <Eigen/Geometry>
-#include <cmath>
 #include <vector>
+
+#include "widgets/scene/values/cut_handles.hpp"
 
 namespace abrazo::widgets {
 
@@ -46,19 +46,14 @@ void CutFrame::setColours(const Palette& palette, double pixel_ratio) {
 }
 
 void CutFrame::show(const std::optional<CutPlane>& plane) {
-  constexpr double half_m = 0.9, tick_m = 0.15;
+  constexpr double tick_m = 0.15;
   m_lines.setVisible(plane.has_value());
   if (!plane) return;
-  const bool is_level = std::abs(plane->normal.y()) > 0.99;
-  const Vec3 across =
-      (is_level ? Vec3(Vec3::UnitX()) : Vec3(Vec3::UnitY().cross(plane->normal))).normalized();
-  const Vec3 upwards = plane->normal.cross(across);
   // A hair before the plane, so that it does not cut itself away.
-  const Vec3 middle = plane->point - 0.002 * plane->normal;
+  const Vec3 hair = -0.002 * plane->normal, middle = plane->point + hair;
   std::vector<double> points;
   const auto add = [&points](const Vec3& p) { points.insert(points.end(), {p.x(), p.y(), p.z()}); };
-  for (const auto& [x, y] : {std::pair{-1, -1}, {1, -1}, {1, 1}, {-1, 1}})
-    add(middle + half_m * (x * across + y * upwards));
+  for (const Vec3& corner : outline_of(*plane)) add(corner + hair);
   add(middle);
   add(middle - tick_m * plane->normal);
   m_lines.setPoints(points);

@@ -123,18 +123,26 @@ void GlSurface::paintEvent(QPaintEvent*) {
 }
 
 void GlSurface::mousePressEvent(QMouseEvent* event) {
+  if (m_isTaken) return;  // a second button does not end a drag that was taken
   m_last = m_pressed = event->localPos();
   m_isClick = event->button() == Qt::LeftButton;
+  m_isTaken = m_isClick && event->modifiers() == Qt::NoModifier && taken && taken(event->localPos());
+  if (m_isTaken) m_isClick = false;
 }
 
 void GlSurface::mouseReleaseEvent(QMouseEvent* event) {
   keys = event->modifiers();
+  if (m_isTaken && event->button() == Qt::LeftButton) {
+    m_isTaken = false;
+    letGo();
+  }
   if (m_isClick && event->button() == Qt::LeftButton) clicked(event->localPos());
   m_isClick = false;
 }
 
 void GlSurface::mouseMoveEvent(QMouseEvent* event) {
   if (event->buttons() == Qt::NoButton) return hovered(event->localPos());
+  if (m_isTaken) return pulled(event->localPos());
   if (m_isClick && (event->localPos() - m_pressed).manhattanLength() < click_px) return;
   m_isClick = false;
   const QPointF delta = event->localPos() - m_last;

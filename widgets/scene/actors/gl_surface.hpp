@@ -29,6 +29,11 @@ class GlSurface : public QWidget {
   std::function<void(double notches)> wheeled;
   /// The pointer is here without a button; outside of the widget after it left.
   std::function<void(QPointF place)> hovered;
+  /// The left button is pressed here: true takes the drag that may follow, which is then no camera move and
+  /// no click.
+  std::function<bool(QPointF place)> taken;
+  std::function<void(QPointF place)> pulled;
+  std::function<void()> letGo;
   /// Pressed and released at the same position.
   std::function<void(QPointF place)> clicked;
   /// A requested picture is in the window.
@@ -62,7 +67,7 @@ class GlSurface : public QWidget {
   QImage m_picture;
   bool m_stale = true;
   QPointF m_last, m_pressed;
-  bool m_isClick = false;
+  bool m_isClick = false, m_isTaken = false;
 };
 
 }  // namespace abrazo::widgets

@@ -83,6 +83,7 @@ LegendScale scalar_legend(MeshScalar scalar, const ColourScale& scale, bool lack
     return scale.upper > 0 ? QString::number(share * scale.upper, 'g', 3) : QString("–");
   };
   LegendScale legend{info.title + unit, "0", number(1), info.is_signed, scale.map, {}, lacks_values};
+  legend.part = scale.part;
   legend.upper = scale.upper;
   legend.has_lower = !info.is_signed && !logs;
   legend.lower = legend.has_lower ? scale.lower : 0;
@@ -214,9 +215,9 @@ void ScalarLegend::paintEvent(QPaintEvent*) {
 
   QLinearGradient gradient(bar.topLeft(), bar.topRight());
   for (int stop = 0; stop <= 8; ++stop)
-    gradient.setColorAt(stop / 8.0,
-                        colour(m_scale.is_diverging ? diverging_colour(stop / 8.0)
-                                                    : sequential_colour(stop / 8.0, m_scale.map)));
+    gradient.setColorAt(
+        stop / 8.0, colour(m_scale.is_diverging ? diverging_colour(stop / 8.0)
+                                                : sequential_colour(stop / 8.0, m_scale.map, m_scale.part)));
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setBrush(gradient);
   painter.setPen(Qt::NoPen);

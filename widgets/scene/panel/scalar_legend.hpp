@@ -19,6 +19,7 @@ struct LegendScale {
   double upper = 0;           ///< end that a person can set, in the unit of the title; 0 = none
   double lower = 0;           ///< the other end of a linear map from 0 on
   bool has_lower = false;     ///< a person can set that as well
+  MapPart part = {};          ///< of a map that is not diverging
   bool operator==(const LegendScale&) const = default;
 };
 

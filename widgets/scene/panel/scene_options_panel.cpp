@@ -44,7 +44,9 @@ SceneOptionsPanel::SceneOptionsPanel(QWidget* parent) : QFrame(parent, Qt::Popup
   m_apart = slider(this, "Exploded tetrahedra", 0, apart_steps);
   m_apart->setToolTip("Moves the tetrahedra away from the middle of the pair");
   m_cuts = tick("Cut (C)", "Hides everything beyond a plane");
-  m_inWorld = tick("Plane stays in the world (Shift+C)", "Otherwise it moves with the camera");
+  m_inWorld = tick("Plane stays in the world (Shift+C)",
+                   "Otherwise it moves with the camera. In the scene its outline is dragged to move it, its "
+                   "knob to turn it");
   m_cut = slider(this, "Offset of the cutting plane", -cut_mm, cut_mm);
   m_cut->setToolTip("Distance of the plane from the middle of the pair; Ctrl and the wheel in the scene");
   m_turn = slider(this, "Turn of the cutting plane", -half_turn_deg, half_turn_deg);

@@ -1,9 +1,9 @@
 #include "widgets/scene/panel/scene_overlay.hpp"
 
 #include <QButtonGroup>
-#include <QHBoxLayout>
 #include <QPainter>
 #include <QToolButton>
+#include <algorithm>
 
 #include "widgets/common/chip.hpp"
 #include "widgets/common/tabular.hpp"
@@ -12,6 +12,8 @@
 
 namespace abrazo::widgets {
 namespace {
+
+constexpr int chip_gap = 6;  ///< between chips [px]
 
 QToolButton* overlay_chip(const QString& text, const QString& tip, QWidget* parent) {
   auto* button = text_chip(text, tip, parent);
@@ -23,9 +25,6 @@ QToolButton* overlay_chip(const QString& text, const QString& tip, QWidget* pare
 }  // namespace
 
 ScalarChips::ScalarChips(QWidget* parent) : QWidget(parent) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(6);
   auto* group = new QButtonGroup(this);
   const std::array<std::array<const char*, 2>, mesh_scalar_count> texts = {
       {{"Residual",
@@ -40,7 +39,6 @@ ScalarChips::ScalarChips(QWidget* parent) : QWidget(parent) {
   for (std::size_t s = 0; s < texts.size(); ++s) {
     m_scalars[s] = overlay_chip(texts[s][0], texts[s][1], this);
     group->addButton(m_scalars[s]);
-    row->addWidget(m_scalars[s]);
     connect(m_scalars[s], &QToolButton::clicked, this,
             [this, s] { emit scalarChosen(static_cast<MeshScalar>(s)); });
   }
@@ -50,14 +48,11 @@ ScalarChips::ScalarChips(QWidget* parent) : QWidget(parent) {
       "Tetrahedra of the mesh, coloured by their volume in the result over that in the selected pair; "
       "magenta with a rim: inverted",
       this);
-  row->addWidget(m_cells);
   connect(m_cells, &QToolButton::clicked, this, &ScalarChips::cellsChosen);
   m_betweenOnly = overlay_chip("Inter-body only", "Show only the edges between the two bodies", this);
-  row->addWidget(m_betweenOnly);
   connect(m_betweenOnly, &QToolButton::clicked, this, &ScalarChips::betweenOnlyChosen);
   m_filter = overlay_chip(
       "Filter…", "Edges by length or of the selection, exploded tetrahedra, cutting plane, trails", this);
-  row->addWidget(m_filter);
   m_options = new SceneOptionsPanel(this);
   connect(m_options, &SceneOptionsPanel::optionsRequested, this, &ScalarChips::optionsRequested);
   connect(m_filter, &QToolButton::clicked, this, [this] {
@@ -71,10 +66,22 @@ ScalarChips::ScalarChips(QWidget* parent) : QWidget(parent) {
 }
 
 void ScalarChips::fitInto(int width_px) {
-  const bool was_short = m_filter->text() == "Filter";
-  if (!was_short) m_fullWidth = sizeHint().width();
-  const bool is_short = width_px < m_fullWidth;
-  if (is_short == was_short) return;
+  say(false);
+  if (inRows(width_px).size() > 1) say(true);
+  int y = 0, right = 0;
+  for (const auto& row : inRows(width_px)) {
+    int x = 0;
+    for (QToolButton* chip : row) {
+      chip->setGeometry(QRect(QPoint(x, y), chip->sizeHint()));
+      x += chip->width() + chip_gap;
+    }
+    right = std::max(right, x - chip_gap);
+    y += row.front()->height() + chip_gap;
+  }
+  setFixedSize(right, y - chip_gap);
+}
+
+void ScalarChips::say(bool is_short) {
   const auto say = [is_short](QToolButton* button, const char* whole, const char* brief) {
     button->setText(QString::fromUtf8(is_short ? brief : whole));
   };
@@ -82,6 +89,24 @@ void ScalarChips::fitInto(int width_px) {
   say(m_cells, "Volume ratio", "Volume");
   say(m_betweenOnly, "Inter-body only", "Inter-body");
   say(m_filter, "Filter…", "Filter");
+}
+
+/// As many beside one another as there is room for.
+std::vector<std::vector<QToolButton*>> ScalarChips::inRows(int width_px) const {
+  std::vector<QToolButton*> all(m_scalars.begin(), m_scalars.end());
+  all.insert(all.end(), {m_cells, m_betweenOnly, m_filter});
+  std::vector<std::vector<QToolButton*>> rows;
+  int x = 0;
+  for (QToolButton* chip : all) {
+    const int width = chip->sizeHint().width();
+    if (rows.empty() || x + width > width_px) {
+      rows.emplace_back();
+      x = 0;
+    }
+    rows.back().push_back(chip);
+    x += width + chip_gap;
+  }
+  return rows;
 }
 
 void ScalarChips::setScalar(MeshScalar scalar) {
@@ -124,11 +149,13 @@ void FrameFacts::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   painter.setFont(interface_font(13));
   painter.setPen(m_palette.dark ? mixed(m_palette.text, m_palette.secondary, 0.5) : m_palette.secondary);
-  draw_tabular(painter, QRectF(0, 20, width(), 18), Qt::AlignLeft, m_first);
-  draw_tabular(painter, QRectF(0, 38, width(), 18), Qt::AlignLeft, m_second);
+  const auto fitting = [this, &painter](const QString& line) {
+    return painter.fontMetrics().elidedText(line, Qt::ElideRight, width() - 8);
+  };
+  draw_tabular(painter, QRectF(0, 20, width(), 18), Qt::AlignLeft, fitting(m_first));
+  draw_tabular(painter, QRectF(0, 38, width(), 18), Qt::AlignLeft, fitting(m_second));
   painter.setPen(m_palette.warning);
-  const QString fitting = painter.fontMetrics().elidedText(m_trouble, Qt::ElideRight, width() - 8);
-  painter.drawText(QRectF(0, 2, width(), 18), Qt::AlignLeft | Qt::AlignVCenter, fitting);
+  painter.drawText(QRectF(0, 2, width(), 18), Qt::AlignLeft | Qt::AlignVCenter, fitting(m_trouble));
 }
 
 }  // namespace abrazo::widgets

@@ -1,6 +1,8 @@
 #pragma once
 
 #include <QWidget>
+#include <array>
+#include <vector>
 
 #include "widgets/common/palette.hpp"
 #include "widgets/scene/values/mesh_scalar.hpp"
@@ -21,7 +23,7 @@ class ScalarChips : public QWidget {
   void setBetweenOnly(bool only);
   void setCells(bool shown);
   void setOptions(const SceneOptions& options);
-  /// Uses shorter texts if the full ones do not fit.
+  /// Uses shorter texts if the full ones do not fit, and several rows if these do not either.
   void fitInto(int width_px);
 
  signals:
@@ -31,11 +33,13 @@ class ScalarChips : public QWidget {
   void optionsRequested(const abrazo::widgets::SceneOptions& options);
 
  private:
+  void say(bool is_short);
+  std::vector<std::vector<QToolButton*>> inRows(int width_px) const;
+
   std::array<QToolButton*, mesh_scalar_count> m_scalars{};
   QToolButton *m_cells, *m_betweenOnly, *m_filter;
   SceneOptionsPanel* m_options;
   SceneOptions m_shown;
-  int m_fullWidth = 0;  ///< width of the full texts [px]
 };
 
 /// A few lines about the frame at the bottom left. Ignores the pointer.

@@ -31,8 +31,9 @@ constexpr std::array<Colour, 9> cividis = {{{0, 34, 78},
                                             {188, 174, 108},
                                             {222, 201, 88},
                                             {254, 232, 56}}};
-constexpr std::array<Colour, 5> blue_to_red = {
-    {{58, 110, 200}, {120, 165, 220}, {190, 193, 198}, {232, 148, 110}, {200, 60, 45}}};
+// Blue and red would vanish on the bodies.
+constexpr std::array<Colour, 5> green_to_purple = {
+    {{30, 130, 60}, {112, 168, 124}, {190, 193, 198}, {172, 128, 186}, {140, 60, 160}}};
 
 Colour sampled(std::span<const Colour> map, double share) {
   if (std::isnan(share)) return no_value_colour;
@@ -119,21 +120,22 @@ double typical_upper(const std::vector<MeshEdge>& edges, const std::vector<doubl
 double ColourScale::share(double value) const {
   if (!std::isfinite(value)) return std::numeric_limits<double>::quiet_NaN();
   if (!(upper > 0)) return is_signed ? 0.5 : 0;
-  const double part = value / upper;
-  if (is_signed) return std::clamp(0.5 + part / 2, 0.0, 1.0);
+  const double of_upper = value / upper;
+  if (is_signed) return std::clamp(0.5 + of_upper / 2, 0.0, 1.0);
   if (!is_logarithmic) return std::clamp((value - lower) / (upper - lower), 0.0, 1.0);
-  return part > 0 ? std::clamp(1 + std::log10(part) / decades, 0.0, 1.0) : 0;
+  return of_upper > 0 ? std::clamp(1 + std::log10(of_upper) / decades, 0.0, 1.0) : 0;
 }
 
 Colour ColourScale::colour(double value) const {
-  return is_signed ? diverging_colour(share(value)) : sequential_colour(share(value), map);
+  return is_signed ? diverging_colour(share(value)) : sequential_colour(share(value), map, part);
 }
 
-Colour sequential_colour(double share, ColourMap map) {
-  return sampled(map == ColourMap::Cividis ? cividis : viridis, share);
+Colour sequential_colour(double share, ColourMap map, const MapPart& part) {
+  const double within = std::clamp(share, 0.0, 1.0);  // NaN stays one
+  return sampled(map == ColourMap::Cividis ? cividis : viridis, part.from + (part.to - part.from) * within);
 }
 Colour diverging_colour(double share) {
-  return sampled(blue_to_red, share);
+  return sampled(green_to_purple, share);
 }
 
 }  // namespace abrazo::widgets

@@ -32,6 +32,17 @@ double typical_upper(const std::vector<MeshEdge>& edges, const std::vector<doubl
 
 using Colour = std::array<unsigned char, 3>;
 
+/// The part of a sequential map that is in use.
+struct MapPart {
+  double from = 0, to = 1;
+  bool operator==(const MapPart&) const = default;
+};
+/// What of a map differs from the background in brightness, with a contrast above 2: without its dark end on
+/// a dark one, without its bright end on a light one.
+constexpr MapPart part_on(bool is_dark) {
+  return is_dark ? MapPart{0.4, 1} : MapPart{0, 0.6};
+}
+
 /// Mapping of values to colours.
 struct ColourScale {
   double upper = 0;        ///< value at the end of the map; 0 = no colouring
@@ -39,6 +50,7 @@ struct ColourScale {
   ColourMap map = ColourMap::Viridis;
   bool is_logarithmic = false;  ///< `decades` below the upper end; not with signed values
   double lower = 0;             ///< value at the start of a linear map; below `upper`; not with signed values
+  MapPart part = {};
   bool operator==(const ColourScale&) const = default;
 
   static constexpr double decades = 2;
@@ -50,8 +62,8 @@ struct ColourScale {
 /// Colour of NaN; on neither map.
 inline constexpr Colour no_value_colour = {122, 122, 122};
 
-/// Red, green, blue [0, 255] at `share` in [0, 1] of the map.
-Colour sequential_colour(double share, ColourMap map = ColourMap::Viridis);
-Colour diverging_colour(double share);  ///< blue - grey - red
+/// Red, green, blue [0, 255] at `share` in [0, 1] of the part of the map.
+Colour sequential_colour(double share, ColourMap map = ColourMap::Viridis, const MapPart& part = {});
+Colour diverging_colour(double share);  ///< green - grey - purple: neither body has them
 
 }  // namespace abrazo::widgets

@@ -23,9 +23,15 @@ std::optional<PicturePoint> PictureProjection::project(const Vec3& world) const 
   const Vec3 offset = world - eye_;
   const double depth = offset.dot(forward_);
   if (depth <= nearest_m_ || (plane_ && plane_->leaves_out(world))) return std::nullopt;
-  const double scale = is_parallel_ ? focal_px_ : focal_px_ / depth;
+  const double scale = pixels_per_metre(depth);
   return PicturePoint{width_px_ / 2 + scale * offset.dot(right_), height_px_ / 2 - scale * offset.dot(up_),
                       depth};
+}
+
+PictureProjection::Ray PictureProjection::ray(double x, double y) const {
+  const Vec3 aside = ((x - width_px_ / 2) * right_ - (y - height_px_ / 2) * up_) / focal_px_;
+  if (is_parallel_) return {eye_ + aside, forward_};
+  return {eye_, (forward_ + aside).normalized()};
 }
 
 }  // namespace abrazo::widgets

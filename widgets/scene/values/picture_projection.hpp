@@ -19,6 +19,13 @@ class PictureProjection {
 
   /// None for a point before the near limit, or clipped.
   std::optional<PicturePoint> project(const Vec3& world) const;
+  /// What lies under a place of the picture: points `from + t * along`, with a unit vector along.
+  struct Ray {
+    Vec3 from, along;
+  };
+  Ray ray(double x, double y) const;
+  /// Of an object at this depth that faces the eye.
+  double pixels_per_metre(double depth_m) const { return is_parallel_ ? focal_px_ : focal_px_ / depth_m; }
 
  private:
   Vec3 eye_, forward_, right_, up_;

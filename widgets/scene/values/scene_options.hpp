@@ -1,5 +1,8 @@
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "widgets/scene/values/cut_plane.hpp"
 #include "widgets/scene/values/mesh_filter.hpp"
 #include "widgets/scene/values/pointer_moves.hpp"
@@ -31,6 +34,26 @@ struct SceneOptions {
   CutPlane plane() const {
     const Vec3 normal = direction_of(cut_azimuth_rad, cut_elevation_rad);
     return {cut_at + cut_m * normal, normal};
+  }
+  bool has_cut_of(const SceneOptions& o) const {
+    return cuts == o.cuts && cut_m == o.cut_m && cut_in_world == o.cut_in_world &&
+           cut_azimuth_rad == o.cut_azimuth_rad && cut_elevation_rad == o.cut_elevation_rad &&
+           cut_at == o.cut_at;
+  }
+  void take_cut_of(const SceneOptions& o) {
+    cuts = o.cuts;
+    cut_m = o.cut_m;
+    cut_in_world = o.cut_in_world;
+    cut_azimuth_rad = o.cut_azimuth_rad;
+    cut_elevation_rad = o.cut_elevation_rad;
+    cut_at = o.cut_at;
+  }
+  /// Turns the plane about its present point.
+  void turn_cut_to(const Vec3& normal) {
+    const Vec3 point = plane().point;
+    if (std::hypot(normal.x(), normal.z()) > 1e-6) cut_azimuth_rad = std::atan2(normal.x(), normal.z());
+    cut_elevation_rad = std::asin(std::clamp(normal.y(), -1.0, 1.0));
+    cut_at = point - cut_m * direction_of(cut_azimuth_rad, cut_elevation_rad);
   }
   bool filters() const {
     return shortest_m > 0 || longest_m < MeshFilter::no_limit || isolates || apart > 0 || cuts;

@@ -43,6 +43,7 @@ void DepthTags::show(const std::vector<Tag>& tags) {
     }
     // One below the other where they would overlap, the deepest first.
     QRect room(tags[t].place + QPoint(beside_px, -label->height() / 2), label->size());
+    if (room.right() > m_parent->width()) room.moveRight(tags[t].place.x() - beside_px);
     for (std::size_t earlier = 0; earlier < t; ++earlier)
       if (const QRect taken = m_labels[earlier]->geometry(); taken.intersects(room))
         room.moveTop(taken.bottom() + 2);

@@ -31,6 +31,7 @@ MeshLook SceneView::Parts::look() {
   range().show(typical_upper(result.edges, look.scalars), shown->time_s);
   look.scale = {range().upper(), scalar_info(scalar).is_signed, options.map,
                 options.is_logarithmic && !scalar_info(scalar).is_signed, range().lower()};
+  look.scale.part = part_on(palette.dark);
   const bool lacks_values =
       std::any_of(look.scalars.begin(), look.scalars.end(), [](double v) { return !std::isfinite(v); });
   legend->show(scalar_legend(scalar, look.scale, lacks_values));
@@ -45,13 +46,6 @@ MeshLook SceneView::Parts::look() {
   return look;
 }
 
-void SceneView::Parts::applyCut() {
-  camera.cuts = options.cuts && !options.cut_in_world;
-  camera.cut_m = options.cut_m;
-  camera.plane = options.cuts && options.cut_in_world ? std::optional(options.plane()) : std::nullopt;
-  actors.showCut(camera.plane);
-}
-
 SceneView::SceneView(QWidget* parent) : QWidget(parent), m_parts(std::make_unique<Parts>(this)) {
   Parts& p = *m_parts;
   setMinimumSize(320, 220);
@@ -60,6 +54,8 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_parts(std::make_uniqu
   box->setContentsMargins(0, 0, 0, 0);
   p.surface->setFocusPolicy(Qt::StrongFocus);
   p.surface->setAccessibleName("Scene");
+  p.cut_layer = new CutHandleLayer(this);
+  p.cut_layer->lower();
   p.surface->lower();
   box->addWidget(p.surface);
 
@@ -72,6 +68,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_parts(std::make_uniqu
   p.morph->setVisible(false);
   wireOverlay();
   wirePointer();
+  wireCut();
   p.surface->shown = [this] {
     ++m_parts->rendered;
     const double took_ms = static_cast<double>(m_parts->since_render.nsecsElapsed()) * 1e-6;
@@ -100,7 +97,7 @@ void SceneView::wireOverlay() {
           [this](bool only) { showPart(ScenePart::MeshWithin, !only); });
   connect(p.chips, &ScalarChips::cellsChosen, this,
           [this](bool shown) { showPart(ScenePart::Tetrahedra, shown); });
-  connect(p.chips, &ScalarChips::optionsRequested, this, &SceneView::setOptions);
+  connect(p.chips, &ScalarChips::optionsRequested, this, &SceneView::edit);
   connect(p.legend, &ScalarLegend::lockToggled, this,
           [this](bool locked) { m_parts->range().set_locked(locked); });
   connect(p.legend, &ScalarLegend::rangeRequested, this, [this](double lower, double upper) {
@@ -164,6 +161,7 @@ void SceneView::setColours(const Palette& palette) {
   p.legend->setColours(palette);
   p.cell_legend->setColours(palette);
   p.facts->setColours(palette);
+  p.cut_layer->setColours(palette);
   p.morph->setColours(palette);
   refresh();
 }
@@ -263,18 +261,23 @@ void SceneView::setScalar(MeshScalar scalar) {
 }
 
 void SceneView::setOptions(const SceneOptions& wanted) {
+  const Parts& p = *m_parts;
+  SceneOptions placed = wanted;
+  if (wanted.cut_in_world && !p.options.cut_in_world && p.shown) {  // where that of the eye would be, upright
+    placed.cut_at = 0.5 * (p.shown->result.result.row(0) + p.shown->result.result.row(joint_count));
+    placed.cut_azimuth_rad = p.camera.azimuth_rad;
+    placed.cut_elevation_rad = 0;
+  }
+  applyOptions(placed);
+}
+
+void SceneView::applyOptions(const SceneOptions& wanted) {
   Parts& p = *m_parts;
   if (wanted == p.options) return;
   // Two pairs take more room than one, and cells that are apart more than a pair.
   const bool is_of_other_size = wanted.shows_reference_beside != p.options.shows_reference_beside ||
                                 (wanted.apart != p.options.apart && p.shows(ScenePart::Tetrahedra));
-  const bool places_plane = wanted.cut_in_world && !p.options.cut_in_world && p.shown;
   p.options = wanted;
-  if (places_plane) {  // where the plane of the eye would be, upright
-    p.options.cut_at = 0.5 * (p.shown->result.result.row(0) + p.shown->result.result.row(joint_count));
-    p.options.cut_azimuth_rad = p.camera.azimuth_rad;
-    p.options.cut_elevation_rad = 0;
-  }
   p.surface->style = p.options.navigation;
   p.camera.is_parallel = p.options.is_parallel;
   p.applyCut();
@@ -284,18 +287,6 @@ void SceneView::setOptions(const SceneOptions& wanted) {
   refresh();
   if (is_of_other_size) frameAll();
   emit optionsChanged(p.options);
-}
-
-void SceneView::moveCut(double by_m, double turn_rad, double tilt_rad) {
-  constexpr double farthest_m = 1, steepest_rad = 1.5707963267948966;
-  SceneOptions options = m_parts->options;
-  if (!options.cuts) return;
-  options.cut_m = std::clamp(options.cut_m + by_m, -farthest_m, farthest_m);
-  if (options.cut_in_world) {
-    options.cut_azimuth_rad = std::remainder(options.cut_azimuth_rad + turn_rad, 4 * steepest_rad);
-    options.cut_elevation_rad = std::clamp(options.cut_elevation_rad + tilt_rad, -steepest_rad, steepest_rad);
-  }
-  setOptions(options);
 }
 
 int SceneView::morphStep() const {
@@ -326,12 +317,12 @@ void SceneView::resizeEvent(QResizeEvent* event) {
 
 void SceneView::arrange() {
   Parts& p = *m_parts;
+  p.cut_layer->setGeometry(rect());
   p.chips->fitInto(width() - 24);
-  p.chips->adjustSize();
   p.chips->move(12, 10);
   // Where the chips leave no room the legend goes below them.
   const bool narrow = width() < p.chips->width() + p.legend->width() + 36;
-  p.legend->move(width() - p.legend->width() - 10, narrow ? 40 : 8);
+  p.legend->move(width() - p.legend->width() - 10, narrow ? p.chips->geometry().bottom() + 4 : 8);
   p.cell_legend->move(p.legend->x(), p.legend->y() + p.legend->height() + 2);
   p.facts->setGeometry(14, height() - p.facts->height() - 10, width() - 28, p.facts->height());
   p.morph->adjustSize();

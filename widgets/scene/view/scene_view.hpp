@@ -69,6 +69,10 @@ class SceneView : public QWidget {
   /// Moves by `by` morph steps in every frame; at the end returns to the result.
   void stepMorph(int by);
   void setMorphStep(int step);
+  /// As set by a person: changes of the cutting plane can be taken back.
+  void edit(const abrazo::widgets::SceneOptions& options);
+  /// The cutting plane of these options, exactly as it was there.
+  void restoreCut(const abrazo::widgets::SceneOptions& options);
   /// Moves the cutting plane [m], and rotates a plane fixed in the world [rad].
   void moveCut(double by_m, double turn_rad, double tilt_rad);
 
@@ -88,6 +92,10 @@ class SceneView : public QWidget {
   void countsChanged(const abrazo::widgets::PartCounts& counts);
   void visibilityChanged(const abrazo::widgets::PartVisibility& visibility);
   void optionsChanged(const abrazo::widgets::SceneOptions& options);
+  /// A person moved or turned the cutting plane. @param edit  number of the edit: of one drag, or of changes
+  /// that follow each other quickly
+  void cutEdited(const abrazo::widgets::SceneOptions& before, const abrazo::widgets::SceneOptions& after,
+                 int edit);
   void scalarChanged(abrazo::widgets::MeshScalar scalar);
   void selectionRequested(const abrazo::widgets::Selection& selection);
   /// The candidate whose ghost is hovered, index into the frame's; -1 = the pointer left.
@@ -105,6 +113,14 @@ class SceneView : public QWidget {
   void wireOverlay();
   void wirePointer();
   void dragged(QPointF delta, PointerMove move);
+  void applyOptions(const SceneOptions& wanted);
+  void wireCut();
+  bool takeCut(QPointF place);
+  void pullCut(QPointF place);
+  void letGoOfCut();
+  bool leaveCutDrag();
+  bool pointAtCut(QPointF place);
+  void placeCutHandles();
   void handMoves();
   void wheeled(double notches);
   void zoom(double notches);

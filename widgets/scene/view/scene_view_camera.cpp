@@ -24,7 +24,7 @@ void SceneView::followPair() {
   if (!p.framed && result.selected >= 0) {
     p.framed = true;
     p.pair_camera.start(p.camera, result.result, p.shape());
-  } else if (p.following && p.framed && !p.move) {
+  } else if (p.following && p.framed && !p.move && !p.cut_drag) {
     const double by_clock_s =
         p.since_follow.isValid() ? static_cast<double>(p.since_follow.elapsed()) / 1000 : 0;
     const double by_frames_s = std::max(0.0, p.frame->time_s - p.followed_s.value_or(p.frame->time_s));
@@ -127,6 +127,7 @@ void SceneView::render() {
   }
   placeReference();
   placeTags();
+  placeCutHandles();
   const bool moving = p.since_render.isValid() && p.since_render.elapsed() < moving_ms;
   p.smoothed = p.budget.wants_smoothing(moving);
   if (!p.smoothed) p.standstill.start();

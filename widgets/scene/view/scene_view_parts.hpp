@@ -20,6 +20,7 @@
 #include "widgets/scene/values/camera_move.hpp"
 #include "widgets/scene/values/pair_camera.hpp"
 #include "widgets/scene/values/smoothing_budget.hpp"
+#include "widgets/scene/view/cut_handle_layer.hpp"
 #include "widgets/scene/view/depth_tags.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 
@@ -28,6 +29,13 @@ namespace abrazo::widgets {
 /// Hands of both bodies, with trails while no joint is selected.
 inline constexpr std::array<int, 4> hands = {
     joints::left_hand, joints::right_hand, joint_count + joints::left_hand, joint_count + joints::right_hand};
+
+/// The cutting plane in the hand.
+struct CutDrag {
+  CutGrip grip;
+  SceneOptions before;
+  QPointF from, offset;  ///< the pointer at first, and the knob from there
+};
 
 struct SceneView::Parts {
   explicit Parts(SceneView* view)
@@ -48,6 +56,11 @@ struct SceneView::Parts {
   PartVisibility visibility = default_visibility;
   PartCounts counts{};
   SceneOptions options;
+  CutHandleLayer* cut_layer = nullptr;
+  std::optional<CutDrag> cut_drag;
+  CutGrip cut_hovered = CutGrip::None;
+  int cut_edit = 0;  ///< number of the last edit of the plane
+  QElapsedTimer since_cut;
   std::vector<Selection> hidden;
   MeshScalar scalar = MeshScalar::Residual;
   std::array<SteadyRange, mesh_scalar_count> ranges;
@@ -78,10 +91,11 @@ struct SceneView::Parts {
 
   MeshLook look();
   void applyCut();
+  std::optional<CutHandles> cutHandles() const;
   SteadyRange& range() { return ranges[static_cast<std::size_t>(scalar)]; }
   bool shows(ScenePart part) const { return visibility[static_cast<std::size_t>(part)]; }
   PictureShape shape() const {
-    constexpr double overlays_px = 100;  // the chips above and the facts below
+    constexpr double overlays_px = 72;  // the chips above; the facts are beside the pair
     const double height = std::max(1, surface->height());
     return {surface->width() / height, std::clamp(1 - overlays_px / height, 0.58, 0.84)};
   }

@@ -22,6 +22,7 @@ void SceneView::wirePointer() {
   surface.hovered = [this](QPointF place) {
     Parts& p = *m_parts;
     if (!p.shown) return;
+    if (pointAtCut(place)) place = {-1e6, -1e6};
     if (p.picker.pointAt(place, *p.shown)) render();
     const Selection& at = p.picker.hovered();
     const auto row = at.kind == SelectionKind::Candidate ? candidate_of(*p.shown, at.pair) : std::nullopt;
@@ -162,11 +163,13 @@ void SceneView::showPast(const FrameHistory& history) {
   render();
 }
 
-/// Home is the view's own while it has the keyboard, also where the window has another meaning for it.
+/// Home is the view's own while it has the keyboard, also where the window has another meaning for it; so is
+/// Escape while the cutting plane is dragged.
 bool SceneView::event(QEvent* event) {
   if (event->type() == QEvent::ShortcutOverride) {
     const auto* key = static_cast<QKeyEvent*>(event);
-    if (key->key() == Qt::Key_Home && key->modifiers() == Qt::NoModifier) {
+    const bool leaves = key->key() == Qt::Key_Escape && m_parts->cut_drag;
+    if (leaves || (key->key() == Qt::Key_Home && key->modifiers() == Qt::NoModifier)) {
       event->accept();
       return true;
     }
@@ -176,6 +179,7 @@ bool SceneView::event(QEvent* event) {
 
 void SceneView::keyPressEvent(QKeyEvent* event) {
   if (event->key() == Qt::Key_Home && event->modifiers() == Qt::NoModifier) return frameAll();
+  if (event->key() == Qt::Key_Escape && leaveCutDrag()) return;
   QWidget::keyPressEvent(event);
 }
 
