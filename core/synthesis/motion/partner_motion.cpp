@@ -112,8 +112,8 @@ PairPose PartnerMover::move() {
   } else {
     stand();
     const Vec3 drawn = motion_.holds.drawn(moved_, moment_, step_.user, step_.user_root, body_);
-    motion_.place.approach(away(wanted), step_.elapsed_s, step_.settings.place_rate,
-                           drawn_share * no_nearer(drawn, root_, step_.user_root, moment_.partner));
+    motion_.place.advance(path_, away(wanted), step_.elapsed_s, step_.settings.place_rate,
+                          drawn_share * no_nearer(drawn, root_, step_.user_root, moment_.partner));
   }
   goes_ = motion_.place.way_to(wanted);
   motion_.since_change_s = changed_ ? 0 : motion_.since_change_s + step_.elapsed_s;
@@ -193,18 +193,23 @@ void PartnerMover::begin_from(const ShownPartner& shown) {
     return root;
   };
   const RootFrame centre_at = placed(shown.pose, at), centre_before = placed(shown.before, before);
-  motion_.place = PartnerPlace(shown.before_s > 0 ? centre_before : centre_at);
+  motion_.place = PartnerPlace(centre_at);
   const RecordedMoment earlier = moment_at(moved(step_.library, motion_.playhead, -shown.before_s));
   motion_.transition.begin(shape(shown.pose, at), shape_in(moment_), shape(shown.before, before),
                            shape_in(earlier), shown.before_s, step_.settings.transition_time_s);
   if (shown.before_s <= 0) return;
+  // One step before the shown pose, so that this step arrives there.
   Vec3 speed = (centre_at.position - centre_before.position) / shown.before_s;
   speed.y() = 0;
-  const RecordedPath path = path_between(earlier, moment_);
-  motion_.place.keep_speed(
-      speed - at.rotation() * path.own / shown.before_s,
-      (within_half_turn(at.heading_rad - before.heading_rad) - path.turn) / shown.before_s);
-  motion_.place.carry(path.own, path.turn);
+  const double turning = within_half_turn(at.heading_rad - before.heading_rad) / shown.before_s;
+  path_ = path_between(earlier, moment_);
+  const double share = step_.elapsed_s / shown.before_s;
+  path_.own *= share;
+  path_.turn *= share;
+  const RootFrame place{centre_at.position - step_.elapsed_s * speed,
+                        centre_at.heading_rad - step_.elapsed_s * turning};
+  motion_.place =
+      PartnerPlace(place, speed, step_.elapsed_s > 0 ? turning - path_.turn / step_.elapsed_s : turning);
 }
 
 void PartnerMover::go_on() {
@@ -217,8 +222,7 @@ void PartnerMover::go_on() {
   }
   moment_ = moment_at(motion_.playhead);
   motion_.transition.advance(step_.elapsed_s);
-  const RecordedPath path = path_between(before, moment_);
-  motion_.place.carry(path.own, path.turn);
+  path_ = path_between(before, moment_);
 }
 
 void PartnerMover::follow_clock() {
@@ -237,7 +241,7 @@ void PartnerMover::change() {
   const BodyShape seen_before = motion_.transition.shown(shape_in(old_before));
   motion_.transition.advance(elapsed_s);
   const BodyShape seen = motion_.transition.shown(shape_in(old_now));
-  const RecordedPath old_path = path_between(old_before, old_now);
+  const double old_turn = path_between(old_before, old_now).turn;
 
   motion_.playhead = {step_.chosen, 0, old.rate};
   moment_ = moment_at(motion_.playhead);
@@ -246,11 +250,8 @@ void PartnerMover::change() {
   const bool has_before = elapsed_s > 0 && !(earlier == motion_.playhead);
   motion_.transition.begin(seen, shape_in(moment_), seen_before, shape_in(before), has_before ? elapsed_s : 0,
                            step_.settings.transition_time_s);
-  const RecordedPath path = path_between(before, moment_);
-  if (has_before)
-    motion_.place.keep_speed(motion_.place.at().rotation() * (old_path.own - path.own) / elapsed_s,
-                             (old_path.turn - path.turn) / elapsed_s);
-  motion_.place.carry(path.own, path.turn);
+  path_ = path_between(before, moment_);
+  if (has_before) motion_.place.keep_turning((old_turn - path_.turn) / elapsed_s);
   changed_ = true;
 }
 

@@ -52,12 +52,6 @@ struct MotionStep {
   std::optional<ShownPartner> shown;  ///< set if there is a partner but no source yet
 };
 
-/// Recorded motion between two moments, relative to the partner's heading.
-struct RecordedPath {
-  Vec3 own = Vec3::Zero();
-  double turn = 0;
-};
-
 /// Advances the partner by a frame: source time, place and transitions; then, adapted to the user, planted
 /// feet and held hands.
 class PartnerMover {
@@ -92,6 +86,7 @@ class PartnerMover {
   const MotionStep& step_;
   const Body& body_;
   RecordedMoment moment_;
+  RecordedPath path_;         ///< of the centre of mass during this step
   Vec3 goes_ = Vec3::Zero();  ///< remaining way to the desired place, horizontal [m]
   RootFrame root_;            ///< of the moved partner
   Pose moved_ = Pose::Zero();

@@ -4,9 +4,18 @@
 
 namespace abrazo {
 
-/// Horizontal position of the partner's centre of mass and its heading, as a state with a speed. The
-/// recording carries it; the remaining distance to the desired place is closed like a critically damped
-/// spring, so that a sway of the user's hips does not swing the partner.
+/// Recorded motion between two moments, relative to the partner's heading.
+struct RecordedPath {
+  Vec3 own = Vec3::Zero();
+  double turn = 0;
+};
+
+/// Horizontal position of the partner's centre of mass and its heading, as a state with a speed. The heading
+/// is turned by the recording, and closes the remaining angle like a critically damped spring. The position
+/// goes to the desired place like a damped mass whose damping is relative to a share of the recorded speed:
+///   x'' = omega^2 (D - x) - 2 zeta omega (x' - beta c')
+/// with the desired place D and the recorded path c. So it moves with the recording, but accelerations of the
+/// recording and of the user's hips do not reach it.
 class PartnerPlace {
  public:
   PartnerPlace() = default;
@@ -14,20 +23,21 @@ class PartnerPlace {
 
   /// World [m]; the height is unused.
   const RootFrame& at() const { return at_; }
-  /// Speed of the spring alone, without the recorded motion [m/s], [rad/s].
+  /// Speed of the position, with the recorded motion [m/s]; of the heading without the recorded turn [rad/s].
   const Vec3& speed() const { return speed_; }
   double turning() const { return turning_; }
 
-  /// Applies the recorded path and turn since the last step; the path is relative to the partner's heading.
-  void carry(const Vec3& own_path, double turn_rad);
-  /// At a change of source: the total speed continues; the spring takes the difference between the sources.
-  /// @param lost_speed speed of the old source minus that of the new one, world [m/s]
-  void keep_speed(const Vec3& lost_speed, double lost_turning);
+  /// At a change of source the turning continues: the spring takes the difference between the sources.
+  /// @param lost_turning turning of the old source minus that of the new one [rad/s]
+  void keep_turning(double lost_turning) { turning_ += lost_turning; }
   /// Distance over which the spring pulls, horizontal [m].
   Vec3 way_to(const RootFrame& wanted) const;
+  /// Advances by a step.
+  /// @param path  recorded motion during the step
   /// @param rate  omega of the spring [1/s]
   /// @param drawn pull of held hands, added to that of the spring without its bound, horizontal [m]
-  void approach(const RootFrame& wanted, double elapsed_s, double rate, const Vec3& drawn = Vec3::Zero());
+  void advance(const RecordedPath& path, const RootFrame& wanted, double elapsed_s, double rate,
+               const Vec3& drawn = Vec3::Zero());
 
   PartnerPlace(const RootFrame& at, const Vec3& speed, double turning)
       : at_(at), speed_(speed), turning_(turning) {}

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace abrazo::partner_place_test {
 namespace {
 
@@ -11,14 +13,64 @@ RootFrame at(double x, double heading_rad = 0) {
   return {{x, 0, 0}, heading_rad};
 }
 
-TEST(PartnerPlace, WhatIsLeftIsClosedAsByACriticallyDampedSpring) {
-  PartnerPlace place(at(0));
-  const double from = -0.2;
-  for (int step = 1; step <= 240; ++step) {
-    place.approach(at(0.2), step_s, rate);
-    const double time_s = step * step_s;
-    EXPECT_NEAR(place.at().position.x() - 0.2, from * (1 + rate * time_s) * std::exp(-rate * time_s), 1e-9);
+/// x'' = omega^2 (wanted - x) - 2.4 omega (x' - 0.75 c'), by small steps of semi-implicit Euler.
+struct ByHand {
+  double x = 0, speed = 0;
+  void advance(double wanted, double recorded_speed, double elapsed_s) {
+    const int parts = 2000;
+    const double part_s = elapsed_s / parts;
+    for (int i = 0; i < parts; ++i) {
+      speed += part_s * (rate * rate * (wanted - x) - 2.4 * rate * (speed - 0.75 * recorded_speed));
+      x += part_s * speed;
+    }
   }
+};
+
+TEST(PartnerPlace, MovesByItsEquation) {
+  PartnerPlace place(at(0));
+  ByHand by_hand;
+  for (int step = 0; step < 120; ++step) {
+    const double wanted = 0.1 * std::sin(0.05 * step), recorded_speed = 0.4 * std::cos(0.03 * step);
+    place.advance({step_s * recorded_speed * Vec3::UnitX(), 0}, at(wanted), step_s, rate);
+    by_hand.advance(wanted, recorded_speed, step_s);
+    ASSERT_NEAR(place.at().position.x(), by_hand.x, 1e-6);
+    ASSERT_NEAR(place.speed().x(), by_hand.speed, 1e-5);
+  }
+}
+
+TEST(PartnerPlace, ARecordedPathIsThatOfTheTurningPartner) {
+  PartnerPlace place(at(0, 1.0));
+  const Vec3 own(0.01, 0, 0.002);
+  place.advance({own, 0.2}, at(0, 1.2), step_s, rate);
+  const Vec3 expected = RootFrame{Vec3::Zero(), 1.1}.rotation() * own;
+  EXPECT_LT(place.speed().normalized().cross(expected.normalized()).norm(), 1e-9);
+  EXPECT_NEAR(place.at().heading_rad, 1.2, 1e-12);
+}
+
+/// A mass that is carried by the recording would accelerate as hard as the recorded one.
+TEST(PartnerPlace, AQuickSwayOfTheRecordingReachesItWeakly) {
+  PartnerPlace place(at(0));
+  const double sway_hz = 2, sway = 2 * 3.14159265358979 * sway_hz, amplitude_m = 0.05;
+  double hardest = 0;
+  Vec3 before = place.speed();
+  for (int step = 0; step < 480; ++step) {
+    const double speed = amplitude_m * sway * std::cos(sway * step * step_s);
+    place.advance({step_s * speed * Vec3::UnitX(), 0}, at(0), step_s, rate);
+    if (step > 120) hardest = std::max(hardest, (place.speed() - before).norm() / step_s);
+    before = place.speed();
+  }
+  EXPECT_LT(hardest, 0.7 * amplitude_m * sway * sway);
+}
+
+TEST(PartnerPlace, HalfStepsArriveWhereWholeStepsDo) {
+  PartnerPlace whole(at(0, 0.3)), halves(at(0, 0.3));
+  const RootFrame wanted = at(0.15, 0.5);
+  for (int step = 0; step < 30; ++step) {
+    whole.advance({Vec3(0.004, 0, 0.002), 0}, wanted, 2 * step_s, rate);
+    for (int half = 0; half < 2; ++half) halves.advance({Vec3(0.002, 0, 0.001), 0}, wanted, step_s, rate);
+  }
+  EXPECT_LT((whole.at().position - halves.at().position).norm(), 1e-3);
+  EXPECT_NEAR(whole.at().heading_rad, halves.at().heading_rad, 1e-9);
 }
 
 TEST(PartnerPlace, APartnerThatIsFarOffWalksThere) {
@@ -26,7 +78,7 @@ TEST(PartnerPlace, APartnerThatIsFarOffWalksThere) {
   double fastest = 0, fastest_turn = 0;
   for (int step = 0; step < 6 * 240; ++step) {
     const RootFrame before = place.at();
-    place.approach(at(3, 3), step_s, rate);
+    place.advance({}, at(3, 3), step_s, rate);
     fastest = std::max(fastest, (place.at().position - before.position).norm() / step_s);
     fastest_turn = std::max(fastest_turn, std::abs(place.at().heading_rad - before.heading_rad) / step_s);
   }
@@ -39,13 +91,13 @@ TEST(PartnerPlace, APartnerThatIsFarOffWalksThere) {
 TEST(PartnerPlace, AHandThatIsDrawnAddsToThePullWithoutItsBound) {
   const Vec3 drawn(0, 0, 0.15);
   PartnerPlace drawn_place(at(0)), elsewhere(at(0));
-  drawn_place.approach(at(0.1), step_s, rate, drawn);
-  elsewhere.approach({Vec3(0.1, 0, 0.15), 0}, step_s, rate);
+  drawn_place.advance({}, at(0.1), step_s, rate, drawn);
+  elsewhere.advance({}, {Vec3(0.1, 0, 0.15), 0}, step_s, rate);
   EXPECT_LT((drawn_place.at().position - elsewhere.at().position).norm(), 1e-12)
       << "near by it is another place";
   PartnerPlace far(at(0)), far_drawn(at(0));
-  far.approach(at(3), step_s, rate);
-  far_drawn.approach(at(3), step_s, rate, drawn);
+  far.advance({}, at(3), step_s, rate);
+  far_drawn.advance({}, at(3), step_s, rate, drawn);
   EXPECT_NEAR(far_drawn.at().position.x(), far.at().position.x(), 1e-12);
   EXPECT_NEAR(far_drawn.at().position.z(), drawn_place.at().position.z(), 1e-12);
 }
@@ -53,15 +105,19 @@ TEST(PartnerPlace, AHandThatIsDrawnAddsToThePullWithoutItsBound) {
 TEST(PartnerPlace, AChangeOfWhatCarriesItKeepsItsSpeed) {
   PartnerPlace place(at(0));
   const Vec3 old_speed(0.8, 0, 0.1), new_speed(-0.3, 0, 0.4);
-  for (int step = 0; step < 10; ++step) {
-    place.carry(step_s * old_speed, 0);
-    place.approach(place.at(), step_s, rate);
-  }
-  const RootFrame before = place.at();
-  place.keep_speed(old_speed - new_speed, 0);
-  place.carry(step_s * new_speed, 0);
-  place.approach(place.at(), step_s, rate);
-  EXPECT_LT(((place.at().position - before.position) / step_s - old_speed).norm(), 0.05);
+  for (int step = 0; step < 240; ++step) place.advance({step_s * old_speed, 0}, place.at(), step_s, rate);
+  const Vec3 before = place.speed();
+  place.advance({step_s * new_speed, 0}, place.at(), step_s, rate);
+  EXPECT_LT((place.speed() - before).norm(), 0.1);
+}
+
+TEST(PartnerPlace, ATurnGoesOnAtAChange) {
+  PartnerPlace place(at(0));
+  for (int step = 0; step < 10; ++step) place.advance({Vec3::Zero(), 2 * step_s}, place.at(), step_s, rate);
+  const double before = place.at().heading_rad;
+  place.keep_turning(2 - -1);
+  place.advance({Vec3::Zero(), -1 * step_s}, place.at(), step_s, rate);
+  EXPECT_NEAR((place.at().heading_rad - before) / step_s, 2, 0.2);
 }
 
 }  // namespace
