@@ -46,8 +46,9 @@ void FramePipeline::show_on_bodies(const Pose& user, double dt_s) {
                        .continues = next_.partner_is_shown,
                        .pose_weight = settings_.morph_weight};
   const PairFit::Outcome& outcome = shown_.fit(task, shown);
-  out_.result = outcome.pose;
-  out_.morph_steps.push_back(outcome.pose);
+  // As a failed frame after it adds them up, so that it holds this pose to the bit.
+  out_.result = editor_.result() + shown.difference;
+  out_.morph_steps.push_back(out_.result);
   out_.residual.bone_length_max = outcome.bone_error;
   shown_.contacts().measure(outcome.pose, out_.collisions, out_.residual.penetration_max_m,
                             out_.residual.excess_penetration_max_m);

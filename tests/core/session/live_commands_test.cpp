@@ -189,7 +189,7 @@ TEST_F(LiveCommands, SinksAreToldTheBonesOfTheRoleThatTheirCharacterHas) {
   commands.push(ReplaceSynthesizer{synthesizer()});
   dance(1);
   EXPECT_EQ(later->bodies().back().height(), test::small_library()->usual_active_body().body.height());
-  EXPECT_EQ(partner->bodies().size(), 3U) << "another library";
+  EXPECT_EQ(partner->bodies().size(), 2U) << "another library, whose performer has the same bones";
 }
 
 TEST_F(LiveCommands, SinksAreToldTheBonesOfTheChosenBodies) {

@@ -160,7 +160,9 @@ double bone_error(const Pose& pose, const Body& body) {
   return largest;
 }
 
-void holds_together(const FrameResult& frame, const MotionLibrary& library, const PairPose* last_good) {
+/// @param bodies  of the user's character and the partner
+void holds_together(const FrameResult& frame, const std::array<GlidingBody, 2>& bodies, UserRole role,
+                    const PairPose* last_good) {
   RC_ASSERT(frame.result.allFinite());
   RC_ASSERT(!frame.morph_steps.empty());
   for (const PairPose& step : frame.morph_steps) RC_ASSERT(step.allFinite());
@@ -173,8 +175,9 @@ void holds_together(const FrameResult& frame, const MotionLibrary& library, cons
   }
   RC_ASSERT(frame.selected >= 0);
   RC_ASSERT(frame.selected < static_cast<int>(frame.candidates.size()));
-  RC_ASSERT(bone_error(frame.active(), library.usual_active_body().body) <= bone_limit);
-  RC_ASSERT(bone_error(frame.passive(), library.usual_passive_body().body) <= bone_limit);
+  const std::size_t active = role == UserRole::Active ? 0 : 1;
+  RC_ASSERT(bone_error(frame.active(), bodies[active].now()) <= bone_limit);
+  RC_ASSERT(bone_error(frame.passive(), bodies[1 - active].now()) <= bone_limit);
   RC_ASSERT(frame.residual.bone_length_max <= bone_limit);
   RC_ASSERT(frame.residual.foot_lock_max_m <= drift_limit_m);
   for (const double value : {frame.energy.deformation, frame.energy.velocity, frame.energy.constraint,
@@ -224,7 +227,7 @@ Session run(PartnerSynthesizer& synthesizer, const std::vector<Step>& steps) {
     synthesizer.pin_pair(step.pin);
     if (step.vetoes) synthesizer.set_vetoes(*step.vetoes);
     const FrameResult& frame = synthesizer.step(step.user, step.elapsed);
-    holds_together(frame, *library, last_good ? &*last_good : nullptr);
+    holds_together(frame, synthesizer.state().memory.shown.bodies, role, last_good ? &*last_good : nullptr);
     const Settings& settings = synthesizer.settings();
     const bool by_intent = settings.selection == SelectionMethod::Intent;
     const bool continues = by_intent || settings.playback == SourcePlayback::Continuous;
