@@ -10,7 +10,9 @@ namespace abrazo {
 namespace {
 
 constexpr std::uint8_t format_version = 6;
-constexpr std::uint8_t without_bodies = 5;  ///< was written while bodies were always the library's
+// Was written while bodies were always the library's. The speed of the partner's place did not include the
+// recorded motion then: a partner that continues from such a state first gets up to speed.
+constexpr std::uint8_t without_bodies = 5;
 constexpr std::uint8_t without_hold_pace =
     4;                                   ///< was written before a hold had a pace and user's hands a filter
 constexpr std::uint8_t of_the_root = 3;  ///< was written while the partner's place was that of its root
