@@ -145,6 +145,13 @@ void ScalarLegend::setLocked(bool locked) {
   dressButtons();
 }
 
+void ScalarLegend::becomePicture() {
+  m_isPicture = true;
+  m_lock->hide();
+  m_more->hide();
+  update();
+}
+
 void ScalarLegend::setMap(ColourMap map, bool logarithmic) {
   m_map = map;
   m_isLogarithmic = logarithmic;
@@ -153,7 +160,7 @@ void ScalarLegend::setMap(ColourMap map, bool logarithmic) {
 void ScalarLegend::show(const LegendScale& scale) {
   if (scale == m_scale) return;
   m_scale = scale;
-  m_more->setVisible(!scale.is_diverging || scale.upper > 0);
+  m_more->setVisible(!m_isPicture && (!scale.is_diverging || scale.upper > 0));
   setFixedHeight(scale.lacks_values ? height_with_key : plain_height);
   update();
 }
@@ -225,7 +232,7 @@ void ScalarLegend::paintEvent(QPaintEvent*) {
 
   painter.setFont(interface_font(12));
   painter.setPen(m_palette.secondary);
-  const int buttons = m_more->isVisibleTo(this) ? 2 : 1;
+  const int buttons = m_isPicture ? 0 : m_more->isVisibleTo(this) ? 2 : 1;
   const QRectF ends(bar.left(), 39, bar.width() - buttons * lock_size, 20);
   draw_tabular(painter, ends, Qt::AlignRight, m_scale.high);
   draw_tabular(painter, ends, Qt::AlignLeft, m_scale.low);

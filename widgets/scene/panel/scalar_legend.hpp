@@ -36,6 +36,8 @@ class ScalarLegend : public QWidget {
   explicit ScalarLegend(QWidget* parent);
   void setColours(const Palette& palette);
   void show(const LegendScale& scale);
+  /// Without its buttons: in a picture nobody can press them.
+  void becomePicture();
   /// Sets the lock without a signal.
   void setLocked(bool locked);
   /// Checked entries of the menu.
@@ -60,7 +62,7 @@ class ScalarLegend : public QWidget {
   Palette m_palette;
   LegendScale m_scale;
   ColourMap m_map = ColourMap::Viridis;
-  bool m_isLogarithmic = false;
+  bool m_isLogarithmic = false, m_isPicture = false;
   QToolButton *m_lock, *m_more;
 };
 

@@ -43,7 +43,9 @@ void SceneView::showAs(const SceneView& other, bool captions) {
   p.chips->hide();
   p.morph->hide();
   p.facts->setVisible(captions);
-  p.legend->setVisible(captions);
+  const bool shows_mesh = p.shows(ScenePart::MeshBetween) || p.shows(ScenePart::MeshWithin);
+  for (ScalarLegend* legend : {p.legend, p.cell_legend}) legend->becomePicture();
+  p.legend->setVisible(captions && shows_mesh);
   p.cell_legend->setVisible(captions && p.shows(ScenePart::Tetrahedra));
 }
 
