@@ -177,10 +177,21 @@ void PanelArea::arrangeFor(QSize window) {
   m_room = plan_panels(window, m_wishes, m_beside);
   for (const Panel& panel : m_panels)
     if (panel.usual_side != Qt::BottomDockWidgetArea)
-      panel.title->header().setFixedHeight(m_room.has_low_heads ? low_head : usual_head);
+      setHeadHeight(panel, m_room.has_low_heads ? low_head : usual_head);
   showWhatFits();
   keepTuned();
   restoreSizes();
+}
+
+/// A dock keeps the least height that it had with its former head until its layout is made again: panels
+/// would overlap.
+void PanelArea::setHeadHeight(const Panel& panel, int height) {
+  if (panel.title->header().height() == height) return;
+  panel.title->header().setFixedHeight(height);
+  for (QWidget* changed : {static_cast<QWidget*>(panel.title), static_cast<QWidget*>(panel.dock)}) {
+    changed->layout()->invalidate();
+    changed->layout()->activate();
+  }
 }
 
 void PanelArea::leaveRoomBeside(int width) {

@@ -73,6 +73,7 @@ class PanelArea : public QMainWindow {
   void showWhatFits();
   int planned(Qt::DockWidgetArea side) const;
   void rememberSizes();
+  static void setHeadHeight(const Panel& panel, int height);
   void keepTuned();
   void restoreSizes();
   void applyUsualSizes();

@@ -57,15 +57,25 @@ CutGrip CutHandles::at(double x, double y) const {
   return CutGrip::None;
 }
 
+/// What is held moves along a line through it: where that passes nearest to the pointer's ray, it is.
 double CutHandles::moved_m(double from_x, double from_y, double to_x, double to_y) const {
-  constexpr double little_m = 0.01;
-  const auto ahead = projection_.project(plane_.point + little_m * plane_.normal);
-  if (!middle || !ahead) return 0;
-  const double scale = projection_.pixels_per_metre(middle->depth_m);
-  const Eigen::Vector2d along = Eigen::Vector2d(ahead->x - middle->x, ahead->y - middle->y) / little_m;
-  const Eigen::Vector2d drag(to_x - from_x, to_y - from_y);
-  if (along.norm() >= least_share * scale) return drag.dot(along) / along.squaredNorm();
-  return (ahead->depth_m < middle->depth_m ? drag.y() : -drag.y()) / scale;
+  if (!middle) return 0;
+  const Vec3& normal = plane_.normal;
+  const auto from = projection_.ray(from_x, from_y), to = projection_.ray(to_x, to_y);
+  const double slope = normal.dot(from.along);
+  if (1 - slope * slope < least_share * least_share) {
+    const double by_m = (to_y - from_y) / projection_.pixels_per_metre(middle->depth_m);
+    return slope < 0 ? by_m : -by_m;
+  }
+  Vec3 held = plane_.point;  // on the shaft; else on the outline, in the plane
+  if (distance_px(middle, knob, from_x, from_y) > line_px && std::abs(slope) > least_share)
+    held = from.from + (plane_.point - from.from).dot(normal) / slope * from.along;
+  const auto nearest_m = [&](const PictureProjection::Ray& ray) {
+    const double along = normal.dot(ray.along);
+    const Vec3 offset = ray.from - held;
+    return (normal.dot(offset) - along * ray.along.dot(offset)) / (1 - along * along);
+  };
+  return nearest_m(to) - nearest_m(from);
 }
 
 Vec3 CutHandles::turned(double x, double y) const {
