@@ -71,21 +71,6 @@ TEST(PartnerMotion, TheResultIsContinuousAtAChangeOfSource) {
   EXPECT_GT(changes, 4);
 }
 
-TEST(PartnerMotion, TheFirstPairOfTheLibraryIsLeftAsSmoothlyAsAnyOther) {
-  auto synthesizer = synthesizer_with(test::responsive_by_pose());
-  const auto& library = synthesizer->library();
-  Shown shown;
-  synthesizer->pin_pair(0);
-  for (int step = 0; step < 60; ++step) {
-    if (step == 30) synthesizer->pin_pair(library.find_pair("second", 50, false));
-    shown.add(
-        synthesizer->step(user().poses[static_cast<std::size_t>(step)], Duration(step == 0 ? 0 : step_s)));
-    if (step >= 25) {
-      EXPECT_LT(shown.kink(), 0.01) << step;
-    }
-  }
-}
-
 TEST(PartnerMotion, AChangeOfSourceLeavesTheCentreOfMassOnItsWay) {
   // Without what the user's hands and the floor ask for: how a body whose shape fades is carried.
   Settings settings = test::responsive_by_pose();
