@@ -177,6 +177,7 @@ void SettingRow::buildBody() {
   row->addWidget(m_body);
   setFixedHeight(34);
   name(*m_body);
+  name(*m_body->lineEdit());
   const auto ask = [this] {
     const QString typed = m_body->currentText().trimmed();
     if (typed != m_bodyText) emit changed(key(), typed, 0);

@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 #include <unordered_map>
 
@@ -76,6 +78,67 @@ const Json& member(const Json& value, const char* key) {
   return found == value.end() ? nothing : *found;
 }
 
+/// A whole number of a damaged file: `otherwise` where there is none, none if it is something else.
+std::optional<double> whole_number(const Json& value, double otherwise) {
+  if (value.is_null()) return otherwise;
+  if (!value.is_number()) return std::nullopt;
+  const auto number = value.get<double>();
+  return number >= 0 && number < 1e15 && number == std::floor(number) ? std::optional(number) : std::nullopt;
+}
+
+/// What a file calls an element of a list: its number in version 2, its name in version 1.
+const Json& element(const Json& list, const Json& name) {
+  static const Json nothing;
+  if (list.is_array() && name.is_number_unsigned() && name.get<std::size_t>() < list.size())
+    return list[name.get<std::size_t>()];
+  return list.is_object() && name.is_string() ? member(list, name.get<std::string>().c_str()) : nothing;
+}
+
+std::optional<double> bytes_of_a_value(const Json& accessor) {
+  static const std::map<int, int> of_component = {{5120, 1}, {5121, 1}, {5122, 2},
+                                                  {5123, 2}, {5125, 4}, {5126, 4}};
+  static const std::map<std::string, int> components = {{"SCALAR", 1}, {"VEC2", 2}, {"VEC3", 3}, {"VEC4", 4},
+                                                        {"MAT2", 4},   {"MAT3", 9}, {"MAT4", 16}};
+  const Json &component = member(accessor, "componentType"), &type = member(accessor, "type");
+  if (!component.is_number_integer() || !type.is_string()) return std::nullopt;
+  const auto bytes = of_component.find(component.get<int>());
+  const auto count = components.find(type.get<std::string>());
+  if (bytes == of_component.end() || count == components.end()) return std::nullopt;
+  return bytes->second * count->second;
+}
+
+/// Whether the values of an accessor lie in its view, and that in its buffer: readers copy them without
+/// looking.
+bool lies_in_its_buffer(const Json& accessor, const Json& root) {
+  if (!accessor.is_object()) return false;
+  const Json& name = member(accessor, "bufferView");
+  if (name.is_null()) return true;  // zeros
+  const Json& view = element(member(root, "bufferViews"), name);
+  const Json& buffer = element(member(root, "buffers"), member(view, "buffer"));
+  if (!view.is_object() || !buffer.is_object()) return false;
+  const auto value = bytes_of_a_value(accessor), count = whole_number(member(accessor, "count"), 0),
+             from = whole_number(member(accessor, "byteOffset"), 0),
+             own_stride = whole_number(member(accessor, "byteStride"), 0),
+             stride = whole_number(member(view, "byteStride"), 0),
+             view_from = whole_number(member(view, "byteOffset"), 0),
+             view_bytes = whole_number(member(view, "byteLength"), 0),
+             buffer_bytes = whole_number(member(buffer, "byteLength"), 0);
+  if (!value || !count || !from || !own_stride || !stride || !view_from || !view_bytes || !buffer_bytes)
+    return false;
+  const double apart = std::max({*value, *own_stride, *stride});
+  const double end = *count > 0 ? *from + (*count - 1) * apart + *value : *from;
+  return end <= *view_bytes && *view_from + *view_bytes <= *buffer_bytes;
+}
+
+Status check_accessors(const Json& root, const std::string& file) {
+  for (const auto& item : member(root, "accessors").items())
+    if (!lies_in_its_buffer(item.value(), root))
+      return Error{"cannot be read as glTF: the values of accessor " + item.key() +
+                       " lie outside of its buffer, or are of no known kind; export it again",
+                   file};
+  return Done{};
+}
+
 Result<SceneHierarchy> hierarchy_of_gltf(std::string_view bytes, const std::string& file) {
   DoubledKeys doubled;
   const Json root = Json::parse(gltf_json(bytes), std::ref(doubled), false);
@@ -85,6 +148,7 @@ Result<SceneHierarchy> hierarchy_of_gltf(std::string_view bytes, const std::stri
     return Error{
         "cannot be read as glTF: it has two values of one key, of which one cannot be meant; export it again",
         file};
+  if (const Status inside = check_accessors(root, file); !inside) return inside.error();
   const Json& list = member(root, "nodes");
   const GltfNodes nodes(list);
   SceneHierarchy hierarchy;

@@ -14,7 +14,8 @@ namespace abrazo {
 using SceneHierarchy = std::vector<std::vector<std::size_t>>;
 
 /// The nodes of an FBX, glTF or Collada file as it names them, which need not be a tree. Rather too many
-/// links than too few where the file is damaged; an Error where they are unknown.
+/// links than too few where the file is damaged; an Error where they are unknown, or where values of a glTF
+/// file lie outside of its buffers.
 Result<SceneHierarchy> scene_hierarchy(std::string_view bytes, MotionFormat format, const std::string& file);
 
 /// What may be read by a reader that descends by recursion and copies what hangs in several places: no

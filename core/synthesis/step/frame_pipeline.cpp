@@ -60,6 +60,8 @@ void FramePipeline::lose_track() {
 void FramePipeline::forget() {
   lose_track();
   memory_.partner_is_shown = false;
+  // A frame that fails before the next is solved still holds the pose that was shown.
+  if (memory_.shown.is_fitted) memory_.previous += memory_.shown.difference;
   memory_.shown = {};
 }
 

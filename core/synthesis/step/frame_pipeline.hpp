@@ -19,7 +19,8 @@
 namespace abrazo {
 
 /// Processes one frame for a user who plays the first body of the library's pairs: retarget, select, edit,
-/// measure, show on the chosen bodies. Keeps the state for the next frame: the two previous results, foot locks, the current source.
+/// measure, show on the chosen bodies. Keeps the state for the next frame: the two previous results, foot
+/// locks, the current source.
 class FramePipeline {
  public:
   /// @param pairs the selectable pairs

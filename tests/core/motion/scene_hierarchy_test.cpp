@@ -94,6 +94,37 @@ TEST(SceneHierarchy, WhatCannotBeToldIsRefused) {
               HasSubstr("character references"));
 }
 
+std::string with_accessor(const std::string& accessor, const std::string& view) {
+  return R"({"asset":{"version":"2.0"},"scene":0,"scenes":[{"nodes":[0]}],"nodes":[{}],"buffers":[{"byteLength":68}],)"
+         R"("bufferViews":[)" +
+         view + R"(],"accessors":[)" + accessor + "]}";
+}
+
+/// Found by fuzzing: values were copied from beyond the end of a buffer.
+TEST(SceneHierarchy, ValuesOutsideOfTheirBufferAreRefused) {
+  const std::string view = R"({"buffer":0,"byteOffset":56,"byteLength":12})";
+  const auto said = [](const std::string& file) {
+    const auto hierarchy = scene_hierarchy(file, MotionFormat::Gltf, "scene");
+    return hierarchy ? std::string("read") : hierarchy.error().text();
+  };
+  const auto vector_at = [](int offset, int count) {
+    return R"({"bufferView":0,"componentType":5126,"type":"VEC3","byteOffset":)" + std::to_string(offset) +
+           R"(,"count":)" + std::to_string(count) + "}";
+  };
+  EXPECT_EQ(said(with_accessor(vector_at(0, 1), view)), "read");
+  for (const std::string& accessor :
+       {vector_at(5, 1), vector_at(0, 2), std::string(R"({"bufferView":0,"type":"VEC3","count":1})"),
+        std::string(R"({"bufferView":1,"componentType":5126,"type":"VEC3","count":1})"),
+        std::string(R"({"bufferView":0,"componentType":5126,"type":"VEC3","count":-1})")})
+    EXPECT_THAT(said(with_accessor(accessor, view)), HasSubstr("values of accessor 0 lie outside"));
+  EXPECT_THAT(said(with_accessor(vector_at(0, 1), R"({"buffer":0,"byteOffset":60,"byteLength":12})")),
+              HasSubstr("values of accessor 0 lie outside"))
+      << "the view itself leaves the buffer";
+  EXPECT_THAT(
+      said(with_accessor(vector_at(0, 1), R"({"buffer":0,"byteOffset":0,"byteLength":60,"byteStride":64})")),
+      ::testing::StrEq("read"));
+}
+
 TEST(SceneHierarchy, OfVersionOneGoesByNames) {
   const auto read =
       scene_hierarchy(R"({"scenes":{"s":{"nodes":["b"]}},"nodes":{"a":{},"b":{"children":["a"]}}})",
