@@ -49,7 +49,9 @@ void SettingsOptions::add_to(CLI::App& command) {
             names, [this, key](const std::string& text) { given_[key] = text; },
             fmt::format("{} [{}; {}]", info.help, choices_of(info), preset_values(info)))
         ->group("Settings")
-        ->type_name(number ? "NUMBER" : info.kind == SettingInfo::Kind::Body ? "BODY" : "WORD")
+        ->type_name(number                                 ? "NUMBER"
+                    : info.kind == SettingInfo::Kind::Body ? "BODY"
+                                                           : "WORD")
         ->check([key](const std::string& text) {
           Settings scratch;
           const Status usable = set_setting(scratch, key, text);

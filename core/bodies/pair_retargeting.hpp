@@ -6,9 +6,9 @@
 
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
+#include "core/bodies/recorded_pair.hpp"
 #include "core/synthesis/bodies/pair_fit.hpp"
 #include "core/synthesis/bodies/placed_pair.hpp"
-#include "core/bodies/recorded_pair.hpp"
 
 namespace abrazo {
 

@@ -222,7 +222,8 @@ void SettingRow::showTitle(bool changed, const QString& of_frame) {
 void SettingRow::showApplies(const Settings& settings) {
   if (applies(settings, m_info.key) == m_applies) return;
   m_applies = !m_applies;
-  for (QWidget* part : std::initializer_list<QWidget*>{m_title, m_slider, m_value, m_toggle, m_choice, m_body})
+  for (QWidget* part :
+       std::initializer_list<QWidget*>{m_title, m_slider, m_value, m_toggle, m_choice, m_body})
     if (part) part->setEnabled(m_applies);
   QString help = QString::fromStdString(setting_tooltip(m_info));
   if (!m_applies)

@@ -156,10 +156,9 @@ void LiveLoop::solve(const SourcePose& input, double now_s) {
                      .solved_s = clock_ ? clock_() : now_s};
   const std::optional<Error> damage = snapshot->library->damage();
   if (damage) hold(*snapshot, latest_.newest(), damage->text());
-  if (damage
-          ? output_.hold(snapshot->time_s)
-          : output_.send(snapshot->result, snapshot->library, snapshot->settings, synthesizer.user_body(),
-                         snapshot->time_s))
+  if (damage ? output_.hold(snapshot->time_s)
+             : output_.send(snapshot->result, snapshot->library, snapshot->settings, synthesizer.user_body(),
+                            snapshot->time_s))
     snapshot->times.sent_s = clock_ ? clock_() : now_s;
   has_solved_ = true;
   const FrameResult& solved = snapshot->result;
