@@ -1,10 +1,35 @@
 // The part of FramePipeline that shows the solved pair on the chosen bodies.
 
+#include <algorithm>
+#include <cmath>
+
 #include "core/motion/body/body_choice.hpp"
+#include "core/motion/body/joint_set.hpp"
 #include "core/synthesis/frames/frame_room.hpp"
+#include "core/synthesis/motion/body_shape.hpp"
 #include "core/synthesis/step/frame_pipeline.hpp"
 
 namespace abrazo {
+namespace {
+
+/// Relative; tracking stretches bones, and up to this the user's pose is shown as it is.
+constexpr double tracked_bone_error = 5e-4;
+
+/// The pose with the lengths of `body` where its own are others: those that a tracked user has in this frame.
+Pose with_bones_of(const Body& body, const Pose& pose) {
+  double largest = 0;
+  for (int b = 0; b < bone_count; ++b) {
+    const double wanted = body.bone_lengths[static_cast<std::size_t>(b)];
+    const auto [from, to] = bone(b);
+    if (wanted > 1e-6)
+      largest = std::max(largest, std::abs((pose.row(from) - pose.row(to)).norm() - wanted) / wanted);
+  }
+  if (largest <= tracked_bone_error) return pose;
+  const RootFrame root = root_frame(pose);
+  return placed_body(shape_of(to_normalized(pose, root), root.position.y()), body, root);
+}
+
+}  // namespace
 
 /// With the library's bodies for both, the solved pair is shown as it is.
 void FramePipeline::show(const Pose& user, double dt_s) {
@@ -34,7 +59,7 @@ void FramePipeline::show_on_bodies(const Pose& user, double dt_s) {
   const LibraryBody& active = library_->usual_active_body();
   const LibraryBody& passive = library_->usual_passive_body();
   const BodyRetargeter on_body(*next_.user.body(), shown.bodies[0].now(), settings_.scale_root_path);
-  const Pose target = on_body.apply(user);
+  const Pose target = with_bones_of(shown.bodies[0].now(), on_body.apply(user));
   const ShownTask task{.edges = out_.edges,
                        .solved = editor_.result(),
                        .user = target,
