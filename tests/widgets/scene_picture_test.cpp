@@ -525,6 +525,21 @@ TEST(ScalarLegend, TellsMapScaleAndTheColourOfMissingValues) {
   EXPECT_GT(pixels_like(picture_of(legend), QColor(r, g, b), 4), 60);
 }
 
+TEST(ScalarLegend, HasNoButtonsInAPicture) {
+  ScalarLegend legend(nullptr);
+  const auto buttons = [&legend] {
+    int seen = 0;
+    for (const auto* button : legend.findChildren<QToolButton*>()) seen += button->isVisibleTo(&legend);
+    return seen;
+  };
+  legend.show(scalar_legend(MeshScalar::Residual, {20}, false));
+  EXPECT_EQ(buttons(), 2);
+  legend.becomePicture();
+  EXPECT_EQ(buttons(), 0);
+  legend.show(scalar_legend(MeshScalar::Residual, {40}, false));
+  EXPECT_EQ(buttons(), 0) << "nor with another range";
+}
+
 TEST(SceneView, KeepsTheRangeThatAPersonSetsInTheLegend) {
   Scene scene({ScenePart::MeshBetween});
   picture_of(scene.view);
