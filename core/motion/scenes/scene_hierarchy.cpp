@@ -253,7 +253,7 @@ Result<SceneHierarchy> scene_hierarchy(std::string_view bytes, MotionFormat form
   return hierarchy_of_gltf(bytes, file);
 }
 
-Status check_hierarchy(const SceneHierarchy& children, std::size_t deepest, std::size_t most_nodes,
+Status check_hierarchy(const SceneHierarchy& children, std::size_t deepest, std::size_t most_copies,
                        const std::string& file) {
   std::vector<std::size_t> parents(children.size(), 0), level(children.size(), 1), copies(children.size(), 0),
       ready;
@@ -265,10 +265,10 @@ Status check_hierarchy(const SceneHierarchy& children, std::size_t deepest, std:
   for (; !ready.empty(); ++seen) {
     const std::size_t node = ready.back();
     ready.pop_back();
-    all_copies = std::min(most_nodes + 1, all_copies + copies[node]);
+    all_copies = std::min(most_copies + 1, all_copies + copies[node]);
     for (const std::size_t child : children[node]) {
       level[child] = std::max(level[child], level[node] + 1);
-      copies[child] = std::min(most_nodes + 1, copies[child] + copies[node]);
+      copies[child] = std::min(most_copies + 1, copies[child] + copies[node]);
       if (--parents[child] == 0) ready.push_back(child);
     }
   }
@@ -280,8 +280,8 @@ Status check_hierarchy(const SceneHierarchy& children, std::size_t deepest, std:
     return Error{"has nodes more than " + std::to_string(deepest) +
                      " deep below each other, which no skeleton has; it is damaged",
                  file};
-  if (all_copies > most_nodes)
-    return Error{"has more than " + std::to_string(most_nodes) + " nodes; export the skeletons alone", file};
+  if (all_copies > most_copies)
+    return Error{"has more than " + std::to_string(most_copies) + " nodes; export the skeletons alone", file};
   return Done{};
 }
 

@@ -19,8 +19,8 @@ using SceneHierarchy = std::vector<std::vector<std::size_t>>;
 Result<SceneHierarchy> scene_hierarchy(std::string_view bytes, MotionFormat format, const std::string& file);
 
 /// What may be read by a reader that descends by recursion and copies what hangs in several places: no
-/// circle, at most `deepest` levels, at most `most_nodes` when each is copied to wherever it hangs.
-Status check_hierarchy(const SceneHierarchy& children, std::size_t deepest, std::size_t most_nodes,
+/// circle, at most `deepest` levels, at most `most_copies` when each is copied to wherever it hangs.
+Status check_hierarchy(const SceneHierarchy& children, std::size_t deepest, std::size_t most_copies,
                        const std::string& file);
 
 }  // namespace abrazo
