@@ -32,7 +32,7 @@ constexpr double least_ahead_s = 0.5;  ///< a pair that is changed to has so muc
 constexpr double looks_back_s = 0.4, looks_ahead_s = 0.6;  ///< for where the user is in the source
 constexpr double lead_width_m = 0.01;                      ///< so much worse counts e times less
 // Scales of the mean place: belief, range and similarity.
-constexpr float place_width_m = 0.02F, place_widths = 4;
+constexpr float place_width_m = 0.03F, place_widths = 4;
 constexpr double like_place_m = 0.3, like_turn = 0.6;
 constexpr double same_moment_s = 0.3;  ///< pairs of a take that are this near are one proposal
 

@@ -9,7 +9,8 @@ namespace abrazo {
 
 namespace {
 
-constexpr std::uint8_t format_version = 6;
+constexpr std::uint8_t format_version = 7;
+constexpr std::uint8_t without_recorded_speed = 6;  ///< was written before that speed was filtered
 // Was written while bodies were always the library's. The speed of the partner's place did not include the
 // recorded motion then: a partner that continues from such a state first gets up to speed.
 constexpr std::uint8_t without_bodies = 5;
@@ -168,6 +169,7 @@ void write(BlobWriter& out, const PartnerMotion& motion) {
   out.real(place.at().heading_rad);
   out.matrix(place.speed());
   out.real(place.turning());
+  out.matrix(place.recorded_speed());
   out.real(since_change_s);
   write(out, transition);
   for (const Pose* one : {&adaptation.offset(), &adaptation.speed()}) out.matrix(*one);
@@ -197,7 +199,9 @@ PartnerMotion read_motion(BlobReader& in, std::uint8_t version) {
   Vec3 speed;
   in.matrix(speed);
   const double turning = in.real();
-  motion.place = PartnerPlace(at, speed, turning);
+  Vec3 recorded_speed = speed;
+  if (version > without_recorded_speed) in.matrix(recorded_speed);
+  motion.place = PartnerPlace(at, speed, turning, recorded_speed);
   motion.since_change_s = in.real();
   motion.transition = read_transition(in);
   Pose offset, offset_speed;

@@ -18,7 +18,7 @@ constexpr double adaptation_rate = 13;  ///< omega [1/s]
 constexpr double near_m = 0.05;         ///< joints nearer to one another than this weigh no more
 constexpr double looks_ahead_s = 0.5;
 constexpr double body_room_m = 0.4;          ///< between two roots
-constexpr double pushes_off = 3;             ///< times what is missing of it
+constexpr double pushes_off = 8;             ///< times what is missing of it
 constexpr double drawn_share = 1.5;          ///< of what a held hand lies beyond reach
 constexpr double approaches_within_m = 0.1;  ///< so much nearer than in the recording: not drawn to the user
 
@@ -208,8 +208,9 @@ void PartnerMover::begin_from(const ShownPartner& shown) {
   path_.turn *= share;
   const RootFrame place{centre_at.position - step_.elapsed_s * speed,
                         centre_at.heading_rad - step_.elapsed_s * turning};
-  motion_.place =
-      PartnerPlace(place, speed, step_.elapsed_s > 0 ? turning - path_.turn / step_.elapsed_s : turning);
+  // What it was shown with carries it on, until the new source does.
+  motion_.place = PartnerPlace(place, speed,
+                               step_.elapsed_s > 0 ? turning - path_.turn / step_.elapsed_s : turning, speed);
 }
 
 void PartnerMover::go_on() {

@@ -9,12 +9,14 @@ namespace abrazo {
 
 namespace {
 
-// Beyond these the spring pulls no harder: a partner that is far off walks there, and does not fly.
-constexpr double farthest_pull_m = 0.24;
+// The springs pull no harder than over these: a partner that is far off walks there, and does not fly.
+constexpr double farthest_pull_m = 0.3;  // l, reached gradually
 constexpr double farthest_turn_rad = 1.0;
 
-constexpr double damping = 1.2;          // zeta; above 1
-constexpr double recorded_share = 0.75;  // beta
+constexpr double damping = 1.3;              // zeta; above 1
+constexpr double recorded_share = 0.8;       // beta
+constexpr double recorded_speed_lag = 0.13;  // tau [s]
+constexpr double turning_rate = 8;           // omega of the heading [1/s]
 
 /// x'' = -omega^2 x - 2 omega x', exactly.
 void relax_critically(double& off, double& speed, double elapsed_s, double omega) {
@@ -22,6 +24,14 @@ void relax_critically(double& off, double& speed, double elapsed_s, double omega
   const double shrink = std::exp(-omega * elapsed_s);
   off = shrink * (off + elapsed_s * slope);
   speed = shrink * (speed - (omega * elapsed_s) * slope);
+}
+
+/// Low-pass filter of an input that is constant during a step, exactly. @return mean of the output
+Vec3 follow(Vec3& filtered, const Vec3& input, double elapsed_s, double lag_s) {
+  const double passed = elapsed_s / lag_s, left = std::exp(-passed);
+  const Vec3 behind = filtered - input;
+  filtered = input + left * behind;
+  return input + ((1 - left) / passed) * behind;
 }
 
 /// x'' = -omega^2 x - 2 zeta omega x', exactly.
@@ -34,12 +44,17 @@ void relax_overdamped(Vec3& off, Vec3& speed, double elapsed_s, double omega) {
   speed = -slow * slow_left * slowly - fast * fast_left * quickly;
 }
 
+/// s(e), horizontal.
+Vec3 pull(const Vec3& from, const RootFrame& wanted) {
+  Vec3 way = wanted.position - from;
+  way.y() = 0;
+  return way / (1 + way.norm() / farthest_pull_m);
+}
+
 }  // namespace
 
 Vec3 PartnerPlace::way_to(const RootFrame& wanted) const {
-  Vec3 way = wanted.position - at_.position;
-  way.y() = 0;
-  return way.norm() > farthest_pull_m ? Vec3(way * (farthest_pull_m / way.norm())) : way;
+  return pull(at_.position, wanted);
 }
 
 void PartnerPlace::advance(const RecordedPath& path, const RootFrame& wanted, double elapsed_s, double rate,
@@ -50,14 +65,17 @@ void PartnerPlace::advance(const RecordedPath& path, const RootFrame& wanted, do
   double turned_off =
       std::clamp(within_half_turn(heading - wanted.heading_rad), -farthest_turn_rad, farthest_turn_rad);
   const double near_turn = heading - turned_off;
-  relax_critically(turned_off, turning_, elapsed_s, rate);
+  relax_critically(turned_off, turning_, elapsed_s, turning_rate);
   at_.heading_rad = within_half_turn(near_turn + turned_off);
   if (elapsed_s <= 0) return;
+  const Vec3 carries =
+      follow(recorded_speed_, half_way.rotation() * path.own / elapsed_s, elapsed_s, recorded_speed_lag);
   // Where the spring would rest while the recording moves on.
-  const Vec3 rest = (2 * damping * recorded_share / (rate * elapsed_s)) * (half_way.rotation() * path.own);
-  Vec3 off = -(way_to(wanted) + drawn);
-  const Vec3 near = at_.position - off + rest;
-  off -= rest;
+  const Vec3 rest = (2 * damping * recorded_share / rate) * carries;
+  // The pull is that of the middle of the step, which makes the bound right to second order.
+  const Vec3 middle = at_.position + 0.5 * elapsed_s * speed_;
+  const Vec3 near = middle + pull(middle, wanted) + drawn + rest;
+  Vec3 off = at_.position - near;
   relax_overdamped(off, speed_, elapsed_s, rate);
   at_.position = near + off;
 }

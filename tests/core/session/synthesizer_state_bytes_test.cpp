@@ -93,6 +93,34 @@ std::ptrdiff_t place_of(const SynthesizerState& state, const std::function<void(
   return std::mismatch(bytes.begin(), bytes.end(), others.begin()).first - bytes.begin();
 }
 
+constexpr std::ptrdiff_t recorded_speed = 3 * sizeof(double);  ///< bytes of it in a state
+
+/// As written before the recorded speed of the partner's place was filtered.
+std::vector<std::uint8_t> bytes_without_recorded_speed(const SynthesizerState& state) {
+  const auto begin = place_of(state, [](auto& s) {
+    PartnerPlace& place = s.memory.motion.place;
+    Vec3 other = place.recorded_speed();
+    other.x() = std::bit_cast<double>(~std::bit_cast<std::uint64_t>(other.x()));
+    place = PartnerPlace(place.at(), place.speed(), place.turning(), other);
+  });
+  auto bytes = synthesizer_state_bytes(state);
+  bytes.erase(bytes.begin() + begin, bytes.begin() + begin + recorded_speed);
+  return bytes;
+}
+
+TEST(SynthesizerStateBytes, OfTheVersionWithoutARecordedSpeedAreCarriedOnAtTheirOwn) {
+  const SynthesizerState state = used_state();
+  ASSERT_GT(state.memory.motion.place.recorded_speed().norm(), 0);
+  auto old = bytes_without_recorded_speed(state);
+  old[0] = 6;
+  const auto read = parse_synthesizer_state(old);
+  ASSERT_TRUE(read) << read.error().text();
+  EXPECT_EQ(read->memory.motion.place.recorded_speed(), state.memory.motion.place.speed());
+  EXPECT_EQ(read->memory.motion.place.turning(), state.memory.motion.place.turning());
+  EXPECT_EQ(read->memory.motion.since_change_s, state.memory.motion.since_change_s);
+  EXPECT_EQ(read->pinned, 12);
+}
+
 /// As written while bodies were always the library's.
 std::vector<std::uint8_t> bytes_without_bodies(const SynthesizerState& state) {
   const auto begin = place_of(state, [](auto& s) {
@@ -101,8 +129,9 @@ std::vector<std::uint8_t> bytes_without_bodies(const SynthesizerState& state) {
   });
   constexpr std::ptrdiff_t body = (bone_count + pseudo_bones.size() + 1) * sizeof(double);
   constexpr std::ptrdiff_t gliding = 2 * body + sizeof(double) + 2;
-  auto bytes = synthesizer_state_bytes(state);
-  bytes.erase(bytes.begin() + begin, bytes.begin() + begin + 2 * gliding + 1);
+  auto bytes = bytes_without_recorded_speed(state);
+  bytes.erase(bytes.begin() + begin - recorded_speed,
+              bytes.begin() + begin - recorded_speed + 2 * gliding + 1);
   return bytes;
 }
 
@@ -145,8 +174,9 @@ TEST(SynthesizerStateBytes, OfTheVersionBeforeThePartnerHadAMotionAreReadWithout
                                 s.memory.user.seen());
   });
   auto old = bytes_without_bodies(state);
-  old.erase(old.begin() + measured, old.begin() + measured + 13);  // given, seconds, poses
-  old.erase(old.begin() + begin, old.begin() + end + 1);
+  old.erase(old.begin() + measured - recorded_speed,
+            old.begin() + measured - recorded_speed + 13);  // given, seconds, poses
+  old.erase(old.begin() + begin, old.begin() + end - recorded_speed + 1);
   old.insert(old.begin() + begin, 2 * sizeof(Pose), 0);
   old[0] = 2;
   const auto read = parse_synthesizer_state(old);
@@ -166,10 +196,10 @@ TEST(SynthesizerStateBytes, OfTheVersionWhosePlaceWasTheRootsGoOnFromWhatIsShown
   const auto begin = place_of(state, [](auto& s) { s.memory.motion.playhead.pair ^= 1; });
   const auto end = place_of(state, [](auto& s) { s.memory.partner_is_shown ^= true; });
   auto old = bytes_without_bodies(state);
-  old.erase(old.begin() + begin, old.begin() + end);
+  old.erase(old.begin() + begin, old.begin() + end - recorded_speed);
   // Two more poses of the adaptation; no lead of the feet and its speed, pace of holds and steady hands.
-  const auto size =
-      static_cast<std::size_t>(end - begin) + 2 * sizeof(Pose) - (4 * 3 + 4 + 2 * 9) * sizeof(double) - 2;
+  const auto size = static_cast<std::size_t>(end - recorded_speed - begin) + 2 * sizeof(Pose) -
+                    (4 * 3 + 4 + 2 * 9) * sizeof(double) - 2;
   old.insert(old.begin() + begin, size, 0);
   old[0] = 3;
   const auto read = parse_synthesizer_state(old);
@@ -196,9 +226,10 @@ TEST(SynthesizerStateBytes, OfTheVersionWithoutSteadyHandsHaveAllElse) {
   const auto end = place_of(state, [](auto& s) { s.memory.partner_is_shown ^= true; });
   constexpr std::size_t hold = 2 + 17 * sizeof(double), hands = 2 * (1 + 9 * sizeof(double));
   auto old = bytes_without_bodies(state);
-  old.erase(old.begin() + end - static_cast<std::ptrdiff_t>(hands), old.begin() + end);
+  const std::ptrdiff_t hands_end = end - recorded_speed;
+  old.erase(old.begin() + hands_end - static_cast<std::ptrdiff_t>(hands), old.begin() + hands_end);
   for (std::size_t p = 4; p-- > 0;) {
-    const std::ptrdiff_t at = pace + static_cast<std::ptrdiff_t>(p * hold);
+    const std::ptrdiff_t at = pace - recorded_speed + static_cast<std::ptrdiff_t>(p * hold);
     old.erase(old.begin() + at, old.begin() + at + static_cast<std::ptrdiff_t>(sizeof(double)));
   }
   old[0] = 4;
