@@ -18,8 +18,8 @@ constexpr double adaptation_rate = 13;  ///< omega [1/s]
 constexpr double near_m = 0.05;         ///< joints nearer to one another than this weigh no more
 constexpr double looks_ahead_s = 0.5;
 constexpr double body_room_m = 0.4;          ///< between two roots
-constexpr double pushes_off = 8;             ///< times what is missing of it
-constexpr double drawn_share = 1.5;          ///< of what a held hand lies beyond reach
+constexpr double pushes_off = 10;            ///< times what is missing of it
+constexpr double drawn_share = 1.8;          ///< of what a held hand lies beyond reach
 constexpr double approaches_within_m = 0.1;  ///< so much nearer than in the recording: not drawn to the user
 
 RootFrame on_floor(const RootFrame& root) {

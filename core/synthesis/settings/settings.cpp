@@ -187,7 +187,7 @@ const std::vector<Entry>& entries() {
             &Settings::transition_time_s),
       entry({"place-rate", "\u03c9", "place rate", "Timing", "1/s", Kind::Real, 0.5, 30, true, "",
              "Rate at which the partner approaches its desired place D; v is the recorded speed, filtered.\n"
-             "  P\u2033 = \u03c9\u00b2 e / (1 + |e| / 0.3 m) \u2212 2.6 \u03c9 (P\u2032 \u2212 0.8 v),  e = "
+             "  P\u2033 = \u03c9\u00b2 e / (1 + |e| / 0.32 m) \u2212 2.5 \u03c9 (P\u2032 \u2212 0.8 v),  e = "
              "D \u2212 P\n"
              "Higher: nearer, but the partner follows every movement of the user's hips.\n"
              "Not in the paper; used by the playback continuous."},

@@ -13,14 +13,14 @@ RootFrame at(double x, double heading_rad = 0) {
   return {{x, 0, 0}, heading_rad};
 }
 
-/// x'' = omega^2 e / (1 + |e| / 0.3) - 2.6 omega (x' - 0.8 v), v' = (c' - v) / 0.13, e = wanted - x, by the
+/// x'' = omega^2 e / (1 + |e| / 0.32) - 2.5 omega (x' - 0.8 v), v' = (c' - v) / 0.13, e = wanted - x, by the
 /// midpoint rule.
 struct ByHand {
   double x = 0, speed = 0, recorded = 0;
   void advance(double wanted, double recorded_speed, double elapsed_s) {
     const auto acceleration = [&](double at, double at_speed, double carries) {
       const double off = wanted - at;
-      return rate * rate * off / (1 + std::abs(off) / 0.3) - 2.6 * rate * (at_speed - 0.8 * carries);
+      return rate * rate * off / (1 + std::abs(off) / 0.32) - 2.5 * rate * (at_speed - 0.8 * carries);
     };
     const int parts = 200;
     const double part_s = elapsed_s / parts;
@@ -67,7 +67,7 @@ TEST(PartnerPlace, MovesByItsEquationAtEveryStepRate) {
 
 TEST(PartnerPlace, NearItsPlaceWithoutARecordingItIsADampedSpring) {
   PartnerPlace place(at(0));
-  const double wanted = 1e-5, slow = rate * (1.3 - std::sqrt(0.69)), fast = rate * (1.3 + std::sqrt(0.69));
+  const double wanted = 1e-5, slow = rate * (1.25 - 0.75), fast = rate * (1.25 + 0.75);
   for (int step = 1; step <= 120; ++step) {
     place.advance({}, at(wanted), step_s, rate);
     const double after_s = step * step_s;
@@ -120,7 +120,7 @@ TEST(PartnerPlace, APartnerThatIsFarOffWalksThere) {
     fastest = std::max(fastest, (place.at().position - before.position).norm() / step_s);
     fastest_turn = std::max(fastest_turn, std::abs(place.at().heading_rad - before.heading_rad) / step_s);
   }
-  EXPECT_LT(fastest, 0.3 * rate / 2.6) << "where damping and the farthest pull are in balance";
+  EXPECT_LT(fastest, 0.32 * rate / 2.5) << "where damping and the farthest pull are in balance";
   EXPECT_LT(fastest_turn, 0.5 * 8) << "as a pull of 1 rad at 8/s";
   EXPECT_NEAR(place.at().position.x(), 3, 1e-3);
   EXPECT_NEAR(place.at().heading_rad, 3, 1e-3);
@@ -150,8 +150,8 @@ TEST(PartnerPlace, ADesiredPlaceThatMovesWithTheRecordingIsFollowedAtAConstantDi
   }
   EXPECT_NEAR(place.speed().x(), speed, 1e-4);
   // omega^2 s(e) = 2 zeta omega (1 - beta) speed
-  const double pull = 2.6 * 0.2 * speed / rate;
-  EXPECT_NEAR(wanted + 0.5 * step_s * speed - place.at().position.x(), pull / (1 - pull / 0.3), 1e-4)
+  const double pull = 2.5 * 0.2 * speed / rate;
+  EXPECT_NEAR(wanted + 0.5 * step_s * speed - place.at().position.x(), pull / (1 - pull / 0.32), 1e-4)
       << "the pull is that of the middle of the step";
 }
 
