@@ -153,6 +153,9 @@ Result<CameraIntrinsics> read_intrinsics(const std::filesystem::path& file) {
   auto text = read_whole_file(file);
   if (!text) return text.error();
   if (trimmed(*text).empty()) return Error{std::string("is empty; ") + advice, file.string()};
+  // At a zero byte OpenCV's parser of XML reads from a null pointer.
+  if (text->find('\0') != std::string::npos)
+    return Error{std::string("has a zero byte, so it is not text; ") + advice, file.string()};
   if (most_levels(*text) > deepest)
     return Error{fmt::format("may have more than {} levels inside each other; {}", deepest, advice),
                  file.string()};
@@ -163,6 +166,10 @@ Result<CameraIntrinsics> read_intrinsics(const std::filesystem::path& file) {
     return intrinsics_of(storage, file.string());
   } catch (const cv::Exception& trouble) {
     return Error{fmt::format("cannot be read ({}); {}", trimmed(trouble.err), advice), file.string()};
+  } catch (const std::exception&) {
+    // OpenCV's use of strings throws too, for example at a value without a key in YAML
+    // ("basic_string::_M_create").
+    return Error{std::string("cannot be read; ") + advice, file.string()};
   }
 }
 

@@ -1,5 +1,6 @@
 #include <cmath>
 #include <cstring>
+#include <limits>
 
 #include "tests/cli/command_line_fixture.hpp"
 #include "tests/support/captured_data.hpp"
@@ -21,7 +22,7 @@ class SynthCommand : public CommandLineTest {
 
 /// Largest difference of the positions in `one` from those in `both`, whose columns have a prefix.
 double largest_difference(const Table& one, const Table& both, const std::string& prefix) {
-  double largest = one.rows.size() == both.rows.size() ? 0 : INFINITY;
+  double largest = one.rows.size() == both.rows.size() ? 0 : std::numeric_limits<double>::infinity();
   for (std::size_t row = 0; row < one.rows.size(); ++row)
     for (std::size_t column = 2; column < one.columns.size(); ++column)
       largest =

@@ -59,6 +59,15 @@ TEST(JointsToHumanoid, GivesNoRotationsToAnUprightPelvisWhoseRootLiesBehindTheHi
   EXPECT_LT(angle(humanoid.pose(pose, 0).rotation[humanoid::Hips]), 0.01);
 }
 
+TEST(JointsToHumanoid, GivesNoRotationsToAPelvisWhoseRootLiesBetweenTheHips) {
+  Pose pose = t_pose();
+  for (const int hip : {joints::left_hip, joints::right_hip})
+    pose.row(hip).tail<2>() << 0.95, -0.002;  // the root is 2 mm before them: no direction to go by
+  JointsToHumanoid humanoid(body_of(pose));
+  EXPECT_LT(angle(humanoid.pose(pose, 0).rotation[humanoid::Hips]), 1.1)
+      << "the lower back says what is up: 2 mm before the hips and 11 cm above them";
+}
+
 TEST(JointsToHumanoid, BendsAnElbowAboutItsHinge) {
   for (const double bend : {30.0, 90.0, 150.0}) {
     JointsToHumanoid humanoid(body_of(t_pose()));

@@ -165,6 +165,23 @@ TEST(NatNetTakeover, AnOldVersionOrNoGroupThatNobodyAskedForIsNotToldAsTheServer
   EXPECT_FALSE(listener.has_issue("old-version")) << "what to do about it would be false advice";
 }
 
+TEST(NatNetTakeover, AnAnswerBeforeAnyQuestionIsNotTaken) {
+  Listener listener("natnet://10.0.0.5");
+  listener.take(forged_info({3, 0}), 0.1);
+  EXPECT_TRUE(listener.has_issue("unasked-answer")) << listener.issues();
+  EXPECT_FALSE(listener.decoder->wanted_group());
+}
+
+TEST(NatNetTakeover, AModelBetweenTheServersAnswerAndOurQuestionIsNotTaken) {
+  Listener listener = connected({skeleton("Ana", 1)});
+  listener.pass_time(2.5);  // silence: the server is asked again, and after it answers the model too
+  listener.take(server_info(v41), 2.6);
+  listener.take(model_packet({skeleton("Eve", 1)}, v41), 2.61);
+  listener.take(frame_packet(frame_of({posed(skeleton("Ana", 1), false)}), v41), 2.62);
+  ASSERT_EQ(listener.out.frames.size(), 1u);
+  EXPECT_EQ(listener.out.frames[0].performer, "Ana");
+}
+
 TEST(NatNetTakeover, AModelThatNobodyAskedForChangesNothing) {
   Listener listener = connected({skeleton("Ana", 1)});
   listener.take(model_packet({skeleton("Eve", 1)}, v41), 0.1);

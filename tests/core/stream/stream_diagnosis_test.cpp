@@ -194,6 +194,8 @@ TEST(StreamDiagnosis, SeesUnitAxisFloorAndRestPose) {
   EXPECT_THAT(tall(2.7), HasSubstr("check the scale of the avatar")) << "no unit makes a person of it";
   EXPECT_THAT(when([](S&, P& p) { p.posture.hips_above_feet_m = 0.02, p.posture.hips_before_feet_m = 0.86; }),
               AllOf(HasSubstr("axis: the hips are 0.02 m above the feet"), HasSubstr("add ?up=z")));
+  EXPECT_THAT(when([](S&, P& p) { p.posture.hips_above_feet_m = 0.02, p.posture.hips_before_feet_m = 0.4; }),
+              AllOf(HasSubstr("lying, or the axes are turned"), Not(HasSubstr("?up=z"))));
   EXPECT_THAT(when([](S&, P& p) { p.posture.hips_above_feet_m = -0.85; }),
               HasSubstr("axis: the hips are -0.85 m"));
   EXPECT_THAT(when([](S&, P& p) { p.posture.head_above_hips_m = -0.4; }), HasSubstr("rest-pose"));

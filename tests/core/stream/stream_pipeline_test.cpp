@@ -266,6 +266,33 @@ TEST(StreamPipeline, ThinsEvenly) {
   EXPECT_NEAR(reader.rate_hz(line.pipeline), 25, 1e-6);
 }
 
+TEST(StreamPipeline, ThinsToTheSameRateWhenItIsReadSeldom) {
+  PlainLine line;
+  PoseReader reader("");
+  reader.set_max_rate(25);
+  line.stand(test::standing_pose());
+  reader.poll(line.pipeline, line.now_s);
+  int poses = 0;
+  for (int i = 0; i < 100; ++i) {  // three frames of 10 ms at a time; every fourth is wanted
+    line.stand(test::standing_pose(), "Ana", 0.03);
+    if (reader.poll(line.pipeline, line.now_s)) ++poses;
+  }
+  EXPECT_NEAR(poses, 75, 1) << "also when the wanted one is not the last of the three";
+}
+
+TEST(StreamPipeline, TwoSendersUnderOneNameBreakTheMotionOnceNotInEveryFrame) {
+  PlainLine line;
+  PoseReader reader("");
+  line.stand(test::standing_pose());
+  reader.poll(line.pipeline, line.now_s);
+  int breaks = 0;
+  for (int i = 0; i < 100; ++i) {
+    line.stand(test::moved(test::standing_pose(), 0, Vec3(i % 2 == 0 ? 2 : 0, 0, 0)), "Ana", 0.01);
+    if (const auto pose = reader.poll(line.pipeline, line.now_s); pose && pose->discontinuous) ++breaks;
+  }
+  EXPECT_EQ(breaks, 1);
+}
+
 TEST(StreamPipeline, SaysWhenTrackingWasLostAndComesBackDiscontinuously) {
   PlainLine line;
   PoseReader reader("");
@@ -323,6 +350,19 @@ TEST(StreamPipeline, CalibrationMeasuresTheBodyAndPutsTheFeetOnTheFloor) {
   EXPECT_NEAR(reader.poll(line.pipeline, line.now_s)->pose(joints::left_toe_base, 1), 0.04, 1e-6);
   line.stand(raised, "Ana", 4);
   EXPECT_THAT(line.kinds(), IsEmpty());
+}
+
+TEST(StreamPipeline, ACalibrationTakesOnlyWhatArrivedWithinItsTime) {
+  PlainLine line;
+  line.stand(t_pose());
+  line.pipeline.calibrate("Ana", 0.5, line.now_s);
+  line.stand(t_pose(), "Ana", 0.4);
+  line.now_s += 0.2;
+  for (int i = 0; i < 100; ++i)  // arrived later, read in the same turn
+    line.send({"Ana", ++line.counter, line.now_s + 1e-4 * i, 1.2 * t_pose()});
+  line.pipeline.pass_time(line.now_s, line.output);
+  ASSERT_TRUE(line.pipeline.find("Ana")->body());
+  EXPECT_NEAR(line.pipeline.find("Ana")->body()->bone_lengths[joints::left_elbow - 1], 0.28, 1e-6);
 }
 
 TEST(StreamPipeline, SaysWhatWasWrongWithTheTPose) {

@@ -110,6 +110,18 @@ TEST(IntrinsicsFile, XmlThatIsCutOffIsRefused) {
   }
 }
 
+TEST(IntrinsicsFile, WithAZeroByteIsRefusedBeforeOpenCvReadsIt) {
+  const auto read = reading(std::string("<?xml version=\0\"1.0\"?>\n<opencv_storage/>\n", 41));
+  ASSERT_FALSE(read);
+  EXPECT_THAT(read.error().text(), HasSubstr("has a zero byte"));
+}
+
+TEST(IntrinsicsFile, ThatMakesOpenCvsOwnStringsThrowIsRefused) {
+  const auto read = reading("%YAML:1.3\n   s: 3\n   : [ 500.. ]\n");  // a value without a key
+  ASSERT_FALSE(read);
+  EXPECT_THAT(read.error().text(), HasSubstr("cannot be read"));
+}
+
 TEST(IntrinsicsFile, IsWrittenInFormatsOfOpenCvAlone) {
   EXPECT_THAT(write_intrinsics(example, file_of(".csv")).error().text(),
               HasSubstr(".yaml, .yml, .xml or .json"));
