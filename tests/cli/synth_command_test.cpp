@@ -94,6 +94,7 @@ TEST_F(SynthCommand, GlbHoldsBothCharactersOrOneEach) {
 }
 
 TEST_F(SynthCommand, ACharacterPerformsBothInAFileEach) {
+  make_library();
   write("rig.glb", rig(Naming::Mixamo));
   ASSERT_EQ(synth("--character rig.glb -o pair.glb").status, 0);
   EXPECT_THAT(names(), Contains("pair_active.glb"));
