@@ -10,7 +10,6 @@
 #include "app/cli/settings_options.hpp"
 #include "core/base/line_file.hpp"
 #include "core/base/output_file.hpp"
-#include "core/base/whole_files.hpp"
 #include "core/library/store/motion_library_file.hpp"
 #include "core/metrics/clip_run.hpp"
 #include "core/motion/files/clip_file.hpp"

@@ -11,7 +11,6 @@
 #include "core/base/line_file.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/statistics.hpp"
-#include "core/base/whole_files.hpp"
 #include "core/bodies/chosen_body.hpp"
 #include "core/bodies/pair_retargeting.hpp"
 #include "core/bodies/retargeted_frame.hpp"

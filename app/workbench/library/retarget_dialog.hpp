@@ -89,7 +89,8 @@ class RetargetDialog : public QDialog {
   QLabel *m_about = nullptr, *m_state = nullptr;
   QProgressBar* m_progress = nullptr;
   QPushButton *m_start = nullptr, *m_cancel = nullptr;
-  bool m_busy = false, m_filling = false;
+  bool m_busy = false;
+  bool m_filling = true;  ///< what is shown is being set; also until all parts are there
 };
 
 }  // namespace abrazo::app

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "core/base/whole_files.hpp"
+#include "core/base/output_file.hpp"
 #include "core/motion/scenes/character_glb.hpp"
 #include "core/session/export/export_parts.hpp"
 

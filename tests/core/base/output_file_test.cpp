@@ -1,10 +1,10 @@
-#include "core/base/whole_files.hpp"
+#include "core/base/output_file.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <unistd.h>
 
-namespace abrazo::whole_files_test {
+namespace abrazo::output_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -45,4 +45,4 @@ TEST_F(WholeFilesTest, NoneIsLeftIfOneCannotBeWritten) {
 }
 
 }  // namespace
-}  // namespace abrazo::whole_files_test
+}  // namespace abrazo::output_file_test
