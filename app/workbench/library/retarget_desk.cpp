@@ -18,7 +18,7 @@ namespace {
 constexpr const char* retarget_job = "retarget";  // of the messages
 
 RetargetOffer offer_of(const MotionLibrary& library) {
-  RetargetOffer offer{"Library " + QString::fromStdString(library.name()), {}, {}};
+  RetargetOffer offer{QString::fromStdString(library.name()) + " (open)", {}, {}};
   for (const LibraryTake& take : library.takes()) {
     const int stride = std::max(1, take.frame_stride);
     offer.takes.push_back(
@@ -74,7 +74,7 @@ void RetargetDesk::open() {
   if (const auto* session = m_window.session(); session && !m_job) {
     const MotionLibrary& library = *session->material().library;
     m_dialog->offer(offer_of(library));
-    const int selected = m_window.takes().selectedTake();
+    const int selected = library.takes().size() == 1 ? 0 : m_window.takes().selectedTake();
     if (selected >= 0)
       m_dialog->chooseTakes(
           {QString::fromStdString(library.takes()[static_cast<std::size_t>(selected)].name)});

@@ -61,7 +61,7 @@ QString take_words(const RetargetOffer::Take& take) {
 RetargetDialog::RetargetDialog(QWidget* parent) : QDialog(parent) {
   setObjectName("retarget");
   setWindowTitle("Retarget takes");
-  resize(820, 470);
+  resize(900, 470);
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(20, 16, 20, 16);
   grid->setHorizontalSpacing(24);
@@ -74,8 +74,8 @@ RetargetDialog::RetargetDialog(QWidget* parent) : QDialog(parent) {
   grid->addWidget(m_about, 1, 0, 1, 2);
   grid->addWidget(makeFoot(), 2, 0, 1, 2);
   grid->setRowStretch(0, 1);
-  grid->setColumnStretch(0, 2);
-  grid->setColumnStretch(1, 3);
+  grid->setColumnStretch(0, 1);
+  grid->setColumnStretch(1, 1);
   showTypes();
 }
 
@@ -90,6 +90,8 @@ QWidget* RetargetDialog::makeTakes() {
   m_takes = new QListWidget(box);
   m_takes->setSelectionMode(QAbstractItemView::ExtendedSelection);
   m_takes->setAccessibleName("Takes");
+  // Without a border Qt pads selected items only.
+  m_takes->setStyleSheet("QListWidget::item { padding: 3px 6px; border: 1px solid transparent; }");
   grid->addWidget(caption("Takes of", m_source), 0, 0);
   grid->addWidget(m_source, 0, 1);
   grid->addWidget(manifest, 0, 2);
@@ -142,6 +144,7 @@ QWidget* RetargetDialog::makeChoices() {
   m_to = frame_box("all", box);
   m_to->setToolTip("The frame behind the last");
   auto* frames = new QHBoxLayout;
+  frames->setSpacing(8);
   frames->addWidget(m_from, 1);
   frames->addWidget(caption("up to", m_to));
   frames->addWidget(m_to, 1);

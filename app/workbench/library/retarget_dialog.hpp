@@ -31,7 +31,7 @@ struct RetargetOffer {
     int frames = 0;      ///< 0 = not known before the take is read
     double rate_hz = 0;  ///< likewise
   };
-  QString name;      ///< "Library demo", "manifest.json"
+  QString name;      ///< "demo (open)", "manifest.json"
   QString manifest;  ///< its file; empty = the open library
   std::vector<Take> takes;
 };
