@@ -108,7 +108,8 @@ TEST_F(ExportCommand, ACharacterThatCannotPerformIsRefusedAndNothingWritten) {
   expect_failure(exported("--what active --character rig.glb -o out.bvh"), "written as .glb or .vrm");
   expect_failure(exported("--what mesh --time 1 --character rig.glb -o out.vtu"),
                  "performs motion, not meshes");
-  expect_failure(exported("--what active --character rig.glb --out-units cm -o out.glb"), "has its own bones");
+  expect_failure(exported("--what active --character rig.glb --out-units cm -o out.glb"),
+                 "has its own bones");
   expect_failure(exported("--what active,passive --character box.glb -o out.glb"), "is no GLB");
   expect_failure(exported("--what active --character gone.glb -o out.glb"), "gone.glb");
   write("rig_active.glb", rig(Naming::Mixamo));
