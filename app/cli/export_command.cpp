@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "app/cli/character_option.hpp"
 #include "app/cli/command_line.hpp"
 #include "app/cli/motion_reading.hpp"
 #include "app/cli/text_lines.hpp"
@@ -90,8 +91,9 @@ Status run_export(CommandLine& line, const ExportWords& words) {
   const auto wish = wish_of(words);
   if (!wish) return wish.error();
   if (const Status checked = check_export(*wish); !checked) return checked;
-  if (const Status usable = check_output(wish->output, {words.session, words.library}); !usable)
-    return usable;
+  for (const std::string& output : wish->files())
+    if (const Status usable = check_output(output, {words.session, words.library, wish->character}); !usable)
+      return usable;
   const auto file = file_of(line, words.session);
   if (!file) return file.error();
   const auto source =
@@ -116,13 +118,16 @@ void add_options(CLI::App& command, ExportWords& words) {
       ->take_all()
       ->check(CLI::IsMember({"user", "active", "passive", "mesh", "labels", "trace"}))
       ->type_name("WHAT");
-  command
-      .add_option("-o,--output", wish.output,
-                  "bodies: .bvh, .glb, .csv, .npz or .npy; mesh: .vtu or .pvd; labels: .eaf, .csv, .json, "
-                  ".vtt or .srt; "
-                  "trace: .jsonl")
-      ->required()
-      ->type_name("FILE");
+  CLI::Option* output =
+      command
+          .add_option(
+              "-o,--output", wish.output,
+              "bodies: .bvh, .glb, .csv, .npz or .npy; mesh: .vtu or .pvd; labels: .eaf, .csv, .json, "
+              ".vtt or .srt; "
+              "trace: .jsonl")
+          ->required()
+          ->type_name("FILE");
+  add_character_option(command, wish.character, output, "OUT_user, OUT_active and OUT_passive");
   command.add_option("--take", wish.part.take, "only this take")->type_name("NAME");
   command.add_option("--from", wish.part.from_s, "from this time of the session on [s]")->type_name("T");
   command.add_option("--to", wish.part.to_s, "up to this time of the session [s]")->type_name("T");

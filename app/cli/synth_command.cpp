@@ -1,18 +1,19 @@
 #include <algorithm>
 #include <array>
 #include <memory>
+#include <span>
 
-#include "app/cli/character_output.hpp"
+#include "app/cli/character_option.hpp"
 #include "app/cli/command_line.hpp"
 #include "app/cli/interruption.hpp"
 #include "app/cli/motion_reading.hpp"
 #include "app/cli/settings_options.hpp"
-#include "core/base/atomic_file.hpp"
 #include "core/base/line_file.hpp"
 #include "core/base/output_file.hpp"
 #include "core/library/store/motion_library_file.hpp"
 #include "core/metrics/clip_run.hpp"
 #include "core/motion/files/clip_file.hpp"
+#include "core/motion/scenes/character_glb.hpp"
 #include "core/synthesis/frames/trace.hpp"
 
 namespace abrazo::app {
@@ -20,44 +21,51 @@ namespace abrazo::app {
 namespace {
 
 struct SynthOptions {
-  std::string library, output, trace;
+  std::string library, output, trace, character;
   MotionReading input;
   std::vector<std::string> excluded;
   SettingsOptions settings;
-  CharacterOutput character;
   bool split = false, json = false;
 };
 
-Status write_clips(const SynthOptions& options, const Clip& active, const Clip& passive) {
-  if (options.character.is_given()) {
-    const auto contents = options.character.contents(options.output, active, passive);
-    if (!contents) return contents.error();
-    for (const auto& [file, content] : *contents)
-      if (const Status written = write_whole_file(file, content); !written) return written;
-    return Done{};
+std::vector<std::string> motion_files(const SynthOptions& options) {
+  if (options.output.empty()) return {};
+  if (!options.split && options.character.empty()) return {options.output};
+  return {with_suffix(options.output, "_active"), with_suffix(options.output, "_passive")};
+}
+
+Status write_clips(const SynthOptions& options, const std::array<Clip, 2>& clips) {
+  const std::vector<std::string> files = motion_files(options);
+  std::vector<std::string> contents;
+  if (options.character.empty()) {
+    const std::size_t clips_each = clips.size() / files.size();
+    for (std::size_t i = 0; i < files.size(); ++i) {
+      auto content = clip_file_content(files[i], std::span(clips).subspan(i, clips_each));
+      if (!content) return content.error();
+      contents.push_back(std::move(*content));
+    }
+  } else {
+    auto performed = character_performances(options.character, clips);
+    if (!performed) return performed.error();
+    contents = std::move(*performed);
   }
-  if (!options.split) return write_clip_file(options.output, std::array<Clip, 2>{active, passive});
-  const Status first = write_clip_file(with_suffix(options.output, "_active"), std::array<Clip, 1>{active});
-  if (!first) return first;
-  return write_clip_file(with_suffix(options.output, "_passive"), std::array<Clip, 1>{passive});
+  WholeFiles written;
+  for (std::size_t i = 0; i < files.size(); ++i)
+    if (const Status added = written.add(files[i], contents[i]); !added) return added;
+  return written.commit();
 }
 
 /// The files that will be written, asked before the work.
 Status check_outputs(const SynthOptions& options) {
   const std::vector<std::string> inputs = {options.library, options.input.file, options.input.skeleton,
-                                           options.input.joint_map, options.character.file()};
-  std::vector<std::string> outputs;
-  if (options.character.is_given()) {
-    if (const Status fits = options.character.check(options.output); !fits) return fits;
-    const auto both = options.character.outputs(options.output);
-    outputs.assign(both.begin(), both.end());
-  } else if (!options.output.empty()) {
-    if (const Status known = check_clip_file(options.output, {}, options.split ? 1 : 2); !known) return known;
-    if (options.split)
-      outputs = {with_suffix(options.output, "_active"), with_suffix(options.output, "_passive")};
-    else
-      outputs = {options.output};
+                                           options.input.joint_map, options.character};
+  if (!options.output.empty()) {
+    const Status known = options.character.empty()
+                             ? check_clip_file(options.output, {}, options.split ? 1 : 2)
+                             : check_character_file(options.output);
+    if (!known) return known;
   }
+  std::vector<std::string> outputs = motion_files(options);
   if (!options.trace.empty()) {
     if (std::find(outputs.begin(), outputs.end(), options.trace) != outputs.end())
       return Error{"the trace and the motion cannot share a file; name two", options.trace};
@@ -72,7 +80,7 @@ Status write_outputs(const SynthOptions& options, const ClipRun& run, LineFile* 
   if (interrupted()) return Error{"cancelled", options.input.file};
   if (trace)
     if (const Status finished = trace->finish(); !finished) return finished;
-  if (!options.output.empty()) return write_clips(options, run.active, run.passive);
+  if (!options.output.empty()) return write_clips(options, {run.active, run.passive});
   return Done{};
 }
 
@@ -133,7 +141,7 @@ void add_synth_command(CommandLine& line) {
                        "both characters at the step rate: .bvh (two roots), .glb, .csv, .npz")
           ->type_name("FILE");
   synth->add_flag("--split", options->split, "two files instead: OUT_active and OUT_passive")->needs(output);
-  options->character.add_to(*synth, output);
+  add_character_option(*synth, options->character, output, "OUT_active and OUT_passive");
   synth
       ->add_option("--trace", options->trace,
                    "one JSON object per solved step, with all intermediate results (JSON lines)")

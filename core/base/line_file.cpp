@@ -11,9 +11,14 @@ Result<std::unique_ptr<LineFile>> LineFile::open(const std::string& path) {
   return file;
 }
 
-Status LineFile::finish() {
-  out_.close();
+Status LineFile::close() {
+  if (out_.is_open()) out_.close();
   if (!out_) return Error{"could not be written whole; is the disk full?", path_};
+  return Done{};
+}
+
+Status LineFile::finish() {
+  if (const Status closed = close(); !closed) return closed;
   return file_.commit();
 }
 

@@ -16,6 +16,9 @@ class LineFile {
   void add(const std::string& line) { out_ << line << '\n'; }
   /// False once something could not be written.
   bool good() const { return static_cast<bool>(out_); }
+  /// All lines are on the disk, but the file has no name yet; nothing can be added any more.
+  Status close();
+  /// Closes it and gives it its name.
   Status finish();
 
  private:

@@ -1,5 +1,7 @@
 #include "core/base/output_file.hpp"
 
+#include <filesystem>
+
 namespace abrazo {
 
 namespace fs = std::filesystem;
@@ -26,6 +28,16 @@ std::string with_suffix(const std::string& path, const std::string& suffix) {
   fs::path file(path);
   const std::string extension = file.extension().string();
   return file.replace_extension().string() + suffix + extension;
+}
+
+Status WholeFiles::add(const std::string& file, std::string_view content) {
+  return files_.emplace_back(file).write(content);
+}
+
+Status WholeFiles::commit() {
+  for (AtomicFile& file : files_)
+    if (const Status named = file.commit(); !named) return named;
+  return Done{};
 }
 
 }  // namespace abrazo

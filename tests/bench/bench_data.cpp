@@ -8,9 +8,9 @@
 #include <cstring>
 
 #include "core/choreography/salsa.hpp"
-#include "core/evaluation/run/library_takes.hpp"
 #include "core/library/build/motion_library_builder.hpp"
 #include "core/library/store/motion_library_file.hpp"
+#include "core/library/store/takes_of_library.hpp"
 
 namespace abrazo::bench {
 

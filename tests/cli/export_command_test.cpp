@@ -3,9 +3,11 @@
 
 #include "core/base/text.hpp"
 #include "core/library/store/motion_library_file.hpp"
+#include "core/motion/scenes/character_glb.hpp"
 #include "core/synthesis/frames/trace.hpp"
 #include "tests/cli/command_line_fixture.hpp"
 #include "tests/core/opening/opening_files.hpp"
+#include "tests/support/humanoid_rig.hpp"
 
 namespace abrazo::test::export_command_test {
 namespace {
@@ -79,6 +81,41 @@ TEST_F(ExportCommand, BvhAndGlbHoldTheTakeOfBothBodies) {
   EXPECT_NEAR(gltf["accessors"][gltf["animations"][0]["samplers"][0]["input"].get<std::size_t>()]["max"][0]
                   .get<double>(),
               59 / 60.0, 1e-6);
+}
+
+TEST_F(ExportCommand, ACharacterPerformsTheBodiesInAFileEach) {
+  write("rig.vrm", rig(Naming::Vrm1));
+  const Outcome outcome = exported("--what active,passive --character rig.vrm -o out.glb --json");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_EQ(nlohmann::json::parse(outcome.out)["files"],
+            nlohmann::json::array({"out_active.glb", "out_passive.glb"}));
+  Clip active{"active", 60, {}}, passive{"passive", 60, {}};
+  for (const FrameSnapshotPtr& frame : frames()) {
+    active.poses.emplace_back(frame->result.active());
+    passive.poses.emplace_back(frame->result.passive());
+  }
+  EXPECT_EQ(read("out_active.glb"), *write_character_glb(rig(Naming::Vrm1), active, "rig.vrm"));
+  EXPECT_EQ(read("out_passive.glb"), *write_character_glb(rig(Naming::Vrm1), passive, "rig.vrm"));
+  EXPECT_THAT(names(), Not(Contains("out.glb")));
+  ASSERT_EQ(exported("--what user --performer Ana --character rig.vrm -o received.vrm").status, 0);
+  EXPECT_THAT(names(), Contains("received_user.vrm"));
+}
+
+TEST_F(ExportCommand, ACharacterThatCannotPerformIsRefusedAndNothingWritten) {
+  write("rig.glb", rig(Naming::Mixamo));
+  write("box.glb", "no humanoid");
+  const auto before = names();
+  expect_failure(exported("--what active --character rig.glb -o out.bvh"), "written as .glb or .vrm");
+  expect_failure(exported("--what mesh --time 1 --character rig.glb -o out.vtu"),
+                 "performs motion, not meshes");
+  expect_failure(exported("--what active --character rig.glb --out-units cm -o out.glb"),
+                 "has its own bones");
+  expect_failure(exported("--what active,passive --character box.glb -o out.glb"), "is no GLB");
+  expect_failure(exported("--what active --character gone.glb -o out.glb"), "gone.glb");
+  write("rig_active.glb", rig(Naming::Mixamo));
+  expect_failure(exported("--what active --character rig_active.glb -o rig.glb"), "is also read");
+  std::filesystem::remove(path("rig_active.glb"));
+  EXPECT_EQ(names(), before);
 }
 
 TEST_F(ExportCommand, ATimeRangeAndAnotherRate) {

@@ -1,6 +1,7 @@
 #include <cmath>
 
 #include "tests/cli/command_line_fixture.hpp"
+#include "tests/support/humanoid_rig.hpp"
 
 namespace abrazo::test::retarget_command_test {
 namespace {
@@ -74,6 +75,17 @@ TEST_F(RetargetCommand, SeveralTakesHaveFilesOfTheirOwn) {
   EXPECT_THAT(names(), Contains("out_salsa_01.npz"));
   EXPECT_THAT(names(), Contains("out_salsa_02.npz"));
   EXPECT_THAT(names(), Not(Contains("out.npz")));
+}
+
+TEST_F(RetargetCommand, ACharacterPerformsBothInAFileEach) {
+  write("rig.glb", rig(Naming::Mixamo));
+  const Outcome outcome = retarget("--passive-body scale:0.9 --character rig.glb -o pair.glb");
+  ASSERT_EQ(outcome.status, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("to pair_active.glb and pair_passive.glb"));
+  EXPECT_THAT(names(), Contains("pair_active.glb"));
+  EXPECT_THAT(names(), Contains("pair_passive.glb"));
+  EXPECT_THAT(names(), Not(Contains("pair.glb")));
+  expect_failure(retarget("--character rig.glb -o pair.bvh"), "written as .glb or .vrm");
 }
 
 TEST_F(RetargetCommand, WhatCannotBeDoneIsSaidBeforeAnythingIsWritten) {

@@ -4,13 +4,16 @@
 
 #include "tests/cli/command_line_fixture.hpp"
 #include "tests/support/captured_data.hpp"
+#include "tests/support/humanoid_rig.hpp"
 
 namespace abrazo::test::synth_command_test {
 namespace {
 
+using ::testing::Contains;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 using ::testing::IsEmpty;
+using ::testing::Not;
 using ::testing::SizeIs;
 
 class SynthCommand : public CommandLineTest {
@@ -89,6 +92,16 @@ TEST_F(SynthCommand, GlbHoldsBothCharactersOrOneEach) {
   EXPECT_EQ(gltf_of(read("two_active.glb"))["skins"][0]["name"], "active");
   EXPECT_EQ(gltf_of(read("two_passive.glb"))["skins"][0]["name"], "passive");
   EXPECT_THAT(names(), ElementsAre("demo", "demo.h5", "pair.glb", "two_active.glb", "two_passive.glb"));
+}
+
+TEST_F(SynthCommand, ACharacterPerformsBothInAFileEach) {
+  make_library();
+  write("rig.glb", rig(Naming::Mixamo));
+  ASSERT_EQ(synth("--character rig.glb -o pair.glb").status, 0);
+  EXPECT_THAT(names(), Contains("pair_active.glb"));
+  EXPECT_THAT(names(), Contains("pair_passive.glb"));
+  EXPECT_THAT(names(), Not(Contains("pair.glb")));
+  expect_failure(synth("--character rig.glb -o pair.bvh"), "written as .glb or .vrm");
 }
 
 TEST_F(SynthCommand, AnotherInputRateGivesTheSameStepRate) {

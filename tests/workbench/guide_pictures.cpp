@@ -17,6 +17,7 @@
 #include <cstdio>
 
 #include "app/workbench/labels/annotation_desk.hpp"
+#include "app/workbench/library/retarget_desk.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
@@ -26,6 +27,7 @@
 #include "core/motion/bvh/bvh.hpp"
 #include "core/stream/send/pose_sink.hpp"
 #include "widgets/scene/view/scene_view.hpp"
+#include "widgets/settings/body_box.hpp"
 #include "widgets/settings/settings_panel.hpp"
 
 namespace abrazo::app {
@@ -200,6 +202,25 @@ void live(MainWindow& window, Pictures& pictures) {
     if (action->text() == "Disconnect") action->trigger();
 }
 
+/// Two takes on a taller leader, to a folder whose name is not one of this machine.
+void retarget(MainWindow& window, const QDir& home, Pictures& pictures) {
+  auto& desk = *window.findChild<RetargetDesk*>();
+  const QString before = QDir::currentPath();
+  if (!home.mkpath("dances") || !QDir::setCurrent(home.path())) return;
+  desk.open();
+  RetargetDialog& dialog = desk.dialog();
+  dialog.setFolder("dances");
+  QStringList chosen;
+  for (const LibraryTake& take : window.session()->material().library->takes())
+    if (chosen.size() < 2) chosen << QString::fromStdString(take.name);
+  dialog.chooseTakes(chosen);
+  for (auto* body : dialog.findChildren<widgets::BodyBox*>())
+    if (body->accessibleName().startsWith("Leader")) body->setEditText("scale:1.15");
+  wait(500);
+  pictures.saveDialogs("retarget");
+  QDir::setCurrent(before);
+}
+
 int make_pictures(const QString& out, widgets::Theme theme, const QStringList& files) {
   QTemporaryDir home;
   qputenv("ABRAZO_HOME", home.path().toUtf8());
@@ -222,7 +243,7 @@ int make_pictures(const QString& out, widgets::Theme theme, const QStringList& f
     std::printf("%s: the folder cannot be made, or nothing was solved\n", qPrintable(out));
     return 1;
   }
-  Pictures pictures(window, QDir(out));
+  Pictures pictures(window, QDir(QDir(out).absolutePath()));
   window.ticker().seek(shown_time_s);
   wait(3000);  // until the comparison at the cursor is there
   pictures.window("workbench");
@@ -232,6 +253,7 @@ int make_pictures(const QString& out, widgets::Theme theme, const QStringList& f
   pictures.dialog("Keys", "keys");
   pictures.dialog("Shortcuts…", "shortcuts");
   pictures.dialog("Sweep two settings…", "sweep", "startSweep", 40);
+  retarget(window, QDir(home.path()), pictures);
   window.openFiles(written_couples(QDir(home.path())));
   (void)until([&pictures] { return pictures.hasDialog(); }, patience_ms);
   wait(3000);

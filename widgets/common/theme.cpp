@@ -60,6 +60,7 @@ QPushButton#link:hover { background: %3; }
 QPushButton#link:focus { border-color: %7; }
 QPushButton:focus { border-color: %7; }
 QPushButton:default { background: %7; border-color: %7; color: #ffffff; }
+QPushButton:default:disabled { background: %3; border-color: %4; color: %6; }
 QLineEdit { background: %1; border: 1px solid %4; border-radius: 5px; padding: 3px 8px; selection-background-color: %7; selection-color: #ffffff; }
 QLineEdit:focus { border-color: %7; }
 QLineEdit#value { background: transparent; border: 1px solid transparent; border-radius: 4px; padding: 0 2px; }

@@ -13,6 +13,7 @@
 #include "widgets/common/typeset.hpp"
 #include "widgets/common/utf8.hpp"
 #include "widgets/common/value_slider.hpp"
+#include "widgets/settings/body_box.hpp"
 #include "widgets/settings/setting_help.hpp"
 #include "widgets/settings/toggle.hpp"
 
@@ -165,14 +166,7 @@ void SettingRow::buildChoice() {
 void SettingRow::buildBody() {
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(12, 3, 12, 3);
-  m_body = new QComboBox(this);
-  m_body->setEditable(true);
-  m_body->setInsertPolicy(QComboBox::NoInsert);
-  m_body->addItem("library");
-  if (m_info.choices.find("user") != std::string_view::npos) m_body->addItem("user");
-  m_body->addItems({"scale:0.85", "scale:1.15"});
-  m_body->setMinimumWidth(118);
-  m_body->setFocusPolicy(Qt::StrongFocus);
+  m_body = new BodyBox(m_info.choices.find("user") != std::string_view::npos, this);
   row->addWidget(m_title, 1);
   row->addWidget(m_body);
   setFixedHeight(34);

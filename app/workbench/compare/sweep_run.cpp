@@ -10,7 +10,7 @@
 #include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/job.hpp"
 #include "app/workbench/base/range_words.hpp"
-#include "core/evaluation/run/library_takes.hpp"
+#include "core/evaluation/run/library_data.hpp"
 
 namespace abrazo::app {
 namespace {

@@ -129,8 +129,9 @@ void ExportDesk::write(const ExportRequest& request, const QString& file) {
   if (!m_window.session()) return messages.showInformation("Nothing is open yet");
   ExportWish wish = request.wish;
   wish.output = file.toStdString();
-  if (const Status usable = check_output(wish.output, {m_window.session()->material().library_file}); !usable)
-    return messages.showErrorOf(export_job, words(usable.error()));
+  for (const std::string& output : wish.files())
+    if (const Status usable = check_output(output, {m_window.session()->material().library_file}); !usable)
+      return messages.showErrorOf(export_job, words(usable.error()));
   run(source_of(request), wish);
 }
 

@@ -7,7 +7,7 @@
 namespace abrazo::app {
 namespace {
 
-constexpr std::array<CommandWords, 20> other_words = {{
+constexpr std::array<CommandWords, 21> other_words = {{
     {"annotation.export_labels",
      "export eaf elan csv json vtt srt subtitles annotations roles moves file save write"},
     {"annotation.import_labels",
@@ -19,6 +19,8 @@ constexpr std::array<CommandWords, 20> other_words = {{
     {"annotation.new_label", "annotate draw interval segment"},
     {"annotation.change_of_role_here", "leader follower leads active passive swap"},
     {"live.switch_the_user_s_role", "leader follower leads active passive swap"},
+    {"library.retarget_take",
+     "body bodies size scale proportions taller smaller transfer character rig avatar vrm glb bvh export"},
     {"solve.sweep_two_settings", "grid search parameters heat map optimise tune"},
     {"edit.undo", "revert back"},
     {"edit.redo", "again repeat"},

@@ -5,6 +5,7 @@
 
 #include "app/workbench/library/library_desk.hpp"
 #include "app/workbench/library/mapping_desk.hpp"
+#include "app/workbench/library/retarget_desk.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "widgets/library/take_list.hpp"
@@ -39,6 +40,9 @@ void add_library_actions(MainWindow& window) {
       add_action(window, menu, "Dance with this take", {QKeySequence("Ctrl+D")}, [&takes] { takes.dance(); });
   QAction* exclude =
       add_action(window, menu, "Exclude the take, or use it again", {}, [&takes] { takes.toggleVeto(); });
+  menu->addSeparator();
+  auto* retarget = new RetargetDesk(window);
+  add_action(window, menu, "Retarget take…", {}, [retarget] { retarget->open(); });
   for (QAction* action : {play, dance, exclude}) {
     action->setEnabled(false);
     QObject::connect(&window, &MainWindow::sessionStarted, action, [action] { action->setEnabled(true); });

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "core/base/atomic_file.hpp"
 #include "core/base/json_nesting.hpp"
 #include "core/base/little_endian.hpp"
 #include "core/base/statistics.hpp"
@@ -411,6 +412,24 @@ Result<std::string> write_character_glb(std::string_view character, const Clip& 
   }
   add_animation(*glb, performer, times_s);
   return text_of(*glb, where);
+}
+
+Status check_character_file(const std::string& output) {
+  if (output.ends_with(".glb") || output.ends_with(".vrm")) return Done{};
+  return Error{"a character with its motion is written as .glb or .vrm", output};
+}
+
+Result<std::vector<std::string>> character_performances(const std::string& character,
+                                                        std::span<const Clip> clips) {
+  const auto file = read_whole_file(character);
+  if (!file) return file.error();
+  std::vector<std::string> performances;
+  for (const Clip& clip : clips) {
+    auto performed = write_character_glb(*file, clip, character);
+    if (!performed) return performed.error();
+    performances.push_back(std::move(*performed));
+  }
+  return performances;
 }
 
 }  // namespace abrazo

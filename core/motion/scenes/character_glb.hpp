@@ -1,7 +1,9 @@
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/result.hpp"
 #include "core/motion/body/clip.hpp"
@@ -18,5 +20,12 @@ namespace abrazo {
 /// @return an Error if it is no GLB, or lacks one of the bones that every VRM has
 Result<std::string> write_character_glb(std::string_view character, const Clip& clip,
                                         const std::string& where);
+
+/// Checks that a character with its motion can be written to a file of this name: .glb or .vrm.
+Status check_character_file(const std::string& output);
+
+/// As write_character_glb, of the character in a file, for each of the clips.
+Result<std::vector<std::string>> character_performances(const std::string& character,
+                                                        std::span<const Clip> clips);
 
 }  // namespace abrazo

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "core/base/atomic_file.hpp"
+#include "core/base/output_file.hpp"
+#include "core/motion/scenes/character_glb.hpp"
 #include "core/session/export/export_parts.hpp"
 
 namespace abrazo {
@@ -35,6 +36,14 @@ Result<SessionMotion> motion_of(const SessionRecord& session, const ExportWish& 
   return session_motion(session, *range, wish.bodies, wish.rate_hz, progress);
 }
 
+/// The content of each file of the wish.
+Result<std::vector<std::string>> contents_of(const SessionMotion& motion, const ExportWish& wish) {
+  if (!wish.character.empty()) return character_performances(wish.character, motion.clips);
+  auto content = clip_file_content(wish.output, motion.clips, wish.space);
+  if (!content) return content.error();
+  return std::vector{std::move(*content)};
+}
+
 }  // namespace
 
 Result<ExportReport> export_motion(const ExportSource& source, const ExportWish& wish,
@@ -46,12 +55,15 @@ Result<ExportReport> export_motion(const ExportSource& source, const ExportWish&
   warn_of_damage(done, session, motion->rows);
   warn_of_timing(done, session, motion->timing);
   if (!report(progress, 0.6, "Putting the file together")) return cancelled(session);
-  const auto content = clip_file_content(wish.output, motion->clips, wish.space);
-  if (!content) return content.error();
+  const auto contents = contents_of(*motion, wish);
+  if (!contents) return contents.error();
   if (!report(progress, 0.9, "Writing")) return cancelled(session);
-  if (const Status written = write_whole_file(wish.output, *content); !written) return written.error();
+  done.files = wish.files();
+  WholeFiles written;
+  for (std::size_t i = 0; i < contents->size(); ++i)
+    if (const Status added = written.add(done.files[i], (*contents)[i]); !added) return added.error();
+  if (const Status named = written.commit(); !named) return named.error();
   const Clip& clip = motion->clips.front();
-  done.files = {wish.output};
   done.text = fmt::format("{} frames at {:g} Hz", clip.poses.size(), clip.fps);
   done.figures.key("from_s").value(motion->timing.first_s);
   done.figures.key("to_s").value(motion->timing.first_s +

@@ -27,8 +27,13 @@ struct ExportWish {
                                                          ///< limit
   ClipFileSpace space = {};                              ///< motion only
   std::string output = {};
+  std::string character = {};  ///< motion: a GLB or VRM that performs it, in OUT_BODY for each body; empty =
+                               ///< none
 
   bool one_mesh() const { return content == ExportContent::Mesh && (at_s || at_frame); }
+  /// The files that are written: the output, or with a character OUT_BODY for each body. Not those that
+  /// belong to a series.
+  std::vector<std::string> files() const;
 };
 
 /// File types of a content, as file extensions.

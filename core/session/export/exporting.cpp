@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/output_file.hpp"
+#include "core/motion/scenes/character_glb.hpp"
 #include "core/session/export/export_parts.hpp"
 
 namespace abrazo {
@@ -40,6 +42,12 @@ Status check_motion(const ExportWish& wish) {
   std::ranges::sort(sorted);
   if (std::ranges::adjacent_find(sorted) != sorted.end())
     return Error{"a body is requested twice", wish.output};
+  if (!wish.character.empty()) {
+    if (!wish.space.is_usual() || wish.space.joints)
+      return Error{"a character has its own bones, in metres with Y up; leave unit, axes and joints out",
+                   wish.output};
+    return check_character_file(wish.output);
+  }
   return check_clip_file(wish.output, wish.space, wish.bodies.size());
 }
 
@@ -52,6 +60,16 @@ constexpr double glb_skin_bytes = 155e3;                              // of a bo
 constexpr double vtu_bytes = 40e3, trace_bytes = 29e3, label_bytes = 40;
 
 }  // namespace
+
+std::vector<std::string> ExportWish::files() const {
+  if (character.empty()) return {output};
+  std::vector<std::string> all;
+  for (const SessionBody body : bodies)
+    all.push_back(with_suffix(output, body == SessionBody::User     ? "_user"
+                                      : body == SessionBody::Active ? "_active"
+                                                                    : "_passive"));
+  return all;
+}
 
 std::vector<std::string> export_types(ExportContent content) {
   switch (content) {
@@ -68,8 +86,13 @@ std::vector<std::string> export_types(ExportContent content) {
 }
 
 Status check_export(const ExportWish& wish) {
+  const bool is_performed = !wish.character.empty();
+  if (is_performed && wish.content != ExportContent::Motion)
+    return Error{"a character performs motion, not " + kind_name(wish.content) + "; leave it out",
+                 wish.output};
   const auto types = export_types(wish.content);
-  const bool fits = std::ranges::any_of(types, [&](const auto& type) { return wish.output.ends_with(type); });
+  const bool fits = is_performed ||
+                    std::ranges::any_of(types, [&](const auto& type) { return wish.output.ends_with(type); });
   if (!fits)
     return Error{kind_name(wish.content) + " cannot be written as this file type; use " + listed(types),
                  wish.output};

@@ -1,13 +1,14 @@
-#include "core/evaluation/run/library_takes.hpp"
+#include "core/evaluation/run/library_data.hpp"
 
 #include <gtest/gtest.h>
 
 #include "core/evaluation/sweep/sweep_metric.hpp"
 #include "core/library/build/motion_library_builder.hpp"
+#include "core/library/store/takes_of_library.hpp"
 #include "tests/core/evaluation/evaluation_takes.hpp"
 #include "tests/support/libraries.hpp"
 
-namespace abrazo::library_takes_test {
+namespace abrazo::library_data_test {
 namespace {
 
 double farthest(const Clip& a, const Clip& b) {
@@ -83,4 +84,4 @@ TEST(LibraryTakes, GiveTheFiguresThatTheFilesGive) {
 }
 
 }  // namespace
-}  // namespace abrazo::library_takes_test
+}  // namespace abrazo::library_data_test

@@ -1,8 +1,11 @@
-#include "core/evaluation/run/library_takes.hpp"
+#include "core/library/store/takes_of_library.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
+
+#include "core/library/takes/manifest.hpp"
 
 namespace abrazo {
 
@@ -35,10 +38,11 @@ PairedTake empty_take(const LibraryTake& about) {
   return take;
 }
 
-/// A pair whose roles differ from those of its take: the library has both assignments, whatever the takes
-/// say.
-bool is_against_roles(const PairSource& source) {
-  return source.annotated == (source.swapped ? ActivePerformer::A : ActivePerformer::B);
+template <typename Takes>
+Error unknown_take(const std::string& name, const Takes& takes, const std::string& where) {
+  std::vector<std::string> names;
+  for (const auto& take : takes) names.push_back(take.name);
+  return {fmt::format("has no take {}; there are {}", name, fmt::join(names, ", ")), where};
 }
 
 }  // namespace
@@ -69,16 +73,43 @@ Result<std::vector<PairedTake>> takes_of_library(const MotionLibrary& library) {
   return takes;
 }
 
-Result<EvaluationData> evaluation_data_of(std::shared_ptr<const MotionLibrary> library) {
-  auto takes = takes_of_library(*library);
-  if (!takes) return takes.error();
-  EvaluationData data;
-  data.name = library->name();
-  data.takes = std::move(*takes);
-  const auto& sources = library->columns().sources;
-  data.both_roles = std::any_of(sources.begin(), sources.end(), is_against_roles);
-  data.library = std::move(library);
-  return data;
+Result<std::vector<PairedTake>> takes_of_library(const MotionLibrary& library,
+                                                 const std::vector<std::string>& names,
+                                                 const std::string& where) {
+  auto all = takes_of_library(library);
+  if (!all) return all.error();
+  std::vector<PairedTake> takes;
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find(*all, name, &PairedTake::name);
+    if (found == all->end()) return unknown_take(name, *all, where);
+    takes.push_back(*found);
+  }
+  return takes;
+}
+
+Result<std::vector<PairedTake>> takes_of_manifest(const std::string& file,
+                                                  const std::vector<std::string>& names,
+                                                  std::vector<std::string>& warnings,
+                                                  const Progress& progress) {
+  const auto manifest = read_manifest(file);
+  if (!manifest) return manifest.error();
+  std::vector<const Manifest::Take*> wanted;
+  for (const std::string& name : names) {
+    const auto found = std::ranges::find(manifest->takes, name, &Manifest::Take::name);
+    if (found == manifest->takes.end()) return unknown_take(name, manifest->takes, file);
+    wanted.push_back(&*found);
+  }
+  warnings.insert(warnings.end(), manifest->warnings.begin(), manifest->warnings.end());
+  std::vector<PairedTake> takes;
+  for (std::size_t t = 0; t < wanted.size(); ++t) {
+    const auto share = [&](std::size_t done) {
+      return static_cast<double>(done) / static_cast<double>(wanted.size());
+    };
+    auto take = load_take(*wanted[t], warnings, part(progress, share(t), share(t + 1)));
+    if (!take) return take.error();
+    takes.push_back(std::move(*take));
+  }
+  return takes;
 }
 
 }  // namespace abrazo

@@ -1,0 +1,247 @@
+// Retargeting takes from the window: what is offered, what is written, and what is told.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <QAction>
+#include <QCheckBox>
+#include <QComboBox>
+#include <QCoreApplication>
+#include <QDir>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QProcess>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+
+#include "app/workbench/library/retarget_desk.hpp"
+#include "core/base/atomic_file.hpp"
+#include "core/library/store/motion_library_file.hpp"
+#include "tests/support/humanoid_rig.hpp"
+#include "tests/workbench/demo_window.hpp"
+#include "widgets/common/message_bar.hpp"
+#include "widgets/library/take_list.hpp"
+
+namespace abrazo::app::retarget_dialog_test {
+namespace {
+
+using ::testing::HasSubstr;
+
+/// A window on a library file of the generated dance.
+class RetargetWindow : public DemoWindow {
+ protected:
+  static void SetUpTestSuite() {
+    showDemo({1280, 720}, 5);
+    ASSERT_TRUE(write_library(*window().session()->material().library, library_file().toStdString()));
+    window().openFiles({library_file()});
+    ASSERT_TRUE(until([] {
+      return window().session() &&
+             window().session()->material().library_file == library_file().toStdString();
+    }));
+  }
+  void SetUp() override {
+    DemoWindow::SetUp();
+    output = QDir(home().path()).filePath("out");
+    QDir(output).removeRecursively();
+    ASSERT_TRUE(QDir().mkpath(output));
+    dialog().hide();
+    desk().open();
+    dialog().setFolder(output);
+    dialog().chooseTakes({take(0)});
+    body("Leader's body").setEditText("scale:0.9");
+    body("Follower's body").setEditText("library");
+    field("Character").clear();
+    field("Name").setText("out");
+    frame("From frame").setValue(0);
+    frame("To frame").setValue(20);
+    box("As").setCurrentIndex(0);
+    dialog().findChild<QCheckBox*>()->setChecked(false);
+    turn();
+  }
+
+  /// The command line is built beside the tests.
+  static QString program() { return QCoreApplication::applicationDirPath() + "/abrazo"; }
+  static QString library_file() { return home().filePath("demo.h5"); }
+  static RetargetDesk& desk() { return *window().findChild<RetargetDesk*>(); }
+  static RetargetDialog& dialog() { return desk().dialog(); }
+  static QString take(std::size_t index) {
+    return QString::fromStdString(window().session()->material().library->takes().at(index).name);
+  }
+  template <typename Widget>
+  static Widget& named(const QString& name) {
+    for (auto* each : dialog().findChildren<Widget*>())
+      if (each->accessibleName() == name) return *each;
+    throw std::invalid_argument(name.toStdString());
+  }
+  static QComboBox& box(const QString& name) { return named<QComboBox>(name); }
+  static QComboBox& body(const QString& name) { return named<QComboBox>(name); }
+  static QLineEdit& field(const QString& name) { return named<QLineEdit>(name); }
+  static QSpinBox& frame(const QString& name) { return named<QSpinBox>(name); }
+  static QPushButton& button(const QString& text) {
+    for (auto* one : dialog().findChildren<QPushButton*>())
+      if (one->text() == text) return *one;
+    throw std::invalid_argument(text.toStdString());
+  }
+  static void chooseType(const QString& ending) {
+    const int index = box("As").findData(ending);
+    ASSERT_GE(index, 0) << ending.toStdString();
+    box("As").setCurrentIndex(index);
+  }
+  static std::string state() { return dialog().findChild<QLabel*>("state")->text().toStdString(); }
+  static std::string about() {
+    std::string all;
+    for (const auto* label : dialog().findChildren<QLabel*>("secondary"))
+      all += label->text().toStdString() + "|";
+    return all;
+  }
+  /// As a person does it, to the end.
+  static void retarget() {
+    ASSERT_TRUE(button("Retarget").isEnabled()) << about();
+    button("Retarget").click();
+    ASSERT_TRUE(until([] { return !desk().isBusy(); }));
+  }
+  QStringList files() const { return QDir(output).entryList(QDir::Files | QDir::Hidden, QDir::Name); }
+  std::string content(const QString& name) const {
+    const auto read = read_whole_file(QDir(output).filePath(name).toStdString());
+    return read ? *read : std::string();
+  }
+  /// What the command line writes for the same wish.
+  void retargetOnTheCommandLine(const QStringList& more) const {
+    QProcess abrazo;
+    abrazo.setWorkingDirectory(output);
+    abrazo.start(program(), QStringList{"retarget", "--library", library_file()} + more);
+    ASSERT_TRUE(abrazo.waitForFinished(-1));
+    ASSERT_EQ(abrazo.exitCode(), 0) << abrazo.readAllStandardError().toStdString();
+  }
+
+  QString output;
+};
+
+TEST_F(RetargetWindow, TheMenuOpensTheDialogWithTheTakeOfTheLibraryPanel) {
+  dialog().hide();
+  window().takes().setSelectedTake(0);
+  QAction* open = action("Retarget take…");
+  ASSERT_TRUE(open);
+  EXPECT_EQ(open->objectName(), QString("library.retarget_take"));
+  open->trigger();
+  turn();
+  EXPECT_TRUE(dialog().isVisible());
+  const auto wish = dialog().wish();
+  ASSERT_TRUE(wish);
+  EXPECT_EQ(wish->takes, std::vector<std::string>{take(0).toStdString()});
+}
+
+TEST_F(RetargetWindow, WritesTheSameBytesAsTheCommandLine) {
+  dialog().findChild<QCheckBox*>()->setChecked(true);
+  for (const QString ending : {".bvh", ".glb", ".csv", ".npz"}) {
+    chooseType(ending);
+    retarget();
+    retargetOnTheCommandLine({"--take", take(0), "--to", "20", "--active-body", "scale:0.9", "-o",
+                              "line" + ending, "--trace", "line.jsonl", "--quiet"});
+    EXPECT_FALSE(content("out" + ending).empty());
+    EXPECT_TRUE(content("out" + ending) == content("line" + ending)) << ending.toStdString();
+    EXPECT_TRUE(content("out.jsonl") == content("line.jsonl"));
+  }
+}
+
+TEST_F(RetargetWindow, ACharacterOfAnotherProgramPerformsBoth) {
+  const QString rig = QDir(output).filePath("rig.vrm");
+  ASSERT_TRUE(write_whole_file(rig.toStdString(), test::rig(test::Naming::Vrm1)));
+  field("Character").setText(rig);
+  EXPECT_EQ(box("As").findData(".bvh"), -1) << "a character is a GLB or VRM";
+  chooseType(".vrm");
+  retarget();
+  EXPECT_EQ(files(), QStringList({"out_active.vrm", "out_passive.vrm", "rig.vrm"}));
+  retargetOnTheCommandLine({"--take", take(0), "--to", "20", "--active-body", "scale:0.9", "--character", rig,
+                            "-o", "line.vrm", "--quiet"});
+  EXPECT_TRUE(content("out_passive.vrm") == content("line_passive.vrm"));
+}
+
+TEST_F(RetargetWindow, SeveralTakesHaveFilesOfTheirOwnAndTheirFiguresAreTold) {
+  const QStringList both{take(0), take(1)};
+  dialog().chooseTakes(both);
+  chooseType(".csv");
+  QStringList told;
+  const auto listening = QObject::connect(&window().messages(), &widgets::MessageBar::told, &window(),
+                                          [&](widgets::MessageKind, const QString& text) { told << text; });
+  retarget();
+  QObject::disconnect(listening);
+  EXPECT_EQ(files(), QStringList({"out_" + both[0] + ".csv", "out_" + both[1] + ".csv"}));
+  ASSERT_FALSE(told.isEmpty());
+  EXPECT_THAT(told.last().toStdString(), HasSubstr(both[1].toStdString() + ": 20 frames, leader scale:0.9"));
+  EXPECT_THAT(state(), HasSubstr("2 takes"));
+}
+
+TEST_F(RetargetWindow, WhatCannotBeDoneIsSaidBeforeItIsStarted) {
+  const auto refused = [](const std::string& why) {
+    EXPECT_FALSE(button("Retarget").isEnabled()) << why;
+    EXPECT_THAT(about(), HasSubstr(why));
+  };
+  EXPECT_THAT(about(), HasSubstr("Writes out.bvh"));
+  body("Leader's body").setEditText("scale:9");
+  refused("a number from 0.3 to 3 is expected");
+  body("Leader's body").setEditText("user");
+  refused("a recorded pair has no user");
+  body("Leader's body").setEditText("library");
+  frame("To frame").setValue(10'000'000);
+  refused("has frames 0 to");
+  frame("To frame").setValue(20);
+  dialog().setFolder(output + "/gone");
+  refused("folder does not exist");
+  dialog().setFolder(output);
+  dialog().chooseTakes({});
+  refused("No take is chosen");
+}
+
+TEST_F(RetargetWindow, AFileThatIsReplacedIsNamedBefore) {
+  ASSERT_TRUE(write_whole_file(QDir(output).filePath("out.bvh").toStdString(), "old"));
+  field("Name").setText("other");
+  EXPECT_THAT(about(), ::testing::Not(HasSubstr("Replaces")));
+  field("Name").setText("out");
+  EXPECT_THAT(about(), HasSubstr("Writes out.bvh. Replaces out.bvh"));
+}
+
+TEST_F(RetargetWindow, CancelledItLeavesNothing) {
+  frame("To frame").setValue(-1);
+  dialog().findChild<QCheckBox*>()->setChecked(true);
+  button("Retarget").click();
+  ASSERT_TRUE(until([] { return named<QProgressBar>("Progress").value() > 150; })) << "fitting";
+  EXPECT_THAT(state(), HasSubstr(take(0).toStdString() + ": "));
+  button("Cancel").click();
+  ASSERT_TRUE(until([] { return !desk().isBusy(); }));
+  EXPECT_TRUE(dialog().isVisible()) << "the button closes the dialog only when nothing runs";
+  EXPECT_THAT(state(), HasSubstr("nothing was written"));
+  EXPECT_EQ(files(), QStringList());
+}
+
+TEST_F(RetargetWindow, AnErrorOfTheWorkIsShownAndLeavesNothing) {
+  body("Follower's body").setEditText(QDir(output).filePath("gone.bvh"));
+  retarget();
+  EXPECT_THAT(state(), HasSubstr("gone.bvh"));
+  ASSERT_EQ(window().messages().openErrors().size(), 1);
+  EXPECT_EQ(files(), QStringList());
+  body("Follower's body").setEditText("library");
+  retarget();
+  EXPECT_TRUE(window().messages().openErrors().isEmpty()) << "the error leaves with the next success";
+}
+
+TEST_F(RetargetWindow, TakesOfAManifestAreOfferedToo) {
+  QProcess abrazo;
+  abrazo.setWorkingDirectory(home().path());
+  abrazo.start(program(), {"demo", "-o", "takes", "--minutes", "0.2"});
+  ASSERT_TRUE(abrazo.waitForFinished(-1));
+  const QString manifest = home().filePath("takes/manifest.json");
+  emit dialog().manifestChosen(manifest);
+  ASSERT_TRUE(until([] { return !desk().isBusy(); }));
+  EXPECT_EQ(dialog().manifest(), manifest);
+  dialog().chooseTakes({"salsa_01"});
+  retarget();
+  EXPECT_EQ(files(), QStringList({"out.bvh"}));
+  emit dialog().manifestChosen(home().filePath("gone.json"));
+  ASSERT_TRUE(until([] { return !desk().isBusy(); }));
+  EXPECT_THAT(state(), HasSubstr("gone.json"));
+}
+
+}  // namespace
+}  // namespace abrazo::app::retarget_dialog_test
