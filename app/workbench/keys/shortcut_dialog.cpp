@@ -53,9 +53,6 @@ ShortcutDialog::ShortcutDialog(Shortcuts& shortcuts, QWidget* parent)
   m_rows->setRootIsDecorated(false);
   m_rows->setUniformRowHeights(true);
   m_rows->setSortingEnabled(true);
-  m_rows->setStyleSheet(
-      "QTreeView::item { padding: 3px 2px; }"
-      "QHeaderView::section { background: palette(window); border: none; padding: 5px 4px; }");
   m_rows->sortByColumn(-1, Qt::AscendingOrder);  // as in the menus until a head is clicked
   column->addWidget(m_filter);
   column->addWidget(m_rows, 1);
