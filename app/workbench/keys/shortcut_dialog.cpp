@@ -40,7 +40,7 @@ ShortcutDialog::ShortcutDialog(Shortcuts& shortcuts, QWidget* parent)
     : QDialog(parent), m_shortcuts(shortcuts) {
   setObjectName("shortcuts");
   setWindowTitle("Shortcuts");
-  resize(QSize(720, 640).boundedTo(QGuiApplication::primaryScreen()->availableSize() * 9 / 10));
+  resize(QSize(820, 640).boundedTo(QGuiApplication::primaryScreen()->availableSize() * 9 / 10));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 16, 16, 16);
   m_filter = new QLineEdit(this);
@@ -59,8 +59,8 @@ ShortcutDialog::ShortcutDialog(Shortcuts& shortcuts, QWidget* parent)
   column->addWidget(makeEditor());
   fill();
   m_rows->setColumnWidth(Menu, 170);
-  m_rows->setColumnWidth(Action, 250);
-  m_rows->setColumnWidth(Keys, 130);
+  m_rows->setColumnWidth(Action, 290);
+  m_rows->setColumnWidth(Keys, 156);
   connect(m_filter, &QLineEdit::textChanged, this, &ShortcutDialog::filter);
   connect(m_rows, &QTreeWidget::currentItemChanged, this, &ShortcutDialog::showChosen);
   connect(m_rows, &QTreeWidget::itemActivated, m_entry, [this] { m_entry->setFocus(); });
