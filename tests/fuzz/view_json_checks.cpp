@@ -21,7 +21,8 @@ void expect_layout(std::string_view text) {
   const auto layout =
       app::parse_layout(QByteArray(text.data(), static_cast<int>(text.size())), "layout.json");
   if (!accepted(layout)) return;
-  expect(layout->timeline_height >= 0 && layout->timeline_height < 100'000, "a timeline of no height");
+  const int timeline = layout->timeline_height.value_or(0);
+  expect(timeline >= 0 && timeline < 100'000, "a timeline of no height");
   (void)app::is_dock_state(layout->docks, app::layout_version);
   // Once through: JSON may name half a character, which is written as another.
   const auto written = app::parse_layout(app::text_of(*layout), "layout.json");

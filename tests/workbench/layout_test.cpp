@@ -376,7 +376,7 @@ TEST(WindowLayout, IsTheSameAfterWritingAndReading) {
 TEST(WindowLayout, ATimelineIsNoHigherThanAnyScreen) {
   const auto read = parse_layout("{\"abrazo_layout\": 1, \"timeline_height\": 2147483647}", "a.json");
   ASSERT_TRUE(read);
-  EXPECT_LT(read->timeline_height, 20'000);
+  EXPECT_LT(read->timeline_height.value(), 20'000);
 }
 
 TEST(RememberedView, ACameraComesBackAndWhatIsNoneDoesNot) {

@@ -286,7 +286,7 @@ void measure(MainWindow& window, Responsiveness& responsiveness, const Asked& as
         });
   }
   measurement.until(
-      "closing", [&] { window.close(); }, [] { return true; });
+      "closing", [&] { window.close(); }, [&] { return !window.isVisible(); });
 }
 
 }  // namespace

@@ -72,7 +72,6 @@ QWidget* AnnotationPanel::makeSubject() {
   row->addWidget(m_back);
   auto* files = chip("Files ▾", "Labels as a file, for ELAN or a table; labels from a file", box);
   files->setAccessibleName("Label files");
-  files->setStyleSheet("QToolButton::menu-indicator { image: none; width: 0; }");
   files->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(files);
   menu->addAction("Export labels (EAF, CSV, …)…", this, &AnnotationPanel::exportRequested);

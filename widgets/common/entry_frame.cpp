@@ -22,9 +22,6 @@ bool is_return(int key) {
 EntryFrame::EntryFrame(QWidget& window, const QString& prompt, const QString& start, Take take)
     : QFrame(&window), m_take(std::move(take)), m_before(QApplication::focusWidget()) {
   setObjectName("entryFrame");
-  setStyleSheet(
-      "#entryFrame { background: palette(window); border: 1px solid palette(highlight); border-radius: 6px; "
-      "}");
   setAttribute(Qt::WA_StyledBackground);
   m_title = new QLabel(prompt, this);
   m_title->setObjectName("secondary");

@@ -13,7 +13,7 @@ static void load_resources() {
 namespace abrazo::widgets {
 namespace {
 
-// %1 window %2 panel %3 raised %4 border %5 text %6 secondary %7 accent %8 hover
+// %1 window %2 panel %3 raised %4 border %5 text %6 secondary %7 accent %8 hover %10 warning
 constexpr const char* sheet = R"(
 QMainWindow, QDialog { background: %1; color: %5; }
 QMenuBar { background: %2; border-bottom: 1px solid %4; padding: 1px 0; }
@@ -39,6 +39,9 @@ QToolTip { background: %1; color: %5; border: 1px solid %4; padding: 5px 7px; }
 QFrame#panel, QWidget#panel { background: %2; }
 QFrame#rule { background: %4; border: none; }
 QLabel#secondary { color: %6; }
+QLabel#warning { color: %10; }
+QFrame#entryFrame { background: %1; border: 1px solid %7; border-radius: 6px; }
+QFrame#popup { background: %2; border: 1px solid %6; border-radius: 6px; }
 QToolButton#flat, QPushButton#flat { border: none; background: transparent; padding: 3px; border-radius: 5px; }
 QToolButton#flat:hover, QPushButton#flat:hover { background: %3; }
 QToolButton#quiet { border: 1px solid transparent; background: transparent; border-radius: 4px; }
@@ -47,6 +50,7 @@ QToolButton#quiet:focus { border-color: %7; }
 QToolButton#quiet::menu-indicator { image: none; width: 0; }
 QToolButton#chip { background: %3; border: 1px solid %4; border-radius: 5px; padding: 3px 9px; color: %5; }
 QToolButton#chip:hover { border-color: %6; }
+QToolButton#chip::menu-indicator, QToolButton#segment::menu-indicator { image: none; width: 0; }
 QToolButton#chip:checked { background: %7; border-color: %7; color: #ffffff; }
 QToolButton#segment { background: %1; border: 1px solid %4; border-left: none; padding: 4px 6px; color: %6; }
 QToolButton#segment[first="true"] { border-left: 1px solid %4; border-top-left-radius: 5px; border-bottom-left-radius: 5px; }
@@ -54,6 +58,7 @@ QToolButton#segment[last="true"] { border-top-right-radius: 5px; border-bottom-r
 QToolButton#segment:hover { color: %5; }
 QToolButton#segment:checked { background: %7; color: #ffffff; }
 QPushButton { background: %3; border: 1px solid %4; border-radius: 5px; padding: 4px 12px; }
+QPushButton#small { padding: 3px 8px; }
 QPushButton:hover { border-color: %6; }
 QPushButton#link { border: 1px solid transparent; background: transparent; text-align: left; margin: 0 6px; padding: 2px 6px; }
 QPushButton#link:hover { background: %3; }
@@ -81,7 +86,11 @@ QScrollBar::add-line, QScrollBar::sub-line { width: 0; height: 0; }
 QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QTableView, QTreeView { background: %2; border: none; gridline-color: %4; selection-background-color: %7; selection-color: #ffffff; outline: 0; }
 QHeaderView, QTableCornerButton::section { background: %2; border: none; }
-QHeaderView::section { background: %2; color: %6; border: none; border-bottom: 1px solid %4; padding: 3px 6px; }
+QHeaderView::section { background: %2; color: %6; border: none; border-bottom: 1px solid %4; padding: 5px 6px; }
+QDialog QTreeView::item { padding: 3px 2px; }
+QDialog QTableView, QDialog QTreeView, QDialog QListView { border: 1px solid %4; border-radius: 5px; }
+QProgressBar { background: %3; border: none; border-radius: 3px; text-align: center; }
+QProgressBar::chunk { background: %7; border-radius: 3px; }
 QSlider:horizontal { min-height: 18px; }
 QSlider::groove:horizontal { background: %8; height: 3px; border-radius: 1px; }
 QSlider::sub-page:horizontal { background: %7; height: 3px; border-radius: 1px; }
@@ -89,6 +98,7 @@ QSlider::handle:horizontal { background: #ffffff; border: 2px solid %7; width: 8
 QSlider::sub-page:horizontal:disabled { background: %8; }
 QSlider::handle:horizontal:disabled { background: %3; border-color: %8; }
 QListView { background: %2; border: 1px solid %4; outline: 0; }
+QListView#bare { background: transparent; border: none; }
 QListView::item { padding: 4px 8px; }
 QListView::item:selected { background: %7; color: #ffffff; }
 )";
@@ -105,9 +115,10 @@ QFont interface_font(int pixel_size, int weight) {
 
 QString style_sheet(const Palette& p) {
   const auto name = [](const QColor& colour) { return colour.name(); };
-  return QString(sheet).arg(name(p.window), name(p.panel), name(p.raised), name(p.border), name(p.text),
-                            name(p.secondary), name(p.accent), name(mixed(p.secondary, p.panel, 0.35)),
-                            p.dark ? "dark" : "light");
+  return QString(sheet)
+      .arg(name(p.window), name(p.panel), name(p.raised), name(p.border), name(p.text), name(p.secondary),
+           name(p.accent), name(mixed(p.secondary, p.panel, 0.35)), p.dark ? "dark" : "light")
+      .arg(name(p.warning));
 }
 
 void apply_theme(QApplication& application, const Palette& p) {

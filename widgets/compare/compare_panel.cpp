@@ -29,7 +29,7 @@ QPushButton* button_in(QHBoxLayout* row, QWidget* box, const QString& text, cons
   auto* button = new QPushButton(text, box);
   button->setToolTip(tip);
   button->setFocusPolicy(Qt::TabFocus);
-  button->setStyleSheet("padding: 3px 8px;");
+  button->setObjectName("small");
   row->addWidget(button);
   return button;
 }
@@ -164,9 +164,6 @@ void ComparePanel::setColours(const Palette& palette) {
   m_b->setColours(palette);
   m_curve->setColours(palette);
   m_table->setColours(palette);
-  m_progress->setStyleSheet(QString("QProgressBar { background: %1; border: none; border-radius: 3px; }"
-                                    "QProgressBar::chunk { background: %2; border-radius: 3px; }")
-                                .arg(palette.raised.name(), palette.accent.name()));
 }
 
 WhatIfSpan ComparePanel::span() const {

@@ -76,7 +76,7 @@ int digit_of(const QKeyEvent& event) {
 }  // namespace
 
 IntendedMovePopup::IntendedMovePopup(QWidget* window) : QFrame(window), m_palette(palette_of(Theme::Dark)) {
-  setObjectName("intendedMove");
+  setObjectName("popup");
   setAccessibleName("Intended move");
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(1, 8, 1, 8);
@@ -94,7 +94,7 @@ IntendedMovePopup::IntendedMovePopup(QWidget* window) : QFrame(window), m_palett
   m_list = new QListWidget(this);
   m_list->setItemDelegate(new ChoiceLook(m_choices, m_list));
   m_list->setFrameShape(QFrame::NoFrame);
-  m_list->setStyleSheet("QListView { border: none; background: transparent; }");
+  m_list->setObjectName("bare");
   m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   m_list->setAccessibleName("Moves and takes, the nearest first");
   m_list->installEventFilter(this);
@@ -113,8 +113,6 @@ IntendedMovePopup::IntendedMovePopup(QWidget* window) : QFrame(window), m_palett
 void IntendedMovePopup::setColours(const Palette& palette) {
   m_palette = palette;
   static_cast<ChoiceLook*>(m_list->itemDelegate())->palette = palette;
-  setStyleSheet(QString("QFrame#intendedMove { background: %1; border: 1px solid %2; border-radius: 6px; }")
-                    .arg(palette.panel.name(), palette.secondary.name()));
   m_list->viewport()->update();
 }
 

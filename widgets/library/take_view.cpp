@@ -44,7 +44,7 @@ TakeView::TakeView(TakeModel& model, TakeFilter& filter, QWidget* parent)
   setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   viewport()->setAutoFillBackground(false);
-  setStyleSheet("QListView { border: none; }");
+  setObjectName("bare");
   setAccessibleName("Takes of the library");
   setAccessibleDescription("Left and Right browse a take, Return dances with it, the menu key has the rest");
 }

@@ -41,7 +41,6 @@ PresetBar::PresetBar(QWidget* parent) : QWidget(parent) {
   m_ownButton = add_segment(this, row, false, true);
   m_ownButton->setToolTip("Your own presets: choose, save, rename, delete, export, import");
   m_ownButton->setPopupMode(QToolButton::InstantPopup);
-  m_ownButton->setStyleSheet("QToolButton::menu-indicator { image: none; width: 0; }");
   m_menu = new QMenu(m_ownButton);
   m_ownButton->setMenu(m_menu);
   connect(m_menu, &QMenu::aboutToShow, this, [this] { fillMenu(*m_menu); });

@@ -104,7 +104,7 @@ void SettingRow::buildNumber() {
   grid->addWidget(m_value, 0, 1, Qt::AlignRight);
   grid->addWidget(m_slider, 1, 0, 1, 2);
   grid->setColumnStretch(0, 1);
-  setFixedHeight(height_of_number);
+  setFixedHeight(40);
   name(*m_slider);
   name(*m_value);
   connectSlider();

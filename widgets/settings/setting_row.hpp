@@ -21,7 +21,6 @@ class ValueSlider;
 class SettingRow : public QWidget {
   Q_OBJECT
  public:
-  static constexpr int height_of_number = 40;  ///< of a row with a slider [px]
   SettingRow(const SettingInfo& info, QWidget* parent = nullptr);
   const SettingInfo& info() const { return m_info; }
   void setColours(const Palette& palette);

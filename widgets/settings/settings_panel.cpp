@@ -18,7 +18,7 @@ namespace abrazo::widgets {
 namespace {
 
 constexpr int least_filter_width = 44, filter_width = 96, group_head_height = 24;
-constexpr int tuned_rows = 5;  ///< alpha, the weights and k, which are at the begin
+constexpr std::size_t tuned_rows = 5;  ///< method, alpha, k and the first weights
 
 /// "α, w_Δ, foot locks": what of a frame's settings is otherwise.
 QString differing(const Settings& of_frame, const Settings& now) {
@@ -123,8 +123,9 @@ QWidget* SettingsPanel::rowList() {
 }
 
 QSize SettingsPanel::sizeHint() const {
-  const int above = m_presets->sizeHint().height();
-  return {QWidget::sizeHint().width(), above + group_head_height + tuned_rows * SettingRow::height_of_number};
+  int height = m_presets->sizeHint().height() + group_head_height;
+  for (std::size_t row = 0; row < tuned_rows; ++row) height += m_rows[row]->minimumHeight();
+  return {QWidget::sizeHint().width(), height};
 }
 
 void SettingsPanel::filter(const QString& wanted) {

@@ -64,7 +64,6 @@ SweepForm::SweepForm(QWidget* parent) : QWidget(parent), m_settings(*preset(pres
   m_takesButton = new QToolButton(this);
   m_takesButton->setObjectName("chip");
   m_takesButton->setPopupMode(QToolButton::InstantPopup);
-  m_takesButton->setStyleSheet("QToolButton::menu-indicator { image: none; width: 0; }");
   m_takesButton->setFocusPolicy(Qt::TabFocus);
   m_takesButton->setToolTip("The takes that play the user, each answered by all the others");
   m_takesMenu = new QMenu(m_takesButton);

@@ -95,7 +95,8 @@ TakeRows::TakeRows(QWidget* parent) : QListWidget(parent) {
   setSelectionMode(QAbstractItemView::SingleSelection);
   setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-  setStyleSheet("QListView { border: none; } QLineEdit { padding: 0 8px; }");
+  setObjectName("bare");
+  setStyleSheet("QLineEdit { padding: 0 8px; }");  // the field of a row, which is lower than others
   setAccessibleName("Takes of this session");
   setAccessibleDescription("Return goes to a take, F2 renames it, Delete removes it from the list");
   connect(this, &QListWidget::itemDoubleClicked, this,

@@ -102,6 +102,7 @@ void CameraSection::makePicking(QVBoxLayout& column) {
   m_list = new PickList(this);
   column.addWidget(m_list);
   m_warnings = quiet_text(this, "What is doubtful about the camera");
+  m_warnings->setObjectName("warning");
   column.addWidget(m_warnings);
   connect(m_pick, &QPushButton::clicked, this, &CameraSection::pickingRequested);
   connect(m_joint, qOverload<int>(&QComboBox::activated), this, &CameraSection::jointChosen);
@@ -141,7 +142,6 @@ void CameraSection::present() {
   QStringList warnings;
   for (const std::string& warning : status.warnings) warnings << "⚠ " + QString::fromStdString(warning);
   m_warnings->setText(warnings.join("\n"));
-  m_warnings->setStyleSheet("color: " + m_palette.warning.name());
   m_warnings->setVisible(!warnings.isEmpty());
   m_list->show(status.picks);
 }

@@ -71,6 +71,7 @@ QWidget* VideoPanel::makeFile() {
   row->addWidget(m_close);
   m_facts = quiet_text(box, "Facts of the video");
   m_warning = quiet_text(box, "What is odd about the file");
+  m_warning->setObjectName("warning");
   column->addWidget(m_facts);
   column->addWidget(m_warning);
   connect(open, &QToolButton::clicked, this, &VideoPanel::openRequested);
@@ -104,7 +105,6 @@ void VideoPanel::setColours(const Palette& palette) {
   m_overlay->setColours(palette);
   m_camera->setColours(palette);
   for (SectionHeader* head : m_heads) head->setColours(palette);
-  m_warning->setStyleSheet("color: " + palette.warning.name());
 }
 
 void VideoPanel::showFiles(const QStringList& names, int current) {

@@ -25,10 +25,16 @@ void Job::tellFailures(std::function<void(const QString&)> to) {
 }
 
 Job::Job(Work work, QObject* parent) : QObject(parent) {
+  m_running.emplace([this] {
+    m_retired = true;
+    cancel();
+  });
   m_thread = std::jthread([this, work = std::move(work)] {
     const Progress progress = [this](double fraction, std::string_view doing) {
       const QString text = QString::fromUtf8(doing.data(), static_cast<int>(doing.size()));
-      QMetaObject::invokeMethod(this, [this, fraction, text] { emit progressed(fraction, text); });
+      QMetaObject::invokeMethod(this, [this, fraction, text] {
+        if (!m_retired) emit progressed(fraction, text);
+      });
       return !m_cancelled;
     };
     Finish finish;
@@ -49,6 +55,7 @@ Job::Job(Work work, QObject* parent) : QObject(parent) {
         [this, finish = std::move(finish)] {
           if (!m_retired && finish) finish();
           m_finished = true;
+          m_running.reset();
           emit finished();
         },
         Qt::QueuedConnection);

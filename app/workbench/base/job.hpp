@@ -4,14 +4,16 @@
 #include <atomic>
 #include <functional>
 #include <memory>
+#include <optional>
 #include <thread>
 
+#include "app/workbench/base/running_work.hpp"
 #include "core/base/progress.hpp"
 
 namespace abrazo::app {
 
 /// A long job on a separate thread. The function it returns is called on the thread of this object, unless
-/// the job was retired or destroyed. Destruction cancels and waits.
+/// the job was retired or destroyed, or the window closes. Destruction cancels and waits.
 class Job : public QObject {
   Q_OBJECT
  public:
@@ -38,7 +40,8 @@ class Job : public QObject {
  private:
   std::atomic<bool> m_cancelled = false;
   bool m_finished = false, m_retired = false;
-  std::jthread m_thread;  // last: joined first
+  std::optional<RunningWork> m_running;  ///< empty once it is finished
+  std::jthread m_thread;                 // last: joined first
 };
 
 }  // namespace abrazo::app

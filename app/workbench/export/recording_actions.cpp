@@ -66,7 +66,6 @@ Film make_film(MainWindow& window, const QString& text, ViewRecording::TakePictu
   QObject::connect(
       recording, &ViewRecording::ended, &window,
       [&window](const QString& trouble, const QString& words) { tell_end(window, trouble, words); });
-  QObject::connect(&window, &MainWindow::closing, recording, &ViewRecording::stopNow);
   return {recording, action, text};
 }
 

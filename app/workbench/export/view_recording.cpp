@@ -8,7 +8,9 @@ ViewRecording::ViewRecording(TakePicture take, QObject* parent) : QObject(parent
   connect(&m_timer, &QTimer::timeout, this, &ViewRecording::takePicture);
 }
 
-ViewRecording::~ViewRecording() = default;
+ViewRecording::~ViewRecording() {
+  if (m_writer && m_hasBegun) m_writer->finishNow();
+}
 
 void ViewRecording::start(const QString& file) {
   const QSize now = m_take().size();
@@ -16,6 +18,7 @@ void ViewRecording::start(const QString& file) {
   m_hasBegun = false;
   m_due = FilmClock(rate_hz);
   m_writer = std::make_unique<FilmWriter>(file, QSize(now.width() & ~1, now.height() & ~1), rate_hz);
+  m_running.emplace([this] { stopForGood(); });
   connect(m_writer.get(), &FilmWriter::opened, this, &ViewRecording::begin);
   connect(m_writer.get(), &FilmWriter::ended, this, &ViewRecording::onEnded);
 }
@@ -44,13 +47,10 @@ void ViewRecording::stop() {
   m_writer->finish();
 }
 
-void ViewRecording::stopNow() {
-  m_timer.stop();
-  if (!m_writer) return;
-  if (m_hasBegun)
-    m_writer->finishNow();
-  else
-    m_writer.reset();  // there is nothing to write
+void ViewRecording::stopForGood() {
+  if (m_hasBegun) return stop();
+  m_writer.reset();  // there is nothing to write
+  m_running.reset();
 }
 
 void ViewRecording::onEnded(const QString& trouble) {
@@ -58,6 +58,7 @@ void ViewRecording::onEnded(const QString& trouble) {
   m_timer.stop();
   emit stopped();
   m_writer.release()->deleteLater();  // it is what speaks
+  m_running.reset();
   QString words = QString("Recording written to %1: %2 s, %3 pictures")
                       .arg(m_file)
                       .arg(pictures / rate_hz, 0, 'f', 1)

@@ -5,13 +5,15 @@
 #include <QTimer>
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "app/workbench/base/film_clock.hpp"
 #include "app/workbench/base/film_writer.hpp"
+#include "app/workbench/base/running_work.hpp"
 
 namespace abrazo::app {
 
-/// Records the screen as a film in real time until stopped.
+/// Records the screen as a film in real time until stopped, at the latest by the end of the window.
 class ViewRecording : public QObject {
   Q_OBJECT
  public:
@@ -24,8 +26,6 @@ class ViewRecording : public QObject {
   void start(const QString& file);
   /// ended() follows when the file is complete.
   void stop();
-  /// As stop(), but waits; for the end of the program.
-  void stopNow();
   bool isRunning() const { return m_timer.isActive(); }
   /// The encoder is being loaded, or writes, even if stopped.
   bool isBusy() const { return m_writer != nullptr; }
@@ -40,6 +40,7 @@ class ViewRecording : public QObject {
 
  private:
   void begin();
+  void stopForGood();
   void takePicture();
   void onEnded(const QString& trouble);
 
@@ -50,6 +51,7 @@ class ViewRecording : public QObject {
   FilmClock m_due{rate_hz};
   bool m_hasBegun = false;
   std::unique_ptr<FilmWriter> m_writer;
+  std::optional<RunningWork> m_running;  ///< while there is a writer
 };
 
 }  // namespace abrazo::app

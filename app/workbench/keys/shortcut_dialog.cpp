@@ -40,7 +40,7 @@ ShortcutDialog::ShortcutDialog(Shortcuts& shortcuts, QWidget* parent)
     : QDialog(parent), m_shortcuts(shortcuts) {
   setObjectName("shortcuts");
   setWindowTitle("Shortcuts");
-  resize(QSize(720, 640).boundedTo(QGuiApplication::primaryScreen()->availableSize() * 9 / 10));
+  resize(QSize(820, 640).boundedTo(QGuiApplication::primaryScreen()->availableSize() * 9 / 10));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 16, 16, 16);
   m_filter = new QLineEdit(this);
@@ -53,17 +53,14 @@ ShortcutDialog::ShortcutDialog(Shortcuts& shortcuts, QWidget* parent)
   m_rows->setRootIsDecorated(false);
   m_rows->setUniformRowHeights(true);
   m_rows->setSortingEnabled(true);
-  m_rows->setStyleSheet(
-      "QTreeView::item { padding: 3px 2px; }"
-      "QHeaderView::section { background: palette(window); border: none; padding: 5px 4px; }");
   m_rows->sortByColumn(-1, Qt::AscendingOrder);  // as in the menus until a head is clicked
   column->addWidget(m_filter);
   column->addWidget(m_rows, 1);
   column->addWidget(makeEditor());
   fill();
   m_rows->setColumnWidth(Menu, 170);
-  m_rows->setColumnWidth(Action, 250);
-  m_rows->setColumnWidth(Keys, 130);
+  m_rows->setColumnWidth(Action, 290);
+  m_rows->setColumnWidth(Keys, 156);
   connect(m_filter, &QLineEdit::textChanged, this, &ShortcutDialog::filter);
   connect(m_rows, &QTreeWidget::currentItemChanged, this, &ShortcutDialog::showChosen);
   connect(m_rows, &QTreeWidget::itemActivated, m_entry, [this] { m_entry->setFocus(); });

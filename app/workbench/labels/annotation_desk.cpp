@@ -1,6 +1,5 @@
 #include "app/workbench/labels/annotation_desk.hpp"
 
-#include <QSplitter>
 #include <QUndoCommand>
 #include <algorithm>
 
@@ -94,7 +93,7 @@ void AnnotationDesk::connectViews() {
   connect(&m_window.panels(), &PanelArea::wantedChanged, this, [this](const QString& id, bool on) {
     if (id != panel_id) return;
     show();
-    if (on) makeRoom();
+    if (on) m_window.makeRoomForLanes();
   });
   // A take has no live end: at its end the cursor stays.
   connect(&m_window.ticker(), &FrameTicker::playbackChanged, this, [this](const Playback& playback) {
@@ -144,7 +143,7 @@ void AnnotationDesk::showSubject(const std::string& wanted) {
   if (showsTake()) m_window.panels().want(panel_id, true);
   emit subjectChanged();
   tell();
-  makeRoom();
+  m_window.makeRoomForLanes();
 }
 
 bool AnnotationDesk::edit(const Result<LabelEdit>& edit) {
@@ -193,16 +192,6 @@ bool AnnotationDesk::isOpen() const {
   return showsTake() || m_window.panels().isWanted(panel_id) ||
          std::any_of(tiers.begin(), tiers.end(),
                      [](const AnnotationTier& tier) { return !tier.annotations.empty(); });
-}
-
-/// For all lanes, as far as half of the window goes.
-void AnnotationDesk::makeRoom() {
-  QWidget* box = m_window.timeline().parentWidget();
-  auto* split = qobject_cast<QSplitter*>(box->parentWidget());
-  if (!split || split->count() != 2) return;
-  const QList<int> sizes = split->sizes();
-  const int whole = sizes[0] + sizes[1], wanted = std::min(box->sizeHint().height(), whole / 2);
-  if (sizes[1] < wanted) split->setSizes({whole - wanted, wanted});
 }
 
 void AnnotationDesk::show() {

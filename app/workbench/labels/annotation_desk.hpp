@@ -84,7 +84,6 @@ class AnnotationDesk : public QObject {
   void keep();
   void tell();
   void show();
-  void makeRoom();
 
   MainWindow& m_window;
   widgets::AnnotationPanel* m_panel;

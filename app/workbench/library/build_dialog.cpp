@@ -225,15 +225,6 @@ void BuildDialog::connectParts() {
 
 void BuildDialog::setColours(const widgets::Palette& palette) {
   m_palette = palette;
-  setStyleSheet(
-      QString("QTableView { background: %1; border: 1px solid %2; border-radius: 5px; outline: 0; "
-              "selection-background-color: %3; selection-color: white; }"
-              "QHeaderView, QTableCornerButton::section { background: %1; border: none; }"
-              "QHeaderView::section { background: %1; color: %4; border: none; border-bottom: 1px solid %2; "
-              "padding: 5px 6px; }"
-              "QListWidget { border: 1px solid %2; border-radius: 5px; }"
-              "QListWidget::item { padding: 3px 6px; }")
-          .arg(palette.panel.name(), palette.border.name(), palette.accent.name(), palette.secondary.name()));
   m_model.setColours(palette);
   m_preview->setColours(palette);
   showPlan();

@@ -274,8 +274,7 @@ void ImportPanel::setColours(const widgets::Palette& palette) {
   m_picture->setColours(palette);
   for (auto* header : findChildren<widgets::SectionHeader*>()) header->setColours(palette);
   m_play->setIcon(widgets::icon(widgets::Icon::Play, palette.text));
-  setStyleSheet(QString("QTableWidget { background: transparent; border: none; }"
-                        "QLabel#warnings { color: %1; background: %2; border: 1px solid %1; "
+  setStyleSheet(QString("QLabel#warnings { color: %1; background: %2; border: 1px solid %1; "
                         "border-radius: 5px; }")
                     .arg(palette.warning.name(), widgets::mixed(palette.warning, palette.panel, 0.1).name()));
   if (!m_isWaiting) showJoints();

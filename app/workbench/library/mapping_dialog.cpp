@@ -250,12 +250,6 @@ void MappingDialog::setColours(const widgets::Palette& palette) {
   m_palette = palette;
   m_preview->setColours(palette);
   m_markers->setColours(palette);
-  setStyleSheet(
-      QString("QTableWidget { background: %1; border: 1px solid %2; border-radius: 5px; "
-              "selection-background-color: %3; selection-color: white; }"
-              "QHeaderView::section { background: %1; color: %4; border: none; border-bottom: 1px solid %2; "
-              "padding: 5px 6px; }")
-          .arg(palette.panel.name(), palette.border.name(), palette.accent.name(), palette.secondary.name()));
   changed();
 }
 

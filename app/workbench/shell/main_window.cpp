@@ -10,16 +10,17 @@
 #include <QMenuBar>
 #include <QMimeData>
 #include <QPointer>
-#include <QSplitter>
 #include <QStatusBar>
 #include <QUrl>
 #include <QVBoxLayout>
 
 #include "app/workbench/base/job.hpp"
+#include "app/workbench/base/running_work.hpp"
 #include "app/workbench/shell/document_views.hpp"
 #include "app/workbench/shell/drop_hint.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/status_figures.hpp"
+#include "app/workbench/shell/work_split.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/common/selection_model.hpp"
@@ -72,17 +73,10 @@ MainWindow::MainWindow(UserSettings& remembered)
   setMinimumSize(smallest_window);
   resize(1600, 1000);
   m_panelMenu = new QMenu("Panels", this);
-  m_split = new QSplitter(Qt::Vertical, this);
   m_panels = new PanelArea;
-  m_split->addWidget(m_panels);
   m_panels->setCentralWidget(makeCentre());
   makePanels();
-  m_split->addWidget(makeTimeline());
-  m_split->setHandleWidth(1);
-  m_split->setChildrenCollapsible(false);
-  m_split->setStretchFactor(0, 1);
-  m_split->setStretchFactor(1, 0);
-  m_split->setSizes({10'000, m_timeline->parentWidget()->sizeHint().height()});  // all lanes
+  m_split = new WorkSplit(m_panels, makeTimeline(), this);
   setCentralWidget(m_split);
   connect(m_panels, &PanelArea::arranged, this, &MainWindow::panelsArranged);
   m_dropHint = new DropHint(this);
@@ -165,19 +159,23 @@ void MainWindow::addBesideScene(QWidget* page) {
 
 WindowLayout MainWindow::layoutOfPanels() const {
   WindowLayout layout = m_panels->state();
-  layout.timeline_height = m_split->sizes().back();
+  layout.timeline_height = m_split->chosenHeight();
   return layout;
 }
 
 bool MainWindow::setLayoutOfPanels(const WindowLayout& layout) {
   if (!m_panels->setState(layout)) return false;
-  m_split->setSizes({10'000, layout.timeline_height});
+  m_split->choose(layout.timeline_height);
   return true;
 }
 
 void MainWindow::resetLayout() {
   m_panels->reset();
-  m_split->setSizes({10'000, m_timeline->parentWidget()->sizeHint().height()});
+  m_split->choose({});
+}
+
+void MainWindow::makeRoomForLanes() {
+  m_split->makeRoomForLanes();
 }
 
 void MainWindow::showLeft(bool on) {
@@ -289,12 +287,21 @@ void MainWindow::dropEvent(QDropEvent* event) {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-  bool allowed = true;
-  emit leaving(allowed);
-  if (!allowed) return event->ignore();
-  m_remembered.setGeometry(saveGeometry());
-  emit closing();
-  QMainWindow::closeEvent(event);
+  if (!m_isStopping) {
+    bool allowed = true;
+    emit leaving(allowed);
+    if (!allowed) return event->ignore();
+    m_remembered.setGeometry(saveGeometry());
+    emit closing();
+  }
+  m_isStopping = RunningWork::any();
+  if (!m_isStopping) return QMainWindow::closeEvent(event);
+  event->ignore();
+  m_messages->showProgress("Stopping…", 0);
+  RunningWork::stopAll(this, [this] {
+    m_messages->endProgress();
+    close();
+  });
 }
 
 }  // namespace abrazo::app

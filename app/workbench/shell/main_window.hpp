@@ -16,7 +16,6 @@
 class QDockWidget;
 class QHBoxLayout;
 class QMenu;
-class QSplitter;
 
 namespace abrazo::widgets {
 class CandidateTable;
@@ -37,6 +36,7 @@ class DropHint;
 class Job;
 class PanelArea;
 class StatusFigures;
+class WorkSplit;
 
 /// Layout and wiring of the parts. Every user action is in the `_actions.cpp` of its feature.
 class MainWindow : public QMainWindow {
@@ -81,6 +81,8 @@ class MainWindow : public QMainWindow {
   WindowLayout layoutOfPanels() const;
   bool setLayoutOfPanels(const WindowLayout& layout);
   void resetLayout();
+  /// For all lanes of the timeline, up to half of the window.
+  void makeRoomForLanes();
 
   FrameTicker& ticker() { return m_ticker; }
   /// The document; views listen to it.
@@ -157,13 +159,14 @@ class MainWindow : public QMainWindow {
   widgets::TransportBar* m_transport = nullptr;
   widgets::TimelineView* m_timeline = nullptr;
   StatusFigures* m_status = nullptr;
-  QSplitter* m_split = nullptr;  ///< panels above, timeline below
+  WorkSplit* m_split = nullptr;
   PanelArea* m_panels = nullptr;
   QHBoxLayout* m_sceneRow = nullptr;
   QWidget* m_besideScene = nullptr;
   QMenu* m_panelMenu = nullptr;
   DropHint* m_dropHint = nullptr;
   QTimer m_statusTimer;
+  bool m_isStopping = false;  ///< closes as soon as no work runs
 
   FrameTicker m_ticker;
   std::unique_ptr<Document> m_document;  // declared after the ticker that reads its session: see the

@@ -6,6 +6,7 @@
 #include <QTabBar>
 #include <QTimer>
 #include <algorithm>
+#include <utility>
 
 #include "app/workbench/shell/dock_state.hpp"
 #include "app/workbench/shell/panel_title.hpp"
@@ -199,17 +200,47 @@ void PanelArea::leaveRoomBeside(int width) {
   arrangeFor(m_window);
 }
 
-/// The settings that are tuned most are in view wherever the candidates leave room for them.
-void PanelArea::keepTuned() {
+/// 0 for a panel that has its place for itself.
+int PanelArea::heightOfTabs(QDockWidget* panel) const {
+  const QList<QDockWidget*> others = tabifiedDockWidgets(panel);
+  if (std::ranges::all_of(others, [](const QDockWidget* other) { return other->isHidden(); })) return 0;
+  int height = 0;
+  for (const QTabBar* tabs : tabBars()) height = std::max(height, tabs->sizeHint().height());
+  return height;
+}
+
+int PanelArea::neededHeight() const {
   QDockWidget *settings = panel("settings"), *candidates = panel("candidates");
-  if (!settings) return;
+  if (!settings || settings->isHidden() || settings->isFloating() ||
+      dockWidgetArea(settings) == Qt::BottomDockWidgetArea)
+    return 0;
+  constexpr int borders = 2;
+  const int head = m_room.has_low_heads ? low_head : usual_head;
+  const int own = head + borders + settings->widget()->sizeHint().height() + heightOfTabs(settings);
   const bool shares = candidates && !candidates->isHidden() && !candidates->isFloating() &&
                       dockWidgetArea(candidates) == dockWidgetArea(settings) &&
                       !tabifiedDockWidgets(settings).contains(candidates);
-  const int needed = settings->widget()->sizeHint().height();
-  const int heads = (m_room.has_low_heads ? low_head : usual_head) + 2;  // with the borders
-  const int left = height() - heads - (shares ? candidates->minimumSizeHint().height() : 0);
-  settings->widget()->setMinimumHeight(needed <= left ? needed : 0);
+  return own + (shares ? candidates->minimumSizeHint().height() + heightOfTabs(candidates) : 0);
+}
+
+QSize PanelArea::minimumSizeHint() const {
+  QSize least = QMainWindow::minimumSizeHint();
+  if (const QDockWidget* settings = panel("settings")) {
+    const QWidget& kept = *settings->widget();
+    least.rheight() -= std::max(0, kept.minimumHeight() - kept.minimumSizeHint().height());
+  }
+  return least;
+}
+
+/// The settings that are tuned most are in view as far as the candidates leave room for them.
+void PanelArea::keepTuned() {
+  QDockWidget* settings = panel("settings");
+  if (!settings) return;
+  const int needed = neededHeight(), wanted = settings->widget()->sizeHint().height();
+  const int lacking = std::max(0, needed - height());
+  settings->widget()->setMinimumHeight(needed > 0 ? std::max(0, wanted - lacking) : 0);
+  if (needed == std::exchange(m_needed, needed)) return;
+  emit neededHeightChanged();
 }
 
 int PanelArea::planned(Qt::DockWidgetArea side) const {
@@ -284,9 +315,10 @@ void PanelArea::resizeEvent(QResizeEvent* event) {
   restoreSizes();
 }
 
-/// A border between panels is let go.
+/// Also when a border between panels is let go, and when a panel needs another height.
 bool PanelArea::event(QEvent* event) {
   const bool done = QMainWindow::event(event);
+  if (event->type() == QEvent::LayoutRequest) keepTuned();
   if (event->type() == QEvent::MouseButtonRelease) QTimer::singleShot(0, this, &PanelArea::rememberSizes);
   return done;
 }

@@ -41,6 +41,11 @@ class PanelArea : public QMainWindow {
   void arrangeFor(QSize window);
   /// For what stands beside the scene, with this width; 0 = nothing. Sides give way to it.
   void leaveRoomBeside(int width);
+  /// With which the settings that are tuned most are in view below the candidates [px]; 0 if nobody asks for
+  /// it.
+  int neededHeight() const;
+  /// Without the room for the tuned settings: a person may still take it away.
+  QSize minimumSizeHint() const override;
   /// Returns every panel to its initial place.
   void reset();
   WindowLayout state() const;
@@ -51,6 +56,7 @@ class PanelArea : public QMainWindow {
  signals:
   void arranged(const abrazo::app::PanelPlan& shown);
   void wantedChanged(const QString& id, bool on);
+  void neededHeightChanged();
 
  protected:
   bool eventFilter(QObject* watched, QEvent* event) override;
@@ -74,6 +80,7 @@ class PanelArea : public QMainWindow {
   int planned(Qt::DockWidgetArea side) const;
   void rememberSizes();
   static void setHeadHeight(const Panel& panel, int height);
+  int heightOfTabs(QDockWidget* panel) const;
   void keepTuned();
   void restoreSizes();
   void applyUsualSizes();
@@ -86,6 +93,7 @@ class PanelArea : public QMainWindow {
   int m_beside = 0;  ///< width of what stands beside the scene
   /// Sizes of panels as set by the user, for windows with enough room. Width 0 follows the plan.
   std::map<QString, QSize> m_sizes;
+  int m_needed = 0;         ///< neededHeight() as it was told last
   bool m_hasSizes = false;  ///< from a layout, or set at the first show
 };
 

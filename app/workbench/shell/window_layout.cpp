@@ -28,14 +28,15 @@ QStringList names_of(const QJsonValue& value) {
 }  // namespace
 
 QByteArray text_of(const WindowLayout& layout) {
-  const QJsonObject object{{version_key, layout_version},
-                           {"docks", QString::fromLatin1(layout.docks.toBase64())},
-                           {"known", QJsonArray::fromStringList(layout.known)},
-                           {"shown", QJsonArray::fromStringList(layout.shown)},
-                           {"left", wish_json(layout.sides.left)},
-                           {"right", wish_json(layout.sides.right)},
-                           {"below", wish_json(layout.sides.plots)},
-                           {"timeline_height", layout.timeline_height}};
+  const QJsonObject object{
+      {version_key, layout_version},
+      {"docks", QString::fromLatin1(layout.docks.toBase64())},
+      {"known", QJsonArray::fromStringList(layout.known)},
+      {"shown", QJsonArray::fromStringList(layout.shown)},
+      {"left", wish_json(layout.sides.left)},
+      {"right", wish_json(layout.sides.right)},
+      {"below", wish_json(layout.sides.plots)},
+      {"timeline_height", layout.timeline_height ? QJsonValue(*layout.timeline_height) : QJsonValue()}};
   return QJsonDocument(object).toJson();
 }
 
@@ -52,7 +53,8 @@ Result<WindowLayout> parse_layout(const QByteArray& text, const std::string& fil
   layout.shown = names_of(object.value("shown"));
   layout.sides = {wish_of(object.value("left")), wish_of(object.value("right")),
                   wish_of(object.value("below"))};
-  layout.timeline_height = std::clamp(object.value("timeline_height").toInt(), 0, tallest_px);
+  if (const QJsonValue height = object.value("timeline_height"); height.isDouble())
+    layout.timeline_height = std::clamp(height.toInt(), 0, tallest_px);
   return layout;
 }
 

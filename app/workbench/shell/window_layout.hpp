@@ -2,6 +2,7 @@
 
 #include <QByteArray>
 #include <QStringList>
+#include <optional>
 #include <string>
 
 #include "app/workbench/shell/panel_plan.hpp"
@@ -17,7 +18,7 @@ struct WindowLayout {
   QByteArray docks;          ///< as QMainWindow::saveState writes it
   QStringList known, shown;  ///< known panels, and the wanted ones among them
   PanelWishes sides;
-  int timeline_height = 0;  ///< pixels; 0 = minimum
+  std::optional<int> timeline_height;  ///< pixels, as a person chose it; 0 = minimum
 
   bool operator==(const WindowLayout&) const = default;
 };

@@ -65,7 +65,8 @@ void close_when_told(QWidget& window, ProjectDesk& project, const Termination& t
   QObject::connect(&termination, &Termination::requested, &window, [&window, &project] {
     project.leaveChanges();
     window.close();
-    QApplication::quit();
+    // Where work is still being stopped, the window closes after it and ends the program.
+    if (!window.isVisible()) QApplication::quit();
   });
 }
 

@@ -1,0 +1,44 @@
+#include "app/workbench/shell/work_split.hpp"
+
+#include <algorithm>
+
+#include "app/workbench/shell/panel_area.hpp"
+
+namespace abrazo::app {
+
+WorkSplit::WorkSplit(PanelArea* panels, QWidget* timeline, QWidget* parent)
+    : QSplitter(Qt::Vertical, parent), m_panels(panels), m_timeline(timeline) {
+  addWidget(panels);
+  addWidget(timeline);
+  setHandleWidth(1);
+  setChildrenCollapsible(false);
+  setStretchFactor(0, 1);
+  setStretchFactor(1, 0);
+  // Queued: the signal comes from within the layout of the panels.
+  connect(panels, &PanelArea::neededHeightChanged, this, &WorkSplit::fit, Qt::QueuedConnection);
+  connect(this, &QSplitter::splitterMoved, this, [this] { m_chosen = sizes().back(); });
+}
+
+void WorkSplit::choose(std::optional<int> height_px) {
+  m_chosen = height_px;
+  fit();
+}
+
+void WorkSplit::makeRoomForLanes() {
+  const int wanted = std::min(m_timeline->sizeHint().height(), height() / 2);
+  if (sizes().back() < wanted) choose(wanted);
+}
+
+void WorkSplit::fit() {
+  const int all_lanes = m_timeline->sizeHint().height();
+  const int least = std::min(m_timeline->minimumSizeHint().height(), all_lanes);
+  const int below = m_chosen.value_or(std::clamp(height() - m_panels->neededHeight(), least, all_lanes));
+  setSizes({std::max(0, height() - handleWidth() - below), below});
+}
+
+void WorkSplit::resizeEvent(QResizeEvent* event) {
+  QSplitter::resizeEvent(event);
+  fit();
+}
+
+}  // namespace abrazo::app

@@ -1,0 +1,106 @@
+// A window that is closed while something runs: it answers until that has stopped, and then goes.
+#include <QTimer>
+#include <atomic>
+#include <chrono>
+#include <thread>
+
+#include "app/workbench/base/job.hpp"
+#include "app/workbench/base/running_work.hpp"
+#include "app/workbench/export/view_recording.hpp"
+#include "tests/workbench/demo_window.hpp"
+#include "widgets/common/message_bar.hpp"
+
+namespace abrazo::app::closing_test {
+namespace {
+
+class Closing : public DemoWindow {
+ protected:
+  static void SetUpTestSuite() { showWindow({900, 600}); }
+  void SetUp() override {
+    window().show();
+    turn();
+  }
+};
+
+/// A job that notices late that it is cancelled.
+struct LateJob {
+  std::atomic<bool> goes_on = true;
+  bool has_told = false;
+  Job job{[this](const Progress&) -> Job::Finish {
+    while (goes_on) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return [this] { has_told = true; };
+  }};
+};
+
+TEST_F(Closing, AWindowWithoutWorkGoesAtOnce) {
+  ASSERT_TRUE(until([] { return !RunningWork::any(); }));
+  EXPECT_TRUE(window().close());
+  EXPECT_FALSE(window().isVisible());
+}
+
+TEST_F(Closing, TheWindowAnswersUntilItsWorkHasStoppedAndThenGoes) {
+  LateJob late;
+  window().close();
+  EXPECT_TRUE(late.job.wasCancelled());
+  EXPECT_TRUE(window().messages().text().startsWith("Stopping")) << window().messages().text().toStdString();
+  int answers = 0;
+  QTimer clock;
+  QObject::connect(&clock, &QTimer::timeout, [&] { ++answers; });
+  clock.start(1);
+  EXPECT_TRUE(until([&] { return answers >= 20; })) << "nothing waits for the job on this thread";
+  EXPECT_TRUE(window().isVisible());
+  window().close();
+  EXPECT_TRUE(window().isVisible()) << "asked for again";
+  late.goes_on = false;
+  EXPECT_TRUE(until([] { return !window().isVisible(); }));
+  EXPECT_FALSE(late.has_told) << "nobody is there for its result";
+}
+
+TEST_F(Closing, WorkThatBeginsMeanwhileIsStoppedAsWell) {
+  LateJob first;
+  std::unique_ptr<LateJob> second;
+  QObject::connect(&first.job, &Job::finished, [&] { second = std::make_unique<LateJob>(); });
+  window().close();
+  first.goes_on = false;
+  ASSERT_TRUE(until([&] { return second && second->job.wasCancelled(); }));
+  EXPECT_TRUE(window().isVisible());
+  second->goes_on = false;
+  EXPECT_TRUE(until([] { return !window().isVisible(); }));
+}
+
+TEST_F(Closing, ARefusedCloseStopsNothing) {
+  LateJob late;
+  const auto refusal =
+      QObject::connect(&window(), &MainWindow::leaving, [](bool& allowed) { allowed = false; });
+  window().close();
+  EXPECT_TRUE(window().isVisible());
+  EXPECT_FALSE(late.job.wasCancelled());
+  QObject::disconnect(refusal);
+  late.goes_on = false;
+  EXPECT_TRUE(until([&] { return late.has_told; }));
+}
+
+TEST_F(Closing, AFilmThatIsBeingRecordedIsWrittenToItsEndBefore) {
+  const QTemporaryDir folder;
+  const QString file = folder.filePath("evening.mp4");
+  ViewRecording film(
+      [] {
+        QImage picture(64, 48, QImage::Format_RGB32);
+        picture.fill(Qt::red);
+        return picture;
+      },
+      nullptr);
+  QString words;
+  QObject::connect(&film, &ViewRecording::ended,
+                   [&](const QString& trouble, const QString& told) { words = trouble + told; });
+  film.start(file);
+  ASSERT_TRUE(until([&] { return film.isRunning(); }));
+  window().close();
+  EXPECT_FALSE(film.isRunning());
+  EXPECT_TRUE(until([] { return !window().isVisible(); }));
+  EXPECT_TRUE(words.startsWith("Recording written to " + file)) << words.toStdString();
+  EXPECT_TRUE(QFile::exists(file));
+}
+
+}  // namespace
+}  // namespace abrazo::app::closing_test

@@ -1,0 +1,93 @@
+// What a person sees who starts the program for the first time, in two sizes of the window.
+#include <QSplitterHandle>
+
+#include "app/workbench/shell/panel_area.hpp"
+#include "app/workbench/shell/work_split.hpp"
+#include "tests/workbench/demo_window.hpp"
+#include "widgets/candidates/candidate_list.hpp"
+#include "widgets/candidates/candidate_table.hpp"
+#include "widgets/settings/setting_row.hpp"
+#include "widgets/settings/settings_panel.hpp"
+#include "widgets/timeline/timeline_view.hpp"
+
+namespace abrazo::app::first_start_test {
+namespace {
+
+/// A home folder of its own, the generated dance, and the preset that the window starts with.
+class FirstStart : public DemoWindow {
+ protected:
+  void SetUp() override {}
+  void TearDown() override { TearDownTestSuite(); }
+  static void start(QSize size) {
+    showDemo(size);
+    QTest::qWait(200);  // the candidates' foot has its lines, and room was made for them
+    ASSERT_EQ(window().size(), size);
+  }
+
+  /// Of which nothing is hidden.
+  static int settings_in_view() {
+    int rows = 0;
+    for (const auto* row : window().settings().findChildren<widgets::SettingRow*>())
+      rows += row->visibleRegion().boundingRect().height() == row->height();
+    return rows;
+  }
+  static int candidates_in_view() {
+    const auto* list = window().candidates().findChild<widgets::CandidateList*>();
+    return list->visibleRegion().boundingRect().height() / widgets::CandidateList::row_height;
+  }
+  static bool all_lanes_in_view() {
+    return window().timeline().height() >= window().timeline().sizeHint().height();
+  }
+  static WorkSplit& split() { return *window().findChild<WorkSplit*>(); }
+  static void drag_border(int by) {
+    QSplitterHandle* border = split().handle(1);
+    const QPoint from = border->rect().center();
+    QTest::mousePress(border, Qt::LeftButton, {}, from);
+    QMouseEvent move(QEvent::MouseMove, from + QPoint(0, by), border->mapToGlobal(from + QPoint(0, by)),
+                     Qt::LeftButton, Qt::LeftButton, {});
+    QApplication::sendEvent(border, &move);
+    QTest::mouseRelease(border, Qt::LeftButton, {}, border->rect().center());
+    turn();
+  }
+};
+
+TEST_F(FirstStart, FiveSettingsAndAllLanesAreInViewAt1600x1000) {
+  start({1600, 1000});
+  EXPECT_GE(settings_in_view(), 5);
+  EXPECT_GE(candidates_in_view(), 8);
+  EXPECT_TRUE(all_lanes_in_view());
+}
+
+/// At 1280x720 three settings were, because the tabs of the candidates were not counted and every lane of the
+/// timeline had room.
+TEST_F(FirstStart, TheTimelineHasItsLanesAsSoonAsTheWindowHasRoomForThem) {
+  start({1280, 720});
+  window().resize(1600, 1000);
+  turn();
+  EXPECT_TRUE(all_lanes_in_view());
+  EXPECT_GE(settings_in_view(), 5);
+  window().resize(1280, 720);
+  turn();
+  EXPECT_GE(settings_in_view(), 5);
+}
+
+TEST_F(FirstStart, AHeightOfTheTimelineThatAPersonChoseStays) {
+  start({1280, 720});
+  const int before = window().timeline().height();
+  drag_border(-90);
+  const int chosen = window().timeline().height();
+  ASSERT_NEAR(chosen, before + 90, 3) << "the settings give way to it";
+  window().resize(1600, 1000);
+  turn();
+  EXPECT_NEAR(window().timeline().height(), chosen, 1);
+  const WindowLayout layout = window().layoutOfPanels();
+  window().resetLayout();
+  turn();
+  EXPECT_TRUE(all_lanes_in_view());
+  ASSERT_TRUE(window().setLayoutOfPanels(layout));
+  turn();
+  EXPECT_NEAR(window().timeline().height(), chosen, 1) << "also in a saved arrangement";
+}
+
+}  // namespace
+}  // namespace abrazo::app::first_start_test
