@@ -2,7 +2,6 @@
 
 #include <QAction>
 #include <QApplication>
-#include <QCloseEvent>
 #include <QDockWidget>
 #include <QFrame>
 #include <QHBoxLayout>
@@ -15,7 +14,6 @@
 #include <QVBoxLayout>
 
 #include "app/workbench/base/job.hpp"
-#include "app/workbench/base/running_work.hpp"
 #include "app/workbench/shell/document_views.hpp"
 #include "app/workbench/shell/drop_hint.hpp"
 #include "app/workbench/shell/panel_area.hpp"
@@ -284,24 +282,6 @@ void MainWindow::dropEvent(QDropEvent* event) {
   m_dropHint->hide();
   const QStringList files = local_files(*event->mimeData());
   if (!files.isEmpty()) openFiles(files);
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!m_isStopping) {
-    bool allowed = true;
-    emit leaving(allowed);
-    if (!allowed) return event->ignore();
-    m_remembered.setGeometry(saveGeometry());
-    emit closing();
-  }
-  m_isStopping = RunningWork::any();
-  if (!m_isStopping) return QMainWindow::closeEvent(event);
-  event->ignore();
-  m_messages->showProgress("Stopping…", 0);
-  RunningWork::stopAll(this, [this] {
-    m_messages->endProgress();
-    close();
-  });
 }
 
 }  // namespace abrazo::app

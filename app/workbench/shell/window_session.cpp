@@ -1,8 +1,10 @@
+#include <QCloseEvent>
 #include <QMetaMethod>
 #include <algorithm>
 
 #include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/job_progress.hpp"
+#include "app/workbench/base/running_work.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/status_figures.hpp"
@@ -154,6 +156,24 @@ void MainWindow::start(const std::shared_ptr<PreparedSolver>& prepared) {
 void MainWindow::fail(const QString& message) {
   m_messages->showErrorOf("open", message);
   emit failed(message);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!m_isStopping) {
+    bool allowed = true;
+    emit leaving(allowed);
+    if (!allowed) return event->ignore();
+    m_remembered.setGeometry(saveGeometry());
+    emit closing();
+  }
+  m_isStopping = RunningWork::any();
+  if (!m_isStopping) return QMainWindow::closeEvent(event);
+  event->ignore();
+  m_messages->showProgress("Stopping…", 0);
+  RunningWork::stopAll(this, [this] {
+    m_messages->endProgress();
+    close();
+  });
 }
 
 }  // namespace abrazo::app
