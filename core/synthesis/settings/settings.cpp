@@ -329,6 +329,7 @@ Result<Settings> preset(std::string_view name) {
     settings.continuations = 3;
     settings.foot_lock_speed = 0.3;
     settings.playback = SourcePlayback::Continuous;
+    settings.place_rate = 7.7;
     settings.hold_weight = 50;
     settings.switch_margin = 0.1;
     return settings;
