@@ -20,6 +20,7 @@ std::shared_ptr<const MotionLibrary> library() {
 Settings slow_settings() {
   Settings settings = test::responsive_by_pose();
   settings.velocity_weight = 2;
+  settings.place_rate = 2;  // what the place lags behind is most of the lag
   return settings;
 }
 
