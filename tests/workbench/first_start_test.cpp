@@ -58,6 +58,12 @@ TEST_F(FirstStart, FiveSettingsAndAllLanesAreInViewAt1600x1000) {
   EXPECT_TRUE(all_lanes_in_view());
 }
 
+TEST_F(FirstStart, FiveSettingsAreInViewAt1280x720) {
+  start({1280, 720});
+  EXPECT_GE(settings_in_view(), 5);
+  EXPECT_GE(candidates_in_view(), 3);
+}
+
 /// At 1280x720 three settings were, because the tabs of the candidates were not counted and every lane of the
 /// timeline had room.
 TEST_F(FirstStart, TheTimelineHasItsLanesAsSoonAsTheWindowHasRoomForThem) {

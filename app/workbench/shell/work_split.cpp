@@ -32,7 +32,8 @@ void WorkSplit::makeRoomForLanes() {
 void WorkSplit::fit() {
   const int all_lanes = m_timeline->sizeHint().height();
   const int least = std::min(m_timeline->minimumSizeHint().height(), all_lanes);
-  const int below = m_chosen.value_or(std::clamp(height() - m_panels->neededHeight(), least, all_lanes));
+  const int rest = height() - handleWidth() - m_panels->neededHeight();
+  const int below = m_chosen.value_or(std::clamp(rest, least, all_lanes));
   setSizes({std::max(0, height() - handleWidth() - below), below});
 }
 
