@@ -71,6 +71,25 @@ TEST(PartnerMotion, TheResultIsContinuousAtAChangeOfSource) {
   EXPECT_GT(changes, 4);
 }
 
+/// Pair 0 is a pair like any other, and not the sign of a partner without a source.
+TEST(PartnerMotion, TheFirstPairOfALibraryIsLeftAtStepsShorterThanItsFrames) {
+  const auto library = test::small_library();
+  const Settings settings = test::responsive_by_pose();
+  const Pose& pose = user().poses.front();
+  PartnerMotion motion;
+  for (const double pairs : {0.0, 0.5, 1.0, 1.5}) {
+    const MotionStep step{.library = *library,
+                          .settings = settings,
+                          .user = pose,
+                          .user_root = root_frame(pose),
+                          .elapsed_s = 0.5 * step_s,
+                          .chosen = 0,
+                          .shown = std::nullopt};
+    PartnerMover(motion, step).move();
+    EXPECT_NEAR(motion.playhead.pair + motion.playhead.fraction, pairs, 1e-9);
+  }
+}
+
 TEST(PartnerMotion, AChangeOfSourceLeavesTheCentreOfMassOnItsWay) {
   // Without what the user's hands and the floor ask for: how a body whose shape fades is carried.
   Settings settings = test::responsive_by_pose();
