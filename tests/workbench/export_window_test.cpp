@@ -1,14 +1,19 @@
 // Exporting from the window: what is offered, what is written, and what is told.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QDialog>
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
+#include <QProcess>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QThread>
@@ -17,6 +22,9 @@
 #include "app/workbench/export/export_desk.hpp"
 #include "app/workbench/export/export_dialog.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
+#include "app/workbench/takes/take_desk.hpp"
+#include "core/base/atomic_file.hpp"
+#include "tests/support/humanoid_rig.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/annotation/annotation_panel.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -25,6 +33,8 @@
 
 namespace abrazo::app::export_window_test {
 namespace {
+
+using ::testing::HasSubstr;
 
 class ExportWindow : public DemoWindow {
  protected:
@@ -55,6 +65,22 @@ class ExportWindow : public DemoWindow {
     choose("What", 0);
     choose("Of", QString());
     choose("Part", "all");
+    character().clear();
+  }
+  static QLineEdit& character() {
+    for (auto* each : dialog().findChildren<QLineEdit*>())
+      if (each->accessibleName() == "Character") return *each;
+    throw std::invalid_argument("no field for a character");
+  }
+  static std::string trouble() { return dialog().findChild<QLabel*>("secondary")->text().toStdString(); }
+  static std::string content(const QString& name) {
+    const auto read = read_whole_file(file(name).toStdString());
+    return read ? *read : std::string();
+  }
+  /// A humanoid with the bone names of VRM 1.0.
+  static QString rig() {
+    EXPECT_TRUE(write_whole_file(file("rig.vrm").toStdString(), test::rig(test::Naming::Vrm1)));
+    return file("rig.vrm");
   }
   static QString file(const QString& name) { return home().filePath(name); }
   /// Writes what the dialog says, to the end.
@@ -156,6 +182,88 @@ TEST_F(ExportWindow, MotionIsWrittenAndTheFolderIsOffered) {
     EXPECT_TRUE(told().contains("motion" + ending)) << told().toStdString();
     EXPECT_TRUE(told().contains("frames at")) << told().toStdString();
     EXPECT_FALSE(desk().bar().isHidden());
+  }
+}
+
+TEST_F(ExportWindow, ACharacterPerformsTheBodiesInAFileEachAndTheFilesAreListed) {
+  ticker().setRange(0.2, 0.9);
+  dialog().offer(desk().offer());
+  choose("Part", "range");
+  choose("As", ".bvh");
+  character().setText(rig());
+  EXPECT_EQ(box("As").findData(".bvh"), -1) << "a character is a GLB or VRM";
+  EXPECT_TRUE(box("Unit").isHidden()) << "it has its own";
+  for (const QString ending : {".glb", ".vrm"}) {
+    choose("As", ending);
+    ASSERT_TRUE(button("Export…").isEnabled()) << trouble();
+    write("worn" + ending);
+    EXPECT_THAT(told().toStdString(),
+                HasSubstr(("worn_active" + ending + ", worn_passive" + ending).toStdString()));
+    for (const QString body : {"worn_active", "worn_passive"})
+      EXPECT_EQ(content(body + ending).substr(0, 4), "glTF") << window().messages().text().toStdString();
+    EXPECT_FALSE(QFile::exists(file("worn" + ending)));
+  }
+  character().clear();
+  EXPECT_GE(box("As").findData(".bvh"), 0);
+  EXPECT_TRUE(dialog().request().wish.character.empty());
+}
+
+TEST_F(ExportWindow, ACharacterIsOfMotionOnly) {
+  character().setText(rig());
+  EXPECT_FALSE(character().isHidden());
+  choose("What", 2);
+  EXPECT_TRUE(character().parentWidget()->isHidden());
+  EXPECT_TRUE(dialog().request().wish.character.empty());
+  EXPECT_TRUE(button("Export…").isEnabled()) << trouble();
+}
+
+TEST_F(ExportWindow, ACharacterThatCannotBeReadIsSaidBeforeTheExportAndOneThatIsNoHumanoidByIt) {
+  character().setText(file("gone.vrm"));
+  EXPECT_FALSE(button("Export…").isEnabled());
+  EXPECT_THAT(trouble(), HasSubstr("gone.vrm"));
+  character().setText(rig());
+  EXPECT_TRUE(button("Export…").isEnabled()) << trouble();
+  ASSERT_TRUE(write_whole_file(file("box.glb").toStdString(), "a box"));
+  character().setText(file("box.glb"));
+  choose("As", ".glb");
+  write("refused.glb");
+  EXPECT_THAT(window().messages().text().toStdString(), HasSubstr("is no GLB"));
+  EXPECT_EQ(QDir(home().path()).entryList({"refused*"}), QStringList());
+}
+
+TEST_F(ExportWindow, TheCharacterItselfIsNotReplaced) {
+  ASSERT_TRUE(write_whole_file(file("me_active.glb").toStdString(), test::rig(test::Naming::Vrm1)));
+  character().setText(file("me_active.glb"));
+  choose("As", ".glb");
+  write("me.glb");
+  EXPECT_THAT(window().messages().text().toStdString(), HasSubstr("also read"));
+  EXPECT_EQ(content("me_active.glb"), test::rig(test::Naming::Vrm1));
+}
+
+TEST_F(ExportWindow, ACharacterIsWrittenInTheSameBytesAsByTheCommandLine) {
+  auto& takes = *window().findChild<TakeDesk*>();
+  takes.toggle();
+  ASSERT_TRUE(until([&] { return !takes.takes().empty() && takes.takes().all().back().frames > 60; }));
+  takes.toggle();
+  const RecordedTake take = takes.takes().all().back();
+  const double from_s = take.from_s + 0.3, to_s = take.to_s - 0.3;
+  ticker().setRange(from_s, to_s);
+  dialog().offer(desk().offer());
+  choose("Part", "range");
+  character().setText(rig());
+  choose("As", ".vrm");
+  write("window.vrm");
+  QProcess abrazo;
+  abrazo.setWorkingDirectory(home().path());
+  abrazo.start(QCoreApplication::applicationDirPath() + "/abrazo",  // built beside the tests
+               {"export", takes.file(), "--from", QString::number(from_s, 'g', 17), "--to",
+                QString::number(to_s, 'g', 17), "--what", "active,passive", "--character", "rig.vrm", "-o",
+                "line.vrm", "--quiet"});
+  ASSERT_TRUE(abrazo.waitForFinished(-1));
+  ASSERT_EQ(abrazo.exitCode(), 0) << abrazo.readAllStandardError().toStdString();
+  for (const QString body : {"_active.vrm", "_passive.vrm"}) {
+    EXPECT_FALSE(content("window" + body).empty()) << window().messages().text().toStdString();
+    EXPECT_TRUE(content("window" + body) == content("line" + body)) << body.toStdString();
   }
 }
 
@@ -278,6 +386,14 @@ TEST_F(ExportWindow, TheChoicesOfLastTimeComeBack) {
   dialog().restore(choices);
   EXPECT_EQ(box("What").currentData().toInt(), 2);
   EXPECT_EQ(box("As").currentData().toString(), ".vtt");
+  choose("What", 0);
+  character().setText(rig());
+  choose("As", ".vrm");
+  const QStringList performed = dialog().choices();
+  character().clear();
+  dialog().restore(performed);
+  EXPECT_EQ(dialog().request().wish.character, rig().toStdString());
+  EXPECT_EQ(box("As").currentData().toString(), ".vrm");
 }
 
 }  // namespace
