@@ -10,13 +10,16 @@
 #include <QDir>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QMessageBox>
 #include <QProcess>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QThread>
+#include <QTimer>
 #include <QToolButton>
 
 #include "app/workbench/export/export_desk.hpp"
@@ -38,7 +41,10 @@ using ::testing::HasSubstr;
 
 class ExportWindow : public DemoWindow {
  protected:
-  static void SetUpTestSuite() { showDemo({1100, 700}, 60); }
+  static void SetUpTestSuite() {
+    QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+    showDemo({1100, 700}, 60);
+  }
 
   static ExportDesk& desk() { return *window().findChild<ExportDesk*>(); }
   static ExportDialog& dialog() { return *window().findChild<ExportDialog*>(); }
@@ -76,6 +82,25 @@ class ExportWindow : public DemoWindow {
   static std::string content(const QString& name) {
     const auto read = read_whole_file(file(name).toStdString());
     return read ? *read : std::string();
+  }
+  /// Presses Export, names the file and answers whether files may be replaced. @return the question
+  static QString exportTo(const QString& name, QMessageBox::StandardButton answer) {
+    QString asked;
+    QTimer person;
+    QObject::connect(&person, &QTimer::timeout, &person, [&] {
+      QWidget* modal = QApplication::activeModalWidget();
+      if (auto* files = qobject_cast<QFileDialog*>(modal)) {
+        files->findChild<QLineEdit*>()->setText(file(name));
+        QMetaObject::invokeMethod(files, "accept");
+      } else if (auto* question = qobject_cast<QMessageBox*>(modal)) {
+        asked = question->text();
+        question->button(answer)->click();
+      }
+    });
+    person.start(20);
+    button("Export…").click();
+    EXPECT_TRUE(until([] { return !desk().isBusy(); }));
+    return asked;
   }
   /// A humanoid with the bone names of VRM 1.0.
   static QString rig() {
@@ -238,6 +263,20 @@ TEST_F(ExportWindow, TheCharacterItselfIsNotReplaced) {
   write("me.glb");
   EXPECT_THAT(window().messages().text().toStdString(), HasSubstr("also read"));
   EXPECT_EQ(content("me_active.glb"), test::rig(test::Naming::Vrm1));
+}
+
+TEST_F(ExportWindow, FilesOfTheBodiesAreReplacedOnlyWhenThePersonSaysSo) {
+  character().setText(rig());
+  choose("As", ".glb");
+  EXPECT_EQ(exportTo("twice.glb", QMessageBox::No), QString()) << "there is nothing to replace";
+  EXPECT_EQ(content("twice_active.glb").substr(0, 4), "glTF");
+  ASSERT_TRUE(write_whole_file(file("twice_active.glb").toStdString(), "mine"));
+  ASSERT_TRUE(QFile::remove(file("twice_passive.glb")));
+  EXPECT_EQ(exportTo("twice.glb", QMessageBox::No), QString("Replace twice_active.glb?"));
+  EXPECT_EQ(content("twice_active.glb"), "mine");
+  EXPECT_FALSE(QFile::exists(file("twice_passive.glb")));
+  EXPECT_EQ(exportTo("twice.glb", QMessageBox::Yes), QString("Replace twice_active.glb?"));
+  EXPECT_EQ(content("twice_active.glb").substr(0, 4), "glTF");
 }
 
 TEST_F(ExportWindow, ACharacterIsWrittenInTheSameBytesAsByTheCommandLine) {
