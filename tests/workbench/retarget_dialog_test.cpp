@@ -151,6 +151,10 @@ TEST_F(RetargetWindow, ACharacterOfAnotherProgramPerformsBoth) {
   field("Character").setText(rig);
   EXPECT_EQ(box("As").findData(".bvh"), -1) << "a character is a GLB or VRM";
   chooseType(".vrm");
+  field("Character").setText(output + "/gone.vrm");
+  EXPECT_FALSE(button("Retarget").isEnabled());
+  EXPECT_THAT(about(), HasSubstr("gone.vrm"));
+  field("Character").setText(rig);
   retarget();
   EXPECT_EQ(files(), QStringList({"out_active.vrm", "out_passive.vrm", "rig.vrm"}));
   retargetOnTheCommandLine({"--take", take(0), "--to", "20", "--active-body", "scale:0.9", "--character", rig,

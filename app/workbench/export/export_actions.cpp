@@ -4,6 +4,7 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
+#include <QMessageBox>
 #include <QRegularExpression>
 #include <QSettings>
 #include <array>
@@ -38,17 +39,32 @@ QString ask_file(MainWindow& window, ExportDialog& dialog, const ExportRequest& 
   const QString ending = QString::fromStdString(request.wish.output);
   const QString last = window.remembered().lastFolder();
   const QDir folder(last.isEmpty() ? QDir::homePath() : last);
-  QString file =
-      QFileDialog::getSaveFileName(&dialog, "Export", folder.filePath(proposed_name(request)),
-                                   QString("%1 (*%2);;All files (*)").arg(ending.mid(1).toUpper(), ending));
+  // With a character the name itself is not written: may_replace asks about the files that are.
+  QString file = QFileDialog::getSaveFileName(
+      &dialog, "Export", folder.filePath(proposed_name(request)),
+      QString("%1 (*%2);;All files (*)").arg(ending.mid(1).toUpper(), ending), nullptr,
+      request.wish.character.empty() ? QFileDialog::Options() : QFileDialog::DontConfirmOverwrite);
   if (!file.isEmpty() && !file.endsWith(ending)) file += ending;
   return file;
+}
+
+/// Asks about files of the bodies that exist already.
+bool may_replace(ExportDialog& dialog, const ExportRequest& request, const QString& file) {
+  if (request.wish.character.empty()) return true;
+  ExportWish wish = request.wish;
+  wish.output = file.toStdString();
+  QStringList replaced;
+  for (const std::string& each : wish.files())
+    if (const QFileInfo info(QString::fromStdString(each)); info.exists()) replaced << info.fileName();
+  return replaced.isEmpty() ||
+         QMessageBox::question(&dialog, "Export", "Replace " + replaced.join(", ") + "?",
+                               QMessageBox::Yes | QMessageBox::No, QMessageBox::No) == QMessageBox::Yes;
 }
 
 void start(MainWindow& window, ExportDialog& dialog, ExportDesk& desk) {
   const ExportRequest request = dialog.request();
   const QString file = ask_file(window, dialog, request);
-  if (file.isEmpty()) return;
+  if (file.isEmpty() || !may_replace(dialog, request, file)) return;
   window.remembered().setLastFolder(QFileInfo(file).absolutePath());
   last_choices(window).setValue("choices", dialog.choices());
   dialog.hide();
@@ -64,6 +80,7 @@ void add_export_actions(MainWindow& window, ExportSources sources) {
   const auto show = [&window, dialog, desk](bool labels) {
     if (!window.session()) return window.messages().showInformation("Nothing is open yet");
     dialog->offer(desk->offer());
+    dialog->setFolder(window.remembered().lastFolder());
     dialog->restore(last_choices(window).value("choices").toStringList());
     if (labels) dialog->chooseLabels(desk->subject());
     dialog->show();

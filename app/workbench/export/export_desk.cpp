@@ -130,7 +130,9 @@ void ExportDesk::write(const ExportRequest& request, const QString& file) {
   ExportWish wish = request.wish;
   wish.output = file.toStdString();
   for (const std::string& output : wish.files())
-    if (const Status usable = check_output(output, {m_window.session()->material().library_file}); !usable)
+    if (const Status usable =
+            check_output(output, {m_window.session()->material().library_file, wish.character});
+        !usable)
       return messages.showErrorOf(export_job, words(usable.error()));
   run(source_of(request), wish);
 }
@@ -168,10 +170,15 @@ void ExportDesk::finish() {
 
 void ExportDesk::tell(const ExportReport& done) {
   const QString file = QString::fromStdString(done.files.back());
+  constexpr std::size_t most_named = 3;  // the bodies; a series has thousands of files
+  QStringList names;
+  for (const std::string& each : done.files)
+    if (done.files.size() <= most_named || &each == &done.files.back())
+      names << QFileInfo(QString::fromStdString(each)).fileName();
   QStringList warnings;
   for (const Warning& warning : done.warnings) warnings << QString::fromStdString(warning.text(window_words));
-  QString text = QString("%1: %2").arg(QFileInfo(file).fileName(), QString::fromStdString(done.text));
-  if (done.files.size() > 1) text += QString(", %1 files").arg(done.files.size());
+  QString text = QString("%1: %2").arg(names.join(", "), QString::fromStdString(done.text));
+  if (done.files.size() > most_named) text += QString(", %1 files").arg(done.files.size());
   if (!warnings.isEmpty()) text += QString(" · %1").arg(warnings.join(" · "));
   m_window.messages().endProgress();
   m_window.messages().succeed(export_job, "Exported " + text, true);

@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <array>
 
+#include "app/workbench/base/character_field.hpp"
 #include "app/workbench/base/range_words.hpp"
 
 namespace abrazo::app {
@@ -91,6 +92,7 @@ ExportDialog::ExportDialog(QWidget* parent) : QDialog(parent) {
     connect(body, &QCheckBox::toggled, this, &ExportDialog::settle);
   }
   bodies->addStretch(1);
+  m_character = new CharacterField(this);
   m_part = combo(this, "Part");
   m_type = combo(this, "As");
   m_rate = new QDoubleSpinBox(this);
@@ -124,6 +126,7 @@ ExportDialog::ExportDialog(QWidget* parent) : QDialog(parent) {
   m_form->addRow("Of", m_source);
   m_form->addRow("What", m_what);
   m_form->addRow("Bodies", m_bodies);
+  m_form->addRow("Character", m_character);
   m_form->addRow("Part", m_part);
   m_form->addRow("As", m_type);
   m_form->addRow("Rate", m_rate);
@@ -134,13 +137,14 @@ ExportDialog::ExportDialog(QWidget* parent) : QDialog(parent) {
   m_form->addRow(buttons);
   const auto changed = qOverload<int>(&QComboBox::currentIndexChanged);
   connect(m_source, changed, this, &ExportDialog::sourceChanged);
-  connect(m_what, changed, this, &ExportDialog::whatChanged);
+  connect(m_what, changed, this, &ExportDialog::showTypes);
+  connect(m_character, &CharacterField::changed, this, &ExportDialog::showTypes);
   for (QComboBox* box : {m_part, m_type, m_unit, m_up}) connect(box, changed, this, &ExportDialog::settle);
   connect(m_rate, qOverload<double>(&QDoubleSpinBox::valueChanged), this, &ExportDialog::settle);
   connect(close, &QPushButton::clicked, this, &QDialog::reject);
   connect(video, &QPushButton::clicked, this, &ExportDialog::videoRequested);
   connect(m_export, &QPushButton::clicked, this, &ExportDialog::exportRequested);
-  whatChanged();
+  showTypes();
 }
 
 ExportDialog::What ExportDialog::what() const {
@@ -193,12 +197,29 @@ void ExportDialog::sourceChanged() {
   settle();
 }
 
-void ExportDialog::whatChanged() {
+bool ExportDialog::isPerformed() const {
+  return what() == Motion && !m_character->file().isEmpty();
+}
+
+/// The file has the unit and axes that are chosen.
+bool ExportDialog::hasSpace() const {
+  return what() == Motion && !isPerformed() && m_type->currentData().toString() != ".glb";
+}
+
+void ExportDialog::setFolder(const QString& folder) {
+  m_character->setFolder(folder);
+}
+
+/// A character is written as what it is.
+void ExportDialog::showTypes() {
   const QVariant type = m_type->currentData();
   m_filling = true;
   m_type->clear();
   if (what() == Plots) {
     for (const char* ending : {".csv", ".png", ".svg"}) m_type->addItem(type_words_of(ending), ending);
+  } else if (isPerformed()) {
+    m_type->addItem("glTF binary (.glb): the character, a file for each body", ".glb");
+    m_type->addItem("VRM (.vrm): the character, a file for each body", ".vrm");
   } else {
     auto endings = export_types(static_cast<ExportContent>(what()));
     if (what() == Motion) endings = {".glb", ".bvh", ".csv", ".npz", ".npy"};  // what most people want first
@@ -237,7 +258,8 @@ ExportRequest ExportDialog::request() const {
   else if (m_part->currentData().toString() != "all" || what() == Mesh)
     wish.part = {{}, part().from_s, part().to_s};
   if (what() != Trace) wish.rate_hz = m_rate->value();
-  if (what() == Motion && !m_type->currentData().toString().endsWith(".glb"))
+  if (isPerformed()) wish.character = m_character->file().toStdString();
+  if (hasSpace())
     wish.space = {m_unit->currentData().toDouble(), m_up->currentData().toBool() ? UpAxis::Z : UpAxis::Y};
   return request;
 }
@@ -247,42 +269,38 @@ void ExportDialog::showRow(QWidget* field, bool on) {
   if (QWidget* label = m_form->labelForField(field)) label->setVisible(on);
 }
 
+/// Why the export cannot be started, as far as it can be seen without reading a file; empty = it can.
+QString ExportDialog::trouble(const ExportRequest& request) const {
+  if (request.plots) return {};
+  if (what() == Trace && !request.library_take.isEmpty())
+    return "a recorded take was not solved; a trace is of the session";
+  if (m_part->currentData().toString() == "frame" && what() != Mesh)
+    return "only a mesh can be of one frame; choose a longer part";
+  if (m_source->count() == 0) return "there is nothing to export yet";
+  if (isPerformed() && !m_character->trouble().isEmpty()) return m_character->trouble();
+  const Status fits = check_export(request.wish);
+  return fits ? QString() : QString::fromStdString(fits.error().message);
+}
+
 /// Shows what can be chosen now, and what would come of it.
 void ExportDialog::settle() {
   if (m_filling) return;
   const What kind = what();
   const bool is_frame = m_part->currentData().toString() == "frame";
-  const bool in_own_space = kind == Motion && !m_type->currentData().toString().endsWith(".glb");
   showRow(m_bodies, kind == Motion);
+  showRow(m_character, kind == Motion);
   showRow(m_part, kind != Plots);
   showRow(m_source, kind != Plots);
   showRow(m_rate, kind != Plots && kind != Trace && !is_frame);
-  showRow(m_unit, in_own_space);
-  showRow(m_up, in_own_space);
-  const ExportRequest chosen = request();
-  QString trouble;
-  if (!chosen.plots) {
-    ExportWish wish = chosen.wish;
-    wish.output = "file" + wish.output;
-    if (const Status fits = check_export(wish); !fits) trouble = QString::fromStdString(fits.error().message);
-    if (m_source->count() == 0) trouble = "there is nothing to export yet";
-    if (is_frame && kind != Mesh) trouble = "only a mesh can be of one frame; choose a longer part";
-    if (kind == Trace && !chosen.library_take.isEmpty())
-      trouble = "a recorded take was not solved; a trace is of the session";
-  }
-  m_about->setText(trouble.isEmpty() ? QString() : trouble.left(1).toUpper() + trouble.mid(1));
-  m_about->setVisible(!trouble.isEmpty());
-  m_export->setEnabled(trouble.isEmpty());
-  const auto estimate = estimate_export({chosen.wish.content,
-                                         chosen.wish.bodies,
-                                         {},
-                                         {},
-                                         chosen.wish.at_s,
-                                         {},
-                                         chosen.wish.rate_hz,
-                                         {},
-                                         "file" + chosen.wish.output},
-                                        part().length_s(), stretch().rate_hz);
+  showRow(m_unit, hasSpace());
+  showRow(m_up, hasSpace());
+  ExportRequest chosen = request();
+  chosen.wish.output = "file" + chosen.wish.output;
+  const QString why_not = trouble(chosen);
+  m_about->setText(why_not.left(1).toUpper() + why_not.mid(1));
+  m_about->setVisible(!why_not.isEmpty());
+  m_export->setEnabled(why_not.isEmpty());
+  const auto estimate = estimate_export(chosen.wish, part().length_s(), stretch().rate_hz);
   m_estimate->setText(chosen.plots ? QString("The panes of the panel Plots")
                                    : QString("%L1 %2, about %3")
                                          .arg(estimate.frames)
@@ -297,12 +315,13 @@ QStringList ExportDialog::choices() const {
   return {m_what->currentData().toString(), m_type->currentData().toString(),
           m_part->currentData().toString(), bodies.join('+'),
           QString::number(m_rate->value()), m_unit->currentData().toString(),
-          m_up->currentData().toString()};
+          m_up->currentData().toString(),   m_character->file()};
 }
 
 void ExportDialog::restore(const QStringList& choices) {
-  if (choices.size() != 7) return;
+  if (choices.size() != 8) return;
   choose(m_what, choices[0].toInt());
+  m_character->setFile(choices[7]);  // the types depend on it
   choose(m_type, choices[1]);
   choose(m_part, choices[2]);
   for (QCheckBox* body : {m_active, m_passive, m_user})

@@ -16,6 +16,8 @@ class QPushButton;
 
 namespace abrazo::app {
 
+class CharacterField;
+
 /// The available data.
 struct ExportOffer {
   struct Stretch {
@@ -46,6 +48,8 @@ class ExportDialog : public QDialog {
   void offer(ExportOffer offer);
   /// Chooses labels as EAF. @param subject  a take of the library; empty = the session
   void chooseLabels(const QString& subject);
+  /// Where the choice of a character starts.
+  void setFolder(const QString& folder);
   ExportRequest request() const;
   /// The last choices, for the next start. @see restore
   QStringList choices() const;
@@ -60,8 +64,11 @@ class ExportDialog : public QDialog {
   What what() const;
   ExportOffer::Stretch stretch() const;
   Playback::Range part() const;
+  bool isPerformed() const;
+  bool hasSpace() const;
+  QString trouble(const ExportRequest& request) const;
   void sourceChanged();
-  void whatChanged();
+  void showTypes();
   void settle();
   void showRow(QWidget* field, bool on);
 
@@ -69,6 +76,7 @@ class ExportDialog : public QDialog {
   QFormLayout* m_form;
   QComboBox *m_source, *m_what, *m_part, *m_type, *m_unit, *m_up;
   QWidget* m_bodies;
+  CharacterField* m_character;
   QCheckBox *m_user, *m_active, *m_passive;
   QDoubleSpinBox* m_rate;
   QLabel *m_about, *m_estimate;

@@ -19,6 +19,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/workbench/base/choose_button.hpp"
 #include "app/workbench/base/error_words.hpp"
 #include "app/workbench/library/build_form.hpp"
 #include "core/motion/joints/motion_format.hpp"
@@ -137,10 +138,7 @@ QLineEdit* BuildDialog::addPath(QGridLayout* grid, int row, const QString& name,
   field->setPlaceholderText(to_write ? "not saved" : "none");
   field->setClearButtonEnabled(true);
   label->setBuddy(field);
-  auto* choose = new QToolButton(this);
-  choose->setObjectName("chip");
-  choose->setText("…");
-  choose->setAccessibleName(name + ": choose a file");
+  auto* choose = choose_button(name, this);
   connect(choose, &QToolButton::clicked, this, [this, field, name, filter, to_write] {
     const QString file = to_write ? QFileDialog::getSaveFileName(this, name, field->text(), filter)
                                   : QFileDialog::getOpenFileName(this, name, field->text(), filter);

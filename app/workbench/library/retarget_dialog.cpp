@@ -12,9 +12,10 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QSpinBox>
-#include <QToolButton>
 #include <algorithm>
 
+#include "app/workbench/base/character_field.hpp"
+#include "app/workbench/base/choose_button.hpp"
 #include "app/workbench/base/error_words.hpp"
 #include "core/motion/joints/motion_format.hpp"
 #include "widgets/settings/body_box.hpp"
@@ -30,14 +31,6 @@ QLabel* caption(const QString& name, QWidget* field) {
   label->setBuddy(field);
   field->setAccessibleName(name);
   return label;
-}
-
-QToolButton* chooser(const QString& name, QWidget* parent) {
-  auto* button = new QToolButton(parent);
-  button->setObjectName("chip");
-  button->setText("…");
-  button->setAccessibleName(name + ": choose");
-  return button;
 }
 
 QSpinBox* frame_box(const QString& special, QWidget* parent) {
@@ -85,7 +78,7 @@ QWidget* RetargetDialog::makeTakes() {
   grid->setContentsMargins(0, 0, 0, 0);
   m_source = new QComboBox(box);
   m_source->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  auto* manifest = chooser("Takes of a manifest", box);
+  auto* manifest = choose_button("Takes of a manifest", box);
   manifest->setToolTip("Takes of a manifest (.json) that is not open");
   m_takes = new QListWidget(box);
   m_takes->setSelectionMode(QAbstractItemView::ExtendedSelection);
@@ -110,7 +103,7 @@ QWidget* RetargetDialog::makeTakes() {
 void RetargetDialog::addBody(QGridLayout* grid, int row, const QString& name, widgets::BodyBox*& box) {
   box = new widgets::BodyBox(false, this);
   box->setToolTip("library: as recorded; scale:0.3 to scale:3; or a motion file whose proportions it gets");
-  auto* choose = chooser(name, this);
+  auto* choose = choose_button(name, this);
   grid->addWidget(caption(name, box), row, 0);
   grid->addWidget(box, row, 1);
   grid->addWidget(choose, row, 2);
@@ -153,14 +146,11 @@ QWidget* RetargetDialog::makeChoices() {
   m_to->setAccessibleName("To frame");
   addBody(grid, 1, "Leader's body", m_leader);
   addBody(grid, 2, "Follower's body", m_follower);
-  m_character = addFile(grid, 3, "Character", "none: the 25 joints");
-  m_character->setToolTip(
-      "A humanoid of another program (GLB, VRM) that performs both motions with its bones");
-  m_character->setClearButtonEnabled(true);
-  auto* character = chooser("Character", box);
-  grid->addWidget(character, 3, 2);
+  m_character = new CharacterField(box);
+  grid->addWidget(caption("Character", m_character), 3, 0);
+  grid->addWidget(m_character, 3, 1, 1, 2);
   m_folder = addFile(grid, 4, "Folder", "of the files");
-  auto* choose_folder = chooser("Folder", box);
+  auto* choose_folder = choose_button("Folder", box);
   grid->addWidget(choose_folder, 4, 2);
   m_name = addFile(grid, 5, "Name", "of the file; several takes append theirs");
   m_name->setText("retargeted");
@@ -173,14 +163,10 @@ QWidget* RetargetDialog::makeChoices() {
   grid->setColumnStretch(1, 1);
   for (QSpinBox* frame : {m_from, m_to})
     connect(frame, qOverload<int>(&QSpinBox::valueChanged), this, &RetargetDialog::settle);
-  connect(m_character, &QLineEdit::textChanged, this, &RetargetDialog::showTypes);
+  connect(m_character, &CharacterField::changed, this, &RetargetDialog::showTypes);
   connect(m_type, qOverload<int>(&QComboBox::currentIndexChanged), this, &RetargetDialog::settle);
   connect(m_trace, &QCheckBox::toggled, this, &RetargetDialog::settle);
-  connect(character, &QToolButton::clicked, this, [this] {
-    const QString file = QFileDialog::getOpenFileName(this, "A humanoid character", folder(),
-                                                      "Characters (*.glb *.vrm);;All files (*)");
-    if (!file.isEmpty()) m_character->setText(file);
-  });
+  connect(m_folder, &QLineEdit::textChanged, m_character, &CharacterField::setFolder);
   connect(choose_folder, &QToolButton::clicked, this, [this] {
     const QString chosen = QFileDialog::getExistingDirectory(this, "Folder of the files", folder());
     if (!chosen.isEmpty()) setFolder(chosen);
@@ -269,7 +255,7 @@ void RetargetDialog::showTypes() {
   const QString chosen = m_type->currentData().toString();
   m_filling = true;
   m_type->clear();
-  if (m_character->text().trimmed().isEmpty()) {
+  if (m_character->file().isEmpty()) {
     m_type->addItem("BVH (.bvh): two skeletons", ".bvh");
     m_type->addItem("glTF binary (.glb): two skinned bodies", ".glb");
     m_type->addItem("Table (.csv)", ".csv");
@@ -303,7 +289,7 @@ Result<RetargetWish> RetargetDialog::wish() const {
     if (!choice) return choice.error();
     *body = std::move(*choice);
   }
-  wish.character = m_character->text().trimmed().toStdString();
+  wish.character = m_character->file().toStdString();
   const QString name = m_name->text().trimmed();
   if (name.isEmpty()) return Error{"the file has no name yet; give one", ""};
   if (folder().isEmpty()) return Error{"the files have no folder yet; choose one", ""};
@@ -317,6 +303,7 @@ Result<RetargetWish> RetargetDialog::wish() const {
 QString RetargetDialog::trouble() const {
   const auto chosen = wish();
   if (!chosen) return words(chosen.error());
+  if (const QString none = m_character->trouble(); !none.isEmpty()) return none;
   if (const Status usable = check_retargeting(*chosen, manifest().toStdString()); !usable)
     return words(usable.error());
   for (const RetargetOffer::Take& take : source()->takes) {

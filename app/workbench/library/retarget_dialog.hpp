@@ -16,13 +16,14 @@ class QListWidget;
 class QProgressBar;
 class QPushButton;
 class QSpinBox;
-class QToolButton;
 
 namespace abrazo::widgets {
 class BodyBox;
 }
 
 namespace abrazo::app {
+
+class CharacterField;
 
 /// Takes of a library or manifest that can be retargeted.
 struct RetargetOffer {
@@ -84,7 +85,8 @@ class RetargetDialog : public QDialog {
   QListWidget* m_takes = nullptr;
   QSpinBox *m_from = nullptr, *m_to = nullptr;
   widgets::BodyBox *m_leader = nullptr, *m_follower = nullptr;
-  QLineEdit *m_character = nullptr, *m_folder = nullptr, *m_name = nullptr;
+  CharacterField* m_character = nullptr;
+  QLineEdit *m_folder = nullptr, *m_name = nullptr;
   QCheckBox* m_trace = nullptr;
   QLabel *m_about = nullptr, *m_state = nullptr;
   QProgressBar* m_progress = nullptr;

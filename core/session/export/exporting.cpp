@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 #include "core/base/output_file.hpp"
 #include "core/motion/scenes/character_glb.hpp"
@@ -57,6 +58,8 @@ constexpr double highest_export_rate_hz = 1000;
 constexpr double bvh_bytes = 885, csv_bytes = 1480, glb_bytes = 620;  // of a body
 constexpr double point_bytes = 24;                                    // of a point in a .npz or .npy
 constexpr double glb_skin_bytes = 155e3;                              // of a body, once
+constexpr double character_bytes = 370;                               // of a body that a character performs
+constexpr double character_tracks_bytes = 3.9e3;  // of such a body once, beside the character's file
 constexpr double vtu_bytes = 40e3, trace_bytes = 29e3, label_bytes = 40;
 
 }  // namespace
@@ -119,6 +122,13 @@ ExportEstimate estimate_export(const ExportWish& wish, double length_s, double r
   const double frames = wish.one_mesh() ? 1 : std::floor(std::max(0.0, length_s) * rate + 1e-6) + 1;
   double bytes = 0;
   const auto bodies = static_cast<double>(wish.bodies.size());
+  if (!wish.character.empty()) {
+    std::error_code unreadable;
+    const std::uintmax_t character = std::filesystem::file_size(wish.character, unreadable);
+    bytes = bodies * (frames * character_bytes + character_tracks_bytes +
+                      (unreadable ? 0 : static_cast<double>(character)));
+    return {static_cast<std::uint64_t>(frames), static_cast<std::uint64_t>(bytes)};
+  }
   switch (wish.content) {
     case ExportContent::Motion:
       bytes = bodies * (wish.output.ends_with(".bvh")   ? frames * bvh_bytes

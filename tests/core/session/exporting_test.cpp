@@ -15,6 +15,7 @@
 #include "core/library/takes/tier_file.hpp"
 #include "core/session/export/session_export.hpp"
 #include "tests/core/session/recorded_session.hpp"
+#include "tests/support/humanoid_rig.hpp"
 
 namespace abrazo::exporting_test {
 namespace {
@@ -314,6 +315,19 @@ TEST_F(Exporting, TheEstimateIsNearWhatIsWritten) {
                 0.25 * static_cast<double>(fs::file_size(motion.output)))
         << name;
   }
+}
+
+TEST_F(Exporting, TheEstimateOfACharacterHasItsFileForEachBody) {
+  ExportWish worn = wish(ExportContent::Motion, "a.vrm");
+  worn.character = worn.output + ".rig";
+  worn.rate_hz = 5;  // few frames, so that the file of the character counts
+  ASSERT_TRUE(write_whole_file(worn.character, test::rig(test::Naming::Vrm1)));
+  ASSERT_TRUE(export_session(*source(), worn));
+  const auto frames = session.history.range(-1, 100);
+  const auto estimate = estimate_export(worn, frames.back()->time_s - frames.front()->time_s, 60);
+  double written = 0;
+  for (const std::string& file : worn.files()) written += static_cast<double>(fs::file_size(file));
+  EXPECT_NEAR(static_cast<double>(estimate.bytes), written, 0.25 * written);
 }
 
 }  // namespace
