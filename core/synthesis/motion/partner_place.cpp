@@ -13,7 +13,7 @@ namespace {
 constexpr double farthest_pull_m = 0.32;  // l, reached gradually
 constexpr double farthest_turn_rad = 1.0;
 
-constexpr double damping = 1.25;              // zeta; above 1
+constexpr double damping = 1.25;             // zeta; above 1
 constexpr double recorded_share = 0.8;       // beta
 constexpr double recorded_speed_lag = 0.13;  // tau [s]
 constexpr double turning_rate = 8;           // omega of the heading [1/s]
