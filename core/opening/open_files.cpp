@@ -76,9 +76,15 @@ Status read_as_wished(const SortedFiles& files, const OpeningWish& wish, Materia
 Result<Material> open_as_session(const SortedFiles& files, const OpeningWish& wish,
                                  const Progress& progress) {
   report(progress, 0, "Opening " + std::filesystem::path(files.session).filename().string());
-  const auto session = open_session(files.session, wish.autosaves);
+  auto session = open_session(files.session, wish.autosaves);
   if (!session) return session.error();
-  return material_of(*session, {files.library, wish.open}, progress);
+  const bool asks = wish.locate && wish.files.size() == 1 && !session->project->missing().empty();
+  if (asks) {
+    const auto places = wish.locate(session->project, progress);
+    if (!places) return Error{"cancelled", files.session};
+    session = with_places(std::move(*session), *places);
+  }
+  return material_of(*session, {files.library, wish.open, asks}, progress);
 }
 
 /// The requested library with the open input; a take of a new library plays the user.

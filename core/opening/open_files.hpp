@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,8 +10,14 @@
 #include "core/motion/files/motion_reading.hpp"
 #include "core/opening/file_kinds.hpp"
 #include "core/opening/material.hpp"
+#include "core/opening/opened_session.hpp"
 
 namespace abrazo {
+
+/// Asks for the places of the missing data of a session. Called on the thread that opens it, which waits.
+/// @return none: the session is not opened
+using LocateMissing = std::function<std::optional<Places>(const std::shared_ptr<const OpenedProject>& project,
+                                                          const Progress& progress)>;
 
 /// Files that a person wants to open, and the data to open them with.
 struct OpeningWish {
@@ -20,11 +28,14 @@ struct OpeningWish {
   /// How to read the motion, without its files; none = by the rule for similar files, otherwise as found.
   std::optional<MotionReading> said = {};
   std::string import_rules = {};  ///< folder of rules for similar files; empty = none
+  /// For a session that is opened without other files; empty: what is missing is among the warnings.
+  LocateMissing locate = {};
 };
 
 /// Opens files in addition to those that are open. A library file or manifest replaces the
 /// library, a motion replaces the input, a session file is opened with its library. A missing library or
-/// input is taken from the generated dance or the library.
+/// input is taken from the generated dance or the library. @return an Error "cancelled" if `locate` returns
+/// none
 Result<Material> open_files(const OpeningWish& wish, const Progress& progress);
 
 /// Reads a motion as the input.

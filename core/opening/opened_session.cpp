@@ -73,6 +73,18 @@ std::vector<std::size_t> OpenedProject::missing() const {
   return indices;
 }
 
+std::vector<std::string> OpenedProject::video_places() const {
+  std::vector<std::string> places;
+  for (const ProjectVideo& video : project().videos) {
+    const auto index = static_cast<std::size_t>(std::max(0, video.data));
+    const bool has_file = video.data >= 0 && index < found.size();
+    places.push_back(!has_file                   ? std::string()
+                     : found[index].path.empty() ? project().data[index].absolute_path
+                                                 : found[index].path);
+  }
+  return places;
+}
+
 OpenedProject located(const std::string& file, ProjectReading reading, const Places& places,
                       const std::string& autosaves) {
   OpenedProject opened;

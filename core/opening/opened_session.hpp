@@ -25,6 +25,9 @@ struct OpenedProject {
   /// The first of a use that was found; empty when there is none.
   std::string place_of(DataReference::Use use) const;
   std::vector<std::size_t> missing() const;
+  /// Where the videos are, in the order of Project::videos: the recorded place if the file is missing, empty
+  /// if the project has none.
+  std::vector<std::string> video_places() const;
 };
 
 /// The key in Project::view under which an autosaved project names the session file that it belongs to.

@@ -4,10 +4,12 @@
 #include <QFile>
 #include <QLabel>
 #include <QLockFile>
+#include <QSignalSpy>
 #include <QTreeWidget>
 #include <filesystem>
 #include <fstream>
 
+#include "app/workbench/base/running_work.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/project/autosave.hpp"
 #include "app/workbench/project/project_desk.hpp"
@@ -354,6 +356,27 @@ TEST_F(Relocation, WithoutThemItSaysWhatWillNotWorkAndOpens) {
   ASSERT_FALSE(saved->data.empty());
   EXPECT_EQ(saved->data[0].absolute_path, file("old/libs/lib.h5").toStdString());
   EXPECT_EQ(saved->data[0].hash.size(), 16U);
+}
+
+TEST_F(Relocation, CancelledLeavesTheSessionAsItWas) {
+  QSignalSpy failed(&window(), &MainWindow::failed);
+  const auto* session = window().session();
+  window().openFiles({file("moved.abrazo")});
+  ASSERT_TRUE(until([] { return dialog() != nullptr; }));
+  dialog()->reject();
+  ASSERT_TRUE(until([] { return !RunningWork::any(); }));
+  turn();
+  EXPECT_EQ(window().session(), session);
+  EXPECT_TRUE(failed.isEmpty());
+  EXPECT_FALSE(window().messages().text().contains("Waiting"));
+}
+
+TEST_F(Relocation, EndsWithTheOpeningThatAskedForIt) {
+  window().openFiles({file("moved.abrazo")});
+  ASSERT_TRUE(until([] { return dialog() != nullptr; }));
+  reopen([] { window().openDemo(); });
+  EXPECT_TRUE(until([] { return dialog() == nullptr; }));
+  EXPECT_TRUE(window().session()->material().is_generated);
 }
 
 }  // namespace

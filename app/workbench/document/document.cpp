@@ -4,6 +4,7 @@
 
 #include "app/workbench/base/error_words.hpp"
 #include "core/bodies/chosen_body.hpp"
+#include "core/opening/opened_session.hpp"
 #include "core/session/frames/decision_edits.hpp"
 
 namespace abrazo::app {
@@ -111,11 +112,13 @@ void Document::decide(const Decisions& next, const QString& what, bool is_parked
   change(live, what);
 }
 
-void Document::open(const Project& saved, const QStringList& videos) {
-  announce(m_live.open(saved));
-  controlRole(saved.decisions.role_control);
-  openAnnotations(saved.annotations);
-  emit videosOpened(saved.videos, videos);
+void Document::openSession(PreparedSolver prepared) {
+  beginSession(std::move(prepared));
+  emit began();
+  const Material& material = m_session->material();
+  if (material.recorded) openRecording(*material.recorded);
+  if (material.project) openProject(*material.project);
+  emit opened();
 }
 
 void Document::beginSession(PreparedSolver prepared) {
@@ -128,6 +131,26 @@ void Document::beginSession(PreparedSolver prepared) {
   tellSolver(ProjectPart::Settings);  // they may have changed while it was prepared
   tellSolver(ProjectPart::Decisions);
   announce(changed);
+}
+
+void Document::openRecording(const RecordedSession& recorded) {
+  put(SubjectMarkers{"", recorded.markers()});
+  if (!recorded.contents.settings.empty()) putSettings(recorded.contents.settings.back().settings);
+}
+
+/// A file that was never saved as a project has annotations at most.
+void Document::openProject(const OpenedProject& opened) {
+  const Project& saved = opened.project();
+  if (!opened.reading.is_saved) {
+    if (!saved.annotations.empty()) emit annotationsOpened(saved.annotations);
+    return;
+  }
+  announce(m_live.open(saved));
+  controlRole(saved.decisions.role_control);
+  emit annotationsOpened(saved.annotations);
+  QStringList videos;
+  for (const std::string& place : opened.video_places()) videos << QString::fromStdString(place);
+  emit videosOpened(saved.videos, videos);
 }
 
 void Document::replaceSolver(PreparedSolver prepared) {

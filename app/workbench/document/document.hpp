@@ -58,14 +58,11 @@ class Document : public QObject {
   Decisions shownDecisions() const;
   /// Takes new decisions that a view requests. While parked, another pin is tried on the parked frame only.
   void decide(const Decisions& next, const QString& what, bool is_parked);
-  /// Opens a saved project in the new session.
-  void open(const Project& saved, const QStringList& videos);
-  void openAnnotations(const AnnotationBook& book) { emit annotationsOpened(book); }
-
   /// Null if nothing is open.
   LiveSession* session() const { return m_session.get(); }
-  /// Replaces the session; views must have released the previous one.
-  void beginSession(PreparedSolver prepared);
+  /// Replaces the session; views must have released the previous one. In this order: `began`, the contents of
+  /// the session's file part by part, `opened`.
+  void openSession(PreparedSolver prepared);
   void endSession() { m_session.reset(); }
   /// Continues the session with another library: a take was added or annotated.
   void replaceSolver(PreparedSolver prepared);
@@ -75,6 +72,10 @@ class Document : public QObject {
   void setSubject(const std::string& subject);
 
  signals:
+  /// A session runs; views and rooms begin anew. The contents of its file follow.
+  void began();
+  /// All of the session's file is in the document.
+  void opened();
   void changed(abrazo::ProjectPart part);
   void subjectChanged();
   void triedPinChanged();
@@ -89,6 +90,9 @@ class Document : public QObject {
   friend class DocumentStep;
   void announce(const LiveProject::Parts& parts);
   void tellSolver(ProjectPart part);
+  void beginSession(PreparedSolver prepared);
+  void openRecording(const RecordedSession& recorded);
+  void openProject(const OpenedProject& opened);
   void take(const Result<ChosenSettings>& next, const QString& what, const QString& key, int gesture);
 
   LiveProject m_live;

@@ -23,14 +23,6 @@ SessionClock clock_of(const Material& material) {
 
 }  // namespace
 
-Result<PreparedSolver> prepare_solver(Material material, const Settings& settings) {
-  auto synthesizer = PartnerSynthesizer::create(material.library, settings, material.excluded_takes);
-  if (!synthesizer) return synthesizer.error();
-  if (material.input.poses.empty() && !material.recorded)
-    return Error{"the motion has no frames; open another one", material.input.name};
-  return PreparedSolver{std::move(material), std::move(synthesizer).value()};
-}
-
 LiveSession::LiveSession(PreparedSolver prepared)
     : m_material(std::move(prepared.material)),
       m_engine(std::move(prepared.synthesizer), source_of(m_material), clock_of(m_material)) {

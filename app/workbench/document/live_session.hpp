@@ -5,19 +5,10 @@
 #include <string>
 #include <vector>
 
-#include "core/base/result.hpp"
-#include "core/opening/material.hpp"
+#include "core/opening/prepared_solver.hpp"
 #include "core/session/run/session_engine.hpp"
 
 namespace abrazo::app {
-
-/// A solver ready to run; prepared on a worker because the index over the library takes time.
-struct PreparedSolver {
-  Material material;
-  std::unique_ptr<PartnerSynthesizer> synthesizer;
-};
-
-Result<PreparedSolver> prepare_solver(Material material, const Settings& settings);
 
 /// The session of a window: a running engine and its material. The destructor ends it.
 class LiveSession {

@@ -14,7 +14,6 @@
 #include "app/workbench/project/relocate_dialog.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/takes/take_desk.hpp"
-#include "core/opening/session_material.hpp"
 #include "core/session/run/save_session.hpp"
 #include "widgets/common/message_bar.hpp"
 
@@ -71,8 +70,7 @@ ProjectDesk::ProjectDesk(MainWindow& window, TakeDesk& takes)
   };
   askLibrary = [this] { return ask_about_library(m_window); };
   connect(&window, &MainWindow::leaving, this, &ProjectDesk::onLeaving);
-  connect(&window, &MainWindow::sessionOffered, this, &ProjectDesk::onOffered);
-  connect(&window, &MainWindow::sessionStarted, this, &ProjectDesk::onSessionStarted);
+  connect(&window.document(), &Document::opened, this, &ProjectDesk::onOpened);
   connect(&window, &MainWindow::sessionEnding, this, [this] { m_hasSession = false; });
   connect(&m_takes, &TakeDesk::fileChanged, this, &ProjectDesk::showTitle);
   connect(&m_autosave, &Autosave::failed, &window.messages(), &widgets::MessageBar::showError);
@@ -90,6 +88,7 @@ ProjectDesk::~ProjectDesk() = default;
 
 void ProjectDesk::setAsks(bool on) {
   m_asks = on;
+  m_window.setLocateMissing(on ? asking_for_places(m_window) : LocateMissing());
   refresh();
 }
 
@@ -272,44 +271,8 @@ bool ProjectDesk::saveAndWait() {
 
 // ---- opening ----
 
-/// Asks for moved data before anything is opened.
-void ProjectDesk::onOffered(const std::vector<FileToOpen>& files, bool& taken) {
-  if (!m_asks || files.size() != 1) return;
-  taken = true;
-  const QString file = QString::fromStdString(files.front().path);
-  const auto autosaves = m_window.remembered().autosaveFolder().toStdString();
-  Job::retire(std::move(m_reading), this);
-  m_reading = std::make_unique<Job>([this, file, autosaves](const Progress&) -> Job::Finish {
-    auto session = open_session(file.toStdString(), autosaves);
-    if (!session)
-      return [this, file, why = session.error()] {
-        m_window.openMaterial([why](const Progress&) { return Result<Material>(why); }, {file});
-      };
-    if (session->project->missing().empty())
-      return [this, file, opened = std::move(*session)] { open(opened, file, {}); };
-    return [this, file, opened = std::move(*session)] {
-      auto* dialog = new RelocateDialog(opened.project, &m_window);
-      connect(dialog, &QDialog::accepted, this,
-              [this, dialog, file, opened] { open(opened, file, dialog->places()); });
-      dialog->open();
-    };
-  });
-}
-
-void ProjectDesk::open(const OpenedSession& session, const QString& opened, const Places& places) {
-  SessionWish wish{"", m_window.session() ? m_window.session()->material() : Material{}, !places.empty()};
-  // What is open here may be saved before it is left, into the file that was read.
-  const bool is_own = !file().isEmpty() && QFileInfo(file()) == QFileInfo(opened);
-  m_window.openMaterial(
-      [session, wish, places, name = opened.toStdString(), is_own](const Progress& progress) {
-        const auto newest = is_own ? open_session(name) : Result<OpenedSession>(session);
-        return newest ? material_of(with_places(*newest, places), wish, progress)
-                      : Result<Material>(newest.error());
-      },
-      {opened});
-}
-
-void ProjectDesk::onSessionStarted() {
+/// The session as it was opened is the saved state.
+void ProjectDesk::onOpened() {
   m_hasSession = true;
   m_isRestored = false;
   m_saved = {};
@@ -317,7 +280,7 @@ void ProjectDesk::onSessionStarted() {
   m_withoutLibrary.reset();
   m_autosave.drop();
   const auto project = m_window.session()->material().project;
-  if (project) restored(*project);
+  if (project && project->reading.is_saved) takeSaved(*project);
   if (!m_isRestored) m_saved = project_of(m_window);
   if (project) m_saved.data = project->project().data;
   m_window.undoStack().setClean();
@@ -326,29 +289,12 @@ void ProjectDesk::onSessionStarted() {
   refresh();
 }
 
-void ProjectDesk::restored(const OpenedProject& opened) {
-  if (!opened.reading.is_saved) {
-    if (const AnnotationBook& said = opened.project().annotations; !said.empty())
-      m_window.document().openAnnotations(said);
-    return;
-  }
+void ProjectDesk::takeSaved(const OpenedProject& opened) {
   for (const std::size_t index : opened.missing()) {
     const DataReference& data = opened.project().data[index];
     if (data.use != DataReference::Use::Video && !is_of_library(data.use)) m_carried.push_back(data);
   }
-  QStringList videos;
-  for (const ProjectVideo& video : opened.project().videos) {
-    const bool has_file = video.data >= 0 && static_cast<std::size_t>(video.data) < opened.found.size();
-    const auto index = static_cast<std::size_t>(std::max(0, video.data));
-    const std::string place = has_file ? opened.found[index].path : std::string();
-    videos << QString::fromStdString(!place.empty() ? place
-                                     : has_file     ? opened.project().data[index].absolute_path
-                                                    : std::string());
-  }
-  m_window.document().open(opened.project(), videos);
   show_view(m_window, opened.project().view);
-  const QString own = QString::fromStdString(opened.file);
-  if (!own.isEmpty() && m_takes.file().isEmpty()) m_takes.setFile(own);
   m_isRestored = !opened.autosave.empty();
   m_leftover = QString::fromStdString(opened.autosave);
 }

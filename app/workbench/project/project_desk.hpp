@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "app/workbench/project/autosave.hpp"
-#include "core/opening/file_kinds.hpp"
 #include "core/opening/opened_session.hpp"
 
 namespace abrazo::app {
@@ -66,13 +65,11 @@ class ProjectDesk : public QObject {
   void onLeaving(bool& allowed);
   /// @return none: do not save; else the file for the library, empty = not written
   std::optional<std::string> libraryFileFor(const QString& target);
-  void onOffered(const std::vector<FileToOpen>& files, bool& taken);
-  void open(const OpenedSession& session, const QString& file, const Places& places);
-  void onSessionStarted();
+  void onOpened();
   /// @return whether it was written
   bool waitForSave();
   bool saveAndWait();
-  void restored(const OpenedProject& project);
+  void takeSaved(const OpenedProject& project);
   void showTitle();
   void keep();
   Project current() const;
@@ -88,7 +85,7 @@ class ProjectDesk : public QObject {
   std::optional<std::shared_ptr<const Manifest>> m_withoutLibrary;
   QString m_leftover;  ///< autosaved file from which the session was restored
   QTimer m_soon;       ///< merges successive changes
-  std::unique_ptr<Job> m_job, m_reading;
+  std::unique_ptr<Job> m_job;
 };
 
 }  // namespace abrazo::app

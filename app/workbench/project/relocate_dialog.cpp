@@ -2,15 +2,19 @@
 
 #include "widgets/common/plain_text.hpp"
 
+#include <QApplication>
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QHeaderView>
 #include <QLabel>
+#include <QPointer>
 #include <QPushButton>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <chrono>
+#include <future>
 
 namespace abrazo::app {
 namespace {
@@ -32,7 +36,42 @@ QString looked_at(const FoundData& found) {
   return places.join("\n");
 }
 
+constexpr std::chrono::milliseconds look_for_cancel(100);
+
+/// Everything but `answer` belongs to the window's thread.
+struct Question {
+  std::promise<std::optional<Places>> answer;
+  QPointer<RelocateDialog> dialog;
+};
+
+void open_dialog(QWidget* window, const std::shared_ptr<const OpenedProject>& project,
+                 const std::shared_ptr<Question>& question) {
+  if (window == nullptr) return question->answer.set_value({});
+  auto* dialog = new RelocateDialog(project, window);
+  question->dialog = dialog;
+  QObject::connect(dialog, &QDialog::finished, dialog, [dialog, question](int result) {
+    question->answer.set_value(result == QDialog::Accepted ? std::optional(dialog->places()) : std::nullopt);
+  });
+  dialog->open();
+}
+
 }  // namespace
+
+LocateMissing asking_for_places(QWidget& window) {
+  // The application outlives workers; the window may not.
+  return [window = QPointer(&window)](const std::shared_ptr<const OpenedProject>& project,
+                                      const Progress& progress) -> std::optional<Places> {
+    const auto question = std::make_shared<Question>();
+    auto answer = question->answer.get_future();
+    QMetaObject::invokeMethod(qApp, [=] { open_dialog(window, project, question); });
+    while (answer.wait_for(look_for_cancel) != std::future_status::ready)
+      if (!report(progress, 0, "Waiting for the missing files")) {
+        QMetaObject::invokeMethod(qApp, [question] { delete question->dialog.data(); });
+        return std::nullopt;
+      }
+    return answer.get();
+  };
+}
 
 RelocateDialog::RelocateDialog(std::shared_ptr<const OpenedProject> project, QWidget* parent)
     : QDialog(parent), m_project(std::move(project)) {

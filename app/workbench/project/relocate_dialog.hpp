@@ -3,7 +3,7 @@
 #include <QDialog>
 #include <memory>
 
-#include "core/opening/opened_session.hpp"
+#include "core/opening/open_files.hpp"
 
 class QLabel;
 class QPushButton;
@@ -41,5 +41,9 @@ class RelocateDialog : public QDialog {
   QLabel* m_consequences;
   QPushButton *m_locate, *m_open;
 };
+
+/// Opens the dialog over the window and waits for its answer, on the worker that opens a session. The dialog
+/// closes if the opening is cancelled.
+LocateMissing asking_for_places(QWidget& window);
 
 }  // namespace abrazo::app

@@ -10,7 +10,6 @@
 #include "app/workbench/project/leftovers.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
-#include "app/workbench/takes/take_desk.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/takes/leftover_bar.hpp"
 
@@ -24,19 +23,6 @@ void choose_session(MainWindow& window) {
       &window, "Open session", sessions_folder(),
       "Sessions, with their library if it is elsewhere (*.abrazo *.h5 *.json);;All files (*)");
   if (!files.isEmpty()) window.openFiles(files);
-}
-
-/// State of a recorded session beside its frames; the cursor is at its beginning.
-void show_recorded(MainWindow& window, TakeDesk& takes) {
-  const auto recorded = window.session()->material().recorded;
-  if (!recorded) return;
-  // First: a continued recording writes these.
-  window.document().put(SubjectMarkers{"", recorded->markers()});
-  takes.setOpened(QString::fromStdString(recorded->file), recorded->contents);
-  if (!recorded->contents.settings.empty())
-    window.document().putSettings(recorded->contents.settings.back().settings);
-  window.ticker().tick();
-  window.ticker().goToStart();
 }
 
 bool is_history(const MainWindow& window, const QString& file) {
@@ -81,7 +67,7 @@ void offer_leftovers(MainWindow& window, LeftoverBar& shown) {
       bar);
 }
 
-LeftoverBar& add_session_actions(MainWindow& window, TakeDesk& takes) {
+LeftoverBar& add_session_actions(MainWindow& window) {
   QMenu* menu = window.menu("File");
   add_action(window, menu, "Open session…", {}, [&window] { choose_session(window); });
   QAction* open = menu->actions().back();
@@ -97,8 +83,6 @@ LeftoverBar& add_session_actions(MainWindow& window, TakeDesk& takes) {
                    [&window](const QString& file) { open_leftover(window, file); });
   QObject::connect(bar, &LeftoverBar::discardRequested, &window,
                    [&window](const QString& file) { discard(window, file); });
-  QObject::connect(&window, &MainWindow::sessionStarted, bar,
-                   [&window, &takes] { show_recorded(window, takes); });
   return *bar;
 }
 

@@ -88,7 +88,7 @@ void add_role_actions(MainWindow& window);
 /// The intended move; after the candidate actions.
 void add_intended_move_actions(MainWindow& window);
 /// Opening recorded sessions.
-widgets::LeftoverBar& add_session_actions(MainWindow& window, TakeDesk& takes);
+widgets::LeftoverBar& add_session_actions(MainWindow& window);
 /// New, save, save as: the session file with the project; after the session and recent file actions.
 ProjectDesk& add_project_actions(MainWindow& window, TakeDesk& takes);
 void add_solve_actions(MainWindow& window);

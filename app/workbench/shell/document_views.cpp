@@ -1,6 +1,7 @@
 #include "app/workbench/shell/document_views.hpp"
 
 #include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/status_figures.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -41,6 +42,35 @@ void show_library(MainWindow& window, const std::shared_ptr<const MotionLibrary>
   window.status().setLibrary(library->pair_count());
 }
 
+void show_session(MainWindow& window) {
+  const Material& material = window.session()->material();
+  const QString library = QString::fromStdString(material.library->name());
+  const QString input = QString::fromStdString(material.input.name);
+  window.scene().setLibrary(material.library);
+  window.candidates().setLibrary(material.library);
+  window.timeline().setLibrary(material.library);
+  window.takes().setLibrary(material.library);
+  window.panels().setHead("library", "Library · " + library);
+  window.transport().setInput(QString("%1 %2 · %3 Hz")
+                                  .arg(material.recorded ? "recorded" : "clip", input)
+                                  .arg(material.input.fps, 0, 'f', 0));
+  window.status().setInput({input, true, material.input.fps}, material.library->pair_count());
+  window.setWindowTitle(input + " with " + library + " — Abrazo");
+  window.ticker().setLibrary(material.library);
+  window.ticker().setSources(&window.session()->history(), &window.session()->latest());
+  QStringList warnings;
+  for (const std::string& warning : material.warnings) warnings << QString::fromStdString(warning);
+  window.messages().succeed("open", "Opened " + input + " with " + library, true);  // the title shows it
+  window.messages().showWarnings(warnings);
+}
+
+/// A recorded session is looked at from its beginning.
+void show_contents(MainWindow& window) {
+  if (!window.session()->material().recorded) return;
+  window.ticker().tick();
+  window.ticker().goToStart();
+}
+
 }  // namespace
 
 void show_document(MainWindow& window) {
@@ -58,6 +88,9 @@ void show_document(MainWindow& window) {
           });
   QObject::connect(&document, &Document::triedPinChanged, &window,
                    [&window] { show_part(window, ProjectPart::Decisions); });
+  QObject::connect(&document, &Document::began, &window, [&window] { show_session(window); });
+  QObject::connect(&document, &Document::began, &window, &MainWindow::sessionStarted);
+  QObject::connect(&document, &Document::opened, &window, [&window] { show_contents(window); });
   connect(window.timeline(), &TimelineView::markersRequested, &Document::changeMarkers);
   QObject::connect(&document, &Document::changed, &window,
                    [&window](ProjectPart part) { show_part(window, part); });

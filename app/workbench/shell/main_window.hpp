@@ -10,7 +10,7 @@
 #include "app/workbench/document/document.hpp"
 #include "app/workbench/shell/frame_ticker.hpp"
 #include "app/workbench/shell/window_layout.hpp"
-#include "core/opening/file_kinds.hpp"
+#include "core/opening/open_files.hpp"
 #include "widgets/common/palette.hpp"
 
 class QDockWidget;
@@ -52,6 +52,8 @@ class MainWindow : public QMainWindow {
   /// @param said  how to read their motion; none = by the rule for similar files, otherwise as found
   void openFiles(const QStringList& files, const std::optional<MotionReading>& said = std::nullopt);
   void openDemo();
+  /// The question about missing data of a session; empty: it is not asked.
+  void setLocateMissing(LocateMissing ask) { m_locate = std::move(ask); }
   /// Adds the files to the recent ones.
   void noteOpened(const QStringList& files) { emit filesOpened(files); }
   /// Requests to show a take of the library, or the session ("").
@@ -121,8 +123,6 @@ class MainWindow : public QMainWindow {
   /// Reference videos were opened, perhaps with other files.
   void videosOffered(const QStringList& files);
   void filesOpened(const QStringList& files);
-  /// The files include a session file; a receiver that opens it sets `taken`.
-  void sessionOffered(const std::vector<abrazo::FileToOpen>& files, bool& taken);
   /// The session is about to end, for another one or with the window. Receivers may refuse.
   void leaving(bool& allowed);
   void closing();
@@ -142,8 +142,7 @@ class MainWindow : public QMainWindow {
   void wireViews();
   void wireTransport();
   void showPanels();
-  void start(const std::shared_ptr<PreparedSolver>& prepared);
-  void offerOnceOpen(const QStringList& videos, const QStringList& files);
+  void start(PreparedSolver prepared);
 
   UserSettings& m_remembered;
   const widgets::Palette* m_palette;
@@ -171,6 +170,7 @@ class MainWindow : public QMainWindow {
   FrameTicker m_ticker;
   std::unique_ptr<Document> m_document;  // declared after the ticker that reads its session: see the
                                          // destructor
+  LocateMissing m_locate;
   std::unique_ptr<Job> m_job;
 };
 

@@ -6,18 +6,10 @@
 #include "app/workbench/base/job_progress.hpp"
 #include "app/workbench/base/running_work.hpp"
 #include "app/workbench/shell/main_window.hpp"
-#include "app/workbench/shell/panel_area.hpp"
-#include "app/workbench/shell/status_figures.hpp"
 #include "core/opening/generated_set.hpp"
 #include "core/opening/joint_maps.hpp"
-#include "core/opening/open_files.hpp"
-#include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
-#include "widgets/library/take_list.hpp"
 #include "widgets/plots/plot_panel.hpp"
-#include "widgets/scene/view/scene_view.hpp"
-#include "widgets/timeline/timeline_view.hpp"
-#include "widgets/timeline/transport_bar.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -28,15 +20,11 @@ std::vector<std::string> names_of(const QStringList& files) {
   return names;
 }
 
-QStringList names_of(const std::vector<FileToOpen>& files) {
+QStringList files_of(const std::vector<FileToOpen>& files, FileKind kind) {
   QStringList names;
-  for (const FileToOpen& file : files) names << QString::fromStdString(file.path);
+  for (const FileToOpen& file : files)
+    if (file.kind == kind) names << QString::fromStdString(file.path);
   return names;
-}
-
-QStringList files_of(std::vector<FileToOpen> files, FileKind kind) {
-  std::erase_if(files, [kind](const FileToOpen& file) { return file.kind != kind; });
-  return names_of(files);
 }
 
 }  // namespace
@@ -66,25 +54,11 @@ void MainWindow::openFiles(const QStringList& all, const std::optional<MotionRea
                    m_remembered.jointMapFolder().toStdString(),
                    m_remembered.autosaveFolder().toStdString(),
                    said,
-                   m_remembered.importRuleFolder().toStdString()};
+                   m_remembered.importRuleFolder().toStdString(),
+                   m_locate};
   std::erase_if(wish.files, [](const FileToOpen& file) { return file.kind == FileKind::Video; });
-  bool taken = false;
-  if (has(FileKind::Session) > 0) emit sessionOffered(wish.files, taken);
-  if (taken) return offerOnceOpen(videos, names_of(wish.files));
   openMaterial([wish = std::move(wish)](const Progress& progress) { return open_files(wish, progress); },
                all);
-}
-
-/// A session that begins closes videos: they come after it, and not at all when something else is opened.
-void MainWindow::offerOnceOpen(const QStringList& videos, const QStringList& files) {
-  if (videos.isEmpty()) return;
-  auto* waiting = new QObject(this);
-  connect(this, &MainWindow::failed, waiting, &QObject::deleteLater);
-  connect(this, &MainWindow::filesOpened, waiting, [this, waiting, videos, files](const QStringList& opened) {
-    disconnect(this, nullptr, waiting, nullptr);
-    waiting->deleteLater();
-    if (opened == files) emit videosOffered(videos);
-  });
 }
 
 void MainWindow::openMaterial(MakeMaterial make, const QStringList& files) {
@@ -97,6 +71,7 @@ void MainWindow::openMaterial(MakeMaterial make, const QStringList& files) {
       [this, make = std::move(make), wanted, files,
        maps = m_remembered.jointMapFolder().toStdString()](const Progress& progress) -> Job::Finish {
     auto material = make(progress);
+    if (!material && material.error().message == "cancelled") return {};
     if (!material)
       return [this, files, unmapped = motion_to_map(names_of(files), maps), why = words(material.error())] {
         // Without anyone to ask it is a failure like any other.
@@ -112,45 +87,25 @@ void MainWindow::openMaterial(MakeMaterial make, const QStringList& files) {
     // Shared only because std::function must be copyable.
     auto ready = std::make_shared<PreparedSolver>(std::move(prepared).value());
     return [this, ready, files] {
-      start(ready);
+      start(std::move(*ready));
       if (!files.isEmpty()) emit filesOpened(files);
     };
   };
   // After cancellation the previous session continues, whatever the progress of the new one.
   m_job = std::make_unique<Job>([this, open](const Progress& progress) -> Job::Finish {
     return [this, finish = open(progress)] {
-      if (!m_job->wasCancelled()) finish();
+      if (finish && !m_job->wasCancelled()) finish();
     };
   });
   m_messages->showProgress("Opening", 0);
   show_progress(*m_job, *m_messages);
 }
 
-void MainWindow::start(const std::shared_ptr<PreparedSolver>& prepared) {
+void MainWindow::start(PreparedSolver prepared) {
   emit sessionEnding();
   m_ticker.setSources(nullptr, nullptr);
   m_plots->clear();
-  m_document->beginSession(std::move(*prepared));
-  const Material& material = session()->material();
-  m_scene->setLibrary(material.library);
-  m_candidates->setLibrary(material.library);
-  m_timeline->setLibrary(material.library);
-  m_takes->setLibrary(material.library);
-  const QString library = QString::fromStdString(material.library->name());
-  const QString input = QString::fromStdString(material.input.name);
-  m_panels->setHead("library", "Library · " + library);
-  m_transport->setInput(QString("%1 %2 · %3 Hz")
-                            .arg(material.recorded ? "recorded" : "clip", input)
-                            .arg(material.input.fps, 0, 'f', 0));
-  m_status->setInput({input, true, material.input.fps}, material.library->pair_count());
-  setWindowTitle(input + " with " + library + " — Abrazo");
-  m_ticker.setLibrary(material.library);
-  m_ticker.setSources(&session()->history(), &session()->latest());
-  QStringList warnings;
-  for (const std::string& warning : material.warnings) warnings << QString::fromStdString(warning);
-  m_messages->succeed("open", "Opened " + input + " with " + library, true);  // the title shows it
-  m_messages->showWarnings(warnings);
-  emit sessionStarted();
+  m_document->openSession(std::move(prepared));
 }
 
 void MainWindow::fail(const QString& message) {

@@ -45,7 +45,7 @@ Rooms add_all_actions(MainWindow& window) {
                    {[&streams] { return std::pair(streams.user(), streams.second()); },
                     [labels] { return labels->annotations_of(""); }});
   add_role_actions(window);
-  widgets::LeftoverBar& leftovers = add_session_actions(window, takes);
+  widgets::LeftoverBar& leftovers = add_session_actions(window);
   add_plot_actions(window);
   add_export_actions(window,
                      {[labels](const std::string& subject) { return labels->annotations_of(subject); },

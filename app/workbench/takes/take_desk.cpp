@@ -44,6 +44,7 @@ TakeDesk::TakeDesk(MainWindow& window, widgets::TakePanel& panel)
     ++m_session;
     update();
   });
+  connect(&window.document(), &Document::opened, this, &TakeDesk::takeFile);
   m_timer.setInterval(update_interval_ms);
   connect(&m_timer, &QTimer::timeout, this, &TakeDesk::update);
   m_timer.start();
@@ -236,14 +237,18 @@ void TakeDesk::discardIfUnused() {
   m_isForStream = false;
 }
 
-void TakeDesk::setOpened(const QString& file, const SessionContents& contents) {
-  m_file = file;
-  m_takes = SessionTakes(contents);
-  m_lastState = {};
-  m_lastState.bytes = static_cast<std::uint64_t>(QFileInfo(file).size());
-  update();
-  showTakes();
-  emit fileChanged();
+/// The file of the session that was opened, with its takes.
+void TakeDesk::takeFile() {
+  const Material& material = m_window.session()->material();
+  if (material.recorded) {
+    m_takes = SessionTakes(material.recorded->contents);
+    m_lastState = {};
+    setFile(QString::fromStdString(material.recorded->file));
+    showTakes();
+  } else if (material.project && material.project->reading.is_saved && m_file.isEmpty() &&
+             !material.project->file.empty()) {
+    setFile(QString::fromStdString(material.project->file));
+  }
 }
 
 void TakeDesk::setFile(const QString& file) {

@@ -47,8 +47,6 @@ class TakeDesk : public QObject {
 
   /// File of the session; empty = none.
   const QString& file() const { return m_file; }
-  /// Sets the session opened from a file, with its takes.
-  void setOpened(const QString& file, const SessionContents& contents);
   /// Continues the session in this file. Not during recording.
   void setFile(const QString& file);
   /// Edits of takes that are not yet in the file.
@@ -74,6 +72,7 @@ class TakeDesk : public QObject {
   void follow();
   void update();
   void showTakes();
+  void takeFile();
   void onSessionEnding();
   void writeEdits();
   void writeMarkers();

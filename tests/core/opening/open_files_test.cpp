@@ -5,6 +5,7 @@
 
 #include "core/opening/generated_set.hpp"
 #include "core/opening/joint_maps.hpp"
+#include "core/opening/prepared_solver.hpp"
 #include "tests/core/opening/opening_files.hpp"
 
 namespace abrazo::open_files_test {
@@ -85,6 +86,84 @@ TEST_F(OpenFiles, AJointMapThatWasRememberedIsTriedWhereNoneFits) {
   const auto tried = open_files({recognised({arm, manifest}), {}, file("maps"), "", {}}, {});
   EXPECT_TRUE(tried || tried.error().text().find("no joint map fits") == std::string::npos)
       << tried.error().text();
+}
+
+/// A session whose library was moved, and a question that counts and answers with the new place.
+class MovedLibrary : public OpenFiles {
+ protected:
+  MovedLibrary() {
+    Material built = test::built_of(manifest);
+    built.library_file = file("lib.h5");
+    EXPECT_TRUE(write_library(*built.library, built.library_file));
+    test::save(path, built);
+    std::filesystem::rename(built.library_file, moved);
+  }
+  Result<Material> opened_asking(std::vector<std::string> files, std::optional<Places> answer) {
+    OpeningWish wish{recognised(files), {}, "", "", {}};
+    wish.locate = [this, answer](const auto& project, const Progress&) {
+      ++asked;
+      missing = project->missing();
+      return answer;
+    };
+    return open_files(wish, {});
+  }
+  const std::string path = file("s.abrazo"), moved = file("moved.h5");
+  int asked = 0;
+  std::vector<std::size_t> missing;
+};
+
+TEST_F(MovedLibrary, IsAskedForOnceAndOpenedFromTheAnsweredPlace) {
+  const auto material = opened_asking({path}, Places{{0, moved}});
+  ASSERT_TRUE(material) << material.error().text();
+  EXPECT_EQ(asked, 1);
+  EXPECT_THAT(missing, ElementsAre(0U));
+  EXPECT_EQ(material->library_file, moved);
+  EXPECT_THAT(material->warnings, IsEmpty());
+}
+
+TEST_F(MovedLibrary, IsReplacedByTheGeneratedDanceIfThePersonDoesWithoutIt) {
+  const auto material = opened_asking({path}, Places{{0, ""}});
+  ASSERT_TRUE(material) << material.error().text();
+  EXPECT_TRUE(material->stands_in);
+}
+
+TEST_F(MovedLibrary, IsNotOpenedIfThePersonCancels) {
+  const auto material = opened_asking({path}, std::nullopt);
+  ASSERT_FALSE(material);
+  EXPECT_EQ(material.error().message, "cancelled");
+}
+
+TEST_F(MovedLibrary, IsNotAskedForIfALibraryIsOpenedWithTheSession) {
+  const auto material = opened_asking({path, moved}, std::nullopt);
+  ASSERT_TRUE(material) << material.error().text();
+  EXPECT_EQ(asked, 0);
+  EXPECT_EQ(material->library_file, moved);
+}
+
+TEST_F(OpenFiles, VideosOfAProjectAreWhereTheyWereFoundOrWereLast) {
+  OpenedProject project;
+  for (const char* name : {"here.mp4", "gone.mp4"}) {
+    project.reading.project.data.push_back({});
+    project.reading.project.data.back().use = DataReference::Use::Video;
+    project.reading.project.data.back().absolute_path = std::string("/then/") + name;
+    project.found.emplace_back();
+  }
+  project.found[0].path = "/now/here.mp4";
+  for (const int data : {1, -1, 0, 2}) {
+    project.reading.project.videos.emplace_back();
+    project.reading.project.videos.back().data = data;
+  }
+  EXPECT_THAT(project.video_places(), ElementsAre("/then/gone.mp4", "", "/now/here.mp4", ""));
+}
+
+TEST_F(OpenFiles, AMotionWithoutFramesIsRefusedBeforeTheSessionEnds) {
+  Material material = *opened({manifest});
+  material.input.poses.clear();
+  const auto refused = prepare_solver(material, *preset("responsive"));
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().text(), HasSubstr("no frames; open another one"));
+  material.recorded = std::make_shared<const RecordedSession>();
+  EXPECT_TRUE(prepare_solver(material, *preset("responsive"))) << "its frames are the recorded ones";
 }
 
 }  // namespace
