@@ -81,7 +81,7 @@ class BuiltSession : public DemoWindow {
   static bool begins(const std::function<void()>& doing) {
     bool begun = false;
     const auto link =
-        QObject::connect(&window(), &MainWindow::sessionStarted, &window(), [&begun] { begun = true; });
+        QObject::connect(&window().document(), &Document::began, &window(), [&begun] { begun = true; });
     doing();
     const bool done = until([&begun] { return begun || dialog(); });
     QObject::disconnect(link);

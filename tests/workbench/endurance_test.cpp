@@ -92,7 +92,7 @@ TEST(StatusLines, OfAWindowWithoutASessionALineIsWholeJson) {
   UserSettings remembered;
   MainWindow window(remembered);
   const Responsiveness responsiveness;
-  StatusLines lines(window, responsiveness, 1, [](const std::string&) {});
+  StatusLines lines(window.document(), window.scene(), responsiveness, 1, [](const std::string&) {});
   const std::string line = lines.line();
   ASSERT_EQ(line.back(), '\n');
   const Json json = Json::parse(line);

@@ -77,7 +77,7 @@ void dismiss_next_dialog() {
 int sessions_begun = 0;
 void count_sessions() {
   sessions_begun = 0;
-  QObject::connect(window, &MainWindow::sessionStarted, window, [] { ++sessions_begun; });
+  QObject::connect(&window->document(), &Document::began, window, [] { ++sessions_begun; });
 }
 
 int pictures_in(const QString& folder) {

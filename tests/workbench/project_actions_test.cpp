@@ -46,7 +46,7 @@ class ProjectActions : public DemoWindow {
   static void reopen(const std::function<void()>& open) {
     bool begun = false;
     const auto link =
-        QObject::connect(&window(), &MainWindow::sessionStarted, &window(), [&begun] { begun = true; });
+        QObject::connect(&window().document(), &Document::began, &window(), [&begun] { begun = true; });
     open();
     ASSERT_TRUE(until([&begun] { return begun; })) << window().messages().text().toStdString();
     QObject::disconnect(link);

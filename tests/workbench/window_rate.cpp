@@ -228,7 +228,7 @@ void measure(MainWindow& window, Responsiveness& responsiveness, const Asked& as
   Measurement measurement(window, responsiveness, asked.seconds);
   bool opened = false, failed = false;
   const QObject here;
-  QObject::connect(&window, &MainWindow::sessionStarted, &here, [&opened] { opened = true; });
+  QObject::connect(&window.document(), &Document::began, &here, [&opened] { opened = true; });
   QObject::connect(&window, &MainWindow::failed, &here, [&failed](const QString& why) {
     failed = true;
     std::printf("could not be opened: %s\n", why.toUtf8().constData());

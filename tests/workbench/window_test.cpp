@@ -259,7 +259,7 @@ TEST_F(Window, OpeningSomethingElseReplacesTheJobThatRuns) {
 }
 
 TEST_F(Window, AnotherMaterialReplacesTheSessionOnceItIsReady) {
-  QSignalSpy started(&window(), &MainWindow::sessionStarted);  // the next session may lie at the same address
+  QSignalSpy started(&window().document(), &Document::began);  // the next session may lie at the same address
   const auto index = shown();
   window().openDemo();
   EXPECT_TRUE(until([index] { return shown() > index; })) << "the old one runs until then";

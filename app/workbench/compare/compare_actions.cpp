@@ -59,18 +59,17 @@ void add_spans(MainWindow& window, QMenu* menu, ComparePanel& panel) {
 
 void add_compare_actions(MainWindow& window) {
   auto* panel = new ComparePanel;
-  panel->setColours(window.colours());
+  window.colour(panel);
   QDockWidget* dock = window.addPanel("compare", "Compare", panel, Qt::RightDockWidgetArea, true);
   if (QDockWidget* first = window.panels().panel("candidates")) first->raise();
-  QObject::connect(&window, &MainWindow::coloursChanged, panel, &ComparePanel::setColours);
-  auto* desk = new ComparisonDesk(window, *panel);
+  auto* desk = new ComparisonDesk(window.document(), window.ticker(), window.scene(), *panel);
   QObject::connect(panel, &ComparePanel::freezeRequested, desk, &ComparisonDesk::freeze);
   QObject::connect(panel, &ComparePanel::clearRequested, desk, [desk] { desk->setFrozen({}); });
   QObject::connect(panel, &ComparePanel::asideRequested, desk, &ComparisonDesk::setAside);
   QObject::connect(panel, &ComparePanel::swapRequested, desk, [&window, desk] { swap(window, *desk); });
   QObject::connect(panel, &ComparePanel::adoptRequested, desk, [&window, desk] { adopt(window, *desk); });
 
-  QMenu* menu = window.menu("Compare");
+  QMenu* menu = menu_of(window, "Compare");
   add_action(window, menu, "Freeze the settings as A", {QKeySequence("A")}, [&window, desk, dock] {
     window.panels().want("compare", true);
     dock->raise();

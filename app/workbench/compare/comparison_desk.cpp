@@ -1,7 +1,8 @@
 #include "app/workbench/compare/comparison_desk.hpp"
 
 #include "app/workbench/compare/comparison_words.hpp"
-#include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/document/document.hpp"
+#include "app/workbench/shell/frame_ticker.hpp"
 #include "widgets/compare/figure_rows.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 #include "widgets/settings/settings_panel.hpp"
@@ -23,19 +24,20 @@ std::optional<PairPose> pose_at(const FrameHistory& run, const FrameSnapshot& re
 
 }  // namespace
 
-ComparisonDesk::ComparisonDesk(MainWindow& window, ComparePanel& panel)
-    : QObject(&window), m_window(window), m_panel(panel) {
+ComparisonDesk::ComparisonDesk(Document& document, FrameTicker& ticker, widgets::SceneView& scene,
+                               ComparePanel& panel)
+    : QObject(&panel), m_document(document), m_ticker(ticker), m_scene(scene), m_panel(panel) {
   m_still.start();
-  connect(&window, &MainWindow::sessionStarted, this, &ComparisonDesk::startSession);
-  connect(&window, &MainWindow::sessionEnding, this, &ComparisonDesk::endSession);
-  connect(&window.ticker(), &FrameTicker::playbackChanged, this, &ComparisonDesk::refresh);
-  connect(&window.ticker(), &FrameTicker::frameReady, this, &ComparisonDesk::showGhosts);
+  connect(&document, &Document::began, this, &ComparisonDesk::startSession);
+  connect(&document, &Document::ending, this, &ComparisonDesk::endSession);
+  connect(&ticker, &FrameTicker::playbackChanged, this, &ComparisonDesk::refresh);
+  connect(&ticker, &FrameTicker::frameReady, this, &ComparisonDesk::showGhosts);
   connect(&panel, &ComparePanel::spanRequested, this, [this] {
     m_whatIf.asked.reset();
     m_cancelled.reset();
   });
   connect(&panel, &ComparePanel::cancelRequested, this, &ComparisonDesk::cancel);
-  connect(&panel, &ComparePanel::seekRequested, &window.ticker(), &FrameTicker::seek);
+  connect(&panel, &ComparePanel::seekRequested, &ticker, &FrameTicker::seek);
 }
 
 ComparisonDesk::~ComparisonDesk() = default;
@@ -46,7 +48,7 @@ bool ComparisonDesk::Work::isOf(const std::optional<ComparisonTask>& task) const
 
 void ComparisonDesk::startSession() {
   m_frozenAt_s = 0;
-  m_window.session()->holdSettings(m_isAside);
+  m_document.session()->holdSettings(m_isAside);
 }
 
 void ComparisonDesk::endSession() {
@@ -55,17 +57,17 @@ void ComparisonDesk::endSession() {
   m_shown.reset();
   m_listed.reset();
   m_cancelled.reset();
-  m_window.scene().showComparison({}, {});
+  m_scene.showComparison({}, {});
 }
 
 void ComparisonDesk::freeze() {
-  setFrozen(m_window.document().settings());
+  setFrozen(m_document.settings());
 }
 
 void ComparisonDesk::setFrozen(const std::optional<Settings>& settings) {
   if (!settings) setAside(false);
   m_frozen = settings;
-  const auto* history = m_window.ticker().history();
+  const auto* history = m_ticker.history();
   m_frozenAt_s = history ? history->span().last_s : 0;
   ask(m_shadow, std::nullopt);
   m_whatIf.asked.reset();
@@ -76,7 +78,7 @@ void ComparisonDesk::setFrozen(const std::optional<Settings>& settings) {
 void ComparisonDesk::setAside(bool on) {
   if (on && !m_frozen) freeze();
   m_isAside = on;
-  if (m_window.session()) m_window.session()->holdSettings(on);
+  if (m_document.session()) m_document.session()->holdSettings(on);
   emit asideChanged(on);
 }
 
@@ -87,18 +89,13 @@ void ComparisonDesk::cancel() {
 }
 
 CompareSituation ComparisonDesk::situation() const {
-  return {m_frozen,
-          m_window.document().settings(),
-          m_isAside,
-          m_window.ticker().playback(),
-          m_window.ticker().shown(),
-          m_panel.span(),
-          m_window.document().triedPin()};
+  return {m_frozen,       m_document.settings(), m_isAside, m_ticker.playback(), m_ticker.shown(),
+          m_panel.span(), m_document.triedPin()};
 }
 
 void ComparisonDesk::refresh() {
-  if (!m_window.session() || !m_window.ticker().history() || m_window.session()->looksElsewhere()) return;
-  if (m_window.ticker().playback().state == Playback::State::Following) m_window.document().tryPin({});
+  if (!m_document.session() || !m_ticker.history() || m_document.session()->looksElsewhere()) return;
+  if (m_ticker.playback().state == Playback::State::Following) m_document.tryPin({});
   const CompareSituation now = situation();
   const double cursor_s = now.shown ? now.shown->time_s : 0;
   const bool is_moving = now.playback.state != Playback::State::Following && cursor_s != m_cursor_s;
@@ -114,7 +111,7 @@ void ComparisonDesk::refresh() {
 
 void ComparisonDesk::plan(const CompareSituation& now) {
   const bool is_at_rest = m_still.elapsed() >= rest_ms;
-  const auto shadow = shadow_task(now, m_window.ticker().history()->span().last_s);
+  const auto shadow = shadow_task(now, m_ticker.history()->span().last_s);
   const bool is_same =
       shadow && m_shadow.asked && shadow->a == m_shadow.asked->a && shadow->b == m_shadow.asked->b;
   const bool differs = now.frozen && now.present != *now.frozen;
@@ -138,10 +135,10 @@ void ComparisonDesk::ask(Work& work, const std::optional<ComparisonTask>& task) 
     work.result.reset();
     return;
   }
-  const Material& material = m_window.session()->material();
+  const Material& material = m_document.session()->material();
   if (!work.runner)
     work.runner = std::make_unique<ComparisonRunner>(material.library, material.excluded_takes,
-                                                     m_window.session()->engine().history());
+                                                     m_document.session()->engine().history());
   work.runner->ask(*task);
 }
 
@@ -166,7 +163,7 @@ void ComparisonDesk::choose(const CompareSituation& now) {
 }
 
 void ComparisonDesk::showGhosts() {
-  const FrameSnapshotPtr& shown = m_window.ticker().shown();
+  const FrameSnapshotPtr& shown = m_ticker.shown();
   std::optional<PairPose> a, b;
   if (m_shown && shown) {
     // Recorded bodies are drawn already.
@@ -176,7 +173,7 @@ void ComparisonDesk::showGhosts() {
     if (a && *a == shown->result.result) a.reset();
     if (b && *b == shown->result.result) b.reset();
   }
-  m_window.scene().showComparison(a, b);
+  m_scene.showComparison(a, b);
 }
 
 void ComparisonDesk::showPanel(const CompareSituation& now) {

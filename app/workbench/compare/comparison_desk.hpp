@@ -9,16 +9,22 @@
 #include "core/session/run/comparison_runner.hpp"
 #include "widgets/compare/compare_panel.hpp"
 
+namespace abrazo::widgets {
+class SceneView;
+}
+
 namespace abrazo::app {
 
-class MainWindow;
+class Document;
+class FrameTicker;
 
 /// Keeps A, determines what is compared, and passes results from the runners to panel and scene.
 class ComparisonDesk : public QObject {
   Q_OBJECT
  public:
-  /// Both outlive the desk.
-  ComparisonDesk(MainWindow& window, widgets::ComparePanel& panel);
+  /// All outlive the desk, which belongs to the panel.
+  ComparisonDesk(Document& document, FrameTicker& ticker, widgets::SceneView& scene,
+                 widgets::ComparePanel& panel);
   ~ComparisonDesk() override;
 
   const std::optional<Settings>& frozen() const { return m_frozen; }
@@ -62,7 +68,9 @@ class ComparisonDesk : public QObject {
   void showGhosts();
   CompareSituation situation() const;
 
-  MainWindow& m_window;
+  Document& m_document;
+  FrameTicker& m_ticker;
+  widgets::SceneView& m_scene;
   widgets::ComparePanel& m_panel;
   std::optional<Settings> m_frozen;
   double m_frozenAt_s = 0;

@@ -121,11 +121,10 @@ void add_sweep_actions(MainWindow& window) {
   auto* panel = new SweepPanel(dialog);
   column->addWidget(panel);
   auto* run = new SweepRun(&window);
-  panel->setColours(window.colours());
+  window.colour(panel);
   panel->form().setMetrics(metric_names(), "partner.mean_joint_error_m");
   connect_run(window, *panel, *run);
-  QObject::connect(&window, &MainWindow::coloursChanged, panel, &SweepPanel::setColours);
-  QObject::connect(&window, &MainWindow::sessionStarted, run, [&window, panel, run] {
+  QObject::connect(&window.document(), &Document::began, run, [&window, panel, run] {
     const auto& library = window.session()->material().library;
     std::vector<std::string> takes;
     for (const LibraryTake& take : library->takes()) takes.push_back(take.name);
@@ -142,7 +141,7 @@ void add_sweep_actions(MainWindow& window) {
     dialog->raise();
     dialog->activateWindow();
   };
-  QMenu* menu = window.menu("Solve");
+  QMenu* menu = menu_of(window, "Solve");
   add_action(window, menu, "Sweep two settings\u2026", {}, [open] { open({}); });
   QObject::connect(&window.settings(), &widgets::SettingsPanel::sweepRequested, dialog, open);
 }

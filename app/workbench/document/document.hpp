@@ -63,6 +63,8 @@ class Document : public QObject {
   /// Replaces the session; views must have released the previous one. In this order: `began`, the contents of
   /// the session's file part by part, `opened`.
   void openSession(PreparedSolver prepared);
+  /// Call before openSession and endSession, while the session is whole.
+  void finishSession() { emit ending(); }
   void endSession() { m_session.reset(); }
   /// Continues the session with another library: a take was added or annotated.
   void replaceSolver(PreparedSolver prepared);
@@ -72,6 +74,8 @@ class Document : public QObject {
   void setSubject(const std::string& subject);
 
  signals:
+  /// The session is about to end: rooms end their work with it and release its objects.
+  void ending();
   /// A session runs; views and rooms begin anew. The contents of its file follow.
   void began();
   /// All of the session's file is in the document.

@@ -76,7 +76,7 @@ void start(MainWindow& window, ExportDialog& dialog, ExportDesk& desk) {
 void add_export_actions(MainWindow& window, ExportSources sources) {
   auto* desk = new ExportDesk(window, std::move(sources));
   auto* dialog = new ExportDialog(&window);
-  QMenu* menu = window.menu("File");
+  QMenu* menu = menu_of(window, "File");
   const auto show = [&window, dialog, desk](bool labels) {
     if (!window.session()) return window.messages().showInformation("Nothing is open yet");
     dialog->offer(desk->offer());
@@ -87,7 +87,7 @@ void add_export_actions(MainWindow& window, ExportSources sources) {
     dialog->activateWindow();
   };
   QAction* open = add_action(window, menu, "Export…", {}, [show] { show(false); });
-  QMenu* annotation = window.menu("Annotation");
+  QMenu* annotation = menu_of(window, "Annotation");
   QAction* labels = add_action(window, annotation, "Export labels…", {}, [show] { show(true); });
   if (QAction* import = action_of(window, "annotation.import_labels")) {
     move_before(*annotation, labels, import);

@@ -1,6 +1,5 @@
 #include "app/workbench/export/export_desk.hpp"
 
-#include <QBoxLayout>
 #include <QDesktopServices>
 #include <QFileInfo>
 #include <QUrl>
@@ -35,11 +34,9 @@ double rate_of(const FrameHistory& history) {
 
 ExportDesk::ExportDesk(MainWindow& window, ExportSources sources)
     : QObject(&window), m_window(window), m_sources(std::move(sources)) {
-  m_bar = new widgets::OfferBar(window.messages().parentWidget());
-  m_bar->setColours(window.colours());
-  if (auto* column = qobject_cast<QBoxLayout*>(window.messages().parentWidget()->layout()))
-    column->insertWidget(1, m_bar);
-  connect(&window, &MainWindow::coloursChanged, m_bar, &widgets::OfferBar::setColours);
+  m_bar = new widgets::OfferBar;
+  window.colour(m_bar);
+  window.addBelowMessages(m_bar);
   connect(&window.messages(), &widgets::MessageBar::cancelRequested, this, [this] {
     if (m_job) m_job->cancel();
   });

@@ -56,7 +56,7 @@ void show_state(MainWindow& window, const Film& film, QLabel& mark, QAction& oth
 
 Film make_film(MainWindow& window, const QString& text, ViewRecording::TakePicture take) {
   auto* recording = new ViewRecording(std::move(take), &window);
-  QAction* action = add_action(window, window.menu("File"), text, {}, [&window, recording] {
+  QAction* action = add_action(window, menu_of(window, "File"), text, {}, [&window, recording] {
     if (recording->isRunning()) return recording->stop();
     if (recording->isBusy())
       return window.messages().showInformation("A recording is being started or written; wait a moment");
@@ -132,7 +132,7 @@ void add_recording_actions(MainWindow& window, RenderDialog& dialog) {
     QObject::connect(film.recording, &ViewRecording::progressed, mark, show);
     QObject::connect(film.recording, &ViewRecording::stopped, mark, show);
   }
-  add_action(window, window.menu("File"), "Render range…", {},
+  add_action(window, menu_of(window, "File"), "Render range…", {},
              [&window, &dialog] { open_dialog(window, dialog); });
   QObject::connect(&dialog, &RenderDialog::renderRequested, &window, [&window, &dialog] {
     RangeRequest request = dialog.request();

@@ -5,6 +5,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
 #include <QStandardItemModel>
@@ -16,13 +17,12 @@
 #include "app/workbench/keys/command_meaning.hpp"
 #include "app/workbench/keys/command_row.hpp"
 #include "app/workbench/shell/actions.hpp"
-#include "app/workbench/shell/main_window.hpp"
 #include "widgets/common/theme.hpp"
 
 namespace abrazo::app {
 namespace {
 
-QAction* find_action(MainWindow& window, const QString& text) {
+QAction* find_action(QMainWindow& window, const QString& text) {
   for (QAction* action : window.actions())
     if (action->text() == text && action->isEnabled()) return action;
   return nullptr;
@@ -30,7 +30,7 @@ QAction* find_action(MainWindow& window, const QString& text) {
 
 /// The enabled actions that answer what was typed, best first, with their present keys; all of them while
 /// nothing is typed.
-void fill(const MainWindow& window, QStandardItemModel& model, const QString& typed) {
+void fill(const QMainWindow& window, QStandardItemModel& model, const QString& typed) {
   std::vector<std::pair<int, const QAction*>> found;
   for (const QAction* action : window.actions()) {
     if (action->text().isEmpty() || action->isSeparator() || !action->isEnabled()) continue;
@@ -51,7 +51,7 @@ void fill(const MainWindow& window, QStandardItemModel& model, const QString& ty
 /// The list is rebuilt whenever the field gets the keyboard: actions come, go and change their words.
 class FillOnFocus : public QObject {
  public:
-  FillOnFocus(const MainWindow& window, QLineEdit* field, QStandardItemModel* model)
+  FillOnFocus(const QMainWindow& window, QLineEdit* field, QStandardItemModel* model)
       : QObject(field), m_window(window), m_field(field), m_model(model) {
     field->installEventFilter(this);
     connect(field, &QLineEdit::textEdited, this,
@@ -66,7 +66,7 @@ class FillOnFocus : public QObject {
   }
 
  private:
-  const MainWindow& m_window;
+  const QMainWindow& m_window;
   QLineEdit* m_field;
   QStandardItemModel* m_model;
 };
@@ -94,7 +94,7 @@ class LeaveOnEscape : public QObject {
 
 }  // namespace
 
-void add_command_search(MainWindow& window) {
+void add_command_search(QMainWindow& window) {
   auto* name = new QLabel("  Abrazo  ", &window);
   name->setFont(widgets::interface_font(13, QFont::Bold));
   window.menuBar()->setCornerWidget(name, Qt::TopLeftCorner);
@@ -136,7 +136,7 @@ void add_command_search(MainWindow& window) {
   QObject::connect(field, &QLineEdit::returnPressed, field, [field, run] {
     if (!field->text().isEmpty()) run(field->text());
   });
-  add_action(window, window.menu("Help"), "Search commands", {QKeySequence("Ctrl+P"), QKeySequence("F3")},
+  add_action(window, menu_of(window, "Help"), "Search commands", {QKeySequence("Ctrl+P"), QKeySequence("F3")},
              [field] {
                field->setFocus();
                field->selectAll();

@@ -80,7 +80,7 @@ void show_keys(MainWindow& window, Shortcuts& shortcuts) {
 }  // namespace
 
 void add_help_actions(MainWindow& window, Shortcuts& shortcuts) {
-  QMenu* menu = window.menu("Help");
+  QMenu* menu = menu_of(window, "Help");
   add_action(window, menu, "Help", {QKeySequence("F1")},
              [&window, &shortcuts, help = QPointer<HelpWindow>()]() mutable {
                if (!help) help = new HelpWindow(&window);

@@ -103,7 +103,7 @@ void add_tiers(MainWindow& window, QMenu* menu, AnnotationDesk& desk) {
 
 void add_annotation_actions(MainWindow& window, AnnotationDesk& desk, LabelKeyFilter& keys) {
   auto* questions = new LabelQuestions(window, desk);
-  QMenu* menu = window.menu("Annotation");
+  QMenu* menu = menu_of(window, "Annotation");
   add_subjects(window, menu, desk);
   menu->addSeparator();
   add_label_actions(window, desk, *questions);

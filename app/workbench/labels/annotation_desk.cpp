@@ -45,11 +45,10 @@ AnnotationDesk::AnnotationDesk(MainWindow& window)
       m_panel(new AnnotationPanel),
       m_feed(new LibraryFeed(window.document(), this)),
       m_stage(std::make_unique<SubjectStage>(window)) {
-  m_panel->setColours(window.colours());
+  window.colour(m_panel);
   window.addPanel(panel_id, "Annotation", m_panel, Qt::RightDockWidgetArea, false);
-  connect(&window, &MainWindow::coloursChanged, m_panel, &AnnotationPanel::setColours);
-  connect(&window, &MainWindow::sessionStarted, this, &AnnotationDesk::onSessionStarted);
-  connect(&window, &MainWindow::sessionEnding, this, [this] {
+  connect(&window.document(), &Document::began, this, &AnnotationDesk::onSessionStarted);
+  connect(&window.document(), &Document::ending, this, [this] {
     m_feed->forget();
     m_stage->forget();
   });

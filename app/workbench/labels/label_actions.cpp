@@ -44,7 +44,7 @@ void add_nudges(MainWindow& window, AnnotationDesk& desk, QMenu* menu) {
 }  // namespace
 
 void add_label_actions(MainWindow& window, AnnotationDesk& desk, LabelQuestions& questions) {
-  QMenu* menu = window.menu("Annotation");
+  QMenu* menu = menu_of(window, "Annotation");
   using Edit = Result<LabelEdit> (*)(const Annotations&, const EditPlace&);
   const auto add_edit = [&](const char* name, const char* key, Edit edit) {
     add_action(window, menu, name, {QKeySequence(key)},

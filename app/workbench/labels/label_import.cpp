@@ -3,7 +3,6 @@
 #include <QComboBox>
 #include <QDialog>
 #include <QDialogButtonBox>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
 #include <QLabel>
@@ -11,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "app/workbench/base/error_words.hpp"
+#include "app/workbench/base/file_dialogs.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "widgets/common/message_bar.hpp"
@@ -29,12 +29,9 @@ LabelImport::LabelImport(MainWindow& window, AnnotationDesk& desk)
 }
 
 void LabelImport::choose() {
-  const QStringList files =
-      QFileDialog::getOpenFileNames(&m_window, "Import labels", m_window.remembered().lastFolder(),
-                                    "Labels (*.eaf *.csv *.json *.vtt *.srt);;All files (*)");
-  if (files.isEmpty()) return;
-  m_window.remembered().setLastFolder(QFileInfo(files.front()).absolutePath());
-  read(files);
+  const QStringList files = ask_files(&m_window, m_window.remembered(), "Import labels",
+                                      "Labels (*.eaf *.csv *.json *.vtt *.srt);;All files (*)");
+  if (!files.isEmpty()) read(files);
 }
 
 void LabelImport::read(const QStringList& files) {

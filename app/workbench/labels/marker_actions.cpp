@@ -90,7 +90,7 @@ void jump(MainWindow& window, const AnnotationDesk& desk, bool on) {
 }  // namespace
 
 void add_marker_actions(MainWindow& window, AnnotationDesk& desk) {
-  QMenu* menu = window.menu("Timeline");
+  QMenu* menu = menu_of(window, "Timeline");
   TimelineView& timeline = window.timeline();
   add_action(window, menu, "Marker", {QKeySequence("M")},
              [&window] { add(window, window.ticker().playback().cursor_s, {}); });

@@ -8,7 +8,7 @@ namespace abrazo::app {
 
 void add_suggestion_actions(MainWindow& window, AnnotationDesk& annotations) {
   auto* desk = new SuggestionDesk(window, annotations);
-  QMenu* menu = window.menu("Annotation");
+  QMenu* menu = menu_of(window, "Annotation");
   menu->addSeparator();
   add_action(window, menu, "Suggest labels", {QKeySequence("Ctrl+G")},
              [desk] { desk->suggest(true, false); });

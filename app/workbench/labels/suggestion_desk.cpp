@@ -25,10 +25,9 @@ using widgets::text;
 
 SuggestionDesk::SuggestionDesk(MainWindow& window, AnnotationDesk& annotations)
     : QObject(&window), m_window(window), m_annotations(annotations), m_section(new SuggestionSection) {
-  m_section->setColours(window.colours());
+  window.colour(m_section);
   annotations.panel().addSection(m_section);
-  connect(&window, &MainWindow::coloursChanged, m_section, &SuggestionSection::setColours);
-  connect(&window, &MainWindow::sessionEnding, this, [this] { cancel(); });
+  connect(&window.document(), &Document::ending, this, [this] { cancel(); });
   connect(&annotations, &AnnotationDesk::changed, this,
           [this] { m_section->showSuggestions(m_annotations.annotations()); });
   connect(&annotations, &AnnotationDesk::subjectChanged, this, &SuggestionDesk::cancel);

@@ -1,8 +1,7 @@
 #include <QAction>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QMenu>
 
+#include "app/workbench/base/file_dialogs.hpp"
 #include "app/workbench/library/import_desk.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
@@ -13,20 +12,18 @@ namespace abrazo::app {
 namespace {
 
 void import_motion(MainWindow& window, ImportDesk& desk) {
-  const QStringList files = QFileDialog::getOpenFileNames(
-      &window, "Import a motion", window.remembered().lastFolder(),
-      QString("Motions, their skeleton and joint map (%1 *.json);;All files (*)")
-          .arg(QString::fromStdString(motion_file_patterns(true))));
-  if (files.isEmpty()) return;
-  window.remembered().setLastFolder(QFileInfo(files.front()).absolutePath());
-  desk.offer(files);
+  const QStringList files =
+      ask_files(&window, window.remembered(), "Import a motion",
+                QString("Motions, their skeleton and joint map (%1 *.json);;All files (*)")
+                    .arg(QString::fromStdString(motion_file_patterns(true))));
+  if (!files.isEmpty()) desk.offer(files);
 }
 
 }  // namespace
 
 void add_import_actions(MainWindow& window) {
   auto* desk = new ImportDesk(window);
-  QMenu* menu = window.menu("File");
+  QMenu* menu = menu_of(window, "File");
   QAction* const import = add_action(window, menu, "Import motion…", {QKeySequence("Ctrl+Shift+I")},
                                      [&window, desk] { import_motion(window, *desk); });
   QAction* const anew = add_action(window, menu, "Import options of the open motion…", {}, [&window, desk] {

@@ -1,8 +1,7 @@
 #include <QAction>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QMenu>
 
+#include "app/workbench/base/file_dialogs.hpp"
 #include "app/workbench/library/library_desk.hpp"
 #include "app/workbench/library/mapping_desk.hpp"
 #include "app/workbench/library/retarget_desk.hpp"
@@ -14,12 +13,9 @@ namespace abrazo::app {
 namespace {
 
 void open_library(MainWindow& window) {
-  const QStringList files =
-      QFileDialog::getOpenFileNames(&window, "Open a library", window.remembered().lastFolder(),
-                                    "Libraries and manifests (*.h5 *.hdf5 *.json)");
-  if (files.isEmpty()) return;
-  window.remembered().setLastFolder(QFileInfo(files.front()).absolutePath());
-  window.openFiles(files);
+  const QStringList files = ask_files(&window, window.remembered(), "Open a library",
+                                      "Libraries and manifests (*.h5 *.hdf5 *.json)");
+  if (!files.isEmpty()) window.openFiles(files);
 }
 
 }  // namespace
@@ -28,7 +24,7 @@ void add_library_actions(MainWindow& window) {
   new MappingDesk(window);
   auto* desk = new LibraryDesk(window);
   widgets::TakeList& takes = window.takes();
-  QMenu* menu = window.menu("Library");
+  QMenu* menu = menu_of(window, "Library");
   add_action(window, menu, "Build library…", {QKeySequence("Ctrl+B")}, [desk] { desk->offer({}); });
   add_action(window, menu, "Open library or manifest…", {}, [&window] { open_library(window); });
   menu->addSeparator();
@@ -45,7 +41,7 @@ void add_library_actions(MainWindow& window) {
   add_action(window, menu, "Retarget take…", {}, [retarget] { retarget->open(); });
   for (QAction* action : {play, dance, exclude}) {
     action->setEnabled(false);
-    QObject::connect(&window, &MainWindow::sessionStarted, action, [action] { action->setEnabled(true); });
+    QObject::connect(&window.document(), &Document::began, action, [action] { action->setEnabled(true); });
   }
 }
 

@@ -16,9 +16,9 @@ namespace abrazo::app {
 
 LibraryDesk::LibraryDesk(MainWindow& window) : QObject(&window), m_window(window) {
   connectBrowser();
-  connect(&window, &MainWindow::sessionStarted, this, &LibraryDesk::onSession);
+  connect(&window.document(), &Document::began, this, &LibraryDesk::onSession);
   connect(&window.document(), &Document::libraryReplaced, this, &LibraryDesk::onSession);
-  connect(&window, &MainWindow::sessionEnding, this, [this] { m_window.takes().stop(); });
+  connect(&window.document(), &Document::ending, this, [this] { m_window.takes().stop(); });
   connect(&window.ticker(), &FrameTicker::panelsDue, this, &LibraryDesk::onPanels);
   connect(&window, &MainWindow::motionsOffered, this, &LibraryDesk::offer);
   connect(&window, &MainWindow::coloursChanged, this, [this](const widgets::Palette& palette) {

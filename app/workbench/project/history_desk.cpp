@@ -71,8 +71,8 @@ RecordingFacts facts_of_history(const Material& material) {
 
 HistoryDesk::HistoryDesk(MainWindow& window) : QObject(&window), m_window(window) {
   setObjectName("history desk");
-  connect(&window, &MainWindow::sessionStarted, this, &HistoryDesk::begin);
-  connect(&window, &MainWindow::sessionEnding, this, &HistoryDesk::end);
+  connect(&window.document(), &Document::began, this, &HistoryDesk::begin);
+  connect(&window.document(), &Document::ending, this, &HistoryDesk::end);
   connect(&m_timer, &QTimer::timeout, this, &HistoryDesk::look);
   ask = [this](double seconds) {
     double bytes = 0;

@@ -10,7 +10,7 @@ namespace abrazo::app {
 
 ProjectDesk& add_project_actions(MainWindow& window, TakeDesk& takes) {
   auto* desk = new ProjectDesk(window, takes);
-  QMenu* menu = window.menu("File");
+  QMenu* menu = menu_of(window, "File");
   QAction* fresh =
       add_action(window, menu, "New session", {QKeySequence("Ctrl+N")}, [&window] { window.openDemo(); });
   move_before(*menu, fresh, action_of(window, "file.open"));
@@ -22,7 +22,7 @@ ProjectDesk& add_project_actions(MainWindow& window, TakeDesk& takes) {
   auto* history = new HistoryDesk(window);
   QObject::connect(desk, &ProjectDesk::leftForNextStart, history, &HistoryDesk::leave);
   QObject::connect(desk, &ProjectDesk::losingHistory, history, &HistoryDesk::leaveSession);
-  add_action(window, window.menu("Timeline"), "History on disk…", {}, [history] { history->askBound(); });
+  add_action(window, menu_of(window, "Timeline"), "History on disk…", {}, [history] { history->askBound(); });
   return *desk;
 }
 

@@ -71,7 +71,7 @@ ProjectDesk::ProjectDesk(MainWindow& window, TakeDesk& takes)
   askLibrary = [this] { return ask_about_library(m_window); };
   connect(&window, &MainWindow::leaving, this, &ProjectDesk::onLeaving);
   connect(&window.document(), &Document::opened, this, &ProjectDesk::onOpened);
-  connect(&window, &MainWindow::sessionEnding, this, [this] { m_hasSession = false; });
+  connect(&window.document(), &Document::ending, this, [this] { m_hasSession = false; });
   connect(&m_takes, &TakeDesk::fileChanged, this, &ProjectDesk::showTitle);
   connect(&m_autosave, &Autosave::failed, &window.messages(), &widgets::MessageBar::showError);
   connect(&m_autosave, &Autosave::kept, this, [this] {

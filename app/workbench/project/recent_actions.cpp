@@ -51,7 +51,7 @@ void remove_missing_recent(MainWindow& window) {
 }
 
 void add_recent_actions(MainWindow& window) {
-  QMenu* files = window.menu("File");
+  QMenu* files = menu_of(window, "File");
   auto* recent = new QMenu("Open recent", files);
   recent->setToolTipsVisible(true);
   files->insertMenu(files->actions().value(1), recent);  // below Open

@@ -1,4 +1,3 @@
-#include <QBoxLayout>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMenu>
@@ -68,17 +67,15 @@ void offer_leftovers(MainWindow& window, LeftoverBar& shown) {
 }
 
 LeftoverBar& add_session_actions(MainWindow& window) {
-  QMenu* menu = window.menu("File");
+  QMenu* menu = menu_of(window, "File");
   add_action(window, menu, "Open session…", {}, [&window] { choose_session(window); });
   QAction* open = menu->actions().back();
   menu->removeAction(open);
   menu->insertAction(menu->actions().value(1), open);  // below Open
 
-  auto* bar = new LeftoverBar(window.messages().parentWidget());
-  bar->setColours(window.colours());
-  if (auto* column = qobject_cast<QBoxLayout*>(window.messages().parentWidget()->layout()))
-    column->insertWidget(1, bar);
-  QObject::connect(&window, &MainWindow::coloursChanged, bar, &LeftoverBar::setColours);
+  auto* bar = new LeftoverBar;
+  window.colour(bar);
+  window.addBelowMessages(bar);
   QObject::connect(bar, &LeftoverBar::openRequested, &window,
                    [&window](const QString& file) { open_leftover(window, file); });
   QObject::connect(bar, &LeftoverBar::discardRequested, &window,

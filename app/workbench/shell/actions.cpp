@@ -1,12 +1,19 @@
 #include "app/workbench/shell/actions.hpp"
 
 #include <QAction>
+#include <QMainWindow>
 #include <QMenu>
+#include <QMenuBar>
 
 #include "app/workbench/base/action_id.hpp"
-#include "app/workbench/shell/main_window.hpp"
 
 namespace abrazo::app {
+
+QMenu* menu_of(QMainWindow& window, const QString& title) {
+  for (QAction* action : window.menuBar()->actions())
+    if (action->text() == title) return action->menu();
+  return window.menuBar()->addMenu(title);
+}
 
 QString menu_path(const QAction& action) {
   for (const QWidget* widget : action.associatedWidgets())
@@ -17,7 +24,7 @@ QString menu_path(const QAction& action) {
   return {};
 }
 
-QAction* add_action(MainWindow& window, QMenu* menu, const QString& text,
+QAction* add_action(QMainWindow& window, QMenu* menu, const QString& text,
                     std::initializer_list<QKeySequence> keys, std::function<void()> act) {
   auto* action = new QAction(text, &window);
   action->setShortcuts(QList<QKeySequence>(keys));
@@ -30,7 +37,7 @@ QAction* add_action(MainWindow& window, QMenu* menu, const QString& text,
   return action;
 }
 
-QAction* action_of(const MainWindow& window, const QString& id) {
+QAction* action_of(const QMainWindow& window, const QString& id) {
   for (QAction* action : window.actions())
     if (action->objectName() == id) return action;
   return nullptr;

@@ -5,8 +5,10 @@
 #include <initializer_list>
 
 class QAction;
+class QMainWindow;
 class QMenu;
 class QString;
+class QUndoStack;
 
 namespace abrazo {
 struct SweepOutcome;
@@ -14,12 +16,14 @@ struct SweepOutcome;
 
 namespace abrazo::widgets {
 class LeftoverBar;
+class SceneView;
 enum class PlotExport;
 }  // namespace abrazo::widgets
 
 namespace abrazo::app {
 
 class AnnotationDesk;
+class Document;
 class LabelKeyFilter;
 class LabelQuestions;
 class Layouts;
@@ -32,6 +36,7 @@ class TakeDesk;
 struct ExportSources;
 struct PairSources;
 struct RangeRequest;
+class UserSettings;
 
 /// Objects that the program needs after the window is assembled.
 struct Rooms {
@@ -43,15 +48,17 @@ struct Rooms {
 /// Adds all actions in menu order, for the program and for tests of the whole window.
 Rooms add_all_actions(MainWindow& window);
 
+/// The menu of the menu bar with this title, made by the first call.
+QMenu* menu_of(QMainWindow& window, const QString& title);
 /// "View > Layouts" for an action in a submenu.
 QString menu_path(const QAction& action);
 /// Adds an action with its keys to a menu; active in the whole window. Its id comes from menu and text, see
 /// action_id.hpp, and stays if the text changes.
-QAction* add_action(MainWindow& window, QMenu* menu, const QString& text,
+QAction* add_action(QMainWindow& window, QMenu* menu, const QString& text,
                     std::initializer_list<QKeySequence> keys, std::function<void()> act);
 
 /// Null if there is no action of this id.
-QAction* action_of(const MainWindow& window, const QString& id);
+QAction* action_of(const QMainWindow& window, const QString& id);
 /// Moves an action before another entry of its menu; no effect if the other is missing.
 void move_before(QMenu& menu, QAction* action, QAction* other);
 
@@ -67,16 +74,17 @@ void add_timeline_actions(MainWindow& window);
 void add_marker_actions(MainWindow& window, AnnotationDesk& desk);
 /// What the timeline shows; after the marker actions.
 void add_lane_actions(MainWindow& window);
-void add_camera_actions(MainWindow& window);
+void add_camera_actions(QMainWindow& window, widgets::SceneView& scene);
 void add_view_actions(MainWindow& window);
 Layouts& add_layout_actions(MainWindow& window);
 /// After the file actions.
 void add_recent_actions(MainWindow& window);
 /// After all actions that add a start to the welcome page.
 void add_welcome_actions(MainWindow& window);
-void add_scene_actions(MainWindow& window);
+void add_scene_actions(QMainWindow& window, widgets::SceneView& scene, UserSettings& remembered,
+                       QUndoStack& undo);
 /// Changes of the cutting plane become undo steps; called by the scene actions.
-void keep_cut_edits(MainWindow& window);
+void keep_cut_edits(widgets::SceneView& scene, QUndoStack& undo);
 /// Links the selection of all views.
 void add_selection_actions(MainWindow& window);
 /// Recording takes of a session.
@@ -91,7 +99,7 @@ void add_intended_move_actions(MainWindow& window);
 widgets::LeftoverBar& add_session_actions(MainWindow& window);
 /// New, save, save as: the session file with the project; after the session and recent file actions.
 ProjectDesk& add_project_actions(MainWindow& window, TakeDesk& takes);
-void add_solve_actions(MainWindow& window);
+void add_solve_actions(QMainWindow& window, Document& document);
 /// The user's own presets, and the settings of the shown frame.
 void add_preset_actions(MainWindow& window);
 /// The window for a sweep of two settings over the takes of the library.
@@ -117,7 +125,7 @@ void add_export_actions(MainWindow& window, ExportSources sources);
 void add_plot_actions(MainWindow& window);
 void add_help_actions(MainWindow& window, Shortcuts& shortcuts);
 /// The search field for actions at the right of the menu bar; after all other actions.
-void add_command_search(MainWindow& window);
+void add_command_search(QMainWindow& window);
 
 /// Restores size and layout of the window from its last closing; after all panels exist.
 void restore_last_layout(MainWindow& window, Layouts& layouts);

@@ -1,8 +1,8 @@
 #include <QAction>
+#include <QMainWindow>
 #include <QMenu>
 
 #include "app/workbench/shell/actions.hpp"
-#include "app/workbench/shell/main_window.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app {
@@ -30,9 +30,8 @@ constexpr Preset presets[] = {
 
 }  // namespace
 
-void add_camera_actions(MainWindow& window) {
-  QMenu* menu = window.menu("View");
-  widgets::SceneView& scene = window.scene();
+void add_camera_actions(QMainWindow& window, widgets::SceneView& scene) {
+  QMenu* menu = menu_of(window, "View");
   add_action(window, menu, "Show the selection, or all", {QKeySequence("F")},
              [&scene] { scene.frameSelection(); });
   add_action(window, menu, "Show all", {}, [&scene] { scene.frameAll(); });

@@ -3,7 +3,6 @@
 #include <QUndoStack>
 
 #include "app/workbench/shell/actions.hpp"
-#include "app/workbench/shell/main_window.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::app {
@@ -43,11 +42,10 @@ class CutStep : public QUndoCommand {
 
 }  // namespace
 
-void keep_cut_edits(MainWindow& window) {
-  SceneView& scene = window.scene();
-  QObject::connect(&scene, &SceneView::cutEdited, &window,
-                   [&window, &scene](const SceneOptions& before, const SceneOptions& after, int edit) {
-                     window.undoStack().push(new CutStep(scene, before, after, edit));
+void keep_cut_edits(SceneView& scene, QUndoStack& undo) {
+  QObject::connect(&scene, &SceneView::cutEdited, &undo,
+                   [&scene, &undo](const SceneOptions& before, const SceneOptions& after, int edit) {
+                     undo.push(new CutStep(scene, before, after, edit));
                    });
 }
 

@@ -89,7 +89,6 @@ void show_document(MainWindow& window) {
   QObject::connect(&document, &Document::triedPinChanged, &window,
                    [&window] { show_part(window, ProjectPart::Decisions); });
   QObject::connect(&document, &Document::began, &window, [&window] { show_session(window); });
-  QObject::connect(&document, &Document::began, &window, &MainWindow::sessionStarted);
   QObject::connect(&document, &Document::opened, &window, [&window] { show_contents(window); });
   connect(window.timeline(), &TimelineView::markersRequested, &Document::changeMarkers);
   QObject::connect(&document, &Document::changed, &window,

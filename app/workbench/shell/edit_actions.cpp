@@ -9,7 +9,7 @@
 namespace abrazo::app {
 
 void add_edit_actions(MainWindow& window) {
-  QMenu* menu = window.menu("Edit");
+  QMenu* menu = menu_of(window, "Edit");
   QAction* undo =
       add_action(window, menu, "Undo", {QKeySequence("Ctrl+Z")}, [&window] { window.undoStack().undo(); });
   QAction* redo = add_action(window, menu, "Redo", {QKeySequence("Ctrl+Shift+Z"), QKeySequence("Ctrl+Y")},

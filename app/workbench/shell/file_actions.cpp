@@ -1,7 +1,6 @@
 #include <QAction>
 #include <QClipboard>
 #include <QDateTime>
-#include <QFileDialog>
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QImage>
@@ -9,6 +8,7 @@
 #include <QSaveFile>
 #include <QStandardPaths>
 
+#include "app/workbench/base/file_dialogs.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/scene_picture.hpp"
@@ -20,14 +20,12 @@ namespace abrazo::app {
 namespace {
 
 void choose_files(MainWindow& window) {
-  const QStringList files = QFileDialog::getOpenFileNames(
-      &window, "Open", window.remembered().lastFolder(),
-      QString("All that Abrazo opens (%1 *.h5 *.json *.abrazo *.eaf);;Motions "
-              "(%1);;Libraries (*.h5 *.json);;Sessions (*.abrazo);;All files (*)")
-          .arg(QString::fromStdString(motion_file_patterns(true))));
-  if (files.isEmpty()) return;
-  window.remembered().setLastFolder(QFileInfo(files.front()).absolutePath());
-  window.openFiles(files);
+  const QStringList files =
+      ask_files(&window, window.remembered(), "Open",
+                QString("All that Abrazo opens (%1 *.h5 *.json *.abrazo *.eaf);;Motions "
+                        "(%1);;Libraries (*.h5 *.json);;Sessions (*.abrazo);;All files (*)")
+                    .arg(QString::fromStdString(motion_file_patterns(true))));
+  if (!files.isEmpty()) window.openFiles(files);
 }
 
 QString picture_file(const MainWindow& window) {
@@ -83,7 +81,7 @@ QString save_screenshot(MainWindow& window, const QString& file) {
 }
 
 void add_file_actions(MainWindow& window, RenderDialog& dialog) {
-  QMenu* menu = window.menu("File");
+  QMenu* menu = menu_of(window, "File");
   add_action(window, menu, "Open…", {QKeySequence("Ctrl+O")}, [&window] { choose_files(window); });
   add_action(window, menu, "Generated dance", {}, [&window] { window.openDemo(); });
   menu->addSeparator();

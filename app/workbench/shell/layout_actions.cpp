@@ -41,7 +41,7 @@ void fill(MainWindow& window, const Layouts& layouts, QMenu* menu, QAction* befo
 Layouts& add_layout_actions(MainWindow& window) {
   auto* layouts = new Layouts(window);
   QObject::connect(&window, &MainWindow::closing, layouts, &Layouts::saveLast);
-  QMenu* menu = window.menu("View")->addMenu("Layouts");
+  QMenu* menu = menu_of(window, "View")->addMenu("Layouts");
   for (const QString& name : Layouts::builtIn())
     add_action(window, menu, "Layout: " + name, {}, [layouts, name] { layouts->choose(name); });
   QAction* end_of_own = menu->addSeparator();
@@ -57,17 +57,16 @@ Layouts& add_layout_actions(MainWindow& window) {
   };
   QObject::connect(layouts, &Layouts::ownChanged, menu, refill, Qt::QueuedConnection);
   refill();
-  window.menu("View")->addSeparator();
-  add_action(window, window.menu("View"), "Next panel", {QKeySequence("F6")},
+  menu_of(window, "View")->addSeparator();
+  add_action(window, menu_of(window, "View"), "Next panel", {QKeySequence("F6")},
              [&window] { focus_panel(window, 1); });
-  add_action(window, window.menu("View"), "Previous panel", {QKeySequence("Shift+F6")},
+  add_action(window, menu_of(window, "View"), "Previous panel", {QKeySequence("Shift+F6")},
              [&window] { focus_panel(window, -1); });
   auto* log = new widgets::MessageLog;
-  log->setColours(window.colours());
-  QObject::connect(&window, &MainWindow::coloursChanged, log, &widgets::MessageLog::setColours);
+  window.colour(log);
   QObject::connect(&window.messages(), &widgets::MessageBar::told, log, &widgets::MessageLog::add);
   window.addPanel("messages", "Messages", log, Qt::BottomDockWidgetArea, false);
-  add_action(window, window.menu("View"), "Messages", {},
+  add_action(window, menu_of(window, "View"), "Messages", {},
              [&window] { window.panels().want("messages", true); });
   return *layouts;
 }

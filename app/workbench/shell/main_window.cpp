@@ -6,7 +6,6 @@
 #include <QFrame>
 #include <QHBoxLayout>
 #include <QMenu>
-#include <QMenuBar>
 #include <QMimeData>
 #include <QPointer>
 #include <QStatusBar>
@@ -88,24 +87,24 @@ MainWindow::MainWindow(UserSettings& remembered)
 
 MainWindow::~MainWindow() {
   m_job.reset();
-  emit sessionEnding();
+  m_document->finishSession();
   m_ticker.setSources(nullptr, nullptr);
   m_document->endSession();
 }
 
 QWidget* MainWindow::makeCentre() {
   auto* box = new QWidget(m_panels);
-  auto* column = columnIn(box);
+  m_column = columnIn(box);
   m_messages = new widgets::MessageBar(box);
   Job::tellFailures([to = QPointer(m_messages)](const QString& failure) {
     if (to) to->showError(failure);
   });
   m_selection = new widgets::SelectionModel(this);
   m_scene = new widgets::SceneView(box);
-  column->addWidget(m_messages);
+  m_column->addWidget(m_messages);
   m_sceneRow = new QHBoxLayout;
   m_sceneRow->addWidget(m_scene, 1);
-  column->addLayout(m_sceneRow, 1);
+  m_column->addLayout(m_sceneRow, 1);
   return box;
 }
 
@@ -259,12 +258,6 @@ void MainWindow::setTheme(widgets::Theme theme) {
   m_timeline->setColours(p);
   m_status->setColours(p);
   emit coloursChanged(p);
-}
-
-QMenu* MainWindow::menu(const QString& title) {
-  for (QAction* action : menuBar()->actions())
-    if (action->text() == title) return action->menu();
-  return menuBar()->addMenu(title);
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {

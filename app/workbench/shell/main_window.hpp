@@ -2,6 +2,7 @@
 
 #include <QMainWindow>
 #include <QTimer>
+#include <QVBoxLayout>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -63,10 +64,15 @@ class MainWindow : public QMainWindow {
 
   void setTheme(widgets::Theme theme);
   const widgets::Palette& colours() const { return *m_palette; }
-  QMenu* menu(const QString& title);
+  /// Gives a widget the colours, now and with every change.
+  template <typename Widget>
+  void colour(Widget* widget) {
+    widget->setColours(*m_palette);
+    connect(this, &MainWindow::coloursChanged, widget, &Widget::setColours);
+  }
 
   /// A panel beside or below the scene, with an entry under View > Panels. Adds it hidden unless `shown`;
-  /// give the content its colours now and with every coloursChanged.
+  /// `colour` gives the content its colours.
   /// @param id stable id in saved layouts
   /// @param content its SectionHeader of this title, if a direct child, becomes the panel's header
   QDockWidget* addPanel(const QString& id, const QString& title, QWidget* content, Qt::DockWidgetArea area,
@@ -77,6 +83,8 @@ class MainWindow : public QMainWindow {
   void showLeft(bool on);
   void showRight(bool on);
 
+  /// A bar above the scene.
+  void addBelowMessages(QWidget* bar) { m_column->insertWidget(1, bar); }
   /// Between the message bar and the timeline, left of the scene.
   void addBesideScene(QWidget* page);
   QWidget* besideScene() const { return m_besideScene; }  ///< may be null
@@ -106,9 +114,6 @@ class MainWindow : public QMainWindow {
   StatusFigures& status() const { return *m_status; }
 
  signals:
-  void sessionStarted();
-  /// Emitted before session() ends, to release its objects.
-  void sessionEnding();
   void coloursChanged(const abrazo::widgets::Palette& palette);
   void failed(const QString& message);
   /// More than one motion was opened, so the user must choose their use. May include videos.
@@ -160,6 +165,7 @@ class MainWindow : public QMainWindow {
   StatusFigures* m_status = nullptr;
   WorkSplit* m_split = nullptr;
   PanelArea* m_panels = nullptr;
+  QVBoxLayout* m_column = nullptr;
   QHBoxLayout* m_sceneRow = nullptr;
   QWidget* m_besideScene = nullptr;
   QMenu* m_panelMenu = nullptr;

@@ -101,7 +101,7 @@ void connect_views(MainWindow& window) {
 }  // namespace
 
 void add_playback_actions(MainWindow& window) {
-  QMenu* menu = window.menu("Play");
+  QMenu* menu = menu_of(window, "Play");
   FrameTicker& ticker = window.ticker();
   const auto add = [&](const QString& text, const char* key, std::function<void()> act) {
     add_action(window, menu, text, {QKeySequence(key)}, std::move(act));

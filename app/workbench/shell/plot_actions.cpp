@@ -1,11 +1,10 @@
 #include <QAction>
 #include <QBuffer>
 #include <QDateTime>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QMenu>
 
 #include "app/workbench/base/error_words.hpp"
+#include "app/workbench/base/file_dialogs.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "core/base/atomic_file.hpp"
@@ -37,13 +36,10 @@ std::string content_of(PlotPanel& plots, PlotExport what) {
 
 void choose_export(MainWindow& window, PlotExport what) {
   const QString ending = ending_of(what);
-  const QString proposed = window.remembered().lastFolder() + "/plots-" +
-                           QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss") + "." + ending;
-  QString file = QFileDialog::getSaveFileName(
-      &window, "Export plots", proposed, QString("%1 (*.%2);;All files (*)").arg(ending.toUpper(), ending));
+  const QString name = "plots-" + QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss") + "." + ending;
+  const QString file = ask_new_file(&window, window.remembered(), "Export plots", name, "." + ending,
+                                    QString("%1 (*.%2);;All files (*)").arg(ending.toUpper(), ending));
   if (file.isEmpty()) return;
-  if (QFileInfo(file).suffix().isEmpty()) file += "." + ending;
-  window.remembered().setLastFolder(QFileInfo(file).absolutePath());
   const QString trouble = save_plots(window, what, file);
   trouble.isEmpty() ? window.messages().succeed("plots", "Plots written to " + file)
                     : window.messages().showErrorOf("plots", trouble);
@@ -82,7 +78,7 @@ QString save_plots(MainWindow& window, widgets::PlotExport what, const QString& 
 }
 
 void add_plot_actions(MainWindow& window) {
-  QMenu* menu = window.menu("Plots");
+  QMenu* menu = menu_of(window, "Plots");
   PlotPanel& plots = window.plots();
   plots.setArrangement(widgets::arrangement_of(window.remembered().plots().toStdString()));
   QObject::connect(&plots, &PlotPanel::arrangementChanged, &window, [&window, &plots] {

@@ -1,10 +1,11 @@
 #include <QAction>
 #include <QActionGroup>
+#include <QMainWindow>
 #include <QMenu>
 #include <QTimer>
 
+#include "app/workbench/base/user_settings.hpp"
 #include "app/workbench/shell/actions.hpp"
-#include "app/workbench/shell/main_window.hpp"
 #include "widgets/scene/values/scene_memory.hpp"
 #include "widgets/scene/values/scene_tree_rows.hpp"
 #include "widgets/scene/view/scene_view.hpp"
@@ -18,9 +19,8 @@ using widgets::ScenePart;
 using widgets::SceneView;
 
 /// A checkable action bound to a scene option.
-void add_option(MainWindow& window, QMenu* menu, const QString& text, const char* key,
+void add_option(QMainWindow& window, SceneView& scene, QMenu* menu, const QString& text, const char* key,
                 bool SceneOptions::*option) {
-  SceneView& scene = window.scene();
   QAction* action = add_action(window, menu, text, {QKeySequence(key)}, [] {});
   action->setCheckable(true);
   QObject::connect(action, &QAction::toggled, &scene, [&scene, option](bool on) {
@@ -32,8 +32,8 @@ void add_option(MainWindow& window, QMenu* menu, const QString& text, const char
                    [action, option](const SceneOptions& options) { action->setChecked(options.*option); });
 }
 
-void add_part(MainWindow& window, QMenu* menu, const QString& text, const char* key, ScenePart part) {
-  SceneView& scene = window.scene();
+void add_part(QMainWindow& window, SceneView& scene, QMenu* menu, const QString& text, const char* key,
+              ScenePart part) {
   const auto place = static_cast<std::size_t>(part);
   QAction* action = add_action(window, menu, text, {QKeySequence(key)}, [] {});
   action->setCheckable(true);
@@ -48,8 +48,7 @@ void add_part(MainWindow& window, QMenu* menu, const QString& text, const char* 
       [action, place](const widgets::PartVisibility& visible) { action->setChecked(visible[place]); });
 }
 
-void add_navigation(MainWindow& window, QMenu* menu) {
-  SceneView& scene = window.scene();
+void add_navigation(QMainWindow& window, SceneView& scene, QMenu* menu) {
   QMenu* styles = menu->addMenu("Mouse as in");
   auto* group = new QActionGroup(styles);
   const auto add = [&](const QString& name, NavigationStyle style) {
@@ -72,8 +71,7 @@ void add_navigation(MainWindow& window, QMenu* menu) {
 }
 
 /// Alt+1 to Alt+9: the rows of the scene tree, groups included.
-void add_rows(MainWindow& window, QMenu* menu) {
-  SceneView& scene = window.scene();
+void add_rows(QMainWindow& window, SceneView& scene, QMenu* menu) {
   QMenu* rows = menu->addMenu("Show or hide");
   for (std::size_t r = 0; r < widgets::rows_with_keys; ++r) {
     const widgets::TreeRow& row = widgets::part_rows()[r];
@@ -83,12 +81,11 @@ void add_rows(MainWindow& window, QMenu* menu) {
   }
 }
 
-void add_cut(MainWindow& window, QMenu* menu) {
+void add_cut(QMainWindow& window, SceneView& scene, QMenu* menu, QUndoStack& undo) {
   constexpr double step_m = 0.05, step_rad = 0.08726646259971647;  // 5 cm, 5 degrees
-  SceneView& scene = window.scene();
   QMenu* cut = menu->addMenu("Cutting plane");
-  add_option(window, cut, "Cut", "C", &SceneOptions::cuts);
-  add_option(window, cut, "Plane stays in the world", "Shift+C", &SceneOptions::cut_in_world);
+  add_option(window, scene, cut, "Cut", "C", &SceneOptions::cuts);
+  add_option(window, scene, cut, "Plane stays in the world", "Shift+C", &SceneOptions::cut_in_world);
   const auto add = [&](const char* text, const char* key, double by, double turn, double tilt) {
     add_action(window, cut, text, {QKeySequence(key)},
                [&scene, by, turn, tilt] { scene.moveCut(by, turn, tilt); });
@@ -99,22 +96,21 @@ void add_cut(MainWindow& window, QMenu* menu) {
   add("Turn the plane right", "Alt+Right", 0, step_rad, 0);
   add("Tilt the plane up", "Alt+Up", 0, 0, step_rad);
   add("Tilt the plane down", "Alt+Down", 0, 0, -step_rad);
-  keep_cut_edits(window);
+  keep_cut_edits(scene, undo);
 }
 
 /// Restores the scene's setup; changes are stored together shortly afterwards.
-void remember(MainWindow& window) {
+void remember(SceneView& scene, UserSettings& remembered) {
   constexpr int quiet_ms = 400;
-  SceneView& scene = window.scene();
-  const widgets::SceneMemory memory = widgets::scene_memory_of(window.remembered().scene());
+  const widgets::SceneMemory memory = widgets::scene_memory_of(remembered.scene());
   scene.setVisibility(memory.visibility);
   scene.setScalar(memory.scalar);
   scene.setOptions(memory.options);
   auto* quiet = new QTimer(&scene);
   quiet->setSingleShot(true);
   quiet->setInterval(quiet_ms);
-  QObject::connect(quiet, &QTimer::timeout, &scene, [&window, &scene] {
-    window.remembered().setScene(widgets::text_of({scene.visibility(), scene.scalar(), scene.options()}));
+  QObject::connect(quiet, &QTimer::timeout, &scene, [&remembered, &scene] {
+    remembered.setScene(widgets::text_of({scene.visibility(), scene.scalar(), scene.options()}));
   });
   const auto changed = [quiet] { quiet->start(); };
   QObject::connect(&scene, &SceneView::visibilityChanged, quiet, changed);
@@ -124,19 +120,18 @@ void remember(MainWindow& window) {
 
 }  // namespace
 
-void add_scene_actions(MainWindow& window) {
-  QMenu* menu = window.menu("View");
-  SceneView& scene = window.scene();
+void add_scene_actions(QMainWindow& window, SceneView& scene, UserSettings& remembered, QUndoStack& undo) {
+  QMenu* menu = menu_of(window, "View");
   menu->addSeparator();
-  add_option(window, menu, "Parallel projection", "5", &SceneOptions::is_parallel);
-  add_part(window, menu, "Tetrahedra", "T", ScenePart::Tetrahedra);
-  add_option(window, menu, "Reference beside", "R", &SceneOptions::shows_reference_beside);
-  add_cut(window, menu);
+  add_option(window, scene, menu, "Parallel projection", "5", &SceneOptions::is_parallel);
+  add_part(window, scene, menu, "Tetrahedra", "T", ScenePart::Tetrahedra);
+  add_option(window, scene, menu, "Reference beside", "R", &SceneOptions::shows_reference_beside);
+  add_cut(window, scene, menu, undo);
   add_action(window, menu, "Previous morph step", {QKeySequence(",")}, [&scene] { scene.stepMorph(-1); });
   add_action(window, menu, "Next morph step", {QKeySequence(".")}, [&scene] { scene.stepMorph(1); });
-  add_rows(window, menu);
-  add_navigation(window, menu);
-  remember(window);
+  add_rows(window, scene, menu);
+  add_navigation(window, scene, menu);
+  remember(scene, remembered);
 }
 
 }  // namespace abrazo::app

@@ -1,12 +1,11 @@
 #include <QAction>
 #include <QDialog>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QMenu>
 #include <QPointer>
 #include <QVBoxLayout>
 
 #include "app/workbench/base/error_words.hpp"
+#include "app/workbench/base/file_dialogs.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "core/base/atomic_file.hpp"
@@ -50,18 +49,15 @@ void link_views(MainWindow& window) {
     if (const FrameHistory* history = window.ticker().history()) window.scene().showPast(*history);
   });
   // A pair is a number of its library: it means another one, or none, in the next.
-  QObject::connect(&window, &MainWindow::sessionStarted, &model, [&model] {
+  QObject::connect(&window.document(), &Document::began, &model, [&model] {
     if (model.selection().kind == widgets::SelectionKind::Candidate) model.select({});
   });
 }
 
 void export_table(MainWindow& window, const PartTableView& view) {
-  QString file = QFileDialog::getSaveFileName(&window, "Export the table",
-                                              window.remembered().lastFolder() + "/selection.csv",
-                                              "CSV (*.csv);;All files (*)");
+  const QString file = ask_new_file(&window, window.remembered(), "Export the table", "selection.csv", ".csv",
+                                    "CSV (*.csv);;All files (*)");
   if (file.isEmpty()) return;
-  if (QFileInfo(file).suffix().isEmpty()) file += ".csv";
-  window.remembered().setLastFolder(QFileInfo(file).absolutePath());
   const Status written = write_whole_file(file.toStdString(), csv_of(view.shown()));
   written ? window.messages().succeed("table", "The table was written to " + file)
           : window.messages().showErrorOf("table", words(written.error()));
@@ -102,7 +98,7 @@ void show_table(MainWindow& window, QPointer<QDialog>& dialog) {
 
 void add_selection_actions(MainWindow& window) {
   link_views(window);
-  QMenu* menu = window.menu("View");
+  QMenu* menu = menu_of(window, "View");
   SceneView& scene = window.scene();
   SelectionModel& model = window.selection();
   menu->addSeparator();

@@ -109,7 +109,7 @@ void add_formats(MainWindow& window, QMenu* menu) {
   for (const auto& [name, format] : formats)
     add_action(window, menu, name, {}, [&transport, format = format] { transport.setFormat(format); });
   QObject::connect(&transport, &TransportBar::formatRequested, &transport, &TransportBar::setFormat);
-  QObject::connect(&window, &MainWindow::sessionStarted, &transport, [&window, &transport] {
+  QObject::connect(&window.document(), &Document::began, &transport, [&window, &transport] {
     if (window.session()) transport.setRate(window.session()->material().input.fps);
   });
 }
@@ -117,7 +117,7 @@ void add_formats(MainWindow& window, QMenu* menu) {
 }  // namespace
 
 void add_timeline_actions(MainWindow& window) {
-  QMenu* menu = window.menu("Timeline");
+  QMenu* menu = menu_of(window, "Timeline");
   add_action(window, menu, "Go to frame or time…", {QKeySequence("G")}, [&window] { ask_place(window); });
   add_action(window, menu, "In and out by number…", {}, [&window] { ask_range(window); });
   add_action(window, menu, "Speed by number…", {}, [&window] { ask_speed(window); });
@@ -125,7 +125,7 @@ void add_timeline_actions(MainWindow& window) {
 }
 
 void add_lane_actions(MainWindow& window) {
-  QMenu* menu = window.menu("Timeline");
+  QMenu* menu = menu_of(window, "Timeline");
   TimelineView& timeline = window.timeline();
   menu->addSeparator();
   add_action(window, menu, "Timeline: show all", {QKeySequence("Z")}, [&timeline] { timeline.showAll(); });

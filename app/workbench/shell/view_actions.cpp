@@ -25,7 +25,7 @@ void add_panel_actions(MainWindow& window, QMenu* menu) {
 }  // namespace
 
 void add_view_actions(MainWindow& window) {
-  QMenu* menu = window.menu("View");
+  QMenu* menu = menu_of(window, "View");
   widgets::SceneView& scene = window.scene();
   QAction* follow = add_action(window, menu, "Camera follows the pair", {}, [] {});
   follow->setCheckable(true);

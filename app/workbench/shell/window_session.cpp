@@ -102,7 +102,7 @@ void MainWindow::openMaterial(MakeMaterial make, const QStringList& files) {
 }
 
 void MainWindow::start(PreparedSolver prepared) {
-  emit sessionEnding();
+  m_document->finishSession();
   m_ticker.setSources(nullptr, nullptr);
   m_plots->clear();
   m_document->openSession(std::move(prepared));

@@ -57,7 +57,7 @@ void apply_tried_pin(Document& document) {
 void add_candidate_actions(MainWindow& window) {
   connect_table(window);
   CandidateTable& table = window.candidates();
-  QMenu* menu = window.menu("Solve");
+  QMenu* menu = menu_of(window, "Solve");
   menu->addSeparator();
   add_action(window, menu, "Use this candidate, or unpin it", {QKeySequence("P")},
              [&table] { table.togglePin(); });

@@ -8,7 +8,7 @@ namespace abrazo::app {
 
 void add_intended_move_actions(MainWindow& window) {
   auto* desk = new IntendedMoveDesk(window);
-  QMenu* menu = window.menu("Live");
+  QMenu* menu = menu_of(window, "Live");
   add_action(window, menu, "Declare the intended move, or cancel it", {QKeySequence("W")},
              [desk] { desk->toggle(); });
   add_action(window, menu, "Declare another intended move…", {QKeySequence("Shift+W")},

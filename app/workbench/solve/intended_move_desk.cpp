@@ -30,15 +30,14 @@ IntendedMoveDesk::IntendedMoveDesk(MainWindow& window)
       m_window(window),
       m_popup(new widgets::IntendedMovePopup(&window)),
       m_chip(new QToolButton(&window.scene())) {
-  m_popup->setColours(window.colours());
+  window.colour(m_popup);
   m_chip->setObjectName("chip");
   m_chip->setFocusPolicy(Qt::NoFocus);
   m_chip->setToolTip("Only this is selected. A click cancels it (W)");
   m_chip->hide();
   connect(m_chip, &QToolButton::clicked, this, &IntendedMoveDesk::takeBack);
   connect(m_popup, &widgets::IntendedMovePopup::chosen, this, &IntendedMoveDesk::declare);
-  connect(&window, &MainWindow::coloursChanged, m_popup, &widgets::IntendedMovePopup::setColours);
-  connect(&window, &MainWindow::sessionEnding, m_popup, &widgets::IntendedMovePopup::leave);
+  connect(&window.document(), &Document::ending, m_popup, &widgets::IntendedMovePopup::leave);
   connect(&window.ticker(), &FrameTicker::panelsDue, this, &IntendedMoveDesk::onPanels);
   m_refresh.setInterval(refresh_interval_ms);
   connect(&m_refresh, &QTimer::timeout, this, &IntendedMoveDesk::refreshDistances);

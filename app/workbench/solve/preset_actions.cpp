@@ -1,4 +1,3 @@
-#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
@@ -6,6 +5,7 @@
 #include <memory>
 
 #include "app/workbench/base/error_words.hpp"
+#include "app/workbench/base/file_dialogs.hpp"
 #include "app/workbench/base/own_presets.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
@@ -63,9 +63,8 @@ void rename(MainWindow& window, const Store& store, const QString& from, const Q
 }
 
 void export_settings(MainWindow& window) {
-  const QString folder = window.remembered().lastFolder();
-  const QString file = QFileDialog::getSaveFileName(
-      &window, "Export these settings", QDir(folder).filePath("settings.json"), "Settings (*.json)");
+  const QString file = ask_new_file(&window, window.remembered(), "Export these settings", "settings.json",
+                                    ".json", "Settings (*.json)");
   if (file.isEmpty()) return;
   const Status written =
       write_whole_file(file.toStdString(), readable_settings(window.document().settings()));
@@ -84,7 +83,7 @@ void import_settings(MainWindow& window) {
 
 /// A session brings the presets along that were a person's own when it was saved.
 void adopt_with(MainWindow& window, const Store& store) {
-  QObject::connect(&window, &MainWindow::sessionStarted, &window.settings(), [&window, store] {
+  QObject::connect(&window.document(), &Document::began, &window.settings(), [&window, store] {
     const auto opened = window.session()->material().project;
     if (!opened || opened->project().presets.empty()) return;
     const auto added = store->adopt(opened->project().presets, "presets of the session");
@@ -131,7 +130,7 @@ void add_preset_actions(MainWindow& window) {
   QObject::connect(&bar, &PresetBar::exportRequested, &window, [&window] { export_settings(window); });
   QObject::connect(&bar, &PresetBar::importRequested, &window, [&window] { import_settings(window); });
 
-  QMenu* menu = window.menu("Solve");
+  QMenu* menu = menu_of(window, "Solve");
   QMenu* own = menu->addMenu("Own presets");
   QObject::connect(own, &QMenu::aboutToShow, &bar, [&bar, own] { bar.fillMenu(*own); });
   add_action(window, menu, "Save settings as preset\u2026", {}, ask_save);

@@ -71,7 +71,7 @@ QAction* add_control(MainWindow& window, QMenu* menu, QActionGroup& group, const
 }  // namespace
 
 void add_role_actions(MainWindow& window) {
-  QMenu* menu = window.menu("Live");
+  QMenu* menu = menu_of(window, "Live");
   auto* at_the_role = new QMenu(&window);
   at_the_role->addAction(add_action(window, menu, "Switch the user's role", {QKeySequence("U")},
                                     [&window] { exchange(window); }));
@@ -87,7 +87,7 @@ void add_role_actions(MainWindow& window) {
   QObject::connect(&window.ticker(), &FrameTicker::frameReady, &window,
                    [&window](const FrameSnapshotPtr& frame) { show_role(window, *frame); });
   // The next library may lack annotations of who leads.
-  QObject::connect(&window, &MainWindow::sessionStarted, &window, [&window] {
+  QObject::connect(&window.document(), &Document::began, &window, [&window] {
     if (!window.document().controlRole(window.document().decisions().role_control))
       window.document().controlRole(RoleControl::Hand);
   });

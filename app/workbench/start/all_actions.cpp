@@ -20,10 +20,10 @@ Rooms add_all_actions(MainWindow& window) {
   auto* films = new RenderDialog(&window);
   add_file_actions(window, *films);
   add_edit_actions(window);
-  add_camera_actions(window);
+  add_camera_actions(window, window.scene());
   add_view_actions(window);
   Layouts& layouts = add_layout_actions(window);
-  add_scene_actions(window);
+  add_scene_actions(window, window.scene(), window.remembered(), window.undoStack());
   add_selection_actions(window);
   add_library_actions(window);
   add_import_actions(window);
@@ -35,7 +35,7 @@ Rooms add_all_actions(MainWindow& window) {
   add_lane_actions(window);
   add_annotation_actions(window, *labels, *label_keys);
   add_video_actions(window, *films);
-  add_solve_actions(window);
+  add_solve_actions(window, window.document());
   add_preset_actions(window);
   add_sweep_actions(window);
   StreamDesk& streams = add_stream_actions(window);

@@ -105,12 +105,13 @@ int main(int argc, char** argv) {
   window.setTheme(theme == "light" ? widgets::Theme::Light : widgets::Theme::Dark);
   const app::Rooms rooms = app::add_all_actions(window);
   start.reached("window built");
-  start.follow(window);
+  start.follow(window.document(), window.ticker(), window.scene());
   let_drawing_stand_back(window);
   app::Responsiveness responsiveness;
-  app::watch(window, responsiveness);
+  app::watch(window, window.document(), responsiveness);
   std::optional<app::StatusLines> status;
-  if (asked.status_every_s > 0) status.emplace(window, responsiveness, asked.status_every_s, write_line);
+  if (asked.status_every_s > 0)
+    status.emplace(window.document(), window.scene(), responsiveness, asked.status_every_s, write_line);
   window.document().putSettings(*settings);
   if (asked.size.isValid())
     window.resize(asked.size);

@@ -7,7 +7,7 @@
 #include <chrono>
 #include <cmath>
 
-#include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/document/document.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -73,10 +73,10 @@ QString Responsiveness::text() const {
            m_slowestActivity);
 }
 
-void watch(MainWindow& window, Responsiveness& responsiveness) {
-  QObject::connect(&window, &MainWindow::sessionStarted, &responsiveness,
+void watch(QMainWindow& window, Document& document, Responsiveness& responsiveness) {
+  QObject::connect(&document, &Document::began, &responsiveness,
                    [&responsiveness] { responsiveness.begin("running"); });
-  QObject::connect(&window, &MainWindow::sessionEnding, &responsiveness,
+  QObject::connect(&document, &Document::ending, &responsiveness,
                    [&responsiveness] { responsiveness.begin("opening"); });
   auto* refresh = new QTimer(&window);
   QObject::connect(refresh, &QTimer::timeout, &window,

@@ -8,9 +8,11 @@
 
 #include "app/workbench/start/answer_times.hpp"
 
+class QMainWindow;
+
 namespace abrazo::app {
 
-class MainWindow;
+class Document;
 
 /// Measures the response time of the GUI thread. A separate thread pings it every few milliseconds and waits
 /// for the answer, so a gap is measured to within that interval; time used by other programs counts too.
@@ -47,6 +49,6 @@ class Responsiveness : public QObject {
 };
 
 /// Shows the text as the status bar's tooltip, and sets the activity from the window's state.
-void watch(MainWindow& window, Responsiveness& responsiveness);
+void watch(QMainWindow& window, Document& document, Responsiveness& responsiveness);
 
 }  // namespace abrazo::app

@@ -7,7 +7,8 @@
 #include <optional>
 #include <string_view>
 
-#include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/document/document.hpp"
+#include "app/workbench/shell/frame_ticker.hpp"
 #include "core/base/atomic_file.hpp"
 #include "core/base/text.hpp"
 #include "widgets/scene/view/scene_view.hpp"
@@ -43,11 +44,10 @@ void StartTimes::reached(const char* stage) {
   if (!is_known) m_stages.push_back({stage, since_process_start_ms()});
 }
 
-void StartTimes::follow(MainWindow& window) {
-  connect(&window, &MainWindow::sessionStarted, this, [this] { reached("library ready"); });
-  connect(&window.ticker(), &FrameTicker::frameReady, this, [this] { reached("first frame solved"); });
-  connect(&window.scene(), &widgets::SceneView::pictureDrawn, this,
-          [this, &window] { pictureDrawn(window.ticker().shown()); });
+void StartTimes::follow(Document& document, FrameTicker& ticker, widgets::SceneView& scene) {
+  connect(&document, &Document::began, this, [this] { reached("library ready"); });
+  connect(&ticker, &FrameTicker::frameReady, this, [this] { reached("first frame solved"); });
+  connect(&scene, &widgets::SceneView::pictureDrawn, this, [this, &ticker] { pictureDrawn(ticker.shown()); });
 }
 
 void StartTimes::pictureDrawn(const FrameSnapshotPtr& shown) {

@@ -6,9 +6,14 @@
 
 #include "core/session/frames/frame_snapshot.hpp"
 
+namespace abrazo::widgets {
+class SceneView;
+}
+
 namespace abrazo::app {
 
-class MainWindow;
+class Document;
+class FrameTicker;
 
 /// Times of the stages of a start, from the start of the process, including the loading of libraries.
 class StartTimes : public QObject {
@@ -22,7 +27,7 @@ class StartTimes : public QObject {
   /// Only the first call per stage counts.
   void reached(const char* stage);
   /// Tracks the stages: session, first picture of the partner, first picture in which the partner has moved.
-  void follow(MainWindow& window);
+  void follow(Document& document, FrameTicker& ticker, widgets::SceneView& scene);
 
   const std::vector<Stage>& stages() const { return m_stages; }
   /// One line per stage.

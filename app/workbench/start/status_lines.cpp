@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/document/document.hpp"
 #include "app/workbench/start/responsiveness.hpp"
 #include "app/workbench/start/start_times.hpp"
 #include "core/base/json_text.hpp"
@@ -53,10 +53,11 @@ void write_recording(JsonText& json, const Recorder* recorder) {
 
 }  // namespace
 
-StatusLines::StatusLines(MainWindow& window, const Responsiveness& responsiveness, double interval_s,
+StatusLines::StatusLines(Document& document, const widgets::SceneView& scene,
+                         const Responsiveness& responsiveness, double interval_s,
                          std::function<void(const std::string&)> write)
-    : QObject(&window), m_window(window), m_responsiveness(responsiveness) {
-  connect(&window, &MainWindow::sessionStarted, this, [this] { m_next = 0; });
+    : QObject(&document), m_document(document), m_scene(scene), m_responsiveness(responsiveness) {
+  connect(&document, &Document::began, this, [this] { m_next = 0; });
   connect(&m_collect, &QTimer::timeout, this, &StatusLines::noteFrames);
   connect(&m_timer, &QTimer::timeout, this, [this, write = std::move(write)] { write(line()); });
   m_since.start();
@@ -65,8 +66,8 @@ StatusLines::StatusLines(MainWindow& window, const Responsiveness& responsivenes
 }
 
 void StatusLines::noteFrames() {
-  if (!m_window.session()) return;
-  for (const FrameSnapshotPtr& frame : m_window.session()->engine().history().since(m_next)) {
+  if (!m_document.session()) return;
+  for (const FrameSnapshotPtr& frame : m_document.session()->engine().history().since(m_next)) {
     m_next = frame->index + 1;
     m_times.push_back(frame->times);
     m_relaxed += frame->result.status == StepStatus::Relaxed;
@@ -79,7 +80,7 @@ std::string StatusLines::line() {
   noteFrames();
   const double seconds = 1e-9 * static_cast<double>(m_since.nsecsElapsed());
   m_since.restart();
-  const std::uint64_t pictures = m_window.scene().renderedFrames();
+  const std::uint64_t pictures = m_scene.renderedFrames();
   const LatencyBreakdown latency = latency_of(m_times);
   JsonText json;
   json.begin_object().key("after_s").value(since_process_start_ms() / 1000).key("seconds").value(seconds);
@@ -95,7 +96,7 @@ std::string StatusLines::line() {
   json.end_object().key("answers_ms").begin_object();
   json.key("p99").value(m_responsiveness.overall().within_ms(0.99));
   json.key("longest").value(m_responsiveness.overall().longest_ms()).end_object();
-  if (LiveSession* session = m_window.session()) {
+  if (LiveSession* session = m_document.session()) {
     SessionEngine& engine = session->engine();
     const auto span = engine.history().span();
     write(json.key("history").begin_object(), "frames", span.frames).key("bytes");

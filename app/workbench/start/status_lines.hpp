@@ -10,9 +10,13 @@
 
 #include "core/session/frames/frame_snapshot.hpp"
 
+namespace abrazo::widgets {
+class SceneView;
+}
+
 namespace abrazo::app {
 
-class MainWindow;
+class Document;
 class Responsiveness;
 
 /// Periodic figures of the window and its session, one JSON object per line, for monitoring long runs.
@@ -20,8 +24,8 @@ class StatusLines : public QObject {
   Q_OBJECT
  public:
   /// @param write called every `interval_s` with a complete line
-  StatusLines(MainWindow& window, const Responsiveness& responsiveness, double interval_s,
-              std::function<void(const std::string&)> write);
+  StatusLines(Document& document, const widgets::SceneView& scene, const Responsiveness& responsiveness,
+              double interval_s, std::function<void(const std::string&)> write);
 
   /// The line for the time since the previous one.
   std::string line();
@@ -29,7 +33,8 @@ class StatusLines : public QObject {
  private:
   void noteFrames();
 
-  MainWindow& m_window;
+  Document& m_document;
+  const widgets::SceneView& m_scene;
   const Responsiveness& m_responsiveness;
   QTimer m_timer, m_collect;
   QElapsedTimer m_since;

@@ -40,7 +40,7 @@ void add_starts(MainWindow& window, WelcomePage& page) {
 }  // namespace
 
 void add_welcome_actions(MainWindow& window) {
-  QMenu* files = window.menu("File");
+  QMenu* files = menu_of(window, "File");
   QAction* fight =
       add_action(window, files, "Generated fight", {}, [&window] { window.openMaterial(generated_fight); });
   if (QAction* dance = action_of(window, "file.generated_dance")) {
@@ -51,12 +51,12 @@ void add_welcome_actions(MainWindow& window) {
   }
   auto* page = new WelcomePage;
   page->hide();
-  page->setColours(window.colours());
+  window.colour(page);
   page->setShownAtStart(window.remembered().welcome());
   add_starts(window, *page);
   show_recent(window, *page);
   window.addBesideScene(page);
-  QAction* show = add_action(window, window.menu("Help"), "Welcome", {}, [] {});
+  QAction* show = add_action(window, menu_of(window, "Help"), "Welcome", {}, [] {});
   show->setCheckable(true);
   QObject::connect(show, &QAction::toggled, page, [page, show, &window](bool on) {
     page->setVisible(on);
@@ -72,7 +72,6 @@ void add_welcome_actions(MainWindow& window) {
                    [&window](bool on) { window.remembered().setWelcome(on); });
   QObject::connect(page, &WelcomePage::recentChosen, page,
                    [&window](int which) { open_recent(window, window.remembered().recent().value(which)); });
-  QObject::connect(&window, &MainWindow::coloursChanged, page, &WelcomePage::setColours);
   QObject::connect(&window, &MainWindow::filesOpened, page, [&window, page] { show_recent(window, *page); });
 }
 

@@ -37,9 +37,8 @@ LatencyDesk::LatencyDesk(MainWindow& window, const StreamDesk& stream)
     if (QDockWidget* dock = m_window.panels().panel("latency"); dock && on) dock->raise();
     m_sinceRefresh.invalidate();
   });
-  m_button->setColours(window.colours());
-  connect(&window, &MainWindow::coloursChanged, m_button, &widgets::LatencyButton::setColours);
-  connect(&window, &MainWindow::sessionEnding, this, [this] { m_log.clear(); });
+  window.colour(m_button);
+  connect(&window.document(), &Document::ending, this, [this] { m_log.clear(); });
   connect(&window.ticker(), &FrameTicker::panelsDue, this, &LatencyDesk::refresh);
   connect(&window.scene(), &widgets::SceneView::pictureDrawn, this, &LatencyDesk::pictureDrawn);
 }

@@ -66,7 +66,7 @@ void freeze(MainWindow& window, const StreamDesk& desk) {
 void send_partner_to(MainWindow& window, StreamDesk& desk, const QString& uri) {
   if (window.session()) return desk.send(uri, Character::Partner);
   const auto once = std::make_shared<QMetaObject::Connection>();
-  *once = QObject::connect(&window, &MainWindow::sessionStarted, &desk, [&desk, uri, once] {
+  *once = QObject::connect(&window.document(), &Document::began, &desk, [&desk, uri, once] {
     QObject::disconnect(*once);
     desk.send(uri, Character::Partner);
   });
@@ -74,13 +74,12 @@ void send_partner_to(MainWindow& window, StreamDesk& desk, const QString& uri) {
 
 StreamDesk& add_stream_actions(MainWindow& window) {
   auto* panel = new ConnectionPanel;
-  panel->setColours(window.colours());
+  window.colour(panel);
   window.addPanel("connection", "Connection", panel, Qt::RightDockWidgetArea, false);
-  QObject::connect(&window, &MainWindow::coloursChanged, panel, &ConnectionPanel::setColours);
   auto* desk = new StreamDesk(window, *panel);
   new LatencyDesk(window, *desk);
 
-  QMenu* menu = window.menu("Live");
+  QMenu* menu = menu_of(window, "Live");
   add_action(window, menu, "Connect to a stream…", {QKeySequence("Ctrl+K")}, [&window, panel] {
     show_panel(window);
     panel->form().takeFocus();

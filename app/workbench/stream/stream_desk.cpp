@@ -79,9 +79,8 @@ StreamDesk::StreamDesk(MainWindow& window, ConnectionPanel& panel)
           [this](const QString& value) { m_window.document().changeSetting("step-rate", value); });
   connect(&panel.sinks(), &SinkList::sendRequested, this, &StreamDesk::send);
   connect(&panel.sinks(), &SinkList::stopRequested, this, &StreamDesk::stopSending);
-  connect(&window, &MainWindow::sessionStarted, this, &StreamDesk::beginSession);
-  connect(&window, &MainWindow::coloursChanged, m_notice, &widgets::SceneNotice::setColours);
-  m_notice->setColours(window.colours());
+  connect(&window.document(), &Document::began, this, &StreamDesk::beginSession);
+  window.colour(m_notice);
   connect(&m_poll, &QTimer::timeout, this, &StreamDesk::poll);
   m_poll.start(poll_ms);
   connect(&m_soon, &QTimer::timeout, this, &StreamDesk::advanceCalibration);

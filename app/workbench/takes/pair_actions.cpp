@@ -1,9 +1,7 @@
 #include <QAction>
-#include <QDir>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QMenu>
 
+#include "app/workbench/base/file_dialogs.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/takes/pair_desk.hpp"
@@ -16,13 +14,9 @@ namespace {
 void save_library(MainWindow& window, PairDesk& desk) {
   if (!window.session()) return;
   const QString name = QString::fromStdString(window.session()->material().library->name());
-  const QString last = window.remembered().lastFolder();
-  const QDir folder(last.isEmpty() ? QDir::homePath() : last);
-  QString file = QFileDialog::getSaveFileName(&window, "Save library", folder.filePath(name + ".h5"),
-                                              "Libraries (*.h5)");
-  if (file.isEmpty()) return;
-  if (QFileInfo(file).suffix().isEmpty()) file += ".h5";
-  desk.save(file);
+  const QString file =
+      ask_new_file(&window, window.remembered(), "Save library", name + ".h5", ".h5", "Libraries (*.h5)");
+  if (!file.isEmpty()) desk.save(file);
 }
 
 }  // namespace
@@ -30,8 +24,9 @@ void save_library(MainWindow& window, PairDesk& desk) {
 void add_pair_actions(MainWindow& window, TakeDesk& takes, PairSources sources) {
   auto* desk = new PairDesk(window, takes, std::move(sources));
   QObject::connect(&takes.panel(), &widgets::TakePanel::pairRequested, desk, &PairDesk::toggle);
-  add_action(window, window.menu("Live"), "Record a pair for the library", {}, [desk] { desk->toggle(); });
-  add_action(window, window.menu("Library"), "Save library…", {},
+  add_action(window, menu_of(window, "Live"), "Record a pair for the library", {},
+             [desk] { desk->toggle(); });
+  add_action(window, menu_of(window, "Library"), "Save library…", {},
              [&window, desk] { save_library(window, *desk); });
 }
 

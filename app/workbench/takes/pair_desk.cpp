@@ -48,7 +48,7 @@ PairDesk::PairDesk(MainWindow& window, TakeDesk& takes, PairSources sources)
     stopListening();
     m_capture.reset();
   });
-  connect(&window, &MainWindow::sessionEnding, this, [this] {
+  connect(&window.document(), &Document::ending, this, [this] {
     stopListening();
     if (m_dialog) m_dialog->close();  // the library that it would be added to goes
     m_capture.reset();

@@ -73,7 +73,6 @@ void remove(MainWindow& window, TakeDesk& desk, qint64 id) {
 }
 
 void connect_panel(MainWindow& window, TakePanel& panel, TakeDesk& desk) {
-  QObject::connect(&window, &MainWindow::coloursChanged, &panel, &TakePanel::setColours);
   QObject::connect(&panel, &TakePanel::recordRequested, &desk, &TakeDesk::toggle);
   QObject::connect(&panel, &TakePanel::againRequested, &desk, &TakeDesk::again);
   QObject::connect(&panel, &TakePanel::everythingRequested, &desk, &TakeDesk::keepEverything);
@@ -93,7 +92,7 @@ void connect_panel(MainWindow& window, TakePanel& panel, TakeDesk& desk) {
 
 TakeDesk& add_take_actions(MainWindow& window) {
   auto* panel = new TakePanel;
-  panel->setColours(window.colours());
+  window.colour(panel);
   panel->setTypedName(window.remembered().takeName());
   panel->setCountdown(window.remembered().takeCountdown());
   QDockWidget* dock = window.addPanel("recording", "Recording", panel, Qt::LeftDockWidgetArea, false);
@@ -104,7 +103,7 @@ TakeDesk& add_take_actions(MainWindow& window) {
     dock->raise();
   };
 
-  QMenu* menu = window.menu("Live");
+  QMenu* menu = menu_of(window, "Live");
   add_action(window, menu, "Record a take, or end it", {QKeySequence("Ctrl+R")}, [desk, show] {
     show();
     desk->toggle();

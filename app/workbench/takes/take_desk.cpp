@@ -37,10 +37,9 @@ TakeDesk::TakeDesk(MainWindow& window, widgets::TakePanel& panel)
       m_window(window),
       m_panel(panel),
       m_countdown(new widgets::Countdown(&window.scene())) {
-  m_countdown->setColours(window.colours());
-  connect(&window, &MainWindow::coloursChanged, m_countdown, &widgets::Countdown::setColours);
-  connect(&window, &MainWindow::sessionEnding, this, &TakeDesk::onSessionEnding);
-  connect(&window, &MainWindow::sessionStarted, this, [this] {
+  window.colour(m_countdown);
+  connect(&window.document(), &Document::ending, this, &TakeDesk::onSessionEnding);
+  connect(&window.document(), &Document::began, this, [this] {
     ++m_session;
     update();
   });

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "app/workbench/base/error_words.hpp"
+#include "app/workbench/base/file_dialogs.hpp"
 #include "app/workbench/document/open_video.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/video/video_desk.hpp"
@@ -215,9 +216,7 @@ void CameraDesk::removePick(int index) {
 QString CameraDesk::askFile(bool saves, const QString& title, const QString& filter) {
   const QString folder = m_window.remembered().lastFolder();
   if (!saves) return QFileDialog::getOpenFileName(&m_window, title, folder, filter);
-  QString file = QFileDialog::getSaveFileName(&m_window, title, folder + "/camera.json", filter);
-  if (!file.isEmpty() && QFileInfo(file).suffix().isEmpty()) file += ".json";
-  return file;
+  return ask_new_file(&m_window, m_window.remembered(), title, "camera.json", ".json", filter);
 }
 
 void CameraDesk::loadIntrinsics(const QString& file) {

@@ -1,9 +1,8 @@
 #include <QAction>
-#include <QFileDialog>
-#include <QFileInfo>
 #include <QMenu>
 #include <QPointer>
 
+#include "app/workbench/base/file_dialogs.hpp"
 #include "app/workbench/base/render_dialog.hpp"
 #include "app/workbench/document/open_video.hpp"
 #include "app/workbench/shell/actions.hpp"
@@ -21,16 +20,14 @@ namespace abrazo::app {
 namespace {
 
 void choose(MainWindow& window, VideoDesk& desk) {
-  const QStringList files = QFileDialog::getOpenFileNames(
-      &window, "Open video", window.remembered().lastFolder(), video_filter() + ";;All files (*)");
-  if (files.isEmpty()) return;
-  window.remembered().setLastFolder(QFileInfo(files.front()).absolutePath());
-  desk.open(files);
+  const QStringList files =
+      ask_files(&window, window.remembered(), "Open video", video_filter() + ";;All files (*)");
+  if (!files.isEmpty()) desk.open(files);
 }
 
 /// Before existing entries, so that the actions for opening stay together.
 void add_to_file_menu(MainWindow& window, VideoDesk& desk) {
-  QMenu* file = window.menu("File");
+  QMenu* file = menu_of(window, "File");
   QAction* open = add_action(window, file, "Open video…", {}, [&window, &desk] { choose(window, desk); });
   file->removeAction(open);
   const auto entries = file->actions();
@@ -71,11 +68,9 @@ void add_rendering(MainWindow& window, VideoDesk& desk, RenderDialog* dialog) {
   QObject::connect(dialog, &RenderDialog::videoRenderRequested, &window,
                    [&window, &desk, dialog, running = QPointer<Job>()]() mutable {
                      RangeRequest request = dialog->request();
-                     request.file = QFileDialog::getSaveFileName(
-                         dialog, "Render as video", window.remembered().lastFolder() + "/overlay.mp4",
-                         "Video (*.mp4)");
+                     request.file = ask_new_file(dialog, window.remembered(), "Render as video",
+                                                 "overlay.mp4", ".mp4", "Video (*.mp4)");
                      if (request.file.isEmpty()) return;
-                     if (QFileInfo(request.file).suffix().isEmpty()) request.file += ".mp4";
                      dialog->hide();
                      render_video(desk, window.ticker().history(), window.messages(), request, running);
                    });
@@ -92,7 +87,7 @@ void add_video_actions(MainWindow& window, RenderDialog& dialog) {
                    [&window, desk] { choose(window, *desk); });
   QObject::connect(&window, &MainWindow::videosOffered, desk, &VideoDesk::open);
   add_to_file_menu(window, *desk);
-  QMenu* menu = window.menu("Video");
+  QMenu* menu = menu_of(window, "Video");
   add_stepping(window, menu, *desk);
   add_camera(window, menu, *desk, *camera);
   add_action(window, menu, "Close the video", {}, [desk] { desk->close(); });

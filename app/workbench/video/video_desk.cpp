@@ -30,9 +30,8 @@ using widgets::text;
 
 VideoDesk::VideoDesk(MainWindow& window)
     : QObject(&window), m_window(window), m_panel(new widgets::VideoPanel) {
-  m_panel->setColours(window.colours());
-  connect(&window, &MainWindow::coloursChanged, m_panel, &widgets::VideoPanel::setColours);
-  connect(&window, &MainWindow::sessionStarted, this, &VideoDesk::onSessionStarted);
+  window.colour(m_panel);
+  connect(&window.document(), &Document::began, this, &VideoDesk::onSessionStarted);
   connect(&window, &MainWindow::filesOpened, this, [this](const QStringList& files) {
     QStringList videos;
     for (const QString& file : files)
