@@ -2,6 +2,7 @@
 
 #include <QCoreApplication>
 #include <QEvent>
+#include <QMainWindow>
 #include <QStatusBar>
 #include <QTimer>
 #include <chrono>
