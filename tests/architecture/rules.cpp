@@ -245,7 +245,6 @@ std::span<const RoomException> room_exceptions() {
       "the file of the session and its takes are kept by the desk of takes";
   static constexpr std::array exceptions = {
       RoomException{"app/workbench/project/project_desk.cpp", "app/workbench/takes/take_desk.hpp", takes},
-      RoomException{"app/workbench/project/session_actions.cpp", "app/workbench/takes/take_desk.hpp", takes},
   };
   return exceptions;
 }
