@@ -3,6 +3,7 @@
 #include <QUndoCommand>
 
 #include "app/workbench/base/error_words.hpp"
+#include "app/workbench/document/frame_release.hpp"
 #include "core/bodies/chosen_body.hpp"
 #include "core/session/frames/decision_edits.hpp"
 
@@ -121,7 +122,14 @@ void Document::open(const Project& saved, const QStringList& videos) {
 void Document::beginSession(PreparedSolver prepared) {
   const bool same_library = m_session && m_session->material().library == prepared.material.library;
   tryPin({});
-  m_session.reset();
+  if (m_session) {  // it ends here; only its frames remain for a moment
+    const FrameHistory& history = m_session->engine().history();
+    const FrameHistory::Span span = history.span();
+    auto frames =
+        span.frames > 0 ? history.range(span.memory_first_s, span.last_s) : std::vector<FrameSnapshotPtr>();
+    m_session.reset();
+    new FrameRelease(std::move(frames), this);
+  }
   m_session = std::make_unique<LiveSession>(std::move(prepared));
   m_subject.clear();
   const auto changed = m_live.begin_session(same_library);
