@@ -36,6 +36,12 @@ Status check_choices(const RetargetWish& wish) {
   if (wish.takes.empty()) return Error{"no take is chosen; choose at least one", ""};
   for (const BodyChoice* choice : {&wish.active, &wish.passive})
     if (choice->kind == BodyChoice::Kind::User) return choose_body(*choice, Body{}).error();
+  for (const auto& [name, factor] :
+       {std::pair{"contacts", wish.contacts}, std::pair{"smoothness", wish.smoothness}})
+    if (!(factor >= 0 && factor <= RetargetWish::greatest_factor))
+      return Error{fmt::format("a factor from 0 to {:g} is expected for {}, not {:g}",
+                               RetargetWish::greatest_factor, name, factor),
+                   ""};
   return wish.character.empty() ? check_clip_file(wish.output, {}, 2) : check_character_file(wish.output);
 }
 
@@ -181,8 +187,12 @@ Result<TakeOnBodies> retarget_take(const PairedTake& take, const RetargetWish& w
   if (!to_active) return to_active.error();
   auto to_passive = choose_body(wish.passive, passive, progress);
   if (!to_passive) return to_passive.error();
+  FitWeights weights;
+  weights.relation.contact *= wish.contacts;
+  weights.relation.near *= wish.contacts;
+  weights.smooth *= wish.smoothness;
   auto pair = retarget_pair(std::move(*part_of_take),
-                            {{active, to_active->body}, {passive, to_passive->body}}, progress);
+                            {{active, to_active->body}, {passive, to_passive->body}}, progress, weights);
   if (!pair) return pair.error();
   return TakeOnBodies{std::move(*pair), std::move(*to_active), std::move(*to_passive)};
 }

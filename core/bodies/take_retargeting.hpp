@@ -20,6 +20,12 @@ struct RetargetWish {
   long long from = 0;              ///< first frame, 0-based, of every take
   std::optional<long long> to;     ///< frame behind the last; none = to the end
   BodyChoice active, passive;
+  /// Weight of the recorded distances of joints that are near one another, times the usual one: higher keeps
+  /// contacts, lower the shape of each body.
+  double contacts = 1;
+  /// Weight of the smoothed pair, times the usual one.
+  double smoothness = 1;
+  static constexpr double greatest_factor = 4;  ///< of both; the least is 0
   std::string output;  ///< .bvh, .glb, .csv or .npz; of several takes OUT_TAKE for each
   std::string trace;   ///< JSON lines, likewise for each take; empty = none
   std::string

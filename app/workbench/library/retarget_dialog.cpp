@@ -18,6 +18,7 @@
 #include "app/workbench/base/choose_button.hpp"
 #include "app/workbench/base/error_words.hpp"
 #include "app/workbench/library/body_field.hpp"
+#include "app/workbench/library/factor_field.hpp"
 #include "app/workbench/library/retarget_preview.hpp"
 
 namespace abrazo::app {
@@ -107,9 +108,19 @@ void RetargetDialog::addBody(QGridLayout* grid, int row, const QString& name, Bo
   field = new BodyField(name, this);
   auto* label = caption(name, field);
   label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  label->setContentsMargins(0, 6, 0, 0);  // beside the text, not the slider
   grid->addWidget(label, row, 0);
   grid->addWidget(field, row, 1, 1, 2);
   connect(field, &BodyField::changed, this, &RetargetDialog::settle);
+}
+
+void RetargetDialog::addFactor(QGridLayout* grid, int row, const QString& name, const QString& tip,
+                               FactorField*& field) {
+  field = new FactorField(name, RetargetWish::greatest_factor, this);
+  field->setToolTip(tip);
+  grid->addWidget(caption(name, field), row, 0);
+  grid->addWidget(field, row, 1, 1, 2);
+  connect(field, &FactorField::changed, this, &RetargetDialog::settle);
 }
 
 QLineEdit* RetargetDialog::addFile(QGridLayout* grid, int row, const QString& name,
@@ -140,20 +151,28 @@ QWidget* RetargetDialog::makeChoices() {
   m_to->setAccessibleName("To frame");
   addBody(grid, 1, "Leader's body", m_leader);
   addBody(grid, 2, "Follower's body", m_follower);
+  addFactor(
+      grid, 3, "Contacts",
+      "Weight of the recorded distances of near joints: more keeps contacts, less the shape of each body. "
+      "A double click returns to 1",
+      m_contacts);
+  addFactor(grid, 4, "Smoothness",
+            "Weight of the smoothed motion: less follows each frame alone. A double click returns to 1",
+            m_smoothness);
   m_character = new CharacterField(box);
-  grid->addWidget(caption("Character", m_character), 3, 0);
-  grid->addWidget(m_character, 3, 1, 1, 2);
-  m_folder = addFile(grid, 4, "Folder", "of the files");
+  grid->addWidget(caption("Character", m_character), 5, 0);
+  grid->addWidget(m_character, 5, 1, 1, 2);
+  m_folder = addFile(grid, 6, "Folder", "of the files");
   auto* choose_folder = choose_button("Folder", box);
-  grid->addWidget(choose_folder, 4, 2);
-  m_name = addFile(grid, 5, "Name", "of the file; several takes append theirs");
+  grid->addWidget(choose_folder, 6, 2);
+  m_name = addFile(grid, 7, "Name", "of the file; several takes append theirs");
   m_name->setText("retargeted");
   m_type = new QComboBox(box);
-  grid->addWidget(caption("As", m_type), 6, 0);
-  grid->addWidget(m_type, 6, 1);
+  grid->addWidget(caption("As", m_type), 8, 0);
+  grid->addWidget(m_type, 8, 1);
   m_trace = new QCheckBox("Trace of every frame (.jsonl), for “abrazo render”", box);
-  grid->addWidget(m_trace, 7, 1);
-  grid->setRowStretch(8, 1);
+  grid->addWidget(m_trace, 9, 1);
+  grid->setRowStretch(10, 1);
   grid->setColumnStretch(1, 1);
   for (QSpinBox* frame : {m_from, m_to})
     connect(frame, qOverload<int>(&QSpinBox::valueChanged), this, &RetargetDialog::settle);
@@ -275,6 +294,7 @@ void RetargetDialog::setFolder(const QString& folder) {
 
 void RetargetDialog::setColours(const widgets::Palette& palette) {
   for (BodyField* body : {m_leader, m_follower}) body->setColours(palette);
+  for (FactorField* factor : {m_contacts, m_smoothness}) factor->setColours(palette);
   m_preview->setColours(palette);
 }
 
@@ -291,6 +311,8 @@ Result<RetargetWish> RetargetDialog::pairs() const {
     if (!choice) return choice.error();
     *body = std::move(*choice);
   }
+  wish.contacts = m_contacts->factor();
+  wish.smoothness = m_smoothness->factor();
   return wish;
 }
 

@@ -22,6 +22,7 @@ namespace abrazo::app {
 
 class BodyField;
 class CharacterField;
+class FactorField;
 class RetargetPreview;
 
 /// Takes of a library or manifest that can be retargeted.
@@ -79,6 +80,7 @@ class RetargetDialog : public QDialog {
   QWidget* makeFoot();
   QLineEdit* addFile(QGridLayout* grid, int row, const QString& name, const QString& placeholder);
   void addBody(QGridLayout* grid, int row, const QString& name, BodyField*& field);
+  void addFactor(QGridLayout* grid, int row, const QString& name, const QString& tip, FactorField*& field);
   Result<RetargetWish> pairs() const;
   const RetargetOffer* source() const;
   void showTakes();
@@ -92,6 +94,7 @@ class RetargetDialog : public QDialog {
   QListWidget* m_takes = nullptr;
   QSpinBox *m_from = nullptr, *m_to = nullptr;
   BodyField *m_leader = nullptr, *m_follower = nullptr;
+  FactorField *m_contacts = nullptr, *m_smoothness = nullptr;
   RetargetPreview* m_preview = nullptr;
   CharacterField* m_character = nullptr;
   QLineEdit *m_folder = nullptr, *m_name = nullptr;

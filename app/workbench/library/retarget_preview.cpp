@@ -17,13 +17,12 @@ namespace {
 
 using widgets::ScenePart;
 
-/// The recording is in every frame as its selected pair; a take has no user and no source that continues.
-widgets::PartVisibility parts_of(RetargetPreview::Side side) {
+/// A take has no user and no source that continues; the recording is drawn as another run.
+widgets::PartVisibility shown_parts() {
   widgets::PartVisibility parts = widgets::default_visibility;
   for (const ScenePart absent :
-       {ScenePart::User, ScenePart::MeshWithin, ScenePart::LookAhead, ScenePart::Comparison})
+       {ScenePart::User, ScenePart::SelectedPair, ScenePart::MeshWithin, ScenePart::LookAhead})
     parts[static_cast<std::size_t>(absent)] = false;
-  parts[static_cast<std::size_t>(ScenePart::SelectedPair)] = side == RetargetPreview::Side::Both;
   return parts;
 }
 
@@ -55,6 +54,7 @@ RetargetPreview::RetargetPreview(QWidget* parent)
   column->addWidget(m_transport);
   column->addWidget(m_ruler);
   column->addWidget(m_state);
+  m_scene->setVisibility(shown_parts());
   wire();
   addKeys();
   setSide(Side::Both);
@@ -70,7 +70,7 @@ QWidget* RetargetPreview::makeSides() {
   row->setContentsMargins(0, 0, 0, 0);
   const std::pair<const char*, const char*> sides[] = {
       {"A: recording", "The pair as recorded"},
-      {"Both", "The other bodies, and the recording as lines"},
+      {"Both", "The other bodies, and the recording as dashed lines"},
       {"B: other bodies", "The pair on the chosen bodies"}};
   int id = 0;
   for (const auto& [name, tip] : sides) {
@@ -90,7 +90,7 @@ QWidget* RetargetPreview::makeSides() {
 void RetargetPreview::wire() {
   using widgets::TimelineView;
   using widgets::TransportBar;
-  connect(&m_ticker, &FrameTicker::frameReady, m_scene, &widgets::SceneView::showFrame);
+  connect(&m_ticker, &FrameTicker::frameReady, this, &RetargetPreview::showFrame);
   connect(m_transport, &TransportBar::toggleRequested, &m_ticker, &FrameTicker::toggle);
   connect(m_transport, &TransportBar::stepRequested, &m_ticker, &FrameTicker::step);
   connect(m_transport, &TransportBar::startRequested, &m_ticker, &FrameTicker::goToStart);
@@ -165,6 +165,13 @@ void RetargetPreview::showNothing() {
   setEnabled(false);
 }
 
+void RetargetPreview::showFrame(const FrameSnapshotPtr& frame) {
+  m_scene->showFrame(frame);
+  std::optional<PairPose> recording;
+  if (m_side == Side::Both) recording = frame->result.selected_pair;
+  m_scene->showComparison(recording, {});
+}
+
 /// The next tick shows the frame anew: it is another object.
 void RetargetPreview::lookAt() {
   using Shows = RetargetedFrames::Shows;
@@ -180,7 +187,6 @@ void RetargetPreview::showState(const QString& text) {
 void RetargetPreview::setSide(Side side) {
   m_side = side;
   m_sides->button(static_cast<int>(side))->setChecked(true);
-  m_scene->setVisibility(parts_of(side));
   lookAt();
 }
 

@@ -22,7 +22,7 @@ namespace abrazo::app {
 class RetargetPreview : public QWidget {
   Q_OBJECT
  public:
-  /// A = the recording, B = on the other bodies; Both = B over A's lines.
+  /// A = the recording, B = on the other bodies; Both = B with A as dashed lines.
   enum class Side { Recording, Both, Retargeted };
 
   explicit RetargetPreview(QWidget* parent);
@@ -47,6 +47,7 @@ class RetargetPreview : public QWidget {
   void wire();
   void addKeys();
   void lookAt();
+  void showFrame(const FrameSnapshotPtr& frame);
 
   widgets::SceneView* m_scene;
   widgets::TransportBar* m_transport;

@@ -26,8 +26,9 @@ bool are_of_same_file(const BodyChoice& a, const BodyChoice& b) {
   return a.kind == BodyChoice::Kind::OfFile && b.kind == BodyChoice::Kind::OfFile && a.file == b.file;
 }
 
-bool have_same_bodies(const RetargetWish& a, const RetargetWish& b) {
-  return body_choice_text(a.active) == body_choice_text(b.active) &&
+bool give_the_same(const RetargetWish& a, const RetargetWish& b) {
+  return a.contacts == b.contacts && a.smoothness == b.smoothness &&
+         body_choice_text(a.active) == body_choice_text(b.active) &&
          body_choice_text(a.passive) == body_choice_text(b.passive);
 }
 
@@ -65,7 +66,7 @@ bool RetargetPreviewDesk::isOfShownTake(const Request& request) const {
 
 void RetargetPreviewDesk::show(Request request) {
   const bool is_same_take = isOfShownTake(request);
-  if (is_same_take && m_trouble.isEmpty() && have_same_bodies(request.wish, m_request->wish)) return;
+  if (is_same_take && m_trouble.isEmpty() && give_the_same(request.wish, m_request->wish)) return;
   if (!is_same_take) {
     m_take.reset();
     m_shown = {};

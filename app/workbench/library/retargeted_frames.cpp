@@ -84,6 +84,8 @@ FrameSnapshotPtr RetargetedFrames::make(std::size_t frame) const {
   snapshot->time_s = pair_.time_of(frame);
   snapshot->input_frame = pair_.first_frame + static_cast<long long>(frame);
   snapshot->user = snapshot->result.query_world;
+  snapshot->settings.morph_steps = 1;  // a fit is not a series of steps
+  snapshot->settings.projection_steps = 0;
   snapshot->input_rate_hz = pair_.fps();
   return snapshot;
 }
