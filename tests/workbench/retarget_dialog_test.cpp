@@ -387,6 +387,19 @@ TEST_F(RetargetPreviewOfWindow, OfManySizesInARowTheLastOneStays) {
   EXPECT_EQ(shownAt(40), written().pair.frames[40].pose);
 }
 
+TEST_F(RetargetPreviewOfWindow, ATallerBodyStaysInThePicture) {
+  body("Leader's body").setEditText("library");
+  ASSERT_TRUE(complete());
+  (void)shownAt(60);
+  const auto distance_m = [] { return preview().scene().camera().distance_m; };
+  preview().scene().frameAll();
+  QTest::qWait(500);  // the camera moves there
+  const double before_m = distance_m();
+  body("Leader's body").setEditText("scale:1.50");
+  EXPECT_TRUE(until([&] { return distance_m() > 1.2 * before_m; }));
+  ASSERT_TRUE(complete());
+}
+
 TEST_F(RetargetPreviewOfWindow, AAndBExchangeTheRecordingAndTheResult) {
   const PairPose made = shownAt(60);
   ASSERT_NE(made, recording(60));

@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <utility>
 
 #include "widgets/scene/view/scene_view.hpp"
@@ -16,6 +17,8 @@ namespace abrazo::app {
 namespace {
 
 using widgets::ScenePart;
+
+constexpr double least_room = 0.9;  // of the distance at which the pair has its margins
 
 /// A take has no user and no source that continues; the recording is drawn as another run.
 widgets::PartVisibility shown_parts() {
@@ -139,6 +142,7 @@ void RetargetPreview::setColours(const widgets::Palette& palette) {
 void RetargetPreview::showRecording(const PreviewedPair& pair, std::shared_ptr<const MotionLibrary> library) {
   m_ticker.setSources(nullptr, nullptr);
   m_pair = pair;
+  m_inScene = nullptr;
   m_scene->setLibrary(std::move(library));
   m_transport->setRate(pair.fps());
   m_ruler->showOtherFrames();
@@ -165,8 +169,19 @@ void RetargetPreview::showNothing() {
   setEnabled(false);
 }
 
+/// Whether the pair is in the picture as a whole, in the present view.
+bool RetargetPreview::isInView(const PairPose& pair) const {
+  const double aspect = m_scene->width() / std::max(1.0, static_cast<double>(m_scene->height()));
+  return m_scene->camera().distance_m >= least_room * m_scene->camera().distance_for(pair, {aspect});
+}
+
 void RetargetPreview::showFrame(const FrameSnapshotPtr& frame) {
+  // While it plays the camera follows. A view that a person brought nearer stays.
+  const bool is_parked = m_ticker.playback().state == Playback::State::Parked;
+  const bool was_in_view = m_inScene && isInView(m_inScene->result.result);
+  m_inScene = frame;
   m_scene->showFrame(frame);
+  if (is_parked && was_in_view && !isInView(frame->result.result)) m_scene->frameAll();
   std::optional<PairPose> recording;
   if (m_side == Side::Both) recording = frame->result.selected_pair;
   m_scene->showComparison(recording, {});

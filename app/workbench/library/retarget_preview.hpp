@@ -48,6 +48,7 @@ class RetargetPreview : public QWidget {
   void addKeys();
   void lookAt();
   void showFrame(const FrameSnapshotPtr& frame);
+  bool isInView(const PairPose& pair) const;
 
   widgets::SceneView* m_scene;
   widgets::TransportBar* m_transport;
@@ -56,6 +57,7 @@ class RetargetPreview : public QWidget {
   QButtonGroup* m_sides;
   Side m_side = Side::Both;
   PreviewedPair m_pair;
+  FrameSnapshotPtr m_inScene;
   FrameHistory m_history;
   LatestSlot<FrameSnapshot> m_latest;  ///< stays empty: a take has no live end
   FrameTicker m_ticker;                // last: reads the others

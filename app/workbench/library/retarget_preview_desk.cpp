@@ -169,7 +169,7 @@ void RetargetPreviewDesk::computeWhole() {
       [this, take = m_take, wish = measuredWish()](const Progress& progress) -> Job::Finish {
         auto made = retarget_take(*take, wish, progress);
         if (!made) return [this, error = made.error()] { fail(error); };
-        return [this, whole = std::make_shared<TakeOnBodies>(std::move(*made))] { takeWhole(*whole); };
+        return [this, whole = std::make_shared<const TakeOnBodies>(std::move(*made))] { takeWhole(whole); };
       });
   connect(m_whole.get(), &Job::progressed, this, [this](double done, const QString& doing) {
     m_view.showState(QString("Computing all frames: %1, %2 %").arg(doing).arg(static_cast<int>(100 * done)));
@@ -180,11 +180,11 @@ void RetargetPreviewDesk::computeWhole() {
   });
 }
 
-void RetargetPreviewDesk::takeWhole(const TakeOnBodies& made) {
+void RetargetPreviewDesk::takeWhole(const std::shared_ptr<const TakeOnBodies>& made) {
   m_isWhole = true;
-  m_shown.pieces = {{std::make_shared<const RetargetedPair>(made.pair), 0}};
+  m_shown.pieces = {{std::shared_ptr<const RetargetedPair>(made, &made->pair), 0}};  // not copied
   m_view.showPieces(m_shown);
-  m_view.showState(state_of(made.described()));
+  m_view.showState(state_of(made->described()));
 }
 
 /// A playing cursor leaves the near frames before all are there.

@@ -44,7 +44,7 @@ class RetargetPreviewDesk : public QObject {
   void computeNear();
   void takeNear(const Read& read);
   void computeWhole();
-  void takeWhole(const TakeOnBodies& made);
+  void takeWhole(const std::shared_ptr<const TakeOnBodies>& made);
   void follow(const Playback& playback);
   void fail(const Error& error);
   RetargetWish measuredWish() const;
