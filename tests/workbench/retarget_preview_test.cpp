@@ -197,6 +197,14 @@ TEST_F(RetargetPreviewOfWindow, WhatCannotBeShownIsSaidAndTheNextChoiceIsShownAg
   EXPECT_THAT(state().text().toStdString(), HasSubstr("Choose a take"));
 }
 
+TEST_F(RetargetPreviewOfWindow, WhatFailsLateDoesNotStopTheNextChoice) {
+  body("Leader's body").setEditText(QDir(output).filePath("gone.bvh"));
+  ASSERT_TRUE(computing().isComputing());
+  body("Leader's body").setEditText("scale:1.1");
+  ASSERT_TRUE(complete());
+  EXPECT_EQ(shownAt(10), written().pair.frames[10].pose);
+}
+
 TEST_F(RetargetPreviewOfWindow, NothingIsComputedForADialogThatIsHidden) {
   emit slider("Leader's body").moved(0.8, 1);
   dialog().hide();

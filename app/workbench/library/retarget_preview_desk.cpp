@@ -106,7 +106,11 @@ void RetargetPreviewDesk::computeNear() {
   m_near = std::make_unique<Job>([this, request = *m_request, wish = measuredWish(), take = m_take,
                                   recorded = m_shown.recorded,
                                   cursor_s](const Progress& progress) mutable -> Job::Finish {
-    const auto failed = [this](const Error& error) { return [this, error] { fail(error); }; };
+    const auto failed = [this](const Error& error) {
+      return [this, error] {
+        if (!m_isNew) fail(error);  // else another request has come
+      };
+    };
     Read read{std::move(take), std::move(recorded), {}, {}};
     if (!read.take) {
       std::vector<std::string> warnings;
