@@ -105,7 +105,7 @@ void TakeDesk::beginTake() {
   m_window.session()->engine().recorder()->begin_take(m_sequence.name);
   const FrameSnapshotPtr latest = m_window.session()->engine().latest().newest();
   const auto receiver = m_window.session()->engine().receiver();
-  m_takes.begin(m_sequence.name, latest ? latest->time_s : now(), latest ? latest->index + 1 : 0,
+  m_takes.begin(m_sequence.name, latest ? latest->time_s : now(),
                 receiver ? receiver->performers() : std::vector{m_window.session()->material().input.name});
   update();
   showTakes();
@@ -113,8 +113,8 @@ void TakeDesk::beginTake() {
 }
 
 void TakeDesk::endTake() {
-  follow();
   if (const auto recorder = m_window.session()->engine().recorder()) recorder->end_take();
+  follow();
   if (!m_window.remembered().keepsEverything() || !m_hasStream) stopRecorder();
   const RecordedTake take = m_takes.end();
   if (take.frames == 0)
@@ -126,9 +126,8 @@ void TakeDesk::endTake() {
 }
 
 void TakeDesk::follow() {
-  const FrameSnapshotPtr latest =
-      m_window.session() ? m_window.session()->engine().latest().newest() : nullptr;
-  if (latest) m_takes.follow(latest->time_s, latest->index);
+  const auto recorder = m_window.session() ? m_window.session()->engine().recorder() : nullptr;
+  if (recorder) m_takes.follow(recorder->state().take_span);
 }
 
 void TakeDesk::rename(std::int64_t id, const std::string& name) {
