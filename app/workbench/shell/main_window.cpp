@@ -88,9 +88,7 @@ MainWindow::MainWindow(UserSettings& remembered)
 
 MainWindow::~MainWindow() {
   m_job.reset();
-  emit sessionEnding();
-  m_ticker.setSources(nullptr, nullptr);
-  m_document->endSession();
+  endSession();
 }
 
 QWidget* MainWindow::makeCentre() {

@@ -64,10 +64,13 @@ class TakeDesk : public QObject {
   /// A take ended and is in the list.
   void taken(qint64 id);
 
+  /// Where the frames of the session come from, for its file.
+  RecordingFacts facts() const;
+
  private:
   void begin(const std::string& name, double countdown_s);
   void beginTake();
-  void endTake();
+  void endTake(bool stopsRecorder = true);
   bool record();
   void stopRecorder();
   void discardIfUnused();
@@ -75,9 +78,9 @@ class TakeDesk : public QObject {
   void update();
   void showTakes();
   void onSessionEnding();
+  void finishFile();
   void writeEdits();
   void writeMarkers();
-  RecordingFacts facts() const;
   widgets::RecordingStatus status() const;
   double now() const;
   std::string freshName(const std::string& typed) const;
