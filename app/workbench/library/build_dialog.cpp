@@ -12,6 +12,7 @@
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QScreen>
 #include <QSplitter>
 #include <QTableView>
 #include <QToolButton>
@@ -55,7 +56,9 @@ BuildDialog::BuildDialog(QWidget* parent)
       m_palette(widgets::palette_of(widgets::Theme::Dark)) {
   setWindowTitle("Build a library of motion files");
   setAcceptDrops(true);
-  resize(1180, 760);
+  // Of the screen some is the window manager's: its bars and the title.
+  constexpr QSize of_the_window_manager(40, 80);
+  resize(QSize(1180, 760).boundedTo(screen()->availableSize() - of_the_window_manager));
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 14, 16, 14);
   column->setSpacing(10);
@@ -66,7 +69,8 @@ BuildDialog::BuildDialog(QWidget* parent)
   m_remarks->setAccessibleName("Problems to check before building");
   m_remarks->setWordWrap(true);
   m_remarks->setIconSize({14, 14});
-  m_remarks->setFixedHeight(116);
+  m_remarks->setMinimumHeight(50);
+  m_remarks->setMaximumHeight(116);
   column->addWidget(m_remarks);
   column->addWidget(makeFoot());
   connectParts();

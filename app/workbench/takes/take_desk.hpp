@@ -55,6 +55,9 @@ class TakeDesk : public QObject {
   const TakeEdits& edits() const { return m_takes.edits(); }
   int session() const { return m_session; }  ///< number of the session
 
+  /// Where the frames of the session come from, for its file.
+  RecordingFacts facts() const;
+
  signals:
   void fileChanged();
   /// A take began, after its countdown.
@@ -63,9 +66,6 @@ class TakeDesk : public QObject {
   void cameToNothing();
   /// A take ended and is in the list.
   void taken(qint64 id);
-
-  /// Where the frames of the session come from, for its file.
-  RecordingFacts facts() const;
 
  private:
   void begin(const std::string& name, double countdown_s);
