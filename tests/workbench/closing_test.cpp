@@ -1,4 +1,5 @@
 // A window that is closed while something runs: it answers until that has stopped, and then goes.
+#include <QDir>
 #include <QTimer>
 #include <atomic>
 #include <chrono>
@@ -7,6 +8,9 @@
 #include "app/workbench/base/job.hpp"
 #include "app/workbench/base/running_work.hpp"
 #include "app/workbench/export/view_recording.hpp"
+#include "app/workbench/project/history_desk.hpp"
+#include "app/workbench/takes/take_desk.hpp"
+#include "core/session/file/session_file.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/common/message_bar.hpp"
 
@@ -100,6 +104,32 @@ TEST_F(Closing, AFilmThatIsBeingRecordedIsWrittenToItsEndBefore) {
   EXPECT_TRUE(until([] { return !window().isVisible(); }));
   EXPECT_TRUE(words.startsWith("Recording written to " + file)) << words.toStdString();
   EXPECT_TRUE(QFile::exists(file));
+}
+
+TEST_F(Closing, ASessionThatIsRecordedEndsWithoutTheWindowWaitingForIt) {
+  window().openDemo();
+  ASSERT_TRUE(until([] { return window().session() && window().session()->latest().newest(); }));
+  auto& takes = *window().findChild<TakeDesk*>();
+  auto& history = *window().findChild<HistoryDesk*>();
+  takes.toggle();
+  ASSERT_TRUE(until([&] {
+    const auto recorder = window().session()->engine().recorder();
+    return recorder && recorder->state().frames > 10;
+  }));
+  const QString file = takes.file(), folder = history.folder();
+  const std::weak_ptr<Recorder> recorder = window().session()->engine().recorder();
+  window().close();
+  EXPECT_FALSE(window().session());
+  EXPECT_TRUE(RunningWork::any()) << "it ends on other threads";
+  EXPECT_TRUE(window().isVisible());
+  ASSERT_TRUE(until([] { return !window().isVisible(); }));
+  EXPECT_TRUE(recorder.expired());
+  EXPECT_FALSE(QDir(folder).exists()) << "a short history goes";
+  const auto recorded = SessionFile::open(file.toStdString());
+  ASSERT_TRUE(recorded) << recorded.error().text();
+  EXPECT_TRUE((*recorded)->recovery().empty()) << "it was completed";
+  ASSERT_EQ((*recorded)->contents().takes.size(), 1U);
+  EXPECT_FALSE((*recorded)->contents().takes[0].interrupted);
 }
 
 }  // namespace

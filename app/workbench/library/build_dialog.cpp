@@ -12,7 +12,6 @@
 #include <QMimeData>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QScreen>
 #include <QSplitter>
 #include <QTableView>
 #include <QToolButton>
@@ -21,6 +20,7 @@
 #include <algorithm>
 
 #include "app/workbench/base/choose_button.hpp"
+#include "app/workbench/base/dialog_size.hpp"
 #include "app/workbench/base/error_words.hpp"
 #include "app/workbench/library/build_form.hpp"
 #include "core/motion/joints/motion_format.hpp"
@@ -56,9 +56,7 @@ BuildDialog::BuildDialog(QWidget* parent)
       m_palette(widgets::palette_of(widgets::Theme::Dark)) {
   setWindowTitle("Build a library of motion files");
   setAcceptDrops(true);
-  // Of the screen some is the window manager's: its bars and the title.
-  constexpr QSize of_the_window_manager(40, 80);
-  resize(QSize(1180, 760).boundedTo(screen()->availableSize() - of_the_window_manager));
+  resize_within_screen(*this, {1180, 760});
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 14, 16, 14);
   column->setSpacing(10);
