@@ -218,10 +218,7 @@ void ProjectDesk::write(const QString& target) {
       m_window.noteOpened({target});
       return emit saved(target);
     }
-    if (done->has_history) {
-      m_framesSavedTo_s = until_s;
-      emit historySaved(until_s);
-    }
+    if (done->has_history) emit historySaved(until_s);
     if (done->frames_left_out > 0)
       m_window.messages().showWarnings(
           {QString("%1 frames of the history could not be read, so they are not in %2")
@@ -239,6 +236,7 @@ void ProjectDesk::write(const QString& target) {
       return emit saved(target);
     }
     if (m_takes.file() != target) m_takes.setFile(target);
+    if (done->has_history) m_framesSavedTo_s = until_s;
     m_saved = what.project;
     m_saved.data = done->project.data;
     m_isRestored = false;

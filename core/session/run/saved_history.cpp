@@ -100,22 +100,22 @@ Result<std::uint64_t> add_history(const std::string& path, HistoryToSave history
   if (!known) return known.error();
   const auto is_known = [&](std::uint64_t index) { return std::ranges::binary_search(*known, index); };
   StretchWriter writer(path, std::move(history.facts));
-  std::uint64_t seen = 0, left_out = 0, lost = 0;
+  const std::uint64_t all = history.frames.size();
+  std::uint64_t seen = 0, lost = 0;
   std::optional<std::uint64_t> next;
   while (const FrameSnapshotPtr frame = history.frames.next()) {
     if (seen++ % frames_between_reports == 0 &&
-        !report(progress, static_cast<double>(seen) / static_cast<double>(history.frames.size()),
-                "Saving the history"))
+        !report(progress, static_cast<double>(seen) / static_cast<double>(all), "Saving the history"))
       return Error{"saving was cancelled", path};
     for (; next && *next < frame->index; ++*next)
-      if (!is_known(*next)) ++lost, ++left_out;
+      if (!is_known(*next)) ++lost;
     next = frame->index + 1;
     const bool is_there = is_known(frame->index);
     if (const Status done = is_there ? writer.end(std::exchange(lost, 0)) : writer.write(*frame); !done)
       return done.error();
   }
   if (const Status ended = writer.end(lost); !ended) return ended.error();
-  return left_out;
+  return all - seen;
 }
 
 }  // namespace abrazo

@@ -232,6 +232,27 @@ TEST_F(SaveSession, HasFramesThatAreNoLongerInMemoryAndThoseThatTheDiskOfTheHist
   expect_all_frames_in(what.to);
 }
 
+TEST_F(SaveSession, FramesThatCannotBeReadAreLeftOutAndCounted) {
+  FrameHistory little(2 << 20);
+  auto facts = test::session_facts();
+  facts.has_times_of_file = true;
+  const auto kept =
+      *HistoryKeeper::open(folder.file("history"), facts, {.bytes = 64 << 20, .tend_every_s = 0});
+  session.commands.push(AttachListener{kept});
+  run_for(8, kept);
+  for (const FrameSnapshotPtr& frame : session.keeper->frames) little.append(frame);
+  little.set_store(kept->store());
+  const std::uint64_t evicted = little.span().evicted;
+  ASSERT_GT(evicted, 0U);
+  SessionToSave what = to("s.abrazo", 17);
+  what.history = HistoryToSave{little.stretch(0, session.now_s), test::session_facts()};
+  kept->remove();
+  const auto saved = save_session(what, {});
+  ASSERT_TRUE(saved) << "the others are saved";
+  EXPECT_EQ(saved->frames_left_out, evicted);
+  EXPECT_EQ((*SessionFile::open(what.to))->contents().frames, session.keeper->frames.size() - evicted);
+}
+
 TEST_F(SaveSession, SavedAgainItGetsTheFramesSince) {
   run_for(2);
   SessionToSave what = to("s.abrazo", 11);
