@@ -15,7 +15,9 @@
 namespace abrazo {
 namespace {
 
-constexpr std::uint64_t frames_between_reports = 256;
+/// In one transaction: they stay in SQLite's cache until the commit. Pages that leave it earlier change the
+/// file's log, and the writer takes that for another program's.
+constexpr std::uint64_t frames_in_batch = 64;
 
 using Indices = std::vector<std::uint64_t>;
 
@@ -57,10 +59,15 @@ class StretchWriter {
       if (!opened) return opened.error();
       writer_ = std::move(*opened);
       library_row_.reset();
+      in_batch_ = 0;
       if (const Status begun = writer_->begin_batch(); !begun) return begun;
     }
     if (const Status written = writer_->write(frame); !written) return written;
-    return note_fingerprint();
+    if (const Status noted = note_fingerprint(); !noted) return noted;
+    if (++in_batch_ < frames_in_batch) return Done{};
+    in_batch_ = 0;
+    if (const Status committed = writer_->commit(0); !committed) return committed;
+    return writer_->begin_batch();
   }
 
   /// @param lost frames of the stretch that could not be read
@@ -91,6 +98,7 @@ class StretchWriter {
   RecordingFacts facts_;
   std::unique_ptr<SessionWriter> writer_;
   std::optional<std::int64_t> library_row_;
+  std::uint64_t in_batch_ = 0;
 };
 
 }  // namespace
@@ -104,7 +112,7 @@ Result<std::uint64_t> add_history(const std::string& path, HistoryToSave history
   std::uint64_t seen = 0, lost = 0;
   std::optional<std::uint64_t> next;
   while (const FrameSnapshotPtr frame = history.frames.next()) {
-    if (seen++ % frames_between_reports == 0 &&
+    if (seen++ % frames_in_batch == 0 &&
         !report(progress, static_cast<double>(seen) / static_cast<double>(all), "Saving the history"))
       return Error{"saving was cancelled", path};
     for (; next && *next < frame->index; ++*next)

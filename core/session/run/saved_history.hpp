@@ -17,8 +17,8 @@ struct HistoryToSave {
 };
 
 /// Adds the frames that a session file lacks, before, between or after those it has; creates the file. If
-/// this fails or is cancelled, the recorded frames of the file are as before. Frames that cannot be read are
-/// left out.
+/// this fails or is cancelled, the file has a part of them, and another call adds the rest. Frames that
+/// cannot be read are left out.
 /// @return the number of frames left out
 /// An Error if the file cannot be written, or another process records into it
 Result<std::uint64_t> add_history(const std::string& path, HistoryToSave history, const Progress& progress);

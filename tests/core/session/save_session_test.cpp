@@ -253,6 +253,15 @@ TEST_F(SaveSession, FramesThatCannotBeReadAreLeftOutAndCounted) {
   EXPECT_EQ((*SessionFile::open(what.to))->contents().frames, session.keeper->frames.size() - evicted);
 }
 
+TEST_F(SaveSession, ALongHistoryIsNotTakenForTheWritingOfAnotherProgram) {
+  run_for(40);  // more than SQLite keeps in its cache
+  SessionToSave what = to("s.abrazo", 18);
+  what.history = history();
+  const auto saved = save_session(what, {});
+  ASSERT_TRUE(saved) << saved.error().text();
+  expect_all_frames_in(what.to);
+}
+
 TEST_F(SaveSession, SavedAgainItGetsTheFramesSince) {
   run_for(2);
   SessionToSave what = to("s.abrazo", 11);
