@@ -3,7 +3,7 @@
 #include <QUndoCommand>
 
 #include "app/workbench/base/error_words.hpp"
-#include "app/workbench/document/frame_release.hpp"
+#include "app/workbench/base/job.hpp"
 #include "core/bodies/chosen_body.hpp"
 #include "core/session/frames/decision_edits.hpp"
 
@@ -119,17 +119,22 @@ void Document::open(const Project& saved, const QStringList& videos) {
   emit videosOpened(saved.videos, videos);
 }
 
+void Document::endSession() {
+  if (!m_session) return;
+  m_session->engine().stop_receiving();  // the next session may want the same port
+  // Shared only because std::function must be copyable.
+  auto ending = std::make_shared<std::unique_ptr<LiveSession>>(std::move(m_session));
+  Job::retire(std::make_unique<Job>([ending](const Progress&) -> Job::Finish {
+                ending->reset();
+                return {};
+              }),
+              this);
+}
+
 void Document::beginSession(PreparedSolver prepared) {
   const bool same_library = m_session && m_session->material().library == prepared.material.library;
   tryPin({});
-  if (m_session) {  // it ends here; only its frames remain for a moment
-    const FrameHistory& history = m_session->engine().history();
-    const FrameHistory::Span span = history.span();
-    auto frames =
-        span.frames > 0 ? history.range(span.memory_first_s, span.last_s) : std::vector<FrameSnapshotPtr>();
-    m_session.reset();
-    new FrameRelease(std::move(frames), this);
-  }
+  endSession();
   m_session = std::make_unique<LiveSession>(std::move(prepared));
   m_subject.clear();
   const auto changed = m_live.begin_session(same_library);

@@ -66,7 +66,8 @@ class Document : public QObject {
   LiveSession* session() const { return m_session.get(); }
   /// Replaces the session; views must have released the previous one.
   void beginSession(PreparedSolver prepared);
-  void endSession() { m_session.reset(); }
+  /// Returns at once; the session ends on another thread, which waits for its step and its files.
+  void endSession();
   /// Continues the session with another library: a take was added or annotated.
   void replaceSolver(PreparedSolver prepared);
 

@@ -26,7 +26,8 @@ void choose_session(MainWindow& window) {
   if (!files.isEmpty()) window.openFiles(files);
 }
 
-/// State of a recorded session beside its frames; the cursor is at its beginning.
+/// State of a recorded session beside its frames. The cursor is at its beginning, or at the live end if a
+/// clip continues it.
 void show_recorded(MainWindow& window, TakeDesk& takes) {
   const auto recorded = window.session()->material().recorded;
   if (!recorded) return;
@@ -36,7 +37,7 @@ void show_recorded(MainWindow& window, TakeDesk& takes) {
   if (!recorded->contents.settings.empty())
     window.document().putSettings(recorded->contents.settings.back().settings);
   window.ticker().tick();
-  window.ticker().goToStart();
+  if (window.session()->material().is_only_recorded()) window.ticker().goToStart();
 }
 
 bool is_history(const MainWindow& window, const QString& file) {

@@ -74,7 +74,8 @@ MainWindow::MainWindow(UserSettings& remembered)
   m_panels = new PanelArea;
   m_panels->setCentralWidget(makeCentre());
   makePanels();
-  m_split = new WorkSplit(m_panels, makeTimeline(), this);
+  QWidget* timeline = makeTimeline();
+  m_split = new WorkSplit(m_panels, timeline, m_timeline, this);
   setCentralWidget(m_split);
   connect(m_panels, &PanelArea::arranged, this, &MainWindow::panelsArranged);
   m_dropHint = new DropHint(this);
@@ -88,9 +89,7 @@ MainWindow::MainWindow(UserSettings& remembered)
 
 MainWindow::~MainWindow() {
   m_job.reset();
-  emit sessionEnding();
-  m_ticker.setSources(nullptr, nullptr);
-  m_document->endSession();
+  endSession();
 }
 
 QWidget* MainWindow::makeCentre() {

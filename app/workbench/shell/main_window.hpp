@@ -143,6 +143,7 @@ class MainWindow : public QMainWindow {
   void wireTransport();
   void showPanels();
   void start(const std::shared_ptr<PreparedSolver>& prepared);
+  void endSession();
   void offerOnceOpen(const QStringList& videos, const QStringList& files);
 
   UserSettings& m_remembered;

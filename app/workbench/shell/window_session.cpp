@@ -140,7 +140,7 @@ void MainWindow::start(const std::shared_ptr<PreparedSolver>& prepared) {
   const QString input = QString::fromStdString(material.input.name);
   m_panels->setHead("library", "Library · " + library);
   m_transport->setInput(QString("%1 %2 · %3 Hz")
-                            .arg(material.recorded ? "recorded" : "clip", input)
+                            .arg(material.is_only_recorded() ? "recorded" : "clip", input)
                             .arg(material.input.fps, 0, 'f', 0));
   m_status->setInput({input, true, material.input.fps}, material.library->pair_count());
   setWindowTitle(input + " with " + library + " — Abrazo");
@@ -151,6 +151,12 @@ void MainWindow::start(const std::shared_ptr<PreparedSolver>& prepared) {
   m_messages->succeed("open", "Opened " + input + " with " + library, true);  // the title shows it
   m_messages->showWarnings(warnings);
   emit sessionStarted();
+}
+
+void MainWindow::endSession() {
+  emit sessionEnding();
+  m_ticker.setSources(nullptr, nullptr);
+  m_document->endSession();
 }
 
 void MainWindow::fail(const QString& message) {
@@ -165,6 +171,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     if (!allowed) return event->ignore();
     m_remembered.setGeometry(saveGeometry());
     emit closing();
+    m_panels->setEnabled(false);  // nothing is there any more that a person could change
+    endSession();
   }
   m_isStopping = RunningWork::any();
   if (!m_isStopping) return QMainWindow::closeEvent(event);

@@ -55,6 +55,9 @@ class TakeDesk : public QObject {
   const TakeEdits& edits() const { return m_takes.edits(); }
   int session() const { return m_session; }  ///< number of the session
 
+  /// Where the frames of the session come from, for its file.
+  RecordingFacts facts() const;
+
  signals:
   void fileChanged();
   /// A take began, after its countdown.
@@ -67,7 +70,7 @@ class TakeDesk : public QObject {
  private:
   void begin(const std::string& name, double countdown_s);
   void beginTake();
-  void endTake();
+  void endTake(bool stopsRecorder = true);
   bool record();
   void stopRecorder();
   void discardIfUnused();
@@ -75,9 +78,9 @@ class TakeDesk : public QObject {
   void update();
   void showTakes();
   void onSessionEnding();
+  void finishFile();
   void writeEdits();
   void writeMarkers();
-  RecordingFacts facts() const;
   widgets::RecordingStatus status() const;
   double now() const;
   std::string freshName(const std::string& typed) const;
