@@ -63,8 +63,8 @@ Status read_as_wished(const SortedFiles& files, const OpeningWish& wish, Materia
       if (suits)
         clips = std::move(said), reading = std::move(ruled), settled = true;
       else
-        material.warnings.push_back("what was said of files like this does not suit it (" +
-                                    said.error().text() + "); it was read as found");
+        material.warnings.push_back("the rule for similar files does not suit it (" + said.error().text() +
+                                    "); it was read as found");
     }
   }
   if (!clips) return clips.error();

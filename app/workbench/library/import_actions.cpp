@@ -32,7 +32,7 @@ void add_import_actions(MainWindow& window) {
   QAction* const anew = add_action(window, menu, "Import options of the open motion…", {}, [&window, desk] {
     if (!desk->offerOpenOne())
       window.messages().showInformation(
-          "What is open is no motion file; open one, or import it by File > Import motion");
+          "The open input is not a motion file; open one, or import it by File > Import motion");
   });
   QAction* const rules = add_action(window, menu, "Remembered imports…", {}, [desk] { desk->showRules(); });
   for (QAction* action : {import, anew, rules})

@@ -56,7 +56,7 @@ ImportDesk::~ImportDesk() = default;
 void ImportDesk::offer(const QStringList& files, const std::optional<MotionReading>& said) {
   const MotionReading reading = motion_among(files, said.value_or(MotionReading{}));
   if (reading.file.empty())
-    return m_window.messages().showError("Among these files is no motion: " + files.join(", "));
+    return m_window.messages().showError("None of these files is a motion: " + files.join(", "));
   show(reading, !said, [this, files](const ImportView& view) { open(files, view.reading); });
 }
 

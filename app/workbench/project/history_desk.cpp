@@ -179,7 +179,7 @@ QString HistoryDesk::lostMarkers(double first_s) {
   }
   if (lost.isEmpty()) return {};
   return QString("%1 in the part of the history that is no longer kept: %2")
-      .arg(lost.size() == 1 ? "A marker stands" : "Markers stand", lost.join(", "));
+      .arg(lost.size() == 1 ? "One marker is" : "Markers are", lost.join(", "));
 }
 
 void HistoryDesk::askBound() {
@@ -189,7 +189,7 @@ void HistoryDesk::askBound() {
       QString::number(bound()), [this](const QString& text) -> QString {
         const auto wanted = parse_number(text.trimmed().toStdString());
         if (!wanted || (*wanted != 0 && (*wanted < least_bound || *wanted > most_bound)))
-          return "'" + text + "' is no bound; write gigabytes from 0.1 to 10000, or 0";
+          return "'" + text + "' is not a valid bound; enter gigabytes from 0.1 to 10000, or 0";
         setBound(*wanted);
         return {};
       });
@@ -199,7 +199,7 @@ void HistoryDesk::setBound(double gigabytes) {
   m_window.remembered().setHistoryBound(gigabytes);
   if (m_keeper && gigabytes > 0) return m_keeper->set_bound(static_cast<std::uint64_t>(gigabytes * gigabyte));
   if (m_keeper || gigabytes > 0)
-    m_window.messages().showInformation("The history is kept so from the next session on");
+    m_window.messages().showInformation("The new bound applies from the next session on");
 }
 
 QStringList HistoryDesk::leftBehind(const QString& folder) {

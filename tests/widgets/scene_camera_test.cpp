@@ -1,0 +1,101 @@
+// The view of the scene: camera, projection, cutting plane.
+#include <gtest/gtest.h>
+
+#include <QTest>
+
+#include "tests/widgets/pictures.hpp"
+#include "tests/widgets/scene_fixture.hpp"
+#include "tests/widgets/synthetic_frames.hpp"
+#include "widgets/scene/view/scene_view.hpp"
+
+namespace abrazo::widgets::scene_camera_test {
+namespace {
+
+using scene_fixture::dark;
+using scene_fixture::middle_of;
+using scene_fixture::Scene;
+using test::difference;
+using test::picture_of;
+using test::pixels_of_hue;
+
+TEST(SceneView, TurnsWithTheMouseAndComesNearerWithTheWheel) {
+  Scene scene({ScenePart::Leader});
+  const QImage before = picture_of(scene.view);
+  const OrbitCamera camera = scene.view.camera();
+  QWidget* surface = scene.view.childAt(320, 240);
+  QTest::mousePress(surface, Qt::LeftButton, {}, {320, 240});
+  QMouseEvent move(QEvent::MouseMove, QPointF(400, 240), QPointF(400, 240), Qt::NoButton, Qt::LeftButton, {});
+  QApplication::sendEvent(surface, &move);
+  EXPECT_NE(scene.view.camera().azimuth_rad, camera.azimuth_rad);
+  EXPECT_DOUBLE_EQ(scene.view.camera().elevation_rad, camera.elevation_rad);
+  EXPECT_GT(difference(before, picture_of(scene.view)), 0.01);
+}
+
+TEST(SceneView, CutsAwayWhatIsNearerThanThePlane) {
+  Scene scene({ScenePart::Leader, ScenePart::Follower});
+  SceneOptions options;
+  options.cuts = true;
+  options.cut_m = -1.5;  // behind both
+  scene.view.setOptions(options);
+  EXPECT_LT(pixels_of_hue(picture_of(scene.view).copy(0, 120, 640, 300), dark().active), 40);
+}
+
+TEST(SceneView, ShowsParallelProjectionAtTheSameSize) {
+  Scene scene({ScenePart::Leader, ScenePart::Follower});
+  const int central = pixels_of_hue(picture_of(scene.view), dark().active);
+  SceneOptions options;
+  options.is_parallel = true;
+  scene.view.setOptions(options);
+  const int parallel = pixels_of_hue(picture_of(scene.view), dark().active);
+  EXPECT_NEAR(parallel, central, 0.25 * central);
+  EXPECT_NE(parallel, central);
+}
+
+TEST(SceneView, CutsAlongAPlaneThatStaysInTheWorld) {
+  Scene scene({ScenePart::Leader, ScenePart::Follower});
+  const QImage whole = picture_of(scene.view);
+  scene.change([](SceneOptions& options) { options.cuts = options.cut_in_world = true; });
+  const QImage cut = picture_of(scene.view);
+  EXPECT_GT(difference(middle_of(whole), middle_of(cut)), 0.02);
+  const double azimuth = scene.view.options().cut_azimuth_rad;
+  scene.view.lookFrom(azimuth + 1, 0.1);
+  QTest::qWait(300);
+  EXPECT_EQ(scene.view.options().cut_azimuth_rad, azimuth) << "it does not go with the eye";
+  scene.view.moveCut(1, 0, 0);
+  const QImage less = picture_of(scene.view);
+  scene.view.moveCut(-2, 0, 0);
+  const QImage nothing = picture_of(scene.view);
+  EXPECT_GT(pixels_of_hue(middle_of(less), dark().passive), 2000);
+  EXPECT_LT(pixels_of_hue(middle_of(nothing), dark().passive), 100) << "all of it lies beyond the plane";
+}
+
+TEST(SceneView, MovesAndTurnsThePlaneWithTheMouse) {
+  Scene scene({ScenePart::Leader});
+  scene.change([](SceneOptions& options) { options.cuts = options.cut_in_world = true; });
+  scene.wheel(Qt::ControlModifier);
+  EXPECT_NEAR(scene.view.options().cut_m, 0.05, 1e-12);
+  const SceneOptions before = scene.view.options();
+  const double eye = scene.view.camera().azimuth_rad;
+  const Qt::KeyboardModifiers keys = Qt::ControlModifier | Qt::AltModifier;
+  QTest::mousePress(scene.surface(), Qt::LeftButton, keys, {320, 240});
+  QMouseEvent move(QEvent::MouseMove, QPointF(360, 240), QPointF(360, 240), Qt::NoButton, Qt::LeftButton,
+                   keys);
+  QApplication::sendEvent(scene.surface(), &move);
+  EXPECT_NE(scene.view.options().cut_azimuth_rad, before.cut_azimuth_rad);
+  EXPECT_EQ(scene.view.camera().azimuth_rad, eye);
+}
+
+TEST(SceneView, ShowsAllWithHomeWhileItHasTheKeyboard) {
+  Scene scene({ScenePart::Leader});
+  picture_of(scene.view);
+  scene.view.resetView();
+  QTest::qWait(300);
+  const double fits = scene.view.camera().distance_m;
+  scene.wheel({});
+  ASSERT_LT(scene.view.camera().distance_m, fits);
+  QTest::keyClick(scene.surface(), Qt::Key_Home);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(scene.view.camera().distance_m - fits) < 0.1; }, 2000));
+}
+
+}  // namespace
+}  // namespace abrazo::widgets::scene_camera_test

@@ -1,0 +1,142 @@
+// What a person selects in the scene, and what is marked and shown of it.
+#include <gtest/gtest.h>
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "core/motion/body/joint_set.hpp"
+#include "tests/widgets/pictures.hpp"
+#include "tests/widgets/scene_fixture.hpp"
+#include "tests/widgets/synthetic_frames.hpp"
+#include "widgets/scene/values/picture_projection.hpp"
+#include "widgets/scene/view/scene_view.hpp"
+
+namespace abrazo::widgets::scene_selection_test {
+namespace {
+
+using scene_fixture::dark;
+using scene_fixture::middle_of;
+using scene_fixture::place_of;
+using scene_fixture::Scene;
+using test::difference;
+using test::picture_of;
+using test::pixels_of_hue;
+using test::synthetic_frame;
+
+TEST(SceneView, SelectsTheJointThatIsClickedAndKeepsItInOtherFrames) {
+  Scene scene({ScenePart::Joints});
+  const QImage before = picture_of(scene.view);
+  QSignalSpy changed(&scene.view, &SceneView::selectionRequested);
+  const QPoint place = place_of(scene.view, synthetic_frame(3, 0.05), joints::Head);
+  QTest::mouseClick(scene.view.childAt(320, 240), Qt::LeftButton, {}, place);
+  ASSERT_EQ(changed.size(), 1);
+  EXPECT_EQ(scene.view.selection(), Selection::joint(joints::Head));
+  auto* card = scene.view.findChild<QWidget*>("selected");
+  ASSERT_TRUE(card->isVisible());
+  EXPECT_GT(difference(before, picture_of(scene.view)), 0.01) << "the mark and the card";
+  scene.view.showFrame(synthetic_frame(9, 0.15));
+  EXPECT_EQ(scene.view.selection(), Selection::joint(joints::Head));
+  QTest::mouseClick(scene.surface(), Qt::LeftButton, {}, {8, 300});
+  EXPECT_EQ(scene.view.selection(), Selection()) << "a click beside everything";
+  EXPECT_FALSE(card->isVisible());
+}
+
+TEST(SceneView, AddsWithShiftAndTogglesWithCtrl) {
+  Scene scene({ScenePart::Joints});
+  picture_of(scene.view);
+  const auto click = [&scene](int vertex, Qt::KeyboardModifiers keys) {
+    const QPoint place = place_of(scene.view, synthetic_frame(3, 0.05), vertex);
+    QTest::mouseClick(scene.surface(), Qt::LeftButton, keys, place);
+  };
+  click(joints::Head, {});
+  click(joint_count + joints::Head, Qt::ShiftModifier);
+  EXPECT_EQ(scene.model.selection().vertices,
+            (std::vector<std::uint8_t>{joints::Head, joint_count + joints::Head}));
+  click(joints::Head, Qt::ControlModifier);
+  EXPECT_EQ(scene.model.selection(), Selection::joint(joint_count + joints::Head));
+}
+
+TEST(SceneView, PicksTheGhostOfTheSelectedPairAndSaysWhoseItIs) {
+  Scene scene({ScenePart::SelectedPair});
+  picture_of(scene.view);
+  QSignalSpy hovered(&scene.view, &SceneView::candidateHovered);
+  const PairPose& pair = synthetic_frame(3, 0.05)->result.selected_pair;
+  const Vec3 knee = pair.row(joints::left_knee), hip = pair.row(joints::left_hip);
+  const auto at = PictureProjection(scene.view.camera(), 640, 480).project(0.5 * (knee + hip)).value();
+  QMouseEvent move(QEvent::MouseMove, QPointF(at.x, at.y), Qt::NoButton, Qt::NoButton, {});
+  QApplication::sendEvent(scene.surface(), &move);
+  ASSERT_EQ(hovered.size(), 1);
+  EXPECT_EQ(hovered[0][0].toInt(), 0);
+  QTest::mouseClick(scene.surface(), Qt::LeftButton, {}, {qRound(at.x), qRound(at.y)});
+  EXPECT_EQ(scene.model.selection(), Selection::candidate(0));
+}
+
+TEST(SceneView, ShowsTheGhostOfASelectedCandidate) {
+  Scene scene({});
+  const int before = pixels_of_hue(picture_of(scene.view), dark().ghost_active);
+  scene.model.select(Selection::candidate(4));
+  EXPECT_GT(pixels_of_hue(picture_of(scene.view), dark().ghost_active), before + 200);
+}
+
+TEST(SceneView, HidesTheCardWhenThePointerLeaves) {
+  Scene scene({ScenePart::Joints});
+  picture_of(scene.view);
+  const QPointF place = place_of(scene.view, synthetic_frame(3, 0.05), joints::Head);
+  QMouseEvent move(QEvent::MouseMove, place, Qt::NoButton, Qt::NoButton, {});
+  QApplication::sendEvent(scene.surface(), &move);
+  auto* card = scene.view.findChild<QWidget*>("hovered");
+  ASSERT_TRUE(card->isVisible());
+  EXPECT_FALSE(card->geometry().contains(place.toPoint())) << "nor does it cover what it is about";
+  QEvent leave(QEvent::Leave);
+  QApplication::sendEvent(scene.surface(), &leave);
+  EXPECT_FALSE(card->isVisible());
+}
+
+TEST(SceneView, IsolatesAndHidesTheSelection) {
+  Scene scene({ScenePart::MeshBetween, ScenePart::MeshWithin});
+  const QImage all = picture_of(scene.view);
+  scene.model.select(Selection::joint(joints::Head));
+  scene.change([](SceneOptions& options) { options.isolates = true; });
+  const QImage isolated = picture_of(scene.view);
+  EXPECT_GT(difference(middle_of(all), middle_of(isolated)), 0.01);
+  scene.view.hideSelection();
+  EXPECT_EQ(scene.model.selection(), Selection());
+  EXPECT_EQ(scene.view.hidden().size(), 1U);
+  scene.view.showHidden();
+  EXPECT_TRUE(scene.view.hidden().empty());
+  EXPECT_FALSE(scene.view.options().isolates);
+  EXPECT_LT(difference(middle_of(all), middle_of(picture_of(scene.view))), 0.002);
+}
+
+TEST(SceneView, GoesToTheSelectionAndBackToTheViewBefore) {
+  Scene scene({ScenePart::Leader});
+  picture_of(scene.view);
+  const OrbitCamera start = scene.view.camera();
+  scene.model.select(Selection::joint(joints::Head));
+  scene.view.frameSelection();
+  const Vec3 head = synthetic_frame(3, 0.05)->result.result.row(joints::Head);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return (scene.view.camera().target - head).norm() < 1e-9; }, 2000));
+  EXPECT_LT(scene.view.camera().distance_m, start.distance_m);
+  scene.view.previousView();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return scene.view.camera() == start; }, 2000));
+  scene.view.nextView();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return (scene.view.camera().target - head).norm() < 1e-9; }, 2000));
+}
+
+TEST(SceneView, TellsAboutTheJointUnderThePointer) {
+  Scene scene({ScenePart::Joints});
+  picture_of(scene.view);
+  auto* card = scene.view.findChild<QWidget*>("hovered");
+  const auto point_at = [&scene](QPointF place) {
+    QMouseEvent move(QEvent::MouseMove, place, place, Qt::NoButton, Qt::NoButton, {});
+    QApplication::sendEvent(scene.view.childAt(320, 240), &move);
+  };
+  point_at(place_of(scene.view, synthetic_frame(3, 0.05), joints::Head));
+  EXPECT_TRUE(card->isVisible());
+  point_at({5, 300});
+  EXPECT_FALSE(card->isVisible());
+  EXPECT_FALSE(scene.view.selection()) << "pointing selects nothing";
+}
+
+}  // namespace
+}  // namespace abrazo::widgets::scene_selection_test
