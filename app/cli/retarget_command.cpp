@@ -130,6 +130,16 @@ void add_retarget_command(CommandLine& line) {
   command->add_option("--passive-body", arguments->passive_body, std::string("body of the partner: ") + body)
       ->type_name("BODY")
       ->capture_default_str();
+  command
+      ->add_option("--contacts", arguments->wish.contacts,
+                   "weight of the recorded distances of near joints, times the usual one, 0 to 4")
+      ->type_name("FACTOR")
+      ->capture_default_str();
+  command
+      ->add_option("--smoothness", arguments->wish.smoothness,
+                   "weight of the smoothed motion, times the usual one, 0 to 4")
+      ->type_name("FACTOR")
+      ->capture_default_str();
   CLI::Option* output = command
                             ->add_option("-o,--output", arguments->wish.output,
                                          "both characters: .bvh (two roots), .glb, .csv, .npz")

@@ -11,8 +11,6 @@
 #include "core/base/line_file.hpp"
 #include "core/base/output_file.hpp"
 #include "core/base/statistics.hpp"
-#include "core/bodies/chosen_body.hpp"
-#include "core/bodies/pair_retargeting.hpp"
 #include "core/bodies/retargeted_frame.hpp"
 #include "core/motion/files/clip_file.hpp"
 #include "core/motion/scenes/character_glb.hpp"
@@ -38,6 +36,12 @@ Status check_choices(const RetargetWish& wish) {
   if (wish.takes.empty()) return Error{"no take is chosen; choose at least one", ""};
   for (const BodyChoice* choice : {&wish.active, &wish.passive})
     if (choice->kind == BodyChoice::Kind::User) return choose_body(*choice, Body{}).error();
+  for (const auto& [name, factor] :
+       {std::pair{"contacts", wish.contacts}, std::pair{"smoothness", wish.smoothness}})
+    if (!(factor >= 0 && factor <= RetargetWish::greatest_factor))
+      return Error{fmt::format("a factor from 0 to {:g} is expected for {}, not {:g}",
+                               RetargetWish::greatest_factor, name, factor),
+                   ""};
   return wish.character.empty() ? check_clip_file(wish.output, {}, 2) : check_character_file(wish.output);
 }
 
@@ -54,30 +58,6 @@ struct Outputs {
     return motions.commit();
   }
 };
-
-RetargetedTake described(const RetargetedPair& pair, const ChosenBody& active, const ChosenBody& passive) {
-  RetargetedTake about;
-  about.name = pair.recorded.name;
-  about.frames = pair.frames.size();
-  about.active_body = active.name;
-  about.passive_body = passive.name;
-  about.active_height_m = active.body.height();
-  about.passive_height_m = passive.body.height();
-  std::vector<double> hold_changes_m;
-  for (std::size_t frame = 0; frame < pair.frames.size(); ++frame) {
-    const RetargetedFrame& made = pair.frames[frame];
-    if (made.holds > 0) hold_changes_m.push_back(made.hold_change_m);
-    about.hold_change_max_m = std::max(about.hold_change_max_m, made.hold_change_m);
-    about.bone_error_max = std::max(about.bone_error_max, made.bone_error);
-    about.excess_max_m = std::max(about.excess_max_m, made.excess_m);
-    if (!made.is_nearest_only() || about.nearest_only++ > 0) continue;
-    about.first_shortfall = made.shortfall();
-    about.first_shortfall_s = static_cast<double>(frame) / pair.recorded.active.fps;
-  }
-  about.frames_with_holds = hold_changes_m.size();
-  about.hold_change_mean_m = mean(hold_changes_m);
-  return about;
-}
 
 Status add_motion(const RetargetedPair& pair, const RetargetWish& wish, WholeFiles& motions) {
   const std::vector<std::string> files = wish.motion_files(pair.recorded.name);
@@ -106,27 +86,17 @@ Result<std::unique_ptr<LineFile>> trace_of(const RetargetedPair& pair, const Ret
   return trace;
 }
 
-Result<RetargetedTake> retarget_take(const PairedTake& take, const RetargetWish& wish,
-                                     const std::string& source, const Progress& progress, Outputs& outputs) {
-  const RecordedPair whole = recorded_pair_of(take);
-  // Bodies are measured over the whole take, so that a part of it gets the same.
-  const Body active = body_of(whole.active.poses), passive = body_of(whole.passive.poses);
-  auto part_of_take = cut(whole, wish.from, wish.to);
-  if (!part_of_take) return part_of_take.error();
-  const auto to_active = choose_body(wish.active, active, progress);
-  if (!to_active) return to_active.error();
-  const auto to_passive = choose_body(wish.passive, passive, progress);
-  if (!to_passive) return to_passive.error();
-  const auto pair = retarget_pair(std::move(*part_of_take),
-                                  {{active, to_active->body}, {passive, to_passive->body}}, progress);
-  if (!pair) return pair.error();
-  if (const Status added = add_motion(*pair, wish, outputs.motions); !added) return added.error();
+Result<RetargetedTake> add_take(const PairedTake& take, const RetargetWish& wish, const std::string& source,
+                                const Progress& progress, Outputs& outputs) {
+  const auto made = retarget_take(take, wish, progress);
+  if (!made) return made.error();
+  if (const Status added = add_motion(made->pair, wish, outputs.motions); !added) return added.error();
   if (!wish.trace.empty()) {
-    auto trace = trace_of(*pair, wish, source);
+    auto trace = trace_of(made->pair, wish, source);
     if (!trace) return trace.error();
     outputs.traces.push_back(std::move(*trace));
   }
-  RetargetedTake about = described(*pair, *to_active, *to_passive);
+  RetargetedTake about = made->described();
   about.motion_files = wish.motion_files(take.name);
   return about;
 }
@@ -183,6 +153,50 @@ std::string RetargetedTake::quality_text() const {
   return text;
 }
 
+RetargetedTake TakeOnBodies::described() const {
+  RetargetedTake about;
+  about.name = pair.recorded.name;
+  about.frames = pair.frames.size();
+  about.active_body = active.name;
+  about.passive_body = passive.name;
+  about.active_height_m = active.body.height();
+  about.passive_height_m = passive.body.height();
+  std::vector<double> hold_changes_m;
+  for (std::size_t frame = 0; frame < pair.frames.size(); ++frame) {
+    const RetargetedFrame& made = pair.frames[frame];
+    if (made.holds > 0) hold_changes_m.push_back(made.hold_change_m);
+    about.hold_change_max_m = std::max(about.hold_change_max_m, made.hold_change_m);
+    about.bone_error_max = std::max(about.bone_error_max, made.bone_error);
+    about.excess_max_m = std::max(about.excess_max_m, made.excess_m);
+    if (!made.is_nearest_only() || about.nearest_only++ > 0) continue;
+    about.first_shortfall = made.shortfall();
+    about.first_shortfall_s = static_cast<double>(frame) / pair.recorded.active.fps;
+  }
+  about.frames_with_holds = hold_changes_m.size();
+  about.hold_change_mean_m = mean(hold_changes_m);
+  return about;
+}
+
+Result<TakeOnBodies> retarget_take(const PairedTake& take, const RetargetWish& wish,
+                                   const Progress& progress) {
+  const RecordedPair whole = recorded_pair_of(take);
+  const Body active = body_of(whole.active.poses), passive = body_of(whole.passive.poses);
+  auto part_of_take = cut(whole, wish.from, wish.to);
+  if (!part_of_take) return part_of_take.error();
+  auto to_active = choose_body(wish.active, active, progress);
+  if (!to_active) return to_active.error();
+  auto to_passive = choose_body(wish.passive, passive, progress);
+  if (!to_passive) return to_passive.error();
+  FitWeights weights;
+  weights.relation.contact *= wish.contacts;
+  weights.relation.near *= wish.contacts;
+  weights.smooth *= wish.smoothness;
+  auto pair = retarget_pair(std::move(*part_of_take),
+                            {{active, to_active->body}, {passive, to_passive->body}}, progress, weights);
+  if (!pair) return pair.error();
+  return TakeOnBodies{std::move(*pair), std::move(*to_active), std::move(*to_passive)};
+}
+
 Result<std::vector<RetargetedTake>> retarget_takes(const std::vector<PairedTake>& takes,
                                                    const RetargetWish& wish, const std::string& source,
                                                    const Progress& progress) {
@@ -197,7 +211,7 @@ Result<std::vector<RetargetedTake>> retarget_takes(const std::vector<PairedTake>
                                  double fraction, std::string_view doing) {
       return report(go_on, fraction, fmt::format("{}: {}", name, doing));
     };
-    auto done = retarget_take(takes[t], wish, source, of_take, outputs);
+    auto done = add_take(takes[t], wish, source, of_take, outputs);
     if (!done) return done.error();
     all.push_back(std::move(*done));
   }

@@ -7,6 +7,8 @@
 
 #include "core/base/progress.hpp"
 #include "core/base/result.hpp"
+#include "core/bodies/chosen_body.hpp"
+#include "core/bodies/pair_retargeting.hpp"
 #include "core/library/takes/paired_take.hpp"
 #include "core/motion/body/body_choice.hpp"
 
@@ -18,6 +20,12 @@ struct RetargetWish {
   long long from = 0;              ///< first frame, 0-based, of every take
   std::optional<long long> to;     ///< frame behind the last; none = to the end
   BodyChoice active, passive;
+  /// Weight of the recorded distances of joints that are near one another, times the usual one: higher keeps
+  /// contacts, lower the shape of each body.
+  double contacts = 1;
+  /// Weight of the smoothed pair, times the usual one.
+  double smoothness = 1;
+  static constexpr double greatest_factor = 4;  ///< of both; the least is 0
   std::string output;  ///< .bvh, .glb, .csv or .npz; of several takes OUT_TAKE for each
   std::string trace;   ///< JSON lines, likewise for each take; empty = none
   std::string
@@ -54,6 +62,20 @@ struct RetargetedTake {
   /// Holds, overlap and bones; and how many frames are only the nearest pose, if any are.
   std::string quality_text() const;
 };
+
+/// A take on other bodies, computed.
+struct TakeOnBodies {
+  RetargetedPair pair;
+  ChosenBody active, passive;
+
+  RetargetedTake described() const;  ///< without files
+};
+
+/// The frames and bodies of the wish of one take, as `retarget_takes` writes them; writes nothing. Bodies are
+/// measured over the whole take, so a part of it gets the same ones.
+/// @return an Error also if `progress` cancelled
+Result<TakeOnBodies> retarget_take(const PairedTake& take, const RetargetWish& wish,
+                                   const Progress& progress = {});
 
 /// Transfers takes to other bodies and writes the files of the wish: all of them, or none. The window and
 /// the command line both retarget through it, so their files are the same to the bit.

@@ -116,7 +116,7 @@ void describe(const Material& material, Project& project) {
   if (const std::string how = reading_json(material.reading); how != reading_json({}))
     project.view[view_of_reading] = how;
   // Of a recorded session the input is in the recording.
-  if (material.reading.file.empty() && !material.recorded) project.input = material.input.name;
+  if (material.reading.file.empty() && !material.is_only_recorded()) project.input = material.input.name;
 }
 
 Project with_library_file(Project project, const std::string& file) {

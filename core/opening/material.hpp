@@ -27,8 +27,8 @@ struct RecordedSession {
   Markers markers() const;
 };
 
-/// The data of a live session: a library, and a clip that plays the user; or a recorded session,
-/// whose clip has a name and a rate but no poses.
+/// The data of a live session: a library, and a clip that plays the user. After a recorded session the clip
+/// continues, or has a name and a rate but no poses.
 struct Material {
   std::shared_ptr<const MotionLibrary> library;
   std::string library_file;  ///< library or manifest; empty if the library is not a file
@@ -47,6 +47,8 @@ struct Material {
   std::shared_ptr<const RecordedSession> recorded;  ///< null: nothing was recorded before
   std::shared_ptr<const OpenedProject> project;     ///< null: not opened from a session file
 
+  /// Nobody plays the user until a stream is connected.
+  bool is_only_recorded() const { return recorded && input.poses.empty(); }
   /// Motion, skeleton and joint map of the input; none if it is a take of the library.
   std::vector<std::string> input_files() const;
   /// The library is neither a file nor generated: closing the session loses it, except for its manifest.

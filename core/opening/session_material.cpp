@@ -65,8 +65,20 @@ Result<FoundLibrary> library_for(const OpenedSession& session, const SessionWish
   return found;
 }
 
-Status add_frames(const OpenedSession& session, const FoundLibrary& found, const Progress& progress,
-                  Material& material) {
+/// The clip that played the user when the session was saved continues after the recorded frames. A device
+/// does not: the user connects it again.
+bool clip_continues(const OpenedSession& session) {
+  const auto& inputs = session.recording.contents.inputs;
+  const Project& project = session.project->project();
+  const bool is_named =
+      !project.input.empty() ||
+      std::ranges::any_of(project.data, [](const DataReference& data) { return data.use == Use::Motion; });
+  return session.project->reading.is_saved && is_named && !inputs.empty() &&
+         inputs.back().text.starts_with("clip:");
+}
+
+Status add_frames(const OpenedSession& session, const FoundLibrary& found, bool continues,
+                  const Progress& progress, Material& material) {
   const SessionReading& recording = session.recording;
   const std::string& file = session.project->file;
   for (const auto& library : {found.material.library, found.before}) recording.frames->add_library(library);
@@ -84,6 +96,7 @@ Status add_frames(const OpenedSession& session, const FoundLibrary& found, const
   material.recorded =
       std::make_shared<const RecordedSession>(RecordedSession{file, recording.frames, recording.contents});
   material.excluded_takes = recording.contents.libraries.back().excluded_takes;
+  if (continues) return Done{};
   material.input = {};
   material.input.name = fs::path(file).stem().string();
   material.input.fps = rate_of(recording.contents);
@@ -155,12 +168,15 @@ Result<Material> material_of(const OpenedSession& session, const SessionWish& wi
   auto found = library_for(session, wish, progress);
   if (!found) return found.error();
   Material material = found->material;
-  const Status added =
-      has_frames ? add_frames(session, *found, progress, material) : add_input(project, material);
-  if (!added) return added.error();
+  const bool continues = has_frames && clip_continues(session);
+  if (!has_frames || continues)
+    if (const Status added = add_input(project, material); !added) return added.error();
+  if (has_frames)
+    if (const Status added = add_frames(session, *found, continues, progress, material); !added)
+      return added.error();
   const auto damage = session.damage();
   material.warnings.insert(material.warnings.begin(), damage.begin(), damage.end());
-  if (!has_frames) warn_of_data(project, material.warnings);
+  if (!has_frames || continues) warn_of_data(project, material.warnings);
   warn_of_takes(project.project(), material);
   material.stands_in = found->material.stands_in;
   material.project = session.project;

@@ -96,6 +96,8 @@ struct IntentModel::Learned {
   Rows landing_motions, landing_points;
   Eigen::VectorXf landing_squares;
   std::vector<int> landing_blocks, landing_labels;
+  /// Beside one another, because reading them from the library's poses fetches as many places of memory.
+  std::vector<RootFrame> landing_places;
 
   Eigen::Index outputs() const { return partners.size() + 1 + static_cast<Eigen::Index>(labels.size()); }
   void place_in_blocks();
@@ -171,6 +173,7 @@ bool IntentModel::Learned::describe_landings(const Progress& progress) {
   const auto count = static_cast<Eigen::Index>(landings.size());
   landing_motions.resize(count, kernel.size());
   landing_points.resize(count, partners.size());
+  landing_places.resize(landings.size());
   const bool described = for_each_row(landings.size(), 64, progress, learning, [&](std::size_t at) {
     const auto row = static_cast<Eigen::Index>(at);
     HistoryKernel::Raw raw;
@@ -179,6 +182,7 @@ bool IntentModel::Learned::describe_landings(const Progress& progress) {
     std::vector<float> work(static_cast<std::size_t>(partners.room()));
     partners.embed(motion_before.partner_after(landings[at], 0),
                    {landing_points.row(row).data(), static_cast<std::size_t>(partners.size())}, work);
+    landing_places[at] = partner_place(*library, landings[at]);
   });
   landing_squares = landing_points.rowwise().squaredNorm();
   return described;
@@ -283,6 +287,10 @@ void IntentModel::read(const MotionHistory& history, Reading& reading) const {
   Eigen::Map<Eigen::VectorXf> partner(reading.partner_m.data(), of.landing_points.rows());
   partner.noalias() = of.landing_points * point;
   partner = (of.landing_squares - 2 * partner).array() + (reading.expected_square + reading.spread_m);
+}
+
+const RootFrame& IntentModel::place_of_landing(std::size_t landing) const {
+  return learned_->landing_places[landing];
 }
 
 float IntentModel::leader_kernel(std::size_t landing, const Reading& reading) const {

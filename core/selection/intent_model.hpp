@@ -50,6 +50,8 @@ class IntentModel {
   /// By index into landings().
   int block_of_landing(std::size_t landing) const;
   int label_of_landing(std::size_t landing) const;
+  /// Root of the landing's partner on the floor, relative to the leader's root and heading.
+  const RootFrame& place_of_landing(std::size_t landing) const;
   int example_count() const;
 
   /// Evaluation of the user's motion. Kept by the caller, so that a frame does not allocate; created by

@@ -8,6 +8,7 @@
 
 #include "core/mesh/capsules.hpp"
 #include "core/motion/body/joint_set.hpp"
+#include "core/selection/recorded_motion.hpp"
 
 namespace abrazo {
 
@@ -227,20 +228,14 @@ void IntentSelector::list_landings(const SelectionQuery& query, const Selectable
 /// The mean over the believed pairs of where their partners are, those like `like` foremost: one pair's own
 /// place is off by more.
 RootFrame IntentSelector::place(int like) const {
-  const MotionLibrary& library = *model_->library();
-  const auto place_of = [&](int pair) {
-    RootFrame root = root_frame(library.pose(pair).bottomRows<joint_count>());
-    root.position.y() = 0;
-    return root;
-  };
-  const RootFrame near = place_of(like);
+  const RootFrame near = partner_place(*model_->library(), like);
   const float least = *std::min_element(totals_.begin(), totals_.end());
   Vec3 apart_sum = Vec3::Zero();
   double turn_sum = 0, weights = 1;  // its own
   for (std::size_t l = 0; l < totals_.size(); ++l) {
     const float off = totals_[l] - least;
     if (!(off < place_widths * place_width_m)) continue;
-    const RootFrame there = place_of(model_->landings()[l]);
+    const RootFrame& there = model_->place_of_landing(l);
     const Vec3 apart = there.position - near.position;
     const double turn = within_half_turn(there.heading_rad - near.heading_rad);
     const double likeness =

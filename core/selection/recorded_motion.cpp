@@ -50,4 +50,10 @@ Pose RecordedMotion::partner_after(int pair, double later_s) const {
                        above_floor);
 }
 
+RootFrame partner_place(const MotionLibrary& library, int pair) {
+  RootFrame place = root_frame(library.pose(pair).bottomRows<joint_count>());
+  place.position.y() = 0;
+  return place;
+}
+
 }  // namespace abrazo

@@ -26,4 +26,7 @@ class RecordedMotion {
   std::vector<int> first_;  ///< per pair: the first pair of its stretch without a gap
 };
 
+/// The partner's root on the floor and heading at a pair, relative to the leader's root and heading.
+RootFrame partner_place(const MotionLibrary& library, int pair);
+
 }  // namespace abrazo

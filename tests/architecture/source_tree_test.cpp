@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <regex>
 #include <string>
 
 #include "tests/architecture/rules.hpp"
@@ -119,6 +121,39 @@ TEST(Architecture, LinksOfDocumentsLeadSomewhere) {
     }
   }
   EXPECT_TRUE(holds(dead));
+}
+
+/// Benchmarks and fuzzers are not built with the rest: a file that moved breaks them unseen.
+TEST(Architecture, SourcesThatTheBuildNamesAreThere) {
+  const std::filesystem::path root = ABRAZO_SOURCE_DIR;
+  const std::regex source(R"(([\w./${}-]*[\w-]\.(?:cpp|hpp))(?![\w.]))"),
+      variable(R"(set\((\w+) (\$\{PROJECT_SOURCE_DIR\}\S*)\))");
+  Violations missing;
+  int named = 0;
+  for (const SourceFile& file : tree()) {
+    if (!file.path.ends_with("CMakeLists.txt")) continue;
+    const std::string here = (root / file.path).parent_path().string();
+    std::map<std::string, std::string> values = {{"${PROJECT_SOURCE_DIR}", root.string()},
+                                                 {"${CMAKE_CURRENT_SOURCE_DIR}", here}};
+    for (std::size_t n = 0; n < file.lines.size(); ++n) {
+      std::string line = file.lines[n].substr(0, file.lines[n].find('#'));
+      for (const auto& [name, value] : values)
+        for (auto at = line.find(name); at != std::string::npos; at = line.find(name))
+          line.replace(at, name.size(), value);
+      if (std::smatch found; std::regex_search(line, found, variable))
+        values["${" + found[1].str() + "}"] = found[2];
+      for (std::sregex_iterator at(line.begin(), line.end(), source), end; at != end; ++at) {
+        const std::string path = (*at)[1];
+        if (path.find('$') != std::string::npos) continue;  // generated
+        ++named;
+        if (!std::filesystem::exists(std::filesystem::path(here) / path) &&
+            !std::filesystem::exists(root / path))
+          missing.push_back(file.path + ":" + std::to_string(n + 1) + ": there is no " + path);
+      }
+    }
+  }
+  EXPECT_GT(named, 500);
+  EXPECT_TRUE(holds(missing));
 }
 
 }  // namespace

@@ -2,17 +2,20 @@
 
 #include <execinfo.h>
 #include <fcntl.h>
+#include <semaphore.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -20,17 +23,13 @@
 namespace abrazo::soak {
 namespace {
 
-constexpr int says_where = SIGUSR2;
+constexpr int where = SIGUSR2;  ///< asks it
 constexpr auto look_every = std::chrono::milliseconds(50);
+constexpr double look_after_s = 0.1;
 
 double now_s() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
-
-/// Seconds for which a thread has ever run, and been ready to run without a processor.
-struct Processor {
-  double ran_s = 0, starved_s = 0;
-};
 
 /// 0 where the kernel does not count them. Takes no memory: a signal handler calls it.
 Processor processor_of(pid_t thread) {
@@ -46,72 +45,115 @@ Processor processor_of(pid_t thread) {
   return {static_cast<double>(ran_ns) / 1e9, static_cast<double>(std::strtoull(rest, nullptr, 10)) / 1e9};
 }
 
-/// What the signal handler sees of the one watch.
+/// What the signal handler sees of the one watch, and what it tells: the calls that the watched thread is in.
 struct Watched {
   std::atomic<pid_t> id{0};
-  std::atomic<double> beat_s{0}, ran_s{0}, starved_s{0}, limit_s{0};
+  std::atomic<double> beat_s{0}, starved_s{0}, limit_s{0};
   std::atomic<double> said_s{0};  ///< the beat before the gap that was reported
+  std::array<void*, 60> calls{};  ///< written before the semaphore is raised, read after
+  int call_count = 0;
+  sem_t told{};
 } watched;
 
 /// In the watched thread. A wait for a processor is counted when it is over: so here, not in the thread that
 /// watches. `addr2line -Cfipe PROGRAM ADDRESS` names the lines.
-void say_where(int) {
+void tell_where(int) {
+  const int error = errno;
+  watched.call_count = ::backtrace(watched.calls.data(), static_cast<int>(watched.calls.size()));
   const double beat_s = watched.beat_s;
-  if (watched.said_s == beat_s) return;
-  if (now_s() - beat_s - (processor_of(watched.id).starved_s - watched.starved_s) <= watched.limit_s) return;
-  watched.said_s = beat_s;
-  std::array<void*, 60> calls{};
-  constexpr std::string_view words = "  it is in\n";
-  if (::write(STDOUT_FILENO, words.data(), words.size()) < 0) return;
-  ::backtrace_symbols_fd(calls.data(), ::backtrace(calls.data(), static_cast<int>(calls.size())),
-                         STDOUT_FILENO);
+  const double own_s = now_s() - beat_s - (processor_of(watched.id).starved_s - watched.starved_s);
+  if (watched.said_s != beat_s && own_s > watched.limit_s) {
+    watched.said_s = beat_s;
+    constexpr std::string_view words = "  it is in\n";
+    if (::write(STDOUT_FILENO, words.data(), words.size()) >= 0)
+      ::backtrace_symbols_fd(watched.calls.data(), watched.call_count, STDOUT_FILENO);
+  }
+  ::sem_post(&watched.told);
+  errno = error;
+}
+
+std::string name_of(const std::filesystem::path& thread) {
+  std::ifstream file(thread / "comm");
+  std::string name;
+  std::getline(file, name);
+  return name;
 }
 
 }  // namespace
 
-AnswerWatch::AnswerWatch(double limit_s) : watched_(::pthread_self()) {
+Driver software_driver() {
+  return {{"swrast_dri.so", "libgallium"}, "llvmpipe"};
+}
+
+AnswerWatch::AnswerWatch(double limit_s, Driver driver)
+    : driver_(std::move(driver)), watched_(::pthread_self()) {
   void* caller = nullptr;
   ::backtrace(&caller, 1);  // the first call loads a library, which a signal handler cannot do
+  ::sem_init(&watched.told, 0, 0);
   watched.id = ::gettid();
   watched.limit_s = limit_s;
   beat();
-  std::signal(says_where, say_where);
+  std::signal(where, tell_where);
   watching_ = std::jthread([this](const std::stop_token& stop) { watch(stop); });
 }
 
 AnswerWatch::~AnswerWatch() = default;
 
 AnswerWatch::Gap AnswerWatch::beat() {
-  const double now = now_s(), others_s = others_starved_s();
-  const Processor had = processor_of(watched.id);
-  Gap gap{now - watched.beat_s, had.starved_s - watched.starved_s};
-  const double asleep_s = gap.own_s() - (had.ran_s - watched.ran_s);
-  gap.starved_s += std::clamp(others_s, 0.0, std::max(asleep_s, 0.0));
-  watched.ran_s = had.ran_s;
-  watched.starved_s = had.starved_s;
-  watched.beat_s = now;
-  return gap;
+  const std::lock_guard lock(mutex_);
+  Sight sight{now_s(), processor_of(watched.id), false, {}};
+  if (is_looked_at_) sight.renderers_s = renderers_s();
+  is_looked_at_ = false;
+  watched.starved_s = sight.watched.starved_s;
+  watched.beat_s = sight.now_s;
+  return account_.beat(sight);
 }
 
-double AnswerWatch::others_starved_s() {
-  double longest_s = 0;
-  std::map<pid_t, double> now;
+/// Of each thread that draws, how long ever without a processor.
+std::map<pid_t, double> AnswerWatch::renderers_s() const {
+  std::map<pid_t, double> found;
   std::error_code ended;  // a thread may end while it is looked at
   for (const auto& entry : std::filesystem::directory_iterator("/proc/self/task", ended)) {
+    if (!name_of(entry.path()).starts_with(driver_.threads)) continue;
     const auto thread = static_cast<pid_t>(std::strtol(entry.path().filename().c_str(), nullptr, 10));
-    if (thread == watched.id) continue;
-    const double ever_s = processor_of(thread).starved_s;
-    const auto before = others_.find(thread);
-    longest_s = std::max(longest_s, ever_s - (before == others_.end() ? 0 : before->second));
-    now.emplace(thread, ever_s);
+    found.emplace(thread, processor_of(thread).starved_s);
   }
-  others_ = std::move(now);
-  return longest_s;
+  return found;
 }
 
-void AnswerWatch::watch(const std::stop_token& stop) const {
+/// Not asked of the loader: the watched thread may have its lock, while it loads a library.
+bool AnswerWatch::is_in_driver() const {
+  std::ifstream maps("/proc/self/maps");
+  for (std::string line; std::getline(maps, line);) {
+    const std::string file = line.substr(line.rfind('/') + 1);
+    if (std::none_of(driver_.libraries.begin(), driver_.libraries.end(),
+                     [&](const std::string& library) { return file.starts_with(library); }))
+      continue;
+    char* rest = nullptr;
+    const std::uintptr_t begin = std::strtoull(line.c_str(), &rest, 16);
+    const std::uintptr_t end = std::strtoull(rest + 1, nullptr, 16);  // begin-end permissions ... file
+    for (int i = 0; i < watched.call_count; ++i)
+      if (const auto call = reinterpret_cast<std::uintptr_t>(watched.calls[i]); begin <= call && call < end)
+        return true;
+  }
+  return false;
+}
+
+void AnswerWatch::look() {
+  const double beat_s = watched.beat_s;
+  if (::pthread_kill(watched_, where) != 0) return;
+  while (::sem_wait(&watched.told) != 0) {
+  }
+  const bool in_driver = is_in_driver();
+  const std::lock_guard lock(mutex_);
+  if (watched.beat_s != beat_s) return;  // it has answered meanwhile
+  account_.look({now_s(), processor_of(watched.id), in_driver, renderers_s()});
+  is_looked_at_ = true;
+}
+
+void AnswerWatch::watch(const std::stop_token& stop) {
   for (; !stop.stop_requested(); std::this_thread::sleep_for(look_every))
-    if (now_s() - watched.beat_s > watched.limit_s) ::pthread_kill(watched_, says_where);
+    if (now_s() - watched.beat_s > look_after_s) look();
 }
 
 }  // namespace abrazo::soak

@@ -4,6 +4,7 @@
 #include "widgets/annotation/annotation_rows.hpp"
 #include "widgets/annotation/problem_fixes.hpp"
 #include "widgets/timeline/tier_drag.hpp"
+#include "widgets/timeline/whole_lanes.hpp"
 
 namespace abrazo::widgets::tier_lanes_test {
 namespace {
@@ -253,6 +254,19 @@ TEST(ProblemFix, AnEdgeOffTheFramesGoesToTheNearest) {
   const auto next = fixed(scene.annotations, problem, ProblemFix::ToFrames, scene.rules.range, 60);
   EXPECT_NEAR(next->find(scene.walk)->start_s, 30, 1e-9);
   EXPECT_NEAR(next->find(scene.walk)->end_s, 32, 1e-9);
+}
+
+TEST(WholeLanes, NoLaneInViewIsCut) {
+  const Scene scene;
+  const double all = scene.lanes.whole_px(), tier = TimelineLanes::tier_px;
+  const double none = scene.lanes.top_px() + TimelineLanes::overview_px;
+  const double source = info_of(TimelineLane::Source).height_px;
+  EXPECT_EQ(whole_lanes_px(scene.lanes, all), all);
+  EXPECT_EQ(whole_lanes_px(scene.lanes, all + 40), all) << "no more than there are";
+  EXPECT_EQ(whole_lanes_px(scene.lanes, all - 1), all - tier);
+  EXPECT_EQ(whole_lanes_px(scene.lanes, none + source + 5), none + source);
+  EXPECT_EQ(whole_lanes_px(scene.lanes, none + source - 5), none + source - 5)
+      << "better a part than nothing";
 }
 
 }  // namespace

@@ -1,5 +1,8 @@
 // A window that is closed while something runs: it answers until that has stopped, and then goes.
+#include <QDir>
+#include <QElapsedTimer>
 #include <QTimer>
+#include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <thread>
@@ -7,6 +10,9 @@
 #include "app/workbench/base/job.hpp"
 #include "app/workbench/base/running_work.hpp"
 #include "app/workbench/export/view_recording.hpp"
+#include "app/workbench/project/history_desk.hpp"
+#include "app/workbench/takes/take_desk.hpp"
+#include "core/session/file/session_file.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/common/message_bar.hpp"
 
@@ -20,6 +26,23 @@ class Closing : public DemoWindow {
     window().show();
     turn();
   }
+};
+
+/// The longest time between two turns of the event loop [ms].
+class LongestGap {
+ public:
+  LongestGap() {
+    QObject::connect(&m_timer, &QTimer::timeout, [this] { note(); });
+    m_timer.start(1);
+    m_since.start();
+  }
+  int ms() { return note(), static_cast<int>(m_longest_ms); }
+
+ private:
+  void note() { m_longest_ms = std::max(m_longest_ms, m_since.restart()); }
+  QTimer m_timer;
+  QElapsedTimer m_since;
+  qint64 m_longest_ms = 0;
 };
 
 /// A job that notices late that it is cancelled.
@@ -100,6 +123,34 @@ TEST_F(Closing, AFilmThatIsBeingRecordedIsWrittenToItsEndBefore) {
   EXPECT_TRUE(until([] { return !window().isVisible(); }));
   EXPECT_TRUE(words.startsWith("Recording written to " + file)) << words.toStdString();
   EXPECT_TRUE(QFile::exists(file));
+}
+
+TEST_F(Closing, ASessionThatIsRecordedEndsWithoutTheWindowWaitingForIt) {
+  window().openDemo();
+  ASSERT_TRUE(until([] { return window().session() && window().session()->latest().newest(); }));
+  auto& takes = *window().findChild<TakeDesk*>();
+  auto& history = *window().findChild<HistoryDesk*>();
+  takes.toggle();
+  ASSERT_TRUE(until([&] {
+    const auto recorder = window().session()->engine().recorder();
+    return recorder && recorder->state().frames > 10;
+  }));
+  const QString file = takes.file(), folder = history.folder();
+  const std::weak_ptr<Recorder> recorder = window().session()->engine().recorder();
+  LongestGap gap;
+  window().close();
+  EXPECT_FALSE(window().session());
+  EXPECT_TRUE(RunningWork::any()) << "it ends on other threads";
+  EXPECT_TRUE(window().isVisible());
+  ASSERT_TRUE(until([] { return !window().isVisible(); }));
+  RecordProperty("longest_gap_ms", gap.ms());  // depends on the machine: a figure to read, not to assert
+  EXPECT_TRUE(recorder.expired());
+  EXPECT_FALSE(QDir(folder).exists()) << "a short history goes";
+  const auto recorded = SessionFile::open(file.toStdString());
+  ASSERT_TRUE(recorded) << recorded.error().text();
+  EXPECT_TRUE((*recorded)->recovery().empty()) << "it was completed";
+  ASSERT_EQ((*recorded)->contents().takes.size(), 1U);
+  EXPECT_FALSE((*recorded)->contents().takes[0].interrupted);
 }
 
 }  // namespace

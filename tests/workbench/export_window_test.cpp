@@ -306,6 +306,27 @@ TEST_F(ExportWindow, ACharacterIsWrittenInTheSameBytesAsByTheCommandLine) {
   }
 }
 
+TEST_F(ExportWindow, ATakeOfTheSessionIsWrittenInTheSameBytesAsByTheCommandLine) {
+  auto& takes = *window().findChild<TakeDesk*>();
+  takes.toggle();
+  ASSERT_TRUE(until([&] { return !takes.takes().empty() && takes.takes().all().back().frames > 30; }));
+  takes.toggle();
+  const QString take = QString::fromStdString(takes.takes().all().back().name);
+  dialog().offer(desk().offer());
+  choose("Part", "take " + take);
+  choose("As", ".csv");
+  write("window.csv");
+  QProcess abrazo;
+  abrazo.setWorkingDirectory(home().path());
+  abrazo.start(
+      QCoreApplication::applicationDirPath() + "/abrazo",
+      {"export", takes.file(), "--take", take, "--what", "active,passive", "-o", "line.csv", "--quiet"});
+  ASSERT_TRUE(abrazo.waitForFinished(-1));
+  ASSERT_EQ(abrazo.exitCode(), 0) << abrazo.readAllStandardError().toStdString();
+  EXPECT_FALSE(content("window.csv").empty()) << window().messages().text().toStdString();
+  EXPECT_TRUE(content("window.csv") == content("line.csv"));
+}
+
 TEST_F(ExportWindow, EveryOtherContentIsWritten) {
   ticker().setRange(0.2, 0.6);
   dialog().offer(desk().offer());

@@ -9,6 +9,7 @@
 #include "widgets/settings/setting_row.hpp"
 #include "widgets/settings/settings_panel.hpp"
 #include "widgets/timeline/timeline_view.hpp"
+#include "widgets/timeline/whole_lanes.hpp"
 
 namespace abrazo::app::first_start_test {
 namespace {
@@ -66,6 +67,16 @@ TEST_F(FirstStart, FiveSettingsAreInViewAt1280x720) {
 
 /// At 1280x720 three settings were, because the tabs of the candidates were not counted and every lane of the
 /// timeline had room.
+TEST_F(FirstStart, NoLaneOfTheTimelineIsCutInASmallWindow) {
+  for (const QSize size : {QSize(1280, 720), QSize(1280, 760), QSize(1366, 768)}) {
+    start(size);
+    const widgets::TimelineView& timeline = window().timeline();
+    EXPECT_EQ(timeline.height(),
+              static_cast<int>(widgets::whole_lanes_px(timeline.lanes(), timeline.height())))
+        << size.height();
+  }
+}
+
 TEST_F(FirstStart, TheTimelineHasItsLanesAsSoonAsTheWindowHasRoomForThem) {
   start({1280, 720});
   window().resize(1600, 1000);

@@ -18,6 +18,8 @@
 
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/library/retarget_desk.hpp"
+#include "app/workbench/library/retarget_preview.hpp"
+#include "app/workbench/library/retarget_preview_desk.hpp"
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
@@ -36,6 +38,7 @@ namespace {
 constexpr QSize window_size(1600, 1000);
 constexpr double shown_time_s = 30;  ///< of the session, where the cursor is parked
 constexpr double compared_from_s = 20;
+constexpr double previewed_s = 6;  ///< of the take on other bodies
 constexpr double live_rate_hz = 60;
 constexpr int patience_ms = 180'000;
 
@@ -216,7 +219,13 @@ void retarget(MainWindow& window, const QDir& home, Pictures& pictures) {
   dialog.chooseTakes(chosen);
   for (auto* body : dialog.findChildren<widgets::BodyBox*>())
     if (body->accessibleName().startsWith("Leader")) body->setEditText("scale:1.15");
-  wait(500);
+  const RetargetPreviewDesk& computing = desk.preview();
+  (void)until([&] { return computing.shown().recorded && !computing.isComputing(); }, patience_ms);
+  FrameTicker& ticker = dialog.preview().ticker();
+  ticker.pause();
+  ticker.seek(previewed_s);
+  wait(1500);  // the camera comes to rest
+  dialog.preview().scene().renderSharp();
   pictures.saveDialogs("retarget");
   QDir::setCurrent(before);
 }

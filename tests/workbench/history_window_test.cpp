@@ -11,10 +11,12 @@
 #include "app/workbench/document/session_places.hpp"
 #include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/project/history_desk.hpp"
+#include "app/workbench/project/project_desk.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/status_figures.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/candidates/candidate_table.hpp"
+#include "widgets/common/message_bar.hpp"
 #include "widgets/timeline/timeline_view.hpp"
 #include "widgets/timeline/transport_bar.hpp"
 
@@ -125,6 +127,48 @@ TEST_F(HistoryInTheWindow, AShortHistoryGoesWithoutAQuestionALongOneIsAskedAbout
   HistoryDesk::discard(folder + "/1.abrazo");
   desk().long_s = 300;
   desk().ask = before;
+}
+
+TEST_F(HistoryInTheWindow, ASavedSessionOpensWithTheFramesOfItsHistory) {
+  auto& project = *window().findChild<ProjectDesk*>();
+  const QString file = home().filePath("saved.abrazo");
+  ASSERT_TRUE(until([] { return engine().history().span().last_s > 3; }));
+  const FrameSnapshotPtr early = engine().history().at(1);
+  const auto before = engine().history().span();
+  project.saveAs(file);
+  ASSERT_TRUE(until([&] { return !project.isSaving(); }));
+  EXPECT_TRUE(window().messages().openErrors().isEmpty()) << window().messages().text().toStdString();
+  int asked = 0;
+  bool allowed = true;
+  const auto own_ask = desk().ask;
+  desk().ask = [&asked](double) { return ++asked, HistoryDesk::Answer::Discard; };
+  desk().long_s = 2;
+  desk().leaveSession(allowed);
+  EXPECT_EQ(asked, 0) << "what is saved goes without a question";
+  window().openFiles({file});
+  ASSERT_TRUE(until([&] { return window().session() && window().session()->material().recorded; }));
+  const FrameStore& recorded = *window().session()->material().recorded->frames;
+  EXPECT_EQ(recorded.span().first_s, before.first_s);
+  EXPECT_GE(recorded.span().last_s, before.last_s);
+  EXPECT_EQ(recorded.span().frames, recorded.span().last_index - recorded.span().first_index + 1)
+      << "none is missing";
+  const FrameSnapshotPtr again = engine().history().at(1);
+  ASSERT_TRUE(again);
+  EXPECT_EQ(again->index, early->index);
+  EXPECT_EQ(again->result.result, early->result.result);
+  desk().leaveSession(allowed);
+  EXPECT_EQ(asked, 0) << "nor what was read from it";
+  ASSERT_TRUE(until([&] { return engine().latest().newest() != nullptr; })) << "the clip continues";
+  EXPECT_GT(engine().latest().newest()->index, recorded.span().last_index) << "its frames are numbered on";
+  EXPECT_EQ(ticker().playback().state, State::Following);
+  ticker().seek(1);
+  turn();
+  ASSERT_TRUE(ticker().shown());
+  EXPECT_EQ(ticker().shown()->index, early->index) << "the past can be scrubbed";
+  desk().ask = own_ask;
+  desk().long_s = 300;
+  window().openDemo();
+  ASSERT_TRUE(until([] { return window().session() && !window().session()->material().recorded; }));
 }
 
 TEST_F(HistoryInTheWindow, WhatACrashLeavesIsOfferedAndBecomesASession) {

@@ -76,6 +76,12 @@ QComboBox:hover, QComboBox:focus { border-color: %6; }
 QComboBox::drop-down { border: none; width: 18px; }
 QComboBox::down-arrow { image: url(:/abrazo/icons/chevron_%9.svg); width: 10px; height: 10px; }
 QComboBox QAbstractItemView { background: %2; border: 1px solid %4; selection-background-color: %7; selection-color: #ffffff; outline: 0; }
+QAbstractSpinBox { background: %1; border: 1px solid %4; border-radius: 5px; padding: 2px 18px 2px 8px; min-height: 18px; }
+QAbstractSpinBox[buttonSymbols="2"] { padding-right: 8px; }
+QAbstractSpinBox:hover, QAbstractSpinBox:focus { border-color: %6; }
+QAbstractSpinBox::up-button, QAbstractSpinBox::down-button { background: transparent; border: none; width: 16px; }
+QAbstractSpinBox::up-arrow { image: url(:/abrazo/icons/chevron_up_%9.svg); width: 8px; height: 8px; }
+QAbstractSpinBox::down-arrow { image: url(:/abrazo/icons/chevron_%9.svg); width: 8px; height: 8px; }
 QScrollArea { background: transparent; border: none; }
 QScrollBar:vertical { background: transparent; width: 8px; margin: 0; }
 QScrollBar::handle:vertical { background: %8; border-radius: 3px; min-height: 24px; margin: 1px; }

@@ -71,19 +71,25 @@ ComparePanel::ComparePanel(QWidget* parent) : QWidget(parent) {
 
 QWidget* ComparePanel::makeButtons() {
   auto* box = new QWidget(this);
-  auto* row = row_in(box, 6);
+  auto* rows = new QVBoxLayout(box);
+  rows->setContentsMargins(12, 2, 12, 6);
+  rows->setSpacing(6);
+  auto* row = new QHBoxLayout;
+  row->setSpacing(6);
+  rows->addLayout(row);
   m_freeze = button_in(row, box, "Freeze A", "Store the current settings as A; later changes are B");
   m_swap = button_in(row, box, "Swap", "A gets the settings of B, and B those of A");
   m_adopt = button_in(row, box, "Adopt A", "The settings become those of A again");
   m_clear = button_in(row, box, "Clear", "Let A go");
   row->addStretch(1);
+  // Below: beside the others it would be cut in a narrow panel.
   m_aside = new QToolButton(box);
   m_aside->setObjectName("chip");
   m_aside->setText("Live keeps A");
   m_aside->setCheckable(true);
   m_aside->setFocusPolicy(Qt::TabFocus);
   m_aside->setToolTip("Try B beside it: the live partner keeps A until this is switched off");
-  row->addWidget(m_aside);
+  rows->addWidget(m_aside, 0, Qt::AlignLeft);
   connect(m_freeze, &QPushButton::clicked, this, &ComparePanel::freezeRequested);
   connect(m_swap, &QPushButton::clicked, this, &ComparePanel::swapRequested);
   connect(m_adopt, &QPushButton::clicked, this, &ComparePanel::adoptRequested);
@@ -94,13 +100,13 @@ QWidget* ComparePanel::makeButtons() {
 
 QWidget* ComparePanel::makeSpans() {
   struct Choice {
-    const char *text, *tip;
+    const char *text, *name, *tip;
   };
   constexpr Choice choices[] = {
-      {"This frame", "Parked: one step, from what the solver knew before this frame"},
-      {"2 s to here", "Parked: both runs start together 2 s before the cursor"},
-      {"10 s to here", "Parked: both runs start together 10 s before the cursor"},
-      {"In to out", "Both runs over the range between the in and out marks"}};
+      {"This frame", "this frame", "Parked: one step, from what the solver knew before this frame"},
+      {"2 s", "2 s to here", "Parked: both runs start together 2 s before the cursor"},
+      {"10 s", "10 s to here", "Parked: both runs start together 10 s before the cursor"},
+      {"In to out", "in to out", "Both runs over the range between the in and out marks"}};
   auto* box = new QWidget(this);
   auto* row = row_in(box, 0);
   auto* group = new QButtonGroup(box);
@@ -111,7 +117,7 @@ QWidget* ComparePanel::makeSpans() {
     button->setProperty("last", m_spans.size() + 1 == std::size(choices));
     button->setText(choice.text);
     button->setToolTip(choice.tip);
-    button->setAccessibleName(QString("What if over: ") + choice.text);
+    button->setAccessibleName(QString("What if over: ") + choice.name);
     button->setCheckable(true);
     button->setFocusPolicy(Qt::TabFocus);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);

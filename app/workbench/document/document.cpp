@@ -3,6 +3,7 @@
 #include <QUndoCommand>
 
 #include "app/workbench/base/error_words.hpp"
+#include "app/workbench/base/job.hpp"
 #include "core/bodies/chosen_body.hpp"
 #include "core/opening/opened_session.hpp"
 #include "core/session/frames/decision_edits.hpp"
@@ -121,10 +122,22 @@ void Document::openSession(PreparedSolver prepared) {
   emit opened();
 }
 
+void Document::endSession() {
+  if (!m_session) return;
+  m_session->engine().stop_receiving();  // the next session may want the same port
+  // Shared only because std::function must be copyable.
+  auto ending = std::make_shared<std::unique_ptr<LiveSession>>(std::move(m_session));
+  Job::retire(std::make_unique<Job>([ending](const Progress&) -> Job::Finish {
+                ending->reset();
+                return {};
+              }),
+              this);
+}
+
 void Document::beginSession(PreparedSolver prepared) {
   const bool same_library = m_session && m_session->material().library == prepared.material.library;
   tryPin({});
-  m_session.reset();
+  endSession();
   m_session = std::make_unique<LiveSession>(std::move(prepared));
   m_subject.clear();
   const auto changed = m_live.begin_session(same_library);

@@ -65,7 +65,8 @@ class Document : public QObject {
   void openSession(PreparedSolver prepared);
   /// Call before openSession and endSession, while the session is whole.
   void finishSession() { emit ending(); }
-  void endSession() { m_session.reset(); }
+  /// Returns at once; the session ends on another thread, which waits for its step and its files.
+  void endSession();
   /// Continues the session with another library: a take was added or annotated.
   void replaceSolver(PreparedSolver prepared);
 

@@ -9,7 +9,7 @@ namespace {
 constexpr double pause_s = 1;  // between the recording and its continuation
 
 std::shared_ptr<PoseSource> source_of(const Material& material) {
-  if (material.recorded) return std::make_shared<SilentSource>();
+  if (material.is_only_recorded()) return std::make_shared<SilentSource>();
   return std::make_shared<ClipSource>(material.input);
 }
 
@@ -25,9 +25,8 @@ SessionClock clock_of(const Material& material) {
 
 LiveSession::LiveSession(PreparedSolver prepared)
     : m_material(std::move(prepared.material)),
-      m_engine(std::move(prepared.synthesizer), source_of(m_material), clock_of(m_material)) {
-  if (m_material.recorded) m_engine.look_back(m_material.recorded->frames);
-}
+      m_engine(std::move(prepared.synthesizer), source_of(m_material), clock_of(m_material),
+               SessionOpeners::system(), m_material.recorded ? m_material.recorded->frames : nullptr) {}
 
 void LiveSession::push(const Command& command) {
   const auto* settings = std::get_if<SetSettings>(&command);

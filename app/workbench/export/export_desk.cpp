@@ -18,6 +18,10 @@
 namespace abrazo::app {
 namespace {
 
+QString session_name(const RecordedSession& session) {
+  return QFileInfo(QString::fromStdString(session.file)).completeBaseName();
+}
+
 using widgets::PlotExport;
 
 constexpr const char* export_job = "export";  // of the messages
@@ -54,10 +58,10 @@ ExportOffer ExportDesk::offer() const {
   const Material& material = session->material();
   const Playback& playback = m_window.ticker().playback();
   if (span.frames + span.stored > 0)
-    offer.session = {material.recorded ? "Session " + QString::fromStdString(material.input.name)
-                                       : QString("This session"),
-                     {span.first_s, span.last_s},
-                     rate_of(history)};
+    offer.session = {
+        material.recorded ? "Session " + session_name(*material.recorded) : QString("This session"),
+        {span.first_s, span.last_s},
+        rate_of(history)};
   if (!session->looksElsewhere()) {
     offer.range = playback.range();
     offer.cursor_s = m_window.ticker().shown() ? m_window.ticker().shown()->time_s : playback.cursor_s;
@@ -79,7 +83,7 @@ RunningExport ExportDesk::running(const ExportWish& wish) const {
   const auto span = history.span();
   const Material& material = session.material();
   RunningExport running;
-  running.name = material.recorded ? material.input.name : "session";
+  running.name = material.recorded ? session_name(*material.recorded).toStdString() : "session";
   const double at_s = wish.at_s.value_or(0);
   running.frames = wish.at_s ? history.stretch(at_s - 1, at_s)
                              : history.stretch(wish.part.from_s.value_or(span.first_s),

@@ -14,6 +14,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "app/workbench/base/dialog_size.hpp"
 #include "widgets/common/theme.hpp"
 
 /// Outside any namespace, as Qt asks for resources in a library.
@@ -97,7 +98,7 @@ HelpWindow::HelpWindow(QWidget* parent)
       m_page(new HelpPage(this)) {
   setObjectName("Help");
   setWindowTitle("Help");
-  resize(980, 720);
+  resize_within_screen(*this, {980, 720});
   m_field->setPlaceholderText("Search the guide");
   m_field->setAccessibleName("Search the guide");
   m_field->setClearButtonEnabled(true);

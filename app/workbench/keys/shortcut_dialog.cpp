@@ -1,14 +1,13 @@
 #include "app/workbench/keys/shortcut_dialog.hpp"
 
-#include <QGuiApplication>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPushButton>
-#include <QScreen>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "app/workbench/base/dialog_size.hpp"
 #include "app/workbench/keys/key_entry.hpp"
 #include "app/workbench/keys/shortcuts.hpp"
 
@@ -40,7 +39,7 @@ ShortcutDialog::ShortcutDialog(Shortcuts& shortcuts, QWidget* parent)
     : QDialog(parent), m_shortcuts(shortcuts) {
   setObjectName("shortcuts");
   setWindowTitle("Shortcuts");
-  resize(QSize(820, 640).boundedTo(QGuiApplication::primaryScreen()->availableSize() * 9 / 10));
+  resize_within_screen(*this, {820, 640});
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 16, 16, 16);
   m_filter = new QLineEdit(this);

@@ -20,6 +20,7 @@
 #include <algorithm>
 
 #include "app/workbench/base/choose_button.hpp"
+#include "app/workbench/base/dialog_size.hpp"
 #include "app/workbench/base/error_words.hpp"
 #include "app/workbench/library/build_form.hpp"
 #include "core/motion/joints/motion_format.hpp"
@@ -55,7 +56,7 @@ BuildDialog::BuildDialog(QWidget* parent)
       m_palette(widgets::palette_of(widgets::Theme::Dark)) {
   setWindowTitle("Build a library of motion files");
   setAcceptDrops(true);
-  resize(1180, 760);
+  resize_within_screen(*this, {1180, 760});
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 14, 16, 14);
   column->setSpacing(10);
@@ -66,7 +67,8 @@ BuildDialog::BuildDialog(QWidget* parent)
   m_remarks->setAccessibleName("Problems to check before building");
   m_remarks->setWordWrap(true);
   m_remarks->setIconSize({14, 14});
-  m_remarks->setFixedHeight(116);
+  m_remarks->setMinimumHeight(50);
+  m_remarks->setMaximumHeight(116);
   column->addWidget(m_remarks);
   column->addWidget(makeFoot());
   connectParts();

@@ -17,6 +17,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/workbench/base/dialog_size.hpp"
 #include "app/workbench/base/error_words.hpp"
 #include "core/base/text.hpp"
 #include "core/motion/joints/joint_order.hpp"
@@ -75,7 +76,7 @@ std::optional<double> number_said(const QComboBox& box) {
 ImportPanel::ImportPanel(const MotionReading& reading, QWidget* parent)
     : QDialog(parent), m_reading(reading), m_palette(widgets::palette_of(widgets::Theme::Dark)) {
   setWindowTitle("Import motion · " + QFileInfo(QString::fromStdString(reading.file)).fileName());
-  resize(1180, 700);
+  resize_within_screen(*this, {1180, 700});
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 0);
   column->setSpacing(0);

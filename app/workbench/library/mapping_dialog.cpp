@@ -16,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/workbench/base/dialog_size.hpp"
 #include "app/workbench/base/error_words.hpp"
 #include "app/workbench/library/mapping_words.hpp"
 #include "app/workbench/library/marker_table.hpp"
@@ -116,7 +117,7 @@ MappingDialog::MappingDialog(NamedMotion motion, QWidget* parent)
       m_frame(new QSlider(Qt::Horizontal, this)),
       m_palette(widgets::palette_of(widgets::Theme::Dark)) {
   setWindowTitle(QString("Which points are which joints? · %1").arg(QString::fromStdString(m_motion.name)));
-  resize(1080, 760);
+  resize_within_screen(*this, {1080, 760});
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(16, 14, 16, 14);
   column->setSpacing(10);

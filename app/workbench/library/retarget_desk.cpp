@@ -1,13 +1,15 @@
 #include "app/workbench/library/retarget_desk.hpp"
 
 #include <QDir>
+#include <QEvent>
 #include <QFileInfo>
 #include <algorithm>
 
 #include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/job.hpp"
+#include "app/workbench/library/retarget_preview.hpp"
+#include "app/workbench/library/retarget_preview_desk.hpp"
 #include "app/workbench/shell/main_window.hpp"
-#include "core/library/store/takes_of_library.hpp"
 #include "core/library/takes/manifest.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/library/take_list.hpp"
@@ -34,18 +36,6 @@ RetargetOffer offer_of(const Manifest& manifest, const QString& file) {
   return offer;
 }
 
-/// Where takes come from: an open library, or a manifest.
-struct TakeSource {
-  std::shared_ptr<const MotionLibrary> library;  ///< null with a manifest
-  std::string name;                              ///< its file; of a library that was not saved its name
-};
-
-Result<std::vector<PairedTake>> read_takes(const TakeSource& source, const std::vector<std::string>& names,
-                                           std::vector<std::string>& warnings, const Progress& progress) {
-  if (source.library) return takes_of_library(*source.library, names, source.name);
-  return takes_of_manifest(source.name, names, warnings, progress);
-}
-
 QString sentence_of(const RetargetedTake& take) {
   return QString("%1: %L2 frames, leader %3 (%4 m), follower %5 (%6 m); %7")
       .arg(QString::fromStdString(take.name))
@@ -60,7 +50,14 @@ QString sentence_of(const RetargetedTake& take) {
 }  // namespace
 
 RetargetDesk::RetargetDesk(MainWindow& window)
-    : QObject(&window), m_window(window), m_dialog(new RetargetDialog(&window)) {
+    : QObject(&window),
+      m_window(window),
+      m_dialog(new RetargetDialog(&window)),
+      m_preview(new RetargetPreviewDesk(m_dialog->preview(), this)) {
+  m_dialog->setColours(window.colours());
+  m_dialog->installEventFilter(this);
+  connect(&window, &MainWindow::coloursChanged, m_dialog, &RetargetDialog::setColours);
+  connect(m_dialog, &RetargetDialog::choiceChanged, this, &RetargetDesk::showPreview);
   connect(m_dialog, &RetargetDialog::manifestChosen, this, &RetargetDesk::offerManifest);
   connect(m_dialog, &RetargetDialog::retargetRequested, this, &RetargetDesk::start);
   connect(m_dialog, &RetargetDialog::cancelRequested, this, [this] {
@@ -69,6 +66,30 @@ RetargetDesk::RetargetDesk(MainWindow& window)
 }
 
 RetargetDesk::~RetargetDesk() = default;
+
+/// Nothing is computed and played for a dialog that nobody sees.
+bool RetargetDesk::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Show) showPreview();
+  if (event->type() == QEvent::Hide) m_preview->showNothing({});
+  return QObject::eventFilter(watched, event);
+}
+
+TakeSource RetargetDesk::source() const {
+  const std::string manifest = m_dialog->manifest().toStdString();
+  if (!manifest.empty() || !m_window.session()) return {nullptr, manifest};
+  const Material& material = m_window.session()->material();
+  return {material.library, material.library_file.empty() ? material.library->name() : material.library_file};
+}
+
+void RetargetDesk::showPreview() {
+  if (!m_dialog->isVisible()) return;
+  auto wish = m_dialog->previewed();
+  const TakeSource from = source();
+  if (wish && !from.library && from.name.empty()) wish = Error{"nothing is open yet", ""};
+  if (wish) return m_preview->show({from, *wish});
+  const QString why = words(wish.error());
+  m_preview->showNothing(why.left(1).toUpper() + why.mid(1));
+}
 
 void RetargetDesk::open() {
   if (const auto* session = m_window.session(); session && !m_job) {
@@ -116,13 +137,8 @@ void RetargetDesk::start() {
   if (m_job) return;
   const auto wish = m_dialog->wish();
   if (!wish) return fail(wish.error());
-  TakeSource source{nullptr, m_dialog->manifest().toStdString()};
-  if (source.name.empty()) {
-    if (!m_window.session()) return;
-    const Material& material = m_window.session()->material();
-    source = {material.library,
-              material.library_file.empty() ? material.library->name() : material.library_file};
-  }
+  const TakeSource source = this->source();
+  if (!source.library && source.name.empty()) return;
   m_window.remembered().setLastFolder(m_dialog->folder());
   run(
       [this, wish = *wish, source](const Progress& progress) -> Job::Finish {

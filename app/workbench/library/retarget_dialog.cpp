@@ -17,8 +17,9 @@
 #include "app/workbench/base/character_field.hpp"
 #include "app/workbench/base/choose_button.hpp"
 #include "app/workbench/base/error_words.hpp"
-#include "core/motion/joints/motion_format.hpp"
-#include "widgets/settings/body_box.hpp"
+#include "app/workbench/library/body_field.hpp"
+#include "app/workbench/library/factor_field.hpp"
+#include "app/workbench/library/retarget_preview.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -54,21 +55,23 @@ QString take_words(const RetargetOffer::Take& take) {
 RetargetDialog::RetargetDialog(QWidget* parent) : QDialog(parent) {
   setObjectName("retarget");
   setWindowTitle("Retarget takes");
-  resize(900, 470);
+  resize(1160, 640);
   auto* grid = new QGridLayout(this);
   grid->setContentsMargins(20, 16, 20, 16);
   grid->setHorizontalSpacing(24);
   grid->setVerticalSpacing(10);
   grid->addWidget(makeTakes(), 0, 0);
-  grid->addWidget(makeChoices(), 0, 1);
+  grid->addWidget(makeChoices(), 1, 0);
+  m_preview = new RetargetPreview(this);
+  grid->addWidget(m_preview, 0, 1, 2, 1);
   m_about = new QLabel(this);
   m_about->setObjectName("secondary");
   m_about->setWordWrap(true);
-  grid->addWidget(m_about, 1, 0, 1, 2);
-  grid->addWidget(makeFoot(), 2, 0, 1, 2);
+  grid->addWidget(m_about, 2, 0, 1, 2);
+  grid->addWidget(makeFoot(), 3, 0, 1, 2);
   grid->setRowStretch(0, 1);
-  grid->setColumnStretch(0, 1);
-  grid->setColumnStretch(1, 1);
+  grid->setColumnStretch(0, 2);
+  grid->setColumnStretch(1, 3);
   showTypes();
 }
 
@@ -92,6 +95,7 @@ QWidget* RetargetDialog::makeTakes() {
   grid->setColumnStretch(1, 1);
   connect(m_source, qOverload<int>(&QComboBox::currentIndexChanged), this, &RetargetDialog::showTakes);
   connect(m_takes, &QListWidget::itemSelectionChanged, this, &RetargetDialog::settle);
+  connect(m_takes, &QListWidget::currentItemChanged, this, &RetargetDialog::settle);
   connect(manifest, &QToolButton::clicked, this, [this] {
     const QString file =
         QFileDialog::getOpenFileName(this, "Takes of a manifest", folder(), "Manifests (*.json)");
@@ -100,22 +104,23 @@ QWidget* RetargetDialog::makeTakes() {
   return box;
 }
 
-void RetargetDialog::addBody(QGridLayout* grid, int row, const QString& name, widgets::BodyBox*& box) {
-  box = new widgets::BodyBox(false, this);
-  box->setToolTip("library: as recorded; scale:0.3 to scale:3; or a motion file whose proportions it gets");
-  auto* choose = choose_button(name, this);
-  grid->addWidget(caption(name, box), row, 0);
-  grid->addWidget(box, row, 1);
-  grid->addWidget(choose, row, 2);
-  connect(box, &QComboBox::editTextChanged, this, &RetargetDialog::settle);
-  connect(choose, &QToolButton::clicked, this, [this, box] { chooseBodyFile(*box); });
+void RetargetDialog::addBody(QGridLayout* grid, int row, const QString& name, BodyField*& field) {
+  field = new BodyField(name, this);
+  auto* label = caption(name, field);
+  label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  label->setContentsMargins(0, 6, 0, 0);  // beside the text, not the slider
+  grid->addWidget(label, row, 0);
+  grid->addWidget(field, row, 1, 1, 2);
+  connect(field, &BodyField::changed, this, &RetargetDialog::settle);
 }
 
-void RetargetDialog::chooseBodyFile(widgets::BodyBox& box) {
-  const QString file = QFileDialog::getOpenFileName(
-      this, "A motion file of one person", folder(),
-      QString("Motions (%1);;All files (*)").arg(QString::fromStdString(motion_file_patterns(true))));
-  if (!file.isEmpty()) box.setEditText(file);
+void RetargetDialog::addFactor(QGridLayout* grid, int row, const QString& name, const QString& tip,
+                               FactorField*& field) {
+  field = new FactorField(name, RetargetWish::greatest_factor, this);
+  field->setToolTip(tip);
+  grid->addWidget(caption(name, field), row, 0);
+  grid->addWidget(field, row, 1, 1, 2);
+  connect(field, &FactorField::changed, this, &RetargetDialog::settle);
 }
 
 QLineEdit* RetargetDialog::addFile(QGridLayout* grid, int row, const QString& name,
@@ -146,20 +151,28 @@ QWidget* RetargetDialog::makeChoices() {
   m_to->setAccessibleName("To frame");
   addBody(grid, 1, "Leader's body", m_leader);
   addBody(grid, 2, "Follower's body", m_follower);
+  addFactor(
+      grid, 3, "Contacts",
+      "Weight of the recorded distances of near joints: more keeps contacts, less the shape of each body. "
+      "A double click returns to 1",
+      m_contacts);
+  addFactor(grid, 4, "Smoothness",
+            "Weight of the smoothed motion: less follows each frame alone. A double click returns to 1",
+            m_smoothness);
   m_character = new CharacterField(box);
-  grid->addWidget(caption("Character", m_character), 3, 0);
-  grid->addWidget(m_character, 3, 1, 1, 2);
-  m_folder = addFile(grid, 4, "Folder", "of the files");
+  grid->addWidget(caption("Character", m_character), 5, 0);
+  grid->addWidget(m_character, 5, 1, 1, 2);
+  m_folder = addFile(grid, 6, "Folder", "of the files");
   auto* choose_folder = choose_button("Folder", box);
-  grid->addWidget(choose_folder, 4, 2);
-  m_name = addFile(grid, 5, "Name", "of the file; several takes append theirs");
+  grid->addWidget(choose_folder, 6, 2);
+  m_name = addFile(grid, 7, "Name", "of the file; several takes append theirs");
   m_name->setText("retargeted");
   m_type = new QComboBox(box);
-  grid->addWidget(caption("As", m_type), 6, 0);
-  grid->addWidget(m_type, 6, 1);
+  grid->addWidget(caption("As", m_type), 8, 0);
+  grid->addWidget(m_type, 8, 1);
   m_trace = new QCheckBox("Trace of every frame (.jsonl), for “abrazo render”", box);
-  grid->addWidget(m_trace, 7, 1);
-  grid->setRowStretch(8, 1);
+  grid->addWidget(m_trace, 9, 1);
+  grid->setRowStretch(10, 1);
   grid->setColumnStretch(1, 1);
   for (QSpinBox* frame : {m_from, m_to})
     connect(frame, qOverload<int>(&QSpinBox::valueChanged), this, &RetargetDialog::settle);
@@ -167,6 +180,8 @@ QWidget* RetargetDialog::makeChoices() {
   connect(m_type, qOverload<int>(&QComboBox::currentIndexChanged), this, &RetargetDialog::settle);
   connect(m_trace, &QCheckBox::toggled, this, &RetargetDialog::settle);
   connect(m_folder, &QLineEdit::textChanged, m_character, &CharacterField::setFolder);
+  for (BodyField* body : {m_leader, m_follower})
+    connect(m_folder, &QLineEdit::textChanged, body, &BodyField::setFolder);
   connect(choose_folder, &QToolButton::clicked, this, [this] {
     const QString chosen = QFileDialog::getExistingDirectory(this, "Folder of the files", folder());
     if (!chosen.isEmpty()) setFolder(chosen);
@@ -277,7 +292,14 @@ void RetargetDialog::setFolder(const QString& folder) {
   m_folder->setText(folder);
 }
 
-Result<RetargetWish> RetargetDialog::wish() const {
+void RetargetDialog::setColours(const widgets::Palette& palette) {
+  for (BodyField* body : {m_leader, m_follower}) body->setColours(palette);
+  for (FactorField* factor : {m_contacts, m_smoothness}) factor->setColours(palette);
+  m_preview->setColours(palette);
+}
+
+/// Takes, frames and bodies, without files.
+Result<RetargetWish> RetargetDialog::pairs() const {
   RetargetWish wish;
   for (int row = 0; row < m_takes->count(); ++row)
     if (m_takes->item(row)->isSelected())
@@ -285,10 +307,29 @@ Result<RetargetWish> RetargetDialog::wish() const {
   wish.from = std::max(0, m_from->value());
   if (m_to->value() >= 0) wish.to = m_to->value();
   for (const auto& [box, body] : {std::pair{m_leader, &wish.active}, {m_follower, &wish.passive}}) {
-    auto choice = parse_body_choice(box->currentText().trimmed().toStdString());
+    auto choice = parse_body_choice(box->text().toStdString());
     if (!choice) return choice.error();
     *body = std::move(*choice);
   }
+  wish.contacts = m_contacts->factor();
+  wish.smoothness = m_smoothness->factor();
+  return wish;
+}
+
+Result<RetargetWish> RetargetDialog::previewed() const {
+  auto wish = pairs();
+  if (!wish) return wish;
+  if (wish->takes.empty()) return Error{"choose a take to see it here", ""};
+  const QListWidgetItem* current = m_takes->currentItem();
+  const bool is_chosen = current && current->isSelected();
+  wish->takes = {is_chosen ? current->data(Qt::UserRole).toString().toStdString() : wish->takes.front()};
+  return wish;
+}
+
+Result<RetargetWish> RetargetDialog::wish() const {
+  auto chosen = pairs();
+  if (!chosen) return chosen;
+  RetargetWish& wish = *chosen;
   wish.character = m_character->file().toStdString();
   const QString name = m_name->text().trimmed();
   if (name.isEmpty()) return Error{"the file has no name yet; give one", ""};
@@ -296,7 +337,7 @@ Result<RetargetWish> RetargetDialog::wish() const {
   const QString path = QDir(folder()).filePath(name);
   wish.output = (path + m_type->currentData().toString()).toStdString();
   if (m_trace->isChecked()) wish.trace = (path + ".jsonl").toStdString();
-  return wish;
+  return chosen;
 }
 
 /// Why the choices cannot be fulfilled, as far as it can be seen without reading a take; empty = they can.
@@ -344,6 +385,7 @@ void RetargetDialog::settle() {
   const QString why_not = trouble();
   m_about->setText(why_not.isEmpty() ? outcome(*wish()) : why_not.left(1).toUpper() + why_not.mid(1));
   m_start->setEnabled(!m_busy && why_not.isEmpty());
+  emit choiceChanged();
 }
 
 void RetargetDialog::showProgress(const QString& doing, double fraction) {

@@ -6,6 +6,7 @@
 
 #include "core/base/result.hpp"
 #include "core/bodies/take_retargeting.hpp"
+#include "widgets/common/palette.hpp"
 
 class QCheckBox;
 class QComboBox;
@@ -17,13 +18,12 @@ class QProgressBar;
 class QPushButton;
 class QSpinBox;
 
-namespace abrazo::widgets {
-class BodyBox;
-}
-
 namespace abrazo::app {
 
+class BodyField;
 class CharacterField;
+class FactorField;
+class RetargetPreview;
 
 /// Takes of a library or manifest that can be retargeted.
 struct RetargetOffer {
@@ -37,8 +37,8 @@ struct RetargetOffer {
   std::vector<Take> takes;
 };
 
-/// Dialog for recorded takes on other bodies: which takes and frames, the two bodies, and the files. Reads no
-/// file and computes nothing itself.
+/// Dialog for recorded takes on other bodies: which takes and frames, the two bodies, a preview, and the
+/// files. Reads no file and computes nothing itself.
 class RetargetDialog : public QDialog {
   Q_OBJECT
  public:
@@ -55,6 +55,12 @@ class RetargetDialog : public QDialog {
   /// The choices. The Error is in the words of core: a body or number that is none.
   Result<RetargetWish> wish() const;
 
+  /// The take that is previewed, with its frames and bodies: the current one of those chosen. The Error says
+  /// why there is none.
+  Result<RetargetWish> previewed() const;
+  RetargetPreview& preview() { return *m_preview; }
+  void setColours(const widgets::Palette& palette);
+
   void showProgress(const QString& doing, double fraction);
   /// @param text  result or error; empty = nothing was done
   void endProgress(const QString& text);
@@ -62,6 +68,8 @@ class RetargetDialog : public QDialog {
   void reject() override;
 
  signals:
+  /// What is previewed may be other now.
+  void choiceChanged();
   void manifestChosen(const QString& file);
   void retargetRequested();
   void cancelRequested();
@@ -71,8 +79,9 @@ class RetargetDialog : public QDialog {
   QWidget* makeChoices();
   QWidget* makeFoot();
   QLineEdit* addFile(QGridLayout* grid, int row, const QString& name, const QString& placeholder);
-  void addBody(QGridLayout* grid, int row, const QString& name, widgets::BodyBox*& box);
-  void chooseBodyFile(widgets::BodyBox& box);
+  void addBody(QGridLayout* grid, int row, const QString& name, BodyField*& field);
+  void addFactor(QGridLayout* grid, int row, const QString& name, const QString& tip, FactorField*& field);
+  Result<RetargetWish> pairs() const;
   const RetargetOffer* source() const;
   void showTakes();
   void showTypes();
@@ -84,7 +93,9 @@ class RetargetDialog : public QDialog {
   QComboBox *m_source = nullptr, *m_type = nullptr;
   QListWidget* m_takes = nullptr;
   QSpinBox *m_from = nullptr, *m_to = nullptr;
-  widgets::BodyBox *m_leader = nullptr, *m_follower = nullptr;
+  BodyField *m_leader = nullptr, *m_follower = nullptr;
+  FactorField *m_contacts = nullptr, *m_smoothness = nullptr;
+  RetargetPreview* m_preview = nullptr;
   CharacterField* m_character = nullptr;
   QLineEdit *m_folder = nullptr, *m_name = nullptr;
   QCheckBox* m_trace = nullptr;

@@ -6,9 +6,11 @@
 #include <QMessageBox>
 #include <QPushButton>
 #include <QUuid>
+#include <algorithm>
 #include <utility>
 
 #include "app/workbench/base/error_words.hpp"
+#include "app/workbench/base/job.hpp"
 #include "app/workbench/document/session_places.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "core/base/text.hpp"
@@ -41,13 +43,14 @@ QFileInfoList parts_in(const QString& folder) {
 }
 
 HistoryDesk::Answer ask_about_history(MainWindow& window, double seconds, double gigabytes) {
-  QMessageBox box(
-      QMessageBox::Question, "Abrazo",
-      QString("Keep the history of %1 (%2 GB on disk)?").arg(clock_words(seconds)).arg(gigabytes, 0, 'f', 2),
-      QMessageBox::Cancel, &window);
+  QMessageBox box(QMessageBox::Question, "Abrazo",
+                  QString("Keep the last %1 of the history (%2 GB on disk)?")
+                      .arg(clock_words(seconds))
+                      .arg(gigabytes, 0, 'f', 2),
+                  QMessageBox::Cancel, &window);
   box.setInformativeText(
-      "A saved session has annotations, markers and settings, not the frames. Kept, they are offered as a "
-      "session at the next start; otherwise they are deleted now.");
+      "It is in no session file; saving the session adds it. Kept, it is offered as a session at the next "
+      "start; otherwise it is deleted now.");
   QAbstractButton* keep = box.addButton("Keep", QMessageBox::AcceptRole);
   QAbstractButton* discard = box.addButton("Delete", QMessageBox::DestructiveRole);
   box.exec();
@@ -92,6 +95,8 @@ void HistoryDesk::begin() {
   m_toldMarkers.clear();
   m_toldFailure.clear();
   m_isToldBound = false;
+  const auto recorded = m_window.session()->material().recorded;
+  m_savedTo_s = recorded ? recorded->last_s() : 0;
   m_window.timeline().showLost({});
   if (bound() <= 0) return;
   const QString parent = m_window.remembered().historyFolder();
@@ -115,7 +120,7 @@ void HistoryDesk::begin() {
 void HistoryDesk::leaveSession(bool& allowed) {
   if (!m_window.session() || !m_keeper) return;
   const auto span = m_window.session()->engine().history().span();
-  const double seconds = span.last_s - span.first_s;
+  const double seconds = span.last_s - std::max(span.first_s, m_savedTo_s);
   if (seconds < long_s) return;
   const Answer answer = ask(seconds);
   m_isLeft = answer == Answer::Keep;
@@ -123,7 +128,16 @@ void HistoryDesk::leaveSession(bool& allowed) {
 }
 
 void HistoryDesk::end() {
-  if (m_keeper && !std::exchange(m_isLeft, false)) m_keeper->remove();
+  if (m_keeper && !std::exchange(m_isLeft, false)) {
+    // On another thread: gigabytes are not gone in a moment. The lock stays as long as there are files.
+    Job::retire(std::make_unique<Job>([keeper = m_keeper, lock = std::shared_ptr<QLockFile>(std::move(
+                                                              m_lock))](const Progress&) -> Job::Finish {
+                  keeper->remove();
+                  lock->unlock();
+                  return {};
+                }),
+                this);
+  }
   m_keeper.reset();
   m_lock.reset();
   m_folder.clear();

@@ -20,7 +20,7 @@ class HistoryDesk : public QObject {
   Q_OBJECT
  public:
   enum class Answer { Keep, Discard, Cancel };
-  double long_s = 300;  ///< a history of this length or more is not deleted without a question [s]
+  double long_s = 300;  ///< so much that is in no session file is not deleted without a question [s]
 
   explicit HistoryDesk(MainWindow& window);
   ~HistoryDesk() override;
@@ -32,7 +32,9 @@ class HistoryDesk : public QObject {
   /// The session is about to end: asks whether to keep a long history. @param allowed  set to false if the
   /// user cancels
   void leaveSession(bool& allowed);
-  /// The question; replaced by tests. @param seconds  of the history on disk
+  /// The frames up to this time are in a session file.
+  void noteSaved(double until_s) { m_savedTo_s = until_s; }
+  /// The question; replaced by tests. @param seconds  of the history that is in no session file
   std::function<Answer(double seconds)> ask;
   /// Asks for the bound.
   void askBound();
@@ -59,6 +61,7 @@ class HistoryDesk : public QObject {
   std::unique_ptr<QLockFile> m_lock;
   std::shared_ptr<HistoryKeeper> m_keeper;
   std::set<int> m_toldMarkers;
+  double m_savedTo_s = 0;
   bool m_isToldBound = false, m_isLeft = false;
 };
 

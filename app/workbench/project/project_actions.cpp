@@ -22,6 +22,7 @@ ProjectDesk& add_project_actions(MainWindow& window, TakeDesk& takes) {
   auto* history = new HistoryDesk(window);
   QObject::connect(desk, &ProjectDesk::leftForNextStart, history, &HistoryDesk::leave);
   QObject::connect(desk, &ProjectDesk::losingHistory, history, &HistoryDesk::leaveSession);
+  QObject::connect(desk, &ProjectDesk::historySaved, history, &HistoryDesk::noteSaved);
   add_action(window, menu_of(window, "Timeline"), "History on disk…", {}, [history] { history->askBound(); });
   return *desk;
 }

@@ -9,7 +9,7 @@
 #include <algorithm>
 
 #include "app/workbench/base/error_words.hpp"
-#include "app/workbench/base/job.hpp"
+#include "app/workbench/base/job_progress.hpp"
 #include "app/workbench/project/project_state.hpp"
 #include "app/workbench/project/relocate_dialog.hpp"
 #include "app/workbench/shell/main_window.hpp"
@@ -27,7 +27,7 @@ ProjectDesk::Answer ask_person(MainWindow& window, const QString& name) {
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window);
   box.setInformativeText(
       "Annotations, markers, settings and decisions since it was saved last are lost "
-      "otherwise. What was recorded is on disk in any case.");
+      "otherwise. What was recorded is on disk in any case; saving adds the history.");
   box.setDefaultButton(QMessageBox::Save);
   switch (box.exec()) {
     case QMessageBox::Save:
@@ -199,10 +199,15 @@ void ProjectDesk::write(const QString& target) {
   what.to = target.toStdString();
   what.takes = m_takes.edits();
   what.recorder = m_window.session()->engine().recorder();
+  const FrameHistory& history = m_window.session()->engine().history();
+  const double until_s = history.span().last_s;
+  RecordingFacts facts = m_takes.facts();
+  facts.input = "clip:" + m_window.session()->material().input.name;  // frames of a stream name it
+  what.history = HistoryToSave{history.stretch(m_framesSavedTo_s, until_s), std::move(facts)};
   what.library = m_window.session()->material().library;
   what.library_file = *library_file;
-  const auto finish = [this, what, target, session = m_takes.session(), from = file(),
-                       takes = m_takes.takes()](const Result<Project>& done) {
+  const auto finish = [this, what, target, until_s, session = m_takes.session(), from = file(),
+                       takes = m_takes.takes()](const Result<SavedSession>& done) {
     if (!done) {
       const QString why = words(done.error());
       m_window.messages().showErrorOf("save", why);
@@ -212,6 +217,12 @@ void ProjectDesk::write(const QString& target) {
       m_window.noteOpened({target});
       return emit saved(target);
     }
+    if (done->has_history) emit historySaved(until_s);
+    if (done->frames_left_out > 0)
+      m_window.messages().showWarnings(
+          {QString("%1 frames of the history could not be read, so they are not in %2")
+               .arg(done->frames_left_out)
+               .arg(target)});
     if (!what.library_file.empty()) {
       m_window.session()->setLibraryFile(what.library, what.library_file);
       m_window.messages().showInformation("The library was written to " +
@@ -224,8 +235,9 @@ void ProjectDesk::write(const QString& target) {
       return emit saved(target);
     }
     if (m_takes.file() != target) m_takes.setFile(target);
+    if (done->has_history) m_framesSavedTo_s = until_s;
     m_saved = what.project;
-    m_saved.data = done->data;
+    m_saved.data = done->project.data;
     m_isRestored = false;
     m_window.undoStack().setClean();
     refresh();
@@ -237,6 +249,8 @@ void ProjectDesk::write(const QString& target) {
   m_job = std::make_unique<Job>([what, finish](const Progress& progress) -> Job::Finish {
     return [finish, done = save_session(what, progress)] { finish(done); };
   });
+  show_progress(*m_job, m_window.messages());
+  connect(&m_window.messages(), &widgets::MessageBar::cancelRequested, m_job.get(), &Job::cancel);
   connect(m_job.get(), &Job::finished, this, [this] { m_job.release()->deleteLater(); });
 }
 
@@ -244,6 +258,7 @@ void ProjectDesk::write(const QString& target) {
 
 void ProjectDesk::onLeaving(bool& allowed) {
   if (!m_asks || !m_hasSession || !allowed) return;
+  if (m_job) waitForSave();  // it reads the history, which ends with the session
   refresh();
   if (m_isModified) {
     const Answer answer = ask();
@@ -280,6 +295,8 @@ void ProjectDesk::onOpened() {
   m_withoutLibrary.reset();
   m_autosave.drop();
   const auto project = m_window.session()->material().project;
+  const auto recorded = m_window.session()->material().recorded;
+  m_framesSavedTo_s = recorded ? recorded->last_s() : 0;
   if (project && project->reading.is_saved) takeSaved(*project);
   if (!m_isRestored) m_saved = project_of(m_window);
   if (project) m_saved.data = project->project().data;

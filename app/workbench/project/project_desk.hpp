@@ -52,6 +52,8 @@ class ProjectDesk : public QObject {
  signals:
   void saved(const QString& file);
   void notSaved(const QString& why);
+  /// The frames of the session up to this time are in its file.
+  void historySaved(double until_s);
   /// Unsaved work stays for the next start.
   void leftForNextStart();
   /// The session is about to end with its work saved or discarded: its history is deleted as well. @param
@@ -83,8 +85,9 @@ class ProjectDesk : public QObject {
   bool m_asks = false, m_isModified = false, m_isRestored = false, m_hasSession = false;
   /// The manifest for which the user chose to save without the library; asked once.
   std::optional<std::shared_ptr<const Manifest>> m_withoutLibrary;
-  QString m_leftover;  ///< autosaved file from which the session was restored
-  QTimer m_soon;       ///< merges successive changes
+  QString m_leftover;            ///< autosaved file from which the session was restored
+  double m_framesSavedTo_s = 0;  ///< in the file are all frames up to here
+  QTimer m_soon;                 ///< merges successive changes
   std::unique_ptr<Job> m_job;
 };
 

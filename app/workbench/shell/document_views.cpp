@@ -52,7 +52,7 @@ void show_session(MainWindow& window) {
   window.takes().setLibrary(material.library);
   window.panels().setHead("library", "Library · " + library);
   window.transport().setInput(QString("%1 %2 · %3 Hz")
-                                  .arg(material.recorded ? "recorded" : "clip", input)
+                                  .arg(material.is_only_recorded() ? "recorded" : "clip", input)
                                   .arg(material.input.fps, 0, 'f', 0));
   window.status().setInput({input, true, material.input.fps}, material.library->pair_count());
   window.setWindowTitle(input + " with " + library + " — Abrazo");
@@ -64,11 +64,12 @@ void show_session(MainWindow& window) {
   window.messages().showWarnings(warnings);
 }
 
-/// A recorded session is looked at from its beginning.
+/// A recorded session is looked at from its beginning, or at the live end if a clip continues it.
 void show_contents(MainWindow& window) {
-  if (!window.session()->material().recorded) return;
+  const Material& material = window.session()->material();
+  if (!material.recorded) return;
   window.ticker().tick();
-  window.ticker().goToStart();
+  if (material.is_only_recorded()) window.ticker().goToStart();
 }
 
 }  // namespace

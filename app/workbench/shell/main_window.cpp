@@ -73,7 +73,8 @@ MainWindow::MainWindow(UserSettings& remembered)
   m_panels = new PanelArea;
   m_panels->setCentralWidget(makeCentre());
   makePanels();
-  m_split = new WorkSplit(m_panels, makeTimeline(), this);
+  QWidget* timeline = makeTimeline();
+  m_split = new WorkSplit(m_panels, timeline, m_timeline, this);
   setCentralWidget(m_split);
   connect(m_panels, &PanelArea::arranged, this, &MainWindow::panelsArranged);
   m_dropHint = new DropHint(this);
@@ -87,9 +88,7 @@ MainWindow::MainWindow(UserSettings& remembered)
 
 MainWindow::~MainWindow() {
   m_job.reset();
-  m_document->finishSession();
-  m_ticker.setSources(nullptr, nullptr);
-  m_document->endSession();
+  endSession();
 }
 
 QWidget* MainWindow::makeCentre() {

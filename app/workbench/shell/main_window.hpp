@@ -148,6 +148,7 @@ class MainWindow : public QMainWindow {
   void wireTransport();
   void showPanels();
   void start(PreparedSolver prepared);
+  void endSession();
 
   UserSettings& m_remembered;
   const widgets::Palette* m_palette;

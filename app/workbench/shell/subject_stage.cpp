@@ -74,7 +74,7 @@ void SubjectStage::write(const std::string& subject) {
     return m_window.transport().setRate(m_take->fps());
   }
   m_window.transport().setInput(QString("%1 %2 · %3 Hz")
-                                    .arg(material.recorded ? "recorded" : "clip", input)
+                                    .arg(material.is_only_recorded() ? "recorded" : "clip", input)
                                     .arg(material.input.fps, 0, 'f', 0));
   m_window.transport().setRate(material.input.fps);
 }

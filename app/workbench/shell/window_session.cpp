@@ -108,6 +108,12 @@ void MainWindow::start(PreparedSolver prepared) {
   m_document->openSession(std::move(prepared));
 }
 
+void MainWindow::endSession() {
+  m_document->finishSession();
+  m_ticker.setSources(nullptr, nullptr);
+  m_document->endSession();
+}
+
 void MainWindow::fail(const QString& message) {
   m_messages->showErrorOf("open", message);
   emit failed(message);
@@ -120,6 +126,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     if (!allowed) return event->ignore();
     m_remembered.setGeometry(saveGeometry());
     emit closing();
+    m_panels->setEnabled(false);  // nothing is there any more that a person could change
+    endSession();
   }
   m_isStopping = RunningWork::any();
   if (!m_isStopping) return QMainWindow::closeEvent(event);

@@ -3,11 +3,14 @@
 #include <algorithm>
 
 #include "app/workbench/shell/panel_area.hpp"
+#include "widgets/timeline/timeline_view.hpp"
+#include "widgets/timeline/whole_lanes.hpp"
 
 namespace abrazo::app {
 
-WorkSplit::WorkSplit(PanelArea* panels, QWidget* timeline, QWidget* parent)
-    : QSplitter(Qt::Vertical, parent), m_panels(panels), m_timeline(timeline) {
+WorkSplit::WorkSplit(PanelArea* panels, QWidget* timeline, const widgets::TimelineView* lanes,
+                     QWidget* parent)
+    : QSplitter(Qt::Vertical, parent), m_panels(panels), m_timeline(timeline), m_lanes(lanes) {
   addWidget(panels);
   addWidget(timeline);
   setHandleWidth(1);
@@ -33,8 +36,13 @@ void WorkSplit::fit() {
   const int all_lanes = m_timeline->sizeHint().height();
   const int least = std::min(m_timeline->minimumSizeHint().height(), all_lanes);
   const int rest = height() - handleWidth() - m_panels->neededHeight();
-  const int below = m_chosen.value_or(std::clamp(rest, least, all_lanes));
+  const int below = m_chosen ? *m_chosen : withWholeLanes(std::clamp(rest, least, all_lanes));
   setSizes({std::max(0, height() - handleWidth() - below), below});
+}
+
+int WorkSplit::withWholeLanes(int below) const {
+  const int above_lanes = m_timeline->sizeHint().height() - m_lanes->sizeHint().height();
+  return above_lanes + static_cast<int>(widgets::whole_lanes_px(m_lanes->lanes(), below - above_lanes));
 }
 
 void WorkSplit::resizeEvent(QResizeEvent* event) {

@@ -3,17 +3,22 @@
 #include <QSplitter>
 #include <optional>
 
+namespace abrazo::widgets {
+class TimelineView;
+}
+
 namespace abrazo::app {
 
 class PanelArea;
 
 /// Panels and scene above, transport and timeline below. Until a person moves the border, the timeline has
-/// all its lanes as far as the panels keep the height that they need; the other lanes scroll. A chosen height
-/// is kept in every size of the window.
+/// all its lanes as far as the panels keep the height that they need; no lane is cut, the other lanes scroll.
+/// A chosen height is kept in every size of the window.
 class WorkSplit : public QSplitter {
   Q_OBJECT
  public:
-  WorkSplit(PanelArea* panels, QWidget* timeline, QWidget* parent);
+  /// @param timeline  the lower part, with `lanes` in it
+  WorkSplit(PanelArea* panels, QWidget* timeline, const widgets::TimelineView* lanes, QWidget* parent);
 
   /// Height of the lower part [px] as a person chose it; none = as described above.
   std::optional<int> chosenHeight() const { return m_chosen; }
@@ -26,9 +31,11 @@ class WorkSplit : public QSplitter {
 
  private:
   void fit();
+  int withWholeLanes(int below) const;
 
   PanelArea* m_panels;
   QWidget* m_timeline;
+  const widgets::TimelineView* m_lanes;
   std::optional<int> m_chosen;
 };
 

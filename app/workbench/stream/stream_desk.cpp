@@ -299,7 +299,7 @@ void StreamDesk::showInput() {
   const Material& material = m_window.session()->material();
   const QString clip = QString::fromStdString(material.input.name);
   if (!m_health) {
-    const char* kind = material.recorded ? "recorded" : "clip";
+    const char* kind = material.is_only_recorded() ? "recorded" : "clip";
     nameInput(QString("%1 %2 · %3 Hz").arg(kind, clip).arg(material.input.fps, 0, 'f', 0));
     m_window.sceneTree().setInputName(kind);
     return m_window.status().showInput({clip, true, material.input.fps});

@@ -5,6 +5,7 @@
 #include <QFileInfo>
 
 #include "app/workbench/base/error_words.hpp"
+#include "app/workbench/base/job.hpp"
 #include "app/workbench/document/session_places.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "core/session/edit/take_name.hpp"
@@ -105,17 +106,17 @@ void TakeDesk::beginTake() {
   m_window.session()->engine().recorder()->begin_take(m_sequence.name);
   const FrameSnapshotPtr latest = m_window.session()->engine().latest().newest();
   const auto receiver = m_window.session()->engine().receiver();
-  m_takes.begin(m_sequence.name, latest ? latest->time_s : now(), latest ? latest->index + 1 : 0,
+  m_takes.begin(m_sequence.name, latest ? latest->time_s : now(),
                 receiver ? receiver->performers() : std::vector{m_window.session()->material().input.name});
   update();
   showTakes();
   emit begun();
 }
 
-void TakeDesk::endTake() {
-  follow();
+void TakeDesk::endTake(bool stopsRecorder) {
   if (const auto recorder = m_window.session()->engine().recorder()) recorder->end_take();
-  if (!m_window.remembered().keepsEverything() || !m_hasStream) stopRecorder();
+  follow();
+  if (stopsRecorder && (!m_window.remembered().keepsEverything() || !m_hasStream)) stopRecorder();
   const RecordedTake take = m_takes.end();
   if (take.frames == 0)
     m_window.messages().showInformation(QString::fromStdString(take.name) +
@@ -126,9 +127,8 @@ void TakeDesk::endTake() {
 }
 
 void TakeDesk::follow() {
-  const FrameSnapshotPtr latest =
-      m_window.session() ? m_window.session()->engine().latest().newest() : nullptr;
-  if (latest) m_takes.follow(latest->time_s, latest->index);
+  const auto recorder = m_window.session() ? m_window.session()->engine().recorder() : nullptr;
+  if (recorder) m_takes.follow(recorder->state().take_span);
 }
 
 void TakeDesk::rename(std::int64_t id, const std::string& name) {
@@ -260,12 +260,9 @@ void TakeDesk::setFile(const QString& file) {
 
 void TakeDesk::onSessionEnding() {
   if (m_window.session()) {
-    if (m_sequence.stop()) endTake();
-    stopRecorder();
-    if (!m_file.isEmpty()) {
-      const Status written = edit_session_takes(m_file.toStdString(), m_takes.edits());
-      if (!written) m_window.messages().showError(words(written.error()));
-    }
+    if (m_sequence.stop()) endTake(false);
+    writeMarkers();
+    finishFile();
   }
   m_sequence = {};
   m_takes = {};
@@ -274,6 +271,25 @@ void TakeDesk::onSessionEnding() {
   m_toldFailure.clear();
   m_hasStream = false;
   showTakes();
+}
+
+/// On another thread: the disk may take its time, and the window does not wait for it.
+void TakeDesk::finishFile() {
+  if (m_file.isEmpty()) return;
+  const auto finish = [recorder = m_window.session()->engine().recorder(), file = m_file.toStdString(),
+                       edits = m_takes.edits()] {
+    Status written = recorder ? recorder->finish() : Status(Done{});
+    const Status edited = edit_session_takes(file, edits);
+    return written ? edited : written;
+  };
+  auto* job = new Job(
+      [this, finish](const Progress&) -> Job::Finish {
+        return [this, written = finish()] {
+          if (!written) m_window.messages().showError(words(written.error()));
+        };
+      },
+      this);
+  connect(job, &Job::finished, job, &QObject::deleteLater);
 }
 
 // ---- what is shown ----

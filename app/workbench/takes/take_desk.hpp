@@ -53,6 +53,9 @@ class TakeDesk : public QObject {
   const TakeEdits& edits() const { return m_takes.edits(); }
   int session() const { return m_session; }  ///< number of the session
 
+  /// Where the frames of the session come from, for its file.
+  RecordingFacts facts() const;
+
  signals:
   void fileChanged();
   /// A take began, after its countdown.
@@ -65,7 +68,7 @@ class TakeDesk : public QObject {
  private:
   void begin(const std::string& name, double countdown_s);
   void beginTake();
-  void endTake();
+  void endTake(bool stopsRecorder = true);
   bool record();
   void stopRecorder();
   void discardIfUnused();
@@ -74,9 +77,9 @@ class TakeDesk : public QObject {
   void showTakes();
   void takeFile();
   void onSessionEnding();
+  void finishFile();
   void writeEdits();
   void writeMarkers();
-  RecordingFacts facts() const;
   widgets::RecordingStatus status() const;
   double now() const;
   std::string freshName(const std::string& typed) const;

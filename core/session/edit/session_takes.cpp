@@ -18,20 +18,19 @@ SessionTakes::SessionTakes(const SessionContents& file) {
   }
 }
 
-void SessionTakes::begin(const std::string& name, double from_s, std::uint64_t first_frame,
-                         std::vector<std::string> performers) {
+void SessionTakes::begin(const std::string& name, double at_s, std::vector<std::string> performers) {
   running_ = next_id_++;
-  first_frame_ = first_frame;
-  list_.put({running_, name, from_s, from_s, 0, std::move(performers)});
+  list_.put({running_, name, at_s, at_s, 0, std::move(performers)});
   names_in_file_[running_] = name;
 }
 
-void SessionTakes::follow(double newest_s, std::uint64_t newest_frame) {
+void SessionTakes::follow(const TakeSpan& recorded) {
   const RecordedTake* running = list_.find(running_);
-  if (!running) return;
+  if (!running || recorded.frames == 0) return;
   RecordedTake take = *running;
-  take.to_s = std::max(take.from_s, newest_s);
-  take.frames = newest_frame + 1 > first_frame_ ? newest_frame + 1 - first_frame_ : 0;
+  take.from_s = recorded.first_s;
+  take.to_s = recorded.last_s;
+  take.frames = recorded.frames;
   list_.put(take);
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/session/edit/recorded_takes.hpp"
 #include "core/session/file/session_edit.hpp"
+#include "core/session/frames/take_span.hpp"
 
 namespace abrazo {
 
@@ -26,12 +27,10 @@ class SessionTakes {
   std::int64_t running() const { return running_; }
 
   /// Begins a take; the file gets this name.
-  /// @param from_s  session clock
-  /// @param first_frame index of its first frame
-  void begin(const std::string& name, double from_s, std::uint64_t first_frame,
-             std::vector<std::string> performers);
-  /// Extends the running take to the newest frame of the session, wherever the cursor is.
-  void follow(double newest_s, std::uint64_t newest_frame);
+  /// @param at_s  session clock; its place until it has a frame
+  void begin(const std::string& name, double at_s, std::vector<std::string> performers);
+  /// The running take has these frames by now.
+  void follow(const TakeSpan& recorded);
   /// Ends the running take. A take without frames is removed.
   /// @return the take; its `frames` are 0 if it was not kept
   RecordedTake end();
@@ -54,7 +53,6 @@ class SessionTakes {
 
   RecordedTakes list_;
   std::int64_t running_ = -1, next_id_ = 1;
-  std::uint64_t first_frame_ = 0;  ///< of the running take
   TakeEdits edits_;
   std::map<std::int64_t, std::string> names_in_file_;
 };

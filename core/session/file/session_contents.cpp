@@ -57,7 +57,7 @@ std::vector<std::string> names_in(const std::string& json) {
 void read_runs(Tables& tables, SessionContents& contents) {
   tables.rows("sessions",
               "SELECT id, begun_at, program, offset_s, coalesce(first_frame, offset_frames), ended_at, lost, "
-              "first_frame IS NULL FROM runs ORDER BY id",
+              "first_frame IS NULL FROM runs ORDER BY coalesce(first_frame, offset_frames), id",
               [&](const SessionStatement& row) -> Status {
                 SessionRun run;
                 run.id = static_cast<int>(row.integer(0));
@@ -77,13 +77,13 @@ void read_libraries(Tables& tables, SessionContents& contents) {
   tables.rows(
       "libraries",
       "SELECT id, relative_path, absolute_path, name, pairs, fingerprint, excluded_takes, first_frame "
-      "FROM libraries ORDER BY id",
+      "FROM libraries ORDER BY first_frame, id",
       [&](const SessionStatement& row) -> Status {
         contents.libraries.push_back({static_cast<int>(row.integer(0)), row.text(1), row.text(2), row.text(3),
                                       counted(row, 4), row.text(5), names_in(row.text(6)), counted(row, 7)});
         return Done{};
       });
-  tables.rows("inputs", "SELECT id, input, first_frame FROM inputs ORDER BY id",
+  tables.rows("inputs", "SELECT id, input, first_frame FROM inputs ORDER BY first_frame, id",
               [&](const SessionStatement& row) -> Status {
                 contents.inputs.push_back({static_cast<int>(row.integer(0)), row.text(1), counted(row, 2)});
                 return Done{};

@@ -69,6 +69,7 @@ class FileRecorder : public Recorder {
     if (ended_) return;
     if (waiting_frames_ >= options_.waiting_frames) return lose();
     ++waiting_frames_;
+    if (!state_.take.empty()) state_.take_span.extend(frame->time_s);
     push(frame);
   }
 
@@ -83,6 +84,7 @@ class FileRecorder : public Recorder {
   void begin_take(const std::string& name) override {
     const std::scoped_lock lock(mutex_);
     state_.take = name;
+    state_.take_span = {};
     push(EndTake{});
     push(BeginTake{name});
   }

@@ -12,6 +12,7 @@
 #include "core/session/frames/frame_listener.hpp"
 #include "core/session/frames/frame_store.hpp"
 #include "core/session/frames/markers.hpp"
+#include "core/session/frames/take_span.hpp"
 #include "core/stream/receive/stream_receiver.hpp"
 
 namespace abrazo {
@@ -51,6 +52,7 @@ class Recorder : public FrameListener {
     std::uint64_t frames = 0, poses = 0, bytes = 0;
     double behind_s = 0;     ///< age of the oldest frame that is not on disk yet
     std::string take;        ///< open take; empty = none
+    TakeSpan take_span;      ///< of the open take; of the last one after its end
     std::string failure;     ///< why frames are being lost: the disk is full or the file was deleted. Empty
                              ///< again once writing continues
     std::uint64_t lost = 0;  ///< frames and poses that will never be on disk

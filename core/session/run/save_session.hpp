@@ -1,11 +1,14 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "core/base/progress.hpp"
 #include "core/session/file/project.hpp"
 #include "core/session/file/session_edit.hpp"
+#include "core/session/run/saved_history.hpp"
 
 namespace abrazo {
 
@@ -20,12 +23,20 @@ struct SessionToSave {
   std::string to;    ///< `file`, or another: then everything recorded is copied, with the project
   TakeEdits takes;   ///< edits not yet in `file`; for a copy
   std::shared_ptr<Recorder> recorder;  ///< writing into `file`; null = none
+  /// Frames that may not be in `file`. They are added, unless a recorder writes into `to`: its file then
+  /// lacks those from before the recording until it is saved again. Empty = none
+  std::optional<HistoryToSave> history;
   std::shared_ptr<const MotionLibrary> library;
   std::string library_file;  ///< also writes the library here; empty = no
 };
 
+struct SavedSession {
+  Project project;                    ///< with complete references, as in the file
+  bool has_history = false;           ///< all frames of `history` are in the file, except those left out
+  std::uint64_t frames_left_out = 0;  ///< of the history: they could not be read
+};
+
 /// Writes each file completely or not at all. If saving fails, a newly written library file is removed.
-/// @return the project with complete references, as in the file
-Result<Project> save_session(const SessionToSave& what, const Progress& progress);
+Result<SavedSession> save_session(const SessionToSave& what, const Progress& progress);
 
 }  // namespace abrazo

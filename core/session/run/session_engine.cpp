@@ -37,6 +37,24 @@ class LentSource {
   std::promise<void> returned_;
 };
 
+/// Passes on what was solved before it was attached, too.
+class FromTheBegin : public FrameListener {
+ public:
+  FromTheBegin(std::shared_ptr<FrameListener> to, const FrameHistory& history)
+      : to_(std::move(to)), history_(history) {}
+  void frame_solved(const FrameSnapshotPtr& frame) override {
+    if (!std::exchange(has_begun_, true))
+      for (const FrameSnapshotPtr& earlier : history_.range(history_.span().memory_first_s, frame->time_s))
+        if (earlier->index < frame->index) to_->frame_solved(earlier);
+    to_->frame_solved(frame);
+  }
+
+ private:
+  const std::shared_ptr<FrameListener> to_;
+  const FrameHistory& history_;
+  bool has_begun_ = false;
+};
+
 std::string text_option(const StreamUri& uri, std::string_view key) {
   const auto found = uri.options.find(key);
   return found == uri.options.end() ? std::string() : found->second;
@@ -73,16 +91,24 @@ UserRole other_character(UserRole role) {
 
 struct SessionEngine::Parts {
   Parts(std::shared_ptr<PartnerSynthesizer> synthesizer, std::shared_ptr<PoseSource> source,
-        const SessionClock& session_clock, SessionOpeners open_with)
+        const SessionClock& session_clock, SessionOpeners open_with,
+        std::shared_ptr<const FrameStore> recorded)
       : clock(session_clock),
         openers(std::move(open_with)),
         own_source(source),
         views(synthesizer->views()),
         settings(synthesizer->settings()),
-        solver(std::make_unique<LiveLoop>(std::move(synthesizer), std::move(source), commands, history,
-                                          latest, [this] { return clock.now_s(); }),
-               clock) {
+        solver(make_loop(std::move(synthesizer), std::move(source), std::move(recorded)), clock) {
     prepare_roles();
+  }
+
+  /// The history gets the recorded frames before the first is solved, which is numbered after them.
+  std::unique_ptr<LiveLoop> make_loop(std::shared_ptr<PartnerSynthesizer> synthesizer,
+                                      std::shared_ptr<PoseSource> source,
+                                      std::shared_ptr<const FrameStore> recorded) {
+    history.set_store(std::move(recorded));
+    return std::make_unique<LiveLoop>(std::move(synthesizer), std::move(source), commands, history, latest,
+                                      [this] { return clock.now_s(); });
   }
 
   /// Prepares the view of the library for the other role before it is needed; unless that takes the memory
@@ -144,9 +170,10 @@ struct SessionEngine::Parts {
 };
 
 SessionEngine::SessionEngine(std::unique_ptr<PartnerSynthesizer> synthesizer,
-                             std::shared_ptr<PoseSource> source, SessionClock clock, SessionOpeners openers)
+                             std::shared_ptr<PoseSource> source, SessionClock clock, SessionOpeners openers,
+                             std::shared_ptr<const FrameStore> recorded)
     : parts_(std::make_unique<Parts>(std::shared_ptr<PartnerSynthesizer>(std::move(synthesizer)),
-                                     std::move(source), clock, std::move(openers))) {}
+                                     std::move(source), clock, std::move(openers), std::move(recorded))) {}
 
 SessionEngine::~SessionEngine() {
   [[maybe_unused]] const Status recorded = stop_recording();  // callers check beforehand
@@ -267,14 +294,10 @@ std::vector<SinkHealth> SessionEngine::sinks() const {
 
 // ---- recording ----
 
-void SessionEngine::look_back(std::shared_ptr<const FrameStore> recorded) {
-  parts_->history.set_store(std::move(recorded));
-}
-
 void SessionEngine::keep_history(std::shared_ptr<HistoryKeeper> keeper) {
   parts_->keeper = std::move(keeper);
   parts_->history.set_store(joined_stores(parts_->history.store(), parts_->keeper->store()));
-  push(AttachListener{parts_->keeper});
+  push(AttachListener{std::make_shared<FromTheBegin>(parts_->keeper, parts_->history)});
 }
 
 std::shared_ptr<HistoryKeeper> SessionEngine::history_keeper() const {

@@ -25,8 +25,11 @@ namespace abrazo {
 /// solver.
 class SessionEngine {
  public:
+  /// @param recorded  frames of the session so far, which it continues: its own follow their indices. The
+  /// clock must be later than these frames
   SessionEngine(std::unique_ptr<PartnerSynthesizer> synthesizer, std::shared_ptr<PoseSource> source,
-                SessionClock clock = SessionClock(), SessionOpeners openers = SessionOpeners::system());
+                SessionClock clock = SessionClock(), SessionOpeners openers = SessionOpeners::system(),
+                std::shared_ptr<const FrameStore> recorded = nullptr);
   ~SessionEngine();
 
   void push(const Command& command);
@@ -59,11 +62,7 @@ class SessionEngine {
   void stop_sending(const std::string& uri);
   std::vector<SinkHealth> sinks() const;
 
-  /// Continues a recorded session: its frames become the history. Call before the first frame; the clock must
-  /// be later than those frames.
-  void look_back(std::shared_ptr<const FrameStore> recorded);
-
-  /// Keeps the frames from now on on disk, also those that no longer fit in memory. Once in a session.
+  /// Keeps the frames of this session on disk, also those that no longer fit in memory. Once in a session.
   void keep_history(std::shared_ptr<HistoryKeeper> keeper);
   std::shared_ptr<HistoryKeeper> history_keeper() const;  ///< null if history is in memory only
 

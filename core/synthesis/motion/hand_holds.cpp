@@ -23,12 +23,16 @@ constexpr double reach_lost_m = 0.15;   ///< beyond the stretched arm
 constexpr double reach_found_m = 0.05;
 constexpr double easy_reach = 0.95;  ///< of the stretched arm; beyond it the body goes along
 constexpr double draws_fully_m = 0.25, draws_least_m = 0.35;  ///< beyond easy reach
-// A hand at the shoulder: the arm points nowhere.
+// A wrist at the shoulder: the arm points nowhere.
 constexpr double near_lost_m = 0.12, near_found_m = 0.16;
 constexpr double lag_rate = 30;      ///< omega [1/s]
 constexpr double rests_in_s = 0.15;  ///< a released hand
 
 constexpr double full_arm = 0.995;
+// Between the first and the second angle from the free arm to the wanted one, and below these lengths of the
+// wanted one, the hand goes straight in place of turning about the shoulder.
+constexpr double turns_rad = 1.2, goes_straight_rad = 2.2;
+constexpr double arm_m = 0.16, no_arm_m = 0.08;
 constexpr double elbow_bias_m = 0.03;    ///< an elbow hangs: where a straight arm bends
 constexpr double side_relaxes_s = 0.12;  ///< of the elbow
 constexpr double fastest_side = 8;       ///< [rad/s]
@@ -78,10 +82,11 @@ bool HandHolds::look_at_recording(Pair& pair, const MotionLibrary& library, cons
   return pair.recorded;
 }
 
-/// Beyond the stretched arm or at the shoulder, with hysteresis.
-bool HandHolds::is_out_of_reach(const Pair& pair, double from_shoulder_m, double arm_m) {
-  return from_shoulder_m > arm_m + (pair.out_of_reach ? reach_found_m : reach_lost_m) ||
-         from_shoulder_m < (pair.out_of_reach ? near_found_m : near_lost_m);
+/// The hand beyond the stretched arm or the wrist at the shoulder, with hysteresis.
+bool HandHolds::is_out_of_reach(const Pair& pair, const Vec3& shoulder_to_hand, const Vec3& wrist_to_hand,
+                                double arm_m) {
+  return shoulder_to_hand.norm() > arm_m + (pair.out_of_reach ? reach_found_m : reach_lost_m) ||
+         (shoulder_to_hand - wrist_to_hand).norm() < (pair.out_of_reach ? near_found_m : near_lost_m);
 }
 
 /// The recorded offset; the difference from that of another source or of a released hand fades.
@@ -113,7 +118,8 @@ void HandHolds::update(const Surroundings& now, double elapsed_s) {
     const Vec3 offset =
         (now.moment.pair.row(partner_hand + joint_count) - now.moment.pair.row(user_hand)).transpose();
     const Vec3 shoulder = now.partner.row(partner_hand - 3);
-    pair.out_of_reach = is_out_of_reach(pair, (at_user + heading * offset - shoulder).norm(),
+    const Vec3 wrist_to_hand = now.partner.row(partner_hand) - now.partner.row(partner_hand - 1);
+    pair.out_of_reach = is_out_of_reach(pair, at_user + heading * offset - shoulder, wrist_to_hand,
                                         stretched_arm(now.body, partner_hand));
     const bool is_held = is_recorded && !pair.out_of_reach;
     if (is_held) {
@@ -170,10 +176,23 @@ void HandHolds::reach_for(Pose& pose, const Body& body, const RootFrame& place, 
   const double reach_now = now.norm(), reach_wanted = wanted.norm();
   if (reach_now < 1e-6 || reach_wanted < 1e-6) return;
   const double longest = full_arm * (bone_length_to(body, elbow) + bone_length_to(body, wrist));
-  const Vec3 turn = share * turn_between(now / reach_now, wanted / reach_wanted);
-  const Vec3 along = turned(now / reach_now, turn);
-  const double reach =
-      std::min(reach_now + share * (reach_wanted - reach_now), std::max(longest, (1 - share) * reach_now));
+  const Vec3 whole_turn = turn_between(now / reach_now, wanted / reach_wanted);
+  Vec3 turn = share * whole_turn;
+  Vec3 along = turned(now / reach_now, turn);
+  double reach = reach_now + share * (reach_wanted - reach_now);
+  // The axis of a half turn, and the direction of a hand at the shoulder, are undefined, and next to them a
+  // small motion of the target swings the arm.
+  const double straight = std::max(smooth((whole_turn.norm() - turns_rad) / (goes_straight_rad - turns_rad)),
+                                   smooth((arm_m - reach_wanted) / (arm_m - no_arm_m)));
+  if (straight > 0) {
+    const Vec3 point = now + share * (wanted - now);
+    const Vec3 mixed = (1 - straight) * reach * along + straight * point;
+    reach = mixed.norm();
+    if (reach < 1e-6) return;
+    along = mixed / reach;
+    turn = turn_between(now / reach_now, along);
+  }
+  reach = std::min(reach, std::max(longest, (1 - share) * reach_now));
 
   // The elbow's side is carried along with the arm, and goes to that of the free arm bit by bit.
   const Eigen::Matrix3d heading = place.rotation();

@@ -86,7 +86,8 @@ class HandHolds {
   static bool look_at_recording(Pair& pair, const MotionLibrary& library, const SourcePlayhead& playhead,
                                 const RecordedMoment& moment, bool source_changed, int user_hand,
                                 int partner_hand);
-  static bool is_out_of_reach(const Pair& pair, double from_shoulder_m, double arm_m);
+  static bool is_out_of_reach(const Pair& pair, const Vec3& shoulder_to_hand, const Vec3& wrist_to_hand,
+                              double arm_m);
   static void follow(Pair& pair, const Vec3& offset, bool begins, double elapsed_s);
   static void reach_for(Pose& pose, const Body& body, const RootFrame& place, int hand, const Vec3& target,
                         double share, Arm& arm, double elapsed_s);

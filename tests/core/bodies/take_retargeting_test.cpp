@@ -6,8 +6,10 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 
 #include "core/base/atomic_file.hpp"
+#include "core/choreography/salsa.hpp"
 #include "tests/support/humanoid_rig.hpp"
 #include "tests/support/libraries.hpp"
 
@@ -47,6 +49,82 @@ class TakeRetargeting : public testing::Test {
  private:
   fs::path folder_;
 };
+
+/// Two seconds of generated salsa.
+PairedTake salsa() {
+  ChoreographyOptions options;
+  options.minutes = 0.2;
+  PairedTake take = generate_salsa(options).front();
+  for (Clip* clip : {&take.a, &take.b}) {
+    clip->poses.erase(clip->poses.begin() + 300, clip->poses.end());
+    clip->poses.erase(clip->poses.begin(), clip->poses.begin() + 180);
+  }
+  return take;
+}
+
+/// Mean change of the distance of joints of both bodies that are within 15 cm in the recording [m].
+double contact_change(const RetargetedPair& pair) {
+  double sum = 0;
+  int contacts = 0;
+  for (std::size_t f = 0; f < pair.frames.size(); ++f)
+    for (int a = 0; a < joint_count; ++a)
+      for (int b = 0; b < joint_count; ++b) {
+        const double recorded =
+            (pair.recorded.active.poses[f].row(a) - pair.recorded.passive.poses[f].row(b)).norm();
+        if (recorded > 0.15) continue;
+        const PairPose& made = pair.frames[f].pose;
+        sum += std::abs((made.row(a) - made.row(b + joint_count)).norm() - recorded);
+        ++contacts;
+      }
+  EXPECT_GT(contacts, 0);
+  return sum / std::max(1, contacts);
+}
+
+/// Mean length of the second difference of all joints [m].
+double roughness(const RetargetedPair& pair) {
+  double sum = 0;
+  for (std::size_t f = 1; f + 1 < pair.frames.size(); ++f)
+    sum +=
+        (pair.frames[f - 1].pose - 2 * pair.frames[f].pose + pair.frames[f + 1].pose).rowwise().norm().mean();
+  return sum;
+}
+
+TEST_F(TakeRetargeting, TheWeightOfContactsKeepsThem) {
+  const PairedTake take = salsa();
+  wish.active = *parse_body_choice("scale:1.3");
+  const auto change = [&](double contacts) {
+    wish.contacts = contacts;
+    const auto made = retarget_take(take, wish);
+    EXPECT_TRUE(made);
+    return contact_change(made->pair);
+  };
+  const double without = change(0), usual = change(1), strong = change(4);
+  EXPECT_LT(usual, without);
+  EXPECT_LT(strong, usual);
+}
+
+TEST_F(TakeRetargeting, TheWeightOfSmoothnessSmooths) {
+  const PairedTake take = salsa();
+  wish.active = *parse_body_choice("scale:1.3");
+  const auto rough = [&](double smoothness) {
+    wish.smoothness = smoothness;
+    const auto made = retarget_take(take, wish);
+    EXPECT_TRUE(made);
+    return roughness(made->pair);
+  };
+  EXPECT_LT(rough(4), rough(0));
+}
+
+TEST_F(TakeRetargeting, WeightsAreFactorsFromZeroToFour) {
+  for (const double wrong : {-0.1, 4.1, std::numeric_limits<double>::quiet_NaN()}) {
+    wish.contacts = wrong;
+    EXPECT_THAT(refusal(), HasSubstr("a factor from 0 to 4 is expected for contacts"));
+    wish.contacts = 1;
+    wish.smoothness = wrong;
+    EXPECT_THAT(refusal(), HasSubstr("a factor from 0 to 4 is expected for smoothness"));
+    wish.smoothness = 1;
+  }
+}
 
 TEST_F(TakeRetargeting, EveryTakeHasFilesOfItsOwn) {
   wish.trace = at("out.jsonl");

@@ -279,6 +279,24 @@ TEST(Recorder, TakesBeginAndEndWithTheFramesInBetween) {
   EXPECT_EQ(takes[1].begun_at.size(), std::string("2024-05-17T14:03:22Z").size());
 }
 
+TEST(Recorder, TellsTheFramesOfATakeAsItsFileHasThem) {
+  Recorded session;
+  session.run_until(0.5);
+  session.recorder().begin_take("salsa 1");
+  EXPECT_EQ(session.recorder().state().take_span, TakeSpan{}) << "the next frame is its first";
+  session.run_until(1.0);
+  session.recorder().end_take();
+  session.run_until(1.5);
+  const TakeSpan told = session.recorder().state().take_span;
+  session.recorder().begin_take("salsa 2");
+  EXPECT_EQ(session.recorder().state().take_span, TakeSpan{}) << "another take";
+  ASSERT_TRUE(session.recorder().finish());
+  const auto takes = opened(session.path)->contents().takes;
+  ASSERT_EQ(takes.size(), 1U) << "one without frames is not kept";
+  EXPECT_EQ(told,
+            (TakeSpan{takes[0].start_s, takes[0].end_s, takes[0].last_frame + 1 - takes[0].first_frame}));
+}
+
 TEST(Recorder, GoesOnInAFileBehindItsLastFrame) {
   Recorded session;
   session.run_until(1);

@@ -4,10 +4,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <fstream>
+#include <thread>
 
 #include "core/library/store/motion_library_file.hpp"
+#include "core/session/file/library_reference.hpp"
+#include "core/session/file/recorded_frames.hpp"
 #include "core/session/file/session_file.hpp"
+#include "core/session/run/history_keeper.hpp"
 #include "tests/core/session/project_values.hpp"
 #include "tests/core/session/recorded_session.hpp"
 
@@ -52,6 +57,43 @@ struct SaveSession : testing::Test {
     if (opened)
       for (const SessionTake& take : (*opened)->contents().takes) names.push_back(take.name);
     return names;
+  }
+  /// Drives the session, and what is to be kept on disk is there before more comes.
+  void run_for(double seconds, const std::shared_ptr<HistoryKeeper>& kept = nullptr) {
+    for (const double end = session.now_s + seconds; session.now_s < end;) {
+      session.run_until(std::min(end, session.now_s + 0.5));
+      if (!kept) continue;
+      kept->tend();
+      const std::uint64_t newest = session.latest.newest()->index;
+      for (int tries = 0; tries < 2000 && kept->store()->span().last_index < newest; ++tries)
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+  }
+  HistoryToSave history(double from_s = 0) const {
+    return {session.history.stretch(from_s, session.now_s), test::session_facts()};
+  }
+  /// Every frame of the session, as it was solved.
+  void expect_all_frames_in(const std::string& file) const {
+    const auto opened = SessionFile::open(file);
+    ASSERT_TRUE(opened) << opened.error().text();
+    const auto stored = *RecordedFrames::open(file, test::session_library());
+    const std::vector<FrameSnapshotPtr>& solved = session.keeper->frames;
+    const auto all = stored->between(0, solved.back()->index, FrameHistory::all_frames);
+    ASSERT_EQ(all.size(), solved.size());
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      ASSERT_EQ(all[i]->index, solved[i]->index);
+      ASSERT_EQ(all[i]->time_s, solved[i]->time_s);
+      ASSERT_EQ(all[i]->result.result, solved[i]->result.result) << "frame " << i;
+      ASSERT_EQ(all[i]->settings, solved[i]->settings) << "frame " << i;
+      ASSERT_EQ(all[i]->user, solved[i]->user);
+      ASSERT_EQ(all[i]->before != nullptr, solved[i]->before != nullptr);
+      ASSERT_EQ(all[i]->result.edges, solved[i]->result.edges) << "its library is known";
+    }
+  }
+  void change_settings() {
+    Settings other = session.keeper->frames.back()->settings;
+    other.alpha += 0.125;
+    session.commands.push(SetSettings{other});
   }
   std::vector<std::string> files() const {
     std::vector<std::string> names;
@@ -106,11 +148,11 @@ TEST_F(SaveSession, WritesTheLibraryBesideItAndCompletesTheReferenceToIt) {
   what.project.data.push_back(unread_reference(DataReference::Use::Library, what.library_file));
   const auto saved = save_session(what, {});
   ASSERT_TRUE(saved) << saved.error().text();
-  ASSERT_EQ(saved->data.size(), 1U);
-  EXPECT_EQ(saved->data[0].relative_path, "small.h5");
-  EXPECT_EQ(saved->data[0].bytes, std::filesystem::file_size(what.library_file));
-  EXPECT_EQ(saved->data[0].hash.size(), 16U);
-  EXPECT_EQ(*load_project(what.to), *saved);
+  ASSERT_EQ(saved->project.data.size(), 1U);
+  EXPECT_EQ(saved->project.data[0].relative_path, "small.h5");
+  EXPECT_EQ(saved->project.data[0].bytes, std::filesystem::file_size(what.library_file));
+  EXPECT_EQ(saved->project.data[0].hash.size(), 16U);
+  EXPECT_EQ(*load_project(what.to), saved->project);
 }
 
 TEST_F(SaveSession, WhatIsKnownOfAFileThatIsGoneIsKept) {
@@ -120,7 +162,7 @@ TEST_F(SaveSession, WhatIsKnownOfAFileThatIsGoneIsKept) {
   known.bytes = 4711;
   known.hash = "0123456789abcdef";
   what.saved.data.push_back(known);
-  EXPECT_THAT(save_session(what, {})->data, ElementsAre(known));
+  EXPECT_THAT(save_session(what, {})->project.data, ElementsAre(known));
 }
 
 TEST_F(SaveSession, ThatFailsLeavesNothingBehind) {
@@ -144,6 +186,156 @@ TEST_F(SaveSession, ACopyThatFailsLeavesTheFileThatWasThere) {
   EXPECT_FALSE(save_session(what, {}));
   std::ifstream other(what.to);
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>(other), {}), "as it was");
+}
+
+TEST_F(SaveSession, HasTheFramesOfTheHistory) {
+  run_for(4);
+  change_settings();
+  run_for(3);
+  SessionToSave what = to("s.abrazo", 9);
+  what.history = history();
+  const auto saved = save_session(what, {});
+  ASSERT_TRUE(saved) << saved.error().text();
+  EXPECT_TRUE(saved->has_history);
+  EXPECT_EQ(saved->frames_left_out, 0U);
+  EXPECT_EQ(*load_project(what.to), what.project);
+  expect_all_frames_in(what.to);
+  EXPECT_THAT((*SessionFile::open(what.to))->recovery(), ElementsAre());
+  const SessionContents contents = (*SessionFile::open(what.to))->contents();
+  EXPECT_EQ(contents.settings.size(), 2U);
+  ASSERT_EQ(contents.libraries.size(), 1U);
+  EXPECT_EQ(contents.libraries[0].fingerprint, library_fingerprint(*test::session_library()));
+  EXPECT_EQ(contents.inputs.size(), 1U);
+  EXPECT_THAT(files(), ElementsAre("s.abrazo")) << "one file, without a log beside it";
+}
+
+TEST_F(SaveSession, HasFramesThatAreNoLongerInMemoryAndThoseThatTheDiskOfTheHistoryDidNotTake) {
+  FrameHistory little(2 << 20);
+  auto facts = test::session_facts();
+  facts.has_times_of_file = true;
+  const auto kept =
+      *HistoryKeeper::open(folder.file("history"), facts, {.bytes = 64 << 20, .tend_every_s = 0});
+  session.commands.push(AttachListener{kept});
+  run_for(8, kept);
+  for (const FrameSnapshotPtr& frame : session.keeper->frames) little.append(frame);
+  ASSERT_GT(little.span().evicted, 0U);
+  session.commands.push(DetachListener{kept});  // as if the disk were full
+  run_for(1);
+  for (const FrameSnapshotPtr& frame : session.keeper->frames)
+    if (frame->index > little.at(1e9)->index) little.append(frame);
+  little.set_store(kept->store());
+  SessionToSave what = to("s.abrazo", 10);
+  what.history = HistoryToSave{little.stretch(0, session.now_s), test::session_facts()};
+  const auto saved = save_session(what, {});
+  ASSERT_TRUE(saved) << saved.error().text();
+  EXPECT_EQ(saved->frames_left_out, 0U);
+  expect_all_frames_in(what.to);
+}
+
+TEST_F(SaveSession, FramesThatCannotBeReadAreLeftOutAndCounted) {
+  FrameHistory little(2 << 20);
+  auto facts = test::session_facts();
+  facts.has_times_of_file = true;
+  const auto kept =
+      *HistoryKeeper::open(folder.file("history"), facts, {.bytes = 64 << 20, .tend_every_s = 0});
+  session.commands.push(AttachListener{kept});
+  run_for(8, kept);
+  for (const FrameSnapshotPtr& frame : session.keeper->frames) little.append(frame);
+  little.set_store(kept->store());
+  const std::uint64_t evicted = little.span().evicted;
+  ASSERT_GT(evicted, 0U);
+  SessionToSave what = to("s.abrazo", 17);
+  what.history = HistoryToSave{little.stretch(0, session.now_s), test::session_facts()};
+  kept->remove();
+  const auto saved = save_session(what, {});
+  ASSERT_TRUE(saved) << "the others are saved";
+  EXPECT_EQ(saved->frames_left_out, evicted);
+  EXPECT_EQ((*SessionFile::open(what.to))->contents().frames, session.keeper->frames.size() - evicted);
+}
+
+TEST_F(SaveSession, ALongHistoryIsNotTakenForTheWritingOfAnotherProgram) {
+  run_for(40);  // more than SQLite keeps in its cache
+  SessionToSave what = to("s.abrazo", 18);
+  what.history = history();
+  const auto saved = save_session(what, {});
+  ASSERT_TRUE(saved) << saved.error().text();
+  expect_all_frames_in(what.to);
+}
+
+TEST_F(SaveSession, SavedAgainItGetsTheFramesSince) {
+  run_for(2);
+  SessionToSave what = to("s.abrazo", 11);
+  what.history = history();
+  ASSERT_TRUE(save_session(what, {}));
+  const double saved_to_s = session.now_s;
+  change_settings();
+  run_for(2);
+  what.file = what.to;
+  what.project = project_of(12);
+  what.history = history(saved_to_s - 0.5);
+  const auto saved = save_session(what, {});
+  ASSERT_TRUE(saved) << saved.error().text();
+  EXPECT_EQ(*load_project(what.to), what.project);
+  expect_all_frames_in(what.to);
+}
+
+TEST_F(SaveSession, WhatWasSolvedBeforeAndAfterARecordingIsAddedToIt) {
+  run_for(2);
+  change_settings();
+  SessionToSave what = to("s.abrazo", 13);
+  what.file = record("s.abrazo");
+  ASSERT_TRUE(session.keeper->recorder->finish());
+  session.keeper->recorder.reset();
+  change_settings();
+  run_for(2);
+  what.history = history();
+  const auto saved = save_session(what, {});
+  ASSERT_TRUE(saved) << saved.error().text();
+  expect_all_frames_in(what.to);
+  EXPECT_THAT(takes_in(what.to), ElementsAre("one", "two"));
+  const SessionContents contents = (*SessionFile::open(what.to))->contents();
+  EXPECT_THAT((*SessionFile::open(what.to))->recovery(), ElementsAre());
+  ASSERT_EQ(contents.runs.size(), 3U);
+  std::uint64_t in_runs = 0;
+  for (const SessionRun& run : contents.runs) {
+    EXPECT_EQ(run.first_frame, in_runs) << "in the order of their frames";
+    in_runs += run.frames;
+  }
+  EXPECT_EQ(in_runs, contents.frames);
+}
+
+TEST_F(SaveSession, WhileItIsRecordedAnotherOneGetsTheHistoryAndItsOwnFileDoesNot) {
+  run_for(1);
+  SessionToSave what = to("s.abrazo", 14);
+  what.file = record("s.abrazo");
+  what.recorder = session.keeper->recorder;
+  what.history = history();
+  const auto own = save_session(what, {});
+  ASSERT_TRUE(own) << own.error().text();
+  EXPECT_FALSE(own->has_history);
+  what.to = folder.file("copy.abrazo");
+  const auto copied = save_session(what, {});
+  ASSERT_TRUE(copied) << copied.error().text();
+  EXPECT_TRUE(copied->has_history);
+  expect_all_frames_in(what.to);
+}
+
+TEST_F(SaveSession, ThatIsCancelledWhileTheHistoryIsWrittenLeavesTheFileAsItWas) {
+  run_for(2);
+  SessionToSave what = to("s.abrazo", 15);
+  what.history = history();
+  const auto cancelled = [](double, std::string_view) { return false; };
+  EXPECT_FALSE(save_session(what, cancelled));
+  EXPECT_THAT(files(), ElementsAre());
+  ASSERT_TRUE(save_session(what, {}));
+  const auto frames = (*SessionFile::open(what.to))->contents().frames;
+  run_for(2);
+  what.file = what.to;
+  what.project = project_of(16);
+  what.history = history();
+  EXPECT_FALSE(save_session(what, cancelled));
+  EXPECT_EQ((*SessionFile::open(what.to))->contents().frames, frames);
+  EXPECT_EQ(*load_project(what.to), project_of(15));
 }
 
 }  // namespace

@@ -10,35 +10,36 @@ namespace {
 
 SessionTakes with_two() {
   SessionTakes takes;
-  takes.begin("salsa 001", 2, 100, {"Ana"});
-  takes.follow(5, 279);
+  takes.begin("salsa 001", 2, {"Ana"});
+  takes.follow({2, 5, 180});
   takes.end();
-  takes.begin("salsa 002", 6, 300, {"Ana"});
-  takes.follow(7, 359);
+  takes.begin("salsa 002", 6, {"Ana"});
+  takes.follow({6, 7, 60});
   takes.end();
   return takes;
 }
 
-TEST(SessionTakes, ATakeLastsUntilTheNewestFrame) {
+TEST(SessionTakes, ATakeLastsFromItsFirstFrameToItsNewest) {
   SessionTakes takes;
-  takes.begin("salsa 001", 2, 100, {"Ana", "Ben"});
+  takes.begin("salsa 001", 2, {"Ana", "Ben"});
   EXPECT_EQ(takes.running(), 1);
-  takes.follow(5, 279);
-  const RecordedTake expected{1, "salsa 001", 2, 5, 180, {"Ana", "Ben"}};
+  takes.follow({2.25, 4, 120});
+  takes.follow({2.25, 5, 180});
+  const RecordedTake expected{1, "salsa 001", 2.25, 5, 180, {"Ana", "Ben"}};
   EXPECT_EQ(*takes.list().find(1), expected);
   EXPECT_EQ(takes.end(), expected);
   EXPECT_EQ(takes.running(), -1);
-  takes.follow(9, 500);
+  takes.follow({2.25, 9, 500});
   EXPECT_EQ(*takes.list().find(1), expected) << "it is over";
 }
 
 TEST(SessionTakes, WithoutAFrameItIsNotKept) {
   SessionTakes takes;
-  takes.begin("salsa 001", 2, 100, {});
-  takes.follow(2, 99);
+  takes.begin("salsa 001", 2, {});
+  takes.follow({});
   EXPECT_EQ(takes.end().name, "salsa 001");
   EXPECT_TRUE(takes.list().empty());
-  takes.begin("salsa 001", 3, 100, {});
+  takes.begin("salsa 001", 3, {});
   EXPECT_EQ(takes.running(), 2) << "an id is never used twice in a session";
 }
 
@@ -75,7 +76,7 @@ TEST(SessionTakes, OfAFileContinueItsNumbers) {
   file.takes.push_back(recorded);
   SessionTakes takes(file);
   EXPECT_EQ(takes.list().all(), (std::vector<RecordedTake>{{7, "salsa 001", 1, 4, 180, {"Ana"}}}));
-  takes.begin("salsa 002", 5, 300, {});
+  takes.begin("salsa 002", 5, {});
   EXPECT_EQ(takes.running(), 8);
   takes.rename(7, "first");
   EXPECT_EQ(takes.edits(), (TakeEdits{{"salsa 001", "first"}}));

@@ -2,9 +2,14 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <memory>
+
 #include "core/motion/body/body.hpp"
 #include "core/motion/body/joint_set.hpp"
+#include "core/synthesis/motion/body_shape.hpp"
 #include "tests/support/bodies.hpp"
+#include "tests/support/libraries.hpp"
 
 namespace abrazo::hand_holds_test {
 namespace {
@@ -71,6 +76,61 @@ TEST_F(Drawn, OnlyHandsThatTheRecordingHoldsDraw) {
 TEST_F(Drawn, TheRecordedOffsetBetweenTheHandsIsAimedAt) {
   moment_.pair.row(partner_hand + joint_count) = Eigen::RowVector3d(0.05, 0, 0);
   EXPECT_LT((drawn(0.1) - Vec3(0.15, 0, 0)).norm(), 1e-12);
+}
+
+/// The partner's right arm, a third of the way into a hold.
+class Reached : public Drawn {
+ protected:
+  Reached() {
+    pairs_[left_with_right].ramp = 0.4;
+    moment_.partner = {};
+  }
+
+  Vec3 arm() const { return Vec3(partner_.row(partner_hand - 1)) - shoulder(); }
+  /// Where the hand is when the target asks for the wrist there, from the shoulder.
+  Vec3 hand_for(const Vec3& wrist) {
+    HandHolds::UserHands user_hands;
+    user_hands[0].at = shoulder() + wrist + Vec3(partner_.row(partner_hand) - partner_.row(partner_hand - 1));
+    HandHolds holds(pairs_, arms_, user_hands);
+    const RootFrame user_root, place = root_frame(partner_);
+    Pose pose = partner_;
+    holds.place_arms(
+        pose, {*library_, playhead_, moment_, false, partner_, user_root, partner_, body_, place}, 1.0 / 60);
+    arms_ = holds.arms();
+    return pose.row(partner_hand);
+  }
+  /// The longest step of the hand on a way of the target in steps of 1 mm [m].
+  double longest_step(const Vec3& from, const Vec3& to) {
+    const int steps = static_cast<int>((to - from).norm() * 1000);
+    double longest = 0;
+    Vec3 last = hand_for(from);
+    for (int i = 1; i <= steps; ++i) {
+      const Vec3 hand = hand_for(from + (to - from) * i / steps);
+      longest = std::max(longest, (hand - last).norm());
+      last = hand;
+    }
+    return longest;
+  }
+
+  std::shared_ptr<const MotionLibrary> library_ = test::small_library();
+  SourcePlayhead playhead_{0, 0, 1};
+  HandHolds::Arms arms_;
+};
+
+TEST_F(Reached, AHandOppositeTheFreeArmDoesNotSwingFromOneSideToTheOther) {
+  const Vec3 across = arm().unitOrthogonal();
+  EXPECT_LT(longest_step(-0.8 * arm() - 0.05 * across, -0.8 * arm() + 0.05 * across), 0.002);
+}
+
+TEST_F(Reached, AHandThatPassesTheShoulderDoesNotSwing) {
+  const Vec3 across = arm().unitOrthogonal();
+  EXPECT_LT(longest_step(-0.2 * across + 0.01 * arm(), 0.2 * across + 0.01 * arm()), 0.002);
+}
+
+TEST_F(Reached, AHandInFrontTurnsAboutTheShoulderAndKeepsItsDistance) {
+  const Vec3 there = turned(arm(), 0.8 * arm().unitOrthogonal());
+  const Vec3 to_hand = partner_.row(partner_hand) - partner_.row(partner_hand - 1);
+  EXPECT_NEAR((hand_for(there) - to_hand - shoulder()).norm(), arm().norm(), 1e-9);
 }
 
 }  // namespace

@@ -21,7 +21,8 @@ void SceneView::followPair() {
   constexpr double longest_s = 0.1;  // a slow machine must not make the camera leap
   Parts& p = *m_parts;
   const FrameResult& result = p.frame->result;
-  if (!p.framed && result.selected >= 0) {
+  const bool has_pair = result.selected >= 0 || result.status != StepStatus::Failed;  // a trace has no source
+  if (!p.framed && has_pair) {
     p.framed = true;
     p.pair_camera.start(p.camera, result.result, p.shape());
   } else if (p.following && p.framed && !p.move && !p.cut_drag) {
