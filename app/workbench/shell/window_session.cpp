@@ -6,6 +6,7 @@
 #include "app/workbench/base/job_progress.hpp"
 #include "app/workbench/base/running_work.hpp"
 #include "app/workbench/shell/main_window.hpp"
+#include "app/workbench/shell/panel_area.hpp"
 #include "core/opening/generated_set.hpp"
 #include "core/opening/joint_maps.hpp"
 #include "widgets/common/message_bar.hpp"

@@ -80,7 +80,7 @@ StreamDesk::StreamDesk(MainWindow& window, ConnectionPanel& panel)
   connect(&panel.sinks(), &SinkList::sendRequested, this, &StreamDesk::send);
   connect(&panel.sinks(), &SinkList::stopRequested, this, &StreamDesk::stopSending);
   connect(&window.document(), &Document::began, this, &StreamDesk::beginSession);
-  window.colour(m_notice);
+  window.colour(m_notice.data());
   connect(&m_poll, &QTimer::timeout, this, &StreamDesk::poll);
   m_poll.start(poll_ms);
   connect(&m_soon, &QTimer::timeout, this, &StreamDesk::advanceCalibration);
