@@ -96,6 +96,10 @@ Status add_frames(const OpenedSession& session, const FoundLibrary& found, bool 
   material.recorded =
       std::make_shared<const RecordedSession>(RecordedSession{file, recording.frames, recording.contents});
   material.excluded_takes = recording.contents.libraries.back().excluded_takes;
+  // A library that stands in has other takes; a warning names the one that is missing.
+  if (found.material.stands_in)
+    std::erase_if(material.excluded_takes,
+                  [&](const std::string& take) { return found.material.library->find_take(take) < 0; });
   if (continues) return Done{};
   material.input = {};
   material.input.name = fs::path(file).stem().string();

@@ -33,9 +33,10 @@ inline Material built_of(const std::string& manifest_file) {
 }
 
 /// Half a second that was solved with a library, in a session file.
-inline void record(const std::string& path, const LibraryPtr& library, const std::string& library_file) {
+inline void record(const std::string& path, const LibraryPtr& library, const std::string& library_file,
+                   const std::vector<std::string>& excluded = {}) {
   DrivenSession session;
-  auto synthesizer = std::move(*PartnerSynthesizer::create(library, responsive_by_pose()));
+  auto synthesizer = std::move(*PartnerSynthesizer::create(library, responsive_by_pose(), excluded));
   auto source = std::make_unique<ClipSource>(swinging_take("user", 300, 4).a);
   session.loop = std::make_unique<LiveLoop>(std::move(synthesizer), std::move(source), session.commands,
                                             session.history, session.latest);
@@ -44,6 +45,7 @@ inline void record(const std::string& path, const LibraryPtr& library, const std
   facts.library_name = library->name();
   facts.library_pairs = static_cast<std::uint64_t>(library->pair_count());
   facts.library_path = library_file;
+  facts.excluded_takes = excluded;
   session.keeper->recorder = *Recorder::open(path, facts);
   session.run_until(0.5);
   (void)session.keeper->recorder->finish();

@@ -99,19 +99,22 @@ TEST_F(SessionMaterial, ARecordingComesWithFramesLibraryAndProject) {
   EXPECT_GT(material->recorded->contents.frames, 10U);
   const auto span = material->recorded->frames->span();
   EXPECT_FALSE(material->recorded->frames->frame(span.last_index)->result.edges.empty()) << "of the library";
-  EXPECT_EQ(material->input.name, "s");
+  EXPECT_EQ(material->input.name, "take_02") << "it played when the session was saved, and goes on";
+  EXPECT_FALSE(material->is_only_recorded());
   EXPECT_TRUE(material->project);
 }
 
 TEST_F(SessionMaterial, ARecordingWithoutItsLibraryOpensOnlyWhenAPersonSaysSo) {
-  test::record(path, built.library, "");
+  test::record(path, built.library, "", {"take_02"});
   const auto refused = opened();
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().text(), HasSubstr("both files at once"));
   const auto material = opened({"", {}, true});
   ASSERT_TRUE(material) << material.error().text();
   EXPECT_TRUE(material->stands_in);
-  EXPECT_TRUE(material->recorded);
+  EXPECT_TRUE(material->is_only_recorded()) << "nothing was saved that could go on";
+  EXPECT_EQ(material->input.name, "s");
+  EXPECT_THAT(material->excluded_takes, IsEmpty()) << "the generated dance has no such take";
   EXPECT_THAT(material->warnings, Contains(HasSubstr("was not a file")));
 }
 
