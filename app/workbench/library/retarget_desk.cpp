@@ -7,6 +7,7 @@
 
 #include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/job.hpp"
+#include "app/workbench/library/retarget_outcome.hpp"
 #include "app/workbench/library/retarget_preview.hpp"
 #include "app/workbench/library/retarget_preview_desk.hpp"
 #include "app/workbench/shell/main_window.hpp"
@@ -37,14 +38,8 @@ RetargetOffer offer_of(const Manifest& manifest, const QString& file) {
 }
 
 QString sentence_of(const RetargetedTake& take) {
-  return QString("%1: %L2 frames, leader %3 (%4 m), follower %5 (%6 m); %7")
-      .arg(QString::fromStdString(take.name))
-      .arg(take.frames)
-      .arg(QString::fromStdString(take.active_body))
-      .arg(take.active_height_m, 0, 'f', 2)
-      .arg(QString::fromStdString(take.passive_body))
-      .arg(take.passive_height_m, 0, 'f', 2)
-      .arg(QString::fromStdString(take.quality_text()).replace('\n', ". "));
+  return QString("%1: %L2 frames, ").arg(QString::fromStdString(take.name)).arg(take.frames) +
+         outcome_of(take);
 }
 
 }  // namespace

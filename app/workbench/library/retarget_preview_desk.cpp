@@ -6,6 +6,7 @@
 
 #include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/job.hpp"
+#include "app/workbench/library/retarget_outcome.hpp"
 #include "app/workbench/library/retarget_preview.hpp"
 
 namespace abrazo::app {
@@ -33,12 +34,9 @@ bool give_the_same(const RetargetWish& a, const RetargetWish& b) {
 }
 
 QString state_of(const RetargetedTake& take) {
-  return QString("Leader %1 (%2 m), follower %3 (%4 m); %5")
-      .arg(QString::fromStdString(take.active_body))
-      .arg(take.active_height_m, 0, 'f', 2)
-      .arg(QString::fromStdString(take.passive_body))
-      .arg(take.passive_height_m, 0, 'f', 2)
-      .arg(QString::fromStdString(take.quality_text()).replace('\n', ". "));
+  QString state = outcome_of(take);
+  state[0] = state[0].toUpper();
+  return state;
 }
 
 }  // namespace
