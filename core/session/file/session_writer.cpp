@@ -31,8 +31,8 @@ constexpr double pause_s = 1;
 
 }  // namespace
 
-SessionWriter::SessionWriter(SessionDatabase database, RecordingFacts facts)
-    : facts_(std::move(facts)), database_(std::move(database)), file_(database_.path()) {
+SessionWriter::SessionWriter(SessionDatabase database, RecordingFacts facts, Origin frames)
+    : facts_(std::move(facts)), frames_(frames), database_(std::move(database)), file_(database_.path()) {
   memory_.input = facts_.input;
 }
 
@@ -40,12 +40,12 @@ SessionWriter::~SessionWriter() = default;
 
 Result<std::unique_ptr<SessionWriter>> SessionWriter::open(const std::string& path,
                                                            const RecordingFacts& facts,
-                                                           const RecorderOptions& options) {
+                                                           const RecorderOptions& options, Origin frames) {
   std::error_code failure;
   if (fs::is_directory(path, failure)) return Error{"this is a folder; name a file in it", path};
   auto database = SessionDatabase::open(path, SessionDatabase::Access::Create);
   if (!database) return database.error();
-  std::unique_ptr<SessionWriter> writer(new SessionWriter(std::move(*database), facts));
+  std::unique_ptr<SessionWriter> writer(new SessionWriter(std::move(*database), facts, frames));
   const Status prepared = writer->prepare_file(options);
   if (!prepared) return prepared.error();
   return writer;
@@ -125,11 +125,15 @@ Status SessionWriter::begin_run() {
     }
   }
   last->reset();
-  auto run =
-      database_.prepare("INSERT INTO runs (begun_at, program, offset_s, offset_frames) VALUES (?, ?, ?, ?)");
+  auto run = database_.prepare(
+      "INSERT INTO runs (begun_at, program, offset_s, offset_frames, ended_at) VALUES (?, ?, ?, ?, ?)");
   if (!run) return run.error();
   run->bind(0, utc_now()).bind(1, std::string("abrazo ") + version());
   run->bind(2, origin_.offset_s).bind(3, origin_.offset_frames);
+  if (frames_ == Origin::Saved)
+    run->bind(4, utc_now());
+  else
+    run->bind_null(4);
   if (const Status done = run->run(); !done) return done;
   run_ = database_.last_row_id();
   const auto known = database_.integer("SELECT count(*) FROM meta");

@@ -24,9 +24,14 @@ struct Project;
 /// state of this object, so that the same data can be written again. Used by one thread.
 class SessionWriter {
  public:
+  /// Where the frames come from: a recording that is still going on, or memory and other files. Without its
+  /// end, the first was cut off, and the reader says so; of the second another save adds the rest.
+  enum class Origin { Live, Saved };
+
   /// Creates the file or continues it; locks it against other writers until it is closed.
   static Result<std::unique_ptr<SessionWriter>> open(const std::string& path, const RecordingFacts& facts,
-                                                     const RecorderOptions& options);
+                                                     const RecorderOptions& options,
+                                                     Origin frames = Origin::Live);
 
   /// Writes into the running transaction.
   Status write(const FrameSnapshot& frame);
@@ -86,7 +91,7 @@ class SessionWriter {
   };
   struct Statements;
 
-  SessionWriter(SessionDatabase database, RecordingFacts facts);
+  SessionWriter(SessionDatabase database, RecordingFacts facts, Origin frames);
   Status prepare_file(const RecorderOptions& options);
   Status begin_run();
   Status close_open_takes();
@@ -107,6 +112,7 @@ class SessionWriter {
   Status keep_fault(Status status);
 
   RecordingFacts facts_;
+  Origin frames_;
   std::map<Library, std::string> library_paths_;
   RecordedFrames::Origin origin_;
   std::int64_t run_ = 0;

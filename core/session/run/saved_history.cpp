@@ -55,7 +55,7 @@ class StretchWriter {
 
   Status write(const FrameSnapshot& frame) {
     if (!writer_) {
-      auto opened = SessionWriter::open(path_, facts_, {});
+      auto opened = SessionWriter::open(path_, facts_, {}, SessionWriter::Origin::Saved);
       if (!opened) return opened.error();
       writer_ = std::move(*opened);
       library_row_.reset();
