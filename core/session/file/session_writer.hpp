@@ -24,8 +24,9 @@ struct Project;
 /// state of this object, so that the same data can be written again. Used by one thread.
 class SessionWriter {
  public:
-  /// Where the frames come from: a recording that is still going on, or memory and other files. Without its
-  /// end, the first was cut off, and the reader says so; of the second another save adds the rest.
+  /// Where the frames come from: a recording in progress, or memory and other files. A run of the first kind
+  /// without an end was cut off, and the reader reports it. A run of the second kind has its end from the
+  /// start: what a stopped save did not write is still in the history.
   enum class Origin { Live, Saved };
 
   /// Creates the file or continues it; locks it against other writers until it is closed.

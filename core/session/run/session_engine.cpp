@@ -38,9 +38,9 @@ class LentSource {
 };
 
 /// Passes on what was solved before it was attached, too.
-class FromTheBegin : public FrameListener {
+class FromTheStart : public FrameListener {
  public:
-  FromTheBegin(std::shared_ptr<FrameListener> to, const FrameHistory& history)
+  FromTheStart(std::shared_ptr<FrameListener> to, const FrameHistory& history)
       : to_(std::move(to)), history_(history) {}
   void frame_solved(const FrameSnapshotPtr& frame) override {
     if (!std::exchange(has_begun_, true))
@@ -297,7 +297,7 @@ std::vector<SinkHealth> SessionEngine::sinks() const {
 void SessionEngine::keep_history(std::shared_ptr<HistoryKeeper> keeper) {
   parts_->keeper = std::move(keeper);
   parts_->history.set_store(joined_stores(parts_->history.store(), parts_->keeper->store()));
-  push(AttachListener{std::make_shared<FromTheBegin>(parts_->keeper, parts_->history)});
+  push(AttachListener{std::make_shared<FromTheStart>(parts_->keeper, parts_->history)});
 }
 
 std::shared_ptr<HistoryKeeper> SessionEngine::history_keeper() const {
