@@ -109,6 +109,37 @@ TEST(PairCamera, GoesAlongCalmlyWhenThePairWalksAndTurns) {
   EXPECT_GT(angle_beside(camera, moved_pair(2, 2)), 0.55) << "it lags, and stays beside";
 }
 
+/// Whether every joint is in the picture.
+bool is_whole(const OrbitCamera& camera, const PairPose& pair, const PictureShape& picture) {
+  const double slope = std::tan(camera.view_angle_rad / 2);
+  const Vec3 ahead = (camera.focus() - camera.position()).normalized();
+  for (int joint = 0; joint < pair.rows(); ++joint) {
+    const Vec3 from_camera = pair.row(joint).transpose() - camera.position();
+    const double far = from_camera.dot(ahead);
+    if (std::abs(from_camera.dot(camera.right())) > far * slope * picture.aspect ||
+        std::abs(from_camera.dot(camera.up())) > far * slope)
+      return false;
+  }
+  return true;
+}
+
+TEST(PairCamera, KeepsADancerWhoCrossesFastInANarrowPicture) {
+  for (const double aspect : {0.7, 1.0, 1.8}) {
+    const PictureShape picture{aspect};
+    OrbitCamera camera;
+    PairCamera follower;
+    follower.start(camera, moved_pair(0, 0), picture);
+    // One crosses in front of the other within a second, and both walk on to one side.
+    for (int i = 0; i < 120; ++i) {
+      PairPose pair = moved_pair(0, 0);
+      const double gone_m = 2 * std::min(i / 60.0, 1.0);
+      for (int joint = 0; joint < joint_count; ++joint) pair(joint, 2) += 1.5 * gone_m;
+      follower.follow(camera, pair, picture, 1.0 / 60);
+      ASSERT_TRUE(is_whole(camera, pair, picture)) << "aspect " << aspect << ", frame " << i;
+    }
+  }
+}
+
 TEST(PairCamera, LeavesTheDirectionAlonePastATurnByHand) {
   OrbitCamera camera;
   PairCamera follower;

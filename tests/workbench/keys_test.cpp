@@ -27,6 +27,12 @@ TakeDesk& takes() {
 void end_take() {
   if (takes().isRecording()) takes().toggle();
 }
+/// A take that is kept: one without frames is not, and a busy machine may not have solved one yet.
+void record_take() {
+  if (!takes().isRecording()) takes().toggle();
+  until([] { return window->session()->engine().recorder()->state().take_span.frames > 0; });
+  end_take();
+}
 
 struct KeyRow {
   const char* name;
@@ -261,12 +267,7 @@ std::vector<KeyRow> program_rows() {
       {"ShiftSpace", Qt::Key_Space, shift, [] { window->takes().setSelectedTake(0); },
        [](auto&) { return window->takes().isPlaying(); }},
       {"CtrlR", Qt::Key_R, ctrl, end_take, [](auto&) { return takes().isRecording(); }},
-      {"CtrlShiftR", Qt::Key_R, ctrl | shift,
-       [] {
-         takes().toggle();
-         end_take();
-       },
-       [](auto&) { return takes().isRecording(); }},
+      {"CtrlShiftR", Qt::Key_R, ctrl | shift, record_take, [](auto&) { return takes().isRecording(); }},
       {"U", Qt::Key_U, none, nothing,
        [](auto&) {
          const FrameSnapshotPtr newest = window->session()->latest().newest();

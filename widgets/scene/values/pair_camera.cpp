@@ -15,6 +15,8 @@ constexpr double lost_m = 2.5;  // farther is a jump in time, not a step
 constexpr double walk_per_s = 2.5, turn_per_s = 0.9, zoom_per_s = 0.8;
 constexpr double fastest_turn_rad_per_s = 0.7;
 constexpr double too_near = 1.1, too_far = 0.78;  // distance that fits, as a share of the camera's own
+constexpr double cut_off = 1.17;                  // from there on the pair is no longer whole in the picture
+constexpr double hurries_per_s = 12;              // zooms out, just before that
 
 Vec3 middle_of(const PairPose& pair) {
   Vec3 middle = 0.5 * (pair.row(0) + pair.row(joint_count)).transpose();
@@ -73,8 +75,11 @@ void PairCamera::follow(OrbitCamera& camera, const PairPose& pair, const Picture
   if (!zooms_) return;
   const double fitting = camera.distance_for(pair, picture);
   const double ratio = fitting / camera.distance_m;
-  if (ratio > too_near || ratio < too_far)
-    camera.distance_m += share(zoom_per_s, elapsed_s) * (fitting - camera.distance_m);
+  if (ratio <= too_near && ratio >= too_far) return;
+  const double urgency = std::clamp((ratio - too_near) / (cut_off - too_near), 0.0, 1.0);
+  const double per_s = zoom_per_s + urgency * (hurries_per_s - zoom_per_s);
+  camera.distance_m += share(per_s, elapsed_s) * (fitting - camera.distance_m);
+  camera.distance_m = std::max(camera.distance_m, fitting / cut_off);
 }
 
 }  // namespace abrazo::widgets
