@@ -1,7 +1,9 @@
 // A recorded session in the window again: the same frames, takes and markers, and it can go on.
 #include <gmock/gmock.h>
 
+#include <QCoreApplication>
 #include <QFile>
+#include <QProcess>
 #include <QPushButton>
 
 #include "app/workbench/document/session_places.hpp"
@@ -45,6 +47,16 @@ class SessionOpen : public DemoWindow {
   }
   static TakeDesk& desk() { return *window().findChild<TakeDesk*>(); }
   static const FrameHistory& history() { return window().session()->history(); }
+  /// A copy of the session in which the frames of this condition are damaged.
+  static std::string copy_without(const std::string& frames) {
+    const std::string copy = s_file.toStdString() + "-copy.abrazo";
+    QFile::remove(QString::fromStdString(copy));
+    EXPECT_TRUE(copy_session(s_file.toStdString(), copy));
+    auto database = SessionDatabase::open(copy, SessionDatabase::Access::Write);
+    EXPECT_TRUE(database && database->execute("UPDATE frames SET active = zeroblob(10) WHERE " + frames) &&
+                database->close());
+    return copy;
+  }
   static inline RecordedTake s_take;
   static inline FrameSnapshotPtr s_middle;
   static inline QString s_file;
@@ -87,13 +99,8 @@ TEST_F(SessionOpen, ItsFramesCanBeSolvedAgainWithOtherSettings) {
 }
 
 TEST_F(SessionOpen, DamagedFramesArePassedOverAndSaidAndNothingIsOpenedWhenNoneIsLeft) {
-  const std::string copy = s_file.toStdString() + "-copy.abrazo";
-  ASSERT_TRUE(copy_session(s_file.toStdString(), copy));
   const auto opened_without = [&](const std::string& frames) -> Result<Material> {
-    auto database = SessionDatabase::open(copy, SessionDatabase::Access::Write);
-    EXPECT_TRUE(database && database->execute("UPDATE frames SET active = zeroblob(10) WHERE " + frames) &&
-                database->close());
-    auto opened = open_session(copy);
+    auto opened = open_session(copy_without(frames));
     if (!opened) return opened.error();
     SessionWish wish;
     wish.open = window().session()->material();
@@ -105,6 +112,24 @@ TEST_F(SessionOpen, DamagedFramesArePassedOverAndSaidAndNothingIsOpenedWhenNoneI
   const auto none = opened_without("1");
   ASSERT_FALSE(none);
   EXPECT_NE(none.error().text().find("frames can be read"), std::string::npos) << none.error().text();
+}
+
+TEST_F(SessionOpen, AProgramThatIsToTakeAPictureOfADamagedOneEnds) {
+  const QString picture = s_file + "-picture.png";
+  const auto says = [&](const std::string& session) {
+    QProcess program;
+    program.start(QCoreApplication::applicationDirPath() + "/abrazo-workbench",
+                  {QString::fromStdString(session), "--screenshot", picture, "--after", "0.1"});
+    EXPECT_TRUE(program.waitForFinished(-1)) << program.errorString().toStdString();  // ctest has the limit
+    return std::pair(program.exitCode(), program.readAllStandardError().toStdString());
+  };
+  const auto none = says(copy_without("1"));
+  EXPECT_EQ(none.first, 1);
+  EXPECT_THAT(none.second, testing::HasSubstr("frames can be read"));
+  EXPECT_FALSE(QFile::exists(picture));
+  const auto some = says(copy_without("frame % 3 = 0"));
+  EXPECT_EQ(some.first, 0) << some.second;
+  EXPECT_TRUE(QFile::exists(picture));
 }
 
 TEST_F(SessionOpen, ATakeInWhichNothingMovedIsNotKept) {

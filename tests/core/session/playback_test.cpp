@@ -144,6 +144,17 @@ TEST(Playback, AnInBehindTheOutGivesTheOutUp) {
   EXPECT_EQ(p.range(), (Playback::Range{0, 2}));
 }
 
+TEST(Playback, ARangeThatEndsWhereItBeginsIsNone) {
+  Playback out = playback(State::Parked, 4);
+  out.set_in();
+  out.set_out();
+  EXPECT_EQ(out.range(), (Playback::Range{0, 4})) << "the in is given up";
+  Playback in = playback(State::Parked, 4);
+  in.set_out();
+  in.set_in();
+  EXPECT_EQ(in.range(), (Playback::Range{4, 10})) << "the out is given up";
+}
+
 TEST(Playback, WhatWasEvictedOfTheRangeIsGone) {
   Playback p = playback(State::Playing, 9);
   p.loop = true;

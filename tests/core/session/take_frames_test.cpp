@@ -45,6 +45,8 @@ TEST(TakeFrames, HasTheRecordedBodiesWhereTheyWereRecorded) {
   EXPECT_EQ(frame->result.active(), a);
   EXPECT_EQ(frame->result.passive(), b);
   EXPECT_EQ(frame->user, a);
+  EXPECT_EQ(frame->result.status, StepStatus::Ok);
+  EXPECT_EQ(frame->result.message, "");
   ASSERT_EQ(frame->result.candidates.size(), 1u);
   EXPECT_EQ(frame->result.candidates.front().pair, pair);
   EXPECT_EQ(frame->result.edges.size(), library->edges(pair).size());

@@ -280,6 +280,13 @@ TEST(NatNetMessages, OtherProtocolsAndCutPacketsAreNamed) {
   EXPECT_TRUE(listener.has_issue("old-version"));
 }
 
+TEST(NatNetMessages, AGroupIsFourNumbersFrom0To255) {
+  EXPECT_EQ(parse_natnet_group("239.0.0.255"), 0xEF0000FF);
+  for (const char* none :
+       {"239.0.0.256", "239.0.-1.1", "239.0.0", "239.0.0.1.2", "239.0.x.1", "10.0.0.9", ""})
+    EXPECT_FALSE(parse_natnet_group(none)) << none;
+}
+
 TEST(NatNetMessages, TheServerInfoHas283Bytes) {
   EXPECT_EQ(server_info({3, 0}).size(), 283u);  // as a real server's of version 3
 }

@@ -388,7 +388,8 @@ TEST(StreamPipeline, RefusesOptionsThatDoNotFit) {
     const auto options = performer_options(*parse_stream_uri(uri), {});
     return options ? std::string("none") : options.error().text();
   };
-  EXPECT_THAT(error("vmc://h?unit=feet"), HasSubstr("m, cm, mm or metres per unit"));
+  for (const std::string unit : {"feet", "0", "-1", "inf"})
+    EXPECT_THAT(error("vmc://h?unit=" + unit), HasSubstr("m, cm, mm or metres per unit"));
   EXPECT_THAT(error("vmc://h?up=x"), HasSubstr("y or z"));
   EXPECT_THAT(error("vmc://h?floor=low"), HasSubstr("metres or auto"));
   EXPECT_THAT(error("vmc://h?map=nobody"), HasSubstr("cmu, cmu-bvh, mixamo"));

@@ -244,6 +244,21 @@ struct Holding {
   }
 };
 
+TEST(ShownBodies, HowMuchIsLeftOfAReturnDependsOnItsTimeNotOnTheNumberOfFrames) {
+  const auto left_after = [](int frames, double elapsed_s) {
+    ShownMemory memory;
+    memory.difference.setOnes();
+    PairPose shown;
+    for (int f = 0; f < frames; ++f) shown = returning_to(PairPose::Zero(), elapsed_s, memory);
+    return shown(0, 0);
+  };
+  const double left = left_after(1, 0.12);
+  EXPECT_GT(left, 0.01);
+  EXPECT_LT(left, 0.99);
+  EXPECT_NEAR(left_after(2, 0.06), left, 1e-12);
+  EXPECT_NEAR(left_after(12, 0.01), left, 1e-12);
+}
+
 TEST(ShownBodies, HandsThatHoldOneAnotherStayWhereTheyAreToOneAnother) {
   const Holding two;
   for (const auto& [active, passive] : {std::pair{0.85, 0.85}, std::pair{1.15, 1.0}, std::pair{0.85, 1.15}}) {
