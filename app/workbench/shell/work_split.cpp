@@ -19,6 +19,12 @@ WorkSplit::WorkSplit(PanelArea* panels, QWidget* timeline, const widgets::Timeli
   setStretchFactor(1, 0);
   // Queued: the signal comes from within the layout of the panels.
   connect(panels, &PanelArea::neededHeightChanged, this, &WorkSplit::fit, Qt::QueuedConnection);
+  // The room for labels goes with their lanes.
+  connect(lanes, &widgets::TimelineView::lanesChanged, this, [this] {
+    if (!m_labels || !m_lanes->lanes().tiers().empty()) return;
+    m_labels = false;
+    fit();
+  });
   connect(this, &QSplitter::splitterMoved, this, [this] {
     m_chosen = sizes().back();
     m_labels = false;
@@ -34,16 +40,6 @@ void WorkSplit::choose(std::optional<int> height_px) {
 void WorkSplit::makeRoomForLanes() {
   m_labels = !m_lanes->lanes().tiers().empty();
   fit();
-}
-
-/// The room goes with the lanes that it was made for.
-bool WorkSplit::event(QEvent* event) {
-  const bool done = QSplitter::event(event);
-  if (event->type() == QEvent::LayoutRequest && m_labels && m_lanes->lanes().tiers().empty()) {
-    m_labels = false;
-    fit();
-  }
-  return done;
 }
 
 void WorkSplit::fit() {

@@ -28,7 +28,6 @@ class WorkSplit : public QSplitter {
   void makeRoomForLanes();
 
  protected:
-  bool event(QEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
 
  private:
