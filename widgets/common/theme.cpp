@@ -114,7 +114,7 @@ QListView::item:selected { background: %7; color: #ffffff; }
 )";
 
 /// Themes differ in colours only. Qt would tell every widget of a new style, and lay out and measure all of
-/// them anew: half the time that a change takes.
+/// them anew.
 class OnlyColoursChange : public QObject {
  public:
   explicit OnlyColoursChange(QApplication& application) : m_application(application) {
@@ -159,6 +159,9 @@ void apply_theme(QApplication& application, const Palette& p) {
     application.setFont(interface_font());
   } else {
     colours_only.emplace(application);
+    // Qt 5 polishes a widget once for each of its parents where a sheet replaces another, and once where it
+    // is the first.
+    application.setStyleSheet({});
   }
   QPalette colours;
   colours.setColor(QPalette::Window, p.window);
