@@ -340,7 +340,7 @@ void SceneView::arrange() {
   p.legend->move(legend_x, narrow ? free_y : 8);
   p.cell_legend->move(p.legend->x(), p.legend->y() + p.legend->height() + 2);
   p.facts->setGeometry(14, height() - p.facts->height() - 10, width() - 28, p.facts->height());
-  p.makeRoom(narrow);
+  p.makeRoom(narrow && 5 * legend_x < 3 * width());  // else the legend is beside the pair
   p.morph->adjustSize();
   p.morph->move(12, p.facts->y() - p.morph->height() + 12);
   p.picker.arrange();
