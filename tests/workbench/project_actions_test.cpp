@@ -4,6 +4,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QLockFile>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTreeWidget>
 #include <filesystem>
