@@ -297,6 +297,25 @@ TEST(PlotHead, KeepsItsTitleAboveTheNamesWhereItIsNarrow) {
   EXPECT_GT(pixels_like(wide.copy(0, 0, 110, 30), p.text), 40);
 }
 
+/// "leader lowerneck — leader rclavicle [mm]" ended at the button, with "217" below and no unit.
+TEST(PlotHead, KeepsTheUnitOfATitleThatIsTooLong) {
+  const Palette& p = palette_of(Theme::Dark);
+  const PaneSeries series = usual_series("Residuals");
+  const std::optional<SeriesValues> values;
+  const auto right_of_title = [&](const std::string& title) {
+    QImage image(190, 30, QImage::Format_RGB32);
+    image.fill(p.panel);
+    QPainter painter(&image);
+    paint_plot_head(painter, image.rect(), {series, values, p, PlotMark::None, title});
+    return image.copy(150, 0, 40, 14);
+  };
+  EXPECT_EQ(right_of_title("a joint with a very long name — another one with a long name [mm]"),
+            right_of_title("a joint with a very long name — another one with a longer name [mm]"))
+      << "both end with the unit at the same place";
+  EXPECT_NE(right_of_title("a joint with a very long name — another one with a long name [mm]"),
+            right_of_title("a joint with a very long name — another one with a long name"));
+}
+
 TEST_F(Plots, ThePictureHasTwoPixelsAPointAndAllPanes) {
   for (int more = 0; more < 3; ++more) panel.addPane(usual_series("Metrics"));
   panel.resize(930, 40);  // collapsed on the screen, whole in the file

@@ -2,10 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <QTest>
+#include <QToolButton>
 
 #include "tests/widgets/pictures.hpp"
 #include "tests/widgets/scene_fixture.hpp"
 #include "tests/widgets/synthetic_frames.hpp"
+#include "widgets/scene/panel/scalar_legend.hpp"
+#include "widgets/scene/panel/scene_overlay.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 
 namespace abrazo::widgets::scene_camera_test {
@@ -49,6 +52,46 @@ TEST(SceneView, ShowsParallelProjectionAtTheSameSize) {
   const int parallel = pixels_of_hue(picture_of(scene.view), dark().active);
   EXPECT_NEAR(parallel, central, 0.25 * central);
   EXPECT_NE(parallel, central);
+}
+
+/// At 1280x720 with the welcome page beside the scene, the legend lay over the heads.
+TEST(SceneView, DrawsThePairBetweenTheControlsWhereTheViewIsNarrow) {
+  Scene scene({ScenePart::Leader, ScenePart::Follower, ScenePart::MeshBetween});
+  scene.view.resize(330, 500);
+  scene.view.resetView();
+  QTest::qWait(300);  // the camera has moved
+  const auto* legend = scene.view.findChild<ScalarLegend*>();
+  const auto* facts = scene.view.findChild<FrameFacts*>();
+  const auto frame = test::synthetic_frame(3, 0.05);
+  for (int vertex = 0; vertex < pair_vertex_count; ++vertex) {
+    const int y = scene_fixture::place_of(scene.view, frame, vertex).y();
+    EXPECT_GT(y, legend->geometry().bottom()) << vertex;
+    EXPECT_LT(y, facts->geometry().top()) << vertex;
+  }
+  const QImage picture = picture_of(scene.view);
+  const int head_y = scene_fixture::place_of(scene.view, frame, joints::Head).y();
+  EXPECT_EQ(pixels_of_hue(
+                picture.copy(0, legend->geometry().bottom(), 330, head_y - 40 - legend->geometry().bottom()),
+                dark().active),
+            0)
+      << "the picture agrees with the projection";
+  scene.view.resize(640, 480);
+  EXPECT_EQ(scene.view.camera().lowered, 0) << "beside the controls of a wide view";
+}
+
+/// Else the third row of chips and the legend took a third of the picture.
+TEST(SceneView, TheLegendIsBesideTheLastRowOfChipsThatLeavesRoom) {
+  Scene scene({ScenePart::Leader, ScenePart::MeshBetween});
+  const auto* chips = scene.view.findChild<ScalarChips*>();
+  const auto* legend = scene.view.findChild<ScalarLegend*>();
+  for (const int width : {250, 330, 420, 640, 900}) {
+    scene.view.resize(width, 480);
+    for (const auto* chip : chips->findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly)) {
+      const QRect place(chip->mapTo(&scene.view, QPoint(0, 0)), chip->size());
+      EXPECT_FALSE(place.intersects(legend->geometry())) << width << " " << chip->text().toStdString();
+    }
+    EXPECT_LE(legend->y(), chips->geometry().bottom() + 8) << width;
+  }
 }
 
 TEST(SceneView, CutsAlongAPlaneThatStaysInTheWorld) {

@@ -41,6 +41,25 @@ TEST(ScalarLegend, TellsMapScaleAndTheColourOfMissingValues) {
   EXPECT_GT(pixels_like(picture_of(legend), QColor(r, g, b), 4), 60);
 }
 
+/// A bar of colours without a name was over the empty scene.
+TEST(ScalarLegend, IsEmptyBeforeTheFirstScale) {
+  QWidget ground;
+  ground.setStyleSheet("background: #101010");
+  ground.resize(220, 90);
+  ScalarLegend legend(&ground);
+  ground.show();
+  const auto colours = [&ground] {
+    const QImage picture = ground.grab().toImage();
+    std::set<QRgb> seen;
+    for (int x = 0; x < picture.width(); ++x)
+      for (int y = 0; y < picture.height(); ++y) seen.insert(picture.pixel(x, y));
+    return seen.size();
+  };
+  EXPECT_EQ(colours(), 1U);
+  legend.show(scalar_legend(MeshScalar::Residual, ColourScale{}, false));
+  EXPECT_GT(colours(), 8U);
+}
+
 TEST(ScalarLegend, HasNoButtonsInAPicture) {
   ScalarLegend legend(nullptr);
   const auto buttons = [&legend] {

@@ -137,6 +137,11 @@ TEST_F(BuildDialogTest, DrawsBothPerformersFromTwoSides) {
   }
 }
 
+TEST_F(BuildDialogTest, AnEmptyPlanAsksForMotionFiles) {
+  EXPECT_THAT(remarks(), Contains(HasSubstr("To do: no motion yet: add the files")));
+  EXPECT_FALSE(button("Build")->isEnabled());
+}
+
 TEST_F(BuildDialogTest, TakesArePairedByHand) {
   offer(couple("anna.bvh", "morning_ben.bvh", 40) + couple("cleo.bvh", "dan_x.bvh", 60));
   build->dialog().table().selectAll();

@@ -1,11 +1,15 @@
 // What a person sees who starts the program for the first time, in two sizes of the window.
 #include <QSplitterHandle>
 
+#include "app/workbench/document/live_session.hpp"
+#include "app/workbench/labels/annotation_desk.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/work_split.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/candidates/candidate_list.hpp"
 #include "widgets/candidates/candidate_table.hpp"
+#include "widgets/scene/panel/scalar_legend.hpp"
+#include "widgets/scene/values/picture_projection.hpp"
 #include "widgets/settings/setting_row.hpp"
 #include "widgets/settings/settings_panel.hpp"
 #include "widgets/timeline/timeline_view.hpp"
@@ -63,6 +67,41 @@ TEST_F(FirstStart, FiveSettingsAreInViewAt1280x720) {
   start({1280, 720});
   EXPECT_GE(settings_in_view(), 5);
   EXPECT_GE(candidates_in_view(), 3);
+}
+
+/// After the labels of a take, one setting was left in view and the scene was half as high.
+TEST_F(FirstStart, TheRoomForLabelsGoesWithTheirLanes) {
+  start({1280, 720});
+  const int before = split().sizes().back();
+  auto& desk = *window().findChild<AnnotationDesk*>();
+  desk.showSubject(window().session()->material().library->takes().front().name);
+  ASSERT_TRUE(until([&] { return split().sizes().back() > before; }));
+  EXPECT_FALSE(split().chosenHeight()) << "nobody moved the border";
+  desk.showSubject({});
+  EXPECT_FALSE(desk.showsTake());
+  window().panels().want("annotation", false);
+  EXPECT_TRUE(window().timeline().lanes().tiers().empty());
+  EXPECT_TRUE(until([&] { return split().sizes().back() == before; }, 10'000)) << split().sizes().back();
+  EXPECT_GE(settings_in_view(), 5);
+}
+
+/// The legend lay over the heads while the welcome page was beside the scene.
+TEST_F(FirstStart, ThePairIsBetweenTheControlsOfTheSceneBesideTheWelcomePage) {
+  start({1280, 720});
+  action("Welcome")->trigger();
+  QTest::qWait(200);
+  ASSERT_LT(window().scene().width(), 400);
+  window().scene().resetView();
+  QTest::qWait(300);
+  const auto* legend = window().scene().findChild<widgets::ScalarLegend*>();
+  const widgets::PictureProjection picture(window().scene().camera(), window().scene().width(),
+                                           window().scene().height());
+  const PairPose pair = ticker().shown()->result.result;
+  for (int vertex = 0; vertex < pair_vertex_count; ++vertex) {
+    const auto place = picture.project(pair.row(vertex).transpose());
+    ASSERT_TRUE(place) << vertex;
+    EXPECT_GT(place->y, legend->geometry().bottom()) << vertex;
+  }
 }
 
 /// At 1280x720 three settings were, because the tabs of the candidates were not counted and every lane of the

@@ -54,15 +54,30 @@ TEST_F(HelpAndSearch, ACommandIsFoundByWhatItIsFor) {
                                                        {"export", "Export labels…"},
                                                        {"save eaf", "Export labels…"},
                                                        {"guide", "Help"},
-                                                       {"screenshot", "Save picture of the window"}};
+                                                       {"screenshot", "Save picture of the window"},
+                                                       {"joint map", "Import motion…"},
+                                                       {"table", "Figures of the selection…"},
+                                                       {"motive", "Connect to a stream…"},
+                                                       {"theme", "Light colours"}};
   for (const auto& [typed, expected] : asked) {
     type(typed);
     EXPECT_EQ(first().toStdString(), expected) << typed;
     leave();
   }
+}
+
+TEST_F(HelpAndSearch, WhatNoCommandHasIsToldAndEscapeLeavesTheSearch) {
   type("zzzz");
-  EXPECT_EQ(first(), QString());
-  leave();
+  EXPECT_EQ(first(), QString("No command has these words"));
+  QTest::keyClick(&field(), Qt::Key_Return);
+  turn();
+  EXPECT_EQ(field().text(), QString("zzzz")) << "nothing was run";
+  field().completer()->popup()->hide();
+  field().setFocus();
+  QTest::keyClick(&field(), Qt::Key_Escape);  // which is a shortcut of the scene as well
+  turn();
+  EXPECT_EQ(field().text(), QString());
+  EXPECT_FALSE(field().hasFocus());
 }
 
 TEST_F(HelpAndSearch, TheListSaysTheKeyOfACommand) {

@@ -7,7 +7,9 @@
 #include <QMouseEvent>
 #include <QScreen>
 #include <QSplitter>
+#include <QTabBar>
 #include <QTest>
+#include <array>
 #include <numbers>
 #include <random>
 
@@ -16,6 +18,7 @@
 #include "app/workbench/shell/layouts.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/shell/window_place.hpp"
+#include "tests/widgets/pictures.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/candidates/candidate_list.hpp"
 #include "widgets/candidates/candidate_table.hpp"
@@ -23,6 +26,7 @@
 #include "widgets/scene/view/scene_view.hpp"
 #include "widgets/settings/setting_row.hpp"
 #include "widgets/settings/settings_panel.hpp"
+#include "widgets/timeline/timeline_view.hpp"
 
 namespace abrazo::app::layout_test {
 namespace {
@@ -70,6 +74,48 @@ TEST_F(Layout, PanelsAreFloatedMovedAndClosedAndTheSceneKeepsItsParent) {
   window().resize(700, 420);
   QTest::qWait(20);
   EXPECT_EQ(window().scene().parentWidget(), parent);
+}
+
+/// Every widget was laid out anew, which stopped the window for a second on a busy machine.
+TEST_F(Layout, OtherColoursLayNothingOutAnewAndComeBack) {
+  struct Counts : QObject {
+    int styles = 0;
+    bool eventFilter(QObject* watched, QEvent* event) override {
+      styles += event->type() == QEvent::StyleChange;
+      return QObject::eventFilter(watched, event);
+    }
+  };
+  const auto pictures = [] {
+    QTest::qWait(50);
+    return std::array{window().settings().grab().toImage(), window().candidates().grab().toImage(),
+                      window().timeline().grab().toImage()};
+  };
+  const auto dark = pictures();
+  Counts counts;
+  const auto all = window().findChildren<QWidget*>();
+  for (QWidget* each : all) each->installEventFilter(&counts);
+  window().setTheme(widgets::Theme::Light);
+  const auto light = pictures();
+  window().setTheme(widgets::Theme::Dark);
+  EXPECT_LT(10 * counts.styles, all.size()) << "only of widgets with a sheet of their own";
+  for (std::size_t p = 0; p < dark.size(); ++p) {
+    EXPECT_GT(test::difference(dark[p], light[p]), 0.3) << p;
+    EXPECT_EQ(pictures()[p], dark[p]) << p;
+  }
+}
+
+/// A white line was below the tabs of candidates and comparison.
+TEST_F(Layout, TabsOfPanelsHaveNoLineBelow) {
+  area().tabifyDockWidget(&panel("scene"), &panel("library"));
+  area().tabifyDockWidget(&panel("plots"), &panel("settings"));
+  QTest::qWait(20);
+  int bars = 0;
+  for (const QTabBar* tabs : area().findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly)) {
+    EXPECT_FALSE(tabs->drawBase()) << tabs->tabText(0).toStdString();
+    EXPECT_FALSE(tabs->accessibleName().isEmpty());
+    ++bars;
+  }
+  EXPECT_GE(bars, 2);
 }
 
 TEST_F(Layout, AnArrangementComesBackAsItWasSaved) {

@@ -4,6 +4,7 @@
 #include <QFile>
 #include <QLabel>
 #include <QLockFile>
+#include <QPushButton>
 #include <QSignalSpy>
 #include <QTreeWidget>
 #include <filesystem>
@@ -333,6 +334,8 @@ TEST_F(Relocation, OnePointedOutFindsTheOthersAndTheSessionOpens) {
   dialog()->pointOut(0, file("new/libs/lib.h5"));
   EXPECT_EQ(dialog()->leftMissing(), 0U);
   EXPECT_EQ(dialog()->places().at(1), file("new/video/v.mp4").toStdString());
+  const auto* next = qobject_cast<QPushButton*>(dialog()->focusWidget());
+  EXPECT_TRUE(next && next->text() == "Open") << "Return opens";
   reopen([] { dialog()->accept(); });
   EXPECT_EQ(window().session()->material().library_file, file("new/libs/lib.h5").toStdString());
   EXPECT_EQ(window().session()->material().input.name,

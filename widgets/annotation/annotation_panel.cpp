@@ -66,7 +66,8 @@ QWidget* AnnotationPanel::makeSubject() {
   m_subject = new QComboBox(box);
   m_subject->setAccessibleName("What is annotated");
   m_subject->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  m_back = chip("Back to the session", "Shows the session again", box);
+  m_back = chip("Back", "Back to the session", box);  // in full the row is wider than a narrow column
+  m_back->setAccessibleName("Back to the session");
   row->addWidget(caption("Annotate", box));
   row->addWidget(m_subject, 1);
   row->addWidget(m_back);

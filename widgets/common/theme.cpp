@@ -1,9 +1,12 @@
 #include "widgets/common/theme.hpp"
 
 #include <QApplication>
+#include <QEvent>
 #include <QFontDatabase>
 #include <QPalette>
 #include <QStyleFactory>
+#include <QWidget>
+#include <optional>
 
 /// A static library's resources must be initialised explicitly; the macro must be outside namespaces.
 static void load_resources() {
@@ -30,7 +33,7 @@ QDockWidget { border: none; }
 QDockWidget > QWidget { background: %2; }
 QMainWindow::separator { background: %4; width: 1px; height: 1px; }
 QMainWindow::separator:hover { background: %7; }
-QTabBar { background: %2; qproperty-drawBase: 0; }
+QTabBar { background: %2; }
 QTabBar::tab { background: %2; color: %6; padding: 5px 11px; border: none; border-bottom: 2px solid transparent; }
 QTabBar::tab:hover { color: %5; }
 QTabBar::tab:selected { color: %5; border-bottom: 2px solid %7; }
@@ -93,6 +96,7 @@ QScrollBar::add-page, QScrollBar::sub-page { background: transparent; }
 QTableView, QTreeView { background: %2; border: none; gridline-color: %4; selection-background-color: %7; selection-color: #ffffff; outline: 0; }
 QHeaderView, QTableCornerButton::section { background: %2; border: none; }
 QHeaderView::section { background: %2; color: %6; border: none; border-bottom: 1px solid %4; padding: 5px 6px; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QDialog QTreeView::item { padding: 3px 2px; }
 QDialog QTableView, QDialog QTreeView, QDialog QListView { border: 1px solid %4; border-radius: 5px; }
 QProgressBar { background: %3; border: none; border-radius: 3px; text-align: center; }
@@ -108,6 +112,25 @@ QListView#bare { background: transparent; border: none; }
 QListView::item { padding: 4px 8px; }
 QListView::item:selected { background: %7; color: #ffffff; }
 )";
+
+/// Themes differ in colours only. Qt would tell every widget of a new style, and lay out and measure all of
+/// them anew.
+class OnlyColoursChange : public QObject {
+ public:
+  explicit OnlyColoursChange(QApplication& application) : m_application(application) {
+    application.installEventFilter(this);
+  }
+  ~OnlyColoursChange() override {
+    m_application.removeEventFilter(this);
+    for (QWidget* window : QApplication::topLevelWidgets()) window->update();
+  }
+  OnlyColoursChange(const OnlyColoursChange&) = delete;
+  OnlyColoursChange& operator=(const OnlyColoursChange&) = delete;
+  bool eventFilter(QObject*, QEvent* event) override { return event->type() == QEvent::StyleChange; }
+
+ private:
+  QApplication& m_application;
+};
 
 }  // namespace
 
@@ -130,9 +153,15 @@ QString style_sheet(const Palette& p) {
 void apply_theme(QApplication& application, const Palette& p) {
   load_resources();
   // Each of these visits every widget; only colours change later.
+  std::optional<OnlyColoursChange> colours_only;
   if (application.styleSheet().isEmpty()) {
     application.setStyle(QStyleFactory::create("Fusion"));
     application.setFont(interface_font());
+  } else {
+    colours_only.emplace(application);
+    // Qt 5 polishes a widget once for each of its parents where a sheet replaces another, and once where it
+    // is the first.
+    application.setStyleSheet({});
   }
   QPalette colours;
   colours.setColor(QPalette::Window, p.window);

@@ -34,6 +34,7 @@ void RunCard::showRun(const QString& origin, const QString& settings) {
 void RunCard::showFigures(const std::vector<FigureRow>& figures) {
   if (figures == m_figures) return;
   m_figures = figures;
+  updateGeometry();  // without figures it is one line high
   describe();
 }
 

@@ -20,8 +20,8 @@ class RunCard : public QWidget {
   /// Shows the first of these; empty: none yet.
   void showFigures(const std::vector<FigureRow>& figures);
 
-  QSize sizeHint() const override { return {300, 46}; }
-  QSize minimumSizeHint() const override { return {160, 46}; }
+  QSize sizeHint() const override { return {300, m_figures.empty() ? 27 : 46}; }
+  QSize minimumSizeHint() const override { return {160, sizeHint().height()}; }
 
  protected:
   void paintEvent(QPaintEvent* event) override;

@@ -65,6 +65,15 @@ double paint_key(QPainter& painter, const QRectF& place, double x, const PlotHea
   return x;
 }
 
+/// Cut where there is no room, but never the unit at its end: without it the numbers say nothing.
+QString fitting_title(const QString& title, const QFont& font, double room) {
+  const QFontMetricsF metrics(font);
+  const int unit_at = title.lastIndexOf(" [");
+  const QString unit = unit_at < 0 ? QString() : title.mid(unit_at);
+  const QString name = unit_at < 0 ? title : title.left(unit_at);
+  return metrics.elidedText(name, Qt::ElideRight, room - metrics.horizontalAdvance(unit)) + unit;
+}
+
 void paint_mark(QPainter& painter, const QRectF& place, double key_end, const PlotHead& head) {
   if (head.mark == PlotMark::None) return;
   const bool follows = head.mark == PlotMark::Following;
@@ -101,7 +110,8 @@ void paint_plot_head(QPainter& painter, const QRectF& place, const PlotHead& hea
   if (!in_one_line) title_font = interface_font(11, QFont::DemiBold);
   painter.setFont(title_font);
   painter.setPen(head.palette.text);
-  painter.drawText(from(title_line, left), Qt::AlignVCenter | Qt::AlignLeft, title);
+  painter.drawText(from(title_line, left), Qt::AlignVCenter | Qt::AlignLeft,
+                   in_one_line ? title : fitting_title(title, title_font, room - left));
   const double key_end = paint_key(painter, key_line, key_begin, head, with_values);
   paint_mark(painter, title_line, in_one_line ? key_end : title_end, head);
   painter.restore();

@@ -110,7 +110,7 @@ QWidget* TakePanel::makeHead() {
   m_countdown->setSpecialValueText("none");
   m_countdown->setAccessibleName("Countdown before a take");
   m_countdown->setToolTip("Counts in large digits over the scene before a take; Again skips it");
-  m_countdown->setFixedWidth(72);
+  m_countdown->setFixedWidth(88);  // "none" with the arrows
   auto* last = new QHBoxLayout;
   last->setSpacing(6);
   last->addWidget(m_elapsed);

@@ -7,7 +7,7 @@
 namespace abrazo::app {
 namespace {
 
-constexpr std::array<CommandWords, 21> other_words = {{
+constexpr std::array<CommandWords, 26> other_words = {{
     {"annotation.export_labels",
      "export eaf elan csv json vtt srt subtitles annotations roles moves file save write"},
     {"annotation.import_labels",
@@ -31,6 +31,11 @@ constexpr std::array<CommandWords, 21> other_words = {{
     {"help.shortcuts", "keys hotkeys keyboard change bindings"},
     {"view.full_screen", "maximise fullscreen"},
     {"file.open", "load import bvh fbx c3d session library motion"},
+    {"file.import_motion", "joint map markers unit axis floor fbx c3d trc bvh glb load"},
+    {"view.figures_of_the_selection", "table numbers values spreadsheet csv inspector edges tetrahedra"},
+    {"plots.export_plot_samples_csv", "table numbers values spreadsheet file save write"},
+    {"view.light_colours", "dark theme mode bright appearance"},
+    {"live.connect_to_a_stream", "motive optitrack natnet vmc xsens mvn network suit"},
     {"file.save", "project session write"},
     {"file.render_range", "film movie video mp4 animation"},
 }};

@@ -46,6 +46,10 @@ void fill(const QMainWindow& window, QStandardItemModel& model, const QString& t
     item->setData(action->shortcut().toString(QKeySequence::NativeText), CommandRow::key_role);
     model.appendRow(item);
   }
+  if (!found.empty()) return;
+  auto* nothing = new QStandardItem("No command has these words");
+  nothing->setFlags(Qt::NoItemFlags);
+  model.appendRow(nothing);
 }
 
 /// The list is rebuilt whenever the field gets the keyboard: actions come, go and change their words.
@@ -79,8 +83,11 @@ class LeaveOnEscape : public QObject {
     list->installEventFilter(this);
   }
   bool eventFilter(QObject* watched, QEvent* event) override {
-    if (event->type() != QEvent::KeyPress || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
+    const bool is_key = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+    if (!is_key || static_cast<QKeyEvent*>(event)->key() != Qt::Key_Escape)
       return QObject::eventFilter(watched, event);
+    event->accept();  // else Escape is the shortcut of another view
+    if (event->type() == QEvent::ShortcutOverride) return true;
     m_list->hide();
     m_field->clear();
     m_field->clearFocus();

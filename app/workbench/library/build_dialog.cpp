@@ -115,6 +115,7 @@ QWidget* BuildDialog::makeOverview() {
   m_table->setTabKeyNavigation(false);
   auto* side = new QWidget(split);
   auto* column = column_in(side);
+  column->setContentsMargins(8, 0, 0, 0);  // off the border that is dragged
   m_previewHead = secondary("Choose a performer to see its take");
   column->addWidget(m_previewHead);
   column->addWidget(m_preview, 1);
@@ -345,7 +346,9 @@ void BuildDialog::chooseFiles() {
       this, "Add files", {},
       QString("Motions, skeletons, labels (%1 *.eaf *.json *.vtt *.srt);;All files (*)")
           .arg(QString::fromStdString(motion_file_patterns(true))));
-  if (!files.isEmpty()) emit filesOffered(files);
+  if (files.isEmpty()) return;
+  m_table->setFocus();  // what Return presses is Build again
+  emit filesOffered(files);
 }
 
 void BuildDialog::keyPressEvent(QKeyEvent* event) {

@@ -36,6 +36,7 @@ ImportRulesDialog::ImportRulesDialog(QString folder, QWidget* parent)
   m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   m_table->setShowGrid(false);
   m_table->horizontalHeader()->setSectionResizeMode(2, QHeaderView::Stretch);
+  m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   m_table->setColumnWidth(0, 180);
   m_table->setColumnWidth(1, 240);
   column->addWidget(m_table, 1);

@@ -136,6 +136,7 @@ MappingDialog::MappingDialog(NamedMotion motion, QWidget* parent)
   m_table->setTabKeyNavigation(false);
   m_table->setShowGrid(false);
   m_table->horizontalHeader()->setSectionResizeMode(Points, QHeaderView::Stretch);
+  m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   m_table->setColumnWidth(Source, 96);
   QStringList points;
   for (const std::string& point : m_motion.points) points << QString::fromStdString(point);

@@ -55,6 +55,7 @@ MarkerTable::MarkerTable(const NamedMotion& motion, QWidget* parent)
   setTabKeyNavigation(false);
   setShowGrid(false);
   horizontalHeader()->setSectionResizeMode(Place, QHeaderView::Stretch);
+  horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   setColumnWidth(Belief, 150);
   setItemDelegateForColumn(Place, new PlaceDelegate(this));
   connect(this, &QTableWidget::cellChanged, this, [this](int point, int column) {

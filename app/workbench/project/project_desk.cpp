@@ -43,7 +43,7 @@ ProjectDesk::LibraryAnswer ask_about_library(MainWindow& window) {
   using Answer = ProjectDesk::LibraryAnswer;
   const Material& material = window.session()->material();
   QMessageBox box(QMessageBox::Question, "Abrazo",
-                  QString("The library %1 is not in a file yet. Write it beside the session?")
+                  QString("The library “%1” is not in a file yet. Write it beside the session?")
                       .arg(QString::fromStdString(material.library->name())),
                   QMessageBox::Cancel, &window);
   box.setInformativeText(

@@ -193,6 +193,7 @@ void RelocateDialog::showConsequences() {
   m_open->setText(left == 0                  ? "Open"
                   : left == m_choices.size() ? "Open without them"
                                              : "Open without the rest");
+  if (left == 0) m_open->setFocus();  // nothing else is left to do: Return opens
 }
 
 }  // namespace abrazo::app

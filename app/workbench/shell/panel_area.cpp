@@ -157,6 +157,14 @@ QList<QTabBar*> PanelArea::tabBars() const {
   return findChildren<QTabBar*>(QString(), Qt::FindDirectChildrenOnly);
 }
 
+/// Qt makes one whenever panels begin to share a place, with a light line below it that no sheet takes away.
+void PanelArea::prepareTabBars() {
+  for (QTabBar* tabs : tabBars()) {
+    tabs->setAccessibleName("Panels that share a place");
+    tabs->setDrawBase(false);
+  }
+}
+
 void PanelArea::showWhatFits() {
   PanelPlan shown = m_room;
   shown.left = shown.right = shown.plots = false;
@@ -169,7 +177,7 @@ void PanelArea::showWhatFits() {
     shown.right |= side == Qt::RightDockWidgetArea;
     shown.plots |= side == Qt::BottomDockWidgetArea;
   }
-  for (QTabBar* tabs : tabBars()) tabs->setAccessibleName("Panels that share a place");
+  prepareTabBars();
   emit arranged(shown);
 }
 
@@ -318,7 +326,10 @@ void PanelArea::resizeEvent(QResizeEvent* event) {
 /// Also when a border between panels is let go, and when a panel needs another height.
 bool PanelArea::event(QEvent* event) {
   const bool done = QMainWindow::event(event);
-  if (event->type() == QEvent::LayoutRequest) keepTuned();
+  if (event->type() == QEvent::LayoutRequest) {
+    prepareTabBars();
+    keepTuned();
+  }
   if (event->type() == QEvent::MouseButtonRelease) QTimer::singleShot(0, this, &PanelArea::rememberSizes);
   return done;
 }

@@ -76,6 +76,7 @@ class PanelArea : public QMainWindow {
   void place(Panel& panel);
   bool hasRoom(const Panel& panel) const;
   QList<QTabBar*> tabBars() const;
+  void prepareTabBars();
   void showWhatFits();
   int planned(Qt::DockWidgetArea side) const;
   void rememberSizes();

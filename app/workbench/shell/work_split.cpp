@@ -19,24 +19,35 @@ WorkSplit::WorkSplit(PanelArea* panels, QWidget* timeline, const widgets::Timeli
   setStretchFactor(1, 0);
   // Queued: the signal comes from within the layout of the panels.
   connect(panels, &PanelArea::neededHeightChanged, this, &WorkSplit::fit, Qt::QueuedConnection);
-  connect(this, &QSplitter::splitterMoved, this, [this] { m_chosen = sizes().back(); });
+  // The room for labels goes with their lanes.
+  connect(lanes, &widgets::TimelineView::lanesChanged, this, [this] {
+    if (!m_labels || !m_lanes->lanes().tiers().empty()) return;
+    m_labels = false;
+    fit();
+  });
+  connect(this, &QSplitter::splitterMoved, this, [this] {
+    m_chosen = sizes().back();
+    m_labels = false;
+  });
 }
 
 void WorkSplit::choose(std::optional<int> height_px) {
   m_chosen = height_px;
+  m_labels = false;
   fit();
 }
 
 void WorkSplit::makeRoomForLanes() {
-  const int wanted = std::min(m_timeline->sizeHint().height(), height() / 2);
-  if (sizes().back() < wanted) choose(wanted);
+  m_labels = !m_lanes->lanes().tiers().empty();
+  fit();
 }
 
 void WorkSplit::fit() {
   const int all_lanes = m_timeline->sizeHint().height();
   const int least = std::min(m_timeline->minimumSizeHint().height(), all_lanes);
   const int rest = height() - handleWidth() - m_panels->neededHeight();
-  const int below = m_chosen ? *m_chosen : withWholeLanes(std::clamp(rest, least, all_lanes));
+  int below = m_chosen ? *m_chosen : withWholeLanes(std::clamp(rest, least, all_lanes));
+  if (m_labels) below = std::max(below, withWholeLanes(std::min(all_lanes, height() / 2)));
   setSizes({std::max(0, height() - handleWidth() - below), below});
 }
 

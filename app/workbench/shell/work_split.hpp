@@ -23,7 +23,8 @@ class WorkSplit : public QSplitter {
   /// Height of the lower part [px] as a person chose it; none = as described above.
   std::optional<int> chosenHeight() const { return m_chosen; }
   void choose(std::optional<int> height_px);
-  /// For all lanes, up to half of the height.
+  /// For all lanes, up to half of the height, as long as there are lanes of labels. The chosen height comes
+  /// back.
   void makeRoomForLanes();
 
  protected:
@@ -37,6 +38,7 @@ class WorkSplit : public QSplitter {
   QWidget* m_timeline;
   const widgets::TimelineView* m_lanes;
   std::optional<int> m_chosen;
+  bool m_labels = false;  ///< room for the lanes of labels was asked for
 };
 
 }  // namespace abrazo::app

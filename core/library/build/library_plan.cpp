@@ -255,8 +255,11 @@ std::vector<PlanRemark> remarks_on(const LibraryPlan& plan) {
                                    performers.size() == 1 ? "" : "s")});
   }
   if (takes.empty())
-    remarks.push_back({PlanRemark::Kind::Obstacle, -1, "",
-                       "no take yet: give two performers the same take, those who were captured together"});
+    remarks.push_back(
+        {PlanRemark::Kind::Obstacle, -1, "",
+         plan.performers.empty()
+             ? "no motion yet: add the files of performers who were captured together"
+             : "no take yet: give two performers the same take, those who were captured together"});
   if (plan.name.empty())
     remarks.push_back({PlanRemark::Kind::Obstacle, -1, "", "the library has no name; give it one"});
   std::stable_sort(remarks.begin(), remarks.end(),

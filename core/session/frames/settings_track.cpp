@@ -1,6 +1,7 @@
 #include "core/session/frames/settings_track.hpp"
 
 #include <algorithm>
+#include <utility>
 
 namespace abrazo {
 
@@ -21,6 +22,16 @@ std::string one_change(const SettingInfo& info, const Settings& before, const Se
   };
   return setting_name(info) + " " + value(before, is_inputs_own(after, info) ? unit : "") + " \u2192 " +
          value(after, unit);
+}
+
+/// While a library is learned the paper's method stands in for the intent, so the method changes by itself.
+std::string reason_of(const Settings& before, const Settings& after, bool was_learning, bool is_learning) {
+  if (before.selection == after.selection || was_learning == is_learning) return "";
+  return is_learning ? "the library is being learned" : "the library was learned";
+}
+
+std::string with_reason(const std::string& text, const std::string& reason) {
+  return reason.empty() ? text : reason + ": " + text;
 }
 
 }  // namespace
@@ -48,13 +59,16 @@ void SettingsTrack::append(const FrameSnapshot& frame) {
   if (!started_) first_ = last_ = frame.settings;
   started_ = true;
   last_frame_ = frame.index;
+  const bool was_learning = std::exchange(learning_, frame.is_learning);
   if (frame.settings == last_) return;
+  const std::string reason = reason_of(last_, frame.settings, was_learning, frame.is_learning);
   changes_.push_back({.time_s = frame.time_s,
                       .until_s = frame.time_s,
                       .frame = frame.index,
                       .before = last_,
                       .after = frame.settings,
-                      .text = change_text(last_, frame.settings)});
+                      .text = with_reason(change_text(last_, frame.settings), reason),
+                      .reason = reason});
   last_ = frame.settings;
 }
 
@@ -101,7 +115,8 @@ std::vector<SettingsChange> SettingsTrack::merged(double gap_s) const {
     }
     merged.back().until_s = change.time_s;
     merged.back().after = change.after;
-    merged.back().text = change_text(merged.back().before, change.after);
+    merged.back().reason = change.reason;
+    merged.back().text = with_reason(change_text(merged.back().before, change.after), change.reason);
   }
   std::erase_if(merged, [](const SettingsChange& change) { return change.before == change.after; });
   return merged;

@@ -19,6 +19,8 @@ struct SettingsChange {
   std::uint64_t frame = 0;  ///< index of the first frame solved under `after`
   Settings before, after;
   std::string text;  ///< "α 0.5 → 0.3"
+  /// Why the method changed although nobody asked for it: "the library was learned". Else empty.
+  std::string reason;
 };
 
 /// Keys of the settings that differ, in display order.
@@ -53,6 +55,7 @@ class SettingsTrack {
 
  private:
   bool started_ = false;
+  bool learning_ = false;  ///< in the newest frame: Eq. 7 selects until the library is learned
   std::uint64_t last_frame_ = 0;
   Settings first_;  ///< before the first of `changes_`
   Settings last_;   ///< of the newest frame

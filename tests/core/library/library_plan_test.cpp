@@ -154,8 +154,9 @@ TEST_F(Plan, AFileThatCannotBeReadIsLeftOutUntilItIsWanted) {
 }
 
 TEST_F(Plan, SaysWhatStandsInTheWay) {
-  EXPECT_THAT(first_obstacle(), HasSubstr("no take yet"));
+  EXPECT_THAT(first_obstacle(), HasSubstr("no motion yet"));
   write("x_A.bvh", 20, false);
+  EXPECT_THAT(first_obstacle(), HasSubstr("no take yet"));
   set_take(plan, 0, "x");
   EXPECT_THAT(first_obstacle(), HasSubstr("take x: has 1 performer; a take has two"));
   write("x_B.bvh", 20, true);

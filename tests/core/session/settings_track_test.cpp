@@ -54,6 +54,29 @@ TEST(SettingsTrack, AFrameUnderOtherSettingsThanTheOneBeforeIsAChange) {
   EXPECT_EQ(track.changes()[1].text, "\u03b1 0.3 \u2192 1");
 }
 
+/// A new session began with "method paper → intent", which nobody had asked for.
+TEST(SettingsTrack, SaysWhyTheMethodChangesWhenTheLibraryWasLearned) {
+  Settings by_pose = *preset("responsive"), by_intent = by_pose;
+  by_pose.selection = SelectionMethod::Paper;
+  SettingsTrack track;
+  const auto show = [&track](std::uint64_t index, const Settings& settings, bool is_learning) {
+    FrameSnapshot next = frame(index, settings);
+    next.is_learning = is_learning;
+    track.append(next);
+  };
+  show(0, by_pose, true);
+  show(1, by_intent, false);
+  show(20, by_pose, true);  // as for the other role
+  show(40, by_pose, false);
+  show(41, by_intent, false);
+  ASSERT_EQ(track.changes().size(), 3U);
+  EXPECT_EQ(track.changes()[0].text, "the library was learned: method paper \u2192 intent");
+  EXPECT_EQ(track.changes()[1].text, "the library is being learned: method intent \u2192 paper");
+  EXPECT_EQ(track.changes()[2].text, "method paper \u2192 intent") << "asked for";
+  for (const SettingsChange& change : track.merged(0))
+    EXPECT_EQ(change.reason.empty(), change.frame == 41) << change.text;
+}
+
 TEST(SettingsTrack, GivesTheSettingsOfAnyFrame) {
   const std::vector<double> alphas = {0.5, 0.5, 0.3, 0.3, 1};
   const SettingsTrack track = track_of(alphas);

@@ -64,6 +64,7 @@ void SceneStage::applyCamera() {
   shown->SetFocalPoint(focus.data());
   shown->SetViewUp(up.data());
   shown->SetViewAngle(camera.view_angle_rad * 180 / 3.14159265358979);
+  shown->SetWindowCenter(0, camera.lowered);
   shown->SetParallelProjection(camera.is_parallel);
   shown->SetParallelScale(camera.distance_m * std::tan(camera.view_angle_rad / 2));
   shown->SetClippingRange(camera.nearest_shown_m(), 60);

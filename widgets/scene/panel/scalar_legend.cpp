@@ -125,6 +125,8 @@ ScalarLegend::ScalarLegend(QWidget* parent)
     showMenu(m_more->mapToGlobal({0, m_more->height()}));
   });
   setColours(palette_of(Theme::Dark));
+  m_lock->hide();  // there is no scale before the first frame
+  m_more->hide();
 }
 
 void ScalarLegend::setColours(const Palette& palette) {
@@ -160,6 +162,7 @@ void ScalarLegend::setMap(ColourMap map, bool logarithmic) {
 void ScalarLegend::show(const LegendScale& scale) {
   if (scale == m_scale) return;
   m_scale = scale;
+  m_lock->setVisible(!m_isPicture);
   m_more->setVisible(!m_isPicture && (!scale.is_diverging || scale.upper > 0));
   setFixedHeight(scale.lacks_values ? height_with_key : plain_height);
   update();
@@ -214,6 +217,7 @@ void ScalarLegend::showMenu(const QPoint& global) {
 }
 
 void ScalarLegend::paintEvent(QPaintEvent*) {
+  if (m_scale.title.isEmpty()) return;
   QPainter painter(this);
   const QRectF bar(width() - bar_width - 4, 26, bar_width, 8);
   painter.setFont(interface_font(13));

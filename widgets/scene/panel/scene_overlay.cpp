@@ -81,6 +81,13 @@ void ScalarChips::fitInto(int width_px) {
   setFixedSize(right, y - chip_gap);
 }
 
+int ScalarChips::freeFrom(int x_px) const {
+  int y = 0;
+  for (const QToolButton* chip : findChildren<QToolButton*>(QString(), Qt::FindDirectChildrenOnly))
+    if (chip->geometry().right() > x_px) y = std::max(y, chip->geometry().bottom() + chip_gap);
+  return y;
+}
+
 void ScalarChips::say(bool is_short) {
   const auto say = [is_short](QToolButton* button, const char* whole, const char* brief) {
     button->setText(QString::fromUtf8(is_short ? brief : whole));

@@ -25,6 +25,8 @@ class ScalarChips : public QWidget {
   void setOptions(const SceneOptions& options);
   /// Uses shorter texts if the full ones do not fit, and several rows if these do not either.
   void fitInto(int width_px);
+  /// Height below which no chip reaches beyond `x_px`; 0 if none does.
+  int freeFrom(int x_px) const;
 
  signals:
   void scalarChosen(abrazo::widgets::MeshScalar scalar);

@@ -69,7 +69,7 @@ void add_intent_cost(PickText& told, const IntentCost& cost) {
   for (const auto& [name, value] : {std::pair{"move", cost.move},
                                     {"intended", cost.meant},
                                     {"change", cost.change},
-                                    {"shown", cost.temporal}})
+                                    {"temporal", cost.temporal}})
     if (value != 0) rest += text_of_fact("%s+ %s %.3f", rest.empty() ? "" : " ", name, value);
   if (!rest.empty()) told.lines.push_back(std::move(rest));
 }
@@ -110,8 +110,9 @@ PickText describe_edge(const FrameSnapshot& frame, const Selection& item) {
     told.lines = {"not in the mesh of this frame"};
     return told;
   }
-  told.lines.push_back(text_of_fact("length %.3f m (selected %.3f, %+.0f mm)", facts->length_m,
-                                    facts->reference_m, 1000 * (facts->length_m - facts->reference_m)));
+  told.lines.push_back(text_of_fact("length %.0f mm (in pair %.0f, %+.0f)", 1000 * facts->length_m,
+                                    1000 * facts->reference_m,
+                                    1000 * (facts->length_m - facts->reference_m)));
   told.lines.push_back(
       text_of_fact("weight %.3f · residual %.1f mm", facts->weight, 1000 * facts->residual_m));
   told.lines.push_back(text_of_fact("%.2f %% of the deformation energy", facts->energy_share));
@@ -129,8 +130,8 @@ PickText describe_cell(const FrameSnapshot& frame, const Selection& item) {
     told.lines.emplace_back("not in the mesh of this frame");
     return told;
   }
-  told.lines.push_back(text_of_fact("volume %.3f l (selected %.3f l)", litres * facts->volume_m3,
-                                    litres * facts->reference_m3));
+  told.lines.push_back(
+      text_of_fact("volume %.3f l (in pair %.3f)", litres * facts->volume_m3, litres * facts->reference_m3));
   told.lines.push_back(facts->is_flat       ? "flat in the selected pair: no ratio"
                        : facts->is_inverted ? text_of_fact("inverted, ratio %.2f", facts->ratio)
                                             : text_of_fact("ratio %.2f", facts->ratio));

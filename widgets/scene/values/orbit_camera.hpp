@@ -26,6 +26,9 @@ struct OrbitCamera {
   double cut_m = 0;          ///< negative: behind the target
   std::optional<CutPlane> plane;  ///< clips everything beyond a plane of the world
   double shift_m = 0;  ///< centre of the picture, to the right of the target: room for objects beside it
+  /// By this share of half the picture's height the target is drawn below the middle: room for controls
+  /// above. Belongs to the picture, not to the view, so it is not compared.
+  double lowered = 0;
   /// Compares the view without cutting planes.
   bool operator==(const OrbitCamera& other) const;
 

@@ -29,9 +29,9 @@ class PictureProjection {
 
  private:
   Vec3 eye_, forward_, right_, up_;
-  double width_px_, height_px_;
-  double focal_px_;   ///< pixels per unit of slope; parallel: pixels per metre
-  double nearest_m_;  ///< of the camera
+  double width_px_, middle_y_px_;  ///< of the picture; where the target lies in it
+  double focal_px_;                ///< pixels per unit of slope; parallel: pixels per metre
+  double nearest_m_;               ///< of the camera
   bool is_parallel_;
   std::optional<CutPlane> plane_;
 };

@@ -240,6 +240,7 @@ void SceneView::setVisibility(const PartVisibility& visibility) {
   p.chips->setCells(p.shows(ScenePart::Tetrahedra));
   p.cell_legend->setVisible(p.shows(ScenePart::Tetrahedra));
   p.morph->setVisible(p.shows(ScenePart::MorphSteps) || p.step);
+  arrange();
   refresh();
   emit visibilityChanged(visibility);
 }
@@ -289,6 +290,18 @@ void SceneView::applyOptions(const SceneOptions& wanted) {
   emit optionsChanged(p.options);
 }
 
+/// In a narrow view chips, legend and facts would cover heads and feet: the pair is drawn between them.
+void SceneView::Parts::makeRoom(bool narrow) {
+  narrow_overlays_px.reset();
+  camera.lowered = 0;
+  if (!narrow || chips->isHidden()) return;
+  const ScalarLegend* lowest = cell_legend->isHidden() ? legend : cell_legend;
+  const int above = std::max(lowest->geometry().bottom(), chips->geometry().bottom()),
+            below = facts->height();
+  narrow_overlays_px = above + below;
+  camera.lowered = static_cast<double>(above - below) / std::max(1, surface->height());
+}
+
 int SceneView::morphStep() const {
   const Parts& p = *m_parts;
   const int last = p.frame ? step_count(*p.frame) : 0;
@@ -320,11 +333,14 @@ void SceneView::arrange() {
   p.cut_layer->setGeometry(rect());
   p.chips->fitInto(width() - 24);
   p.chips->move(12, 10);
-  // Where the chips leave no room the legend goes below them.
-  const bool narrow = width() < p.chips->width() + p.legend->width() + 36;
-  p.legend->move(width() - p.legend->width() - 10, narrow ? p.chips->geometry().bottom() + 4 : 8);
+  // Where the chips leave no room the legend goes beside their last row, or below them.
+  const int legend_x = width() - p.legend->width() - 10;
+  const int free_y = p.chips->y() + p.chips->freeFrom(legend_x - 8 - p.chips->x());
+  const bool narrow = free_y > p.chips->y();
+  p.legend->move(legend_x, narrow ? free_y : 8);
   p.cell_legend->move(p.legend->x(), p.legend->y() + p.legend->height() + 2);
   p.facts->setGeometry(14, height() - p.facts->height() - 10, width() - 28, p.facts->height());
+  p.makeRoom(narrow && 5 * legend_x < 3 * width());  // else the legend is beside the pair
   p.morph->adjustSize();
   p.morph->move(12, p.facts->y() - p.morph->height() + 12);
   p.picker.arrange();

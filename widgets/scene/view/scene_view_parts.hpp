@@ -89,16 +89,21 @@ struct SceneView::Parts {
   QElapsedTimer since_render, since_follow;
   QTimer standstill;  ///< expires if no picture follows one without anti-aliasing
 
+  void makeRoom(bool narrow);
   MeshLook look();
   void applyCut();
   std::optional<CutHandles> cutHandles() const;
   SteadyRange& range() { return ranges[static_cast<std::size_t>(scalar)]; }
   bool shows(ScenePart part) const { return visibility[static_cast<std::size_t>(part)]; }
+  /// Of the picture without the controls over it: all of its width in a narrow one, see `arrange`.
   PictureShape shape() const {
     constexpr double overlays_px = 72;  // the chips above; the facts are beside the pair
-    const double height = std::max(1, surface->height());
-    return {surface->width() / height, std::clamp(1 - overlays_px / height, 0.58, 0.84)};
+    const double height = std::max(1, surface->height()),
+                 covered_px = narrow_overlays_px.value_or(overlays_px);
+    return {surface->width() / height, std::clamp(1 - covered_px / height, 0.4, 0.84)};
   }
+  std::optional<int>
+      narrow_overlays_px;  ///< height of the controls above and below the pair of a narrow view
 };
 
 }  // namespace abrazo::widgets

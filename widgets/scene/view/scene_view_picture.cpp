@@ -47,6 +47,7 @@ void SceneView::showAs(const SceneView& other, bool captions) {
   for (ScalarLegend* legend : {p.legend, p.cell_legend}) legend->becomePicture();
   p.legend->setVisible(captions && shows_mesh);
   p.cell_legend->setVisible(captions && p.shows(ScenePart::Tetrahedra));
+  arrange();
 }
 
 }  // namespace abrazo::widgets
