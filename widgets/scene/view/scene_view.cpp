@@ -147,6 +147,7 @@ void SceneView::setLibrary(std::shared_ptr<const MotionLibrary> library) {
   p.framed = false;
   for (SteadyRange& range : p.ranges) range.reset();
   p.cell_range.reset();
+  dressCharacters();
   if (!p.library || p.library->bodies().empty()) return;
   p.actors.setRadii(p.library->usual_active_body().capsule_radii,
                     p.library->usual_passive_body().capsule_radii);
