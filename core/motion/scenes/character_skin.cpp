@@ -178,7 +178,8 @@ std::string SkinReader::add_primitive(const Json& primitive, std::size_t first_c
   const auto joints = attribute(primitive, "JOINTS_0", "VEC4"),
              weights = attribute(primitive, "WEIGHTS_0", "VEC4");
   if (!points || !points->is_float()) return damaged;
-  const bool has_normals = normals && normals->is_float() && normals->size() == points->size();
+  const bool has_normals = member(member(primitive, "attributes"), "NORMAL").is_number();
+  if (has_normals && (!normals || normals->size() != points->size())) return damaged;
   if (is_skinned && (!joints || !joints->is_integer() || !weights || joints->size() != points->size() ||
                      weights->size() != points->size()))
     return "its skin lacks the joints and weights of its points";
