@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/base/file_series.hpp"
+#include "core/motion/scenes/read_worn_character.hpp"
 #include "core/video/film_plan.hpp"
 #include "core/video/video_writer.hpp"
 #include "widgets/scene/view/scene_pictures.hpp"

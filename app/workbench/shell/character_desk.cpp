@@ -7,6 +7,7 @@
 #include "app/workbench/base/error_words.hpp"
 #include "app/workbench/base/user_settings.hpp"
 #include "app/workbench/shell/main_window.hpp"
+#include "core/motion/scenes/read_worn_character.hpp"
 #include "widgets/common/message_bar.hpp"
 #include "widgets/scene/panel/character_rows.hpp"
 #include "widgets/scene/panel/scene_tree.hpp"

@@ -4,6 +4,7 @@
 
 #include "core/base/atomic_file.hpp"
 #include "core/motion/scenes/glb_file.hpp"
+#include "core/motion/scenes/read_worn_character.hpp"
 
 namespace abrazo {
 

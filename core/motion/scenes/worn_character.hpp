@@ -20,9 +20,6 @@ struct WornCharacter {
   CharacterSkin skin;
 };
 
-/// Reads a character. The Error names the file and what is expected.
-Result<std::shared_ptr<const WornCharacter>> read_worn_character(const std::string& file);
-
 /// A character on the poses of a body, at the body's place and of the size at which its legs are as long as
 /// the body's. @see RigMotion
 class CharacterFit {

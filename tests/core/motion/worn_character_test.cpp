@@ -11,6 +11,7 @@
 #include "core/base/atomic_file.hpp"
 #include "core/motion/body/joint_set.hpp"
 #include "core/motion/scenes/glb_file.hpp"
+#include "core/motion/scenes/read_worn_character.hpp"
 #include "tests/support/humanoid_rig.hpp"
 #include "tests/support/libraries.hpp"
 
