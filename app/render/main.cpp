@@ -23,8 +23,7 @@ void pass_on_fatal_only(QtMsgType type, const QMessageLogContext&, const QString
 
 Status run(CommandLine& line, const RenderOptions& options) {
   if (const Status usable = check_render(options); !usable) return usable;
-  if (const Status usable = check_output(options.output, {options.input, options.library}); !usable)
-    return usable;
+  if (const Status usable = check_output(options.output, inputs_of(options)); !usable) return usable;
   const Progress progress = terminal_progress(line);
   auto source = open_frames(options.input, options.library, progress);
   if (!source) return source.error();

@@ -146,6 +146,16 @@ void add_render_options(CLI::App& command, RenderOptions& options) {
   add_switch("--user", options.user, "the user's skeleton");
   add_switch("--ahead", options.ahead, "session: where the partner goes next if the recording continues");
   add_switch("--captions", options.captions, "frame, time and source written into the picture");
+  const auto add_character = [&](const char* name, std::string& file, const char* which) {
+    command
+        .add_option(
+            name, file,
+            std::string("a humanoid of another program (.glb, or .vrm 0.x and 1.0) as the skin of the ") +
+                which + " body")
+        ->type_name("FILE");
+  };
+  add_character("--active-character", options.active_character, "active");
+  add_character("--passive-character", options.passive_character, "passive");
   command.add_option("--library", options.library, "session: the library, if it was moved")->type_name("LIB");
 }
 
@@ -170,8 +180,16 @@ std::vector<std::string> words_of(const RenderOptions& options) {
   if (options.from_s) words.push_back("--from=" + exact_text(*options.from_s));
   if (options.to_s) words.push_back("--to=" + exact_text(*options.to_s));
   if (!options.library.empty()) words.insert(words.end(), {"--library", options.library});
+  if (!options.active_character.empty())
+    words.insert(words.end(), {"--active-character", options.active_character});
+  if (!options.passive_character.empty())
+    words.insert(words.end(), {"--passive-character", options.passive_character});
   words.insert(words.end(), {"--", options.input});
   return words;
+}
+
+std::vector<std::string> inputs_of(const RenderOptions& options) {
+  return {options.input, options.library, options.active_character, options.passive_character};
 }
 
 Status check_render(const RenderOptions& options) {

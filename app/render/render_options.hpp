@@ -15,7 +15,8 @@ struct RenderOptions {
   std::string input;   ///< session (.abrazo) or trace (.jsonl)
   std::string output;  ///< .mp4; .png for one picture, or a series if the name has %d
   std::string library;
-  std::optional<double> from_s, to_s;  ///< of the session or trace; none = all
+  std::string active_character, passive_character;  ///< files of skins (GLB, VRM); empty = capsules
+  std::optional<double> from_s, to_s;               ///< of the session or trace; none = all
   std::string size = "1280x720";
   double rate_hz = 30;
   std::string camera = "follow";
@@ -48,6 +49,8 @@ Result<RenderKind> render_kind(const std::string& output);
 /// The name of one of a series: its "%d" or "%05d" is the number.
 std::string series_name(const std::string& output, int number);
 
+/// The files that a rendering reads.
+std::vector<std::string> inputs_of(const RenderOptions& options);
 /// Checks the options without reading the input.
 Status check_render(const RenderOptions& options);
 

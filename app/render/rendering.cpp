@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/base/file_series.hpp"
+#include "core/motion/scenes/read_worn_character.hpp"
 #include "core/video/film_plan.hpp"
 #include "core/video/video_writer.hpp"
 #include "widgets/scene/view/scene_pictures.hpp"
@@ -110,6 +111,37 @@ widgets::ScenePictures::Look look_of(const FrameSource& source, const RenderOpti
   return look;
 }
 
+/// The characters' files, read; each file once.
+Result<widgets::WornPair> characters_of(const RenderOptions& options) {
+  widgets::WornPair characters;
+  const std::array<const std::string*, 2> files = {&options.active_character, &options.passive_character};
+  for (std::size_t body = 0; body < 2; ++body) {
+    if (files[body]->empty()) continue;
+    if (body == 1 && characters[0] && *files[1] == *files[0]) {
+      characters[1] = characters[0];
+      continue;
+    }
+    auto read = read_worn_character(*files[body]);
+    if (!read) return read.error();
+    characters[body] = std::move(*read);
+  }
+  return characters;
+}
+
+/// Measured from frames that are spread over the whole recording, so that a part of it looks like all of it.
+Result<std::array<Stance, 2>> stances_of(const FrameSource& source) {
+  constexpr int most_frames = 200;
+  std::array<std::vector<Pose>, 2> poses;
+  for (int i = 0; i < most_frames; ++i) {
+    const auto frame = source.at(source.first_s + (source.last_s - source.first_s) * i / (most_frames - 1));
+    if (!frame) return frame.error();
+    if (!*frame) continue;
+    poses[0].push_back((*frame)->result.active());
+    poses[1].push_back((*frame)->result.passive());
+  }
+  return std::array<Stance, 2>{stance_of(poses[0]), stance_of(poses[1])};
+}
+
 }  // namespace
 
 Result<Rendered> render(const FrameSource& source, const RenderOptions& options, const Progress& progress) {
@@ -117,10 +149,19 @@ Result<Rendered> render(const FrameSource& source, const RenderOptions& options,
   if (!kind) return kind.error();
   const auto plan = plan_of(source, options, *kind);
   if (!plan) return plan.error();
+  widgets::ScenePictures::Look look = look_of(source, options);
+  auto characters = characters_of(options);
+  if (!characters) return characters.error();
+  look.characters = std::move(*characters);
+  if (look.characters[0] || look.characters[1]) {
+    const auto stances = stances_of(source);
+    if (!stances) return stances.error();
+    look.stances = *stances;
+  }
   auto sink = open_sink(options, *kind);
   if (!sink) return sink.error();
   const PictureSize size = picture_size(options.size).value();
-  widgets::ScenePictures pictures(QSize(size.width, size.height), look_of(source, options));
+  widgets::ScenePictures pictures(QSize(size.width, size.height), look);
   for (int i = 0; i < plan->pictures(); ++i) {
     if (!report(progress, static_cast<double>(i) / plan->pictures(),
                 fmt::format("picture {} of {}", i + 1, plan->pictures())))

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <filesystem>
+#include <fstream>
 #include <memory>
 #include <set>
 #include <utility>
@@ -12,6 +14,7 @@
 #include "core/base/output_file.hpp"
 #include "core/base/statistics.hpp"
 #include "core/bodies/retargeted_frame.hpp"
+#include "core/library/takes/manifest.hpp"
 #include "core/motion/files/clip_file.hpp"
 #include "core/motion/scenes/character_glb.hpp"
 #include "core/synthesis/frames/recording_trace.hpp"
@@ -101,6 +104,23 @@ Result<RetargetedTake> add_take(const PairedTake& take, const RetargetWish& wish
   return about;
 }
 
+/// The motions that a manifest names; none of a library, which has its own, nor of a manifest that cannot be
+/// read, which is refused where it is.
+std::vector<std::string> motions_of_manifest(const std::string& source) {
+  std::error_code missing;
+  if (!std::filesystem::is_regular_file(source, missing)) return {};
+  char first = 0;
+  if (!(std::ifstream(source) >> first) || first != '{') return {};
+  const auto manifest = read_manifest(source);
+  if (!manifest) return {};
+  std::vector<std::string> files;
+  for (const Manifest::Take& take : manifest->takes)
+    for (const Manifest::Performer* performer : {&take.a, &take.b})
+      for (const std::filesystem::path& file : {performer->motion, performer->skeleton})
+        if (!file.empty()) files.push_back(file.string());
+  return files;
+}
+
 }  // namespace
 
 std::vector<std::string> RetargetWish::motion_files(const std::string& take) const {
@@ -117,6 +137,7 @@ Status check_retargeting(const RetargetWish& wish, const std::string& source) {
   if (const Status usable = check_choices(wish); !usable) return usable;
   std::vector<std::string> inputs = {source, wish.character};
   for (const BodyChoice* choice : {&wish.active, &wish.passive}) inputs.push_back(choice->file);
+  for (std::string& motion : motions_of_manifest(source)) inputs.push_back(std::move(motion));
   std::set<std::string> motions;
   for (const std::string& take : wish.takes)
     for (const std::string& file : wish.motion_files(take)) {

@@ -127,6 +127,7 @@ bool is_open_to_widgets(const std::string& include) {
                                              "core/motion/body/joint_set.hpp",
                                              "core/motion/body/body.hpp",
                                              "core/motion/body/clip.hpp",
+                                             "core/motion/scenes/worn_character.hpp",
                                              "core/metrics/holds.hpp",
                                              "core/metrics/movement.hpp",
                                              "core/metrics/partner_error.hpp",

@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "tests/cli/command_line_fixture.hpp"
+#include "tests/support/humanoid_rig.hpp"
 
 namespace abrazo::test::render_command_test {
 namespace {
@@ -56,6 +57,23 @@ TEST_F(RenderCommand, DrawsTheSamePictureEachTime) {
   }
   EXPECT_THAT(read("a.png"), StartsWith("\x89PNG"));
   EXPECT_EQ(read("a.png"), read("b.png"));
+}
+
+TEST_F(RenderCommand, ShowsACharacterOfAnotherProgramAsTheSkinOfABody) {
+  make_trace();
+  write("ana.vrm", skinned_rig(Naming::Vrm1));
+  const std::string look = "render T.jsonl --from 1 --size 320x240 --mesh off ";
+  for (const char* wish : {"-o capsules.png", "-o active.png --active-character ana.vrm",
+                           "-o passive.png --passive-character ana.vrm"})
+    ASSERT_EQ(run(look + wish).status, 0) << wish;
+  EXPECT_NE(read("active.png"), read("capsules.png"));
+  EXPECT_NE(read("passive.png"), read("capsules.png"));
+  EXPECT_NE(read("passive.png"), read("active.png"));
+  expect_failure(run(look + "-o a.png --active-character none.vrm"), "none.vrm");
+  write("bare.glb", rig(Naming::Mixamo));
+  expect_failure(run(look + "-o a.png --passive-character bare.glb"), "bare.glb: has no mesh to show");
+  expect_failure(run(look + "-o ana.vrm.png --active-character T.jsonl"), "is no GLB or VRM file");
+  EXPECT_FALSE(std::filesystem::exists(path("a.png")));
 }
 
 TEST_F(RenderCommand, MakesAFilmAndANumberedSeries) {

@@ -27,7 +27,15 @@ const std::vector<RigBone>& rig_bones() {
   return all;
 }
 
-std::string rig(Naming naming) {
+namespace {
+
+struct RigFile {
+  nlohmann::json json;
+  std::map<std::string, Eigen::Affine3d> world;
+  Eigen::AngleAxisd facing;
+};
+
+RigFile rig_file(Naming naming) {
   const Eigen::AngleAxisd facing(naming == Naming::Vrm0 ? 3.14159265358979323846 : 0, Vec3::UnitY());
   std::map<std::string, Eigen::Affine3d> world;
   nlohmann::json json = {{"asset", {{"version", "2.0"}}}, {"scenes", {{{"nodes", {0}}}}}};
@@ -56,6 +64,10 @@ std::string rig(Naming naming) {
   if (naming == Naming::Vrm1) json["extensions"]["VRMC_vrm"]["humanoid"]["humanBones"] = of_1;
   json["animations"] = {
       {{"name", "idle"}, {"samplers", nlohmann::json::array()}, {"channels", nlohmann::json::array()}}};
+  return {std::move(json), std::move(world), facing};
+}
+
+std::string glb_of(const nlohmann::json& json, const std::string& binary) {
   std::string text = json.dump();
   text.resize((text.size() + 3) / 4 * 4, ' ');
   const auto number = [](std::size_t value) {
@@ -64,7 +76,76 @@ std::string rig(Naming naming) {
     std::memcpy(bytes.data(), &small, 4);
     return bytes;
   };
-  return "glTF" + number(2) + number(20 + text.size()) + number(text.size()) + "JSON" + text;
+  const std::string chunk = binary.empty() ? "" : number(binary.size()) + std::string("BIN\0", 4) + binary;
+  return "glTF" + number(2) + number(20 + text.size() + chunk.size()) + number(text.size()) + "JSON" + text +
+         chunk;
+}
+
+/// The accessors of a mesh, filled one after the other.
+class Buffer {
+ public:
+  template <typename Number>
+  std::size_t add(nlohmann::json& json, const std::vector<Number>& numbers, std::size_t per_value,
+                  const char* type, int component) {
+    json["bufferViews"].push_back(
+        {{"buffer", 0}, {"byteOffset", bytes_.size()}, {"byteLength", numbers.size() * sizeof(Number)}});
+    bytes_.append(reinterpret_cast<const char*>(numbers.data()), numbers.size() * sizeof(Number));
+    bytes_.resize((bytes_.size() + 3) / 4 * 4);
+    json["accessors"].push_back({{"bufferView", json["bufferViews"].size() - 1},
+                                 {"componentType", component},
+                                 {"count", numbers.size() / per_value},
+                                 {"type", type}});
+    return json["accessors"].size() - 1;
+  }
+  const std::string& bytes() const { return bytes_; }
+
+ private:
+  std::string bytes_;
+};
+
+}  // namespace
+
+std::string rig(Naming naming) {
+  return glb_of(rig_file(naming).json, {});
+}
+
+std::string skinned_rig(Naming naming) {
+  constexpr int unsigned_short = 5123, single_float = 5126;
+  RigFile file = rig_file(naming);
+  std::vector<float> points, normals, weights, binds;
+  std::vector<std::uint16_t> joints, indices;
+  nlohmann::json nodes = nlohmann::json::array();
+  for (std::size_t b = 0; b < rig_bones().size(); ++b) {
+    const Eigen::Matrix4f bind = file.world[rig_bones()[b].vrm].inverse().matrix().cast<float>();
+    binds.insert(binds.end(), bind.data(), bind.data() + 16);
+    nodes.push_back(b + 1);
+    for (const Vec3& corner : {Vec3(-1, -1, 0), Vec3(1, -1, 0), Vec3(0, 2, 0)}) {
+      const Vec3 point = file.facing * Vec3(rig_bones()[b].at + rig_triangle_m * corner);
+      const Vec3 normal = file.facing * Vec3::UnitZ();
+      for (const int axis : {0, 1, 2}) {
+        points.push_back(static_cast<float>(point[axis]));
+        normals.push_back(static_cast<float>(normal[axis]));
+      }
+      joints.insert(joints.end(), {static_cast<std::uint16_t>(b), 0, 0, 0});
+      weights.insert(weights.end(), {1, 0, 0, 0});
+      indices.push_back(static_cast<std::uint16_t>(indices.size()));
+    }
+  }
+  nlohmann::json& json = file.json;
+  Buffer buffer;
+  nlohmann::json primitive = {{"material", 0}};
+  primitive["attributes"]["POSITION"] = buffer.add(json, points, 3, "VEC3", single_float);
+  primitive["attributes"]["NORMAL"] = buffer.add(json, normals, 3, "VEC3", single_float);
+  primitive["attributes"]["JOINTS_0"] = buffer.add(json, joints, 4, "VEC4", unsigned_short);
+  primitive["attributes"]["WEIGHTS_0"] = buffer.add(json, weights, 4, "VEC4", single_float);
+  primitive["indices"] = buffer.add(json, indices, 1, "SCALAR", unsigned_short);
+  json["skins"] = {
+      {{"joints", nodes}, {"inverseBindMatrices", buffer.add(json, binds, 16, "MAT4", single_float)}}};
+  json["meshes"] = {{{"primitives", {primitive}}}};
+  json["materials"] = {{{"pbrMetallicRoughness", {{"baseColorFactor", {0.5, 0, 1, 1}}}}}};
+  json["buffers"] = {{{"byteLength", buffer.bytes().size()}}};
+  json["nodes"].push_back({{"name", "Body"}, {"mesh", 0}, {"skin", 0}});
+  return glb_of(json, buffer.bytes());
 }
 
 }  // namespace abrazo::test

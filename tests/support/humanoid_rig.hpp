@@ -21,4 +21,11 @@ enum class Naming : std::uint8_t { Mixamo, Vrm0, Vrm1 };
 /// A GLB with the rig below an armature of centimetres, its bones rotated in themselves; VRM 0.x faces -Z.
 std::string rig(Naming naming);
 
+/// Half the size of the triangle around each bone of a rig with a skin [m].
+inline constexpr double rig_triangle_m = 0.02;
+
+/// The same rig with a skin: around the place of each bone a triangle that it carries alone, in the order of
+/// rig_bones(), of a base colour with the linear red 0.5.
+std::string skinned_rig(Naming naming);
+
 }  // namespace abrazo::test

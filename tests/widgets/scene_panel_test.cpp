@@ -5,12 +5,15 @@
 #include <QHelpEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSlider>
 #include <QTest>
+#include <QToolButton>
 #include <QToolTip>
 #include <algorithm>
 
 #include "core/motion/body/joint_set.hpp"
+#include "widgets/scene/panel/character_rows.hpp"
 #include "widgets/scene/panel/scene_options_panel.hpp"
 #include "widgets/scene/panel/scene_tree.hpp"
 
@@ -48,6 +51,28 @@ TEST(SceneOptionsPanel, SaysTheValueBesideEachSlider) {
   EXPECT_TRUE(says("0°"));
   panel.findChildren<QSlider*>().front()->setValue(150);
   EXPECT_TRUE(says("150 %"));
+}
+
+TEST(CharacterRows, NameTheFileAndTakeItOff) {
+  CharacterRows rows;
+  rows.show();
+  const auto names = rows.findChildren<QPushButton*>();
+  const auto off = rows.findChildren<QToolButton*>();
+  ASSERT_EQ(names.size(), 2);
+  EXPECT_EQ(names[1]->text(), "Character…");
+  EXPECT_FALSE(off[1]->isVisible());
+  rows.setFiles({"", "/figures/ana.vrm"});
+  EXPECT_EQ(names[0]->text(), "Character…");
+  EXPECT_EQ(names[1]->text(), "ana.vrm");
+  EXPECT_TRUE(off[1]->isVisible());
+  int chosen = -1, taken = -1;
+  QObject::connect(&rows, &CharacterRows::characterRequested, [&](int body) { chosen = body; });
+  QObject::connect(&rows, &CharacterRows::capsulesRequested, [&](int body) { taken = body; });
+  names[0]->click();
+  off[1]->click();
+  EXPECT_EQ(chosen, 0);
+  EXPECT_EQ(taken, 1);
+  EXPECT_EQ(names[1]->text(), "ana.vrm") << "it only asks";
 }
 
 TEST(SceneTree, OpensACharacterAndSelectsItsJoints) {

@@ -216,6 +216,7 @@ TEST(SceneMemory, ReadsBackWhatItWrote) {
   memory.options.is_logarithmic = true;
   memory.options.navigation = NavigationStyle::Maya;
   memory.options.apart = 0.5;
+  memory.options.character_files = {"", "/figures/ana &co.vrm"};
   const SceneMemory again = scene_memory_of(text_of(memory));
   EXPECT_EQ(again.visibility, memory.visibility);
   EXPECT_EQ(again.scalar, memory.scalar);

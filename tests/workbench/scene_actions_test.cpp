@@ -5,15 +5,21 @@
 #include <QElapsedTimer>
 #include <QLineF>
 #include <QMouseEvent>
+#include <QPushButton>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
 
+#include "core/base/atomic_file.hpp"
 #include "core/motion/body/joint_set.hpp"
+#include "tests/support/humanoid_rig.hpp"
 #include "tests/workbench/demo_window.hpp"
 #include "widgets/candidates/candidate_list.hpp"
 #include "widgets/candidates/candidate_table.hpp"
+#include "widgets/common/message_bar.hpp"
 #include "widgets/common/selection_model.hpp"
 #include "widgets/plots/plot_panel.hpp"
+#include "widgets/scene/panel/character_rows.hpp"
 #include "widgets/scene/panel/scalar_legend.hpp"
 #include "widgets/scene/panel/scene_tree.hpp"
 #include "widgets/scene/values/cut_handles.hpp"
@@ -317,6 +323,32 @@ TEST_F(SceneKeys, AreAboutOneSelectionThatEveryViewSetsAndShows) {
   window().selection().select(Selection::joint(5));
   window().plots().removePane(window().plots().selectionPane());
   expect_everywhere(window(), {}, "plots");
+}
+
+TEST_F(SceneKeys, ACharacterIsWornUntilItIsTakenOff) {
+  const QTemporaryDir folder;
+  const std::string file = folder.filePath("ana.vrm").toStdString();
+  ASSERT_TRUE(write_whole_file(file, test::skinned_rig(test::Naming::Vrm1)));
+  scene().setOptions([&] {
+    widgets::SceneOptions options;
+    options.character_files[1] = file;
+    return options;
+  }());
+  EXPECT_TRUE(until([] { return scene().characters()[1] != nullptr; }));
+  EXPECT_EQ(scene().characters()[0], nullptr);
+  auto& rows = window().sceneTree().characters();
+  EXPECT_EQ(rows.findChildren<QPushButton*>()[1]->text(), "ana.vrm");
+  rows.findChildren<QToolButton*>()[1]->click();
+  EXPECT_EQ(scene().characters()[1], nullptr);
+  EXPECT_EQ(scene().options().character_files[1], "");
+}
+
+TEST_F(SceneKeys, ACharacterThatCannotBeShownIsNamedAndLeft) {
+  widgets::SceneOptions options;
+  options.character_files[0] = "/no/such/place/ana.vrm";
+  scene().setOptions(options);
+  EXPECT_TRUE(until([] { return scene().options().character_files[0].empty(); }));
+  EXPECT_TRUE(window().messages().text().contains("ana.vrm")) << window().messages().text().toStdString();
 }
 
 TEST_F(SceneKeys, RememberHowTheSceneIsSetUp) {

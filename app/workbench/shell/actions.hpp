@@ -81,6 +81,7 @@ Layouts& add_layout_actions(MainWindow& window);
 void add_recent_actions(MainWindow& window);
 /// After all actions that add a start to the welcome page.
 void add_welcome_actions(MainWindow& window);
+void add_character_actions(MainWindow& window);
 void add_scene_actions(QMainWindow& window, widgets::SceneView& scene, UserSettings& remembered,
                        QUndoStack& undo);
 /// Changes of the cutting plane become undo steps; called by the scene actions.

@@ -24,6 +24,7 @@ Rooms add_all_actions(MainWindow& window) {
   add_view_actions(window);
   Layouts& layouts = add_layout_actions(window);
   add_scene_actions(window, window.scene(), window.remembered(), window.undoStack());
+  add_character_actions(window);
   add_selection_actions(window);
   add_library_actions(window);
   add_import_actions(window);

@@ -7,6 +7,18 @@
 
 namespace abrazo {
 
+namespace {
+
+/// A preset is how the partner answers, a body is whose: those that were chosen stay, unless a person's own
+/// preset has another.
+Settings with_bodies_of(const Settings& present, Settings of_preset) {
+  for (BodyChoice Settings::*body : {&Settings::active_body, &Settings::passive_body})
+    if (of_preset.*body == BodyChoice{}) of_preset.*body = present.*body;
+  return of_preset;
+}
+
+}  // namespace
+
 bool ProjectEdit::absorb(const ProjectEdit& next) {
   if (gesture == 0 || next.gesture != gesture || next.key != key || next.after.index() != after.index())
     return false;
@@ -41,11 +53,11 @@ Result<ChosenSettings> LiveProject::with_preset(const std::string& name, bool ow
   if (!own) {
     const auto chosen = abrazo::preset(name);
     if (!chosen) return chosen.error();
-    return ChosenSettings{*chosen, {name, false, *chosen}};
+    return ChosenSettings{with_bodies_of(project_.settings, *chosen), {name, false, *chosen}};
   }
   const auto found = std::ranges::find(own_presets_, name, &OwnPreset::name);
   if (found == own_presets_.end()) return Error{"There is no own preset \u201c" + name + "\u201d", ""};
-  return ChosenSettings{found->settings, {name, true, found->settings}};
+  return ChosenSettings{with_bodies_of(project_.settings, found->settings), {name, true, found->settings}};
 }
 
 int LiveProject::epoch_of(const ProjectValue& value) const {

@@ -178,6 +178,20 @@ TEST_F(TakeRetargeting, OfATakeThatCannotBeMadeNoOtherIsWritten) {
   EXPECT_THAT(names(), IsEmpty());
 }
 
+TEST_F(TakeRetargeting, TheMotionsOfAManifestAreNotReplaced) {
+  ASSERT_TRUE(write_whole_file(at("takes.json"), R"({"name": "set", "takes": [{"name": "slow",
+    "a": {"motion": "slow_a.amc", "skeleton": "a.asf"}, "b": {"motion": "slow_b.bvh"}}]})"));
+  wish.takes = {"slow"};
+  ASSERT_TRUE(write_whole_file(at("slow_b.bvh"), "recorded"));
+  wish.output = at("slow_b.bvh");
+  EXPECT_THAT(refusal(), HasSubstr("is also read; the output needs another name"));
+  wish.output = at("other.bvh");
+  wish.trace = at("slow_b.bvh");
+  EXPECT_THAT(refusal(), HasSubstr("is also read"));
+  wish.trace.clear();
+  EXPECT_TRUE(check_retargeting(wish, at("takes.json")));
+}
+
 TEST_F(TakeRetargeting, WhatCannotBeWrittenIsSaidBefore) {
   EXPECT_TRUE(check_retargeting(wish, ""));
   wish.takes.clear();

@@ -85,6 +85,20 @@ TEST(LiveProject, UndoGoesBackToThePresetThatWasChosenToo) {
   EXPECT_EQ(work.settings().alpha, 0.7);
 }
 
+TEST(LiveProject, TheChosenBodiesStayWithAnotherPreset) {
+  Worked work;
+  work.set("active-body", "scale:1.2");
+  work.change(*work.live.with_preset("responsive", false));
+  EXPECT_EQ(work.live.preset().name, "responsive");
+  EXPECT_EQ(setting_text(work.settings(), "active-body"), "scale:1.2");
+  EXPECT_EQ(setting_text(work.settings(), "alpha"), setting_text(*preset("responsive"), "alpha"));
+  Settings small = *preset("paper");
+  small.active_body = *parse_body_choice("scale:0.8");
+  work.live.put(std::vector<OwnPreset>{{"small", small}});
+  work.change(*work.live.with_preset("small", true));
+  EXPECT_EQ(setting_text(work.settings(), "active-body"), "scale:0.8") << "that of an own preset is taken";
+}
+
 TEST(LiveProject, AnOwnPresetThatIsGoneIsNotChosenAnyMore) {
   Worked work;
   Settings calm = *preset("paper");

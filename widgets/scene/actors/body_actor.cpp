@@ -1,13 +1,8 @@
 #include "widgets/scene/actors/body_actor.hpp"
 
-#include <vtkActor.h>
 #include <vtkCellArray.h>
 #include <vtkNew.h>
 #include <vtkPointData.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 
@@ -17,36 +12,11 @@
 #include <vector>
 
 #include "widgets/scene/actors/capsule_surface.hpp"
+#include "widgets/scene/actors/surface.hpp"
 #include "widgets/scene/values/body_light.hpp"
 
 namespace abrazo::widgets {
-namespace {
-
-constexpr double outline_m = 0.006;
-
-/// Points, triangles and an actor of one closed surface.
-}  // namespace
-
 struct BodyActor::Parts {
-  struct Surface {
-    vtkNew<vtkPoints> points;
-    vtkNew<vtkPolyData> data;
-    vtkNew<vtkPolyDataMapper> mapper;
-    vtkNew<vtkActor> actor;
-
-    Surface() {
-      points->SetDataTypeToFloat();
-      data->SetPoints(points);
-      mapper->SetInputData(data);
-      actor->SetMapper(mapper);
-      actor->GetProperty()->LightingOff();
-    }
-    std::span<float> coordinates() {
-      return {static_cast<float*>(points->GetVoidPointer(0)),
-              static_cast<std::size_t>(3 * points->GetNumberOfPoints())};
-    }
-  };
-
   Outline outline;
   std::optional<CapsuleSurface> shape;
   Surface skin, hull;
@@ -74,7 +44,7 @@ void BodyActor::setRadii(const CapsuleRadii& radii) {
   vtkNew<vtkCellArray> triangles;
   for (const auto& triangle : m_parts->shape->triangles())
     triangles->InsertNextCell({triangle[0], triangle[1], triangle[2]});
-  for (Parts::Surface* surface : {&m_parts->skin, &m_parts->hull}) {
+  for (Surface* surface : {&m_parts->skin, &m_parts->hull}) {
     surface->points->SetNumberOfPoints(m_parts->shape->point_count());
     surface->data->SetPolys(triangles);
   }

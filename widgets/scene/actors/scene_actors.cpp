@@ -61,6 +61,7 @@ void SceneActors::addTo(vtkRenderer* solid, vtkRenderer* in_front, vtkRenderer* 
   m_floor.addTo(solid);
   m_leader.addTo(solid);
   m_follower.addTo(solid);
+  for (SkinActor& skin : m_skins) skin.addTo(solid);
   m_locks.addTo(solid);
   m_mesh.addTo(solid, in_front);
   for (LineSet* lines : {&m_trail_lines, &m_ahead_lines, &m_morph, &m_user, &m_selected[0], &m_selected[1],
@@ -77,6 +78,8 @@ void SceneActors::setColours(const Palette& palette, double pixel_ratio) {
   m_floor.setColour(palette.grid, palette.dark);
   m_leader.setColour(palette.active);
   m_follower.setColour(palette.passive);
+  m_skins[0].setColour(palette.active);
+  m_skins[1].setColour(palette.passive);
   const auto style = [pixel_ratio](LineSet& lines, const QColor& colour, double width, double opacity) {
     lines.setColour(colour, opacity);
     lines.setWidth(width * pixel_ratio);
@@ -106,12 +109,23 @@ void SceneActors::setRadii(const CapsuleRadii& active, const CapsuleRadii& passi
   m_contacts.setRadii(active, passive);
 }
 
+void SceneActors::setCharacters(const WornPair& characters, const std::array<Stance, 2>& stances) {
+  for (std::size_t body = 0; body < 2; ++body) m_skins[body].wear(characters[body], stances[body]);
+  setVisibility(m_visibility);
+}
+
+void SceneActors::setBodyVisible(std::size_t body, bool visible) {
+  BodyActor& capsules = body == 0 ? m_leader : m_follower;
+  capsules.setVisible(visible && !m_skins[body].wears());
+  m_skins[body].setVisible(visible);
+}
+
 void SceneActors::setVisibility(const PartVisibility& visibility) {
   m_visibility = visibility;
   const auto shown = [&visibility](ScenePart part) { return visibility[static_cast<std::size_t>(part)]; };
   m_user.setVisible(shown(ScenePart::User));
-  m_leader.setVisible(shown(ScenePart::Leader));
-  m_follower.setVisible(shown(ScenePart::Follower));
+  setBodyVisible(0, shown(ScenePart::Leader));
+  setBodyVisible(1, shown(ScenePart::Follower));
   for (std::size_t body = 0; body < 2; ++body) {
     m_selected[body].setVisible(shown(ScenePart::SelectedPair));
     m_bones[body].setVisible(shown(ScenePart::Bones));
@@ -140,6 +154,7 @@ void SceneActors::sortFor(const Vec3& eye, const Vec3& direction) {
   const BodyLight light(direction);
   m_leader.lightFor(light);
   m_follower.lightFor(light);
+  for (SkinActor& skin : m_skins) skin.lightFor(light);
   m_contacts.outlineFor(direction);
 }
 
@@ -148,11 +163,13 @@ void SceneActors::show(const FrameSnapshot& frame, const MeshLook& look) {
   // Exploded cells are seen alone, with the bones that tell where they were.
   const auto is_on = [this](ScenePart part) { return m_visibility[static_cast<std::size_t>(part)]; };
   const bool exploded = look.apart > 0 && is_on(ScenePart::Tetrahedra);
-  m_leader.setVisible(is_on(ScenePart::Leader) && !exploded);
-  m_follower.setVisible(is_on(ScenePart::Follower) && !exploded);
+  setBodyVisible(0, is_on(ScenePart::Leader) && !exploded);
+  setBodyVisible(1, is_on(ScenePart::Follower) && !exploded);
   for (LineSet& bones : m_bones) bones.setVisible(is_on(ScenePart::Bones) || exploded);
   m_leader.setPose(result.active());
   m_follower.setPose(result.passive());
+  m_skins[0].setPose(result.active(), frame.time_s);
+  m_skins[1].setPose(result.passive(), frame.time_s);
   m_user.setPoints(coordinates(frame.user));
   for (std::size_t body = 0; body < 2; ++body) {
     m_selected[body].setPoints(half(result.selected_pair, body));

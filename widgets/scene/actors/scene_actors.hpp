@@ -17,7 +17,9 @@
 #include "widgets/scene/actors/line_set.hpp"
 #include "widgets/scene/actors/mesh_actors.hpp"
 #include "widgets/scene/actors/reference_actors.hpp"
+#include "widgets/scene/actors/skin_actor.hpp"
 #include "widgets/scene/values/scene_parts.hpp"
+#include "widgets/scene/values/worn_pair.hpp"
 
 namespace abrazo::widgets {
 
@@ -33,6 +35,8 @@ class SceneActors {
   /// @param pixel_ratio device pixels per logical pixel: line widths are in logical pixels
   void setColours(const Palette& palette, double pixel_ratio);
   void setRadii(const CapsuleRadii& active, const CapsuleRadii& passive);
+  /// Skins instead of the capsules. @param stances  of the performers
+  void setCharacters(const WornPair& characters, const std::array<Stance, 2>& stances);
   void setVisibility(const PartVisibility& visibility);
 
   void show(const FrameSnapshot& frame, const MeshLook& look);
@@ -58,6 +62,7 @@ class SceneActors {
   void showMorphSteps(const FrameResult& result);
   void showFootLocks(const FrameResult& result);
   void showShadows(const FrameResult& result);
+  void setBodyVisible(std::size_t body, bool visible);
   void drawTrails(const JointTrails::Lines& trails, LineSet& lines, double strength);
 
   Palette m_palette;
@@ -67,6 +72,7 @@ class SceneActors {
 
   FloorActor m_floor;
   BodyActor m_leader, m_follower;
+  std::array<SkinActor, 2> m_skins;  ///< active, passive
   LineSet m_user;
   std::array<LineSet, 2> m_selected, m_candidate, m_bones;
   MeshActors m_mesh;

@@ -15,6 +15,7 @@
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/common/utf8.hpp"
+#include "widgets/scene/panel/character_rows.hpp"
 
 namespace abrazo::widgets {
 namespace {
@@ -27,7 +28,8 @@ SceneTree::SceneTree(QWidget* parent)
     : QWidget(parent),
       m_filter(new QLineEdit(this)),
       m_scroll(new QScrollArea(this)),
-      m_list(new SceneTreeList(this)) {
+      m_list(new SceneTreeList(this)),
+      m_characters(new CharacterRows(this)) {
   auto* column = new QVBoxLayout(this);
   column->setContentsMargins(0, 0, 0, 4);
   column->setSpacing(2);
@@ -43,6 +45,7 @@ SceneTree::SceneTree(QWidget* parent)
   m_scroll->setMinimumHeight(least_rows * SceneTreeList::row_height);
   column->addLayout(field);
   column->addWidget(m_scroll, 1);
+  column->addWidget(m_characters);
   setFocusProxy(m_list);
   connect(m_filter, &QLineEdit::textChanged, m_list, &SceneTreeList::setFilter);
   connect(m_list, &SceneTreeList::visibilityRequested, this, &SceneTree::visibilityRequested);
@@ -54,7 +57,8 @@ SceneTree::SceneTree(QWidget* parent)
 }
 
 QSize SceneTree::sizeHint() const {
-  return {260, SceneTreeList::row_height * static_cast<int>(part_rows().size()) + 38};
+  return {260, SceneTreeList::row_height * static_cast<int>(part_rows().size()) + 38 +
+                   m_characters->sizeHint().height()};
 }
 void SceneTree::setColours(const Palette& palette) {
   m_list->setColours(palette);

@@ -12,10 +12,12 @@ class QScrollArea;
 
 namespace abrazo::widgets {
 
+class CharacterRows;
 class SceneTreeList;
 
 /// The parts of the scene as a tree, with a dot to show or hide each part and its count; a character expands
-/// to its joints, which can be selected. Changes nothing itself: it emits requests.
+/// to its joints, which can be selected. Below it the files that the characters wear. Changes nothing itself:
+/// it emits requests.
 class SceneTree : public QWidget {
   Q_OBJECT
  public:
@@ -24,6 +26,7 @@ class SceneTree : public QWidget {
   void setInputName(const QString& name);
   QSize sizeHint() const override;
   SceneTreeList& list() { return *m_list; }
+  CharacterRows& characters() { return *m_characters; }
 
  public slots:
   void setVisibility(const abrazo::widgets::PartVisibility& visibility);
@@ -38,6 +41,7 @@ class SceneTree : public QWidget {
   QLineEdit* m_filter;
   QScrollArea* m_scroll;
   SceneTreeList* m_list;
+  CharacterRows* m_characters;
 };
 
 /// The painted rows of the tree.

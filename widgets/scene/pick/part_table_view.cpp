@@ -14,6 +14,7 @@
 #include <cmath>
 
 #include "widgets/common/plain_text.hpp"
+#include "widgets/common/utf8.hpp"
 
 namespace abrazo::widgets {
 namespace {

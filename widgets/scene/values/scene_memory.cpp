@@ -17,6 +17,7 @@ static_assert(part_names.back() != nullptr, "a part without a name is not rememb
 constexpr std::array<const char*, mesh_scalar_count> scalar_names = {"residual", "weight", "length_change",
                                                                      "energy"};
 constexpr std::array<const char*, 4> mouse_names = {"abrazo", "blender", "maya", "vtk"};
+constexpr std::array<const char*, 2> character_names = {"active_character", "passive_character"};
 constexpr std::array<const char*, 2> map_names = {"viridis", "cividis"};
 
 template <typename Enum, std::size_t Count>
@@ -53,6 +54,9 @@ QString text_of(const SceneMemory& memory) {
                   {"parallel", options.is_parallel},
                   {"mouse", name_of(options.navigation, mouse_names)},
                   {"reference_beside", options.shows_reference_beside}};
+  for (std::size_t body = 0; body < 2; ++body)
+    if (!options.character_files[body].empty())
+      all[character_names[body]] = QString::fromStdString(options.character_files[body]);
   if (std::isfinite(options.longest_m)) all["longest_edge_m"] = options.longest_m;
   return QJsonDocument(all).toJson(QJsonDocument::Compact);
 }
@@ -72,6 +76,8 @@ SceneMemory scene_memory_of(const QString& text) {
   read(all, "trail_s", shortest_trail_s, longest_trail_s, options.trail_s);
   read(all, "map", map_names, options.map);
   read(all, "mouse", mouse_names, options.navigation);
+  for (std::size_t body = 0; body < 2; ++body)
+    options.character_files[body] = all.value(character_names[body]).toString().toStdString();
   options.is_logarithmic = all.value("logarithmic").toBool();
   options.is_parallel = all.value("parallel").toBool();
   options.shows_reference_beside = all.value("reference_beside").toBool();

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <string>
 
 #include "widgets/scene/values/cut_plane.hpp"
 #include "widgets/scene/values/mesh_filter.hpp"
@@ -29,6 +31,8 @@ struct SceneOptions {
   bool is_logarithmic = false;  ///< two decades below the upper end, for unsigned values
   double trail_s = 1.5;
   bool shows_reference_beside = false;
+  /// Characters of other programs (GLB, VRM) that are wanted as skins, active then passive; empty = capsules.
+  std::array<std::string, 2> character_files;
 
   bool operator==(const SceneOptions&) const = default;
   CutPlane plane() const {

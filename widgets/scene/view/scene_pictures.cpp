@@ -13,6 +13,7 @@ ScenePictures::ScenePictures(QSize size, const Look& look)
     : m_size(size), m_captions(look.captions), m_look(look) {
   open(size);
   m_scene->setLibrary(look.library);
+  m_scene->setCharacters(look.characters, look.stances);
   m_scene->setColours(palette_of(look.theme));
   m_scene->setVisibility(look.visibility);
 }

@@ -10,6 +10,7 @@
 #include "core/session/frames/frame_snapshot.hpp"
 #include "widgets/common/palette.hpp"
 #include "widgets/scene/values/scene_parts.hpp"
+#include "widgets/scene/values/worn_pair.hpp"
 
 namespace abrazo::widgets {
 
@@ -25,6 +26,8 @@ class ScenePictures {
     Theme theme = Theme::Dark;
     PartVisibility visibility = default_visibility;
     bool captions = false;
+    WornPair characters;
+    std::optional<std::array<Stance, 2>> stances;  ///< of the performers; absent: measured in the library
     /// Azimuth and elevation [rad]; absent: beside the pair, turning with it.
     std::optional<std::array<double, 2>> direction;
   };

@@ -147,6 +147,7 @@ void SceneView::setLibrary(std::shared_ptr<const MotionLibrary> library) {
   p.framed = false;
   for (SteadyRange& range : p.ranges) range.reset();
   p.cell_range.reset();
+  dressCharacters();
   if (!p.library || p.library->bodies().empty()) return;
   p.actors.setRadii(p.library->usual_active_body().capsule_radii,
                     p.library->usual_passive_body().capsule_radii);
@@ -205,7 +206,8 @@ void SceneView::updateFacts() {
   const FrameResult& result = frame.result;
   const int steps = step_count(frame), step = morphStep();
   const QString way = QString::fromStdString(step_text(frame, step));
-  QString first = QString("frame %1 · %2 · morph step %3").arg(frame.index).arg(seconds(frame.time_s), way);
+  QString first = QString("frame %1 · %2").arg(frame.index).arg(seconds(frame.time_s));
+  if (steps > 1) first += " · morph step " + way;
   p.morph->showStep(step, steps, way);
   const bool filters = p.options.shortest_m > 0 || p.options.longest_m < MeshFilter::no_limit ||
                        (p.options.isolates && selection().is_of_mesh()) || !p.hidden.empty();
@@ -213,7 +215,7 @@ void SceneView::updateFacts() {
     first += QString(" · filter: %1 of %2 edges")
                  .arg(p.actors.mesh().shownEdges().size())
                  .arg(result.edges.size());
-  QString second = "no source";
+  QString second = result.candidates.empty() ? "" : "no source";
   if (p.library && result.selected >= 0) {
     const int pair = result.candidates[static_cast<std::size_t>(result.selected)].pair;
     const std::string_view label = p.library->label(pair);

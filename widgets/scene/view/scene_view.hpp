@@ -15,6 +15,7 @@
 #include "widgets/scene/values/orbit_camera.hpp"
 #include "widgets/scene/values/scene_options.hpp"
 #include "widgets/scene/values/scene_parts.hpp"
+#include "widgets/scene/values/worn_pair.hpp"
 
 namespace abrazo::widgets {
 
@@ -29,6 +30,11 @@ class SceneView : public QWidget {
   /// Provides radii of the bodies and names of sources.
   void setLibrary(std::shared_ptr<const MotionLibrary> library);
   void setColours(const Palette& palette);
+  /// Skins for the characters instead of capsules.
+  /// @param stances  of the two performers; absent: measured in the library
+  void setCharacters(const WornPair& characters,
+                     const std::optional<std::array<Stance, 2>>& stances = std::nullopt);
+  const WornPair& characters() const;
   const PartVisibility& visibility() const;
   MeshScalar scalar() const;
   const OrbitCamera& camera() const;
@@ -126,6 +132,7 @@ class SceneView : public QWidget {
   void zoom(double notches);
   void showPart(ScenePart part, bool shown);
   void refresh();
+  void dressCharacters();
   void render();
   void arrange();
   void updateFacts();

@@ -65,8 +65,10 @@ struct SceneView::Parts {
   MeshScalar scalar = MeshScalar::Residual;
   std::array<SteadyRange, mesh_scalar_count> ranges;
   SteadyRange cell_range, width_range;
-  FrameSnapshotPtr frame;  ///< as solved
-  FrameSnapshotPtr shown;  ///< at the shown morph step
+  WornPair characters;
+  std::optional<std::array<Stance, 2>> stances;  ///< absent: those of the library
+  FrameSnapshotPtr frame;                        ///< as solved
+  FrameSnapshotPtr shown;                        ///< at the shown morph step
   std::optional<int> step;
   std::shared_ptr<const MotionLibrary> library;
   std::optional<PairPose> recorded;           ///< of the library, browsed or played

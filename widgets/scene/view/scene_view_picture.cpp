@@ -22,6 +22,7 @@ void SceneView::showAs(const SceneView& other, bool captions) {
   Parts& p = *m_parts;
   const Parts& o = *other.m_parts;
   setLibrary(o.library);
+  setCharacters(o.characters, o.stances);
   setColours(o.palette);
   p.hidden = o.hidden;
   p.following = false;  // while the options come: they would move the camera
