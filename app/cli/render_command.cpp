@@ -31,8 +31,7 @@ bool has_display() {
 
 Result<int> run(const RenderOptions& options, bool quiet) {
   if (const Status usable = check_render(options); !usable) return usable.error();
-  if (const Status usable = check_output(options.output, inputs_of(options)); !usable)
-    return usable.error();
+  if (const Status usable = check_output(options.output, inputs_of(options)); !usable) return usable.error();
   const auto program = renderer();
   if (!program) return program.error();
   ChildProcess::Start start;
