@@ -29,7 +29,7 @@ class Annotating : public DemoWindow {
     if (auto* picker = open_picker()) QTest::keyClick(picker->findChild<QLineEdit*>(), Qt::Key_Escape);
     desk().showSubject(take());
     empty();
-    desk().setConflict(Conflict::Replace);
+    window().document().setConflict(Conflict::Replace);
     ticker().setRange(0, 0);
     ticker().setLoop(false);
     ticker().setSpeed(1);
@@ -45,31 +45,31 @@ class Annotating : public DemoWindow {
   static const MotionLibrary& library() { return *window().session()->material().library; }
   static std::string take() { return library().takes().front().name; }
   static const AnnotationTier& tier(TierKind kind = TierKind::Move) {
-    return *desk().annotations().first_of(kind);
+    return *window().document().annotations().first_of(kind);
   }
   static const std::vector<Annotation>& labels(TierKind kind = TierKind::Move) {
     return tier(kind).annotations;
   }
   /// No label in any tier; moves "one" and "two" have the keys 1 and 2, and are active.
   static void empty() {
-    Annotations next = desk().annotations();
+    Annotations next = window().document().annotations();
     const auto tiers = next.tiers();
     for (const AnnotationTier& each : tiers)
       for (const Annotation& label : each.annotations) ASSERT_TRUE(next.remove(label.id));
     const int moves = next.first_of(TierKind::Move)->id;
     ASSERT_TRUE(next.set_vocabulary(moves, {{"one", "", {}, '1'}, {"two", "", {}, '2'}}));
-    desk().change(next, "empty");
-    desk().setActiveTier(moves);
-    desk().select(0);
+    window().document().changeAnnotations(next, "empty");
+    window().document().chooseTier(moves);
+    window().document().selectLabel(0);
   }
   static int add(double from_s, double to_s, const std::string& value) {
-    Annotations next = desk().annotations();
+    Annotations next = window().document().annotations();
     const auto id = next.draw(tier().id, from_s, to_s, value, Conflict::Replace, desk().range());
     EXPECT_TRUE(id);
-    desk().change(next, "draw");
+    window().document().changeAnnotations(next, "draw");
     return *id;
   }
-  static const Annotation& label(int id) { return *desk().annotations().find(id); }
+  static const Annotation& label(int id) { return *window().document().annotations().find(id); }
 
   static QPoint at(double time_s, int tier) {
     return {static_cast<int>(std::lround(timeline().axis().x(time_s))),
@@ -180,15 +180,15 @@ TEST_F(Annotating, AnEdgeSnapsToTheCursorUnlessAltIsHeld) {
 
 TEST_F(Annotating, WhatIsInTheWayIsCutPushedOrRefuses) {
   const int first = add(3, 5, "one"), second = add(6, 8, "two");
-  desk().setConflict(Conflict::Refuse);
+  window().document().setConflict(Conflict::Refuse);
   drag(5, 7);
   EXPECT_NEAR(label(first).end_s, 5, 1e-9);
-  desk().setConflict(Conflict::Push);
+  window().document().setConflict(Conflict::Push);
   drag(5, 7);
   EXPECT_NEAR(label(second).start_s, 7, 0.05);
   EXPECT_NEAR(label(second).duration_s(), 2, 1e-6);
   press(Qt::Key_Z, Qt::ControlModifier);
-  desk().setConflict(Conflict::Replace);
+  window().document().setConflict(Conflict::Replace);
   drag(5, 7);
   EXPECT_NEAR(label(second).start_s, 7, 0.05);
   EXPECT_NEAR(label(second).end_s, 8, 1e-6);
@@ -198,7 +198,7 @@ TEST_F(Annotating, ReturnEditsWhatIsSelectedAndDelRemovesIt) {
   const int id = add(3, 5, "one");
   QTest::mouseClick(&timeline(), Qt::LeftButton, {}, at(4, tier().id));
   turn();
-  EXPECT_EQ(desk().selected(), id);
+  EXPECT_EQ(window().document().labels().selected(), id);
   EXPECT_NEAR(ticker().playback().cursor_s, 4, 0.05) << "a click goes there, as anywhere";
   key(Qt::Key_Return);
   type(Qt::Key_2);
@@ -212,7 +212,7 @@ TEST_F(Annotating, ReturnEditsWhatIsSelectedAndDelRemovesIt) {
 
 TEST_F(Annotating, WhatIsTypedIsCompletedFromTheVocabulary) {
   const int id = add(3, 5, "one");
-  desk().select(id);
+  window().document().selectLabel(id);
   key(Qt::Key_F2);
   ASSERT_TRUE(open_picker());
   QTest::keyClicks(open_picker()->findChild<QLineEdit*>(), "tw");
@@ -223,12 +223,12 @@ TEST_F(Annotating, WhatIsTypedIsCompletedFromTheVocabulary) {
 
 TEST_F(Annotating, KeysSplitMergeExtendAndNudge) {
   const int id = add(3, 5, "one");
-  desk().select(id);
+  window().document().selectLabel(id);
   ticker().seek(4);
   turn();
   key(Qt::Key_S);
   ASSERT_EQ(labels().size(), 2u);
-  desk().select(id);
+  window().document().selectLabel(id);
   key(Qt::Key_S, Qt::ShiftModifier);
   EXPECT_EQ(labels().size(), 1u);
   EXPECT_NEAR(label(id).end_s, 5, 1e-9);
@@ -275,7 +275,7 @@ TEST_F(Annotating, AKeyAtAStandingCursorSaysItFromThereOn) {
 
 TEST_F(Annotating, AKeyGivesTheSelectedLabelItsValue) {
   const int id = add(3, 5, "one");
-  desk().select(id);
+  window().document().selectLabel(id);
   key(Qt::Key_2);
   EXPECT_EQ(label(id).value, "two");
   EXPECT_EQ(labels().size(), 1u);
@@ -350,11 +350,11 @@ TEST_F(Annotating, TheRoleChangesAtTheCursor) {
 }
 
 TEST_F(Annotating, TheLibraryOfTheRunningSessionFollows) {
-  Annotations next = desk().annotations();
+  Annotations next = window().document().annotations();
   ASSERT_TRUE(next.draw(tier().id, 0, 4, "one", Conflict::Replace, desk().range()));
   ASSERT_TRUE(next.draw(next.first_of(TierKind::Role)->id, 0, desk().range().last_s, "b", Conflict::Replace,
                         desk().range()));
-  desk().change(next, "label");
+  window().document().changeAnnotations(next, "label");
   until([] { return desk().feed().isIdle(); });
   const LibraryTake& about = library().takes().front();
   ASSERT_FALSE(about.labels.empty());
@@ -376,8 +376,8 @@ TEST_F(Annotating, UndoReachesIntoASubjectThatIsNotShown) {
   desk().showSubject("");
   turn();
   press(Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(desk().subject(), "") << "it does not take anybody away";
-  const Annotations& of_take = desk().annotations_of(take());
+  EXPECT_EQ(window().document().subject(), "") << "it does not take anybody away";
+  const Annotations& of_take = window().document().live().annotations().of(take());
   EXPECT_TRUE(of_take.first_of(TierKind::Move)->annotations.empty());
   press(Qt::Key_Y, Qt::ControlModifier);
   EXPECT_EQ(of_take.first_of(TierKind::Move)->annotations.size(), 1u);
@@ -388,7 +388,7 @@ TEST_F(Annotating, TheSessionItselfIsLabelledWhileItIsLive) {
   ticker().follow();
   turn();
   timeline().setFocus();
-  const AnnotationTier& moves = *desk().annotations().first_of(TierKind::Move);
+  const AnnotationTier& moves = *window().document().annotations().first_of(TierKind::Move);
   ASSERT_FALSE(moves.vocabulary.empty());
   QTest::keyPress(&timeline(), Qt::Key_1);
   const double from = ticker().playback().cursor_s;
@@ -453,9 +453,9 @@ TEST_F(Annotating, LabelFilesComeInAsOneStep) {
 
 TEST_F(Annotating, TheListOfTakesAsksForATake) {
   emit window().takes().annotateRequested(1);
-  EXPECT_EQ(desk().subject(), library().takes()[1].name);
+  EXPECT_EQ(window().document().subject(), library().takes()[1].name);
   press(Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
-  EXPECT_EQ(desk().subject(), "");
+  EXPECT_EQ(window().document().subject(), "");
 }
 
 }  // namespace

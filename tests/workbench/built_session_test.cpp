@@ -91,16 +91,16 @@ class BuiltSession : public DemoWindow {
   /// As a person draws a move of a take.
   static void annotate(const std::string& take) {
     annotations().showSubject(take);
-    Annotations next = annotations().annotations();
+    Annotations next = window().document().annotations();
     int note = 0;
     for (const AnnotationTier& tier : next.tiers())
       if (tier.kind == TierKind::Note) note = tier.id;
     ASSERT_TRUE(next.draw(note, 0.2, 0.6, "mind the elbow", Conflict::Replace, annotations().range()));
-    annotations().change(next, "draw");
+    window().document().changeAnnotations(next, "draw");
   }
   static std::size_t notes_of(const std::string& take) {
     std::size_t count = 0;
-    for (const AnnotationTier& tier : annotations().annotations_of(take).tiers())
+    for (const AnnotationTier& tier : window().document().live().annotations().of(take).tiers())
       if (tier.kind == TierKind::Note) count += tier.annotations.size();
     return count;
   }
@@ -146,7 +146,7 @@ TEST_F(BuiltSession, IsWholeAgainAfterAQuitWithoutTheLibraryAsAFile) {
   EXPECT_EQ(warnings(), "");
   EXPECT_EQ(notes_of("one"), 1U);
   annotations().showSubject("one");
-  EXPECT_EQ(annotations().subject(), "one") << "and can be reached";
+  EXPECT_EQ(window().document().subject(), "one") << "and can be reached";
 }
 
 TEST_F(BuiltSession, MayBeSavedWithItsLibraryBesideIt) {
@@ -189,7 +189,7 @@ TEST_F(BuiltSession, WithoutItsMotionFilesAsksForThemAndListsWhatWasSaidOfTheirT
   EXPECT_NE(warnings().find("of one are kept, and not shown"), std::string::npos) << warnings();
   EXPECT_TRUE(annotations().panel().subjects().contains("one (not in the library)"));
   annotations().showSubject("one");
-  EXPECT_EQ(annotations().subject(), "");
+  EXPECT_EQ(window().document().subject(), "");
   EXPECT_NE(said().find("open the session together with its library"), std::string::npos) << said();
   // What cannot be shown is saved with the rest.
   desk().save();

@@ -157,7 +157,7 @@ void compare(MainWindow& window) {
 void annotate(MainWindow& window, Pictures& pictures) {
   auto& desk = *window.findChild<AnnotationDesk*>();
   desk.showSubject(desk.library()->takes().front().name);
-  Annotations next = desk.annotations();
+  Annotations next = window.document().annotations();
   const AnnotationTier moves = *next.first_of(TierKind::Move);
   const double middle_s = desk.range().last_s / 2;
   std::vector<Suggestion> suggested;
@@ -165,8 +165,8 @@ void annotate(MainWindow& window, Pictures& pictures) {
     if (each.start_s > middle_s && next.remove(each.id))
       suggested.push_back({0, moves.id, each.start_s, each.end_s, each.value, 0.8, ""});
   next.suggest(std::span(&moves.id, 1), suggested);
-  desk.change(next, "show");
-  desk.select(next.tier(moves.id)->annotations.back().id);
+  window.document().changeAnnotations(next, "show");
+  window.document().selectLabel(next.tier(moves.id)->annotations.back().id);
   window.ticker().seek(middle_s);
   wait(2000);
   pictures.window("annotation");

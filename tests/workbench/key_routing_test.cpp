@@ -117,8 +117,7 @@ TEST_F(Routing, DigitsAreLabelsInATimelineThatHasTheFocusAndViewsInTheScene) {
   QTest::qWait(400);
   ticker().pause();
   const auto labels = [] {
-    const AnnotationTier* moves =
-        window->findChild<AnnotationDesk*>()->annotations().first_of(TierKind::Move);
+    const AnnotationTier* moves = window->document().annotations().first_of(TierKind::Move);
     return moves ? moves->annotations : std::vector<Annotation>();
   };
   ASSERT_TRUE(labels().empty());

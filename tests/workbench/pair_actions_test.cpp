@@ -192,7 +192,7 @@ TEST_F(PairActions, ANameThatTheLibraryHasIsAskedForAgainAndNothingIsLost) {
 TEST_F(PairActions, ATakeAndALabelThatComeAtTheSameTimeAreBothInTheLibrary) {
   auto& desk = *window().findChild<AnnotationDesk*>();
   desk.showSubject(library()->takes().front().name);
-  Annotations next = desk.annotations();
+  Annotations next = window().document().annotations();
   const int moves = next.first_of(TierKind::Move)->id;
   ASSERT_TRUE(next.draw(moves, 0, 1, "said meanwhile", Conflict::Replace, desk.range()));
   PairedTake take = *s_dance;
@@ -200,7 +200,7 @@ TEST_F(PairActions, ATakeAndALabelThatComeAtTheSameTimeAreBothInTheLibrary) {
   take.labels.clear();
   take.roles = {{0, static_cast<int>(take.a.poses.size()), ActivePerformer::A}};
   QSignalSpy extended(&pairs(), &PairDesk::extended);
-  desk.change(next, "label");
+  window().document().changeAnnotations(next, "label");
   pairs().extend(take);
   ASSERT_TRUE(until([&] { return extended.count() == 1 && desk.feed().isIdle(); }, patience_ms))
       << window().messages().text().toStdString();

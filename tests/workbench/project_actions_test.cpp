@@ -64,17 +64,17 @@ class ProjectActions : public DemoWindow {
   }
   /// As a person draws an interval: a step of undo.
   static void annotate(double from_s, double to_s, const char* value) {
-    Annotations next = annotations().annotations_of("");
+    Annotations next = window().document().live().annotations().of("");
     int tier = next.tiers().empty() ? 0 : next.tiers().front().id;
     if (tier == 0) tier = *next.add_tier("notes", TierKind::Note, {});
     for (const AnnotationTier& each : next.tiers())
       if (each.kind == TierKind::Note) tier = each.id;
     ASSERT_TRUE(next.draw(tier, from_s, to_s, value, Conflict::Replace, {0, 1e6}));
-    annotations().change(next, "draw");
+    window().document().changeAnnotations(next, "draw");
   }
   static std::size_t annotated() {
     std::size_t count = 0;
-    for (const AnnotationTier& tier : annotations().annotations_of("").tiers())
+    for (const AnnotationTier& tier : window().document().live().annotations().of("").tiers())
       count += tier.annotations.size();
     return count;
   }
@@ -168,10 +168,10 @@ TEST_F(ProjectActions, ARecordingMadeAfterATakeWasAnnotatedIsOpenedAgain) {
   const auto library = window().session()->material().library;
   const LibraryTake& take = library->takes().front();
   annotations().showSubject(take.name);
-  Annotations next = annotations().annotations();
+  Annotations next = window().document().annotations();
   const int moves = next.first_of(TierKind::Move)->id;
   ASSERT_TRUE(next.draw(moves, 0.2, 0.6, "something new", Conflict::Replace, annotations().range()));
-  annotations().change(next, "draw");
+  window().document().changeAnnotations(next, "draw");
   ASSERT_TRUE(until([&] { return window().session()->material().library != library; }));
   annotations().showSubject("");
   const auto annotated = window().session()->material().library;
@@ -218,7 +218,7 @@ TEST_F(ProjectActions, TakesAreRecordedIntoTheFileOfTheProjectAndItIsSavedMeanwh
   EXPECT_TRUE(window().messages().openErrors().isEmpty()) << window().messages().text().toStdString();
   EXPECT_FALSE(is_modified());
   EXPECT_EQ(load_project(file("both.abrazo").toStdString())->annotations.at(""),
-            annotations().annotations_of(""));
+            window().document().live().annotations().of(""));
   takes().toggle();
   const auto session = SessionFile::open(file("both.abrazo").toStdString());
   ASSERT_TRUE(session);

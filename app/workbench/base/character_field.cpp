@@ -2,10 +2,10 @@
 
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QLineEdit>
 
 #include "app/workbench/base/choose_button.hpp"
+#include "widgets/common/parts.hpp"
 
 namespace abrazo::app {
 
@@ -13,13 +13,12 @@ CharacterField::CharacterField(QWidget* parent) : QWidget(parent) {
   const QString name = "Character";
   m_path = new QLineEdit(this);
   m_path->setPlaceholderText("none: the 25 joints");
-  m_path->setToolTip("A humanoid of another program (GLB, VRM) that performs the motion with its bones");
-  m_path->setAccessibleName(name);
+  widgets::describe(*m_path, name,
+                    "A humanoid of another program (GLB, VRM) that performs the motion with its bones");
   m_path->setClearButtonEnabled(true);
   setFocusProxy(m_path);
   auto* choose = choose_button(name, this);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = widgets::row_in(this);
   row->addWidget(m_path, 1);
   row->addWidget(choose);
   connect(m_path, &QLineEdit::textChanged, this, &CharacterField::changed);

@@ -43,7 +43,9 @@ Job::Job(Work work, QObject* parent) : QObject(parent) {
     } catch (const std::bad_alloc&) {
       finish = [this] {
         if (!m_cancelled)
-          tell("There is not enough memory for it; close other programs, or do less at the same time.");
+          tell(
+              "There is not enough memory for this; close other programs, or run fewer jobs at the same "
+              "time.");
       };
     } catch (const std::exception& failure) {
       finish = [this, text = QString::fromUtf8(failure.what())] {
@@ -63,7 +65,8 @@ Job::Job(Work work, QObject* parent) : QObject(parent) {
 }
 
 void Job::retire(std::unique_ptr<Job> job, QObject* owner) {
-  if (!job || job->m_finished) return;
+  if (!job) return;
+  if (job->m_finished) return job.release()->deleteLater();  // it may be what calls
   job->m_retired = true;
   job->cancel();
   job->disconnect();

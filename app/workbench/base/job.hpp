@@ -29,8 +29,8 @@ class Job : public QObject {
   /// Sets the handler of unexpected failures of jobs, such as lack of memory: called on the thread of the job
   /// instead of its result; not for cancelled jobs.
   static void tellFailures(std::function<void(const QString&)> to);
-  /// Abandons a job without waiting and drops its result: it is destroyed when its work ends, at the latest
-  /// with `owner`.
+  /// Frees a finished job, also from a handler of its signals. Abandons a running one without waiting and
+  /// drops its result: it is destroyed when its work ends, at the latest with `owner`.
   static void retire(std::unique_ptr<Job> job, QObject* owner);
 
  signals:

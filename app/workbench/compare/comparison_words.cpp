@@ -50,7 +50,7 @@ QString note_of(const Comparison& comparison) {
                 .arg(comparison.steps.size())
                 .arg(in_seconds(length_s, 1), in_seconds(comparison.task.from_s, 2));
   if (comparison.task.follows_live)
-    note = QString("The last %1 with these settings, %2 steps; the runs parted at %3.")
+    note = QString("The last %1 with these settings, %2 steps; the runs differ from %3.")
                .arg(in_seconds(length_s, 1))
                .arg(comparison.steps.size())
                .arg(in_seconds(comparison.task.from_s, 1));

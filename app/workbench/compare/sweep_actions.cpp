@@ -2,7 +2,6 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QMenu>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <thread>
 #include <vector>
@@ -15,6 +14,7 @@
 #include "core/base/atomic_file.hpp"
 #include "core/evaluation/sweep/sweep_report.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/settings/settings_panel.hpp"
 #include "widgets/sweep/sweep_form.hpp"
 #include "widgets/sweep/sweep_panel.hpp"
@@ -116,8 +116,7 @@ void add_sweep_actions(MainWindow& window) {
   dialog->setObjectName("sweep");
   dialog->setWindowTitle("Sweep two settings");
   dialog->resize(720, 700);
-  auto* column = new QVBoxLayout(dialog);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = widgets::column_in(dialog);
   auto* panel = new SweepPanel(dialog);
   column->addWidget(panel);
   auto* run = new SweepRun(&window);

@@ -107,7 +107,7 @@ void SweepRun::start(const Sweep& sweep, const std::vector<std::string>& takes) 
   m_job = std::make_unique<Job>([this, run, sweep, takes, library = m_library,
                                  data = m_data](const Progress& progress) mutable -> Job::Finish {
     stand_back();
-    report(progress, 0, "gathering the takes");
+    report(progress, 0, "collecting the takes");
     if (!data) {
       auto gathered = evaluation_data_of(library);
       if (!gathered) return [this, text = words(gathered.error())] { end(text); };

@@ -24,8 +24,8 @@ class DocumentStep : public QUndoCommand {
   DocumentStep(Document& document, ProjectEdit edit)
       : QUndoCommand(QString::fromStdString(edit.what)), m_document(document), m_edit(std::move(edit)) {}
 
-  void redo() override { put(m_edit.after); }
-  void undo() override { put(m_edit.before); }
+  void redo() override { setObsolete(!m_document.apply(m_edit, m_edit.after)); }
+  void undo() override { setObsolete(!m_document.apply(m_edit, m_edit.before)); }
   int id() const override { return m_edit.gesture > 0 ? 1 : -1; }
   bool mergeWith(const QUndoCommand* other) override {
     const auto* next = dynamic_cast<const DocumentStep*>(other);
@@ -36,10 +36,6 @@ class DocumentStep : public QUndoCommand {
   }
 
  private:
-  void put(const ProjectValue& value) {
-    m_document.m_live.is_valid(m_edit) ? m_document.put(value) : setObsolete(true);
-  }
-
   Document& m_document;
   ProjectEdit m_edit;
 };
@@ -53,6 +49,14 @@ void Document::change(const ProjectValue& next, const QString& what, const QStri
   edit->key = key.toStdString();
   edit->gesture = gesture;
   m_undo.push(new DocumentStep(*this, std::move(*edit)));
+}
+
+bool Document::apply(const ProjectEdit& edit, const ProjectValue& value) {
+  if (!m_live.is_valid(edit)) return false;
+  put(value);
+  if (const auto* said = std::get_if<SubjectAnnotations>(&value))
+    emit annotated(said->subject, QString::fromStdString(edit.what));
+  return true;
 }
 
 void Document::take(const Result<ChosenSettings>& next, const QString& what, const QString& key,
@@ -86,6 +90,34 @@ void Document::changeMarkers(const Markers& next, const QString& what) {
   if (m_session) change(SubjectMarkers{m_subject, next}, what);
 }
 
+void Document::changeAnnotations(const Annotations& next, const QString& what) {
+  if (m_session) change(SubjectAnnotations{m_subject, next}, what);
+}
+
+bool Document::edit(const Result<LabelEdit>& edit) {
+  if (!edit) {
+    emit labelRefused(words(edit.error()));
+    return false;
+  }
+  changeAnnotations(edit->next, QString::fromStdString(edit->what));
+  if (edit->tier) chooseTier(*edit->tier);
+  if (edit->selected) selectLabel(*edit->selected);
+  return true;
+}
+
+void Document::chooseTier(int tier) {
+  if (m_labels.choose_tier(annotations(), tier)) emit labelChosen();
+}
+
+void Document::selectLabel(int annotation) {
+  if (m_labels.select(annotations(), annotation)) emit labelChosen();
+}
+
+void Document::setConflict(Conflict conflict) {
+  m_labels.set_conflict(conflict);
+  emit labelChosen();
+}
+
 bool Document::controlRole(RoleControl by) {
   const Status possible = m_session ? m_session->engine().control_role(by) : Status(Done{});
   possible ? put(by) : emit refused(words(possible.error()));
@@ -116,6 +148,7 @@ void Document::decide(const Decisions& next, const QString& what, bool is_parked
 void Document::openSession(PreparedSolver prepared) {
   beginSession(std::move(prepared));
   emit began();
+  emit annotationsReplaced();
   const Material& material = m_session->material();
   if (material.recorded) openRecording(*material.recorded);
   if (material.project) openProject(*material.project);
@@ -140,7 +173,8 @@ void Document::beginSession(PreparedSolver prepared) {
   endSession();
   m_session = std::make_unique<LiveSession>(std::move(prepared));
   m_subject.clear();
-  const auto changed = m_live.begin_session(same_library);
+  const auto changed = m_live.begin_session(*m_session->material().library, same_library);
+  m_labels.begin(annotations());
   tellSolver(ProjectPart::Settings);  // they may have changed while it was prepared
   tellSolver(ProjectPart::Decisions);
   announce(changed);
@@ -155,15 +189,20 @@ void Document::openRecording(const RecordedSession& recorded) {
 void Document::openProject(const OpenedProject& opened) {
   const Project& saved = opened.project();
   if (!opened.reading.is_saved) {
-    if (!saved.annotations.empty()) emit annotationsOpened(saved.annotations);
+    if (!saved.annotations.empty()) openAnnotations(saved.annotations);
     return;
   }
   announce(m_live.open(saved));
   controlRole(saved.decisions.role_control);
-  emit annotationsOpened(saved.annotations);
+  openAnnotations(saved.annotations);
   QStringList videos;
   for (const std::string& place : opened.video_places()) videos << QString::fromStdString(place);
   emit videosOpened(saved.videos, videos);
+}
+
+void Document::openAnnotations(const AnnotationBook& book) {
+  announce(m_live.open_annotations(book, *m_session->material().library));
+  emit annotationsReplaced();
 }
 
 void Document::replaceSolver(PreparedSolver prepared) {
@@ -179,12 +218,16 @@ void Document::setSubject(const std::string& subject) {
   if (subject == m_subject) return;
   tryPin({});
   m_subject = subject;
+  if (m_session) m_live.begin_annotations(subject, *m_session->material().library);
+  m_labels.begin(annotations());
   emit subjectChanged();
   emit changed(ProjectPart::Markers);
+  emit annotationsReplaced();
 }
 
 void Document::announce(const LiveProject::Parts& parts) {
   for (const ProjectPart part : parts) {
+    if (part == ProjectPart::Annotations) m_labels.settle(annotations());
     tellSolver(part);
     emit changed(part);
   }

@@ -9,13 +9,14 @@
 #include <utility>
 
 #include "app/workbench/document/live_session.hpp"
+#include "core/annotation/label_selection.hpp"
 #include "core/session/edit/live_project.hpp"
 
 namespace abrazo::app {
 
 /// The live project of the window, and the session that it runs on: the one owner of settings, decisions,
-/// role control and markers. Views listen to `changed` and request changes here; changes are passed to the
-/// solver. LiveProject has the rules of each part.
+/// role control, markers and annotations. Views listen to `changed` and request changes here; changes are
+/// passed to the solver. LiveProject has the rules of each part.
 class Document : public QObject {
   Q_OBJECT
  public:
@@ -29,6 +30,9 @@ class Document : public QObject {
   const Decisions& decisions() const { return project().decisions; }
   /// Of the shown subject.
   const Markers& markers() const { return m_live.markers(m_subject); }
+  /// Of the shown subject, with what is active and selected in them.
+  const Annotations& annotations() const { return m_live.annotations().of(m_subject); }
+  const LabelSelection& labels() const { return m_labels; }
   QUndoStack& undoStack() { return m_undo; }
 
   /// Changes a part as an undo step; no effect if nothing changes.
@@ -40,6 +44,15 @@ class Document : public QObject {
   void adopt(const Settings& settings, const QString& what);
   /// Markers of the shown subject.
   void changeMarkers(const Markers& next, const QString& what);
+  /// Annotations of the shown subject. @param what "draw turn": for menu and message
+  void changeAnnotations(const Annotations& next, const QString& what);
+  /// The same, with what the edit selects. An Error is passed on by `labelRefused`. @return whether it was
+  /// done
+  bool edit(const Result<LabelEdit>& edit);
+  void chooseTier(int tier);
+  /// @param annotation  0 = none
+  void selectLabel(int annotation);
+  void setConflict(Conflict conflict);
 
   /// Changes without an undo step, see LiveProject::put.
   template <typename... Value>
@@ -85,24 +98,34 @@ class Document : public QObject {
   void subjectChanged();
   void triedPinChanged();
   void refused(const QString& why);
+  void labelRefused(const QString& why);
+  /// The active tier, the selected label or the conflict rule is another one.
+  void labelChosen();
+  /// Annotations of one subject changed, perhaps of one that is not shown. @param what the edit, done or
+  /// undone
+  void annotated(const std::string& subject, const QString& what);
+  /// Other annotations are shown: those of another subject, session or project.
+  void annotationsReplaced();
   void libraryReplaced(const std::shared_ptr<const abrazo::MotionLibrary>& before,
                        const std::shared_ptr<const abrazo::MotionLibrary>& after);
-  /// Annotations of an opened project, for their owner.
-  void annotationsOpened(const abrazo::AnnotationBook& book);
   void videosOpened(const std::vector<abrazo::ProjectVideo>& videos, const QStringList& files);
 
  private:
   friend class DocumentStep;
+  /// Does or undoes an edit. @return false, without a change, if it no longer applies
+  bool apply(const ProjectEdit& edit, const ProjectValue& value);
   void announce(const LiveProject::Parts& parts);
   void tellSolver(ProjectPart part);
   void beginSession(PreparedSolver prepared);
   void openRecording(const RecordedSession& recorded);
   void openProject(const OpenedProject& opened);
+  void openAnnotations(const AnnotationBook& book);
   void take(const Result<ChosenSettings>& next, const QString& what, const QString& key, int gesture);
 
   LiveProject m_live;
   QUndoStack m_undo;
   std::string m_subject;
+  LabelSelection m_labels;
   std::optional<int> m_triedPin;
   std::unique_ptr<LiveSession> m_session;
 };

@@ -27,6 +27,11 @@ LibraryFeed::LibraryFeed(Document& document, QObject* parent) : QObject(parent),
   m_soon.setSingleShot(true);
   m_soon.setInterval(settle_ms);
   connect(&m_soon, &QTimer::timeout, this, &LibraryFeed::begin);
+  connect(&document, &Document::ending, this, &LibraryFeed::forget);
+  connect(&document, &Document::annotated, this, &LibraryFeed::put);
+  connect(&document, &Document::opened, this, [this] {
+    for (const auto& [subject, annotations] : m_document.live().annotations().all()) put(subject);
+  });
 }
 
 LibraryFeed::~LibraryFeed() = default;
@@ -37,9 +42,10 @@ void LibraryFeed::forget() {
   Job::retire(std::move(m_job), this);
 }
 
-void LibraryFeed::put(const std::string& take, const Annotations& annotations) {
-  if (!m_document.session()) return;
-  const auto waits = m_updates.put(*m_document.session()->material().library, take, annotations);
+void LibraryFeed::put(const std::string& take) {
+  if (take.empty() || !m_document.session()) return;
+  const auto waits = m_updates.put(*m_document.session()->material().library, take,
+                                   m_document.live().annotations().of(take));
   if (!waits) return emit failed(words(waits.error()) + "; the library keeps the roles it has until then");
   if (*waits) m_soon.start();
 }

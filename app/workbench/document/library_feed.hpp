@@ -12,25 +12,24 @@ namespace abrazo::app {
 
 class Job;
 
-/// Writes annotations of takes into the library of the running session on a worker; only the newest are used.
-/// The document continues with the result.
+/// Writes annotations of takes into the library of the running session on a worker, shortly after they
+/// change; only the newest are used. The document continues with the result.
 class LibraryFeed : public QObject {
   Q_OBJECT
  public:
   explicit LibraryFeed(Document& document, QObject* parent = nullptr);
   ~LibraryFeed() override;
 
-  /// An invalid role is reported once by `failed`.
-  void put(const std::string& take, const Annotations& annotations);
   /// Nothing is pending.
   bool isIdle() const { return m_updates.is_idle(); }
-  /// Drops pending updates, which belong to a closed session or project.
-  void forget();
 
  signals:
+  /// A role of a take is invalid, or the library cannot be made.
   void failed(const QString& why);
 
  private:
+  void put(const std::string& take);
+  void forget();
   void begin();
 
   Document& m_document;

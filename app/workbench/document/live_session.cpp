@@ -50,6 +50,17 @@ void LiveSession::lookAt(const std::shared_ptr<const FrameStore>& frames) {
   m_lookedAt->latest.publish(frames->frame(frames->span().last_index));
 }
 
+RecordingFacts LiveSession::facts() const {
+  RecordingFacts facts;
+  facts.library_path = m_material.library_file;
+  facts.library_name = m_material.library->name();
+  facts.library_pairs = static_cast<std::uint64_t>(m_material.library->pair_count());
+  facts.library = m_material.library;
+  facts.excluded_takes = m_material.excluded_takes;
+  facts.input = "clip:" + m_material.input.name;
+  return facts;
+}
+
 void LiveSession::setLibraryFile(const std::shared_ptr<const MotionLibrary>& library,
                                  const std::string& file) {
   if (const auto recorder = m_engine.recorder()) recorder->set_library_path(library, file);

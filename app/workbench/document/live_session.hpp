@@ -28,6 +28,8 @@ class LiveSession {
   void lookAt(const std::shared_ptr<const FrameStore>& frames);
   bool looksElsewhere() const { return m_lookedAt != nullptr; }
   const Material& material() const { return m_material; }
+  /// What a recording of it says about its origin.
+  RecordingFacts facts() const;
   /// Sets the file of the library after it was written; ignored if the library was replaced meanwhile.
   void setLibraryFile(const std::shared_ptr<const MotionLibrary>& library, const std::string& file);
   /// Continues the session with another solver from the next frame on, e.g. after a take was added to the

@@ -73,8 +73,8 @@ void start(MainWindow& window, ExportDialog& dialog, ExportDesk& desk) {
 
 }  // namespace
 
-void add_export_actions(MainWindow& window, ExportSources sources) {
-  auto* desk = new ExportDesk(window, std::move(sources));
+void add_export_actions(MainWindow& window, std::function<RecordedTakes()> takes) {
+  auto* desk = new ExportDesk(window, std::move(takes));
   auto* dialog = new ExportDialog(&window);
   QMenu* menu = menu_of(window, "File");
   const auto show = [&window, dialog, desk](bool labels) {
@@ -82,7 +82,7 @@ void add_export_actions(MainWindow& window, ExportSources sources) {
     dialog->offer(desk->offer());
     dialog->setFolder(window.remembered().lastFolder());
     dialog->restore(last_choices(window).value("choices").toStringList());
-    if (labels) dialog->chooseLabels(desk->subject());
+    if (labels) dialog->chooseLabels(QString::fromStdString(window.document().subject()));
     dialog->show();
     dialog->activateWindow();
   };

@@ -36,8 +36,8 @@ double rate_of(const FrameHistory& history) {
 
 }  // namespace
 
-ExportDesk::ExportDesk(MainWindow& window, ExportSources sources)
-    : QObject(&window), m_window(window), m_sources(std::move(sources)) {
+ExportDesk::ExportDesk(MainWindow& window, std::function<RecordedTakes()> takes)
+    : QObject(&window), m_window(window), m_takes(std::move(takes)) {
   m_bar = new widgets::OfferBar;
   window.colour(m_bar);
   window.addBelowMessages(m_bar);
@@ -66,7 +66,7 @@ ExportOffer ExportDesk::offer() const {
     offer.range = playback.range();
     offer.cursor_s = m_window.ticker().shown() ? m_window.ticker().shown()->time_s : playback.cursor_s;
   }
-  const RecordedTakes takes = m_sources.takes();
+  const RecordedTakes takes = m_takes();
   for (const RecordedTake& take : takes.all())
     offer.takes.push_back({QString::fromStdString(take.name), {take.from_s, take.to_s}, 0});
   for (const LibraryTake& take : material.library->takes())
@@ -91,12 +91,12 @@ RunningExport ExportDesk::running(const ExportWish& wish) const {
   running.library = material.library;
   running.library_name = material.library_file.empty() ? material.library->name() : material.library_file;
   running.input = material.input.name;
-  const RecordedTakes takes = m_sources.takes();
+  const RecordedTakes takes = m_takes();
   for (const RecordedTake& take : takes.all())
     running.takes.push_back({static_cast<int>(take.id), take.name, take.from_s, take.to_s, 0, 0, {}, false});
   for (const Marker& marker : m_window.document().project().markers.all())
     running.markers.push_back({marker.id, marker.time_s, marker.name});
-  running.noted = tiers_of(m_sources.said(""));
+  running.noted = tiers_of(m_window.document().live().annotations().of(""));
   return running;
 }
 
@@ -107,15 +107,16 @@ ExportDesk::MakeSource ExportDesk::source_of(const ExportRequest& request) const
     };
   const std::string take = request.library_take.toStdString();
   return [library = m_window.session()->material().library, take,
-          noted = tiers_of(m_sources.said(take))](const Progress&) -> Result<std::unique_ptr<ExportSource>> {
-    if (library->find_take(take) < 0) return Error{"is not in the library any more", take};
+          noted = tiers_of(m_window.document().live().annotations().of(take))](
+             const Progress&) -> Result<std::unique_ptr<ExportSource>> {
+    if (library->find_take(take) < 0) return Error{"is no longer in the library", take};
     return export_of_take(library, take, noted);
   };
 }
 
 void ExportDesk::write(const ExportRequest& request, const QString& file) {
   auto& messages = m_window.messages();
-  if (m_job) return messages.showInformation("Something is being exported; wait for it, or cancel it");
+  if (m_job) return messages.showInformation("An export is running; wait for it, or cancel it");
   if (request.plots) {
     const PlotExport type = file.endsWith(".png")   ? PlotExport::Png
                             : file.endsWith(".svg") ? PlotExport::Svg
@@ -165,7 +166,7 @@ void ExportDesk::run(const MakeSource& make, const ExportWish& wish) {
 
 void ExportDesk::finish() {
   m_window.messages().endProgress();
-  m_job.release()->deleteLater();  // it is what speaks
+  Job::retire(std::move(m_job), this);
   emit ended();
 }
 

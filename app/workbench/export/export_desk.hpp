@@ -6,7 +6,6 @@
 #include <string>
 
 #include "app/workbench/export/export_dialog.hpp"
-#include "core/annotation/annotations.hpp"
 #include "core/session/edit/recorded_takes.hpp"
 #include "core/session/export/export_source.hpp"
 
@@ -19,27 +18,17 @@ namespace abrazo::app {
 class Job;
 class MainWindow;
 
-/// Export data provided by other folders.
-struct ExportSources {
-  /// Annotations of a subject, the session ("") or a take.
-  std::function<Annotations(const std::string& subject)> said;
-  std::function<RecordedTakes()> takes;
-  /// What is annotated: the session ("") or a take.
-  std::function<std::string()> subject;
-};
-
 /// Exports from the window: lists what is available, writes on a worker with progress and cancel, and reports
 /// the end.
 class ExportDesk : public QObject {
   Q_OBJECT
  public:
-  ExportDesk(MainWindow& window, ExportSources sources);
+  /// @param takes  the recorded takes of the session
+  ExportDesk(MainWindow& window, std::function<RecordedTakes()> takes);
   ~ExportDesk() override;
 
   /// Available data of the running session and its library.
   ExportOffer offer() const;
-  /// What is annotated now, as the dialog names it.
-  QString subject() const { return QString::fromStdString(m_sources.subject()); }
   /// Writes to a file; errors are reported.
   void write(const ExportRequest& request, const QString& file);
   bool isBusy() const { return m_job != nullptr; }
@@ -58,7 +47,7 @@ class ExportDesk : public QObject {
   void finish();
 
   MainWindow& m_window;
-  ExportSources m_sources;
+  std::function<RecordedTakes()> m_takes;
   widgets::OfferBar* m_bar;
   std::unique_ptr<Job> m_job;
 };

@@ -11,6 +11,7 @@
 
 #include "app/workbench/base/character_field.hpp"
 #include "app/workbench/base/range_words.hpp"
+#include "widgets/common/parts.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -81,8 +82,7 @@ ExportDialog::ExportDialog(QWidget* parent) : QDialog(parent) {
                                    {"Plots as they are shown", Plots}})
     m_what->addItem(name, what);
   m_bodies = new QWidget(this);
-  auto* bodies = new QHBoxLayout(m_bodies);
-  bodies->setContentsMargins(0, 0, 0, 0);
+  auto* bodies = widgets::row_in(m_bodies);
   m_active = new QCheckBox("Leader", m_bodies);
   m_passive = new QCheckBox("Follower", m_bodies);
   m_user = new QCheckBox("User as received", m_bodies);
@@ -108,8 +108,7 @@ ExportDialog::ExportDialog(QWidget* parent) : QDialog(parent) {
   m_up = combo(this, "Up");
   m_up->addItem("Y up", false);
   m_up->addItem("Z up", true);
-  m_about = new QLabel(this);
-  m_about->setObjectName("secondary");
+  m_about = widgets::quiet_label({}, this);
   m_about->setWordWrap(true);
   m_estimate = new QLabel(this);
   m_estimate->setObjectName("estimate");
@@ -273,9 +272,9 @@ void ExportDialog::showRow(QWidget* field, bool on) {
 QString ExportDialog::trouble(const ExportRequest& request) const {
   if (request.plots) return {};
   if (what() == Trace && !request.library_take.isEmpty())
-    return "a recorded take was not solved; a trace is of the session";
+    return "a take of the library was not solved, so it has no trace; choose the session";
   if (m_part->currentData().toString() == "frame" && what() != Mesh)
-    return "only a mesh can be of one frame; choose a longer part";
+    return "only a mesh can be exported for a single frame; choose a longer part";
   if (m_source->count() == 0) return "there is nothing to export yet";
   if (isPerformed() && !m_character->trouble().isEmpty()) return m_character->trouble();
   const Status fits = check_export(request.wish);

@@ -1,7 +1,6 @@
 #include <QAbstractItemView>
 #include <QAction>
 #include <QCompleter>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -17,6 +16,7 @@
 #include "app/workbench/keys/command_meaning.hpp"
 #include "app/workbench/keys/command_row.hpp"
 #include "app/workbench/shell/actions.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/common/theme.hpp"
 
 namespace abrazo::app {
@@ -120,8 +120,7 @@ void add_command_search(QMainWindow& window) {
   new FillOnFocus(window, field, model);
   new LeaveOnEscape(field, completer->popup());
   auto* holder = new QWidget(&window);
-  auto* row = new QHBoxLayout(holder);
-  row->setContentsMargins(0, 0, 12, 0);
+  auto* row = widgets::row_in(holder, {0, 0, 12, 0});
   row->addWidget(field);
   window.menuBar()->setCornerWidget(holder, Qt::TopRightCorner);
 

@@ -8,7 +8,6 @@
 #include <QScreen>
 #include <QScrollArea>
 #include <QShortcut>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "app/workbench/keys/help_window.hpp"
@@ -18,6 +17,7 @@
 #include "app/workbench/shell/actions.hpp"
 #include "app/workbench/shell/main_window.hpp"
 #include "core/base/version.hpp"
+#include "widgets/common/parts.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -42,8 +42,7 @@ QDialog* show_sheet(MainWindow& window, const QString& title, const QString& htm
   dialog->setObjectName(title);
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle(title);
-  auto* column = new QVBoxLayout(dialog);
-  column->setContentsMargins(24, 16, 24, 20);
+  auto* column = widgets::column_in(dialog, {24, 16, 24, 20});
   auto* text = new QLabel(html, dialog);
   text->setTextFormat(Qt::RichText);
   text->setAlignment(Qt::AlignTop | Qt::AlignLeft);

@@ -3,7 +3,6 @@
 #include <QDesktopServices>
 #include <QDirIterator>
 #include <QFile>
-#include <QHBoxLayout>
 #include <QImage>
 #include <QLineEdit>
 #include <QListWidget>
@@ -15,6 +14,7 @@
 #include <algorithm>
 
 #include "app/workbench/base/dialog_size.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/common/theme.hpp"
 
 /// Outside any namespace, as Qt asks for resources in a library.
@@ -117,8 +117,7 @@ HelpWindow::HelpWindow(QWidget* parent)
   left->addWidget(back);
   m_field->setFixedWidth(list_width);
   m_list->setFixedWidth(list_width);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(12, 12, 0, 12);
+  auto* row = widgets::row_in(this, {12, 12, 0, 12});
   row->addLayout(left);
   row->addWidget(m_page, 1);
   readPages();

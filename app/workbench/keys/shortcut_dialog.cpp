@@ -5,11 +5,11 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QTreeWidget>
-#include <QVBoxLayout>
 
 #include "app/workbench/base/dialog_size.hpp"
 #include "app/workbench/keys/key_entry.hpp"
 #include "app/workbench/keys/shortcuts.hpp"
+#include "widgets/common/parts.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -40,8 +40,7 @@ ShortcutDialog::ShortcutDialog(Shortcuts& shortcuts, QWidget* parent)
   setObjectName("shortcuts");
   setWindowTitle("Shortcuts");
   resize_within_screen(*this, {820, 640});
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(16, 16, 16, 16);
+  auto* column = widgets::column_in(this, {16, 16, 16, 16});
   m_filter = new QLineEdit(this);
   m_filter->setPlaceholderText("Filter by menu, action or key");
   m_filter->setAccessibleName("Filter shortcuts");
@@ -73,8 +72,7 @@ ShortcutDialog::ShortcutDialog(Shortcuts& shortcuts, QWidget* parent)
 
 QWidget* ShortcutDialog::makeEditor() {
   auto* box = new QWidget(this);
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 4, 0, 0);
+  auto* column = widgets::column_in(box, {0, 4, 0, 0});
   m_name = new QLabel(box);
   m_keys = new QHBoxLayout;
   m_entry = new KeyEntry(box);
@@ -127,7 +125,7 @@ void ShortcutDialog::fill() {
     QFont font = row->font(Keys);
     font.setBold(shortcut.is_changed());
     row->setFont(Keys, font);
-    if (shortcut.is_fixed) row->setToolTip(Keys, "Belongs to the view and cannot be changed");
+    if (shortcut.is_fixed) row->setToolTip(Keys, "A fixed key of the view; it cannot be changed");
     m_rows->addTopLevelItem(row);
   }
   filter(m_filter->text());
@@ -174,8 +172,7 @@ void ShortcutDialog::showChosen() {
   for (const std::string& key : can_change ? shortcut->keys : std::vector<std::string>()) {
     auto* button = new QPushButton(Shortcuts::shown(key) + "  ×", this);
     button->setAutoDefault(false);
-    button->setToolTip("Remove this key");
-    button->setAccessibleName("Remove " + Shortcuts::shown(key));
+    widgets::describe(*button, "Remove " + Shortcuts::shown(key), "Remove this key");
     connect(button, &QPushButton::clicked, this, [this, key] { removeKey(key); });
     m_keys->addWidget(button);
   }
@@ -199,7 +196,7 @@ void ShortcutDialog::judge() {
     if (other->is_fixed)
       words << QString("%1 stays%2: %3.").arg(m_entry->text(), place, text);
     else
-      words << QString("%1 is now \"%2\"%3 (%4) and would be taken from it.")
+      words << QString("%1 belongs to \"%2\"%3 (%4), which would lose it.")
                    .arg(m_entry->text(), text, place, QString::fromStdString(other->menu));
     takes_over |= !other->is_fixed;
   }

@@ -153,7 +153,7 @@ void ShortcutTable::settle(std::map<std::string, std::string> read, std::vector<
     if (first == m_all.end()) continue;
     told.push_back(
         refuse(self.id, read.at(self.id),
-               "a key of it is also that of " + named(first->text) + "; its default keys are in use"));
+               "one of its keys belongs to " + named(first->text) + "; its default keys are in use"));
     self.keys = self.usual;
     read.erase(self.id);
   }

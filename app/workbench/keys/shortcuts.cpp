@@ -50,7 +50,7 @@ const std::vector<Shortcut>& fixed_keys() {
   };
   static const std::vector<Shortcut> rows = {
       row("scene.all", "Show all", {"Home"}, KeyPlace::Scene),
-      row("timeline.labels", "Kept for labels", {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"},
+      row("timeline.labels", "Reserved for labels", {"0", "1", "2", "3", "4", "5", "6", "7", "8", "9"},
           KeyPlace::Timeline),
       row("timeline.shorter", "Shorter span", {"+", "="}, KeyPlace::Timeline),
       row("timeline.longer", "Longer span", {"-"}, KeyPlace::Timeline),

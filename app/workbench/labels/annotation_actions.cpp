@@ -33,8 +33,7 @@ void annotate_take(MainWindow& window, AnnotationDesk& desk, int take) {
   if (take < 0) take = window.takes().selectedTake();
   if (take < 0) take = take_that_plays_the_user(window.session()->material());
   if (take < 0 || take >= static_cast<int>(library->takes().size()))
-    return window.messages().showInformation(
-        "Choose a take in the library first; none of them plays the user");
+    return window.messages().showInformation("Choose a take in the library first; no take plays the user");
   desk.showSubject(library->takes()[static_cast<std::size_t>(take)].name);
 }
 
@@ -44,36 +43,43 @@ void add_subjects(MainWindow& window, QMenu* menu, AnnotationDesk& desk) {
   QAction* back = add_action(window, menu, "Back to the session", {QKeySequence("Ctrl+Shift+E")},
                              [&desk] { desk.showSubject({}); });
   back->setEnabled(false);
-  QObject::connect(&desk, &AnnotationDesk::subjectChanged, back,
-                   [back, &desk] { back->setEnabled(desk.showsTake()); });
+  const Document& document = window.document();
+  QObject::connect(&document, &Document::annotationsReplaced, back,
+                   [back, &document] { back->setEnabled(!document.subject().empty()); });
   QObject::connect(&window.takes(), &widgets::TakeList::annotateRequested, &desk,
                    [&window, &desk](int take) { annotate_take(window, desk, take); });
 }
 
-void add_conflicts(MainWindow& window, QMenu* menu, AnnotationDesk& desk) {
-  auto* group = new QActionGroup(&desk);
+void add_conflicts(MainWindow& window, QMenu* menu) {
+  Document& document = window.document();
+  auto* group = new QActionGroup(menu);
   const std::pair<const char*, Conflict> ways[] = {{"Overlapping labels: trim", Conflict::Replace},
                                                    {"Overlapping labels: push", Conflict::Push},
                                                    {"Overlapping labels: refuse", Conflict::Refuse}};
   for (const auto& [name, way] : ways) {
-    QAction* action = add_action(window, menu, name, {}, [&desk, way = way] { desk.setConflict(way); });
+    QAction* action =
+        add_action(window, menu, name, {}, [&document, way = way] { document.setConflict(way); });
     action->setCheckable(true);
     group->addAction(action);
-    const auto show = [action, &desk, way = way] { action->setChecked(desk.conflict() == way); };
-    QObject::connect(&desk, &AnnotationDesk::changed, action, show);
+    const auto show = [action, &document, way = way] {
+      action->setChecked(document.labels().conflict() == way);
+    };
+    QObject::connect(&document, &Document::labelChosen, action, show);
     show();
   }
 }
 
-void name_tier(MainWindow& window, AnnotationDesk& desk, bool is_new) {
-  const AnnotationTier* tier = desk.annotations().tier(desk.activeTier());
+void name_tier(MainWindow& window, bool is_new) {
+  Document& document = window.document();
+  const AnnotationTier* tier = document.annotations().tier(document.labels().tier());
   if (!window.session() || (!is_new && !tier))
     return window.messages().showInformation("Nothing is open, or it has no tier yet");
-  const auto take = [&desk, is_new](const QString& name) -> QString {
-    const auto edit = is_new ? new_tier(desk.annotations(), name.toStdString())
-                             : rename_tier(desk.annotations(), desk.activeTier(), name.toStdString());
+  const auto take = [&document, is_new](const QString& name) -> QString {
+    const auto edit = is_new
+                          ? new_tier(document.annotations(), name.toStdString())
+                          : rename_tier(document.annotations(), document.labels().tier(), name.toStdString());
     if (!edit) return words(edit.error());
-    desk.edit(edit);
+    document.edit(edit);
     return {};
   };
   widgets::QuickEntry::open(window.timeline(), QPoint(20, 0),
@@ -81,17 +87,22 @@ void name_tier(MainWindow& window, AnnotationDesk& desk, bool is_new) {
                             is_new ? QString() : text(tier->name), take);
 }
 
-void add_tiers(MainWindow& window, QMenu* menu, AnnotationDesk& desk) {
+void choose_beside(Document& document, int by) {
+  document.chooseTier(tier_beside(document.annotations(), document.labels().tier(), by));
+}
+
+void add_tiers(MainWindow& window, QMenu* menu) {
+  Document& document = window.document();
   add_action(window, menu, "Tier above", {QKeySequence("Ctrl+Alt+Up")},
-             [&desk] { desk.setActiveTier(tier_beside(desk.annotations(), desk.activeTier(), -1)); });
+             [&document] { choose_beside(document, -1); });
   add_action(window, menu, "Tier below", {QKeySequence("Ctrl+Alt+Down")},
-             [&desk] { desk.setActiveTier(tier_beside(desk.annotations(), desk.activeTier(), 1)); });
-  add_action(window, menu, "New tier…", {}, [&window, &desk] { name_tier(window, desk, true); });
-  add_action(window, menu, "Rename tier…", {}, [&window, &desk] { name_tier(window, desk, false); });
+             [&document] { choose_beside(document, 1); });
+  add_action(window, menu, "New tier…", {}, [&window] { name_tier(window, true); });
+  add_action(window, menu, "Rename tier…", {}, [&window] { name_tier(window, false); });
   add_action(window, menu, "Delete tier", {},
-             [&desk] { desk.edit(delete_tier(desk.annotations(), desk.activeTier())); });
-  add_action(window, menu, "Show or hide the tier's lane", {}, [&window, &desk] {
-    const AnnotationTier* tier = desk.annotations().tier(desk.activeTier());
+             [&document] { document.edit(delete_tier(document.annotations(), document.labels().tier())); });
+  add_action(window, menu, "Show or hide the tier's lane", {}, [&window, &document] {
+    const AnnotationTier* tier = document.annotations().tier(document.labels().tier());
     if (!tier) return;
     widgets::TimelineLanes lanes = window.timeline().lanes();
     lanes.set_tier_shown(tier->name, !lanes.is_shown(widgets::TierLane{tier->id, tier->name}));
@@ -113,9 +124,9 @@ void add_annotation_actions(MainWindow& window, AnnotationDesk& desk, LabelKeyFi
   taps->setCheckable(true);
   QObject::connect(taps, &QAction::toggled, &keys, &LabelKeyFilter::setTaps);
   menu->addSeparator();
-  add_conflicts(window, menu, desk);
+  add_conflicts(window, menu);
   menu->addSeparator();
-  add_tiers(window, menu, desk);
+  add_tiers(window, menu);
   menu->addSeparator();
   auto* import = new LabelImport(window, desk);
   add_action(window, menu, "Import labels…", {}, [import] { import->choose(); });

@@ -1,6 +1,5 @@
 #include "app/workbench/labels/annotation_desk.hpp"
 
-#include <QUndoCommand>
 #include <algorithm>
 
 #include "app/workbench/base/error_words.hpp"
@@ -25,20 +24,6 @@ constexpr const char* panel_id = "annotation";
 
 }  // namespace
 
-/// Of no use once another session or project is open.
-class AnnotationCommand : public QUndoCommand {
- public:
-  AnnotationCommand(AnnotationDesk& desk, AnnotationStep step)
-      : QUndoCommand(widgets::text(step.what)), m_desk(desk), m_step(std::move(step)) {}
-
-  void redo() override { setObsolete(!m_desk.apply(m_step, AnnotationState::Direction::Do)); }
-  void undo() override { setObsolete(!m_desk.apply(m_step, AnnotationState::Direction::Undo)); }
-
- private:
-  AnnotationDesk& m_desk;
-  AnnotationStep m_step;
-};
-
 AnnotationDesk::AnnotationDesk(MainWindow& window)
     : QObject(&window),
       m_window(window),
@@ -47,40 +32,44 @@ AnnotationDesk::AnnotationDesk(MainWindow& window)
       m_stage(std::make_unique<SubjectStage>(window)) {
   window.colour(m_panel);
   window.addPanel(panel_id, "Annotation", m_panel, Qt::RightDockWidgetArea, false);
-  connect(&window.document(), &Document::began, this, &AnnotationDesk::onSessionStarted);
-  connect(&window.document(), &Document::ending, this, [this] {
-    m_feed->forget();
-    m_stage->forget();
+  const Document& document = window.document();
+  connect(&document, &Document::began, this, &AnnotationDesk::show);
+  connect(&document, &Document::changed, this, [this](ProjectPart part) {
+    if (part == ProjectPart::Annotations) show();
   });
-  connect(m_feed, &LibraryFeed::failed, &window.messages(), &widgets::MessageBar::showError);
-  connect(&window.document(), &Document::libraryReplaced, this, [this] {
+  connect(&document, &Document::labelChosen, this, &AnnotationDesk::show);
+  connect(&document, &Document::ending, this, [this] { m_stage->forget(); });
+  connect(&document, &Document::libraryReplaced, this, [this] {
     if (showsTake()) m_stage->renew();
   });
-  connect(&window.document(), &Document::subjectChanged, this, [this] {
-    if (const auto of = library()) m_state.show(m_window.document().subject(), *of);
+  connect(&document, &Document::annotated, this, [this](const std::string& subject, const QString& what) {
+    if (subject != m_window.document().subject())
+      m_window.messages().showInformation(
+          QString("%1 of %2, which is not shown").arg(what, subject.empty() ? "the session" : text(subject)));
   });
-  connect(&window.document(), &Document::annotationsOpened, this, &AnnotationDesk::setBook);
+  const auto refuse = [this](const QString& why) { m_window.messages().showInformation(why); };
+  connect(&document, &Document::labelRefused, this, refuse);
+  connect(&window.timeline(), &TimelineView::labelRefused, this, refuse);
+  connect(m_panel, &AnnotationPanel::refused, this, refuse);
+  connect(m_feed, &LibraryFeed::failed, &window.messages(), &widgets::MessageBar::showError);
   connect(&window, &MainWindow::subjectRequested, this,
           [this](const QString& wanted) { showSubject(wanted.toStdString()); });
-  connectViews();
+  connectRequests();
 }
 
 AnnotationDesk::~AnnotationDesk() = default;
 
-void AnnotationDesk::connectViews() {
-  TimelineView& timeline = m_window.timeline();
-  const auto refuse = [this](const QString& why) { m_window.messages().showInformation(why); };
-  const auto ask = [this](const Annotations& next, const QString& what) { change(next, what); };
-  connect(&timeline, &TimelineView::annotationsRequested, this, ask);
-  connect(&timeline, &TimelineView::labelRefused, this, refuse);
-  connect(&timeline, &TimelineView::tierChosen, this, &AnnotationDesk::setActiveTier);
-  connect(&timeline, &TimelineView::annotationChosen, this, &AnnotationDesk::select);
+void AnnotationDesk::connectRequests() {
+  const TimelineView& timeline = m_window.timeline();
+  Document& document = m_window.document();
+  connect(&timeline, &TimelineView::annotationsRequested, &document, &Document::changeAnnotations);
+  connect(&timeline, &TimelineView::tierChosen, &document, &Document::chooseTier);
+  connect(&timeline, &TimelineView::annotationChosen, &document, &Document::selectLabel);
+  connect(m_panel, &AnnotationPanel::changeRequested, &document, &Document::changeAnnotations);
+  connect(m_panel, &AnnotationPanel::tierChosen, &document, &Document::chooseTier);
+  connect(m_panel, &AnnotationPanel::annotationChosen, &document, &Document::selectLabel);
+  connect(m_panel, &AnnotationPanel::conflictRequested, &document, &Document::setConflict);
   connect(&timeline, &TimelineView::lanesChanged, this, &AnnotationDesk::show);
-  connect(m_panel, &AnnotationPanel::changeRequested, this, ask);
-  connect(m_panel, &AnnotationPanel::refused, this, refuse);
-  connect(m_panel, &AnnotationPanel::tierChosen, this, &AnnotationDesk::setActiveTier);
-  connect(m_panel, &AnnotationPanel::annotationChosen, this, &AnnotationDesk::select);
-  connect(m_panel, &AnnotationPanel::conflictRequested, this, &AnnotationDesk::setConflict);
   connect(m_panel, &AnnotationPanel::seekRequested, &m_window.ticker(), &FrameTicker::seek);
   connect(m_panel, &AnnotationPanel::subjectRequested, this,
           [this](const QString& subject) { showSubject(subject.toStdString()); });
@@ -100,33 +89,16 @@ void AnnotationDesk::connectViews() {
   });
 }
 
+bool AnnotationDesk::showsTake() const {
+  return !m_window.document().subject().empty();
+}
+
 std::shared_ptr<const MotionLibrary> AnnotationDesk::library() const {
   return m_window.session() ? m_window.session()->material().library : nullptr;
 }
 
-void AnnotationDesk::onSessionStarted() {
-  const auto of = library();
-  if (!of) return;
-  m_state.start(*of);
-  onOtherBook();
-}
-
-void AnnotationDesk::setBook(AnnotationBook book) {
-  m_feed->forget();  // pending updates belong to another project
-  m_state.set_book(std::move(book), library().get());
-  onOtherBook();
-}
-
-void AnnotationDesk::onOtherBook() {
-  for (const auto& [subject, annotations] : m_state.all())
-    if (!subject.empty()) m_feed->put(subject, annotations);
-  keep();
-  emit subjectChanged();
-  tell();
-}
-
 void AnnotationDesk::showSubject(const std::string& wanted) {
-  if (wanted == subject() && m_window.session()) {
+  if (wanted == m_window.document().subject() && m_window.session()) {
     m_window.panels().want(panel_id, true);
     return;
   }
@@ -140,54 +112,20 @@ void AnnotationDesk::showSubject(const std::string& wanted) {
   const Status shown = m_stage->show(wanted);
   if (!shown) return m_window.messages().showError(words(shown.error()));
   if (showsTake()) m_window.panels().want(panel_id, true);
-  emit subjectChanged();
-  tell();
+  show();
   m_window.makeRoomForLanes();
-}
-
-bool AnnotationDesk::edit(const Result<LabelEdit>& edit) {
-  if (!edit) {
-    m_window.messages().showInformation(words(edit.error()));
-    return false;
-  }
-  if (!m_window.session()) return true;
-  if (auto step = m_state.step(subject(), edit->next, edit->what))
-    m_window.undoStack().push(new AnnotationCommand(*this, std::move(*step)));
-  if (edit->tier) setActiveTier(*edit->tier);
-  if (edit->selected) select(*edit->selected);
-  return true;
-}
-
-void AnnotationDesk::change(Annotations next, const QString& what) {
-  edit(LabelEdit{std::move(next), what.toStdString()});
-}
-
-/// Where it is saved and exported from.
-void AnnotationDesk::keep() {
-  m_window.document().put(m_state.changed());
-}
-
-bool AnnotationDesk::apply(const AnnotationStep& step, AnnotationState::Direction direction) {
-  if (!m_state.apply(step, direction)) return false;
-  keep();
-  if (!step.subject.empty()) m_feed->put(step.subject, m_state.annotations_of(step.subject));
-  tell();
-  if (step.subject != subject())
-    m_window.messages().showInformation(
-        QString("%1 of %2, which is not shown")
-            .arg(text(step.what), step.subject.empty() ? "the session" : text(step.subject)));
-  return true;
 }
 
 EditPlace AnnotationDesk::place() const {
   const Playback& playback = m_window.ticker().playback();
-  EditPlace place{activeTier(), selected(), conflict(), range(), fps(), playback.cursor_s};
+  const LabelSelection& labels = m_window.document().labels();
+  EditPlace place{labels.tier(), labels.selected(), labels.conflict(), range(), fps(), playback.cursor_s};
   if (const auto chosen = playback.range()) place.in_out = {chosen->from_s, chosen->to_s};
   return place;
 }
 
 bool AnnotationDesk::isOpen() const {
-  const auto& tiers = annotations().tiers();
+  const auto& tiers = m_window.document().annotations().tiers();
   return showsTake() || m_window.panels().isWanted(panel_id) ||
          std::any_of(tiers.begin(), tiers.end(),
                      [](const AnnotationTier& tier) { return !tier.annotations.empty(); });
@@ -196,19 +134,23 @@ bool AnnotationDesk::isOpen() const {
 void AnnotationDesk::show() {
   const Annotations::Range whole = range();
   TimelineView& timeline = m_window.timeline();
+  const Document& document = m_window.document();
+  const LabelSelection& labels = document.labels();
   const bool open = isOpen();
-  timeline.showAnnotations(open ? annotations() : Annotations(), {conflict(), whole, fps()});
-  timeline.showChosen(open ? activeTier() : 0, selected());
+  timeline.showAnnotations(open ? document.annotations() : Annotations(), {labels.conflict(), whole, fps()});
+  timeline.showChosen(open ? labels.tier() : 0, labels.selected());
   QStringList takes, absent;
   if (const auto of = library()) {
     for (const LibraryTake& take : of->takes()) takes << text(take.name);
-    for (const auto& [take, count] : annotated_elsewhere(m_state.all(), *of)) absent << text(take);
+    for (const auto& [take, count] : annotated_elsewhere(document.live().annotations().all(), *of))
+      absent << text(take);
   }
-  m_panel->showSubjects(takes, absent, text(subject()));
+  m_panel->showSubjects(takes, absent, text(document.subject()));
   std::set<std::string> hidden;
   for (const widgets::TierLane& lane : timeline.lanes().tiers())
     if (!timeline.lanes().is_shown(lane)) hidden.insert(lane.name);
-  m_panel->show({annotations(), whole, fps(), activeTier(), selected(), conflict(), hidden});
+  m_panel->show(
+      {document.annotations(), whole, fps(), labels.tier(), labels.selected(), labels.conflict(), hidden});
 }
 
 Annotations::Range AnnotationDesk::range() const {
@@ -219,24 +161,6 @@ Annotations::Range AnnotationDesk::range() const {
 
 double AnnotationDesk::fps() const {
   return m_stage->take() ? m_stage->take()->fps() : 0;
-}
-
-void AnnotationDesk::setActiveTier(int tier) {
-  if (m_state.choose_tier(tier)) tell();
-}
-
-void AnnotationDesk::select(int annotation) {
-  if (m_state.select(annotation)) tell();
-}
-
-void AnnotationDesk::setConflict(Conflict conflict) {
-  m_state.set_conflict(conflict);
-  tell();
-}
-
-void AnnotationDesk::tell() {
-  show();
-  emit changed();
 }
 
 }  // namespace abrazo::app

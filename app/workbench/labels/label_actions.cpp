@@ -14,9 +14,9 @@ namespace {
 
 /// The next or previous label of the active tier is selected and gone to.
 void step(MainWindow& window, AnnotationDesk& desk, int by) {
-  const auto label = label_beside(desk.annotations(), desk.place(), by);
+  const auto label = label_beside(window.document().annotations(), desk.place(), by);
   if (!label) return window.messages().showInformation(words(label.error()));
-  desk.select(label->id);
+  window.document().selectLabel(label->id);
   window.ticker().seek(label->start_s);
 }
 
@@ -24,7 +24,8 @@ void step(MainWindow& window, AnnotationDesk& desk, int by) {
 void nudge(MainWindow& window, AnnotationDesk& desk, LabelEdge edge, int frames) {
   const double input_hz = window.transport().rate();
   const double rate_hz = desk.fps() > 0 ? desk.fps() : input_hz > 0 ? input_hz : 60;
-  desk.edit(nudge_label(desk.annotations(), desk.place(), edge, frames / rate_hz));
+  Document& document = window.document();
+  document.edit(nudge_label(document.annotations(), desk.place(), edge, frames / rate_hz));
 }
 
 void add_nudges(MainWindow& window, AnnotationDesk& desk, QMenu* menu) {
@@ -45,10 +46,11 @@ void add_nudges(MainWindow& window, AnnotationDesk& desk, QMenu* menu) {
 
 void add_label_actions(MainWindow& window, AnnotationDesk& desk, LabelQuestions& questions) {
   QMenu* menu = menu_of(window, "Annotation");
+  Document& document = window.document();
   using Edit = Result<LabelEdit> (*)(const Annotations&, const EditPlace&);
   const auto add_edit = [&](const char* name, const char* key, Edit edit) {
     add_action(window, menu, name, {QKeySequence(key)},
-               [&desk, edit] { desk.edit(edit(desk.annotations(), desk.place())); });
+               [&document, &desk, edit] { document.edit(edit(document.annotations(), desk.place())); });
   };
   add_action(window, menu, "New label…", {QKeySequence("N")}, [&questions] { questions.draw(); });
   add_action(window, menu, "Edit label…", {QKeySequence("F2")}, [&questions] { questions.ask(); });

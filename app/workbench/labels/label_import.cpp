@@ -24,7 +24,7 @@ using widgets::text;
 }  // namespace
 
 LabelImport::LabelImport(MainWindow& window, AnnotationDesk& desk)
-    : QObject(&desk), m_window(window), m_desk(desk) {
+    : QObject(&desk), m_window(window), m_document(window.document()), m_desk(desk) {
   connect(&window, &MainWindow::labelsOffered, this, &LabelImport::read);
 }
 
@@ -39,14 +39,14 @@ void LabelImport::read(const QStringList& files) {
     return m_window.fail(
         "Labels belong to a take or a session; open a library or a session first, then the labels");
   for (const QString& file : files) {
-    const auto document = read_labels_for(file.toStdString(), m_desk.fps(), m_desk.subject());
+    const auto document = read_labels_for(file.toStdString(), m_desk.fps(), m_document.subject());
     if (!document) return m_window.messages().showError(words(document.error()));
     take(file, *document);
   }
 }
 
 void LabelImport::take(const QString& file, const TierDocument& document) {
-  const TierPlan plan = plan_tiers(document.tiers, m_desk.annotations());
+  const TierPlan plan = plan_tiers(document.tiers, m_document.annotations());
   plan.is_clear ? finish(file, document, plan.targets) : ask(file, document, plan);
 }
 
@@ -56,9 +56,10 @@ void LabelImport::ask(const QString& file, const TierDocument& document, const T
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setWindowTitle("Import labels");
   auto* column = new QVBoxLayout(dialog);
-  auto* head = new QLabel(QString("Where do the tiers of %1 go? Their present labels are replaced.")
-                              .arg(QFileInfo(file).fileName()),
-                          dialog);
+  auto* head =
+      new QLabel(QString("Choose the tiers for the labels of %1. Present labels of these tiers are replaced.")
+                     .arg(QFileInfo(file).fileName()),
+                 dialog);
   head->setWordWrap(true);
   column->addWidget(head);
   auto* form = new QFormLayout;
@@ -68,7 +69,8 @@ void LabelImport::ask(const QString& file, const TierDocument& document, const T
     auto* box = new QComboBox(dialog);
     box->addItem("leave out", -1);
     box->addItem("a new tier", 0);
-    for (const AnnotationTier& each : m_desk.annotations().tiers()) box->addItem(text(each.name), each.id);
+    for (const AnnotationTier& each : m_document.annotations().tiers())
+      box->addItem(text(each.name), each.id);
     const TierTarget& target = plan.targets[i];
     box->setCurrentIndex(box->findData(target.way == TierTarget::Way::Into  ? target.tier
                                        : target.way == TierTarget::Way::New ? 0
@@ -96,18 +98,18 @@ void LabelImport::ask(const QString& file, const TierDocument& document, const T
     finish(file, document, targets);
   });
   // The ids are those of this subject's tiers.
-  connect(&m_desk, &AnnotationDesk::subjectChanged, dialog, &QDialog::reject);
+  connect(&m_document, &Document::annotationsReplaced, dialog, &QDialog::reject);
   dialog->open();
 }
 
 void LabelImport::finish(const QString& file, const TierDocument& document,
                          const std::vector<TierTarget>& targets) {
-  const auto next = with_imported(document.tiers, targets, m_desk.annotations(), m_desk.range());
+  const auto next = with_imported(document.tiers, targets, m_document.annotations(), m_desk.range());
   if (!next) return m_window.messages().showError(file + ": " + words(next.error()));
   std::size_t labels = 0;
   for (std::size_t i = 0; i < targets.size(); ++i)
     if (targets[i].way != TierTarget::Way::LeaveOut) labels += document.tiers[i].intervals.size();
-  m_desk.change(*next, "import of " + QFileInfo(file).fileName());
+  m_document.changeAnnotations(*next, "import of " + QFileInfo(file).fileName());
   QStringList told;
   for (const std::string& warning : document.warnings) told << text(warning);
   if (!told.isEmpty()) return m_window.messages().showWarnings(told);

@@ -9,6 +9,7 @@
 namespace abrazo::app {
 
 class AnnotationDesk;
+class Document;
 class MainWindow;
 
 /// Imports label files into the tiers of the shown subject, as one undo step.
@@ -27,6 +28,7 @@ class LabelImport : public QObject {
   void finish(const QString& file, const TierDocument& document, const std::vector<TierTarget>& targets);
 
   MainWindow& m_window;
+  Document& m_document;
   AnnotationDesk& m_desk;
 };
 

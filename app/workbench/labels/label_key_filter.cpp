@@ -19,16 +19,16 @@ char key_of(const QKeyEvent& event) {
 
 }  // namespace
 
-LabelKeyFilter::LabelKeyFilter(widgets::TimelineView& timeline, const FrameTicker& ticker,
+LabelKeyFilter::LabelKeyFilter(Document& document, widgets::TimelineView& timeline, const FrameTicker& ticker,
                                AnnotationDesk& desk)
-    : QObject(&desk), m_timeline(timeline), m_ticker(ticker), m_desk(desk) {
+    : QObject(&desk), m_document(document), m_timeline(timeline), m_ticker(ticker), m_desk(desk) {
   timeline.installEventFilter(this);
   connect(&ticker, &FrameTicker::playbackChanged, this, [this] {
     const bool said_something = !m_keys.running().empty();
     const auto said = m_keys.follow(now());
     if (said_something) draw(said);
   });
-  connect(&desk, &AnnotationDesk::subjectChanged, this, [this] {
+  connect(&document, &Document::annotationsReplaced, this, [this] {
     m_keys.forget();
     show();
   });
@@ -46,7 +46,7 @@ LabelKeys::Moment LabelKeyFilter::now() const {
 }
 
 const AnnotationTier* LabelKeyFilter::tierOf(char key) const {
-  return m_desk.isOpen() ? tier_of_key(m_desk.annotations(), m_desk.activeTier(), key) : nullptr;
+  return m_desk.isOpen() ? tier_of_key(m_document.annotations(), m_document.labels().tier(), key) : nullptr;
 }
 
 bool LabelKeyFilter::means(const QKeyEvent& event) const {
@@ -71,12 +71,13 @@ void LabelKeyFilter::press(char key) {
   if (!tier) return;
   const LabelKeys::Moment moment = now();
   if (!moment.is_parked) return draw(m_keys.press(key, *tier, moment));
-  m_desk.edit(say_at_cursor(m_desk.annotations(), m_desk.place(), tier->id, tier->entry_of_key(key)->value));
+  m_document.edit(
+      say_at_cursor(m_document.annotations(), m_desk.place(), tier->id, tier->entry_of_key(key)->value));
 }
 
 void LabelKeyFilter::draw(const std::vector<LabelKeys::Said>& said) {
   for (const LabelKeys::Said& each : said)
-    m_desk.edit(label_span(m_desk.annotations(), m_desk.place(), each.tier, each.span, each.value));
+    m_document.edit(label_span(m_document.annotations(), m_desk.place(), each.tier, each.span, each.value));
   show();
 }
 

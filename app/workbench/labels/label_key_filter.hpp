@@ -13,14 +13,16 @@ class TimelineView;
 namespace abrazo::app {
 
 class AnnotationDesk;
+class Document;
 class FrameTicker;
 
 /// Labelling by the keys of the vocabularies while the timeline has the focus: keys and time go to
-/// `LabelKeys`, or to `say_at_cursor` while the cursor is parked; the result becomes an edit of the desk.
+/// `LabelKeys`, or to `say_at_cursor` while the cursor is parked; the result becomes an edit of the document.
 class LabelKeyFilter : public QObject {
   Q_OBJECT
  public:
-  LabelKeyFilter(widgets::TimelineView& timeline, const FrameTicker& ticker, AnnotationDesk& desk);
+  LabelKeyFilter(Document& document, widgets::TimelineView& timeline, const FrameTicker& ticker,
+                 AnnotationDesk& desk);
 
   void setTaps(bool on);
   /// Whether a tier has a value with this key.
@@ -36,9 +38,10 @@ class LabelKeyFilter : public QObject {
   void draw(const std::vector<LabelKeys::Said>& said);
   void show();
 
+  Document& m_document;
   widgets::TimelineView& m_timeline;
   const FrameTicker& m_ticker;
-  AnnotationDesk& m_desk;
+  const AnnotationDesk& m_desk;
   LabelKeys m_keys;
 };
 

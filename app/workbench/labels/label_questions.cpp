@@ -23,41 +23,41 @@ constexpr int lane_px = static_cast<int>(widgets::TimelineLanes::tier_px);
 }  // namespace
 
 LabelQuestions::LabelQuestions(MainWindow& window, AnnotationDesk& desk)
-    : QObject(&desk), m_window(window), m_desk(desk) {
+    : QObject(&desk), m_window(window), m_document(window.document()), m_desk(desk) {
   const TimelineView& timeline = window.timeline();
   connect(&timeline, &TimelineView::labelDrawn, this, &LabelQuestions::askValue);
   connect(&timeline, &TimelineView::valueEntryRequested, this, [this](int annotation) {
-    m_desk.select(annotation);
+    m_document.selectLabel(annotation);
     ask();
   });
   connect(&timeline, &TimelineView::tierMenuRequested, this, &LabelQuestions::openMenu);
 }
 
 void LabelQuestions::draw() {
-  const auto span = span_at(m_desk.annotations(), m_desk.place());
-  span ? askValue(m_desk.activeTier(), span->first_s, span->last_s)
+  const auto span = span_at(m_document.annotations(), m_desk.place());
+  span ? askValue(m_document.labels().tier(), span->first_s, span->last_s)
        : m_window.messages().showInformation(words(span.error()));
 }
 
 /// The interval exists only once it has a value.
 void LabelQuestions::askValue(int tier, double from_s, double to_s) {
-  const AnnotationTier* of = m_desk.annotations().tier(tier);
+  const AnnotationTier* of = m_document.annotations().tier(tier);
   if (!of) return;
   const Annotations::Range span{from_s, to_s};
   openPicker(*of, span, m_window.timeline().placeOf(tier, to_s) + QPoint(4, lane_px), text(m_used[tier]),
              [this, tier, span](const std::string& value) {
-               return draw_label(m_desk.annotations(), m_desk.place(), tier, span, value);
+               return draw_label(m_document.annotations(), m_desk.place(), tier, span, value);
              });
 }
 
 void LabelQuestions::ask() {
-  const auto label = chosen_label(m_desk.annotations(), m_desk.place());
+  const auto label = chosen_label(m_document.annotations(), m_desk.place());
   if (!label) return m_window.messages().showInformation(words(label.error()));
-  const AnnotationTier& tier = *m_desk.annotations().tier_of(label->id);
+  const AnnotationTier& tier = *m_document.annotations().tier_of(label->id);
   openPicker(tier, {label->start_s, label->end_s},
              m_window.timeline().placeOf(tier.id, label->start_s) + QPoint(0, lane_px), text(label->value),
              [this, id = label->id](const std::string& value) {
-               return say_label(m_desk.annotations(), id, value);
+               return say_label(m_document.annotations(), id, value);
              });
 }
 
@@ -71,17 +71,17 @@ void LabelQuestions::openPicker(const AnnotationTier& tier, const Annotations::R
                                const auto edited = edit(said.toStdString());
                                if (!edited) return words(edited.error());
                                m_used[tier] = said.toStdString();
-                               m_desk.edit(edited);
+                               m_document.edit(edited);
                                return {};
                              });
 }
 
 void LabelQuestions::fillMenu(QMenu& menu) {
   QMenu* copy = menu.addMenu("Copy to");
-  for (const AnnotationTier& tier : m_desk.annotations().tiers())
-    if (tier.id != m_desk.activeTier())
+  for (const AnnotationTier& tier : m_document.annotations().tiers())
+    if (tier.id != m_document.labels().tier())
       copy->addAction(text(tier.name), this, [this, id = tier.id] {
-        m_desk.edit(copy_label(m_desk.annotations(), m_desk.place(), id));
+        m_document.edit(copy_label(m_document.annotations(), m_desk.place(), id));
       });
   copy->setEnabled(!copy->isEmpty());
 }
@@ -94,19 +94,19 @@ void LabelQuestions::openMenu(int tier, int annotation, double time_s, const QPo
   if (annotation == 0) {
     menu.addAction("New label here…", this, [this, tier, time_s] {
       m_window.ticker().seek(time_s);
-      m_desk.setActiveTier(tier);
+      m_document.chooseTier(tier);
       draw();
     });
     add("annotation.change_of_role_here");
     menu.exec(global);
     return;
   }
-  if (const AnnotationTier* of = m_desk.annotations().tier(tier))
+  if (const AnnotationTier* of = m_document.annotations().tier(tier))
     for (const VocabularyEntry& entry : of->vocabulary) {
       QString said = widgets::value_words(*of, entry.value);
       if (entry.key != 0) said += "\t" + QString(QChar(entry.key)).toUpper();
       menu.addAction(said, this, [this, annotation, value = entry.value] {
-        m_desk.edit(say_label(m_desk.annotations(), annotation, value));
+        m_document.edit(say_label(m_document.annotations(), annotation, value));
       });
     }
   menu.addSeparator();

@@ -13,6 +13,7 @@ class QPoint;
 namespace abrazo::app {
 
 class AnnotationDesk;
+class Document;
 class MainWindow;
 
 /// Input for label edits: the value, in a picker at the lane, and the operation, in a menu.
@@ -35,6 +36,7 @@ class LabelQuestions : public QObject {
                   const QString& value, std::function<Result<LabelEdit>(const std::string&)> edit);
 
   MainWindow& m_window;
+  Document& m_document;
   AnnotationDesk& m_desk;
   std::map<int, std::string> m_used;  ///< value used last, by tier
 };

@@ -50,13 +50,15 @@ void rename(MainWindow& window, int id) {
 }
 
 void remove(MainWindow& window, AnnotationDesk& desk) {
-  if (desk.selected() != 0) return void(desk.edit(remove_label(desk.annotations(), desk.place())));
-  Markers next = window.document().markers();
+  Document& document = window.document();
+  if (document.labels().selected() != 0)
+    return void(document.edit(remove_label(document.annotations(), desk.place())));
+  Markers next = document.markers();
   const int id = window.timeline().selectedMarker();
   if (!next.find(id))
     return window.messages().showInformation("Select a label or a marker first: click it in the timeline");
   next.remove(id);
-  window.document().changeMarkers(next, "delete marker");
+  document.changeMarkers(next, "delete marker");
 }
 
 /// Of moves of the sources and of labels.
@@ -64,7 +66,8 @@ std::vector<double> edges_of(const MainWindow& window, const AnnotationDesk& des
   const auto& tracks = window.timeline().tracks();
   std::vector<double> edges;
   if (const auto edge = on ? tracks.edge_after(here) : tracks.edge_before(here)) edges.push_back(*edge);
-  if (const auto edge = edge_beside(desk.annotations(), desk.place(), on)) edges.push_back(*edge);
+  if (const auto edge = edge_beside(window.document().annotations(), desk.place(), on))
+    edges.push_back(*edge);
   return edges;
 }
 

@@ -24,13 +24,21 @@ using widgets::text;
 }  // namespace
 
 SuggestionDesk::SuggestionDesk(MainWindow& window, AnnotationDesk& annotations)
-    : QObject(&window), m_window(window), m_annotations(annotations), m_section(new SuggestionSection) {
+    : QObject(&window),
+      m_window(window),
+      m_document(window.document()),
+      m_annotations(annotations),
+      m_section(new SuggestionSection) {
   window.colour(m_section);
   annotations.panel().addSection(m_section);
-  connect(&window.document(), &Document::ending, this, [this] { cancel(); });
-  connect(&annotations, &AnnotationDesk::changed, this,
-          [this] { m_section->showSuggestions(m_annotations.annotations()); });
-  connect(&annotations, &AnnotationDesk::subjectChanged, this, &SuggestionDesk::cancel);
+  connect(&m_document, &Document::ending, this, &SuggestionDesk::cancel);
+  connect(&m_document, &Document::changed, this, [this](ProjectPart part) {
+    if (part == ProjectPart::Annotations) m_section->showSuggestions(m_document.annotations());
+  });
+  connect(&m_document, &Document::annotationsReplaced, this, [this] {
+    cancel();
+    m_section->showSuggestions(m_document.annotations());
+  });
   connect(m_section, &SuggestionSection::suggestRequested, this, &SuggestionDesk::suggest);
   connect(m_section, &SuggestionSection::cancelRequested, this, &SuggestionDesk::cancel);
   connect(m_section, &SuggestionSection::acceptRequested, this, &SuggestionDesk::accept);
@@ -45,13 +53,13 @@ SuggestionDesk::SuggestionDesk(MainWindow& window, AnnotationDesk& annotations)
           &SuggestionSection::choose);
   connect(&window.timeline(), &widgets::TimelineView::suggestionEntryRequested, this, &SuggestionDesk::edit);
   connect(m_section, &SuggestionSection::clearRequested, this,
-          [this] { m_annotations.edit(clear_suggestions(m_annotations.annotations())); });
+          [this] { m_document.edit(clear_suggestions(m_document.annotations())); });
 }
 
 SuggestionDesk::~SuggestionDesk() = default;
 
 void SuggestionDesk::suggest(bool moves, bool roles) {
-  const SuggestionRequest request{m_annotations.subject(), moves, roles};
+  const SuggestionRequest request{m_document.subject(), moves, roles};
   const auto library = m_annotations.library();
   if (m_job) return m_window.messages().showInformation("Suggestions are being made already");
   if (!library || request.take.empty())
@@ -65,7 +73,7 @@ void SuggestionDesk::suggest(bool moves, bool roles) {
   });
   m_section->showProgress(0, "Suggesting");
   connect(m_job.get(), &Job::progressed, m_section, &SuggestionSection::showProgress);
-  connect(m_job.get(), &Job::finished, this, &SuggestionDesk::finish);
+  connect(m_job.get(), &Job::finished, this, &SuggestionDesk::cancel);
 }
 
 void SuggestionDesk::cancel() {
@@ -73,14 +81,9 @@ void SuggestionDesk::cancel() {
   m_section->showProgress(-1, {});
 }
 
-void SuggestionDesk::finish() {
-  if (m_job) m_job.release()->deleteLater();  // it is what speaks
-  m_section->showProgress(-1, {});
-}
-
 void SuggestionDesk::take(const SuggestionRequest& request, const SuggestedTiers& suggested) {
-  if (request.take != m_annotations.subject()) return;
-  if (!m_annotations.edit(with_suggestions(m_annotations.annotations(), suggested, request))) return;
+  if (request.take != m_document.subject()) return;
+  if (!m_document.edit(with_suggestions(m_document.annotations(), suggested, request))) return;
   focusList();
   const auto count =
       (request.moves ? suggested.moves.size() : 0) + (request.roles ? suggested.roles.size() : 0);
@@ -104,12 +107,12 @@ void SuggestionDesk::rejectCurrent() {
 }
 
 void SuggestionDesk::accept(int suggestion) {
-  m_annotations.edit(accept_suggestion(m_annotations.annotations(), m_annotations.place(), suggestion));
+  m_document.edit(accept_suggestion(m_document.annotations(), m_annotations.place(), suggestion));
 }
 
 void SuggestionDesk::acceptAll(const std::vector<int>& suggestions) {
-  const auto accepted = accept_suggestions(m_annotations.annotations(), m_annotations.place(), suggestions);
-  m_annotations.edit(accepted.edit);
+  const auto accepted = accept_suggestions(m_document.annotations(), m_annotations.place(), suggestions);
+  m_document.edit(accepted.edit);
   if (accepted.refused > 0)
     m_window.messages().showInformation(QString("%1 accepted; %2 stay suggestions: %3")
                                             .arg(suggestions.size() - accepted.refused)
@@ -118,8 +121,8 @@ void SuggestionDesk::acceptAll(const std::vector<int>& suggestions) {
 }
 
 void SuggestionDesk::edit(int suggestion) {
-  const Suggestion* asked = m_annotations.annotations().find_suggestion(suggestion);
-  const AnnotationTier* tier = asked ? m_annotations.annotations().tier(asked->tier) : nullptr;
+  const Suggestion* asked = m_document.annotations().find_suggestion(suggestion);
+  const AnnotationTier* tier = asked ? m_document.annotations().tier(asked->tier) : nullptr;
   if (!tier) return;
   const widgets::ValuePicker::Question question{*tier,
                                                 QString("instead of %1, from %2 s to %3 s")
@@ -130,16 +133,16 @@ void SuggestionDesk::edit(int suggestion) {
   widgets::ValuePicker::open(*m_section, QPoint(8, m_section->list().y()), question, m_window.colours(),
                              [this, suggestion](const QString& value) -> QString {
                                const auto accepted =
-                                   accept_suggestion_as(m_annotations.annotations(), m_annotations.place(),
+                                   accept_suggestion_as(m_document.annotations(), m_annotations.place(),
                                                         suggestion, value.toStdString());
                                if (!accepted) return words(accepted.error());
-                               m_annotations.edit(accepted);
+                               m_document.edit(accepted);
                                return {};
                              });
 }
 
 void SuggestionDesk::reject(int suggestion) {
-  m_annotations.edit(reject_suggestion(m_annotations.annotations(), suggestion));
+  m_document.edit(reject_suggestion(m_document.annotations(), suggestion));
 }
 
 }  // namespace abrazo::app

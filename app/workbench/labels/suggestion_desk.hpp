@@ -13,6 +13,7 @@ class SuggestionSection;
 namespace abrazo::app {
 
 class AnnotationDesk;
+class Document;
 class Job;
 class MainWindow;
 
@@ -41,9 +42,9 @@ class SuggestionDesk : public QObject {
   void acceptAll(const std::vector<int>& suggestions);
   void edit(int suggestion);
   void reject(int suggestion);
-  void finish();
 
   MainWindow& m_window;
+  Document& m_document;
   AnnotationDesk& m_annotations;
   widgets::SuggestionSection* m_section;
   std::unique_ptr<Job> m_job;

@@ -25,24 +25,14 @@
 #include "app/workbench/library/build_form.hpp"
 #include "core/motion/joints/motion_format.hpp"
 #include "widgets/common/icons.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/common/plain_text.hpp"
 #include "widgets/library/pair_preview.hpp"
 
 namespace abrazo::app {
 namespace {
 
-QLabel* secondary(const QString& text) {
-  auto* label = new QLabel(text);
-  label->setObjectName("secondary");
-  return label;
-}
-
-QVBoxLayout* column_in(QWidget* box) {
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(8);
-  return column;
-}
+using widgets::quiet_label;
 
 }  // namespace
 
@@ -57,9 +47,7 @@ BuildDialog::BuildDialog(QWidget* parent)
   setWindowTitle("Build a library of motion files");
   setAcceptDrops(true);
   resize_within_screen(*this, {1180, 760});
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(16, 14, 16, 14);
-  column->setSpacing(10);
+  auto* column = widgets::column_in(this, {16, 14, 16, 14}, 10);
   column->addWidget(makeUserRow());
   column->addWidget(makeOverview(), 1);
   column->addWidget(m_form);
@@ -77,8 +65,7 @@ BuildDialog::BuildDialog(QWidget* parent)
 
 QWidget* BuildDialog::makeUserRow() {
   m_userRow = new QWidget(this);
-  auto* row = new QHBoxLayout(m_userRow);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = widgets::row_in(m_userRow);
   m_userQuestion = new QLabel(m_userRow);
   row->addWidget(m_userQuestion);
   for (auto& button : m_userButtons) {
@@ -114,16 +101,15 @@ QWidget* BuildDialog::makeOverview() {
   m_table->setIconSize({14, 14});
   m_table->setTabKeyNavigation(false);
   auto* side = new QWidget(split);
-  auto* column = column_in(side);
-  column->setContentsMargins(8, 0, 0, 0);  // off the border that is dragged
-  m_previewHead = secondary("Choose a performer to see its take");
+  auto* column = widgets::column_in(side, {8, 0, 0, 0}, 8);  // off the border that is dragged
+  m_previewHead = quiet_label("Choose a performer to see its take");
   column->addWidget(m_previewHead);
   column->addWidget(m_preview, 1);
   auto* left = new QWidget(split);
-  auto* left_column = column_in(left);
+  auto* left_column = widgets::column_in(left, {}, 8);
   left_column->addWidget(m_table, 1);
   left_column->addWidget(
-      secondary("? = guessed. What is set below holds for every chosen row; Ctrl+A chooses all."));
+      quiet_label("? = guessed. Settings below apply to every selected row; Ctrl+A selects all."));
   split->addWidget(left);
   split->addWidget(side);
   split->setStretchFactor(0, 3);
@@ -134,10 +120,9 @@ QWidget* BuildDialog::makeOverview() {
 
 QLineEdit* BuildDialog::addPath(QGridLayout* grid, int row, const QString& name, const QString& tip,
                                 const QString& filter, bool to_write) {
-  auto* label = secondary(name);
+  auto* label = quiet_label(name);
   auto* field = new QLineEdit(this);
-  field->setAccessibleName(name);
-  field->setToolTip(tip);
+  widgets::describe(*field, name, tip);
   field->setPlaceholderText(to_write ? "not saved" : "none");
   field->setClearButtonEnabled(true);
   label->setBuddy(field);
@@ -161,7 +146,7 @@ QWidget* BuildDialog::makeOutputs() {
   auto* grid = new QGridLayout(box);
   grid->setContentsMargins(0, 0, 0, 0);
   grid->setHorizontalSpacing(8);
-  auto* label = secondary("Library name");
+  auto* label = quiet_label("Library name");
   m_name = new QLineEdit(QString::fromStdString(m_model.plan().name), box);
   m_name->setAccessibleName("Library name");
   label->setBuddy(m_name);
@@ -182,8 +167,7 @@ QWidget* BuildDialog::makeOutputs() {
 
 QWidget* BuildDialog::makeFoot() {
   auto* foot = new QWidget(this);
-  auto* row = new QHBoxLayout(foot);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = widgets::row_in(foot);
   auto* add = new QPushButton("Add files…", foot);
   m_state = new QLabel(foot);
   m_state->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -283,7 +267,7 @@ void BuildDialog::showUserRow() {
   const bool two = m_model.rowCount() == 2 && m_model.performer(0).in_the_file == 1;
   m_userRow->setVisible(two);
   if (!two) return;
-  m_userQuestion->setText("Two motions. Build makes a take of both. Or one of them plays the user:");
+  m_userQuestion->setText("Two motions. “Build” makes one take of both. Or one of them plays the user:");
   for (int i : {0, 1}) {
     const PlannedPerformer& performer = m_model.performer(i);
     m_userButtons[i]->setText(QString::fromStdString(performer.source.motion.filename().string()) +

@@ -12,6 +12,7 @@
 
 #include "core/base/text.hpp"
 #include "core/motion/joints/marker_model.hpp"
+#include "widgets/common/parts.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -23,8 +24,7 @@ QComboBox* add_field(QGridLayout* grid, int row, int column, const QString& name
   auto* box = new QComboBox;
   label->setBuddy(box);
   label->setObjectName("secondary");
-  box->setAccessibleName(name);
-  box->setToolTip(tip);
+  widgets::describe(*box, name, tip);
   box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   box->setMinimumContentsLength(8);
   grid->addWidget(label, row, 2 * column);
@@ -62,8 +62,8 @@ BuildForm::BuildForm(BuildPlanModel& model, QWidget* parent) : QWidget(parent), 
   m_joints = add_field(grid, 1, 2, "Joints", "Which points of the file are the 25 joints");
   m_skeleton = add_field(grid, 1, 3, "Skeleton", "The .asf of an .amc");
   m_start = new QSpinBox;
-  m_start->setAccessibleName("First frame");
-  m_start->setToolTip("First frame of the file that is used: where one performer's recording began earlier");
+  widgets::describe(*m_start, "First frame",
+                    "First frame of the file that is used: where one performer's recording began earlier");
   m_start->setRange(0, 100'000'000);
   auto* start = new QLabel("First frame");
   start->setBuddy(m_start);

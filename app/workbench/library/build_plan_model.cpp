@@ -223,7 +223,7 @@ QString BuildPlanModel::tip(int row, int column) const {
   }
   if ((column == Pairing || column == Take) && one.guess) return "Guessed: " + cell_text(one.guess->reason);
   if (column == Role) return "Who is active. “either”: both assignments are kept, and the library doubles";
-  if (column == Height) return "Of the head joint while standing; a person has 1 to 2.3 m";
+  if (column == Height) return "Height of the head joint while standing; 1 to 2.3 m for a person";
   if (isGuess(row, column)) return "Detected from the motion; change it below";
   return {};
 }

@@ -1,10 +1,10 @@
 #include "app/workbench/library/factor_field.hpp"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/common/parts.hpp"
 #include "widgets/common/value_slider.hpp"
 
 namespace abrazo::app {
@@ -22,8 +22,7 @@ FactorField::FactorField(const QString& name, double greatest, QWidget* parent)
   m_slider->setDefaultPlace(middle);
   m_number = new QLabel(this);
   m_number->setMinimumWidth(m_number->fontMetrics().horizontalAdvance("0.00×"));
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = widgets::row_in(this);
   row->addWidget(m_slider, 1);
   row->addWidget(m_number);
   setFocusProxy(m_slider);

@@ -136,13 +136,10 @@ void ImportDesk::lookNext() {
     };
   };
   m_job = std::make_unique<Job>(std::move(work));
-  connect(
-      m_job.get(), &Job::finished, this,
-      [this] {
-        Job::retire(std::move(m_job), this);
-        lookNext();
-      },
-      Qt::QueuedConnection);
+  connect(m_job.get(), &Job::finished, this, [this] {
+    Job::retire(std::move(m_job), this);
+    lookNext();
+  });
 }
 
 void ImportDesk::assignJoints(const UnmappedMotion& motion) {

@@ -23,6 +23,7 @@
 #include "core/motion/joints/joint_order.hpp"
 #include "core/opening/import_rules.hpp"
 #include "widgets/common/icons.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/common/section_header.hpp"
 #include "widgets/library/motion_picture.hpp"
 
@@ -49,8 +50,7 @@ QString unit_words(double metres) {
 }
 
 QLabel* small_label(QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setObjectName("secondary");
+  auto* label = widgets::quiet_label({}, parent);
   label->setWordWrap(true);
   label->setTextFormat(Qt::PlainText);
   return label;
@@ -77,11 +77,8 @@ ImportPanel::ImportPanel(const MotionReading& reading, QWidget* parent)
     : QDialog(parent), m_reading(reading), m_palette(widgets::palette_of(widgets::Theme::Dark)) {
   setWindowTitle("Import motion · " + QFileInfo(QString::fromStdString(reading.file)).fileName());
   resize_within_screen(*this, {1180, 700});
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(0);
+  auto* column = widgets::column_in(this, {}, 0);
+  auto* row = widgets::nested_row({}, 0);
   row->addWidget(makeFileColumn());
   row->addWidget(makePicture(), 1);
   row->addWidget(makeSpaceColumn());
@@ -94,10 +91,8 @@ ImportPanel::ImportPanel(const MotionReading& reading, QWidget* parent)
 
 QComboBox* ImportPanel::addField(QVBoxLayout* column, const QString& name, bool editable) {
   auto* box = new QWidget(this);
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(12, 2, 12, 2);
-  auto* label = new QLabel(name, box);
-  label->setObjectName("secondary");
+  auto* row = widgets::row_in(box, {12, 2, 12, 2});
+  auto* label = widgets::quiet_label(name, box);
   label->setFixedWidth(82);
   auto* field = new QComboBox(box);
   field->setAccessibleName(name);
@@ -115,9 +110,7 @@ QWidget* ImportPanel::makeFileColumn() {
   auto* side = new QWidget(this);
   side->setObjectName("panel");
   side->setFixedWidth(262);
-  auto* column = new QVBoxLayout(side);
-  column->setContentsMargins(0, 6, 0, 6);
-  column->setSpacing(2);
+  auto* column = widgets::column_in(side, {0, 6, 0, 6}, 2);
   column->addWidget(new widgets::SectionHeader("File", side));
   m_file = small_label(side);
   m_file->setContentsMargins(12, 0, 12, 6);
@@ -135,8 +128,7 @@ QWidget* ImportPanel::makeFileColumn() {
 
 QWidget* ImportPanel::makePicture() {
   auto* centre = new QWidget(this);
-  auto* column = new QVBoxLayout(centre);
-  column->setContentsMargins(10, 10, 10, 8);
+  auto* column = widgets::column_in(centre, {10, 10, 10, 8});
   auto* head = new QHBoxLayout;
   m_time = small_label(centre);
   m_names = new QToolButton(centre);
@@ -153,8 +145,7 @@ QWidget* ImportPanel::makePicture() {
   auto* row = new QHBoxLayout;
   m_play = new QToolButton(centre);
   m_play->setObjectName("quiet");
-  m_play->setAccessibleName("Play");
-  m_play->setToolTip("Play");
+  widgets::describe(*m_play, "Play", "Play");
   m_play->setCheckable(true);
   m_frame = new QSlider(Qt::Horizontal, centre);
   m_frame->setAccessibleName("Frame of the picture");
@@ -168,14 +159,11 @@ QWidget* ImportPanel::makeSpaceColumn() {
   auto* side = new QWidget(this);
   side->setObjectName("panel");
   side->setFixedWidth(318);
-  auto* column = new QVBoxLayout(side);
-  column->setContentsMargins(0, 6, 0, 6);
-  column->setSpacing(2);
+  auto* column = widgets::column_in(side, {0, 6, 0, 6}, 2);
   column->addWidget(new widgets::SectionHeader("Space and time", side));
   const auto add_note = [&](QLabel*& note) {
     note = small_label(side);
-    auto* row = new QHBoxLayout;
-    row->setContentsMargins(106, 0, 12, 4);
+    auto* row = widgets::nested_row({106, 0, 12, 4});
     row->addWidget(note);
     column->addLayout(row);
   };
@@ -201,8 +189,7 @@ QWidget* ImportPanel::makeSpaceColumn() {
   m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
   m_table->setSelectionMode(QAbstractItemView::NoSelection);
   m_table->setTabKeyNavigation(false);
-  auto* list = new QHBoxLayout;
-  list->setContentsMargins(8, 0, 4, 0);
+  auto* list = widgets::nested_row({8, 0, 4, 0});
   list->addWidget(m_table);
   column->addLayout(list, 3);
   m_warnings = new QLabel;
@@ -218,8 +205,7 @@ QWidget* ImportPanel::makeSpaceColumn() {
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(m_warnings);
   scroll->setMinimumHeight(72);
-  auto* frame = new QVBoxLayout;
-  frame->setContentsMargins(12, 6, 12, 4);
+  auto* frame = widgets::nested_column({12, 6, 12, 4});
   frame->addWidget(scroll);
   column->addLayout(frame, 2);
   return side;
@@ -228,8 +214,7 @@ QWidget* ImportPanel::makeSpaceColumn() {
 QWidget* ImportPanel::makeFoot() {
   auto* foot = new QWidget(this);
   foot->setObjectName("panel");
-  auto* row = new QHBoxLayout(foot);
-  row->setContentsMargins(12, 10, 12, 10);
+  auto* row = widgets::row_in(foot, {12, 10, 12, 10});
   m_remember = new QCheckBox("Do the same for files like this one", foot);
   m_remember->setChecked(true);
   m_remember->setToolTip("Files with the same points in this folder, or with a similar name: " +

@@ -115,13 +115,10 @@ void LibraryBuild::begin(std::function<std::function<void()>(const Progress&)> w
   m_job = std::make_unique<Job>(std::move(work));
   connect(m_job.get(), &Job::progressed, m_dialog,
           [this](double fraction, const QString& what) { m_dialog->showProgress(what, fraction); });
-  connect(
-      m_job.get(), &Job::finished, this,
-      [this] {
-        Job::retire(std::move(m_job), this);
-        readNext();
-      },
-      Qt::QueuedConnection);
+  connect(m_job.get(), &Job::finished, this, [this] {
+    Job::retire(std::move(m_job), this);
+    readNext();
+  });
 }
 
 /// Reads all pending files in one job; later requests follow it.

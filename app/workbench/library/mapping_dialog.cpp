@@ -24,6 +24,7 @@
 #include "core/base/statistics.hpp"
 #include "core/base/text.hpp"
 #include "core/opening/joint_maps.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/library/motion_picture.hpp"
 
 namespace abrazo::app {
@@ -118,9 +119,7 @@ MappingDialog::MappingDialog(NamedMotion motion, QWidget* parent)
       m_palette(widgets::palette_of(widgets::Theme::Dark)) {
   setWindowTitle(QString("Which points are which joints? · %1").arg(QString::fromStdString(m_motion.name)));
   resize_within_screen(*this, {1080, 760});
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(16, 14, 16, 14);
-  column->setSpacing(10);
+  auto* column = widgets::column_in(this, {16, 14, 16, 14}, 10);
   column->addWidget(new QLabel(QString("No joint map fits the %1 points of this file. Say which joints they "
                                        "are, or where on the body if they "
                                        "are markers. Guesses are marked.")
@@ -129,12 +128,8 @@ MappingDialog::MappingDialog(NamedMotion motion, QWidget* parent)
   auto* row = new QHBoxLayout;
   m_table->setAccessibleName("Joints and their points");
   m_table->setHorizontalHeaderLabels({"Joint", "Points", "Found"});
-  m_table->verticalHeader()->hide();
-  m_table->verticalHeader()->setDefaultSectionSize(24);
-  m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-  m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+  widgets::make_rows(*m_table, 24);
   m_table->setTabKeyNavigation(false);
-  m_table->setShowGrid(false);
   m_table->horizontalHeader()->setSectionResizeMode(Points, QHeaderView::Stretch);
   m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   m_table->setColumnWidth(Source, 96);
@@ -165,11 +160,9 @@ MappingDialog::~MappingDialog() {
 
 QWidget* MappingDialog::makeFacts() {
   auto* box = new QWidget(this);
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = widgets::row_in(box);
   const auto add = [row](const QString& name, QWidget* field) {
-    auto* label = new QLabel(name);
-    label->setObjectName("secondary");
+    auto* label = widgets::quiet_label(name);
     label->setBuddy(field);
     field->setAccessibleName(name);
     row->addWidget(label);
@@ -198,8 +191,7 @@ QWidget* MappingDialog::makeFacts() {
 
 QWidget* MappingDialog::makeFoot() {
   auto* foot = new QWidget(this);
-  auto* row = new QHBoxLayout(foot);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = widgets::row_in(foot);
   auto* load = new QPushButton("Load…", foot);
   load->setToolTip("A joint map or a marker model");
   m_save = new QPushButton("Save map…", foot);
@@ -286,13 +278,10 @@ void MappingDialog::guessFromMotion() {
   m_job = std::make_unique<Job>([this, motion = m_motion](const Progress&) -> Job::Finish {
     return [this, guess = guess_markers(motion)] { showGuess(guess); };
   });
-  connect(
-      m_job.get(), &Job::finished, this,
-      [this] {
-        Job::retire(std::move(m_job), this);
-        m_from_motion->setEnabled(true);
-      },
-      Qt::QueuedConnection);
+  connect(m_job.get(), &Job::finished, this, [this] {
+    Job::retire(std::move(m_job), this);
+    m_from_motion->setEnabled(true);
+  });
 }
 
 void MappingDialog::showGuess(const Result<MarkerGuess>& guess) {

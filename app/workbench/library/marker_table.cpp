@@ -7,6 +7,7 @@
 #include <QStyledItemDelegate>
 
 #include "app/workbench/base/error_words.hpp"
+#include "widgets/common/parts.hpp"
 
 namespace abrazo::app {
 namespace {
@@ -48,12 +49,8 @@ MarkerTable::MarkerTable(const NamedMotion& motion, QWidget* parent)
       m_palette(widgets::palette_of(widgets::Theme::Dark)) {
   setAccessibleName("Markers and their places");
   setHorizontalHeaderLabels({"Marker", "Place on the body", "Guess"});
-  verticalHeader()->hide();
-  verticalHeader()->setDefaultSectionSize(24);
-  setSelectionBehavior(QAbstractItemView::SelectRows);
-  setSelectionMode(QAbstractItemView::SingleSelection);
+  widgets::make_rows(*this, 24);
   setTabKeyNavigation(false);
-  setShowGrid(false);
   horizontalHeader()->setSectionResizeMode(Place, QHeaderView::Stretch);
   horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
   setColumnWidth(Belief, 150);
@@ -127,7 +124,7 @@ void MarkerTable::showRows() {
                           : proposed || column == Belief ? m_palette.secondary
                                                          : m_palette.text);
       cell->setToolTip(column == Belief && proposed ? "Click, or Enter in the row, accepts the place"
-                       : column == Place            ? "A place such as left knee; empty takes it away"
+                       : column == Place            ? "A place such as left knee; an empty text removes it"
                                                     : QString());
     }
   }

@@ -81,7 +81,7 @@ void Autosave::keep(const Project& project, const QString& session_file) {
     });
   });
   connect(m_job.get(), &Job::finished, this, [this] {
-    m_job.release()->deleteLater();
+    Job::retire(std::move(m_job), this);
     if (m_dropWhenDone) return finish();
     if (m_next) QTimer::singleShot(m_kept ? 0 : retry_ms, this, &Autosave::keepNext);
   });

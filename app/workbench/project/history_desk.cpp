@@ -49,25 +49,14 @@ HistoryDesk::Answer ask_about_history(MainWindow& window, double seconds, double
                       .arg(gigabytes, 0, 'f', 2),
                   QMessageBox::Cancel, &window);
   box.setInformativeText(
-      "It is in no session file; saving the session adds it. Kept, it is offered as a session at the next "
-      "start; otherwise it is deleted now.");
+      "It is not in a session file; saving the session adds it. If you keep it, it is offered as a session "
+      "at the next start; otherwise it is deleted now.");
   QAbstractButton* keep = box.addButton("Keep", QMessageBox::AcceptRole);
   QAbstractButton* discard = box.addButton("Delete", QMessageBox::DestructiveRole);
   box.exec();
   return box.clickedButton() == keep      ? HistoryDesk::Answer::Keep
          : box.clickedButton() == discard ? HistoryDesk::Answer::Discard
                                           : HistoryDesk::Answer::Cancel;
-}
-
-RecordingFacts facts_of_history(const Material& material) {
-  RecordingFacts facts;
-  facts.library_path = material.library_file;
-  facts.library_name = material.library->name();
-  facts.library_pairs = static_cast<std::uint64_t>(material.library->pair_count());
-  facts.library = material.library;
-  facts.excluded_takes = material.excluded_takes;
-  facts.input = "clip:" + material.input.name;
-  return facts;
 }
 
 }  // namespace
@@ -107,7 +96,7 @@ void HistoryDesk::begin() {
   const HistoryBound limit{.bytes = static_cast<std::uint64_t>(bound() * gigabyte)};
   auto keeper =
       lock->tryLock(0)
-          ? HistoryKeeper::open(folder.toStdString(), facts_of_history(m_window.session()->material()), limit)
+          ? HistoryKeeper::open(folder.toStdString(), m_window.session()->facts(), limit)
           : Result<std::shared_ptr<HistoryKeeper>>(Error{"nothing can be written", parent.toStdString()});
   if (!keeper)
     return m_window.messages().showError("The history is kept in memory only: " + words(keeper.error()));
@@ -157,14 +146,14 @@ void HistoryDesk::look() {
   const QString bound =
       m_keeper ? QString("%1 GB on disk").arg(static_cast<double>(state.bound) / gigabyte, 0, 'g', 3)
                : QString("%1 MB in memory").arg(static_cast<double>(span.bytes) / (1 << 20), 0, 'f', 0);
-  m_window.timeline().showLost("not kept: over " + bound);
+  m_window.timeline().showLost("limit reached: " + bound);
   const QString markers = lostMarkers(span.first_s);
   const QString told =
       std::exchange(m_isToldBound, true)
           ? QString()
           : QString(
-                "The history has reached its bound of %1: what came before %2 is no longer kept. "
-                "Timeline > History on disk… changes the bound; a recording keeps everything. ")
+                "The history has reached its limit of %1: what came before %2 is no longer kept. "
+                "Timeline > History on disk… changes the limit; a recording keeps everything. ")
                 .arg(bound, clock_words(span.first_s));
   if (!markers.isEmpty()) return m_window.messages().showError(told + markers);
   if (!told.isEmpty()) m_window.messages().showInformation(told.trimmed());
@@ -189,7 +178,7 @@ void HistoryDesk::askBound() {
       QString::number(bound()), [this](const QString& text) -> QString {
         const auto wanted = parse_number(text.trimmed().toStdString());
         if (!wanted || (*wanted != 0 && (*wanted < least_bound || *wanted > most_bound)))
-          return "'" + text + "' is not a valid bound; enter gigabytes from 0.1 to 10000, or 0";
+          return "'" + text + "' is not a valid limit; enter gigabytes from 0.1 to 10000, or 0";
         setBound(*wanted);
         return {};
       });
@@ -199,7 +188,7 @@ void HistoryDesk::setBound(double gigabytes) {
   m_window.remembered().setHistoryBound(gigabytes);
   if (m_keeper && gigabytes > 0) return m_keeper->set_bound(static_cast<std::uint64_t>(gigabytes * gigabyte));
   if (m_keeper || gigabytes > 0)
-    m_window.messages().showInformation("The new bound applies from the next session on");
+    m_window.messages().showInformation("The new limit applies from the next session on");
 }
 
 QStringList HistoryDesk::leftBehind(const QString& folder) {

@@ -26,8 +26,9 @@ ProjectDesk::Answer ask_person(MainWindow& window, const QString& name) {
   QMessageBox box(QMessageBox::Question, "Abrazo", "Save the changes to " + name + "?",
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &window);
   box.setInformativeText(
-      "Annotations, markers, settings and decisions since it was saved last are lost "
-      "otherwise. What was recorded is on disk in any case; saving adds the history.");
+      "Otherwise annotations, markers, settings and decisions since the last save are lost. Recordings are "
+      "on "
+      "disk in any case; saving adds the history.");
   box.setDefaultButton(QMessageBox::Save);
   switch (box.exec()) {
     case QMessageBox::Save:
@@ -47,8 +48,8 @@ ProjectDesk::LibraryAnswer ask_about_library(MainWindow& window) {
                       .arg(QString::fromStdString(material.library->name())),
                   QMessageBox::Cancel, &window);
   box.setInformativeText(
-      material.manifest ? "Otherwise the session keeps which motion files it was built from, and builds it "
-                          "again from them whenever it is opened."
+      material.manifest ? "Otherwise the session notes its motion files, and builds the library from them "
+                          "whenever it is opened."
                         : "Otherwise it is lost when the window closes: it has takes that were captured "
                           "here.");
   QAbstractButton* write = box.addButton("Write it", QMessageBox::AcceptRole);
@@ -189,7 +190,7 @@ std::optional<std::string> ProjectDesk::libraryFileFor(const QString& target) {
 
 /// Written by a worker; while the file is recorded by the recorder's thread, which holds it.
 void ProjectDesk::write(const QString& target) {
-  if (m_job) return m_window.messages().showInformation("It is being saved already");
+  if (m_job) return m_window.messages().showInformation("The session is already being saved");
   const auto library_file = libraryFileFor(target);
   if (!library_file) return;
   SessionToSave what;
@@ -251,7 +252,7 @@ void ProjectDesk::write(const QString& target) {
   });
   show_progress(*m_job, m_window.messages());
   connect(&m_window.messages(), &widgets::MessageBar::cancelRequested, m_job.get(), &Job::cancel);
-  connect(m_job.get(), &Job::finished, this, [this] { m_job.release()->deleteLater(); });
+  connect(m_job.get(), &Job::finished, this, [this] { Job::retire(std::move(m_job), this); });
 }
 
 // ---- leaving ----

@@ -21,7 +21,7 @@ void fill(MainWindow& window, QMenu& menu) {
     action->setToolTip(widgets::plain_tip(files_of(entry).join("\n")));
     QObject::connect(action, &QAction::triggered, &window, [&window, entry] { open_recent(window, entry); });
   }
-  if (entries.isEmpty()) menu.addAction("Nothing was opened yet")->setEnabled(false);
+  if (entries.isEmpty()) menu.addAction("Nothing has been opened yet")->setEnabled(false);
   menu.addSeparator();
   menu.addAction("Remove missing files from the list", &window, [&window] { remove_missing_recent(window); })
       ->setEnabled(
@@ -62,7 +62,7 @@ void add_recent_actions(MainWindow& window) {
   });
   add_action(window, files, "Open the last file again", {}, [&window] {
     const QStringList entries = window.remembered().recent();
-    entries.isEmpty() ? window.messages().showInformation("Nothing was opened yet")
+    entries.isEmpty() ? window.messages().showInformation("Nothing has been opened yet")
                       : open_recent(window, entries.front());
   });
   QAction* again = files->actions().back();

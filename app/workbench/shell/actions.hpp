@@ -11,8 +11,9 @@ class QString;
 class QUndoStack;
 
 namespace abrazo {
+class RecordedTakes;
 struct SweepOutcome;
-}
+}  // namespace abrazo
 
 namespace abrazo::widgets {
 class LeftoverBar;
@@ -33,8 +34,6 @@ class RenderDialog;
 class Shortcuts;
 class StreamDesk;
 class TakeDesk;
-struct ExportSources;
-struct PairSources;
 struct RangeRequest;
 class UserSettings;
 
@@ -91,7 +90,8 @@ void add_selection_actions(MainWindow& window);
 /// Recording takes of a session.
 TakeDesk& add_take_actions(MainWindow& window);
 /// Two streamed performers as a take of the library.
-void add_pair_actions(MainWindow& window, TakeDesk& takes, PairSources sources);
+void add_pair_actions(MainWindow& window, TakeDesk& takes,
+                      std::function<std::pair<QString, QString>()> performers);
 /// The user's role and the role control.
 void add_role_actions(MainWindow& window);
 /// The intended move; after the candidate actions.
@@ -121,7 +121,7 @@ void add_candidate_actions(MainWindow& window);
 /// Freezes settings as A, and solves the recording again with others.
 void add_compare_actions(MainWindow& window);
 /// Motion, meshes, labels, traces and plots as files.
-void add_export_actions(MainWindow& window, ExportSources sources);
+void add_export_actions(MainWindow& window, std::function<RecordedTakes()> takes);
 /// After the playback actions: following the live end also moves the plots.
 void add_plot_actions(MainWindow& window);
 void add_help_actions(MainWindow& window, Shortcuts& shortcuts);

@@ -22,7 +22,7 @@ namespace {
 void choose_files(MainWindow& window) {
   const QStringList files =
       ask_files(&window, window.remembered(), "Open",
-                QString("All that Abrazo opens (%1 *.h5 *.json *.abrazo *.eaf);;Motions "
+                QString("All files that Abrazo opens (%1 *.h5 *.json *.abrazo *.eaf);;Motions "
                         "(%1);;Libraries (*.h5 *.json);;Sessions (*.abrazo);;All files (*)")
                     .arg(QString::fromStdString(motion_file_patterns(true))));
   if (!files.isEmpty()) window.openFiles(files);

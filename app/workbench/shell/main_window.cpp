@@ -20,6 +20,7 @@
 #include "app/workbench/shell/work_split.hpp"
 #include "widgets/candidates/candidate_table.hpp"
 #include "widgets/common/message_bar.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/common/selection_model.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/library/take_list.hpp"
@@ -37,9 +38,7 @@ constexpr int status_interval_ms = 500;
 constexpr QSize smallest_window(640, 400);  // panels give way before: see plan_panels
 
 QVBoxLayout* columnIn(QWidget* box) {
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = widgets::column_in(box, {}, 0);
   box->setObjectName("panel");
   box->setAttribute(Qt::WA_StyledBackground);
   return column;

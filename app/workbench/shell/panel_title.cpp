@@ -2,11 +2,11 @@
 
 #include <QContextMenuEvent>
 #include <QDockWidget>
-#include <QHBoxLayout>
 #include <QMenu>
 #include <QToolButton>
 
 #include "widgets/common/icons.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/common/section_header.hpp"
 
 namespace abrazo::app {
@@ -19,9 +19,7 @@ PanelTitle::PanelTitle(widgets::SectionHeader* header, QDockWidget* panel)
       m_close(button("Close the panel ")) {
   setObjectName("panel");
   setAttribute(Qt::WA_StyledBackground);
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(0, 0, 4, 0);
-  row->setSpacing(0);
+  auto* row = widgets::row_in(this, {0, 0, 4, 0}, 0);
   row->addWidget(m_header, 1);
   row->addWidget(m_more);
   row->addWidget(m_close);
@@ -35,8 +33,7 @@ QToolButton* PanelTitle::button(const QString& what) {
   made->setObjectName("quiet");
   made->setFixedSize(20, 20);
   made->setFocusPolicy(Qt::TabFocus);
-  made->setAccessibleName(what + m_panel->windowTitle());
-  made->setToolTip(what + m_panel->windowTitle());
+  widgets::describe(*made, what + m_panel->windowTitle(), what + m_panel->windowTitle());
   return made;
 }
 

@@ -68,7 +68,8 @@ void ask_speed(MainWindow& window) {
         text = text.remove("×").trimmed();
         const auto speed = parse_number(text.toStdString());
         if (!speed || *speed < Playback::slowest || *speed > Playback::fastest)
-          return "'" + text + "' is not a speed; write a number from 0.01 to 10, 1 is that of the recording";
+          return "'" + text +
+                 "' is not a speed; write a number from 0.01 to 10, 1 is the speed of the recording";
         window.ticker().setSpeed(*speed);
         return {};
       });

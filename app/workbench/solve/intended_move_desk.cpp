@@ -107,7 +107,7 @@ void IntendedMoveDesk::takeBack() {
   Decisions next = m_window.document().decisions();
   if (!next.meant) return;
   next.meant.reset();
-  m_window.document().change(next, "take back the intended move");
+  m_window.document().change(next, "cancel the intended move");
   showChip();
 }
 
@@ -132,7 +132,7 @@ void IntendedMoveDesk::showChip() {
   const QString words = "intended: " + text(meant_words(*meant)) + "  ✕";
   if (words == m_chip->text()) return;
   m_chip->setText(words);
-  m_chip->setAccessibleName("Take it back, " + words);
+  m_chip->setAccessibleName("Cancel it, " + words);
   m_chip->adjustSize();
   m_chip->move(chip_place);
   m_chip->raise();

@@ -31,7 +31,7 @@ Rooms add_all_actions(MainWindow& window) {
   add_playback_actions(window);
   add_timeline_actions(window);
   auto* labels = new AnnotationDesk(window);
-  auto* label_keys = new LabelKeyFilter(window.timeline(), window.ticker(), *labels);
+  auto* label_keys = new LabelKeyFilter(window.document(), window.timeline(), window.ticker(), *labels);
   add_marker_actions(window, *labels);
   add_lane_actions(window);
   add_annotation_actions(window, *labels, *label_keys);
@@ -42,15 +42,11 @@ Rooms add_all_actions(MainWindow& window) {
   StreamDesk& streams = add_stream_actions(window);
   TakeDesk& takes = add_take_actions(window);
   QObject::connect(&streams, &StreamDesk::aboutToReceive, &takes, &TakeDesk::prepareStream);
-  add_pair_actions(window, takes,
-                   {[&streams] { return std::pair(streams.user(), streams.second()); },
-                    [labels] { return labels->annotations_of(""); }});
+  add_pair_actions(window, takes, [&streams] { return std::pair(streams.user(), streams.second()); });
   add_role_actions(window);
   widgets::LeftoverBar& leftovers = add_session_actions(window);
   add_plot_actions(window);
-  add_export_actions(window,
-                     {[labels](const std::string& subject) { return labels->annotations_of(subject); },
-                      [&takes] { return takes.takes(); }, [labels] { return labels->subject(); }});
+  add_export_actions(window, [&takes] { return takes.takes(); });
   add_candidate_actions(window);
   add_intended_move_actions(window);
   add_compare_actions(window);

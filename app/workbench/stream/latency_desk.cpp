@@ -1,7 +1,6 @@
 #include "app/workbench/stream/latency_desk.hpp"
 
 #include <QDockWidget>
-#include <QHBoxLayout>
 #include <QStatusBar>
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 #include "app/workbench/shell/main_window.hpp"
 #include "app/workbench/shell/panel_area.hpp"
 #include "app/workbench/stream/stream_desk.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/plots/latency_plot.hpp"
 #include "widgets/scene/view/scene_view.hpp"
 #include "widgets/stream/latency_button.hpp"
@@ -45,9 +45,7 @@ LatencyDesk::LatencyDesk(MainWindow& window, const StreamDesk& stream)
 
 void LatencyDesk::makePanel() {
   auto* content = new QWidget;
-  auto* row = new QHBoxLayout(content);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(0);
+  auto* row = widgets::row_in(content, {}, 0);
   m_table = new widgets::LatencyTable(content);
   m_plot = new widgets::LatencyPlot(content);
   row->addWidget(m_table, 0, Qt::AlignTop);

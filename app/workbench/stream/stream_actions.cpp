@@ -33,7 +33,7 @@ void list_uris(QMenu& menu, const QStringList& uris, const QString& none,
 void add_recent(MainWindow& window, QMenu* menu, StreamDesk& desk) {
   auto* recent = menu->addMenu("Recent connections");
   QObject::connect(recent, &QMenu::aboutToShow, recent, [&window, &desk, recent] {
-    list_uris(*recent, desk.recent(), "Nothing was connected yet", [&window, &desk](const QString& uri) {
+    list_uris(*recent, desk.recent(), "Nothing has been connected yet", [&window, &desk](const QString& uri) {
       show_panel(window);
       desk.connectTo(uri);
     });
@@ -47,7 +47,7 @@ void add_sinks(MainWindow& window, QMenu* menu, StreamDesk& desk, ConnectionPane
   });
   auto* recent = menu->addMenu("Send partner to recent");
   QObject::connect(recent, &QMenu::aboutToShow, recent, [&window, &desk, recent] {
-    list_uris(*recent, window.remembered().recentSinks(), "Nothing was sent yet",
+    list_uris(*recent, window.remembered().recentSinks(), "Nothing has been sent yet",
               [&desk](const QString& uri) { desk.send(uri, Character::Partner); });
   });
 }

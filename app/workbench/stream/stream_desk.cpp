@@ -325,8 +325,7 @@ void StreamDesk::showNotice() {
   if (!m_notice || m_calibration.is_under_way()) return;
   const bool follows = m_window.ticker().playback().state == Playback::State::Following;
   if (isConnected() && !m_found)
-    return m_notice->say({}, "Asking the network for the address of " + m_uri,
-                         "Live > Disconnect gives it up");
+    return m_notice->say({}, "Looking up the address of " + m_uri, "Live > Disconnect cancels");
   if (!m_health || !follows) return m_notice->clear();
   const QString advice =
       m_health->diagnoses.empty() ? QString() : QString::fromStdString(m_health->diagnoses.front().text);
@@ -335,13 +334,13 @@ void StreamDesk::showNotice() {
     case StreamHealth::State::Waiting:
       return m_notice->say({}, "Waiting for the first packet of " + m_uri, advice);
     case StreamHealth::State::Stalled:
-      return m_notice->badge(StreamMark::Warning, "Nothing comes in any more from " + short_name(*m_health));
+      return m_notice->badge(StreamMark::Warning, "No more packets from " + short_name(*m_health));
     case StreamHealth::State::Failed:
       return m_notice->badge(StreamMark::Bad, short_name(*m_health) + " failed. " + advice);
     case StreamHealth::State::Receiving:
       break;
   }
-  if (!user_health) return m_notice->say({}, "Packets come in, but no pose yet", advice);
+  if (!user_health) return m_notice->say({}, "Packets arrive, but no pose yet", advice);
   if (user_health->tracked) return m_notice->clear();
   m_notice->badge(StreamMark::Warning, "Tracking lost: " + user());
 }

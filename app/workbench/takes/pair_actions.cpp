@@ -21,8 +21,9 @@ void save_library(MainWindow& window, PairDesk& desk) {
 
 }  // namespace
 
-void add_pair_actions(MainWindow& window, TakeDesk& takes, PairSources sources) {
-  auto* desk = new PairDesk(window, takes, std::move(sources));
+void add_pair_actions(MainWindow& window, TakeDesk& takes,
+                      std::function<std::pair<QString, QString>()> performers) {
+  auto* desk = new PairDesk(window, takes, std::move(performers));
   QObject::connect(&takes.panel(), &widgets::TakePanel::pairRequested, desk, &PairDesk::toggle);
   add_action(window, menu_of(window, "Live"), "Record a pair for the library", {},
              [desk] { desk->toggle(); });

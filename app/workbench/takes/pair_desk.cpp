@@ -37,8 +37,9 @@ QStringList labels_of(const MotionLibrary& library) {
 
 }  // namespace
 
-PairDesk::PairDesk(MainWindow& window, TakeDesk& takes, PairSources sources)
-    : QObject(&window), m_window(window), m_takes(takes), m_sources(std::move(sources)) {
+PairDesk::PairDesk(MainWindow& window, TakeDesk& takes,
+                   std::function<std::pair<QString, QString>()> performers)
+    : QObject(&window), m_window(window), m_takes(takes), m_performers(std::move(performers)) {
   connect(&takes, &TakeDesk::begun, this, &PairDesk::listen);
   connect(&takes, &TakeDesk::taken, this, [this] {
     if (m_capture && !m_dialog) ask();
@@ -73,7 +74,7 @@ void PairDesk::begin() {
     return m_window.messages().showInformation(
         "A pair needs two performers in the stream; connect to one that has them (Live > Connect to a "
         "stream…)");
-  const auto [user, second] = m_sources.performers();
+  const auto [user, second] = m_performers();
   const std::string a = user.isEmpty() ? performers.front() : user.toStdString();
   std::string b = second.toStdString();
   if (b.empty() || b == a)
@@ -120,7 +121,7 @@ void PairDesk::add(PairDialog& dialog) {
   dialog.accept();
   if (m_takes.takes().empty()) return extend(*take);
   const double began_s = m_takes.takes().all().back().from_s + wishes.in_s;
-  extend(with_session_labels(*take, m_sources.said(), began_s));
+  extend(with_session_labels(*take, m_window.document().live().annotations().of(""), began_s));
 }
 
 void PairDesk::extend(const PairedTake& take) {
@@ -147,7 +148,7 @@ void PairDesk::extend(const PairedTake& take) {
       m_window.document().replaceSolver(std::move(*ready));
       const LibraryTake& added = m_window.session()->material().library->takes().back();
       m_window.messages().showInformation(
-          QString("%1 is in the library: %2 frames. Library > Save library… keeps it")
+          QString("%1 was added to the library: %2 frames. Library > Save library… writes it to a file")
               .arg(text(added.name))
               .arg(added.frames));
       emit extended(text(take.name));

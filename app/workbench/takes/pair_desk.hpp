@@ -7,7 +7,6 @@
 #include <optional>
 #include <utility>
 
-#include "core/annotation/annotations.hpp"
 #include "core/library/takes/paired_take.hpp"
 #include "core/session/run/pair_capture.hpp"
 
@@ -22,19 +21,12 @@ class MainWindow;
 class PairDialog;
 class TakeDesk;
 
-/// Data of a recorded pair provided by other folders.
-struct PairSources {
-  /// The user and the second performer of the connected stream; empty = none.
-  std::function<std::pair<QString, QString>()> performers;
-  /// Annotations of the session.
-  std::function<Annotations()> said;
-};
-
 /// Records two streamed performers as a take of the open library, without a restart of the session.
 class PairDesk : public QObject {
   Q_OBJECT
  public:
-  PairDesk(MainWindow& window, TakeDesk& takes, PairSources sources);
+  /// @param performers  the user and the second performer of the connected stream; empty = none
+  PairDesk(MainWindow& window, TakeDesk& takes, std::function<std::pair<QString, QString>()> performers);
   ~PairDesk() override;
 
   /// Begins, or ends and asks for the properties of the take.
@@ -57,7 +49,7 @@ class PairDesk : public QObject {
 
   MainWindow& m_window;
   TakeDesk& m_takes;
-  PairSources m_sources;
+  std::function<std::pair<QString, QString>()> m_performers;
   std::shared_ptr<PairCapture> m_capture;
   std::weak_ptr<StreamReceiver> m_receiver;
   std::optional<int> m_listener;

@@ -9,6 +9,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "widgets/common/parts.hpp"
+
 namespace abrazo::app {
 namespace {
 
@@ -51,8 +53,7 @@ PairDialog::PairDialog(const PairCapture& capture, const QString& name, const QS
     m_in->setValue(usual_trim_s);
     m_out->setValue(usual_trim_s);
   }
-  m_length = new QLabel(this);
-  m_length->setObjectName("secondary");
+  m_length = widgets::quiet_label({}, this);
   m_trouble = new QLabel(this);
   m_trouble->setWordWrap(true);
   m_trouble->hide();
@@ -66,7 +67,7 @@ PairDialog::PairDialog(const PairCapture& capture, const QString& name, const QS
   auto* buttons = new QDialogButtonBox(this);
   auto* add = buttons->addButton("Add to library", QDialogButtonBox::AcceptRole);
   add->setDefault(true);
-  buttons->addButton("Not into the library", QDialogButtonBox::RejectRole);
+  buttons->addButton("Do not add", QDialogButtonBox::RejectRole);
   auto* column = new QVBoxLayout(this);
   column->addLayout(form);
   column->addWidget(m_trouble);

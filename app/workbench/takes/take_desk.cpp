@@ -58,16 +58,9 @@ double TakeDesk::now() const {
 }
 
 RecordingFacts TakeDesk::facts() const {
-  const Material& material = m_window.session()->material();
-  RecordingFacts facts;
-  facts.library_path = material.library_file;
-  facts.library_name = material.library->name();
-  facts.library_pairs = static_cast<std::uint64_t>(material.library->pair_count());
-  facts.library = material.library;
-  facts.excluded_takes = material.excluded_takes;
+  RecordingFacts facts = m_window.session()->facts();
   facts.has_times_of_file = true;
-  const auto receiver = m_window.session()->engine().receiver();
-  facts.input = receiver ? receiver->uri().text : "clip:" + material.input.name;
+  if (const auto receiver = m_window.session()->engine().receiver()) facts.input = receiver->uri().text;
   return facts;
 }
 

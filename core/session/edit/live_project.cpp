@@ -61,10 +61,11 @@ Result<ChosenSettings> LiveProject::with_preset(const std::string& name, bool ow
 }
 
 int LiveProject::epoch_of(const ProjectValue& value) const {
-  return std::holds_alternative<Decisions>(value)        ? libraries_
-         : std::holds_alternative<SubjectMarkers>(value) ? sessions_
-         : std::holds_alternative<VideoStates>(value)    ? replaced_videos_
-                                                         : 0;
+  return std::holds_alternative<Decisions>(value)            ? libraries_
+         : std::holds_alternative<SubjectMarkers>(value)     ? sessions_
+         : std::holds_alternative<SubjectAnnotations>(value) ? annotations_.number()
+         : std::holds_alternative<VideoStates>(value)        ? replaced_videos_
+                                                             : 0;
 }
 
 std::optional<ProjectEdit> LiveProject::edit(ProjectValue after, std::string what) const {
@@ -78,6 +79,8 @@ std::optional<ProjectEdit> LiveProject::edit(ProjectValue after, std::string wha
     edit.before = project_.decisions;
   } else if (const auto* marked = std::get_if<SubjectMarkers>(&after)) {
     edit.before = SubjectMarkers{marked->subject, markers(marked->subject)};
+  } else if (const auto* said = std::get_if<SubjectAnnotations>(&after)) {
+    edit.before = SubjectAnnotations{said->subject, annotations_.of(said->subject)};
   } else {
     edit.before = videos_;
   }
@@ -110,6 +113,10 @@ LiveProject::Parts LiveProject::put(const ProjectValue& value) {
     }
     return {ProjectPart::Videos};
   }
+  if (const auto* said = std::get_if<SubjectAnnotations>(&value)) {
+    annotations_.put(said->subject, said->annotations);
+    return annotated();
+  }
   const auto& [subject, markers] = std::get<SubjectMarkers>(value);
   if (subject.empty())
     project_.markers = markers;
@@ -135,8 +142,17 @@ LiveProject::Parts LiveProject::put(std::vector<OwnPreset> own) {
   return {ProjectPart::Settings};
 }
 
-LiveProject::Parts LiveProject::put(AnnotationBook annotations) {
-  project_.annotations = std::move(annotations);
+void LiveProject::begin_annotations(const std::string& subject, const MotionLibrary& library) {
+  annotations_.begin(subject, library);
+}
+
+LiveProject::Parts LiveProject::open_annotations(AnnotationBook book, const MotionLibrary& library) {
+  annotations_.open(std::move(book), library);
+  return annotated();
+}
+
+LiveProject::Parts LiveProject::annotated() {
+  project_.annotations = annotations_.changed();
   return {ProjectPart::Annotations};
 }
 
@@ -152,11 +168,13 @@ std::vector<DataReference> LiveProject::video_files() const {
   return files;
 }
 
-LiveProject::Parts LiveProject::begin_session(bool same_library) {
+LiveProject::Parts LiveProject::begin_session(const MotionLibrary& library, bool same_library) {
   ++sessions_;
   project_.markers = {};
   project_.take_markers.clear();
-  Parts changed{ProjectPart::Markers};
+  annotations_.start(library);
+  annotated();
+  Parts changed{ProjectPart::Markers, ProjectPart::Annotations};
   if (same_library) return changed;
   ++libraries_;
   put(Decisions{});

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/base/result.hpp"
-#include "core/library/store/motion_library.hpp"
+#include "core/session/edit/live_annotations.hpp"
 #include "core/session/edit/project_edit.hpp"
 #include "core/session/file/project.hpp"
 
@@ -24,6 +24,8 @@ class LiveProject {
   const std::vector<OwnPreset>& own_presets() const { return own_presets_; }
   /// Markers of the session ("") or of a take; empty if there are none.
   const Markers& markers(const std::string& subject) const;
+  /// Of all subjects, also those that nobody changed: the project has only those that changed.
+  const LiveAnnotations& annotations() const { return annotations_; }
 
   /// The present settings with one of them set from typed text. The Error names the setting and its valid
   /// values.
@@ -35,8 +37,8 @@ class LiveProject {
 
   /// The undo step from the present value to `after`; none if there is nothing to undo.
   std::optional<ProjectEdit> edit(ProjectValue after, std::string what) const;
-  /// Whether an undo step still applies: decisions refer to pairs of the library, and markers to times of the
-  /// session, in which they were made.
+  /// Whether an undo step still applies: decisions refer to pairs of the library, markers to times of the
+  /// session and annotations to the book in which they were made.
   bool is_valid(const ProjectEdit& edit) const;
 
   /// Sets a value without an undo step.
@@ -44,26 +46,33 @@ class LiveProject {
   Parts put(RoleControl by);
   /// Replaces the user's own presets; the chosen one may be missing or changed afterwards.
   Parts put(std::vector<OwnPreset> own);
-  Parts put(AnnotationBook annotations);
   /// Replaces all videos, not as an edit: undo steps back to the previous ones become invalid.
   Parts replace_videos(VideoStates videos);
   const VideoStates& videos() const { return videos_; }
   /// In the order of the videos; ProjectVideo::data of project() is an index into it.
   std::vector<DataReference> video_files() const;
 
+  /// Before a subject is shown.
+  void begin_annotations(const std::string& subject, const MotionLibrary& library);
+  /// Replaces all annotations by those of a saved project.
+  Parts open_annotations(AnnotationBook book, const MotionLibrary& library);
+
   /// Begins a session. Drops markers and annotations of the previous one and, if the library differs, the
-  /// decisions about its pairs. Settings and role control stay.
-  Parts begin_session(bool same_library);
+  /// decisions about its pairs. Settings and role control stay, and so do annotations of takes that this
+  /// library has, too.
+  Parts begin_session(const MotionLibrary& library, bool same_library);
   /// The session continues with another library.
   Parts replace_library(const MotionLibrary& before, const MotionLibrary& after);
-  /// Takes over a saved project in the new session, except annotations and videos: the reader of their files
-  /// sets them.
+  /// Takes over a saved project in the new session, except annotations and videos, which have functions of
+  /// their own.
   Parts open(const Project& saved);
 
  private:
   int epoch_of(const ProjectValue& value) const;
+  Parts annotated();
 
   Project project_;
+  LiveAnnotations annotations_;
   PresetChoice preset_;
   std::vector<OwnPreset> own_presets_;
   VideoStates videos_;

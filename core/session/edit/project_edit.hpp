@@ -3,6 +3,7 @@
 #include <string>
 #include <variant>
 
+#include "core/annotation/annotations.hpp"
 #include "core/session/edit/video_state.hpp"
 #include "core/session/frames/decisions.hpp"
 #include "core/session/frames/markers.hpp"
@@ -29,8 +30,16 @@ struct SubjectMarkers {
   bool operator==(const SubjectMarkers&) const = default;
 };
 
+/// Annotations of the session (""), or of a take by its name.
+struct SubjectAnnotations {
+  std::string subject;
+  Annotations annotations;
+
+  bool operator==(const SubjectAnnotations&) const = default;
+};
+
 /// A whole part that an undo step changes. An undo step leaves the role control of the decisions as it is.
-using ProjectValue = std::variant<ChosenSettings, Decisions, SubjectMarkers, VideoStates>;
+using ProjectValue = std::variant<ChosenSettings, Decisions, SubjectMarkers, SubjectAnnotations, VideoStates>;
 
 /// One undo step: a part before and after the edit.
 struct ProjectEdit {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "core/stream/protocol/stream_health.hpp"
 #include "core/synthesis/step/synthesizer_state.hpp"
 
 namespace abrazo {
@@ -186,6 +187,7 @@ double LiveLoop::frame_time(const SourcePose& input, double now_s) const {
 double LiveLoop::loss_after_s() const {
   const double rate_hz = source_->rate_hz();
   constexpr double tracking_loss_s = PartnerSynthesizer::tracking_loss_s;
+  static_assert(default_performer_loss_s < tracking_loss_s, "a stream reports the loss first");
   return rate_hz > 0 ? std::max(tracking_loss_s, intervals_until_loss / rate_hz) : tracking_loss_s;
 }
 

@@ -7,8 +7,11 @@
 
 namespace abrazo {
 
-/// Tracking counts as lost after this time without a pose.
-inline constexpr double default_tracking_loss_s = 0.25;
+/// The tracking of a performer counts as lost after this time without a pose, and the next pose starts a new
+/// motion. Shorter than the gap after which the solver does so by itself
+/// (PartnerSynthesizer::tracking_loss_s): the stream knows the reason and reports it first; the solver's
+/// limit is for inputs that report nothing.
+inline constexpr double default_performer_loss_s = 0.25;
 
 /// Measurements of a stream per performer. Times are over about the last second.
 struct PerformerHealth {

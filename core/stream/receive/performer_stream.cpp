@@ -69,7 +69,7 @@ double PerformerStream::session_time(const PerformerFrame& frame, FrameOrder::Ki
 }
 
 bool PerformerStream::breaks_off(const Pose& pose, const PerformerFrame& frame) {
-  if (last_pose_s_ >= 0 && frame.arrived_s - last_pose_s_ > options_.tracking_loss_s) {
+  if (last_pose_s_ >= 0 && frame.arrived_s - last_pose_s_ > options_.performer_loss_s) {
     ++health_.interruptions;
     break_pending_ = true;
   }
@@ -159,7 +159,7 @@ PerformerObservation PerformerStream::observe(double now_s) const {
   health.assembly_p95_ms = times.assembly_p95_ms;
   health.delay_ms = 1000 * buffer_.delay_s();
   health.lost = order_.lost();
-  health.tracked = last_pose_s_ >= 0 && now_s - last_pose_s_ <= options_.tracking_loss_s;
+  health.tracked = last_pose_s_ >= 0 && now_s - last_pose_s_ <= options_.performer_loss_s;
   health.joint_map = assembly_.joint_map();
   health.estimated_joints = assembly_.estimated_joints();
   if (last_) health.height_m = (*last_)(joints::Head, 1);

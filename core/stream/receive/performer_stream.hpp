@@ -22,7 +22,7 @@ class PerformerStream {
   struct Options {
     FrameAssemblyOptions assembly;
     double delay_s = 0;
-    double tracking_loss_s = default_tracking_loss_s;
+    double performer_loss_s = default_performer_loss_s;
     bool floor_by_calibration = true;
   };
   PerformerStream(std::string name, const Options& options, double now_s);

@@ -227,7 +227,7 @@ class PerformerAdvice {
     if (!health_.tracked) {
       const bool ever = seen_.last_pose_s >= 0;
       const double since_s = stream_.now_s - (ever ? seen_.last_pose_s : seen_.first_s);
-      if (ever || since_s > stream_.tracking_loss_s)
+      if (ever || since_s > stream_.performer_loss_s)
         add(Severity::Error, ever ? "tracking-lost" : "no-pose",
             (ever ? "tracking is lost for " : "frames come without a pose for ") + number(since_s, 1) + " s" +
                 (seen_.why_no_pose.empty() ? std::string() : ": " + seen_.why_no_pose));

@@ -32,7 +32,7 @@ struct PerformerObservation {
 struct StreamObservation {
   StreamUri uri;
   double opened_s = 0, now_s = 0;
-  double tracking_loss_s = default_tracking_loss_s;
+  double performer_loss_s = default_performer_loss_s;
   std::uint64_t packets = 0;
   double last_packet_s = -1;
   double last_frame_s = -1;          ///< newest frame of any performer

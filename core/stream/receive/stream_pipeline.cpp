@@ -74,7 +74,7 @@ Result<PerformerStream::Options> performer_options(const StreamUri& uri, const S
     return Error{"the option 'floor' is " + in_quotes(floor) + "; expected metres or auto", uri.text};
 
   options.delay_s = given.delay_s > 0 ? given.delay_s : delay->value_or(0);
-  options.tracking_loss_s = given.tracking_loss_s;
+  options.performer_loss_s = given.performer_loss_s;
   options.assembly.joint_map = given.joint_map ? given.joint_map : std::move(*map);
   if (*hold) options.assembly.longest_hold_s = **hold;
   options.assembly.correction.metres_per_unit = *unit;
@@ -241,7 +241,7 @@ StreamObservation StreamPipeline::observe(double now_s) const {
   seen.uri = uri_;
   seen.opened_s = opened_s_;
   seen.now_s = now_s;
-  seen.tracking_loss_s = options_.tracking_loss_s;
+  seen.performer_loss_s = options_.performer_loss_s;
   seen.packets = counted_.packets;
   seen.last_packet_s = counted_.last_packet_s;
   seen.last_frame_s = last_frame_s_;

@@ -20,7 +20,7 @@ class StreamReceiver;
 struct StreamReceiverOptions {
   double delay_s = 0;                 ///< delay of the jitter buffer
   std::optional<JointMap> joint_map;  ///< none = the built-in one that fits
-  double tracking_loss_s = default_tracking_loss_s;
+  double performer_loss_s = default_performer_loss_s;
   /// Called with the receiver after its port is open and before the first packet is read, so that listeners
   /// added here miss nothing.
   std::function<void(StreamReceiver&)> prepare = {};

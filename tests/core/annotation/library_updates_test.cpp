@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-#include "core/annotation/annotation_state.hpp"
+#include "core/session/edit/live_annotations.hpp"
 #include "tests/core/annotation/label_tiers.hpp"
 #include "tests/support/libraries.hpp"
 

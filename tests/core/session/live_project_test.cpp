@@ -1,8 +1,11 @@
 #include "core/session/edit/live_project.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/library/build/motion_library_builder.hpp"
 #include "core/session/frames/decision_edits.hpp"
+#include "tests/core/annotation/label_tiers.hpp"
 #include "tests/support/libraries.hpp"
 
 namespace abrazo::live_project_test {
@@ -144,7 +147,7 @@ TEST(LiveProject, StepsOfMarkersEndWithTheirSessionAndThoseOfSettingsDoNot) {
   Worked work;
   work.set("alpha", "0.7");
   work.change(SubjectMarkers{"", marked(1)});
-  work.live.begin_session(true);
+  work.live.begin_session(*test::small_library(), true);
   EXPECT_TRUE(work.live.markers("").empty());
   EXPECT_TRUE(work.live.is_valid(work.steps[0]));
   EXPECT_FALSE(work.live.is_valid(work.steps[1])) << "its times are others";
@@ -153,11 +156,11 @@ TEST(LiveProject, StepsOfMarkersEndWithTheirSessionAndThoseOfSettingsDoNot) {
 TEST(LiveProject, DecisionsStayInASessionOnTheSameLibraryAndGoWithAnother) {
   Worked work;
   work.change(with_pin_toggled({}, 3));
-  work.live.begin_session(true);
+  work.live.begin_session(*test::small_library(), true);
   EXPECT_TRUE(work.live.is_valid(work.steps[0]));
   EXPECT_EQ(work.live.project().decisions.pinned, 3);
   work.live.put(RoleControl::Leader);
-  work.live.begin_session(false);
+  work.live.begin_session(*test::small_library(), false);
   EXPECT_FALSE(work.live.is_valid(work.steps[0])) << "its pairs are others";
   EXPECT_FALSE(work.live.project().decisions.pinned);
   EXPECT_EQ(work.live.project().decisions.role_control, RoleControl::Leader);
@@ -253,6 +256,137 @@ TEST(Project, IsOtherWorkWithAnyOtherThingThatAPersonDecided) {
     change(a);
     EXPECT_TRUE(is_same_work(a, b)) << what;
   }
+}
+
+using test::label_texts;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
+
+MotionLibrary library_of(const std::string& name, const std::vector<std::string>& takes) {
+  std::vector<PairedTake> recorded;
+  for (const std::string& take : takes) {
+    recorded.push_back(test::swinging_take(take, 30, 1));
+    recorded.back().roles = {{0, 30, ActivePerformer::A}};
+    recorded.back().labels = {{0, 12, "basic", "", ""}, {12, 30, "turn", "", ""}};
+  }
+  return *build_library(name, std::move(recorded), {}, {});
+}
+
+const MotionLibrary& library() {
+  static const MotionLibrary two_takes = library_of("salsa", {"one", "two"});
+  return two_takes;
+}
+
+const AnnotationTier& tier(const Annotations& annotations, TierKind kind = TierKind::Move) {
+  return *annotations.first_of(kind);
+}
+
+/// The annotations of a live project, edited in undo steps.
+class LiveAnnotationsTest : public testing::Test {
+ protected:
+  LiveAnnotationsTest() { live.begin_session(library(), false); }
+
+  /// Draws a move in a subject, as a step that is done. @return the step
+  ProjectEdit draw(const std::string& subject, double from_s, double to_s, const char* value) {
+    Annotations next = live.annotations().of(subject);
+    EXPECT_TRUE(next.draw(tier(next).id, from_s, to_s, value, Conflict::Replace, {0, 10}));
+    const auto step = live.edit(SubjectAnnotations{subject, next}, "draw");
+    EXPECT_TRUE(step);
+    EXPECT_THAT(live.put(step->after), ElementsAre(ProjectPart::Annotations));
+    return *step;
+  }
+  std::vector<std::string> moves(const std::string& subject) const {
+    const Annotations& annotations = live.annotations().of(subject);
+    return annotations.empty() ? std::vector<std::string>() : label_texts(annotations, tier(annotations).id);
+  }
+  const AnnotationBook& saved() const { return live.project().annotations; }
+
+  LiveProject live;
+};
+
+TEST(BegunAnnotations, OfATakeAreTheLibrarysWithKeysAndATierForNotes) {
+  const Annotations begun = begun_annotations(library(), "one");
+  EXPECT_THAT(label_texts(begun, tier(begun).id), ElementsAre("0-0.2 basic", "0.2-0.5 turn"));
+  EXPECT_EQ(tier(begun).entry("basic")->key, '1');
+  EXPECT_EQ(tier(begun).entry("turn")->key, '2');
+  EXPECT_EQ(tier(begun, TierKind::Role).entry("a")->key, 'a');
+  ASSERT_TRUE(begun.tier_named("note"));
+  EXPECT_EQ(begun.tier_named("note")->kind, TierKind::Note);
+}
+
+TEST(BegunAnnotations, OfTheSessionHaveTheTakesWordsAndSayNothing) {
+  const Annotations begun = begun_annotations(library(), "");
+  EXPECT_THAT(tier(begun).annotations, IsEmpty());
+  EXPECT_TRUE(tier(begun).entry("turn"));
+  EXPECT_EQ(tier(begun, TierKind::Role).entry("a")->description, "user leads");
+}
+
+TEST_F(LiveAnnotationsTest, ABegunTakeIsNotAChangeUntilSomethingElseIsSaid) {
+  live.begin_annotations("one", library());
+  EXPECT_THAT(moves("one"), ElementsAre("0-0.2 basic", "0.2-0.5 turn"));
+  EXPECT_THAT(saved(), IsEmpty());
+  draw("one", 0, 0.1, "turn");
+  ASSERT_EQ(saved().size(), 1u);
+  EXPECT_EQ(saved().begin()->first, "one");
+}
+
+TEST_F(LiveAnnotationsTest, AStepIsTakenBackAndDoneAgain) {
+  const ProjectEdit step = draw("", 1, 2, "turn");
+  EXPECT_THAT(moves(""), ElementsAre("1-2 turn"));
+  live.put(step.before);
+  EXPECT_THAT(moves(""), IsEmpty());
+  EXPECT_THAT(saved(), IsEmpty()) << "nothing to save";
+  live.put(step.after);
+  EXPECT_THAT(moves(""), ElementsAre("1-2 turn"));
+  EXPECT_FALSE(live.edit(SubjectAnnotations{"", live.annotations().of("")}, "nothing"))
+      << "what is so already is no step";
+}
+
+TEST_F(LiveAnnotationsTest, AStepConcernsItsSubjectOnly) {
+  live.begin_annotations("one", library());
+  draw("", 1, 2, "turn");
+  const ProjectEdit step = draw("one", 0, 0.1, "turn");
+  live.put(step.before);
+  EXPECT_THAT(moves("one"), ElementsAre("0-0.2 basic", "0.2-0.5 turn"));
+  EXPECT_THAT(moves(""), ElementsAre("1-2 turn"));
+}
+
+TEST_F(LiveAnnotationsTest, StepsOfAnotherSessionOrProjectAreOfNoUse) {
+  const ProjectEdit step = draw("", 1, 2, "turn");
+  EXPECT_TRUE(live.is_valid(step));
+  live.begin_session(library(), true);
+  EXPECT_FALSE(live.is_valid(step));
+  EXPECT_THAT(moves(""), IsEmpty());
+  const ProjectEdit other = draw("", 1, 2, "turn");
+  live.open_annotations({}, library());
+  EXPECT_FALSE(live.is_valid(other));
+}
+
+TEST_F(LiveAnnotationsTest, TheNextSessionKeepsWhatWasSaidOfItsTakes) {
+  draw("", 1, 2, "turn");
+  for (const char* take : {"one", "two"}) {
+    live.begin_annotations(take, library());
+    draw(take, 0, 0.1, "turn");
+  }
+  live.begin_session(library_of("salsa", {"two", "three"}), false);
+  EXPECT_THAT(moves(""), IsEmpty()) << "its times were another session's";
+  EXPECT_THAT(moves("two"), ElementsAre("0-0.1 turn", "0.1-0.2 basic", "0.2-0.5 turn"));
+  EXPECT_THAT(moves("one"), IsEmpty()) << "the library does not have it any more";
+  ASSERT_EQ(saved().size(), 1u);
+  EXPECT_EQ(saved().begin()->first, "two");
+  live.begin_session(library_of("fights", {"two"}), false);
+  EXPECT_THAT(moves("two"), IsEmpty()) << "another library's take of the same name";
+  EXPECT_THAT(saved(), IsEmpty());
+}
+
+TEST_F(LiveAnnotationsTest, ABookTakesThePlaceOfAllAndIsAChange) {
+  draw("", 1, 2, "turn");
+  const Annotations kept = begun_annotations(library(), "two");
+  EXPECT_THAT(live.open_annotations({{"two", kept}}, library()), ElementsAre(ProjectPart::Annotations));
+  EXPECT_THAT(moves(""), IsEmpty());
+  EXPECT_FALSE(live.annotations().of("").empty()) << "the session has its tiers";
+  EXPECT_THAT(saved(), ElementsAre(std::pair<const std::string, Annotations>("two", kept)))
+      << "so that it is saved again";
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "core/annotation/annotation_state.hpp"
+#include "core/session/edit/live_annotations.hpp"
 
 #include <algorithm>
 #include <utility>
@@ -47,13 +47,13 @@ Annotations begun_annotations(const MotionLibrary& library, const std::string& s
   return annotations;
 }
 
-const Annotations& AnnotationState::annotations_of(const std::string& subject) const {
+const Annotations& LiveAnnotations::of(const std::string& subject) const {
   static const Annotations nothing;
   const auto found = book_.find(subject);
   return found == book_.end() ? nothing : found->second;
 }
 
-AnnotationBook AnnotationState::changed() const {
+AnnotationBook LiveAnnotations::changed() const {
   AnnotationBook changed;
   for (const auto& [subject, annotations] : book_) {
     const auto known = begun_.find(subject);
@@ -62,76 +62,24 @@ AnnotationBook AnnotationState::changed() const {
   return changed;
 }
 
-void AnnotationState::begin_if_new(const std::string& subject, const MotionLibrary& library) {
-  if (annotations_of(subject).empty()) book_[subject] = begun_[subject] = begun_annotations(library, subject);
+void LiveAnnotations::begin(const std::string& subject, const MotionLibrary& library) {
+  if (of(subject).empty()) book_[subject] = begun_[subject] = begun_annotations(library, subject);
 }
 
-void AnnotationState::start(const MotionLibrary& library) {
+void LiveAnnotations::start(const MotionLibrary& library) {
   book_.erase("");
   if (library_ != library.name()) book_.clear();
   std::erase_if(book_, [&](const auto& entry) { return library.find_take(entry.first) < 0; });
   library_ = library.name();
   ++number_;
-  subject_.clear();
-  begin_if_new("", library);
-  tier_ = 0;
-  settle_chosen();
+  begin("", library);
 }
 
-void AnnotationState::set_book(AnnotationBook book, const MotionLibrary* library) {
+void LiveAnnotations::open(AnnotationBook book, const MotionLibrary& library) {
   book_ = std::move(book);
   begun_.clear();
   ++number_;
-  if (library) {
-    begin_if_new("", *library);
-    begin_if_new(subject_, *library);
-  }
-  settle_chosen();
-}
-
-void AnnotationState::show(const std::string& subject, const MotionLibrary& library) {
-  subject_ = subject;
-  begin_if_new(subject, library);
-  tier_ = selected_ = 0;
-  settle_chosen();
-}
-
-bool AnnotationState::choose_tier(int tier) {
-  if (tier == tier_ || !annotations().tier(tier)) return false;
-  tier_ = tier;
-  if (const AnnotationTier* of = annotations().tier_of(selected_); of && of->id != tier) selected_ = 0;
-  return true;
-}
-
-bool AnnotationState::select(int annotation) {
-  const AnnotationTier* of = annotations().tier_of(annotation);
-  if (annotation == selected_ || (annotation != 0 && !of)) return false;
-  selected_ = annotation;
-  if (of) tier_ = of->id;
-  return true;
-}
-
-std::optional<AnnotationStep> AnnotationState::step(const std::string& subject, Annotations next,
-                                                    std::string what) const {
-  const Annotations& before = annotations_of(subject);
-  if (next == before) return std::nullopt;
-  return AnnotationStep{number_, subject, before, std::move(next), std::move(what)};
-}
-
-bool AnnotationState::apply(const AnnotationStep& step, Direction direction) {
-  if (step.book != number_) return false;
-  book_[step.subject] = direction == Direction::Do ? step.after : step.before;
-  settle_chosen();
-  return true;
-}
-
-/// What is chosen is there.
-void AnnotationState::settle_chosen() {
-  const Annotations& shown = annotations();
-  if (!shown.find(selected_)) selected_ = 0;
-  if (shown.tier(tier_)) return;
-  const AnnotationTier* moves = shown.first_of(TierKind::Move);
-  tier_ = moves ? moves->id : shown.empty() ? 0 : shown.tiers().front().id;
+  begin("", library);
 }
 
 }  // namespace abrazo
