@@ -2,7 +2,6 @@
 
 #include <QButtonGroup>
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
@@ -10,13 +9,13 @@
 #include <QStackedWidget>
 #include <QTableWidget>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include "widgets/annotation/annotation_rows.hpp"
 #include "widgets/annotation/problem_list.hpp"
 #include "widgets/annotation/tier_list.hpp"
 #include "widgets/annotation/vocabulary_editor.hpp"
 #include "widgets/common/chip.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/common/utf8.hpp"
 #include "widgets/common/value_look.hpp"
@@ -26,19 +25,11 @@ namespace {
 
 constexpr int id_role = Qt::UserRole;
 
-QLabel* caption(const QString& text, QWidget* parent) {
-  auto* label = new QLabel(text, parent);
-  label->setObjectName("secondary");
-  label->setFont(interface_font(12));
-  return label;
-}
-
 }  // namespace
 
 AnnotationPanel::AnnotationPanel(QWidget* parent) : QWidget(parent), m_palette(palette_of(Theme::Dark)) {
   // A low panel scrolls: it never takes room from panels above and below.
-  auto* all = new QVBoxLayout(this);
-  all->setContentsMargins(0, 0, 0, 0);
+  auto* all = column_in(this);
   auto* scroll = new QScrollArea(this);
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setWidgetResizable(true);
@@ -47,9 +38,7 @@ AnnotationPanel::AnnotationPanel(QWidget* parent) : QWidget(parent), m_palette(p
   inside->setObjectName("panel");
   scroll->setWidget(inside);
   all->addWidget(scroll);
-  m_column = new QVBoxLayout(inside);
-  m_column->setContentsMargins(12, 4, 12, 10);
-  m_column->setSpacing(8);
+  m_column = column_in(inside, {12, 4, 12, 10}, 8);
   m_column->addWidget(makeSubject());
   m_tiers = new TierList(this);
   m_column->addWidget(m_tiers);
@@ -60,18 +49,16 @@ AnnotationPanel::AnnotationPanel(QWidget* parent) : QWidget(parent), m_palette(p
 
 QWidget* AnnotationPanel::makeSubject() {
   auto* box = new QWidget(this);
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(6);
+  auto* row = row_in(box, {}, 6);
   m_subject = new QComboBox(box);
   m_subject->setAccessibleName("What is annotated");
   m_subject->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   m_back = chip("Back", "Back to the session", box);  // in full the row is wider than a narrow column
   m_back->setAccessibleName("Back to the session");
-  row->addWidget(caption("Annotate", box));
+  row->addWidget(quiet_label("Annotate", box, 12));
   row->addWidget(m_subject, 1);
   row->addWidget(m_back);
-  auto* files = chip("Files ▾", "Labels as a file, for ELAN or a table; labels from a file", box);
+  auto* files = chip("Files ▾", "Export labels for ELAN or as a table; import labels from a file", box);
   files->setAccessibleName("Label files");
   files->setPopupMode(QToolButton::InstantPopup);
   auto* menu = new QMenu(files);
@@ -84,10 +71,8 @@ QWidget* AnnotationPanel::makeSubject() {
 
 QWidget* AnnotationPanel::makeConflict() {
   auto* box = new QWidget(this);
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(4);
-  row->addWidget(caption("Overlapping labels", box));
+  auto* row = row_in(box, {}, 4);
+  row->addWidget(quiet_label("Overlapping labels", box, 12));
   m_conflict = new QButtonGroup(this);
   const std::tuple<const char*, const char*, Conflict> ways[] = {
       {"trim", "Shortens existing labels; removes those that are covered", Conflict::Replace},
@@ -106,11 +91,8 @@ QWidget* AnnotationPanel::makeConflict() {
 
 QWidget* AnnotationPanel::makeLists() {
   auto* box = new QWidget(this);
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(6);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(4);
+  auto* column = column_in(box, {}, 6);
+  auto* row = nested_row({}, 4);
   m_lists = new QButtonGroup(this);
   m_stack = new QStackedWidget(box);
   m_table = new QTableWidget(0, 5, box);
@@ -118,16 +100,12 @@ QWidget* AnnotationPanel::makeLists() {
   m_table->setHorizontalHeaderLabels({"Start", "End", "Label", "Detail", "Confidence"});
   m_table->setToolTip(
       "A click goes there; a double click edits. Times are seconds: 12.5, 1:05.2, or a frame: 750 f");
-  m_table->verticalHeader()->hide();
-  m_table->verticalHeader()->setDefaultSectionSize(24);
+  make_rows(*m_table, 24);
   m_table->horizontalHeader()->setStretchLastSection(true);
   m_table->horizontalHeader()->setHighlightSections(false);
   for (const auto& [where, px] : {std::pair{Start, 98}, {End, 98}, {Value, 112}, {Detail, 70}})
     m_table->setColumnWidth(where, px);
-  m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-  m_table->setSelectionMode(QAbstractItemView::SingleSelection);
   m_table->setMinimumHeight(140);
-  m_table->setShowGrid(false);
   m_table->setFrameShape(QFrame::NoFrame);
   m_problems = new ProblemList(box);
   m_vocabulary = new VocabularyEditor(box);
@@ -140,7 +118,7 @@ QWidget* AnnotationPanel::makeLists() {
     row->addWidget(each);
   }
   row->addStretch(1);
-  m_coverage = caption({}, box);
+  m_coverage = quiet_label({}, box, 12);
   m_lists->button(0)->setChecked(true);
   column->addLayout(row);
   column->addWidget(m_stack, 1);

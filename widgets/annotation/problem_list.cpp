@@ -48,7 +48,7 @@ void ProblemList::mend(int row, ProblemFix fix) {
 void ProblemList::mendFirst(int row) {
   if (row < 0 || row >= count()) return;
   const auto fixes = fixes_of(m_problems[static_cast<std::size_t>(row)], m_annotations);
-  fixes.empty() ? emit refused("Only you can decide this") : mend(row, fixes.front());
+  fixes.empty() ? emit refused("No automatic fix: edit the labels yourself") : mend(row, fixes.front());
 }
 
 void ProblemList::keyPressEvent(QKeyEvent* event) {

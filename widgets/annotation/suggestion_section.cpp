@@ -1,16 +1,15 @@
 #include "widgets/annotation/suggestion_section.hpp"
 
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QListWidget>
 #include <QProgressBar>
 #include <QSlider>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "widgets/common/chip.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/common/plain_text.hpp"
 #include "widgets/common/section_header.hpp"
 #include "widgets/common/utf8.hpp"
@@ -29,16 +28,14 @@ SuggestionSection::SuggestionSection(QWidget* parent)
       m_list(new QListWidget(this)),
       m_reason(new QLabel(this)),
       m_progress(new QProgressBar(this)) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
+  auto* column = column_in(this, {}, 4);
   column->addWidget(m_head);
   column->addWidget(makeButtons());
   m_progress->setRange(0, 100);
   m_progress->setAccessibleName("Suggesting");
   m_progress->hide();
   column->addWidget(m_progress);
-  m_list->setAccessibleName("Suggestions, the surest first");
+  m_list->setAccessibleName("Suggestions, the most confident first");
   m_list->setFrameShape(QFrame::NoFrame);
   m_list->setToolTip("A accepts, E accepts with another value, X rejects; then the next one");
   m_list->setMinimumHeight(110);
@@ -60,9 +57,7 @@ SuggestionSection::SuggestionSection(QWidget* parent)
 
 QWidget* SuggestionSection::makeButtons() {
   auto* bar = new QWidget(this);
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(4);
+  auto* row = row_in(bar, {}, 4);
   m_moves = chip("Labels", "Suggest labels for this take from the other takes", bar);
   m_roles = chip("Roles", "Suggest who is active in this take from the other takes", bar);
   m_cancel = chip("Cancel", "Stop suggesting", bar);
@@ -84,9 +79,7 @@ QWidget* SuggestionSection::makeButtons() {
 
 QWidget* SuggestionSection::makeThreshold() {
   auto* bar = new QWidget(this);
-  auto* row = new QHBoxLayout(bar);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(6);
+  auto* row = row_in(bar, {}, 6);
   m_slider = new QSlider(Qt::Horizontal, bar);
   m_slider->setRange(0, 100);
   m_slider->setValue(usual_threshold);

@@ -1,13 +1,12 @@
 #include "widgets/annotation/tier_list.hpp"
 
-#include <QHBoxLayout>
 #include <QListWidget>
 #include <QMenu>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "widgets/common/chip.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/common/utf8.hpp"
 
 namespace abrazo::widgets {
@@ -30,21 +29,18 @@ QString fresh_name(const Annotations& annotations, const QString& wanted) {
 }  // namespace
 
 TierList::TierList(QWidget* parent) : QWidget(parent), m_list(new QListWidget(this)) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
+  auto* column = column_in(this, {}, 4);
   m_list->setAccessibleName("Tiers");
   m_list->setFrameShape(QFrame::NoFrame);
   m_list->setToolTip(
       "Click: labels go into this tier. The box shows or hides its lane; a double click renames it");
   column->addWidget(m_list);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(4);
+  auto* row = nested_row({}, 4);
   auto* more = chip("+ Tier", "Add a tier", this);
   more->setPopupMode(QToolButton::InstantPopup);
   auto* kinds = new QMenu(more);
   kinds->addAction("Of moves", this, [this] { add(TierKind::Move, "moves"); });
-  kinds->addAction("Of notes, free text", this, [this] { add(TierKind::Note, "notes"); });
+  kinds->addAction("Of notes (free text)", this, [this] { add(TierKind::Note, "notes"); });
   kinds->addAction("Of who leads", this, [this] { add(TierKind::Role, "role"); });
   more->setMenu(kinds);
   m_remove = chip("Remove", "Remove the active tier with its labels", this);

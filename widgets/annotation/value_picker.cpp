@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "widgets/common/parts.hpp"
 #include "widgets/common/plain_text.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/common/value_look.hpp"
@@ -53,9 +54,7 @@ ValuePicker::ValuePicker(QWidget& window, const Question& question, const Palett
   m_list->setFocusPolicy(Qt::NoFocus);
   m_list->setFrameShape(QFrame::NoFrame);
   m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  m_hint = new QLabel("Press a key to choose, Return for the marked value, Esc to cancel", this);
-  m_hint->setObjectName("secondary");
-  m_hint->setFont(interface_font(11));
+  m_hint = quiet_label("Press a key to choose, Return for the marked value, Esc to cancel", this, 11);
   auto* column = static_cast<QVBoxLayout*>(layout());
   column->setContentsMargins(10, 8, 10, 8);
   column->insertWidget(column->indexOf(&field()) + 1, m_list);

@@ -1,15 +1,14 @@
 #include "widgets/annotation/vocabulary_editor.hpp"
 
 #include <QColorDialog>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QTableWidget>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "widgets/common/chip.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/common/utf8.hpp"
 #include "widgets/common/value_look.hpp"
@@ -30,30 +29,21 @@ char free_key(const std::vector<VocabularyEntry>& vocabulary) {
 
 VocabularyEditor::VocabularyEditor(QWidget* parent)
     : QWidget(parent), m_palette(palette_of(Theme::Dark)), m_table(new QTableWidget(0, 4, this)) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(4);
+  auto* column = column_in(this, {}, 4);
   m_table->setAccessibleName("Vocabulary");
   m_table->setHorizontalHeaderLabels({"Key", "", "Value", "Description"});
-  m_table->verticalHeader()->hide();
-  m_table->verticalHeader()->setDefaultSectionSize(24);
+  make_rows(*m_table, 24);
   m_table->horizontalHeader()->setStretchLastSection(true);
   m_table->horizontalHeader()->setHighlightSections(false);
   m_table->setColumnWidth(Key, 38);
   m_table->setColumnWidth(Colour, 28);
   m_table->setColumnWidth(Value, 120);
-  m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-  m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-  m_table->setShowGrid(false);
   m_table->setFrameShape(QFrame::NoFrame);
-  m_hint = new QLabel(this);
-  m_hint->setObjectName("secondary");
+  m_hint = quiet_label({}, this, 11);
   m_hint->setWordWrap(true);
-  m_hint->setFont(interface_font(11));
-  auto* row = new QHBoxLayout;
-  row->setSpacing(4);
+  auto* row = nested_row({}, 4);
   auto* more = chip("+ Value", "Add a value", this);
-  m_remove = chip("Remove", "Remove the value; labels that say it stay", this);
+  m_remove = chip("Remove", "Remove the value; labels that have it stay", this);
   m_up = chip("↑", "Move the value up", this);
   m_down = chip("↓", "Move the value down", this);
   for (QToolButton* each : {more, m_remove, m_up, m_down}) row->addWidget(each);

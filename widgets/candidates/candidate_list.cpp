@@ -113,7 +113,7 @@ void CandidateList::setLinked(int candidate) {
 /// Screen reader text of the current row.
 void CandidateList::describe() {
   const CandidateRow* row = current();
-  if (!row) return setAccessibleDescription("No row is current");
+  if (!row) return setAccessibleDescription("No row is selected");
   QString words = QString("Rank %1 of %2, %3 frame %4, %5, total cost %6")
                       .arg(row->rank)
                       .arg(m_rows.size())
@@ -243,7 +243,7 @@ QString CandidateList::tip(const CandidateRow& row) const {
                     .arg(row.pinned ? " · pinned" : "")
                     .arg(row.vetoed       ? " · vetoed"
                          : !row.not_meant ? ""
-                         : row.is_out()   ? " · out: another move is intended"
+                         : row.is_out()   ? " · excluded: another move is intended"
                                           : " · another move is intended");
   const CostTerms& decides = cost_terms(row.method);
   for (const CostTermInfo& info : decides.terms)

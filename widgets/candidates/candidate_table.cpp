@@ -4,7 +4,6 @@
 #include <QLabel>
 #include <QMenu>
 #include <QToolButton>
-#include <QVBoxLayout>
 #include <algorithm>
 
 #include "core/selection/intent_model.hpp"
@@ -13,6 +12,7 @@
 #include "widgets/candidates/decision_bar.hpp"
 #include "widgets/candidates/feature_map.hpp"
 #include "widgets/candidates/winning_reason.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/common/plain_text.hpp"
 #include "widgets/common/scrolled.hpp"
 #include "widgets/common/section_header.hpp"
@@ -63,9 +63,7 @@ CandidateTable::CandidateTable(QWidget* parent)
 }
 
 void CandidateTable::arrange() {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = column_in(this, {}, 0);
   scroll_vertically(*m_scroll, m_list);
   m_scroll->setFocusPolicy(Qt::NoFocus);
   keepRows();
@@ -93,8 +91,7 @@ QWidget* CandidateTable::makeFoot() {
   m_mapButton->setCheckable(true);
   m_mapButton->setChecked(true);
   m_mapButton->setFocusPolicy(Qt::TabFocus);
-  m_mapButton->setToolTip(map_tip);
-  m_mapButton->setAccessibleName("Show the feature-space neighbourhood");
+  describe(*m_mapButton, "Show the feature-space neighbourhood", map_tip);
   m_belief->setObjectName("secondary");
   m_belief->setFont(interface_font(12));
   m_belief->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);  // elided, not a reason to be wider
@@ -185,7 +182,7 @@ void CandidateTable::arrangeMap() {
   const int more_rows = (candidates_before_map - least_candidates) * CandidateList::row_height;
   const bool has_room = height() >= minimumSizeHint().height() + more_rows + m_map->minimumHeight();
   m_mapButton->setEnabled(has_room);
-  m_mapButton->setToolTip(map_tip + QString(has_room ? "" : "; a higher panel has room for it"));
+  m_mapButton->setToolTip(map_tip + QString(has_room ? "" : "; it needs a taller panel"));
   const bool shows = has_room && m_mapButton->isChecked();
   if (shows == m_map->isVisibleTo(this)) return;
   m_map->setVisible(shows);

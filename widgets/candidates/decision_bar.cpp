@@ -5,6 +5,8 @@
 #include <QToolButton>
 
 #include "widgets/candidates/pin_mark.hpp"
+#include "widgets/common/icons.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/common/plain_text.hpp"
 #include "widgets/common/theme.hpp"
 
@@ -36,27 +38,18 @@ class LiftButton : public QToolButton {
 };
 
 QIcon mark(const Decision& decision, const Palette& palette) {
-  QIcon icon;
-  for (const int ratio : {1, 2}) {
-    QPixmap picture(QSize(12, 14) * ratio);
-    picture.setDevicePixelRatio(ratio);
-    picture.fill(Qt::transparent);
-    QPainter painter(&picture);
-    painter.setRenderHint(QPainter::Antialiasing);
+  return painted_icon({12, 14}, [&](QPainter& painter) {
     if (decision.kind == Decision::Kind::Pin) draw_pin(painter, {6, 7}, palette.warning, true);
     if (decision.kind == Decision::Kind::Veto) draw_veto(painter, {6, 7}, palette.secondary);
     if (decision.kind == Decision::Kind::Meant) draw_meant(painter, {6, 7}, palette.warning);
-    painter.end();
-    icon.addPixmap(picture);
-  }
-  return icon;
+  });
 }
 
 }  // namespace
 
 DecisionBar::DecisionBar(QWidget* parent) : QWidget(parent), m_palette(palette_of(Theme::Dark)) {
   setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
-  setAccessibleName("What was decided and is in force");
+  setAccessibleName("Decisions in force");
   hide();
 }
 
@@ -90,10 +83,9 @@ void DecisionBar::makeButtons() {
     button->setText(what + "  ✕");
     button->setFocusPolicy(Qt::StrongFocus);
     const QString lift = decision.kind == Decision::Kind::Pin     ? "Unpin the pair: " + what
-                         : decision.kind == Decision::Kind::Meant ? "Take it back, " + what
+                         : decision.kind == Decision::Kind::Meant ? "Cancel it, " + what
                                                                   : "Remove the veto: " + what;
-    button->setToolTip(plain_tip(lift));
-    button->setAccessibleName(lift);
+    describe(*button, lift, plain_tip(lift));
     connect(button, &QToolButton::clicked, this, [this, decision] { emit lifted(decision); });
     button->show();
     m_buttons.push_back(button);

@@ -1,13 +1,14 @@
 #include "widgets/common/chip.hpp"
 
+#include "widgets/common/parts.hpp"
+
 namespace abrazo::widgets {
 
 QToolButton* chip(const QString& text, const QString& tip, QWidget* parent) {
   auto* button = new QToolButton(parent);
   button->setObjectName("chip");
   button->setText(text);
-  button->setToolTip(tip);
-  button->setAccessibleName(tip);
+  describe(*button, tip, tip);
   button->setFocusPolicy(Qt::StrongFocus);
   return button;
 }

@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "widgets/common/parts.hpp"
+
 namespace abrazo::widgets {
 namespace {
 
@@ -23,8 +25,7 @@ EntryFrame::EntryFrame(QWidget& window, const QString& prompt, const QString& st
     : QFrame(&window), m_take(std::move(take)), m_before(QApplication::focusWidget()) {
   setObjectName("entryFrame");
   setAttribute(Qt::WA_StyledBackground);
-  m_title = new QLabel(prompt, this);
-  m_title->setObjectName("secondary");
+  m_title = quiet_label(prompt, this);
   m_field = new QLineEdit(start, this);
   m_field->setAccessibleName(prompt);
   m_field->installEventFilter(this);

@@ -86,24 +86,29 @@ void lined(QPainter& painter, Icon which) {
   }
 }
 
-QPixmap drawn_icon(Icon which, const QColor& colour, double ratio) {
-  QPixmap pixmap(QSize(16, 16) * ratio);
-  pixmap.setDevicePixelRatio(ratio);
-  pixmap.fill(Qt::transparent);
-  QPainter painter(&pixmap);
-  painter.setRenderHint(QPainter::Antialiasing);
-  const bool is_filled = which <= Icon::ToEnd;
-  painter.setPen(QPen(colour, is_filled ? 0.8 : 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-  is_filled ? filled(painter, which) : lined(painter, which);
-  return pixmap;
-}
-
 }  // namespace
 
+QIcon painted_icon(const QSize& size, const std::function<void(QPainter&)>& paint) {
+  QIcon icon;
+  for (const int ratio : {1, 2}) {
+    QPixmap picture(size * ratio);
+    picture.setDevicePixelRatio(ratio);
+    picture.fill(Qt::transparent);
+    QPainter painter(&picture);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paint(painter);
+    painter.end();
+    icon.addPixmap(picture);
+  }
+  return icon;
+}
+
 QIcon icon(Icon which, const QColor& colour) {
-  QIcon result;
-  for (const double ratio : {1.0, 2.0}) result.addPixmap(drawn_icon(which, colour, ratio));
-  return result;
+  return painted_icon({16, 16}, [&](QPainter& painter) {
+    const bool is_filled = which <= Icon::ToEnd;
+    painter.setPen(QPen(colour, is_filled ? 0.8 : 1.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    is_filled ? filled(painter, which) : lined(painter, which);
+  });
 }
 
 QIcon program_icon() {

@@ -16,7 +16,7 @@ const LatencyStageInfo& info_of(LatencyStage stage) {
         "from the whole pose until the solver takes it: the jitter buffer's delay, and the previous step"},
        {"Solve", "retargeting, selection, mesh and the solver's steps"},
        {"Send", "from the partner's pose until its last packet is handed to the network"},
-       {"Render", "drawing the scene, in pictures that were drawn of this frame"}}};
+       {"Render", "drawing the scene, if this frame was drawn"}}};
   return infos[static_cast<std::size_t>(stage)];
 }
 

@@ -1,12 +1,12 @@
 #include "widgets/common/message_bar.hpp"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QTimer>
 #include <QToolButton>
 
 #include "widgets/common/icons.hpp"
+#include "widgets/common/parts.hpp"
 
 namespace abrazo::widgets {
 namespace {
@@ -26,9 +26,7 @@ MessageBar::MessageBar(QWidget* parent)
       m_count(new QLabel(this)),
       m_close(new QToolButton(this)),
       m_leave(new QTimer(this)) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(12, 6, 8, 6);
-  row->setSpacing(8);
+  auto* row = row_in(this, {12, 6, 8, 6}, 8);
   row->addWidget(m_sign);
   row->addWidget(m_text, 1);
   row->addWidget(m_count);
@@ -38,8 +36,7 @@ MessageBar::MessageBar(QWidget* parent)
   m_text->setTextFormat(Qt::PlainText);
   m_text->setWordWrap(true);
   m_close->setObjectName("flat");
-  m_close->setToolTip("Close (a running job is cancelled)");
-  m_close->setAccessibleName("Close the message, or cancel the job that runs");
+  describe(*m_close, "Close the message, or cancel the job that runs", "Close (a running job is cancelled)");
   m_leave->setSingleShot(true);
   connect(m_leave, &QTimer::timeout, this, &MessageBar::leave);
   connect(m_close, &QToolButton::clicked, this, &MessageBar::close);

@@ -5,9 +5,9 @@
 #include <QListWidget>
 #include <QPushButton>
 #include <QTime>
-#include <QVBoxLayout>
 
 #include "widgets/common/icons.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/common/theme.hpp"
 
 namespace abrazo::widgets {
@@ -30,12 +30,9 @@ MessageLog::MessageLog(QWidget* parent)
   m_list->setSelectionMode(QAbstractItemView::ExtendedSelection);
   auto* copy = new QPushButton("Copy all", this);
   auto* clear = new QPushButton("Clear", this);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = column_in(this, {}, 0);
   column->addWidget(m_list, 1);
-  auto* row = new QHBoxLayout;
-  row->setContentsMargins(12, 4, 12, 8);
+  auto* row = nested_row({12, 4, 12, 8});
   row->addStretch(1);
   row->addWidget(copy);
   row->addWidget(clear);

@@ -1,6 +1,5 @@
 #include "widgets/common/offer_bar.hpp"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPainter>
 #include <QPushButton>
@@ -8,6 +7,7 @@
 #include <QToolButton>
 
 #include "widgets/common/icons.hpp"
+#include "widgets/common/parts.hpp"
 
 namespace abrazo::widgets {
 namespace {
@@ -23,9 +23,7 @@ OfferBar::OfferBar(QWidget* parent)
       m_button(new QPushButton(this)),
       m_close(new QToolButton(this)) {
   setObjectName("offerBar");
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(12, 6, 8, 6);
-  row->setSpacing(8);
+  auto* row = row_in(this, {12, 6, 8, 6}, 8);
   row->addWidget(m_text, 1);
   row->addWidget(m_button);
   row->addWidget(m_close);

@@ -7,8 +7,8 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QToolButton>
-#include <QVBoxLayout>
 
+#include "widgets/common/parts.hpp"
 #include "widgets/common/scrolled.hpp"
 #include "widgets/common/section_header.hpp"
 #include "widgets/compare/compare_curve.hpp"
@@ -18,12 +18,7 @@
 namespace abrazo::widgets {
 namespace {
 
-QHBoxLayout* row_in(QWidget* box, int spacing) {
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(12, 2, 12, 6);
-  row->setSpacing(spacing);
-  return row;
-}
+const QMargins row_margins(12, 2, 12, 6);
 
 QPushButton* button_in(QHBoxLayout* row, QWidget* box, const QString& text, const QString& tip) {
   auto* button = new QPushButton(text, box);
@@ -39,20 +34,15 @@ QPushButton* button_in(QHBoxLayout* row, QWidget* box, const QString& text, cons
 ComparePanel::ComparePanel(QWidget* parent) : QWidget(parent) {
   setObjectName("panel");
   setAttribute(Qt::WA_StyledBackground);
-  auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(0, 0, 0, 0);
-  outer->setSpacing(0);
+  auto* outer = column_in(this, {}, 0);
   auto* content = new QWidget(this);
   content->setAutoFillBackground(false);
-  m_column = new QVBoxLayout(content);
-  m_column->setContentsMargins(0, 4, 0, 8);
-  m_column->setSpacing(0);
+  m_column = column_in(content, {0, 4, 0, 8}, 0);
   m_a = new RunCard("A", content);
   m_b = new RunCard("B", content);
   m_curve = new CompareCurve(content);
   m_table = new FigureTable(content);
-  m_note = new QLabel(content);
-  m_note->setObjectName("secondary");
+  m_note = quiet_label({}, content);
   m_note->setWordWrap(true);
   m_note->setContentsMargins(12, 2, 12, 4);
   for (QWidget* part : {static_cast<QWidget*>(m_a), static_cast<QWidget*>(m_b), makeButtons(), makeSpans(),
@@ -71,15 +61,12 @@ ComparePanel::ComparePanel(QWidget* parent) : QWidget(parent) {
 
 QWidget* ComparePanel::makeButtons() {
   auto* box = new QWidget(this);
-  auto* rows = new QVBoxLayout(box);
-  rows->setContentsMargins(12, 2, 12, 6);
-  rows->setSpacing(6);
-  auto* row = new QHBoxLayout;
-  row->setSpacing(6);
+  auto* rows = column_in(box, {12, 2, 12, 6}, 6);
+  auto* row = nested_row({}, 6);
   rows->addLayout(row);
   m_freeze = button_in(row, box, "Freeze A", "Store the current settings as A; later changes are B");
   m_swap = button_in(row, box, "Swap", "A gets the settings of B, and B those of A");
-  m_adopt = button_in(row, box, "Adopt A", "The settings become those of A again");
+  m_adopt = button_in(row, box, "Adopt A", "Restores the settings of A");
   m_clear = button_in(row, box, "Clear", "Let A go");
   row->addStretch(1);
   // Below: beside the others it would be cut in a narrow panel.
@@ -108,7 +95,7 @@ QWidget* ComparePanel::makeSpans() {
       {"10 s", "10 s to here", "Parked: both runs start together 10 s before the cursor"},
       {"In to out", "in to out", "Both runs over the range between the in and out marks"}};
   auto* box = new QWidget(this);
-  auto* row = row_in(box, 0);
+  auto* row = row_in(box, row_margins, 0);
   auto* group = new QButtonGroup(box);
   for (const Choice& choice : choices) {
     auto* button = new QToolButton(box);
@@ -116,8 +103,7 @@ QWidget* ComparePanel::makeSpans() {
     button->setProperty("first", m_spans.empty());
     button->setProperty("last", m_spans.size() + 1 == std::size(choices));
     button->setText(choice.text);
-    button->setToolTip(choice.tip);
-    button->setAccessibleName(QString("What if over: ") + choice.name);
+    describe(*button, QString("What if over: ") + choice.name, choice.tip);
     button->setCheckable(true);
     button->setFocusPolicy(Qt::TabFocus);
     button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -133,7 +119,7 @@ QWidget* ComparePanel::makeSpans() {
 
 QWidget* ComparePanel::makeProgress() {
   m_progressRow = new QWidget(this);
-  auto* row = row_in(m_progressRow, 8);
+  auto* row = row_in(m_progressRow, row_margins, 8);
   m_progress = new QProgressBar(m_progressRow);
   m_progress->setRange(0, 100);
   m_progress->setTextVisible(false);
@@ -147,7 +133,7 @@ QWidget* ComparePanel::makeProgress() {
 
 QWidget* ComparePanel::makeCurveHead() {
   auto* box = new QWidget(this);
-  auto* row = row_in(box, 8);
+  auto* row = row_in(box, row_margins, 8);
   m_figure = new QComboBox(box);
   m_figure->setAccessibleName("Figure of the curve");
   m_figure->setFocusPolicy(Qt::TabFocus);

@@ -1,15 +1,14 @@
 #include "widgets/intended/intended_move_popup.hpp"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QListWidget>
 #include <QPainter>
 #include <QStyledItemDelegate>
-#include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/common/parts.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/common/utf8.hpp"
@@ -78,16 +77,13 @@ int digit_of(const QKeyEvent& event) {
 IntendedMovePopup::IntendedMovePopup(QWidget* window) : QFrame(window), m_palette(palette_of(Theme::Dark)) {
   setObjectName("popup");
   setAccessibleName("Intended move");
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(1, 8, 1, 8);
-  column->setSpacing(6);
-  auto* head = new QHBoxLayout;
-  head->setContentsMargins(12, 0, 12, 0);
+  auto* column = column_in(this, {1, 8, 1, 8}, 6);
+  auto* head = nested_row({12, 0, 12, 0});
   auto* title = new QLabel("Intended move", this);
   title->setFont(interface_font(13, QFont::DemiBold));
   m_span = new QComboBox(this);
-  m_span->addItems({"until I take it back", "until it is done", "for 5 s", "for 10 s"});
-  m_span->setAccessibleName("How long it holds");
+  m_span->addItems({"until I cancel it", "until it is done", "for 5 s", "for 10 s"});
+  m_span->setAccessibleName("How long it applies");
   head->addWidget(title);
   head->addStretch(1);
   head->addWidget(m_span);
@@ -98,9 +94,7 @@ IntendedMovePopup::IntendedMovePopup(QWidget* window) : QFrame(window), m_palett
   m_list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   m_list->setAccessibleName("Moves and takes, the nearest first");
   m_list->installEventFilter(this);
-  m_hint = new QLabel("1–9 chooses, Esc leaves; metres to the nearest recorded pair", this);
-  m_hint->setObjectName("secondary");
-  m_hint->setFont(interface_font(11));
+  m_hint = quiet_label("1–9 chooses, Esc closes; metres to the nearest recorded pair", this, 11);
   m_hint->setContentsMargins(12, 0, 12, 0);
   column->addLayout(head);
   column->addWidget(m_list);

@@ -1,14 +1,13 @@
 #include "widgets/library/take_list.hpp"
 
 #include <QComboBox>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include "widgets/common/icons.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/library/take_delegate.hpp"
 #include "widgets/library/take_model.hpp"
 #include "widgets/library/take_view.hpp"
@@ -33,8 +32,7 @@ QToolButton* button(QWidget* parent, const QString& text, const QString& name, c
   auto* button = new QToolButton(parent);
   button->setObjectName("chip");
   button->setText(text);
-  button->setToolTip(tip);
-  button->setAccessibleName(name);
+  describe(*button, name, tip);
   button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   return button;
@@ -55,9 +53,7 @@ TakeList::TakeList(QWidget* parent)
   m_empty = new QLabel(no_library, this);
   m_empty->setWordWrap(true);
   m_empty->setContentsMargins(12, 10, 12, 10);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = column_in(this, {}, 0);
   column->addWidget(makeHead());
   column->addWidget(m_empty);
   column->addWidget(m_view, 1);
@@ -70,19 +66,16 @@ TakeList::TakeList(QWidget* parent)
 
 QWidget* TakeList::makeHead() {
   auto* head = new QWidget(this);
-  auto* row = new QHBoxLayout(head);
-  row->setContentsMargins(12, 4, 12, 6);
-  row->setSpacing(6);
+  auto* row = row_in(head, {12, 4, 12, 6}, 6);
   m_find = new QLineEdit(head);
   m_find->setPlaceholderText("Take or move");
   m_find->setClearButtonEnabled(true);
   m_find->setAccessibleName("Find takes by name or move");
   m_order = new QComboBox(head);
   m_order->addItems({"In order", "Name", "Longest", "Most moves", "Most used"});
-  m_order->setAccessibleName("Order of the takes");
-  m_order->setToolTip(
-      "Order of the takes. Most used: by how often this session selected from them, as counted when "
-      "it is chosen");
+  describe(*m_order, "Order of the takes",
+           "Order of the takes. Most used: by how often this session selected from them, as counted when "
+           "it is chosen");
   m_order->setMinimumContentsLength(6);
   m_order->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   row->addWidget(m_find, 3);
@@ -92,13 +85,10 @@ QWidget* TakeList::makeHead() {
 
 QWidget* TakeList::makeFoot() {
   auto* foot = new QWidget(this);
-  auto* column = new QVBoxLayout(foot);
-  column->setContentsMargins(12, 6, 12, 8);
-  column->setSpacing(6);
+  auto* column = column_in(foot, {12, 6, 12, 8}, 6);
   m_coverage = new QLabel(foot);
   m_coverage->setAccessibleName("Coverage");
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(6);
+  auto* buttons = nested_row({}, 6);
   m_play = button(foot, "Play", "Play the take as recorded",
                   "Plays the recorded pair in the scene, from the mark in the strip on");
   m_dance = button(

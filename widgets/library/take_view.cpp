@@ -46,7 +46,8 @@ TakeView::TakeView(TakeModel& model, TakeFilter& filter, QWidget* parent)
   viewport()->setAutoFillBackground(false);
   setObjectName("bare");
   setAccessibleName("Takes of the library");
-  setAccessibleDescription("Left and Right browse a take, Return dances with it, the menu key has the rest");
+  setAccessibleDescription(
+      "Left and Right browse a take, Return dances with it, the menu key opens all commands");
 }
 
 int TakeView::currentTake() const {

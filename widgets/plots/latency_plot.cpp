@@ -3,11 +3,11 @@
 #include <qcustomplot.h>
 
 #include <QMouseEvent>
-#include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
 
 #include "widgets/common/latency_colours.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/plots/plot_colours.hpp"
 
@@ -53,8 +53,7 @@ LatencyPlot::LatencyPlot(QWidget* parent)
     : QWidget(parent), m_palette(palette_of(Theme::Dark)), m_plot(new QCustomPlot(this)) {
   setAccessibleName("Latency over time");
   setMinimumSize(160, 80);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(4, 4, 8, 4);
+  auto* column = column_in(this, {4, 4, 8, 4});
   column->addWidget(m_plot);
   setUp();
   setColours(m_palette);

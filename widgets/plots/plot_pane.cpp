@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/common/parts.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/common/utf8.hpp"
 #include "widgets/plots/plot_colours.hpp"
@@ -96,8 +97,7 @@ void PlotPane::setSeries(PaneSeries series) {
   }
   setToolTip("<table>" + about + "</table>");
   setAccessibleName("Plot of " + title);
-  m_menu->setAccessibleName("Series of the plot of " + title);
-  m_menu->setToolTip("What this pane shows, and export");
+  describe(*m_menu, "Series of the plot of " + title, "What this pane shows, and export");
   setColours(m_palette);
 }
 

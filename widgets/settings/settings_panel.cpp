@@ -84,7 +84,7 @@ QWidget* SettingsPanel::frameNotice() {
   m_noticeText->setWordWrap(true);
   auto* use = new QPushButton("Use its settings", m_notice);
   use->setObjectName("useFrameSettings");
-  use->setToolTip("Makes the settings of the shown frame those of the solver");
+  use->setToolTip("Applies the settings of the shown frame to the solver");
   use->setFocusPolicy(Qt::TabFocus);
   row->addWidget(m_noticeText, 1);
   row->addWidget(use);

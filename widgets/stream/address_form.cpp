@@ -9,6 +9,7 @@
 #include <QPushButton>
 #include <QStackedWidget>
 
+#include "widgets/common/parts.hpp"
 #include "widgets/common/plain_text.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/common/utf8.hpp"
@@ -20,15 +21,13 @@ enum MorePage { Group, File };
 
 QLineEdit* field(QWidget* parent, const QString& name, const QString& tip) {
   auto* made = new QLineEdit(parent);
-  made->setAccessibleName(name);
-  made->setToolTip(tip);
+  describe(*made, name, tip);
   return made;
 }
 
 /// Never requests more room than available, so that a long text does not widen the panel.
 QLabel* line_of(QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setObjectName("secondary");
+  auto* label = quiet_label({}, parent);
   label->setWordWrap(true);
   label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
   label->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Fixed);
@@ -102,9 +101,7 @@ void AddressForm::lay() {
   m_more->setFixedHeight(34);
   m_more->addWidget(m_group);
   auto* file = new QWidget(m_more);
-  auto* row = new QHBoxLayout(file);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(6);
+  auto* row = row_in(file, {}, 6);
   auto* choose = new QPushButton("Choose…", file);
   choose->setAccessibleName("Choose a clip");
   connect(choose, &QPushButton::clicked, this, &AddressForm::chooseFile);
@@ -113,8 +110,7 @@ void AddressForm::lay() {
   m_more->addWidget(file);
   grid->addWidget(m_scheme, 0, 0);
   grid->addWidget(m_connect, 0, 1, Qt::AlignRight);
-  auto* place = new QHBoxLayout;
-  place->setSpacing(6);
+  auto* place = nested_row({}, 6);
   place->addWidget(m_host, 1);
   place->addWidget(m_port);
   grid->addLayout(place, 1, 0, 1, 2);
@@ -208,8 +204,8 @@ void AddressForm::showComplaint(const QString& words) {
   m_wrong = words;
   const QString note = words.isEmpty() ? QString::fromStdString(reach_of(m_address)) : words;
   m_note->setText(note);
-  m_note->setToolTip(plain_tip(note));
-  m_note->setAccessibleName(words.isEmpty() ? "What the address means" : "What is wrong with the address");
+  describe(*m_note, words.isEmpty() ? "What the address means" : "What is wrong with the address",
+           plain_tip(note));
   m_note->setStyleSheet(words.isEmpty() ? QString() : QString("color: %1").arg(m_palette.warning.name()));
 }
 

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/common/parts.hpp"
 #include "widgets/common/plain_text.hpp"
 #include "widgets/common/scrolled.hpp"
 #include "widgets/common/section_header.hpp"
@@ -27,8 +28,7 @@ constexpr NumberRow::Range delays{0, 500, 0, 5};
 constexpr int input_rate = 0;  ///< of the step rate: the input's own
 
 QLabel* quiet_line(QWidget* parent, int lines) {
-  auto* label = new QLabel(parent);
-  label->setObjectName("secondary");
+  auto* label = quiet_label({}, parent);
   label->setWordWrap(true);
   label->setContentsMargins(12, 0, 12, 0);
   label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
@@ -36,13 +36,6 @@ QLabel* quiet_line(QWidget* parent, int lines) {
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
   label->setFixedHeight(17 * lines);
   return label;
-}
-
-QVBoxLayout* tight_column(QWidget* box) {
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
-  return column;
 }
 
 QString said_of(const StreamHealth& health) {
@@ -59,16 +52,16 @@ QString said_of(const StreamHealth& health) {
 }  // namespace
 
 ConnectionPanel::ConnectionPanel(QWidget* parent) : QWidget(parent), m_palette(palette_of(Theme::Dark)) {
-  auto* outer = tight_column(this);
+  auto* outer = column_in(this, {}, 0);
   auto* content = new QWidget(this);
-  auto* column = tight_column(content);
+  auto* column = column_in(content, {}, 0);
   m_head = new StreamHead(content);
   m_form = new AddressForm(content);
   m_issues = new IssueList(content);
   m_traffic = new FigureGrid("Packets of the stream", content);
   m_sinks = new SinkList(content);
   auto* performers = new QWidget(content);
-  m_performers = tight_column(performers);
+  m_performers = column_in(performers, {}, 0);
   m_nobody = quiet_line(performers, 2);
   m_performers->addWidget(m_nobody);
   for (QWidget* part :
@@ -93,17 +86,13 @@ QWidget* ConnectionPanel::section(const QString& title) {
 
 QWidget* ConnectionPanel::makeCalibration() {
   auto* box = new QWidget(this);
-  auto* column = tight_column(box);
-  column->setSpacing(4);
-  auto* row = new QHBoxLayout;
-  row->setContentsMargins(12, 4, 12, 0);
-  row->setSpacing(6);
+  auto* column = column_in(box, {}, 4);
+  auto* row = nested_row({12, 4, 12, 0}, 6);
   m_calibrate = new QPushButton("Calibrate in T-pose", box);
   m_calibrate->setToolTip(
       "Counts down, then measures the user who stands in the T-pose: rest pose and lengths of the body");
   m_forget = new QPushButton("Forget", box);
-  m_forget->setAccessibleName("Forget the calibration");
-  m_forget->setToolTip("Removes the calibration and reconnects");
+  describe(*m_forget, "Forget the calibration", "Removes the calibration and reconnects");
   row->addWidget(m_calibrate, 1);
   row->addWidget(m_forget);
   column->addLayout(row);
@@ -117,19 +106,18 @@ QWidget* ConnectionPanel::makeCalibration() {
 
 QWidget* ConnectionPanel::makeTiming() {
   auto* box = new QWidget(this);
-  auto* column = tight_column(box);
+  auto* column = column_in(box, {}, 0);
   m_delay = new NumberRow("Jitter buffer delay", "ms", delays, box);
   m_delay->setToolTip(
       "Delays each pose by this time after it was due: late packets are then in time, and the latency grows "
       "by as much. Double click: 0");
   connect(m_delay, &NumberRow::changed, this, &ConnectionPanel::delayRequested);
   column->addWidget(m_delay);
-  auto* row = new QHBoxLayout;
-  row->setContentsMargins(12, 4, 12, 4);
+  auto* row = nested_row({12, 4, 12, 4});
   auto* title = new QLabel("Solver step rate", box);
   m_stepRate = new QComboBox(box);
-  m_stepRate->setAccessibleName("Solver step rate");
-  m_stepRate->setToolTip("The setting step-rate: how often the partner answers. The same as in the settings");
+  describe(*m_stepRate, "Solver step rate",
+           "The setting step-rate: how often the partner answers. The same as in the settings");
   m_stepRate->setFixedWidth(128);
   m_stepRate->addItem("input's rate", input_rate);
   for (const int hz : {15, 30, 60, 90, 120}) m_stepRate->addItem(QString("%1 Hz").arg(hz), hz);
@@ -143,15 +131,14 @@ QWidget* ConnectionPanel::makeTiming() {
 
 QWidget* ConnectionPanel::makeReport() {
   auto* box = new QWidget(this);
-  auto* column = tight_column(box);
+  auto* column = column_in(box, {}, 0);
   column->addSpacing(6);
   column->addWidget(m_traffic);
   column->addSpacing(2);
   m_said = quiet_line(box, 3);
   m_said->setAccessibleName("Senders");
   column->addWidget(m_said);
-  auto* row = new QHBoxLayout;
-  row->setContentsMargins(12, 4, 12, 4);
+  auto* row = nested_row({12, 4, 12, 4});
   m_copy = new QPushButton("Copy report", box);
   m_copy->setToolTip("All figures, diagnoses and issues as text, for a support request");
   row->addWidget(m_copy);
@@ -234,8 +221,7 @@ void ConnectionPanel::setParts(const QString& user, const QString& second) {
 
 void ConnectionPanel::showCalibration(const QString& words, bool under_way) {
   m_calibrate->setText(under_way ? "Cancel the calibration" : "Calibrate in T-pose");
-  m_calibration->setText(
-      words.isEmpty() ? "Makes the rest pose and the lengths of the body those of the user." : words);
+  m_calibration->setText(words.isEmpty() ? "Sets rest pose and bone lengths to those of the user." : words);
   m_calibration->setToolTip(m_calibration->text());
 }
 

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <set>
 
+#include "widgets/common/icons.hpp"
 #include "widgets/common/plain_text.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/common/utf8.hpp"
@@ -71,17 +72,9 @@ void IssueList::setColours(const Palette& palette) {
 }
 
 QIcon IssueList::signOf(StreamDiagnosis::Severity severity) const {
-  QIcon icon;
-  for (const int ratio : {1, 2}) {
-    QPixmap picture(QSize(16, 16) * ratio);
-    picture.setDevicePixelRatio(ratio);
-    picture.fill(Qt::transparent);
-    QPainter painter(&picture);
+  return painted_icon({16, 16}, [&](QPainter& painter) {
     draw_sign(painter, {8, 8}, mark_of(severity), m_palette);
-    painter.end();
-    icon.addPixmap(picture);
-  }
-  return icon;
+  });
 }
 
 QTreeWidgetItem& IssueList::itemOf(const QString& key) {

@@ -24,7 +24,7 @@ const char* word_of(LatencyVerdict verdict) {
     case LatencyVerdict::None:
       break;
   }
-  return "known once a live stream comes in";
+  return "measured once a live stream is received";
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 #include "widgets/stream/performer_card.hpp"
 
-#include <QHBoxLayout>
 #include <QPainter>
 #include <QToolButton>
 #include <QVariant>
 
+#include "widgets/common/parts.hpp"
 #include "widgets/common/plain_text.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/stream/figure_grid.hpp"
@@ -19,12 +19,8 @@ constexpr int head_height = 28, line_height = 18, left = 32;
 
 PerformerCard::PerformerCard(QWidget* parent) : QWidget(parent), m_palette(palette_of(Theme::Dark)) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 8);
-  column->setSpacing(0);
-  auto* head = new QHBoxLayout;
-  head->setContentsMargins(12, 3, 12, 3);
-  head->setSpacing(0);
+  auto* column = column_in(this, {0, 0, 0, 8}, 0);
+  auto* head = nested_row({12, 3, 12, 3}, 0);
   head->addStretch(1);
   m_user = makePart("User", "This performer plays the user", PerformerPart::User);
   m_second =

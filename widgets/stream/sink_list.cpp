@@ -10,6 +10,7 @@
 #include <QToolButton>
 
 #include "widgets/common/icons.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/common/plain_text.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
@@ -79,17 +80,13 @@ class SinkCard : public QWidget {
 };
 
 SinkList::SinkList(QWidget* parent) : QWidget(parent), m_palette(palette_of(Theme::Dark)) {
-  auto* outer = new QVBoxLayout(this);
-  outer->setContentsMargins(0, 0, 0, 0);
-  outer->setSpacing(0);
-  m_none = new QLabel("Nothing is sent. Add the address of a game engine or a viewer.", this);
-  m_none->setObjectName("secondary");
+  auto* outer = column_in(this, {}, 0);
+  m_none = quiet_label("Nothing is sent. Add the address of a game engine or a viewer.", this);
   m_none->setWordWrap(true);
   m_none->setContentsMargins(12, 2, 12, 4);
   m_none->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   outer->addWidget(m_none);
-  m_column = new QVBoxLayout;
-  m_column->setSpacing(0);
+  m_column = nested_column({}, 0);
   outer->addLayout(m_column);
   outer->addWidget(makeForm());
 }
@@ -115,8 +112,8 @@ QWidget* SinkList::makeForm() {
   m_framing = new QComboBox(form);
   m_framing->addItem("VMC, T last", "t-last");
   m_framing->addItem("VMC, T first", "t-first");
-  m_framing->setAccessibleName("Framing");
-  m_framing->setToolTip(
+  describe(
+      *m_framing, "Framing",
       "T last: as the VMC application sends, bundles of at most 12 bones. T first: one bundle, as SlimeVR "
       "sends");
   auto* add = new QPushButton("Send", form);

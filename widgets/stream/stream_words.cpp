@@ -63,7 +63,7 @@ StreamHeadline headline_of(const StreamHealth* health) {
 std::vector<StreamFigure> figures_of(const PerformerHealth& performer) {
   return {
       {"rate", fixed(performer.rate_hz, 1) + " Hz", false, "Poses per second"},
-      {"delay", fixed(performer.delay_ms, 0) + " ms", false, "That the jitter buffer adds"},
+      {"delay", fixed(performer.delay_ms, 0) + " ms", false, "Delay added by the jitter buffer"},
       {"interval", percentiles(performer.interval_p50_ms, performer.interval_p95_ms), false,
        "Between two arrivals: median and 95th percentile of the last second or so"},
       {"assembly", percentiles(performer.assembly_p50_ms, performer.assembly_p95_ms), false,
@@ -81,7 +81,7 @@ std::vector<StreamFigure> figures_of(const PerformerHealth& performer) {
       counted("restarts", performer.restarts, "The sender restarted: its counter or its time began again"),
       counted("clock jumps", performer.clock_jumps, "Of the sender's clock"),
       {"replaced", count_text(performer.dropped), false,
-       "Poses that a newer one replaced before the solver took them"}};
+       "Poses replaced by a newer one before the solver took them"}};
 }
 
 std::string body_line(const PerformerHealth& performer) {

@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "widgets/common/parts.hpp"
 #include "widgets/common/utf8.hpp"
 #include "widgets/sweep/sweep_grid.hpp"
 
@@ -23,12 +24,6 @@ constexpr int highest_count = 15;
 QString setting_name(const SettingInfo& info) {
   const bool plain = !info.symbol.empty() && info.symbol.find('_') == std::string_view::npos;
   return text(info.title) + (plain ? " (" + text(info.symbol) + ")" : QString());
-}
-
-QLabel* secondary(const QString& words, QWidget* parent) {
-  auto* label = new QLabel(words, parent);
-  label->setObjectName("secondary");
-  return label;
 }
 
 /// Values without numbers are all taken.
@@ -46,7 +41,7 @@ SweepForm::SweepForm(QWidget* parent) : QWidget(parent), m_settings(*preset(pres
   grid->setVerticalSpacing(6);
   int column = 1;
   for (const char* name : {"setting", "from", "to", "values"})
-    grid->addWidget(secondary(name, this), 0, column++);
+    grid->addWidget(quiet_label(name, this), 0, column++);
   const auto index_of = [](std::string_view key) {
     const auto all = all_settings();
     return static_cast<int>(
@@ -57,8 +52,7 @@ SweepForm::SweepForm(QWidget* parent) : QWidget(parent), m_settings(*preset(pres
   addSide(m_y, "Rows", 2, index_of("velocity-weight"));
   grid->addWidget(new QLabel("Figure", this), 3, 0);
   m_metric = new QComboBox(this);
-  m_metric->setAccessibleName("Figure that is drawn");
-  m_metric->setToolTip("A figure of the report, the mean over the takes");
+  describe(*m_metric, "Figure that is drawn", "A figure of the report, the mean over the takes");
   m_metric->setMaxVisibleItems(20);
   grid->addWidget(m_metric, 3, 1, 1, 2);
   m_takesButton = new QToolButton(this);
@@ -94,7 +88,7 @@ void SweepForm::addSide(Side& side, const QString& name, int row, int chosen) {
   side.count->setRange(1, highest_count);
   side.count->setAccessibleName(name + ": number of values");
   side.count->setFixedWidth(58);
-  side.scale = secondary({}, this);
+  side.scale = quiet_label({}, this);
   side.scale->setMinimumWidth(78);
   grid->addWidget(new QLabel(name, this), row, 0);
   grid->addWidget(side.setting, row, 1);

@@ -1,11 +1,10 @@
 #include "widgets/sweep/sweep_panel.hpp"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QProgressBar>
 #include <QPushButton>
-#include <QVBoxLayout>
 
+#include "widgets/common/parts.hpp"
 #include "widgets/common/typeset.hpp"
 #include "widgets/sweep/heat_map.hpp"
 #include "widgets/sweep/sweep_form.hpp"
@@ -13,9 +12,7 @@
 namespace abrazo::widgets {
 
 SweepPanel::SweepPanel(QWidget* parent) : QWidget(parent) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(16, 14, 16, 14);
-  column->setSpacing(10);
+  auto* column = column_in(this, {16, 14, 16, 14}, 10);
   m_form = new SweepForm(this);
   m_map = new HeatMap(this);
   column->addWidget(m_form);
@@ -36,9 +33,7 @@ SweepPanel::SweepPanel(QWidget* parent) : QWidget(parent) {
 
 QWidget* SweepPanel::buttons() {
   auto* box = new QWidget(this);
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(10);
+  auto* row = row_in(box, {}, 10);
   m_estimate = new QLabel(box);
   m_estimate->setWordWrap(true);
   m_progress = new QProgressBar(box);
@@ -46,8 +41,7 @@ QWidget* SweepPanel::buttons() {
   m_progress->setTextVisible(false);
   m_progress->setFixedHeight(6);
   m_progress->setAccessibleName("Progress of the sweep");
-  auto* words = new QVBoxLayout;
-  words->setSpacing(4);
+  auto* words = nested_column({}, 4);
   words->addWidget(m_estimate);
   words->addWidget(m_progress);
   m_start = new QPushButton(box);
@@ -63,11 +57,8 @@ QWidget* SweepPanel::buttons() {
 
 QWidget* SweepPanel::findings() {
   auto* box = new QWidget(this);
-  auto* row = new QHBoxLayout(box);
-  row->setContentsMargins(0, 0, 0, 0);
-  row->setSpacing(8);
-  auto* words = new QVBoxLayout;
-  words->setSpacing(2);
+  auto* row = row_in(box, {}, 8);
+  auto* words = nested_column({}, 2);
   m_best = new QLabel(box);
   m_best->setWordWrap(true);
   m_best->setTextFormat(Qt::RichText);
@@ -80,7 +71,7 @@ QWidget* SweepPanel::findings() {
   words->addWidget(m_cell);
   m_adopt = new QPushButton("Adopt", box);
   m_adopt->setObjectName("adoptCell");
-  m_adopt->setToolTip("Both settings of the selected cell become those of the solver, as one step of undo");
+  m_adopt->setToolTip("Applies both settings of the selected cell to the solver, as one undo step");
   m_export = new QPushButton("Export\u2026", box);
   m_export->setObjectName("exportSweep");
   m_export->setToolTip("The report that abrazo sweep writes, as a page (HTML) or as JSON");

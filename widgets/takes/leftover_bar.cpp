@@ -1,9 +1,9 @@
 #include "widgets/takes/leftover_bar.hpp"
 
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QPushButton>
 
+#include "widgets/common/parts.hpp"
 #include "widgets/common/plain_text.hpp"
 
 namespace abrazo::widgets {
@@ -19,9 +19,7 @@ LeftoverBar::LeftoverBar(QWidget* parent) : QWidget(parent) {
   m_keep->setToolTip("The file stays where it is and is not offered again");
   m_discard = new QPushButton("Discard", this);
   m_discard->setToolTip("Moves it to the trash");
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(12, 6, 12, 6);
-  row->setSpacing(6);
+  auto* row = row_in(this, {12, 6, 12, 6}, 6);
   row->addWidget(m_text, 1);
   const auto connect_button = [this, row](QPushButton* button, auto signal) {
     row->addWidget(button);

@@ -2,17 +2,17 @@
 
 #include <QCheckBox>
 #include <QFileInfo>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPainter>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QToolButton>
-#include <QVBoxLayout>
 
 #include "core/session/edit/take_name.hpp"
 #include "widgets/common/chip.hpp"
+#include "widgets/common/icons.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/common/plain_text.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
@@ -25,28 +25,12 @@ using Phase = TakeSequence::Phase;
 
 /// A disc begins, a square ends.
 QIcon mark(bool records, const QColor& colour) {
-  QIcon icon;
-  for (const int ratio : {1, 2}) {
-    QPixmap picture(QSize(16, 16) * ratio);
-    picture.setDevicePixelRatio(ratio);
-    picture.fill(Qt::transparent);
-    QPainter painter(&picture);
-    painter.setRenderHint(QPainter::Antialiasing);
+  return painted_icon({16, 16}, [&](QPainter& painter) {
     painter.setPen(Qt::NoPen);
     painter.setBrush(colour);
     records ? painter.drawRoundedRect(QRectF(3, 3, 10, 10), 1.5, 1.5)
             : painter.drawEllipse(QPointF(8, 8), 5.5, 5.5);
-    painter.end();
-    icon.addPixmap(picture);
-  }
-  return icon;
-}
-
-QLabel* secondary(QWidget* parent) {
-  auto* label = new QLabel(parent);
-  label->setObjectName("secondary");
-  label->setFont(interface_font(12));
-  return label;
+  });
 }
 
 }  // namespace
@@ -54,13 +38,10 @@ QLabel* secondary(QWidget* parent) {
 TakePanel::TakePanel(QWidget* parent) : QWidget(parent), m_palette(palette_of(Theme::Dark)) {
   setObjectName("panel");
   setAttribute(Qt::WA_StyledBackground);
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 4, 0, 0);
-  column->setSpacing(0);
+  auto* column = column_in(this, {0, 4, 0, 0}, 0);
   column->addWidget(makeHead());
   column->addWidget(makeDisk());
-  m_none = secondary(this);
-  m_none->setText("No takes yet. Ctrl+R records one.");
+  m_none = quiet_label("No takes yet. Ctrl+R records one.", this, 12);
   m_none->setContentsMargins(12, 8, 12, 8);
   m_none->setWordWrap(true);
   m_rows = new TakeRows(this);
@@ -75,17 +56,13 @@ TakePanel::TakePanel(QWidget* parent) : QWidget(parent), m_palette(palette_of(Th
 
 QWidget* TakePanel::makeHead() {
   auto* head = new QWidget(this);
-  auto* column = new QVBoxLayout(head);
-  column->setContentsMargins(12, 4, 12, 8);
-  column->setSpacing(6);
+  auto* column = column_in(head, {12, 4, 12, 8}, 6);
   m_name = new QLineEdit(head);
   m_name->setPlaceholderText("take");
-  m_name->setAccessibleName("Name of the takes");
-  m_name->setToolTip("The number increases with every take of this name");
-  m_next = secondary(head);
+  describe(*m_name, "Name of the takes", "The number increases with every take of this name");
+  m_next = quiet_label({}, head, 12);
   m_next->setAccessibleName("Name of the next take");
-  auto* naming = new QHBoxLayout;
-  naming->setSpacing(8);
+  auto* naming = nested_row({}, 8);
   naming->addWidget(m_name, 1);
   naming->addWidget(m_next, 1);
   m_record = new QPushButton(head);
@@ -95,14 +72,13 @@ QWidget* TakePanel::makeHead() {
   m_again = new QPushButton("Again", head);
   m_again->setMinimumHeight(36);
   m_again->setToolTip("Starts the next take of the same name; ends the take that is being recorded");
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(6);
+  auto* buttons = nested_row({}, 6);
   buttons->addWidget(m_record, 3);
   buttons->addWidget(m_again, 1);
   m_elapsed = new TabularLabel(head);
   m_elapsed->setFont(interface_font(17));
   m_elapsed->setAccessibleName("Length of the take that is being recorded");
-  auto* wait = secondary(head);
+  auto* wait = quiet_label({}, head, 12);
   wait->setText("Countdown");
   m_countdown = new QSpinBox(head);
   m_countdown->setRange(0, static_cast<int>(TakeSequence::longest_countdown_s));
@@ -111,8 +87,7 @@ QWidget* TakePanel::makeHead() {
   m_countdown->setAccessibleName("Countdown before a take");
   m_countdown->setToolTip("Counts in large digits over the scene before a take; Again skips it");
   m_countdown->setFixedWidth(88);  // "none" with the arrows
-  auto* last = new QHBoxLayout;
-  last->setSpacing(6);
+  auto* last = nested_row({}, 6);
   last->addWidget(m_elapsed);
   last->addStretch(1);
   last->addWidget(wait);
@@ -125,14 +100,12 @@ QWidget* TakePanel::makeHead() {
 
 QWidget* TakePanel::makeDisk() {
   auto* disk = new QWidget(this);
-  auto* column = new QVBoxLayout(disk);
-  column->setContentsMargins(12, 2, 12, 8);
-  column->setSpacing(5);
+  auto* column = column_in(disk, {12, 2, 12, 8}, 5);
   m_disk = new QLabel(disk);
   m_disk->setFont(interface_font(12));
   m_disk->setWordWrap(true);
   m_disk->setAccessibleName("How the disk keeps up");
-  m_file = secondary(disk);
+  m_file = quiet_label({}, disk, 12);
   m_file->setAccessibleName("Session file");
   m_file->setMinimumWidth(40);
   m_file->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -144,8 +117,7 @@ QWidget* TakePanel::makeDisk() {
   m_pair =
       text_chip("Record pair…",
                 "Records two streamed performers; at the end they can become a take of the library", disk);
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(6);
+  auto* buttons = nested_row({}, 6);
   buttons->addWidget(m_saveAs);
   buttons->addWidget(m_pair);
   buttons->addStretch(1);
@@ -190,10 +162,11 @@ void TakePanel::dress() {
   m_record->setText(m_status.phase == Phase::Recording      ? " Stop"
                     : m_status.phase == Phase::CountingDown ? " Cancel"
                                                             : " Record");
-  m_record->setAccessibleName(m_status.phase == Phase::Recording      ? "Stop recording"
-                              : m_status.phase == Phase::CountingDown ? "Cancel the countdown"
-                                                                      : "Record a take");
-  m_record->setToolTip(busy ? "Ctrl+R" : "Record a take (Ctrl+R)");
+  describe(*m_record,
+           m_status.phase == Phase::Recording      ? "Stop recording"
+           : m_status.phase == Phase::CountingDown ? "Cancel the countdown"
+                                                   : "Record a take",
+           busy ? "Ctrl+R" : "Record a take (Ctrl+R)");
   m_record->setStyleSheet(
       QString("QPushButton { background: %1; color: %2; border: 2px solid %3; border-radius: 6px; }"
               "QPushButton:hover, QPushButton:focus { border-color: %4; }"

@@ -2,7 +2,6 @@
 
 #include <QActionGroup>
 #include <QContextMenuEvent>
-#include <QHBoxLayout>
 #include <QLabel>
 #include <QMenu>
 #include <QPushButton>
@@ -11,6 +10,7 @@
 #include <cmath>
 
 #include "widgets/common/icons.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 
@@ -44,7 +44,7 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent), m_palette(palette
   m_live = new QPushButton("LIVE  End", this);
   m_live->setFocusPolicy(Qt::NoFocus);
   m_live->setCursor(Qt::PointingHandCursor);
-  m_live->setToolTip("Follow what comes in (End)");
+  m_live->setToolTip("Follow the live end (End)");
   makeSpeeds();
   makeRepeats();
   makeFormats();
@@ -56,7 +56,7 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent), m_palette(palette
   m_role->setFocusPolicy(Qt::TabFocus);
   m_role->hide();
   m_livePin = button("Lift the pin of the live partner",
-                     "You pinned a pair: the live partner answers with it until you lift it here");
+                     "You pinned a pair: the live partner uses it until you unpin it here");
   m_livePin->setText("live: pinned by you ✕");
   m_triedPin = button("Pin the live partner, too",
                       "Tried on the parked frame only: the live partner is not pinned. Click to pin it, too");
@@ -67,8 +67,7 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent), m_palette(palette
   }
   connect(m_livePin, &QToolButton::clicked, this, &TransportBar::liftPinRequested);
   connect(m_triedPin, &QToolButton::clicked, this, &TransportBar::applyPinRequested);
-  m_input = new QLabel(this);
-  m_input->setObjectName("secondary");
+  m_input = quiet_label({}, this);
   arrange();
   connect(m_start, &QToolButton::clicked, this, &TransportBar::startRequested);
   connect(m_back, &QToolButton::clicked, this, [this] { emit stepRequested(-1); });
@@ -84,8 +83,7 @@ TransportBar::TransportBar(QWidget* parent) : QWidget(parent), m_palette(palette
 QToolButton* TransportBar::button(const QString& name, const QString& tip) {
   auto* made = new QToolButton(this);
   made->setObjectName("flat");
-  made->setAccessibleName(name);
-  made->setToolTip(tip);
+  describe(*made, name, tip);
   made->setFocusPolicy(Qt::NoFocus);
   made->setIconSize({16, 16});
   return made;
@@ -100,14 +98,14 @@ void TransportBar::makeSpeeds() {
             [this, factor] { emit speedRequested(factor); });
   connect(menu->addAction("Other…"), &QAction::triggered, this, &TransportBar::speedEntryRequested);
   menu->addSeparator();
-  m_everyFrame = menu->addAction("Every frame, if necessary slower than chosen");
+  m_everyFrame = menu->addAction("Plays every frame, slower than the chosen speed if necessary");
   m_everyFrame->setCheckable(true);
   connect(m_everyFrame, &QAction::triggered, this, &TransportBar::everyFrameRequested);
   m_speed->setMenu(menu);
 }
 
 void TransportBar::makeRepeats() {
-  m_loop = button("Loop", "Play the range between in and out over and over; all without them (Ctrl+L)");
+  m_loop = button("Loop", "Repeats the range between in and out, or everything if they are not set (Ctrl+L)");
   m_loop->setCheckable(true);
   m_loop->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   m_loop->setPopupMode(QToolButton::DelayedPopup);
@@ -141,9 +139,7 @@ void TransportBar::makeFormats() {
 }
 
 void TransportBar::arrange() {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(10, 0, 14, 0);
-  row->setSpacing(2);
+  auto* row = row_in(this, {10, 0, 14, 0}, 2);
   for (QToolButton* b : {m_start, m_back, m_play, m_forward, m_end}) row->addWidget(b);
   const std::pair<QWidget*, int> after[] = {{m_time, 10}, {m_frame, 14}, {m_state, 14},
                                             {m_live, 10}, {m_speed, 8},  {m_loop, 0}};
@@ -215,8 +211,7 @@ void TransportBar::showOfTake(bool on) {
   m_live->setVisible(!on);
   m_role->hide();  // of a session, the next frame brings it again
   const QString to = on ? "To the end of the take" : "To the live end";
-  m_end->setAccessibleName(to);
-  m_end->setToolTip(to + " (End)");
+  describe(*m_end, to, to + " (End)");
   showState();
   makeRoom();
 }
@@ -251,7 +246,7 @@ void TransportBar::showHeld(bool on) {
   m_isHeld = on;
   m_live->setText(on ? "HELD  End" : "LIVE  End");
   m_live->setToolTip(on ? "To the live end (End). The input is held: nothing is recorded until it is released"
-                        : "Follow what comes in (End)");
+                        : "Follow the live end (End)");
   showState();
 }
 
@@ -262,9 +257,9 @@ void TransportBar::showRole(bool user_is_active, const QString& by) {
   const QString text = "user " + role + (by.isEmpty() ? QString() : " · " + by) + " ▾";
   if (text == m_role->text() && !m_role->isHidden()) return;
   m_role->setText(text);
-  m_role->setAccessibleName("Role of the user: " + role);
-  m_role->setToolTip(user_is_active ? "The user leads, the partner follows (U switches)"
-                                    : "The user follows, the partner leads (U switches)");
+  describe(*m_role, "Role of the user: " + role,
+           user_is_active ? "The user leads, the partner follows (U switches)"
+                          : "The user follows, the partner leads (U switches)");
   m_role->show();
   dressRole();
   makeRoom();

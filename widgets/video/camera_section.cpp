@@ -43,8 +43,8 @@ CameraSection::CameraSection(QWidget* parent) : QWidget(parent), m_palette(palet
   makePicking(*column);
   auto* files = section_row(column);
   m_clear = text_chip("Forget", "Removes camera and points", this);
-  m_save = text_chip("Save…", "Lens and place of the camera, as a file that can be loaded again", this);
-  m_load = text_chip("Load…", "Lens and place that were saved", this);
+  m_save = text_chip("Save…", "Writes lens and place of the camera to a file", this);
+  m_load = text_chip("Load…", "Loads lens and place from such a file", this);
   files->addWidget(m_save);
   files->addWidget(m_load);
   files->addStretch(1);
@@ -64,7 +64,7 @@ void CameraSection::makeLens(QVBoxLayout& column) {
                            "distortion_coefficients, image_width, image_height (.yml, .xml, .json)",
                            this);
   m_fov = new QDoubleSpinBox(this);
-  m_fov->setAccessibleName("Guessed field of view across");
+  m_fov->setAccessibleName("Horizontal field of view");
   m_fov->setRange(narrowest_deg, widest_deg);
   m_fov->setDecimals(1);
   m_fov->setSuffix("° across");
@@ -73,7 +73,7 @@ void CameraSection::makeLens(QVBoxLayout& column) {
   m_fov->setToolTip("Horizontal field of view of the lens, used without a calibration");
   m_focal = new QCheckBox("find it", this);
   m_focal->setAccessibleName("Find the focal length too");
-  m_focal->setToolTip("The focal length is found together with the camera's place; takes eight points");
+  m_focal->setToolTip("The focal length is found together with the camera's place; this needs eight points");
   row->addWidget(m_intrinsics);
   row->addWidget(m_fov, 1);
   row->addWidget(m_focal);
@@ -89,7 +89,7 @@ void CameraSection::makePicking(QVBoxLayout& column) {
   m_pick->setToolTip(
       "Then press on the joint in the picture, aim with the magnifier, release. Arrow keys move the last one "
       "by a "
-      "tenth of a pixel, with Shift by one; Del takes it away; Escape ends");
+      "tenth of a pixel, with Shift by one; Del removes it; Escape ends");
   m_joint = new QComboBox(this);
   m_joint->setAccessibleName("Joint to pick next");
   m_joint->setMaxVisibleItems(25);
@@ -101,7 +101,7 @@ void CameraSection::makePicking(QVBoxLayout& column) {
   column.addWidget(m_result);
   m_list = new PickList(this);
   column.addWidget(m_list);
-  m_warnings = quiet_text(this, "What is doubtful about the camera");
+  m_warnings = quiet_text(this, "Warnings about the camera");
   m_warnings->setObjectName("warning");
   column.addWidget(m_warnings);
   connect(m_pick, &QPushButton::clicked, this, &CameraSection::pickingRequested);

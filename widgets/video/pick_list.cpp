@@ -31,7 +31,7 @@ PickList::PickList(QWidget* parent) : QWidget(parent), m_palette(palette_of(Them
   setMouseTracking(true);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
   setAccessibleName("Picked joints");
-  setToolTip("A click goes to the picture and selects the point; ✕ or Del takes it away");
+  setToolTip("A click goes to the picture and selects the point; ✕ or Del removes it");
 }
 
 void PickList::setColours(const Palette& palette) {

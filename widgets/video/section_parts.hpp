@@ -1,11 +1,7 @@
 #pragma once
 
-#include <QHBoxLayout>
-#include <QLabel>
-#include <QVBoxLayout>
-
 #include "widgets/common/chip.hpp"
-#include "widgets/common/theme.hpp"
+#include "widgets/common/parts.hpp"
 
 namespace abrazo::widgets {
 
@@ -13,10 +9,8 @@ inline constexpr int section_margin = 12;
 
 /// Secondary text with word wrap.
 inline QLabel* quiet_text(QWidget* parent, const QString& name) {
-  auto* label = new QLabel(parent);
-  label->setObjectName("secondary");
+  auto* label = quiet_label({}, parent, 12);
   label->setAccessibleName(name);
-  label->setFont(interface_font(12));
   label->setWordWrap(true);
   label->setContentsMargins(section_margin, 0, section_margin, 0);
   label->setTextInteractionFlags(Qt::TextSelectableByMouse);
@@ -24,16 +18,11 @@ inline QLabel* quiet_text(QWidget* parent, const QString& name) {
 }
 
 inline QVBoxLayout* section_column(QWidget* box) {
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 6);
-  column->setSpacing(6);
-  return column;
+  return column_in(box, {0, 0, 0, 6}, 6);
 }
 
 inline QHBoxLayout* section_row(QVBoxLayout* column) {
-  auto* row = new QHBoxLayout;
-  row->setContentsMargins(section_margin, 0, section_margin, 0);
-  row->setSpacing(6);
+  auto* row = nested_row({section_margin, 0, section_margin, 0}, 6);
   column->addLayout(row);
   return row;
 }

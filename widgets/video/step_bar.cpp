@@ -1,10 +1,10 @@
 #include "widgets/video/step_bar.hpp"
 
-#include <QHBoxLayout>
 #include <QToolButton>
 
 #include "core/session/frames/time_place.hpp"
 #include "widgets/common/icons.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/common/tabular.hpp"
 #include "widgets/common/theme.hpp"
 #include "widgets/video/video_words.hpp"
@@ -12,9 +12,7 @@
 namespace abrazo::widgets {
 
 StepBar::StepBar(QWidget* parent) : QWidget(parent) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(8, 3, 12, 3);
-  row->setSpacing(2);
+  auto* row = row_in(this, {8, 3, 12, 3}, 2);
   m_back = makeStep("Previous picture of the video", -1);
   m_on = makeStep("Next picture of the video", 1);
   m_time = new TabularLabel(this);
@@ -29,11 +27,10 @@ StepBar::StepBar(QWidget* parent) : QWidget(parent) {
   m_link->setCheckable(true);
   m_link->setChecked(true);
   m_link->setFocusPolicy(Qt::TabFocus);
-  m_link->setAccessibleName("Linked with the timeline");
-  m_link->setToolTip(
-      "The video shows the moment of the timeline's cursor. Off: it is stepped by itself, to find the moment "
-      "that "
-      "the cursor stands at");
+  describe(*m_link, "Linked with the timeline",
+           "The video follows the timeline's cursor. Off: it is stepped by itself, to find the picture that "
+           "belongs "
+           "to the cursor");
   row->addWidget(m_back);
   row->addWidget(m_on);
   row->addSpacing(6);
@@ -48,8 +45,7 @@ StepBar::StepBar(QWidget* parent) : QWidget(parent) {
 QToolButton* StepBar::makeStep(const QString& name, int pictures) {
   auto* button = new QToolButton(this);
   button->setObjectName("flat");
-  button->setAccessibleName(name);
-  button->setToolTip(name + (pictures < 0 ? " (, in the video)" : " (. in the video)"));
+  describe(*button, name, name + (pictures < 0 ? " (, in the video)" : " (. in the video)"));
   button->setAutoRepeat(true);
   button->setFocusPolicy(Qt::TabFocus);
   connect(button, &QToolButton::clicked, this, [this, pictures] { emit stepRequested(pictures); });

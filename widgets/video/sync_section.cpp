@@ -4,6 +4,7 @@
 #include <QPushButton>
 
 #include "core/session/frames/time_place.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/video/section_parts.hpp"
 #include "widgets/video/video_words.hpp"
 
@@ -28,22 +29,21 @@ SyncSection::SyncSection(QWidget* parent) : QWidget(parent) {
       "The picture that is shown and the timeline's cursor are the same moment. The first such point gives "
       "the "
       "offset, a second one the rate too (Ctrl+M)");
-  m_clear = text_chip("Clear", "Both start together and at the same rate again", this);
+  m_clear = text_chip("Clear", "Sets offset and rate back: both begin together, at the same rate", this);
   buttons->addWidget(m_same, 1);
   buttons->addWidget(m_clear);
-  m_points = new QVBoxLayout;
-  m_points->setSpacing(2);
+  m_points = nested_column({}, 2);
   column->addLayout(m_points);
   auto* fields = section_row(column);
   m_offset = makeField("Offset", 3);
   m_offset->setRange(-longest_s, longest_s);
   m_offset->setSuffix(" s");
-  m_offset->setToolTip("What the video shows when the timeline is at 0");
+  m_offset->setToolTip("Time of the video where the timeline is at 0");
   m_rate = makeField("Rate", 6);
   m_rate->setRange(least_rate, most_rate);
   m_rate->setSingleStep(0.001);
   m_rate->setToolTip(
-      "Seconds of the video in one of the timeline. A number entered here takes the second point away");
+      "Seconds of the video per second of the timeline. A number entered here removes the second point");
   fields->addWidget(new QLabel("Offset", this));
   fields->addWidget(m_offset, 1);
   fields->addWidget(new QLabel("Rate", this));
@@ -93,8 +93,7 @@ void SyncSection::makeRows() {
   for (std::size_t i = 0; i < m_sync.points.size(); ++i) {
     const SyncPoint& point = m_sync.points[i];
     auto* box = new QWidget(this);
-    auto* row = new QHBoxLayout(box);
-    row->setContentsMargins(section_margin, 0, section_margin, 0);
+    auto* row = row_in(box, {section_margin, 0, section_margin, 0});
     const QString words = QString("Timeline %1  =  video %2")
                               .arg(text_of(clock_text(point.subject_s)), text_of(clock_text(point.video_s)));
     auto* go = text_chip(words, "The cursor goes there", box);

@@ -4,6 +4,7 @@
 #include <QResizeEvent>
 #include <QSplitter>
 
+#include "widgets/common/parts.hpp"
 #include "widgets/common/scrolled.hpp"
 #include "widgets/common/section_header.hpp"
 #include "widgets/video/camera_section.hpp"
@@ -22,8 +23,7 @@ constexpr int beside_width = 320, least_sections = 110;
 }  // namespace
 
 VideoPanel::VideoPanel(QWidget* parent) : QWidget(parent) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 0);
+  auto* column = column_in(this);
   m_split = new QSplitter(Qt::Vertical, this);
   m_split->setHandleWidth(1);
   m_split->setChildrenCollapsible(false);
@@ -40,9 +40,7 @@ VideoPanel::VideoPanel(QWidget* parent) : QWidget(parent) {
 
 QWidget* VideoPanel::makePicture() {
   auto* box = new QWidget(this);
-  auto* column = new QVBoxLayout(box);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = column_in(box, {}, 0);
   m_view = new VideoView(box);
   m_steps = new StepBar(box);
   column->addWidget(m_view, 1);
@@ -70,7 +68,7 @@ QWidget* VideoPanel::makeFile() {
   row->addWidget(open);
   row->addWidget(m_close);
   m_facts = quiet_text(box, "Facts of the video");
-  m_warning = quiet_text(box, "What is odd about the file");
+  m_warning = quiet_text(box, "Warnings about the file");
   m_warning->setObjectName("warning");
   column->addWidget(m_facts);
   column->addWidget(m_warning);
@@ -82,9 +80,7 @@ QWidget* VideoPanel::makeFile() {
 
 QWidget* VideoPanel::makeSections() {
   auto* content = new QWidget(this);
-  auto* column = new QVBoxLayout(content);
-  column->setContentsMargins(0, 0, 0, 0);
-  column->setSpacing(0);
+  auto* column = column_in(content, {}, 0);
   m_sync = new SyncSection(content);
   m_overlay = new OverlaySection(content);
   m_camera = new CameraSection(content);

@@ -251,7 +251,8 @@ void VideoView::leaveEvent(QEvent*) {
 void VideoView::contextMenuEvent(QContextMenuEvent* event) {
   QMenu menu(this);
   menu.addAction("Whole picture", this, [this] { setZoom({}); });
-  menu.addAction("One pixel to one of the screen", this, &VideoView::zoomToPixels);
+  menu.addAction("Actual size: one pixel of the video for each of the screen", this,
+                 &VideoView::zoomToPixels);
   QAction* smooth = menu.addAction("Smooth pixels", this, &VideoView::setSmooth);
   smooth->setCheckable(true);
   smooth->setChecked(m_smooth);

@@ -1,12 +1,12 @@
 #include "widgets/scene/panel/morph_strip.hpp"
 
-#include <QHBoxLayout>
 #include <QPainter>
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QToolButton>
 
 #include "widgets/common/icons.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/common/tabular.hpp"
 
 namespace abrazo::widgets {
@@ -18,19 +18,16 @@ MorphStrip::MorphStrip(QWidget* parent)
       m_forth(new QToolButton(this)),
       m_close(new QToolButton(this)),
       m_text(new TabularLabel(this)) {
-  auto* row = new QHBoxLayout(this);
-  row->setContentsMargins(10, 3, 4, 3);
-  row->setSpacing(4);
+  auto* row = row_in(this, {10, 3, 4, 3}, 4);
   const auto dress = [](QToolButton* button, const QString& name) {
     button->setObjectName("flat");
-    button->setAccessibleName(name);
-    button->setToolTip(name);
+    describe(*button, name, name);
   };
   dress(m_back, "Previous morph step (,)");
   dress(m_forth, "Next morph step (.)");
   dress(m_close, "Back to the result");
-  m_slider->setAccessibleName("Morph step");
-  m_slider->setToolTip("From the selected pair through morph and projection steps to the result");
+  describe(*m_slider, "Morph step",
+           "From the selected pair through morph and projection steps to the result");
   m_slider->setPageStep(1);
   m_slider->setFixedWidth(110);
   for (QWidget* part : std::initializer_list<QWidget*>{m_text, m_back, m_slider, m_forth, m_close})

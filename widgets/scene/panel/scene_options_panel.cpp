@@ -2,13 +2,14 @@
 
 #include <QDoubleSpinBox>
 #include <QFormLayout>
-#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QSlider>
 #include <QToolButton>
 #include <algorithm>
 #include <cmath>
+
+#include "widgets/common/parts.hpp"
 
 namespace abrazo::widgets {
 namespace {
@@ -80,8 +81,7 @@ SceneOptionsPanel::SceneOptionsPanel(QWidget* parent) : QFrame(parent, Qt::Popup
 /// The slider with its value beside it.
 QWidget* SceneOptionsPanel::withValue(QSlider* slider, QLabel*& value) {
   auto* both = new QWidget(this);
-  auto* row = new QHBoxLayout(both);
-  row->setContentsMargins(0, 0, 0, 0);
+  auto* row = row_in(both);
   row->addWidget(slider, 1);
   value = new QLabel(both);
   value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -130,8 +130,7 @@ QDoubleSpinBox* SceneOptionsPanel::length(const QString& name, const QString& ti
   box->setSingleStep(0.05);
   box->setDecimals(2);
   box->setSuffix(" m");
-  box->setAccessibleName(name);
-  box->setToolTip(tip);
+  describe(*box, name, tip);
   return box;
 }
 

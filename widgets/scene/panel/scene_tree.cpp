@@ -6,9 +6,9 @@
 #include <QMouseEvent>
 #include <QPainter>
 #include <QToolTip>
-#include <QVBoxLayout>
 #include <algorithm>
 
+#include "widgets/common/parts.hpp"
 #include "widgets/common/plain_text.hpp"
 #include "widgets/common/scrolled.hpp"
 #include "widgets/common/selection_model.hpp"
@@ -30,15 +30,12 @@ SceneTree::SceneTree(QWidget* parent)
       m_scroll(new QScrollArea(this)),
       m_list(new SceneTreeList(this)),
       m_characters(new CharacterRows(this)) {
-  auto* column = new QVBoxLayout(this);
-  column->setContentsMargins(0, 0, 0, 4);
-  column->setSpacing(2);
+  auto* column = column_in(this, {0, 0, 0, 4}, 2);
   m_filter->setPlaceholderText("Find a part or joint");
   m_filter->setAccessibleName("Find a part or joint");
   m_filter->setClearButtonEnabled(true);
   m_filter->setFont(interface_font(12));
-  auto* field = new QHBoxLayout;
-  field->setContentsMargins(10, 0, 10, 2);
+  auto* field = nested_row({10, 0, 10, 2});
   field->addWidget(m_filter);
   scroll_vertically(*m_scroll, m_list);
   m_scroll->setFocusPolicy(Qt::NoFocus);

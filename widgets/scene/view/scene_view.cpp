@@ -1,10 +1,10 @@
 #include "widgets/scene/view/scene_view.hpp"
 
 #include <QEvent>
-#include <QVBoxLayout>
 #include <cmath>
 
 #include "core/synthesis/step/look_ahead.hpp"
+#include "widgets/common/parts.hpp"
 #include "widgets/scene/actors/ahead_lines.hpp"
 #include "widgets/scene/values/morph_step.hpp"
 #include "widgets/scene/view/scene_view_parts.hpp"
@@ -50,8 +50,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_parts(std::make_uniqu
   Parts& p = *m_parts;
   setMinimumSize(320, 220);
   setAccessibleName("Scene");
-  auto* box = new QVBoxLayout(this);
-  box->setContentsMargins(0, 0, 0, 0);
+  auto* box = column_in(this);
   p.surface->setFocusPolicy(Qt::StrongFocus);
   p.surface->setAccessibleName("Scene");
   p.cut_layer = new CutHandleLayer(this);
