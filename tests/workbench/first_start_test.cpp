@@ -78,7 +78,7 @@ TEST_F(FirstStart, TheRoomForLabelsGoesWithTheirLanes) {
   ASSERT_TRUE(until([&] { return split().sizes().back() > before; }));
   EXPECT_FALSE(split().chosenHeight()) << "nobody moved the border";
   desk.showSubject({});
-  EXPECT_FALSE(desk.showsTake());
+  EXPECT_TRUE(window().document().subject().empty());
   window().panels().want("annotation", false);
   EXPECT_TRUE(window().timeline().lanes().tiers().empty());
   EXPECT_TRUE(until([&] { return split().sizes().back() == before; }, 10'000)) << split().sizes().back();
