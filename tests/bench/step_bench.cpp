@@ -129,5 +129,9 @@ int main(int argc, char** argv) {
     for (const int rate_hz : {15, 60, 120})
       add(fmt::format("step/{}/{} Hz", name, rate_hz), settings, rate_hz, Caches::Warm);
   add("step/responsive/60 Hz, cold caches", *preset("responsive"), 60, Caches::Cold);
+  Settings other_bodies = *preset("responsive");
+  other_bodies.active_body.kind = BodyChoice::Kind::User;
+  other_bodies.passive_body = *parse_body_choice("scale:0.85");
+  add("step/responsive/60 Hz, bodies user and 0.85", other_bodies, 60, Caches::Warm);
   return run_benchmarks(argc, argv);
 }

@@ -220,7 +220,7 @@ TEST(CandidateTable, HidesTheMapUntilThereIsRoomBelowEightRows) {
   t.table.resize(406, t.table.minimumSizeHint().height() + 60);
   EXPECT_FALSE(t.map->isVisible());
   EXPECT_FALSE(button->isEnabled());
-  EXPECT_TRUE(button->toolTip().contains("a higher panel")) << button->toolTip().toStdString();
+  EXPECT_TRUE(button->toolTip().contains("a taller panel")) << button->toolTip().toStdString();
   t.table.resize(406, 460);
   EXPECT_TRUE(t.map->isVisible()) << "it is still wanted";
   button->click();
