@@ -104,8 +104,8 @@ TEST(TierFile, SubtitlesKeepValuesAndSayWhatTheyLeaveOut) {
 }
 
 TEST(TierFile, WebVttIsWhatPlayersRead) {
-  const auto text = write_tiers(std::vector<Tier>{{"move", {{3661.5, 3662, "a<b"}}}}, "x.vtt", {});
-  EXPECT_EQ(text->text, "WEBVTT\n\nmove 1\n01:01:01.500 --> 01:01:02.000\n<v move>a&lt;b\n");
+  const auto text = write_tiers(std::vector<Tier>{{"move", {{3661.5, 3662, "a<b>c"}}}}, "x.vtt", {});
+  EXPECT_EQ(text->text, "WEBVTT\n\nmove 1\n01:01:01.500 --> 01:01:02.000\n<v move>a&lt;b&gt;c\n");
   const auto srt = write_tiers(std::vector<Tier>{{"move", {{1.5, 2, "a"}}}}, "x.srt", {});
   EXPECT_EQ(srt->text, "1\n00:00:01,500 --> 00:00:02,000\n[move] a\n");
 }
@@ -180,6 +180,26 @@ TEST(TierFile, OtherPeoplesTablesAreReadByTheirHeader) {
   EXPECT_EQ(table->tiers,
             (std::vector<Tier>{{"move", {{0.5, 1, "basic"}, {1, 2, "turn"}}, {}, TierKind::Move}}));
   EXPECT_THAT(table->warnings, ElementsAre(HasSubstr("annotator")));
+}
+
+TEST(TierFile, SpacesAndTabsMayPrecedeAQuotedFieldOfATable) {
+  const auto table = parse_tiers("tier,start,end,value\nmove,0,1,\t \"turn, slow\"\n", "x.csv", {});
+  ASSERT_TRUE(table) << table.error().text();
+  EXPECT_EQ(table->tiers, (std::vector<Tier>{{"move", {{0, 1, "turn, slow"}}, {}, TierKind::Move}}));
+}
+
+TEST(TierFile, ATableIsReadNoFartherThanItsEnd) {
+  const std::string_view behind = "tier,start,end,value\nmove,0,1, \"not of it\"";
+  const auto table = parse_tiers(behind.substr(0, behind.find(" \"not")), "x.csv", {});
+  ASSERT_TRUE(table) << table.error().text();
+  EXPECT_EQ(table->tiers, (std::vector<Tier>{{"move", {{0, 1, ""}}, {}, TierKind::Move}}));
+}
+
+TEST(TierFile, ARowWithTooFewFieldsIsRefused) {
+  const auto table = parse_tiers("tier,start,end,value\nmove,0,1,turn\nmove,1,2\n", "x.csv", {});
+  ASSERT_FALSE(table);
+  EXPECT_THAT(table.error().text(), HasSubstr("x.csv:3"));
+  EXPECT_THAT(table.error().text(), HasSubstr("has 3 fields, the header 4"));
 }
 
 TEST(TierFile, OtherPeoplesSubtitlesAreRead) {
