@@ -238,6 +238,8 @@ TEST(TierFile, WhatCannotBeWrittenIsRefused) {
   EXPECT_THAT(refusal({{"m", {{0, 2, "a"}, {1, 3, "b"}}}}, "x.json"), HasSubstr("overlaps"));
   EXPECT_THAT(refusal({{"m", {{0, std::nan(""), "a"}}}}, "x.csv"), HasSubstr("finite"));
   EXPECT_THAT(refusal({{" ", {}}}, "x.csv"), HasSubstr("no name"));
+  EXPECT_THAT(refusal({{"m", {{0, 1, "\xFF"}, {1, 2, "b"}}}}, "x.json"), HasSubstr("not UTF-8"))
+      << "though what follows is";
   EXPECT_THAT(refusal({{"m", {{-1, 1, "a"}}}}, "x.vtt"), HasSubstr("no times before 0"));
   EXPECT_THAT(refusal({{"a]b", {{0, 1, "a"}}}}, "x.srt"), HasSubstr("cannot hold the tier name"));
   EXPECT_THAT(refusal({{"m", {{0, 1, "a\x01"}}}}, "x.eaf"), HasSubstr("control character"));
